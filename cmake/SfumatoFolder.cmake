@@ -1,0 +1,38 @@
+# One static library for each folder of src/, linked only to the folders that it may use.
+
+add_library(sfumato_flags INTERFACE)
+target_compile_options(sfumato_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Werror)
+# The same bits for any compiler and instruction set: no contraction, and no vectorising of pairs of
+# rounded doubles, which g++ 12.2 gets wrong.
+target_compile_options(sfumato_flags INTERFACE -ffp-contract=off -fno-math-errno)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  target_compile_options(sfumato_flags INTERFACE -fno-tree-slp-vectorize -Wno-psabi)
+endif()
+if(SFUMATO_SANITIZE)
+  target_compile_options(sfumato_flags INTERFACE -fsanitize=${SFUMATO_SANITIZE}
+                         -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(sfumato_flags INTERFACE -fsanitize=${SFUMATO_SANITIZE})
+endif()
+
+# sfumato_folder(NAME [USES folder...]): library sfumato_NAME from every .cpp beside the caller.
+# Files that end in _avx2.cpp and _avx512.cpp are compiled for these instruction sets.
+function(sfumato_folder name)
+  cmake_parse_arguments(ARG "" "" "USES" ${ARGN})
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp)
+  add_library(sfumato_${name} STATIC ${sources})
+  target_include_directories(sfumato_${name} PUBLIC ${PROJECT_SOURCE_DIR}/src)
+  target_link_libraries(sfumato_${name} PUBLIC sfumato_flags)
+  foreach(folder ${ARG_USES})
+    target_link_libraries(sfumato_${name} PUBLIC sfumato_${folder})
+  endforeach()
+  if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+    foreach(source ${sources})
+      if(source MATCHES "_avx2\\.cpp$")
+        set_source_files_properties(${source} PROPERTIES COMPILE_OPTIONS "-mavx2")
+      elseif(source MATCHES "_avx512\\.cpp$")
+        set_source_files_properties(${source} PROPERTIES COMPILE_OPTIONS
+          "-mavx512f;-mavx512dq;-mavx512bw;-mavx512vl;-mprefer-vector-width=512")
+      endif()
+    endforeach()
+  endif()
+endfunction()

@@ -1,0 +1,70 @@
+#include "base/context.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+namespace sfumato {
+
+void Executor::run(std::size_t task_count, FunctionRef<void(std::size_t)> task) {
+  for (std::size_t i = 0; i < task_count; ++i) task(i);
+}
+
+Status Budget::charge(std::size_t bytes, std::string_view purpose) {
+  std::size_t used = used_.load(std::memory_order_relaxed);
+  do {
+    if (bytes > limit_ || used > limit_ - bytes) {
+      return make_error(StatusCode::limit, "memory limit of " + std::to_string(limit_ >> 20) +
+                                               " MiB reached: " + std::string(purpose) + " needs " +
+                                               std::to_string((bytes >> 20) + 1) + " MiB more");
+    }
+  } while (!used_.compare_exchange_weak(used, used + bytes, std::memory_order_relaxed));
+  return ok_status();
+}
+
+SimdLevel detected_simd_level() {
+#if defined(__x86_64__)
+  __builtin_cpu_init();
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+      __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512vl")) {
+    return SimdLevel::avx512;
+  }
+  if (__builtin_cpu_supports("avx2")) return SimdLevel::avx2;
+#endif
+  return SimdLevel::sse2;
+}
+
+ScopedCharge& ScopedCharge::operator=(ScopedCharge&& other) noexcept {
+  std::swap(budget_, other.budget_);
+  std::swap(bytes_, other.bytes_);
+  return *this;
+}
+
+ScopedCharge::~ScopedCharge() {
+  if (budget_) budget_->release(bytes_);
+}
+
+Status ScopedCharge::add(Context& context, std::size_t bytes, std::string_view purpose) {
+  Status status = context.budget.charge(bytes, purpose);
+  if (!status) return status;
+  budget_ = &context.budget;
+  bytes_ += bytes;
+  return status;
+}
+
+Status parallel_for(Context& context, std::size_t count, std::size_t grain,
+                    FunctionRef<void(std::size_t, std::size_t)> body) {
+  const std::size_t task_count = (count + grain - 1) / grain;
+  const auto task = [&](std::size_t i) {
+    if (!context.cancelled()) body(i * grain, std::min(count, (i + 1) * grain));
+  };
+  if (context.executor && task_count > 1) {
+    context.executor->run(task_count, task);
+  } else {
+    for (std::size_t i = 0; i < task_count; ++i) task(i);
+  }
+  if (context.cancelled()) return make_error(StatusCode::cancelled, "cancelled");
+  return ok_status();
+}
+
+}  // namespace sfumato

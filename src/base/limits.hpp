@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+/// Every limit on input and on resources, in one place (documented in docs/limits.md). Passing one
+/// is StatusCode::limit, and the message names the limit.
+namespace sfumato::limits {
+
+inline constexpr std::size_t kInputBytes = std::size_t{64} << 20;
+inline constexpr int kXmlDepth = 256;
+inline constexpr std::size_t kXmlElements = 8'000'000;
+inline constexpr std::size_t kCurves = 200'000;
+inline constexpr std::size_t kControlPoints = 4'000'000;
+inline constexpr std::size_t kStops = 8'000'000;
+inline constexpr std::size_t kSegments = 4'000'000;
+inline constexpr std::size_t kTriangles = 8'000'000;
+inline constexpr std::size_t kNodes = 40'000'000;
+inline constexpr std::size_t kLayers = 256;
+inline constexpr std::size_t kShadersPerLayer = 64;
+inline constexpr int kRays = 4096;
+inline constexpr int kThreads = 1024;
+inline constexpr std::size_t kWarnings = 100;
+
+/// Coordinates are finite and at most this large in magnitude, in user units.
+inline constexpr double kCoordinate = 1e7;
+
+/// Side of a raster image in pixels.
+inline constexpr int kImageSide = 16'384;
+
+/// Memory charged by one Context, bytes; --max-memory changes it.
+inline constexpr std::size_t kMemoryBytes = std::size_t{2} << 30;
+
+}  // namespace sfumato::limits

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <memory>
+
+#include "base/context.hpp"
+
+namespace sfumato {
+
+/// A thread pool of oneTBB. thread_count 0: one thread per core that this process may use.
+std::unique_ptr<Executor> make_tbb_executor(int thread_count = 0);
+
+}  // namespace sfumato

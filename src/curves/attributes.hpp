@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "base/color.hpp"
+#include "curves/flatten.hpp"
+
+namespace sfumato::curves {
+
+/// The values of an attribute at both ends of a segment, from within the segment (a step at an end
+/// belongs to the neighbour). Linear in between.
+template <class Value>
+struct SegmentValues {
+  Value start{};
+  Value end{};
+};
+
+/// The colour shader of one side of one segment.
+struct SegmentColor {
+  ShaderKind kind = ShaderKind::open;
+  std::uint32_t shader = 0;
+  SegmentValues<Rgb> color;
+};
+
+/// Attributes of every segment of `flat` (index = segment = its first vertex; the entries of
+/// vertices that begin no segment are open).
+struct SegmentAttributes {
+  std::vector<SegmentColor> left;
+  std::vector<SegmentColor> right;
+  std::vector<float> weight;
+};
+
+SegmentAttributes sample_colors(const FlatCurves& flat, std::span<const Curve> curves);
+
+}  // namespace sfumato::curves

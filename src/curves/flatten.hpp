@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "base/box.hpp"
+#include "base/context.hpp"
+#include "base/status.hpp"
+#include "document/curve.hpp"
+
+namespace sfumato::curves {
+
+struct FlattenOptions {
+  double tolerance = 0.1;  ///< largest distance between chord and curve, user units, above 0
+  /// Outside this box (grown by a tenth) the coarser `outside_tolerance` is enough.
+  std::optional<Box> focus;
+  double outside_tolerance = 0.1;
+};
+
+/// Curves as polylines that keep the curve parameter. Segment s joins vertex s and vertex s + 1;
+/// the last vertex of a curve begins no segment. Every stop of a stop list is a vertex, so that
+/// attributes are linear on each segment.
+struct FlatCurves {
+  std::vector<Vec2> vertex;        ///< layer frame
+  std::vector<double> parameter;   ///< per vertex: Bézier piece + t
+  std::vector<double> arc_length;  ///< per vertex: length from the curve's start, user units
+  std::vector<std::uint32_t> vertex_curve;  ///< per vertex: its curve
+  std::vector<std::uint32_t> curve_begin;   ///< curve c owns vertices [begin[c], begin[c + 1])
+
+  std::uint32_t curve_count() const { return static_cast<std::uint32_t>(curve_begin.size() - 1); }
+  bool begins_segment(std::uint32_t v) const {
+    return v + 1 < vertex.size() && vertex_curve[v] == vertex_curve[v + 1];
+  }
+  std::size_t segment_count() const { return vertex.size() - curve_count(); }
+};
+
+/// Flattens every curve. Errors: limit (segments, memory), cancelled.
+/// Cost: O(vertices), on the pool; the same bits for any thread count.
+Result<FlatCurves> flatten(Context& context, std::span<const Curve> curves,
+                           const FlattenOptions& options);
+
+}  // namespace sfumato::curves

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "base/affine.hpp"
+#include "base/box.hpp"
+#include "base/color.hpp"
+#include "base/status.hpp"
+#include "document/curve.hpp"
+#include "document/shader.hpp"
+
+namespace sfumato {
+
+/// Space in which colours are interpolated.
+enum class InterpolationSpace : std::uint8_t { srgb, linear, oklab };
+
+enum class BlendMode : std::uint8_t {
+  normal,
+  multiply,
+  screen,
+  overlay,
+  darken,
+  lighten,
+  color_dodge,
+  color_burn,
+  hard_light,
+  soft_light,
+  difference,
+  exclusion,
+  hue,
+  saturation,
+  color,
+  luminosity
+};
+
+/// Curves that are solved together: one mesh, one solution. Frame: the layer's own.
+struct Layer {
+  std::string id;
+  std::vector<Curve> curves;  ///< drawing order: where two lie on one edge, the last wins
+};
+
+/// A layer painted at one place of the stacking order.
+struct LayerInstance {
+  std::uint32_t layer = 0;  ///< index into Document::layers
+  Affine artboard_from_layer;
+  float opacity = 1;
+  BlendMode blend = BlendMode::normal;
+};
+
+/// A local curve painted at one place of the stacking order.
+struct LocalStroke {
+  LocalCurve curve;
+  Affine artboard_from_stroke;
+};
+
+using StackItem = std::variant<LayerInstance, LocalStroke>;
+
+/// A picture as its author wrote it. Plain data; `validate` states the invariants.
+struct Document {
+  Box artboard;  ///< user units, y down
+  InterpolationSpace interpolation = InterpolationSpace::srgb;
+  std::optional<Rgb> background;
+  std::vector<Shader> shaders;
+  std::vector<Layer> layers;
+  std::vector<StackItem> stack;  ///< bottom first
+};
+
+/// Checks every invariant of the model: sizes against limits.hpp, finite numbers in range, indices,
+/// 3n+1 control points, stop lists that are sorted. Readers call it last; `diffuse` relies on it.
+Status validate(const Document& document);
+
+}  // namespace sfumato

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/context.hpp"
+#include "base/image.hpp"
+#include "base/status.hpp"
+
+namespace sfumato {
+
+/// Encodes as PNG (sRGB chunk, no time stamp: the same image gives the same bytes for any thread
+/// count). Errors: limit, cancelled.
+Result<std::vector<std::uint8_t>> encode_png(Context& context, const Image& image);
+
+/// Decodes any PNG to rgb8, rgba8, rgb16 or rgba16. The header is checked before memory is taken.
+/// Errors: bad_input, limit.
+Result<Image> decode_png(Context& context, std::span<const std::uint8_t> bytes,
+                         const std::string& file);
+
+}  // namespace sfumato

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "gather/scene.hpp"
+
+namespace sfumato::gather {
+
+/// Channels of a gathered value: red, green, blue (code values, 0 to 1; Z_C / W of eq. 6), then one
+/// W_s / W per image-domain shader of the layer.
+inline constexpr int kColorChannels = 3;
+
+enum class Method : std::uint8_t { exact, rays };
+
+struct GatherOptions {
+  Method method = Method::exact;
+  int rays_per_node = 64;  ///< Method::rays: at most limits::kRays
+  std::uint64_t seed = 0;
+};
+
+/// Colours gathered at points (paper eq. 2–3), closed form over the exact visible set, or Monte
+/// Carlo rays. Holds what both need to know of one visibility mesh.
+class Gatherer {
+ public:
+  /// `visibility` is validated; it is read, not kept. Errors: limit, cancelled.
+  static Result<Gatherer> create(Context& context, const mesh::TriangleMesh& visibility,
+                                 const curves::SegmentAttributes& attributes);
+
+  Gatherer(Gatherer&&) noexcept;
+  Gatherer& operator=(Gatherer&&) noexcept;
+  ~Gatherer();
+
+  /// points   layer frame, inside the visibility mesh's hull; neighbours in the list should be
+  ///          neighbours in the plane. Not on a curve that bears colour, nor on a mesh vertex.
+  /// out      kColorChannels floats per point. Where nothing is hit: 0.
+  /// hit      optional, per point: 1 where any ray hits, else 0.
+  /// Errors   limit, cancelled (out unspecified). The same bits for any thread count and SIMD
+  /// level.
+  Status gather(Context& context, std::span<const Vec2> points, const GatherOptions& options,
+                std::span<float> out, std::span<std::uint8_t> hit = {}) const;
+
+ private:
+  struct State;
+  explicit Gatherer(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace sfumato::gather

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "base/box.hpp"
+#include "base/context.hpp"
+#include "base/status.hpp"
+#include "curves/flatten.hpp"
+#include "mesh/triangle_mesh.hpp"
+
+namespace sfumato::mesh {
+
+/// Lengths in user units of the layer.
+struct MeshOptions {
+  Box frame;                  ///< the patch mesh covers this rectangle; not empty
+  double unit_size = 1;       ///< "1 px" of the notes: artboard's longer side / 1024
+  double weld_px = 1.0 / 16;  ///< weld distance in multiples of unit_size, at least 2^-8
+  double min_angle_deg = 22;  ///< 0 to 33
+  double max_area = 0;        ///< user units²; 0: none
+};
+
+/// Curves to constrained Delaunay triangulations on an integer lattice (DESIGN 2.5).
+///
+/// build    arrangement and constrained Delaunay triangulation of all segments: the visibility mesh
+/// refine   Delaunay refinement of the triangles inside the frame: the patch mesh
+///
+/// No finite input within limits::kCoordinate makes it loop, crash or return an invalid mesh.
+/// Deterministic; single-threaded.
+class Mesher {
+ public:
+  /// Errors: limit (segments, triangles, memory), cancelled.
+  static Result<Mesher> build(Context& context, const curves::FlatCurves& flat,
+                              const MeshOptions& options);
+
+  Mesher(Mesher&&) noexcept;
+  Mesher& operator=(Mesher&&) noexcept;
+  ~Mesher();
+
+  /// All triangles, also those outside the frame. Call before `refine`.
+  TriangleMesh visibility_mesh() const;
+
+  /// Angle and area refinement inside the frame.
+  Status refine(Context& context);
+
+  /// Makes every triangle of `triangles` (indices of the last patch_mesh) smaller, then restores
+  /// the angle bound. Triangles with no edge longer than `smallest_edge` are left alone.
+  Status refine_triangles(Context& context, std::span<const std::uint32_t> triangles,
+                          double smallest_edge);
+
+  /// The triangles inside the frame. Vertices keep their indices from one call to the next;
+  /// `previous_triangle[t]` is the index that triangle t had in the call before if it is unchanged
+  /// since (same corners, same slots), else kNone. May be null.
+  TriangleMesh patch_mesh(std::vector<std::int32_t>* previous_triangle = nullptr);
+
+ private:
+  struct State;
+  explicit Mesher(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace sfumato::mesh

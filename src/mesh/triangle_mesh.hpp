@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/vec2.hpp"
+
+namespace sfumato::mesh {
+
+inline constexpr std::int32_t kNone = -1;
+
+/// A stretch of a flattened segment: fractions of the segment (0 at its first vertex, 1 at its
+/// second) at the two ends of a constrained edge, in the constraint's own direction.
+struct SegmentPiece {
+  std::uint32_t segment = 0;
+  float u_from = 0;
+  float u_to = 1;  ///< below u_from where the segment runs against the constraint
+};
+
+/// An edge of the mesh that curves (or only the frame) lie on.
+struct Constraint {
+  std::uint32_t from = 0;  ///< vertex
+  std::uint32_t to = 0;    ///< vertex
+  std::uint32_t piece_begin = 0;
+  std::uint32_t piece_end = 0;  ///< pieces [begin, end): in drawing order; none: frame only
+};
+
+/// A triangulation in flat index arrays. Half-edge h = 3 t + k runs from corner k of triangle t to
+/// corner (k + 1) % 3; t lies on the side where cross(edge, p - start) > 0, which is the *right*
+/// of the edge on the screen (y down).
+struct TriangleMesh {
+  double lattice_step = 0;  ///< a power of two, user units: positions are whole multiples of it
+  std::vector<Vec2> vertex_position;               ///< layer frame
+  std::vector<std::uint32_t> triangle_vertex;      ///< 3 per triangle, positive orientation
+  std::vector<std::int32_t> half_edge_twin;        ///< kNone on the hull
+  std::vector<std::int32_t> half_edge_constraint;  ///< index into `constraint`, or kNone: free
+  std::vector<Constraint> constraint;
+  std::vector<SegmentPiece> piece;
+
+  std::uint32_t triangle_count() const {
+    return static_cast<std::uint32_t>(triangle_vertex.size() / 3);
+  }
+  std::uint32_t origin(std::uint32_t h) const { return triangle_vertex[h]; }
+  std::uint32_t target(std::uint32_t h) const { return triangle_vertex[next(h)]; }
+  std::uint32_t apex(std::uint32_t h) const { return triangle_vertex[previous(h)]; }
+  static std::uint32_t next(std::uint32_t h) { return h % 3 == 2 ? h - 2 : h + 1; }
+  static std::uint32_t previous(std::uint32_t h) { return h % 3 == 0 ? h + 2 : h - 1; }
+  std::span<const SegmentPiece> pieces(const Constraint& c) const {
+    return {piece.data() + c.piece_begin, piece.data() + c.piece_end};
+  }
+};
+
+}  // namespace sfumato::mesh
