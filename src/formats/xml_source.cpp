@@ -1,0 +1,108 @@
+#include "formats/xml_source.hpp"
+
+#include <algorithm>
+#include <cstring>
+
+#include "base/limits.hpp"
+
+namespace sfumato {
+namespace {
+
+// What one node and one attribute take in pugixml's tree on a 64-bit machine.
+constexpr std::size_t kNodeBytes = 64;
+constexpr std::size_t kAttributeBytes = 40;
+constexpr std::size_t kTreeBytes = std::size_t{64} << 10;
+
+/// Number of tags that open an element; an upper bound where comments hold tags.
+std::size_t count_elements(std::string_view text) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i + 1 < text.size(); ++i) {
+    count += text[i] == '<' && text[i + 1] != '/' && text[i + 1] != '!' && text[i + 1] != '?';
+  }
+  return count;
+}
+
+class DepthLimit : public pugi::xml_tree_walker {
+ public:
+  bool for_each(pugi::xml_node& node) override {
+    // Text lies one deeper than the element that holds it.
+    if (node.type() != pugi::node_element || depth() < limits::kXmlDepth) return true;
+    offender = node;
+    return false;
+  }
+
+  pugi::xml_node offender;
+};
+
+}  // namespace
+
+Status XmlSource::check_size(Context& context) {
+  if (text_.size() > limits::kInputBytes) {
+    return make_error(
+        StatusCode::limit,
+        "input is longer than the limit of " + std::to_string(limits::kInputBytes) + " bytes",
+        {file_});
+  }
+  if (count_elements(text_) > limits::kXmlElements) {
+    return make_error(StatusCode::limit,
+                      "more than the limit of " + std::to_string(limits::kXmlElements) +
+                          " XML elements",
+                      {file_});
+  }
+  // A text node may stand before every tag.
+  const std::size_t nodes = 2 * static_cast<std::size_t>(std::ranges::count(text_, '<'));
+  const std::size_t attributes = static_cast<std::size_t>(std::ranges::count(text_, '='));
+  return charge_.add(
+      context,
+      2 * text_.size() + nodes * kNodeBytes + attributes * kAttributeBytes + kTreeBytes,
+      "the XML tree");
+}
+
+Status XmlSource::check_depth() {
+  DepthLimit walker;
+  if (tree_.traverse(walker)) return ok_status();
+  return make_error(
+      StatusCode::limit,
+      "elements are nested deeper than the limit of " + std::to_string(limits::kXmlDepth),
+      place(walker.offender));
+}
+
+Status XmlSource::parse(Context& context) {
+  if (Status status = check_size(context); !status) return status;
+  const pugi::xml_parse_result result = tree_.load_buffer(text_.data(), text_.size());
+  is_utf8_ = result.encoding == pugi::encoding_utf8;
+  if (result.status == pugi::status_out_of_memory) {
+    return make_error(StatusCode::out_of_memory, "no memory for the XML tree", {file_});
+  }
+  if (result.status == pugi::status_no_document_element) {
+    return make_error(StatusCode::bad_input,
+                      text_.empty() ? "the file is empty; expected XML" : "no XML element found",
+                      {file_});
+  }
+  if (!result) {
+    std::string message = std::string("not well-formed XML: ") + result.description();
+    return make_error(StatusCode::bad_input, std::move(message),
+                      place_at(static_cast<std::size_t>(std::max<std::ptrdiff_t>(result.offset, 0))));
+  }
+  return check_depth();
+}
+
+SourcePlace XmlSource::place(pugi::xml_node node) {
+  // pugixml counts to the element's name, which follows its '<'.
+  const std::ptrdiff_t offset = node.offset_debug();
+  return offset > 0 ? place_at(static_cast<std::size_t>(offset - 1)) : SourcePlace{file_};
+}
+
+SourcePlace XmlSource::place_at(std::size_t offset) {
+  if (!is_utf8_) return {file_};
+  offset = std::min(offset, text_.size());
+  if (offset < counted_bytes_) counted_bytes_ = counted_lines_ = 0;
+  const std::string_view unseen = text_.substr(counted_bytes_, offset - counted_bytes_);
+  counted_lines_ += static_cast<int>(std::ranges::count(unseen, '\n'));
+  counted_bytes_ = offset;
+  const std::size_t newline = text_.substr(0, offset).rfind('\n');
+  const std::size_t line_begin = newline == std::string_view::npos ? 0 : newline + 1;
+  return {file_, counted_lines_ + 1, static_cast<int>(offset - line_begin) + 1};
+}
+
+}  // namespace sfumato

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <pugixml.hpp>
+#include <string>
+#include <string_view>
+
+#include "base/context.hpp"
+#include "base/status.hpp"
+
+namespace sfumato {
+
+/// An XML text as a tree whose elements know their place in the file. The text and the name must
+/// outlive it. Entities of a DTD are not expanded, nothing outside the text is ever opened.
+class XmlSource {
+ public:
+  XmlSource(std::string_view text, const std::string& file) : text_(text), file_(file) {}
+
+  /// Builds the tree; its memory is charged before, and given back with this object.
+  /// Errors: bad_input where the text is not well-formed; limit (bytes, elements, depth, memory).
+  Status parse(Context& context);
+
+  /// The document element. Precondition: parse was ok.
+  pugi::xml_node root() const { return tree_.document_element(); }
+
+  /// Where the element's `<` stands. Columns count bytes. Line and column are 0 where the text is
+  /// not UTF-8 and had to be converted.
+  SourcePlace place(pugi::xml_node node);
+
+ private:
+  SourcePlace place_at(std::size_t offset);
+  Status check_size(Context& context);
+  Status check_depth();
+
+  std::string_view text_;
+  const std::string& file_;
+  ScopedCharge charge_;
+  pugi::xml_document tree_;
+  bool is_utf8_ = true;
+  // Places are mostly asked for in rising order: counting goes on from the last one.
+  std::size_t counted_bytes_ = 0;
+  int counted_lines_ = 0;
+};
+
+}  // namespace sfumato

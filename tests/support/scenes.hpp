@@ -1,0 +1,35 @@
+#pragma once
+
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <string>
+
+#include "formats/orzan.hpp"
+
+namespace sfumato::test {
+
+/// The bytes of a file, or nothing where it cannot be read.
+inline std::optional<std::string> file_bytes(const std::string& path) {
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) return std::nullopt;
+  return std::string(std::istreambuf_iterator<char>(stream), {});
+}
+
+/// The bytes of one of the public scenes ("lady_bug.xml"), or nothing where they are not at hand.
+inline std::optional<std::string> shared_scene_bytes(const std::string& name) {
+  return file_bytes(std::string(SFUMATO_SHARED_DIR "/scenes/") + name);
+}
+
+/// A public scene, or nothing where it is not at hand. A test then says
+/// GTEST_SKIP() << "no public scene " << name.
+inline std::optional<Document> shared_scene(const std::string& name) {
+  const std::optional<std::string> bytes = shared_scene_bytes(name);
+  if (!bytes) return std::nullopt;
+  Context context;
+  Result<ReadDocument> read = read_orzan(context, *bytes, name);
+  if (!read) return std::nullopt;
+  return std::move(read->document);
+}
+
+}  // namespace sfumato::test
