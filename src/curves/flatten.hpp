@@ -37,7 +37,7 @@ struct FlatCurves {
 };
 
 /// Flattens every curve. Errors: limit (segments, memory), cancelled.
-/// Cost: O(vertices), on the pool; the same bits for any thread count.
+/// Cost: O(vertices), in the calling thread (0.1 µs a vertex: less than handing it out).
 Result<FlatCurves> flatten(Context& context, std::span<const Curve> curves,
                            const FlattenOptions& options);
 

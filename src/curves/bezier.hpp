@@ -1,0 +1,43 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "base/vec2.hpp"
+
+namespace sfumato::curves {
+
+/// A cubic Bézier piece by its four control points.
+using Cubic = std::array<Vec2, 4>;
+
+/// Piece i of a chain of 3 n + 1 control points. Precondition: i < n.
+inline Cubic piece(std::span<const Vec2> control_points, std::size_t i) {
+  return {control_points[3 * i], control_points[3 * i + 1], control_points[3 * i + 2],
+          control_points[3 * i + 3]};
+}
+
+/// The point at t in [0, 1], by de Casteljau: exact at both ends.
+Vec2 point_at(const Cubic& cubic, double t);
+
+Vec2 derivative_at(const Cubic& cubic, double t);
+
+/// The stretch of the cubic from t0 to t1.
+Cubic subcurve(const Cubic& cubic, double t0, double t1);
+
+/// How far a cubic strays from its chord traversed at constant speed, C(t) − lerp(P0, P3, t),
+/// largest over t: across the chord and along it.
+struct ChordDeviation {
+  double across = 0;
+  double along = 0;
+};
+
+ChordDeviation chord_deviation(const Cubic& cubic);
+
+/// Length of the stretch from t0 to t1 (Gauss–Legendre on halves until it settles to 1e-9 of it).
+double arc_length(const Cubic& cubic, double t0, double t1);
+
+/// The parameter in [0, 1] at `length` from the start, by bisection on arc_length.
+double parameter_at_length(const Cubic& cubic, double length);
+
+}  // namespace sfumato::curves

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "base/vec2.hpp"
+#include "document/stops.hpp"
+
+namespace sfumato::curves {
+
+/// Lengths of a curve's Bézier pieces, summed: entry i is the length before piece i, the last the
+/// whole length. One entry more than pieces.
+std::vector<double> cumulative_length(std::span<const Vec2> control_points);
+
+/// The curve parameter (piece + t) at a fraction 0 to 1 of the curve's length.
+double parameter_at_fraction(std::span<const Vec2> control_points,
+                             std::span<const double> cumulative, double fraction);
+
+/// The curve parameter of every stop of a list, never falling, clamped to the curve.
+template <class Value>
+std::vector<double> stop_parameters(std::span<const Vec2> control_points,
+                                    const StopList<Value>& list) {
+  std::vector<double> parameters;
+  parameters.reserve(list.stops.size());
+  const double end = static_cast<double>((control_points.size() - 1) / 3);
+  std::vector<double> cumulative;
+  if (list.space == StopSpace::arc_length) cumulative = cumulative_length(control_points);
+  for (const auto& stop : list.stops) {
+    double parameter = stop.offset;
+    if (list.space == StopSpace::arc_length) {
+      parameter = parameter_at_fraction(control_points, cumulative, stop.offset);
+    }
+    parameter = parameter < 0 ? 0 : parameter > end ? end : parameter;
+    if (!parameters.empty() && parameter < parameters.back()) parameter = parameters.back();
+    parameters.push_back(parameter);
+  }
+  return parameters;
+}
+
+}  // namespace sfumato::curves

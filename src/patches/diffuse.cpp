@@ -1,0 +1,61 @@
+#include "patches/diffuse.hpp"
+
+#include <utility>
+
+#include "patches/layer_scene.hpp"
+#include "patches/layer_solver.hpp"
+
+namespace sfumato {
+namespace {
+
+/// The part of a layer's frame that any of its instances brings into `viewport`; empty if none.
+Box layer_viewport(const Document& document, std::uint32_t layer, const Box& viewport) {
+  Box box;
+  for (const StackItem& item : document.stack) {
+    const auto* instance = std::get_if<LayerInstance>(&item);
+    if (!instance || instance->layer != layer) continue;
+    const Affine layer_from_artboard = inverse(instance->artboard_from_layer);
+    for (Vec2 corner : {viewport.min, Vec2{viewport.max.x, viewport.min.y}, viewport.max,
+                        Vec2{viewport.min.x, viewport.max.y}}) {
+      box.extend(layer_from_artboard(corner));
+    }
+  }
+  return box;
+}
+
+Result<PatchLayer> solve_layer(Context& context, const Document& document, std::uint32_t index,
+                               const Box& viewport, const DiffuseOptions& options,
+                               DiffuseStats* stats) {
+  const Layer& layer = document.layers[index];
+  const Box seen = layer_viewport(document, index, viewport);
+  if (seen.empty() || layer.curves.empty()) return PatchLayer{};
+  Result<patches::LayerScene> scene =
+      patches::prepare_layer(context, layer, document.artboard, seen, options, stats);
+  if (!scene) return scene.status();
+  return patches::LayerSolver(context, std::move(*scene), options, stats).solve();
+}
+
+}  // namespace
+
+Result<Picture> diffuse(Context& context, const Document& document, const DiffuseOptions& options,
+                        DiffuseStats* stats) {
+  if (Status status = patches::validate(options); !status) return status;
+  if (Status status = validate(document); !status) return status;
+  Picture picture;
+  picture.artboard = document.artboard;
+  picture.viewport = options.viewport.value_or(document.artboard);
+  picture.background = document.background;
+  for (std::uint32_t i = 0; i < document.layers.size(); ++i) {
+    Result<PatchLayer> layer = solve_layer(context, document, i, picture.viewport, options, stats);
+    if (!layer) return layer.status();
+    picture.layers.push_back(std::move(*layer));
+  }
+  for (const StackItem& item : document.stack) {
+    if (const auto* instance = std::get_if<LayerInstance>(&item)) {
+      picture.stack.push_back({instance->layer, instance->artboard_from_layer, instance->opacity});
+    }
+  }
+  return picture;
+}
+
+}  // namespace sfumato

@@ -1,0 +1,90 @@
+#include "patches/probes.hpp"
+
+#include <array>
+
+#include "gather/gather.hpp"
+#include "patches/patch.hpp"
+
+namespace sfumato::patches {
+namespace {
+
+constexpr int kInnerProbes = 3;
+constexpr int kProbeKinds = kInnerProbes + 3;
+
+/// Barycentric coordinates: the inner probes lie half way between the barycentre and a corner,
+/// as far from all nodes as a point of the triangle can be; then the centres of edges 01, 12, 20.
+constexpr std::array<std::array<double, 3>, kProbeKinds> kBarycentric{{
+    {4.0 / 6, 1.0 / 6, 1.0 / 6},
+    {1.0 / 6, 4.0 / 6, 1.0 / 6},
+    {1.0 / 6, 1.0 / 6, 4.0 / 6},
+    {0.5, 0.5, 0},
+    {0, 0.5, 0.5},
+    {0.5, 0, 0.5},
+}};
+
+using BasisTable = std::array<std::array<double, kNodesPerTriangle>, kProbeKinds>;
+
+BasisTable make_basis(PatchOrder order) {
+  BasisTable table{};
+  for (int i = 0; i < kProbeKinds; ++i) {
+    table[i] = patch_basis(order, kBarycentric[i][0], kBarycentric[i][1], kBarycentric[i][2]);
+  }
+  return table;
+}
+
+int kind_of(const ProbeSet& probes, std::size_t i) {
+  if (probes.place[i] < kInnerProbes) return probes.place[i];
+  return kInnerProbes + static_cast<int>(probes.half_edge[i] % 3);
+}
+
+Vec2 point(const mesh::TriangleMesh& mesh, std::uint32_t t, int kind) {
+  Vec2 sum;
+  for (std::uint32_t k = 0; k < 3; ++k) {
+    sum = sum + mesh.vertex_position[mesh.triangle_vertex[3 * t + k]] * kBarycentric[kind][k];
+  }
+  return sum;
+}
+
+}  // namespace
+
+ProbeSet place_probes(const mesh::TriangleMesh& mesh, const NodeLayout& layout,
+                      const std::vector<std::uint8_t>& is_new) {
+  ProbeSet probes;
+  const auto add = [&](std::uint32_t half_edge, int place) {
+    const int kind = place < kInnerProbes ? place : kInnerProbes + static_cast<int>(half_edge % 3);
+    probes.position.push_back(point(mesh, half_edge / 3, kind));
+    probes.half_edge.push_back(half_edge);
+    probes.place.push_back(static_cast<std::uint8_t>(place));
+  };
+  for (std::uint32_t t = 0; t < mesh.triangle_count(); ++t) {
+    if (!is_new[t]) continue;
+    for (int place = 0; place < kInnerProbes; ++place) add(3 * t, place);
+    for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
+      if (layout.edge_is_curve[h]) continue;
+      const std::int32_t twin = mesh.half_edge_twin[h];
+      const bool other_asks = twin != mesh::kNone && is_new[static_cast<std::uint32_t>(twin) / 3] &&
+                              static_cast<std::uint32_t>(twin) < h;
+      if (!other_asks) add(h, kInnerProbes);
+    }
+  }
+  return probes;
+}
+
+void patch_color_at_probe(const ProbeSet& probes, std::size_t i, const NodeLayout& layout,
+                          PatchOrder order, float* color) {
+  static const std::array<BasisTable, 3> kBasis{make_basis(PatchOrder::linear),
+                                                make_basis(PatchOrder::quadratic),
+                                                make_basis(PatchOrder::cubic)};
+  const auto& basis = kBasis[static_cast<std::size_t>(order)][kind_of(probes, i)];
+  const std::uint32_t* node =
+      layout.triangle_node.data() + std::size_t{kNodesPerTriangle} * (probes.half_edge[i] / 3);
+  for (int channel = 0; channel < gather::kColorChannels; ++channel) {
+    double sum = 0;
+    for (int n = 0; n < kNodesPerTriangle; ++n) {
+      sum += basis[n] * layout.value[std::size_t{gather::kColorChannels} * node[n] + channel];
+    }
+    color[channel] = static_cast<float>(sum);
+  }
+}
+
+}  // namespace sfumato::patches

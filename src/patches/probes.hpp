@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "mesh/triangle_mesh.hpp"
+#include "patches/nodes.hpp"
+#include "patches/picture.hpp"
+
+namespace sfumato::patches {
+
+/// Points where patches are compared with the exact gather: three inside a triangle and the centre
+/// of each edge that is not on a curve (there the patch is exact), once for both its triangles.
+struct ProbeSet {
+  std::vector<Vec2> position;            ///< layer frame
+  std::vector<std::uint32_t> half_edge;  ///< inside triangle h / 3; see `place`
+  std::vector<std::uint8_t> place;  ///< 0 to 2: inside, near that corner; 3: centre of the edge
+};
+
+/// Probes of the triangles t with is_new[t].
+ProbeSet place_probes(const mesh::TriangleMesh& mesh, const NodeLayout& layout,
+                      const std::vector<std::uint8_t>& is_new);
+
+/// The patch's colour at probe i: 3 channels.
+void patch_color_at_probe(const ProbeSet& probes, std::size_t i, const NodeLayout& layout,
+                          PatchOrder order, float* color);
+
+}  // namespace sfumato::patches
