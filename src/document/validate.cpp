@@ -1,14 +1,298 @@
+#include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "base/limits.hpp"
 #include "document/document.hpp"
 
 namespace sfumato {
+namespace {
+
+Status bad(std::string message) {
+  return make_error(StatusCode::bad_input, std::move(message));
+}
+
+Status at_most(std::size_t count, std::size_t limit, const char* what) {
+  if (count <= limit) return ok_status();
+  return make_error(StatusCode::limit,
+                    std::to_string(count) + " " + what + "; the limit is " + std::to_string(limit));
+}
+
+/// `status` with the place in the document put before its message.
+Status inside(const std::string& place, Status status) {
+  if (!status) status.message = place + ": " + status.message;
+  return status;
+}
+
+bool is_coordinate(double value) {
+  return std::abs(value) <= limits::kCoordinate;  // false for NaN
+}
+
+bool is_coordinate(Vec2 p) {
+  return is_coordinate(p.x) && is_coordinate(p.y);
+}
+
+bool is_share(double value) {
+  return value >= 0 && value <= 1;
+}
+
+bool is_color(const Rgb& color) {
+  return is_share(color.r) && is_share(color.g) && is_share(color.b);
+}
+
+bool is_length(float value) {
+  return value >= 0 && value <= limits::kCoordinate;
+}
+
+bool is_usable(const Affine& m) {
+  const double determinant = m.determinant();
+  return is_coordinate(m.a) && is_coordinate(m.b) && is_coordinate(m.c) && is_coordinate(m.d) &&
+         is_coordinate({m.e, m.f}) && std::isfinite(1 / determinant);
+}
+
+/// Sums that are held against limits over the whole document.
+struct Totals {
+  std::size_t curves = 0;
+  std::size_t control_points = 0;
+  std::size_t stops = 0;
+};
+
+Status check_totals(const Totals& totals) {
+  Status status = at_most(totals.curves, limits::kCurves, "curves");
+  if (status) status = at_most(totals.control_points, limits::kControlPoints, "control points");
+  if (status) status = at_most(totals.stops, limits::kStops, "stops");
+  return status;
+}
+
+Status check_control_points(const std::vector<Vec2>& points) {
+  if (points.size() < 4 || points.size() % 3 != 1) {
+    return bad(std::to_string(points.size()) + " control points; expected 3n+1 (4, 7, 10, …)");
+  }
+  const auto bad_point = std::ranges::find_if_not(points, [](Vec2 p) { return is_coordinate(p); });
+  if (bad_point == points.end()) return ok_status();
+  return bad("control point " + std::to_string(bad_point - points.begin()) +
+             " is not finite or beyond the largest coordinate");
+}
+
+/// Offsets in range and never falling; values as is_value says.
+template <class Value, class IsValue>
+Status check_stops(const StopList<Value>& list, std::size_t piece_count, IsValue is_value) {
+  const double end = list.space == StopSpace::parameter ? static_cast<double>(piece_count) : 1;
+  double last = 0;
+  for (std::size_t i = 0; i < list.stops.size(); ++i) {
+    const Stop<Value>& stop = list.stops[i];
+    if (!(stop.offset >= 0 && stop.offset <= end)) {
+      return bad("stop " + std::to_string(i) + " lies outside the curve");
+    }
+    if (stop.offset < last) return bad("stop " + std::to_string(i) + " falls back");
+    if (!is_value(stop.value))
+      return bad("stop " + std::to_string(i) + " has a value out of range");
+    last = stop.offset;
+  }
+  return ok_status();
+}
+
+template <class Value, class IsValue>
+Status check_shader(const SideShader<Value>& shader, std::size_t piece_count,
+                    std::size_t shader_count, IsValue is_value) {
+  const bool has_stops = !shader.stops.empty();
+  if (has_stops != (shader.kind == ShaderKind::curve_domain)) {
+    return bad(has_stops ? "stops on a side that takes none" : "no stops");
+  }
+  if (shader.kind == ShaderKind::image_domain && shader.shader >= shader_count) {
+    return bad("there is no shader " + std::to_string(shader.shader));
+  }
+  return check_stops(shader.stops, piece_count, is_value);
+}
+
+Status check_side(const Side& side, std::size_t piece_count, std::size_t shader_count) {
+  Status status = inside("colour", check_shader(side.color, piece_count, shader_count, is_color));
+  if (status) {
+    status = inside("opacity", check_shader(side.opacity, piece_count, shader_count, is_share));
+  }
+  if (status) status = inside("blur radius", check_stops(side.blur_radius, piece_count, is_length));
+  return status;
+}
+
+Status check_curve(const Curve& curve, std::size_t shader_count) {
+  Status status = check_control_points(curve.control_points);
+  if (status) {
+    status = inside("left side", check_side(curve.left, curve.piece_count(), shader_count));
+  }
+  if (status) {
+    status = inside("right side", check_side(curve.right, curve.piece_count(), shader_count));
+  }
+  if (status && !(curve.weight > 0 && curve.weight <= limits::kCoordinate)) {
+    status = bad("the weight is not above 0 and finite");
+  }
+  return status;
+}
+
+void note_shader(ShaderKind kind, std::uint32_t shader, std::vector<std::uint32_t>& used) {
+  if (kind == ShaderKind::image_domain && std::ranges::find(used, shader) == used.end() &&
+      used.size() <= limits::kShadersPerLayer) {
+    used.push_back(shader);
+  }
+}
+
+/// Adds the shaders that a curve uses and `used` does not hold yet.
+void note_shaders(const Curve& curve, std::vector<std::uint32_t>& used) {
+  for (const Side* side : {&curve.left, &curve.right}) {
+    note_shader(side->color.kind, side->color.shader, used);
+    note_shader(side->opacity.kind, side->opacity.shader, used);
+  }
+}
+
+std::size_t stop_count(const Side& side) {
+  return side.color.stops.stops.size() + side.opacity.stops.stops.size() +
+         side.blur_radius.stops.size();
+}
+
+Status check_layer(const Layer& layer, std::size_t shader_count, Totals& totals) {
+  std::vector<std::uint32_t> used_shaders;
+  totals.curves += layer.curves.size();
+  for (std::size_t i = 0; i < layer.curves.size(); ++i) {
+    const Curve& curve = layer.curves[i];
+    if (Status status = check_curve(curve, shader_count); !status) {
+      return inside("curve " + std::to_string(i), std::move(status));
+    }
+    totals.control_points += curve.control_points.size();
+    totals.stops += stop_count(curve.left) + stop_count(curve.right);
+    note_shaders(curve, used_shaders);
+  }
+  return at_most(used_shaders.size(), limits::kShadersPerLayer, "shaders or more");
+}
+
+Status check_layers(const Document& document, Totals& totals) {
+  if (Status status = at_most(document.layers.size(), limits::kLayers, "layers"); !status) {
+    return status;
+  }
+  for (std::size_t i = 0; i < document.layers.size(); ++i) {
+    const Layer& layer = document.layers[i];
+    if (Status status = check_layer(layer, document.shaders.size(), totals); !status) {
+      return inside("layer " + std::to_string(i) + " \"" + layer.id + "\"", std::move(status));
+    }
+  }
+  return ok_status();
+}
+
+Status check_instance(const LayerInstance& instance, std::size_t layer_count) {
+  if (instance.layer >= layer_count) {
+    return bad("there is no layer " + std::to_string(instance.layer));
+  }
+  if (!is_usable(instance.artboard_from_layer)) return bad("the transform cannot be inverted");
+  if (!is_share(instance.opacity)) return bad("the opacity is not within 0 to 1");
+  return ok_status();
+}
+
+Status check_stroke(const LocalStroke& stroke) {
+  const LocalCurve& curve = stroke.curve;
+  const std::size_t pieces =
+      curve.control_points.empty() ? 0 : (curve.control_points.size() - 1) / 3;
+  Status status = check_control_points(curve.control_points);
+  if (status) status = inside("left colour", check_stops(curve.left_color, pieces, is_color));
+  if (status) status = inside("right colour", check_stops(curve.right_color, pieces, is_color));
+  if (status) status = inside("blur radius", check_stops(curve.blur_radius, pieces, is_length));
+  if (status) {
+    status = inside("influence radius", check_stops(curve.influence_radius, pieces, is_length));
+  }
+  if (!status) return status;
+  const auto is_wide = [](const Stop<float>& stop) { return stop.value > 0; };
+  if (std::ranges::none_of(curve.influence_radius.stops, is_wide)) {
+    return bad("the influence radius is nowhere above 0");
+  }
+  if (!(curve.alpha >= 0 && curve.alpha <= limits::kCoordinate)) return bad("alpha is below 0");
+  if (!is_usable(stroke.artboard_from_stroke)) return bad("the transform cannot be inverted");
+  return ok_status();
+}
+
+Status check_stack(const Document& document, Totals& totals) {
+  for (std::size_t i = 0; i < document.stack.size(); ++i) {
+    Status status;
+    if (const auto* instance = std::get_if<LayerInstance>(&document.stack[i])) {
+      status = check_instance(*instance, document.layers.size());
+    } else {
+      const LocalStroke& stroke = std::get<LocalStroke>(document.stack[i]);
+      const LocalCurve& curve = stroke.curve;
+      totals.curves += 1;
+      totals.control_points += curve.control_points.size();
+      totals.stops += curve.left_color.stops.size() + curve.right_color.stops.size() +
+                      curve.blur_radius.stops.size() + curve.influence_radius.stops.size();
+      status = check_stroke(stroke);
+    }
+    if (!status) return inside("stack item " + std::to_string(i), std::move(status));
+  }
+  return ok_status();
+}
+
+bool is_shape(const LinearGradient& shape) {
+  return is_coordinate(shape.start) && is_coordinate(shape.end);
+}
+
+bool is_shape(const RadialGradient& shape) {
+  return is_coordinate(shape.center) && is_coordinate(shape.focus) && is_coordinate(shape.radius) &&
+         shape.radius > 0 && length(shape.focus - shape.center) <= shape.radius;
+}
+
+Status check_paint(const GradientFill& fill) {
+  if (!std::visit([](const auto& shape) { return is_shape(shape); }, fill.shape)) {
+    return bad("the gradient's shape is out of range");
+  }
+  if (!is_usable(fill.layer_from_gradient)) return bad("the transform cannot be inverted");
+  if (fill.stops.empty()) return bad("the gradient has no stops");
+  double last = 0;
+  for (const GradientStop& stop : fill.stops) {
+    if (!is_share(stop.offset) || stop.offset < last) return bad("a stop's offset is out of order");
+    if (!is_color(stop.color) || !is_share(stop.alpha))
+      return bad("a stop's colour is out of range");
+    last = stop.offset;
+  }
+  return ok_status();
+}
+
+Status check_paint(const Texture& texture) {
+  if (texture.width < 1 || texture.height < 1) return bad("the texture has no pixels");
+  if (std::max(texture.width, texture.height) > limits::kImageSide) {
+    return make_error(StatusCode::limit, "a side of the texture is longer than the limit of " +
+                                             std::to_string(limits::kImageSide) + " pixels");
+  }
+  const std::size_t texels = static_cast<std::size_t>(texture.width) * texture.height;
+  if (texture.rgba.size() != 4 * texels) return bad("the texture's size and bytes disagree");
+  if (!is_usable(texture.layer_from_texture)) return bad("the transform cannot be inverted");
+  return ok_status();
+}
+
+Status check_shaders(const std::vector<Shader>& shaders) {
+  for (std::size_t i = 0; i < shaders.size(); ++i) {
+    Status status =
+        std::visit([](const auto& paint) { return check_paint(paint); }, shaders[i].paint);
+    if (!status) {
+      return inside("shader " + std::to_string(i) + " \"" + shaders[i].id + "\"",
+                    std::move(status));
+    }
+  }
+  return ok_status();
+}
+
+}  // namespace
 
 Status validate(const Document& document) {
-  if (document.artboard.empty()) return make_error(StatusCode::bad_input, "the artboard is empty");
-  return ok_status();
+  const Box& artboard = document.artboard;
+  if (!is_coordinate(artboard.min) || !is_coordinate(artboard.max) || !(artboard.width() > 0) ||
+      !(artboard.height() > 0)) {
+    return bad("the artboard has no area or is out of range");
+  }
+  if (document.background && !is_color(*document.background)) {
+    return bad("the background is not within 0 to 1");
+  }
+  Totals totals;
+  Status status = check_shaders(document.shaders);
+  if (status) status = check_layers(document, totals);
+  if (status) status = check_stack(document, totals);
+  if (status) status = check_totals(totals);
+  return status;
 }
 
 }  // namespace sfumato

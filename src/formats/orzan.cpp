@@ -110,8 +110,7 @@ Status OrzanReader::read_canvas(pugi::xml_node root) {
   if (Status status = coordinate_in(root, "image_width", size.x); !status) return status;
   if (Status status = coordinate_in(root, "image_height", size.y); !status) return status;
   if (!(size.x > 0 && size.y > 0)) {
-    return error_at(root,
-                    "the canvas has no area; expected image_width and image_height above 0");
+    return error_at(root, "the canvas has no area; expected image_width and image_height above 0");
   }
   document_.artboard = {{0, 0}, size};
   return ok_status();
@@ -340,11 +339,10 @@ Status OrzanReader::number_in(pugi::xml_node element, const char* name, double& 
 Status OrzanReader::coordinate_in(pugi::xml_node element, const char* name, double& value) {
   if (Status status = number_in(element, name, value); !status) return status;
   if (std::abs(value) <= limits::kCoordinate) return ok_status();
-  return error_at(element,
-                  std::string(name) + " of " + tag(element) + " is " +
-                      std::string(element.attribute(name).value()).substr(0, 64) +
-                      "; expected a magnitude of at most " +
-                      std::to_string(static_cast<long>(limits::kCoordinate)));
+  return error_at(element, std::string(name) + " of " + tag(element) + " is " +
+                               std::string(element.attribute(name).value()).substr(0, 64) +
+                               "; expected a magnitude of at most " +
+                               std::to_string(static_cast<long>(limits::kCoordinate)));
 }
 
 Status OrzanReader::error_at(pugi::xml_node element, std::string message) {
@@ -364,8 +362,14 @@ void OrzanReader::warn(std::string_view kind, pugi::xml_node element, std::strin
 
 Result<ReadDocument> read_orzan(Context& context, std::string_view xml, const std::string& file) {
   XmlSource source(xml, file);
-  if (Status status = source.parse(context); !status) return status;
-  return OrzanReader(context, source).read();
+  Status status = source.parse(context);
+  if (status) {
+    Result<ReadDocument> result = OrzanReader(context, source).read();
+    if (result) return result;
+    status = result.status();
+  }
+  status.where.file = file;
+  return status;
 }
 
 }  // namespace sfumato
