@@ -15,7 +15,7 @@ namespace sfumato::curves {
 struct FlattenOptions {
   double tolerance = 0.1;  ///< largest distance between chord and curve, user units, above 0
   /// Outside this box (grown by a tenth) the coarser `outside_tolerance` is enough.
-  std::optional<Box> focus;
+  std::optional<Box> focus{};
   double outside_tolerance = 0.1;
 };
 

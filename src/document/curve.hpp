@@ -20,7 +20,7 @@ enum class ShaderKind : std::uint8_t {
 template <class Value>
 struct SideShader {
   ShaderKind kind = ShaderKind::open;
-  StopList<Value> stops;     ///< not empty exactly where kind is curve_domain
+  StopList<Value> stops{};   ///< not empty exactly where kind is curve_domain
   std::uint32_t shader = 0;  ///< index into Document::shaders where kind is image_domain
 
   friend bool operator==(const SideShader&, const SideShader&) = default;
@@ -28,9 +28,9 @@ struct SideShader {
 
 /// One side of a diffusion curve. Colour and opacity are decoupled (paper section 5).
 struct Side {
-  SideShader<Rgb> color;
-  SideShader<float> opacity;  ///< values 0 to 1
-  ScalarStops blur_radius;    ///< user units, at least 0; empty: 0 everywhere
+  SideShader<Rgb> color{};
+  SideShader<float> opacity{};  ///< values 0 to 1
+  ScalarStops blur_radius{};    ///< user units, at least 0; empty: 0 everywhere
 
   friend bool operator==(const Side&, const Side&) = default;
 };
@@ -38,9 +38,9 @@ struct Side {
 /// A chain of cubic Béziers with shaders on both sides.
 /// Left is left of the walking direction as seen on the screen.
 struct Curve {
-  std::vector<Vec2> control_points;  ///< 3 n + 1 points for n ≥ 1 pieces
-  Side left;
-  Side right;
+  std::vector<Vec2> control_points{};  ///< 3 n + 1 points for n ≥ 1 pieces
+  Side left{};
+  Side right{};
   double weight = 1;  ///< k of DESIGN 2.1, above 0
 
   std::size_t piece_count() const {
@@ -52,10 +52,10 @@ struct Curve {
 
 /// A painted stroke with local influence (paper section 5, eq. 12–16).
 struct LocalCurve {
-  std::vector<Vec2> control_points;  ///< as Curve
+  std::vector<Vec2> control_points{};  ///< as Curve
   ColorStops left_color;
   ColorStops right_color;
-  ScalarStops blur_radius;       ///< R(t), user units
+  ScalarStops blur_radius{};     ///< R(t), user units
   ScalarStops influence_radius;  ///< Q(t), user units, above 0 somewhere
   double alpha = 1;              ///< scale of opacity
 

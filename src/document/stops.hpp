@@ -25,7 +25,7 @@ struct Stop {
 template <class Value>
 struct StopList {
   StopSpace space = StopSpace::parameter;
-  std::vector<Stop<Value>> stops;
+  std::vector<Stop<Value>> stops{};
 
   bool empty() const { return stops.empty(); }
 

@@ -4,6 +4,7 @@
 
 #include "patches/layer_scene.hpp"
 #include "patches/layer_solver.hpp"
+#include "patches/layer_view.hpp"
 
 namespace sfumato {
 namespace {
@@ -14,11 +15,7 @@ Box layer_viewport(const Document& document, std::uint32_t layer, const Box& vie
   for (const StackItem& item : document.stack) {
     const auto* instance = std::get_if<LayerInstance>(&item);
     if (!instance || instance->layer != layer) continue;
-    const Affine layer_from_artboard = inverse(instance->artboard_from_layer);
-    for (Vec2 corner : {viewport.min, Vec2{viewport.max.x, viewport.min.y}, viewport.max,
-                        Vec2{viewport.min.x, viewport.max.y}}) {
-      box.extend(layer_from_artboard(corner));
-    }
+    box = united(box, patches::bounds_of_mapped(inverse(instance->artboard_from_layer), viewport));
   }
   return box;
 }

@@ -1,0 +1,80 @@
+#include "curves/attributes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace sfumato::curves {
+namespace {
+
+Curve line_with_left(StopSpace space, std::vector<Stop<Rgb>> stops) {
+  Curve curve{.control_points = {{0, 0}, {30, 0}, {60, 0}, {90, 0}}};
+  curve.left.color = {ShaderKind::curve_domain, {space, std::move(stops)}, 0};
+  return curve;
+}
+
+struct Sampled {
+  FlatCurves flat;
+  SegmentAttributes attributes;
+};
+
+Sampled sampled(const Curve& curve) {
+  Context context;
+  const std::vector<Curve> curves{curve};
+  Result<FlatCurves> flat = flatten(context, curves, {});
+  SegmentAttributes attributes = sample_colors(*flat, curves);
+  return {std::move(*flat), std::move(attributes)};
+}
+
+TEST(Attributes, colours_are_linear_between_stops) {
+  const Sampled s = sampled(
+      line_with_left(StopSpace::parameter, {{0, {0, 0, 0}}, {0.5, {1, 0, 0}}, {1, {1, 1, 0}}}));
+  ASSERT_EQ(s.flat.segment_count(), 2u);
+  EXPECT_EQ(s.attributes.left[0].color.start, (Rgb{0, 0, 0}));
+  EXPECT_EQ(s.attributes.left[0].color.end, (Rgb{1, 0, 0}));
+  EXPECT_EQ(s.attributes.left[1].color.start, (Rgb{1, 0, 0}));
+  EXPECT_EQ(s.attributes.left[1].color.end, (Rgb{1, 1, 0}));
+}
+
+TEST(Attributes, before_the_first_and_after_the_last_stop_the_colour_is_constant) {
+  const Sampled s =
+      sampled(line_with_left(StopSpace::parameter, {{0.25, {1, 0, 0}}, {0.75, {0, 0, 1}}}));
+  ASSERT_EQ(s.flat.segment_count(), 3u);
+  EXPECT_EQ(s.attributes.left[0].color.start, (Rgb{1, 0, 0}));
+  EXPECT_EQ(s.attributes.left[0].color.end, (Rgb{1, 0, 0}));
+  EXPECT_EQ(s.attributes.left[2].color.end, (Rgb{0, 0, 1}));
+}
+
+TEST(Attributes, two_stops_at_one_place_are_a_step) {
+  const Sampled s = sampled(line_with_left(
+      StopSpace::parameter, {{0, {1, 0, 0}}, {0.5, {1, 0, 0}}, {0.5, {0, 0, 1}}, {1, {0, 0, 1}}}));
+  ASSERT_EQ(s.flat.segment_count(), 2u);
+  EXPECT_EQ(s.attributes.left[0].color.end, (Rgb{1, 0, 0}));
+  EXPECT_EQ(s.attributes.left[1].color.start, (Rgb{0, 0, 1}));
+}
+
+TEST(Attributes, a_list_in_arc_length_is_linear_in_length_not_in_the_parameter) {
+  Curve curve = line_with_left(StopSpace::arc_length, {{0, {0, 0, 0}}, {1, {1, 1, 1}}});
+  curve.control_points = {{0, 0}, {0, 0}, {90, 0}, {90, 0}};
+  const Sampled s = sampled(curve);
+  for (std::uint32_t v = 0; s.flat.begins_segment(v); ++v) {
+    EXPECT_NEAR(s.attributes.left[v].color.start.r, s.flat.vertex[v].x / 90, 1e-6);
+  }
+}
+
+TEST(Attributes, a_side_without_colour_stays_open) {
+  const Sampled s = sampled(line_with_left(StopSpace::parameter, {{0, {1, 1, 1}}}));
+  EXPECT_EQ(s.attributes.left[0].kind, ShaderKind::curve_domain);
+  EXPECT_EQ(s.attributes.right[0].kind, ShaderKind::open);
+}
+
+TEST(Attributes, the_weight_of_a_curve_is_on_all_its_segments) {
+  Curve curve = line_with_left(StopSpace::parameter, {{0, {}}, {0.5, {}}});
+  curve.weight = 2.5;
+  const Sampled s = sampled(curve);
+  EXPECT_EQ(s.attributes.weight[0], 2.5f);
+  EXPECT_EQ(s.attributes.weight[1], 2.5f);
+}
+
+}  // namespace
+}  // namespace sfumato::curves
