@@ -1,7 +1,6 @@
 #include "formats/xml_source.hpp"
 
 #include <algorithm>
-#include <cstring>
 
 #include "base/limits.hpp"
 
@@ -44,17 +43,16 @@ Status XmlSource::check_size(Context& context) {
         {file_});
   }
   if (count_elements(text_) > limits::kXmlElements) {
-    return make_error(StatusCode::limit,
-                      "more than the limit of " + std::to_string(limits::kXmlElements) +
-                          " XML elements",
-                      {file_});
+    return make_error(
+        StatusCode::limit,
+        "more than the limit of " + std::to_string(limits::kXmlElements) + " XML elements",
+        {file_});
   }
   // A text node may stand before every tag.
   const std::size_t nodes = 2 * static_cast<std::size_t>(std::ranges::count(text_, '<'));
   const std::size_t attributes = static_cast<std::size_t>(std::ranges::count(text_, '='));
   return charge_.add(
-      context,
-      2 * text_.size() + nodes * kNodeBytes + attributes * kAttributeBytes + kTreeBytes,
+      context, 2 * text_.size() + nodes * kNodeBytes + attributes * kAttributeBytes + kTreeBytes,
       "the XML tree");
 }
 
@@ -79,12 +77,15 @@ Status XmlSource::parse(Context& context) {
                       text_.empty() ? "the file is empty; expected XML" : "no XML element found",
                       {file_});
   }
-  if (!result) {
-    std::string message = std::string("not well-formed XML: ") + result.description();
-    return make_error(StatusCode::bad_input, std::move(message),
-                      place_at(static_cast<std::size_t>(std::max<std::ptrdiff_t>(result.offset, 0))));
-  }
+  if (!result) return syntax_error(result);
   return check_depth();
+}
+
+Status XmlSource::syntax_error(const pugi::xml_parse_result& result) {
+  const auto offset = static_cast<std::size_t>(std::max<std::ptrdiff_t>(result.offset, 0));
+  const bool at_end = text_.find_first_not_of(" \t\r\n", offset + 1) == std::string_view::npos;
+  std::string message = at_end ? "the XML is cut short: " : "not well-formed XML: ";
+  return make_error(StatusCode::bad_input, message + result.description(), place_at(offset));
 }
 
 SourcePlace XmlSource::place(pugi::xml_node node) {

@@ -30,6 +30,7 @@ class XmlSource {
   SourcePlace place_at(std::size_t offset);
   Status check_size(Context& context);
   Status check_depth();
+  Status syntax_error(const pugi::xml_parse_result& result);
 
   std::string_view text_;
   const std::string& file_;
