@@ -1,7 +1,8 @@
 # One static library for each folder of src/, linked only to the folders that it may use.
 
 add_library(sfumato_flags INTERFACE)
-target_compile_options(sfumato_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Werror)
+target_compile_options(sfumato_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow
+                       $<$<BOOL:${SFUMATO_WERROR}>:-Werror>)
 # The same bits for any compiler and instruction set: no contraction, and no vectorising of pairs of
 # rounded doubles, which g++ 12.2 gets wrong.
 target_compile_options(sfumato_flags INTERFACE -ffp-contract=off -fno-math-errno)
@@ -15,11 +16,16 @@ if(SFUMATO_SANITIZE)
   target_link_options(sfumato_flags INTERFACE -fsanitize=${SFUMATO_SANITIZE})
 endif()
 
-# sfumato_folder(NAME [USES folder...]): library sfumato_NAME from every .cpp beside the caller.
-# Files that end in _avx2.cpp and _avx512.cpp are compiled for these instruction sets.
+# sfumato_folder(NAME [USES folder...]): library sfumato_NAME from every .cpp in folder NAME but
+# main.cpp. Files that end in _avx2.cpp and _avx512.cpp are compiled for these instruction sets.
 function(sfumato_folder name)
   cmake_parse_arguments(ARG "" "" "USES" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp)
+  list(FILTER sources EXCLUDE REGEX "/main\\.cpp$")
+  if(SFUMATO_WASM)
+    # No operating system and no other instruction set there; PNG is the browser's own affair.
+    list(FILTER sources EXCLUDE REGEX "/native/|_avx(2|512)\\.cpp$|/formats/png")
+  endif()
   add_library(sfumato_${name} STATIC ${sources})
   target_include_directories(sfumato_${name} PUBLIC ${PROJECT_SOURCE_DIR}/src)
   target_link_libraries(sfumato_${name} PUBLIC sfumato_flags)

@@ -1,0 +1,41 @@
+# The front door. `make help` lists what there is.
+
+build_folder := build
+jobs := $(shell nproc 2>/dev/null || echo 2)
+scene := examples/evening.xml
+
+.DEFAULT_GOAL := help
+.PHONY: help demo build check bench wasm clean
+
+help:
+	@echo 'make demo    install what the build needs, build, draw $(scene)'
+	@echo 'make build   the command: $(build_folder)/sfumato'
+	@echo 'make check   everything built and tested, and the style checked'
+	@echo 'make bench   the table of docs/benchmarks.md on this machine'
+	@echo 'make wasm    the library for WebAssembly: build-wasm/sfumato.wasm'
+	@echo 'make clean   remove what was built'
+
+build:
+	@scripts/setup build
+	@cmake --preset release -DSFUMATO_TESTS=OFF -DSFUMATO_BENCH=OFF --log-level=WARNING
+	@cmake --build $(build_folder) --parallel $(jobs) --target sfumato
+
+demo: build
+	@$(build_folder)/sfumato render $(scene) -o $(build_folder)/demo.png --scale 2
+	@echo 'The picture is $(build_folder)/demo.png'
+
+check:
+	@scripts/check
+
+bench:
+	@scripts/setup build bench
+	@cmake --preset release -DSFUMATO_BENCH=ON --log-level=WARNING
+	@cmake --build $(build_folder) --parallel $(jobs) --target sfumato_bench
+	@$(build_folder)/bench/table1
+
+wasm:
+	@scripts/setup wasm
+	@scripts/build-wasm build-wasm
+
+clean:
+	rm -rf $(build_folder) build-wasm build-check

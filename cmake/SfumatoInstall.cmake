@@ -1,0 +1,42 @@
+# sfumato::sfumato, the whole library as one archive, and what `cmake --install` puts where.
+# Afterwards another project says find_package(sfumato) and links sfumato::sfumato.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+set(library_folders base document formats curves mesh gather patches raster)
+add_library(sfumato_library STATIC)
+add_library(sfumato::sfumato ALIAS sfumato_library)
+set_target_properties(sfumato_library PROPERTIES
+  OUTPUT_NAME sfumato EXPORT_NAME sfumato LINKER_LANGUAGE CXX)
+foreach(folder ${library_folders})
+  target_sources(sfumato_library PRIVATE $<TARGET_OBJECTS:sfumato_${folder}>)
+endforeach()
+target_compile_features(sfumato_library INTERFACE cxx_std_20)
+target_include_directories(sfumato_library INTERFACE
+  $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
+  $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>
+  $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
+  $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/sfumato>)
+target_link_libraries(sfumato_library PUBLIC TBB::tbb
+  PRIVATE pugixml::pugixml PkgConfig::SPNG PkgConfig::DEFLATE ZLIB::ZLIB)
+if(SFUMATO_SANITIZE)
+  target_link_options(sfumato_library INTERFACE -fsanitize=${SFUMATO_SANITIZE})
+endif()
+
+install(TARGETS sfumato RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(TARGETS sfumato_library EXPORT sfumato ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(FILES ${PROJECT_SOURCE_DIR}/include/sfumato/sfumato.hpp
+        DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/sfumato)
+foreach(folder ${library_folders})
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/${folder}
+          DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/sfumato FILES_MATCHING PATTERN *.hpp)
+endforeach()
+
+set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/sfumato)
+install(EXPORT sfumato NAMESPACE sfumato:: FILE sfumatoTargets.cmake DESTINATION ${package_folder})
+configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/sfumatoConfig.cmake.in
+  ${PROJECT_BINARY_DIR}/sfumatoConfig.cmake INSTALL_DESTINATION ${package_folder})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/sfumatoConfigVersion.cmake
+  COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/sfumatoConfig.cmake
+        ${PROJECT_BINARY_DIR}/sfumatoConfigVersion.cmake DESTINATION ${package_folder})

@@ -1,0 +1,17 @@
+# Toolchain: clang 19 and wasi-libc for WebAssembly, as Debian packages them (scripts/setup wasm).
+# Modules without threads and exceptions, with 128-bit SIMD.
+set(CMAKE_SYSTEM_NAME Generic)
+set(CMAKE_SYSTEM_PROCESSOR wasm32)
+set(CMAKE_C_COMPILER clang-19)
+set(CMAKE_CXX_COMPILER clang++-19)
+set(CMAKE_AR llvm-ar-19)
+set(CMAKE_RANLIB llvm-ranlib-19)
+foreach(language C CXX)
+  set(CMAKE_${language}_COMPILER_TARGET wasm32-wasi)
+  set(CMAKE_${language}_FLAGS_INIT "-msimd128 -fno-exceptions -fvisibility=hidden")
+endforeach()
+string(APPEND CMAKE_CXX_FLAGS_INIT " -fno-rtti")
+# The stack lies below the globals, so that overflowing it traps instead of overwriting them.
+set(CMAKE_EXE_LINKER_FLAGS_INIT
+    "-mexec-model=reactor -Wl,--strip-debug,--stack-first,-z,stack-size=1048576")
+set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)

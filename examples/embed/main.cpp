@@ -1,0 +1,39 @@
+// Draws a document of diffusion curves as a PNG: embed IN.xml OUT.png
+#include <cstdio>
+#include <sfumato/sfumato.hpp>
+
+namespace {
+
+sfumato::Status draw(const std::string& in, const std::string& out) {
+  using namespace sfumato;
+  const auto pool = make_tbb_executor();
+  Context context;
+  context.executor = pool.get();
+
+  auto xml = read_file(in, limits::kInputBytes);
+  if (!xml) return xml.status();
+  auto read = read_orzan(context, *xml, in);
+  if (!read) return read.status();
+  auto picture = diffuse(context, read->document, {});
+  if (!picture) return picture.status();
+  RasterOptions options;
+  options.width = 1440;
+  options.height = 960;
+  auto image = rasterize(context, *picture, options);
+  if (!image) return image.status();
+  auto png = encode_png(context, *image);
+  if (!png) return png.status();
+  return write_file(out, *png);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 3) {
+    std::fputs("usage: embed IN.xml OUT.png\n", stderr);
+    return 2;
+  }
+  const sfumato::Status status = draw(argv[1], argv[2]);
+  if (!status) std::fprintf(stderr, "%s\n", to_string(status).c_str());
+  return status ? 0 : 1;
+}

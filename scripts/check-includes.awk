@@ -1,0 +1,86 @@
+# The rules of scripts/check-includes. Arguments: the table of folders, then the C++ files.
+
+function complain(message) {
+  print FILENAME ":" FNR ": " message
+  broken = 1
+}
+
+function finish_file() {
+  if (lines > 600) {
+    print previous_file ":601: file has " lines " lines; at most 600"
+    broken = 1
+  }
+}
+
+function folder_of(path, parts) {
+  return path ~ /^src\/[^\/]+\// && split(path, parts, "/") > 2 ? parts[2] : ""
+}
+
+function check_project_include(path, parts, other) {
+  if (folder == "" || path !~ /\// || path ~ /^sfumato\//) return
+  split(path, parts, "/")
+  other = parts[1]
+  if (other != folder && !((folder, other) in may_use)) {
+    complain(folder " may not include " path)
+  }
+  if (path ~ /^base\/native\// && core) complain("the core may not include " path)
+}
+
+# Comments and string literals are not code.
+function code_of(line) {
+  gsub(/\\./, "", line)
+  gsub(/"[^"]*"/, "\"\"", line)
+  gsub(/\/\*[^*]*\*\//, "", line)
+  sub(/\/\/.*/, "", line)
+  return line
+}
+
+FNR == 1 {
+  finish_file()
+  previous_file = FILENAME
+  lines = 0
+  is_table = FILENAME ~ /folder-order\.txt$/
+  folder = folder_of(FILENAME)
+  core = folder ~ /^(base|document|curves|mesh|gather|patches|raster)$/ &&
+         FILENAME !~ /^src\/base\/native\//
+  if (!is_table && folder != "" && !(folder in is_folder)) {
+    complain("src/" folder " is not in scripts/folder-order.txt")
+  }
+}
+
+is_table {
+  if ($0 ~ /^#/ || NF == 0) next
+  name = $1
+  sub(/:$/, "", name)
+  is_folder[name] = 1
+  for (i = 2; i <= NF; ++i) may_use[name, $i] = 1
+  next
+}
+
+{
+  ++lines
+  text = $0
+  gsub(/[\200-\277]/, "", text)
+  if (length(text) > 100) complain("line has " length(text) " characters; at most 100")
+}
+
+/^[ \t]*#[ \t]*include[ \t]*"/ {
+  split($0, quoted, "\"")
+  check_project_include(quoted[2])
+}
+
+core && /^[ \t]*#[ \t]*include[ \t]*<(thread|filesystem|iostream|fstream|regex|future|mutex|shared_mutex|condition_variable|execution)>/ {
+  complain("the core may not use" substr($0, index($0, "include") + 7))
+}
+
+core {
+  code = code_of($0)
+  if (code ~ /(^|[^A-Za-z0-9_])(throw|try|catch)([^A-Za-z0-9_]|$)/) {
+    complain("the core may not throw or catch")
+  }
+}
+
+END {
+  finish_file()
+  exit broken
+}
