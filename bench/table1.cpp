@@ -1,0 +1,291 @@
+// The paper's Table 1 beside ours, as Markdown: table1 [--runs N] [FOLDER OF SCENES]
+//
+// Times are medians of N runs (default 11) after one that is not counted, in milliseconds of wall
+// clock. `--max-error off` is the paper's mesh; the paper's machine had a GTX 780.
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <functional>
+#include <sfumato/sfumato.hpp>
+#include <string>
+#include <vector>
+
+#include "base/stopwatch.hpp"
+#include "patches/point_evaluator.hpp"
+
+namespace sfumato {
+namespace {
+
+constexpr int kImagePixels = 1024;
+
+struct PaperColumn {
+  const char* name;
+  const char* curves;
+  const char* triangles;
+  const char* vertices;
+  const char* nodes;
+  const char* geometry;
+  const char* triangulation;
+  const char* color;
+};
+
+struct Scene {
+  const char* file;
+  PaperColumn paper;
+};
+
+constexpr Scene kScenes[] = {
+    {"lady_bug", {"LADYBUG", "72", "9k", "5k", "37k", "18", "7", "49"}},
+    {"tomatos", {"TOMATOES", "395", "10k", "5k", "38k", "19", "5", "53"}},
+    {"dolphin", {"FISH", "1859", "53k", "27k", "113k", "61", "16", "277"}},
+};
+
+/// Medians of one scene with one number of threads; milliseconds.
+struct Measured {
+  int threads = 0;
+  DiffuseStats sizes;
+  double geometry = 0;
+  double triangulation = 0;
+  double gather_exact = 0;
+  double gather_rays = 0;
+  double raster = 0;
+  double pixels_exact = 0;
+  DiffuseStats default_sizes;
+  double default_total = 0;
+};
+
+[[noreturn]] void fail(const Status& status) {
+  std::fprintf(stderr, "table1: %s\n", to_string(status).c_str());
+  std::exit(status.code == StatusCode::io ? 1 : 4);
+}
+
+template <class T>
+T value_or_fail(Result<T> result) {
+  if (!result) fail(result.status());
+  return std::move(*result);
+}
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const std::size_t middle = values.size() / 2;
+  return values.size() % 2 ? values[middle] : (values[middle - 1] + values[middle]) / 2;
+}
+
+/// Medians of the columns that `run` returns, after one run that is not counted.
+std::vector<double> medians(int run_count, const std::function<std::vector<double>()>& run) {
+  std::vector<std::vector<double>> columns(run().size());
+  for (int i = 0; i < run_count; ++i) {
+    const std::vector<double> row = run();
+    for (std::size_t c = 0; c < row.size(); ++c) columns[c].push_back(1000 * row[c]);
+  }
+  std::vector<double> result;
+  for (const auto& column : columns) result.push_back(median(column));
+  return result;
+}
+
+/// The centres of an image's pixels over the artboard, in tiles of 4×4 so that neighbours in the
+/// list are neighbours in the plane.
+std::vector<Vec2> pixel_centres(const Box& artboard) {
+  std::vector<Vec2> points;
+  for (int tile_y = 0; tile_y < kImagePixels; tile_y += 4) {
+    for (int tile_x = 0; tile_x < kImagePixels; tile_x += 4) {
+      for (int i = 0; i < 16; ++i) {
+        const double x = (tile_x + i % 4 + 0.5) / kImagePixels;
+        const double y = (tile_y + i / 4 + 0.5) / kImagePixels;
+        points.push_back(
+            {artboard.min.x + x * artboard.width(), artboard.min.y + y * artboard.height()});
+      }
+    }
+  }
+  return points;
+}
+
+void measure_paper_mesh(Context& context, const Document& document, int runs, Measured& out) {
+  DiffuseOptions options;
+  options.max_error = 0;
+  auto times = medians(runs, [&] {
+    value_or_fail(diffuse(context, document, options, &(out.sizes = {})));
+    const DiffuseStats& s = out.sizes;
+    return std::vector{s.geometry_seconds, s.triangulation_seconds, s.gather_seconds};
+  });
+  out.geometry = times[0];
+  out.triangulation = times[1];
+  out.gather_exact = times[2];
+
+  options.gather.method = gather::Method::rays;
+  out.gather_rays = medians(runs, [&] {
+    DiffuseStats stats;
+    value_or_fail(diffuse(context, document, options, &stats));
+    return std::vector{stats.gather_seconds};
+  })[0];
+}
+
+void measure_raster(Context& context, const Document& document, int runs, Measured& out) {
+  DiffuseOptions options;
+  options.max_error = 0;
+  const Picture picture = value_or_fail(diffuse(context, document, options));
+  RasterOptions raster_options;
+  raster_options.width = kImagePixels;
+  raster_options.height = kImagePixels;
+  out.raster = medians(runs, [&] {
+    const Stopwatch watch;
+    value_or_fail(rasterize(context, picture, raster_options));
+    return std::vector{watch.seconds()};
+  })[0];
+}
+
+void measure_pixels(Context& context, const Document& document, int runs, Measured& out) {
+  const auto evaluator = value_or_fail(PointEvaluator::create(context, document, {}));
+  const std::vector<Vec2> points = pixel_centres(document.artboard);
+  std::vector<float> rgb(3 * points.size());
+  std::vector<std::uint8_t> hit(points.size());
+  out.pixels_exact = medians(runs, [&] {
+    const Stopwatch watch;
+    const Status status = evaluator.evaluate(context, points, rgb, hit);
+    if (!status) fail(status);
+    return std::vector{watch.seconds()};
+  })[0];
+}
+
+void measure_default(Context& context, const Document& document, int runs, Measured& out) {
+  out.default_total = medians(runs, [&] {
+    const Stopwatch watch;
+    value_or_fail(diffuse(context, document, {}, &(out.default_sizes = {})));
+    return std::vector{watch.seconds()};
+  })[0];
+}
+
+Measured measure(const Document& document, int threads, int runs) {
+  const auto pool = make_tbb_executor(threads);
+  Context context;
+  context.executor = pool.get();
+  Measured out;
+  out.threads = context.thread_count();
+  measure_paper_mesh(context, document, runs, out);
+  measure_raster(context, document, runs, out);
+  measure_pixels(context, document, runs, out);
+  measure_default(context, document, runs, out);
+  return out;
+}
+
+std::string milliseconds(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, value < 10 ? "%.2f" : value < 100 ? "%.1f" : "%.0f", value);
+  return text;
+}
+
+std::string ratio(double value, double unit) {
+  return milliseconds(value / unit);
+}
+
+void print_row(const char* name, const char* paper, const Measured& one, const Measured& all,
+               const std::function<std::string(const Measured&)>& text) {
+  std::printf("| %s | %s | %s | %s |\n", name, paper, text(one).c_str(), text(all).c_str());
+}
+
+void print_sizes(const PaperColumn& paper, const Measured& one) {
+  const auto row = [](const char* name, const char* theirs, std::uint64_t ours) {
+    const auto count = static_cast<unsigned long long>(ours);
+    std::printf("| %s | %s | %llu | |\n", name, theirs, count);
+  };
+  row("curves", paper.curves, one.sizes.curves);
+  row("triangles", paper.triangles, one.sizes.triangles);
+  row("vertices", paper.vertices, one.sizes.vertices);
+  row("nodes", paper.nodes, one.sizes.nodes);
+}
+
+void print_times(const PaperColumn& paper, const Measured& one, const Measured& all) {
+  const auto row = [&](const char* name, const char* theirs, double Measured::*time) {
+    print_row(name, theirs, one, all, [&](const Measured& m) { return milliseconds(m.*time); });
+  };
+  row("geometry, ms", paper.geometry, &Measured::geometry);
+  row("triangulation, ms", paper.triangulation, &Measured::triangulation);
+  row("colour: exact gather, ms", "", &Measured::gather_exact);
+  row("colour: 64 rays a node, ms", paper.color, &Measured::gather_rays);
+  row("raster at 1024², ms", "", &Measured::raster);
+  row("exact gather at every pixel of 1024², ms", "", &Measured::pixels_exact);
+  print_row("exact : rays : every pixel", "", one, all, [](const Measured& m) {
+    return "1 : " + ratio(m.gather_rays, m.gather_exact) + " : " +
+           ratio(m.pixels_exact, m.gather_exact);
+  });
+  print_row("exact gather, ns a node", "", one, all, [](const Measured& m) {
+    return milliseconds(1e6 * m.gather_exact / static_cast<double>(m.sizes.nodes));
+  });
+  print_row("64 rays at every pixel (from the cost of a node) : whole picture", "16", one, all,
+            [](const Measured& m) {
+              const double pixels = double{kImagePixels} * kImagePixels;
+              const double rays = m.gather_rays / static_cast<double>(m.sizes.nodes) * pixels;
+              return ratio(rays, m.geometry + m.triangulation + m.gather_exact + m.raster);
+            });
+  row("with refinement (the default): whole diffuse(), ms", "", &Measured::default_total);
+  print_row("with refinement: nodes", "", one, all,
+            [](const Measured& m) { return std::to_string(m.default_sizes.nodes); });
+}
+
+void print_scene(const Scene& scene, const Measured& one, const Measured& all) {
+  std::printf("\n| %s | paper: %s | 1 thread | %d threads |\n|---|---|---|---|\n", scene.file,
+              scene.paper.name, all.threads);
+  print_sizes(scene.paper, one);
+  print_times(scene.paper, one, all);
+}
+
+std::string processor_name() {
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);) {
+    if (line.rfind("model name", 0) == 0) return line.substr(line.find(':') + 2);
+  }
+  return "unknown processor";
+}
+
+const char* simd_name(SimdLevel level) {
+  switch (level) {
+    case SimdLevel::avx512:
+      return "AVX-512";
+    case SimdLevel::avx2:
+      return "AVX2";
+    default:
+      return "128-bit SIMD";
+  }
+}
+
+int run(const std::string& folder, int runs) {
+  std::printf("%s, %s; %s, %s; medians of %d runs\n", processor_name().c_str(),
+              simd_name(detected_simd_level()), SFUMATO_COMPILER, SFUMATO_FLAGS, runs);
+  for (const Scene& scene : kScenes) {
+    const std::string path = folder + "/" + scene.file + ".xml";
+    auto xml = read_file(path, limits::kInputBytes);
+    if (!xml) {
+      std::fprintf(
+          stderr,
+          "table1: %s: not there. The scenes are Orzan et al.'s research data and not part "
+          "of this project: give the folder that holds them as an argument.\n",
+          path.c_str());
+      return 1;
+    }
+    Context context;
+    const auto read = value_or_fail(read_orzan(context, *xml, path));
+    const Measured one = measure(read.document, 1, runs);
+    const Measured all = measure(read.document, 0, runs);
+    print_scene(scene, one, all);
+    std::fflush(stdout);
+  }
+  return 0;
+}
+
+}  // namespace
+}  // namespace sfumato
+
+int main(int argc, char** argv) {
+  std::string folder = SFUMATO_SHARED_DIR "/scenes";
+  int runs = 11;
+  for (int i = 1; i < argc; ++i) {
+    if (std::string(argv[i]) == "--runs" && i + 1 < argc) {
+      runs = std::max(1, std::atoi(argv[++i]));
+    } else {
+      folder = argv[i];
+    }
+  }
+  return sfumato::run(folder, runs);
+}
