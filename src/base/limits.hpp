@@ -8,6 +8,8 @@
 namespace sfumato::limits {
 
 inline constexpr std::size_t kInputBytes = std::size_t{64} << 20;
+/// Of a PNG that `sfumato compare` reads.
+inline constexpr std::size_t kPngBytes = std::size_t{1} << 30;
 inline constexpr int kXmlDepth = 256;
 inline constexpr std::size_t kXmlElements = 8'000'000;
 inline constexpr std::size_t kCurves = 200'000;

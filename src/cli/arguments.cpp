@@ -1,0 +1,109 @@
+#include "cli/arguments.hpp"
+
+#include "cli/option_helpers.hpp"
+#include "cli/render_options.hpp"
+#include "cli/values.hpp"
+
+namespace sfumato::cli {
+namespace {
+
+constexpr const char* kDescription =
+    "Sfumato draws diffusion curves: the colours on both sides of Bezier curves, spread smoothly.";
+
+constexpr const char* kRootFooter =
+    "Examples:\n"
+    "  sfumato render lady_bug.xml -o lady_bug.png\n"
+    "  sfumato info lady_bug.xml\n"
+    "  sfumato compare before.png after.png -o difference.png\n"
+    "\n"
+    "'sfumato COMMAND --help' tells all about a command.\n"
+    "Exit codes: 0 done, 1 bad input, 2 bad usage, 3 a limit or resource, 4 a mistake of ours.";
+
+constexpr const char* kInfoFooter =
+    "Examples:\n"
+    "  sfumato info lady_bug.xml\n"
+    "  sfumato info --json lady_bug.xml";
+
+constexpr const char* kCompareFooter =
+    "Examples:\n"
+    "  sfumato compare exact.png fast.png\n"
+    "  sfumato compare exact.png fast.png -o difference.png --scale 32";
+
+CLI::App* add_info(CLI::App& root, InfoArguments& arguments) {
+  CLI::App* app = root.add_subcommand("info", "Say what a file of diffusion curves holds");
+  app->footer(kInfoFooter);
+  app->add_option("IN", arguments.input, "Diffusion curves (Orzan XML); '-': from stdin")
+      ->required()
+      ->type_name("");
+  app->add_flag("--json", arguments.json, "Print one JSON object");
+  app->add_flag("--quiet", arguments.quiet, "No warnings");
+  return app;
+}
+
+CLI::App* add_compare(CLI::App& root, CompareArguments& arguments) {
+  CLI::App* app = root.add_subcommand("compare", "Measure how two images of one size differ");
+  app->footer(kCompareFooter);
+  app->add_option("A", arguments.first, "A PNG; '-': from stdin")->required()->type_name("");
+  app->add_option("B", arguments.second, "A PNG; '-': from stdin")->required()->type_name("");
+  add_output(*app, arguments.output, "A picture of the differences, scaled");
+  add_value(*app, "--scale", {"a number above 0", "NUMBER"},
+            "Factor of the differences in the picture [128]", into(arguments.scale, parse_positive))
+      ->needs(app->get_option("--output"));
+  app->add_flag("--json", arguments.json, "Print one JSON object");
+  return app;
+}
+
+void settle(const CompareArguments& arguments) {
+  if (arguments.first == "-" && arguments.second == "-") {
+    throw CLI::ValidationError("B", "stdin can be read only once");
+  }
+  if (arguments.output == "-") {
+    throw CLI::ValidationError("--output", "stdout is taken by the figures, expected a file name");
+  }
+}
+
+NoCommand usage_error(const CLI::App& root, const std::string& what) {
+  std::string command = "sfumato";
+  for (const CLI::App* chosen : root.get_subcommands()) command += ' ' + chosen->get_name();
+  return {"sfumato: error: " + what + "\nTry '" + command + " --help'.\n", kBadUsage};
+}
+
+}  // namespace
+
+Command parse_arguments(int argc, const char* const* argv) {
+  CLI::App root{kDescription, "sfumato"};
+  root.footer(kRootFooter);
+  root.set_help_flag("-h,--help", "Print this help");
+  root.set_version_flag("--version", "sfumato " SFUMATO_VERSION, "Print the version");
+  root.require_subcommand(0, 1);
+  root.get_formatter()->column_width(28);
+  root.get_formatter()->label("REQUIRED", "");
+  RenderArguments render;
+  RenderChoices choices;
+  InfoArguments info;
+  CompareArguments compare;
+  const CLI::App* render_app = add_render(root, render, choices);
+  const CLI::App* info_app = add_info(root, info);
+  const CLI::App* compare_app = add_compare(root, compare);
+  try {
+    root.parse(argc, argv);
+    if (render_app->parsed()) {
+      settle(render, choices);
+      return render;
+    }
+    if (info_app->parsed()) return info;
+    if (compare_app->parsed()) {
+      settle(compare);
+      return compare;
+    }
+    return NoCommand{root.help(), kBadUsage};
+  } catch (const CLI::CallForHelp&) {
+    return NoCommand{root.help(), kDone};
+  } catch (const CLI::CallForVersion& version) {
+    return NoCommand{std::string(version.what()) + '\n', kDone};
+  } catch (const CLI::ParseError& error) {
+    return usage_error(root, error.what());
+  }
+}
+
+}  // namespace sfumato::cli

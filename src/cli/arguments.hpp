@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "base/limits.hpp"
+#include "cli/messages.hpp"
+#include "cli/output_size.hpp"
+#include "patches/diffuse.hpp"
+#include "raster/rasterize.hpp"
+
+namespace sfumato::cli {
+
+struct RenderArguments {
+  std::string input;
+  std::string output;
+  SizeRequest size;
+  bool per_pixel = false;  ///< --method pixels
+  /// As asked for, but for pixels_per_unit, which comes from the size.
+  DiffuseOptions diffuse;
+  /// As asked for, but for width, height and viewport.
+  RasterOptions raster;
+  int threads = 0;  ///< 0: all cores
+  std::size_t max_memory_bytes = limits::kMemoryBytes;
+  std::string stats;  ///< where the JSON goes; empty: nowhere
+  bool quiet = false;
+};
+
+struct InfoArguments {
+  std::string input;
+  bool json = false;
+  bool quiet = false;
+};
+
+struct CompareArguments {
+  std::string first;
+  std::string second;
+  std::string output;  ///< of the difference picture; empty: none
+  double scale = 128;
+  bool json = false;
+};
+
+/// No command was given, or none is to be run: print `text` and return `exit_code`. The text
+/// belongs to standard output exactly where exit_code is kDone.
+struct NoCommand {
+  std::string text;
+  ExitCode exit_code = kBadUsage;
+};
+
+using Command = std::variant<NoCommand, RenderArguments, InfoArguments, CompareArguments>;
+
+/// Reads the command line. Never prints, never exits.
+Command parse_arguments(int argc, const char* const* argv);
+
+}  // namespace sfumato::cli

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "cli/arguments.hpp"
+
+/// The commands. Each prints its own messages and returns the exit code of the process.
+namespace sfumato::cli {
+
+int render(const RenderArguments& arguments);
+int info(const InfoArguments& arguments);
+int compare(const CompareArguments& arguments);
+
+/// The whole program: parses, runs, catches what other people's libraries throw.
+int run(int argc, const char* const* argv);
+
+}  // namespace sfumato::cli

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "base/image.hpp"
+
+namespace sfumato::cli {
+
+/// How far two images are apart, channel by channel, counted exactly: a histogram of the absolute
+/// differences in 65535ths (a code value of 255 is 257 of them). Alpha counts where either image
+/// has it; an image without is opaque.
+class Difference {
+ public:
+  /// Precondition: the images have one size.
+  Difference(const Image& a, const Image& b);
+
+  /// In code values of 255.
+  double rms() const;
+  double maximum() const;
+
+  /// In decibels against 255; infinite for equal images.
+  double psnr_db() const;
+
+  /// The smallest difference, in code values of 255, that at least per_mille thousandths of all
+  /// channels do not exceed (nearest rank). per_mille in 1 to 1000.
+  double percentile(int per_mille) const;
+
+ private:
+  std::uint64_t sample_count_ = 0;
+  std::vector<std::uint64_t> count_of_;  ///< 65536 counts
+};
+
+/// |a − b| · scale in each colour channel, clamped, as rgb8; a greater difference in alpha shows in
+/// all three. Precondition: the images have one size.
+Image difference_image(const Image& a, const Image& b, double scale);
+
+}  // namespace sfumato::cli

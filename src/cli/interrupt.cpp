@@ -1,0 +1,50 @@
+#include "cli/interrupt.hpp"
+
+#include <array>
+#include <csignal>
+
+namespace sfumato::cli {
+namespace {
+
+constexpr std::array<int, 3> kSignals{SIGINT, SIGTERM, SIGHUP};
+
+// A signal handler has no argument of ours: these two are the only mutable globals of the project.
+std::atomic<std::atomic<bool>*> cancel_flag{nullptr};
+volatile std::sig_atomic_t last_signal = 0;
+
+void set_cancel_flag(int signal_number) {
+  last_signal = signal_number;
+  if (std::atomic<bool>* flag = cancel_flag.load()) flag->store(true);
+}
+
+void handle(int signal_number, void (*handler)(int), int flags) {
+  struct sigaction action {};
+  action.sa_handler = handler;
+  action.sa_flags = flags;
+  sigaction(signal_number, &action, nullptr);
+}
+
+}  // namespace
+
+CancelOnSignal::CancelOnSignal(std::atomic<bool>& cancel) {
+  cancel_flag.store(&cancel);
+  for (const int signal_number : kSignals) {
+    handle(signal_number, set_cancel_flag, static_cast<int>(SA_RESETHAND | SA_RESTART));
+  }
+}
+
+CancelOnSignal::~CancelOnSignal() {
+  for (const int signal_number : kSignals) handle(signal_number, SIG_DFL, 0);
+  cancel_flag.store(nullptr);
+}
+
+int received_signal() {
+  return last_signal;
+}
+
+void make_failed_writes_errors() {
+  handle(SIGPIPE, SIG_IGN, 0);
+  handle(SIGXFSZ, SIG_IGN, 0);
+}
+
+}  // namespace sfumato::cli

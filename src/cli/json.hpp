@@ -1,0 +1,42 @@
+#pragma once
+
+#include <concepts>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace sfumato::cli {
+
+/// Writes one JSON value, compact. Keys and values in the caller's order; infinities and NaN become
+/// null. Text is taken as UTF-8.
+class JsonWriter {
+ public:
+  JsonWriter& begin_object() { return open('{'); }
+  JsonWriter& end_object() { return close('}'); }
+  JsonWriter& begin_array() { return open('['); }
+  JsonWriter& end_array() { return close(']'); }
+
+  JsonWriter& key(std::string_view name);
+  JsonWriter& value(std::string_view text);
+  JsonWriter& value(double number);
+  JsonWriter& value(std::unsigned_integral auto number) { return raw(std::to_string(number)); }
+  JsonWriter& value(std::signed_integral auto number) { return raw(std::to_string(number)); }
+
+  template <class Value>
+  JsonWriter& member(std::string_view name, const Value& content) {
+    return key(name).value(content);
+  }
+
+  const std::string& text() const { return text_; }
+
+ private:
+  JsonWriter& open(char bracket);
+  JsonWriter& close(char bracket);
+  JsonWriter& raw(std::string_view token);
+  void separate();
+
+  std::string text_;
+  bool first_ = true;  ///< nothing stands before the next value at this level
+};
+
+}  // namespace sfumato::cli

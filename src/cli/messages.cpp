@@ -1,0 +1,65 @@
+#include "cli/messages.hpp"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+
+#include "cli/interrupt.hpp"
+
+namespace sfumato::cli {
+
+int exit_code(const Status& status) {
+  switch (status.code) {
+    case StatusCode::ok:
+      return kDone;
+    case StatusCode::bad_input:
+      return kBadInput;
+    case StatusCode::limit:
+    case StatusCode::io:
+    case StatusCode::out_of_memory:
+      return kResource;
+    case StatusCode::cancelled:
+      return kSignalled + received_signal();
+    case StatusCode::internal:
+      return kInternal;
+  }
+  return kInternal;
+}
+
+std::string format_message(const Status& status, std::string_view severity) {
+  Status place = status;
+  place.message.clear();
+  std::string text = to_string(place);
+  if (text.empty()) text = "sfumato: ";
+  text += severity;
+  text += ": " + status.message;
+  for (char& c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x20 || byte == 0x7f) c = '?';
+  }
+  return text + '\n';
+}
+
+void report_error(const Status& status) {
+  const bool cancelled = status.code == StatusCode::cancelled;
+  const std::string text = cancelled ? "sfumato: interrupted\n" : format_message(status, "error");
+  std::fputs(text.c_str(), stderr);
+}
+
+void report_warning(const Status& status) {
+  std::fputs(format_message(status, "warning").c_str(), stderr);
+}
+
+Status print(std::string_view text) {
+  const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
+  if (written && std::fflush(stdout) == 0) return ok_status();
+  return make_error(StatusCode::io,
+                    std::string("cannot write standard output: ") + std::strerror(errno));
+}
+
+int fail(const Status& status) {
+  report_error(status);
+  return exit_code(status);
+}
+
+}  // namespace sfumato::cli

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "base/status.hpp"
+
+namespace sfumato::cli {
+
+/// What the process returns (docs/cli.md).
+enum ExitCode : int {
+  kDone = 0,
+  kBadInput = 1,
+  kBadUsage = 2,
+  kResource = 3,  ///< a limit, memory, or an output that cannot be written
+  kInternal = 4,
+  kSignalled = 128  ///< plus the signal's number: 130 for an interrupt
+};
+
+/// The exit code of a failure; `cancelled` gives kSignalled plus the number of the signal that
+/// cancelled.
+int exit_code(const Status& status);
+
+/// "file:line:column: error: message" as compilers write it, or "sfumato: error: message" where no
+/// place is known. One line with its newline; control characters of the input become '?'.
+std::string format_message(const Status& status, std::string_view severity);
+
+/// Writes a message to standard error. An error that says `cancelled` says only "interrupted".
+void report_error(const Status& status);
+void report_warning(const Status& status);
+
+/// Writes text to standard output. Errors: io.
+Status print(std::string_view text);
+
+/// Reports the failure and gives its exit code.
+int fail(const Status& status);
+
+}  // namespace sfumato::cli

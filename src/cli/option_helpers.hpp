@@ -1,0 +1,79 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cli/values.hpp"
+
+/// Options whose values our own parsers read, so that each failure says what was expected.
+namespace sfumato::cli {
+
+/// What an option takes, in words, and how the help writes it.
+struct ValueText {
+  std::string expected;
+  std::string placeholder;
+};
+
+/// A long option, perhaps after a short one. `set(text)` returns false where the text is no value.
+template <class Set>
+CLI::Option* add_value(CLI::App& app, const std::string& name, const ValueText& value_text,
+                       const std::string& help, Set set) {
+  const std::string label = name.substr(name.find("--"));
+  const auto read = [set, label, expected = value_text.expected](const std::string& text) {
+    if (!set(text)) {
+      throw CLI::ValidationError(label, "\"" + text + "\" given, expected " + expected);
+    }
+  };
+  return app.add_option_function<std::string>(name, read, help)->type_name(value_text.placeholder);
+}
+
+/// Sets `target` from what `parse` makes of the text; false where that is nothing.
+template <class Target, class Parse>
+auto into(Target& target, Parse parse) {
+  return [&target, parse](const std::string& text) {
+    const auto value = parse(text);
+    if (value) target = *value;
+    return value.has_value();
+  };
+}
+
+/// As `into`, for whole numbers in [lowest, highest].
+template <class Target>
+auto whole_into(Target& target, std::uint64_t lowest, std::uint64_t highest) {
+  return [&target, lowest, highest](const std::string& text) {
+    const std::optional<std::uint64_t> value = parse_whole(text, lowest, highest);
+    if (value) target = static_cast<int>(*value);
+    return value.has_value();
+  };
+}
+
+/// The option -o, whose extension must be known.
+CLI::Option* add_output(CLI::App& app, std::string& output, const std::string& help);
+
+/// One of a few words.
+template <class Value>
+using Choices = std::initializer_list<std::pair<const char*, Value>>;
+
+template <class Value>
+CLI::Option* add_choice(CLI::App& app, const std::string& name, Choices<Value> choices,
+                        const std::string& help, Value& target) {
+  const std::vector<std::pair<std::string, Value>> known(choices.begin(), choices.end());
+  std::string list;
+  for (const auto& [word, value] : known) list += (list.empty() ? "" : "|") + word;
+  const auto set = [known, &target](const std::string& text) {
+    for (const auto& [word, value] : known) {
+      if (word != text) continue;
+      target = value;
+      return true;
+    }
+    return false;
+  };
+  return add_value(app, name, {"one of " + list, list}, help, set);
+}
+
+}  // namespace sfumato::cli

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <optional>
+
+#include "base/box.hpp"
+#include "base/status.hpp"
+
+namespace sfumato::cli {
+
+/// What the user asked for: pixels, or pixels per user unit (not both).
+struct SizeRequest {
+  std::optional<int> width{};
+  std::optional<int> height{};
+  std::optional<double> scale{};
+};
+
+struct OutputSize {
+  int width = 0;
+  int height = 0;
+  double pixels_per_unit = 1;  ///< the larger of the two directions
+};
+
+/// The size of the image that shows `viewport`. One of width and height alone sets the other by the
+/// viewport's aspect; both stretch the picture to them; neither: viewport × scale, default 1. Sizes
+/// are rounded to the nearest pixel, at least 1. Errors: limit (limits::kImageSide).
+Result<OutputSize> output_size(const SizeRequest& request, const Box& viewport);
+
+}  // namespace sfumato::cli

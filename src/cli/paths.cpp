@@ -1,0 +1,87 @@
+#include "cli/paths.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <string_view>
+
+#include "base/native/file.hpp"
+
+namespace sfumato::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct KnownOutput {
+  std::string_view extension;  // lower case
+  OutputKind kind;
+};
+
+constexpr std::array<KnownOutput, 1> kKnownOutputs{{{".png", OutputKind::png}}};
+
+Status cannot_write(const std::string& path, const std::string& why) {
+  return make_error(StatusCode::io, "cannot write: " + why, {path});
+}
+
+}  // namespace
+
+std::optional<OutputKind> output_kind(const std::string& path) {
+  if (path == "-") return OutputKind::png;
+  std::string extension = fs::path(path).extension().string();
+  for (char& c : extension) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  for (const KnownOutput& known : kKnownOutputs) {
+    if (known.extension == extension) return known.kind;
+  }
+  return std::nullopt;
+}
+
+std::string known_extensions() {
+  std::string list;
+  for (const KnownOutput& known : kKnownOutputs) {
+    if (!list.empty()) list += ", ";
+    list += known.extension;
+  }
+  return list;
+}
+
+Status check_output(const std::string& path) {
+  if (path == "-") return ok_status();
+  std::error_code ignored;
+  const fs::file_status target = fs::status(path, ignored);
+  if (fs::is_directory(target)) return cannot_write(path, "this is a folder");
+  if (fs::exists(target) && !fs::is_regular_file(target)) return ok_status();
+  fs::path folder = fs::path(path).parent_path();
+  if (folder.empty()) folder = ".";
+  const fs::file_status folder_status = fs::status(folder, ignored);
+  if (!fs::exists(folder_status)) {
+    return cannot_write(path, "the folder " + folder.string() + " does not exist");
+  }
+  if (!fs::is_directory(folder_status)) {
+    return cannot_write(path, folder.string() + " is not a folder");
+  }
+  if (fs::is_symlink(fs::symlink_status(path, ignored))) return ok_status();
+  if (access(folder.c_str(), W_OK | X_OK) != 0) {
+    return cannot_write(path, "the folder " + folder.string() + ": " + std::strerror(errno));
+  }
+  return ok_status();
+}
+
+Result<std::string> read_input(const std::string& path, std::size_t max_bytes) {
+  Result<std::string> bytes = read_file(path, max_bytes);
+  if (bytes || bytes.status().code != StatusCode::io) return bytes;
+  Status status = bytes.status();
+  status.code = StatusCode::bad_input;
+  return status;
+}
+
+std::string display_name(const std::string& path) {
+  return path == "-" ? "<stdin>" : path;
+}
+
+}  // namespace sfumato::cli

@@ -1,0 +1,45 @@
+#include "cli/progress_bar.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sfumato::cli {
+namespace {
+
+constexpr std::size_t kBarLength = 30;
+constexpr std::size_t kStageLength = 14;
+constexpr std::chrono::milliseconds kDrawingInterval{100};
+
+}  // namespace
+
+std::string progress_line(std::string_view stage, double fraction) {
+  const double done = std::isfinite(fraction) ? std::clamp(fraction, 0.0, 1.0) : 0.0;
+  const auto filled = static_cast<std::size_t>(done * kBarLength);
+  std::string line(stage.substr(0, kStageLength));
+  line.resize(kStageLength, ' ');
+  line += '[' + std::string(filled, '#') + std::string(kBarLength - filled, ' ') + ']';
+  char percent[8];
+  std::snprintf(percent, sizeof percent, " %3d%%", static_cast<int>(done * 100));
+  return line + percent;
+}
+
+ProgressBar::ProgressBar(std::FILE* terminal, std::chrono::milliseconds delay)
+    : terminal_(terminal), next_drawing_(Clock::now() + delay) {}
+
+ProgressBar::~ProgressBar() {
+  if (drawn_length_ == 0) return;
+  std::fprintf(terminal_, "\r%s\r", std::string(drawn_length_, ' ').c_str());
+  std::fflush(terminal_);
+}
+
+void ProgressBar::report(std::string_view stage, double fraction) {
+  const std::unique_lock lock(mutex_, std::try_to_lock);
+  if (!lock || Clock::now() < next_drawing_) return;
+  const std::string line = progress_line(stage, fraction);
+  std::fprintf(terminal_, "\r%s", line.c_str());
+  std::fflush(terminal_);
+  drawn_length_ = line.size();
+  next_drawing_ = Clock::now() + kDrawingInterval;
+}
+
+}  // namespace sfumato::cli

@@ -1,0 +1,191 @@
+#include "cli/render_options.hpp"
+
+#include "cli/paths.hpp"
+#include "cli/values.hpp"
+
+namespace sfumato::cli {
+namespace {
+
+constexpr const char* kRenderFooter =
+    "Examples:\n"
+    "  sfumato render lady_bug.xml -o lady_bug.png\n"
+    "  sfumato render lady_bug.xml -o big.png --width 4096 --depth 16\n"
+    "  sfumato render lady_bug.xml -o eye.png --viewport 200,100,64,64 --scale 8\n"
+    "  sfumato render lady_bug.xml -o noisy.png --method rays --rays 64 --max-error off\n"
+    "  sfumato render - -o - <lady_bug.xml >lady_bug.png";
+
+constexpr std::uint64_t kLargestCount = 1'000'000'000;
+constexpr std::uint64_t kLargestMemoryMib = std::uint64_t{1} << 24;
+constexpr double kLargestMinAngleDeg = 33;
+constexpr double kLargestMaxError = 255;
+
+bool set_min_angle(const std::string& text, double& angle_deg) {
+  const std::optional<double> value = parse_number(text);
+  if (!value || *value < 0 || *value > kLargestMinAngleDeg) return false;
+  angle_deg = *value;
+  return true;
+}
+
+bool set_max_error(const std::string& text, double& max_error) {
+  const std::optional<double> value = text == "off" ? 0 : parse_positive(text);
+  if (!value || *value > kLargestMaxError) return false;
+  max_error = *value;
+  return true;
+}
+
+void add_place_options(CLI::App& app, RenderArguments& arguments) {
+  const char* group = "Part and size";
+  const ValueText pixels{"a whole number of pixels, at least 1", "PIXELS"};
+  SizeRequest& size = arguments.size;
+  add_value(app, "--viewport",
+            {"x,y,width,height in user units, width and height above 0", "X,Y,W,H"},
+            "The part to draw, in user units [the artboard]",
+            into(arguments.diffuse.viewport, parse_viewport))
+      ->group(group);
+  add_value(app, "--width", pixels, "Width; the height follows unless given",
+            whole_into(size.width, 1, kLargestCount))
+      ->group(group);
+  add_value(app, "--height", pixels, "Height; the width follows unless given",
+            whole_into(size.height, 1, kLargestCount))
+      ->group(group);
+  add_value(app, "--scale", {"a number above 0", "NUMBER"}, "Instead: pixels per user unit [1]",
+            into(size.scale, parse_positive))
+      ->group(group);
+}
+
+void add_solution_options(CLI::App& app, RenderArguments& arguments, RenderChoices& choices) {
+  const char* group = "Solution";
+  DiffuseOptions& diffuse = arguments.diffuse;
+  add_choice(app, "--method",
+             {{"exact", RenderMethod::exact},
+              {"rays", RenderMethod::rays},
+              {"pixels", RenderMethod::pixels}},
+             "exact: closed form on a mesh; rays: random rays on a mesh;\npixels: closed form at "
+             "every pixel, slow [exact]",
+             choices.method)
+      ->group(group);
+  add_value(app, "--rays", {"a whole number from 1 to " + std::to_string(limits::kRays), "N"},
+            "Rays per node of --method rays [64]",
+            whole_into(diffuse.gather.rays_per_node, 1, limits::kRays))
+      ->group(group);
+  add_value(app, "--seed", {"a whole number", "N"}, "Of the random rays [0]",
+            [&seed = diffuse.gather.seed](const std::string& text) {
+              const auto value = parse_whole(text, 0, UINT64_MAX);
+              seed = value.value_or(0);
+              return value.has_value();
+            })
+      ->group(group);
+  add_value(app, "--tolerance", {"a number of user units above 0", "UNITS"},
+            "Largest distance between a curve and its chords\n[0.1 on an artboard of 512]",
+            into(diffuse.tolerance, parse_positive))
+      ->group(group);
+  app.add_flag("--no-blur", diffuse.ignore_blur, "Draw every curve sharp")->group(group);
+}
+
+void add_mesh_options(CLI::App& app, RenderArguments& arguments) {
+  const char* group = "Mesh (no effect with --method pixels)";
+  DiffuseOptions& diffuse = arguments.diffuse;
+  add_value(app, "--max-error", {"a number above 0 and at most 255, or off", "E|off"},
+            "Refine where a patch misses by more, in code values of\n255; off: the plain mesh [1]",
+            [&diffuse](const std::string& text) { return set_max_error(text, diffuse.max_error); })
+      ->group(group);
+  add_value(app, "--max-area", {"a fraction above 0 and at most 1, as 0.04 or 4%", "FRACTION"},
+            "Largest triangle, as a fraction of the artboard [4%]",
+            into(diffuse.max_area_fraction, parse_fraction))
+      ->group(group);
+  add_value(
+      app, "--min-angle", {"degrees from 0 to 33", "DEGREES"},
+      "Smallest angle of a triangle, where the curves allow it [22]",
+      [&diffuse](const std::string& text) { return set_min_angle(text, diffuse.min_angle_deg); })
+      ->group(group);
+  add_choice(app, "--order",
+             {{"linear", PatchOrder::linear},
+              {"quadratic", PatchOrder::quadratic},
+              {"cubic", PatchOrder::cubic}},
+             "Interpolation inside a triangle [cubic]", diffuse.order)
+      ->group(group);
+  app.add_flag("--mesh-overlay", arguments.raster.mesh_overlay, "Draw the mesh on top")
+      ->group(group);
+}
+
+void add_image_options(CLI::App& app, RenderArguments& arguments, RenderChoices& choices) {
+  const char* group = "Image";
+  RasterOptions& raster = arguments.raster;
+  add_value(app, "--background", {"#rgb, #rrggbb, a basic CSS colour name or none", "COLOR"},
+            "Behind transparent parts; none: write an alpha channel [white]",
+            [&raster, &choices](const std::string& text) {
+              choices.transparent = text == "none";
+              raster.background = parse_color(text);
+              return choices.transparent || raster.background.has_value();
+            })
+      ->group(group);
+  add_choice(app, "--depth", {{"8", 8}, {"16", 16}}, "Bits per channel [8]", choices.depth)
+      ->group(group);
+  app.add_flag("--dither", raster.dither, "Ordered dither, for 8 bits")->group(group);
+  app.add_flag("--no-antialias", choices.no_antialias, "Hard edges at curves")->group(group);
+}
+
+void add_running_options(CLI::App& app, RenderArguments& arguments) {
+  const char* group = "Running";
+  add_value(app, "--threads", {"a whole number from 1 to " + std::to_string(limits::kThreads), "N"},
+            "Threads; the picture is the same for any number [all cores]",
+            whole_into(arguments.threads, 1, limits::kThreads))
+      ->group(group);
+  add_value(
+      app, "--max-memory", {"a whole number of MiB, at least 1", "MIB"},
+      "Give up before taking more memory [" + std::to_string(limits::kMemoryBytes >> 20) + "]",
+      [&bytes = arguments.max_memory_bytes](const std::string& text) {
+        const auto value = parse_whole(text, 1, kLargestMemoryMib);
+        bytes = static_cast<std::size_t>(value.value_or(0)) << 20;
+        return value.has_value();
+      })
+      ->group(group);
+  app.add_option("--stats", arguments.stats, "Sizes and times as JSON; '-': to stdout")
+      ->type_name("FILE.json")
+      ->group(group);
+  app.add_flag("--quiet", arguments.quiet, "No warnings, no progress bar")->group(group);
+}
+
+}  // namespace
+
+CLI::App* add_render(CLI::App& root, RenderArguments& arguments, RenderChoices& choices) {
+  CLI::App* app = root.add_subcommand("render", "Draw a file of diffusion curves as an image");
+  app->footer(kRenderFooter);
+  app->add_option("IN", arguments.input, "Diffusion curves (Orzan XML); '-': from stdin")
+      ->required()
+      ->type_name("");
+  add_output(*app, arguments.output, "The image; '-': a PNG to stdout")->required();
+  add_place_options(*app, arguments);
+  add_solution_options(*app, arguments, choices);
+  add_mesh_options(*app, arguments);
+  add_image_options(*app, arguments, choices);
+  add_running_options(*app, arguments);
+  return app;
+}
+
+void settle(RenderArguments& arguments, const RenderChoices& choices) {
+  if (arguments.output == "-" && arguments.stats == "-") {
+    throw CLI::ValidationError("--stats", "stdout is taken by the image, expected a file name");
+  }
+  if (arguments.output == arguments.stats) {
+    throw CLI::ValidationError("--stats", "expected another file than the image's");
+  }
+  if (arguments.size.scale && (arguments.size.width || arguments.size.height)) {
+    throw CLI::ValidationError("--scale", "expected without --width and --height");
+  }
+  if (arguments.raster.dither && choices.depth != 8) {
+    throw CLI::ValidationError("--dither", "expected with --depth 8 only");
+  }
+  if (arguments.raster.mesh_overlay && choices.method == RenderMethod::pixels) {
+    throw CLI::ValidationError("--mesh-overlay", "--method pixels has no mesh to draw");
+  }
+  arguments.per_pixel = choices.method == RenderMethod::pixels;
+  arguments.diffuse.gather.method =
+      choices.method == RenderMethod::rays ? gather::Method::rays : gather::Method::exact;
+  arguments.raster.antialias = !choices.no_antialias;
+  arguments.raster.format = choices.depth == 8
+                                ? (choices.transparent ? PixelFormat::rgba8 : PixelFormat::rgb8)
+                                : (choices.transparent ? PixelFormat::rgba16 : PixelFormat::rgb16);
+}
+
+}  // namespace sfumato::cli

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstdint>
+
+#include "cli/arguments.hpp"
+#include "cli/option_helpers.hpp"
+
+namespace sfumato::cli {
+
+enum class RenderMethod : std::uint8_t { exact, rays, pixels };
+
+/// What is set in several places of RenderArguments once all options are known.
+struct RenderChoices {
+  RenderMethod method = RenderMethod::exact;
+  int depth = 8;
+  bool transparent = false;
+  bool no_antialias = false;
+};
+
+CLI::App* add_render(CLI::App& root, RenderArguments& arguments, RenderChoices& choices);
+
+/// Fills in what choices mean; throws CLI::ValidationError where options do not go together.
+void settle(RenderArguments& arguments, const RenderChoices& choices);
+
+}  // namespace sfumato::cli

@@ -1,0 +1,40 @@
+#include <cstdio>
+#include <exception>
+#include <new>
+
+#include "cli/commands.hpp"
+#include "cli/interrupt.hpp"
+#include "cli/messages.hpp"
+
+namespace sfumato::cli {
+namespace {
+
+struct RunCommand {
+  int operator()(const NoCommand& none) const {
+    if (none.exit_code != kDone) {
+      std::fputs(none.text.c_str(), stderr);
+      return none.exit_code;
+    }
+    const Status printed = print(none.text);
+    return printed ? kDone : fail(printed);
+  }
+  int operator()(const RenderArguments& arguments) const { return render(arguments); }
+  int operator()(const InfoArguments& arguments) const { return info(arguments); }
+  int operator()(const CompareArguments& arguments) const { return compare(arguments); }
+};
+
+}  // namespace
+
+int run(int argc, const char* const* argv) {
+  make_failed_writes_errors();
+  try {
+    return std::visit(RunCommand{}, parse_arguments(argc, argv));
+  } catch (const std::bad_alloc&) {
+    return fail(make_error(StatusCode::out_of_memory, "out of memory"));
+  } catch (const std::exception& error) {
+    return fail(
+        make_error(StatusCode::internal, std::string("a mistake of ours: ") + error.what()));
+  }
+}
+
+}  // namespace sfumato::cli

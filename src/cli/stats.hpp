@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+
+#include "patches/diffuse.hpp"
+
+namespace sfumato::cli {
+
+/// Sizes and times of one `sfumato render`, as --stats reports them.
+struct RenderStats {
+  DiffuseStats diffuse;
+  int threads = 1;
+  double read_seconds = 0;       ///< reading and parsing the input
+  double rasterise_seconds = 0;  ///< picture to pixels
+  double write_seconds = 0;      ///< encoding and writing the output
+  double total_seconds = 0;      ///< from the start of the command to the written output
+};
+
+/// The JSON object of docs/cli.md on one line, with its newline.
+std::string to_json(const RenderStats& stats);
+
+}  // namespace sfumato::cli

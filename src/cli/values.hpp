@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "base/box.hpp"
+#include "base/color.hpp"
+
+/// Values of options from text. The whole text must be the value: no white space, no locale, no
+/// infinity, no NaN. Empty results where it is not.
+namespace sfumato::cli {
+
+/// A finite decimal number: "12", "-0.5", "1e-3".
+std::optional<double> parse_number(std::string_view text);
+
+/// A number above 0.
+std::optional<double> parse_positive(std::string_view text);
+
+/// A decimal whole number in [lowest, highest].
+std::optional<std::uint64_t> parse_whole(std::string_view text, std::uint64_t lowest,
+                                         std::uint64_t highest);
+
+/// A fraction above 0 and at most 1: "0.04" or "4%".
+std::optional<double> parse_fraction(std::string_view text);
+
+/// "x,y,width,height" in user units: within limits::kCoordinate, width and height above 0.
+std::optional<Box> parse_viewport(std::string_view text);
+
+/// "#rgb", "#rrggbb" or one of the sixteen basic colour names of CSS, in any case.
+std::optional<Rgb> parse_color(std::string_view text);
+
+}  // namespace sfumato::cli

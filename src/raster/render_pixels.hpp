@@ -1,0 +1,25 @@
+#pragma once
+
+#include "base/context.hpp"
+#include "base/image.hpp"
+#include "base/status.hpp"
+#include "document/document.hpp"
+#include "patches/diffuse.hpp"
+#include "raster/rasterize.hpp"
+
+namespace sfumato {
+
+/// Document → Image with no patches: the gather at every pixel centre (DESIGN 2.8), the ground
+/// truth that the sparse picture is held against. The colour of a pixel is that of its centre:
+/// there is no antialiasing, and `antialias` and `mesh_overlay` are ignored.
+///
+/// raster_options.viewport defaults to diffuse_options.viewport, and that to the artboard.
+/// stats  optional: as of `diffuse`, where nodes are the pixels and triangles and vertices those
+///        of the visibility mesh.
+/// Errors: bad_input (an invalid document), limit, cancelled. The same bits for any thread count
+/// and SIMD level. Cost: one gather per pixel.
+Result<Image> render_pixels(Context& context, const Document& document,
+                            const DiffuseOptions& diffuse_options,
+                            const RasterOptions& raster_options, DiffuseStats* stats = nullptr);
+
+}  // namespace sfumato

@@ -1,0 +1,82 @@
+#include "cli/run_command.hpp"
+
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+namespace sfumato::test {
+namespace {
+
+void open_as(int descriptor, const std::string& path, int flags) {
+  const int file = open(path.c_str(), flags, 0600);
+  if (file < 0 || dup2(file, descriptor) < 0) _exit(127);
+}
+
+}  // namespace
+
+TemporaryFolder::TemporaryFolder() {
+  std::string pattern = (std::filesystem::temp_directory_path() / "sfumato-XXXXXX").string();
+  if (!mkdtemp(pattern.data())) throw std::runtime_error("no temporary folder");
+  folder_ = pattern;
+}
+
+TemporaryFolder::~TemporaryFolder() {
+  std::error_code ignored;
+  std::filesystem::remove_all(folder_, ignored);
+}
+
+std::string TemporaryFolder::add(const std::string& name, const std::string& content) const {
+  std::ofstream(path(name), std::ios::binary) << content;
+  return path(name);
+}
+
+std::vector<std::string> TemporaryFolder::names() const {
+  std::vector<std::string> found;
+  for (const auto& entry : std::filesystem::directory_iterator(folder_)) {
+    found.push_back(entry.path().filename().string());
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+RunningCommand::RunningCommand(std::vector<std::string> arguments, const std::string& input) {
+  streams_.add("in", input);
+  std::vector<char*> argv;
+  for (std::string& argument : arguments) argv.push_back(argument.data());
+  argv.push_back(nullptr);
+  id_ = fork();
+  if (id_ != 0) return;
+  open_as(STDIN_FILENO, streams_.path("in"), O_RDONLY);
+  open_as(STDOUT_FILENO, streams_.path("out"), O_WRONLY | O_CREAT);
+  open_as(STDERR_FILENO, streams_.path("err"), O_WRONLY | O_CREAT);
+  execv(argv[0], argv.data());
+  _exit(127);
+}
+
+CommandResult RunningCommand::wait() {
+  int status = 0;
+  if (id_ < 0 || waitpid(id_, &status, 0) != id_) throw std::runtime_error("no such process");
+  const int exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  return {exit_code, read_whole(streams_.path("out")), read_whole(streams_.path("err"))};
+}
+
+CommandResult run_command(std::vector<std::string> arguments, const std::string& input) {
+  return RunningCommand(std::move(arguments), input).wait();
+}
+
+CommandResult run_sfumato(std::vector<std::string> arguments, const std::string& input) {
+  arguments.insert(arguments.begin(), SFUMATO_BINARY);
+  return run_command(std::move(arguments), input);
+}
+
+std::string read_whole(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+}  // namespace sfumato::test

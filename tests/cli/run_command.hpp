@@ -1,0 +1,53 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace sfumato::test {
+
+struct CommandResult {
+  int exit_code = -1;  ///< 128 + the signal's number where a signal ended it
+  std::string out;
+  std::string err;
+};
+
+/// A new folder that goes away with everything in it.
+class TemporaryFolder {
+ public:
+  TemporaryFolder();
+  ~TemporaryFolder();
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  std::string add(const std::string& name, const std::string& content) const;
+  std::vector<std::string> names() const;  ///< sorted
+
+ private:
+  std::filesystem::path folder_;
+};
+
+/// A program that runs with its own standard streams, each a file.
+class RunningCommand {
+ public:
+  RunningCommand(std::vector<std::string> arguments, const std::string& input);
+
+  pid_t id() const { return id_; }
+  CommandResult wait();
+
+ private:
+  TemporaryFolder streams_;
+  pid_t id_ = 0;
+};
+
+CommandResult run_command(std::vector<std::string> arguments, const std::string& input = {});
+
+/// The built `sfumato` with these arguments.
+CommandResult run_sfumato(std::vector<std::string> arguments, const std::string& input = {});
+
+std::string read_whole(const std::string& path);
+
+}  // namespace sfumato::test

@@ -1,0 +1,144 @@
+#include <gtest/gtest.h>
+
+#include "cli/run_command.hpp"
+#include "cli/scenes.hpp"
+
+namespace sfumato::test {
+namespace {
+
+/// Runs `sfumato render` on a good scene with these options more.
+CommandResult render_with(const TemporaryFolder& folder, std::vector<std::string> options) {
+  const std::string input = folder.add("scene.xml", two_curve_scene());
+  options.insert(options.begin(), {"render", input, "-o", folder.path("out.png")});
+  return run_sfumato(std::move(options));
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST(Usage, help_without_arguments_is_an_error) {
+  const CommandResult result = run_sfumato({});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_EQ(result.out, "");
+  EXPECT_TRUE(contains(result.err, "Usage: sfumato"));
+}
+
+TEST(Usage, help_goes_to_stdout_where_it_is_asked_for) {
+  const CommandResult result = run_sfumato({"--help"});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(result.err, "");
+  for (const char* command : {"render", "info", "compare"}) {
+    EXPECT_TRUE(contains(result.out, command)) << command;
+    const CommandResult help = run_sfumato({command, "--help"});
+    EXPECT_EQ(help.exit_code, 0);
+    EXPECT_TRUE(contains(help.out, std::string("Usage: sfumato ") + command));
+    EXPECT_TRUE(contains(help.out, "Examples:"));
+  }
+}
+
+TEST(Usage, version_is_one_line) {
+  const CommandResult result = run_sfumato({"--version"});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_TRUE(result.out.starts_with("sfumato 0."));
+  EXPECT_EQ(result.out.find('\n'), result.out.size() - 1);
+}
+
+struct BadValue {
+  const char* option;
+  const char* value;
+  const char* expected;  ///< what the message says it would have taken
+};
+
+TEST(Usage, bad_values_say_what_was_expected) {
+  const BadValue cases[] = {
+      {"--width", "0", "a whole number of pixels"},
+      {"--width", "-5", "a whole number of pixels"},
+      {"--width", "1.5", "a whole number of pixels"},
+      {"--width", "99999999999999999999", "a whole number of pixels"},
+      {"--height", "nan", "a whole number of pixels"},
+      {"--scale", "0", "a number above 0"},
+      {"--scale", "nan", "a number above 0"},
+      {"--scale", "inf", "a number above 0"},
+      {"--scale", "-1", "a number above 0"},
+      {"--viewport", "0,0,0,10", "x,y,width,height"},
+      {"--viewport", "0,0,10", "x,y,width,height"},
+      {"--viewport", "0,0,nan,10", "x,y,width,height"},
+      {"--method", "magic", "exact|rays|pixels"},
+      {"--rays", "0", "from 1 to 4096"},
+      {"--rays", "4097", "from 1 to 4096"},
+      {"--seed", "-1", "a whole number"},
+      {"--tolerance", "0", "user units above 0"},
+      {"--tolerance", "nan", "user units above 0"},
+      {"--max-area", "0", "a fraction above 0"},
+      {"--max-area", "200%", "a fraction above 0"},
+      {"--min-angle", "34", "degrees from 0 to 33"},
+      {"--min-angle", "nan", "degrees from 0 to 33"},
+      {"--max-error", "0", "or off"},
+      {"--max-error", "on", "or off"},
+      {"--order", "quartic", "linear|quadratic|cubic"},
+      {"--background", "#12", "#rrggbb"},
+      {"--threads", "0", "from 1 to 1024"},
+      {"--max-memory", "0", "MiB"},
+      {"--depth", "12", "8|16"},
+  };
+  const TemporaryFolder folder;
+  for (const BadValue& bad : cases) {
+    const CommandResult result = render_with(folder, {bad.option, bad.value});
+    const std::string label = std::string(bad.option) + ' ' + bad.value;
+    EXPECT_EQ(result.exit_code, 2) << label;
+    EXPECT_TRUE(result.err.starts_with("sfumato: error: " + std::string(bad.option) + ": \"" +
+                                       bad.value + "\" given, expected "))
+        << label << "\n"
+        << result.err;
+    EXPECT_TRUE(contains(result.err, bad.expected)) << label << "\n" << result.err;
+    EXPECT_EQ(folder.names(), std::vector<std::string>{"scene.xml"}) << label;
+  }
+}
+
+TEST(Usage, options_that_do_not_go_together_are_refused) {
+  const TemporaryFolder folder;
+  const std::vector<std::vector<std::string>> cases = {
+      {"--scale", "2", "--width", "10"},   {"--scale", "2", "--height", "10"},
+      {"--dither", "--depth", "16"},       {"--mesh-overlay", "--method", "pixels"},
+      {"--stats", folder.path("out.png")}, {"--width", "10", "--width", "20"},
+  };
+  for (const std::vector<std::string>& options : cases) {
+    const CommandResult result = render_with(folder, options);
+    EXPECT_EQ(result.exit_code, 2) << options[0];
+    EXPECT_TRUE(contains(result.err, options[0])) << result.err;
+    EXPECT_EQ(folder.names(), std::vector<std::string>{"scene.xml"});
+  }
+}
+
+TEST(Usage, stdout_is_given_only_once) {
+  const CommandResult result = run_sfumato({"render", "-", "-o", "-", "--stats", "-"});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_EQ(result.out, "");
+}
+
+TEST(Usage, unknown_options_and_missing_operands_are_named) {
+  const CommandResult unknown = run_sfumato({"render", "a.xml", "-o", "b.png", "--fast"});
+  EXPECT_EQ(unknown.exit_code, 2);
+  EXPECT_TRUE(contains(unknown.err, "--fast"));
+  EXPECT_TRUE(contains(unknown.err, "sfumato render --help"));
+  EXPECT_EQ(run_sfumato({"render", "a.xml"}).exit_code, 2);
+  EXPECT_EQ(run_sfumato({"render", "-o", "b.png"}).exit_code, 2);
+  EXPECT_EQ(run_sfumato({"info"}).exit_code, 2);
+  EXPECT_EQ(run_sfumato({"compare", "a.png"}).exit_code, 2);
+  EXPECT_EQ(run_sfumato({"paint", "a.xml"}).exit_code, 2);
+}
+
+TEST(Usage, unknown_extensions_list_the_known_ones) {
+  const TemporaryFolder folder;
+  for (const char* name : {"out.gif", "out", "out.png.xml", ".png"}) {
+    const CommandResult result = run_sfumato(
+        {"render", folder.add("scene.xml", two_curve_scene()), "-o", folder.path(name)});
+    EXPECT_EQ(result.exit_code, 2) << name;
+    EXPECT_TRUE(contains(result.err, "expected a file name that ends in .png")) << result.err;
+    EXPECT_EQ(folder.names(), std::vector<std::string>{"scene.xml"});
+  }
+}
+
+}  // namespace
+}  // namespace sfumato::test
