@@ -1,0 +1,83 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "base/limits.hpp"
+#include "mesh/triangulation.hpp"
+
+namespace sfumato::mesh {
+
+/// A stretch of a flattened segment on a chord: its fractions at the chord's two ends.
+struct Owner {
+  std::uint32_t segment = 0;
+  float u_from = 0;
+  float u_to = 1;
+  std::int32_t next = kNone;  ///< the next owner of the same chord, until `seal`
+};
+
+/// What lies on a stretch of a constraint: a list of owners, and whether the frame runs here.
+/// Where the frame runs twice over one edge it cancels out: the frame is a cycle modulo 2.
+struct Load {
+  std::int32_t first = kNone;
+  std::int32_t count = 0;
+  bool frame = false;
+
+  bool empty() const { return count == 0 && !frame; }
+};
+
+/// A straight constrained edge of the arrangement. Refinement cuts its edge, never the chord.
+struct Chord {
+  Vertex from = kNone;
+  Vertex to = kNone;
+  Load load;
+};
+
+/// Live owners of one arrangement: overlapping curves that many others cross multiply them.
+inline constexpr std::size_t kOwnerLimit = 4 * limits::kSegments;
+
+/// All chords and their owners. Slots of removed ones are used again.
+class ChordStore {
+ public:
+  const Chord& operator[](std::int32_t index) const { return chord_[index]; }
+  std::size_t size() const { return chord_.size(); }
+  std::size_t live_owner_count() const { return live_owners_; }
+  std::size_t bytes() const {
+    return chord_.capacity() * sizeof(Chord) + owner_.capacity() * sizeof(Owner);
+  }
+
+  /// The whole of one segment.
+  Load whole(std::uint32_t segment);
+
+  /// Cuts a load at fraction s (0 to 1) of its stretch. The first half keeps the slots of `load`.
+  std::pair<Load, Load> cut(Load load, double s);
+
+  std::int32_t add(Vertex from, Vertex to, Load load);
+
+  /// Lays `load`, which runs from `from`, on a chord as well.
+  void merge(std::int32_t chord_index, Vertex from, Load load);
+
+  /// Frees the chord and gives back what lay on it, from its `from` to its `to`.
+  Load remove(std::int32_t chord_index);
+
+  void discard(Load load);
+
+  /// Ends the arrangement: the owners of each chord stand in a row, in drawing order.
+  void seal();
+
+  /// After `seal`: the owners of a chord.
+  const Owner* begin(const Chord& c) const { return owner_.data() + c.load.first; }
+
+ private:
+  std::int32_t new_owner(Owner owner);
+
+  std::vector<Chord> chord_;
+  std::vector<Owner> owner_;
+  std::vector<std::int32_t> free_chord_;
+  std::int32_t free_owner_ = kNone;
+  std::size_t live_owners_ = 0;
+};
+
+}  // namespace sfumato::mesh

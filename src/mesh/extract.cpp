@@ -1,0 +1,102 @@
+#include "mesh/extract.hpp"
+
+#include <numeric>
+#include <utility>
+
+namespace sfumato::mesh {
+namespace {
+
+/// Adds the constraint of edge e, which lies on a chord, with what the chord carries there.
+void add_constraint(const Triangulation& mesh, const ChordStore& chords,
+                    const std::vector<VertexOrigin>& origins, const Numbering& numbering,
+                    HalfEdge e, TriangleMesh& out) {
+  const std::int32_t index = mesh.chord[e];
+  const Chord& chord = chords[index];
+  Vertex from = mesh.origin(e), to = mesh.target(e);
+  const Point a = mesh.point[chord.from], b = mesh.point[chord.to];
+  if (dot_from(a, b, mesh.point[from]) > dot_from(a, b, mesh.point[to])) std::swap(from, to);
+  const double at_from = fraction_at(chord, index, from, origins[from]);
+  const double at_to = fraction_at(chord, index, to, origins[to]);
+  const auto piece_begin = static_cast<std::uint32_t>(out.piece.size());
+  const Owner* owner = chords.begin(chord);
+  for (std::int32_t i = 0; i < chord.load.count; ++i) {
+    const double u0 = owner[i].u_from, u1 = owner[i].u_to;
+    out.piece.push_back({owner[i].segment, static_cast<float>(u0 * (1 - at_from) + u1 * at_from),
+                         static_cast<float>(u0 * (1 - at_to) + u1 * at_to)});
+  }
+  out.constraint.push_back({static_cast<std::uint32_t>(numbering.vertex[from]),
+                            static_cast<std::uint32_t>(numbering.vertex[to]), piece_begin,
+                            static_cast<std::uint32_t>(out.piece.size())});
+}
+
+}  // namespace
+
+Numbering number_everything(const Triangulation& mesh) {
+  Numbering numbering;
+  numbering.triangle.resize(mesh.triangle.size());
+  numbering.vertex.resize(mesh.point.size());
+  std::iota(numbering.triangle.begin(), numbering.triangle.end(), 0);
+  std::iota(numbering.vertex.begin(), numbering.vertex.end(), 0);
+  numbering.triangle_count = static_cast<std::uint32_t>(mesh.triangle.size());
+  numbering.vertex_count = static_cast<std::uint32_t>(mesh.point.size());
+  return numbering;
+}
+
+void number_inside(const Triangulation& mesh, Numbering& numbering) {
+  const std::size_t known = numbering.triangle.size();
+  numbering.triangle.resize(mesh.triangle.size(), kNone);
+  for (std::size_t t = known; t < mesh.triangle.size(); ++t) {
+    if (mesh.triangle[t].inside) {
+      numbering.triangle[t] = static_cast<std::int32_t>(numbering.triangle_count++);
+    }
+  }
+  // Only the first call finds vertices that are not wanted; later ones all lie on the frame or
+  // inside.
+  const std::size_t known_vertices = numbering.vertex.size();
+  numbering.vertex.resize(mesh.point.size(), kNone);
+  std::vector<std::uint8_t> wanted(mesh.point.size(), 0);
+  for (const Triangle& t : mesh.triangle) {
+    if (!t.inside) continue;
+    for (const Vertex v : t.vertex) wanted[v] = 1;
+  }
+  for (std::size_t v = known_vertices; v < mesh.point.size(); ++v) {
+    if (wanted[v]) numbering.vertex[v] = static_cast<std::int32_t>(numbering.vertex_count++);
+  }
+}
+
+TriangleMesh extract(const Triangulation& mesh, const ChordStore& chords,
+                     const std::vector<VertexOrigin>& origins, const Lattice& lattice,
+                     const Numbering& numbering) {
+  TriangleMesh out;
+  out.lattice_step = lattice.step;
+  out.vertex_position.resize(numbering.vertex_count);
+  for (std::size_t v = 0; v < mesh.point.size(); ++v) {
+    if (numbering.vertex[v] != kNone) {
+      out.vertex_position[numbering.vertex[v]] = lattice.position(mesh.point[v]);
+    }
+  }
+  const std::size_t half_edges = std::size_t{3} * numbering.triangle_count;
+  out.triangle_vertex.resize(half_edges);
+  out.half_edge_twin.resize(half_edges);
+  out.half_edge_constraint.assign(half_edges, kNone);
+  for (std::size_t slot = 0; slot < mesh.triangle.size(); ++slot) {
+    if (numbering.triangle[slot] == kNone) continue;
+    const Triangle& t = mesh.triangle[slot];
+    for (int k = 0; k < 3; ++k) {
+      const std::int32_t h = 3 * numbering.triangle[slot] + k;
+      out.triangle_vertex[h] = static_cast<std::uint32_t>(numbering.vertex[t.vertex[k]]);
+      const HalfEdge f = t.across[k] >> 1;
+      const std::int32_t other = f < 0 ? kNone : numbering.triangle[triangle_of(f)];
+      const std::int32_t h_twin = other == kNone ? kNone : 3 * other + corner_of(f);
+      out.half_edge_twin[h] = h_twin;
+      if (f < 0 || !(t.across[k] & 1) || (h_twin != kNone && h_twin < h)) continue;
+      const auto constraint = static_cast<std::int32_t>(out.constraint.size());
+      add_constraint(mesh, chords, origins, numbering, static_cast<HalfEdge>(4 * slot) + k, out);
+      out.half_edge_constraint[h] = constraint;
+      if (h_twin != kNone) out.half_edge_constraint[h_twin] = constraint;
+    }
+  }
+  return out;
+}
+
+}  // namespace sfumato::mesh

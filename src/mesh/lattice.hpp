@@ -1,0 +1,111 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "base/status.hpp"
+#include "base/vec2.hpp"
+#include "curves/flatten.hpp"
+#include "mesh/mesher.hpp"
+
+namespace sfumato::mesh {
+
+/// A lattice point: whole steps from the lattice's origin, 0 to 2^kLatticeBits on both axes.
+struct Point {
+  std::int32_t x = 0;
+  std::int32_t y = 0;
+
+  friend constexpr bool operator==(Point a, Point b) { return a.x == b.x && a.y == b.y; }
+};
+
+/// Differences of coordinates stay within 29 bits: orientations fit into 64 bits, in-circle
+/// determinants into 128.
+inline constexpr int kLatticeBits = 29;
+
+/// Twice the signed area of (a, b, c). Exact.
+constexpr std::int64_t orient2d(Point a, Point b, Point c) {
+  return std::int64_t{b.x - a.x} * (c.y - a.y) - std::int64_t{b.y - a.y} * (c.x - a.x);
+}
+
+/// Exact.
+constexpr std::int64_t distance_squared(Point a, Point b) {
+  const std::int64_t x = a.x - b.x;
+  const std::int64_t y = a.y - b.y;
+  return x * x + y * y;
+}
+
+/// (b - a) · (c - a). Exact.
+constexpr std::int64_t dot_from(Point a, Point b, Point c) {
+  return std::int64_t{b.x - a.x} * (c.x - a.x) + std::int64_t{b.y - a.y} * (c.y - a.y);
+}
+
+/// in_circle by 128-bit integers.
+int in_circle_exact(Point a, Point b, Point c, Point d);
+
+/// The sign of: d lies strictly inside the circle through a, b, c (positively oriented). Exact.
+inline int in_circle(Point a, Point b, Point c, Point d) {
+  const double ax = a.x - d.x, ay = a.y - d.y;
+  const double bx = b.x - d.x, by = b.y - d.y;
+  const double cx = c.x - d.x, cy = c.y - d.y;
+  const double bxcy = bx * cy, cxby = cx * by;
+  const double cxay = cx * ay, axcy = ax * cy;
+  const double axby = ax * by, bxay = bx * ay;
+  const double a_lift = ax * ax + ay * ay;
+  const double b_lift = bx * bx + by * by;
+  const double c_lift = cx * cx + cy * cy;
+  const double determinant =
+      a_lift * (bxcy - cxby) + b_lift * (cxay - axcy) + c_lift * (axby - bxay);
+  const double permanent = a_lift * (std::fabs(bxcy) + std::fabs(cxby)) +
+                           b_lift * (std::fabs(cxay) + std::fabs(axcy)) +
+                           c_lift * (std::fabs(axby) + std::fabs(bxay));
+  // Shewchuk's static bound (10 + 96 e) e of the permanent, e = 2^-53, is 1.11e-15; here the
+  // differences are exact besides.
+  const double error = permanent * 1.2e-15;
+  if (determinant > error) return 1;
+  if (determinant < -error) return -1;
+  return in_circle_exact(a, b, c, d);
+}
+
+/// Where vertex v stands along the chord from a to b: its projection as a fraction, 0 to 1.
+inline double fraction_along(Point a, Point b, Point v) {
+  const double s =
+      static_cast<double>(dot_from(a, b, v)) / static_cast<double>(distance_squared(a, b));
+  return std::clamp(s, 0.0, 1.0);
+}
+
+/// The lattice of one mesh and the domain that it triangulates: [0, width] × [0, height] steps.
+struct Lattice {
+  double step = 1;          ///< user units, a power of two
+  double inverse_step = 1;  ///< exact
+  Vec2 origin;              ///< in steps from the user origin, whole
+  std::int32_t width = 0;
+  std::int32_t height = 0;
+  Point frame_min;  ///< smallest lattice rectangle around MeshOptions::frame
+  Point frame_max;
+  std::int64_t weld_squared = 0;  ///< steps²
+
+  /// The nearest lattice point. Precondition: p lies in the domain.
+  Point nearest(Vec2 p) const {
+    return {static_cast<std::int32_t>(p.x * inverse_step - origin.x + 0.5),
+            static_cast<std::int32_t>(p.y * inverse_step - origin.y + 0.5)};
+  }
+
+  /// User units. Exact.
+  Vec2 position(Point p) const { return {(origin.x + p.x) * step, (origin.y + p.y) * step}; }
+
+  /// The lattice point nearest to (x, y) steps, inside the domain.
+  Point rounded(double x, double y) const {
+    return {static_cast<std::int32_t>(std::clamp(x, 0.0, double(width)) + 0.5),
+            static_cast<std::int32_t>(std::clamp(y, 0.0, double(height)) + 0.5)};
+  }
+};
+
+/// A step of about unit_size / 2^12 (a power of two), coarser where the padded bounding box of
+/// curves and frame would pass 2^kLatticeBits steps. The weld is at least 16 steps, and at most
+/// 1/32 of the frame's shorter side where that allows.
+/// Errors: bad_input (a coordinate that is not finite or beyond limits::kCoordinate, an empty
+/// frame, a unit size or weld that is not above 0).
+Result<Lattice> choose_lattice(const curves::FlatCurves& flat, const MeshOptions& options);
+
+}  // namespace sfumato::mesh

@@ -1,0 +1,162 @@
+#include "mesh/mesher.hpp"
+
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "mesh/arrangement.hpp"
+#include "mesh/chords.hpp"
+#include "mesh/extract.hpp"
+#include "mesh/insertion_order.hpp"
+#include "mesh/lattice.hpp"
+#include "mesh/refiner.hpp"
+#include "mesh/triangulation.hpp"
+
+namespace sfumato::mesh {
+
+struct Mesher::State {
+  ScopedCharge charge;
+  Lattice lattice;
+  Triangulation mesh;
+  ChordStore chords;
+  Refiner refiner{mesh, chords, charge};
+  Numbering numbering;                   ///< of the last patch_mesh
+  std::vector<Refiner::Target> patched;  ///< per triangle of the last patch_mesh: slot and stamp
+};
+
+namespace {
+
+Status check_sizes(const curves::FlatCurves& flat) {
+  if (flat.curve_begin.empty() || flat.segment_count() <= limits::kSegments) return ok_status();
+  return make_error(StatusCode::limit,
+                    "more than " + std::to_string(limits::kSegments) + " segments in one layer");
+}
+
+/// Inserts all curve vertices; per vertex of `flat` the vertex that it became.
+std::vector<Vertex> insert_points(Arrangement& arrangement, const curves::FlatCurves& flat,
+                                  const Lattice& lattice) {
+  std::vector<Point> points(flat.vertex.size());
+  for (std::size_t i = 0; i < points.size(); ++i) points[i] = lattice.nearest(flat.vertex[i]);
+  std::vector<Vertex> vertex_of(points.size());
+  for (const std::uint32_t i : insertion_order(points, std::max(lattice.width, lattice.height))) {
+    vertex_of[i] = arrangement.add_point(points[i]);
+  }
+  return vertex_of;
+}
+
+Status arrange(Arrangement& arrangement, const curves::FlatCurves& flat, const Lattice& lattice) {
+  const Point low = lattice.frame_min, high = lattice.frame_max;
+  const Vertex corner[4] = {arrangement.add_point(low), arrangement.add_point({high.x, low.y}),
+                            arrangement.add_point(high), arrangement.add_point({low.x, high.y})};
+  const std::vector<Vertex> vertex_of = insert_points(arrangement, flat, lattice);
+  for (int k = 0; k < 4; ++k) arrangement.add_frame_side(corner[k], corner[(k + 1) % 4]);
+  for (std::uint32_t s = 0; s < flat.vertex.size(); ++s) {
+    if (flat.begins_segment(s)) arrangement.add_segment(vertex_of[s], vertex_of[s + 1], s);
+  }
+  return arrangement.status();
+}
+
+/// Marks the triangles inside the frame: those that an odd number of frame chords separates from
+/// the hull.
+Status flood_inside(Triangulation& mesh, const ChordStore& chords) {
+  constexpr std::int32_t kUnknown = -1;
+  for (Triangle& t : mesh.triangle) t.inside = kUnknown;
+  std::vector<std::int32_t> stack{triangle_of(mesh.spoke[0])};
+  mesh.triangle[stack[0]].inside = 0;
+  while (!stack.empty()) {
+    const std::int32_t t = stack.back();
+    stack.pop_back();
+    for (HalfEdge e = 4 * t; e < 4 * t + 3; ++e) {
+      if (mesh.across(e) == kHull) continue;
+      const bool frame = mesh.is_wall(e) && chords[mesh.chord[e]].load.frame;
+      const std::int32_t inside = mesh.triangle[t].inside ^ static_cast<std::int32_t>(frame);
+      Triangle& other = mesh.triangle[triangle_of(mesh.twin(e))];
+      if (other.inside == kUnknown) {
+        other.inside = inside;
+        stack.push_back(triangle_of(mesh.twin(e)));
+      } else if (other.inside != inside) {
+        return make_error(StatusCode::internal, "mesh: the frame is not closed");
+      }
+    }
+  }
+  return ok_status();
+}
+
+}  // namespace
+
+Mesher::Mesher(std::unique_ptr<State> state) : state_(std::move(state)) {}
+Mesher::Mesher(Mesher&&) noexcept = default;
+Mesher& Mesher::operator=(Mesher&&) noexcept = default;
+Mesher::~Mesher() = default;
+
+Result<Mesher> Mesher::build(Context& context, const curves::FlatCurves& flat,
+                             const MeshOptions& options) {
+  if (Status status = check_sizes(flat); !status) return status;
+  Result<Lattice> lattice = choose_lattice(flat, options);
+  if (!lattice) return lattice.status();
+  auto state = std::make_unique<State>();
+  state->lattice = *lattice;
+  const std::size_t points = flat.vertex.size();
+  // Points, their order, its scratch and the vertex of each.
+  ScopedCharge scratch;
+  if (Status status = scratch.add(context, points * 40, "mesh input"); !status) return status;
+  Status status = state->mesh.grow(context, state->charge, points * 5 / 4 + 64);
+  if (!status) return status;
+  state->mesh.start(lattice->width, lattice->height);
+  Arrangement arrangement(context, state->mesh, state->chords, state->charge,
+                          lattice->weld_squared);
+  status = arrange(arrangement, flat, *lattice);
+  if (!status) return status;
+  state->chords.seal();
+  status = flood_inside(state->mesh, state->chords);
+  if (!status) return status;
+  state->refiner.start();
+  const double step = lattice->step;
+  state->refiner.set_quality(options.min_angle_deg, options.max_area > 0
+                                                        ? 2 * options.max_area / (step * step)
+                                                        : std::numeric_limits<double>::infinity());
+  return Mesher(std::move(state));
+}
+
+TriangleMesh Mesher::visibility_mesh() const {
+  const State& s = *state_;
+  return extract(s.mesh, s.chords, s.refiner.origins(), s.lattice, number_everything(s.mesh));
+}
+
+Status Mesher::refine(Context& context) {
+  return state_->refiner.refine_all(context);
+}
+
+Status Mesher::refine_triangles(Context& context, std::span<const std::uint32_t> triangles,
+                                double smallest_edge) {
+  State& s = *state_;
+  std::vector<Refiner::Target> targets;
+  targets.reserve(triangles.size());
+  for (const std::uint32_t t : triangles) {
+    if (t < s.patched.size()) targets.push_back(s.patched[t]);
+  }
+  return s.refiner.refine_targets(context, targets, smallest_edge / s.lattice.step);
+}
+
+TriangleMesh Mesher::patch_mesh(std::vector<std::int32_t>* previous_triangle) {
+  State& s = *state_;
+  number_inside(s.mesh, s.numbering);
+  std::vector<Refiner::Target> now(s.numbering.triangle_count);
+  for (std::size_t slot = 0; slot < s.mesh.triangle.size(); ++slot) {
+    const std::int32_t t = s.numbering.triangle[slot];
+    if (t != kNone) now[t] = {static_cast<std::int32_t>(slot), s.mesh.triangle[slot].stamp};
+  }
+  if (previous_triangle) {
+    // Slots are never freed nor reordered: an unchanged triangle keeps its number.
+    previous_triangle->assign(now.size(), kNone);
+    for (std::size_t t = 0; t < std::min(now.size(), s.patched.size()); ++t) {
+      if (now[t].stamp == s.patched[t].stamp) {
+        (*previous_triangle)[t] = static_cast<std::int32_t>(t);
+      }
+    }
+  }
+  s.patched = std::move(now);
+  return extract(s.mesh, s.chords, s.refiner.origins(), s.lattice, s.numbering);
+}
+
+}  // namespace sfumato::mesh

@@ -1,0 +1,390 @@
+#include "mesh/refiner.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace sfumato::mesh {
+namespace {
+
+/// No edge is asked to become shorter than this, in steps, for the sake of an angle.
+constexpr double kShortestEdge = 4;
+
+/// Two vertices stand on one shell where their distances from its centre differ by less than this
+/// share, or by less than rounding to the lattice can do.
+constexpr double kShellShare = 0.0005;
+constexpr double kShellSteps = 2;
+
+/// An off-centre stands a little nearer than where the new triangle would just pass (Üngör 2004).
+constexpr double kOffCenterShare = 0.475;
+
+constexpr int kShrinkAttempts = 3;
+constexpr std::uint32_t kStepsPerCancelCheck = 1024;
+constexpr double kPi = 3.14159265358979323846;
+
+/// cos by its series: the same bits with every libm. For 0 to 33 degrees.
+double cosine_of_degrees(double degrees) {
+  const double x = degrees * (kPi / 180);
+  double term = 1, sum = 1;
+  for (int k = 2; k <= 18; k += 2) {
+    term *= -x * x / (k * (k - 1));
+    sum += term;
+  }
+  return sum;
+}
+
+double squared_length(Point a, Point b) {
+  return static_cast<double>(distance_squared(a, b));
+}
+
+}  // namespace
+
+void Refiner::set_quality(double min_angle_deg, double doubled_area) {
+  const double c = cosine_of_degrees(std::clamp(min_angle_deg, 0.0, 33.0));
+  const double c2 = 2 * c * c - 1;
+  sin2_ = 1 - c * c;
+  lens_ = c2 * c2;
+  off_center_ = min_angle_deg > 0 ? kOffCenterShare * std::sqrt((1 + c) / (1 - c))
+                                  : std::numeric_limits<double>::infinity();
+  doubled_area_ = doubled_area;
+}
+
+bool Refiner::make_room() {
+  if (mesh_.has_room()) return true;
+  Status status = mesh_.grow(*context_, charge_, mesh_.point.size() * 7 / 4 + 64);
+  if (!status) {
+    if (status_.ok()) status_ = status;
+    return false;
+  }
+  origin_.reserve(mesh_.point.capacity());
+  return true;
+}
+
+/// Queues a triangle inside the frame whose angle is too small or area too large. The smallest
+/// angle faces the shortest edge: sin² = (2 area)² · l_min² / (l_0 l_1 l_2)².
+void Refiner::check_triangle(std::int32_t t) {
+  const Triangle& now = mesh_.triangle[t];
+  if (!now.inside) return;
+  const Point a = mesh_.point[now.vertex[0]];
+  const Point b = mesh_.point[now.vertex[1]];
+  const Point c = mesh_.point[now.vertex[2]];
+  const double abx = b.x - a.x, aby = b.y - a.y;
+  const double bcx = c.x - b.x, bcy = c.y - b.y;
+  const double cax = a.x - c.x, cay = a.y - c.y;
+  const double l0 = abx * abx + aby * aby;
+  const double l1 = bcx * bcx + bcy * bcy;
+  const double l2 = cax * cax + cay * cay;
+  const double area2 = abx * bcy - aby * bcx;
+  const double least = std::min(l0, std::min(l1, l2));
+  const bool large = area2 > doubled_area_;
+  if (!large && area2 * area2 * least >= sin2_ * (l0 * l1 * l2)) return;
+  const HalfEdge shortest = 4 * t + (l0 == least ? 0 : l1 == least ? 1 : 2);
+  if (!large && (least < kShortestEdge * kShortestEdge || spans_small_input_angle(shortest)))
+    return;
+  // Buckets by exponent and first bit of the mantissa: half a binade of squared length each.
+  const int k = static_cast<int>(std::bit_cast<std::uint64_t>(least) >> 51) - 2 * 1023;
+  const int index = std::clamp(k, 0, kBucketCount - 1);
+  bucket_[index].items.push_back({shortest, now.stamp});
+  lowest_ = std::min(lowest_, index);
+}
+
+/// The edge joins two chords that meet at a vertex, on one shell around it: to split what lies
+/// before it would go on for ever.
+bool Refiner::spans_small_input_angle(HalfEdge e) const {
+  if (mesh_.is_constrained(e)) return false;
+  const Vertex u = mesh_.origin(e), w = mesh_.target(e);
+  const std::int32_t chord_u = origin_[u].chord, chord_w = origin_[w].chord;
+  if (chord_u < 0 || chord_w < 0 || chord_u == chord_w) return false;
+  const Chord& a = chords_[chord_u];
+  const Chord& b = chords_[chord_w];
+  const Vertex joint = a.from == b.from || a.from == b.to ? a.from
+                       : a.to == b.from || a.to == b.to   ? a.to
+                                                          : kNone;
+  if (joint == kNone) return false;
+  const double r_u = std::sqrt(squared_length(mesh_.point[u], mesh_.point[joint]));
+  const double r_w = std::sqrt(squared_length(mesh_.point[w], mesh_.point[joint]));
+  return std::fabs(r_u - r_w) <= std::max(kShellShare * r_u, kShellSteps);
+}
+
+/// The angle at p over the segment from a to b is at least 180° minus twice the minimum angle.
+bool Refiner::in_lens(Point a, Point b, Point p) const {
+  const double ax = a.x - p.x, ay = a.y - p.y;
+  const double bx = b.x - p.x, by = b.y - p.y;
+  const double d = ax * bx + ay * by;
+  return d < 0 && d * d >= lens_ * ((ax * ax + ay * ay) * (bx * bx + by * by));
+}
+
+void Refiner::check_encroachment(std::int32_t t) {
+  const Triangle& now = mesh_.triangle[t];
+  if (!now.inside || !((now.across[0] | now.across[1] | now.across[2]) & 1)) return;
+  for (int k = 0; k < 3; ++k) {
+    const HalfEdge e = 4 * t + k;
+    if (!mesh_.is_constrained(e)) continue;
+    const Vertex u = mesh_.origin(e), w = mesh_.target(e);
+    if (in_lens(mesh_.point[u], mesh_.point[w], mesh_.apex_point(e))) {
+      encroached_.push_back({e, u, w});
+    }
+  }
+}
+
+void Refiner::check_touched() {
+  for (const std::int32_t t : mesh_.touched) {
+    check_encroachment(t);
+    check_triangle(t);
+  }
+  mesh_.touched.clear();
+}
+
+/// Queues the walls of the cavity that p would encroach upon.
+bool Refiner::cavity_encroaches(Point p) {
+  bool any = false;
+  const std::size_t count = mesh_.cavity.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const CavityEdge& wall = mesh_.cavity[i];
+    if (!(wall.across & 1) || wall.across == kHull) continue;
+    const Vertex from = wall.from;
+    const Vertex to = mesh_.cavity[i + 1 < count ? i + 1 : 0].from;
+    if (!in_lens(mesh_.point[from], mesh_.point[to], p)) continue;
+    encroached_.push_back({wall.across >> 1, to, from});
+    any = true;
+  }
+  return any;
+}
+
+/// The circumcentre, or the off-centre over the edge where that is nearer to it.
+Point Refiner::steiner_point(HalfEdge edge, double off_center) const {
+  const Point a = mesh_.origin_point(edge), b = mesh_.target_point(edge);
+  const Point c = mesh_.apex_point(edge);
+  const double bx = b.x - a.x, by = b.y - a.y;
+  const double cx = c.x - a.x, cy = c.y - a.y;
+  const double b2 = bx * bx + by * by, c2 = cx * cx + cy * cy;
+  const double scale = 0.5 / (bx * cy - cx * by);
+  double dx = (cy * b2 - by * c2) * scale;
+  double dy = (bx * c2 - cx * b2) * scale;
+  const double ox = 0.5 * bx - off_center * by;
+  const double oy = 0.5 * by + off_center * bx;
+  if (ox * ox + oy * oy < dx * dx + dy * dy) {
+    dx = ox;
+    dy = oy;
+  }
+  const double width = mesh_.point[2].x, height = mesh_.point[2].y;
+  return {static_cast<std::int32_t>(std::clamp(a.x + dx, 0.0, width) + 0.5),
+          static_cast<std::int32_t>(std::clamp(a.y + dy, 0.0, height) + 0.5)};
+}
+
+void Refiner::insert_free(Point p) {
+  if (!make_room()) return;
+  mesh_.fill(p);
+  origin_.push_back({VertexOrigin::kFree, 0});
+}
+
+void Refiner::refine_triangle(const Bad& bad) {
+  const std::int32_t t = triangle_of(bad.shortest_edge);
+  const Point p = steiner_point(bad.shortest_edge, off_center_);
+  const Location at = mesh_.locate<true>(p, t);
+  if (at.place == Place::on_vertex) return;
+  bool changed = false;
+  if (at.place == Place::blocked || (at.place == Place::on_edge && mesh_.is_wall(at.edge))) {
+    changed = split_subsegment(at.edge);
+  } else {
+    mesh_.dig(p, triangle_of(at.edge));
+    if (!cavity_encroaches(p)) {
+      insert_free(p);
+      for (const std::int32_t touched : mesh_.touched) check_triangle(touched);
+      mesh_.touched.clear();
+      return;
+    }
+    changed = split_queued_subsegments();
+  }
+  if (changed && mesh_.triangle[t].stamp == bad.stamp) check_triangle(t);
+}
+
+/// Splits what is in `encroached_` and what becomes encroached by that. True if any was split.
+bool Refiner::split_queued_subsegments() {
+  bool any = false;
+  while (!encroached_.empty() && status_.ok()) {
+    const Subsegment s = encroached_.back();
+    encroached_.pop_back();
+    HalfEdge e = s.edge;
+    if (mesh_.origin(e) != s.from || mesh_.target(e) != s.to) e = mesh_.find(s.from, s.to);
+    if (e != kNone && mesh_.is_constrained(e)) any |= split_subsegment(e);
+  }
+  return any;
+}
+
+/// Where to cut: in the middle, or at a power of two from an end where other chords begin, so that
+/// chords at a small angle are cut at equal distances and do not encroach upon each other for ever.
+double Refiner::split_fraction(HalfEdge e, double length) const {
+  const HalfEdge f = mesh_.twin(e);
+  const bool at_origin = mesh_.is_wall(previous(e)) || mesh_.is_wall(next(f));
+  const bool at_target = mesh_.is_wall(next(e)) || mesh_.is_wall(previous(f));
+  if (!at_origin && !at_target) return 0.5;
+  double shell = 1;
+  while (length > 3 * shell) shell *= 2;
+  while (length < 1.5 * shell) shell *= 0.5;
+  const double s = shell / length;
+  return at_target ? 1 - s : s;
+}
+
+/// The lattice point at fraction s of e, or one beside it where rounding would turn a triangle
+/// over.
+bool Refiner::split_point(HalfEdge e, double s, Point& p) const {
+  const Point a = mesh_.origin_point(e), b = mesh_.target_point(e);
+  const double x = a.x + s * (b.x - a.x);
+  const double y = a.y + s * (b.y - a.y);
+  p = {static_cast<std::int32_t>(x + 0.5), static_cast<std::int32_t>(y + 0.5)};
+  if (mesh_.can_split(e, p)) return true;
+  for (int corner = 0; corner < 4; ++corner) {
+    p = {static_cast<std::int32_t>(x) + (corner & 1), static_cast<std::int32_t>(y) + (corner >> 1)};
+    if (mesh_.can_split(e, p)) return true;
+  }
+  return false;
+}
+
+bool Refiner::split_subsegment(HalfEdge e) {
+  const Vertex a = mesh_.origin(e), b = mesh_.target(e);
+  const double length = std::sqrt(squared_length(mesh_.point[a], mesh_.point[b]));
+  if (length < 2 * kShortestEdge) return false;
+  const double s = split_fraction(e, length);
+  Point p;
+  if (!split_point(e, s, p) || !make_room()) return false;
+  const std::int32_t index = mesh_.chord[e];
+  const Chord& chord = chords_[index];
+  owner_pieces_ += static_cast<std::size_t>(chord.load.count);
+  if (owner_pieces_ > kOwnerLimit) {
+    status_ = make_error(StatusCode::limit, "overlapping curves are cut into too many pieces");
+    return false;
+  }
+  const double at_a = fraction_at(chord, index, a, origin_[a]);
+  const double at_b = fraction_at(chord, index, b, origin_[b]);
+  mesh_.split(e, p);
+  origin_.push_back({index, static_cast<float>(at_a + (at_b - at_a) * s)});
+  check_touched();
+  return true;
+}
+
+bool Refiner::next_bad(Bad& bad) {
+  for (; lowest_ < kBucketCount; ++lowest_) {
+    Bucket& bucket = bucket_[lowest_];
+    if (bucket.head < bucket.items.size()) {
+      bad = bucket.items[bucket.head++];
+      return true;
+    }
+    bucket.items.clear();
+    bucket.head = 0;
+  }
+  return false;
+}
+
+/// Works off both queues.
+Status Refiner::run(Context& context) {
+  context_ = &context;
+  status_ = ok_status();
+  mesh_.tracking = true;
+  split_queued_subsegments();
+  Bad bad;
+  for (std::uint32_t step = 1; status_.ok() && next_bad(bad); ++step) {
+    if (mesh_.triangle[triangle_of(bad.shortest_edge)].stamp != bad.stamp) continue;
+    if (step % kStepsPerCancelCheck == 0 && context.cancelled()) {
+      status_ = make_error(StatusCode::cancelled, "cancelled");
+    }
+    refine_triangle(bad);
+  }
+  mesh_.tracking = false;
+  mesh_.touched.clear();
+  encroached_.clear();
+  for (Bucket& bucket : bucket_) {
+    bucket.items.clear();
+    bucket.head = 0;
+  }
+  lowest_ = kBucketCount;
+  return status_;
+}
+
+Status Refiner::refine_all(Context& context) {
+  const auto count = static_cast<std::int32_t>(mesh_.triangle.size());
+  for (std::int32_t t = 0; t < count; ++t) {
+    check_encroachment(t);
+    check_triangle(t);
+  }
+  return run(context);
+}
+
+HalfEdge Refiner::longest_edge(std::int32_t t) const {
+  HalfEdge longest = 4 * t;
+  std::int64_t most = 0;
+  for (HalfEdge e = 4 * t; e < 4 * t + 3; ++e) {
+    const std::int64_t length2 = distance_squared(mesh_.origin_point(e), mesh_.target_point(e));
+    if (length2 > most) {
+      most = length2;
+      longest = e;
+    }
+  }
+  return longest;
+}
+
+void Refiner::halve_longest_edge(std::int32_t t) {
+  const HalfEdge e = longest_edge(t);
+  if (mesh_.is_constrained(e)) {
+    split_subsegment(e);
+    return;
+  }
+  const Point a = mesh_.origin_point(e), b = mesh_.target_point(e);
+  const Point p{a.x + (b.x - a.x) / 2, a.y + (b.y - a.y) / 2};
+  const Location at = mesh_.locate<true>(p, t);
+  if (at.place == Place::inside || (at.place == Place::on_edge && !mesh_.is_wall(at.edge))) {
+    mesh_.dig(p, triangle_of(at.edge));
+    insert_free(p);
+    check_touched();
+  }
+}
+
+/// A vertex at the circumcentre, or, where chords are in the way, in the middle of these while they
+/// are longer than the bound; else in the middle of the longest edge.
+void Refiner::shrink(Target target, double smallest_edge2) {
+  const std::int32_t t = target.triangle;
+  const auto is_long = [&](HalfEdge e) {
+    return squared_length(mesh_.origin_point(e), mesh_.target_point(e)) > smallest_edge2;
+  };
+  for (int attempt = 0; attempt < kShrinkAttempts; ++attempt) {
+    if (mesh_.triangle[t].stamp != target.stamp || !status_.ok()) return;
+    if (!is_long(longest_edge(t))) return;
+    const Point p = steiner_point(4 * t, std::numeric_limits<double>::infinity());
+    const Location at = mesh_.locate<true>(p, t);
+    if (at.place == Place::on_vertex) break;
+    if (at.place == Place::blocked || (at.place == Place::on_edge && mesh_.is_wall(at.edge))) {
+      if (!is_long(at.edge) || !split_subsegment(at.edge)) break;
+      continue;
+    }
+    mesh_.dig(p, triangle_of(at.edge));
+    const std::size_t queued = encroached_.size();
+    if (!cavity_encroaches(p)) {
+      insert_free(p);
+      check_touched();
+      return;
+    }
+    const Subsegment wall = encroached_[queued];
+    encroached_.resize(queued);
+    if (!is_long(wall.edge) || !split_subsegment(wall.edge)) break;
+  }
+  if (mesh_.triangle[t].stamp == target.stamp && status_.ok()) halve_longest_edge(t);
+}
+
+Status Refiner::refine_targets(Context& context, std::span<const Target> targets,
+                               double smallest_edge) {
+  context_ = &context;
+  status_ = ok_status();
+  mesh_.tracking = true;
+  std::uint32_t step = 0;
+  for (const Target& target : targets) {
+    if (++step % kStepsPerCancelCheck == 0 && context.cancelled()) break;
+    shrink(target, smallest_edge * smallest_edge);
+    if (!status_.ok()) return status_;
+  }
+  if (context.cancelled()) return make_error(StatusCode::cancelled, "cancelled");
+  return run(context);
+}
+
+}  // namespace sfumato::mesh

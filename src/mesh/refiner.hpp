@@ -1,0 +1,114 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/context.hpp"
+#include "base/status.hpp"
+#include "mesh/chords.hpp"
+#include "mesh/triangulation.hpp"
+
+namespace sfumato::mesh {
+
+/// Where a vertex came from: the arrangement, the inside of a chord, or nothing (free).
+struct VertexOrigin {
+  static constexpr std::int32_t kArrangement = -1;
+  static constexpr std::int32_t kFree = -2;
+
+  std::int32_t chord = kArrangement;  ///< or a chord index
+  float fraction = 0;                 ///< of that chord
+};
+
+/// Fraction of chord `c` (whose index is `chord_index`) at one of its vertices.
+inline float fraction_at(const Chord& c, std::int32_t chord_index, Vertex v, VertexOrigin origin) {
+  if (v == c.from) return 0;
+  if (v == c.to) return 1;
+  return origin.chord == chord_index ? origin.fraction : 0;
+}
+
+/// Delaunay refinement of the triangles inside the frame, after Ruppert 1995 and Shewchuk 2002:
+/// off-centres (Üngör 2004), encroachment by diametral lenses, splits on concentric shells around
+/// vertices where chords meet, and no splitting of triangles that span a small input angle between
+/// two shells (Miller, Pav, Walkington 2003). Shortest edges first. Chords are cut on the straight,
+/// so that the mesh keeps the arrangement's shape.
+class Refiner {
+ public:
+  Refiner(Triangulation& mesh, const ChordStore& chords, ScopedCharge& charge)
+      : mesh_(mesh), chords_(chords), charge_(charge) {}
+
+  /// min_angle_deg: 0 to 33. doubled_area: largest 2 · area in steps², or infinity.
+  void set_quality(double min_angle_deg, double doubled_area);
+
+  /// Refines all triangles inside. Errors: limit, cancelled.
+  Status refine_all(Context& context);
+
+  /// Makes the triangles smaller whose stamp is still `stamp[i]` and whose longest edge is longer
+  /// than `smallest_edge` steps, then restores the quality around.
+  struct Target {
+    std::int32_t triangle;
+    std::int32_t stamp;
+  };
+  Status refine_targets(Context& context, std::span<const Target> targets, double smallest_edge);
+
+  /// Per vertex of the triangulation.
+  const std::vector<VertexOrigin>& origins() const { return origin_; }
+  void start() { origin_.assign(mesh_.point.size(), {}); }
+
+ private:
+  struct Bad {
+    HalfEdge shortest_edge;
+    std::int32_t stamp;
+  };
+  struct Subsegment {
+    HalfEdge edge;
+    Vertex from;
+    Vertex to;
+  };
+  struct Bucket {
+    std::vector<Bad> items;
+    std::size_t head = 0;
+  };
+
+  void check_triangle(std::int32_t t);
+  void check_encroachment(std::int32_t t);
+  void check_touched();
+  bool spans_small_input_angle(HalfEdge e) const;
+  bool in_lens(Point a, Point b, Point p) const;
+  bool cavity_encroaches(Point p);
+  Point steiner_point(HalfEdge shortest, double off_center) const;
+
+  Status run(Context& context);
+  bool next_bad(Bad& bad);
+  void refine_triangle(const Bad& bad);
+  bool split_queued_subsegments();
+  bool split_subsegment(HalfEdge e);
+  double split_fraction(HalfEdge e, double length) const;
+  bool split_point(HalfEdge e, double s, Point& p) const;
+  void insert_free(Point p);
+  void shrink(Target target, double smallest_edge2);
+  void halve_longest_edge(std::int32_t t);
+  HalfEdge longest_edge(std::int32_t t) const;
+  bool make_room();
+
+  Triangulation& mesh_;
+  const ChordStore& chords_;
+  ScopedCharge& charge_;
+  Context* context_ = nullptr;
+  Status status_;
+  std::vector<VertexOrigin> origin_;
+
+  double sin2_ = 0;        ///< of the minimum angle
+  double lens_ = 0;        ///< cos² of twice the minimum angle
+  double off_center_ = 0;  ///< height of an off-centre over its edge, in edge lengths
+  double doubled_area_ = 0;
+  std::size_t owner_pieces_ = 0;
+
+  static constexpr int kBucketCount = 128;
+  std::array<Bucket, kBucketCount> bucket_;
+  int lowest_ = kBucketCount;
+  std::vector<Subsegment> encroached_;
+};
+
+}  // namespace sfumato::mesh

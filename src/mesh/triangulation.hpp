@@ -1,0 +1,139 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "base/context.hpp"
+#include "base/status.hpp"
+#include "mesh/lattice.hpp"
+
+namespace sfumato::mesh {
+
+using Vertex = std::int32_t;
+
+/// 4 t + k: from corner k of triangle t to corner (k + 1) % 3. Its triangle lies where orient2d is
+/// positive.
+using HalfEdge = std::int32_t;
+
+constexpr std::int32_t triangle_of(HalfEdge e) {
+  return e >> 2;
+}
+constexpr int corner_of(HalfEdge e) {
+  return e & 3;
+}
+constexpr int kNextCorner[3] = {1, 2, 0};
+constexpr int kPreviousCorner[3] = {2, 0, 1};
+constexpr HalfEdge next(HalfEdge e) {
+  return (e & ~3) | kNextCorner[e & 3];
+}
+constexpr HalfEdge previous(HalfEdge e) {
+  return (e & ~3) | kPreviousCorner[e & 3];
+}
+
+/// across[k] of the half-edge of corner k: its twin << 1 | (1 where a chord lies on the edge).
+/// kHull reads as a wall without a twin.
+struct alignas(32) Triangle {
+  Vertex vertex[3];
+  std::int32_t stamp;  ///< counts the changes of this slot
+  std::int32_t across[3];
+  std::int32_t inside;  ///< 1 where the triangle lies inside the frame
+};
+inline constexpr std::int32_t kHull = -1;
+
+enum class Place : std::uint8_t { inside, on_edge, on_vertex, blocked };
+
+/// edge   inside: any edge of the triangle; on_edge: that edge; on_vertex: starts at the vertex;
+///        blocked: the wall that the walk could not cross.
+struct Location {
+  Place place;
+  HalfEdge edge;
+};
+
+/// An edge of the star-shaped hole around a new vertex, seen from inside.
+struct CavityEdge {
+  Vertex from;
+  std::int32_t across;  ///< as Triangle::across
+  std::int32_t chord;   ///< meaningful where across is a wall with a twin
+};
+
+/// A constrained Delaunay triangulation of the lattice rectangle: storage, point location,
+/// insertion (Bowyer–Watson with chords as walls) and flips. Slots are never freed. Knows nothing
+/// of welding or quality. Every vertex but the four corners lies strictly inside the rectangle.
+struct Triangulation {
+  std::vector<Point> point;
+  std::vector<HalfEdge> spoke;  ///< per vertex: a half-edge that starts there
+  std::vector<Triangle> triangle;
+  std::vector<std::int32_t> chord;    ///< per half-edge: meaningful where it is constrained
+  std::vector<std::int32_t> touched;  ///< triangles changed while `tracking`; may repeat
+  bool tracking = false;
+
+  /// Two triangles over [0, width] × [0, height]; vertices 0 to 3 are the corners.
+  void start(std::int32_t width, std::int32_t height);
+
+  Vertex origin(HalfEdge e) const { return triangle[triangle_of(e)].vertex[corner_of(e)]; }
+  Vertex target(HalfEdge e) const {
+    return triangle[triangle_of(e)].vertex[kNextCorner[corner_of(e)]];
+  }
+  Vertex apex(HalfEdge e) const {
+    return triangle[triangle_of(e)].vertex[kPreviousCorner[corner_of(e)]];
+  }
+  std::int32_t across(HalfEdge e) const { return triangle[triangle_of(e)].across[corner_of(e)]; }
+  HalfEdge twin(HalfEdge e) const { return across(e) >> 1; }
+  bool is_wall(HalfEdge e) const { return across(e) & 1; }
+  bool is_constrained(HalfEdge e) const { return is_wall(e) && across(e) != kHull; }
+  Point origin_point(HalfEdge e) const { return point[origin(e)]; }
+  Point target_point(HalfEdge e) const { return point[target(e)]; }
+  Point apex_point(HalfEdge e) const { return point[apex(e)]; }
+
+  /// Puts a chord on an edge, or takes it off. Not on the hull.
+  void constrain(HalfEdge e, std::int32_t chord_index);
+  void release(HalfEdge e);
+
+  /// The half-edge from u to w, or kNone.
+  HalfEdge find(Vertex u, Vertex w) const;
+
+  /// Visibility walk from triangle `start`. A walk that stops at walls does so at the first.
+  template <bool stop_at_walls>
+  Location locate(Point p, std::int32_t start_triangle);
+
+  /// Finds the hole that p makes (`cavity`, positive order) around the triangle that holds p.
+  void dig(Point p, std::int32_t start_triangle);
+
+  /// Fills the hole of the last `dig` with a fan around p.
+  Vertex fill(Point p);
+
+  /// Cuts a constrained edge at p, which may lie a little off it but must see the four edges
+  /// around (`can_split`); both halves keep the chord. Delaunay again when it returns.
+  Vertex split(HalfEdge e, Point p);
+  bool can_split(HalfEdge e, Point p) const;
+
+  /// Replaces the edge by the other diagonal. Precondition: free, convex quadrilateral.
+  void flip(HalfEdge e);
+
+  /// Flips `pending` and what follows until the mesh is constrained Delaunay (Lawson).
+  void legalize();
+  std::vector<HalfEdge> pending;
+
+  /// Room for one more insertion; `grow` charges for it and makes it.
+  bool has_room() const {
+    return triangle.size() + 2 <= triangle.capacity() && point.size() < point.capacity();
+  }
+  Status grow(Context& context, ScopedCharge& charge, std::size_t vertex_count);
+
+  std::vector<CavityEdge> cavity;
+  std::int32_t last = 0;  ///< a triangle near the last place worked at
+
+ private:
+  Vertex add_vertex(Point p);
+  std::int32_t add_triangle();
+  void set_across(HalfEdge e, std::int32_t across, std::int32_t chord_index);
+  void join(HalfEdge e, std::int32_t across, std::int32_t chord_index);
+  HalfEdge halve(HalfEdge e, Vertex v);
+  void touch(std::int32_t t);
+
+  std::vector<std::int32_t> dead_;
+  std::vector<HalfEdge> stack_;
+  std::uint32_t walk_state_ = 1;
+};
+
+}  // namespace sfumato::mesh
