@@ -1,0 +1,177 @@
+#include "raster/coverage.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+
+#include "raster/clip.hpp"
+#include "raster/patch_polynomial.hpp"
+
+namespace sfumato::raster {
+namespace {
+
+/// floor(x), at least low and at most high; 0 <= low.
+int clamped_floor(double x, int low, int high) {
+  return static_cast<int>(std::clamp(x, static_cast<double>(low), static_cast<double>(high)));
+}
+
+Vec2 image_corner(const LayerView& layer, std::uint32_t triangle, int k) {
+  const PixelPoint p = corner_position(layer, triangle, k);
+  return {p.x, p.y};
+}
+
+ClipTriangle clip_triangle_of(const LayerView& layer, std::uint32_t triangle) {
+  const Vec2 a = image_corner(layer, triangle, 0);
+  const Vec2 b = image_corner(layer, triangle, 1);
+  const Vec2 c = image_corner(layer, triangle, 2);
+  return layer.mirrored ? clip_triangle(a, c, b) : clip_triangle(a, b, c);
+}
+
+TriangleFrame frame_of(const LayerView& layer, std::uint32_t triangle) {
+  PixelPoint corner[3];
+  for (int k = 0; k < 3; ++k) corner[k] = corner_position(layer, triangle, k);
+  return triangle_frame(corner, layer.mirrored);
+}
+
+Color4 color_at(const PatchPolynomial& patch, const TriangleFrame& frame, double x, double y) {
+  const double q = clamp_unit((y - frame.top_y) * frame.inverse_height);
+  const double u = clamp_unit((x - frame.long_edge_x(y)) * frame.inverse_width);
+  return patch_color(patch, static_cast<float>(u), static_cast<float>(q));
+}
+
+/// Bits from `begin` up to but not `end`, both in [0, 64].
+std::uint64_t bit_range(int begin, int end) {
+  if (begin >= end) return 0;
+  return (~std::uint64_t{0} << begin) & (~std::uint64_t{0} >> (64 - end));
+}
+
+}  // namespace
+
+void MixedPixels::mark_edge(Vec2 a, Vec2 b, const Tile& tile) {
+  if (a.y > b.y) std::swap(a, b);
+  const double x_low = std::min(a.x, b.x);
+  const double x_high = std::max(a.x, b.x);
+  const int last_x = tile.x0 + tile.width - 1;
+  if (b.y < tile.y0 || a.y > tile.y0 + tile.height) return;
+  if (x_high < tile.x0 || x_low > last_x + 1) return;
+  const double dx_dy = b.y > a.y ? (b.x - a.x) / (b.y - a.y) : 0;
+  const int first_row = clamped_floor(a.y, tile.y0, tile.y0 + tile.height - 1);
+  const int last_row = clamped_floor(b.y, tile.y0, tile.y0 + tile.height - 1);
+  for (int y = first_row; y <= last_row; ++y) {
+    // Where the edge enters and leaves the row; its ends where they lie in the row.
+    const double x_in = a.y >= y ? a.x : a.x + (y - a.y) * dx_dy;
+    const double x_out = b.y <= y + 1 ? b.x : a.x + (y + 1 - a.y) * dx_dy;
+    const double left = std::clamp(std::min(x_in, x_out), x_low, x_high);
+    const double right = std::clamp(std::max(x_in, x_out), x_low, x_high);
+    if (right < tile.x0 || left > last_x + 1) continue;
+    const int begin = clamped_floor(left, tile.x0, last_x) - tile.x0;
+    const int end = clamped_floor(right, tile.x0, last_x) - tile.x0 + 1;
+    for (int word = begin / 64; word <= (end - 1) / 64; ++word) {
+      mask_[y - tile.y0][word] |=
+          bit_range(std::max(begin - 64 * word, 0), std::min(end - 64 * word, 64));
+    }
+  }
+}
+
+void MixedPixels::mark(const LayerView& layer, const TriangleList& triangles, const Tile& tile) {
+  std::memset(mask_, 0, sizeof(mask_));
+  for (std::size_t i = 0; i < triangles.count; ++i) {
+    const std::uint32_t t = triangles.triangle[i];
+    for (int k = 0; k < 3; ++k) {
+      if (!layer.edge_is_curve[std::size_t{3} * t + k]) continue;
+      mark_edge(image_corner(layer, t, k), image_corner(layer, t, (k + 1) % 3), tile);
+    }
+  }
+}
+
+void MixedPixels::number_pixels() {
+  std::uint32_t count = 0;
+  for (int row = 0; row < kTileHeight; ++row) {
+    for (int word = 0; word < kWordsPerRow; ++word) {
+      first_sum_[row][word] = count;
+      count += static_cast<std::uint32_t>(std::popcount(mask_[row][word]));
+    }
+  }
+  sum_.assign(count, Sum{});
+}
+
+/// visit(x, index of its sum) for the marked pixels of a row from begin up to but not end.
+template <class Visit>
+void MixedPixels::for_each_pixel(int row, int begin, int end, const Visit& visit) const {
+  for (int word = begin / 64; word <= (end - 1) / 64; ++word) {
+    const std::uint64_t marked = mask_[row][word];
+    std::uint64_t left =
+        marked & bit_range(std::max(begin - 64 * word, 0), std::min(end - 64 * word, 64));
+    for (; left != 0; left &= left - 1) {
+      const int bit = std::countr_zero(left);
+      const std::uint64_t below = marked & ((std::uint64_t{1} << bit) - 1);
+      visit(64 * word + bit,
+            first_sum_[row][word] + static_cast<std::uint32_t>(std::popcount(below)));
+    }
+  }
+}
+
+void MixedPixels::add_triangle(const LayerView& layer, std::uint32_t triangle, const Tile& tile) {
+  ClipTriangle clip;
+  TriangleFrame frame;
+  PatchPolynomial patch;
+  Box box;
+  for (int k = 0; k < 3; ++k) box.extend(image_corner(layer, triangle, k));
+  if (!overlap(box, {{1.0 * tile.x0, 1.0 * tile.y0},
+                     {1.0 * tile.x0 + tile.width, 1.0 * tile.y0 + tile.height}})) {
+    return;
+  }
+  const int begin = clamped_floor(box.min.x, tile.x0, tile.x0 + tile.width - 1) - tile.x0;
+  const int end = clamped_floor(box.max.x, tile.x0, tile.x0 + tile.width - 1) - tile.x0 + 1;
+  const int first_row = clamped_floor(box.min.y, tile.y0, tile.y0 + tile.height - 1) - tile.y0;
+  const int last_row = clamped_floor(box.max.y, tile.y0, tile.y0 + tile.height - 1) - tile.y0;
+  bool ready = false;
+  for (int row = first_row; row <= last_row; ++row) {
+    for_each_pixel(row, begin, end, [&](int x, std::uint32_t index) {
+      if (!ready) {
+        clip = clip_triangle_of(layer, triangle);
+        frame = frame_of(layer, triangle);
+        patch = patch_polynomial(layer, triangle, frame);
+        ready = true;
+      }
+      const int pixel_x = tile.x0 + x;
+      const int pixel_y = tile.y0 + row;
+      const Coverage part = pixel_coverage(clip, pixel_x, pixel_y);
+      if (!(part.area > 0)) return;
+      const Color4 color =
+          color_at(patch, frame, pixel_x + part.centroid.x, pixel_y + part.centroid.y);
+      Sum& sum = sum_[index];
+      const float area = static_cast<float>(part.area);
+      if (sum.area == 0) color.store(sum.first);
+      const Color4 difference = color - Color4::load(sum.first);
+      (Color4::load(sum.rest) + Color4(area) * difference).store(sum.rest);
+      sum.area += area;
+    });
+  }
+}
+
+void MixedPixels::write(const Tile& tile) const {
+  // A centre of which half the square is covered is one that the centre rule decides.
+  constexpr float kLeastArea = 0.5f + 1e-6f;
+  for (int row = 0; row < tile.height; ++row) {
+    for_each_pixel(row, 0, tile.width, [&](int x, std::uint32_t index) {
+      const Sum& sum = sum_[index];
+      if (sum.area < kLeastArea) return;
+      const std::size_t offset = static_cast<std::size_t>(row) * kTileStride + x;
+      for (int c = 0; c < 3; ++c) tile.color[c][offset] = sum.first[c] + sum.rest[c] / sum.area;
+      if (tile.alpha) tile.alpha[offset] = 1;
+    });
+  }
+}
+
+void MixedPixels::paint(const LayerView& layer, const TriangleList& triangles, const Tile& tile) {
+  mark(layer, triangles, tile);
+  number_pixels();
+  if (sum_.empty()) return;
+  for (std::size_t i = 0; i < triangles.count; ++i)
+    add_triangle(layer, triangles.triangle[i], tile);
+  write(tile);
+}
+
+}  // namespace sfumato::raster

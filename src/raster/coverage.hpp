@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "raster/tile.hpp"
+
+namespace sfumato::raster {
+
+/// The antialiasing of one tile: pixels that a curve passes through get, instead of the value at
+/// their centre, the mean of the patches in them, each weighted by its exact area and read at the
+/// centroid of its part (exact for colours that are linear in the pixel). Sums run in the order of
+/// the triangles, from the first colour on, so that one colour stays exactly itself.
+///
+/// One object serves many tiles, one after another.
+class MixedPixels {
+ public:
+  /// Repaints the mixed pixels of `tile`, where draw_triangles painted the same list before. A
+  /// pixel of which triangles cover no more than a half keeps what it has.
+  void paint(const LayerView& layer, const TriangleList& triangles, const Tile& tile);
+
+ private:
+  static constexpr int kWordsPerRow = kTileWidth / 64;
+  static_assert(kTileWidth % 64 == 0);
+
+  struct Sum {
+    float first[4] = {};  ///< the first triangle's colour
+    float rest[4] = {};   ///< area times difference to it
+    float area = 0;
+  };
+
+ public:
+  /// Memory of one object, should every pixel be mixed.
+  static constexpr std::size_t kMostBytes =
+      std::size_t{kTileWidth} * kTileHeight * (sizeof(Sum) + 2);
+
+ private:
+  void mark_edge(Vec2 a, Vec2 b, const Tile& tile);
+  void mark(const LayerView& layer, const TriangleList& triangles, const Tile& tile);
+  void number_pixels();
+  void add_triangle(const LayerView& layer, std::uint32_t triangle, const Tile& tile);
+  void write(const Tile& tile) const;
+
+  template <class Visit>
+  void for_each_pixel(int row, int begin, int end, const Visit& visit) const;
+
+  std::uint64_t mask_[kTileHeight][kWordsPerRow];  ///< bit x % 64 of word x / 64 of a row
+  std::uint32_t first_sum_[kTileHeight][kWordsPerRow];
+  std::vector<Sum> sum_;  ///< of the marked pixels, row by row
+};
+
+}  // namespace sfumato::raster

@@ -1,0 +1,218 @@
+#include "raster/rasterize.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "raster/coverage.hpp"
+#include "raster/overlay.hpp"
+#include "raster/span_kernels.hpp"
+#include "raster/tile_bins.hpp"
+
+namespace sfumato {
+namespace {
+
+using raster::LayerView;
+using raster::Tile;
+using raster::TileBins;
+using raster::TileGrid;
+
+/// One instance of the stack, ready to be painted.
+struct PaintedInstance {
+  LayerView layer;
+  TileBins bins;
+};
+
+/// Everything that the painting of a tile reads.
+struct Scene {
+  const RasterOptions* options = nullptr;
+  const raster::SpanKernels* kernels = nullptr;
+  std::vector<PaintedInstance> stack;
+  Rgb background;
+  float background_alpha = 1;
+  TileGrid grid;
+  raster::ImageTarget target;
+};
+
+Status check_options(const RasterOptions& options) {
+  if (options.width < 1 || options.height < 1) {
+    return make_error(StatusCode::bad_input, "an image of " + std::to_string(options.width) +
+                                                 " x " + std::to_string(options.height) +
+                                                 " pixels; expected at least 1 x 1");
+  }
+  if (options.width > limits::kImageSide || options.height > limits::kImageSide) {
+    return make_error(StatusCode::limit, "an image of " + std::to_string(options.width) + " x " +
+                                             std::to_string(options.height) +
+                                             " pixels; the limit is " +
+                                             std::to_string(limits::kImageSide) + " a side");
+  }
+  return ok_status();
+}
+
+bool drawable(const Box& box) {
+  return is_finite(box.min) && is_finite(box.max) && box.width() > 0 && box.height() > 0;
+}
+
+bool all_below(const std::vector<std::uint32_t>& indices, std::size_t bound) {
+  return std::all_of(indices.begin(), indices.end(), [&](std::uint32_t i) { return i < bound; });
+}
+
+Status check_layer(const PatchLayer& layer) {
+  const std::size_t count = layer.triangle_count();
+  const std::size_t nodes =
+      layer.channel_count > 0 ? layer.node_value.size() / layer.channel_count : 0;
+  const bool whole = layer.channel_count >= 3 && layer.triangle_vertex.size() == 3 * count &&
+                     layer.edge_is_curve.size() == 3 * count &&
+                     layer.triangle_node.size() == 10 * count &&
+                     all_below(layer.triangle_vertex, layer.vertex_position.size()) &&
+                     all_below(layer.triangle_node, nodes);
+  if (whole) return ok_status();
+  return make_error(StatusCode::bad_input, "a layer of the picture whose tables do not fit");
+}
+
+Affine image_from_artboard(const Box& viewport, const RasterOptions& options) {
+  const double x_scale = options.width / viewport.width();
+  const double y_scale = options.height / viewport.height();
+  return {x_scale, 0, 0, y_scale, -viewport.min.x * x_scale, -viewport.min.y * y_scale};
+}
+
+LayerView view_of(const PatchLayer& layer, const Affine& image_from_layer) {
+  LayerView view;
+  view.vertex_position = layer.vertex_position.data();
+  view.triangle_vertex = layer.triangle_vertex.data();
+  view.edge_is_curve = layer.edge_is_curve.data();
+  view.triangle_node = layer.triangle_node.data();
+  view.node_value = layer.node_value.data();
+  view.channel_count = layer.channel_count;
+  view.order = layer.order;
+  view.image_from_layer = image_from_layer;
+  view.mirrored = image_from_layer.determinant() < 0;
+  return view;
+}
+
+Status prepare_stack(Context& context, const Picture& picture, const RasterOptions& options,
+                     Scene* scene) {
+  const Box viewport = options.viewport.value_or(picture.viewport);
+  if (!drawable(viewport))
+    return make_error(StatusCode::bad_input, "an empty viewport; expected a positive size");
+  for (const PatchLayer& layer : picture.layers) {
+    Status status = check_layer(layer);
+    if (!status) return status;
+  }
+  const double margin_px = options.mesh_overlay ? raster::kOverlayReachPx + 1 : 0;
+  for (const PatchInstance& instance : picture.stack) {
+    if (instance.layer >= picture.layers.size())
+      return make_error(StatusCode::bad_input, "an instance of a layer that is not there");
+    const PatchLayer& layer = picture.layers[instance.layer];
+    PaintedInstance painted;
+    painted.layer =
+        view_of(layer, image_from_artboard(viewport, options) * instance.artboard_from_layer);
+    Result<TileBins> bins = raster::bin_triangles(context, painted.layer, layer.triangle_count(),
+                                                  scene->grid, margin_px);
+    if (!bins) return bins.status();
+    painted.bins = std::move(*bins);
+    scene->stack.push_back(std::move(painted));
+  }
+  return ok_status();
+}
+
+/// The most that a Scratch holds.
+constexpr std::size_t kScratchBytes =
+    6 * raster::kTileFloats * sizeof(float) + raster::MixedPixels::kMostBytes;
+
+/// What a tile is painted with; taken and given back for each range of tiles.
+struct Scratch {
+  explicit Scratch(bool has_alpha) : planes(raster::kTileFloats * (has_alpha ? 4 : 3)) {}
+
+  std::vector<float> planes;
+  raster::MixedPixels mixed;
+  raster::Overlay overlay;
+};
+
+Tile make_tile(const Scene& scene, std::size_t index, Scratch* scratch) {
+  const std::size_t columns = static_cast<std::size_t>(scene.grid.columns());
+  Tile tile;
+  tile.x0 = static_cast<int>(index % columns) * raster::kTileWidth;
+  tile.y0 = static_cast<int>(index / columns) * raster::kTileHeight;
+  tile.width = std::min(raster::kTileWidth, scene.grid.width - tile.x0);
+  tile.height = std::min(raster::kTileHeight, scene.grid.height - tile.y0);
+  float* plane = scratch->planes.data();
+  const float color[3] = {scene.background.r, scene.background.g, scene.background.b};
+  for (int c = 0; c < 3; ++c) {
+    tile.color[c] = plane + c * raster::kTileFloats;
+    std::fill_n(tile.color[c], raster::kTileFloats, color[c]);
+  }
+  if (channel_count(scene.target.format) == 4) {
+    tile.alpha = plane + 3 * raster::kTileFloats;
+    std::fill_n(tile.alpha, raster::kTileFloats, scene.background_alpha);
+  }
+  return tile;
+}
+
+void paint_tile(const Scene& scene, std::size_t index, Scratch* scratch) {
+  const Tile tile = make_tile(scene, index, scratch);
+  for (const PaintedInstance& instance : scene.stack) {
+    const raster::TriangleList triangles = instance.bins.of(index);
+    scene.kernels->draw_triangles(instance.layer, triangles, tile);
+    if (scene.options->antialias) scratch->mixed.paint(instance.layer, triangles, tile);
+  }
+  if (scene.options->mesh_overlay) {
+    scratch->overlay.clear();
+    for (const PaintedInstance& instance : scene.stack)
+      scratch->overlay.add(instance.layer, instance.bins.of(index), tile);
+    scratch->overlay.paint(tile);
+  }
+  scene.kernels->write_pixels(tile, scene.target);
+}
+
+void choose_background(const Picture& picture, const RasterOptions& options, Scene* scene) {
+  const std::optional<Rgb> color = options.background ? options.background : picture.background;
+  const bool has_alpha = channel_count(options.format) == 4;
+  scene->background = color.value_or(has_alpha ? Rgb{0, 0, 0} : Rgb{1, 1, 1});
+  scene->background_alpha = has_alpha && !color ? 0.0f : 1.0f;
+}
+
+Status paint_tiles(Context& context, const Scene& scene) {
+  const bool has_alpha = channel_count(scene.target.format) == 4;
+  std::atomic<std::size_t> done{0};
+  const std::size_t count = scene.grid.tile_count();
+  return parallel_for(context, count, 1, [&](std::size_t begin, std::size_t end) {
+    Scratch scratch(has_alpha);
+    for (std::size_t i = begin; i < end; ++i) paint_tile(scene, i, &scratch);
+    if (!context.progress) return;
+    const std::size_t so_far = done.fetch_add(end - begin) + (end - begin);
+    context.progress->report("rasterise", static_cast<double>(so_far) / count);
+  });
+}
+
+}  // namespace
+
+Result<Image> rasterize(Context& context, const Picture& picture, const RasterOptions& options) {
+  Status status = check_options(options);
+  if (!status) return status;
+  Scene scene;
+  scene.options = &options;
+  scene.kernels = &raster::span_kernels(context.simd);
+  scene.grid = {options.width, options.height};
+  choose_background(picture, options, &scene);
+
+  Image image{options.width, options.height, options.format, {}};
+  const std::size_t image_bytes = image.row_bytes() * options.height;
+  ScopedCharge charge;
+  status = charge.add(context, image_bytes, "the image");
+  if (!status) return status;
+  status = charge.add(context, context.thread_count() * kScratchBytes, "tiles of the image");
+  if (!status) return status;
+  status = prepare_stack(context, picture, options, &scene);
+  if (!status) return status;
+  image.bytes.resize(image_bytes);
+  scene.target = {image.bytes.data(), image.row_bytes(), options.format, options.dither};
+  status = paint_tiles(context, scene);
+  if (!status) return status;
+  return image;
+}
+
+}  // namespace sfumato

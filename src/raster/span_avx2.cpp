@@ -1,0 +1,13 @@
+#if defined(__x86_64__)
+
+#include "raster/quantize_kernel.hpp"
+#include "raster/span_kernel.hpp"
+#include "raster/span_kernels.hpp"
+
+namespace sfumato::raster {
+
+const SpanKernels kSpanKernelsAvx2{draw_triangles<8>, write_pixels<8>};
+
+}  // namespace sfumato::raster
+
+#endif

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "base/context.hpp"
+#include "base/image.hpp"
+#include "raster/tile.hpp"
+
+namespace sfumato::raster {
+
+/// Where and how the pixels of a tile become bytes of the image.
+struct ImageTarget {
+  std::uint8_t* bytes = nullptr;
+  std::size_t row_bytes = 0;
+  PixelFormat format = PixelFormat::rgb8;
+  bool dither = false;  ///< 8-bit formats only
+};
+
+/// The inner loops, compiled for one instruction set. All sets give the same bits.
+struct SpanKernels {
+  /// Paints each pixel whose centre lies in a triangle with the patch's value there. Triangles that
+  /// share an edge share its crossings with the rows, so that no centre between them is left out.
+  void (*draw_triangles)(const LayerView& layer, const TriangleList& triangles, const Tile& tile);
+
+  /// Clamps to [0, 1], dithers or rounds to nearest, and writes the tile's pixels to the image.
+  void (*write_pixels)(const Tile& tile, const ImageTarget& target);
+};
+
+extern const SpanKernels kSpanKernelsBase;
+#if defined(__x86_64__)
+extern const SpanKernels kSpanKernelsAvx2;
+extern const SpanKernels kSpanKernelsAvx512;
+#endif
+
+/// level must not be above detected_simd_level().
+const SpanKernels& span_kernels(SimdLevel level);
+
+}  // namespace sfumato::raster

@@ -1,0 +1,93 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+
+#include "base/native/tbb_executor.hpp"
+#include "raster/pictures.hpp"
+#include "raster/support.hpp"
+
+namespace sfumato::test {
+namespace {
+
+Rgb wavy(int region, Vec2 p) {
+  const auto wave = [&](double a, double b) {
+    return static_cast<float>(0.5 + 0.5 * std::sin(a * p.x + b * p.y + region));
+  };
+  return {wave(3.1, 1.2), wave(-1.7, 2.3), wave(0.5, -4)};
+}
+
+Picture wavy_picture() {
+  return make_picture(make_layer(
+      jittered_grid({{0, 0}, {6, 5}}, 30, 17, [](int i, int j) { return i * j % 7; }), wavy));
+}
+
+TEST(RasterDeterminism, any_number_of_threads_gives_the_same_bytes) {
+  const Picture picture = wavy_picture();
+  RasterOptions options = image_size(700, 500, PixelFormat::rgb16);
+  options.mesh_overlay = true;
+  const Image alone = rasterized(picture, options);
+  for (int threads : {1, 2, 3, 8}) {
+    const std::unique_ptr<Executor> executor = make_tbb_executor(threads);
+    Context context;
+    context.executor = executor.get();
+    const Result<Image> image = rasterize(context, picture, options);
+    ASSERT_TRUE(image.ok());
+    EXPECT_EQ(image->bytes, alone.bytes) << threads << " threads";
+  }
+}
+
+TEST(RasterDeterminism, any_instruction_set_gives_the_same_bytes) {
+  const Picture picture = wavy_picture();
+  for (PixelFormat format :
+       {PixelFormat::rgb8, PixelFormat::rgba8, PixelFormat::rgb16, PixelFormat::rgba16}) {
+    RasterOptions options = image_size(413, 301, format);
+    options.dither = true;
+    std::vector<std::uint8_t> first;
+    for (SimdLevel level : {SimdLevel::sse2, SimdLevel::avx2, SimdLevel::avx512}) {
+      if (level > detected_simd_level()) continue;
+      Context context;
+      context.simd = level;
+      const Result<Image> image = rasterize(context, picture, options);
+      ASSERT_TRUE(image.ok());
+      if (first.empty()) first = image->bytes;
+      EXPECT_EQ(image->bytes, first) << static_cast<int>(level);
+    }
+  }
+}
+
+TEST(RasterDeterminism, a_small_viewport_is_the_crop_of_a_large_image) {
+  const Picture picture = wavy_picture();
+  const Image whole = rasterized(picture, image_size(600, 500));
+  for (const auto& [x0, y0, width, height] :
+       {std::array{0, 0, 100, 90}, {123, 77, 260, 130}, {599, 499, 1, 1}, {37, 250, 563, 3}}) {
+    RasterOptions options = image_size(width, height);
+    options.viewport = Box{{x0 / 100.0, y0 / 100.0}, {(x0 + width) / 100.0, (y0 + height) / 100.0}};
+    const Image part = rasterized(picture, options);
+    for (int y = 0; y < height; ++y) {
+      for (int x = 0; x < width; ++x) {
+        for (int c = 0; c < 3; ++c)
+          ASSERT_NEAR(channel(part, x, y, c), channel(whole, x0 + x, y0 + y, c), 2);
+      }
+    }
+  }
+}
+
+TEST(RasterDeterminism, the_order_of_triangles_changes_nothing_visible) {
+  const RegionMesh mesh =
+      jittered_grid({{0, 0}, {6, 5}}, 20, 17, [](int i, int j) { return i * j % 7; });
+  RegionMesh reversed = mesh;
+  std::reverse(reversed.triangle.begin(), reversed.triangle.end());
+  std::reverse(reversed.region.begin(), reversed.region.end());
+  for (Corners& corner : reversed.triangle) corner = {corner[1], corner[2], corner[0]};
+  const Image a = rasterized(make_picture(make_layer(mesh, wavy)), image_size(150, 100));
+  const Image b = rasterized(make_picture(make_layer(reversed, wavy)), image_size(150, 100));
+  for (int i = 0; i < 150 * 100 * 3; ++i)
+    ASSERT_NEAR(channel(a, i / 3 % 150, i / 450, i % 3), channel(b, i / 3 % 150, i / 450, i % 3),
+                2);
+}
+
+}  // namespace
+}  // namespace sfumato::test

@@ -1,0 +1,143 @@
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "base/native/tbb_executor.hpp"
+#include "raster/pictures.hpp"
+#include "raster/support.hpp"
+
+namespace sfumato::test {
+namespace {
+
+Picture plain_picture() {
+  return make_picture(make_layer(jittered_grid({{0, 0}, {8, 8}}, 4, 1), [](int, Vec2) {
+    return Rgb{0.25f, 0.5f, 0.75f};
+  }));
+}
+
+StatusCode code_of(const Picture& picture, const RasterOptions& options) {
+  Context context;
+  return rasterize(context, picture, options).status().code;
+}
+
+TEST(RasterLimits, an_image_without_pixels_is_bad_input) {
+  const Picture picture = plain_picture();
+  for (const auto& [width, height] : {std::pair{0, 4}, {4, 0}, {-1, 4}, {4, -2147483647}})
+    EXPECT_EQ(code_of(picture, image_size(width, height)), StatusCode::bad_input);
+}
+
+TEST(RasterLimits, an_image_beyond_the_limit_is_refused) {
+  const Picture picture = plain_picture();
+  EXPECT_EQ(code_of(picture, image_size(limits::kImageSide + 1, 1)), StatusCode::limit);
+  EXPECT_EQ(code_of(picture, image_size(1, 2147483647)), StatusCode::limit);
+}
+
+TEST(RasterLimits, an_empty_or_endless_viewport_is_bad_input) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const Box& viewport : {Box{}, Box{{0, 0}, {0, 8}}, Box{{5, 0}, {4, 8}},
+                              Box{{0, 0}, {infinity, 8}}, Box{{0, 0}, {1, std::nan("")}}}) {
+    RasterOptions options = image_size(4, 4);
+    options.viewport = viewport;
+    EXPECT_EQ(code_of(plain_picture(), options), StatusCode::bad_input);
+  }
+}
+
+TEST(RasterLimits, a_picture_whose_tables_do_not_fit_is_bad_input) {
+  const auto refused = [](const std::function<void(Picture&)>& spoil) {
+    Picture picture = plain_picture();
+    spoil(picture);
+    EXPECT_EQ(code_of(picture, image_size(4, 4)), StatusCode::bad_input);
+  };
+  refused([](Picture& p) { p.stack[0].layer = 1; });
+  refused([](Picture& p) { p.layers[0].triangle_vertex[3] = 1000; });
+  refused([](Picture& p) { p.layers[0].triangle_node[3] = 100000; });
+  refused([](Picture& p) { p.layers[0].edge_is_curve.pop_back(); });
+  refused([](Picture& p) { p.layers[0].triangle_node.pop_back(); });
+  refused([](Picture& p) { p.layers[0].node_value.clear(); });
+  refused([](Picture& p) { p.layers[0].channel_count = 0; });
+}
+
+TEST(RasterLimits, the_image_is_charged_before_it_is_made) {
+  Context context;
+  const std::size_t others = context.budget.limit() - (1 << 20);
+  ASSERT_TRUE(context.budget.charge(others, "other work").ok());
+  const Result<Image> image = rasterize(context, plain_picture(), image_size(1024, 1024));
+  EXPECT_EQ(image.status().code, StatusCode::limit);
+  EXPECT_EQ(context.budget.used(), others);
+}
+
+TEST(RasterLimits, cancellation_is_seen) {
+  Context context;
+  context.cancel = true;
+  const Result<Image> image = rasterize(context, plain_picture(), image_size(64, 64));
+  EXPECT_EQ(image.status().code, StatusCode::cancelled);
+  EXPECT_EQ(context.budget.used(), 0u);
+}
+
+/// Cancels at the first report, and remembers the largest charge seen.
+struct Watcher : Progress {
+  Context* context = nullptr;
+  bool cancels = false;
+  std::atomic<std::size_t> peak{0};
+  std::atomic<int> reports{0};
+
+  void report(std::string_view, double fraction) override {
+    EXPECT_GT(fraction, 0);
+    EXPECT_LE(fraction, 1);
+    ++reports;
+    const std::size_t used = context->budget.used();
+    if (used > peak) peak = used;
+    if (cancels) context->cancel = true;
+  }
+};
+
+TEST(RasterLimits, cancellation_stops_between_tiles) {
+  Context context;
+  Watcher watcher;
+  watcher.context = &context;
+  watcher.cancels = true;
+  context.progress = &watcher;
+  const Result<Image> image = rasterize(context, plain_picture(), image_size(2048, 2048));
+  EXPECT_EQ(image.status().code, StatusCode::cancelled);
+  EXPECT_EQ(watcher.reports, 1);
+}
+
+TEST(RasterLimits, the_widest_image_needs_little_more_than_its_bytes) {
+  const std::unique_ptr<Executor> executor = make_tbb_executor(8);
+  Context context;
+  context.executor = executor.get();
+  Watcher watcher;
+  watcher.context = &context;
+  context.progress = &watcher;
+  const Result<Image> image =
+      rasterize(context, plain_picture(), image_size(limits::kImageSide, 128, PixelFormat::rgb8));
+  ASSERT_TRUE(image.ok());
+  const std::size_t image_bytes = image->bytes.size();
+  EXPECT_EQ(image_bytes, std::size_t{3} * limits::kImageSide * 128);
+  EXPECT_GE(watcher.peak.load(), image_bytes);
+  EXPECT_LT(watcher.peak.load(), image_bytes + (std::size_t{32} << 20));
+  EXPECT_EQ(channel(*image, limits::kImageSide - 1, 127, 2), 191);
+  EXPECT_EQ(context.budget.used(), 0u);
+}
+
+TEST(RasterLimits, far_coordinates_and_extreme_scales_end_in_an_image) {
+  RegionMesh mesh;
+  mesh.vertex = {{-1e7, -1e7}, {1e7, -1e7}, {1e7, 1e7}, {-1e7, 1e7}};
+  mesh.add(0, 1, 2, 0);
+  mesh.add(0, 2, 3, 1);
+  Picture picture = make_picture(make_layer(mesh, [](int region, Vec2) {
+    return Rgb{0.2f, 0.4f, region ? 0.6f : 0.6f};
+  }));
+  for (double side : {1e-9, 1e-3, 1.0, 1e7, 1e12, 1e300}) {
+    picture.viewport = {{0.1 * side, 0.1 * side}, {1.1 * side, 1.1 * side}};
+    const Image image = rasterized(picture, image_size(33, 33, PixelFormat::rgb8));
+    if (side > 1e6) continue;
+    for (int i = 0; i < 33 * 33; ++i) ASSERT_EQ(channel(image, i % 33, i / 33, 0), 51);
+  }
+}
+
+}  // namespace
+}  // namespace sfumato::test

@@ -1,0 +1,103 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "raster/pictures.hpp"
+#include "raster/support.hpp"
+
+namespace sfumato::test {
+namespace {
+
+/// Pixels of `image` that are the background: alpha 0.
+int holes(const Image& image) {
+  int count = 0;
+  for (int i = 0; i < image.width * image.height; ++i)
+    count += channel(image, i % image.width, i / image.width, 3) == 0;
+  return count;
+}
+
+TEST(RasterSeams, no_pixel_of_a_triangulated_viewport_is_left_out) {
+  for (std::uint32_t seed = 1; seed <= 20; ++seed) {
+    // Vertices on whole and half pixels too: the worst place for a rule about centres.
+    RegionMesh mesh = jittered_grid({{0, 0}, {64, 64}}, 16, seed);
+    if (seed % 2 == 0)
+      for (Vec2& p : mesh.vertex) p = {std::round(2 * p.x) / 2, std::round(2 * p.y) / 2};
+    Picture picture = make_picture(make_layer(mesh, [](int, Vec2) { return Rgb{1, 0, 1}; }));
+    for (const int side : {64, 63, 640}) {
+      RasterOptions options = image_size(side, side, PixelFormat::rgba8);
+      options.antialias = false;
+      EXPECT_EQ(holes(rasterized(picture, options)), 0) << "seed " << seed << " side " << side;
+    }
+  }
+}
+
+TEST(RasterSeams, every_centre_belongs_to_one_triangle_only) {
+  // Each triangle alone in its picture: the painted pixels of all add up to the image.
+  RegionMesh mesh = jittered_grid({{0, 0}, {32, 32}}, 6, 4);
+  for (Vec2& p : mesh.vertex) p = {std::round(2 * p.x) / 2, std::round(2 * p.y) / 2};
+  std::vector<int> painted(32 * 32, 0);
+  for (std::size_t t = 0; t < mesh.triangle.size(); ++t) {
+    RegionMesh one{mesh.vertex, {mesh.triangle[t]}, {0}};
+    const Picture picture = make_picture(make_layer(one, [](int, Vec2) { return Rgb{}; }));
+    const Image image = rasterized(picture, image_size(32, 32, PixelFormat::rgba8));
+    for (int i = 0; i < 32 * 32; ++i) painted[i] += channel(image, i % 32, i / 32, 3) != 0;
+  }
+  for (int count : painted) EXPECT_EQ(count, 1);
+}
+
+TEST(RasterSeams, slivers_leave_no_holes) {
+  // A fan of needles around a far corner and one-unit-thin strips of nearly parallel edges.
+  RegionMesh mesh;
+  mesh.vertex = {{0, 0}, {100, 0}, {0, 100}};
+  constexpr std::uint32_t kSlices = 500;
+  for (std::uint32_t i = 0; i <= kSlices; ++i) mesh.vertex.push_back({100, 100.0 * i / kSlices});
+  for (std::uint32_t i = 0; i < kSlices; ++i) mesh.add(0, 3 + i, 4 + i, 0);
+  mesh.add(0, 3 + kSlices, 2, 0);
+  const Picture picture = make_picture(make_layer(mesh, [](int, Vec2) { return Rgb{}; }));
+  for (int side : {20, 100, 333})
+    EXPECT_EQ(holes(rasterized(picture, image_size(side, side, PixelFormat::rgba8))), 0);
+}
+
+TEST(RasterSeams, two_colours_give_only_mixtures_of_the_two) {
+  const Rgb a{0.9f, 0.1f, 0.2f}, b{0.1f, 0.5f, 0.8f};
+  for (std::uint32_t seed = 1; seed <= 10; ++seed) {
+    const RegionMesh mesh = jittered_grid({{0, 0}, {1, 1}}, 14, seed,
+                                          [](int i, int j) { return (i * 7 + j * 3) % 5 / 3; });
+    const Picture picture =
+        make_picture(make_layer(mesh, [&](int region, Vec2) { return region ? b : a; }));
+    const Image image = rasterized(picture, image_size(90, 90));
+    int mixtures = 0;
+    for (int i = 0; i < 90 * 90; ++i) {
+      const int x = i % 90, y = i / 90;
+      const double share = (channel(image, x, y, 0) / 65535.0 - a.r) / (b.r - a.r);
+      ASSERT_GE(share, -1e-4);
+      ASSERT_LE(share, 1 + 1e-4);
+      ASSERT_NEAR(channel(image, x, y, 1), 65535 * lerp(a.g, b.g, static_cast<float>(share)), 3);
+      ASSERT_NEAR(channel(image, x, y, 2), 65535 * lerp(a.b, b.b, static_cast<float>(share)), 3);
+      mixtures += share > 1e-3 && share < 1 - 1e-3;
+    }
+    EXPECT_GT(mixtures, 200);
+  }
+}
+
+TEST(RasterSeams, pixels_away_from_curves_are_not_mixed) {
+  const RegionMesh mesh = cut_box({{0, 0}, {32, 32}}, {9.3, 32}, {20.1, 0});
+  const Picture picture = make_picture(make_layer(mesh, [](int region, Vec2) {
+    return region ? Rgb{1, 1, 1} : Rgb{0, 0, 0};
+  }));
+  const Image image = rasterized(picture, image_size(32, 32, PixelFormat::rgb8));
+  for (int y = 0; y < 32; ++y) {
+    for (int x = 0; x < 32; ++x) {
+      const double top_x = 20.1 - 10.8 * y / 32, bottom_x = 20.1 - 10.8 * (y + 1) / 32;
+      if (x + 1 <= bottom_x) {
+        EXPECT_EQ(channel(image, x, y, 0), 0);
+      }
+      if (x >= top_x) {
+        EXPECT_EQ(channel(image, x, y, 0), 255);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace sfumato::test

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <cstring>
+
+#include "raster/rasterize.hpp"
+
+namespace sfumato::test {
+
+inline RasterOptions image_size(int width, int height, PixelFormat format = PixelFormat::rgb16) {
+  RasterOptions options;
+  options.width = width;
+  options.height = height;
+  options.format = format;
+  return options;
+}
+
+inline Image rasterized(const Picture& picture, const RasterOptions& options) {
+  Context context;
+  Result<Image> image = rasterize(context, picture, options);
+  EXPECT_TRUE(image.ok()) << to_string(image.status());
+  return image.ok() ? *image : Image{};
+}
+
+/// A channel in steps of its format.
+inline int channel(const Image& image, int x, int y, int c) {
+  const std::size_t index =
+      (static_cast<std::size_t>(y) * image.width + x) * channel_count(image.format) + c;
+  if (bytes_per_channel(image.format) == 1) return image.bytes[index];
+  std::uint16_t value;
+  std::memcpy(&value, &image.bytes[2 * index], 2);
+  return value;
+}
+
+/// A channel in code values of 255.
+inline double code_value(const Image& image, int x, int y, int c) {
+  return bytes_per_channel(image.format) == 1 ? channel(image, x, y, c)
+                                              : channel(image, x, y, c) / 257.0;
+}
+
+}  // namespace sfumato::test
