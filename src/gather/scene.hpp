@@ -7,6 +7,7 @@
 #include "base/status.hpp"
 #include "base/vec2.hpp"
 #include "curves/attributes.hpp"
+#include "gather/scene_layout.hpp"
 #include "mesh/triangle_mesh.hpp"
 
 namespace sfumato::gather {
@@ -26,9 +27,22 @@ struct Facing {
 Facing facing_color(const mesh::TriangleMesh& mesh, const curves::SegmentAttributes& attributes,
                     std::uint32_t half_edge);
 
-/// The visibility mesh in the layout of the exact gather: single-precision coordinates relative to
-/// `origin`, one record per free half-edge (apex and the codes of the two edges beyond) and one
-/// per half-edge that stops rays. Half-edges whose facing side is open are walked through.
-struct Scene;
+/// The visibility mesh in the layout of the gather: single-precision coordinates relative to
+/// `origin`. Half-edges whose facing side is open are walked through.
+struct Scene {
+  Vec2 origin;  ///< layer frame
+  std::vector<EdgeBeyond> edge_beyond;
+  std::vector<StopEdge> stop;
+  std::vector<StopEdge> barrier;  ///< sides that stop rays and give nothing; the rays' grid needs
+                                  ///< them, the exact gather knows them as border
+  std::vector<SceneTriangle> triangle;
+  ScopedCharge charge;
+
+  SceneView view() const;
+};
+
+/// Errors: limit.
+Result<Scene> build_scene(Context& context, const mesh::TriangleMesh& mesh,
+                          const curves::SegmentAttributes& attributes);
 
 }  // namespace sfumato::gather

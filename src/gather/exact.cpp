@@ -1,0 +1,135 @@
+#include "gather/exact.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <vector>
+
+#include "gather/gather.hpp"
+#include "gather/kernel_entry.hpp"
+
+namespace sfumato::gather {
+namespace {
+
+constexpr std::size_t kPacketsPerTask = 16;
+
+/// Windows that wait during a walk: a few dozen at most on real scenes, as many as a ray crosses
+/// triangles on adversarial ones.
+class GrowingStack {
+ public:
+  explicit GrowingStack(Context& context) : context_(context) {}
+
+  PacketStack view() {
+    if (!heap_.empty()) return {heap_.data(), static_cast<int>(heap_.size())};
+    return {own_, kPacketStackLeast};
+  }
+
+  Status grow() {
+    const std::size_t capacity = 4 * static_cast<std::size_t>(view().capacity);
+    Status status = charge_.add(context_, capacity * sizeof(StackSlot), "the gather's stack");
+    if (status) heap_ = std::vector<StackSlot>(capacity);
+    return status;
+  }
+
+ private:
+  Context& context_;
+  StackSlot own_[kPacketStackLeast];
+  std::vector<StackSlot> heap_;
+  ScopedCharge charge_;
+};
+
+class ExactGather {
+ public:
+  ExactGather(Context& context, const Scene& scene, const LocatedPoints& points,
+              const Packing& packing, std::span<float> out, std::span<std::uint8_t> hit)
+      : context_(context),
+        kernel_(packet_kernel(context.simd)),
+        scene_(scene.view()),
+        points_(points),
+        packing_(packing),
+        out_(out),
+        hit_(hit) {}
+
+  Status run() {
+    Status status = parallel_for(context_, packing_.packet.size(), kPacketsPerTask,
+                                 [&](std::size_t begin, std::size_t end) { task(begin, end); });
+    if (status && stack_failed_.load()) {
+      return make_error(StatusCode::limit,
+                        "memory limit reached: the gather's stack on this mesh needs more");
+    }
+    return status;
+  }
+
+ private:
+  void task(std::size_t begin, std::size_t end) {
+    GrowingStack stack(context_);
+    for (std::size_t i = begin; i < end; ++i) {
+      const PacketInput input = packet_input(packing_.packet[i]);
+      PacketSums sums;
+      while (!kernel_(scene_, input, stack.view(), sums)) {
+        if (!stack.grow()) {
+          stack_failed_.store(true);
+          return;
+        }
+      }
+      store(packing_.packet[i], sums);
+    }
+  }
+
+  PacketInput packet_input(const Packet& packet) const {
+    PacketInput input;
+    input.triangle = packing_.triangle.data() + packet.first_triangle;
+    input.triangle_count = packet.triangle_count;
+    int lane = 0;
+    for_each_point(packet, [&](int used_lane, std::uint32_t point) {
+      input.x[used_lane] = points_.x[point];
+      input.y[used_lane] = points_.y[point];
+      lane = used_lane;
+    });
+    for (int i = lane + 1; i < kPacketLanes; ++i) {
+      input.x[i] = input.x[lane];
+      input.y[i] = input.y[lane];
+    }
+    return input;
+  }
+
+  void store(const Packet& packet, const PacketSums& sums) {
+    for_each_point(packet, [&](int lane, std::uint32_t point) {
+      const float weight = sums.weight[lane];
+      const bool is_hit = weight > 0;
+      for (int c = 0; c < kColorChannels; ++c) {
+        out_[std::size_t{point} * kColorChannels + static_cast<std::size_t>(c)] =
+            is_hit ? sums.color[c][lane] / weight : 0.0f;
+      }
+      if (!hit_.empty()) hit_[point] = is_hit;
+    });
+  }
+
+  template <class Body>
+  void for_each_point(const Packet& packet, Body body) const {
+    for (int i = 0; i < packet.triangle_count; ++i) {
+      const PacketTriangle& t =
+          packing_.triangle[packet.first_triangle + static_cast<std::size_t>(i)];
+      for (int lane = t.lane_begin; lane < t.lane_end; ++lane) {
+        body(lane, packing_.point[t.first_point + static_cast<std::uint32_t>(lane - t.lane_begin)]);
+      }
+    }
+  }
+
+  Context& context_;
+  PacketKernel* kernel_;
+  SceneView scene_;
+  const LocatedPoints& points_;
+  const Packing& packing_;
+  std::span<float> out_;
+  std::span<std::uint8_t> hit_;
+  std::atomic<bool> stack_failed_{false};
+};
+
+}  // namespace
+
+Status gather_exact(Context& context, const Scene& scene, const LocatedPoints& points,
+                    const Packing& packing, std::span<float> out, std::span<std::uint8_t> hit) {
+  return ExactGather(context, scene, points, packing, out, hit).run();
+}
+
+}  // namespace sfumato::gather

@@ -1,0 +1,59 @@
+#include "gather/gather.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "gather/exact.hpp"
+#include "gather/locate.hpp"
+#include "gather/packing.hpp"
+#include "gather/rays.hpp"
+
+namespace sfumato::gather {
+
+struct Gatherer::State {
+  Scene scene;
+  std::optional<Locator> locator;  ///< empty where the mesh has no triangle
+};
+
+Gatherer::Gatherer(std::unique_ptr<State> state) : state_(std::move(state)) {}
+Gatherer::Gatherer(Gatherer&&) noexcept = default;
+Gatherer& Gatherer::operator=(Gatherer&&) noexcept = default;
+Gatherer::~Gatherer() = default;
+
+Result<Gatherer> Gatherer::create(Context& context, const mesh::TriangleMesh& visibility,
+                                  const curves::SegmentAttributes& attributes) {
+  Result<Scene> scene = build_scene(context, visibility, attributes);
+  if (!scene) return scene.status();
+  auto state = std::make_unique<State>();
+  state->scene = std::move(*scene);
+  if (!state->scene.triangle.empty()) {
+    Result<Locator> locator = Locator::create(context, state->scene);
+    if (!locator) return locator.status();
+    state->locator.emplace(std::move(*locator));
+  }
+  return Gatherer(std::move(state));
+}
+
+Status Gatherer::gather(Context& context, std::span<const Vec2> points,
+                        const GatherOptions& options, std::span<float> out,
+                        std::span<std::uint8_t> hit) const {
+  if (points.size() > limits::kNodes) {
+    return make_error(StatusCode::limit, "more points to gather at than the limit kNodes");
+  }
+  if (options.method == Method::rays) {
+    return gather_rays(context, state_->scene, points, options, out, hit);
+  }
+  if (!state_->locator) {
+    std::fill(out.begin(), out.end(), 0.0f);
+    std::fill(hit.begin(), hit.end(), std::uint8_t{0});
+    return ok_status();
+  }
+  const Result<LocatedPoints> located = state_->locator->locate(context, points);
+  if (!located) return located.status();
+  const Result<Packing> packing = pack(context, state_->scene, *located);
+  if (!packing) return packing.status();
+  return gather_exact(context, state_->scene, *located, *packing, out, hit);
+}
+
+}  // namespace sfumato::gather

@@ -1,0 +1,12 @@
+#include "gather/kernel.hpp"
+
+#if defined(__x86_64__)
+namespace sfumato::gather {
+
+bool gather_packet_avx2(const SceneView& scene, const PacketInput& packet, const PacketStack& stack,
+                        PacketSums& out) {
+  return gather_packet<8>(scene, packet, stack, out);
+}
+
+}  // namespace sfumato::gather
+#endif

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "gather/scene.hpp"
+
+namespace sfumato::gather {
+
+/// Points of one gather call in the scene's frame (single precision, relative to its origin), and
+/// the visibility triangle that each lies in.
+struct LocatedPoints {
+  std::vector<float> x;
+  std::vector<float> y;
+  std::vector<std::uint32_t> triangle;
+  ScopedCharge charge;
+};
+
+/// Finds triangles by walking: from a coarse grid for the first point of a chunk, then from the
+/// point before. A point outside the hull gets a triangle at the hull.
+class Locator {
+ public:
+  /// Errors: limit. `scene` has at least one triangle and is kept by the caller.
+  static Result<Locator> create(Context& context, const Scene& scene);
+
+  /// Cost: a few steps for each point whose neighbour in the list is near. Errors: limit,
+  /// cancelled. The same answer for any thread count.
+  Result<LocatedPoints> locate(Context& context, std::span<const Vec2> points) const;
+
+ private:
+  std::uint32_t start_triangle(float x, float y) const;
+
+  const Scene* scene_ = nullptr;
+  float min_x_ = 0, min_y_ = 0, cells_per_unit_x_ = 0, cells_per_unit_y_ = 0;
+  int side_ = 1;
+  std::vector<std::uint32_t> cell_triangle_;
+  ScopedCharge charge_;
+};
+
+}  // namespace sfumato::gather

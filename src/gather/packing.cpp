@@ -1,0 +1,100 @@
+#include "gather/packing.hpp"
+
+#include <algorithm>
+
+namespace sfumato::gather {
+namespace {
+
+class Packer {
+ public:
+  Packer(const Scene& scene, const LocatedPoints& points, Packing& packing)
+      : scene_(scene), packing_(packing) {
+    sort_by_triangle(points.triangle);
+  }
+
+  void pack() {
+    for (std::uint32_t t = 0; t < scene_.triangle.size(); ++t) {
+      while (next_[t] < end_of(t)) pack_from(t);
+    }
+  }
+
+ private:
+  void sort_by_triangle(const std::vector<std::uint32_t>& triangle) {
+    begin_.assign(scene_.triangle.size() + 1, 0);
+    for (std::uint32_t t : triangle) ++begin_[t + 1];
+    for (std::size_t t = 1; t < begin_.size(); ++t) begin_[t] += begin_[t - 1];
+    next_.assign(begin_.begin(), begin_.end() - 1);
+    packing_.point.resize(triangle.size());
+    for (std::size_t i = 0; i < triangle.size(); ++i) {
+      packing_.point[next_[triangle[i]]++] = static_cast<std::uint32_t>(i);
+    }
+    next_.assign(begin_.begin(), begin_.end() - 1);
+  }
+
+  std::uint32_t end_of(std::uint32_t t) const { return begin_[t + 1]; }
+
+  /// Takes points of triangle t into the packet, as many as there is room for.
+  void take(std::uint32_t t, int parent, int parent_edge, int own_edge) {
+    const std::uint32_t room = kPacketLanes - packet_.lane_count;
+    const std::uint32_t count = std::min(room, end_of(t) - next_[t]);
+    const auto lane_end = static_cast<std::uint8_t>(packet_.lane_count + count);
+    packing_.triangle.push_back(
+        {t, next_[t], packet_.lane_count, lane_end, static_cast<std::uint8_t>(parent),
+         static_cast<std::uint8_t>(parent_edge), static_cast<std::uint8_t>(own_edge)});
+    next_[t] += count;
+    packet_.lane_count = lane_end;
+    ++packet_.triangle_count;
+  }
+
+  bool full() const {
+    return packet_.lane_count == kPacketLanes || packet_.triangle_count == kPacketTriangles;
+  }
+
+  bool in_packet(std::uint32_t t) const {
+    const auto first = packing_.triangle.begin() + packet_.first_triangle;
+    return std::any_of(first, packing_.triangle.end(),
+                       [t](const PacketTriangle& other) { return other.triangle == t; });
+  }
+
+  void pack_from(std::uint32_t t) {
+    packet_ = {static_cast<std::uint32_t>(packing_.triangle.size()), 0, 0};
+    take(t, 0, 0, 0);
+    for (int i = 0; i < packet_.triangle_count && !full(); ++i) grow_from(i);
+    packing_.packet.push_back(packet_);
+  }
+
+  void grow_from(int member) {
+    const std::size_t index = packet_.first_triangle + static_cast<std::size_t>(member);
+    const SceneTriangle& triangle = scene_.triangle[packing_.triangle[index].triangle];
+    for (int k = 0; k < 3 && !full(); ++k) {
+      if (triangle.edge[k] < 0) continue;
+      const auto twin = static_cast<std::uint32_t>(triangle.twin[k]);
+      const std::uint32_t neighbour = twin / 3;
+      if (scene_.triangle[neighbour].edge[twin % 3] < 0) continue;
+      if (next_[neighbour] == end_of(neighbour) || in_packet(neighbour)) continue;
+      take(neighbour, member, k, static_cast<int>(twin % 3));
+    }
+  }
+
+  const Scene& scene_;
+  Packing& packing_;
+  Packet packet_;
+  std::vector<std::uint32_t> begin_;  ///< first sorted point of each triangle
+  std::vector<std::uint32_t> next_;   ///< first that is not packed yet
+};
+
+}  // namespace
+
+Result<Packing> pack(Context& context, const Scene& scene, const LocatedPoints& points) {
+  Packing packing;
+  const std::size_t count = points.triangle.size();
+  const std::size_t bytes = count * (sizeof(std::uint32_t) + sizeof(PacketTriangle)) +
+                            count / 4 * sizeof(Packet) + scene.triangle.size() * 8;
+  if (Status status = packing.charge.add(context, bytes, "packets of points"); !status) {
+    return status;
+  }
+  Packer(scene, points, packing).pack();
+  return packing;
+}
+
+}  // namespace sfumato::gather

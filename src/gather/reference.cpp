@@ -1,0 +1,144 @@
+#include "gather/reference.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "gather/scene.hpp"
+
+namespace sfumato::gather {
+namespace {
+
+using mesh::TriangleMesh;
+
+/// (D - sin D cos D) / (2 sin³ D): the closed form, and its series where that would cancel.
+double h1(double angle) {
+  const double s = std::sin(angle);
+  if (angle > 0.25) return (angle - s * std::cos(angle)) / (2 * s * s * s);
+  const double x2 = 4 * angle * angle;
+  const double series =
+      1 - x2 / 20 * (1 - x2 / 42 * (1 - x2 / 72 * (1 - x2 / 110 * (1 - x2 / 156))));
+  const double ratio = angle / s;
+  return series * ratio * ratio * ratio / 3;
+}
+
+/// A window of directions through a half-edge: from `right` to `left`, counter-clockwise.
+struct Window {
+  std::uint32_t half_edge;
+  Vec2 right;
+  Vec2 left;
+};
+
+class ReferenceGather {
+ public:
+  ReferenceGather(const TriangleMesh& mesh, const curves::SegmentAttributes& attributes, Vec2 p)
+      : mesh_(mesh), attributes_(attributes), p_(p) {}
+
+  ReferenceSums run(std::uint32_t triangle) {
+    for (std::uint32_t h = 3 * triangle; h < 3 * triangle + 3; ++h) {
+      waiting_.push_back({h, seen(mesh_.origin(h)), seen(mesh_.target(h))});
+    }
+    while (!waiting_.empty()) {
+      const Window window = waiting_.back();
+      waiting_.pop_back();
+      follow(window);
+    }
+    return sums_;
+  }
+
+ private:
+  Vec2 seen(std::uint32_t vertex) const { return mesh_.vertex_position[vertex] - p_; }
+
+  void follow(const Window& window) {
+    if (mesh_.half_edge_constraint[window.half_edge] != mesh::kNone) {
+      const Facing facing = facing_color(mesh_, attributes_, window.half_edge);
+      if (facing.kind == ShaderKind::barrier) return;
+      if (facing.kind != ShaderKind::open) return integrate(window, facing);
+    }
+    const std::int32_t twin = mesh_.half_edge_twin[window.half_edge];
+    if (twin != mesh::kNone) pass(window, static_cast<std::uint32_t>(twin));
+  }
+
+  void pass(const Window& window, std::uint32_t twin) {
+    const Vec2 apex = seen(mesh_.apex(twin));
+    const bool reaches_right = cross(window.right, apex) > 0;
+    const bool reaches_left = cross(apex, window.left) > 0;
+    if (reaches_right) {
+      waiting_.push_back(
+          {TriangleMesh::next(twin), window.right, reaches_left ? apex : window.left});
+    }
+    if (reaches_left) {
+      waiting_.push_back(
+          {TriangleMesh::previous(twin), reaches_right ? apex : window.right, window.left});
+    }
+  }
+
+  void integrate(const Window& window, const Facing& facing) {
+    const Vec2 a = seen(mesh_.origin(window.half_edge));
+    const Vec2 b = seen(mesh_.target(window.half_edge));
+    const double t1 = window.right == a ? 0 : cut(a, b, window.right);
+    const double t2 = window.left == b ? 1 : cut(a, b, window.left);
+    const ReferenceWeights part = reference_weights(lerp(a, b, t1), lerp(a, b, t2));
+    const double weight = (part.right + part.left) * facing.weight;
+    const double moment = (part.right * t1 + part.left * t2) * facing.weight;
+    sums_.weight += weight;
+    if (facing.kind != ShaderKind::curve_domain) return;
+    const double from[] = {facing.from.r, facing.from.g, facing.from.b};
+    const double to[] = {facing.to.r, facing.to.g, facing.to.b};
+    for (std::size_t c = 0; c < 3; ++c) {
+      sums_.color[c] += weight * from[c] + moment * (to[c] - from[c]);
+    }
+  }
+
+  /// Where the ray cuts the edge, as a fraction from a to b.
+  static double cut(Vec2 a, Vec2 b, Vec2 ray) {
+    const double along = cross(ray, b - a);
+    if (along == 0) return 0;
+    return std::clamp(-cross(ray, a) / along, 0.0, 1.0);
+  }
+
+  const TriangleMesh& mesh_;
+  const curves::SegmentAttributes& attributes_;
+  Vec2 p_;
+  std::vector<Window> waiting_;
+  ReferenceSums sums_;
+};
+
+}  // namespace
+
+std::array<double, 3> ReferenceSums::value() const {
+  if (!(weight > 0)) return {};
+  return {color[0] / weight, color[1] / weight, color[2] / weight};
+}
+
+ReferenceWeights reference_weights(Vec2 q1, Vec2 q2) {
+  const double r1 = length(q1), r2 = length(q2);
+  if (!(cross(q1, q2) > 0)) return {};
+  const double u1 = 1 / r1, u2 = 1 / r2;
+  const double s = cross(q1, q2) * u1 * u2, c = dot(q1, q2) * u1 * u2;
+  const double h = h1(std::atan2(s, c));
+  const double g1 = s * h, g2 = s * (1 - 2 * c * h);
+  return {u1 * (u1 * g1 + u2 * g2 / 2), u2 * (u2 * g1 + u1 * g2 / 2)};
+}
+
+ReferenceSums gather_reference(const TriangleMesh& mesh,
+                               const curves::SegmentAttributes& attributes, Vec2 p,
+                               std::uint32_t triangle) {
+  return ReferenceGather(mesh, attributes, p).run(triangle);
+}
+
+std::int32_t find_triangle(const TriangleMesh& mesh, Vec2 p) {
+  for (std::uint32_t t = 0; t < mesh.triangle_count(); ++t) {
+    bool inside = true;
+    for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
+      const Vec2 a = mesh.vertex_position[mesh.origin(h)];
+      const Vec2 b = mesh.vertex_position[mesh.target(h)];
+      inside = inside && cross(b - a, p - a) >= 0;
+    }
+    if (inside) return static_cast<std::int32_t>(t);
+  }
+  return mesh::kNone;
+}
+
+}  // namespace sfumato::gather

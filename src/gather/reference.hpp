@@ -1,0 +1,39 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "base/vec2.hpp"
+#include "curves/attributes.hpp"
+#include "mesh/triangle_mesh.hpp"
+
+namespace sfumato::gather {
+
+/// W and Σ w z of eq. 2 before the division.
+struct ReferenceSums {
+  double weight = 0;
+  std::array<double, 3> color{};
+
+  /// Σ w z / W; 0 where nothing is hit.
+  std::array<double, 3> value() const;
+};
+
+/// w₁ and w₂ of DESIGN 2.2 in double precision, from D = atan2: the visible part from q1 (right
+/// end) to q2 (left end), relative to the point, with k = 1. Both 0 where cross(q1, q2) <= 0.
+struct ReferenceWeights {
+  double right = 0;
+  double left = 0;
+};
+ReferenceWeights reference_weights(Vec2 q1, Vec2 q2);
+
+/// The slow, readable gather: one point, double precision, straight on the mesh. It is what every
+/// fast path is compared with. Precondition: p lies in triangle `triangle`, not on a vertex.
+/// Cost: O(triangles that the windows cross).
+ReferenceSums gather_reference(const mesh::TriangleMesh& mesh,
+                               const curves::SegmentAttributes& attributes, Vec2 p,
+                               std::uint32_t triangle);
+
+/// A triangle that p lies in (its edges included), or mesh::kNone. Cost: O(triangles).
+std::int32_t find_triangle(const mesh::TriangleMesh& mesh, Vec2 p);
+
+}  // namespace sfumato::gather

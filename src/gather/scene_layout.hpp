@@ -1,0 +1,106 @@
+#pragma once
+
+#include <cstdint>
+
+#include "base/lane_register.hpp"
+
+/// The layer as the kernels read it: plain structures in single precision, coordinates relative to
+/// the scene's origin. Kernels are compiled for several instruction sets and see nothing else.
+namespace sfumato::gather {
+
+/// What a ray finds at an edge of a triangle, as one number: a half-edge to walk through (>= 0),
+/// the end of everything (kBorder; a barrier too, as it stops rays and gives nothing), or a
+/// StopEdge.
+using EdgeCode = std::int32_t;
+inline constexpr EdgeCode kBorder = -1;
+
+SFUMATO_INLINE constexpr EdgeCode stop_code(std::uint32_t stop) {
+  return -2 - static_cast<EdgeCode>(stop);
+}
+SFUMATO_INLINE constexpr bool is_stop(EdgeCode code) {
+  return code <= -2;
+}
+/// Precondition: is_stop(code).
+SFUMATO_INLINE constexpr std::uint32_t stop_index(EdgeCode code) {
+  return static_cast<std::uint32_t>(-2 - code);
+}
+
+/// The triangle behind a half-edge that rays walk through: its third corner, and the two edges that
+/// a ray may leave it by, seen by one who looks through the half-edge.
+struct EdgeBeyond {
+  float apex_x;
+  float apex_y;
+  EdgeCode right;  ///< from the half-edge's origin to the apex
+  EdgeCode left;   ///< from the apex to its target
+};
+
+/// A half-edge a → b that stops rays, seen from its own triangle: a is the right end, b the left.
+/// The colour is linear from a to b and multiplied with the curve's weight.
+struct alignas(64) StopEdge {
+  float ax, ay;
+  float bx, by;
+  float ex, ey;          ///< b - a
+  float weight;          ///< k, relative to the largest of the layer
+  float color[3];        ///< weight × colour at a; 0 for an image-domain shader
+  float change[3];       ///< weight × (colour at b - colour at a)
+  std::uint32_t kind;    ///< ShaderKind: curve_domain or image_domain
+  std::uint32_t shader;  ///< of an image-domain side
+};
+
+/// A triangle with what lies at its edges; edge k joins corner k and corner (k + 1) % 3.
+struct SceneTriangle {
+  float x[3];
+  float y[3];
+  EdgeCode edge[3];
+  std::int32_t twin[3];  ///< half-edge on the other side, whatever lies between; -1 on the hull
+};
+
+struct SceneView {
+  const EdgeBeyond* edge_beyond;  ///< index: half-edge
+  const StopEdge* stop;
+  const SceneTriangle* triangle;
+  std::int64_t step_limit;  ///< triangles that one packet may enter: a guard against a bad mesh
+};
+
+inline constexpr int kPacketLanes = 16;
+inline constexpr int kPacketTriangles = 8;
+
+/// Lanes [lane_begin, lane_end) of a packet are points of `triangle`. The triangles of a packet
+/// form a tree over edges that rays pass in both directions; parents stand before children.
+struct PacketTriangle {
+  std::uint32_t triangle;
+  std::uint32_t first_point;  ///< of lane_begin, in packing order
+  std::uint8_t lane_begin;
+  std::uint8_t lane_end;
+  std::uint8_t parent;       ///< index in the packet
+  std::uint8_t parent_edge;  ///< the parent's edge towards this triangle
+  std::uint8_t own_edge;     ///< this triangle's edge towards the parent
+};
+
+/// One packet: neighbouring points that are walked through the mesh together. Lanes that are not
+/// used repeat a point.
+struct PacketInput {
+  const PacketTriangle* triangle;
+  int triangle_count;
+  alignas(64) float x[kPacketLanes];
+  alignas(64) float y[kPacketLanes];
+};
+
+/// W and Σ w z of eq. 2, per lane.
+struct PacketSums {
+  alignas(64) float weight[kPacketLanes];
+  alignas(64) float color[3][kPacketLanes];
+};
+
+/// Room for one window that waits on the kernel's stack, in any width.
+struct alignas(64) StackSlot {
+  unsigned char bytes[6 * 64];
+};
+
+struct PacketStack {
+  StackSlot* slot;
+  int capacity;  ///< at least kPacketStackLeast
+};
+inline constexpr int kPacketStackLeast = 64;
+
+}  // namespace sfumato::gather
