@@ -36,6 +36,9 @@ struct LaneMask {
     SFUMATO_EACH(i) r.part[i] = lane::and_not<W>(a.part[i], b.part[i]);
     return r;
   }
+  /// Register i: lanes [W i, W i + W).
+  SFUMATO_INLINE LaneMask<W> row(int i) const { return {{part[i]}}; }
+
   /// Lane i is bit i.
   SFUMATO_INLINE static LaneMask from_bits(std::uint32_t bits) {
     static_assert(W * K <= 32);
@@ -112,6 +115,13 @@ struct Lanes {
     return r;
   }
   SFUMATO_INLINE void store(float* target) const { __builtin_memcpy(target, part, sizeof(part)); }
+
+  /// Register i: lanes [W i, W i + W).
+  SFUMATO_INLINE Lanes<W> row(int i) const {
+    Lanes<W> r;
+    r.part[0] = part[i];
+    return r;
+  }
 
   SFUMATO_INLINE float operator[](int lane) const {
     float all[kCount];
