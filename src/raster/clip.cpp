@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace sfumato::raster {
 namespace {
@@ -49,6 +50,41 @@ Coverage measure(const Polygon& polygon) {
   return sum;
 }
 
+/// The pixel cut by one half-plane, in closed form. `distance` is that of the pixel's centre.
+/// Turned so that the normal (a, b) has a >= b >= 0: then the corners (0, 0), (0, 1), (1, 0), (1,
+/// 1) come in the order of their distances, and the part holds the last one, two or three of them.
+Coverage cut_pixel(Vec2 normal, double distance) {
+  double a = std::fabs(normal.x);
+  double b = std::fabs(normal.y);
+  const bool swapped = a < b;
+  if (swapped) std::swap(a, b);
+  const double at10 = distance + 0.5 * (a - b);
+  const double at01 = distance - 0.5 * (a - b);
+  Coverage part;
+  if (at10 <= 0) {  // a triangle at (1, 1)
+    const double x = (distance + 0.5 * (a + b)) / a;
+    const double y = (distance + 0.5 * (a + b)) / b;
+    part = {0.5 * x * y, {1 - x / 3, 1 - y / 3}};
+  } else if (at01 <= 0) {  // a trapezoid at x = 1
+    const double top = at10 / a;
+    const double bottom = (at10 + b) / a;
+    const double both = top + bottom;
+    part = {0.5 * both,
+            {1 - (top * top + top * bottom + bottom * bottom) / (3 * both),
+             (top + 2 * bottom) / (3 * both)}};
+  } else {  // all but a triangle at (0, 0)
+    const double x = (0.5 * (a + b) - distance) / a;
+    const double y = (0.5 * (a + b) - distance) / b;
+    const double missing = 0.5 * x * y;
+    part.area = 1 - missing;
+    part.centroid = Vec2{0.5 - missing * x / 3, 0.5 - missing * y / 3} / part.area;
+  }
+  if (swapped) std::swap(part.centroid.x, part.centroid.y);
+  if (normal.x < 0) part.centroid.x = 1 - part.centroid.x;
+  if (normal.y < 0) part.centroid.y = 1 - part.centroid.y;
+  return part;
+}
+
 bool inside_pixel(const ClipTriangle& triangle, Vec2 origin) {
   for (const Vec2& p : triangle.corner) {
     if (p.x < origin.x || p.y < origin.y || p.x > origin.x + 1 || p.y > origin.y + 1) return false;
@@ -78,13 +114,17 @@ ClipTriangle clip_triangle(Vec2 corner0, Vec2 corner1, Vec2 corner2) {
 Coverage pixel_coverage(const ClipTriangle& triangle, int x, int y) {
   const Vec2 origin{static_cast<double>(x), static_cast<double>(y)};
   const HalfPlane* cutting[3];
+  double cutting_distance = 0;
   int cutting_count = 0;
   for (const HalfPlane& plane : triangle.edge) {
     const double distance = dot(plane.normal, origin + Vec2{0.5, 0.5} - plane.point);
     if (distance <= -plane.reach) return {};
-    if (distance < plane.reach) cutting[cutting_count++] = &plane;
+    if (distance >= plane.reach) continue;
+    cutting[cutting_count++] = &plane;
+    cutting_distance = distance;
   }
   if (cutting_count == 0) return kWholePixel;
+  if (cutting_count == 1) return cut_pixel(cutting[0]->normal, cutting_distance);
   if (cutting_count == 3 && inside_pixel(triangle, origin)) return whole_triangle(triangle, origin);
   Polygon polygon[2];
   for (const Vec2& p : {Vec2{0, 0}, Vec2{1, 0}, Vec2{1, 1}, Vec2{0, 1}}) polygon[0].add(p);

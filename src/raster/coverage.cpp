@@ -16,29 +16,36 @@ int clamped_floor(double x, int low, int high) {
   return static_cast<int>(std::clamp(x, static_cast<double>(low), static_cast<double>(high)));
 }
 
-Vec2 image_corner(const LayerView& layer, std::uint32_t triangle, int k) {
-  const PixelPoint p = corner_position(layer, triangle, k);
-  return {p.x, p.y};
+struct Corners {
+  PixelPoint at[3];
+
+  Vec2 vec(int k) const { return {at[k].x, at[k].y}; }
+};
+
+Corners corners_of(const LayerView& layer, std::uint32_t triangle) {
+  Corners corners;
+  for (int k = 0; k < 3; ++k) corners.at[k] = corner_position(layer, triangle, k);
+  return corners;
 }
 
-ClipTriangle clip_triangle_of(const LayerView& layer, std::uint32_t triangle) {
-  const Vec2 a = image_corner(layer, triangle, 0);
-  const Vec2 b = image_corner(layer, triangle, 1);
-  const Vec2 c = image_corner(layer, triangle, 2);
-  return layer.mirrored ? clip_triangle(a, c, b) : clip_triangle(a, b, c);
-}
+/// A triangle that mixed pixels are made of.
+struct MixedTriangle {
+  ClipTriangle clip;
+  TriangleFrame frame;
+  PatchPolynomial patch;
 
-TriangleFrame frame_of(const LayerView& layer, std::uint32_t triangle) {
-  PixelPoint corner[3];
-  for (int k = 0; k < 3; ++k) corner[k] = corner_position(layer, triangle, k);
-  return triangle_frame(corner, layer.mirrored);
-}
+  MixedTriangle(const LayerView& layer, std::uint32_t triangle, const Corners& c)
+      : clip(layer.mirrored ? clip_triangle(c.vec(0), c.vec(2), c.vec(1))
+                            : clip_triangle(c.vec(0), c.vec(1), c.vec(2))),
+        frame(triangle_frame(c.at, layer.mirrored)),
+        patch(patch_polynomial(layer, triangle, frame)) {}
 
-Color4 color_at(const PatchPolynomial& patch, const TriangleFrame& frame, double x, double y) {
-  const double q = clamp_unit((y - frame.top_y) * frame.inverse_height);
-  const double u = clamp_unit((x - frame.long_edge_x(y)) * frame.inverse_width);
-  return patch_color(patch, static_cast<float>(u), static_cast<float>(q));
-}
+  Color4 color_at(double x, double y) const {
+    const double q = clamp_unit((y - frame.top_y) * frame.inverse_height);
+    const double u = clamp_unit((x - frame.long_edge_x(y)) * frame.inverse_width);
+    return patch_color(patch, static_cast<float>(u), static_cast<float>(q));
+  }
+};
 
 /// Bits from `begin` up to but not `end`, both in [0, 64].
 std::uint64_t bit_range(int begin, int end) {
@@ -78,10 +85,11 @@ void MixedPixels::mark(const LayerView& layer, const TriangleList& triangles, co
   std::memset(mask_, 0, sizeof(mask_));
   for (std::size_t i = 0; i < triangles.count; ++i) {
     const std::uint32_t t = triangles.triangle[i];
-    for (int k = 0; k < 3; ++k) {
-      if (!layer.edge_is_curve[std::size_t{3} * t + k]) continue;
-      mark_edge(image_corner(layer, t, k), image_corner(layer, t, (k + 1) % 3), tile);
-    }
+    const std::uint8_t* is_curve = layer.edge_is_curve + std::size_t{3} * t;
+    if (!(is_curve[0] | is_curve[1] | is_curve[2])) continue;
+    const Corners corners = corners_of(layer, t);
+    for (int k = 0; k < 3; ++k)
+      if (is_curve[k]) mark_edge(corners.vec(k), corners.vec((k + 1) % 3), tile);
   }
 }
 
@@ -101,46 +109,44 @@ template <class Visit>
 void MixedPixels::for_each_pixel(int row, int begin, int end, const Visit& visit) const {
   for (int word = begin / 64; word <= (end - 1) / 64; ++word) {
     const std::uint64_t marked = mask_[row][word];
-    std::uint64_t left =
-        marked & bit_range(std::max(begin - 64 * word, 0), std::min(end - 64 * word, 64));
-    for (; left != 0; left &= left - 1) {
-      const int bit = std::countr_zero(left);
-      const std::uint64_t below = marked & ((std::uint64_t{1} << bit) - 1);
-      visit(64 * word + bit,
-            first_sum_[row][word] + static_cast<std::uint32_t>(std::popcount(below)));
-    }
+    const int first_bit = std::max(begin - 64 * word, 0);
+    std::uint64_t left = marked & bit_range(first_bit, std::min(end - 64 * word, 64));
+    if (left == 0) continue;
+    std::uint32_t index =
+        first_sum_[row][word] +
+        static_cast<std::uint32_t>(std::popcount(marked & bit_range(0, first_bit)));
+    for (; left != 0; left &= left - 1) visit(64 * word + std::countr_zero(left), index++);
   }
 }
 
-void MixedPixels::add_triangle(const LayerView& layer, std::uint32_t triangle, const Tile& tile) {
-  ClipTriangle clip;
-  TriangleFrame frame;
-  PatchPolynomial patch;
-  Box box;
-  for (int k = 0; k < 3; ++k) box.extend(image_corner(layer, triangle, k));
-  if (!overlap(box, {{1.0 * tile.x0, 1.0 * tile.y0},
-                     {1.0 * tile.x0 + tile.width, 1.0 * tile.y0 + tile.height}})) {
-    return;
+bool MixedPixels::any_marked(const PixelRange& range) const {
+  for (int row = range.first_row; row < range.end_row; ++row) {
+    for (int word = range.begin / 64; word <= (range.end - 1) / 64; ++word) {
+      const int begin = std::max(range.begin - 64 * word, 0);
+      if (mask_[row][word] & bit_range(begin, std::min(range.end - 64 * word, 64))) return true;
+    }
   }
-  const int begin = clamped_floor(box.min.x, tile.x0, tile.x0 + tile.width - 1) - tile.x0;
-  const int end = clamped_floor(box.max.x, tile.x0, tile.x0 + tile.width - 1) - tile.x0 + 1;
-  const int first_row = clamped_floor(box.min.y, tile.y0, tile.y0 + tile.height - 1) - tile.y0;
-  const int last_row = clamped_floor(box.max.y, tile.y0, tile.y0 + tile.height - 1) - tile.y0;
-  bool ready = false;
-  for (int row = first_row; row <= last_row; ++row) {
-    for_each_pixel(row, begin, end, [&](int x, std::uint32_t index) {
-      if (!ready) {
-        clip = clip_triangle_of(layer, triangle);
-        frame = frame_of(layer, triangle);
-        patch = patch_polynomial(layer, triangle, frame);
-        ready = true;
-      }
-      const int pixel_x = tile.x0 + x;
-      const int pixel_y = tile.y0 + row;
-      const Coverage part = pixel_coverage(clip, pixel_x, pixel_y);
+  return false;
+}
+
+void MixedPixels::add_triangle(const LayerView& layer, std::uint32_t triangle, const Tile& tile) {
+  const Corners corners = corners_of(layer, triangle);
+  Box box;
+  for (int k = 0; k < 3; ++k) box.extend(corners.vec(k));
+  const int last_x = tile.width - 1, last_y = tile.height - 1;
+  const PixelRange range{clamped_floor(box.min.x - tile.x0, 0, last_x),
+                         clamped_floor(box.max.x - tile.x0, 0, last_x) + 1,
+                         clamped_floor(box.min.y - tile.y0, 0, last_y),
+                         clamped_floor(box.max.y - tile.y0, 0, last_y) + 1};
+  if (!any_marked(range)) return;
+  const MixedTriangle mixed(layer, triangle, corners);
+  for (int row = range.first_row; row < range.end_row; ++row) {
+    for_each_pixel(row, range.begin, range.end, [&](int column, std::uint32_t index) {
+      const int x = tile.x0 + column;
+      const int y = tile.y0 + row;
+      const Coverage part = pixel_coverage(mixed.clip, x, y);
       if (!(part.area > 0)) return;
-      const Color4 color =
-          color_at(patch, frame, pixel_x + part.centroid.x, pixel_y + part.centroid.y);
+      const Color4 color = mixed.color_at(x + part.centroid.x, y + part.centroid.y);
       Sum& sum = sum_[index];
       const float area = static_cast<float>(part.area);
       if (sum.area == 0) color.store(sum.first);

@@ -35,9 +35,15 @@ class MixedPixels {
       std::size_t{kTileWidth} * kTileHeight * (sizeof(Sum) + 2);
 
  private:
+  /// Pixels of the tile, from its upper left corner.
+  struct PixelRange {
+    int begin, end, first_row, end_row;
+  };
+
   void mark_edge(Vec2 a, Vec2 b, const Tile& tile);
   void mark(const LayerView& layer, const TriangleList& triangles, const Tile& tile);
   void number_pixels();
+  bool any_marked(const PixelRange& range) const;
   void add_triangle(const LayerView& layer, std::uint32_t triangle, const Tile& tile);
   void write(const Tile& tile) const;
 
