@@ -74,7 +74,7 @@ Status LayerSolver::next_mesh() {
       if (node_known_[node]) continue;
       const std::uint32_t old = old_layout.triangle_node[kNodesPerTriangle * p + i];
       std::copy_n(old_layout.value.begin() + kChannels * old, kChannels,
-                  layout_.value.begin() + kChannels * std::ptrdiff_t{node});
+                  layout_.value.begin() + kChannels * std::size_t{node});
       node_hit_[node] = old_hit[old];
       node_known_[node] = 1;
     }
@@ -99,7 +99,7 @@ Status LayerSolver::gather_free_nodes(const gather::GatherOptions& options, bool
   if (!status) return status;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(kChannels * i), kChannels,
-                layout_.value.begin() + kChannels * std::ptrdiff_t{nodes[i]});
+                layout_.value.begin() + kChannels * std::size_t{nodes[i]});
     node_hit_[nodes[i]] = hits[i];
   }
   if (stats_) {
@@ -149,13 +149,13 @@ void LayerSolver::drop_unseen_triangles() {
   for (std::uint32_t t = 0; t < mesh_.triangle_count(); ++t) {
     const std::size_t centre = kNodesPerTriangle * std::size_t{t} + 9;
     if (!node_hit_[layout_.triangle_node[centre]]) continue;
-    std::copy_n(mesh_.triangle_vertex.begin() + 3 * std::ptrdiff_t{t}, 3,
-                mesh_.triangle_vertex.begin() + 3 * std::ptrdiff_t{kept});
-    std::copy_n(layout_.edge_is_curve.begin() + 3 * std::ptrdiff_t{t}, 3,
-                layout_.edge_is_curve.begin() + 3 * std::ptrdiff_t{kept});
-    std::copy_n(layout_.triangle_node.begin() + kNodesPerTriangle * std::ptrdiff_t{t},
+    std::copy_n(mesh_.triangle_vertex.begin() + 3 * std::size_t{t}, 3,
+                mesh_.triangle_vertex.begin() + 3 * std::size_t{kept});
+    std::copy_n(layout_.edge_is_curve.begin() + 3 * std::size_t{t}, 3,
+                layout_.edge_is_curve.begin() + 3 * std::size_t{kept});
+    std::copy_n(layout_.triangle_node.begin() + kNodesPerTriangle * std::size_t{t},
                 kNodesPerTriangle,
-                layout_.triangle_node.begin() + kNodesPerTriangle * std::ptrdiff_t{kept});
+                layout_.triangle_node.begin() + kNodesPerTriangle * std::size_t{kept});
     ++kept;
   }
   mesh_.triangle_vertex.resize(std::size_t{3} * kept);
