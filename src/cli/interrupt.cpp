@@ -42,9 +42,4 @@ int received_signal() {
   return last_signal;
 }
 
-void make_failed_writes_errors() {
-  handle(SIGPIPE, SIG_IGN, 0);
-  handle(SIGXFSZ, SIG_IGN, 0);
-}
-
 }  // namespace sfumato::cli

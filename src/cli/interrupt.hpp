@@ -17,8 +17,4 @@ class CancelOnSignal {
 /// The number of the signal that set a cancel flag; 0 where none has.
 int received_signal();
 
-/// Lets writes past a file size limit or to a closed pipe fail with an error, which is reported and
-/// leaves nothing behind, instead of ending the process.
-void make_failed_writes_errors();
-
 }  // namespace sfumato::cli

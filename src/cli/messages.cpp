@@ -1,9 +1,8 @@
 #include "cli/messages.hpp"
 
-#include <cerrno>
 #include <cstdio>
-#include <cstring>
 
+#include "base/native/file.hpp"
 #include "cli/interrupt.hpp"
 
 namespace sfumato::cli {
@@ -51,10 +50,7 @@ void report_warning(const Status& status) {
 }
 
 Status print(std::string_view text) {
-  const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
-  if (written && std::fflush(stdout) == 0) return ok_status();
-  return make_error(StatusCode::io,
-                    std::string("cannot write standard output: ") + std::strerror(errno));
+  return write_file("-", {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
 }
 
 int fail(const Status& status) {

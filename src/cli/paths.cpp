@@ -24,7 +24,7 @@ struct KnownOutput {
 constexpr std::array<KnownOutput, 1> kKnownOutputs{{{".png", OutputKind::png}}};
 
 Status cannot_write(const std::string& path, const std::string& why) {
-  return make_error(StatusCode::io, "cannot write: " + why, {path});
+  return make_error(StatusCode::io, "cannot be written: " + why, {path});
 }
 
 }  // namespace
@@ -56,6 +56,9 @@ Status check_output(const std::string& path) {
   const fs::file_status target = fs::status(path, ignored);
   if (fs::is_directory(target)) return cannot_write(path, "this is a folder");
   if (fs::exists(target) && !fs::is_regular_file(target)) return ok_status();
+  if (fs::exists(target) && access(path.c_str(), W_OK) != 0) {
+    return cannot_write(path, std::strerror(errno));
+  }
   fs::path folder = fs::path(path).parent_path();
   if (folder.empty()) folder = ".";
   const fs::file_status folder_status = fs::status(folder, ignored);

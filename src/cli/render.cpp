@@ -86,8 +86,8 @@ Status write_image(Context& context, const RenderArguments& arguments, const Ima
 Status write_stats(const RenderArguments& arguments, const RenderStats& stats) {
   if (arguments.stats.empty()) return ok_status();
   const std::string json = to_json(stats);
-  const auto* bytes = reinterpret_cast<const std::uint8_t*>(json.data());
-  return write_file(arguments.stats, {bytes, json.size()});
+  return write_file(arguments.stats,
+                    {reinterpret_cast<const std::uint8_t*>(json.data()), json.size()});
 }
 
 /// The whole of `sfumato render` after its input was read; `total` runs since its start.

@@ -3,7 +3,6 @@
 #include <new>
 
 #include "cli/commands.hpp"
-#include "cli/interrupt.hpp"
 #include "cli/messages.hpp"
 
 namespace sfumato::cli {
@@ -26,7 +25,6 @@ struct RunCommand {
 }  // namespace
 
 int run(int argc, const char* const* argv) {
-  make_failed_writes_errors();
   try {
     return std::visit(RunCommand{}, parse_arguments(argc, argv));
   } catch (const std::bad_alloc&) {

@@ -1,8 +1,18 @@
 #include "cli/stats.hpp"
 
+#include <cmath>
+
 #include "cli/json.hpp"
 
 namespace sfumato::cli {
+namespace {
+
+/// Rounded, so that JSON shows no digits that no clock has.
+double to_nanosecond(double seconds) {
+  return std::round(seconds * 1e9) / 1e9;
+}
+
+}  // namespace
 
 std::string to_json(const RenderStats& stats) {
   JsonWriter json;
@@ -15,13 +25,13 @@ std::string to_json(const RenderStats& stats) {
       .member("threads", stats.threads);
   json.key("seconds")
       .begin_object()
-      .member("read", stats.read_seconds)
-      .member("geometry", stats.diffuse.geometry_seconds)
-      .member("triangulation", stats.diffuse.triangulation_seconds)
-      .member("gather", stats.diffuse.gather_seconds)
-      .member("rasterise", stats.rasterise_seconds)
-      .member("write", stats.write_seconds)
-      .member("total", stats.total_seconds)
+      .member("read", to_nanosecond(stats.read_seconds))
+      .member("geometry", to_nanosecond(stats.diffuse.geometry_seconds))
+      .member("triangulation", to_nanosecond(stats.diffuse.triangulation_seconds))
+      .member("gather", to_nanosecond(stats.diffuse.gather_seconds))
+      .member("rasterise", to_nanosecond(stats.rasterise_seconds))
+      .member("write", to_nanosecond(stats.write_seconds))
+      .member("total", to_nanosecond(stats.total_seconds))
       .end_object()
       .end_object();
   return json.text() + '\n';

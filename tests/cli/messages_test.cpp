@@ -1,0 +1,34 @@
+#include "cli/messages.hpp"
+
+#include <gtest/gtest.h>
+
+namespace sfumato::cli {
+namespace {
+
+Status error(SourcePlace where) {
+  return make_error(StatusCode::bad_input, "all is lost", std::move(where));
+}
+
+TEST(FormatMessage, puts_the_place_where_editors_look_for_it) {
+  EXPECT_EQ(format_message(error({"a.xml", 3, 7}), "error"), "a.xml:3:7: error: all is lost\n");
+  EXPECT_EQ(format_message(error({"a.xml", 3, 0}), "warning"), "a.xml:3: warning: all is lost\n");
+  EXPECT_EQ(format_message(error({"a.xml", 0, 0}), "error"), "a.xml: error: all is lost\n");
+  EXPECT_EQ(format_message(error({}), "error"), "sfumato: error: all is lost\n");
+}
+
+TEST(FormatMessage, keeps_control_characters_away) {
+  EXPECT_EQ(format_message(make_error(StatusCode::io, "a\nb\x1b[0m\x7f"), "error"),
+            "sfumato: error: a?b?[0m?\n");
+}
+
+TEST(ExitCodes, stand_for_their_status) {
+  EXPECT_EQ(exit_code(ok_status()), 0);
+  EXPECT_EQ(exit_code(make_error(StatusCode::bad_input, "")), 1);
+  EXPECT_EQ(exit_code(make_error(StatusCode::limit, "")), 3);
+  EXPECT_EQ(exit_code(make_error(StatusCode::io, "")), 3);
+  EXPECT_EQ(exit_code(make_error(StatusCode::out_of_memory, "")), 3);
+  EXPECT_EQ(exit_code(make_error(StatusCode::internal, "")), 4);
+}
+
+}  // namespace
+}  // namespace sfumato::cli

@@ -1,0 +1,170 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "cli/run_command.hpp"
+#include "cli/scenes.hpp"
+
+namespace sfumato::test {
+namespace {
+
+/// Renders `scene` with these options more and decodes the picture.
+Image rendered(const std::string& scene, std::vector<std::string> options = {}) {
+  options.insert(options.begin(), {"render", "-", "-o", "-"});
+  const CommandResult result = run_sfumato(std::move(options), scene);
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(result.err, "");
+  return image_of(result.out);
+}
+
+std::vector<int> pixel(const Image& image, int x, int y) {
+  const auto channels = static_cast<std::size_t>(channel_count(image.format));
+  const std::size_t at =
+      image.row_bytes() * static_cast<std::size_t>(y) + channels * static_cast<std::size_t>(x);
+  return {image.bytes.begin() + static_cast<std::ptrdiff_t>(at),
+          image.bytes.begin() + static_cast<std::ptrdiff_t>(at + channels)};
+}
+
+double number_after(const std::string& text, const std::string& key) {
+  const std::size_t at = text.find("\"" + key + "\":");
+  if (at == std::string::npos) return -1;
+  return std::stod(text.substr(at + key.size() + 3));
+}
+
+TEST(Render, inside_of_a_closed_curve_has_the_colour_of_its_inner_side) {
+  const Image image = rendered(two_curve_scene());
+  ASSERT_EQ(image.width, 64);
+  ASSERT_EQ(image.height, 48);
+  EXPECT_EQ(pixel(image, 20, 24), (std::vector<int>{255, 128, 0}));
+}
+
+TEST(Render, every_method_agrees_inside_of_a_closed_curve) {
+  for (const char* method : {"exact", "rays", "pixels"}) {
+    const Image image = rendered(two_curve_scene(), {"--method", method});
+    ASSERT_EQ(image.width, 64) << method;
+    EXPECT_EQ(pixel(image, 20, 24), (std::vector<int>{255, 128, 0})) << method;
+  }
+}
+
+TEST(Render, viewport_and_size_say_what_the_image_shows) {
+  const Image zoomed = rendered(two_curve_scene(), {"--viewport", "18,20,4,3", "--scale", "8"});
+  ASSERT_EQ(zoomed.width, 32);
+  ASSERT_EQ(zoomed.height, 24);
+  for (const int x : {0, 31}) {
+    for (const int y : {0, 23}) EXPECT_EQ(pixel(zoomed, x, y), (std::vector<int>{255, 128, 0}));
+  }
+  const Image wide = rendered(two_curve_scene(), {"--width", "128"});
+  EXPECT_EQ(wide.width, 128);
+  EXPECT_EQ(wide.height, 96);
+}
+
+TEST(Render, depth_16_and_no_background_choose_the_format) {
+  EXPECT_EQ(rendered(two_curve_scene()).format, PixelFormat::rgb8);
+  EXPECT_EQ(rendered(two_curve_scene(), {"--depth", "16"}).format, PixelFormat::rgb16);
+  EXPECT_EQ(rendered(two_curve_scene(), {"--background", "none"}).format, PixelFormat::rgba8);
+  EXPECT_EQ(rendered(two_curve_scene(), {"--background", "none", "--depth", "16"}).format,
+            PixelFormat::rgba16);
+}
+
+TEST(Render, background_shows_where_no_curve_is) {
+  const std::string empty = scene_xml(8, 8, "");
+  EXPECT_EQ(pixel(rendered(empty, {"--quiet"}), 3, 3), (std::vector<int>{255, 255, 255}));
+  EXPECT_EQ(pixel(rendered(empty, {"--quiet", "--background", "#204060"}), 3, 3),
+            (std::vector<int>{0x20, 0x40, 0x60}));
+  EXPECT_EQ(pixel(rendered(empty, {"--quiet", "--background", "none"}), 3, 3)[3], 0);
+}
+
+TEST(Render, overlay_order_blur_and_dither_options_are_taken) {
+  const Image plain = rendered(two_curve_scene(), {"--scale", "4"});
+  EXPECT_NE(rendered(two_curve_scene(), {"--scale", "4", "--mesh-overlay"}).bytes, plain.bytes);
+  EXPECT_NE(rendered(two_curve_scene(), {"--scale", "4", "--no-antialias"}).bytes, plain.bytes);
+  EXPECT_NE(rendered(two_curve_scene(), {"--scale", "4", "--dither"}).bytes, plain.bytes);
+  EXPECT_NE(rendered(two_curve_scene(), {"--scale", "4", "--order", "linear"}).bytes, plain.bytes);
+  EXPECT_EQ(rendered(two_curve_scene(), {"--scale", "4", "--no-blur"}).bytes, plain.bytes);
+}
+
+TEST(Render, gives_the_same_bytes_for_any_number_of_threads) {
+  const std::string scene = busy_scene(30);
+  // Refinement is off for rays: it chases their noise.
+  const std::vector<std::vector<std::string>> cases = {
+      {"--method", "exact"},
+      {"--method", "rays", "--rays", "16", "--max-error", "off"},
+      {"--method", "pixels", "--scale", "0.5"}};
+  for (const std::vector<std::string>& options : cases) {
+    const auto with_threads = [&](const char* count) {
+      std::vector<std::string> arguments = {"render", "-", "-o", "-", "--threads", count};
+      arguments.insert(arguments.end(), options.begin(), options.end());
+      return run_sfumato(arguments, scene);
+    };
+    const CommandResult one = with_threads("1");
+    ASSERT_EQ(one.exit_code, 0) << one.err;
+    for (const char* count : {"2", "3", "8"}) {
+      EXPECT_TRUE(with_threads(count).out == one.out) << options[1] << " with " << count;
+    }
+  }
+}
+
+TEST(Render, gives_the_same_bytes_to_a_file_and_to_stdout) {
+  const TemporaryFolder folder;
+  const std::string input = folder.add("scene.xml", two_curve_scene());
+  const CommandResult to_file = run_sfumato({"render", input, "-o", folder.path("out.png")});
+  ASSERT_EQ(to_file.exit_code, 0) << to_file.err;
+  EXPECT_EQ(to_file.out, "");
+  const CommandResult to_stdout = run_sfumato({"render", "-", "-o", "-"}, two_curve_scene());
+  EXPECT_TRUE(to_stdout.out == read_whole(folder.path("out.png")));
+  EXPECT_EQ(folder.names(), (std::vector<std::string>{"out.png", "scene.xml"}));
+}
+
+TEST(Render, seed_changes_random_rays_and_nothing_else) {
+  const auto with_seed = [](const char* method, const char* seed) {
+    return run_sfumato({"render", "-", "-o", "-", "--method", method, "--rays", "16", "--max-error",
+                        "off", "--seed", seed},
+                       busy_scene(20))
+        .out;
+  };
+  EXPECT_TRUE(with_seed("rays", "1") == with_seed("rays", "1"));
+  EXPECT_FALSE(with_seed("rays", "1") == with_seed("rays", "2"));
+  EXPECT_TRUE(with_seed("exact", "1") == with_seed("exact", "2"));
+}
+
+TEST(Stats, have_every_member_and_add_up) {
+  const TemporaryFolder folder;
+  const CommandResult result = run_sfumato({"render", "-", "-o", folder.path("out.png"), "--stats",
+                                            folder.path("stats.json"), "--threads", "3"},
+                                           two_curve_scene());
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const std::string json = read_whole(folder.path("stats.json"));
+  EXPECT_EQ(number_after(json, "curves"), 2);
+  EXPECT_EQ(number_after(json, "threads"), 3);
+  EXPECT_GE(number_after(json, "segments"), 3);
+  for (const char* key : {"triangles", "vertices", "nodes"}) EXPECT_GT(number_after(json, key), 0);
+  double sum = 0;
+  for (const char* key : {"read", "geometry", "triangulation", "gather", "rasterise", "write"}) {
+    EXPECT_GE(number_after(json, key), 0) << key;
+    sum += number_after(json, key);
+  }
+  EXPECT_LE(sum, number_after(json, "total") + 1e-8);  // each is rounded to a nanosecond
+}
+
+TEST(Stats, go_to_stdout_for_a_dash) {
+  const TemporaryFolder folder;
+  const CommandResult result =
+      run_sfumato({"render", "-", "-o", folder.path("out.png"), "--stats", "-"}, two_curve_scene());
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_TRUE(result.out.starts_with("{\"curves\":2,"));
+  EXPECT_TRUE(result.out.ends_with("}}\n"));
+}
+
+TEST(Warnings, name_their_place_and_are_silenced_by_quiet) {
+  const std::string scene = scene_xml(64, 48, "<banana/>\n");
+  const CommandResult loud = run_sfumato({"render", "-", "-o", "-"}, scene);
+  EXPECT_EQ(loud.exit_code, 0);
+  EXPECT_TRUE(loud.err.starts_with("<stdin>:3:1: warning: ")) << loud.err;
+  EXPECT_NE(loud.err.find("banana"), std::string::npos);
+  const CommandResult quiet = run_sfumato({"render", "-", "-o", "-", "--quiet"}, scene);
+  EXPECT_EQ(quiet.err, "");
+  EXPECT_TRUE(quiet.out == loud.out);
+}
+
+}  // namespace
+}  // namespace sfumato::test
