@@ -16,6 +16,9 @@ constexpr double kTolerancePx = 0.2;
 /// Lengths of the mesher are counted in pixels of an artboard that is this many pixels long.
 constexpr double kNominalSidePx = 1024;
 
+/// Below this weld, in nominal pixels, nearly coincident curves make slivers without end.
+constexpr double kFinestWeldPx = 1.0 / 128;
+
 /// Refinement stops where a triangle's longest edge falls below this many pixels.
 constexpr double kSmallestEdgePx = 1.0;
 
@@ -43,6 +46,11 @@ mesh::MeshOptions mesh_options(const Box& artboard, const Box& viewport,
   mesh.unit_size = std::min(longer_side(artboard) / kNominalSidePx, 1 / options.pixels_per_unit);
   // Beyond the viewport by more than the weld can move the frame.
   mesh.frame = viewport.grown_by(2 * mesh.unit_size);
+  // The weld moves curves: it must not undo a finer tolerance that was asked for.
+  if (options.tolerance) {
+    mesh.weld_px =
+        std::clamp(0.5 * *options.tolerance / mesh.unit_size, kFinestWeldPx, mesh.weld_px);
+  }
   mesh.min_angle_deg = options.min_angle_deg;
   mesh.max_area = options.max_area_fraction * artboard.width() * artboard.height();
   return mesh;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "raster/coverage.hpp"
+#include "raster/options.hpp"
 #include "raster/overlay.hpp"
 #include "raster/span_kernels.hpp"
 #include "raster/tile_bins.hpp"
@@ -31,26 +32,10 @@ struct Scene {
   const RasterOptions* options = nullptr;
   const raster::SpanKernels* kernels = nullptr;
   std::vector<PaintedInstance> stack;
-  Rgb background;
-  float background_alpha = 1;
+  raster::Backdrop backdrop;
   TileGrid grid;
   raster::ImageTarget target;
 };
-
-Status check_options(const RasterOptions& options) {
-  if (options.width < 1 || options.height < 1) {
-    return make_error(StatusCode::bad_input, "an image of " + std::to_string(options.width) +
-                                                 " x " + std::to_string(options.height) +
-                                                 " pixels; expected at least 1 x 1");
-  }
-  if (options.width > limits::kImageSide || options.height > limits::kImageSide) {
-    return make_error(StatusCode::limit, "an image of " + std::to_string(options.width) + " x " +
-                                             std::to_string(options.height) +
-                                             " pixels; the limit is " +
-                                             std::to_string(limits::kImageSide) + " a side");
-  }
-  return ok_status();
-}
 
 bool drawable(const Box& box) {
   return is_finite(box.min) && is_finite(box.max) && box.width() > 0 && box.height() > 0;
@@ -140,14 +125,14 @@ Tile make_tile(const Scene& scene, std::size_t index, Scratch* scratch) {
   tile.width = std::min(raster::kTileWidth, scene.grid.width - tile.x0);
   tile.height = std::min(raster::kTileHeight, scene.grid.height - tile.y0);
   float* plane = scratch->planes.data();
-  const float color[3] = {scene.background.r, scene.background.g, scene.background.b};
+  const float color[3] = {scene.backdrop.color.r, scene.backdrop.color.g, scene.backdrop.color.b};
   for (int c = 0; c < 3; ++c) {
     tile.color[c] = plane + c * raster::kTileFloats;
     std::fill_n(tile.color[c], raster::kTileFloats, color[c]);
   }
   if (channel_count(scene.target.format) == 4) {
     tile.alpha = plane + 3 * raster::kTileFloats;
-    std::fill_n(tile.alpha, raster::kTileFloats, scene.background_alpha);
+    std::fill_n(tile.alpha, raster::kTileFloats, scene.backdrop.alpha);
   }
   return tile;
 }
@@ -168,13 +153,6 @@ void paint_tile(const Scene& scene, std::size_t index, Scratch* scratch) {
   scene.kernels->write_pixels(tile, scene.target);
 }
 
-void choose_background(const Picture& picture, const RasterOptions& options, Scene* scene) {
-  const std::optional<Rgb> color = options.background ? options.background : picture.background;
-  const bool has_alpha = channel_count(options.format) == 4;
-  scene->background = color.value_or(has_alpha ? Rgb{0, 0, 0} : Rgb{1, 1, 1});
-  scene->background_alpha = has_alpha && !color ? 0.0f : 1.0f;
-}
-
 Status paint_tiles(Context& context, const Scene& scene) {
   const bool has_alpha = channel_count(scene.target.format) == 4;
   std::atomic<std::size_t> done{0};
@@ -191,13 +169,13 @@ Status paint_tiles(Context& context, const Scene& scene) {
 }  // namespace
 
 Result<Image> rasterize(Context& context, const Picture& picture, const RasterOptions& options) {
-  Status status = check_options(options);
+  Status status = raster::check_size(options);
   if (!status) return status;
   Scene scene;
   scene.options = &options;
   scene.kernels = &raster::span_kernels(context.simd);
   scene.grid = {options.width, options.height};
-  choose_background(picture, options, &scene);
+  scene.backdrop = raster::choose_backdrop(options, picture.background);
 
   Image image{options.width, options.height, options.format, {}};
   const std::size_t image_bytes = image.row_bytes() * options.height;

@@ -3,7 +3,6 @@
 #include "base/context.hpp"
 #include "base/image.hpp"
 #include "base/status.hpp"
-#include "document/document.hpp"
 #include "patches/diffuse.hpp"
 #include "raster/rasterize.hpp"
 
@@ -14,8 +13,7 @@ namespace sfumato {
 /// there is no antialiasing, and `antialias` and `mesh_overlay` are ignored.
 ///
 /// raster_options.viewport defaults to diffuse_options.viewport, and that to the artboard.
-/// stats  optional: as of `diffuse`, where nodes are the pixels and triangles and vertices those
-///        of the visibility mesh.
+/// stats  optional: as of `diffuse`, where nodes are the pixels; there are no triangles.
 /// Errors: bad_input (an invalid document), limit, cancelled. The same bits for any thread count
 /// and SIMD level. Cost: one gather per pixel.
 Result<Image> render_pixels(Context& context, const Document& document,

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <optional>
+
+#include "base/color.hpp"
+#include "base/status.hpp"
+#include "raster/rasterize.hpp"
+
+namespace sfumato::raster {
+
+/// Checks the size of the image against limits.hpp.
+Status check_size(const RasterOptions& options);
+
+/// What a pixel shows where nothing is painted.
+struct Backdrop {
+  Rgb color;
+  float alpha = 1;
+};
+
+/// The options' background, else the document's, else white or, in formats with alpha, nothing.
+Backdrop choose_backdrop(const RasterOptions& options, const std::optional<Rgb>& document);
+
+}  // namespace sfumato::raster
