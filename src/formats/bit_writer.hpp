@@ -1,7 +1,9 @@
 #pragma once
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 
 namespace sfumato {
 
@@ -22,7 +24,9 @@ class BitWriter {
   }
 
   void flush() {
-    for (int i = 0; i < 8; ++i) at_[i] = static_cast<std::uint8_t>(buffer_ >> (8 * i));
+    std::uint64_t word = buffer_;
+    if constexpr (std::endian::native == std::endian::big) word = __builtin_bswap64(word);
+    std::memcpy(at_, &word, sizeof(word));
     const int whole_bytes = count_ >> 3;
     at_ += whole_bytes;
     buffer_ >>= 8 * whole_bytes;

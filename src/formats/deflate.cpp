@@ -28,7 +28,7 @@ constexpr std::array<std::uint8_t, kHeaderCodes> kHeaderOrder{16, 17, 18, 0, 8, 
                                                               11, 4,  12, 3, 13, 2, 14, 1, 15};
 
 /// Shorter repetitions cost more than their literals: the most frequent byte takes a bit or two.
-constexpr std::size_t kMinRun = 20;
+constexpr std::size_t kMinRun = 15;
 constexpr std::size_t kWord = sizeof(std::uint64_t);
 
 /// bytes[begin, end) repeat what stands `distance` before.
@@ -279,7 +279,9 @@ void DynamicBlock::write_header(BitWriter& writer) const {
   }
 }
 
-void DynamicBlock::write_literals(BitWriter& writer, std::size_t begin, std::size_t end) const {
+void DynamicBlock::write_literals(BitWriter& shared_writer, std::size_t begin,
+                                  std::size_t end) const {
+  BitWriter writer = shared_writer;  // a local one stays in registers
   const auto put = [&](std::size_t i) { writer.put(codes_[bytes_[i]], lengths_[bytes_[i]]); };
   std::size_t i = begin;
   for (; i + 4 <= end; i += 4) {
@@ -290,6 +292,7 @@ void DynamicBlock::write_literals(BitWriter& writer, std::size_t begin, std::siz
     put(i);
     writer.flush();
   }
+  shared_writer = writer;
 }
 
 void DynamicBlock::write_run(BitWriter& writer, const Run& run) const {
