@@ -122,7 +122,7 @@ Status check_shape(const TriangleMesh& mesh, const std::vector<Point>& points) {
     const std::int32_t twin = mesh.half_edge_twin[h];
     if (twin == kNone || mesh.half_edge_constraint[h] != kNone) continue;
     if (in_circle(points[mesh.origin(h)], points[mesh.target(h)], points[mesh.apex(h)],
-                  points[mesh.apex(static_cast<std::uint32_t>(twin))]) > 0) {
+                  points[mesh.apex(static_cast<std::uint32_t>(twin))])) {
       return violation("not locally Delaunay: half-edge", h);
     }
   }

@@ -45,14 +45,14 @@ Status checked_box(const curves::FlatCurves& flat, const MeshOptions& options, B
 
 }  // namespace
 
-int in_circle_exact(Point a, Point b, Point c, Point d) {
+bool in_circle_exact(Point a, Point b, Point c, Point d) {
   const std::int64_t ax = a.x - d.x, ay = a.y - d.y;
   const std::int64_t bx = b.x - d.x, by = b.y - d.y;
   const std::int64_t cx = c.x - d.x, cy = c.y - d.y;
   const Int128 determinant = Int128{ax * ax + ay * ay} * (bx * cy - cx * by) +
                              Int128{bx * bx + by * by} * (cx * ay - ax * cy) +
                              Int128{cx * cx + cy * cy} * (ax * by - bx * ay);
-  return determinant > 0 ? 1 : determinant < 0 ? -1 : 0;
+  return determinant > 0;
 }
 
 Result<Lattice> choose_lattice(const curves::FlatCurves& flat, const MeshOptions& options) {

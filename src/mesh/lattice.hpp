@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 
@@ -40,30 +41,41 @@ constexpr std::int64_t dot_from(Point a, Point b, Point c) {
   return std::int64_t{b.x - a.x} * (c.x - a.x) + std::int64_t{b.y - a.y} * (c.y - a.y);
 }
 
-/// in_circle by 128-bit integers.
-int in_circle_exact(Point a, Point b, Point c, Point d);
+/// Coordinates side by side, in one register where there are such.
+typedef std::int32_t IntegerPair __attribute__((vector_size(8)));
+typedef double Pair __attribute__((vector_size(16)));
 
-/// The sign of: d lies strictly inside the circle through a, b, c (positively oriented). Exact.
-inline int in_circle(Point a, Point b, Point c, Point d) {
-  const double ax = a.x - d.x, ay = a.y - d.y;
-  const double bx = b.x - d.x, by = b.y - d.y;
-  const double cx = c.x - d.x, cy = c.y - d.y;
-  const double bxcy = bx * cy, cxby = cx * by;
-  const double cxay = cx * ay, axcy = ax * cy;
-  const double axby = ax * by, bxay = bx * ay;
-  const double a_lift = ax * ax + ay * ay;
-  const double b_lift = bx * bx + by * by;
-  const double c_lift = cx * cx + cy * cy;
-  const double determinant =
-      a_lift * (bxcy - cxby) + b_lift * (cxay - axcy) + c_lift * (axby - bxay);
-  const double permanent = a_lift * (std::fabs(bxcy) + std::fabs(cxby)) +
-                           b_lift * (std::fabs(cxay) + std::fabs(axcy)) +
-                           c_lift * (std::fabs(axby) + std::fabs(bxay));
-  // Shewchuk's static bound (10 + 96 e) e of the permanent, e = 2^-53, is 1.11e-15; here the
-  // differences are exact besides.
-  const double error = permanent * 1.2e-15;
-  if (determinant > error) return 1;
-  if (determinant < -error) return -1;
+/// a - b. Exact.
+inline Pair difference(const Point& a, const Point& b) {
+  return __builtin_convertvector(std::bit_cast<IntegerPair>(a) - std::bit_cast<IntegerPair>(b),
+                                 Pair);
+}
+
+inline double squared(Pair a) {
+  a *= a;
+  return a[0] + a[1];
+}
+
+inline double cross(Pair a, Pair b) {
+  a *= __builtin_shufflevector(b, b, 1, 0);
+  return a[0] - a[1];
+}
+
+/// in_circle by 128-bit integers.
+bool in_circle_exact(Point a, Point b, Point c, Point d);
+
+/// d lies strictly inside the circle through a, b, c (positively oriented). Exact.
+inline bool in_circle(const Point& a, const Point& b, const Point& c, const Point& d) {
+  const Pair ad = difference(a, d), bd = difference(b, d), cd = difference(c, d);
+  const double a2 = squared(ad), b2 = squared(bd), c2 = squared(cd);
+  const double determinant = a2 * cross(bd, cd) + b2 * cross(cd, ad) + c2 * cross(ad, bd);
+  // Shewchuk's static bound is (10 + 96 e) e times the permanent, e = 2^-53: 1.11e-15; here the
+  // differences are exact besides. |bx cy| + |cx by| <= (b2 + c2) / 2 and so on: the permanent is
+  // at most a third of the squared sum.
+  const double sum = a2 + b2 + c2;
+  const double error = sum * sum * 4e-16;
+  if (std::fabs(determinant) > error) [[likely]]
+    return determinant > 0;
   return in_circle_exact(a, b, c, d);
 }
 

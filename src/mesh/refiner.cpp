@@ -139,6 +139,7 @@ void Refiner::check_touched() {
 
 /// Queues the walls of the cavity that p would encroach upon.
 bool Refiner::cavity_encroaches(Point p) {
+  if (!mesh_.cavity_has_chords) return false;
   bool any = false;
   const std::size_t count = mesh_.cavity.size();
   for (std::size_t i = 0; i < count; ++i) {
@@ -169,7 +170,7 @@ Point Refiner::steiner_point(HalfEdge edge, double off_center) const {
     dx = ox;
     dy = oy;
   }
-  const double width = mesh_.point[2].x, height = mesh_.point[2].y;
+  const double width = mesh_.width, height = mesh_.height;
   return {static_cast<std::int32_t>(std::clamp(a.x + dx, 0.0, width) + 0.5),
           static_cast<std::int32_t>(std::clamp(a.y + dy, 0.0, height) + 0.5)};
 }

@@ -17,7 +17,9 @@ constexpr int kPatientSteps = 64;
 
 }  // namespace
 
-void Triangulation::start(std::int32_t width, std::int32_t height) {
+void Triangulation::start(std::int32_t domain_width, std::int32_t domain_height) {
+  width = domain_width;
+  height = domain_height;
   for (const Point p : {Point{0, 0}, Point{width, 0}, Point{width, height}, Point{0, height}}) {
     add_vertex(p);
   }
@@ -148,24 +150,30 @@ template Location Triangulation::locate<false>(Point, std::int32_t);
 
 void Triangulation::dig(Point p, std::int32_t start_triangle) {
   cavity.clear();
-  dead_.assign(1, start_triangle);
-  stack_ = {4 * start_triangle + 2, 4 * start_triangle + 1, 4 * start_triangle};
+  cavity_has_chords = false;
+  dead_.clear();
+  dead_.push_back(start_triangle);
+  stack_.clear();
+  for (int k = 2; k >= 0; --k) stack_.push_back(4 * start_triangle + k);
   while (!stack_.empty()) {
     const HalfEdge e = stack_.back();
     stack_.pop_back();
-    const std::int32_t beyond = across(e);
-    if (!(beyond & 1)) {
+    const Triangle& t = triangle[triangle_of(e)];
+    const std::int32_t beyond = t.across[corner_of(e)];
+    std::int32_t wall_chord = kNone;
+    if (beyond & 1) {
+      wall_chord = chord[e];
+      cavity_has_chords |= beyond != kHull;
+    } else {
       const HalfEdge f = beyond >> 1;
-      const Triangle& other = triangle[triangle_of(f)];
-      if (in_circle(point[other.vertex[0]], point[other.vertex[1]], point[other.vertex[2]], p) >
-          0) {
+      if (circle_holds(triangle[triangle_of(f)], p)) {
         dead_.push_back(triangle_of(f));
         stack_.push_back(previous(f));
         stack_.push_back(next(f));
         continue;
       }
     }
-    cavity.push_back({origin(e), beyond, chord[e]});
+    cavity.push_back({t.vertex[corner_of(e)], beyond, wall_chord});
   }
 }
 
@@ -224,10 +232,7 @@ void Triangulation::legalize() {
     const std::int32_t beyond = across(e);
     if (beyond & 1) continue;
     const HalfEdge f = beyond >> 1;
-    const Triangle& t = triangle[triangle_of(e)];
-    if (in_circle(point[t.vertex[0]], point[t.vertex[1]], point[t.vertex[2]], apex_point(f)) <= 0) {
-      continue;
-    }
+    if (!circle_holds(triangle[triangle_of(e)], apex_point(f))) continue;
     flip(e);
     for (const HalfEdge outer : {e, previous(e), f, previous(f)}) pending.push_back(outer);
   }

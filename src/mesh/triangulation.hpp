@@ -66,9 +66,11 @@ struct Triangulation {
   std::vector<std::int32_t> chord;    ///< per half-edge: meaningful where it is constrained
   std::vector<std::int32_t> touched;  ///< triangles changed while `tracking`; may repeat
   bool tracking = false;
+  std::int32_t width = 0;
+  std::int32_t height = 0;
 
   /// Two triangles over [0, width] × [0, height]; vertices 0 to 3 are the corners.
-  void start(std::int32_t width, std::int32_t height);
+  void start(std::int32_t domain_width, std::int32_t domain_height);
 
   Vertex origin(HalfEdge e) const { return triangle[triangle_of(e)].vertex[corner_of(e)]; }
   Vertex target(HalfEdge e) const {
@@ -84,6 +86,11 @@ struct Triangulation {
   Point origin_point(HalfEdge e) const { return point[origin(e)]; }
   Point target_point(HalfEdge e) const { return point[target(e)]; }
   Point apex_point(HalfEdge e) const { return point[apex(e)]; }
+
+  /// p lies strictly inside the circle of triangle t. Exact.
+  bool circle_holds(const Triangle& t, Point p) const {
+    return in_circle(point[t.vertex[0]], point[t.vertex[1]], point[t.vertex[2]], p);
+  }
 
   /// Puts a chord on an edge, or takes it off. Not on the hull.
   void constrain(HalfEdge e, std::int32_t chord_index);
@@ -121,6 +128,7 @@ struct Triangulation {
   Status grow(Context& context, ScopedCharge& charge, std::size_t vertex_count);
 
   std::vector<CavityEdge> cavity;
+  bool cavity_has_chords = false;
   std::int32_t last = 0;  ///< a triangle near the last place worked at
 
  private:
