@@ -62,9 +62,12 @@ void settle(const CompareArguments& arguments) {
   }
 }
 
-NoCommand usage_error(const CLI::App& root, const std::string& what) {
+NoCommand usage_error(const CLI::App& root, std::string what) {
   std::string command = "sfumato";
   for (const CLI::App* chosen : root.get_subcommands()) command += ' ' + chosen->get_name();
+  if (root.get_subcommands().empty() && root.remaining_size() > 0) {
+    what = "\"" + root.remaining().front() + "\" given, expected render, info or compare";
+  }
   return {"sfumato: error: " + what + "\nTry '" + command + " --help'.\n", kBadUsage};
 }
 

@@ -126,7 +126,9 @@ TEST(Usage, unknown_options_and_missing_operands_are_named) {
   EXPECT_EQ(run_sfumato({"render", "-o", "b.png"}).exit_code, 2);
   EXPECT_EQ(run_sfumato({"info"}).exit_code, 2);
   EXPECT_EQ(run_sfumato({"compare", "a.png"}).exit_code, 2);
-  EXPECT_EQ(run_sfumato({"paint", "a.xml"}).exit_code, 2);
+  const CommandResult command = run_sfumato({"paint", "a.xml"});
+  EXPECT_EQ(command.exit_code, 2);
+  EXPECT_TRUE(contains(command.err, "\"paint\" given, expected render, info or compare"));
 }
 
 TEST(Usage, unknown_extensions_list_the_known_ones) {
