@@ -76,6 +76,8 @@ SegmentAttributes sample_colors(const FlatCurves& flat, std::span<const Curve> c
   attributes.left.resize(flat.vertex.size());
   attributes.right.resize(flat.vertex.size());
   attributes.weight.resize(flat.vertex.size(), 1.0f);
+  attributes.curve = flat.vertex_curve;
+  attributes.vertex = flat.vertex;
   for (std::uint32_t i = 0; i < flat.curve_count(); ++i) {
     sample_side(flat, curves[i], i, curves[i].left.color, attributes.left);
     sample_side(flat, curves[i], i, curves[i].right.color, attributes.right);

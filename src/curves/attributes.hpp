@@ -28,7 +28,9 @@ struct SegmentColor {
 struct SegmentAttributes {
   std::vector<SegmentColor> left;
   std::vector<SegmentColor> right;
-  std::vector<float> weight;
+  std::vector<float> weight;         ///< the curve's
+  std::vector<Vec2> vertex;          ///< FlatCurves::vertex: segment s joins s and s + 1
+  std::vector<std::uint32_t> curve;  ///< index of the curve: later ones are drawn over earlier
 };
 
 SegmentAttributes sample_colors(const FlatCurves& flat, std::span<const Curve> curves);

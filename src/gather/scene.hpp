@@ -12,8 +12,10 @@
 
 namespace sfumato::gather {
 
-/// What a ray meets at a constrained edge, seen from one side: the resolved owner of the facing
-/// side (the last drawn piece whose facing side is not open).
+/// What a ray meets at a constrained edge, seen from one side. Where several pieces lie on the edge
+/// it is the curve that was drawn last, of those whose facing side is not open; where that curve
+/// lies along itself, the passage that reached farthest to this side before the weld, the first of
+/// equals.
 struct Facing {
   ShaderKind kind = ShaderKind::open;
   std::uint32_t shader = 0;
