@@ -208,11 +208,13 @@ def moonlit(colour, x, reach=150, strength=0.4):
     return mix(colour, (255, 214, 180), strength * math.exp(-((x - MOON[0]) / reach) ** 2))
 
 
+CRESTS = [polygon(smooth_chain(crest)) for crest, _, _ in RANGES]
+
+
 def crest_height(crest, x):
     for (x0, y0), (x1, y1) in zip(crest, crest[1:]):
         if x <= x1:
-            t = (x - x0) / (x1 - x0)
-            return y0 + (y1 - y0) * (3 - 2 * t) * t * t
+            return y0 + (y1 - y0) * (x - x0) / (x1 - x0)
     return crest[-1][1]
 
 
@@ -228,7 +230,7 @@ def water(x, y):
 def background(x, y):
     if y >= SHORE:
         return water(x, y)
-    tops = [crest_height(crest, x) for crest, _, _ in RANGES] + [SHORE]
+    tops = [crest_height(crest, x) for crest in CRESTS] + [SHORE]
     if y < tops[0]:
         return sky(x, y)
     for i, (_, rock, mist) in enumerate(RANGES):
@@ -268,7 +270,7 @@ def paint_mountains(picture):
     for (crest, rock, _), above in zip(RANGES, feet):
         picture.add_behind(smooth_chain(crest), above,
                            lambda x, y, rock=rock: moonlit(rock, x, strength=0.2))
-    shore = [(-60, SHORE), (120, SHORE + 1), (300, SHORE - 1), (512, SHORE), (790, SHORE + 1)]
+    shore = [(x, SHORE) for x in (-60, 120, 300, 512, 790)]
     picture.add_behind(smooth_chain(shore), feet[-1], water, 4)
 
 
@@ -326,14 +328,14 @@ class Boat:
     def paint(self, picture):
         x0, y0 = self.AT
         picture.add(self.sail, self.lit(background, 0.3),
-                    lambda x, y: mix((255, 232, 206), (168, 118, 148), (x0 + 38 - x) / 40), 4)
+                    lambda x, y: mix((255, 232, 206), (168, 118, 148), (x0 + 38 - x) / 40), 10)
         picture.add(self.jib, background,
-                    lambda x, y: mix((196, 140, 158), (96, 78, 128), (x0 - x) / 30), 4)
+                    lambda x, y: mix((196, 140, 158), (96, 78, 128), (x0 - x) / 30), 10)
         picture.add(self.hull, self.lit(background, 0.5),
                     self.lit(lambda x, y: mix((66, 42, 62), (24, 18, 44), (y - y0 + 9) / 18), 0.7),
                     4)
         lantern = [(self.lamp[0] + 3.4 * math.sin(a), self.lamp[1] - 4.4 * math.cos(a))
-                   for a in (i * math.tau / 6 for i in range(6))]
+                   for a in (i * math.tau / 10 for i in range(10))]
         picture.add(closed_chain(lantern), self.lit(background, 0.75), lambda *_: (255, 246, 206))
 
     def paint_reflection(self, picture):
@@ -366,17 +368,16 @@ class Cypress:
         return mix((10, 16, 40), (84, 78, 116), ((x - self.foot) / self.width + 0.1) * 0.9)
 
     def paint(self, picture):
-        picture.add_behind(self.outline, background, self.colour, 8)
+        picture.add_behind(self.outline, background, self.colour, 12)
 
 
-def paint_reeds(picture):
+def reeds():
+    """Outlines of blades, each from its root up the left edge and down the right one."""
     for root, ground, lean, height in ((178, 456, -12, 74), (188, 460, 3, 104), (200, 464, 24, 80)):
         tip = (root + lean, ground - height)
         bend = (root + 0.2 * lean, ground - 0.55 * height)
-        blade = bent_chain([(root - 2.2, ground), (bend[0] - 1.6, bend[1]), tip],
-                           [(bend[0] + 1.6, bend[1]), (root + 2.2, ground)])
-        picture.add_behind(blade, background,
-                           lambda x, y: mix((14, 18, 44), (74, 66, 104), (460 - y) / 130))
+        yield bent_chain([(root - 2.2, ground), (bend[0] - 1.6, bend[1]), tip],
+                         [(bend[0] + 1.6, bend[1]), (root + 2.2, ground)])
 
 
 def main():
@@ -388,10 +389,13 @@ def main():
     picture.hide_behind(bank + [(200, 600), (-60, 600), (-60, 404)])
     for tree in trees:
         tree.paint(picture)
-    paint_reeds(picture)
+    blades = list(reeds())
+    for blade in blades:
+        picture.add_behind(blade, background,
+                           lambda x, y: mix((14, 18, 44), (74, 66, 104), (460 - y) / 130))
     boat.paint_reflection(picture)
     boat.paint(picture)
-    for chain in [tree.outline for tree in trees] + [boat.sail, boat.jib, boat.hull]:
+    for chain in [tree.outline for tree in trees] + blades + [boat.sail, boat.jib, boat.hull]:
         picture.hide_behind(chain)
 
     def above_bank(x, y):

@@ -58,7 +58,7 @@ function checkError(sfumato) {
     sfumato.nodeValues(new TextEncoder().encode("not XML"));
     report(name, "it was taken");
   } catch (error) {
-    const fine = error instanceof SfumatoError && error.message.startsWith("document:1:");
+    const fine = error instanceof SfumatoError && error.message.startsWith("document: ");
     report(name, fine ? "" : String(error));
   }
 }
