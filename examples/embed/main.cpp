@@ -12,13 +12,14 @@ sfumato::Status draw(const std::string& in, const std::string& out) {
 
   auto xml = read_file(in, limits::kInputBytes);
   if (!xml) return xml.status();
+  RasterOptions options;
+  options.width = 1440;
+  options.height = 960;
+
   auto read = read_orzan(context, *xml, in);
   if (!read) return read.status();
   auto picture = diffuse(context, read->document, {});
   if (!picture) return picture.status();
-  RasterOptions options;
-  options.width = 1440;
-  options.height = 960;
   auto image = rasterize(context, *picture, options);
   if (!image) return image.status();
   auto png = encode_png(context, *image);
