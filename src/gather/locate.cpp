@@ -9,7 +9,6 @@ namespace sfumato::gather {
 namespace {
 
 constexpr std::size_t kChunk = 512;
-constexpr std::uint32_t kUnset = 0xffffffffu;
 
 /// Differences of floats are exact in double, and nearly so their products.
 double side_of_edge(const SceneTriangle& t, int k, float x, float y) {
@@ -33,23 +32,22 @@ std::uint32_t search_all(std::span<const SceneTriangle> triangles, float x, floa
   return 0;
 }
 
-/// Crosses any edge that has the point on its other side. The edge that is asked first changes
-/// from step to step, so that the walk cannot go round for ever.
+/// Crosses the edge that has the point farthest on its other side, where there is a triangle.
 std::uint32_t walk(std::span<const SceneTriangle> triangles, std::uint32_t start, float x,
                    float y) {
   std::uint32_t t = start;
-  std::int32_t entry = -1;
   const std::size_t step_limit = triangles.size() + 64;
   for (std::size_t step = 0; step < step_limit; ++step) {
     const SceneTriangle& triangle = triangles[t];
+    double farthest = 0;
     std::int32_t exit = -1;
-    for (int i = 0; i < 3 && exit < 0; ++i) {
-      const int k = static_cast<int>((step + static_cast<std::size_t>(i)) % 3);
-      if (triangle.twin[k] < 0 || static_cast<std::int32_t>(3 * t) + k == entry) continue;
-      if (side_of_edge(triangle, k, x, y) < 0) exit = triangle.twin[k];
+    for (int k = 0; k < 3; ++k) {
+      const double side = side_of_edge(triangle, k, x, y);
+      const bool leads_nearer = side < farthest && triangle.twin[k] >= 0;
+      farthest = leads_nearer ? side : farthest;
+      exit = leads_nearer ? triangle.twin[k] : exit;
     }
     if (exit < 0) return t;
-    entry = exit;
     t = static_cast<std::uint32_t>(exit) / 3;
   }
   return search_all(triangles, x, y);
@@ -80,11 +78,12 @@ Result<Locator> Locator::create(Context& context, const Scene& scene) {
   for (const SceneTriangle& t : scene.triangle) {
     for (int k = 0; k < 3; ++k) box.extend({t.x[k], t.y[k]});
   }
-  // About four triangles to a cell.
-  const double cells = std::sqrt(static_cast<double>(scene.triangle.size())) / 2;
-  locator.side_ = static_cast<int>(std::clamp(cells, 1.0, 1024.0));
-  const auto side = static_cast<std::size_t>(locator.side_);
-  if (Status status = locator.charge_.add(context, side * side * 4, "point location"); !status) {
+  // About one triangle to a cell.
+  const double side = std::sqrt(static_cast<double>(scene.triangle.size()));
+  locator.side_ = static_cast<int>(std::clamp(side, 1.0, 2048.0));
+  const auto row_cells = static_cast<std::size_t>(locator.side_);
+  if (Status status = locator.charge_.add(context, row_cells * row_cells * 4, "point location");
+      !status) {
     return status;
   }
   locator.min_x_ = static_cast<float>(box.min.x);
@@ -94,22 +93,20 @@ Result<Locator> Locator::create(Context& context, const Scene& scene) {
   };
   locator.cells_per_unit_x_ = per_unit(box.width());
   locator.cells_per_unit_y_ = per_unit(box.height());
-  auto& cell_triangle = locator.cell_triangle_;
-  cell_triangle.assign(side * side, kUnset);
-  for (std::size_t t = 0; t < scene.triangle.size(); ++t) {
-    const SceneTriangle& triangle = scene.triangle[t];
-    const float x = (triangle.x[0] + triangle.x[1] + triangle.x[2]) / 3 - locator.min_x_;
-    const float y = (triangle.y[0] + triangle.y[1] + triangle.y[2]) / 3 - locator.min_y_;
-    cell_triangle[cell_of(y, locator.cells_per_unit_y_, locator.side_) * side +
-                  cell_of(x, locator.cells_per_unit_x_, locator.side_)] =
-        static_cast<std::uint32_t>(t);
-  }
-  // Empty cells take the triangle of the cell before them.
-  std::uint32_t last = 0;
-  for (std::uint32_t& triangle : cell_triangle) {
-    if (triangle == kUnset) triangle = last;
-    last = triangle;
-  }
+  locator.cell_triangle_.resize(row_cells * row_cells);
+  const double width = box.width() / locator.side_, height = box.height() / locator.side_;
+  Status status = parallel_for(context, row_cells, 8, [&](std::size_t begin, std::size_t end) {
+    std::uint32_t t = 0;
+    for (std::size_t i = begin * row_cells; i < end * row_cells; ++i) {
+      const auto x =
+          static_cast<float>(box.min.x + (static_cast<double>(i % row_cells) + 0.5) * width);
+      const auto y =
+          static_cast<float>(box.min.y + (static_cast<double>(i / row_cells) + 0.5) * height);
+      t = walk(scene.triangle, t, x, y);
+      locator.cell_triangle_[i] = t;
+    }
+  });
+  if (!status) return status;
   return locator;
 }
 
@@ -130,11 +127,10 @@ Result<LocatedPoints> Locator::locate(Context& context, std::span<const Vec2> po
   located.triangle.resize(points.size());
   Status status =
       parallel_for(context, points.size(), kChunk, [&](std::size_t begin, std::size_t end) {
-        std::uint32_t t = kUnset;
         for (std::size_t i = begin; i < end; ++i) {
           auto x = static_cast<float>(points[i].x - scene_->origin.x);
           auto y = static_cast<float>(points[i].y - scene_->origin.y);
-          t = walk(scene_->triangle, t == kUnset ? start_triangle(x, y) : t, x, y);
+          const std::uint32_t t = walk(scene_->triangle, start_triangle(x, y), x, y);
           leave_corner(scene_->triangle[t], x, y);
           located.x[i] = x;
           located.y[i] = y;

@@ -17,15 +17,15 @@ struct LocatedPoints {
   ScopedCharge charge;
 };
 
-/// Finds triangles by walking: from a coarse grid for the first point of a chunk, then from the
-/// point before. A point outside the hull gets a triangle at the hull.
+/// Finds triangles by walking from the triangle at the centre of the point's cell in a regular
+/// grid, with about as many cells as triangles. A point outside the hull gets a triangle at the
+/// hull.
 class Locator {
  public:
-  /// Errors: limit. `scene` has at least one triangle and is kept by the caller.
+  /// Errors: limit, cancelled. `scene` has at least one triangle and is kept by the caller.
   static Result<Locator> create(Context& context, const Scene& scene);
 
-  /// Cost: a few steps for each point whose neighbour in the list is near. Errors: limit,
-  /// cancelled. The same answer for any thread count.
+  /// Cost: a few steps for each point. Errors: limit, cancelled.
   Result<LocatedPoints> locate(Context& context, std::span<const Vec2> points) const;
 
  private:

@@ -1,0 +1,156 @@
+#include <gtest/gtest.h>
+
+#include "gather/scene.hpp"
+#include "gather/scenes.hpp"
+
+namespace sfumato::gather::test {
+namespace {
+
+/// A diamond of two triangles, above and below an edge from vertex 0 (left) to 1 (right) that runs
+/// along the x axis. y is down: the triangle of half-edge 0 is below, on its right.
+struct Diamond {
+  mesh::TriangleMesh mesh;
+  curves::SegmentAttributes attributes;
+
+  static constexpr std::uint32_t kBelow = 0;  ///< half-edge 0 → 1
+  static constexpr std::uint32_t kAbove = 3;  ///< half-edge 1 → 0
+
+  Diamond() {
+    mesh.lattice_step = 1;
+    mesh.vertex_position = {{0, 0}, {4, 0}, {2, 2}, {2, -2}};
+    mesh.triangle_vertex = {0, 1, 2, 1, 0, 3};
+    mesh.half_edge_twin = {3, -1, -1, 0, -1, -1};
+    mesh.half_edge_constraint = {0, -1, -1, 0, -1, -1};
+    mesh.constraint = {{0, 1, 0, 0}};
+  }
+
+  /// A segment of a curve of its own over the edge; against it where `reversed`.
+  void add(curves::SegmentColor left, curves::SegmentColor right, bool reversed = false,
+           float weight = 1) {
+    const auto segment = static_cast<std::uint32_t>(attributes.weight.size());
+    attributes.left.insert(attributes.left.end(), {left, {}});
+    attributes.right.insert(attributes.right.end(), {right, {}});
+    attributes.weight.insert(attributes.weight.end(), {weight, weight});
+    attributes.vertex.insert(attributes.vertex.end(),
+                             {reversed ? Vec2{4, 0} : Vec2{0, 0}, reversed ? Vec2{} : Vec2{4, 0}});
+    attributes.curve.insert(attributes.curve.end(), {segment / 2, segment / 2});
+    mesh.piece.push_back({segment, reversed ? 1.0f : 0.0f, reversed ? 0.0f : 1.0f});
+    mesh.constraint[0].piece_end = static_cast<std::uint32_t>(mesh.piece.size());
+  }
+
+  Facing facing(std::uint32_t half_edge) const { return facing_color(mesh, attributes, half_edge); }
+};
+
+constexpr Rgb kRed{1, 0, 0}, kGreen{0, 1, 0}, kBlue{0, 0, 1}, kWhite{1, 1, 1};
+
+curves::SegmentColor color(Rgb from, Rgb to) {
+  return {ShaderKind::curve_domain, 0, {from, to}};
+}
+const curves::SegmentColor kOpen{};
+const curves::SegmentColor kBarrier{ShaderKind::barrier, 0, {}};
+
+TEST(Facing, a_curve_along_the_half_edge_shows_its_right) {
+  Diamond diamond;
+  diamond.add(color(kRed, kGreen), color(kBlue, kWhite));
+  EXPECT_EQ(diamond.facing(Diamond::kBelow).from, kBlue);
+  EXPECT_EQ(diamond.facing(Diamond::kBelow).to, kWhite);
+  // The half-edge above runs from right to left and shows the left of the curve.
+  EXPECT_EQ(diamond.facing(Diamond::kAbove).from, kGreen);
+  EXPECT_EQ(diamond.facing(Diamond::kAbove).to, kRed);
+}
+
+TEST(Facing, a_curve_against_the_constraint_shows_its_left_below) {
+  Diamond diamond;
+  diamond.add(color(kRed, kGreen), color(kBlue, kWhite), true);
+  EXPECT_EQ(diamond.facing(Diamond::kBelow).from, kGreen);
+  EXPECT_EQ(diamond.facing(Diamond::kBelow).to, kRed);
+  EXPECT_EQ(diamond.facing(Diamond::kAbove).from, kBlue);
+  EXPECT_EQ(diamond.facing(Diamond::kAbove).to, kWhite);
+}
+
+TEST(Facing, colours_are_those_at_the_pieces_own_fractions) {
+  Diamond diamond;
+  diamond.add(kOpen, color(kRed, kGreen));
+  diamond.mesh.piece[0].u_from = 0.25f;
+  diamond.mesh.piece[0].u_to = 0.5f;
+  EXPECT_EQ(diamond.facing(Diamond::kBelow).from, (Rgb{0.75f, 0.25f, 0}));
+  EXPECT_EQ(diamond.facing(Diamond::kBelow).to, (Rgb{0.5f, 0.5f, 0}));
+}
+
+TEST(Facing, the_piece_drawn_last_wins) {
+  Diamond diamond;
+  diamond.add(color(kRed, kRed), color(kRed, kRed), false, 2);
+  diamond.add(color(kBlue, kBlue), color(kGreen, kGreen), false, 3);
+  EXPECT_EQ(diamond.facing(Diamond::kBelow).from, kGreen);
+  EXPECT_EQ(diamond.facing(Diamond::kBelow).weight, 3);
+  EXPECT_EQ(diamond.facing(Diamond::kAbove).from, kBlue);
+}
+
+TEST(Facing, an_open_side_leaves_the_edge_to_the_piece_below) {
+  Diamond diamond;
+  diamond.add(color(kRed, kRed), color(kWhite, kWhite), false, 2);
+  diamond.add(color(kBlue, kBlue), kOpen, false, 3);
+  EXPECT_EQ(diamond.facing(Diamond::kBelow).from, kWhite);
+  EXPECT_EQ(diamond.facing(Diamond::kBelow).weight, 2);
+  EXPECT_EQ(diamond.facing(Diamond::kAbove).from, kBlue);
+}
+
+TEST(Facing, a_barrier_drawn_last_hides_the_colour_below) {
+  Diamond diamond;
+  diamond.add(color(kRed, kRed), color(kWhite, kWhite));
+  diamond.add(kOpen, kBarrier);
+  EXPECT_EQ(diamond.facing(Diamond::kBelow).kind, ShaderKind::barrier);
+  EXPECT_EQ(diamond.facing(Diamond::kAbove).kind, ShaderKind::curve_domain);
+}
+
+TEST(Facing, an_edge_of_the_frame_or_open_on_a_side_is_open) {
+  Diamond diamond;
+  EXPECT_EQ(diamond.facing(Diamond::kBelow).kind, ShaderKind::open);
+  diamond.add(kOpen, color(kRed, kRed));
+  EXPECT_EQ(diamond.facing(Diamond::kAbove).kind, ShaderKind::open);
+}
+
+TEST(Facing, an_image_domain_side_keeps_its_shader) {
+  Diamond diamond;
+  diamond.add(kOpen, {ShaderKind::image_domain, 5, {}});
+  EXPECT_EQ(diamond.facing(Diamond::kBelow).kind, ShaderKind::image_domain);
+  EXPECT_EQ(diamond.facing(Diamond::kBelow).shader, 5u);
+}
+
+TEST(Scene, edges_are_stops_borders_or_passages) {
+  Diamond diamond;
+  diamond.add(kOpen, color(kRed, kGreen), false, 4);
+  Context context;
+  const Result<Scene> scene = build_scene(context, diamond.mesh, diamond.attributes);
+  ASSERT_TRUE(scene.ok());
+  EXPECT_EQ(scene->origin, (Vec2{2, 0}));
+  ASSERT_EQ(scene->stop.size(), 1u);
+  EXPECT_EQ(scene->triangle[0].edge[0], stop_code(0));
+  EXPECT_EQ(scene->triangle[0].edge[1], kBorder);
+  // From above one looks through, at the triangle below.
+  EXPECT_EQ(scene->triangle[1].edge[0], 3);
+  EXPECT_EQ(scene->edge_beyond[3].apex_x, 0);
+  EXPECT_EQ(scene->edge_beyond[3].apex_y, 2);
+  const StopEdge& stop = scene->stop[0];
+  EXPECT_EQ(stop.ax, -2);
+  EXPECT_EQ(stop.bx, 2);
+  EXPECT_EQ(stop.weight, 1);
+  EXPECT_EQ(stop.color[0], 1);
+  EXPECT_EQ(stop.change[0], -1);
+  EXPECT_EQ(stop.change[1], 1);
+}
+
+TEST(Scene, barriers_are_borders_to_the_exact_gather) {
+  Diamond diamond;
+  diamond.add(kBarrier, kBarrier);
+  Context context;
+  const Result<Scene> scene = build_scene(context, diamond.mesh, diamond.attributes);
+  ASSERT_TRUE(scene.ok());
+  EXPECT_TRUE(scene->stop.empty());
+  EXPECT_EQ(scene->barrier.size(), 2u);
+  EXPECT_EQ(scene->triangle[0].edge[0], kBorder);
+  EXPECT_EQ(scene->triangle[1].edge[0], kBorder);
+}
+
+}  // namespace
+}  // namespace sfumato::gather::test

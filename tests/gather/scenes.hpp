@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "base/box.hpp"
+#include "curves/attributes.hpp"
+#include "curves/flatten.hpp"
+#include "gather/gather.hpp"
+#include "mesh/triangle_mesh.hpp"
+
+namespace sfumato::gather::test {
+
+/// A polyline with a colour at each vertex on both sides.
+struct Line {
+  std::vector<Vec2> points;
+  std::vector<Rgb> left;
+  std::vector<Rgb> right;
+  ShaderKind left_kind = ShaderKind::curve_domain;
+  ShaderKind right_kind = ShaderKind::curve_domain;
+  float weight = 1;
+};
+
+/// A line of one colour on both sides.
+Line plain_line(std::vector<Vec2> points, Rgb color);
+
+struct Drawing {
+  std::vector<Line> lines;
+  curves::FlatCurves flat;
+  curves::SegmentAttributes attributes;
+  mesh::TriangleMesh mesh;  ///< the visibility mesh
+  Box frame;
+};
+
+/// Meshes the lines. Coordinates should be multiples of 1/16: they are kept as they are.
+Drawing draw(std::vector<Line> lines, Box frame = {{0, 0}, {512, 512}});
+
+/// `count` segments that keep clear of each other, with random colours, kinds and weights.
+/// open_share and barrier_share of the sides have no colour.
+std::vector<Line> random_lines(std::uint32_t seed, int count, double open_share,
+                               double barrier_share);
+
+/// Points inside the frame, at least `clearance` from every line, in the order of a zigzag.
+std::vector<Vec2> random_points(const Drawing& drawing, std::uint32_t seed, int count,
+                                double clearance);
+
+/// Smallest distance from p to a line.
+double distance_to_lines(const std::vector<Line>& lines, Vec2 p);
+
+struct Gathered {
+  std::vector<float> value;  ///< 3 per point
+  std::vector<std::uint8_t> hit;
+};
+
+Gathered gather_at(Context& context, const Drawing& drawing, const std::vector<Vec2>& points,
+                   const GatherOptions& options = {});
+
+/// Root of the mean square, and the largest, of differences in code values of 255.
+struct Difference {
+  double rms = 0;
+  double largest = 0;
+};
+Difference difference(const std::vector<float>& a, const std::vector<float>& b);
+
+/// The values of gather_reference at the same points.
+std::vector<float> reference_at(const Drawing& drawing, const std::vector<Vec2>& points);
+
+}  // namespace sfumato::gather::test
