@@ -2,14 +2,19 @@
 
 #include <cmath>
 #include <cstdint>
+#include <fstream>
+#include <iterator>
+#include <string>
 #include <vector>
 
 #include "base/native/tbb_executor.hpp"
+#include "formats/orzan.hpp"
+#include "patches/diffuse.hpp"
 #include "patches/patch.hpp"
 #include "raster/rasterize.hpp"
 
-// Picture → Image on a picture made here, as large as lady_bug's: about 10,000 triangles, and
-// about 30,000 pixels of 1024² that curves cut.
+// Picture → Image: on a picture made here, as large as lady_bug's (about 10,000 triangles, and
+// about 30,000 pixels of 1024² that curves cut), and on the public scenes where they are.
 namespace sfumato {
 namespace {
 
@@ -113,6 +118,51 @@ BENCHMARK(rasterize_synthetic)
     ->Args({1024, 2, 2, 1})
     ->Args({128, 1, 2, 1})
     ->Args({4096, 2, 2, 1})
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
+
+constexpr const char* kScenes[] = {"lady_bug", "tomatos", "dolphin"};
+
+/// The mesh of the paper's density, no refinement.
+Result<Picture> scene_picture(Context& context, const std::string& name) {
+  const std::string path = std::string(SFUMATO_SHARED_DIR) + "/scenes/" + name + ".xml";
+  std::ifstream file(path, std::ios::binary);
+  const std::string xml((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  const Result<ReadDocument> read = read_orzan(context, xml, path);
+  if (!read) return read.status();
+  DiffuseOptions options;
+  options.max_error = 0;
+  return diffuse(context, read->document, options);
+}
+
+/// Arguments: index into kScenes, width of the image in pixels, threads.
+void rasterize_scene(benchmark::State& state) {
+  const std::unique_ptr<Executor> executor = make_tbb_executor(static_cast<int>(state.range(2)));
+  Context context;
+  context.executor = executor.get();
+  const std::string name = kScenes[state.range(0)];
+  const Result<Picture> picture = scene_picture(context, name);
+  if (!picture) {
+    state.SkipWithError("the public scenes are not here");
+    return;
+  }
+  RasterOptions options;
+  options.width = static_cast<int>(state.range(1));
+  options.height = static_cast<int>(
+      std::lround(options.width * picture->viewport.height() / picture->viewport.width()));
+  for (auto _ : state) {
+    const Result<Image> image = rasterize(context, *picture, options);
+    if (!image) state.SkipWithError("rasterize failed");
+    benchmark::DoNotOptimize(image);
+  }
+  state.SetLabel(name);
+  state.counters["triangles"] = picture->layers[0].triangle_count();
+}
+
+BENCHMARK(rasterize_scene)
+    ->ArgNames({"scene", "width", "threads"})
+    ->ArgsProduct({{0, 1, 2}, {1024}, {1, 2}})
     ->Unit(benchmark::kMillisecond)
     ->MeasureProcessCPUTime()
     ->UseRealTime();

@@ -55,9 +55,9 @@ struct RowPolynomial {
 };
 
 SFUMATO_INLINE Color4 load_color(const float* value) {
-  float padded[4] = {};
-  __builtin_memcpy(padded, value, 3 * sizeof(float));
-  return Color4::load(padded);
+  Color4 color;
+  color.part[0] = lane::Float<4>{value[0], value[1], value[2], 0};
+  return color;
 }
 
 /// Cubic of s in [0, 1] that is 0 at 0, then near, far and end at 1/3, 2/3 and 1.
@@ -117,13 +117,14 @@ SFUMATO_INLINE PatchPolynomial patch_polynomial(const LayerView& layer, std::uin
                                                 const TriangleFrame& frame) {
   const std::uint32_t* node = layer.triangle_node + std::size_t{10} * triangle;
   const std::uint8_t* order = kNodeOrder.node[frame.corner_order];
+  const std::size_t channel_count = static_cast<std::size_t>(layer.channel_count);
   Color4 d[10];
-  for (int i = 0; i < 10; ++i) {
-    d[i] = load_color(layer.node_value + std::size_t{node[order[i]]} * layer.channel_count);
-    if (i > 0) d[i] = d[i] - d[0];
-  }
+#pragma GCC unroll 10
+  for (int i = 0; i < 10; ++i) d[i] = load_color(layer.node_value + node[order[i]] * channel_count);
   PatchPolynomial p;
   p.c00 = d[0];
+#pragma GCC unroll 9
+  for (int i = 1; i < 10; ++i) d[i] = d[i] - d[0];
   if (layer.order == PatchOrder::cubic)
     cubic_monomials(d, &p);
   else if (layer.order == PatchOrder::quadratic)

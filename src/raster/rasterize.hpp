@@ -13,17 +13,27 @@ struct RasterOptions {
   int width = 0;   ///< pixels, 1 to limits::kImageSide
   int height = 0;  ///< pixels
   /// The part of the artboard that fills the image; default Picture::viewport.
-  std::optional<Box> viewport;
+  std::optional<Box> viewport{};
   PixelFormat format = PixelFormat::rgb8;
-  /// Over transparent pixels of formats without alpha; default white.
-  std::optional<Rgb> background;
+  /// Behind what no layer covers; default the picture's own, else white, or in formats with alpha
+  /// transparent.
+  std::optional<Rgb> background{};
   bool dither = false;        ///< ordered 8×8 dither, 8-bit formats only
   bool antialias = true;      ///< exact area coverage where curves cut pixels
   bool mesh_overlay = false;  ///< draw the triangulation's edges on top
 };
 
-/// Picture → Image on the pool: in horizontal bands of a fixed height, the same bytes for any
-/// thread count and SIMD level. Errors: limit (size, memory), cancelled.
+/// Picture → Image on the pool: in tiles of a fixed size, the same bytes for any thread count and
+/// SIMD level. Image pixel (0, 0) lies at the viewport's upper left corner; the viewport fills the
+/// image, so that pixels need not be square.
+///
+/// A pixel shows the patch at its centre; where a curve passes through it and `antialias` is set,
+/// the mean of the patches in it by exact area. Each centre belongs to one triangle only.
+///
+/// Errors: bad_input (no pixels, an empty viewport, a picture whose tables do not fit), limit
+/// (size, memory), cancelled.
+/// Memory: the image, 1 MiB a thread, 12 bytes a triangle. Cost: about 4 ns a pixel, 0.4 µs a
+/// triangle and 0.1 µs a pixel that a curve cuts, on one thread.
 Result<Image> rasterize(Context& context, const Picture& picture, const RasterOptions& options);
 
 }  // namespace sfumato

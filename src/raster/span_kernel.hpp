@@ -36,24 +36,52 @@ struct Span {
   float u0, u_step;
 };
 
+/// The polynomials of the three channels along a row: value[c][power of u].
+struct ChannelPolynomials {
+  float value[3][4];
+};
+
+SFUMATO_INLINE ChannelPolynomials by_channel(const RowPolynomial& row) {
+  float k[4][4];
+  for (int i = 0; i < 4; ++i) row.k[i].store(k[i]);
+  ChannelPolynomials result;
+  for (int c = 0; c < 3; ++c)
+    for (int i = 0; i < 4; ++i) result.value[c][i] = k[i][c];
+  return result;
+}
+
+template <int W>
+SFUMATO_INLINE Lanes<W> cubic(const float (&k)[4], const Lanes<W>& u) {
+  using F = Lanes<W>;
+  return F(k[0]) + u * (F(k[1]) + u * (F(k[2]) + u * F(k[3])));
+}
+
 template <int W>
 SFUMATO_INLINE void draw_span(const RowPolynomial& row, const Span& span, const Tile& tile) {
   using F = Lanes<W>;
-  float k[4][4];
-  for (int i = 0; i < 4; ++i) row.k[i].store(k[i]);
+  const ChannelPolynomials k = by_channel(row);
   const F lane_index = F::load(kLaneIndices<W>.value);
-  for (int i = 0; i < span.count; i += W) {
-    const F index = lane_index + F(static_cast<float>(i));
-    const F u = min(max(F(span.u0) + index * F(span.u_step), F(0)), F(1));
-    const auto painted = index < F(static_cast<float>(span.count));
+  const auto u_at = [&](int first) {
+    const F index = lane_index + F(static_cast<float>(first));
+    return min(max(F(span.u0) + index * F(span.u_step), F(0)), F(1));
+  };
+  float* const pixel[3] = {tile.color[0] + span.offset, tile.color[1] + span.offset,
+                           tile.color[2] + span.offset};
+  int i = 0;
+  for (; i + W <= span.count; i += W) {
+    const F u = u_at(i);
+    for (int c = 0; c < 3; ++c) cubic<W>(k.value[c], u).store(pixel[c] + i);
+  }
+  if (i < span.count) {
+    const F u = u_at(i);
+    const auto painted = lane_index < F(static_cast<float>(span.count - i));
     for (int c = 0; c < 3; ++c) {
-      float* pixel = tile.color[c] + span.offset + i;
-      const F value = F(k[0][c]) + u * (F(k[1][c]) + u * (F(k[2][c]) + u * F(k[3][c])));
-      select(painted, value, F::load(pixel)).store(pixel);
+      float* const last = pixel[c] + i;
+      select(painted, cubic<W>(k.value[c], u), F::load(last)).store(last);
     }
   }
   if (!tile.alpha) return;
-  for (int i = 0; i < span.count; ++i) tile.alpha[span.offset + i] = 1;
+  for (i = 0; i < span.count; ++i) tile.alpha[span.offset + i] = 1;
 }
 
 template <int W>
