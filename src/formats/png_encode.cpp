@@ -1,13 +1,13 @@
-#include <libdeflate.h>
+#include <zlib.h>
 
 #include <algorithm>
 #include <cstring>
 #include <initializer_list>
+#include <new>
 #include <string>
 #include <utility>
 
 #include "base/limits.hpp"
-#include "formats/deflate.hpp"
 #include "formats/png.hpp"
 #include "formats/png_filter.hpp"
 
@@ -18,11 +18,10 @@ constexpr std::uint8_t kSignature[] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\
 constexpr std::uint8_t kTrueColor = 2;
 constexpr std::uint8_t kTrueColorAlpha = 6;
 constexpr std::uint8_t kPerceptual = 0;
-constexpr std::uint32_t kAdlerModulus = 65'521;
 
-/// Filtered bytes of one stripe, which is one deflate block and one IDAT chunk. The cut depends on
+/// Filtered bytes of one stripe, which is packed by itself into one IDAT chunk. The cut depends on
 /// the image alone, so that its bytes do not depend on the number of threads.
-constexpr std::size_t kStripeBytes = std::size_t{1} << 16;
+constexpr std::size_t kStripeBytes = std::size_t{1} << 17;
 /// Filtered bytes of the stripes that are in work at one time.
 constexpr std::size_t kWaveBytes = std::size_t{1} << 24;
 
@@ -44,16 +43,28 @@ void append_chunk(const char* type, Bytes& out, AppendData append_data) {
   for (std::size_t i = 0; i < 4; ++i) {
     out[begin + i] = static_cast<std::uint8_t>(length >> (24 - 8 * i));
   }
-  append_big_endian(libdeflate_crc32(0, &out[begin + 4], length + 4), out);
+  append_big_endian(
+      static_cast<std::uint32_t>(crc32(0, &out[begin + 4], static_cast<uInt>(length + 4))), out);
 }
 
-/// Adler-32 of two texts after each other, of their own sums and the second one's length.
-std::uint32_t joined_adler(std::uint32_t first, std::uint32_t second, std::size_t second_size) {
-  const std::uint64_t low_first = first & 0xffff;
-  const std::uint64_t low = low_first + (second & 0xffff) + kAdlerModulus - 1;
-  const std::uint64_t high = (first >> 16) + (second >> 16) +
-                             (second_size % kAdlerModulus) * (low_first + kAdlerModulus - 1);
-  return static_cast<std::uint32_t>((high % kAdlerModulus) << 16 | low % kAdlerModulus);
+/// Appends `bytes` as deflate blocks of which none is the last, ended on a whole byte, so that
+/// stripes made apart may be joined. Z_RLE, made for PNG, packs smooth images nearly as small as
+/// level 6 in a sixth of its time.
+void append_deflate_blocks(Bytes& bytes, Bytes& out) {
+  z_stream stream{};
+  if (deflateInit2(&stream, 1, Z_DEFLATED, -MAX_WBITS, MAX_MEM_LEVEL, Z_RLE) != Z_OK) {
+    throw std::bad_alloc();
+  }
+  const std::size_t begin = out.size();
+  constexpr std::size_t kSyncMarker = 16;
+  out.resize(begin + deflateBound(&stream, static_cast<uLong>(bytes.size())) + kSyncMarker);
+  stream.next_in = bytes.data();
+  stream.avail_in = static_cast<uInt>(bytes.size());
+  stream.next_out = &out[begin];
+  stream.avail_out = static_cast<uInt>(out.size() - begin);
+  deflate(&stream, Z_SYNC_FLUSH);
+  out.resize(out.size() - stream.avail_out);
+  deflateEnd(&stream);
 }
 
 struct Stripe {
@@ -121,7 +132,8 @@ Status Encoder::encode_wave(std::size_t first_stripe, std::size_t stripe_count) 
   part.reserve(size);
   for (const Stripe& stripe : stripes) {
     part.insert(part.end(), stripe.chunk.begin(), stripe.chunk.end());
-    adler_ = joined_adler(adler_, stripe.adler, stripe.filtered_bytes);
+    adler_ = static_cast<std::uint32_t>(
+        adler32_combine(adler_, stripe.adler, static_cast<z_off_t>(stripe.filtered_bytes)));
   }
   return status;
 }
@@ -130,15 +142,15 @@ Stripe Encoder::encode_stripe(std::size_t index) const {
   const std::size_t first_row = index * rows_per_stripe_;
   const std::size_t end_row =
       std::min(first_row + rows_per_stripe_, static_cast<std::size_t>(image_.height));
-  const Bytes bytes = filtered(first_row, end_row);
-  const int pixel_bytes = channel_count(image_.format) * bytes_per_channel(image_.format);
+  Bytes bytes = filtered(first_row, end_row);
   Stripe stripe;
   stripe.filtered_bytes = bytes.size();
-  stripe.adler = libdeflate_adler32(1, bytes.data(), bytes.size());
+  stripe.adler =
+      static_cast<std::uint32_t>(adler32(1, bytes.data(), static_cast<uInt>(bytes.size())));
   append_chunk("IDAT", stripe.chunk, [&](Bytes& out) {
     // zlib's header: deflate with a window of 32 KiB, fast.
     if (index == 0) out.insert(out.end(), {0x78, 0x01});
-    append_deflate_blocks(bytes, static_cast<std::size_t>(pixel_bytes), out);
+    append_deflate_blocks(bytes, out);
   });
   return stripe;
 }
@@ -190,7 +202,8 @@ Bytes Encoder::head() const {
 void Encoder::finish_data() {
   Bytes& out = parts_.emplace_back();
   append_chunk("IDAT", out, [&](Bytes& data) {
-    append_deflate_end(data);
+    data.push_back(3);  // with the next byte an empty last block
+    data.push_back(0);
     append_big_endian(adler_, data);
   });
   append_chunk("IEND", out, [](Bytes&) {});
