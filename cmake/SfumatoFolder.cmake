@@ -7,8 +7,10 @@ target_compile_options(sfumato_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow
 # rounded doubles, which g++ 12.2 gets wrong.
 target_compile_options(sfumato_flags INTERFACE -ffp-contract=off -fno-math-errno)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-  # g++ 12 warns of overlapping copies in "text" + std::string where there are none (PR 105329).
-  target_compile_options(sfumato_flags INTERFACE -fno-tree-slp-vectorize -Wno-psabi -Wno-restrict)
+  # g++ 12 warns of overlapping copies in "text" + std::string where there are none (PR 105329), and
+  # of writes past a std::vector that has just grown (PR 105562).
+  target_compile_options(sfumato_flags INTERFACE -fno-tree-slp-vectorize -Wno-psabi -Wno-restrict
+                         -Wno-stringop-overflow)
 endif()
 if(SFUMATO_SANITIZE)
   target_compile_options(sfumato_flags INTERFACE -fsanitize=${SFUMATO_SANITIZE}

@@ -15,6 +15,7 @@ namespace sfumato {
 namespace {
 
 constexpr std::uint8_t kSignature[] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
+constexpr std::size_t kHeadBytes = 64;  // at least: signature, IHDR, sRGB
 constexpr std::uint8_t kTrueColor = 2;
 constexpr std::uint8_t kTrueColorAlpha = 6;
 constexpr std::uint8_t kPerceptual = 0;
@@ -149,7 +150,10 @@ Stripe Encoder::encode_stripe(std::size_t index) const {
       static_cast<std::uint32_t>(adler32(1, bytes.data(), static_cast<uInt>(bytes.size())));
   append_chunk("IDAT", stripe.chunk, [&](Bytes& out) {
     // zlib's header: deflate with a window of 32 KiB, fast.
-    if (index == 0) out.insert(out.end(), {0x78, 0x01});
+    if (index == 0) {
+      out.push_back(0x78);
+      out.push_back(0x01);
+    }
     append_deflate_blocks(bytes, out);
   });
   return stripe;
@@ -186,7 +190,9 @@ const std::uint8_t* Encoder::row(std::size_t y, Bytes& scratch) const {
 }
 
 Bytes Encoder::head() const {
-  Bytes out(std::begin(kSignature), std::end(kSignature));
+  Bytes out;
+  out.reserve(kHeadBytes);
+  out.insert(out.end(), std::begin(kSignature), std::end(kSignature));
   append_chunk("IHDR", out, [&](Bytes& data) {
     append_big_endian(static_cast<std::uint32_t>(image_.width), data);
     append_big_endian(static_cast<std::uint32_t>(image_.height), data);
