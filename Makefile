@@ -17,7 +17,8 @@ help:
 
 build:
 	@scripts/setup build
-	@cmake --preset release -DSFUMATO_TESTS=OFF -DSFUMATO_BENCH=OFF --log-level=WARNING
+	@cmake --preset release -DSFUMATO_TESTS=OFF -DSFUMATO_BENCH=OFF \
+	  -DSFUMATO_WERROR=OFF --log-level=WARNING
 	@cmake --build $(build_folder) --parallel $(jobs) --target sfumato
 
 demo: build
