@@ -1,7 +1,5 @@
 #include "mesh/arrangement.hpp"
 
-#include <array>
-
 namespace sfumato::mesh {
 namespace {
 
@@ -97,16 +95,35 @@ void Arrangement::detour(const Job& job, Vertex through) {
   jobs_.push_back({job.from, through, first});
 }
 
-/// v lies within the weld of the open segment from a to b, and a detour shortens.
-bool Arrangement::passes(Vertex a, Vertex b, Vertex v) const {
+/// v lies within the weld of the job's open segment, and may serve as a detour.
+bool Arrangement::passes(const Job& job, Vertex v) const {
   if (!welding_) return false;
-  const Point pa = mesh_.point[a], pb = mesh_.point[b], pv = mesh_.point[v];
-  const std::int64_t length2 = distance_squared(pa, pb);
-  const std::int64_t along = dot_from(pa, pb, pv);
+  const Point a = mesh_.point[job.from], b = mesh_.point[job.to], p = mesh_.point[v];
+  const std::int64_t length2 = distance_squared(a, b);
+  const std::int64_t along = dot_from(a, b, p);
   if (along <= 0 || along >= length2) return false;
-  const auto off = static_cast<double>(orient2d(pa, pb, pv));
+  const auto off = static_cast<double>(orient2d(a, b, p));
   return off * off <= static_cast<double>(weld_squared_) * static_cast<double>(length2) &&
-         shortens(pa, pb, pv);
+         may_lead_through(job, v);
+}
+
+/// A detour through v shortens and does not stray.
+bool Arrangement::may_lead_through(const Job& job, Vertex v) const {
+  const Point p = mesh_.point[v];
+  return shortens(mesh_.point[job.from], mesh_.point[job.to], p) && !strays(job.load, p);
+}
+
+/// p is farther than two welds from one of the segments of the load as they were drawn.
+bool Arrangement::strays(const Load& load, Point p) const {
+  for (std::int32_t i = load.first; i != kNone; i = chords_.owner(i).next) {
+    const std::uint32_t segment = chords_.owner(i).segment;
+    const Point a = drawn_[segment], b = drawn_[segment + 1];
+    const double s = a == b ? 0 : fraction_along(a, b, p);
+    const double x = a.x + s * (b.x - a.x) - p.x;
+    const double y = a.y + s * (b.y - a.y) - p.y;
+    if (x * x + y * y > 4 * static_cast<double>(weld_squared_)) return true;
+  }
+  return false;
 }
 
 void Arrangement::settle(const Job& job) {
@@ -144,7 +161,7 @@ void Arrangement::take_edge(const Job& job, HalfEdge e) {
   if (!mesh_.is_constrained(e)) {
     for (const HalfEdge side : {e, mesh_.twin(e)}) {
       const Vertex v = mesh_.apex(side);
-      if (passes(job.from, job.to, v)) return detour(job, v);
+      if (passes(job, v)) return detour(job, v);
     }
   }
   lay(job, e);
@@ -168,7 +185,7 @@ void Arrangement::lay(const Job& job, HalfEdge e) {
 /// Follows the job through the triangles that it crosses, from the edge opposite its start.
 void Arrangement::cross_triangles(const Job& job, HalfEdge first) {
   for (const Vertex v : {mesh_.origin(first), mesh_.target(first)}) {
-    if (passes(job.from, job.to, v)) return detour(job, v);
+    if (passes(job, v)) return detour(job, v);
   }
   const Point a = mesh_.point[job.from], b = mesh_.point[job.to];
   crossed_.clear();
@@ -180,7 +197,7 @@ void Arrangement::cross_triangles(const Job& job, HalfEdge first) {
     const Vertex v = mesh_.apex(f);
     const std::int64_t side = orient2d(a, b, mesh_.point[v]);
     if (v == job.to || side == 0) return carve(job, v);
-    if (passes(job.from, job.to, v)) return detour(job, v);
+    if (passes(job, v)) return detour(job, v);
     e = side > 0 ? next(f) : previous(f);
   }
 }
@@ -254,15 +271,17 @@ Point Arrangement::snapped_crossing(const Job& job, HalfEdge e) const {
   const double y = u.y + s * (w.y - u.y);
   const Point crossing{static_cast<std::int32_t>(x + 0.5), static_cast<std::int32_t>(y + 0.5)};
   if (!welding_) return crossing;
+  const Job chord{mesh_.origin(e), mesh_.target(e), chords_[mesh_.chord[e]].load};
   Point nearest = crossing;
   std::int64_t least = weld_squared_;
-  for (const auto& [end, other_from, other_to] :
-       {std::array{u, a, b}, std::array{w, a, b}, std::array{a, u, w}, std::array{b, u, w}}) {
-    const std::int64_t distance = distance_squared(end, crossing);
-    if (distance > least || !shortens(other_from, other_to, end)) continue;
+  const auto try_end = [&](Vertex end, const Job& other) {
+    const std::int64_t distance = distance_squared(mesh_.point[end], crossing);
+    if (distance > least || !may_lead_through(other, end)) return;
     least = distance;
-    nearest = end;
-  }
+    nearest = mesh_.point[end];
+  };
+  for (const Vertex end : {chord.from, chord.to}) try_end(end, job);
+  for (const Vertex end : {job.from, job.to}) try_end(end, chord);
   return nearest;
 }
 
@@ -272,7 +291,7 @@ void Arrangement::cross_chord(const Job& job, HalfEdge e) {
   if (x == mesh_.point[u]) return detour(job, u);
   if (x == mesh_.point[w]) return detour(job, w);
   const Job chord = lift(e);
-  const Vertex v = crossing_vertex(job, u, w, x);
+  const Vertex v = crossing_vertex(job, chord, x);
   detour(job, v);
   detour(chord, v);
 }
@@ -287,18 +306,16 @@ Arrangement::Job Arrangement::lift(HalfEdge e) {
   return {chord.from, chord.to, chords_.remove(index)};
 }
 
-/// The vertex at the crossing x of the job with the chord from u to w, which was lifted. A vertex
-/// within the weld serves where it shortens both.
-Vertex Arrangement::crossing_vertex(const Job& job, Vertex u, Vertex w, Point x) {
-  const Point a = mesh_.point[job.from], b = mesh_.point[job.to];
-  if (x == a) return job.from;
-  if (x == b) return job.to;
+/// The vertex at the crossing x of the job with a chord that was lifted. A vertex within the weld
+/// serves where it shortens both.
+Vertex Arrangement::crossing_vertex(const Job& job, const Job& chord, Point x) {
+  if (x == mesh_.point[job.from]) return job.from;
+  if (x == mesh_.point[job.to]) return job.to;
   const std::size_t vertex_count = mesh_.point.size();
   mesh_.last = triangle_of(mesh_.spoke[job.from]);
   Vertex v = place(x, welding_);
-  const Point at = mesh_.point[v];
-  if (welding_ && !(at == x) &&
-      !(shortens(a, b, at) && shortens(mesh_.point[u], mesh_.point[w], at))) {
+  if (welding_ && !(mesh_.point[v] == x) &&
+      !(may_lead_through(job, v) && may_lead_through(chord, v))) {
     v = place(x, false);
   }
   if (mesh_.point.size() > vertex_count) lead_near_chords_through(v);
@@ -350,8 +367,10 @@ void Arrangement::lead_near_chords_through(Vertex v) {
   HalfEdge e = first;
   do {
     const HalfEdge h = next(e);
-    const Vertex a = mesh_.origin(h), b = mesh_.target(h);
-    if (mesh_.is_constrained(h) && passes(a, b, v)) crossed_.push_back({a, b});
+    if (mesh_.is_constrained(h)) {
+      const Job chord{mesh_.origin(h), mesh_.target(h), chords_[mesh_.chord[h]].load};
+      if (passes(chord, v)) crossed_.push_back({chord.from, chord.to});
+    }
     e = mesh_.twin(previous(e));
   } while (e != first && e >= 0);
   for (const Edge& edge : crossed_) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "base/context.hpp"
@@ -15,6 +16,9 @@ namespace sfumato::mesh {
 /// one, a constraint that passes a vertex closer than the weld is led through it, crossings become
 /// vertices, and what falls onto one edge shares one chord. The triangulation is constrained
 /// Delaunay between any two calls.
+///
+/// A detour or a weld that would lead a segment farther than two welds from where it was drawn is
+/// not made.
 ///
 /// Why it ends: a constraint is replaced only by two strictly shorter ones, in exact arithmetic.
 /// Where rounding leaves no shorter pair the step is done without welding; should that still not
@@ -32,6 +36,8 @@ class Arrangement {
   /// The vertex at p, or the one that p welds to. Call for all points before the first segment.
   Vertex add_point(Point p);
 
+  /// drawn   lattice points: segment s was drawn from drawn[s] to drawn[s + 1]. Kept.
+  void set_segments(std::span<const Point> drawn) { drawn_ = drawn; }
   void add_segment(Vertex from, Vertex to, std::uint32_t segment);
   void add_frame_side(Vertex from, Vertex to);
 
@@ -65,7 +71,7 @@ class Arrangement {
   bool flip_crossed(Point a, Point b, Vertex from, Vertex end);
 
   Point snapped_crossing(const Job& job, HalfEdge e) const;
-  Vertex crossing_vertex(const Job& job, Vertex u, Vertex w, Point x);
+  Vertex crossing_vertex(const Job& job, const Job& chord, Point x);
   Vertex place(Point p, bool weld);
   Vertex nearest_of_cavity(Point p) const;
   Job lift(HalfEdge e);
@@ -73,7 +79,9 @@ class Arrangement {
 
   void detour(const Job& job, Vertex through);
   void drop(const Job& job);
-  bool passes(Vertex a, Vertex b, Vertex v) const;
+  bool passes(const Job& job, Vertex v) const;
+  bool may_lead_through(const Job& job, Vertex v) const;
+  bool strays(const Load& load, Point p) const;
   bool make_room();
   void fail(StatusCode code, const char* message);
 
@@ -82,6 +90,7 @@ class Arrangement {
   ChordStore& chords_;
   ScopedCharge& charge_;
   std::int64_t weld_squared_;
+  std::span<const Point> drawn_;
   bool welding_ = true;
   Status status_;
   std::uint32_t steps_ = 0;

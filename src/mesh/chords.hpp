@@ -48,6 +48,8 @@ class ChordStore {
     return chord_.capacity() * sizeof(Chord) + owner_.capacity() * sizeof(Owner);
   }
 
+  const Owner& owner(std::int32_t index) const { return owner_[index]; }
+
   /// The whole of one segment.
   Load whole(std::uint32_t segment);
 

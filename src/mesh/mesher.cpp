@@ -1,6 +1,7 @@
 #include "mesh/mesher.hpp"
 
 #include <limits>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -32,11 +33,9 @@ Status check_sizes(const curves::FlatCurves& flat) {
                     "more than " + std::to_string(limits::kSegments) + " segments in one layer");
 }
 
-/// Inserts all curve vertices; per vertex of `flat` the vertex that it became.
-std::vector<Vertex> insert_points(Arrangement& arrangement, const curves::FlatCurves& flat,
+/// Inserts all curve vertices; per vertex the vertex that it became.
+std::vector<Vertex> insert_points(Arrangement& arrangement, std::span<const Point> points,
                                   const Lattice& lattice) {
-  std::vector<Point> points(flat.vertex.size());
-  for (std::size_t i = 0; i < points.size(); ++i) points[i] = lattice.nearest(flat.vertex[i]);
   std::vector<Vertex> vertex_of(points.size());
   for (const std::uint32_t i : insertion_order(points, std::max(lattice.width, lattice.height))) {
     vertex_of[i] = arrangement.add_point(points[i]);
@@ -48,8 +47,11 @@ Status arrange(Arrangement& arrangement, const curves::FlatCurves& flat, const L
   const Point low = lattice.frame_min, high = lattice.frame_max;
   const Vertex corner[4] = {arrangement.add_point(low), arrangement.add_point({high.x, low.y}),
                             arrangement.add_point(high), arrangement.add_point({low.x, high.y})};
-  const std::vector<Vertex> vertex_of = insert_points(arrangement, flat, lattice);
+  std::vector<Point> points(flat.vertex.size());
+  for (std::size_t i = 0; i < points.size(); ++i) points[i] = lattice.nearest(flat.vertex[i]);
+  const std::vector<Vertex> vertex_of = insert_points(arrangement, points, lattice);
   for (int k = 0; k < 4; ++k) arrangement.add_frame_side(corner[k], corner[(k + 1) % 4]);
+  arrangement.set_segments(points);
   for (std::uint32_t s = 0; s < flat.vertex.size(); ++s) {
     if (flat.begins_segment(s)) arrangement.add_segment(vertex_of[s], vertex_of[s + 1], s);
   }
