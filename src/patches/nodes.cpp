@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "gather/gather.hpp"
 #include "patches/angle.hpp"
@@ -36,10 +37,7 @@ class LayoutBuilder {
     const std::uint32_t triangle_count = mesh_.triangle_count();
     layout_.triangle_node.assign(std::size_t{10} * triangle_count, kUnset);
     layout_.edge_is_curve.resize(std::size_t{3} * triangle_count);
-    const std::size_t expected = std::size_t{5} * triangle_count;
-    layout_.position.reserve(expected);
-    layout_.is_fixed.reserve(expected);
-    layout_.value.reserve(gather::kColorChannels * expected);
+    layout_.position.reserve(std::size_t{5} * triangle_count);
     for (std::uint32_t t = 0; t < triangle_count; ++t) {
       for (std::uint32_t k = 0; k < 3; ++k) {
         layout_.edge_is_curve[3 * t + k] = seams_.is_seam(3 * t + k);
@@ -48,6 +46,7 @@ class LayoutBuilder {
       for (std::uint32_t k = 0; k < 3; ++k) place_on_edge(t, k);
       node_at(t, 9) = add_free(barycentre(t));
     }
+    set_fixed_values();
     return std::move(layout_);
   }
 
@@ -66,8 +65,6 @@ class LayoutBuilder {
 
   std::uint32_t add_free(Vec2 position) {
     layout_.position.push_back(position);
-    layout_.is_fixed.push_back(0);
-    layout_.value.insert(layout_.value.end(), gather::kColorChannels, 0.0f);
     return layout_.node_count() - 1;
   }
 
@@ -76,10 +73,21 @@ class LayoutBuilder {
   }
 
   std::uint32_t add_fixed(Vec2 position, const Rgb& color) {
+    fixed_.push_back({layout_.node_count(), color});
     layout_.position.push_back(position);
-    layout_.is_fixed.push_back(1);
-    layout_.value.insert(layout_.value.end(), {color.r, color.g, color.b});
     return layout_.node_count() - 1;
+  }
+
+  void set_fixed_values() {
+    layout_.is_fixed.assign(layout_.node_count(), 0);
+    layout_.value.assign(std::size_t{gather::kColorChannels} * layout_.node_count(), 0.0f);
+    for (const auto& [node, color] : fixed_) {
+      layout_.is_fixed[node] = 1;
+      float* value = layout_.value.data() + std::size_t{gather::kColorChannels} * node;
+      value[0] = color.r;
+      value[1] = color.g;
+      value[2] = color.b;
+    }
   }
 
   /// The two nodes on edge k: shared with the neighbour unless the edge is a seam.
@@ -215,6 +223,7 @@ class LayoutBuilder {
   const TriangleMesh& mesh_;
   Seams seams_;
   NodeLayout layout_;
+  std::vector<std::pair<std::uint32_t, Rgb>> fixed_;
   std::vector<std::uint32_t> fan_;
   bool closed_ = false;
 };

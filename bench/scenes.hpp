@@ -1,0 +1,33 @@
+#pragma once
+
+#include <benchmark/benchmark.h>
+
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <string>
+
+#include "formats/orzan.hpp"
+
+namespace sfumato::bench {
+
+/// The text of a public scene; nothing where the scenes are not at hand.
+inline std::optional<std::string> scene_text(const std::string& name) {
+  std::ifstream stream(std::string(SFUMATO_SHARED_DIR "/scenes/") + name, std::ios::binary);
+  if (!stream) return std::nullopt;
+  return std::string(std::istreambuf_iterator<char>(stream), {});
+}
+
+/// A public scene. Where it is not at hand the benchmark is skipped.
+inline std::optional<Document> scene(benchmark::State& state, const std::string& name) {
+  Context context;
+  const std::optional<std::string> text = scene_text(name);
+  if (text) {
+    Result<ReadDocument> read = read_orzan(context, *text, name);
+    if (read) return std::move(read->document);
+  }
+  state.SkipWithError(("the public scene " + name + " is not at hand").c_str());
+  return std::nullopt;
+}
+
+}  // namespace sfumato::bench

@@ -1,0 +1,82 @@
+#include <benchmark/benchmark.h>
+
+#include "base/native/tbb_executor.hpp"
+#include "curves/attributes.hpp"
+#include "curves/flatten.hpp"
+#include "formats/png.hpp"
+#include "mesh/mesher.hpp"
+#include "patches/diffuse.hpp"
+#include "patches/nodes.hpp"
+#include "raster/rasterize.hpp"
+#include "scenes.hpp"
+
+// The stages that have no benchmark of their own, and the whole way from a document to a PNG.
+namespace sfumato {
+namespace {
+
+constexpr const char* kScenes[] = {"lady_bug.xml", "tomatos.xml", "dolphin.xml"};
+
+void read_document(benchmark::State& state) {
+  const std::string name = kScenes[state.range(0)];
+  const std::optional<std::string> text = bench::scene_text(name);
+  if (!text) return state.SkipWithError("the public scenes are not at hand");
+  Context context;
+  for (auto _ : state) benchmark::DoNotOptimize(read_orzan(context, *text, name).ok());
+  state.SetBytesProcessed(state.iterations() * static_cast<std::int64_t>(text->size()));
+}
+
+void flatten_and_sample(benchmark::State& state) {
+  const std::optional<Document> document = bench::scene(state, kScenes[state.range(0)]);
+  if (!document) return;
+  Context context;
+  const std::vector<Curve>& curves = document->layers[0].curves;
+  std::size_t segments = 0;
+  for (auto _ : state) {
+    Result<curves::FlatCurves> flat = curves::flatten(context, curves, {});
+    benchmark::DoNotOptimize(curves::sample_colors(*flat, curves));
+    segments = flat->segment_count();
+  }
+  state.counters["segments"] = static_cast<double>(segments);
+}
+
+void lay_out_nodes(benchmark::State& state) {
+  const std::optional<Document> document = bench::scene(state, kScenes[state.range(0)]);
+  if (!document) return;
+  Context context;
+  Result<curves::FlatCurves> flat = curves::flatten(context, document->layers[0].curves, {});
+  const auto attributes = curves::sample_colors(*flat, document->layers[0].curves);
+  mesh::MeshOptions options;
+  options.frame = document->artboard;
+  Result<mesh::Mesher> mesher = mesh::Mesher::build(context, *flat, options);
+  if (!mesher || !mesher->refine(context)) return state.SkipWithError("no mesh");
+  const mesh::TriangleMesh mesh = mesher->patch_mesh();
+  for (auto _ : state) benchmark::DoNotOptimize(patches::lay_out_nodes(mesh, attributes));
+  state.counters["triangles"] = mesh.triangle_count();
+}
+
+/// Document → PNG in memory with the default options; range(1): threads.
+void whole(benchmark::State& state) {
+  const std::optional<Document> document = bench::scene(state, kScenes[state.range(0)]);
+  if (!document) return;
+  const auto pool = make_tbb_executor(static_cast<int>(state.range(1)));
+  Context context;
+  context.executor = pool.get();
+  RasterOptions raster;
+  raster.width = static_cast<int>(document->artboard.width());
+  raster.height = static_cast<int>(document->artboard.height());
+  for (auto _ : state) {
+    const Result<Picture> picture = diffuse(context, *document, {});
+    const Result<Image> image = rasterize(context, *picture, raster);
+    benchmark::DoNotOptimize(encode_png(context, *image).ok());
+  }
+}
+
+BENCHMARK(read_document)->DenseRange(0, 2)->Unit(benchmark::kMillisecond);
+BENCHMARK(flatten_and_sample)->DenseRange(0, 2)->Unit(benchmark::kMillisecond);
+BENCHMARK(lay_out_nodes)->DenseRange(0, 2)->Unit(benchmark::kMillisecond);
+BENCHMARK(whole)->ArgsProduct({{0, 1, 2}, {1, 2}})->Unit(benchmark::kMillisecond)->UseRealTime();
+
+}  // namespace
+}  // namespace sfumato
+
+BENCHMARK_MAIN();
