@@ -153,7 +153,8 @@ void add_specks(curves::FlatCurves& flat, Random& random) {
       add_cubic(flat, {a, b, c, a + random.vector(s)}, s / 8);
       continue;
     }
-    const Vec2 along = random.direction() * random.between(2, 80);
+    const double reach = random.between(2, 80);
+    const Vec2 along = random.direction() * reach;
     const double miss = random.coin() ? 0 : random.power_of_ten(-12, -1);
     const Vec2 b = a + along * random.between(-1, 2) + Vec2{0, miss};
     add_cubic(flat, {a, b, a + along * random.between(-1, 2) - Vec2{miss, 0}, a + along}, 0.02);
