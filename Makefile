@@ -18,7 +18,7 @@ help:
 build:
 	@scripts/setup build
 	@cmake --preset release -DSFUMATO_TESTS=OFF -DSFUMATO_BENCH=OFF \
-	  -DSFUMATO_WERROR=OFF --log-level=WARNING
+	  -DSFUMATO_WERROR=OFF --log-level=WARNING >/dev/null
 	@cmake --build $(build_folder) --parallel $(jobs) --target sfumato
 
 demo: build
@@ -30,7 +30,7 @@ check:
 
 bench:
 	@scripts/setup build bench
-	@cmake --preset release -DSFUMATO_BENCH=ON --log-level=WARNING
+	@cmake --preset release -DSFUMATO_BENCH=ON --log-level=WARNING >/dev/null
 	@cmake --build $(build_folder) --parallel $(jobs) --target sfumato_bench
 	@$(build_folder)/bench/table1
 
