@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cmath>
-#include <string>
+#include <memory>
 #include <utility>
 #include <vector>
 
 #include "raster/coverage.hpp"
+#include "raster/layer_view.hpp"
 #include "raster/options.hpp"
 #include "raster/overlay.hpp"
 #include "raster/span_kernels.hpp"
@@ -37,65 +37,18 @@ struct Scene {
   raster::ImageTarget target;
 };
 
-bool drawable(const Box& box) {
-  return is_finite(box.min) && is_finite(box.max) && box.width() > 0 && box.height() > 0;
-}
-
-bool all_below(const std::vector<std::uint32_t>& indices, std::size_t bound) {
-  return std::all_of(indices.begin(), indices.end(), [&](std::uint32_t i) { return i < bound; });
-}
-
-Status check_layer(const PatchLayer& layer) {
-  const std::size_t count = layer.triangle_count();
-  const std::size_t nodes =
-      layer.channel_count > 0 ? layer.node_value.size() / layer.channel_count : 0;
-  const bool whole = layer.channel_count >= 3 && layer.triangle_vertex.size() == 3 * count &&
-                     layer.edge_is_curve.size() == 3 * count &&
-                     layer.triangle_node.size() == 10 * count &&
-                     all_below(layer.triangle_vertex, layer.vertex_position.size()) &&
-                     all_below(layer.triangle_node, nodes);
-  if (whole) return ok_status();
-  return make_error(StatusCode::bad_input, "a layer of the picture whose tables do not fit");
-}
-
-Affine image_from_artboard(const Box& viewport, const RasterOptions& options) {
-  const double x_scale = options.width / viewport.width();
-  const double y_scale = options.height / viewport.height();
-  return {x_scale, 0, 0, y_scale, -viewport.min.x * x_scale, -viewport.min.y * y_scale};
-}
-
-LayerView view_of(const PatchLayer& layer, const Affine& image_from_layer) {
-  LayerView view;
-  view.vertex_position = layer.vertex_position.data();
-  view.triangle_vertex = layer.triangle_vertex.data();
-  view.edge_is_curve = layer.edge_is_curve.data();
-  view.triangle_node = layer.triangle_node.data();
-  view.node_value = layer.node_value.data();
-  view.channel_count = layer.channel_count;
-  view.order = layer.order;
-  view.image_from_layer = image_from_layer;
-  view.mirrored = image_from_layer.determinant() < 0;
-  return view;
-}
-
 Status prepare_stack(Context& context, const Picture& picture, const RasterOptions& options,
                      Scene* scene) {
-  const Box viewport = options.viewport.value_or(picture.viewport);
-  if (!drawable(viewport))
-    return make_error(StatusCode::bad_input, "an empty viewport; expected a positive size");
-  for (const PatchLayer& layer : picture.layers) {
-    Status status = check_layer(layer);
-    if (!status) return status;
-  }
+  Status status = raster::check_picture(picture);
+  if (!status) return status;
+  const Result<Affine> image_from_artboard = raster::image_from_artboard(picture, options);
+  if (!image_from_artboard) return image_from_artboard.status();
   const double margin_px = options.mesh_overlay ? raster::kOverlayReachPx + 1 : 0;
   for (const PatchInstance& instance : picture.stack) {
-    if (instance.layer >= picture.layers.size())
-      return make_error(StatusCode::bad_input, "an instance of a layer that is not there");
-    const PatchLayer& layer = picture.layers[instance.layer];
     PaintedInstance painted;
-    painted.layer =
-        view_of(layer, image_from_artboard(viewport, options) * instance.artboard_from_layer);
-    Result<TileBins> bins = raster::bin_triangles(context, painted.layer, layer.triangle_count(),
+    painted.layer = raster::view_instance(picture, instance, *image_from_artboard);
+    Result<TileBins> bins = raster::bin_triangles(context, painted.layer,
+                                                  picture.layers[instance.layer].triangle_count(),
                                                   scene->grid, margin_px);
     if (!bins) return bins.status();
     painted.bins = std::move(*bins);
@@ -110,9 +63,11 @@ constexpr std::size_t kScratchBytes =
 
 /// What a tile is painted with; taken and given back for each range of tiles.
 struct Scratch {
-  explicit Scratch(bool has_alpha) : planes(raster::kTileFloats * (has_alpha ? 4 : 3)) {}
+  explicit Scratch(bool has_alpha)
+      : planes(std::make_unique_for_overwrite<float[]>(raster::kTileFloats * (has_alpha ? 4 : 3))) {
+  }
 
-  std::vector<float> planes;
+  std::unique_ptr<float[]> planes;
   raster::MixedPixels mixed;
   raster::Overlay overlay;
 };
@@ -124,7 +79,7 @@ Tile make_tile(const Scene& scene, std::size_t index, Scratch* scratch) {
   tile.y0 = static_cast<int>(index / columns) * raster::kTileHeight;
   tile.width = std::min(raster::kTileWidth, scene.grid.width - tile.x0);
   tile.height = std::min(raster::kTileHeight, scene.grid.height - tile.y0);
-  float* plane = scratch->planes.data();
+  float* plane = scratch->planes.get();
   const float color[3] = {scene.backdrop.color.r, scene.backdrop.color.g, scene.backdrop.color.b};
   for (int c = 0; c < 3; ++c) {
     tile.color[c] = plane + c * raster::kTileFloats;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/box.hpp"
 
@@ -17,48 +18,99 @@ std::uint16_t tile_index(double pixel, int tile_side, int count) {
   return static_cast<std::uint16_t>(std::clamp(std::floor(pixel / tile_side), 0.0, count - 1.0));
 }
 
-TileRange tile_range(const LayerView& layer, std::uint32_t triangle, const TileGrid& grid,
-                     double margin_px) {
-  Box box;
-  for (int k = 0; k < 3; ++k) {
-    const std::uint32_t vertex = layer.triangle_vertex[std::size_t{3} * triangle + k];
-    box.extend(layer.image_from_layer(layer.vertex_position[vertex]));
+/// Lists triangles of one layer by tile.
+class Binner {
+ public:
+  Binner(const LayerView& layer, const TileGrid& grid, double margin_px)
+      : layer_(layer), grid_(grid), margin_px_(margin_px) {}
+
+  TileRange range(std::uint32_t triangle) const;
+
+  /// Counting sort by tile; `ranges` as of range().
+  Status sort(Context& context, const std::vector<TileRange>& ranges, TileBins* bins) const;
+
+ private:
+  Vec2 corner(std::uint32_t triangle, int k) const {
+    const std::uint32_t vertex = layer_.triangle_vertex[std::size_t{3} * triangle + k];
+    return layer_.image_from_layer(layer_.vertex_position[vertex]);
   }
-  box = box.grown_by(margin_px);
-  const Box image{{0, 0}, {static_cast<double>(grid.width), static_cast<double>(grid.height)}};
+  TileRange range_in_row(std::uint32_t triangle, const TileRange& whole, int tile_row) const;
+
+  template <class Visit>
+  void for_each_tile(std::uint32_t triangle, const TileRange& range, const Visit& visit) const;
+
+  const LayerView& layer_;
+  const TileGrid& grid_;
+  double margin_px_;
+};
+
+TileRange Binner::range(std::uint32_t triangle) const {
+  Box box;
+  for (int k = 0; k < 3; ++k) box.extend(corner(triangle, k));
+  box = box.grown_by(margin_px_);
+  const Box image{{0, 0}, {static_cast<double>(grid_.width), static_cast<double>(grid_.height)}};
   if (!overlap(box, image)) return {};
   TileRange range;
-  range.x0 = tile_index(box.min.x, kTileWidth, grid.columns());
-  range.y0 = tile_index(box.min.y, kTileHeight, grid.rows());
-  range.x1 = static_cast<std::uint16_t>(tile_index(box.max.x, kTileWidth, grid.columns()) + 1);
-  range.y1 = static_cast<std::uint16_t>(tile_index(box.max.y, kTileHeight, grid.rows()) + 1);
+  range.x0 = tile_index(box.min.x, kTileWidth, grid_.columns());
+  range.y0 = tile_index(box.min.y, kTileHeight, grid_.rows());
+  range.x1 = static_cast<std::uint16_t>(tile_index(box.max.x, kTileWidth, grid_.columns()) + 1);
+  range.y1 = static_cast<std::uint16_t>(tile_index(box.max.y, kTileHeight, grid_.rows()) + 1);
+  return range;
+}
+
+/// The columns of tiles that a long triangle may touch in one row of tiles: a needle across the
+/// image is listed along its length, not all over its bounding box.
+TileRange Binner::range_in_row(std::uint32_t triangle, const TileRange& whole, int tile_row) const {
+  constexpr double kSlackPx = 1;         // for rounding
+  constexpr double kExactBelowPx = 1e9;  // farther away a slack of one pixel might not do
+  const double margin_px = margin_px_ + kSlackPx;
+  const double top = 1.0 * tile_row * kTileHeight - margin_px;
+  const double bottom = (tile_row + 1.0) * kTileHeight + margin_px;
+  Box box;
+  for (int k = 0; k < 3; ++k) {
+    Vec2 a = corner(triangle, k);
+    Vec2 b = corner(triangle, (k + 1) % 3);
+    if (std::max(std::fabs(a.x), std::fabs(a.y)) > kExactBelowPx) return whole;
+    if (a.y > b.y) std::swap(a, b);
+    if (b.y < top || a.y > bottom) continue;
+    box.extend(a.y < top ? lerp(a, b, (top - a.y) / (b.y - a.y)) : a);
+    box.extend(b.y > bottom ? lerp(a, b, (bottom - a.y) / (b.y - a.y)) : b);
+  }
+  if (box.empty()) return {};
+  TileRange range = whole;
+  range.x0 = std::max(whole.x0, tile_index(box.min.x - margin_px, kTileWidth, grid_.columns()));
+  range.x1 = std::min<std::uint16_t>(
+      whole.x1, static_cast<std::uint16_t>(
+                    tile_index(box.max.x + margin_px, kTileWidth, grid_.columns()) + 1));
   return range;
 }
 
 template <class Visit>
-void for_each_tile(const TileRange& range, const TileGrid& grid, const Visit& visit) {
+void Binner::for_each_tile(std::uint32_t triangle, const TileRange& range,
+                           const Visit& visit) const {
+  const bool is_long = range.y1 - range.y0 > 1 && range.x1 - range.x0 > 1;
   for (int y = range.y0; y < range.y1; ++y) {
-    for (int x = range.x0; x < range.x1; ++x)
-      visit(static_cast<std::size_t>(y) * grid.columns() + x);
+    const TileRange row = is_long ? range_in_row(triangle, range, y) : range;
+    for (int x = row.x0; x < row.x1; ++x) visit(static_cast<std::size_t>(y) * grid_.columns() + x);
   }
 }
 
-Status fill(Context& context, const std::vector<TileRange>& ranges, const TileGrid& grid,
-            TileBins* bins) {
-  Status status = bins->charge.add(context, (grid.tile_count() + 1) * 8, "lists of triangles");
+Status Binner::sort(Context& context, const std::vector<TileRange>& ranges, TileBins* bins) const {
+  const std::uint32_t triangle_count = static_cast<std::uint32_t>(ranges.size());
+  Status status = bins->charge.add(context, (grid_.tile_count() + 1) * 8, "lists of triangles");
   if (!status) return status;
-  bins->first.assign(grid.tile_count() + 1, 0);
-  for (const TileRange& range : ranges)
-    for_each_tile(range, grid, [&](std::size_t tile) { ++bins->first[tile + 1]; });
+  bins->first.assign(grid_.tile_count() + 1, 0);
+  for (std::uint32_t t = 0; t < triangle_count; ++t)
+    for_each_tile(t, ranges[t], [&](std::size_t tile) { ++bins->first[tile + 1]; });
   for (std::size_t i = 1; i < bins->first.size(); ++i) bins->first[i] += bins->first[i - 1];
 
   const std::uint64_t listed = bins->first.back();
-  status = bins->charge.add(context, listed * 4 + grid.tile_count() * 8, "lists of triangles");
+  status = bins->charge.add(context, listed * 4 + grid_.tile_count() * 8, "lists of triangles");
   if (!status) return status;
   bins->triangle.resize(listed);
   std::vector<std::uint64_t> next(bins->first.begin(), bins->first.end() - 1);
-  for (std::uint32_t t = 0; t < ranges.size(); ++t)
-    for_each_tile(ranges[t], grid, [&](std::size_t tile) { bins->triangle[next[tile]++] = t; });
+  for (std::uint32_t t = 0; t < triangle_count; ++t)
+    for_each_tile(t, ranges[t], [&](std::size_t tile) { bins->triangle[next[tile]++] = t; });
   return status;
 }
 
@@ -72,14 +124,15 @@ Result<TileBins> bin_triangles(Context& context, const LayerView& layer,
                                    "places of triangles");
   if (!status) return status;
   std::vector<TileRange> ranges(triangle_count);
+  const Binner binner(layer, grid, margin_px);
   constexpr std::size_t kGrain = 4096;
   status = parallel_for(context, triangle_count, kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t)
-      ranges[t] = tile_range(layer, static_cast<std::uint32_t>(t), grid, margin_px);
+      ranges[t] = binner.range(static_cast<std::uint32_t>(t));
   });
   if (!status) return status;
   TileBins bins;
-  status = fill(context, ranges, grid, &bins);
+  status = binner.sort(context, ranges, &bins);
   if (!status) return status;
   return bins;
 }

@@ -6,8 +6,10 @@
 #include <limits>
 
 #include "base/native/tbb_executor.hpp"
+#include "raster/layer_view.hpp"
 #include "raster/pictures.hpp"
 #include "raster/support.hpp"
+#include "raster/tile_bins.hpp"
 
 namespace sfumato::test {
 namespace {
@@ -37,8 +39,9 @@ TEST(RasterLimits, an_image_beyond_the_limit_is_refused) {
 
 TEST(RasterLimits, an_empty_or_endless_viewport_is_bad_input) {
   const double infinity = std::numeric_limits<double>::infinity();
-  for (const Box& viewport : {Box{}, Box{{0, 0}, {0, 8}}, Box{{5, 0}, {4, 8}},
-                              Box{{0, 0}, {infinity, 8}}, Box{{0, 0}, {1, std::nan("")}}}) {
+  for (const Box& viewport :
+       {Box{}, Box{{0, 0}, {0, 8}}, Box{{5, 0}, {4, 8}}, Box{{0, 0}, {infinity, 8}},
+        Box{{0, 0}, {1, std::nan("")}}, Box{{0, 0}, {1e-200, 1}}}) {
     RasterOptions options = image_size(4, 4);
     options.viewport = viewport;
     EXPECT_EQ(code_of(plain_picture(), options), StatusCode::bad_input);
@@ -58,6 +61,8 @@ TEST(RasterLimits, a_picture_whose_tables_do_not_fit_is_bad_input) {
   refused([](Picture& p) { p.layers[0].triangle_node.pop_back(); });
   refused([](Picture& p) { p.layers[0].node_value.clear(); });
   refused([](Picture& p) { p.layers[0].channel_count = 0; });
+  refused([](Picture& p) { p.layers[0].vertex_position[3].x = std::nan(""); });
+  refused([](Picture& p) { p.stack[0].artboard_from_layer.e = 1e300; });
 }
 
 TEST(RasterLimits, the_image_is_charged_before_it_is_made) {
@@ -131,12 +136,40 @@ TEST(RasterLimits, far_coordinates_and_extreme_scales_end_in_an_image) {
   Picture picture = make_picture(make_layer(mesh, [](int region, Vec2) {
     return Rgb{0.2f, 0.4f, region ? 0.6f : 0.6f};
   }));
-  for (double side : {1e-9, 1e-3, 1.0, 1e7, 1e12, 1e300}) {
+  for (double side : {1e-90, 1e-12, 1e-9, 1e-3, 1.0, 1e7, 1e12, 1e300}) {
     picture.viewport = {{0.1 * side, 0.1 * side}, {1.1 * side, 1.1 * side}};
     const Image image = rasterized(picture, image_size(33, 33, PixelFormat::rgb8));
     if (side > 1e6) continue;
     for (int i = 0; i < 33 * 33; ++i) ASSERT_EQ(channel(image, i % 33, i / 33, 0), 51);
   }
+}
+
+TEST(RasterLimits, values_that_are_not_numbers_end_in_an_image) {
+  Picture picture = plain_picture();
+  for (std::size_t i = 0; i < picture.layers[0].node_value.size(); i += 7)
+    picture.layers[0].node_value[i] = std::nan("");
+  for (std::uint8_t& is_curve : picture.layers[0].edge_is_curve) is_curve = 1;
+  EXPECT_EQ(rasterized(picture, image_size(40, 40, PixelFormat::rgba8)).bytes.size(), 6400u);
+}
+
+TEST(RasterLimits, needles_across_a_huge_image_are_listed_along_their_length) {
+  RegionMesh mesh;
+  mesh.vertex = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  constexpr std::uint32_t kNeedles = 300;
+  for (std::uint32_t i = 0; i <= kNeedles; ++i)
+    mesh.vertex.push_back({0.9 + 0.1 * i / kNeedles, 1.0 - 0.1 * i / kNeedles});
+  for (std::uint32_t i = 0; i < kNeedles; ++i) mesh.add(0, 5 + i, 4 + i, 0);
+  const Picture picture = make_picture(make_layer(mesh, [](int, Vec2) { return Rgb{}; }));
+  const double side = limits::kImageSide;
+  const raster::LayerView view =
+      raster::view_instance(picture, picture.stack[0], {side, 0, 0, side, 0, 0});
+  const raster::TileGrid grid{limits::kImageSide, limits::kImageSide};
+  Context context;
+  const auto bins = raster::bin_triangles(context, view, kNeedles, grid, 0);
+  ASSERT_TRUE(bins.ok());
+  // At most 3 tiles wide in each of 256 rows, or 7 high in each of 64 columns.
+  EXPECT_LT(bins->triangle.size(), kNeedles * 3 * 256);
+  EXPECT_GT(bins->triangle.size(), kNeedles * 256);
 }
 
 }  // namespace

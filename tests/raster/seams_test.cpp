@@ -54,7 +54,7 @@ TEST(RasterSeams, slivers_leave_no_holes) {
   for (std::uint32_t i = 0; i < kSlices; ++i) mesh.add(0, 3 + i, 4 + i, 0);
   mesh.add(0, 3 + kSlices, 2, 0);
   const Picture picture = make_picture(make_layer(mesh, [](int, Vec2) { return Rgb{}; }));
-  for (int side : {20, 100, 333})
+  for (int side : {20, 100, 333, 1500})
     EXPECT_EQ(holes(rasterized(picture, image_size(side, side, PixelFormat::rgba8))), 0);
 }
 

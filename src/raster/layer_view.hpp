@@ -1,0 +1,22 @@
+#pragma once
+
+#include "base/status.hpp"
+#include "patches/picture.hpp"
+#include "raster/rasterize.hpp"
+#include "raster/tile.hpp"
+
+namespace sfumato::raster {
+
+/// Whether the tables of every layer fit together, positions are finite and instances name layers
+/// that are there: what the kernels rely on. Node values may be anything. Error: bad_input.
+Status check_picture(const Picture& picture);
+
+/// The map that makes the viewport fill the image. Error: bad_input (an empty viewport, or one so
+/// small that pixel coordinates would overflow).
+Result<Affine> image_from_artboard(const Picture& picture, const RasterOptions& options);
+
+/// Looks into the instance's layer, which must outlive the view.
+LayerView view_instance(const Picture& picture, const PatchInstance& instance,
+                        const Affine& image_from_artboard);
+
+}  // namespace sfumato::raster
