@@ -47,6 +47,7 @@ Result<PatchLayer> LayerSolver::solve() {
     if (Status status = gather_free_nodes(options_.gather, true); !status) return status;
   }
   drop_unseen_triangles();
+  color_unseen_nodes();
   return take_patches();
 }
 
@@ -161,6 +162,27 @@ void LayerSolver::drop_unseen_triangles() {
   mesh_.triangle_vertex.resize(std::size_t{3} * kept);
   layout_.edge_is_curve.resize(std::size_t{3} * kept);
   layout_.triangle_node.resize(std::size_t{kNodesPerTriangle} * kept);
+}
+
+/// Where a triangle lies across the border of what sees a curve, its nodes beyond the border have
+/// no colour: in this triangle they take the mean of the others.
+void LayerSolver::color_unseen_nodes() {
+  for (std::size_t first = 0; first < layout_.triangle_node.size(); first += kNodesPerTriangle) {
+    std::uint32_t* node = layout_.triangle_node.data() + first;
+    float sum[kChannels] = {};
+    int seen = 0;
+    for (int i = 0; i < kNodesPerTriangle; ++i) {
+      if (!node_hit_[node[i]]) continue;
+      ++seen;
+      for (int c = 0; c < kChannels; ++c) sum[c] += layout_.value[kChannels * node[i] + c];
+    }
+    if (seen == kNodesPerTriangle) continue;
+    const auto mean = static_cast<std::uint32_t>(layout_.value.size() / kChannels);
+    for (float channel : sum) layout_.value.push_back(channel / static_cast<float>(seen));
+    for (int i = 0; i < kNodesPerTriangle; ++i) {
+      if (!node_hit_[node[i]]) node[i] = mean;
+    }
+  }
 }
 
 PatchLayer LayerSolver::take_patches() {

@@ -30,6 +30,7 @@ class LayerSolver {
   Status gather_free_nodes(const gather::GatherOptions& options, bool all);
   Status find_misses(std::vector<std::uint32_t>& missed);
   void drop_unseen_triangles();
+  void color_unseen_nodes();
   PatchLayer take_patches();
 
   Context& context_;

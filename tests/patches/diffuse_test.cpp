@@ -173,6 +173,18 @@ TEST(Diffuse, a_region_that_sees_no_curve_has_no_triangles) {
   EXPECT_FALSE(test::sample(picture.layers[0], {50, 50}).has_value());
 }
 
+TEST(Diffuse, at_the_border_of_what_sees_a_curve_no_dark_fringe_appears) {
+  Curve line = straight_curve({20, 50.3}, {80, 50.3});
+  line.left.color = test::one_color(test::kRed);
+  line.right.color.kind = ShaderKind::barrier;  // below it, no curve is seen
+  const PatchLayer layer = diffused(one_layer({line})).layers[0];
+  EXPECT_TRUE(test::sample(layer, {10, 40}).has_value());
+  EXPECT_FALSE(test::sample(layer, {10, 60}).has_value());
+  for (std::uint32_t node : layer.triangle_node) {
+    EXPECT_NEAR(layer.node_value[3 * std::size_t{node}], 1, 1e-5);
+  }
+}
+
 TEST(Diffuse, rays_pass_through_an_open_side) {
   Curve open = straight_curve({50, 10}, {50, 90});  // no attribute at all
   const Document with =
