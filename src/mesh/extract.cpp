@@ -50,19 +50,63 @@ void number_inside(const Triangulation& mesh, Numbering& numbering) {
       numbering.triangle[t] = static_cast<std::int32_t>(numbering.triangle_count++);
     }
   }
-  // Only the first call finds vertices that are not wanted; later ones all lie on the frame or
-  // inside.
   const std::size_t known_vertices = numbering.vertex.size();
   numbering.vertex.resize(mesh.point.size(), kNone);
-  std::vector<std::uint8_t> wanted(mesh.point.size(), 0);
-  for (const Triangle& t : mesh.triangle) {
-    if (!t.inside) continue;
-    for (const Vertex v : t.vertex) wanted[v] = 1;
+  // All vertices of the first call that are outside stay so; all later ones come from refinement,
+  // which works inside and on the frame.
+  std::vector<std::uint8_t> wanted(known_vertices == 0 ? mesh.point.size() : 0, 0);
+  for (std::size_t t = 0; t < mesh.triangle.size() && known_vertices == 0; ++t) {
+    if (!mesh.triangle[t].inside) continue;
+    for (const Vertex v : mesh.triangle[t].vertex) wanted[v] = 1;
   }
   for (std::size_t v = known_vertices; v < mesh.point.size(); ++v) {
-    if (wanted[v]) numbering.vertex[v] = static_cast<std::int32_t>(numbering.vertex_count++);
+    if (known_vertices == 0 && !wanted[v]) continue;
+    numbering.vertex[v] = static_cast<std::int32_t>(numbering.vertex_count++);
   }
 }
+
+namespace {
+
+/// Corners and neighbours. Pointers, since stores to one vector could move another's data for all
+/// that the compiler knows.
+void copy_triangles(const Triangulation& mesh, const Numbering& numbering, TriangleMesh& out) {
+  const std::int32_t* const vertex_number = numbering.vertex.data();
+  const std::int32_t* const triangle_number = numbering.triangle.data();
+  std::uint32_t* corner = out.triangle_vertex.data();
+  std::int32_t* twin = out.half_edge_twin.data();
+  for (std::size_t slot = 0; slot < mesh.triangle.size(); ++slot) {
+    if (triangle_number[slot] == kNone) continue;
+    const Triangle t = mesh.triangle[slot];
+    for (int k = 0; k < 3; ++k) {
+      *corner++ = static_cast<std::uint32_t>(vertex_number[t.vertex[k]]);
+      const HalfEdge f = t.across[k] >> 1;
+      const std::int32_t other = f < 0 ? kNone : triangle_number[triangle_of(f)];
+      *twin++ = other == kNone ? kNone : 3 * other + corner_of(f);
+    }
+  }
+}
+
+void copy_constraints(const Triangulation& mesh, const ChordStore& chords,
+                      const std::vector<VertexOrigin>& origins, const Numbering& numbering,
+                      TriangleMesh& out) {
+  for (std::size_t slot = 0; slot < mesh.triangle.size(); ++slot) {
+    const Triangle& t = mesh.triangle[slot];
+    if (!((t.across[0] | t.across[1] | t.across[2]) & 1)) continue;
+    if (numbering.triangle[slot] == kNone) continue;
+    for (int k = 0; k < 3; ++k) {
+      if (!(t.across[k] & 1) || t.across[k] == kHull) continue;
+      const std::int32_t h = 3 * numbering.triangle[slot] + k;
+      const std::int32_t twin = out.half_edge_twin[h];
+      if (twin != kNone && twin < h) continue;
+      const auto constraint = static_cast<std::int32_t>(out.constraint.size());
+      add_constraint(mesh, chords, origins, numbering, static_cast<HalfEdge>(4 * slot) + k, out);
+      out.half_edge_constraint[h] = constraint;
+      if (twin != kNone) out.half_edge_constraint[twin] = constraint;
+    }
+  }
+}
+
+}  // namespace
 
 TriangleMesh extract(const Triangulation& mesh, const ChordStore& chords,
                      const std::vector<VertexOrigin>& origins, const Lattice& lattice,
@@ -71,31 +115,17 @@ TriangleMesh extract(const Triangulation& mesh, const ChordStore& chords,
   out.lattice_step = lattice.step;
   out.vertex_position.resize(numbering.vertex_count);
   for (std::size_t v = 0; v < mesh.point.size(); ++v) {
-    if (numbering.vertex[v] != kNone) {
-      out.vertex_position[numbering.vertex[v]] = lattice.position(mesh.point[v]);
-    }
+    if (numbering.vertex[v] == kNone) continue;
+    out.vertex_position[numbering.vertex[v]] = lattice.position(mesh.point[v]);
   }
   const std::size_t half_edges = std::size_t{3} * numbering.triangle_count;
   out.triangle_vertex.resize(half_edges);
   out.half_edge_twin.resize(half_edges);
   out.half_edge_constraint.assign(half_edges, kNone);
-  for (std::size_t slot = 0; slot < mesh.triangle.size(); ++slot) {
-    if (numbering.triangle[slot] == kNone) continue;
-    const Triangle& t = mesh.triangle[slot];
-    for (int k = 0; k < 3; ++k) {
-      const std::int32_t h = 3 * numbering.triangle[slot] + k;
-      out.triangle_vertex[h] = static_cast<std::uint32_t>(numbering.vertex[t.vertex[k]]);
-      const HalfEdge f = t.across[k] >> 1;
-      const std::int32_t other = f < 0 ? kNone : numbering.triangle[triangle_of(f)];
-      const std::int32_t h_twin = other == kNone ? kNone : 3 * other + corner_of(f);
-      out.half_edge_twin[h] = h_twin;
-      if (f < 0 || !(t.across[k] & 1) || (h_twin != kNone && h_twin < h)) continue;
-      const auto constraint = static_cast<std::int32_t>(out.constraint.size());
-      add_constraint(mesh, chords, origins, numbering, static_cast<HalfEdge>(4 * slot) + k, out);
-      out.half_edge_constraint[h] = constraint;
-      if (h_twin != kNone) out.half_edge_constraint[h_twin] = constraint;
-    }
-  }
+  out.constraint.reserve(chords.size() + half_edges / 16);
+  out.piece.reserve(chords.live_owner_count() + half_edges / 16);
+  copy_triangles(mesh, numbering, out);
+  copy_constraints(mesh, chords, origins, numbering, out);
   return out;
 }
 

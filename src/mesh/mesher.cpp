@@ -61,7 +61,7 @@ Status arrange(Arrangement& arrangement, const curves::FlatCurves& flat, const L
 /// Marks the triangles inside the frame: those that an odd number of frame chords separates from
 /// the hull.
 Status flood_inside(Triangulation& mesh, const ChordStore& chords) {
-  constexpr std::int32_t kUnknown = -1;
+  constexpr std::int16_t kUnknown = -1;
   for (Triangle& t : mesh.triangle) t.inside = kUnknown;
   std::vector<std::int32_t> stack{triangle_of(mesh.spoke[0])};
   mesh.triangle[stack[0]].inside = 0;
@@ -71,7 +71,7 @@ Status flood_inside(Triangulation& mesh, const ChordStore& chords) {
     for (HalfEdge e = 4 * t; e < 4 * t + 3; ++e) {
       if (mesh.across(e) == kHull) continue;
       const bool frame = mesh.is_wall(e) && chords[mesh.chord[e]].load.frame;
-      const std::int32_t inside = mesh.triangle[t].inside ^ static_cast<std::int32_t>(frame);
+      const auto inside = static_cast<std::int16_t>(mesh.triangle[t].inside ^ int{frame});
       Triangle& other = mesh.triangle[triangle_of(mesh.twin(e))];
       if (other.inside == kUnknown) {
         other.inside = inside;

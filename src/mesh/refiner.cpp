@@ -52,8 +52,11 @@ void Refiner::set_quality(double min_angle_deg, double doubled_area) {
 }
 
 bool Refiner::make_room() {
-  if (mesh_.has_room()) return true;
-  Status status = mesh_.grow(*context_, charge_, mesh_.point.size() * 7 / 4 + 64);
+  return mesh_.has_room() || make_room(mesh_.point.size() * 7 / 4 + 64);
+}
+
+bool Refiner::make_room(std::size_t vertex_count) {
+  Status status = mesh_.grow(*context_, charge_, vertex_count);
   if (!status) {
     if (status_.ok()) status_ = status;
     return false;
@@ -130,23 +133,22 @@ void Refiner::check_encroachment(std::int32_t t) {
 }
 
 void Refiner::check_touched() {
-  for (const std::int32_t t : mesh_.touched) {
+  mesh_.take_touched([this](std::int32_t t) {
     check_encroachment(t);
     check_triangle(t);
-  }
-  mesh_.touched.clear();
+  });
 }
 
 /// Queues the walls of the cavity that p would encroach upon.
 bool Refiner::cavity_encroaches(Point p) {
   if (!mesh_.cavity_has_chords) return false;
   bool any = false;
-  const std::size_t count = mesh_.cavity.size();
-  for (std::size_t i = 0; i < count; ++i) {
-    const CavityEdge& wall = mesh_.cavity[i];
+  const std::vector<CavityEdge>& cavity = mesh_.cavity;
+  for (std::size_t i = 0; i < cavity.size(); ++i) {
+    const CavityEdge& wall = cavity[i];
     if (!(wall.across & 1) || wall.across == kHull) continue;
     const Vertex from = wall.from;
-    const Vertex to = mesh_.cavity[i + 1 < count ? i + 1 : 0].from;
+    const Vertex to = cavity[i + 1 < cavity.size() ? i + 1 : 0].from;
     if (!in_lens(mesh_.point[from], mesh_.point[to], p)) continue;
     encroached_.push_back({wall.across >> 1, to, from});
     any = true;
@@ -193,8 +195,7 @@ void Refiner::refine_triangle(const Bad& bad) {
     mesh_.dig(p, triangle_of(at.edge));
     if (!cavity_encroaches(p)) {
       insert_free(p);
-      for (const std::int32_t touched : mesh_.touched) check_triangle(touched);
-      mesh_.touched.clear();
+      mesh_.take_touched([this](std::int32_t touched) { check_triangle(touched); });
       return;
     }
     changed = split_queued_subsegments();
@@ -294,7 +295,7 @@ Status Refiner::run(Context& context) {
     refine_triangle(bad);
   }
   mesh_.tracking = false;
-  mesh_.touched.clear();
+  mesh_.take_touched([](std::int32_t) {});
   encroached_.clear();
   for (Bucket& bucket : bucket_) {
     bucket.items.clear();
@@ -305,6 +306,9 @@ Status Refiner::run(Context& context) {
 }
 
 Status Refiner::refine_all(Context& context) {
+  context_ = &context;
+  status_ = ok_status();
+  if (!make_room(3 * mesh_.point.size())) return status_;
   const auto count = static_cast<std::int32_t>(mesh_.triangle.size());
   for (std::int32_t t = 0; t < count; ++t) {
     check_encroachment(t);

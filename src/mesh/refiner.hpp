@@ -91,6 +91,7 @@ class Refiner {
   void halve_longest_edge(std::int32_t t);
   HalfEdge longest_edge(std::int32_t t) const;
   bool make_room();
+  bool make_room(std::size_t vertex_count);
 
   Triangulation& mesh_;
   const ChordStore& chords_;

@@ -23,8 +23,8 @@ void Triangulation::start(std::int32_t domain_width, std::int32_t domain_height)
   for (const Point p : {Point{0, 0}, Point{width, 0}, Point{width, height}, Point{0, height}}) {
     add_vertex(p);
   }
-  triangle = {{{0, 1, 2}, 0, {kHull, kHull, 4 << 1}, 0}, {{0, 2, 3}, 0, {2 << 1, kHull, kHull}, 0}};
-  chord.assign(8, kNone);
+  triangle = {{{0, 1, 2}, 0, {kHull, kHull, 4 << 1}, 0, 0},
+              {{0, 2, 3}, 0, {2 << 1, kHull, kHull}, 0, 0}};
   spoke = {0, 1, 2, 6};
 }
 
@@ -44,20 +44,8 @@ Status Triangulation::grow(Context& context, ScopedCharge& charge, std::size_t v
   point.reserve(vertices);
   spoke.reserve(vertices);
   triangle.reserve(triangles);
-  chord.reserve(4 * triangles);
+  chord.resize(4 * triangle.capacity());
   return status;
-}
-
-Vertex Triangulation::add_vertex(Point p) {
-  point.push_back(p);
-  spoke.push_back(kNone);
-  return static_cast<Vertex>(point.size()) - 1;
-}
-
-std::int32_t Triangulation::add_triangle() {
-  triangle.push_back({});
-  chord.resize(chord.size() + 4);
-  return static_cast<std::int32_t>(triangle.size()) - 1;
 }
 
 void Triangulation::set_across(HalfEdge e, std::int32_t value, std::int32_t chord_index) {
@@ -83,11 +71,6 @@ void Triangulation::release(HalfEdge e) {
   const HalfEdge f = twin(e);
   set_across(e, f << 1, kNone);
   set_across(f, e << 1, kNone);
-}
-
-void Triangulation::touch(std::int32_t t) {
-  ++triangle[t].stamp;
-  if (tracking) touched.push_back(t);
 }
 
 HalfEdge Triangulation::find(Vertex u, Vertex w) const {
@@ -179,7 +162,7 @@ void Triangulation::dig(Point p, std::int32_t start_triangle) {
 
 Vertex Triangulation::fill(Point p) {
   const Vertex v = add_vertex(p);
-  const std::int32_t inside = triangle[dead_[0]].inside;
+  const std::int16_t inside = triangle[dead_[0]].inside;
   const std::size_t count = cavity.size();
   while (dead_.size() < count) dead_.push_back(add_triangle());
   for (std::size_t i = 0; i < count; ++i) {
@@ -252,7 +235,7 @@ HalfEdge Triangulation::halve(HalfEdge e, Vertex v) {
   const std::int32_t t = triangle_of(e);
   const HalfEdge e_next = next(e);
   const Vertex a = origin(e), b = target(e), c = apex(e);
-  triangle[n] = {{v, b, c}, 0, {kHull, kHull, kHull}, triangle[t].inside};
+  triangle[n] = {{v, b, c}, 0, {kHull, kHull, kHull}, triangle[t].inside, 0};
   triangle[t].vertex[corner_of(e_next)] = v;
   join(4 * n + 1, across(e_next), chord[e_next]);
   join(4 * n + 2, e_next << 1, kNone);

@@ -36,7 +36,8 @@ struct alignas(32) Triangle {
   Vertex vertex[3];
   std::int32_t stamp;  ///< counts the changes of this slot
   std::int32_t across[3];
-  std::int32_t inside;  ///< 1 where the triangle lies inside the frame
+  std::int16_t inside;  ///< 1 where the triangle lies inside the frame
+  std::int16_t listed;  ///< 1 where it stands in `touched`
 };
 inline constexpr std::int32_t kHull = -1;
 
@@ -64,7 +65,7 @@ struct Triangulation {
   std::vector<HalfEdge> spoke;  ///< per vertex: a half-edge that starts there
   std::vector<Triangle> triangle;
   std::vector<std::int32_t> chord;    ///< per half-edge: meaningful where it is constrained
-  std::vector<std::int32_t> touched;  ///< triangles changed while `tracking`; may repeat
+  std::vector<std::int32_t> touched;  ///< triangles inside that changed while `tracking`
   bool tracking = false;
   std::int32_t width = 0;
   std::int32_t height = 0;
@@ -103,7 +104,7 @@ struct Triangulation {
   template <bool stop_at_walls>
   Location locate(Point p, std::int32_t start_triangle);
 
-  /// Finds the hole that p makes (`cavity`, positive order) around the triangle that holds p.
+  /// Finds the hole that p makes (`cavity`, in positive order) around the triangle that holds p.
   void dig(Point p, std::int32_t start_triangle);
 
   /// Fills the hole of the last `dig` with a fan around p.
@@ -121,23 +122,46 @@ struct Triangulation {
   void legalize();
   std::vector<HalfEdge> pending;
 
+  /// Calls visit(t) for what stands in `touched` and empties it.
+  template <class Visit>
+  void take_touched(Visit visit) {
+    for (const std::int32_t t : touched) {
+      triangle[t].listed = 0;
+      visit(t);
+    }
+    touched.clear();
+  }
+
   /// Room for one more insertion; `grow` charges for it and makes it.
   bool has_room() const {
     return triangle.size() + 2 <= triangle.capacity() && point.size() < point.capacity();
   }
   Status grow(Context& context, ScopedCharge& charge, std::size_t vertex_count);
 
-  std::vector<CavityEdge> cavity;
+  std::vector<CavityEdge> cavity;  ///< the hole of the last `dig`
   bool cavity_has_chords = false;
   std::int32_t last = 0;  ///< a triangle near the last place worked at
 
  private:
-  Vertex add_vertex(Point p);
-  std::int32_t add_triangle();
+  Vertex add_vertex(Point p) {
+    point.push_back(p);
+    spoke.push_back(kNone);
+    return static_cast<Vertex>(point.size()) - 1;
+  }
+  std::int32_t add_triangle() {
+    triangle.push_back({});
+    return static_cast<std::int32_t>(triangle.size()) - 1;
+  }
   void set_across(HalfEdge e, std::int32_t across, std::int32_t chord_index);
   void join(HalfEdge e, std::int32_t across, std::int32_t chord_index);
   HalfEdge halve(HalfEdge e, Vertex v);
-  void touch(std::int32_t t);
+  void touch(std::int32_t t) {
+    Triangle& now = triangle[t];
+    ++now.stamp;
+    if (!tracking || now.listed || !now.inside) return;
+    now.listed = 1;
+    touched.push_back(t);
+  }
 
   std::vector<std::int32_t> dead_;
   std::vector<HalfEdge> stack_;
