@@ -30,7 +30,8 @@ check:
 
 bench:
 	@scripts/setup build bench
-	@cmake --preset release -DSFUMATO_BENCH=ON --log-level=WARNING >/dev/null
+	@cmake --preset release -DSFUMATO_TESTS=OFF -DSFUMATO_BENCH=ON \
+	  -DSFUMATO_WERROR=OFF --log-level=WARNING >/dev/null
 	@cmake --build $(build_folder) --parallel $(jobs) --target sfumato_bench
 	@$(build_folder)/bench/table1
 
