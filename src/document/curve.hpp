@@ -9,7 +9,7 @@
 
 namespace sfumato {
 
-/// What a side of a curve does to the rays of one attribute (DESIGN 2.1).
+/// What a side of a curve does to the rays of one attribute (docs/mathematics.md).
 enum class ShaderKind : std::uint8_t {
   open,          ///< bears no shader: rays pass through
   barrier,       ///< stops rays and gives nothing
@@ -41,7 +41,7 @@ struct Curve {
   std::vector<Vec2> control_points{};  ///< 3 n + 1 points for n ≥ 1 pieces
   Side left{};
   Side right{};
-  double weight = 1;  ///< k of DESIGN 2.1, above 0
+  double weight = 1;  ///< k of the integral, above 0
 
   std::size_t piece_count() const {
     return control_points.empty() ? 0 : (control_points.size() - 1) / 3;

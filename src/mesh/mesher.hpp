@@ -16,13 +16,13 @@ namespace sfumato::mesh {
 /// Lengths in user units of the layer.
 struct MeshOptions {
   Box frame;                  ///< the patch mesh covers this rectangle; not empty
-  double unit_size = 1;       ///< "1 px" of the notes: artboard's longer side / 1024
+  double unit_size = 1;       ///< a nominal pixel: the artboard's longer side / 1024 or less
   double weld_px = 1.0 / 16;  ///< weld distance in multiples of unit_size, at least 2^-8
   double min_angle_deg = 22;  ///< 0 to 33
   double max_area = 0;        ///< user units²; 0: none
 };
 
-/// Curves to constrained Delaunay triangulations on an integer lattice (DESIGN 2.5).
+/// Curves to constrained Delaunay triangulations on an integer lattice.
 ///
 /// build    arrangement and constrained Delaunay triangulation of all segments: the visibility mesh
 /// refine   Delaunay refinement of the triangles inside the frame: the patch mesh

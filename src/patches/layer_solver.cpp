@@ -144,7 +144,7 @@ Status LayerSolver::find_misses(std::vector<std::uint32_t>& missed) {
   return ok_status();
 }
 
-/// A region from which no curve is seen is transparent (DESIGN 2.1): it has no triangles.
+/// A region from which no curve is seen is transparent: it has no triangles.
 void LayerSolver::drop_unseen_triangles() {
   std::uint32_t kept = 0;
   for (std::uint32_t t = 0; t < mesh_.triangle_count(); ++t) {

@@ -180,8 +180,8 @@ class LayoutBuilder {
     for (std::size_t i = begin; i < end; ++i) node_at(fan_[i] / 3, fan_[i] % 3) = node;
   }
 
-  /// The corner rule (DESIGN 2.6, paper Fig. 4) for the sector of triangles fan_[begin, end),
-  /// between its first spoke, whose colour is a, and its last, whose colour is b.
+  /// The corner rule (docs/mathematics.md, paper Fig. 4) for the sector of triangles fan_[begin,
+  /// end), between its first spoke, whose colour is a, and its last, whose colour is b.
   void place_in_sector(std::size_t begin, std::size_t end) {
     const std::uint32_t first = fan_[begin], last = TriangleMesh::previous(fan_[end - 1]);
     const Vec2 vertex = corner(first);

@@ -12,7 +12,7 @@
 namespace sfumato {
 
 /// The colour of a document at single points, with no patch mesh between: the ground truth that
-/// pictures are held against (DESIGN 2.8).
+/// pictures are held against.
 class PointEvaluator {
  public:
   /// Prepares the layers for gathering. Of the options, those of mesh and patches are ignored.

@@ -8,7 +8,7 @@
 
 namespace sfumato {
 
-/// Document → Image with no patches: the gather at every pixel centre (DESIGN 2.8), the ground
+/// Document → Image with no patches: the gather at every pixel centre, the ground
 /// truth that the sparse picture is held against. The colour of a pixel is that of its centre:
 /// there is no antialiasing, and `antialias` and `mesh_overlay` are ignored.
 ///
