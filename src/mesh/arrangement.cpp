@@ -31,12 +31,16 @@ bool Arrangement::make_room() {
     Status status = mesh_.grow(context_, charge_, mesh_.point.size() * 3 / 2 + 64);
     if (!status && status_.ok()) status_ = status;
   }
-  if (chords_.bytes() > charged_bytes_) {
-    Status status = charge_.add(context_, chords_.bytes() - charged_bytes_, "curve pieces");
-    if (!status && status_.ok()) status_ = status;
-    charged_bytes_ = chords_.bytes();
-  }
   return status_.ok();
+}
+
+/// Charges for what the chords have come to take. Their tables double: a small part is charged
+/// late.
+void Arrangement::charge_chords() {
+  if (chords_.bytes() <= charged_bytes_) return;
+  Status status = charge_.add(context_, chords_.bytes() - charged_bytes_, "curve pieces");
+  if (!status && status_.ok()) status_ = status;
+  charged_bytes_ = chords_.bytes();
 }
 
 Vertex Arrangement::add_point(Point p) {
@@ -67,6 +71,7 @@ void Arrangement::run(Job job) {
     if ((++steps_ & (kStepsPerCancelCheck - 1)) == 0 && context_.cancelled()) {
       fail(StatusCode::cancelled, "cancelled");
     }
+    charge_chords();
     if (!status_.ok()) return;
     const auto vertices = static_cast<std::uint32_t>(mesh_.point.size());
     const std::uint32_t patience = kPatience + kPatiencePerVertex * vertices;

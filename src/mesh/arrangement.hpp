@@ -83,6 +83,7 @@ class Arrangement {
   bool may_lead_through(const Job& job, Vertex v) const;
   bool strays(const Load& load, Point p) const;
   bool make_room();
+  void charge_chords();
   void fail(StatusCode code, const char* message);
 
   Context& context_;

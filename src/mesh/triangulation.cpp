@@ -1,5 +1,6 @@
 #include "mesh/triangulation.hpp"
 
+#include <algorithm>
 #include <string>
 
 #include "base/limits.hpp"
@@ -29,9 +30,10 @@ void Triangulation::start(std::int32_t domain_width, std::int32_t domain_height)
 }
 
 Status Triangulation::grow(Context& context, ScopedCharge& charge, std::size_t vertex_count) {
-  const std::size_t vertices = std::max(vertex_count, point.size() + 1);
+  const std::size_t vertices =
+      std::min(std::max(vertex_count, point.size() + 1), limits::kTriangles / 2);
   const std::size_t triangles = 2 * vertices;
-  if (triangle.size() + 2 > limits::kTriangles) {
+  if (triangle.size() + 2 > triangles) {
     return make_error(StatusCode::limit,
                       "more than " + std::to_string(limits::kTriangles) + " triangles");
   }

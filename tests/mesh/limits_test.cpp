@@ -127,6 +127,19 @@ TEST(MesherLimits, an_area_that_asks_for_more_than_the_budget_is_refused) {
   EXPECT_EQ(mesher->refine(context).code, StatusCode::limit);
 }
 
+TEST(MesherLimits, pieces_of_overlapping_curves_are_charged) {
+  // Curve i lies on all curves after it: about n² / 2 pieces.
+  curves::FlatCurves flat;
+  for (int i = 0; i < 400; ++i) add_polyline(flat, {{0.125 * i, 50}, {99 - 0.0625 * i, 50}});
+  Context context;
+  Result<Mesher> mesher = Mesher::build(context, flat, options_100());
+  ASSERT_TRUE(mesher.ok()) << mesher.status().message;
+  const TriangleMesh mesh = mesher->visibility_mesh();
+  EXPECT_TRUE(is_valid(mesh).ok());
+  EXPECT_GT(mesh.piece.size(), 100'000u);
+  EXPECT_GT(context.budget.used(), mesh.piece.size() * sizeof(SegmentPiece));
+}
+
 TEST(MesherLimits, memory_is_given_back) {
   Context context;
   {
