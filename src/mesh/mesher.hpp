@@ -31,7 +31,8 @@ struct MeshOptions {
 /// Deterministic; single-threaded.
 class Mesher {
  public:
-  /// Errors: limit (segments, triangles, memory), cancelled.
+  /// Errors: bad_input (coordinates or options that are not finite or out of range, an empty
+  /// frame), limit (segments, triangles, pieces, memory), cancelled.
   static Result<Mesher> build(Context& context, const curves::FlatCurves& flat,
                               const MeshOptions& options);
 
@@ -42,11 +43,12 @@ class Mesher {
   /// All triangles, also those outside the frame. Call before `refine`.
   TriangleMesh visibility_mesh() const;
 
-  /// Angle and area refinement inside the frame.
+  /// Angle and area refinement inside the frame. Errors: limit, cancelled; the mesh stays valid.
   Status refine(Context& context);
 
   /// Makes every triangle of `triangles` (indices of the last patch_mesh) smaller, then restores
-  /// the angle bound. Triangles with no edge longer than `smallest_edge` are left alone.
+  /// the angle bound. Triangles with no edge longer than `smallest_edge` are left alone. A round
+  /// with all triangles listed doubles their number. Errors: limit, cancelled; the mesh stays valid.
   Status refine_triangles(Context& context, std::span<const std::uint32_t> triangles,
                           double smallest_edge);
 
