@@ -85,11 +85,9 @@ TEST(Render, overlay_order_blur_and_dither_options_are_taken) {
 
 TEST(Render, gives_the_same_bytes_for_any_number_of_threads) {
   const std::string scene = busy_scene(30);
-  // Refinement is off for rays: it chases their noise.
-  const std::vector<std::vector<std::string>> cases = {
-      {"--method", "exact"},
-      {"--method", "rays", "--rays", "16", "--max-error", "off"},
-      {"--method", "pixels", "--scale", "0.5"}};
+  const std::vector<std::vector<std::string>> cases = {{"--method", "exact"},
+                                                       {"--method", "rays", "--rays", "16"},
+                                                       {"--method", "pixels", "--scale", "0.5"}};
   for (const std::vector<std::string>& options : cases) {
     const auto with_threads = [&](const char* count) {
       std::vector<std::string> arguments = {"render", "-", "-o", "-", "--threads", count};
@@ -125,6 +123,17 @@ TEST(Render, seed_changes_random_rays_and_nothing_else) {
   EXPECT_TRUE(with_seed("rays", "1") == with_seed("rays", "1"));
   EXPECT_FALSE(with_seed("rays", "1") == with_seed("rays", "2"));
   EXPECT_TRUE(with_seed("exact", "1") == with_seed("exact", "2"));
+}
+
+TEST(Render, refinement_makes_more_triangles_and_is_the_same_for_rays) {
+  const auto triangle_count = [](std::vector<std::string> options) {
+    const TemporaryFolder folder;
+    options.insert(options.begin(), {"render", "-", "-o", folder.path("out.png"), "--stats", "-"});
+    return number_after(run_sfumato(options, two_curve_scene()).out, "triangles");
+  };
+  const double refined = triangle_count({});
+  EXPECT_GT(refined, triangle_count({"--max-error", "off"}));
+  EXPECT_EQ(refined, triangle_count({"--method", "rays"}));
 }
 
 TEST(Stats, have_every_member_and_add_up) {
