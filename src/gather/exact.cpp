@@ -61,18 +61,20 @@ class ExactGather {
 
  private:
   void task(std::size_t begin, std::size_t end) {
-    GrowingStack stack(context_);
+    PacketInput input[kPacketsPerTask];
+    PacketSums sums[kPacketsPerTask];
     for (std::size_t i = begin; i < end; ++i) {
-      const PacketInput input = packet_input(packing_.packet[i]);
-      PacketSums sums;
-      while (!kernel_(scene_, input, stack.view(), sums)) {
-        if (!stack.grow()) {
-          stack_failed_.store(true);
-          return;
-        }
-      }
-      store(packing_.packet[i], sums);
+      input[i - begin] = packet_input(packing_.packet[i]);
     }
+    const PacketBatch batch{input, sums, static_cast<int>(end - begin)};
+    GrowingStack stack(context_);
+    while (!kernel_(scene_, batch, stack.view())) {
+      if (!stack.grow()) {
+        stack_failed_.store(true);
+        return;
+      }
+    }
+    for (std::size_t i = begin; i < end; ++i) store(packing_.packet[i], sums[i - begin]);
   }
 
   PacketInput packet_input(const Packet& packet) const {

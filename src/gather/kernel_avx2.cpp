@@ -1,12 +1,14 @@
+#if defined(__x86_64__)
+
 #include "gather/kernel.hpp"
 
-#if defined(__x86_64__)
 namespace sfumato::gather {
 
-bool gather_packet_avx2(const SceneView& scene, const PacketInput& packet, const PacketStack& stack,
-                        PacketSums& out) {
-  return gather_packet<8>(scene, packet, stack, out);
+bool gather_packets_avx2(const SceneView& scene, const PacketBatch& batch,
+                         const PacketStack& stack) {
+  return gather_packets<8>(scene, batch, stack);
 }
 
 }  // namespace sfumato::gather
+
 #endif

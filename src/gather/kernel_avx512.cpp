@@ -1,12 +1,14 @@
+#if defined(__x86_64__)
+
 #include "gather/kernel.hpp"
 
-#if defined(__x86_64__)
 namespace sfumato::gather {
 
-bool gather_packet_avx512(const SceneView& scene, const PacketInput& packet,
-                          const PacketStack& stack, PacketSums& out) {
-  return gather_packet<16>(scene, packet, stack, out);
+bool gather_packets_avx512(const SceneView& scene, const PacketBatch& batch,
+                           const PacketStack& stack) {
+  return gather_packets<16>(scene, batch, stack);
 }
 
 }  // namespace sfumato::gather
+
 #endif

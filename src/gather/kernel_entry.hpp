@@ -5,23 +5,23 @@
 
 namespace sfumato::gather {
 
-/// The exact gather of one packet: kernel.hpp compiled for one instruction set. False: the stack is
-/// too small, nothing was stored.
-using PacketKernel = bool(const SceneView& scene, const PacketInput& packet,
-                          const PacketStack& stack, PacketSums& out);
+/// The exact gather of a batch of packets: kernel.hpp compiled for one instruction set. False: the
+/// stack is too small, sums are incomplete.
+using PacketKernel = bool(const SceneView& scene, const PacketBatch& batch,
+                          const PacketStack& stack);
 
-PacketKernel gather_packet_sse2;  ///< 4 lanes to a register; also for machines that are not x86
+PacketKernel gather_packets_sse2;  ///< 4 lanes to a register; also for machines that are not x86
 #if defined(__x86_64__)
-PacketKernel gather_packet_avx2;
-PacketKernel gather_packet_avx512;
+PacketKernel gather_packets_avx2;
+PacketKernel gather_packets_avx512;
 #endif
 
 inline PacketKernel* packet_kernel([[maybe_unused]] SimdLevel level) {
 #if defined(__x86_64__)
-  if (level == SimdLevel::avx512) return gather_packet_avx512;
-  if (level == SimdLevel::avx2) return gather_packet_avx2;
+  if (level == SimdLevel::avx512) return gather_packets_avx512;
+  if (level == SimdLevel::avx2) return gather_packets_avx2;
 #endif
-  return gather_packet_sse2;
+  return gather_packets_sse2;
 }
 
 }  // namespace sfumato::gather

@@ -2,9 +2,9 @@
 
 namespace sfumato::gather {
 
-bool gather_packet_sse2(const SceneView& scene, const PacketInput& packet, const PacketStack& stack,
-                        PacketSums& out) {
-  return gather_packet<4>(scene, packet, stack, out);
+bool gather_packets_sse2(const SceneView& scene, const PacketBatch& batch,
+                         const PacketStack& stack) {
+  return gather_packets<4>(scene, batch, stack);
 }
 
 }  // namespace sfumato::gather

@@ -49,9 +49,10 @@ class PointSums {
   void add(const RayHit& hit) {
     if (!hit.edge) return;
     const float falloff = 1 / std::max(hit.distance * hit.distance, 1e-16f);
+    const float lean = 2 * hit.fraction - 1;
     weight_ += falloff * hit.edge->weight;
     for (int c = 0; c < kColorChannels; ++c) {
-      color_[c] += falloff * (hit.edge->color[c] + hit.fraction * hit.edge->change[c]);
+      color_[c] += falloff * (hit.edge->middle[c] + lean * hit.edge->half_change[c]);
     }
   }
 

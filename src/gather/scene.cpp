@@ -86,13 +86,17 @@ class SceneBuilder {
     edge.ax = x(mesh_.origin(h)), edge.ay = y(mesh_.origin(h));
     edge.bx = x(mesh_.target(h)), edge.by = y(mesh_.target(h));
     edge.ex = edge.bx - edge.ax, edge.ey = edge.by - edge.ay;
+    edge.length_squared = edge.ex * edge.ex + edge.ey * edge.ey;
     edge.kind = static_cast<std::uint32_t>(facing.kind);
     edge.shader = facing.shader;
     edge.weight = facing.kind == ShaderKind::barrier ? 0.0f : facing.weight;
     if (facing.kind != ShaderKind::curve_domain) return edge;
     const float from[] = {facing.from.r, facing.from.g, facing.from.b};
     const float to[] = {facing.to.r, facing.to.g, facing.to.b};
-    for (int c = 0; c < 3; ++c) edge.color[c] = from[c], edge.change[c] = to[c] - from[c];
+    for (int c = 0; c < 3; ++c) {
+      edge.middle[c] = 0.5f * (from[c] + to[c]);
+      edge.half_change[c] = 0.5f * (to[c] - from[c]);
+    }
     return edge;
   }
 
@@ -103,8 +107,8 @@ class SceneBuilder {
     if (!(largest > 0)) return;
     for (StopEdge& edge : scene_.stop) {
       edge.weight /= largest;
-      for (float& c : edge.color) c *= edge.weight;
-      for (float& c : edge.change) c *= edge.weight;
+      for (float& c : edge.middle) c *= edge.weight;
+      for (float& c : edge.half_change) c *= edge.weight;
     }
   }
 

@@ -35,14 +35,15 @@ struct EdgeBeyond {
 };
 
 /// A half-edge a → b that stops rays, seen from its own triangle: a is the right end, b the left.
-/// The colour is linear from a to b and multiplied with the curve's weight.
+/// The colour is linear from a to b: middle ∓ half_change. Colours are multiplied with the weight.
 struct alignas(64) StopEdge {
   float ax, ay;
   float bx, by;
-  float ex, ey;          ///< b - a
+  float ex, ey;  ///< b - a
+  float length_squared;
   float weight;          ///< k, relative to the largest of the layer
-  float color[3];        ///< weight × colour at a; 0 for an image-domain shader
-  float change[3];       ///< weight × (colour at b - colour at a)
+  float middle[3];       ///< weight × the mean of both ends; 0 for an image-domain shader
+  float half_change[3];  ///< weight × half of (colour at b - colour at a)
   std::uint32_t kind;    ///< ShaderKind: curve_domain or image_domain
   std::uint32_t shader;  ///< of an image-domain side
 };
@@ -90,6 +91,12 @@ struct PacketInput {
 struct PacketSums {
   alignas(64) float weight[kPacketLanes];
   alignas(64) float color[3][kPacketLanes];
+};
+
+struct PacketBatch {
+  const PacketInput* packet;
+  PacketSums* sums;  ///< one for each packet
+  int count;
 };
 
 /// Room for one window that waits on the kernel's stack, in any width.

@@ -52,11 +52,12 @@ ReferenceWeights simpson(const Part& part) {
   return sum;
 }
 
-EndWeights<Lanes<1>> single_precision_weights(const Part& part) {
+PartWeight<Lanes<1>> single_precision(const Part& part) {
   const float x1 = static_cast<float>(part.q1.x), y1 = static_cast<float>(part.q1.y);
   const float x2 = static_cast<float>(part.q2.x), y2 = static_cast<float>(part.q2.y);
   const auto cross_q = static_cast<float>(cross(Vec2{x1, y1}, Vec2{x2, y2}));
-  return end_weights<Lanes<1>>(x1, y1, x2, y2, cross_q, LaneMask<1>::from_bits(1));
+  const auto length_squared = static_cast<float>(sfumato::length_squared(part.q2 - part.q1));
+  return part_weight<Lanes<1>>(x1, y1, x2, y2, cross_q, length_squared, LaneMask<1>::from_bits(1));
 }
 
 Part rounded(const Part& part) {
@@ -76,36 +77,47 @@ TEST(ClosedForm, reference_weights_are_simpsons_integral) {
   }
 }
 
-TEST(ClosedForm, single_precision_weights_are_the_references_below_a_right_angle) {
-  for (const Part& exact : parts(1e-3, std::numbers::pi / 2, 10)) {
+void expect_close_to_reference(const std::vector<Part>& all, double tolerance) {
+  for (const Part& exact : all) {
     const Part part = rounded(exact);
     const ReferenceWeights expected = reference_weights(part.q1, part.q2);
-    const EndWeights<Lanes<1>> weights = single_precision_weights(part);
-    EXPECT_NEAR(weights.right[0] / expected.right, 1, 5e-6);
-    EXPECT_NEAR(weights.left[0] / expected.left, 1, 5e-6);
+    const double weight = expected.right + expected.left;
+    const PartWeight<Lanes<1>> got = single_precision(part);
+    EXPECT_NEAR(got.weight[0] / weight, 1, tolerance);
+    EXPECT_NEAR(got.lean[0] / weight, (expected.left - expected.right) / weight, tolerance);
   }
 }
 
-TEST(ClosedForm, single_precision_weights_are_the_references_above_a_right_angle) {
-  for (const Part& exact : parts(std::numbers::pi / 2, 2.8, 10)) {
-    const Part part = rounded(exact);
-    const ReferenceWeights expected = reference_weights(part.q1, part.q2);
-    const EndWeights<Lanes<1>> weights = single_precision_weights(part);
-    EXPECT_NEAR(weights.right[0] / expected.right, 1, 2e-5);
-    EXPECT_NEAR(weights.left[0] / expected.left, 1, 2e-5);
-  }
+TEST(ClosedForm, single_precision_is_the_reference_below_a_right_angle) {
+  expect_close_to_reference(parts(1e-3, std::numbers::pi / 2, 10), 6e-6);
+}
+
+TEST(ClosedForm, single_precision_is_the_reference_above_a_right_angle) {
+  expect_close_to_reference(parts(std::numbers::pi / 2, 2.8, 10), 2e-5);
+}
+
+TEST(ClosedForm, small_parts_lose_nothing) {
+  expect_close_to_reference(parts(1e-6, 1e-3, 1.0001), 3e-6);
 }
 
 TEST(ClosedForm, a_point_on_the_segment_takes_the_weights_of_linear_interpolation) {
-  const Part part{{-1, 0}, {3, 0}};
-  const EndWeights<Lanes<1>> weights = single_precision_weights(part);
-  EXPECT_NEAR(weights.right[0] / (weights.right[0] + weights.left[0]), 0.75, 1e-5);
+  const PartWeight<Lanes<1>> got = single_precision({{-1, 0}, {3, 0}});
+  EXPECT_NEAR(got.lean[0] / got.weight[0], 2 * 0.25 - 1, 1e-5);
 }
 
 TEST(ClosedForm, an_edge_on_part_weighs_nothing) {
-  const EndWeights<Lanes<1>> weights = single_precision_weights({{1, 0}, {3, 0}});
-  EXPECT_EQ(weights.right[0], 0);
-  EXPECT_EQ(weights.left[0], 0);
+  const PartWeight<Lanes<1>> got = single_precision({{1, 0}, {3, 0}});
+  EXPECT_EQ(got.weight[0], 0);
+  EXPECT_EQ(got.lean[0], 0);
+}
+
+TEST(ClosedForm, a_point_on_an_end_gets_finite_weights) {
+  for (const Part& part : {Part{{0, 0}, {3, 0}}, Part{{0, 3}, {0, 0}}, Part{{0, 0}, {1e7, 1e7}},
+                           Part{{-1e-20, 0}, {1e7, 1e-20}}}) {
+    const PartWeight<Lanes<1>> got = single_precision(part);
+    EXPECT_TRUE(std::isfinite(got.weight[0]));
+    EXPECT_TRUE(std::isfinite(got.lean[0]));
+  }
 }
 
 TEST(ClosedForm, a_full_line_weighs_half_pi_over_the_squared_distance) {

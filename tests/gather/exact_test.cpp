@@ -162,9 +162,10 @@ TEST(ExactGather, one_lane_at_a_time_gives_the_bits_of_the_packet) {
                              .by = -8,
                              .ex = 16,
                              .ey = 0,
+                             .length_squared = 256,
                              .weight = 1,
-                             .color = {1, 0, 0},
-                             .change = {-1, 1, 0},
+                             .middle = {0.5f, 0.5f, 0},
+                             .half_change = {-0.5f, 0.5f, 0},
                              .kind = 2,
                              .shader = 0},
                             {.ax = 8,
@@ -173,9 +174,10 @@ TEST(ExactGather, one_lane_at_a_time_gives_the_bits_of_the_packet) {
                              .by = 8,
                              .ex = -8,
                              .ey = 16,
+                             .length_squared = 320,
                              .weight = 0.5f,
-                             .color = {0, 0, 0.5f},
-                             .change = {0, 0.5f, -0.25f},
+                             .middle = {0, 0.25f, 0.375f},
+                             .half_change = {0, 0.25f, -0.125f},
                              .kind = 2,
                              .shader = 0},
                             {.ax = 0,
@@ -184,9 +186,10 @@ TEST(ExactGather, one_lane_at_a_time_gives_the_bits_of_the_packet) {
                              .by = -8,
                              .ex = -8,
                              .ey = -16,
+                             .length_squared = 320,
                              .weight = 1,
-                             .color = {0, 1, 0},
-                             .change = {1, -1, 0},
+                             .middle = {0.5f, 0.5f, 0},
+                             .half_change = {0.5f, -0.5f, 0},
                              .kind = 2,
                              .shader = 0}};
   const SceneTriangle triangle{.x = {-8, 8, 0},
@@ -203,8 +206,8 @@ TEST(ExactGather, one_lane_at_a_time_gives_the_bits_of_the_packet) {
   std::vector<StackSlot> slots(kPacketStackLeast);
   const PacketStack stack{slots.data(), kPacketStackLeast};
   PacketSums one, four;
-  ASSERT_TRUE(gather_packet<1>(scene, input, stack, one));
-  ASSERT_TRUE(gather_packet_sse2(scene, input, stack, four));
+  ASSERT_TRUE(gather_packets<1>(scene, {&input, &one, 1}, stack));
+  ASSERT_TRUE(gather_packets_sse2(scene, {&input, &four, 1}, stack));
   EXPECT_EQ(std::memcmp(&one, &four, sizeof(one)), 0);
   EXPECT_GT(one.weight[0], 0);
 }

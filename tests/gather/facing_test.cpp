@@ -135,9 +135,10 @@ TEST(Scene, edges_are_stops_borders_or_passages) {
   EXPECT_EQ(stop.ax, -2);
   EXPECT_EQ(stop.bx, 2);
   EXPECT_EQ(stop.weight, 1);
-  EXPECT_EQ(stop.color[0], 1);
-  EXPECT_EQ(stop.change[0], -1);
-  EXPECT_EQ(stop.change[1], 1);
+  EXPECT_EQ(stop.length_squared, 16);
+  EXPECT_EQ(stop.middle[0], 0.5f);
+  EXPECT_EQ(stop.half_change[0], -0.5f);
+  EXPECT_EQ(stop.half_change[1], 0.5f);
 }
 
 TEST(Scene, barriers_are_borders_to_the_exact_gather) {

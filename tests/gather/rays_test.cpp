@@ -48,7 +48,7 @@ TEST(Rays, a_closed_loop_is_hit_by_every_ray) {
         grid->first_hit(static_cast<float>(p.x), static_cast<float>(p.y),
                         static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle)));
     ASSERT_TRUE(hit.edge) << angle;
-    EXPECT_EQ(hit.edge->color[0], 1);
+    EXPECT_EQ(hit.edge->middle[0], 1);
     EXPECT_LE(hit.distance, 302);
   }
 }

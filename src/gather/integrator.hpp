@@ -1,0 +1,205 @@
+#pragma once
+
+#include "gather/closed_form.hpp"
+#include "gather/scene_layout.hpp"
+#include "gather/window.hpp"
+
+namespace sfumato::gather::inline SFUMATO_ISA {
+
+/// An edge as one register of lanes sees it.
+template <int W>
+struct EdgeView {
+  const StopEdge* edge;
+  int row;         ///< which register of the packet
+  LaneBits lanes;  ///< W bits
+};
+
+/// An edge that some of the lanes see a part of.
+template <int W>
+struct CutEdgeView : EdgeView<W> {
+  LaneBits whole_right;
+  LaneBits whole_left;
+  Direction<Lanes<W>> right;
+  Direction<Lanes<W>> left;
+};
+
+/// W and Σ w z of one packet. Visible edges are collected and then integrated several at a time:
+/// the closed form is one long chain of dependent steps, and side by side they fill the machine.
+/// Edges that every lane sees whole, and those that are cut for some, are two lists. When they are
+/// emptied depends on the packet alone, not on W, and so does the order of every lane's sum.
+template <int W>
+class Integrator {
+ public:
+  static constexpr int K = kPacketLanes / W;
+
+  void begin(const PacketInput& packet) {
+    for (int i = 0; i < K; ++i) {
+      px_[i] = Lanes<W>::load(packet.x + i * W);
+      py_[i] = Lanes<W>::load(packet.y + i * W);
+      weight_[i] = color_[0][i] = color_[1][i] = color_[2][i] = Lanes<W>(0);
+    }
+  }
+
+  SFUMATO_INLINE void add(const SceneView& scene, EdgeCode code,
+                          const Window<Lanes<W, K>>& window) {
+    const StopEdge* edge = &scene.stop[stop_index(code)];
+    if (window.lanes & ~(window.whole_right & window.whole_left)) {
+      for (int i = 0; i < K; ++i) {
+        CutEdgeView<W>& view = cut_.view[cut_.count];
+        view.edge = edge;
+        view.row = i;
+        view.lanes = bits_of_row(window.lanes, i);
+        view.whole_right = bits_of_row(window.whole_right, i);
+        view.whole_left = bits_of_row(window.whole_left, i);
+        view.right = {window.right.x.row(i), window.right.y.row(i)};
+        view.left = {window.left.x.row(i), window.left.y.row(i)};
+        cut_.count += view.lanes != 0;
+      }
+      if (++cut_.edge_count == kCutEdges) flush(cut_);
+    } else {
+      for (int i = 0; i < K; ++i) {
+        EdgeView<W>& view = whole_.view[whole_.count];
+        view.edge = edge;
+        view.row = i;
+        view.lanes = bits_of_row(window.lanes, i);
+        whole_.count += view.lanes != 0;
+      }
+      if (++whole_.edge_count == kWholeEdges) flush(whole_);
+    }
+  }
+
+  void end(PacketSums& out) {
+    flush(whole_);
+    flush(cut_);
+    for (int i = 0; i < K; ++i) {
+      weight_[i].store(out.weight + i * W);
+      for (int c = 0; c < 3; ++c) color_[c][i].store(out.color[c] + i * W);
+    }
+  }
+
+ private:
+  static constexpr int kTogether = 4;
+  static constexpr int kWholeEdges = 96;
+  static constexpr int kCutEdges = 24;
+  using F = Lanes<W, kTogether>;
+
+  template <class View, int kEdges>
+  struct ViewList {
+    int count = 0;
+    int edge_count = 0;  ///< an edge is up to K views
+    View view[kEdges * K + kTogether];
+  };
+
+  template <class List>
+  __attribute__((noinline)) void flush(List& list) {
+    // Views without lanes fill the last group.
+    for (int i = list.count; i % kTogether != 0; ++i) {
+      list.view[i] = list.view[i - 1];
+      list.view[i].lanes = 0;
+    }
+    for (int i = 0; i < list.count; i += kTogether) integrate(list.view + i);
+    list.count = 0;
+    list.edge_count = 0;
+  }
+
+  /// One number of each view, side by side.
+  template <class Get>
+  SFUMATO_INLINE static F side_by_side(Get get) {
+    F r;
+#pragma GCC unroll 8
+    for (int i = 0; i < kTogether; ++i) r.part[i] = get(i).part[0];
+    return r;
+  }
+  template <class Get>
+  SFUMATO_INLINE static typename F::Mask masks_side_by_side(Get get) {
+    typename F::Mask r;
+#pragma GCC unroll 8
+    for (int i = 0; i < kTogether; ++i) r.part[i] = LaneMask<W>::from_bits(get(i)).part[0];
+    return r;
+  }
+
+  SFUMATO_INLINE static LaneBits bits_of_row(LaneBits bits, int row) {
+    return bits >> (row * W) & ((1u << W) - 1);
+  }
+
+  /// Edges relative to the points that see them.
+  struct Seen {
+    Direction<F> a, b, e;
+    F area;  ///< a × b
+    F length_squared;
+    typename F::Mask lanes;
+  };
+
+  template <class View>
+  SFUMATO_INLINE Seen seen(const View* view) const {
+    const auto of_edge = [view](float StopEdge::*member) {
+      return side_by_side([&](int i) { return Lanes<W>(view[i].edge->*member); });
+    };
+    const F px = side_by_side([&](int i) { return px_[view[i].row]; });
+    const F py = side_by_side([&](int i) { return py_[view[i].row]; });
+    Seen s;
+    s.a = {of_edge(&StopEdge::ax) - px, of_edge(&StopEdge::ay) - py};
+    s.b = {of_edge(&StopEdge::bx) - px, of_edge(&StopEdge::by) - py};
+    s.e = {of_edge(&StopEdge::ex), of_edge(&StopEdge::ey)};
+    s.area = s.a.x * s.e.y - s.a.y * s.e.x;
+    s.length_squared = of_edge(&StopEdge::length_squared);
+    s.lanes = masks_side_by_side([&](int i) { return view[i].lanes; });
+    return s;
+  }
+
+  SFUMATO_INLINE void integrate(const EdgeView<W>* view) {
+    const Seen s = seen(view);
+    const PartWeight<F> w =
+        part_weight(s.a.x, s.a.y, s.b.x, s.b.y, s.area, s.length_squared, s.lanes);
+#pragma GCC unroll 8
+    for (int i = 0; i < kTogether; ++i) sum(view[i], w.weight.row(i), w.lean.row(i));
+  }
+
+  SFUMATO_INLINE void integrate(const CutEdgeView<W>* view) {
+    const Seen s = seen(view);
+    const auto whole_right = masks_side_by_side([&](int i) { return view[i].whole_right; });
+    const auto whole_left = masks_side_by_side([&](int i) { return view[i].whole_left; });
+    const Direction<F> right{side_by_side([&](int i) { return view[i].right.x; }),
+                             side_by_side([&](int i) { return view[i].right.y; })};
+    const Direction<F> left{side_by_side([&](int i) { return view[i].left.x; }),
+                            side_by_side([&](int i) { return view[i].left.y; })};
+    const F t1 = zero_unless(and_not(s.lanes, whole_right), cut(s.a, s.e, right));
+    const F t2 = select(whole_left, F(1), cut(s.a, s.e, left));
+    const F q2x = select(whole_left, s.b.x, s.a.x + t2 * s.e.x);
+    const F q2y = select(whole_left, s.b.y, s.a.y + t2 * s.e.y);
+    const F share = t2 - t1;
+    const PartWeight<F> w =
+        part_weight(s.a.x + t1 * s.e.x, s.a.y + t1 * s.e.y, q2x, q2y, s.area * share,
+                    s.length_squared * (share * share), s.lanes);
+    const F lean = w.weight * (t1 + t2 - F(1)) + w.lean * share;
+#pragma GCC unroll 8
+    for (int i = 0; i < kTogether; ++i) sum(view[i], w.weight.row(i), lean.row(i));
+  }
+
+  /// Where the line through a along e is parallel to a ray, as a fraction of e, kept on the edge.
+  SFUMATO_INLINE static F cut(const Direction<F>& a, const Direction<F>& e,
+                              const Direction<F>& ray) {
+    const F t = (a.y * ray.x - a.x * ray.y) * reciprocal(e.x * ray.y - e.y * ray.x);
+    return min(max(t, F(0)), F(1));
+  }
+
+  // The colour is linear along the edge: w₁ z₁ + w₂ z₂ from its middle and half its change.
+  SFUMATO_INLINE void sum(const EdgeView<W>& view, const Lanes<W>& weight, const Lanes<W>& lean) {
+    using R = Lanes<W>;
+    const StopEdge& edge = *view.edge;
+    R& w = weight_[view.row];
+    w = w + weight * R(edge.weight);
+    for (int c = 0; c < 3; ++c) {
+      R& color = color_[c][view.row];
+      color = color + (weight * R(edge.middle[c]) + lean * R(edge.half_change[c]));
+    }
+  }
+
+  Lanes<W> px_[K], py_[K];
+  Lanes<W> weight_[K];
+  Lanes<W> color_[3][K];
+  ViewList<EdgeView<W>, kWholeEdges> whole_;
+  ViewList<CutEdgeView<W>, kCutEdges> cut_;
+};
+
+}  // namespace sfumato::gather::inline SFUMATO_ISA
