@@ -2,6 +2,7 @@
 
 #include <numeric>
 #include <utility>
+#include <vector>
 
 namespace sfumato::mesh {
 namespace {
@@ -29,6 +30,30 @@ void add_constraint(const Triangulation& mesh, const ChordStore& chords,
                             static_cast<std::uint32_t>(out.piece.size())});
 }
 
+/// Numbers the triangles inside and their vertices from neighbour to neighbour: refinement left
+/// them in an order that jumps about, and what follows reads them again and again.
+void number_depth_first(const Triangulation& mesh, Numbering& numbering) {
+  const auto wanted = [&](std::int32_t t) {
+    return mesh.triangle[t].inside && numbering.triangle[t] == kNone;
+  };
+  std::vector<std::int32_t> stack;
+  for (std::size_t seed = 0; seed < mesh.triangle.size(); ++seed) {
+    stack.assign(1, static_cast<std::int32_t>(seed));
+    while (!stack.empty()) {
+      const std::int32_t t = stack.back();
+      stack.pop_back();
+      if (!wanted(t)) continue;
+      numbering.triangle[t] = static_cast<std::int32_t>(numbering.triangle_count++);
+      for (int k = 0; k < 3; ++k) {
+        std::int32_t& vertex = numbering.vertex[mesh.triangle[t].vertex[k]];
+        if (vertex == kNone) vertex = static_cast<std::int32_t>(numbering.vertex_count++);
+        const HalfEdge across = mesh.triangle[t].across[k] >> 1;
+        if (across >= 0 && wanted(triangle_of(across))) stack.push_back(triangle_of(across));
+      }
+    }
+  }
+}
+
 }  // namespace
 
 Numbering number_everything(const Triangulation& mesh) {
@@ -43,24 +68,17 @@ Numbering number_everything(const Triangulation& mesh) {
 }
 
 void number_inside(const Triangulation& mesh, Numbering& numbering) {
-  const std::size_t known = numbering.triangle.size();
+  const std::size_t known = numbering.triangle.size(), known_vertices = numbering.vertex.size();
   numbering.triangle.resize(mesh.triangle.size(), kNone);
+  numbering.vertex.resize(mesh.point.size(), kNone);
+  if (known == 0) return number_depth_first(mesh, numbering);
+  // All later triangles and vertices come from refinement, which works inside and on the frame.
   for (std::size_t t = known; t < mesh.triangle.size(); ++t) {
     if (mesh.triangle[t].inside) {
       numbering.triangle[t] = static_cast<std::int32_t>(numbering.triangle_count++);
     }
   }
-  const std::size_t known_vertices = numbering.vertex.size();
-  numbering.vertex.resize(mesh.point.size(), kNone);
-  // All vertices of the first call that are outside stay so; all later ones come from refinement,
-  // which works inside and on the frame.
-  std::vector<std::uint8_t> wanted(known_vertices == 0 ? mesh.point.size() : 0, 0);
-  for (std::size_t t = 0; t < mesh.triangle.size() && known_vertices == 0; ++t) {
-    if (!mesh.triangle[t].inside) continue;
-    for (const Vertex v : mesh.triangle[t].vertex) wanted[v] = 1;
-  }
   for (std::size_t v = known_vertices; v < mesh.point.size(); ++v) {
-    if (known_vertices == 0 && !wanted[v]) continue;
     numbering.vertex[v] = static_cast<std::int32_t>(numbering.vertex_count++);
   }
 }
@@ -72,16 +90,17 @@ namespace {
 void copy_triangles(const Triangulation& mesh, const Numbering& numbering, TriangleMesh& out) {
   const std::int32_t* const vertex_number = numbering.vertex.data();
   const std::int32_t* const triangle_number = numbering.triangle.data();
-  std::uint32_t* corner = out.triangle_vertex.data();
-  std::int32_t* twin = out.half_edge_twin.data();
+  std::uint32_t* const corner = out.triangle_vertex.data();
+  std::int32_t* const twin = out.half_edge_twin.data();
   for (std::size_t slot = 0; slot < mesh.triangle.size(); ++slot) {
     if (triangle_number[slot] == kNone) continue;
+    const std::int32_t first = 3 * triangle_number[slot];
     const Triangle t = mesh.triangle[slot];
     for (int k = 0; k < 3; ++k) {
-      *corner++ = static_cast<std::uint32_t>(vertex_number[t.vertex[k]]);
+      corner[first + k] = static_cast<std::uint32_t>(vertex_number[t.vertex[k]]);
       const HalfEdge f = t.across[k] >> 1;
       const std::int32_t other = f < 0 ? kNone : triangle_number[triangle_of(f)];
-      *twin++ = other == kNone ? kNone : 3 * other + corner_of(f);
+      twin[first + k] = other == kNone ? kNone : 3 * other + corner_of(f);
     }
   }
 }

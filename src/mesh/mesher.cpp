@@ -1,5 +1,6 @@
 #include "mesh/mesher.hpp"
 
+#include <cmath>
 #include <limits>
 #include <span>
 #include <string>
@@ -114,9 +115,10 @@ Result<Mesher> Mesher::build(Context& context, const curves::FlatCurves& flat,
   if (!status) return status;
   state->refiner.start();
   const double step = lattice->step;
-  state->refiner.set_quality(options.min_angle_deg, options.max_area > 0
-                                                        ? 2 * options.max_area / (step * step)
-                                                        : std::numeric_limits<double>::infinity());
+  state->refiner.set_quality(options.min_angle_deg,
+                             options.max_area > 0 ? 2 * options.max_area / (step * step)
+                                                  : std::numeric_limits<double>::infinity(),
+                             std::sqrt(static_cast<double>(lattice->weld_squared)));
   return Mesher(std::move(state));
 }
 

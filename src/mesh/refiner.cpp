@@ -9,8 +9,9 @@
 namespace sfumato::mesh {
 namespace {
 
-/// No edge is asked to become shorter than this, in steps, for the sake of an angle.
-constexpr double kShortestEdge = 4;
+/// No edge is asked to become shorter than this share of the weld for the sake of an angle: the
+/// arrangement has hardly a detail below the weld. Angles above 25 degrees could run away else.
+constexpr double kShortestEdgePerWeld = 0.25;
 
 /// Two vertices stand on one shell where their distances from its centre differ by less than this
 /// share, or by less than rounding to the lattice can do.
@@ -41,7 +42,8 @@ double squared_length(Point a, Point b) {
 
 }  // namespace
 
-void Refiner::set_quality(double min_angle_deg, double doubled_area) {
+void Refiner::set_quality(double min_angle_deg, double doubled_area, double weld) {
+  shortest_edge_ = kShortestEdgePerWeld * weld;
   const double c = cosine_of_degrees(std::clamp(min_angle_deg, 0.0, 33.0));
   const double c2 = 2 * c * c - 1;
   sin2_ = 1 - c * c;
@@ -84,7 +86,7 @@ void Refiner::check_triangle(std::int32_t t) {
   const bool large = area2 > doubled_area_;
   if (!large && area2 * area2 * least >= sin2_ * (l0 * l1 * l2)) return;
   const HalfEdge shortest = 4 * t + (l0 == least ? 0 : l1 == least ? 1 : 2);
-  if (!large && (least < kShortestEdge * kShortestEdge || spans_small_input_angle(shortest)))
+  if (!large && (least < shortest_edge_ * shortest_edge_ || spans_small_input_angle(shortest)))
     return;
   // Buckets by exponent and first bit of the mantissa: half a binade of squared length each.
   const int k = static_cast<int>(std::bit_cast<std::uint64_t>(least) >> 51) - 2 * 1023;
@@ -248,7 +250,7 @@ bool Refiner::split_point(HalfEdge e, double s, Point& p) const {
 bool Refiner::split_subsegment(HalfEdge e) {
   const Vertex a = mesh_.origin(e), b = mesh_.target(e);
   const double length = std::sqrt(squared_length(mesh_.point[a], mesh_.point[b]));
-  if (length < 2 * kShortestEdge) return false;
+  if (length < 2 * shortest_edge_) return false;
   const double s = split_fraction(e, length);
   Point p;
   if (!split_point(e, s, p) || !make_room()) return false;

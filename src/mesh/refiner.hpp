@@ -38,8 +38,8 @@ class Refiner {
   Refiner(Triangulation& mesh, const ChordStore& chords, ScopedCharge& charge)
       : mesh_(mesh), chords_(chords), charge_(charge) {}
 
-  /// min_angle_deg: 0 to 33. doubled_area: largest 2 · area in steps², or infinity.
-  void set_quality(double min_angle_deg, double doubled_area);
+  /// min_angle_deg: 0 to 33. doubled_area: largest 2 · area in steps², or infinity. weld: steps.
+  void set_quality(double min_angle_deg, double doubled_area, double weld);
 
   /// Refines all triangles inside. Errors: limit, cancelled.
   Status refine_all(Context& context);
@@ -104,6 +104,7 @@ class Refiner {
   double lens_ = 0;        ///< cos² of twice the minimum angle
   double off_center_ = 0;  ///< height of an off-centre over its edge, in edge lengths
   double doubled_area_ = 0;
+  double shortest_edge_ = 4;
   std::size_t owner_pieces_ = 0;
 
   static constexpr int kBucketCount = 128;

@@ -95,6 +95,16 @@ TEST(Refinement, parallel_curves_just_beyond_the_weld_end) {
   EXPECT_LT(patch.triangle_count(), 20'000u);
 }
 
+TEST(Refinement, an_angle_beyond_what_refinement_guarantees_does_not_run_away) {
+  MeshOptions options;
+  options.frame = {{-500, -500}, {2000, 1500}};
+  options.weld_px = 1.0 / 64;
+  options.min_angle_deg = 30;
+  const TriangleMesh patch = refined(fuzz_scene(FuzzKind::tangents, 1028), options).patch_mesh();
+  EXPECT_TRUE(is_valid(patch).ok());
+  EXPECT_LT(patch.triangle_count(), 400'000u);
+}
+
 TEST(Refinement, listed_triangles_become_smaller_and_others_stay) {
   MeshOptions options = options_100();
   options.max_area = 40;
