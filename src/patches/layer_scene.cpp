@@ -52,7 +52,8 @@ mesh::MeshOptions mesh_options(const Box& artboard, const Box& viewport,
         std::clamp(0.5 * *options.tolerance / mesh.unit_size, kFinestWeldPx, mesh.weld_px);
   }
   mesh.min_angle_deg = options.min_angle_deg;
-  mesh.max_area = options.max_area_fraction * artboard.width() * artboard.height();
+  const Box whole = united(artboard, viewport);
+  mesh.max_area = options.max_area_fraction * whole.width() * whole.height();
   return mesh;
 }
 

@@ -29,21 +29,27 @@ Result<PatchLayer> LayerSolver::solve() {
   const Stopwatch watch;
   if (Status status = scene_.mesher.refine(context_); !status) return status;
   if (stats_) stats_->triangulation_seconds += watch.seconds();
+  // The exact gather decides where to refine; rays are shot once, on the mesh that comes of it.
+  const bool refines = options_.max_error > 0;
+  const std::uint64_t nodes_before = stats_ ? stats_->nodes : 0;
+  const bool exact = options_.gather.method == gather::Method::exact;
   std::vector<std::uint32_t> missed;
   for (int round = 0;; ++round) {
     if (context_.progress) context_.progress->report("gather", round / double{kMaxRounds});
     if (Status status = next_mesh(); !status) return status;
-    const gather::GatherOptions exact;
-    if (Status status = gather_free_nodes(exact, false); !status) return status;
-    if (options_.max_error <= 0 || round == kMaxRounds) break;
-    if (Status status = find_misses(missed); !status) return status;
+    Status status = gather_free_nodes(refines ? gather::GatherOptions{} : options_.gather, false);
+    if (!status) return status;
+    if (!refines || round == kMaxRounds) break;
+    status = find_misses(missed);
+    if (!status) return status;
     if (missed.empty()) break;
     const Stopwatch refine_watch;
-    Status status = scene_.mesher.refine_triangles(context_, missed, scene_.smallest_edge);
+    status = scene_.mesher.refine_triangles(context_, missed, scene_.smallest_edge);
     if (!status) return status;
     if (stats_) stats_->triangulation_seconds += refine_watch.seconds();
   }
-  if (options_.gather.method != gather::Method::exact) {
+  if (refines && !exact) {
+    if (stats_) stats_->nodes = nodes_before;
     if (Status status = gather_free_nodes(options_.gather, true); !status) return status;
   }
   drop_unseen_triangles();
