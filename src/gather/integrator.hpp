@@ -36,49 +36,37 @@ class Integrator {
     for (int i = 0; i < K; ++i) {
       px_[i] = Lanes<W>::load(packet.x + i * W);
       py_[i] = Lanes<W>::load(packet.y + i * W);
-      weight_[i] = color_[0][i] = color_[1][i] = color_[2][i] = Lanes<W>(0);
     }
+    weight_ = color_[0] = color_[1] = color_[2] = Lanes<W, K>(0);
+    whole_.room = kFirstEdges;
+    cut_.room = kCutEdges;
   }
 
   SFUMATO_INLINE void add(const SceneView& scene, EdgeCode code,
                           const Window<Lanes<W, K>>& window) {
     const StopEdge* edge = &scene.stop[stop_index(code)];
     if (window.lanes & ~(window.whole_right & window.whole_left)) {
-      for (int i = 0; i < K; ++i) {
-        CutEdgeView<W>& view = cut_.view[cut_.count];
-        view.edge = edge;
-        view.row = i;
-        view.lanes = bits_of_row(window.lanes, i);
-        view.whole_right = bits_of_row(window.whole_right, i);
-        view.whole_left = bits_of_row(window.whole_left, i);
-        view.right = {window.right.x.row(i), window.right.y.row(i)};
-        view.left = {window.left.x.row(i), window.left.y.row(i)};
-        cut_.count += view.lanes != 0;
-      }
-      if (++cut_.edge_count == kCutEdges) flush(cut_);
+      append_cut(edge, window);
+      if (--cut_.room == 0) flush(cut_, kCutEdges);
     } else {
-      for (int i = 0; i < K; ++i) {
-        EdgeView<W>& view = whole_.view[whole_.count];
-        view.edge = edge;
-        view.row = i;
-        view.lanes = bits_of_row(window.lanes, i);
-        whole_.count += view.lanes != 0;
-      }
-      if (++whole_.edge_count == kWholeEdges) flush(whole_);
+      append_whole(edge, window.lanes);
+      if (--whole_.room == 0) flush(whole_, kWholeEdges);
     }
   }
 
+  /// W of what was integrated so far: at most the final one.
+  SFUMATO_INLINE const Lanes<W, K>& weight_so_far() const { return weight_; }
+
   void end(PacketSums& out) {
-    flush(whole_);
-    flush(cut_);
-    for (int i = 0; i < K; ++i) {
-      weight_[i].store(out.weight + i * W);
-      for (int c = 0; c < 3; ++c) color_[c][i].store(out.color[c] + i * W);
-    }
+    flush(whole_, kWholeEdges);
+    flush(cut_, kCutEdges);
+    weight_.store(out.weight);
+    for (int c = 0; c < 3; ++c) color_[c].store(out.color[c]);
   }
 
  private:
   static constexpr int kTogether = 4;
+  static constexpr int kFirstEdges = 12;  ///< few: the walk asks for the weight so far
   static constexpr int kWholeEdges = 96;
   static constexpr int kCutEdges = 24;
   using F = Lanes<W, kTogether>;
@@ -86,12 +74,36 @@ class Integrator {
   template <class View, int kEdges>
   struct ViewList {
     int count = 0;
-    int edge_count = 0;  ///< an edge is up to K views
+    int room = kEdges;  ///< edges until the list is emptied; an edge is up to K views
     View view[kEdges * K + kTogether];
   };
 
+  SFUMATO_INLINE void append_whole(const StopEdge* edge, LaneBits lanes) {
+    for (int i = 0; i < K; ++i) {
+      EdgeView<W>& view = whole_.view[whole_.count];
+      view.edge = edge;
+      view.row = i;
+      view.lanes = bits_of_row(lanes, i);
+      whole_.count += view.lanes != 0;
+    }
+  }
+
+  SFUMATO_INLINE void append_cut(const StopEdge* edge, const Window<Lanes<W, K>>& window) {
+    for (int i = 0; i < K; ++i) {
+      CutEdgeView<W>& view = cut_.view[cut_.count];
+      view.edge = edge;
+      view.row = i;
+      view.lanes = bits_of_row(window.lanes, i);
+      view.whole_right = bits_of_row(window.whole_right, i);
+      view.whole_left = bits_of_row(window.whole_left, i);
+      view.right = {window.right.x.row(i), window.right.y.row(i)};
+      view.left = {window.left.x.row(i), window.left.y.row(i)};
+      cut_.count += view.lanes != 0;
+    }
+  }
+
   template <class List>
-  __attribute__((noinline)) void flush(List& list) {
+  __attribute__((noinline)) void flush(List& list, int room) {
     // Views without lanes fill the last group.
     for (int i = list.count; i % kTogether != 0; ++i) {
       list.view[i] = list.view[i - 1];
@@ -99,7 +111,7 @@ class Integrator {
     }
     for (int i = 0; i < list.count; i += kTogether) integrate(list.view + i);
     list.count = 0;
-    list.edge_count = 0;
+    list.room = room;
   }
 
   /// One number of each view, side by side.
@@ -187,17 +199,16 @@ class Integrator {
   SFUMATO_INLINE void sum(const EdgeView<W>& view, const Lanes<W>& weight, const Lanes<W>& lean) {
     using R = Lanes<W>;
     const StopEdge& edge = *view.edge;
-    R& w = weight_[view.row];
-    w = w + weight * R(edge.weight);
+    weight_.part[view.row] = (weight_.row(view.row) + weight * R(edge.weight)).part[0];
     for (int c = 0; c < 3; ++c) {
-      R& color = color_[c][view.row];
-      color = color + (weight * R(edge.middle[c]) + lean * R(edge.half_change[c]));
+      const R more = weight * R(edge.middle[c]) + lean * R(edge.half_change[c]);
+      color_[c].part[view.row] = (color_[c].row(view.row) + more).part[0];
     }
   }
 
   Lanes<W> px_[K], py_[K];
-  Lanes<W> weight_[K];
-  Lanes<W> color_[3][K];
+  Lanes<W, K> weight_;
+  Lanes<W, K> color_[3];
   ViewList<EdgeView<W>, kWholeEdges> whole_;
   ViewList<CutEdgeView<W>, kCutEdges> cut_;
 };

@@ -12,6 +12,11 @@
 /// the same bits for every W.
 namespace sfumato::gather::inline SFUMATO_ISA {
 
+/// A window that cannot add more than this share of the weight found so far is dropped. Chosen so
+/// that the error stays below 0.01 of a code value of 255 on the public scenes (without it, some
+/// scenes ask for twice the steps, most of them through far cracks).
+inline constexpr float kNegligible = 1e-5f;
+
 template <int W>
 class PacketWalk {
  public:
@@ -60,6 +65,8 @@ class PacketWalk {
     for (;;) {
       if (--steps_left_ < 0) return true;
       const EdgeBeyond& beyond = scene_.edge_beyond[edge];
+      window.lanes &= ~negligible(window, beyond);
+      if (window.lanes == 0) return true;
       const Split<F> split(window, {F(beyond.apex_x) - px_, F(beyond.apex_y) - py_});
       bool goes_right = split.right != 0;
       bool goes_left = split.left != 0;
@@ -85,6 +92,16 @@ class PacketWalk {
         return true;
       }
     }
+  }
+
+  // Behind an edge at distance d nothing is nearer than d: a window of angle D weighs at most D/d²
+  // (weights k are at most 1). tan D stands for D, and below 90° is greater.
+  SFUMATO_INLINE LaneBits negligible(const Window<F>& w, const EdgeBeyond& beyond) const {
+    const F d = F(beyond.normal_x) * px_ + (F(beyond.normal_y) * py_ + F(beyond.offset));
+    const F sine = w.right.x * w.left.y - w.right.y * w.left.x;
+    const F cosine = w.right.x * w.left.x + w.right.y * w.left.y;
+    const F most = integrator_.weight_so_far() * F(kNegligible) * (d * d) * cosine;
+    return mask_bits(sine < most) & mask_bits(cosine > F(0));
   }
 
   /// A window that leaves the packet's triangles.

@@ -17,9 +17,9 @@ struct LocatedPoints {
   ScopedCharge charge;
 };
 
-/// Finds triangles by walking from the triangle at the centre of the point's cell in a regular
-/// grid, with about as many cells as triangles. A point outside the hull gets a triangle at the
-/// hull.
+/// Finds triangles by walking: from the triangle of the point before where that is near, else from
+/// the triangle at the centre of the point's cell in a regular grid with about as many cells as
+/// triangles. A point outside the hull gets a triangle at the hull.
 class Locator {
  public:
   /// Errors: limit, cancelled. `scene` has at least one triangle and is kept by the caller.

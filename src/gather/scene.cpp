@@ -3,38 +3,10 @@
 #include <algorithm>
 
 #include "base/box.hpp"
+#include "gather/spatial_order.hpp"
 
 namespace sfumato::gather {
 namespace {
-
-/// The side of a piece that faces half-edge h, and the piece's fractions at h's origin and target.
-struct FacingPiece {
-  const curves::SegmentColor* color;
-  float u_origin;
-  float u_target;
-};
-
-// The half-edge's triangle lies on the screen right of it, hence on the right of a segment that
-// runs the same way.
-FacingPiece facing_piece(const curves::SegmentAttributes& attributes,
-                         const mesh::SegmentPiece& piece, bool half_edge_runs_as_constraint) {
-  const bool segment_runs_as_constraint = piece.u_from <= piece.u_to;
-  const bool same_way = segment_runs_as_constraint == half_edge_runs_as_constraint;
-  const auto& side = same_way ? attributes.right : attributes.left;
-  if (half_edge_runs_as_constraint) return {&side[piece.segment], piece.u_from, piece.u_to};
-  return {&side[piece.segment], piece.u_to, piece.u_from};
-}
-
-/// How far a piece lay to the side of the half-edge's triangle before the weld moved it, user
-/// units.
-double reach_to_side(const mesh::TriangleMesh& mesh, const curves::SegmentAttributes& attributes,
-                     const mesh::SegmentPiece& piece, std::uint32_t half_edge) {
-  const Vec2 origin = mesh.vertex_position[mesh.origin(half_edge)];
-  const Vec2 along = mesh.vertex_position[mesh.target(half_edge)] - origin;
-  const Vec2 middle = lerp(attributes.vertex[piece.segment], attributes.vertex[piece.segment + 1],
-                           0.5 * (double{piece.u_from} + double{piece.u_to}));
-  return cross(along, middle - origin) / length(along);
-}
 
 class SceneBuilder {
  public:
@@ -47,18 +19,39 @@ class SceneBuilder {
     for (Vec2 p : mesh_.vertex_position) box.extend(p);
     scene_.origin = box.empty() ? Vec2{} : box.center();
     const auto half_edge_count = static_cast<std::uint32_t>(mesh_.triangle_vertex.size());
+    order_triangles();
     codes_.resize(half_edge_count);
-    for (std::uint32_t h = 0; h < half_edge_count; ++h) codes_[h] = code(h);
+    for_each_half_edge([&](std::uint32_t h) { codes_[h] = code(h); });
     normalize_weights();
-    scene_.edge_beyond.resize(half_edge_count);
-    for (std::uint32_t h = 0; h < half_edge_count; ++h) {
-      if (codes_[h] >= 0) scene_.edge_beyond[h] = beyond(h);
-    }
-    scene_.triangle.resize(mesh_.triangle_count());
-    for (std::uint32_t t = 0; t < mesh_.triangle_count(); ++t) scene_.triangle[t] = triangle(t);
+    scene_.edge_beyond.reserve(passage_count_);
+    for_each_half_edge([&](std::uint32_t h) {
+      if (codes_[h] >= 0) scene_.edge_beyond.push_back(beyond(h));
+    });
+    scene_.triangle.reserve(order_.size());
+    for (std::uint32_t t : order_) scene_.triangle.push_back(triangle(t));
   }
 
  private:
+  void order_triangles() {
+    std::vector<Vec2> center(mesh_.triangle_count());
+    for (std::uint32_t t = 0; t < mesh_.triangle_count(); ++t) {
+      for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
+        center[t] = center[t] + mesh_.vertex_position[mesh_.origin(h)];
+      }
+    }
+    order_ = spatial_order(center);
+    new_index_.resize(order_.size());
+    for (std::uint32_t i = 0; i < order_.size(); ++i) new_index_[order_[i]] = i;
+  }
+
+  /// In the order of the scene's triangles.
+  template <class Body>
+  void for_each_half_edge(Body body) const {
+    for (std::uint32_t t : order_) {
+      for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) body(h);
+    }
+  }
+
   float x(std::uint32_t vertex) const {
     return static_cast<float>(mesh_.vertex_position[vertex].x - scene_.origin.x);
   }
@@ -78,7 +71,8 @@ class SceneBuilder {
         return stop_code(static_cast<std::uint32_t>(scene_.stop.size() - 1));
       }
     }
-    return mesh_.half_edge_twin[h] == mesh::kNone ? kBorder : static_cast<EdgeCode>(h);
+    if (mesh_.half_edge_twin[h] == mesh::kNone) return kBorder;
+    return static_cast<EdgeCode>(passage_count_++);
   }
 
   StopEdge stop_edge(std::uint32_t h, const Facing& facing) const {
@@ -115,8 +109,16 @@ class SceneBuilder {
   EdgeBeyond beyond(std::uint32_t h) const {
     const auto twin = static_cast<std::uint32_t>(mesh_.half_edge_twin[h]);
     const std::uint32_t apex = mesh_.apex(twin);
-    return {x(apex), y(apex), codes_[mesh::TriangleMesh::next(twin)],
-            codes_[mesh::TriangleMesh::previous(twin)]};
+    const Vec2 a = mesh_.vertex_position[mesh_.origin(h)] - scene_.origin;
+    const Vec2 along = mesh_.vertex_position[mesh_.target(h)] - scene_.origin - a;
+    const Vec2 normal = Vec2{-along.y, along.x} / length(along);
+    return {x(apex),
+            y(apex),
+            codes_[mesh::TriangleMesh::next(twin)],
+            codes_[mesh::TriangleMesh::previous(twin)],
+            static_cast<float>(normal.x),
+            static_cast<float>(normal.y),
+            static_cast<float>(-dot(normal, a))};
   }
 
   SceneTriangle triangle(std::uint32_t t) const {
@@ -125,7 +127,12 @@ class SceneBuilder {
       triangle.x[k] = x(mesh_.origin(3 * t + k));
       triangle.y[k] = y(mesh_.origin(3 * t + k));
       triangle.edge[k] = codes_[3 * t + k];
-      triangle.twin[k] = mesh_.half_edge_twin[3 * t + k];
+      const std::int32_t twin = mesh_.half_edge_twin[3 * t + k];
+      triangle.twin[k] = -1;
+      if (twin != mesh::kNone) {
+        const auto h = static_cast<std::uint32_t>(twin);
+        triangle.twin[k] = static_cast<std::int32_t>(3 * new_index_[h / 3] + h % 3);
+      }
     }
     return triangle;
   }
@@ -133,44 +140,22 @@ class SceneBuilder {
   const mesh::TriangleMesh& mesh_;
   const curves::SegmentAttributes& attributes_;
   Scene& scene_;
-  std::vector<EdgeCode> codes_;
+  std::vector<std::uint32_t> order_;      ///< the mesh's triangles in the scene's order
+  std::vector<std::uint32_t> new_index_;  ///< its inverse
+  std::vector<EdgeCode> codes_;           ///< per half-edge of the mesh
+  std::uint32_t passage_count_ = 0;
 };
 
 std::size_t scene_bytes(const mesh::TriangleMesh& mesh) {
   std::size_t constrained = 0;
   for (std::int32_t c : mesh.half_edge_constraint) constrained += c != mesh::kNone;
-  // Twice the stop edges, for a growing vector; the codes live during the build only.
+  // Twice the stop edges, for a growing vector; some of the rest lives during the build only.
   return mesh.triangle_vertex.size() * (sizeof(EdgeBeyond) + sizeof(EdgeCode)) +
-         mesh.triangle_count() * sizeof(SceneTriangle) + 2 * constrained * sizeof(StopEdge);
+         mesh.triangle_count() * (sizeof(SceneTriangle) + sizeof(Vec2) + 16) +
+         2 * constrained * sizeof(StopEdge);
 }
 
 }  // namespace
-
-Facing facing_color(const mesh::TriangleMesh& mesh, const curves::SegmentAttributes& attributes,
-                    std::uint32_t half_edge) {
-  const mesh::Constraint& constraint =
-      mesh.constraint[static_cast<std::size_t>(mesh.half_edge_constraint[half_edge])];
-  const bool runs_as_constraint = mesh.origin(half_edge) == constraint.from;
-  Facing facing;
-  std::uint32_t owner = 0;
-  double reach = 0;
-  for (std::uint32_t i = constraint.piece_end; i > constraint.piece_begin; --i) {
-    const mesh::SegmentPiece& piece = mesh.piece[i - 1];
-    const bool first = facing.kind == ShaderKind::open;
-    if (!first && attributes.curve[piece.segment] != owner) break;
-    const FacingPiece side = facing_piece(attributes, piece, runs_as_constraint);
-    if (side.color->kind == ShaderKind::open) continue;
-    const double piece_reach = reach_to_side(mesh, attributes, piece, half_edge);
-    // Within a lattice step two passages are the same line, and the first counts.
-    if (!first && piece_reach < reach - mesh.lattice_step) continue;
-    const curves::SegmentValues<Rgb>& color = side.color->color;
-    facing = {side.color->kind, side.color->shader, lerp(color.start, color.end, side.u_origin),
-              lerp(color.start, color.end, side.u_target), attributes.weight[piece.segment]};
-    owner = attributes.curve[piece.segment];
-    reach = piece_reach;
-  }
-  return facing;
-}
 
 SceneView Scene::view() const {
   const auto triangle_count = static_cast<std::int64_t>(triangle.size());

@@ -30,10 +30,11 @@ Facing facing_color(const mesh::TriangleMesh& mesh, const curves::SegmentAttribu
                     std::uint32_t half_edge);
 
 /// The visibility mesh in the layout of the gather: single-precision coordinates relative to
-/// `origin`. Half-edges whose facing side is open are walked through.
+/// `origin`. Half-edges whose facing side is open are walked through. Triangles stand in an order
+/// of their own, neighbours near each other in memory too: a walk is bound by its loads.
 struct Scene {
-  Vec2 origin;  ///< layer frame
-  std::vector<EdgeBeyond> edge_beyond;
+  Vec2 origin;                          ///< layer frame
+  std::vector<EdgeBeyond> edge_beyond;  ///< of half-edges that rays walk through
   std::vector<StopEdge> stop;
   std::vector<StopEdge> barrier;  ///< sides that stop rays and give nothing; the rays' grid needs
                                   ///< them, the exact gather knows them as border

@@ -8,7 +8,7 @@
 /// the scene's origin. Kernels are compiled for several instruction sets and see nothing else.
 namespace sfumato::gather {
 
-/// What a ray finds at an edge of a triangle, as one number: a half-edge to walk through (>= 0),
+/// What a ray finds at an edge of a triangle, as one number: an EdgeBeyond to walk through (>= 0),
 /// the end of everything (kBorder; a barrier too, as it stops rays and gives nothing), or a
 /// StopEdge.
 using EdgeCode = std::int32_t;
@@ -25,13 +25,16 @@ SFUMATO_INLINE constexpr std::uint32_t stop_index(EdgeCode code) {
   return static_cast<std::uint32_t>(-2 - code);
 }
 
-/// The triangle behind a half-edge that rays walk through: its third corner, and the two edges that
-/// a ray may leave it by, seen by one who looks through the half-edge.
-struct EdgeBeyond {
+/// A half-edge that rays walk through, and the triangle behind it: its third corner, and the two
+/// edges that a ray may leave it by, seen by one who looks through the half-edge.
+struct alignas(32) EdgeBeyond {
   float apex_x;
   float apex_y;
   EdgeCode right;  ///< from the half-edge's origin to the apex
   EdgeCode left;   ///< from the apex to its target
+  float normal_x;  ///< normal · p + offset: the distance of a point from the half-edge's line
+  float normal_y;
+  float offset;
 };
 
 /// A half-edge a → b that stops rays, seen from its own triangle: a is the right end, b the left.
@@ -57,7 +60,7 @@ struct SceneTriangle {
 };
 
 struct SceneView {
-  const EdgeBeyond* edge_beyond;  ///< index: half-edge
+  const EdgeBeyond* edge_beyond;
   const StopEdge* stop;
   const SceneTriangle* triangle;
   std::int64_t step_limit;  ///< triangles that one packet may enter: a guard against a bad mesh

@@ -125,12 +125,17 @@ TEST(Scene, edges_are_stops_borders_or_passages) {
   ASSERT_TRUE(scene.ok());
   EXPECT_EQ(scene->origin, (Vec2{2, 0}));
   ASSERT_EQ(scene->stop.size(), 1u);
-  EXPECT_EQ(scene->triangle[0].edge[0], stop_code(0));
-  EXPECT_EQ(scene->triangle[0].edge[1], kBorder);
+  // In the scene's order the triangle above (of smaller y) comes first.
+  EXPECT_EQ(scene->triangle[1].edge[0], stop_code(0));
+  EXPECT_EQ(scene->triangle[1].edge[1], kBorder);
+  EXPECT_EQ(scene->triangle[1].twin[0], 0);
   // From above one looks through, at the triangle below.
-  EXPECT_EQ(scene->triangle[1].edge[0], 3);
-  EXPECT_EQ(scene->edge_beyond[3].apex_x, 0);
-  EXPECT_EQ(scene->edge_beyond[3].apex_y, 2);
+  EXPECT_EQ(scene->triangle[0].edge[0], 0);
+  ASSERT_EQ(scene->edge_beyond.size(), 1u);
+  EXPECT_EQ(scene->edge_beyond[0].apex_x, 0);
+  EXPECT_EQ(scene->edge_beyond[0].apex_y, 2);
+  EXPECT_EQ(scene->edge_beyond[0].right, kBorder);
+  EXPECT_EQ(scene->edge_beyond[0].left, kBorder);
   const StopEdge& stop = scene->stop[0];
   EXPECT_EQ(stop.ax, -2);
   EXPECT_EQ(stop.bx, 2);
