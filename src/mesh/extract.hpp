@@ -21,9 +21,9 @@ struct Numbering {
 /// All triangles and vertices, in their own order.
 Numbering number_everything(const Triangulation& mesh);
 
-/// Triangles inside the frame and their vertices: at first from neighbour to neighbour, later ones in
-/// their own order. Vertices that `numbering` has
-/// already keep their numbers; more are appended. Triangles do too, since slots are never freed.
+/// Triangles inside the frame and their vertices: at first from neighbour to neighbour, later ones
+/// in their own order. Vertices that `numbering` has already keep their numbers; more are appended.
+/// Triangles do too, since slots are never freed.
 void number_inside(const Triangulation& mesh, Numbering& numbering);
 
 /// The numbered part of a triangulation as flat arrays. Cost: O(slots + pieces).

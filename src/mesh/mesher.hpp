@@ -48,7 +48,8 @@ class Mesher {
 
   /// Makes every triangle of `triangles` (indices of the last patch_mesh) smaller, then restores
   /// the angle bound. Triangles with no edge longer than `smallest_edge` are left alone. A round
-  /// with all triangles listed doubles their number. Errors: limit, cancelled; the mesh stays valid.
+  /// with all triangles listed doubles their number. Errors: limit, cancelled; the mesh stays
+  /// valid.
   Status refine_triangles(Context& context, std::span<const std::uint32_t> triangles,
                           double smallest_edge);
 
