@@ -62,11 +62,11 @@ class ExactGather {
  private:
   void task(std::size_t begin, std::size_t end) {
     PacketInput input[kPacketsPerTask];
-    PacketSums sums[kPacketsPerTask];
+    PacketResult result[kPacketsPerTask];
     for (std::size_t i = begin; i < end; ++i) {
       input[i - begin] = packet_input(packing_.packet[i]);
     }
-    const PacketBatch batch{input, sums, static_cast<int>(end - begin)};
+    const PacketBatch batch{input, result, static_cast<int>(end - begin)};
     GrowingStack stack(context_);
     while (!kernel_(scene_, batch, stack.view())) {
       if (!stack.grow()) {
@@ -74,7 +74,7 @@ class ExactGather {
         return;
       }
     }
-    for (std::size_t i = begin; i < end; ++i) store(packing_.packet[i], sums[i - begin]);
+    for (std::size_t i = begin; i < end; ++i) store(packing_.packet[i], result[i - begin]);
   }
 
   PacketInput packet_input(const Packet& packet) const {
@@ -94,15 +94,11 @@ class ExactGather {
     return input;
   }
 
-  void store(const Packet& packet, const PacketSums& sums) {
+  void store(const Packet& packet, const PacketResult& result) {
     for_each_point(packet, [&](int lane, std::uint32_t point) {
-      const float weight = sums.weight[lane];
-      const bool is_hit = weight > 0;
-      for (int c = 0; c < kColorChannels; ++c) {
-        out_[std::size_t{point} * kColorChannels + static_cast<std::size_t>(c)] =
-            is_hit ? sums.color[c][lane] / weight : 0.0f;
-      }
-      if (!hit_.empty()) hit_[point] = is_hit;
+      float* out = out_.data() + std::size_t{point} * kColorChannels;
+      for (int c = 0; c < kColorChannels; ++c) out[c] = result.value[c][lane];
+      if (!hit_.empty()) hit_[point] = result.weight[lane] > 0;
     });
   }
 

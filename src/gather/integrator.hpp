@@ -6,6 +6,11 @@
 
 namespace sfumato::gather::inline SFUMATO_ISA {
 
+/// A window that cannot add more than this share of the weight found so far is not followed. Chosen
+/// so that the error stays below 0.01 of a code value of 255 on the public scenes. On dolphin, full
+/// of far cracks, it saves four steps of ten.
+inline constexpr float kNegligible = 1e-5f;
+
 /// An edge as one register of lanes sees it.
 template <int W>
 struct EdgeView {
@@ -37,11 +42,12 @@ class Integrator {
       px_[i] = Lanes<W>::load(packet.x + i * W);
       py_[i] = Lanes<W>::load(packet.y + i * W);
     }
-    weight_ = color_[0] = color_[1] = color_[2] = Lanes<W, K>(0);
+    weight_ = negligible_ = color_[0] = color_[1] = color_[2] = Lanes<W, K>(0);
     whole_.room = kFirstEdges;
     cut_.room = kCutEdges;
   }
 
+  /// Precondition: is_stop(code), and the window has lanes.
   SFUMATO_INLINE void add(const SceneView& scene, EdgeCode code,
                           const Window<Lanes<W, K>>& window) {
     const StopEdge* edge = &scene.stop[stop_index(code)];
@@ -54,14 +60,15 @@ class Integrator {
     }
   }
 
-  /// W of what was integrated so far: at most the final one.
-  SFUMATO_INLINE const Lanes<W, K>& weight_so_far() const { return weight_; }
+  /// What the walk need not look for: kNegligible of the weight that was integrated so far.
+  SFUMATO_INLINE const Lanes<W, K>& negligible_weight() const { return negligible_; }
 
-  void end(PacketSums& out) {
+  void end(PacketResult& out) {
     flush(whole_, kWholeEdges);
     flush(cut_, kCutEdges);
     weight_.store(out.weight);
-    for (int c = 0; c < 3; ++c) color_[c].store(out.color[c]);
+    const auto is_hit = weight_ > Lanes<W, K>(0);
+    for (int c = 0; c < 3; ++c) zero_unless(is_hit, color_[c] / weight_).store(out.value[c]);
   }
 
  private:
@@ -112,6 +119,7 @@ class Integrator {
     for (int i = 0; i < list.count; i += kTogether) integrate(list.view + i);
     list.count = 0;
     list.room = room;
+    negligible_ = weight_ * Lanes<W, K>(kNegligible);
   }
 
   /// One number of each view, side by side.
@@ -208,6 +216,7 @@ class Integrator {
 
   Lanes<W> px_[K], py_[K];
   Lanes<W, K> weight_;
+  Lanes<W, K> negligible_;
   Lanes<W, K> color_[3];
   ViewList<EdgeView<W>, kWholeEdges> whole_;
   ViewList<CutEdgeView<W>, kCutEdges> cut_;

@@ -12,11 +12,6 @@
 /// the same bits for every W.
 namespace sfumato::gather::inline SFUMATO_ISA {
 
-/// A window that cannot add more than this share of the weight found so far is dropped. Chosen so
-/// that the error stays below 0.01 of a code value of 255 on the public scenes (without it, some
-/// scenes ask for twice the steps, most of them through far cracks).
-inline constexpr float kNegligible = 1e-5f;
-
 template <int W>
 class PacketWalk {
  public:
@@ -27,7 +22,7 @@ class PacketWalk {
       : scene_(scene), stack_(reinterpret_cast<Waiting*>(stack.slot)), capacity_(stack.capacity) {}
 
   /// False where the stack is too small; nothing is stored then.
-  bool run(const PacketInput& packet, PacketSums& out) {
+  bool run(const PacketInput& packet, PacketResult& out) {
     px_ = F::load(packet.x);
     py_ = F::load(packet.y);
     integrator_.begin(packet);
@@ -65,8 +60,8 @@ class PacketWalk {
     for (;;) {
       if (--steps_left_ < 0) return true;
       const EdgeBeyond& beyond = scene_.edge_beyond[edge];
-      window.lanes &= ~negligible(window, beyond);
-      if (window.lanes == 0) return true;
+      // At every second step: the question costs as much as the step.
+      if (steps_left_ % 2 != 0) window.lanes &= ~negligible(window, beyond);
       const Split<F> split(window, {F(beyond.apex_x) - px_, F(beyond.apex_y) - py_});
       bool goes_right = split.right != 0;
       bool goes_left = split.left != 0;
@@ -95,13 +90,13 @@ class PacketWalk {
   }
 
   // Behind an edge at distance d nothing is nearer than d: a window of angle D weighs at most D/d²
-  // (weights k are at most 1). tan D stands for D, and below 90° is greater.
+  // (weights k are at most 1). tan D stands for D, and below 90° is greater; above, cos D is
+  // negative and nothing is dropped.
   SFUMATO_INLINE LaneBits negligible(const Window<F>& w, const EdgeBeyond& beyond) const {
     const F d = F(beyond.normal_x) * px_ + (F(beyond.normal_y) * py_ + F(beyond.offset));
     const F sine = w.right.x * w.left.y - w.right.y * w.left.x;
     const F cosine = w.right.x * w.left.x + w.right.y * w.left.y;
-    const F most = integrator_.weight_so_far() * F(kNegligible) * (d * d) * cosine;
-    return mask_bits(sine < most) & mask_bits(cosine > F(0));
+    return mask_bits(abs(sine) < integrator_.negligible_weight() * (d * d) * cosine);
   }
 
   /// A window that leaves the packet's triangles.
@@ -200,7 +195,7 @@ template <int W>
 bool gather_packets(const SceneView& scene, const PacketBatch& batch, const PacketStack& stack) {
   PacketWalk<W> walk(scene, stack);
   for (int i = 0; i < batch.count; ++i) {
-    if (!walk.run(batch.packet[i], batch.sums[i])) return false;
+    if (!walk.run(batch.packet[i], batch.result[i])) return false;
   }
   return true;
 }

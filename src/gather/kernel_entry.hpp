@@ -6,7 +6,7 @@
 namespace sfumato::gather {
 
 /// The exact gather of a batch of packets: kernel.hpp compiled for one instruction set. False: the
-/// stack is too small, sums are incomplete.
+/// stack is too small, results are incomplete.
 using PacketKernel = bool(const SceneView& scene, const PacketBatch& batch,
                           const PacketStack& stack);
 

@@ -90,15 +90,15 @@ struct PacketInput {
   alignas(64) float y[kPacketLanes];
 };
 
-/// W and Σ w z of eq. 2, per lane.
-struct PacketSums {
+/// W and Z of eq. 2, per lane; where W is 0, so is Z.
+struct PacketResult {
   alignas(64) float weight[kPacketLanes];
-  alignas(64) float color[3][kPacketLanes];
+  alignas(64) float value[3][kPacketLanes];
 };
 
 struct PacketBatch {
   const PacketInput* packet;
-  PacketSums* sums;  ///< one for each packet
+  PacketResult* result;  ///< one for each packet
   int count;
 };
 

@@ -205,7 +205,7 @@ TEST(ExactGather, one_lane_at_a_time_gives_the_bits_of_the_packet) {
   }
   std::vector<StackSlot> slots(kPacketStackLeast);
   const PacketStack stack{slots.data(), kPacketStackLeast};
-  PacketSums one, four;
+  PacketResult one, four;
   ASSERT_TRUE(gather_packets<1>(scene, {&input, &one, 1}, stack));
   ASSERT_TRUE(gather_packets_sse2(scene, {&input, &four, 1}, stack));
   EXPECT_EQ(std::memcmp(&one, &four, sizeof(one)), 0);
