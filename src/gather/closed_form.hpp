@@ -2,7 +2,7 @@
 
 #include "base/lanes.hpp"
 
-/// The closed form of DESIGN 2.2 in lanes, single precision.
+/// The closed form of docs/mathematics.md in lanes, single precision.
 namespace sfumato::gather::inline SFUMATO_ISA {
 
 /// ∫ w dθ over a visible part, with k = 1, and how it leans: its weights w₁ of the right end and w₂
@@ -25,7 +25,7 @@ SFUMATO_INLINE F h1_of_cosine(const F& c) {
   return odd * c + even;
 }
 
-/// The visible part from q1 (right end) to q2 (left end), relative to the point. DESIGN 2.2 with
+/// The visible part from q1 (right end) to q2 (left end), relative to the point, with
 /// G₁ = s h₁ and G₂ = s (1 - 2 c h₁) comes down to
 ///
 ///     W = u₁u₂ s (1 + h₁ u₁u₂ |q2 - q1|²)      w₂ - w₁ = u₁u₂ s h₁ u₁u₂ (r₁² - r₂²)

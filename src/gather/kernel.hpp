@@ -4,7 +4,7 @@
 #include "gather/scene_layout.hpp"
 #include "gather/window.hpp"
 
-/// The exact gather of a packet (DESIGN 2.2; triangular expansion): windows of directions are
+/// The exact gather of a packet (triangular expansion): windows of directions are
 /// walked outward through the visibility mesh, narrowed at every edge that rays pass, integrated at
 /// every edge that stops them. One text for all widths; F = Lanes<W, 16 / W>.
 ///

@@ -18,8 +18,9 @@ struct ReferenceSums {
   std::array<double, 3> value() const;
 };
 
-/// w₁ and w₂ of DESIGN 2.2 in double precision, from D = atan2: the visible part from q1 (right
-/// end) to q2 (left end), relative to the point, with k = 1. Both 0 where cross(q1, q2) <= 0.
+/// w₁ and w₂ (docs/mathematics.md) in double precision, from D = atan2: the visible part from q1
+/// (right end) to q2 (left end), relative to the point, with k = 1. Both 0 where cross(q1, q2) <=
+/// 0.
 struct ReferenceWeights {
   double right = 0;
   double left = 0;
