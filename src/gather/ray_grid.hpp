@@ -1,21 +1,22 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "gather/scene.hpp"
 
 namespace sfumato::gather {
 
-/// What a ray hits first.
+/// What a ray meets first.
 struct RayHit {
-  const StopEdge* edge = nullptr;  ///< null: nothing
+  const StopEdge* edge = nullptr;  ///< null: nothing, or a barrier
   float fraction = 0;              ///< along the edge, from a to b
-  float distance = 0;
+  float distance = std::numeric_limits<float>::infinity();
 };
 
-/// The paper's accelerator: a regular grid of 192 × 192 cells over all edges that stop rays. An
-/// edge is seen from its own side only, as everywhere in this folder.
+/// The paper's accelerator: a regular grid of 192 × 192 cells over all edges that stop rays on one
+/// side or both.
 class RayGrid {
  public:
   /// `scene` is kept by the caller. Errors: limit.
@@ -27,18 +28,24 @@ class RayGrid {
  private:
   static constexpr int kSide = 192;
 
-  const StopEdge& edge(std::uint32_t i) const {
-    return i < scene_->stop.size() ? scene_->stop[i] : scene_->barrier[i - scene_->stop.size()];
-  }
+  /// An edge a → b: what it is to one who has it counter-clockwise (cross > 0), and to one behind.
+  struct Wall {
+    float ax, ay;
+    float bx, by;
+    EdgeCode front;
+    EdgeCode back;
+  };
+
+  static std::vector<Wall> walls_of(const Scene& scene);
   template <class Body>
-  void for_each_cell(const StopEdge& edge, Body body) const;
+  void for_each_cell(const Wall& wall, Body body) const;
   void test_cell(std::size_t cell, float x, float y, float dx, float dy, RayHit& best) const;
 
   const Scene* scene_ = nullptr;
   float min_x_ = 0, min_y_ = 0;
   float cell_width_ = 1, cell_height_ = 1;
-  std::vector<std::uint32_t> cell_begin_;
-  std::vector<std::uint32_t> cell_edge_;
+  std::vector<std::uint32_t> cell_begin_;  ///< first of each cell in cell_wall_
+  std::vector<Wall> cell_wall_;            ///< a wall stands in every cell that it touches
   ScopedCharge charge_;
 };
 

@@ -62,10 +62,7 @@ class SceneBuilder {
   EdgeCode code(std::uint32_t h) {
     if (mesh_.half_edge_constraint[h] != mesh::kNone) {
       const Facing facing = facing_color(mesh_, attributes_, h);
-      if (facing.kind == ShaderKind::barrier) {
-        scene_.barrier.push_back(stop_edge(h, facing));
-        return kBorder;
-      }
+      if (facing.kind == ShaderKind::barrier) return kBorder;
       if (facing.kind != ShaderKind::open) {
         scene_.stop.push_back(stop_edge(h, facing));
         return stop_code(static_cast<std::uint32_t>(scene_.stop.size() - 1));
@@ -83,7 +80,7 @@ class SceneBuilder {
     edge.length_squared = edge.ex * edge.ex + edge.ey * edge.ey;
     edge.kind = static_cast<std::uint32_t>(facing.kind);
     edge.shader = facing.shader;
-    edge.weight = facing.kind == ShaderKind::barrier ? 0.0f : facing.weight;
+    edge.weight = facing.weight;
     if (facing.kind != ShaderKind::curve_domain) return edge;
     const float from[] = {facing.from.r, facing.from.g, facing.from.b};
     const float to[] = {facing.to.r, facing.to.g, facing.to.b};

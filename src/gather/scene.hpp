@@ -36,8 +36,6 @@ struct Scene {
   Vec2 origin;                          ///< layer frame
   std::vector<EdgeBeyond> edge_beyond;  ///< of half-edges that rays walk through
   std::vector<StopEdge> stop;
-  std::vector<StopEdge> barrier;  ///< sides that stop rays and give nothing; the rays' grid needs
-                                  ///< them, the exact gather knows them as border
   std::vector<SceneTriangle> triangle;
   ScopedCharge charge;
 

@@ -153,7 +153,6 @@ TEST(Scene, barriers_are_borders_to_the_exact_gather) {
   const Result<Scene> scene = build_scene(context, diamond.mesh, diamond.attributes);
   ASSERT_TRUE(scene.ok());
   EXPECT_TRUE(scene->stop.empty());
-  EXPECT_EQ(scene->barrier.size(), 2u);
   EXPECT_EQ(scene->triangle[0].edge[0], kBorder);
   EXPECT_EQ(scene->triangle[1].edge[0], kBorder);
 }
