@@ -1,0 +1,171 @@
+#include <benchmark/benchmark.h>
+
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "base/native/tbb_executor.hpp"
+#include "curves/attributes.hpp"
+#include "curves/flatten.hpp"
+#include "gather/exact.hpp"
+#include "gather/gather.hpp"
+#include "gather/locate.hpp"
+#include "gather/packing.hpp"
+#include "gather/rays.hpp"
+#include "mesh/mesher.hpp"
+#include "patches/nodes.hpp"
+#include "scenes.hpp"
+
+// Colours at the free nodes of the paper's mesh (no error-driven refinement), step by step. Times
+// are of one thread but for `gather_all`; time_per_point is what docs/benchmarks.md tells.
+namespace sfumato {
+namespace {
+
+constexpr const char* kScenes[] = {"lady_bug.xml", "tomatos.xml", "dolphin.xml"};
+
+/// A public scene, meshed, and the points that its patches ask for.
+struct Prepared {
+  mesh::TriangleMesh visibility;
+  curves::SegmentAttributes attributes;
+  std::vector<Vec2> points;
+  gather::Scene scene;
+};
+
+std::unique_ptr<Prepared> prepare(benchmark::State& state, const std::string& name) {
+  const std::optional<Document> document = bench::scene(state, name);
+  if (!document) return nullptr;
+  Context context;
+  const std::vector<Curve>& curves = document->layers[0].curves;
+  const double side = std::max(document->artboard.width(), document->artboard.height());
+  const double tolerance = side * 0.1 / 512;
+  Result<curves::FlatCurves> flat = curves::flatten(
+      context, curves, {.tolerance = tolerance, .focus = {}, .outside_tolerance = tolerance});
+  mesh::MeshOptions options;
+  options.frame = document->artboard;
+  options.unit_size = side / 1024;
+  options.max_area = 0.04 * document->artboard.width() * document->artboard.height();
+  Result<mesh::Mesher> mesher = mesh::Mesher::build(context, *flat, options);
+  auto prepared = std::make_unique<Prepared>();
+  prepared->attributes = curves::sample_colors(*flat, curves);
+  prepared->visibility = mesher->visibility_mesh();
+  if (!mesher->refine(context)) return nullptr;
+  const patches::NodeLayout layout =
+      patches::lay_out_nodes(mesher->patch_mesh(), prepared->attributes);
+  for (std::uint32_t i = 0; i < layout.node_count(); ++i) {
+    if (!layout.is_fixed[i]) prepared->points.push_back(layout.position[i]);
+  }
+  Result<gather::Scene> scene =
+      gather::build_scene(context, prepared->visibility, prepared->attributes);
+  prepared->scene = std::move(*scene);
+  prepared->scene.charge = {};
+  return prepared;
+}
+
+/// The scene of range(0), prepared once. Null: skipped.
+const Prepared* prepared_scene(benchmark::State& state) {
+  static std::map<std::string, std::unique_ptr<Prepared>> cache;
+  const std::string name = kScenes[state.range(0)];
+  state.SetLabel(name);
+  auto& entry = cache[name];
+  if (!entry) entry = prepare(state, name);
+  return entry.get();
+}
+
+void count_points(benchmark::State& state, std::size_t count) {
+  state.counters["points"] = static_cast<double>(count);
+  state.counters["time_per_point"] =
+      benchmark::Counter(static_cast<double>(count), benchmark::Counter::kIsIterationInvariantRate |
+                                                         benchmark::Counter::kInvert);
+}
+
+void create(benchmark::State& state) {
+  const Prepared* p = prepared_scene(state);
+  if (!p) return;
+  Context context;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(gather::Gatherer::create(context, p->visibility, p->attributes).ok());
+  }
+}
+
+void locate(benchmark::State& state) {
+  const Prepared* p = prepared_scene(state);
+  if (!p) return;
+  Context context;
+  const auto locator = gather::Locator::create(context, p->scene);
+  for (auto _ : state) benchmark::DoNotOptimize(locator->locate(context, p->points).ok());
+  count_points(state, p->points.size());
+}
+
+void pack(benchmark::State& state) {
+  const Prepared* p = prepared_scene(state);
+  if (!p) return;
+  Context context;
+  const auto locator = gather::Locator::create(context, p->scene);
+  const auto located = locator->locate(context, p->points);
+  std::size_t packets = 1;
+  for (auto _ : state) packets = gather::pack(context, p->scene, *located)->packet.size();
+  count_points(state, p->points.size());
+  state.counters["lanes"] = static_cast<double>(p->points.size()) / static_cast<double>(packets);
+}
+
+/// range(1): the instruction set.
+void exact(benchmark::State& state) {
+  const Prepared* p = prepared_scene(state);
+  if (!p) return;
+  Context context;
+  const auto level = static_cast<SimdLevel>(state.range(1));
+  if (level > detected_simd_level()) return state.SkipWithError("not on this machine");
+  context.simd = level;
+  const auto locator = gather::Locator::create(context, p->scene);
+  const auto located = locator->locate(context, p->points);
+  const auto packing = gather::pack(context, p->scene, *located);
+  std::vector<float> out(p->points.size() * gather::kColorChannels);
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(
+        gather::gather_exact(context, p->scene, *located, *packing, out, {}).ok());
+  }
+  count_points(state, p->points.size());
+}
+
+void rays_64(benchmark::State& state) {
+  const Prepared* p = prepared_scene(state);
+  if (!p) return;
+  Context context;
+  std::vector<float> out(p->points.size() * gather::kColorChannels);
+  const gather::GatherOptions options{.method = gather::Method::rays};
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(
+        gather::gather_rays(context, p->scene, p->points, options, out, {}).ok());
+  }
+  count_points(state, p->points.size());
+}
+
+/// Location, packing and the exact gather; range(1): threads.
+void gather_all(benchmark::State& state) {
+  const Prepared* p = prepared_scene(state);
+  if (!p) return;
+  const auto pool = make_tbb_executor(static_cast<int>(state.range(1)));
+  Context context;
+  context.executor = pool.get();
+  const auto gatherer = gather::Gatherer::create(context, p->visibility, p->attributes);
+  std::vector<float> out(p->points.size() * gather::kColorChannels);
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(gatherer->gather(context, p->points, {}, out).ok());
+  }
+  count_points(state, p->points.size());
+}
+
+BENCHMARK(create)->DenseRange(0, 2)->Unit(benchmark::kMillisecond);
+BENCHMARK(locate)->DenseRange(0, 2)->Unit(benchmark::kMillisecond);
+BENCHMARK(pack)->DenseRange(0, 2)->Unit(benchmark::kMillisecond);
+BENCHMARK(exact)->ArgsProduct({{0, 1, 2}, {0, 1, 2}})->Unit(benchmark::kMillisecond);
+BENCHMARK(rays_64)->DenseRange(0, 2)->Unit(benchmark::kMillisecond);
+BENCHMARK(gather_all)
+    ->ArgsProduct({{0, 1, 2}, {1, 2}})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+
+}  // namespace
+}  // namespace sfumato
+
+BENCHMARK_MAIN();
