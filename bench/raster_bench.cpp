@@ -55,9 +55,10 @@ void add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c, PatchLayer*
   for (const auto& weight : kNodeBarycentric) {
     Vec2 p;
     for (int k = 0; k < 3; ++k) p = p + layer->vertex_position[corner[k]] * weight[k];
-    layer->triangle_node.push_back(static_cast<std::uint32_t>(layer->node_value.size() / 3));
+    layer->color.triangle_node.push_back(
+        static_cast<std::uint32_t>(layer->color.node_value.size() / 3));
     const Rgb color = color_of(region_of(center), p);
-    for (float channel : {color.r, color.g, color.b}) layer->node_value.push_back(channel);
+    for (float channel : {color.r, color.g, color.b}) layer->color.node_value.push_back(channel);
   }
 }
 
@@ -83,7 +84,7 @@ Picture synthetic_picture() {
   Picture picture;
   picture.artboard = picture.viewport = layer.frame;
   picture.layers.push_back(std::move(layer));
-  picture.stack.push_back({});
+  picture.stack.push_back(PatchInstance{});
   return picture;
 }
 

@@ -20,6 +20,13 @@ inline constexpr std::size_t kTriangles = 8'000'000;
 inline constexpr std::size_t kNodes = 40'000'000;
 inline constexpr std::size_t kLayers = 256;
 inline constexpr std::size_t kShadersPerLayer = 64;
+/// Layer instances, local curves and groups of one document, after every `use` was followed.
+inline constexpr std::size_t kStackItems = 200'000;
+/// Groups within groups that are composited by themselves.
+inline constexpr int kGroupDepth = 16;
+/// Pixels of one texture, and of all.
+inline constexpr std::size_t kTexels = 64'000'000;
+inline constexpr std::size_t kTextures = 256;
 inline constexpr int kRays = 4096;
 inline constexpr int kThreads = 1024;
 inline constexpr std::size_t kWarnings = 100;

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "base/vec2.hpp"
@@ -38,6 +39,7 @@ struct Side {
 /// A chain of cubic Béziers with shaders on both sides.
 /// Left is left of the walking direction as seen on the screen.
 struct Curve {
+  std::string id{};
   std::vector<Vec2> control_points{};  ///< 3 n + 1 points for n ≥ 1 pieces
   Side left{};
   Side right{};
@@ -52,6 +54,7 @@ struct Curve {
 
 /// A painted stroke with local influence (paper section 5, eq. 12–16).
 struct LocalCurve {
+  std::string id{};
   std::vector<Vec2> control_points{};  ///< as Curve
   ColorStops left_color;
   ColorStops right_color;

@@ -57,7 +57,16 @@ struct LocalStroke {
   Affine artboard_from_stroke;
 };
 
-using StackItem = std::variant<LayerInstance, LocalStroke>;
+/// What stands between this and its GroupEnd is composited by itself, then as one onto the rest
+/// (an isolated group, as CSS compositing has it).
+struct GroupBegin {
+  float opacity = 1;
+  BlendMode blend = BlendMode::normal;
+};
+
+struct GroupEnd {};
+
+using StackItem = std::variant<LayerInstance, LocalStroke, GroupBegin, GroupEnd>;
 
 /// A picture as its author wrote it. Plain data; `validate` states the invariants.
 struct Document {
@@ -66,7 +75,7 @@ struct Document {
   std::optional<Rgb> background;
   std::vector<Shader> shaders;
   std::vector<Layer> layers;
-  std::vector<StackItem> stack;  ///< bottom first
+  std::vector<StackItem> stack;  ///< bottom first; groups nest and are closed
 };
 
 /// Checks every invariant of the model: sizes against limits.hpp, finite numbers in range, indices,

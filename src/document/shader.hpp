@@ -38,13 +38,17 @@ struct GradientFill {
   std::vector<GradientStop> stops;
 };
 
-/// A raster texture; texel (i, j) covers [i, i+1) × [j, j+1) of the texture frame.
+/// A raster texture; texel (i, j) covers [i, i+1) × [j, j+1) of the texture frame. Beyond its edges
+/// their nearest texel shows. A texture that repeats does so every `period` texels, counted from
+/// the texture frame's origin.
 struct Texture {
   int width = 0;
   int height = 0;
   std::vector<std::uint8_t> rgba;  ///< row by row, 4 × width × height, not premultiplied
   Affine layer_from_texture;
   bool repeats = true;
+  Vec2 period;                     ///< texels; 0 × 0 is width × height
+  std::vector<std::uint8_t> file;  ///< the PNG or JPEG that it came from, if any: what is saved
 };
 
 /// An image-domain shader (paper section 3): its value depends on the shaded point alone.

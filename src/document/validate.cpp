@@ -208,23 +208,55 @@ Status check_stroke(const LocalStroke& stroke) {
   return ok_status();
 }
 
-Status check_stack(const Document& document, Totals& totals) {
-  for (std::size_t i = 0; i < document.stack.size(); ++i) {
-    Status status;
-    if (const auto* instance = std::get_if<LayerInstance>(&document.stack[i])) {
-      status = check_instance(*instance, document.layers.size());
-    } else {
-      const LocalStroke& stroke = std::get<LocalStroke>(document.stack[i]);
-      const LocalCurve& curve = stroke.curve;
-      totals.curves += 1;
-      totals.control_points += curve.control_points.size();
-      totals.stops += curve.left_color.stops.size() + curve.right_color.stops.size() +
-                      curve.blur_radius.stops.size() + curve.influence_radius.stops.size();
-      status = check_stroke(stroke);
-    }
-    if (!status) return inside("stack item " + std::to_string(i), std::move(status));
+/// Checks the items of the stack one after another.
+class StackChecker {
+ public:
+  StackChecker(std::size_t layer_count, Totals& totals)
+      : layer_count_(layer_count), totals_(totals) {}
+
+  Status operator()(const LayerInstance& instance) const {
+    return check_instance(instance, layer_count_);
   }
-  return ok_status();
+
+  Status operator()(const LocalStroke& stroke) {
+    const LocalCurve& curve = stroke.curve;
+    totals_.curves += 1;
+    totals_.control_points += curve.control_points.size();
+    totals_.stops += curve.left_color.stops.size() + curve.right_color.stops.size() +
+                     curve.blur_radius.stops.size() + curve.influence_radius.stops.size();
+    return check_stroke(stroke);
+  }
+
+  Status operator()(const GroupBegin& group) {
+    if (!is_share(group.opacity)) return bad("the opacity is not within 0 to 1");
+    return at_most(static_cast<std::size_t>(++open_groups_), limits::kGroupDepth,
+                   "groups within each other");
+  }
+
+  Status operator()(const GroupEnd&) {
+    if (--open_groups_ < 0) return bad("a group ends that was not begun");
+    return ok_status();
+  }
+
+  int open_groups() const { return open_groups_; }
+
+ private:
+  std::size_t layer_count_;
+  Totals& totals_;
+  int open_groups_ = 0;
+};
+
+Status check_stack(const Document& document, Totals& totals) {
+  if (Status status = at_most(document.stack.size(), limits::kStackItems, "stack items"); !status) {
+    return status;
+  }
+  StackChecker checker(document.layers.size(), totals);
+  for (std::size_t i = 0; i < document.stack.size(); ++i) {
+    if (Status status = std::visit(checker, document.stack[i]); !status) {
+      return inside("stack item " + std::to_string(i), std::move(status));
+    }
+  }
+  return checker.open_groups() == 0 ? ok_status() : bad("a group has no end");
 }
 
 bool is_shape(const LinearGradient& shape) {
@@ -261,10 +293,27 @@ Status check_paint(const Texture& texture) {
   const std::size_t texels = static_cast<std::size_t>(texture.width) * texture.height;
   if (texture.rgba.size() != 4 * texels) return bad("the texture's size and bytes disagree");
   if (!is_usable(texture.layer_from_texture)) return bad("the transform cannot be inverted");
+  const bool has_period = texture.period.x > 0 && texture.period.y > 0;
+  if (!is_coordinate(texture.period) || (!has_period && !(texture.period == Vec2{}))) {
+    return bad("the texture's period is not above 0");
+  }
   return ok_status();
 }
 
+Status check_textures(const std::vector<Shader>& shaders) {
+  std::size_t textures = 0, texels = 0;
+  for (const Shader& shader : shaders) {
+    const auto* texture = std::get_if<Texture>(&shader.paint);
+    if (!texture) continue;
+    ++textures;
+    texels += texture->rgba.size() / 4;
+  }
+  Status status = at_most(textures, limits::kTextures, "textures");
+  return status ? at_most(texels, limits::kTexels, "texels") : status;
+}
+
 Status check_shaders(const std::vector<Shader>& shaders) {
+  if (Status status = check_textures(shaders); !status) return status;
   for (std::size_t i = 0; i < shaders.size(); ++i) {
     Status status =
         std::visit([](const auto& paint) { return check_paint(paint); }, shaders[i].paint);

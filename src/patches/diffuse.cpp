@@ -32,6 +32,17 @@ Result<PatchLayer> solve_layer(Context& context, const Document& document, std::
   return patches::LayerSolver(context, std::move(*scene), options, stats).solve();
 }
 
+PictureItem picture_item(const LayerInstance& instance) {
+  return PatchInstance{instance.layer, instance.artboard_from_layer, instance.opacity,
+                       instance.blend};
+}
+
+/// What is painted as it stands in the document.
+template <class Item>
+PictureItem picture_item(const Item& item) {
+  return item;
+}
+
 }  // namespace
 
 Result<Picture> diffuse(Context& context, const Document& document, const DiffuseOptions& options,
@@ -41,16 +52,16 @@ Result<Picture> diffuse(Context& context, const Document& document, const Diffus
   Picture picture;
   picture.artboard = document.artboard;
   picture.viewport = options.viewport.value_or(document.artboard);
+  picture.interpolation = document.interpolation;
   picture.background = document.background;
+  picture.shaders = document.shaders;
   for (std::uint32_t i = 0; i < document.layers.size(); ++i) {
     Result<PatchLayer> layer = solve_layer(context, document, i, picture.viewport, options, stats);
     if (!layer) return layer.status();
     picture.layers.push_back(std::move(*layer));
   }
   for (const StackItem& item : document.stack) {
-    if (const auto* instance = std::get_if<LayerInstance>(&item)) {
-      picture.stack.push_back({instance->layer, instance->artboard_from_layer, instance->opacity});
-    }
+    picture.stack.push_back(std::visit([](const auto& x) { return picture_item(x); }, item));
   }
   return picture;
 }

@@ -195,12 +195,10 @@ PatchLayer LayerSolver::take_patches() {
   PatchLayer layer;
   layer.frame = scene_.frame;
   layer.order = options_.order;
-  layer.channel_count = kChannels;
   layer.vertex_position = std::move(mesh_.vertex_position);
   layer.triangle_vertex = std::move(mesh_.triangle_vertex);
   layer.edge_is_curve = std::move(layout_.edge_is_curve);
-  layer.triangle_node = std::move(layout_.triangle_node);
-  layer.node_value = std::move(layout_.value);
+  layer.color = {kChannels, std::move(layout_.triangle_node), std::move(layout_.value), {}};
   if (stats_) {
     stats_->triangles += layer.triangle_count();
     stats_->vertices += layer.vertex_position.size();

@@ -2,33 +2,47 @@
 
 #include <cstdint>
 #include <optional>
+#include <variant>
 #include <vector>
 
 #include "base/affine.hpp"
 #include "base/box.hpp"
 #include "base/color.hpp"
 #include "base/vec2.hpp"
+#include "document/document.hpp"
 
 namespace sfumato {
 
 /// Interpolation inside a triangle (paper appendix A). Ten nodes are stored for each.
 enum class PatchOrder : std::uint8_t { linear, quadratic, cubic };
 
-/// One solved layer: triangular patches over shared nodes.
+/// Values that are interpolated over the triangles of a layer.
 ///
 /// The ten nodes of triangle t with corners 0, 1, 2 stand in this order (paper Fig. 3, eq. 18):
 /// Z0 Z1 Z2  Z01 Z10  Z12 Z21  Z20 Z02  Z012 — Zij lies on edge ij, a third of the way from i.
 /// The barycentric weight of corner 0 is the paper's w, of corner 1 its u, of corner 2 its v.
+struct PatchField {
+  int channel_count = 0;                     ///< 0: the layer has no such field
+  std::vector<std::uint32_t> triangle_node;  ///< 10 per triangle
+  std::vector<float> node_value;             ///< channel_count per node
+  /// Image-domain shaders by their weights W_s/W, the last channels: indices into Picture::shaders.
+  std::vector<std::uint32_t> shader;
+};
+
+/// One solved layer: triangular patches over shared nodes (paper eq. 6 and 10).
+///
+/// The colour at a point is color's channels 0 to 2, in the space of Picture::interpolation, plus
+/// the weight of each shader times its colour there; opacity is channel 0 of `opacity`, plus
+/// weights times alpha × luminance.
 struct PatchLayer {
-  Box frame;  ///< the triangles cover at least this rectangle of the layer frame
+  Box frame;  ///< the triangles cover what is seen of this rectangle of the layer frame
   PatchOrder order = PatchOrder::cubic;
-  int channel_count = 3;
   std::vector<Vec2> vertex_position;           ///< layer frame
   std::vector<std::uint32_t> triangle_vertex;  ///< 3 per triangle, cross(01, 02) > 0
   /// 3 per triangle, edge k from corner k to corner (k+1)%3: 1 where the picture may jump.
   std::vector<std::uint8_t> edge_is_curve;
-  std::vector<std::uint32_t> triangle_node;  ///< 10 per triangle
-  std::vector<float> node_value;  ///< channel_count per node: code values 0 to 1, then weights
+  PatchField color{3, {}, {}, {}};  ///< 3 channels and one for each of its shaders
+  PatchField opacity;               ///< 1 channel and one for each of its shaders; none: opaque
 
   std::uint32_t triangle_count() const {
     return static_cast<std::uint32_t>(triangle_vertex.size() / 3);
@@ -40,15 +54,20 @@ struct PatchInstance {
   std::uint32_t layer = 0;
   Affine artboard_from_layer;
   float opacity = 1;
+  BlendMode blend = BlendMode::normal;
 };
+
+using PictureItem = std::variant<PatchInstance, LocalStroke, GroupBegin, GroupEnd>;
 
 /// A resolution-independent picture: what every output is made from.
 struct Picture {
   Box artboard;  ///< user units, y down
   Box viewport;  ///< the part that was solved; inside it every pixel is covered
+  InterpolationSpace interpolation = InterpolationSpace::srgb;
   std::optional<Rgb> background;
+  std::vector<Shader> shaders;
   std::vector<PatchLayer> layers;
-  std::vector<PatchInstance> stack;  ///< bottom first
+  std::vector<PictureItem> stack;  ///< bottom first; groups as in Document::stack
 };
 
 }  // namespace sfumato

@@ -31,12 +31,13 @@ bool is_moderate(const Affine& m) {
 
 bool is_whole(const PatchLayer& layer) {
   const std::size_t count = layer.triangle_count();
-  if (layer.channel_count < 3) return false;
-  const std::size_t nodes = layer.node_value.size() / static_cast<std::size_t>(layer.channel_count);
+  if (layer.color.channel_count < 3) return false;
+  const std::size_t nodes =
+      layer.color.node_value.size() / static_cast<std::size_t>(layer.color.channel_count);
   return layer.triangle_vertex.size() == 3 * count && layer.edge_is_curve.size() == 3 * count &&
-         layer.triangle_node.size() == 10 * count &&
+         layer.color.triangle_node.size() == 10 * count &&
          all_below(layer.triangle_vertex, layer.vertex_position.size()) &&
-         all_below(layer.triangle_node, nodes) &&
+         all_below(layer.color.triangle_node, nodes) &&
          std::all_of(layer.vertex_position.begin(), layer.vertex_position.end(), is_position);
 }
 
@@ -47,7 +48,10 @@ Status check_picture(const Picture& picture) {
     if (!is_whole(layer))
       return make_error(StatusCode::bad_input, "a layer of the picture whose tables do not fit");
   }
-  for (const PatchInstance& instance : picture.stack) {
+  for (const PictureItem& item : picture.stack) {
+    const auto* instance_item = std::get_if<PatchInstance>(&item);
+    if (!instance_item) continue;
+    const PatchInstance& instance = *instance_item;
     if (instance.layer >= picture.layers.size())
       return make_error(StatusCode::bad_input, "an instance of a layer that is not there");
     if (!is_moderate(instance.artboard_from_layer))
@@ -75,9 +79,9 @@ LayerView view_instance(const Picture& picture, const PatchInstance& instance,
   view.vertex_position = layer.vertex_position.data();
   view.triangle_vertex = layer.triangle_vertex.data();
   view.edge_is_curve = layer.edge_is_curve.data();
-  view.triangle_node = layer.triangle_node.data();
-  view.node_value = layer.node_value.data();
-  view.channel_count = layer.channel_count;
+  view.triangle_node = layer.color.triangle_node.data();
+  view.node_value = layer.color.node_value.data();
+  view.channel_count = layer.color.channel_count;
   view.order = layer.order;
   view.image_from_layer = image_from_artboard * instance.artboard_from_layer;
   view.mirrored = view.image_from_layer.determinant() < 0;

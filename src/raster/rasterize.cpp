@@ -44,7 +44,10 @@ Status prepare_stack(Context& context, const Picture& picture, const RasterOptio
   const Result<Affine> image_from_artboard = raster::image_from_artboard(picture, options);
   if (!image_from_artboard) return image_from_artboard.status();
   const double margin_px = options.mesh_overlay ? raster::kOverlayReachPx + 1 : 0;
-  for (const PatchInstance& instance : picture.stack) {
+  for (const PictureItem& item : picture.stack) {
+    const auto* instance_item = std::get_if<PatchInstance>(&item);
+    if (!instance_item) continue;
+    const PatchInstance& instance = *instance_item;
     PaintedInstance painted;
     painted.layer = raster::view_instance(picture, instance, *image_from_artboard);
     Result<TileBins> bins = raster::bin_triangles(context, painted.layer,

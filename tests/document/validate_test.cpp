@@ -42,7 +42,8 @@ Document some_document() {
                                                   SpreadMethod::pad,
                                                   {},
                                                   {{0, {0, 0, 1}, 1}, {1, {1, 1, 1}, 0.5f}}}});
-  document.shaders.push_back({"wood", Texture{2, 1, std::vector<std::uint8_t>(8), {}, true}});
+  document.shaders.push_back(
+      {"wood", Texture{2, 1, std::vector<std::uint8_t>(8), {}, true, {}, {}}});
   document.layers.push_back({"paper", {some_curve(), some_curve()}});
   document.layers[0].curves[1].right.color = {ShaderKind::image_domain, {}, 1};
   document.stack = {LayerInstance{}, some_stroke()};

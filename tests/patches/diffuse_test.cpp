@@ -157,7 +157,8 @@ TEST(Diffuse, around_a_free_end_the_colours_turn_from_one_side_to_the_other) {
       // From the upper side of the curve (angle 0, white) round to the lower (2π, black).
       double angle = std::atan2(-(middle.y - 50), middle.x - 50);
       if (angle < 0) angle += 2 * 3.14159265358979;
-      const float value = layer.node_value[3 * std::size_t{layer.triangle_node[10 * t + k]}];
+      const float value =
+          layer.color.node_value[3 * std::size_t{layer.color.triangle_node[10 * t + k]}];
       EXPECT_NEAR(value, 1 - angle / (2 * 3.14159265358979), 1e-5);
     }
   }
@@ -180,8 +181,8 @@ TEST(Diffuse, at_the_border_of_what_sees_a_curve_no_dark_fringe_appears) {
   const PatchLayer layer = diffused(one_layer({line})).layers[0];
   EXPECT_TRUE(test::sample(layer, {10, 40}).has_value());
   EXPECT_FALSE(test::sample(layer, {10, 60}).has_value());
-  for (std::uint32_t node : layer.triangle_node) {
-    EXPECT_NEAR(layer.node_value[3 * std::size_t{node}], 1, 1e-5);
+  for (std::uint32_t node : layer.color.triangle_node) {
+    EXPECT_NEAR(layer.color.node_value[3 * std::size_t{node}], 1, 1e-5);
   }
 }
 
@@ -223,7 +224,7 @@ TEST(Diffuse, the_same_bits_for_any_number_of_threads_and_any_instruction_set) {
       context.simd = level;
       Result<Picture> picture = diffuse(context, document, {});
       ASSERT_TRUE(picture.ok());
-      EXPECT_EQ(picture->layers[0].node_value, expected.layers[0].node_value);
+      EXPECT_EQ(picture->layers[0].color.node_value, expected.layers[0].color.node_value);
       EXPECT_EQ(picture->layers[0].triangle_vertex, expected.layers[0].triangle_vertex);
     }
   }

@@ -54,15 +54,15 @@ TEST(RasterLimits, a_picture_whose_tables_do_not_fit_is_bad_input) {
     spoil(picture);
     EXPECT_EQ(code_of(picture, image_size(4, 4)), StatusCode::bad_input);
   };
-  refused([](Picture& p) { p.stack[0].layer = 1; });
+  refused([](Picture& p) { std::get<PatchInstance>(p.stack[0]).layer = 1; });
   refused([](Picture& p) { p.layers[0].triangle_vertex[3] = 1000; });
-  refused([](Picture& p) { p.layers[0].triangle_node[3] = 100000; });
+  refused([](Picture& p) { p.layers[0].color.triangle_node[3] = 100000; });
   refused([](Picture& p) { p.layers[0].edge_is_curve.pop_back(); });
-  refused([](Picture& p) { p.layers[0].triangle_node.pop_back(); });
-  refused([](Picture& p) { p.layers[0].node_value.clear(); });
-  refused([](Picture& p) { p.layers[0].channel_count = 0; });
+  refused([](Picture& p) { p.layers[0].color.triangle_node.pop_back(); });
+  refused([](Picture& p) { p.layers[0].color.node_value.clear(); });
+  refused([](Picture& p) { p.layers[0].color.channel_count = 0; });
   refused([](Picture& p) { p.layers[0].vertex_position[3].x = std::nan(""); });
-  refused([](Picture& p) { p.stack[0].artboard_from_layer.e = 1e300; });
+  refused([](Picture& p) { std::get<PatchInstance>(p.stack[0]).artboard_from_layer.e = 1e300; });
 }
 
 TEST(RasterLimits, the_image_is_charged_before_it_is_made) {
@@ -146,8 +146,8 @@ TEST(RasterLimits, far_coordinates_and_extreme_scales_end_in_an_image) {
 
 TEST(RasterLimits, values_that_are_not_numbers_end_in_an_image) {
   Picture picture = plain_picture();
-  for (std::size_t i = 0; i < picture.layers[0].node_value.size(); i += 7)
-    picture.layers[0].node_value[i] = std::nan("");
+  for (std::size_t i = 0; i < picture.layers[0].color.node_value.size(); i += 7)
+    picture.layers[0].color.node_value[i] = std::nan("");
   for (std::uint8_t& is_curve : picture.layers[0].edge_is_curve) is_curve = 1;
   EXPECT_EQ(rasterized(picture, image_size(40, 40, PixelFormat::rgba8)).bytes.size(), 6400u);
 }
@@ -161,8 +161,8 @@ TEST(RasterLimits, needles_across_a_huge_image_are_listed_along_their_length) {
   for (std::uint32_t i = 0; i < kNeedles; ++i) mesh.add(0, 5 + i, 4 + i, 0);
   const Picture picture = make_picture(make_layer(mesh, [](int, Vec2) { return Rgb{}; }));
   const double side = limits::kImageSide;
-  const raster::LayerView view =
-      raster::view_instance(picture, picture.stack[0], {side, 0, 0, side, 0, 0});
+  const raster::LayerView view = raster::view_instance(
+      picture, std::get<PatchInstance>(picture.stack[0]), {side, 0, 0, side, 0, 0});
   const raster::TileGrid grid{limits::kImageSide, limits::kImageSide};
   Context context;
   const auto bins = raster::bin_triangles(context, view, kNeedles, grid, 0);

@@ -103,7 +103,7 @@ TEST(RasterOutput, a_picture_without_layers_is_background) {
 TEST(RasterOutput, later_instances_lie_on_earlier_ones) {
   Picture picture = flat_picture(0.2f);
   picture.layers.push_back(flat_picture(0.8f).layers[0]);
-  picture.stack = {{0, {}, 1}, {1, {0.25, 0, 0, 0.25, 2, 4}, 1}};
+  picture.stack = {PatchInstance{0, {}}, PatchInstance{1, {0.25, 0, 0, 0.25, 2, 4}}};
   const Image image = rasterized(picture, image_size(32, 32, PixelFormat::rgb8));
   for (int i = 0; i < 32 * 32; ++i) {
     const int x = i % 32, y = i / 32;

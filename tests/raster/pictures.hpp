@@ -53,8 +53,9 @@ inline PatchLayer make_layer(const RegionMesh& mesh, const ColorField& color) {
       Vec2 p;
       for (int k = 0; k < 3; ++k) p = p + mesh.vertex[corner[k]] * weight[k];
       const Rgb value = color(mesh.region[t], p);
-      layer.triangle_node.push_back(static_cast<std::uint32_t>(layer.node_value.size() / 3));
-      for (float channel : {value.r, value.g, value.b}) layer.node_value.push_back(channel);
+      layer.color.triangle_node.push_back(
+          static_cast<std::uint32_t>(layer.color.node_value.size() / 3));
+      for (float channel : {value.r, value.g, value.b}) layer.color.node_value.push_back(channel);
     }
   }
   return layer;
@@ -64,7 +65,7 @@ inline Picture make_picture(PatchLayer layer) {
   Picture picture;
   picture.artboard = picture.viewport = layer.frame;
   picture.layers.push_back(std::move(layer));
-  picture.stack.push_back({});
+  picture.stack.push_back(PatchInstance{});
   return picture;
 }
 

@@ -49,8 +49,8 @@ struct ReferenceTriangle {
 /// The triangles of a picture's only layer, under a similarity without mirroring.
 inline std::vector<ReferenceTriangle> reference_triangles(const Picture& picture, Box viewport,
                                                           int width, int height) {
-  const PatchLayer& layer = picture.layers[picture.stack[0].layer];
-  const Affine& artboard_from_layer = picture.stack[0].artboard_from_layer;
+  const PatchLayer& layer = picture.layers[std::get<PatchInstance>(picture.stack[0]).layer];
+  const Affine& artboard_from_layer = std::get<PatchInstance>(picture.stack[0]).artboard_from_layer;
   std::vector<ReferenceTriangle> triangles(layer.triangle_count());
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     triangles[t].order = layer.order;
@@ -62,7 +62,8 @@ inline std::vector<ReferenceTriangle> reference_triangles(const Picture& picture
     }
     for (int i = 0; i < kNodesPerTriangle; ++i)
       for (int c = 0; c < 3; ++c)
-        triangles[t].node[i][c] = layer.node_value[3 * layer.triangle_node[10 * t + i] + c];
+        triangles[t].node[i][c] =
+            layer.color.node_value[3 * layer.color.triangle_node[10 * t + i] + c];
   }
   return triangles;
 }

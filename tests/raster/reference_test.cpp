@@ -84,7 +84,7 @@ TEST(RasterReference, a_turned_and_scaled_instance_agrees) {
   const RegionMesh mesh =
       jittered_grid({{0, 0}, {20, 15}}, 8, 9, [](int i, int j) { return i * j % 3; });
   Picture picture = make_picture(make_layer(mesh, wavy));
-  picture.stack[0].artboard_from_layer = {0.8, 0.6, -0.6, 0.8, 9, -2};
+  std::get<PatchInstance>(picture.stack[0]).artboard_from_layer = {0.8, 0.6, -0.6, 0.8, 9, -2};
   const Disagreement result = compare(picture, {{0, 0}, {25, 25}}, 80, 80);
   EXPECT_LT(result.worst, kAllowed);
   EXPECT_EQ(result.coverage, 0);
@@ -95,7 +95,7 @@ TEST(RasterReference, a_mirrored_instance_is_the_mirrored_image) {
       jittered_grid({{0, 0}, {20, 15}}, 8, 9, [](int i, int j) { return i * j % 3; });
   Picture picture = make_picture(make_layer(mesh, wavy));
   const Image plain = rasterized(picture, image_size(61, 40));
-  picture.stack[0].artboard_from_layer = {-1, 0, 0, 1, 20, 0};
+  std::get<PatchInstance>(picture.stack[0]).artboard_from_layer = {-1, 0, 0, 1, 20, 0};
   const Image mirrored = rasterized(picture, image_size(61, 40));
   for (int y = 0; y < 40; ++y) {
     for (int x = 0; x < 61; ++x) {

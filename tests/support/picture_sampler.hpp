@@ -22,10 +22,11 @@ inline std::optional<std::array<double, 3>> sample(const PatchLayer& layer, Vec2
     const auto basis = patch_basis(layer.order, w, u, v);
     std::array<double, 3> color{};
     for (int n = 0; n < kNodesPerTriangle; ++n) {
-      const std::uint32_t node = layer.triangle_node[std::size_t{10} * t + n];
+      const std::uint32_t node = layer.color.triangle_node[std::size_t{10} * t + n];
       for (int channel = 0; channel < 3; ++channel) {
         color[channel] +=
-            basis[n] * layer.node_value[std::size_t(layer.channel_count) * node + channel];
+            basis[n] *
+            layer.color.node_value[std::size_t(layer.color.channel_count) * node + channel];
       }
     }
     return color;

@@ -18,7 +18,8 @@ sfumato::Status dump(const std::string& in, double max_error) {
   auto picture = diffuse(context, read->document, options);
   if (!picture) return picture.status();
   for (const PatchLayer& layer : picture->layers) {
-    std::fwrite(layer.node_value.data(), sizeof(float), layer.node_value.size(), stdout);
+    std::fwrite(layer.color.node_value.data(), sizeof(float), layer.color.node_value.size(),
+                stdout);
   }
   return ok_status();
 }
