@@ -9,14 +9,12 @@
 #include "base/affine.hpp"
 #include "base/box.hpp"
 #include "base/color.hpp"
+#include "base/color_space.hpp"
 #include "base/status.hpp"
 #include "document/curve.hpp"
 #include "document/shader.hpp"
 
 namespace sfumato {
-
-/// Space in which colours are interpolated.
-enum class InterpolationSpace : std::uint8_t { srgb, linear, oklab };
 
 enum class BlendMode : std::uint8_t {
   normal,
