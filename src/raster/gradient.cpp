@@ -1,0 +1,214 @@
+#include "raster/gradient.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+namespace sfumato::raster {
+namespace {
+
+/// A focus on the rim would leave half of the plane without a colour; so near to it, the gradient
+/// has one everywhere and looks the same.
+constexpr double kLargestFocus = 1 - 1.0 / 1024;
+
+/// Offsets beyond this show the same as it; not a number becomes its negative.
+constexpr double kLargestOffset = 1e9;
+
+double bounded(double t) {
+  return t > -kLargestOffset ? (t < kLargestOffset ? t : kLargestOffset) : -kLargestOffset;
+}
+
+void set_channels(const GradientStop& stop, double (&value)[4]) {
+  value[0] = stop.color.r;
+  value[1] = stop.color.g;
+  value[2] = stop.color.b;
+  value[3] = stop.alpha;
+}
+
+/// Adds the integral over `width` from the segment's begin: of alpha c for the colours (a cubic),
+/// of alpha for alpha.
+void add_integral(const GradientSegment& s, double width, double (&sum)[4]) {
+  const double a0 = s.value[3], a1 = s.slope[3];
+  for (int c = 0; c < 3; ++c) {
+    const double c0 = s.value[c], c1 = s.slope[c];
+    sum[c] += width * (a0 * c0 + width * ((a0 * c1 + a1 * c0) / 2 + width * (a1 * c1) / 3));
+  }
+  sum[3] += width * (a0 + width * a1 / 2);
+}
+
+void add_constant(const double (&value)[4], double width, double (&sum)[4]) {
+  for (int c = 0; c < 3; ++c) sum[c] += value[c] * value[3] * width;
+  sum[3] += value[3] * width;
+}
+
+}  // namespace
+
+Result<Gradient> Gradient::create(Context& context, const GradientFill& fill) {
+  Gradient gradient;
+  const std::size_t bytes = (fill.stops.size() + 1) * sizeof(GradientSegment);
+  if (Status status = gradient.charge_.add(context, bytes, "a gradient"); !status) return status;
+  gradient.spread_ = fill.spread;
+  gradient.add_segments(fill);
+  std::visit([&](const auto& shape) { gradient.set_shape(shape); }, fill.shape);
+  gradient.frame_from_layer_ = gradient.frame_from_layer_ * inverse(fill.layer_from_gradient);
+  return gradient;
+}
+
+void Gradient::add_segments(const GradientFill& fill) {
+  set_channels(fill.stops.front(), first_);
+  set_channels(fill.stops.back(), last_);
+  segments_.reserve(fill.stops.size() + 1);
+  double low = 0;
+  double low_value[4];
+  std::copy_n(first_, 4, low_value);
+  const auto add = [&](double high, const double(&high_value)[4]) {
+    if (high > low) {
+      GradientSegment segment;
+      segment.begin = low;
+      segment.end = high;
+      for (int c = 0; c < 4; ++c) {
+        segment.value[c] = low_value[c];
+        segment.slope[c] = (high_value[c] - low_value[c]) / (high - low);
+        segment.before[c] = total_[c];
+      }
+      add_integral(segment, high - low, total_);
+      segments_.push_back(segment);
+    }
+    low = high;
+    std::copy_n(high_value, 4, low_value);
+  };
+  for (const GradientStop& stop : fill.stops) {
+    double value[4];
+    set_channels(stop, value);
+    add(stop.offset, value);
+  }
+  add(1, last_);
+}
+
+void Gradient::set_shape(const LinearGradient& shape) {
+  const Vec2 axis = shape.end - shape.start;
+  const double squared = length_squared(axis);
+  if (!(squared > 0)) {
+    // SVG paints the whole area with the last stop.
+    spread_ = SpreadMethod::pad;
+    frame_from_layer_ = {0, 0, 0, 0, 2, 0};
+    return;
+  }
+  const Vec2 unit = axis / squared;
+  frame_from_layer_ = {unit.x, 0, unit.y, 0, -dot(unit, shape.start), 0};
+}
+
+void Gradient::set_shape(const RadialGradient& shape) {
+  is_radial_ = true;
+  const double k = 1 / shape.radius;
+  Vec2 offset = (shape.center - shape.focus) * k;
+  const double distance = length(offset);
+  if (distance > kLargestFocus) offset = offset * (kLargestFocus / distance);
+  center_from_focus_ = offset;
+  const Vec2 focus = shape.center * k - offset;
+  frame_from_layer_ = {k, 0, 0, k, -focus.x, -focus.y};
+}
+
+/// Radial: p lies on the circle of radius t around focus + t e, so |p - t e| = t with e from focus
+/// to centre, in radii. That is (1 - e²) t² + 2 (p·e) t - p² = 0, whose positive root is written so
+/// that nothing cancels; its derivative is (p - t e) / sqrt((p·e)² + (1 - e²) p²).
+Gradient::Offset Gradient::offset_at(const Affine& frame_from_image, Vec2 point) const {
+  const Vec2 p = frame_from_image(point);
+  const Affine& m = frame_from_image;
+  if (!is_radial_) return {bounded(p.x), 0.5 * length({m.a, m.c})};
+  const Vec2 e = center_from_focus_;
+  const double a = 1 - length_squared(e), b = dot(p, e), q = length_squared(p);
+  const double root = std::sqrt(b * b + a * q);
+  const double t = b > 0 ? q / (b + root) : (root - b) / a;
+  const Vec2 slope = root > 0 ? (p - e * t) / root : Vec2{1, 0};
+  const Vec2 in_image{m.a * slope.x + m.b * slope.y, m.c * slope.x + m.d * slope.y};
+  return {bounded(t), 0.5 * length(in_image)};
+}
+
+void Gradient::evaluate(const Affine& layer_from_image, Vec2 first, int count,
+                        const ShaderRow& row) const {
+  const Affine frame_from_image = frame_from_layer_ * layer_from_image;
+  std::size_t hint = 0;
+  for (int i = 0; i < count; ++i) {
+    float rgba[4];
+    hint = sample(offset_at(frame_from_image, {first.x + i, first.y}), hint, rgba);
+    row.set(i, rgba);
+  }
+}
+
+/// Writes the sample's colour; returns the segment where it lies, the hint for its neighbour.
+std::size_t Gradient::sample(Offset offset, std::size_t hint, float (&rgba)[4]) const {
+  const double t = folded(offset.t);
+  const double half = offset.half_width < kLargestOffset ? offset.half_width : kLargestOffset;
+  const double low = t - half, high = t + half;
+  if (low >= 0 && high <= 1) {
+    hint = segment_at(low, hint);
+    const GradientSegment& s = segments_[hint];
+    if (high <= s.end) {
+      const double along = t - s.begin;
+      for (int c = 0; c < 4; ++c) rgba[c] = static_cast<float>(s.value[c] + s.slope[c] * along);
+      return hint;
+    }
+  }
+  mean(low, high, rgba);
+  return hint;
+}
+
+/// The offset that shows the same, from 0 to 1 but for pad.
+double Gradient::folded(double t) const {
+  if (spread_ == SpreadMethod::pad || (t >= 0 && t < 1)) return t;
+  if (spread_ == SpreadMethod::repeat) return t - std::floor(t);
+  const double u = t - 2 * std::floor(t / 2);
+  return u <= 1 ? u : 2 - u;
+}
+
+/// The segment that holds t from 0 to 1; at a border the later one.
+std::size_t Gradient::segment_at(double t, std::size_t hint) const {
+  if (t >= segments_[hint].begin && t < segments_[hint].end) return hint;
+  const auto after =
+      std::upper_bound(segments_.begin(), segments_.end(), t,
+                       [](double x, const GradientSegment& s) { return x < s.begin; });
+  return static_cast<std::size_t>(after - segments_.begin()) - 1;
+}
+
+/// The integral from 0 to t, 0 ≤ t ≤ 1.
+void Gradient::unit_integral(double t, double (&sum)[4]) const {
+  const GradientSegment& s = segments_[segment_at(t, 0)];
+  std::copy_n(s.before, 4, sum);
+  add_integral(s, t - s.begin, sum);
+}
+
+/// The integral from 0 to any t of the gradient as it spreads.
+void Gradient::integral(double t, double (&sum)[4]) const {
+  const double inside = std::clamp(t, 0.0, 1.0);
+  if (spread_ == SpreadMethod::pad) {
+    unit_integral(inside, sum);
+    add_constant(t < 0 ? first_ : last_, t - inside, sum);
+    return;
+  }
+  const double rounds = std::floor(t);
+  const bool backwards = spread_ == SpreadMethod::reflect && std::fmod(rounds, 2) != 0;
+  unit_integral(backwards ? 1 - (t - rounds) : t - rounds, sum);
+  for (int c = 0; c < 4; ++c) {
+    sum[c] = rounds * total_[c] + (backwards ? total_[c] - sum[c] : sum[c]);
+  }
+}
+
+/// The mean of the premultiplied colour over [low, high], then divided by the mean of alpha.
+void Gradient::mean(double low, double high, float (&rgba)[4]) const {
+  if (spread_ == SpreadMethod::pad && (high <= 0 || low >= 1)) {
+    for (int c = 0; c < 4; ++c) rgba[c] = static_cast<float>(high <= 0 ? first_[c] : last_[c]);
+    return;
+  }
+  double from[4], to[4];
+  integral(low, from);
+  integral(high, to);
+  const double alpha = to[3] - from[3];
+  for (int c = 0; c < 3; ++c) {
+    rgba[c] = alpha > 0 ? static_cast<float>(std::clamp((to[c] - from[c]) / alpha, 0.0, 1.0)) : 0;
+  }
+  rgba[3] = static_cast<float>(std::clamp(alpha / (high - low), 0.0, 1.0));
+}
+
+}  // namespace sfumato::raster
