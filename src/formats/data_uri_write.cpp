@@ -1,0 +1,67 @@
+#include "formats/data_uri_write.hpp"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "formats/png.hpp"
+
+namespace sfumato {
+namespace {
+
+constexpr std::array<std::uint8_t, 8> kPngMagic{0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
+constexpr std::array<std::uint8_t, 3> kJpegMagic{0xff, 0xd8, 0xff};
+
+bool starts_with(std::span<const std::uint8_t> bytes, std::span<const std::uint8_t> start) {
+  return bytes.size() >= start.size() && std::equal(start.begin(), start.end(), bytes.begin());
+}
+
+Result<std::vector<std::uint8_t>> encoded(Context& context, const Texture& texture) {
+#if defined(__wasm__)
+  static_cast<void>(context);
+  static_cast<void>(texture);
+  return make_error(
+      StatusCode::bad_input,
+      "a texture that came from no file cannot be saved here; expected a PNG or JPEG");
+#else
+  ScopedCharge charge;
+  Status status = charge.add(context, texture.rgba.size(), "a texture to be saved");
+  if (!status) return status;
+  return encode_png(context, {texture.width, texture.height, PixelFormat::rgba8, texture.rgba});
+#endif
+}
+
+}  // namespace
+
+std::string_view image_media_type(std::span<const std::uint8_t> file) {
+  if (starts_with(file, kPngMagic)) return "image/png";
+  if (starts_with(file, kJpegMagic)) return "image/jpeg";
+  return {};
+}
+
+std::string data_uri(std::string_view media_type, std::span<const std::uint8_t> bytes) {
+  constexpr std::string_view kDigits =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string uri = "data:" + std::string(media_type) + ";base64,";
+  uri.reserve(uri.size() + (bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
+    std::uint32_t word = 0;
+    for (std::size_t k = 0; k < 3; ++k) word = word << 8 | (k < count ? bytes[i + k] : 0u);
+    for (std::size_t k = 0; k < 4; ++k) {
+      uri += k <= count ? kDigits[word >> (18 - 6 * k) & 63] : '=';
+    }
+  }
+  return uri;
+}
+
+Result<std::string> data_uri(Context& context, const Texture& texture) {
+  if (const std::string_view type = image_media_type(texture.file); !type.empty()) {
+    return data_uri(type, texture.file);
+  }
+  const auto png = encoded(context, texture);
+  if (!png) return png.status();
+  return data_uri("image/png", *png);
+}
+
+}  // namespace sfumato

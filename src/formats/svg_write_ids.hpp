@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <unordered_set>
+
+namespace sfumato::svg_write {
+
+/// Gives out ids that are XML names without a colon (letters, digits, '-', '_', '.', and what is
+/// not ASCII) and unique. An id that is both already stays as it is.
+class IdPool {
+ public:
+  /// The id to write for `wanted`: other characters become '_', one that is taken gets "-2", "-3"…
+  std::string claim(std::string_view wanted);
+
+  /// As above, or "KIND-1", "KIND-2"… where nothing is wanted.
+  std::string claim_or_make(std::string_view wanted, std::string_view kind);
+
+ private:
+  std::string numbered(const std::string& base, std::size_t first);
+
+  std::unordered_set<std::string> taken_;
+  std::unordered_map<std::string, std::size_t> next_number_;
+};
+
+}  // namespace sfumato::svg_write

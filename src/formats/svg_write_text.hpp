@@ -1,0 +1,43 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace sfumato::svg_write {
+
+/// The attributes of one element, in the order in which they are written. A '\n' in a value is a
+/// place where its line may be broken, else a space. Values hold nothing that XML would escape.
+class Attributes {
+ public:
+  Attributes& add(std::string_view name, std::string value) {
+    list_.emplace_back(name, std::move(value));
+    return *this;
+  }
+
+  const std::vector<std::pair<std::string_view, std::string>>& list() const { return list_; }
+
+ private:
+  std::vector<std::pair<std::string_view, std::string>> list_;
+};
+
+/// Writes elements, indented by two columns for each that is open. Lines end at 100 columns:
+/// attributes go on below the first one, and values are broken where they may.
+class ElementWriter {
+ public:
+  void open(std::string_view name, const Attributes& attributes);
+  void close(std::string_view name);
+  void leaf(std::string_view name, const Attributes& attributes);
+
+  const std::string& text() const { return text_; }
+  std::string take() { return std::move(text_); }
+
+ private:
+  void element(std::string_view name, const Attributes& attributes, std::string_view end);
+
+  std::string text_;
+  std::size_t depth_ = 0;
+};
+
+}  // namespace sfumato::svg_write
