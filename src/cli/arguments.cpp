@@ -1,5 +1,6 @@
 #include "cli/arguments.hpp"
 
+#include "cli/document_commands.hpp"
 #include "cli/option_helpers.hpp"
 #include "cli/render_options.hpp"
 #include "cli/values.hpp"
@@ -14,31 +15,16 @@ constexpr const char* kRootFooter =
     "Examples:\n"
     "  sfumato render lady_bug.xml -o lady_bug.png\n"
     "  sfumato info lady_bug.xml\n"
+    "  sfumato convert lady_bug.xml -o lady_bug.svg\n"
     "  sfumato compare before.png after.png -o difference.png\n"
     "\n"
     "'sfumato COMMAND --help' tells all about a command.\n"
     "Exit codes: 0 done, 1 bad input, 2 bad usage, 3 a limit or resource, 4 a mistake of ours.";
 
-constexpr const char* kInfoFooter =
-    "Examples:\n"
-    "  sfumato info lady_bug.xml\n"
-    "  sfumato info --json lady_bug.xml";
-
 constexpr const char* kCompareFooter =
     "Examples:\n"
     "  sfumato compare exact.png fast.png\n"
     "  sfumato compare exact.png fast.png -o difference.png --scale 32";
-
-CLI::App* add_info(CLI::App& root, InfoArguments& arguments) {
-  CLI::App* app = root.add_subcommand("info", "Say what a file of diffusion curves holds");
-  app->footer(kInfoFooter);
-  app->add_option("IN", arguments.input, "Diffusion curves (Orzan XML); '-': from stdin")
-      ->required()
-      ->type_name("");
-  app->add_flag("--json", arguments.json, "Print one JSON object");
-  app->add_flag("--quiet", arguments.quiet, "No warnings");
-  return app;
-}
 
 CLI::App* add_compare(CLI::App& root, CompareArguments& arguments) {
   CLI::App* app = root.add_subcommand("compare", "Measure how two images of one size differ");
@@ -66,7 +52,7 @@ NoCommand usage_error(const CLI::App& root, std::string what) {
   std::string command = "sfumato";
   for (const CLI::App* chosen : root.get_subcommands()) command += ' ' + chosen->get_name();
   if (root.get_subcommands().empty() && root.remaining_size() > 0) {
-    what = "\"" + root.remaining().front() + "\" given, expected render, info or compare";
+    what = "\"" + root.remaining().front() + "\" given, expected render, info, convert or compare";
   }
   return {"sfumato: error: " + what + "\nTry '" + command + " --help'.\n", kBadUsage};
 }
@@ -84,9 +70,11 @@ Command parse_arguments(int argc, const char* const* argv) {
   RenderArguments render;
   RenderChoices choices;
   InfoArguments info;
+  ConvertArguments convert;
   CompareArguments compare;
   const CLI::App* render_app = add_render(root, render, choices);
   const CLI::App* info_app = add_info(root, info);
+  const CLI::App* convert_app = add_convert(root, convert);
   const CLI::App* compare_app = add_compare(root, compare);
   try {
     root.parse(argc, argv);
@@ -95,6 +83,7 @@ Command parse_arguments(int argc, const char* const* argv) {
       return render;
     }
     if (info_app->parsed()) return info;
+    if (convert_app->parsed()) return convert;
     if (compare_app->parsed()) {
       settle(compare);
       return compare;

@@ -29,6 +29,12 @@ struct RenderArguments {
   bool quiet = false;
 };
 
+struct ConvertArguments {
+  std::string input;
+  std::string output;
+  bool quiet = false;
+};
+
 struct InfoArguments {
   std::string input;
   bool json = false;
@@ -50,7 +56,8 @@ struct NoCommand {
   ExitCode exit_code = kBadUsage;
 };
 
-using Command = std::variant<NoCommand, RenderArguments, InfoArguments, CompareArguments>;
+using Command =
+    std::variant<NoCommand, RenderArguments, InfoArguments, ConvertArguments, CompareArguments>;
 
 /// Reads the command line. Never prints, never exits.
 Command parse_arguments(int argc, const char* const* argv);

@@ -1,0 +1,42 @@
+#include <span>
+
+#include "base/native/file.hpp"
+#include "base/native/tbb_executor.hpp"
+#include "cli/commands.hpp"
+#include "cli/interrupt.hpp"
+#include "cli/paths.hpp"
+#include "formats/orzan.hpp"
+#include "formats/svg_write.hpp"
+
+namespace sfumato::cli {
+namespace {
+
+Status convert_document(Context& context, const ConvertArguments& arguments,
+                        const std::string& input) {
+  const Result<ReadDocument> read = read_orzan(context, input, display_name(arguments.input));
+  if (!read) return read.status();
+  if (!arguments.quiet) {
+    for (const Status& warning : read->warnings) report_warning(warning);
+  }
+  const Result<std::string> svg = write_svg(context, read->document);
+  if (!svg) return svg.status();
+  if (context.cancelled()) return make_error(StatusCode::cancelled, "cancelled");
+  return write_file(arguments.output,
+                    {reinterpret_cast<const std::uint8_t*>(svg->data()), svg->size()});
+}
+
+}  // namespace
+
+int convert(const ConvertArguments& arguments) {
+  const Status writable = check_output(arguments.output);
+  if (!writable) return fail(writable);
+  const Result<std::string> input = read_input(arguments.input, limits::kInputBytes);
+  if (!input) return fail(input.status());
+  const std::unique_ptr<Executor> executor = make_tbb_executor();
+  Context context{.executor = executor.get()};
+  const CancelOnSignal cancel_on_signal(context.cancel);
+  const Status status = convert_document(context, arguments, *input);
+  return status ? kDone : fail(status);
+}
+
+}  // namespace sfumato::cli

@@ -1,0 +1,59 @@
+#include "cli/document_commands.hpp"
+
+namespace sfumato::cli {
+namespace {
+
+constexpr const char* kInfoFooter =
+    "Examples:\n"
+    "  sfumato info lady_bug.xml\n"
+    "  sfumato info --json lady_bug.xml";
+
+constexpr const char* kConvertFooter =
+    "Examples:\n"
+    "  sfumato convert lady_bug.xml -o lady_bug.svg\n"
+    "  sfumato convert - -o - <lady_bug.xml >lady_bug.svg";
+
+void add_document(CLI::App& app, std::string& input) {
+  app.add_option("IN", input, "Diffusion curves (Orzan XML); '-': from stdin")
+      ->required()
+      ->type_name("");
+}
+
+bool is_svg_name(const std::string& path) {
+  constexpr std::string_view kExtension = ".svg";
+  if (path.size() <= kExtension.size()) return path == "-";
+  for (std::size_t i = 0; i < kExtension.size(); ++i) {
+    char c = path[path.size() - kExtension.size() + i];
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    if (c != kExtension[i]) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+CLI::App* add_info(CLI::App& root, InfoArguments& arguments) {
+  CLI::App* app = root.add_subcommand("info", "Say what a file of diffusion curves holds");
+  app->footer(kInfoFooter);
+  add_document(*app, arguments.input);
+  app->add_flag("--json", arguments.json, "Print one JSON object");
+  app->add_flag("--quiet", arguments.quiet, "No warnings");
+  return app;
+}
+
+CLI::App* add_convert(CLI::App& root, ConvertArguments& arguments) {
+  CLI::App* app = root.add_subcommand("convert", "Write a file of diffusion curves as SVG");
+  app->footer(kConvertFooter);
+  add_document(*app, arguments.input);
+  add_value(*app, "-o,--output", {"a file name that ends in .svg, or -", "OUT.svg"},
+            "The SVG document; '-': to stdout",
+            [&output = arguments.output](const std::string& text) {
+              output = text;
+              return is_svg_name(text);
+            })
+      ->required();
+  app->add_flag("--quiet", arguments.quiet, "No warnings");
+  return app;
+}
+
+}  // namespace sfumato::cli

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "cli/arguments.hpp"
+#include "cli/option_helpers.hpp"
+
+/// The options of the commands that read a document and do not draw it.
+namespace sfumato::cli {
+
+CLI::App* add_info(CLI::App& root, InfoArguments& arguments);
+CLI::App* add_convert(CLI::App& root, ConvertArguments& arguments);
+
+}  // namespace sfumato::cli
