@@ -31,6 +31,11 @@ struct Prepared {
   gather::Scene scene;
 };
 
+patches::NodeLayout lay_out(const mesh::TriangleMesh& mesh,
+                            const curves::SegmentAttributes& attributes) {
+  return patches::lay_out_nodes(mesh, attributes, patches::Seams(mesh, attributes));
+}
+
 std::unique_ptr<Prepared> prepare(benchmark::State& state, const std::string& name) {
   const std::optional<Document> document = bench::scene(state, name);
   if (!document) return nullptr;
@@ -49,8 +54,7 @@ std::unique_ptr<Prepared> prepare(benchmark::State& state, const std::string& na
   prepared->attributes = curves::sample_colors(*flat, curves);
   prepared->visibility = mesher->visibility_mesh();
   if (!mesher->refine(context)) return nullptr;
-  const patches::NodeLayout layout =
-      patches::lay_out_nodes(mesher->patch_mesh(), prepared->attributes);
+  const patches::NodeLayout layout = lay_out(mesher->patch_mesh(), prepared->attributes);
   for (std::uint32_t i = 0; i < layout.node_count(); ++i) {
     if (!layout.is_fixed[i]) prepared->points.push_back(layout.position[i]);
   }
@@ -119,7 +123,7 @@ void exact(benchmark::State& state) {
   const auto locator = gather::Locator::create(context, p->scene);
   const auto located = locator->locate(context, p->points);
   const auto packing = gather::pack(context, p->scene, *located);
-  std::vector<float> out(p->points.size() * gather::kColorChannels);
+  std::vector<float> out(p->points.size() * 3);
   for (auto _ : state) {
     benchmark::DoNotOptimize(
         gather::gather_exact(context, p->scene, *located, *packing, out, {}).ok());
@@ -131,7 +135,7 @@ void rays_64(benchmark::State& state) {
   const Prepared* p = prepared_scene(state);
   if (!p) return;
   Context context;
-  std::vector<float> out(p->points.size() * gather::kColorChannels);
+  std::vector<float> out(p->points.size() * 3);
   const gather::GatherOptions options{.method = gather::Method::rays};
   for (auto _ : state) {
     benchmark::DoNotOptimize(
@@ -148,7 +152,7 @@ void gather_all(benchmark::State& state) {
   Context context;
   context.executor = pool.get();
   const auto gatherer = gather::Gatherer::create(context, p->visibility, p->attributes);
-  std::vector<float> out(p->points.size() * gather::kColorChannels);
+  std::vector<float> out(p->points.size() * 3);
   for (auto _ : state) {
     benchmark::DoNotOptimize(gatherer->gather(context, p->points, {}, out).ok());
   }

@@ -50,7 +50,10 @@ void lay_out_nodes(benchmark::State& state) {
   Result<mesh::Mesher> mesher = mesh::Mesher::build(context, *flat, options);
   if (!mesher || !mesher->refine(context)) return state.SkipWithError("no mesh");
   const mesh::TriangleMesh mesh = mesher->patch_mesh();
-  for (auto _ : state) benchmark::DoNotOptimize(patches::lay_out_nodes(mesh, attributes));
+  for (auto _ : state) {
+    const patches::Seams seams(mesh, attributes);
+    benchmark::DoNotOptimize(patches::lay_out_nodes(mesh, attributes, seams));
+  }
   state.counters["triangles"] = mesh.triangle_count();
 }
 

@@ -152,7 +152,7 @@ void measure_pixels(Context& context, const Document& document, int runs, Measur
   std::vector<std::uint8_t> hit(points.size());
   out.pixels_exact = times_of(runs, [&] {
     const Stopwatch watch;
-    const Status status = evaluator.evaluate(context, points, rgb, hit);
+    const Status status = evaluator.evaluate(context, 0, points, rgb, hit);
     if (!status) fail(status);
     return std::vector{watch.seconds()};
   })[0];

@@ -59,33 +59,85 @@ class StopSampler {
   std::size_t next_ = 0;
 };
 
-void sample_side(const FlatCurves& flat, const Curve& curve, std::uint32_t index,
-                 const SideShader<Rgb>& side, std::vector<SegmentColor>& out) {
-  StopSampler<Rgb> sampler(flat, curve, index, side.stops);
-  for (std::uint32_t v = flat.curve_begin[index]; v + 1 < flat.curve_begin[index + 1]; ++v) {
-    out[v].kind = side.kind;
-    out[v].shader = side.shader;
-    if (side.kind == ShaderKind::curve_domain) out[v].color = sampler.values(v);
-  }
+SegmentValues<Rgb> as_values(const SegmentValues<Rgb>& color) {
+  return color;
 }
+
+SegmentValues<Rgb> as_values(const SegmentValues<float>& opacity) {
+  return {{opacity.start, 0, 0}, {opacity.end, 0, 0}};
+}
+
+/// Samples one attribute, which `shader_of` finds on a side.
+template <class Value, class ShaderOf>
+class AttributeSampler {
+ public:
+  AttributeSampler(const FlatCurves& flat, std::span<const Curve> curves, ShaderOf shader_of)
+      : flat_(flat), curves_(curves), shader_of_(shader_of) {}
+
+  SegmentAttributes run() {
+    attributes_.left.resize(flat_.vertex.size());
+    attributes_.right.resize(flat_.vertex.size());
+    attributes_.weight.resize(flat_.vertex.size(), 1.0f);
+    attributes_.curve = flat_.vertex_curve;
+    attributes_.vertex = flat_.vertex;
+    for (std::uint32_t i = 0; i < flat_.curve_count(); ++i) {
+      sample_side(i, curves_[i].left, attributes_.left);
+      sample_side(i, curves_[i].right, attributes_.right);
+      std::fill(attributes_.weight.begin() + flat_.curve_begin[i],
+                attributes_.weight.begin() + flat_.curve_begin[i + 1],
+                static_cast<float>(curves_[i].weight));
+    }
+    return std::move(attributes_);
+  }
+
+ private:
+  void sample_side(std::uint32_t index, const Side& side, std::vector<SegmentSide>& out) {
+    const SideShader<Value>& shader = shader_of_(side);
+    if (shader.kind == ShaderKind::open) return;
+    const std::uint32_t slot = shader.kind == ShaderKind::image_domain ? slot_of(shader.shader) : 0;
+    StopSampler<Value> values(flat_, curves_[index], index, shader.stops);
+    StopSampler<float> radii(flat_, curves_[index], index, side.blur_radius);
+    for (std::uint32_t v = flat_.curve_begin[index]; v + 1 < flat_.curve_begin[index + 1]; ++v) {
+      out[v].kind = shader.kind;
+      out[v].shader = slot;
+      if (shader.kind == ShaderKind::curve_domain) out[v].value = as_values(values.values(v));
+      if (!side.blur_radius.empty()) out[v].blur_radius = radii.values(v);
+    }
+  }
+
+  std::uint32_t slot_of(std::uint32_t shader) {
+    auto& slots = attributes_.shader;
+    const auto known = std::find(slots.begin(), slots.end(), shader);
+    if (known != slots.end()) return static_cast<std::uint32_t>(known - slots.begin());
+    slots.push_back(shader);
+    return static_cast<std::uint32_t>(slots.size() - 1);
+  }
+
+  const FlatCurves& flat_;
+  std::span<const Curve> curves_;
+  ShaderOf shader_of_;
+  SegmentAttributes attributes_;
+};
 
 }  // namespace
 
 SegmentAttributes sample_colors(const FlatCurves& flat, std::span<const Curve> curves) {
-  SegmentAttributes attributes;
-  attributes.left.resize(flat.vertex.size());
-  attributes.right.resize(flat.vertex.size());
-  attributes.weight.resize(flat.vertex.size(), 1.0f);
-  attributes.curve = flat.vertex_curve;
-  attributes.vertex = flat.vertex;
-  for (std::uint32_t i = 0; i < flat.curve_count(); ++i) {
-    sample_side(flat, curves[i], i, curves[i].left.color, attributes.left);
-    sample_side(flat, curves[i], i, curves[i].right.color, attributes.right);
-    std::fill(attributes.weight.begin() + flat.curve_begin[i],
-              attributes.weight.begin() + flat.curve_begin[i + 1],
-              static_cast<float>(curves[i].weight));
-  }
+  const auto color_of = [](const Side& side) -> const SideShader<Rgb>& { return side.color; };
+  return AttributeSampler<Rgb, decltype(color_of)>(flat, curves, color_of).run();
+}
+
+SegmentAttributes sample_opacities(const FlatCurves& flat, std::span<const Curve> curves) {
+  const auto opacity_of = [](const Side& side) -> const SideShader<float>& { return side.opacity; };
+  SegmentAttributes attributes =
+      AttributeSampler<float, decltype(opacity_of)>(flat, curves, opacity_of).run();
+  attributes.base_channels = 1;
   return attributes;
+}
+
+void remove_blur(SegmentAttributes& attributes) {
+  for (auto* sides : {&attributes.left, &attributes.right}) {
+    for (SegmentSide& side : *sides) side.blur_radius = {};
+  }
 }
 
 }  // namespace sfumato::curves

@@ -16,23 +16,36 @@ struct SegmentValues {
   Value end{};
 };
 
-/// The colour shader of one side of one segment.
-struct SegmentColor {
+/// What one side of one segment does to the rays of one attribute.
+struct SegmentSide {
   ShaderKind kind = ShaderKind::open;
-  std::uint32_t shader = 0;
-  SegmentValues<Rgb> color;
+  std::uint32_t shader = 0;            ///< index into SegmentAttributes::shader
+  SegmentValues<Rgb> value{};          ///< of curve_domain: a colour, or an opacity in r
+  SegmentValues<float> blur_radius{};  ///< user units; 0: sharp
 };
 
-/// Attributes of every segment of `flat` (index = segment = its first vertex; the entries of
+/// One attribute on every segment of `flat` (index = segment = its first vertex; the entries of
 /// vertices that begin no segment are open).
 struct SegmentAttributes {
-  std::vector<SegmentColor> left;
-  std::vector<SegmentColor> right;
+  int base_channels = 3;  ///< of a curve_domain value: 3 of a colour, 1 of an opacity
+  std::vector<SegmentSide> left;
+  std::vector<SegmentSide> right;
   std::vector<float> weight;         ///< the curve's
   std::vector<Vec2> vertex;          ///< FlatCurves::vertex: segment s joins s and s + 1
   std::vector<std::uint32_t> curve;  ///< index of the curve: later ones are drawn over earlier
+  /// The image-domain shaders on sides, in the order of their first use: Document::shaders.
+  std::vector<std::uint32_t> shader;
+
+  int channel_count() const { return base_channels + static_cast<int>(shader.size()); }
 };
 
+/// Colours on the sides of the curves.
 SegmentAttributes sample_colors(const FlatCurves& flat, std::span<const Curve> curves);
+
+/// Opacities.
+SegmentAttributes sample_opacities(const FlatCurves& flat, std::span<const Curve> curves);
+
+/// Makes every side sharp.
+void remove_blur(SegmentAttributes& attributes);
 
 }  // namespace sfumato::curves

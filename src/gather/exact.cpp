@@ -37,6 +37,11 @@ class GrowingStack {
   ScopedCharge charge_;
 };
 
+/// One shader's weights of a packet, on a register's boundary.
+struct alignas(64) SharesOfPacket {
+  float lane[kPacketLanes];
+};
+
 class ExactGather {
  public:
   ExactGather(Context& context, const Scene& scene, const LocatedPoints& points,
@@ -44,6 +49,8 @@ class ExactGather {
       : context_(context),
         kernel_(packet_kernel(context.simd)),
         scene_(scene.view()),
+        base_channels_(scene.base_channels),
+        channel_count_(static_cast<std::size_t>(scene.channel_count())),
         points_(points),
         packing_(packing),
         out_(out),
@@ -63,8 +70,12 @@ class ExactGather {
   void task(std::size_t begin, std::size_t end) {
     PacketInput input[kPacketsPerTask];
     PacketResult result[kPacketsPerTask];
+    const auto shader_count = static_cast<std::size_t>(scene_.shader_count);
+    std::vector<SharesOfPacket> shares(kPacketsPerTask * shader_count);
     for (std::size_t i = begin; i < end; ++i) {
       input[i - begin] = packet_input(packing_.packet[i]);
+      result[i - begin].shader_share =
+          shares.empty() ? nullptr : shares[(i - begin) * shader_count].lane;
     }
     const PacketBatch batch{input, result, static_cast<int>(end - begin)};
     GrowingStack stack(context_);
@@ -96,8 +107,11 @@ class ExactGather {
 
   void store(const Packet& packet, const PacketResult& result) {
     for_each_point(packet, [&](int lane, std::uint32_t point) {
-      float* out = out_.data() + std::size_t{point} * kColorChannels;
-      for (int c = 0; c < kColorChannels; ++c) out[c] = result.value[c][lane];
+      float* out = out_.data() + point * channel_count_;
+      for (int c = 0; c < base_channels_; ++c) *out++ = result.value[c][lane];
+      for (int s = 0; s < scene_.shader_count; ++s) {
+        *out++ = result.shader_share[s * kPacketLanes + lane];
+      }
       if (!hit_.empty()) hit_[point] = result.weight[lane] > 0;
     });
   }
@@ -116,6 +130,8 @@ class ExactGather {
   Context& context_;
   PacketKernel* kernel_;
   SceneView scene_;
+  int base_channels_;
+  std::size_t channel_count_;
   const LocatedPoints& points_;
   const Packing& packing_;
   std::span<float> out_;

@@ -1,3 +1,5 @@
+#include <utility>
+
 #include "gather/scene.hpp"
 
 namespace sfumato::gather {
@@ -5,7 +7,7 @@ namespace {
 
 /// The side of a piece that faces half-edge h, and the piece's fractions at h's origin and target.
 struct FacingPiece {
-  const curves::SegmentColor* color;
+  const curves::SegmentSide* side;
   float u_origin;
   float u_target;
 };
@@ -34,8 +36,8 @@ double reach_to_side(const mesh::TriangleMesh& mesh, const curves::SegmentAttrib
 
 }  // namespace
 
-Facing facing_color(const mesh::TriangleMesh& mesh, const curves::SegmentAttributes& attributes,
-                    std::uint32_t half_edge) {
+Facing facing_side(const mesh::TriangleMesh& mesh, const curves::SegmentAttributes& attributes,
+                   std::uint32_t half_edge) {
   const mesh::Constraint& constraint =
       mesh.constraint[static_cast<std::size_t>(mesh.half_edge_constraint[half_edge])];
   const bool runs_as_constraint = mesh.origin(half_edge) == constraint.from;
@@ -46,18 +48,35 @@ Facing facing_color(const mesh::TriangleMesh& mesh, const curves::SegmentAttribu
     const mesh::SegmentPiece& piece = mesh.piece[i - 1];
     const bool first = facing.kind == ShaderKind::open;
     if (!first && attributes.curve[piece.segment] != owner) break;
-    const FacingPiece side = facing_piece(attributes, piece, runs_as_constraint);
-    if (side.color->kind == ShaderKind::open) continue;
+    const FacingPiece facing_it = facing_piece(attributes, piece, runs_as_constraint);
+    const curves::SegmentSide& side = *facing_it.side;
+    if (side.kind == ShaderKind::open) continue;
     const double piece_reach = reach_to_side(mesh, attributes, piece, half_edge);
     // Within a lattice step two passages are the same line, and the first counts.
     if (!first && piece_reach < reach - mesh.lattice_step) continue;
-    const curves::SegmentValues<Rgb>& color = side.color->color;
-    facing = {side.color->kind, side.color->shader, lerp(color.start, color.end, side.u_origin),
-              lerp(color.start, color.end, side.u_target), attributes.weight[piece.segment]};
+    const auto& [start, end] = side.value;
+    const auto& [blur_start, blur_end] = side.blur_radius;
+    facing = {side.kind,
+              side.shader,
+              lerp(start, end, facing_it.u_origin),
+              lerp(start, end, facing_it.u_target),
+              attributes.weight[piece.segment],
+              lerp(blur_start, blur_end, facing_it.u_origin),
+              lerp(blur_start, blur_end, facing_it.u_target)};
     owner = attributes.curve[piece.segment];
     reach = piece_reach;
   }
   return facing;
+}
+
+Facing back_side(const mesh::TriangleMesh& mesh, const curves::SegmentAttributes& attributes,
+                 std::uint32_t half_edge) {
+  const std::int32_t twin = mesh.half_edge_twin[half_edge];
+  if (twin == mesh::kNone) return {};
+  Facing back = facing_side(mesh, attributes, static_cast<std::uint32_t>(twin));
+  std::swap(back.from, back.to);
+  std::swap(back.blur_from, back.blur_to);
+  return back;
 }
 
 }  // namespace sfumato::gather

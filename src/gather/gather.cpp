@@ -35,6 +35,10 @@ Result<Gatherer> Gatherer::create(Context& context, const mesh::TriangleMesh& vi
   return Gatherer(std::move(state));
 }
 
+int Gatherer::channel_count() const {
+  return state_->scene.channel_count();
+}
+
 Status Gatherer::gather(Context& context, std::span<const Vec2> points,
                         const GatherOptions& options, std::span<float> out,
                         std::span<std::uint8_t> hit) const {

@@ -9,10 +9,6 @@
 
 namespace sfumato::gather {
 
-/// Channels of a gathered value: red, green, blue (code values, 0 to 1; Z_C / W of eq. 6), then one
-/// W_s / W per image-domain shader of the layer.
-inline constexpr int kColorChannels = 3;
-
 enum class Method : std::uint8_t { exact, rays };
 
 struct GatherOptions {
@@ -21,8 +17,11 @@ struct GatherOptions {
   std::uint64_t seed = 0;
 };
 
-/// Colours gathered at points (paper eq. 2–3), closed form over the exact visible set, or Monte
-/// Carlo rays. Holds what both need to know of one visibility mesh.
+/// One attribute gathered at points (paper eq. 2–11), closed form over the exact visible set, or
+/// Monte Carlo rays. Holds what both need to know of one visibility mesh.
+///
+/// Channels of a gathered value: those of Z_C / W (SegmentAttributes::base_channels), then one
+/// W_s / W for each of SegmentAttributes::shader.
 class Gatherer {
  public:
   /// `visibility` is validated; it is read, not kept. Errors: limit, cancelled.
@@ -33,9 +32,11 @@ class Gatherer {
   Gatherer& operator=(Gatherer&&) noexcept;
   ~Gatherer();
 
+  int channel_count() const;
+
   /// points   layer frame, inside the visibility mesh's hull; neighbours in the list should be
-  ///          neighbours in the plane. Not on a curve that bears colour, nor on a mesh vertex.
-  /// out      kColorChannels floats per point. Where nothing is hit: 0.
+  ///          neighbours in the plane. Not on a curve that bears the attribute, nor on a vertex.
+  /// out      channel_count() floats per point. Where nothing is hit: 0.
   /// hit      optional, per point: 1 where any ray hits, else 0.
   /// Errors   limit, cancelled (out unspecified). The same bits for any thread count and SIMD
   /// level.

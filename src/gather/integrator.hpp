@@ -32,15 +32,25 @@ struct CutEdgeView : EdgeView<W> {
 /// the closed form is one long chain of dependent steps, and side by side they fill the machine.
 /// Edges that every lane sees whole, and those that are cut for some, are two lists. When they are
 /// emptied depends on the packet alone, not on W, and so does the order of every lane's sum.
-template <int W>
+///
+/// kBlends: sides have blur radii or image-domain shaders (SceneView::blend is there).
+template <int W, bool kBlends>
 class Integrator {
  public:
   static constexpr int K = kPacketLanes / W;
 
-  void begin(const PacketInput& packet) {
+  /// shader_share   as PacketResult's; written by end()
+  void begin(const SceneView& scene, const PacketInput& packet, float* shader_share) {
     for (int i = 0; i < K; ++i) {
       px_[i] = Lanes<W>::load(packet.x + i * W);
       py_[i] = Lanes<W>::load(packet.y + i * W);
+    }
+    if constexpr (kBlends) {
+      first_stop_ = scene.stop;
+      blend_ = scene.blend;
+      share_ = shader_share;
+      shader_count_ = scene.shader_count;
+      for (int i = 0; i < shader_count_; ++i) Lanes<W, K>(0).store(share_ + i * kPacketLanes);
     }
     weight_ = negligible_ = color_[0] = color_[1] = color_[2] = Lanes<W, K>(0);
     whole_.room = kFirstEdges;
@@ -69,6 +79,12 @@ class Integrator {
     weight_.store(out.weight);
     const auto is_hit = weight_ > Lanes<W, K>(0);
     for (int c = 0; c < 3; ++c) zero_unless(is_hit, color_[c] / weight_).store(out.value[c]);
+    if constexpr (kBlends) {
+      for (float* share = share_; share < share_ + shader_count_ * kPacketLanes;
+           share += kPacketLanes) {
+        zero_unless(is_hit, Lanes<W, K>::load(share) / weight_).store(share);
+      }
+    }
   }
 
  private:
@@ -171,8 +187,7 @@ class Integrator {
     const Seen s = seen(view);
     const PartWeight<F> w =
         part_weight(s.a.x, s.a.y, s.b.x, s.b.y, s.area, s.length_squared, s.lanes);
-#pragma GCC unroll 8
-    for (int i = 0; i < kTogether; ++i) sum(view[i], w.weight.row(i), w.lean.row(i));
+    sum_all(view, s, w.weight, w.lean);
   }
 
   SFUMATO_INLINE void integrate(const CutEdgeView<W>* view) {
@@ -192,8 +207,19 @@ class Integrator {
         part_weight(s.a.x + t1 * s.e.x, s.a.y + t1 * s.e.y, q2x, q2y, s.area * share,
                     s.length_squared * (share * share), s.lanes);
     const F lean = w.weight * (t1 + t2 - F(1)) + w.lean * share;
+    sum_all(view, s, w.weight, lean);
+  }
+
+  template <class View>
+  SFUMATO_INLINE void sum_all(const View* view, const Seen& s, const F& weight, const F& lean) {
 #pragma GCC unroll 8
-    for (int i = 0; i < kTogether; ++i) sum(view[i], w.weight.row(i), lean.row(i));
+    for (int i = 0; i < kTogether; ++i) {
+      if constexpr (kBlends) {
+        sum_blended(view[i], weight.row(i), lean.row(i), s.area.row(i));
+      } else {
+        sum(view[i], weight.row(i), lean.row(i));
+      }
+    }
   }
 
   /// Where the line through a along e is parallel to a ray, as a fraction of e, kept on the edge.
@@ -203,15 +229,63 @@ class Integrator {
     return min(max(t, F(0)), F(1));
   }
 
-  // The colour is linear along the edge: w₁ z₁ + w₂ z₂ from its middle and half its change.
   SFUMATO_INLINE void sum(const EdgeView<W>& view, const Lanes<W>& weight, const Lanes<W>& lean) {
+    add_weight(view, weight);
+    add_color(view.row, weight, lean, view.edge->middle, view.edge->half_change);
+  }
+
+  SFUMATO_INLINE void add_weight(const EdgeView<W>& view, const Lanes<W>& weight) {
+    weight_.part[view.row] = (weight_.row(view.row) + weight * Lanes<W>(view.edge->weight)).part[0];
+  }
+
+  // The colour is linear along the edge: w₁ z₁ + w₂ z₂ from its middle and half its change.
+  SFUMATO_INLINE void add_color(int row, const Lanes<W>& weight, const Lanes<W>& lean,
+                                const float (&middle)[3], const float (&half_change)[3]) {
     using R = Lanes<W>;
-    const StopEdge& edge = *view.edge;
-    weight_.part[view.row] = (weight_.row(view.row) + weight * R(edge.weight)).part[0];
     for (int c = 0; c < 3; ++c) {
-      const R more = weight * R(edge.middle[c]) + lean * R(edge.half_change[c]);
-      color_[c].part[view.row] = (color_[c].row(view.row) + more).part[0];
+      const R more = weight * R(middle[c]) + lean * R(half_change[c]);
+      color_[c].part[row] = (color_[c].row(row) + more).part[0];
     }
+  }
+
+  // Eq. 11: the share β of a part's weight goes to the side that is seen, the rest to its back.
+  SFUMATO_INLINE void sum_blended(const EdgeView<W>& view, const Lanes<W>& weight,
+                                  const Lanes<W>& lean, const Lanes<W>& area) {
+    const StopBlend& blend = blend_[view.edge - first_stop_];
+    add_weight(view, weight);
+    if (!(blend.blur_middle > 0)) {
+      add_side(view, weight, lean, blend.front_shader, view.edge->middle, view.edge->half_change);
+      return;
+    }
+    const Lanes<W> front = front_share(blend, weight, lean, area);
+    const Lanes<W> back = Lanes<W>(1) - front;
+    add_side(view, weight * front, lean * front, blend.front_shader, view.edge->middle,
+             view.edge->half_change);
+    add_side(view, weight * back, lean * back, blend.back_shader, blend.back_middle,
+             blend.back_half_change);
+  }
+
+  // β of eq. 8, with R where the part's weight has its mean. The prose under eq. 8 says that it
+  // falls "to 0" at distance R; the formula, and the limit R → 0, say 1. R == 0, at one end of an
+  // edge, is chosen by select, not by dividing: 0/0 would poison whole lanes.
+  SFUMATO_INLINE static Lanes<W> front_share(const StopBlend& blend, const Lanes<W>& weight,
+                                             const Lanes<W>& lean, const Lanes<W>& area) {
+    using R = Lanes<W>;
+    const R mean = zero_unless(weight > R(0), lean / weight);  // -1 at a, 1 at b
+    const R radius = max(R(blend.blur_middle) + R(blend.blur_half_change) * mean, R(0));
+    const R distance = area * R(blend.inverse_length);
+    const auto is_blurred = radius > distance;
+    const R x = R(0.5f) + R(0.5f) * max(distance, R(0)) / radius;
+    return select(is_blurred, x * x * (R(3) - R(2) * x), R(1));
+  }
+
+  /// A part's share of one side's shader.
+  SFUMATO_INLINE void add_side(const EdgeView<W>& view, const Lanes<W>& weight,
+                               const Lanes<W>& lean, std::int32_t shader, const float (&middle)[3],
+                               const float (&half_change)[3]) {
+    if (shader < 0) return add_color(view.row, weight, lean, middle, half_change);
+    float* share = share_ + shader * kPacketLanes + view.row * W;
+    (Lanes<W>::load(share) + weight * Lanes<W>(view.edge->weight)).store(share);
   }
 
   Lanes<W> px_[K], py_[K];
@@ -220,6 +294,10 @@ class Integrator {
   Lanes<W, K> color_[3];
   ViewList<EdgeView<W>, kWholeEdges> whole_;
   ViewList<CutEdgeView<W>, kCutEdges> cut_;
+  const StopEdge* first_stop_ = nullptr;  ///< this and the rest: where kBlends
+  const StopBlend* blend_ = nullptr;
+  float* share_ = nullptr;
+  int shader_count_ = 0;
 };
 
 }  // namespace sfumato::gather::inline SFUMATO_ISA

@@ -12,7 +12,7 @@
 /// the same bits for every W.
 namespace sfumato::gather::inline SFUMATO_ISA {
 
-template <int W>
+template <int W, bool kBlends>
 class PacketWalk {
  public:
   static constexpr int K = kPacketLanes / W;
@@ -25,7 +25,7 @@ class PacketWalk {
   bool run(const PacketInput& packet, PacketResult& out) {
     px_ = F::load(packet.x);
     py_ = F::load(packet.y);
-    integrator_.begin(packet);
+    integrator_.begin(scene_, packet, out.shader_share);
     steps_left_ = scene_.step_limit;
     size_ = 0;
     if (packet.triangle_count == 1) {
@@ -187,17 +187,23 @@ class PacketWalk {
   int size_ = 0;
   std::int64_t steps_left_ = 0;
   F px_, py_;
-  Integrator<W> integrator_;
+  Integrator<W, kBlends> integrator_;
 };
 
-/// A batch of packets with W lanes to a register. False: the stack is too small.
-template <int W>
-bool gather_packets(const SceneView& scene, const PacketBatch& batch, const PacketStack& stack) {
-  PacketWalk<W> walk(scene, stack);
+template <int W, bool kBlends>
+bool walk_packets(const SceneView& scene, const PacketBatch& batch, const PacketStack& stack) {
+  PacketWalk<W, kBlends> walk(scene, stack);
   for (int i = 0; i < batch.count; ++i) {
     if (!walk.run(batch.packet[i], batch.result[i])) return false;
   }
   return true;
+}
+
+/// A batch of packets with W lanes to a register. False: the stack is too small.
+template <int W>
+bool gather_packets(const SceneView& scene, const PacketBatch& batch, const PacketStack& stack) {
+  return scene.blend ? walk_packets<W, true>(scene, batch, stack)
+                     : walk_packets<W, false>(scene, batch, stack);
 }
 
 }  // namespace sfumato::gather::inline SFUMATO_ISA

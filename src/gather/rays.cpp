@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <string>
 
 #include "gather/ray_grid.hpp"
@@ -46,36 +47,77 @@ UnitVector unit_vector(float turns) {
 /// The estimate of one point.
 class PointSums {
  public:
-  void add(const RayHit& hit) {
+  explicit PointSums(const Scene& scene) : scene_(scene) {}
+
+  /// (dx, dy): the ray's unit vector.
+  void add(const RayHit& hit, UnitVector d) {
     if (!hit.edge) return;
+    const StopEdge& edge = *hit.edge;
     const float falloff = 1 / std::max(hit.distance * hit.distance, 1e-16f);
     const float lean = 2 * hit.fraction - 1;
-    weight_ += falloff * hit.edge->weight;
-    for (int c = 0; c < kColorChannels; ++c) {
-      color_[c] += falloff * (hit.edge->middle[c] + lean * hit.edge->half_change[c]);
+    weight_ += falloff * edge.weight;
+    if (scene_.blend.empty()) {
+      add_color(falloff, lean, edge.middle, edge.half_change);
+      return;
     }
+    const StopBlend& blend = scene_.blend[static_cast<std::size_t>(&edge - scene_.stop.data())];
+    const float normal_distance =
+        hit.distance * std::fabs(d.x * edge.ey - d.y * edge.ex) * blend.inverse_length;
+    const float radius = blend.blur_middle + lean * blend.blur_half_change;
+    const float front = front_share(normal_distance, radius);
+    add_side(front * falloff, lean, edge, blend.front_shader, edge.middle, edge.half_change);
+    if (!(blend.blur_middle > 0)) return;
+    add_side((1 - front) * falloff, lean, edge, blend.back_shader, blend.back_middle,
+             blend.back_half_change);
   }
 
   bool hit() const { return weight_ > 0; }
-  float value(int c) const { return hit() ? color_[c] / weight_ : 0.0f; }
+
+  /// Writes Z_C / W and the shares W_s / W; 0 where nothing was hit.
+  void store(float* out) const {
+    const auto mean = [&](float sum) { return hit() ? sum / weight_ : 0.0f; };
+    for (int c = 0; c < scene_.base_channels; ++c) *out++ = mean(color_[c]);
+    for (int s = 0; s < scene_.shader_count; ++s) *out++ = mean(share_[s]);
+  }
 
  private:
+  /// β of eq. 8.
+  static float front_share(float normal_distance, float radius) {
+    if (!(radius > normal_distance)) return 1;
+    const float x = 0.5f + 0.5f * normal_distance / radius;
+    return x * x * (3 - 2 * x);
+  }
+
+  void add_color(float weight, float lean, const float (&middle)[3],
+                 const float (&half_change)[3]) {
+    for (int c = 0; c < 3; ++c) color_[c] += weight * (middle[c] + lean * half_change[c]);
+  }
+
+  void add_side(float weight, float lean, const StopEdge& edge, std::int32_t shader,
+                const float (&middle)[3], const float (&half_change)[3]) {
+    if (shader < 0) return add_color(weight, lean, middle, half_change);
+    share_[shader] += weight * edge.weight;
+  }
+
+  const Scene& scene_;
   float weight_ = 0;
-  float color_[kColorChannels] = {};
+  float color_[3] = {};
+  float share_[limits::kShadersPerLayer] = {};
 };
 
-PointSums sample(const RayGrid& grid, float x, float y, const GatherOptions& options) {
+PointSums sample(const Scene& scene, const RayGrid& grid, float x, float y,
+                 const GatherOptions& options) {
   const std::uint64_t place =
       std::uint64_t{std::bit_cast<std::uint32_t>(x)} << 32 | std::bit_cast<std::uint32_t>(y);
   const std::uint64_t point_hash = mix(options.seed + mix(place + 0x9e3779b97f4a7c15ull));
   const float share = 1 / static_cast<float>(options.rays_per_node);
-  PointSums sums;
+  PointSums sums(scene);
   for (int ray = 0; ray < options.rays_per_node; ++ray) {
     const std::uint64_t hash =
         mix(point_hash + static_cast<std::uint64_t>(ray + 1) * 0x9e3779b97f4a7c15ull);
     const float jitter = static_cast<float>(hash >> 40) * 0x1p-24f;
     const UnitVector d = unit_vector((static_cast<float>(ray) + jitter) * share);
-    sums.add(grid.first_hit(x, y, d.x, d.y));
+    sums.add(grid.first_hit(x, y, d.x, d.y), d);
   }
   return sums;
 }
@@ -91,15 +133,14 @@ Status gather_rays(Context& context, const Scene& scene, std::span<const Vec2> p
   }
   const Result<RayGrid> grid = RayGrid::create(context, scene);
   if (!grid) return grid.status();
+  const auto channel_count = static_cast<std::size_t>(scene.channel_count());
   return parallel_for(context, points.size(), kPointsPerTask,
                       [&](std::size_t begin, std::size_t end) {
                         for (std::size_t i = begin; i < end; ++i) {
                           const auto x = static_cast<float>(points[i].x - scene.origin.x);
                           const auto y = static_cast<float>(points[i].y - scene.origin.y);
-                          const PointSums sums = sample(*grid, x, y, options);
-                          for (int c = 0; c < kColorChannels; ++c) {
-                            out[i * kColorChannels + static_cast<std::size_t>(c)] = sums.value(c);
-                          }
+                          const PointSums sums = sample(scene, *grid, x, y, options);
+                          sums.store(out.data() + i * channel_count);
                           if (!hit.empty()) hit[i] = sums.hit();
                         }
                       });

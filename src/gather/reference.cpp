@@ -33,7 +33,9 @@ struct Window {
 class ReferenceGather {
  public:
   ReferenceGather(const TriangleMesh& mesh, const curves::SegmentAttributes& attributes, Vec2 p)
-      : mesh_(mesh), attributes_(attributes), p_(p) {}
+      : mesh_(mesh), attributes_(attributes), p_(p) {
+    sums_.shader_weight.resize(attributes.shader.size());
+  }
 
   ReferenceSums run(std::uint32_t triangle) {
     for (std::uint32_t h = 3 * triangle; h < 3 * triangle + 3; ++h) {
@@ -52,7 +54,7 @@ class ReferenceGather {
 
   void follow(const Window& window) {
     if (mesh_.half_edge_constraint[window.half_edge] != mesh::kNone) {
-      const Facing facing = facing_color(mesh_, attributes_, window.half_edge);
+      const Facing facing = facing_side(mesh_, attributes_, window.half_edge);
       if (facing.kind == ShaderKind::barrier) return;
       if (facing.kind != ShaderKind::open) return integrate(window, facing);
     }
@@ -83,9 +85,29 @@ class ReferenceGather {
     const double weight = (part.right + part.left) * facing.weight;
     const double moment = (part.right * t1 + part.left * t2) * facing.weight;
     sums_.weight += weight;
-    if (facing.kind != ShaderKind::curve_domain) return;
-    const double from[] = {facing.from.r, facing.from.g, facing.from.b};
-    const double to[] = {facing.to.r, facing.to.g, facing.to.b};
+    if (!(weight > 0)) return;
+    const Facing back = back_side(mesh_, attributes_, window.half_edge);
+    const double distance = cross(a, b) / length(b - a);
+    const double radius = facing.blur_from + moment / weight * (facing.blur_to - facing.blur_from);
+    const double front = back.has_value() ? front_share(distance, radius) : 1;
+    add_side(facing, front * weight, front * moment);
+    if (front < 1) add_side(back, (1 - front) * weight, (1 - front) * moment);
+  }
+
+  /// β of eq. 8.
+  static double front_share(double distance, double radius) {
+    if (!(radius > distance)) return 1;
+    const double x = std::clamp((distance + radius) / (2 * radius), 0.0, 1.0);
+    return x * x * (3 - 2 * x);
+  }
+
+  void add_side(const Facing& side, double weight, double moment) {
+    if (side.kind == ShaderKind::image_domain) {
+      sums_.shader_weight[side.shader] += weight;
+      return;
+    }
+    const double from[] = {side.from.r, side.from.g, side.from.b};
+    const double to[] = {side.to.r, side.to.g, side.to.b};
     for (std::size_t c = 0; c < 3; ++c) {
       sums_.color[c] += weight * from[c] + moment * (to[c] - from[c]);
     }
@@ -120,6 +142,12 @@ ReferenceWeights reference_weights(Vec2 q1, Vec2 q2) {
   const double h = h1(std::atan2(s, c));
   const double g1 = s * h, g2 = s * (1 - 2 * c * h);
   return {u1 * (u1 * g1 + u2 * g2 / 2), u2 * (u2 * g1 + u1 * g2 / 2)};
+}
+
+std::vector<double> ReferenceSums::shares() const {
+  std::vector<double> shares = shader_weight;
+  for (double& share : shares) share = weight > 0 ? share / weight : 0;
+  return shares;
 }
 
 ReferenceSums gather_reference(const TriangleMesh& mesh,

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <vector>
 
 #include "base/vec2.hpp"
 #include "curves/attributes.hpp"
@@ -9,13 +10,16 @@
 
 namespace sfumato::gather {
 
-/// W and Σ w z of eq. 2 before the division.
+/// W, Σ w z of curve-domain sides and W_s of eq. 4–11 before the division.
 struct ReferenceSums {
   double weight = 0;
   std::array<double, 3> color{};
+  std::vector<double> shader_weight;  ///< W_s of each image-domain shader
 
   /// Σ w z / W; 0 where nothing is hit.
   std::array<double, 3> value() const;
+  /// W_s / W; 0 where nothing is hit.
+  std::vector<double> shares() const;
 };
 
 /// w₁ and w₂ (docs/mathematics.md) in double precision, from D = atan2: the visible part from q1

@@ -1,6 +1,7 @@
 #include "gather/scene.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/box.hpp"
 #include "gather/spatial_order.hpp"
@@ -23,6 +24,7 @@ class SceneBuilder {
     codes_.resize(half_edge_count);
     for_each_half_edge([&](std::uint32_t h) { codes_[h] = code(h); });
     normalize_weights();
+    drop_blend_if_plain();
     scene_.edge_beyond.reserve(passage_count_);
     for_each_half_edge([&](std::uint32_t h) {
       if (codes_[h] >= 0) scene_.edge_beyond.push_back(beyond(h));
@@ -61,10 +63,11 @@ class SceneBuilder {
 
   EdgeCode code(std::uint32_t h) {
     if (mesh_.half_edge_constraint[h] != mesh::kNone) {
-      const Facing facing = facing_color(mesh_, attributes_, h);
+      const Facing facing = facing_side(mesh_, attributes_, h);
       if (facing.kind == ShaderKind::barrier) return kBorder;
       if (facing.kind != ShaderKind::open) {
         scene_.stop.push_back(stop_edge(h, facing));
+        scene_.blend.push_back(stop_blend(h, facing));
         return stop_code(static_cast<std::uint32_t>(scene_.stop.size() - 1));
       }
     }
@@ -78,17 +81,48 @@ class SceneBuilder {
     edge.bx = x(mesh_.target(h)), edge.by = y(mesh_.target(h));
     edge.ex = edge.bx - edge.ax, edge.ey = edge.by - edge.ay;
     edge.length_squared = edge.ex * edge.ex + edge.ey * edge.ey;
-    edge.kind = static_cast<std::uint32_t>(facing.kind);
-    edge.shader = facing.shader;
     edge.weight = facing.weight;
-    if (facing.kind != ShaderKind::curve_domain) return edge;
+    set_values(facing, edge.middle, edge.half_change);
+    return edge;
+  }
+
+  static void set_values(const Facing& facing, float (&middle)[3], float (&half_change)[3]) {
+    if (facing.kind != ShaderKind::curve_domain) return;
     const float from[] = {facing.from.r, facing.from.g, facing.from.b};
     const float to[] = {facing.to.r, facing.to.g, facing.to.b};
     for (int c = 0; c < 3; ++c) {
-      edge.middle[c] = 0.5f * (from[c] + to[c]);
-      edge.half_change[c] = 0.5f * (to[c] - from[c]);
+      middle[c] = 0.5f * (from[c] + to[c]);
+      half_change[c] = 0.5f * (to[c] - from[c]);
     }
-    return edge;
+  }
+
+  static std::int32_t shader_slot(const Facing& facing) {
+    return facing.kind == ShaderKind::image_domain ? static_cast<std::int32_t>(facing.shader) : -1;
+  }
+
+  StopBlend stop_blend(std::uint32_t h, const Facing& facing) {
+    StopBlend blend{};
+    blend.front_shader = shader_slot(facing);
+    blend.back_shader = -1;
+    const bool is_image = blend.front_shader >= 0;
+    const bool asks_for_blur = facing.blur_from > 0 || facing.blur_to > 0;
+    const Facing back = asks_for_blur ? back_side(mesh_, attributes_, h) : Facing{};
+    is_plain_ = is_plain_ && !is_image && !back.has_value();
+    if (!back.has_value()) return blend;
+    const StopEdge& edge = scene_.stop.back();
+    blend.inverse_length = 1 / std::sqrt(edge.length_squared);
+    blend.blur_middle = 0.5f * (facing.blur_from + facing.blur_to);
+    blend.blur_half_change = 0.5f * (facing.blur_to - facing.blur_from);
+    blend.back_shader = shader_slot(back);
+    set_values(back, blend.back_middle, blend.back_half_change);
+    return blend;
+  }
+
+  /// The kernel without blur and image-domain shaders is the faster one.
+  void drop_blend_if_plain() {
+    scene_.base_channels = attributes_.base_channels;
+    scene_.shader_count = static_cast<int>(attributes_.shader.size());
+    if (is_plain_) scene_.blend = {};
   }
 
   // Only ratios of weights matter; the largest becomes 1, so that no sum overflows.
@@ -96,10 +130,14 @@ class SceneBuilder {
     float largest = 0;
     for (const StopEdge& edge : scene_.stop) largest = std::max(largest, edge.weight);
     if (!(largest > 0)) return;
-    for (StopEdge& edge : scene_.stop) {
+    for (std::size_t i = 0; i < scene_.stop.size(); ++i) {
+      StopEdge& edge = scene_.stop[i];
+      StopBlend& blend = scene_.blend[i];
       edge.weight /= largest;
-      for (float& c : edge.middle) c *= edge.weight;
-      for (float& c : edge.half_change) c *= edge.weight;
+      for (float* values :
+           {edge.middle, edge.half_change, blend.back_middle, blend.back_half_change}) {
+        for (int c = 0; c < 3; ++c) values[c] *= edge.weight;
+      }
     }
   }
 
@@ -141,6 +179,7 @@ class SceneBuilder {
   std::vector<std::uint32_t> new_index_;  ///< its inverse
   std::vector<EdgeCode> codes_;           ///< per half-edge of the mesh
   std::uint32_t passage_count_ = 0;
+  bool is_plain_ = true;
 };
 
 std::size_t scene_bytes(const mesh::TriangleMesh& mesh) {
@@ -149,14 +188,15 @@ std::size_t scene_bytes(const mesh::TriangleMesh& mesh) {
   // Twice the stop edges, for a growing vector; some of the rest lives during the build only.
   return mesh.triangle_vertex.size() * (sizeof(EdgeBeyond) + sizeof(EdgeCode)) +
          mesh.triangle_count() * (sizeof(SceneTriangle) + sizeof(Vec2) + 16) +
-         2 * constrained * sizeof(StopEdge);
+         2 * constrained * (sizeof(StopEdge) + sizeof(StopBlend));
 }
 
 }  // namespace
 
 SceneView Scene::view() const {
   const auto triangle_count = static_cast<std::int64_t>(triangle.size());
-  return {edge_beyond.data(), stop.data(), triangle.data(), 64 * triangle_count + (1 << 20)};
+  return {edge_beyond.data(), stop.data(),     blend.empty() ? nullptr : blend.data(),
+          shader_count,       triangle.data(), 64 * triangle_count + (1 << 20)};
 }
 
 Result<Scene> build_scene(Context& context, const mesh::TriangleMesh& mesh,

@@ -19,15 +19,26 @@ namespace sfumato::gather {
 struct Facing {
   ShaderKind kind = ShaderKind::open;
   std::uint32_t shader = 0;
-  Rgb from;  ///< colour at the start of the *half-edge* (its origin)
-  Rgb to;    ///< colour at its target
+  Rgb from;  ///< value at the start of the *half-edge* (its origin)
+  Rgb to;    ///< value at its target
   float weight = 1;
+  float blur_from = 0;  ///< blur radius at the origin, user units; 0: sharp
+  float blur_to = 0;
+
+  bool has_value() const {
+    return kind == ShaderKind::curve_domain || kind == ShaderKind::image_domain;
+  }
 };
 
 /// The owner of the side of half-edge h on which h's own triangle lies. Precondition: h is
 /// constrained.
-Facing facing_color(const mesh::TriangleMesh& mesh, const curves::SegmentAttributes& attributes,
-                    std::uint32_t half_edge);
+Facing facing_side(const mesh::TriangleMesh& mesh, const curves::SegmentAttributes& attributes,
+                   std::uint32_t half_edge);
+
+/// z_B of eq. 7: what the other side of the edge shows to those who look at it. Not has_value()
+/// where there is nothing to blur with.
+Facing back_side(const mesh::TriangleMesh& mesh, const curves::SegmentAttributes& attributes,
+                 std::uint32_t half_edge);
 
 /// The visibility mesh in the layout of the gather: single-precision coordinates relative to
 /// `origin`. Half-edges whose facing side is open are walked through. Triangles stand in an order
@@ -36,10 +47,14 @@ struct Scene {
   Vec2 origin;                          ///< layer frame
   std::vector<EdgeBeyond> edge_beyond;  ///< of half-edges that rays walk through
   std::vector<StopEdge> stop;
+  std::vector<StopBlend> blend;  ///< per stop; empty where all sides are sharp and curve_domain
+  int base_channels = 3;         ///< as SegmentAttributes
+  int shader_count = 0;
   std::vector<SceneTriangle> triangle;
   ScopedCharge charge;
 
   SceneView view() const;
+  int channel_count() const { return base_channels + shader_count; }
 };
 
 /// Errors: limit.

@@ -47,8 +47,17 @@ struct alignas(64) StopEdge {
   float weight;          ///< k, relative to the largest of the layer
   float middle[3];       ///< weight × the mean of both ends; 0 for an image-domain shader
   float half_change[3];  ///< weight × half of (colour at b - colour at a)
-  std::uint32_t kind;    ///< ShaderKind: curve_domain or image_domain
-  std::uint32_t shader;  ///< of an image-domain side
+};
+
+/// What blur and image-domain shaders add to a StopEdge (paper eq. 7–11). `back` is the other side.
+struct alignas(64) StopBlend {
+  float inverse_length;
+  float blur_middle;  ///< R of eq. 8 is linear from a to b: middle ∓ half_change; 0: sharp
+  float blur_half_change;
+  std::int32_t front_shader;  ///< index of an image-domain side's weight channel; -1: curve_domain
+  std::int32_t back_shader;
+  float back_middle[3];  ///< weight × z_B, as in StopEdge; 0 for an image-domain shader
+  float back_half_change[3];
 };
 
 /// A triangle with what lies at its edges; edge k joins corner k and corner (k + 1) % 3.
@@ -62,6 +71,8 @@ struct SceneTriangle {
 struct SceneView {
   const EdgeBeyond* edge_beyond;
   const StopEdge* stop;
+  const StopBlend* blend;  ///< per stop; null: all sides are sharp and curve_domain
+  int shader_count;
   const SceneTriangle* triangle;
   std::int64_t step_limit;  ///< triangles that one packet may enter: a guard against a bad mesh
 };
@@ -90,10 +101,12 @@ struct PacketInput {
   alignas(64) float y[kPacketLanes];
 };
 
-/// W and Z of eq. 2, per lane; where W is 0, so is Z.
+/// W and Z_C / W of eq. 6, per lane; where W is 0, so is the rest.
 struct PacketResult {
   alignas(64) float weight[kPacketLanes];
   alignas(64) float value[3][kPacketLanes];
+  /// W_s / W: kPacketLanes floats for each of SceneView::shader_count, one after another.
+  float* shader_share;
 };
 
 struct PacketBatch {

@@ -4,30 +4,17 @@
 
 #include "patches/layer_scene.hpp"
 #include "patches/layer_solver.hpp"
-#include "patches/layer_view.hpp"
 
 namespace sfumato {
 namespace {
 
-/// The part of a layer's frame that any of its instances brings into `viewport`; empty if none.
-Box layer_viewport(const Document& document, std::uint32_t layer, const Box& viewport) {
-  Box box;
-  for (const StackItem& item : document.stack) {
-    const auto* instance = std::get_if<LayerInstance>(&item);
-    if (!instance || instance->layer != layer) continue;
-    box = united(box, patches::bounds_of_mapped(inverse(instance->artboard_from_layer), viewport));
-  }
-  return box;
-}
-
 Result<PatchLayer> solve_layer(Context& context, const Document& document, std::uint32_t index,
                                const Box& viewport, const DiffuseOptions& options,
                                DiffuseStats* stats) {
-  const Layer& layer = document.layers[index];
-  const Box seen = layer_viewport(document, index, viewport);
-  if (seen.empty() || layer.curves.empty()) return PatchLayer{};
+  const patches::LayerSight sight = patches::sight_of_layer(document, index, viewport);
+  if (sight.viewport.empty() || document.layers[index].curves.empty()) return PatchLayer{};
   Result<patches::LayerScene> scene =
-      patches::prepare_layer(context, layer, document.artboard, seen, options, stats);
+      patches::prepare_layer(context, document, index, sight, options, stats);
   if (!scene) return scene.status();
   return patches::LayerSolver(context, std::move(*scene), options, stats).solve();
 }

@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "base/stopwatch.hpp"
+#include "curves/flatten.hpp"
+#include "patches/layer_view.hpp"
 
 namespace sfumato::patches {
 namespace {
@@ -26,35 +28,72 @@ double longer_side(const Box& box) {
   return std::max(box.width(), box.height());
 }
 
-curves::FlattenOptions flatten_options(const Box& artboard, const Box& viewport,
-                                       const DiffuseOptions& options) {
-  curves::FlattenOptions flatten;
-  if (options.tolerance) {
-    flatten.tolerance = *options.tolerance;
-    flatten.outside_tolerance = *options.tolerance;
+/// Lengths and areas of the artboard as they are in a layer's frame.
+class LayerUnits {
+ public:
+  LayerUnits(const Box& artboard, const LayerSight& sight, const DiffuseOptions& options)
+      : sight_(sight), options_(options), artboard_side_(longer_side(artboard) / sight.scale) {
+    const Box whole = united(artboard, options.viewport.value_or(artboard));
+    whole_area_ = whole.width() * whole.height() / (sight.scale * sight.scale);
+  }
+
+  double pixel() const { return 1 / (options_.pixels_per_unit * sight_.scale); }
+
+  curves::FlattenOptions flatten_options() const {
+    curves::FlattenOptions flatten;
+    if (options_.tolerance) {
+      flatten.tolerance = *options_.tolerance / sight_.scale;
+      flatten.outside_tolerance = flatten.tolerance;
+      return flatten;
+    }
+    flatten.outside_tolerance = kTolerancePerSide * artboard_side_;
+    flatten.tolerance = std::min(flatten.outside_tolerance, kTolerancePx * pixel());
+    flatten.focus = sight_.viewport;
     return flatten;
   }
-  flatten.outside_tolerance = kTolerancePerSide * longer_side(artboard);
-  flatten.tolerance = std::min(flatten.outside_tolerance, kTolerancePx / options.pixels_per_unit);
-  flatten.focus = viewport;
-  return flatten;
+
+  mesh::MeshOptions mesh_options() const {
+    mesh::MeshOptions mesh;
+    mesh.unit_size = std::min(artboard_side_ / kNominalSidePx, pixel());
+    // Beyond the viewport by more than the weld can move the frame.
+    mesh.frame = sight_.viewport.grown_by(2 * mesh.unit_size);
+    // The weld moves curves: it must not undo a finer tolerance that was asked for.
+    if (options_.tolerance) {
+      const double tolerance = *options_.tolerance / sight_.scale;
+      mesh.weld_px = std::clamp(0.5 * tolerance / mesh.unit_size, kFinestWeldPx, mesh.weld_px);
+    }
+    mesh.min_angle_deg = options_.min_angle_deg;
+    mesh.max_area = options_.max_area_fraction * whole_area_;
+    return mesh;
+  }
+
+ private:
+  const LayerSight& sight_;
+  const DiffuseOptions& options_;
+  double artboard_side_;
+  double whole_area_;
+};
+
+/// The longest image of a unit vector.
+double largest_scale(const Affine& m) {
+  const double squares = m.a * m.a + m.b * m.b + m.c * m.c + m.d * m.d;
+  const double determinant = m.determinant();
+  const double rest = std::sqrt(std::max(0.0, squares * squares - 4 * determinant * determinant));
+  return std::sqrt(0.5 * (squares + rest));
 }
 
-mesh::MeshOptions mesh_options(const Box& artboard, const Box& viewport,
-                               const DiffuseOptions& options) {
-  mesh::MeshOptions mesh;
-  mesh.unit_size = std::min(longer_side(artboard) / kNominalSidePx, 1 / options.pixels_per_unit);
-  // Beyond the viewport by more than the weld can move the frame.
-  mesh.frame = viewport.grown_by(2 * mesh.unit_size);
-  // The weld moves curves: it must not undo a finer tolerance that was asked for.
-  if (options.tolerance) {
-    mesh.weld_px =
-        std::clamp(0.5 * *options.tolerance / mesh.unit_size, kFinestWeldPx, mesh.weld_px);
-  }
-  mesh.min_angle_deg = options.min_angle_deg;
-  const Box whole = united(artboard, viewport);
-  mesh.max_area = options.max_area_fraction * whole.width() * whole.height();
-  return mesh;
+bool bears_opacity(const Curve& curve) {
+  return curve.left.opacity.kind != ShaderKind::open ||
+         curve.right.opacity.kind != ShaderKind::open;
+}
+
+Result<FieldScene> prepare_field(Context& context, const mesh::TriangleMesh& visibility,
+                                 curves::SegmentAttributes attributes,
+                                 const DiffuseOptions& options) {
+  if (options.ignore_blur) curves::remove_blur(attributes);
+  Result<gather::Gatherer> gatherer = gather::Gatherer::create(context, visibility, attributes);
+  if (!gatherer) return gatherer.status();
+  return FieldScene{std::move(attributes), std::move(*gatherer)};
 }
 
 }  // namespace
@@ -87,15 +126,30 @@ Status validate(const DiffuseOptions& options) {
   return ok_status();
 }
 
-Result<LayerScene> prepare_layer(Context& context, const Layer& layer, const Box& artboard,
-                                 const Box& viewport, const DiffuseOptions& options,
+LayerSight sight_of_layer(const Document& document, std::uint32_t layer, const Box& viewport) {
+  LayerSight sight;
+  double scale = 0;
+  for (const StackItem& item : document.stack) {
+    const auto* instance = std::get_if<LayerInstance>(&item);
+    if (!instance || instance->layer != layer) continue;
+    const Affine& map = instance->artboard_from_layer;
+    sight.viewport = united(sight.viewport, bounds_of_mapped(inverse(map), viewport));
+    scale = std::max(scale, largest_scale(map));
+  }
+  if (scale > 0) sight.scale = scale;
+  return sight;
+}
+
+Result<LayerScene> prepare_layer(Context& context, const Document& document, std::uint32_t layer,
+                                 const LayerSight& sight, const DiffuseOptions& options,
                                  DiffuseStats* stats) {
   const Stopwatch geometry_watch;
-  const mesh::MeshOptions meshing = mesh_options(artboard, viewport, options);
-  Result<curves::FlatCurves> flat =
-      curves::flatten(context, layer.curves, flatten_options(artboard, viewport, options));
+  const std::vector<Curve>& curves = document.layers[layer].curves;
+  const LayerUnits units(document.artboard, sight, options);
+  const mesh::MeshOptions meshing = units.mesh_options();
+  Result<curves::FlatCurves> flat = curves::flatten(context, curves, units.flatten_options());
   if (!flat) return flat.status();
-  curves::SegmentAttributes attributes = curves::sample_colors(*flat, layer.curves);
+  curves::SegmentAttributes colors = curves::sample_colors(*flat, curves);
   const double geometry_seconds = geometry_watch.seconds();
 
   const Stopwatch mesh_watch;
@@ -105,18 +159,24 @@ Result<LayerScene> prepare_layer(Context& context, const Layer& layer, const Box
   const double mesh_seconds = mesh_watch.seconds();
 
   const Stopwatch gather_watch;
-  Result<gather::Gatherer> gatherer = gather::Gatherer::create(context, visibility, attributes);
-  if (!gatherer) return gatherer.status();
+  Result<FieldScene> color = prepare_field(context, visibility, std::move(colors), options);
+  if (!color) return color.status();
+  std::optional<FieldScene> opacity;
+  if (std::ranges::any_of(curves, bears_opacity)) {
+    Result<FieldScene> field =
+        prepare_field(context, visibility, curves::sample_opacities(*flat, curves), options);
+    if (!field) return field.status();
+    opacity.emplace(std::move(*field));
+  }
   if (stats) {
-    stats->curves += layer.curves.size();
+    stats->curves += curves.size();
     stats->segments += flat->segment_count();
     stats->geometry_seconds += geometry_seconds;
     stats->triangulation_seconds += mesh_seconds;
     stats->gather_seconds += gather_watch.seconds();
   }
-  return LayerScene{std::move(*flat),   std::move(attributes),
-                    std::move(*mesher), std::move(*gatherer),
-                    meshing.frame,      kSmallestEdgePx / options.pixels_per_unit};
+  return LayerScene{std::move(*mesher), std::move(*color), std::move(opacity), meshing.frame,
+                    kSmallestEdgePx * units.pixel()};
 }
 
 }  // namespace sfumato::patches

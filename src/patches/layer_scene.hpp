@@ -1,30 +1,38 @@
 #pragma once
 
+#include <optional>
+
 #include "base/context.hpp"
 #include "base/status.hpp"
-#include "curves/attributes.hpp"
-#include "curves/flatten.hpp"
 #include "document/document.hpp"
-#include "gather/gather.hpp"
 #include "mesh/mesher.hpp"
 #include "patches/diffuse.hpp"
+#include "patches/field_solver.hpp"
 
 namespace sfumato::patches {
 
 /// What every way of evaluating a layer begins with: its curves flattened, meshed and made ready
 /// for gathering.
 struct LayerScene {
-  curves::FlatCurves flat;
-  curves::SegmentAttributes attributes;
   mesh::Mesher mesher;
-  gather::Gatherer gatherer;
-  Box frame;             ///< what the patch mesh covers, layer frame
-  double smallest_edge;  ///< a triangle with no longer edge shows on no pixel, user units
+  FieldScene color;
+  std::optional<FieldScene> opacity;  ///< where any curve of the layer bears opacity
+  Box frame;                          ///< what the patch mesh covers, layer frame
+  double smallest_edge;  ///< a triangle with no longer edge shows on no pixel, layer units
 };
 
-/// `viewport`: the part of the layer frame that will be looked at. Adds to `stats` if not null.
-Result<LayerScene> prepare_layer(Context& context, const Layer& layer, const Box& artboard,
-                                 const Box& viewport, const DiffuseOptions& options,
+/// How a layer is looked at.
+struct LayerSight {
+  Box viewport;      ///< the part of the layer frame that any instance brings into the viewport
+  double scale = 1;  ///< artboard units to a layer unit, of the instance that enlarges it most
+};
+
+/// Empty viewport: no instance shows any of the layer.
+LayerSight sight_of_layer(const Document& document, std::uint32_t layer, const Box& viewport);
+
+/// Adds to `stats` if not null.
+Result<LayerScene> prepare_layer(Context& context, const Document& document, std::uint32_t layer,
+                                 const LayerSight& sight, const DiffuseOptions& options,
                                  DiffuseStats* stats);
 
 /// Checks lengths and counts of the options against what they mean.

@@ -1,18 +1,19 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "base/context.hpp"
 #include "base/status.hpp"
 #include "patches/diffuse.hpp"
+#include "patches/field_solver.hpp"
 #include "patches/layer_scene.hpp"
-#include "patches/nodes.hpp"
 #include "patches/picture.hpp"
 
 namespace sfumato::patches {
 
-/// Solves one layer: patch mesh, node values, error-driven refinement.
+/// Solves one layer: patch mesh, node values of colour and opacity, error-driven refinement.
 ///
 /// A round lays out the nodes of the present mesh, keeps the values of triangles that did not
 /// change, gathers the rest, and compares the new patches with the exact gather at probe points;
@@ -20,27 +21,36 @@ namespace sfumato::patches {
 class LayerSolver {
  public:
   LayerSolver(Context& context, LayerScene scene, const DiffuseOptions& options,
-              DiffuseStats* stats)
-      : context_(context), scene_(std::move(scene)), options_(options), stats_(stats) {}
+              DiffuseStats* stats);
 
   Result<PatchLayer> solve();
 
  private:
-  Status next_mesh();
-  Status gather_free_nodes(const gather::GatherOptions& options, bool all);
+  Status take_mesh();
+  Status lay_out();
+  Status follow_blur();
+  Status gather(const gather::GatherOptions& options, bool all);
   Status find_misses(std::vector<std::uint32_t>& missed);
-  void drop_unseen_triangles();
-  void color_unseen_nodes();
+  Status make_smaller(const std::vector<std::uint32_t>& triangles);
+  std::vector<std::uint8_t> visible_triangles() const;
   PatchLayer take_patches();
 
+  template <class Body>
+  Status for_each_field(Body body) {
+    Status status = body(color_);
+    return status && opacity_ ? body(*opacity_) : status;
+  }
+
   Context& context_;
-  LayerScene scene_;
+  mesh::Mesher mesher_;
+  FieldSolver color_;
+  std::optional<FieldSolver> opacity_;
+  Box frame_;
+  double smallest_edge_;
+  bool is_blurred_;
   const DiffuseOptions& options_;
   DiffuseStats* stats_;
   mesh::TriangleMesh mesh_;
-  NodeLayout layout_;
-  std::vector<std::uint8_t> node_known_;         ///< value gathered in an earlier round
-  std::vector<std::uint8_t> node_hit_;           ///< 0 where a free node sees no curve
   std::vector<std::int32_t> previous_triangle_;  ///< as Mesher::patch_mesh gives it
 };
 

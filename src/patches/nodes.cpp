@@ -2,12 +2,9 @@
 
 #include <cmath>
 #include <numbers>
-#include <utility>
 
-#include "gather/gather.hpp"
 #include "patches/angle.hpp"
 #include "patches/patch.hpp"
-#include "patches/seams.hpp"
 
 namespace sfumato::patches {
 namespace {
@@ -20,18 +17,20 @@ constexpr std::uint32_t kUnset = 0xffffffff;
 /// (as a fraction): on the triangle's side of the curve, and still next to it.
 constexpr double kNudge = 4e-3;
 
-/// Colours of a curve's two neighbouring pieces at their common vertex differ by rounding alone.
-constexpr float kSameColor = 1.0f / (255 * 64);
-
-bool same_color(const Rgb& a, const Rgb& b) {
-  return std::fabs(a.r - b.r) <= kSameColor && std::fabs(a.g - b.g) <= kSameColor &&
-         std::fabs(a.b - b.b) <= kSameColor;
-}
+/// A share of the value that a curve gives to a node.
+struct FixedShare {
+  std::uint32_t node;
+  float share;
+  SeamValue value;
+};
 
 class LayoutBuilder {
  public:
-  LayoutBuilder(const TriangleMesh& mesh, const curves::SegmentAttributes& attributes)
-      : mesh_(mesh), seams_(mesh, attributes) {}
+  LayoutBuilder(const TriangleMesh& mesh, const curves::SegmentAttributes& attributes,
+                const Seams& seams)
+      : mesh_(mesh), seams_(seams), base_channels_(attributes.base_channels) {
+    layout_.channel_count = attributes.channel_count();
+  }
 
   NodeLayout build() {
     const std::uint32_t triangle_count = mesh_.triangle_count();
@@ -72,21 +71,29 @@ class LayoutBuilder {
     return add_free(lerp(position, barycentre(triangle), kNudge));
   }
 
-  std::uint32_t add_fixed(Vec2 position, const Rgb& color) {
-    fixed_.push_back({layout_.node_count(), color});
+  std::uint32_t add_fixed(Vec2 position, const SeamValue& value) {
+    fixed_.push_back({layout_.node_count(), 1, value});
     layout_.position.push_back(position);
     return layout_.node_count() - 1;
   }
 
   void set_fixed_values() {
     layout_.is_fixed.assign(layout_.node_count(), 0);
-    layout_.value.assign(std::size_t{gather::kColorChannels} * layout_.node_count(), 0.0f);
-    for (const auto& [node, color] : fixed_) {
-      layout_.is_fixed[node] = 1;
-      float* value = layout_.value.data() + std::size_t{gather::kColorChannels} * node;
-      value[0] = color.r;
-      value[1] = color.g;
-      value[2] = color.b;
+    const auto channel_count = static_cast<std::size_t>(layout_.channel_count);
+    layout_.value.assign(channel_count * layout_.node_count(), 0.0f);
+    for (const FixedShare& fixed : fixed_) {
+      layout_.is_fixed[fixed.node] = 1;
+      add_value(fixed, layout_.value.data() + channel_count * fixed.node);
+    }
+  }
+
+  void add_value(const FixedShare& fixed, float* out) const {
+    const float base[] = {fixed.value.base.r, fixed.value.base.g, fixed.value.base.b};
+    for (int c = 0; c < base_channels_; ++c) out[c] += fixed.share * base[c];
+    for (int i = 0; i < 2; ++i) {
+      if (fixed.value.share[i] == 0) continue;
+      out[base_channels_ + static_cast<int>(fixed.value.shader[i])] +=
+          fixed.share * fixed.value.share[i];
     }
   }
 
@@ -97,10 +104,9 @@ class LayoutBuilder {
     std::uint32_t& near = node_at(t, 3 + 2 * k);
     std::uint32_t& far = node_at(t, 4 + 2 * k);
     const Vec2 near_position = lerp(from, to, 1.0 / 3), far_position = lerp(from, to, 2.0 / 3);
-    if (seams_.has_color(h)) {
-      const gather::Facing& facing = seams_.facing(h);
-      near = add_fixed(near_position, lerp(facing.from, facing.to, 1.0f / 3));
-      far = add_fixed(far_position, lerp(facing.from, facing.to, 2.0f / 3));
+    if (seams_.has_value(h)) {
+      near = add_fixed(near_position, seams_.value(h, 1.0f / 3));
+      far = add_fixed(far_position, seams_.value(h, 2.0f / 3));
     } else if (seams_.is_seam(h)) {
       near = add_free_inside(near_position, t);
       far = add_free_inside(far_position, t);
@@ -181,18 +187,18 @@ class LayoutBuilder {
   }
 
   /// The corner rule (docs/mathematics.md, paper Fig. 4) for the sector of triangles fan_[begin,
-  /// end), between its first spoke, whose colour is a, and its last, whose colour is b.
+  /// end), between its first spoke, whose value is a, and its last, whose value is b.
   void place_in_sector(std::size_t begin, std::size_t end) {
     const std::uint32_t first = fan_[begin], last = TriangleMesh::previous(fan_[end - 1]);
     const Vec2 vertex = corner(first);
-    const bool knows_a = seams_.has_color(first), knows_b = seams_.has_color(last);
+    const bool knows_a = seams_.has_value(first), knows_b = seams_.has_value(last);
     const bool hull_a = !seams_.is_seam(first), hull_b = !seams_.is_seam(last);
-    if (knows_a && (hull_b || (knows_b && same_color(color_a(first), color_b(last))))) {
-      share(begin, end, add_fixed(vertex, color_a(first)));
+    if (knows_a && (hull_b || (knows_b && same_value(value_a(first), value_b(last))))) {
+      share(begin, end, add_fixed(vertex, value_a(first)));
     } else if (knows_b && hull_a) {
-      share(begin, end, add_fixed(vertex, color_b(last)));
+      share(begin, end, add_fixed(vertex, value_b(last)));
     } else if (knows_a && knows_b) {
-      fan_colors(begin, end, first, last);
+      fan_values(begin, end, first, last);
     } else if (knows_a || knows_b) {
       for (std::size_t i = begin; i < end; ++i) {
         node_at(fan_[i] / 3, fan_[i] % 3) = add_free_inside(vertex, fan_[i] / 3);
@@ -202,11 +208,11 @@ class LayoutBuilder {
     }
   }
 
-  const Rgb& color_a(std::uint32_t first) const { return seams_.facing(first).from; }
-  const Rgb& color_b(std::uint32_t last) const { return seams_.facing(last).to; }
+  SeamValue value_a(std::uint32_t first) const { return seams_.value(first, 0); }
+  SeamValue value_b(std::uint32_t last) const { return seams_.value(last, 1); }
 
   /// Each triangle of the sector gets lerp(a, b, angle of its barycentre / angle of the sector).
-  void fan_colors(std::size_t begin, std::size_t end, std::uint32_t first, std::uint32_t last) {
+  void fan_values(std::size_t begin, std::size_t end, std::uint32_t first, std::uint32_t last) {
     const Vec2 vertex = corner(first);
     const Vec2 start = mesh_.vertex_position[mesh_.target(first)] - vertex;
     const Vec2 stop = corner(last) - vertex;
@@ -214,24 +220,28 @@ class LayoutBuilder {
     const double sector = whole_turn ? 2 * std::numbers::pi : turn_angle(start, stop);
     for (std::size_t i = begin; i < end; ++i) {
       const std::uint32_t t = fan_[i] / 3;
-      const double fraction = turn_angle(start, barycentre(t) - vertex) / sector;
-      const Rgb color = lerp(color_a(first), color_b(last), static_cast<float>(fraction));
-      node_at(t, fan_[i] % 3) = add_fixed(vertex, color);
+      const auto fraction = static_cast<float>(turn_angle(start, barycentre(t) - vertex) / sector);
+      const std::uint32_t node = add_free(vertex);
+      fixed_.push_back({node, 1 - fraction, value_a(first)});
+      fixed_.push_back({node, fraction, value_b(last)});
+      node_at(t, fan_[i] % 3) = node;
     }
   }
 
   const TriangleMesh& mesh_;
-  Seams seams_;
+  const Seams& seams_;
+  int base_channels_;
   NodeLayout layout_;
-  std::vector<std::pair<std::uint32_t, Rgb>> fixed_;
+  std::vector<FixedShare> fixed_;
   std::vector<std::uint32_t> fan_;
   bool closed_ = false;
 };
 
 }  // namespace
 
-NodeLayout lay_out_nodes(const TriangleMesh& mesh, const curves::SegmentAttributes& attributes) {
-  return LayoutBuilder(mesh, attributes).build();
+NodeLayout lay_out_nodes(const TriangleMesh& mesh, const curves::SegmentAttributes& attributes,
+                         const Seams& seams) {
+  return LayoutBuilder(mesh, attributes, seams).build();
 }
 
 }  // namespace sfumato::patches

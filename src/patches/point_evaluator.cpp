@@ -1,19 +1,27 @@
 #include "patches/point_evaluator.hpp"
 
-#include <algorithm>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "patches/layer_scene.hpp"
-#include "patches/layer_view.hpp"
 
 namespace sfumato {
 
 struct PointEvaluator::State {
-  struct Instance {
-    gather::Gatherer gatherer;
-    Affine layer_from_artboard;
+  struct Fields {
+    patches::FieldScene color;
+    std::optional<patches::FieldScene> opacity;
   };
-  std::vector<Instance> stack;  ///< bottom first
+
+  const patches::FieldScene* color(std::uint32_t layer) const {
+    return layers[layer] ? &layers[layer]->color : nullptr;
+  }
+  const patches::FieldScene* opacity(std::uint32_t layer) const {
+    return layers[layer] && layers[layer]->opacity ? &*layers[layer]->opacity : nullptr;
+  }
+
+  std::vector<std::optional<Fields>> layers;  ///< empty where nothing of the layer shows
   gather::GatherOptions gather;
 };
 
@@ -28,39 +36,48 @@ Result<PointEvaluator> PointEvaluator::create(Context& context, const Document& 
   if (Status status = validate(document); !status) return status;
   auto state = std::make_unique<State>();
   state->gather = options.gather;
+  state->layers.resize(document.layers.size());
   const Box viewport = options.viewport.value_or(document.artboard);
-  for (const StackItem& item : document.stack) {
-    const auto* instance = std::get_if<LayerInstance>(&item);
-    if (!instance || document.layers[instance->layer].curves.empty()) continue;
-    const Affine layer_from_artboard = inverse(instance->artboard_from_layer);
-    Result<patches::LayerScene> scene = patches::prepare_layer(
-        context, document.layers[instance->layer], document.artboard,
-        patches::bounds_of_mapped(layer_from_artboard, viewport), options, stats);
+  for (std::uint32_t i = 0; i < document.layers.size(); ++i) {
+    const patches::LayerSight sight = patches::sight_of_layer(document, i, viewport);
+    if (sight.viewport.empty() || document.layers[i].curves.empty()) continue;
+    Result<patches::LayerScene> scene =
+        patches::prepare_layer(context, document, i, sight, options, stats);
     if (!scene) return scene.status();
-    state->stack.push_back({std::move(scene->gatherer), layer_from_artboard});
+    state->layers[i].emplace(State::Fields{std::move(scene->color), std::move(scene->opacity)});
   }
   return PointEvaluator(std::move(state));
 }
 
-Status PointEvaluator::evaluate(Context& context, std::span<const Vec2> points,
-                                std::span<float> rgb, std::span<std::uint8_t> hit) const {
-  std::fill(rgb.begin(), rgb.end(), 0.0f);
-  std::fill(hit.begin(), hit.end(), std::uint8_t{0});
-  std::vector<Vec2> mapped(points.size());
-  std::vector<float> layer_rgb(rgb.size());
-  std::vector<std::uint8_t> layer_hit(hit.size());
-  for (const State::Instance& instance : state_->stack) {
-    std::transform(points.begin(), points.end(), mapped.begin(), instance.layer_from_artboard);
-    Status status = instance.gatherer.gather(context, mapped, state_->gather, layer_rgb, layer_hit);
-    if (!status) return status;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      if (!layer_hit[i]) continue;
-      std::copy_n(layer_rgb.begin() + static_cast<std::ptrdiff_t>(3 * i), 3,
-                  rgb.begin() + static_cast<std::ptrdiff_t>(3 * i));
-      hit[i] = 1;
-    }
-  }
-  return ok_status();
+int PointEvaluator::color_channels(std::uint32_t layer) const {
+  const patches::FieldScene* field = state_->color(layer);
+  return field ? field->attributes.channel_count() : 0;
+}
+
+int PointEvaluator::opacity_channels(std::uint32_t layer) const {
+  const patches::FieldScene* field = state_->opacity(layer);
+  return field ? field->attributes.channel_count() : 0;
+}
+
+std::span<const std::uint32_t> PointEvaluator::color_shaders(std::uint32_t layer) const {
+  const patches::FieldScene* field = state_->color(layer);
+  if (!field) return {};
+  return field->attributes.shader;
+}
+
+std::span<const std::uint32_t> PointEvaluator::opacity_shaders(std::uint32_t layer) const {
+  const patches::FieldScene* field = state_->opacity(layer);
+  if (!field) return {};
+  return field->attributes.shader;
+}
+
+Status PointEvaluator::evaluate(Context& context, std::uint32_t layer, std::span<const Vec2> points,
+                                std::span<float> color, std::span<std::uint8_t> hit,
+                                std::span<float> opacity) const {
+  const State::Fields& fields = *state_->layers[layer];
+  Status status = fields.color.gatherer.gather(context, points, state_->gather, color, hit);
+  if (!status || !fields.opacity || opacity.empty()) return status;
+  return fields.opacity->gatherer.gather(context, points, state_->gather, opacity);
 }
 
 }  // namespace sfumato

@@ -11,8 +11,8 @@
 
 namespace sfumato {
 
-/// The colour of a document at single points, with no patch mesh between: the ground truth that
-/// pictures are held against.
+/// The fields of a document's layers at single points, with no patch mesh between: the ground truth
+/// that pictures are held against. What the channels of a field are: patches/picture.hpp.
 class PointEvaluator {
  public:
   /// Prepares the layers for gathering. Of the options, those of mesh and patches are ignored.
@@ -25,13 +25,23 @@ class PointEvaluator {
   PointEvaluator& operator=(PointEvaluator&&) noexcept;
   ~PointEvaluator();
 
-  /// points   artboard frame, inside the viewport that `create` was given; neighbours in the list
-  ///          should be neighbours in the plane
-  /// rgb      3 floats per point, code values 0 to 1, topmost layer that has a colour there
-  /// hit      per point: 0 where no layer has a colour (rgb is 0 there), else 1
+  /// Channels of a layer's fields; 0: no instance shows the layer in the viewport, or it has no
+  /// such field. The last ones belong to the shaders, indices into Document::shaders.
+  int color_channels(std::uint32_t layer) const;
+  int opacity_channels(std::uint32_t layer) const;
+  std::span<const std::uint32_t> color_shaders(std::uint32_t layer) const;
+  std::span<const std::uint32_t> opacity_shaders(std::uint32_t layer) const;
+
+  /// Precondition: the layer has a colour field.
+  /// points   layer frame, inside what an instance brings into the viewport that `create` was
+  ///          given; neighbours in the list should be neighbours in the plane
+  /// color    color_channels floats per point
+  /// hit      per point: 0 where no colour is seen (color is 0 there), else 1
+  /// opacity  opacity_channels floats per point
   /// Errors   limit, cancelled (output unspecified).
-  Status evaluate(Context& context, std::span<const Vec2> points, std::span<float> rgb,
-                  std::span<std::uint8_t> hit) const;
+  Status evaluate(Context& context, std::uint32_t layer, std::span<const Vec2> points,
+                  std::span<float> color, std::span<std::uint8_t> hit,
+                  std::span<float> opacity = {}) const;
 
  private:
   struct State;

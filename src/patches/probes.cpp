@@ -2,7 +2,6 @@
 
 #include <array>
 
-#include "gather/gather.hpp"
 #include "patches/patch.hpp"
 
 namespace sfumato::patches {
@@ -48,7 +47,7 @@ Vec2 point(const mesh::TriangleMesh& mesh, std::uint32_t t, int kind) {
 }  // namespace
 
 ProbeSet place_probes(const mesh::TriangleMesh& mesh, const NodeLayout& layout,
-                      const std::vector<std::uint8_t>& is_new) {
+                      std::span<const std::uint8_t> is_new) {
   ProbeSet probes;
   const auto add = [&](std::uint32_t half_edge, int place) {
     const int kind = place < kInnerProbes ? place : kInnerProbes + static_cast<int>(half_edge % 3);
@@ -70,20 +69,21 @@ ProbeSet place_probes(const mesh::TriangleMesh& mesh, const NodeLayout& layout,
   return probes;
 }
 
-void patch_color_at_probe(const ProbeSet& probes, std::size_t i, const NodeLayout& layout,
-                          PatchOrder order, float* color) {
+void patch_value_at_probe(const ProbeSet& probes, std::size_t i, const NodeLayout& layout,
+                          PatchOrder order, float* value) {
   static const std::array<BasisTable, 3> kBasis{make_basis(PatchOrder::linear),
                                                 make_basis(PatchOrder::quadratic),
                                                 make_basis(PatchOrder::cubic)};
   const auto& basis = kBasis[static_cast<std::size_t>(order)][kind_of(probes, i)];
   const std::uint32_t* node =
       layout.triangle_node.data() + std::size_t{kNodesPerTriangle} * (probes.half_edge[i] / 3);
-  for (int channel = 0; channel < gather::kColorChannels; ++channel) {
+  const auto channel_count = static_cast<std::size_t>(layout.channel_count);
+  for (std::size_t channel = 0; channel < channel_count; ++channel) {
     double sum = 0;
     for (int n = 0; n < kNodesPerTriangle; ++n) {
-      sum += basis[n] * layout.value[std::size_t{gather::kColorChannels} * node[n] + channel];
+      sum += basis[n] * layout.value[channel_count * node[n] + channel];
     }
-    color[channel] = static_cast<float>(sum);
+    value[channel] = static_cast<float>(sum);
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "mesh/triangle_mesh.hpp"
@@ -19,10 +20,10 @@ struct ProbeSet {
 
 /// Probes of the triangles t with is_new[t].
 ProbeSet place_probes(const mesh::TriangleMesh& mesh, const NodeLayout& layout,
-                      const std::vector<std::uint8_t>& is_new);
+                      std::span<const std::uint8_t> is_new);
 
-/// The patch's colour at probe i: 3 channels.
-void patch_color_at_probe(const ProbeSet& probes, std::size_t i, const NodeLayout& layout,
-                          PatchOrder order, float* color);
+/// The patch's value at probe i, layout.channel_count floats.
+void patch_value_at_probe(const ProbeSet& probes, std::size_t i, const NodeLayout& layout,
+                          PatchOrder order, float* value);
 
 }  // namespace sfumato::patches

@@ -1,6 +1,46 @@
 #include "patches/seams.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace sfumato::patches {
+namespace {
+
+/// Values of a curve's two neighbouring pieces at their common vertex differ by rounding alone.
+constexpr float kSameValue = 1.0f / (255 * 64);
+
+bool same(float a, float b) {
+  return std::fabs(a - b) <= kSameValue;
+}
+
+float share_of(const SeamValue& value, std::uint32_t shader) {
+  float sum = 0;
+  for (int i = 0; i < 2; ++i) sum += value.shader[i] == shader ? value.share[i] : 0;
+  return sum;
+}
+
+/// Adds `share` of a side's value at fraction u of it; its shader goes to place i.
+void add_side(const gather::Facing& side, float u, float share, int i, SeamValue& value) {
+  if (side.kind == ShaderKind::image_domain) {
+    value.shader[i] = side.shader;
+    value.share[i] = share;
+    return;
+  }
+  const Rgb base = lerp(side.from, side.to, u);
+  value.base = {value.base.r + share * base.r, value.base.g + share * base.g,
+                value.base.b + share * base.b};
+}
+
+}  // namespace
+
+bool same_value(const SeamValue& a, const SeamValue& b) {
+  if (!same(a.base.r, b.base.r) || !same(a.base.g, b.base.g) || !same(a.base.b, b.base.b)) {
+    return false;
+  }
+  const auto same_share = [&](std::uint32_t s) { return same(share_of(a, s), share_of(b, s)); };
+  return std::all_of(a.shader, a.shader + 2, same_share) &&
+         std::all_of(b.shader, b.shader + 2, same_share);
+}
 
 Seams::Seams(const mesh::TriangleMesh& mesh, const curves::SegmentAttributes& attributes)
     : mesh_(mesh),
@@ -9,11 +49,24 @@ Seams::Seams(const mesh::TriangleMesh& mesh, const curves::SegmentAttributes& at
   const auto half_edge_count = static_cast<std::uint32_t>(mesh.half_edge_constraint.size());
   for (std::uint32_t h = 0; h < half_edge_count; ++h) {
     if (mesh.half_edge_constraint[h] == mesh::kNone) continue;
-    facing_[index(h)] = gather::facing_color(mesh, attributes, h);
+    facing_[index(h)] = gather::facing_side(mesh, attributes, h);
     if (facing_[index(h)].kind == ShaderKind::open) continue;
     is_seam_[h] = 1;
     if (const std::int32_t twin = mesh.half_edge_twin[h]; twin != mesh::kNone) is_seam_[twin] = 1;
   }
+}
+
+float Seams::blur_radius(std::uint32_t half_edge, float u) const {
+  if (!has_value(half_edge) || !back(half_edge).has_value()) return 0;
+  return lerp(facing(half_edge).blur_from, facing(half_edge).blur_to, u);
+}
+
+SeamValue Seams::value(std::uint32_t half_edge, float u) const {
+  const float front_share = blur_radius(half_edge, u) > 0 ? 0.5f : 1.0f;
+  SeamValue value;
+  add_side(facing(half_edge), u, front_share, 0, value);
+  if (front_share < 1) add_side(back(half_edge), 1 - u, 1 - front_share, 1, value);
+  return value;
 }
 
 }  // namespace sfumato::patches

@@ -8,6 +8,17 @@
 
 namespace sfumato::patches {
 
+/// What one side of a curve shows at a point of it (paper eq. 10 with the whole weight on that
+/// point): channels of the curve-domain share, and shares of image-domain shaders.
+struct SeamValue {
+  Rgb base;
+  std::uint32_t shader[2] = {};  ///< index into SegmentAttributes::shader
+  float share[2] = {};           ///< 0: none
+};
+
+/// Equal but for rounding.
+bool same_value(const SeamValue& a, const SeamValue& b);
+
 /// Where the picture may jump: the constrained edges with a side that is not open.
 class Seams {
  public:
@@ -19,16 +30,27 @@ class Seams {
   /// What the triangle of a constrained half-edge sees of it.
   const gather::Facing& facing(std::uint32_t half_edge) const { return facing_[index(half_edge)]; }
 
-  /// True where the side that the half-edge's triangle sees has a colour of its own.
-  bool has_color(std::uint32_t half_edge) const {
-    return is_seam(half_edge) && facing(half_edge).kind == ShaderKind::curve_domain;
+  /// True where the side that the half-edge's triangle sees has a value of its own.
+  bool has_value(std::uint32_t half_edge) const {
+    return is_seam(half_edge) && facing(half_edge).has_value();
   }
+
+  /// That value at fraction u of the half-edge; on a blurred curve the mean of both sides' (β of
+  /// eq. 8 is 1/2 there).
+  SeamValue value(std::uint32_t half_edge, float u) const;
+
+  /// The blur radius at fraction u; 0 where there is nothing to blur with.
+  float blur_radius(std::uint32_t half_edge, float u) const;
 
  private:
   std::size_t index(std::uint32_t half_edge) const {
     const auto constraint = static_cast<std::uint32_t>(mesh_.half_edge_constraint[half_edge]);
     return 2 * std::size_t{constraint} +
            (mesh_.origin(half_edge) == mesh_.constraint[constraint].from ? 0 : 1);
+  }
+
+  const gather::Facing& back(std::uint32_t half_edge) const {
+    return facing_[index(half_edge) ^ 1];
   }
 
   const mesh::TriangleMesh& mesh_;

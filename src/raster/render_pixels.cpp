@@ -82,9 +82,35 @@ void write_tile(const Band& band, int x0, int width, int y0, int height,
   kernels.write_pixels(tile, target);
 }
 
+/// The colours of the topmost layers at the band's points.
+Status evaluate(Context& context, const Document& document, const PointEvaluator& evaluator,
+                Band* band) {
+  std::fill(band->rgb.begin(), band->rgb.end(), 0.0f);
+  std::fill(band->hit.begin(), band->hit.end(), std::uint8_t{0});
+  std::vector<Vec2> mapped(band->point.size());
+  std::vector<std::uint8_t> hit(band->hit.size());
+  for (const StackItem& item : document.stack) {
+    const auto* instance = std::get_if<LayerInstance>(&item);
+    if (!instance || evaluator.color_channels(instance->layer) == 0) continue;
+    const auto channels = static_cast<std::size_t>(evaluator.color_channels(instance->layer));
+    std::vector<float> color(channels * mapped.size());
+    std::transform(band->point.begin(), band->point.end(), mapped.begin(),
+                   inverse(instance->artboard_from_layer));
+    Status status = evaluator.evaluate(context, instance->layer, mapped, color, hit);
+    if (!status) return status;
+    for (std::size_t i = 0; i < hit.size(); ++i) {
+      if (!hit[i]) continue;
+      std::copy_n(color.data() + channels * i, 3, band->rgb.data() + 3 * i);
+      band->hit[i] = 1;
+    }
+  }
+  return ok_status();
+}
+
 /// Evaluates and writes the image from top to bottom.
-Status paint(Context& context, const PointEvaluator& evaluator, const Box& viewport,
-             const RasterOptions& options, const raster::Backdrop& backdrop, Image* image) {
+Status paint(Context& context, const Document& document, const PointEvaluator& evaluator,
+             const Box& viewport, const RasterOptions& options, const raster::Backdrop& backdrop,
+             Image* image) {
   const raster::SpanKernels& kernels = raster::span_kernels(context.simd);
   const raster::ImageTarget target{image->bytes.data(), image->row_bytes(), options.format,
                                    options.dither};
@@ -93,7 +119,7 @@ Status paint(Context& context, const PointEvaluator& evaluator, const Box& viewp
   for (int y0 = 0; y0 < options.height; y0 += raster::kTileHeight) {
     const int height = std::min(raster::kTileHeight, options.height - y0);
     place_points(options, viewport, y0, height, &band);
-    Status status = evaluator.evaluate(context, band.point, band.rgb, band.hit);
+    Status status = evaluate(context, document, evaluator, &band);
     if (!status) return status;
     for (int x0 = 0; x0 < options.width; x0 += raster::kTileWidth) {
       const int width = std::min(raster::kTileWidth, options.width - x0);
@@ -133,7 +159,7 @@ Result<Image> render_pixels(Context& context, const Document& document,
   image.bytes.resize(image_bytes);
   const raster::Backdrop backdrop = raster::choose_backdrop(raster_options, document.background);
   const Stopwatch watch;
-  Status status = paint(context, *evaluator, viewport, raster_options, backdrop, &image);
+  Status status = paint(context, document, *evaluator, viewport, raster_options, backdrop, &image);
   if (!status) return status;
   if (stats) {
     stats->nodes += static_cast<std::uint64_t>(image.width) * image.height;

@@ -30,27 +30,27 @@ TEST(Attributes, colours_are_linear_between_stops) {
   const Sampled s = sampled(
       line_with_left(StopSpace::parameter, {{0, {0, 0, 0}}, {0.5, {1, 0, 0}}, {1, {1, 1, 0}}}));
   ASSERT_EQ(s.flat.segment_count(), 2u);
-  EXPECT_EQ(s.attributes.left[0].color.start, (Rgb{0, 0, 0}));
-  EXPECT_EQ(s.attributes.left[0].color.end, (Rgb{1, 0, 0}));
-  EXPECT_EQ(s.attributes.left[1].color.start, (Rgb{1, 0, 0}));
-  EXPECT_EQ(s.attributes.left[1].color.end, (Rgb{1, 1, 0}));
+  EXPECT_EQ(s.attributes.left[0].value.start, (Rgb{0, 0, 0}));
+  EXPECT_EQ(s.attributes.left[0].value.end, (Rgb{1, 0, 0}));
+  EXPECT_EQ(s.attributes.left[1].value.start, (Rgb{1, 0, 0}));
+  EXPECT_EQ(s.attributes.left[1].value.end, (Rgb{1, 1, 0}));
 }
 
 TEST(Attributes, before_the_first_and_after_the_last_stop_the_colour_is_constant) {
   const Sampled s =
       sampled(line_with_left(StopSpace::parameter, {{0.25, {1, 0, 0}}, {0.75, {0, 0, 1}}}));
   ASSERT_EQ(s.flat.segment_count(), 3u);
-  EXPECT_EQ(s.attributes.left[0].color.start, (Rgb{1, 0, 0}));
-  EXPECT_EQ(s.attributes.left[0].color.end, (Rgb{1, 0, 0}));
-  EXPECT_EQ(s.attributes.left[2].color.end, (Rgb{0, 0, 1}));
+  EXPECT_EQ(s.attributes.left[0].value.start, (Rgb{1, 0, 0}));
+  EXPECT_EQ(s.attributes.left[0].value.end, (Rgb{1, 0, 0}));
+  EXPECT_EQ(s.attributes.left[2].value.end, (Rgb{0, 0, 1}));
 }
 
 TEST(Attributes, two_stops_at_one_place_are_a_step) {
   const Sampled s = sampled(line_with_left(
       StopSpace::parameter, {{0, {1, 0, 0}}, {0.5, {1, 0, 0}}, {0.5, {0, 0, 1}}, {1, {0, 0, 1}}}));
   ASSERT_EQ(s.flat.segment_count(), 2u);
-  EXPECT_EQ(s.attributes.left[0].color.end, (Rgb{1, 0, 0}));
-  EXPECT_EQ(s.attributes.left[1].color.start, (Rgb{0, 0, 1}));
+  EXPECT_EQ(s.attributes.left[0].value.end, (Rgb{1, 0, 0}));
+  EXPECT_EQ(s.attributes.left[1].value.start, (Rgb{0, 0, 1}));
 }
 
 TEST(Attributes, a_list_in_arc_length_is_linear_in_length_not_in_the_parameter) {
@@ -58,7 +58,7 @@ TEST(Attributes, a_list_in_arc_length_is_linear_in_length_not_in_the_parameter) 
   curve.control_points = {{0, 0}, {0, 0}, {90, 0}, {90, 0}};
   const Sampled s = sampled(curve);
   for (std::uint32_t v = 0; s.flat.begins_segment(v); ++v) {
-    EXPECT_NEAR(s.attributes.left[v].color.start.r, s.flat.vertex[v].x / 90, 1e-6);
+    EXPECT_NEAR(s.attributes.left[v].value.start.r, s.flat.vertex[v].x / 90, 1e-6);
   }
 }
 

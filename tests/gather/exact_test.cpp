@@ -156,47 +156,47 @@ TEST(ExactGather, bytes_do_not_depend_on_the_number_of_threads) {
 
 TEST(ExactGather, one_lane_at_a_time_gives_the_bits_of_the_packet) {
   // A fan of one triangle inside a square that stops rays.
-  const StopEdge stops[] = {{.ax = -8,
-                             .ay = -8,
-                             .bx = 8,
-                             .by = -8,
-                             .ex = 16,
-                             .ey = 0,
-                             .length_squared = 256,
-                             .weight = 1,
-                             .middle = {0.5f, 0.5f, 0},
-                             .half_change = {-0.5f, 0.5f, 0},
-                             .kind = 2,
-                             .shader = 0},
-                            {.ax = 8,
-                             .ay = -8,
-                             .bx = 0,
-                             .by = 8,
-                             .ex = -8,
-                             .ey = 16,
-                             .length_squared = 320,
-                             .weight = 0.5f,
-                             .middle = {0, 0.25f, 0.375f},
-                             .half_change = {0, 0.25f, -0.125f},
-                             .kind = 2,
-                             .shader = 0},
-                            {.ax = 0,
-                             .ay = 8,
-                             .bx = -8,
-                             .by = -8,
-                             .ex = -8,
-                             .ey = -16,
-                             .length_squared = 320,
-                             .weight = 1,
-                             .middle = {0.5f, 0.5f, 0},
-                             .half_change = {0.5f, -0.5f, 0},
-                             .kind = 2,
-                             .shader = 0}};
+  const StopEdge stops[] = {{
+                                .ax = -8,
+                                .ay = -8,
+                                .bx = 8,
+                                .by = -8,
+                                .ex = 16,
+                                .ey = 0,
+                                .length_squared = 256,
+                                .weight = 1,
+                                .middle = {0.5f, 0.5f, 0},
+                                .half_change = {-0.5f, 0.5f, 0},
+                            },
+                            {
+                                .ax = 8,
+                                .ay = -8,
+                                .bx = 0,
+                                .by = 8,
+                                .ex = -8,
+                                .ey = 16,
+                                .length_squared = 320,
+                                .weight = 0.5f,
+                                .middle = {0, 0.25f, 0.375f},
+                                .half_change = {0, 0.25f, -0.125f},
+                            },
+                            {
+                                .ax = 0,
+                                .ay = 8,
+                                .bx = -8,
+                                .by = -8,
+                                .ex = -8,
+                                .ey = -16,
+                                .length_squared = 320,
+                                .weight = 1,
+                                .middle = {0.5f, 0.5f, 0},
+                                .half_change = {0.5f, -0.5f, 0},
+                            }};
   const SceneTriangle triangle{.x = {-8, 8, 0},
                                .y = {-8, -8, 8},
                                .edge = {stop_code(0), stop_code(1), stop_code(2)},
                                .twin = {-1, -1, -1}};
-  const SceneView scene{nullptr, stops, &triangle, 1000};
+  const SceneView scene{nullptr, stops, nullptr, 0, &triangle, 1000};
   const PacketTriangle member{0, 0, 0, kPacketLanes, 0, 0, 0};
   PacketInput input{&member, 1, {}, {}};
   for (int i = 0; i < kPacketLanes; ++i) {
@@ -205,7 +205,7 @@ TEST(ExactGather, one_lane_at_a_time_gives_the_bits_of_the_packet) {
   }
   std::vector<StackSlot> slots(kPacketStackLeast);
   const PacketStack stack{slots.data(), kPacketStackLeast};
-  PacketResult one, four;
+  PacketResult one{}, four{};
   ASSERT_TRUE(gather_packets<1>(scene, {&input, &one, 1}, stack));
   ASSERT_TRUE(gather_packets_sse2(scene, {&input, &four, 1}, stack));
   EXPECT_EQ(std::memcmp(&one, &four, sizeof(one)), 0);

@@ -25,7 +25,7 @@ struct Diamond {
   }
 
   /// A segment of a curve of its own over the edge; against it where `reversed`.
-  void add(curves::SegmentColor left, curves::SegmentColor right, bool reversed = false,
+  void add(curves::SegmentSide left, curves::SegmentSide right, bool reversed = false,
            float weight = 1) {
     const auto segment = static_cast<std::uint32_t>(attributes.weight.size());
     attributes.left.insert(attributes.left.end(), {left, {}});
@@ -38,16 +38,16 @@ struct Diamond {
     mesh.constraint[0].piece_end = static_cast<std::uint32_t>(mesh.piece.size());
   }
 
-  Facing facing(std::uint32_t half_edge) const { return facing_color(mesh, attributes, half_edge); }
+  Facing facing(std::uint32_t half_edge) const { return facing_side(mesh, attributes, half_edge); }
 };
 
 constexpr Rgb kRed{1, 0, 0}, kGreen{0, 1, 0}, kBlue{0, 0, 1}, kWhite{1, 1, 1};
 
-curves::SegmentColor color(Rgb from, Rgb to) {
+curves::SegmentSide color(Rgb from, Rgb to) {
   return {ShaderKind::curve_domain, 0, {from, to}};
 }
-const curves::SegmentColor kOpen{};
-const curves::SegmentColor kBarrier{ShaderKind::barrier, 0, {}};
+const curves::SegmentSide kOpen{};
+const curves::SegmentSide kBarrier{ShaderKind::barrier, 0, {}};
 
 TEST(Facing, a_curve_along_the_half_edge_shows_its_right) {
   Diamond diamond;

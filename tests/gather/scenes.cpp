@@ -61,10 +61,11 @@ void append(const Line& line, std::uint32_t curve, Drawing& drawing) {
     flat.parameter.push_back(static_cast<double>(i));
     flat.arc_length.push_back(length_so_far);
     flat.vertex_curve.push_back(curve);
-    curves::SegmentColor left{line.left_kind, 0, {}}, right{line.right_kind, 0, {}};
+    curves::SegmentSide left{line.left_kind, line.left_shader, {}, line.blur_radius};
+    curves::SegmentSide right{line.right_kind, line.right_shader, {}, line.blur_radius};
     if (i + 1 < line.points.size()) {
-      left.color = {line.left[i], line.left[i + 1]};
-      right.color = {line.right[i], line.right[i + 1]};
+      left.value = {line.left[i], line.left[i + 1]};
+      right.value = {line.right[i], line.right[i + 1]};
     }
     drawing.attributes.left.push_back(left);
     drawing.attributes.right.push_back(right);
@@ -89,6 +90,15 @@ Drawing draw(std::vector<Line> lines, Box frame) {
   drawing.frame = frame;
   drawing.lines = std::move(lines);
   drawing.flat.curve_begin = {0};
+  for (const Line& line : drawing.lines) {
+    const std::uint32_t shaders = std::max(line.left_shader, line.right_shader) + 1;
+    const bool has_image =
+        line.left_kind == ShaderKind::image_domain || line.right_kind == ShaderKind::image_domain;
+    while (has_image && drawing.attributes.shader.size() < shaders) {
+      drawing.attributes.shader.push_back(
+          static_cast<std::uint32_t>(drawing.attributes.shader.size()));
+    }
+  }
   for (std::size_t i = 0; i < drawing.lines.size(); ++i) {
     append(drawing.lines[i], static_cast<std::uint32_t>(i), drawing);
   }
@@ -122,6 +132,21 @@ std::vector<Line> random_lines(std::uint32_t seed, int count, double open_share,
   return lines;
 }
 
+std::vector<Line> with_blends(std::vector<Line> lines, std::uint32_t seed, float largest_radius,
+                              std::uint32_t shader_count) {
+  std::mt19937 random(seed);
+  for (Line& line : lines) {
+    line.blur_radius = {static_cast<float>(uniform(random, 0, largest_radius)),
+                        static_cast<float>(uniform(random, 0, largest_radius))};
+    if (random() % 4 == 0) line.blur_radius = {};
+    if (shader_count > 0 && random() % 3 == 0) line.left_kind = ShaderKind::image_domain;
+    if (shader_count > 0 && random() % 3 == 0) line.right_kind = ShaderKind::image_domain;
+    line.left_shader = shader_count > 0 ? random() % shader_count : 0;
+    line.right_shader = shader_count > 0 ? random() % shader_count : 0;
+  }
+  return lines;
+}
+
 double distance_to_lines(const std::vector<Line>& lines, Vec2 p) {
   double least = 1e300;
   for (const Line& line : lines) {
@@ -149,7 +174,7 @@ std::vector<Vec2> random_points(const Drawing& drawing, std::uint32_t seed, int 
 
 Gathered gather_at(Context& context, const Drawing& drawing, const std::vector<Vec2>& points,
                    const GatherOptions& options) {
-  Gathered result{std::vector<float>(3 * points.size(), -1.0f),
+  Gathered result{std::vector<float>(drawing.attributes.channel_count() * points.size(), -1.0f),
                   std::vector<std::uint8_t>(points.size(), 7)};
   const Result<Gatherer> gatherer = Gatherer::create(context, drawing.mesh, drawing.attributes);
   EXPECT_TRUE(gatherer.ok()) << gatherer.status().message;
@@ -179,6 +204,7 @@ std::vector<float> reference_at(const Drawing& drawing, const std::vector<Vec2>&
     const ReferenceSums sums =
         gather_reference(drawing.mesh, drawing.attributes, p, static_cast<std::uint32_t>(triangle));
     for (double value : sums.value()) values.push_back(static_cast<float>(value));
+    for (double share : sums.shares()) values.push_back(static_cast<float>(share));
   }
   return values;
 }

@@ -19,6 +19,9 @@ struct Line {
   ShaderKind left_kind = ShaderKind::curve_domain;
   ShaderKind right_kind = ShaderKind::curve_domain;
   float weight = 1;
+  std::uint32_t left_shader = 0;  ///< where the kind is image_domain
+  std::uint32_t right_shader = 0;
+  curves::SegmentValues<float> blur_radius{};  ///< of every segment, both sides
 };
 
 /// A line of one colour on both sides.
@@ -40,6 +43,11 @@ Drawing draw(std::vector<Line> lines, Box frame = {{0, 0}, {512, 512}});
 std::vector<Line> random_lines(std::uint32_t seed, int count, double open_share,
                                double barrier_share);
 
+/// Gives each line blur radii from 0 to `largest_radius`, and a third of the sides one of
+/// `shader_count` image-domain shaders.
+std::vector<Line> with_blends(std::vector<Line> lines, std::uint32_t seed, float largest_radius,
+                              std::uint32_t shader_count);
+
 /// Points inside the frame, at least `clearance` from every line, in the order of a zigzag.
 std::vector<Vec2> random_points(const Drawing& drawing, std::uint32_t seed, int count,
                                 double clearance);
@@ -48,7 +56,7 @@ std::vector<Vec2> random_points(const Drawing& drawing, std::uint32_t seed, int 
 double distance_to_lines(const std::vector<Line>& lines, Vec2 p);
 
 struct Gathered {
-  std::vector<float> value;  ///< 3 per point
+  std::vector<float> value;  ///< SegmentAttributes::channel_count per point
   std::vector<std::uint8_t> hit;
 };
 

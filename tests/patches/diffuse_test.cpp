@@ -34,7 +34,7 @@ std::array<double, 3> exact_color(const Document& document, Vec2 p) {
   std::array<float, 3> rgb{};
   std::uint8_t hit = 0;
   const Vec2 points[] = {p};
-  EXPECT_TRUE(evaluator->evaluate(context, points, rgb, {&hit, 1}).ok());
+  EXPECT_TRUE(evaluator->evaluate(context, 0, points, rgb, {&hit, 1}).ok());
   return {rgb[0], rgb[1], rgb[2]};
 }
 
@@ -123,7 +123,7 @@ TEST(Diffuse, patches_miss_the_exact_colour_by_no_more_than_asked_away_from_ends
       if (length(p - Vec2{10, 80}) < 4 || length(p - Vec2{80, 70}) < 4) continue;
       float rgb[3];
       std::uint8_t hit;
-      EXPECT_TRUE(evaluator->evaluate(context, {&p, 1}, rgb, {&hit, 1}).ok());
+      EXPECT_TRUE(evaluator->evaluate(context, 0, {&p, 1}, rgb, {&hit, 1}).ok());
       const auto color = test::sample(picture.layers[0], p);
       for (int c = 0; c < 3; ++c) sorted.push_back(255 * std::fabs((*color)[c] - rgb[c]));
     }

@@ -82,7 +82,7 @@ TEST_P(Reference, the_exact_gather_at_single_points_is_within_one_code_value) {
   for (const ReferencePoint& p : points_) positions.push_back(p.position);
   std::vector<float> rgb(3 * positions.size());
   std::vector<std::uint8_t> hit(positions.size());
-  ASSERT_TRUE(evaluator->evaluate(context, positions, rgb, hit).ok());
+  ASSERT_TRUE(evaluator->evaluate(context, 0, positions, rgb, hit).ok());
   for (std::size_t i = 0; i < points_.size(); ++i) {
     EXPECT_EQ(hit[i], 1);
     for (int c = 0; c < 3; ++c) {

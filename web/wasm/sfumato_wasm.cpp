@@ -35,8 +35,8 @@ sfumato::Status diffuse_document(std::string_view xml, double max_error) {
   auto picture = sfumato::diffuse(context, read->document, options);
   if (!picture) return picture.status();
   for (const sfumato::PatchLayer& layer : picture->layers) {
-    state().node_values.insert(state().node_values.end(), layer.node_value.begin(),
-                               layer.node_value.end());
+    state().node_values.insert(state().node_values.end(), layer.color.node_value.begin(),
+                               layer.color.node_value.end());
   }
   return sfumato::ok_status();
 }

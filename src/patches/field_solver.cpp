@@ -1,0 +1,168 @@
+#include "patches/field_solver.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "patches/patch.hpp"
+#include "patches/probes.hpp"
+
+namespace sfumato::patches {
+namespace {
+
+constexpr std::size_t kNodes = kNodesPerTriangle;
+
+double longest_edge(const mesh::TriangleMesh& mesh, std::uint32_t t) {
+  double longest = 0;
+  for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
+    const Vec2 from = mesh.vertex_position[mesh.origin(h)];
+    longest = std::max(longest, length(mesh.vertex_position[mesh.target(h)] - from));
+  }
+  return longest;
+}
+
+}  // namespace
+
+void FieldSolver::follow(const mesh::TriangleMesh& mesh,
+                         std::span<const std::int32_t> previous_triangle) {
+  const NodeLayout old_layout = std::move(layout_);
+  const std::vector<std::uint8_t> old_hit = std::move(node_hit_);
+  const Seams seams(mesh, scene_.attributes);
+  layout_ = lay_out_nodes(mesh, scene_.attributes, seams);
+  node_known_ = layout_.is_fixed;
+  node_hit_.assign(layout_.node_count(), 1);
+  if (old_layout.triangle_node.empty()) return;
+  const auto channels = static_cast<std::size_t>(layout_.channel_count);
+  for (std::uint32_t t = 0; t < mesh.triangle_count(); ++t) {
+    if (previous_triangle[t] == mesh::kNone) continue;
+    const auto p = static_cast<std::size_t>(previous_triangle[t]);
+    for (std::size_t i = 0; i < kNodes; ++i) {
+      const std::uint32_t node = layout_.triangle_node[kNodes * t + i];
+      if (node_known_[node]) continue;
+      const std::uint32_t old = old_layout.triangle_node[kNodes * p + i];
+      std::copy_n(old_layout.value.data() + channels * old, channels,
+                  layout_.value.data() + channels * node);
+      node_hit_[node] = old_hit[old];
+      node_known_[node] = 1;
+    }
+  }
+}
+
+Result<std::size_t> FieldSolver::gather(Context& context, const gather::GatherOptions& options,
+                                        bool all) {
+  std::vector<std::uint32_t> nodes;
+  std::vector<Vec2> points;
+  for (std::uint32_t node = 0; node < layout_.node_count(); ++node) {
+    if (layout_.is_fixed[node] || (node_known_[node] && !all)) continue;
+    nodes.push_back(node);
+    points.push_back(layout_.position[node]);
+  }
+  const auto channels = static_cast<std::size_t>(layout_.channel_count);
+  std::vector<float> values(points.size() * channels);
+  std::vector<std::uint8_t> hits(points.size());
+  Status status = scene_.gatherer.gather(context, points, options, values, hits);
+  if (!status) return status;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    std::copy_n(values.data() + channels * i, channels, layout_.value.data() + channels * nodes[i]);
+    node_hit_[nodes[i]] = hits[i];
+  }
+  return nodes.size();
+}
+
+Status FieldSolver::find_misses(Context& context, const mesh::TriangleMesh& mesh,
+                                std::span<const std::uint8_t> is_new, float max_error,
+                                PatchOrder order, std::span<std::uint8_t> misses) const {
+  const auto channels = static_cast<std::size_t>(layout_.channel_count);
+  const ProbeSet probes = place_probes(mesh, layout_, is_new);
+  std::vector<float> exact(probes.position.size() * channels);
+  Status status = scene_.gatherer.gather(context, probes.position, {}, exact);
+  if (!status) return status;
+  std::vector<float> value(channels);
+  for (std::size_t i = 0; i < probes.position.size(); ++i) {
+    patch_value_at_probe(probes, i, layout_, order, value.data());
+    float worst = 0;
+    for (std::size_t c = 0; c < channels; ++c) {
+      worst = std::max(worst, std::fabs(value[c] - exact[channels * i + c]));
+    }
+    if (worst <= max_error) continue;
+    misses[probes.half_edge[i] / 3] = 1;
+    const std::int32_t twin = mesh.half_edge_twin[probes.half_edge[i]];
+    if (probes.place[i] == 3 && twin != mesh::kNone) misses[twin / 3] = 1;
+  }
+  return ok_status();
+}
+
+void FieldSolver::find_coarse(const mesh::TriangleMesh& mesh,
+                              std::span<std::uint8_t> coarse) const {
+  const Seams seams(mesh, scene_.attributes);
+  // Per vertex the smallest radius of the curves that end or pass there; 0: no blurred curve.
+  std::vector<float> vertex_radius(mesh.vertex_position.size(), 0);
+  const auto lower = [&](std::uint32_t vertex, float radius) {
+    float& known = vertex_radius[vertex];
+    known = known > 0 ? std::min(known, radius) : radius;
+  };
+  const auto half_edge_count = static_cast<std::uint32_t>(mesh.triangle_vertex.size());
+  for (std::uint32_t h = 0; h < half_edge_count; ++h) {
+    if (!seams.is_seam(h)) continue;
+    if (const float r = seams.blur_radius(h, 0); r > 0) lower(mesh.origin(h), r);
+    if (const float r = seams.blur_radius(h, 1); r > 0) lower(mesh.target(h), r);
+  }
+  for (std::uint32_t t = 0; t < mesh.triangle_count(); ++t) {
+    double radius = 0;
+    for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
+      const double r = vertex_radius[mesh.origin(h)];
+      if (r > 0) radius = radius > 0 ? std::min(radius, r) : r;
+    }
+    if (radius > 0 && longest_edge(mesh, t) > radius) coarse[t] = 1;
+  }
+}
+
+void FieldSolver::fill_unseen_nodes() {
+  const auto channels = static_cast<std::size_t>(layout_.channel_count);
+  std::vector<float> sum(channels);
+  for (std::size_t first = 0; first < layout_.triangle_node.size(); first += kNodes) {
+    std::uint32_t* node = layout_.triangle_node.data() + first;
+    std::fill(sum.begin(), sum.end(), 0.0f);
+    std::size_t seen = 0;
+    for (std::size_t i = 0; i < kNodes; ++i) {
+      if (!node_hit_[node[i]]) continue;
+      ++seen;
+      for (std::size_t c = 0; c < channels; ++c) sum[c] += layout_.value[channels * node[i] + c];
+    }
+    if (seen == kNodes || seen == 0) continue;
+    const auto mean = static_cast<std::uint32_t>(layout_.value.size() / channels);
+    for (float channel : sum) layout_.value.push_back(channel / static_cast<float>(seen));
+    for (std::size_t i = 0; i < kNodes; ++i) {
+      if (!node_hit_[node[i]]) node[i] = mean;
+    }
+  }
+}
+
+bool FieldSolver::sees_curves(std::uint32_t triangle) const {
+  const std::size_t centre = kNodes * triangle + 9;
+  return node_hit_[layout_.triangle_node[centre]] != 0;
+}
+
+float FieldSolver::largest_value(std::uint32_t triangle) const {
+  const auto channels = static_cast<std::size_t>(layout_.channel_count);
+  float largest = 0;
+  for (std::size_t i = 0; i < kNodes; ++i) {
+    const float* value =
+        layout_.value.data() + channels * layout_.triangle_node[kNodes * triangle + i];
+    for (std::size_t c = 0; c < channels; ++c) largest = std::max(largest, value[c]);
+  }
+  return largest;
+}
+
+PatchField FieldSolver::take(std::span<const std::uint8_t> keep) {
+  std::size_t kept = 0;
+  for (std::size_t t = 0; t < keep.size(); ++t) {
+    if (!keep[t]) continue;
+    std::copy_n(layout_.triangle_node.data() + kNodes * t, kNodes,
+                layout_.triangle_node.data() + kNodes * kept++);
+  }
+  layout_.triangle_node.resize(kNodes * kept);
+  return {layout_.channel_count, std::move(layout_.triangle_node), std::move(layout_.value),
+          std::move(scene_.attributes.shader)};
+}
+
+}  // namespace sfumato::patches

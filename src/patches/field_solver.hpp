@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/context.hpp"
+#include "base/status.hpp"
+#include "curves/attributes.hpp"
+#include "gather/gather.hpp"
+#include "patches/nodes.hpp"
+#include "patches/picture.hpp"
+#include "patches/seams.hpp"
+
+namespace sfumato::patches {
+
+/// One attribute of a layer, ready to be gathered.
+struct FieldScene {
+  curves::SegmentAttributes attributes;
+  gather::Gatherer gatherer;
+};
+
+/// Solves one attribute on the patch mesh of its layer, which LayerSolver refines: node values that
+/// follow the mesh from round to round, and what they miss.
+class FieldSolver {
+ public:
+  explicit FieldSolver(FieldScene scene) : scene_(std::move(scene)) {}
+
+  /// Lays out the nodes of `mesh` and carries known values over from triangles that stayed.
+  /// previous_triangle   as Mesher::patch_mesh gives it
+  void follow(const mesh::TriangleMesh& mesh, std::span<const std::int32_t> previous_triangle);
+
+  /// Gathers the free nodes whose value is not known yet, or all of them, and says how many.
+  Result<std::size_t> gather(Context& context, const gather::GatherOptions& options, bool all);
+
+  /// Sets misses[t] for new triangles (is_new) whose patch misses the exact gather by more than
+  /// max_error (of code values from 0 to 1, or of a share of a shader), and for their neighbours
+  /// where the miss lies on the common edge.
+  Status find_misses(Context& context, const mesh::TriangleMesh& mesh,
+                     std::span<const std::uint8_t> is_new, float max_error, PatchOrder order,
+                     std::span<std::uint8_t> misses) const;
+
+  /// Sets coarse[t] for triangles at a blurred curve whose longest edge is longer than the blur
+  /// radius there: their nodes could not tell its transition.
+  void find_coarse(const mesh::TriangleMesh& mesh, std::span<std::uint8_t> coarse) const;
+
+  /// Where a triangle lies across the border of what sees a curve, its nodes beyond the border have
+  /// no value: in this triangle they take the mean of the others. Nodes of triangles that see
+  /// nothing at all stay 0.
+  void fill_unseen_nodes();
+
+  const FieldScene& scene() const { return scene_; }
+  int channel_count() const { return scene_.attributes.channel_count(); }
+  const NodeLayout& layout() const { return layout_; }
+  bool sees_curves(std::uint32_t triangle) const;
+  /// The largest value of any channel at the triangle's nodes.
+  float largest_value(std::uint32_t triangle) const;
+
+  /// The field of the triangles with keep[t], in their order. Leaves nothing behind.
+  PatchField take(std::span<const std::uint8_t> keep);
+
+ private:
+  FieldScene scene_;
+  NodeLayout layout_;
+  std::vector<std::uint8_t> node_known_;  ///< value gathered in an earlier round, or fixed
+  std::vector<std::uint8_t> node_hit_;    ///< 0 where a free node sees no curve
+};
+
+}  // namespace sfumato::patches
