@@ -67,12 +67,25 @@ SegmentValues<Rgb> as_values(const SegmentValues<float>& opacity) {
   return {{opacity.start, 0, 0}, {opacity.end, 0, 0}};
 }
 
+ColorStops in_space(ColorStops list, InterpolationSpace space) {
+  if (space == InterpolationSpace::srgb) return list;
+  for (Stop<Rgb>& stop : list.stops) stop.value = from_srgb(space, stop.value);
+  return list;
+}
+
+const ScalarStops& in_space(const ScalarStops& list, InterpolationSpace) {
+  return list;
+}
+
 /// Samples one attribute, which `shader_of` finds on a side.
 template <class Value, class ShaderOf>
 class AttributeSampler {
  public:
-  AttributeSampler(const FlatCurves& flat, std::span<const Curve> curves, ShaderOf shader_of)
-      : flat_(flat), curves_(curves), shader_of_(shader_of) {}
+  AttributeSampler(const FlatCurves& flat, std::span<const Curve> curves, ShaderOf shader_of,
+                   InterpolationSpace space = InterpolationSpace::srgb)
+      : flat_(flat), curves_(curves), shader_of_(shader_of) {
+    attributes_.space = space;
+  }
 
   SegmentAttributes run() {
     attributes_.left.resize(flat_.vertex.size());
@@ -95,7 +108,8 @@ class AttributeSampler {
     const SideShader<Value>& shader = shader_of_(side);
     if (shader.kind == ShaderKind::open) return;
     const std::uint32_t slot = shader.kind == ShaderKind::image_domain ? slot_of(shader.shader) : 0;
-    StopSampler<Value> values(flat_, curves_[index], index, shader.stops);
+    const StopList<Value> stops = in_space(shader.stops, attributes_.space);
+    StopSampler<Value> values(flat_, curves_[index], index, stops);
     StopSampler<float> radii(flat_, curves_[index], index, side.blur_radius);
     for (std::uint32_t v = flat_.curve_begin[index]; v + 1 < flat_.curve_begin[index + 1]; ++v) {
       out[v].kind = shader.kind;
@@ -121,9 +135,10 @@ class AttributeSampler {
 
 }  // namespace
 
-SegmentAttributes sample_colors(const FlatCurves& flat, std::span<const Curve> curves) {
+SegmentAttributes sample_colors(const FlatCurves& flat, std::span<const Curve> curves,
+                                InterpolationSpace space) {
   const auto color_of = [](const Side& side) -> const SideShader<Rgb>& { return side.color; };
-  return AttributeSampler<Rgb, decltype(color_of)>(flat, curves, color_of).run();
+  return AttributeSampler<Rgb, decltype(color_of)>(flat, curves, color_of, space).run();
 }
 
 SegmentAttributes sample_opacities(const FlatCurves& flat, std::span<const Curve> curves) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "base/color.hpp"
+#include "base/color_space.hpp"
 #include "curves/flatten.hpp"
 
 namespace sfumato::curves {
@@ -28,6 +29,7 @@ struct SegmentSide {
 /// vertices that begin no segment are open).
 struct SegmentAttributes {
   int base_channels = 3;  ///< of a curve_domain value: 3 of a colour, 1 of an opacity
+  InterpolationSpace space = InterpolationSpace::srgb;  ///< of colours
   std::vector<SegmentSide> left;
   std::vector<SegmentSide> right;
   std::vector<float> weight;         ///< the curve's
@@ -39,8 +41,9 @@ struct SegmentAttributes {
   int channel_count() const { return base_channels + static_cast<int>(shader.size()); }
 };
 
-/// Colours on the sides of the curves.
-SegmentAttributes sample_colors(const FlatCurves& flat, std::span<const Curve> curves);
+/// Colours on the sides of the curves, interpolated between stops and given in `space`.
+SegmentAttributes sample_colors(const FlatCurves& flat, std::span<const Curve> curves,
+                                InterpolationSpace space = InterpolationSpace::srgb);
 
 /// Opacities.
 SegmentAttributes sample_opacities(const FlatCurves& flat, std::span<const Curve> curves);

@@ -79,9 +79,12 @@ Status FieldSolver::find_misses(Context& context, const mesh::TriangleMesh& mesh
   std::vector<float> value(channels);
   for (std::size_t i = 0; i < probes.position.size(); ++i) {
     patch_value_at_probe(probes, i, layout_, order, value.data());
+    float* const exact_value = exact.data() + channels * i;
+    show_as_code_values(value.data());
+    show_as_code_values(exact_value);
     float worst = 0;
     for (std::size_t c = 0; c < channels; ++c) {
-      worst = std::max(worst, std::fabs(value[c] - exact[channels * i + c]));
+      worst = std::max(worst, std::fabs(value[c] - exact_value[c]));
     }
     if (worst <= max_error) continue;
     misses[probes.half_edge[i] / 3] = 1;
@@ -89,6 +92,14 @@ Status FieldSolver::find_misses(Context& context, const mesh::TriangleMesh& mesh
     if (probes.place[i] == 3 && twin != mesh::kNone) misses[twin / 3] = 1;
   }
   return ok_status();
+}
+
+/// What is tolerated is counted in code values, whatever space the colours are in.
+void FieldSolver::show_as_code_values(float* value) const {
+  const InterpolationSpace space = scene_.attributes.space;
+  if (space == InterpolationSpace::srgb || scene_.attributes.base_channels != 3) return;
+  const Rgb code = to_srgb(space, {value[0], value[1], value[2]});
+  value[0] = code.r, value[1] = code.g, value[2] = code.b;
 }
 
 void FieldSolver::find_coarse(const mesh::TriangleMesh& mesh,

@@ -60,6 +60,8 @@ class FieldSolver {
   PatchField take(std::span<const std::uint8_t> keep);
 
  private:
+  void show_as_code_values(float* value) const;
+
   FieldScene scene_;
   NodeLayout layout_;
   std::vector<std::uint8_t> node_known_;  ///< value gathered in an earlier round, or fixed

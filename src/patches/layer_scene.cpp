@@ -149,7 +149,7 @@ Result<LayerScene> prepare_layer(Context& context, const Document& document, std
   const mesh::MeshOptions meshing = units.mesh_options();
   Result<curves::FlatCurves> flat = curves::flatten(context, curves, units.flatten_options());
   if (!flat) return flat.status();
-  curves::SegmentAttributes colors = curves::sample_colors(*flat, curves);
+  curves::SegmentAttributes colors = curves::sample_colors(*flat, curves, document.interpolation);
   const double geometry_seconds = geometry_watch.seconds();
 
   const Stopwatch mesh_watch;

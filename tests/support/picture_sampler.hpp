@@ -2,15 +2,17 @@
 
 #include <array>
 #include <optional>
+#include <vector>
 
 #include "patches/patch.hpp"
 #include "patches/picture.hpp"
 
 namespace sfumato::test {
 
-/// The colour of a layer's patches at a point, by trying every triangle: slow, and independent of
-/// the rasterizer. Nothing where no triangle contains the point.
-inline std::optional<std::array<double, 3>> sample(const PatchLayer& layer, Vec2 p) {
+/// All channels of a field of a layer at a point, by trying every triangle: slow, and independent
+/// of the rasterizer. Nothing where no triangle contains the point.
+inline std::optional<std::vector<double>> sample_field(const PatchLayer& layer,
+                                                       const PatchField& field, Vec2 p) {
   for (std::uint32_t t = 0; t < layer.triangle_count(); ++t) {
     const std::uint32_t* corner = layer.triangle_vertex.data() + 3 * std::size_t{t};
     const Vec2 a = layer.vertex_position[corner[0]], b = layer.vertex_position[corner[1]],
@@ -20,18 +22,24 @@ inline std::optional<std::array<double, 3>> sample(const PatchLayer& layer, Vec2
                  v = cross(a - p, b - p) / area;
     if (w < 0 || u < 0 || v < 0) continue;
     const auto basis = patch_basis(layer.order, w, u, v);
-    std::array<double, 3> color{};
+    const auto channels = static_cast<std::size_t>(field.channel_count);
+    std::vector<double> value(channels);
     for (int n = 0; n < kNodesPerTriangle; ++n) {
-      const std::uint32_t node = layer.color.triangle_node[std::size_t{10} * t + n];
-      for (int channel = 0; channel < 3; ++channel) {
-        color[channel] +=
-            basis[n] *
-            layer.color.node_value[std::size_t(layer.color.channel_count) * node + channel];
+      const std::uint32_t node = field.triangle_node[std::size_t{10} * t + n];
+      for (std::size_t c0 = 0; c0 < channels; ++c0) {
+        value[c0] += basis[n] * field.node_value[channels * node + c0];
       }
     }
-    return color;
+    return value;
   }
   return std::nullopt;
+}
+
+/// The colour channels alone.
+inline std::optional<std::array<double, 3>> sample(const PatchLayer& layer, Vec2 p) {
+  const auto value = sample_field(layer, layer.color, p);
+  if (!value) return std::nullopt;
+  return std::array{(*value)[0], (*value)[1], (*value)[2]};
 }
 
 }  // namespace sfumato::test
