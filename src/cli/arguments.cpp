@@ -16,6 +16,7 @@ constexpr const char* kRootFooter =
     "  sfumato render lady_bug.xml -o lady_bug.png\n"
     "  sfumato info lady_bug.xml\n"
     "  sfumato convert lady_bug.xml -o lady_bug.svg\n"
+    "  sfumato lint lady_bug.svg\n"
     "  sfumato compare before.png after.png -o difference.png\n"
     "\n"
     "'sfumato COMMAND --help' tells all about a command.\n"
@@ -52,7 +53,8 @@ NoCommand usage_error(const CLI::App& root, std::string what) {
   std::string command = "sfumato";
   for (const CLI::App* chosen : root.get_subcommands()) command += ' ' + chosen->get_name();
   if (root.get_subcommands().empty() && root.remaining_size() > 0) {
-    what = "\"" + root.remaining().front() + "\" given, expected render, info, convert or compare";
+    what = "\"" + root.remaining().front() +
+           "\" given, expected render, info, convert, lint or compare";
   }
   return {"sfumato: error: " + what + "\nTry '" + command + " --help'.\n", kBadUsage};
 }
@@ -71,10 +73,12 @@ Command parse_arguments(int argc, const char* const* argv) {
   RenderChoices choices;
   InfoArguments info;
   ConvertArguments convert;
+  LintArguments lint;
   CompareArguments compare;
   const CLI::App* render_app = add_render(root, render, choices);
   const CLI::App* info_app = add_info(root, info);
   const CLI::App* convert_app = add_convert(root, convert);
+  const CLI::App* lint_app = add_lint(root, lint);
   const CLI::App* compare_app = add_compare(root, compare);
   try {
     root.parse(argc, argv);
@@ -84,6 +88,7 @@ Command parse_arguments(int argc, const char* const* argv) {
     }
     if (info_app->parsed()) return info;
     if (convert_app->parsed()) return convert;
+    if (lint_app->parsed()) return lint;
     if (compare_app->parsed()) {
       settle(compare);
       return compare;

@@ -41,6 +41,14 @@ struct InfoArguments {
   bool quiet = false;
 };
 
+struct LintArguments {
+  std::string input;
+  bool verbose = false;  ///< with notes, which ask for nothing
+  bool strict = false;   ///< a hint is a failure
+  bool json = false;
+  bool quiet = false;
+};
+
 struct CompareArguments {
   std::string first;
   std::string second;
@@ -56,8 +64,8 @@ struct NoCommand {
   ExitCode exit_code = kBadUsage;
 };
 
-using Command =
-    std::variant<NoCommand, RenderArguments, InfoArguments, ConvertArguments, CompareArguments>;
+using Command = std::variant<NoCommand, RenderArguments, InfoArguments, ConvertArguments,
+                             LintArguments, CompareArguments>;
 
 /// Reads the command line. Never prints, never exits.
 Command parse_arguments(int argc, const char* const* argv);

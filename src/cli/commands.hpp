@@ -8,6 +8,7 @@ namespace sfumato::cli {
 int render(const RenderArguments& arguments);
 int info(const InfoArguments& arguments);
 int convert(const ConvertArguments& arguments);
+int lint(const LintArguments& arguments);
 int compare(const CompareArguments& arguments);
 
 /// The whole program: parses, runs, catches what other people's libraries throw.

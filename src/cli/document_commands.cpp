@@ -13,6 +13,11 @@ constexpr const char* kConvertFooter =
     "  sfumato convert lady_bug.xml -o lady_bug.svg\n"
     "  sfumato convert - -o - <lady_bug.xml >lady_bug.svg";
 
+constexpr const char* kLintFooter =
+    "Examples:\n"
+    "  sfumato lint lady_bug.svg\n"
+    "  sfumato lint --strict --quiet lady_bug.svg";
+
 void add_document(CLI::App& app, std::string& input) {
   app.add_option("IN", input, "Diffusion curves (Orzan XML); '-': from stdin")
       ->required()
@@ -53,6 +58,17 @@ CLI::App* add_convert(CLI::App& root, ConvertArguments& arguments) {
             })
       ->required();
   app->add_flag("--quiet", arguments.quiet, "No warnings");
+  return app;
+}
+
+CLI::App* add_lint(CLI::App& root, LintArguments& arguments) {
+  CLI::App* app = root.add_subcommand("lint", "Hint at what a drawing has probably got wrong");
+  app->footer(kLintFooter);
+  add_document(*app, arguments.input);
+  app->add_flag("--strict", arguments.strict, "Exit with 1 where there is a hint");
+  app->add_flag("--verbose", arguments.verbose, "With notes: which side of a loop is inside");
+  app->add_flag("--json", arguments.json, "Print one JSON object");
+  app->add_flag("--quiet", arguments.quiet, "No warnings of the reader");
   return app;
 }
 

@@ -8,5 +8,6 @@ namespace sfumato::cli {
 
 CLI::App* add_info(CLI::App& root, InfoArguments& arguments);
 CLI::App* add_convert(CLI::App& root, ConvertArguments& arguments);
+CLI::App* add_lint(CLI::App& root, LintArguments& arguments);
 
 }  // namespace sfumato::cli

@@ -1,0 +1,97 @@
+#include "lint/lint.hpp"
+
+#include <algorithm>
+
+#include "base/native/tbb_executor.hpp"
+#include "cli/commands.hpp"
+#include "cli/interrupt.hpp"
+#include "cli/json.hpp"
+#include "cli/paths.hpp"
+#include "formats/orzan.hpp"
+
+namespace sfumato::cli {
+namespace {
+
+/// Control characters of ids become '?'.
+std::string printable(std::string text) {
+  for (char& c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x20 || byte == 0x7f) c = '?';
+  }
+  return text;
+}
+
+std::string counted(std::size_t count) {
+  return count == 0 ? "no hints" : count == 1 ? "1 hint" : std::to_string(count) + " hints";
+}
+
+std::size_t count_hints(const std::vector<Hint>& hints) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(hints, [](const Hint& hint) { return !is_note(hint.kind); }));
+}
+
+std::string as_text(const std::string& name, const Document& document,
+                    const std::vector<Hint>& hints) {
+  std::string text;
+  for (const Hint& hint : hints) {
+    text += printable(name + ": " + (is_note(hint.kind) ? "note: " : "hint: ") +
+                      place_text(document, hint) + ": " + hint.message) +
+            " [" + std::string(hint_name(hint.kind)) + "]\n";
+  }
+  return text + printable(name) + ": " + counted(count_hints(hints)) + '\n';
+}
+
+void write_place(JsonWriter& json, const Document& document, const Hint& hint) {
+  if (hint.layer) {
+    json.member("layer", *hint.layer).member("layer_id", document.layers[*hint.layer].id);
+  }
+  if (hint.curve) {
+    json.member("curve", *hint.curve)
+        .member("curve_id", document.layers[*hint.layer].curves[*hint.curve].id);
+  }
+  if (hint.side) json.member("side", *hint.side == CurveSide::left ? "left" : "right");
+  if (hint.stack_item) json.member("stack_item", *hint.stack_item);
+  if (hint.shader) {
+    json.member("shader", *hint.shader).member("shader_id", document.shaders[*hint.shader].id);
+  }
+}
+
+std::string as_json(const std::string& name, const Document& document,
+                    const std::vector<Hint>& hints) {
+  JsonWriter json;
+  json.begin_object().member("file", name).key("hints").begin_array();
+  for (const Hint& hint : hints) {
+    json.begin_object().member("kind", hint_name(hint.kind));
+    json.member("severity", is_note(hint.kind) ? "note" : "hint");
+    write_place(json, document, hint);
+    json.member("message", hint.message).end_object();
+  }
+  json.end_array().member("hint_count", count_hints(hints)).end_object();
+  return json.text() + '\n';
+}
+
+}  // namespace
+
+int lint(const LintArguments& arguments) {
+  const Result<std::string> input = read_input(arguments.input, limits::kInputBytes);
+  if (!input) return fail(input.status());
+  const std::string name = display_name(arguments.input);
+  const std::unique_ptr<Executor> executor = make_tbb_executor();
+  Context context{.executor = executor.get()};
+  const CancelOnSignal cancel_on_signal(context.cancel);
+  const Result<ReadDocument> read = read_orzan(context, *input, name);
+  if (!read) return fail(read.status());
+  if (!arguments.quiet) {
+    for (const Status& warning : read->warnings) report_warning(warning);
+  }
+  Result<std::vector<Hint>> hints = sfumato::lint(context, read->document);
+  if (!hints) return fail(hints.status());
+  if (!arguments.verbose)
+    std::erase_if(*hints, [](const Hint& hint) { return is_note(hint.kind); });
+  const Status printed = print(arguments.json ? as_json(name, read->document, *hints)
+                                              : as_text(name, read->document, *hints));
+  if (!printed) return fail(printed);
+  return arguments.strict && count_hints(*hints) > 0 ? kBadInput : kDone;
+}
+
+}  // namespace sfumato::cli

@@ -1,0 +1,121 @@
+#include "lint/curve_hints.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "formats/number_text.hpp"
+
+namespace sfumato::lint_detail {
+namespace {
+
+/// A gap below both is taken for a loop that was meant to be closed: a share of the curve's length,
+/// and pixels of an artboard that is 512 long.
+constexpr double kGapShare = 0.01;
+constexpr double kGapPx = 4;
+constexpr double kArtboardPx = 512;
+
+/// A loop whose area is a smaller share of its squared length has no inside worth the name.
+constexpr double kLeastAreaShare = 1e-6;
+
+/// What the flattened curve tells.
+struct Outline {
+  double length = 0;
+  double doubled_area = 0;  ///< above 0: clockwise on the screen
+  bool touches_sight = false;
+};
+
+bool touches(const Box& box, Vec2 a, Vec2 b) {
+  // The segment's parameters inside the box, by clipping at its four sides.
+  double from = 0, to = 1;
+  const auto clip = [&](double start, double step, double low, double high) {
+    if (step == 0) return start >= low && start <= high;
+    double enter = (low - start) / step, leave = (high - start) / step;
+    if (enter > leave) std::swap(enter, leave);
+    from = std::max(from, enter);
+    to = std::min(to, leave);
+    return from <= to;
+  };
+  return clip(a.x, b.x - a.x, box.min.x, box.max.x) && clip(a.y, b.y - a.y, box.min.y, box.max.y);
+}
+
+std::vector<Outline> measure(const LayerUnderTest& test) {
+  const curves::SegmentAttributes& flat = test.scene.color.attributes;
+  std::vector<Outline> outlines(test.curves().size());
+  Vec2 origin;  // of the areas: the curve's first point
+  for (std::size_t v = 0; v + 1 < flat.vertex.size(); ++v) {
+    if (v == 0 || flat.curve[v] != flat.curve[v - 1]) origin = flat.vertex[v];
+    if (flat.curve[v] != flat.curve[v + 1]) continue;
+    Outline& outline = outlines[flat.curve[v]];
+    outline.length += length(flat.vertex[v + 1] - flat.vertex[v]);
+    outline.doubled_area += cross(flat.vertex[v] - origin, flat.vertex[v + 1] - origin);
+    outline.touches_sight |= touches(test.sight.viewport, flat.vertex[v], flat.vertex[v + 1]);
+  }
+  return outlines;
+}
+
+void check_open(LayerUnderTest& test, std::uint32_t index, const Outline& outline) {
+  const std::vector<Vec2>& points = test.curves()[index].control_points;
+  const double gap = length(points.back() - points.front());
+  const Box& artboard = test.document.artboard;
+  const double pixel = std::max(artboard.width(), artboard.height()) / kArtboardPx;
+  if (gap >= kGapShare * outline.length || gap * test.sight.scale >= kGapPx * pixel) return;
+  test.add(HintKind::open_loop, index,
+           "its ends are " + rounded_number_text(gap, 2) +
+               " units apart, so that it looks closed but colours leak through the gap; expected "
+               "equal ends (Z in a path)");
+}
+
+void check_closed(LayerUnderTest& test, std::uint32_t index, const Outline& outline) {
+  if (std::abs(outline.doubled_area) <= kLeastAreaShare * outline.length * outline.length) return;
+  const bool clockwise = outline.doubled_area > 0;
+  const Curve& curve = test.curves()[index];
+  const Side& inside = clockwise ? curve.right : curve.left;
+  const Side& outside = clockwise ? curve.left : curve.right;
+  const std::string inner = clockwise ? "right" : "left", outer = clockwise ? "left" : "right";
+  const std::string turn = clockwise ? "clockwise" : "counter-clockwise";
+  test.add(HintKind::closed_loop, index,
+           "it is closed and " + turn + ": its inside is on the " + inner);
+  if (bears_anything(inside) || !bears_anything(outside)) return;
+  test.add(HintKind::inside_empty, index,
+           "the loop is " + turn + ", so that its inside, the " + inner +
+               " side, bears nothing and its outside does; reverse the path or swap sf:" + outer +
+               " and sf:" + inner + " if the inside was meant");
+}
+
+bool is_blurred(const ScalarStops& radius) {
+  return std::ranges::any_of(radius.stops, [](const auto& stop) { return stop.value > 0; });
+}
+
+void check_side(LayerUnderTest& test, std::uint32_t index, CurveSide which, const Side& side) {
+  if (!is_blurred(side.blur_radius) || has_value(side.color) || has_value(side.opacity)) return;
+  test.add(HintKind::blur_without_shader, index,
+           "it has a blur radius but neither colour nor opacity that could be blurred")
+      .side = which;
+}
+
+}  // namespace
+
+void check_curves(LayerUnderTest& test) {
+  const std::vector<Outline> outlines = measure(test);
+  for (std::uint32_t i = 0; i < outlines.size(); ++i) {
+    const Curve& curve = test.curves()[i];
+    const bool closed = curve.control_points.front() == curve.control_points.back();
+    if (closed) {
+      check_closed(test, i, outlines[i]);
+    } else {
+      check_open(test, i, outlines[i]);
+    }
+    if (!bears_anything(curve.left) && !bears_anything(curve.right)) {
+      test.add(HintKind::no_attribute, i,
+               "it bears no colour, no opacity and no barrier: it draws nothing");
+    }
+    check_side(test, i, CurveSide::left, curve.left);
+    check_side(test, i, CurveSide::right, curve.right);
+    if (!outlines[i].touches_sight) {
+      test.add(HintKind::outside, i,
+               "it lies wholly outside the artboard: only its influence can show");
+    }
+  }
+}
+
+}  // namespace sfumato::lint_detail

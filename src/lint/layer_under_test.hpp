@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "document/document.hpp"
+#include "lint/hint.hpp"
+#include "patches/layer_scene.hpp"
+
+namespace sfumato::lint_detail {
+
+/// A layer that is painted, with what drawing it begins with. The hints go to `hints`.
+struct LayerUnderTest {
+  const Document& document;
+  std::uint32_t layer;
+  const patches::LayerSight& sight;
+  const patches::LayerScene& scene;
+  std::vector<Hint>& hints;
+
+  const std::vector<Curve>& curves() const { return document.layers[layer].curves; }
+
+  Hint& add(HintKind kind, std::string message) {
+    return hints.emplace_back(Hint{.kind = kind, .layer = layer, .message = std::move(message)});
+  }
+  Hint& add(HintKind kind, std::uint32_t curve, std::string message) {
+    Hint& hint = add(kind, std::move(message));
+    hint.curve = curve;
+    return hint;
+  }
+};
+
+template <class Value>
+bool has_value(const SideShader<Value>& shader) {
+  return shader.kind == ShaderKind::curve_domain || shader.kind == ShaderKind::image_domain;
+}
+
+/// Whether rays of either attribute take notice of the side.
+inline bool bears_anything(const Side& side) {
+  return side.color.kind != ShaderKind::open || side.opacity.kind != ShaderKind::open;
+}
+
+}  // namespace sfumato::lint_detail

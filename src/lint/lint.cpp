@@ -1,0 +1,245 @@
+#include "lint/lint.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "formats/number_text.hpp"
+#include "lint/coverage.hpp"
+#include "lint/curve_hints.hpp"
+#include "patches/layer_view.hpp"
+
+namespace sfumato {
+namespace {
+
+using lint_detail::BorderCover;
+using lint_detail::LayerUnderTest;
+
+/// Pixels of the artboard's longer side for which the curves are flattened and meshed.
+constexpr double kMeshPx = 512;
+
+/// A picture this long that still shows less than a pixel for two texels needs no such texture.
+constexpr double kLargestPicturePx = 4096;
+constexpr double kTexelsPerPixel = 2;
+
+double longer_side(const Box& box) {
+  return std::max(box.width(), box.height());
+}
+
+template <class Value>
+void note_shader(const SideShader<Value>& shader, std::vector<bool>& used) {
+  if (shader.kind == ShaderKind::image_domain) used[shader.shader] = true;
+}
+
+/// The shaders that a layer uses.
+std::vector<bool> shaders_of(const Layer& layer, std::size_t shader_count) {
+  std::vector<bool> used(shader_count, false);
+  for (const Curve& curve : layer.curves) {
+    for (const Side* side : {&curve.left, &curve.right}) {
+      note_shader(side->color, used);
+      note_shader(side->opacity, used);
+    }
+  }
+  return used;
+}
+
+Box bounds_of(const std::vector<Curve>& curves) {
+  Box box;
+  for (const Curve& curve : curves) {
+    for (const Vec2 p : curve.control_points) box.extend(p);
+  }
+  return box;
+}
+
+class Linter {
+ public:
+  Linter(Context& context, const Document& document)
+      : context_(context),
+        document_(document),
+        shader_used_(document.shaders.size(), false),
+        shader_scale_(document.shaders.size(), 0) {}
+
+  Result<std::vector<Hint>> run();
+
+ private:
+  Status check_layer(std::uint32_t layer);
+  void check_attributes(std::uint32_t layer);
+  void note_shaders(std::uint32_t layer, double scale);
+  Status check_instances(LayerUnderTest& test);
+  void check_stack();
+  void check_stack_item(std::uint32_t i);
+  void check_stroke(std::uint32_t i, const LocalStroke& stroke);
+  void check_shader(std::uint32_t i);
+
+  Hint& add_to_stack(HintKind kind, std::uint32_t item, std::string message) {
+    return hints_.emplace_back(
+        Hint{.kind = kind, .stack_item = item, .message = std::move(message)});
+  }
+  Hint& add_to_shader(HintKind kind, std::uint32_t shader, std::string message) {
+    return hints_.emplace_back(Hint{.kind = kind, .shader = shader, .message = std::move(message)});
+  }
+
+  Context& context_;
+  const Document& document_;
+  std::vector<Hint> hints_;
+  std::vector<bool> shader_used_;
+  std::vector<double> shader_scale_;  ///< artboard units to a unit of the layers that use it
+};
+
+Result<std::vector<Hint>> Linter::run() {
+  for (std::uint32_t i = 0; i < document_.layers.size(); ++i) {
+    if (Status status = check_layer(i); !status) return status;
+  }
+  check_stack();
+  for (std::uint32_t i = 0; i < document_.shaders.size(); ++i) check_shader(i);
+  return std::move(hints_);
+}
+
+Status Linter::check_layer(std::uint32_t layer) {
+  const patches::LayerSight sight = patches::sight_of_layer(document_, layer, document_.artboard);
+  const bool is_painted = !sight.viewport.empty();
+  note_shaders(layer, is_painted ? sight.scale : 0);
+  if (!is_painted) {
+    hints_.push_back({.kind = HintKind::unused_layer,
+                      .layer = layer,
+                      .message = "nothing paints this layer; expected it in place or a <use>"});
+    return ok_status();
+  }
+  if (document_.layers[layer].curves.empty()) {
+    hints_.push_back(
+        {.kind = HintKind::empty_layer, .layer = layer, .message = "it has no curves"});
+    return ok_status();
+  }
+  DiffuseOptions options;
+  options.pixels_per_unit = kMeshPx / longer_side(document_.artboard);
+  const Result<patches::LayerScene> scene =
+      patches::prepare_layer(context_, document_, layer, sight, options, nullptr);
+  if (!scene) return scene.status();
+  LayerUnderTest test{document_, layer, sight, *scene, hints_};
+  lint_detail::check_curves(test);
+  lint_detail::check_visibility(test);
+  check_attributes(layer);
+  return check_instances(test);
+}
+
+void Linter::note_shaders(std::uint32_t layer, double scale) {
+  const std::vector<bool> used = shaders_of(document_.layers[layer], document_.shaders.size());
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    if (!used[i]) continue;
+    shader_used_[i] = true;
+    shader_scale_[i] = std::max(shader_scale_[i], scale);
+  }
+}
+
+void Linter::check_attributes(std::uint32_t layer) {
+  bool has_color = false, has_opacity = false;
+  for (const Curve& curve : document_.layers[layer].curves) {
+    for (const Side* side : {&curve.left, &curve.right}) {
+      has_color |= lint_detail::has_value(side->color);
+      has_opacity |= lint_detail::has_value(side->opacity);
+    }
+  }
+  if (!has_opacity || has_color) return;
+  hints_.push_back({.kind = HintKind::opacity_without_color,
+                    .layer = layer,
+                    .message = "its curves bear opacity but none bears a colour: it paints "
+                               "nothing"});
+}
+
+Status Linter::check_instances(LayerUnderTest& test) {
+  const Box bounds = bounds_of(test.curves());
+  bool leak_told = false;
+  for (std::uint32_t i = 0; i < document_.stack.size(); ++i) {
+    const auto* instance = std::get_if<LayerInstance>(&document_.stack[i]);
+    if (!instance || instance->layer != test.layer || instance->opacity == 0) continue;
+    const bool is_above = i > 0 || document_.background;
+    const bool is_outside = !overlap(
+        patches::bounds_of_mapped(instance->artboard_from_layer, bounds), document_.artboard);
+    const bool may_leak = is_above && !leak_told && instance->blend == BlendMode::normal;
+    if (!may_leak && !is_outside) continue;
+    const Result<BorderCover> cover =
+        lint_detail::border_cover(context_, test, instance->artboard_from_layer);
+    if (!cover) return cover.status();
+    if (may_leak && *cover == BorderCover::all) {
+      leak_told = true;
+      test.add(HintKind::leak,
+               "its colours leak to infinity: they reach the artboard's border all around and "
+               "cover everything below; expected a closed curve that is open or a barrier "
+               "outside, or an opacity of 0 there")
+          .stack_item = i;
+    } else if (is_outside && *cover == BorderCover::none) {
+      test.add(HintKind::instance_outside, "it lies outside the artboard: nothing of it shows")
+          .stack_item = i;
+    }
+  }
+  return ok_status();
+}
+
+void Linter::check_stack() {
+  for (std::uint32_t i = 0; i < document_.stack.size(); ++i) check_stack_item(i);
+}
+
+void Linter::check_stack_item(std::uint32_t i) {
+  const StackItem& item = document_.stack[i];
+  const char* message = "its opacity is 0: nothing of it shows";
+  if (const auto* instance = std::get_if<LayerInstance>(&item)) {
+    if (instance->opacity == 0) {
+      add_to_stack(HintKind::invisible, i, message).layer = instance->layer;
+    }
+  } else if (const auto* group = std::get_if<GroupBegin>(&item)) {
+    if (group->opacity == 0) add_to_stack(HintKind::invisible, i, message);
+  } else if (const auto* stroke = std::get_if<LocalStroke>(&item)) {
+    check_stroke(i, *stroke);
+  }
+}
+
+void Linter::check_stroke(std::uint32_t i, const LocalStroke& stroke) {
+  const LocalCurve& curve = stroke.curve;
+  if (curve.alpha == 0) {
+    add_to_stack(HintKind::invisible, i, "its alpha is 0: nothing of it shows");
+  }
+  if (curve.left_color.empty() && curve.right_color.empty()) {
+    add_to_stack(HintKind::no_attribute, i, "it bears no colour: it draws nothing");
+  }
+  Box box;
+  for (const Vec2 p : curve.control_points) box.extend(p);
+  float radius = 0;
+  for (const Stop<float>& stop : curve.influence_radius.stops) {
+    radius = std::max(radius, stop.value);
+  }
+  const Box reach =
+      patches::bounds_of_mapped(stroke.artboard_from_stroke, box.grown_by(double{radius}));
+  if (overlap(reach, document_.artboard)) return;
+  add_to_stack(HintKind::outside, i, "it lies outside the artboard: nothing of it shows");
+}
+
+void Linter::check_shader(std::uint32_t i) {
+  const Shader& shader = document_.shaders[i];
+  if (!shader_used_[i]) {
+    add_to_shader(HintKind::unused_shader, i, "no curve uses it");
+    return;
+  }
+  if (const auto* fill = std::get_if<GradientFill>(&shader.paint)) {
+    if (fill->stops.size() > 1) return;
+    add_to_shader(HintKind::one_stop_gradient, i,
+                  "the gradient has one stop: a colour on the side would do");
+    return;
+  }
+  const auto& texture = std::get<Texture>(shader.paint);
+  const double texel = std::sqrt(std::abs(texture.layer_from_texture.determinant())) *
+                       shader_scale_[i];  // artboard units
+  const double pixel = longer_side(document_.artboard) / kLargestPicturePx;
+  if (shader_scale_[i] == 0 || texel * kTexelsPerPixel > pixel) return;
+  add_to_shader(HintKind::large_texture, i,
+                "each pixel of a picture of 4096 pixels shows " +
+                    rounded_number_text(pixel / texel, 2) +
+                    " of its texels side by side; expected a smaller image");
+}
+
+}  // namespace
+
+Result<std::vector<Hint>> lint(Context& context, const Document& document) {
+  if (Status status = validate(document); !status) return status;
+  return Linter(context, document).run();
+}
+
+}  // namespace sfumato
