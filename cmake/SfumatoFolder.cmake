@@ -25,8 +25,12 @@ function(sfumato_folder name)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp)
   list(FILTER sources EXCLUDE REGEX "/main\\.cpp$")
   if(SFUMATO_WASM)
-    # No operating system and no other instruction set there; PNG is the browser's own affair.
-    list(FILTER sources EXCLUDE REGEX "/native/|_avx(2|512)\\.cpp$|/formats/png")
+    # No operating system and no other instruction set there; pictures and gzip are the browser's
+    # own affair.
+    list(FILTER sources EXCLUDE REGEX "/native/|_avx(2|512)\\.cpp$")
+    list(FILTER sources EXCLUDE REGEX "/formats/(png|jpeg|image_file|gunzip)")
+  else()
+    list(FILTER sources EXCLUDE REGEX "_wasm\\.cpp$")
   endif()
   add_library(sfumato_${name} STATIC ${sources})
   target_include_directories(sfumato_${name} PUBLIC ${PROJECT_SOURCE_DIR}/src)

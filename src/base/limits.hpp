@@ -12,6 +12,10 @@ inline constexpr std::size_t kInputBytes = std::size_t{64} << 20;
 inline constexpr std::size_t kPngBytes = std::size_t{1} << 30;
 inline constexpr int kXmlDepth = 256;
 inline constexpr std::size_t kXmlElements = 8'000'000;
+/// Values that the rules of style sheets set.
+inline constexpr std::size_t kStyleValues = 100'000;
+/// Elements that are read through `use`, each as often as it is used.
+inline constexpr std::size_t kUsedElements = 1'000'000;
 inline constexpr std::size_t kCurves = 200'000;
 inline constexpr std::size_t kControlPoints = 4'000'000;
 inline constexpr std::size_t kStops = 8'000'000;
@@ -24,6 +28,8 @@ inline constexpr std::size_t kShadersPerLayer = 64;
 inline constexpr std::size_t kStackItems = 200'000;
 /// Groups within groups that are composited by themselves.
 inline constexpr int kGroupDepth = 16;
+/// A PNG or JPEG file that a document refers to.
+inline constexpr std::size_t kImageFileBytes = std::size_t{64} << 20;
 /// Pixels of one texture, and of all.
 inline constexpr std::size_t kTexels = 64'000'000;
 inline constexpr std::size_t kTextures = 256;

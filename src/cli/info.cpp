@@ -4,15 +4,18 @@
 #include "base/native/tbb_executor.hpp"
 #include "cli/commands.hpp"
 #include "cli/document_facts.hpp"
+#include "cli/folder_loader.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/json.hpp"
 #include "cli/paths.hpp"
-#include "formats/orzan.hpp"
+#include "formats/read_document.hpp"
 
 namespace sfumato::cli {
 namespace {
 
-constexpr const char* kFormatName = "Orzan XML";
+const char* format_name(DocumentFormat format) {
+  return format == DocumentFormat::orzan ? "Orzan XML" : "SVG";
+}
 
 std::string shortest(double number) {
   return JsonWriter().value(number).text();
@@ -33,7 +36,7 @@ std::string as_table(const std::string& name, const ReadDocument& read) {
     label.resize(24, ' ');
     table += "  " + label + content + '\n';
   };
-  row("format", kFormatName);
+  row("format", format_name(read.format));
   row("artboard", size_text(read.document.artboard));
   row("layers", std::to_string(facts.layers));
   row("curves", std::to_string(facts.curves) + " (" +
@@ -52,7 +55,7 @@ std::string as_json(const std::string& name, const ReadDocument& read) {
   const DocumentFacts facts = count_facts(read.document);
   const Box& artboard = read.document.artboard;
   JsonWriter json;
-  json.begin_object().member("file", name).member("format", kFormatName);
+  json.begin_object().member("file", name).member("format", format_name(read.format));
   json.key("artboard")
       .begin_object()
       .member("x", artboard.min.x)
@@ -82,7 +85,8 @@ int info(const InfoArguments& arguments) {
   const std::string name = display_name(arguments.input);
   Context context;
   const CancelOnSignal cancel_on_signal(context.cancel);
-  const Result<ReadDocument> read = read_orzan(context, *input, name);
+  const FolderLoader loader(arguments.input);
+  const Result<ReadDocument> read = read_document(context, *input, name, &loader);
   if (!read) return fail(read.status());
   if (!arguments.quiet) {
     for (const Status& warning : read->warnings) report_warning(warning);

@@ -9,12 +9,13 @@
 #include "base/native/tbb_executor.hpp"
 #include "base/stopwatch.hpp"
 #include "cli/commands.hpp"
+#include "cli/folder_loader.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/paths.hpp"
 #include "cli/progress_bar.hpp"
 #include "cli/stats.hpp"
-#include "formats/orzan.hpp"
 #include "formats/png.hpp"
+#include "formats/read_document.hpp"
 #include "raster/render_pixels.hpp"
 
 namespace sfumato::cli {
@@ -30,7 +31,8 @@ Status check_outputs(const RenderArguments& arguments) {
 
 Result<Document> parse(Context& context, const RenderArguments& arguments,
                        const std::string& bytes) {
-  Result<ReadDocument> read = read_orzan(context, bytes, display_name(arguments.input));
+  const FolderLoader loader(arguments.input);
+  Result<ReadDocument> read = read_document(context, bytes, display_name(arguments.input), &loader);
   if (!read) return read.status();
   if (!arguments.quiet) {
     for (const Status& warning : read->warnings) report_warning(warning);

@@ -102,7 +102,7 @@ Result<ReadDocument> OrzanReader::read() {
     warn("/no curves", root, "the document has no curves: the picture is empty");
   }
   if (Status status = validate(document_); !status) return status;
-  return ReadDocument{std::move(document_), warnings_.take()};
+  return ReadDocument{std::move(document_), warnings_.take(), DocumentFormat::orzan};
 }
 
 Status OrzanReader::read_canvas(pugi::xml_node root) {

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "base/status.hpp"
+
+namespace sfumato {
+
+/// Decodes base64 (RFC 4648, section 4); blanks are skipped, padding may be missing. Memory: three
+/// quarters of the text. Errors: bad_input, without a place.
+Result<std::vector<std::uint8_t>> decode_base64(std::string_view text);
+
+/// Decodes %41 and the like; a percent sign without two digits stands for itself.
+std::vector<std::uint8_t> decode_percent(std::string_view text);
+
+/// The bytes of "data:[type][;base64],…" (RFC 2397); blanks in base64 may be percent-coded too.
+/// Errors: bad_input, without a place.
+Result<std::vector<std::uint8_t>> decode_data_uri(std::string_view uri);
+
+}  // namespace sfumato

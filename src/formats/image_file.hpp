@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/context.hpp"
+#include "base/status.hpp"
+
+namespace sfumato {
+
+struct RgbaImage {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> rgba;  ///< row by row, 4 × width × height, not premultiplied
+};
+
+/// Decodes a PNG or a JPEG by its first bytes. 16 bits are rounded to 8; colour profiles and
+/// orientation tags are not applied. The size is held against limits::kImageSide and kTexels, and
+/// memory is charged while decoding, before it is taken.
+/// Errors: bad_input, limit, out_of_memory, without a place.
+Result<RgbaImage> decode_image(Context& context, std::span<const std::uint8_t> bytes);
+
+}  // namespace sfumato

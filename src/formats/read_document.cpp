@@ -1,0 +1,115 @@
+#include "formats/read_document.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "base/limits.hpp"
+#include "formats/gunzip.hpp"
+#include "formats/orzan.hpp"
+#include "formats/svg.hpp"
+#include "formats/xml_source.hpp"
+
+namespace sfumato {
+namespace {
+
+constexpr std::string_view kBlanks = " \t\r\n";
+
+/// Behind the first `end`, or the end of the text.
+std::string_view behind(std::string_view text, std::string_view end) {
+  const std::size_t at = text.find(end);
+  return at == std::string_view::npos ? std::string_view() : text.substr(at + end.size());
+}
+
+/// Behind a <!DOCTYPE …> with the declarations that it may hold.
+std::string_view behind_doctype(std::string_view text) {
+  bool in_brackets = false;
+  char quote = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (quote != 0) {
+      if (c == quote) quote = 0;
+    } else if (c == '"' || c == '\'') {
+      quote = c;
+    } else if (c == '[' || c == ']') {
+      in_brackets = c == '[';
+    } else if (c == '>' && !in_brackets) {
+      return text.substr(i + 1);
+    }
+  }
+  return {};
+}
+
+/// The name of the first element, without its prefix; nothing where none is found.
+std::string_view root_name(std::string_view text) {
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  for (;;) {
+    text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size()));
+    if (text.starts_with("<?")) {
+      text = behind(text, "?>");
+    } else if (text.starts_with("<!--")) {
+      text = behind(text, "-->");
+    } else if (text.starts_with("<!")) {
+      text = behind_doctype(text);
+    } else {
+      break;
+    }
+  }
+  if (!text.starts_with('<')) return {};
+  const std::string_view name = text.substr(1, text.find_first_of(" \t\r\n/>", 1) - 1);
+  const std::size_t colon = name.find(':');
+  return colon == std::string_view::npos ? name : name.substr(colon + 1);
+}
+
+/// What the tree says of a text that a glance could not read: not XML, or in UTF-16.
+Result<std::string> parsed_root_name(Context& context, std::string_view text,
+                                     const std::string& file) {
+  XmlSource source(text, file);
+  Status status = source.parse(context);
+  if (!status) {
+    status.where.file = file;
+    return status;
+  }
+  const std::string name = source.root().name();
+  return name.substr(name.find(':') + 1);
+}
+
+Status other_document(std::string_view name, std::string_view text, const std::string& file) {
+  const std::size_t at = std::min(text.find("<" + std::string(name)), text.size());
+  const std::string_view before = text.substr(0, at);
+  const auto line = static_cast<int>(std::ranges::count(before, '\n')) + 1;
+  const std::size_t newline = before.rfind('\n');
+  const auto column = static_cast<int>(newline == std::string_view::npos ? at + 1 : at - newline);
+  return make_error(StatusCode::bad_input,
+                    "the document is a <" + std::string(name.substr(0, 64)) +
+                        ">; expected <svg>, or Orzan's <curve_set> or <scene>",
+                    {file, line, column});
+}
+
+Result<ReadDocument> read_text(Context& context, std::string_view text, const std::string& file,
+                               const ResourceLoader* loader) {
+  std::string name(root_name(text));
+  if (name.empty()) {
+    Result<std::string> parsed = parsed_root_name(context, text, file);
+    if (!parsed) return parsed.status();
+    name = std::move(*parsed);
+  }
+  if (name == "svg") return read_svg(context, text, file, loader);
+  if (name == "curve_set" || name == "scene") return read_orzan(context, text, file);
+  return other_document(name, text, file);
+}
+
+}  // namespace
+
+Result<ReadDocument> read_document(Context& context, std::string_view bytes,
+                                   const std::string& file, const ResourceLoader* loader) {
+  if (!is_gzip(bytes)) return read_text(context, bytes, file, loader);
+  ScopedCharge charge;
+  Result<std::string> text = gunzip(context, bytes, limits::kInputBytes, charge);
+  if (text) return read_text(context, *text, file, loader);
+  Status status = text.status();
+  status.where.file = file;
+  return status;
+}
+
+}  // namespace sfumato

@@ -1,0 +1,129 @@
+#include "formats/svg.hpp"
+
+#include <algorithm>
+#include <array>
+#include <tuple>
+#include <utility>
+
+#include "formats/css_color.hpp"
+#include "formats/css_text.hpp"
+#include "formats/suggestion.hpp"
+#include "formats/svg/input.hpp"
+#include "formats/svg/scene_reader.hpp"
+#include "formats/svg/shapes.hpp"
+#include "formats/svg/view_box.hpp"
+
+namespace sfumato {
+namespace {
+
+constexpr std::string_view kVersion = "1";
+
+using svg::Axis;
+using svg::Element;
+using svg::Input;
+
+/// In the order of InterpolationSpace.
+constexpr std::array<std::string_view, 3> kSpaces{"srgb", "linear", "oklab"};
+
+/// viewBox, else width and height.
+Result<Box> read_artboard(Input& input) {
+  const Element root = input.root();
+  if (const auto text = input.attribute(root, "viewBox")) {
+    Result<Box> box = svg::parse_view_box(*text);
+    if (!box) return input.in(root, "viewBox", box.status());
+    return box;
+  }
+  if (!root.attribute("width") || !root.attribute("height")) {
+    return input.error(root, "<svg> has no size; expected viewBox, or width and height");
+  }
+  Vec2 size;
+  for (const auto& [name, axis, value] :
+       {std::tuple("width", Axis::x, &size.x), std::tuple("height", Axis::y, &size.y)}) {
+    const std::string_view text = root.attribute(name).value();
+    if (css_trimmed(text).ends_with('%')) {
+      return input.error(root, std::string(name) + " of <svg> is " + quoted(text) +
+                                   ", a share of nothing known; expected a viewBox");
+    }
+    const Result<double> length = svg::parse_length(text, {{0, 0}, {1, 1}}, axis);
+    if (!length) return input.in(root, name, length.status());
+    *value = *length;
+  }
+  if (!(size.x > 0 && size.y > 0)) {
+    return input.error(root, "<svg> has no area; expected width and height above 0");
+  }
+  return Box{{0, 0}, size};
+}
+
+Status read_version(Input& input) {
+  const auto version = input.sf(input.root(), "version");
+  if (!version) {
+    input.warn("/version", input.root(), "<svg> has no sf:version; it is read as version 1");
+    return ok_status();
+  }
+  if (css_trimmed(*version) == kVersion) return ok_status();
+  return input.error(input.root(), "sf:version is " + quoted(*version) +
+                                       "; expected 1, the version that is read here");
+}
+
+Status read_interpolation(Input& input, Document& document) {
+  const auto text = input.sf(input.root(), "interpolation");
+  if (!text) return ok_status();
+  const auto found = std::ranges::find(kSpaces, css_trimmed(*text));
+  if (found == kSpaces.end()) {
+    return input.error(input.root(),
+                       "sf:interpolation is " + quoted(*text) + "; expected srgb, linear or oklab");
+  }
+  document.interpolation = static_cast<InterpolationSpace>(found - kSpaces.begin());
+  return ok_status();
+}
+
+/// sf:background. What a <rect> says counts only where this is absent.
+Status read_background(Input& input, Document& document) {
+  const auto text = input.sf(input.root(), "background");
+  if (!text || css_trimmed(*text) == "none") return ok_status();
+  const Result<CssColor> color = parse_css_color(*text);
+  if (!color) return input.in(input.root(), "sf:background", color.status());
+  if (color->alpha < 1) {
+    return input.error(
+        input.root(), "sf:background is " + quoted(*text) + "; expected an opaque colour, or none");
+  }
+  document.background = color->color;
+  return ok_status();
+}
+
+Result<ReadDocument> read(Input& input, const ResourceLoader* loader) {
+  if (Status status = input.parse(); !status) return status;
+  if (std::string_view(input.root().name()) != "svg") {
+    return input.error(input.root(),
+                       "the document is a " + svg::tag(input.root()) + "; expected <svg>");
+  }
+  Document document;
+  const Result<Box> artboard = read_artboard(input);
+  if (!artboard) return artboard.status();
+  document.artboard = *artboard;
+  Status status = read_version(input);
+  if (status) status = read_interpolation(input, document);
+  if (status) status = read_background(input, document);
+  if (status) status = svg::SceneReader(input, document, loader).read();
+  if (!status) return status;
+  if (document.stack.empty()) {
+    input.warn("/no layers", input.root(),
+               "the document has no layer and no local curve: the picture is empty");
+  }
+  if (Status valid = validate(document); !valid) return valid;
+  return ReadDocument{std::move(document), input.take_warnings(), DocumentFormat::svg};
+}
+
+}  // namespace
+
+Result<ReadDocument> read_svg(Context& context, std::string_view text, const std::string& file,
+                              const ResourceLoader* loader) {
+  Input input(context, text, file);
+  Result<ReadDocument> result = read(input, loader);
+  if (result) return result;
+  Status status = result.status();
+  status.where.file = file;
+  return status;
+}
+
+}  // namespace sfumato

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <optional>
+
+#include "base/affine.hpp"
+#include "base/box.hpp"
+#include "base/color.hpp"
+#include "formats/svg/input.hpp"
+
+namespace sfumato::svg {
+
+/// An ordinary <rect> as the document's background.
+struct BackgroundRect {
+  bool covers = false;         ///< it is an upright rect over the whole artboard, in one colour
+  std::optional<Rgb> color{};  ///< its fill; nothing where that is none
+};
+
+/// Looks at a shape that may be the background. Errors: bad_input.
+Result<BackgroundRect> read_background_rect(Input& input, Element shape,
+                                            const Affine& artboard_from_user, const Box& artboard);
+
+}  // namespace sfumato::svg

@@ -1,0 +1,215 @@
+#include "formats/svg/curve_attributes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "base/limits.hpp"
+#include "formats/css_text.hpp"
+#include "formats/number.hpp"
+#include "formats/suggestion.hpp"
+
+namespace sfumato::svg {
+namespace {
+
+/// An attribute of Sfumato's namespace as it was found.
+struct Found {
+  std::string name;  ///< "sf:left-blur", for messages
+  std::string_view text;
+};
+
+class AttributeReader {
+ public:
+  AttributeReader(Input& input, Element element) : input_(input), element_(element) {}
+
+  /// The attribute of that name, else the one for both sides, if there is one.
+  std::optional<Found> find(const char* name, const char* for_both = nullptr) const;
+  Status read_colors(const Found& found, std::vector<WrittenStop<Rgb>>& stops);
+  Status read_numbers(const Found& found, double largest, const char* what,
+                      std::vector<WrittenStop<float>>& stops);
+  Status read_number(const char* name, const char* expected, bool zero_allowed, double& number);
+
+ private:
+  Status check_length(const Found& found);
+
+  Input& input_;
+  Element element_;
+};
+
+std::optional<Found> AttributeReader::find(const char* name, const char* for_both) const {
+  for (const char* candidate : {name, for_both}) {
+    if (candidate == nullptr) continue;
+    if (const auto text = input_.sf(element_, candidate)) {
+      return Found{std::string("sf:") + candidate, css_trimmed(*text)};
+    }
+  }
+  return std::nullopt;
+}
+
+Status AttributeReader::check_length(const Found& found) {
+  const std::size_t count = stop_bound(found.text);
+  if (count > limits::kStops) return input_.over_limit(element_, limits::kStops, "stops");
+  ScopedCharge charge;
+  return input_.placed(element_,
+                       charge.add(input_.context(), count * sizeof(WrittenStop<Rgb>), "stops"));
+}
+
+Status AttributeReader::read_colors(const Found& found, std::vector<WrittenStop<Rgb>>& stops) {
+  if (Status status = check_length(found); !status) return status;
+  auto parsed = parse_color_stops(found.text);
+  if (!parsed) return input_.in(element_, found.name, parsed.status());
+  stops = std::move(*parsed);
+  return ok_status();
+}
+
+Status AttributeReader::read_numbers(const Found& found, double largest, const char* what,
+                                     std::vector<WrittenStop<float>>& stops) {
+  if (Status status = check_length(found); !status) return status;
+  auto parsed = parse_scalar_stops(found.text, largest, what);
+  if (!parsed) return input_.in(element_, found.name, parsed.status());
+  stops = std::move(*parsed);
+  return ok_status();
+}
+
+/// `number` stays where the attribute is absent.
+Status AttributeReader::read_number(const char* name, const char* expected, bool zero_allowed,
+                                    double& number) {
+  const auto found = find(name);
+  if (!found) return ok_status();
+  const auto value = parse_number(found->text);
+  const bool in_range = value && std::abs(*value) <= limits::kCoordinate &&
+                        (*value > 0 || (zero_allowed && *value == 0));
+  if (!in_range) {
+    return input_.error(element_, found->name + " of " + tag(element_) + " is " +
+                                      quoted(found->text) + "; expected " + expected);
+  }
+  number = *value;
+  return ok_status();
+}
+
+/// Reads "none" and url(#id); false where the text is a stop list.
+template <class Value>
+Result<bool> read_whole(Input& input, Paints& paints, const PaintedShape& shape, const Found& found,
+                        WrittenShader<Value>& shader) {
+  if (found.text == "none") {
+    shader.kind = ShaderKind::barrier;
+    return true;
+  }
+  const auto url = css_url(found.text);
+  if (!url) return false;
+  if (!url->starts_with('#') || url->size() == 1) {
+    return input.error(shape.element, found.name + " of " + tag(shape.element) + " is " +
+                                          quoted(found.text) + "; expected url(#id)");
+  }
+  const Result<std::uint32_t> index = paints.shader(shape, url->substr(1));
+  if (!index) return index.status();
+  shader.kind = ShaderKind::image_domain;
+  shader.shader = *index;
+  return true;
+}
+
+struct SideNames {
+  const char* color;
+  const char* opacity;
+  const char* blur;
+};
+
+constexpr SideNames kLeft{"left", "left-opacity", "left-blur"};
+constexpr SideNames kRight{"right", "right-opacity", "right-blur"};
+
+Status read_side(Input& input, Paints& paints, const PaintedShape& shape, const SideNames& names,
+                 WrittenSide& side) {
+  AttributeReader reader(input, shape.element);
+  if (const auto found = reader.find(names.color)) {
+    const Result<bool> whole = read_whole(input, paints, shape, *found, side.color);
+    Status status = whole.status();
+    if (whole && !*whole) {
+      side.color.kind = ShaderKind::curve_domain;
+      status = reader.read_colors(*found, side.color.stops);
+    }
+    if (!status) return status;
+  }
+  if (const auto found = reader.find(names.opacity, "opacity")) {
+    const Result<bool> whole = read_whole(input, paints, shape, *found, side.opacity);
+    Status status = whole.status();
+    if (whole && !*whole) {
+      side.opacity.kind = ShaderKind::curve_domain;
+      status = reader.read_numbers(*found, 1, "opacity", side.opacity.stops);
+    }
+    if (!status) return status;
+  }
+  const auto found = reader.find(names.blur, "blur");
+  if (!found) return ok_status();
+  return reader.read_numbers(*found, limits::kCoordinate, "blur radius", side.blur_radius);
+}
+
+Status no_color_list(Input& input, Element element, const Found& found) {
+  return input.error(element, found.name + " of " + tag(element) + " is " + quoted(found.text) +
+                                  "; a local curve takes a list of colours only");
+}
+
+}  // namespace
+
+std::size_t CurveAttributes::stop_count() const {
+  const auto count = [](const WrittenSide& side) {
+    return side.color.stops.size() + side.opacity.stops.size() + side.blur_radius.size();
+  };
+  return count(left) + count(right);
+}
+
+std::size_t LocalAttributes::stop_count() const {
+  return left_color.size() + right_color.size() + blur_radius.size() + influence_radius.size();
+}
+
+Result<CurveAttributes> read_curve_attributes(Input& input, Paints& paints,
+                                              const PaintedShape& shape) {
+  CurveAttributes attributes;
+  Status status = read_side(input, paints, shape, kLeft, attributes.left);
+  if (status) status = read_side(input, paints, shape, kRight, attributes.right);
+  if (status) {
+    AttributeReader reader(input, shape.element);
+    status = reader.read_number("weight", "a number above 0", false, attributes.weight);
+  }
+  if (!status) return status;
+  return attributes;
+}
+
+Result<LocalAttributes> read_local_attributes(Input& input, Element shape) {
+  LocalAttributes attributes;
+  AttributeReader reader(input, shape);
+  Status status = ok_status();
+  const auto read_side_colors = [&](const char* name, std::vector<WrittenStop<Rgb>>& stops) {
+    const auto found = reader.find(name);
+    if (!found || !status) return;
+    const bool is_list = found->text != "none" && !css_url(found->text);
+    status = is_list ? reader.read_colors(*found, stops) : no_color_list(input, shape, *found);
+  };
+  read_side_colors("left", attributes.left_color);
+  read_side_colors("right", attributes.right_color);
+  if (!status) return status;
+  if (attributes.left_color.empty() && attributes.right_color.empty()) {
+    return input.error(shape, "the local curve has no colour; expected sf:left, sf:right or both");
+  }
+  if (attributes.left_color.empty()) attributes.left_color = attributes.right_color;
+  if (attributes.right_color.empty()) attributes.right_color = attributes.left_color;
+  if (const auto found = reader.find("radius")) {
+    status = reader.read_numbers(*found, limits::kCoordinate, "radius of influence",
+                                 attributes.influence_radius);
+  }
+  const auto blur = reader.find("blur");
+  if (status && blur) {
+    status = reader.read_numbers(*blur, limits::kCoordinate, "blur radius", attributes.blur_radius);
+  }
+  if (status) status = reader.read_number("alpha", "0 or more", true, attributes.alpha);
+  if (!status) return status;
+  const auto is_wide = [](const WrittenStop<float>& stop) { return stop.value > 0; };
+  if (std::ranges::none_of(attributes.influence_radius, is_wide)) {
+    return input.error(shape, "sf:radius of " + tag(shape) + " is nowhere above 0");
+  }
+  return attributes;
+}
+
+}  // namespace sfumato::svg

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "document/curve.hpp"
+#include "formats/svg/input.hpp"
+#include "formats/svg/paints.hpp"
+#include "formats/svg/stop_list.hpp"
+
+namespace sfumato::svg {
+
+/// What a side says, before it meets a subpath.
+template <class Value>
+struct WrittenShader {
+  ShaderKind kind = ShaderKind::open;
+  std::vector<WrittenStop<Value>> stops{};
+  std::uint32_t shader = 0;
+};
+
+struct WrittenSide {
+  WrittenShader<Rgb> color{};
+  WrittenShader<float> opacity{};
+  std::vector<WrittenStop<float>> blur_radius{};  ///< user units
+};
+
+struct CurveAttributes {
+  WrittenSide left{};
+  WrittenSide right{};
+  double weight = 1;
+
+  /// How many stops each curve will have, and their bytes.
+  std::size_t stop_count() const;
+};
+
+struct LocalAttributes {
+  std::vector<WrittenStop<Rgb>> left_color{};
+  std::vector<WrittenStop<Rgb>> right_color{};
+  std::vector<WrittenStop<float>> blur_radius{};
+  std::vector<WrittenStop<float>> influence_radius{};
+  double alpha = 1;
+
+  std::size_t stop_count() const;
+};
+
+/// Reads the attributes of a diffusion curve. Errors: bad_input, limit, out_of_memory.
+Result<CurveAttributes> read_curve_attributes(Input& input, Paints& paints,
+                                              const PaintedShape& shape);
+
+/// Reads the attributes of a local curve. Errors: bad_input, limit.
+Result<LocalAttributes> read_local_attributes(Input& input, Element shape);
+
+}  // namespace sfumato::svg

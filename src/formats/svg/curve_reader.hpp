@@ -1,0 +1,42 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "base/affine.hpp"
+#include "base/box.hpp"
+#include "document/curve.hpp"
+#include "formats/svg/input.hpp"
+#include "formats/svg/paints.hpp"
+#include "formats/svg/path.hpp"
+#include "formats/svg/totals.hpp"
+
+namespace sfumato::svg {
+
+/// Turns shapes with attributes of Sfumato's namespace into curves, one for each subpath. Subpaths
+/// of no length are left out with a warning.
+class CurveReader {
+ public:
+  CurveReader(Input& input, Totals& totals, Paints& paints, const Box& viewport)
+      : input_(input), totals_(totals), paints_(paints), viewport_(viewport) {}
+
+  /// Appends the diffusion curves of a shape, in the layer frame. The first gets `id`, the others
+  /// "id-2" and so on. A map that mirrors exchanges the sides; radii grow by √|det|.
+  /// Errors: bad_input, limit, out_of_memory.
+  Status read_curves(Element shape, const Affine& layer_from_user, std::string_view id,
+                     std::vector<Curve>& curves);
+
+  /// Appends the local curves of a shape, in its user space. A side without colours has the
+  /// other's. Errors: bad_input, limit.
+  Status read_local_curves(Element shape, std::string_view id, std::vector<LocalCurve>& curves);
+
+ private:
+  Result<std::vector<Subpath>> read_subpaths(Element shape);
+
+  Input& input_;
+  Totals& totals_;
+  Paints& paints_;
+  const Box& viewport_;
+};
+
+}  // namespace sfumato::svg

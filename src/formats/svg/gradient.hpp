@@ -1,0 +1,24 @@
+#pragma once
+
+#include "document/shader.hpp"
+#include "formats/svg/paint_attributes.hpp"
+#include "formats/svg/totals.hpp"
+
+namespace sfumato::svg {
+
+/// The coordinates that a gradient is written in.
+struct GradientFrame {
+  bool in_box = true;  ///< shares of the shape's bounding box, not user units
+  Affine layer_from_gradient;
+};
+
+/// gradientUnits and gradientTransform for a shape. Errors: bad_input.
+Result<GradientFrame> read_gradient_frame(Input& input, const PaintAttributes& attributes,
+                                          const PaintedShape& shape);
+
+/// Reads a linearGradient or radialGradient (SVG 1.1, chapter 13). What SVG paints in the last
+/// stop's colour, gradients of no length, has that one stop. Errors: bad_input, limit.
+Result<GradientFill> read_gradient(Input& input, Totals& totals, const PaintAttributes& attributes,
+                                   const GradientFrame& frame, const Box& viewport);
+
+}  // namespace sfumato::svg

@@ -1,0 +1,155 @@
+#include "formats/svg/input.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <utility>
+
+#include "base/limits.hpp"
+#include "formats/css_text.hpp"
+#include "formats/suggestion.hpp"
+#include "formats/svg/namespaces.hpp"
+#include "formats/svg/vocabulary.hpp"
+
+namespace sfumato::svg {
+namespace {
+
+// What an id takes in its table, roughly.
+constexpr std::size_t kIdBytes = 64;
+
+}  // namespace
+
+std::string tag(Element element) {
+  return "<" + std::string(element.name()).substr(0, 64) + ">";
+}
+
+Status Input::parse() {
+  Status status = xml_.parse(context_);
+  if (status) status = resolve_namespaces(xml_);
+  if (status) status = index(root());
+  return status;
+}
+
+/// Notes ids and style sheets, and checks the names of attributes, all the way down.
+Status Input::index(Element element) {
+  if (Status status = check_sf_attributes(*this, element); !status) return status;
+  if (const auto id = attribute(element, "id"); id && !id->empty()) {
+    if (Status status = charge(element, kIdBytes, "ids"); !status) return status;
+    if (!element_of_id_.emplace(*id, element).second) {
+      warn("/id", element, "the id " + quoted(*id) + " was given before; the first one counts");
+    }
+  }
+  if (std::strcmp(element.name(), "style") == 0) {
+    if (Status status = read_style_sheets(element); !status) return status;
+  }
+  for (const Element child : element.children()) {
+    if (child.type() != pugi::node_element) continue;
+    if (Status status = index(child); !status) return status;
+  }
+  return ok_status();
+}
+
+Status Input::read_style_sheets(Element element) {
+  for (const pugi::xml_node text : element.children()) {
+    if (text.type() != pugi::node_pcdata && text.type() != pugi::node_cdata) continue;
+    const std::string_view sheet = text.value();
+    const std::string_view left_out = sheet_.add(sheet);
+    if (sheet_.value_count() > limits::kStyleValues) {
+      return over_limit(element, limits::kStyleValues, "values in style sheets");
+    }
+    if (left_out.empty()) continue;
+    warn("/style sheet", element,
+         "the style rule " + quoted(left_out) +
+             " is not read; expected simple selectors: an element, .class or #id");
+  }
+  return ok_status();
+}
+
+std::optional<std::string_view> Input::attribute(Element element, const char* name) const {
+  const pugi::xml_attribute found = element.attribute(name);
+  return found ? std::optional<std::string_view>(found.value()) : std::nullopt;
+}
+
+std::optional<std::string_view> Input::sf(Element element, const char* name) const {
+  for (const pugi::xml_attribute found : element.attributes()) {
+    if (found.name()[0] == ':' && std::strcmp(found.name() + 1, name) == 0) return found.value();
+  }
+  return std::nullopt;
+}
+
+bool Input::has_sf(Element element) const {
+  for (const pugi::xml_attribute found : element.attributes()) {
+    if (found.name()[0] == ':') return true;
+  }
+  return false;
+}
+
+std::optional<std::string_view> Input::property(Element element, const char* name) const {
+  if (const auto style = attribute(element, "style")) {
+    if (const auto value = css_declaration(*style, name)) return value;
+  }
+  if (!sheet_.empty()) {
+    const auto value = sheet_.find(element.name(), element.attribute("id").value(),
+                                   element.attribute("class").value(), name);
+    if (value) return value;
+  }
+  const auto value = attribute(element, name);
+  return value ? std::optional(css_trimmed(*value)) : std::nullopt;
+}
+
+std::optional<std::string_view> Input::inherited_property(Element element, const char* name) const {
+  for (; element && element.type() == pugi::node_element; element = element.parent()) {
+    const auto value = property(element, name);
+    if (value && *value != "inherit") return value;
+  }
+  return std::nullopt;
+}
+
+Result<Element> Input::referred(Element element) {
+  const auto href = attribute(element, "href");
+  if (!href) return error(element, tag(element) + " has no href");
+  const std::string_view reference = css_trimmed(*href);
+  if (!reference.starts_with('#') || reference.size() == 1) {
+    return error(element, "href of " + tag(element) + " is " + quoted(reference) +
+                              "; expected # and the id of an element of this document");
+  }
+  return element_of(element, reference.substr(1));
+}
+
+Result<Element> Input::element_of(Element element, std::string_view id) {
+  const auto found = element_of_id_.find(id);
+  if (found != element_of_id_.end()) return found->second;
+  return error(element, tag(element) + " refers to #" + std::string(id).substr(0, 64) +
+                            ", but no element has that id");
+}
+
+Status Input::error(Element element, std::string message) {
+  return make_error(StatusCode::bad_input, std::move(message), xml_.place(element));
+}
+
+Status Input::over_limit(Element element, std::size_t limit, std::string_view what) {
+  return make_error(StatusCode::limit,
+                    "more than the limit of " + std::to_string(limit) + " " + std::string(what),
+                    xml_.place(element));
+}
+
+Status Input::in(Element element, std::string_view attribute, Status status) {
+  if (status) return status;
+  status.message = std::string(attribute) + " of " + tag(element) + ": " + status.message;
+  status.where = xml_.place(element);
+  return status;
+}
+
+Status Input::placed(Element element, Status status) {
+  if (!status) status.where = xml_.place(element);
+  return status;
+}
+
+void Input::warn(std::string_view kind, Element element, std::string message) {
+  if (warnings_.is_new(kind)) warnings_.add(std::move(message), xml_.place(element));
+}
+
+Status Input::charge(Element element, std::size_t bytes, std::string_view purpose) {
+  return placed(element, charge_.add(context_, bytes, purpose));
+}
+
+}  // namespace sfumato::svg

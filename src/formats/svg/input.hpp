@@ -1,0 +1,76 @@
+#pragma once
+
+#include <optional>
+#include <pugixml.hpp>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+
+#include "base/context.hpp"
+#include "base/status.hpp"
+#include "formats/svg/style_sheet.hpp"
+#include "formats/warnings.hpp"
+#include "formats/xml_source.hpp"
+
+namespace sfumato::svg {
+
+using Element = pugi::xml_node;
+
+/// The document as a tree without syntax: prefixes are resolved, elements of other namespaces are
+/// gone, ids are found, styles are looked up. And the one place where complaints get theirs.
+class Input {
+ public:
+  Input(Context& context, std::string_view text, const std::string& file)
+      : context_(context), xml_(text, file) {}
+
+  /// Errors: bad_input, limit, out_of_memory.
+  Status parse();
+
+  Element root() const { return xml_.root(); }
+  Context& context() const { return context_; }
+
+  /// An attribute of SVG.
+  std::optional<std::string_view> attribute(Element element, const char* name) const;
+  /// An attribute of Sfumato's namespace, without its prefix.
+  std::optional<std::string_view> sf(Element element, const char* name) const;
+  bool has_sf(Element element) const;
+  /// A property of the element itself: from style="", a style sheet, or its attribute; not
+  /// inherited.
+  std::optional<std::string_view> property(Element element, const char* name) const;
+  /// The same, or the next ancestor's.
+  std::optional<std::string_view> inherited_property(Element element, const char* name) const;
+
+  /// The element that href="" refers to. Errors: bad_input.
+  Result<Element> referred(Element element);
+  /// The element of that id. Errors: bad_input; `element` refers to it.
+  Result<Element> element_of(Element element, std::string_view id);
+
+  Status error(Element element, std::string message);
+  /// "more than the limit of N curves".
+  Status over_limit(Element element, std::size_t limit, std::string_view what);
+  /// A status of a parser: puts "d of <path>: " before its message, and the place.
+  Status in(Element element, std::string_view attribute, Status status);
+  /// The status with the element's place.
+  Status placed(Element element, Status status);
+  /// One warning for each kind.
+  void warn(std::string_view kind, Element element, std::string message);
+  /// Charges memory that is held until the reader is done.
+  Status charge(Element element, std::size_t bytes, std::string_view purpose);
+  std::vector<Status> take_warnings() { return warnings_.take(); }
+
+ private:
+  Status index(Element element);
+  Status read_style_sheets(Element element);
+
+  Context& context_;
+  XmlSource xml_;
+  Warnings warnings_;
+  ScopedCharge charge_;
+  std::unordered_map<std::string_view, Element> element_of_id_;
+  StyleSheet sheet_;
+};
+
+/// "<path>", for messages.
+std::string tag(Element element);
+
+}  // namespace sfumato::svg

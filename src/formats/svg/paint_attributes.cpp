@@ -1,0 +1,117 @@
+#include "formats/svg/paint_attributes.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/limits.hpp"
+#include "formats/css_text.hpp"
+#include "formats/suggestion.hpp"
+#include "formats/svg/transform.hpp"
+
+namespace sfumato::svg {
+namespace {
+
+bool is_paint(std::string_view name) {
+  return name == "linearGradient" || name == "radialGradient" || name == "pattern";
+}
+
+std::string shown(Element element) {
+  return "#" + std::string(element.attribute("id").value()).substr(0, 64);
+}
+
+Status circle_error(Input& input, const std::vector<Element>& chain, Element again) {
+  std::string names;
+  for (const Element element : chain) names += shown(element) + " → ";
+  return input.error(chain.front(),
+                     "the hrefs of paints go round in a circle: " + names + shown(again));
+}
+
+bool is_gradient(Element element) {
+  return std::string_view(element.name()) != "pattern";
+}
+
+}  // namespace
+
+bool is_usable(const Affine& map) {
+  const std::array<double, 6> entries{map.a, map.b, map.c, map.d, map.e, map.f};
+  return std::ranges::all_of(entries,
+                             [](double x) { return std::abs(x) <= limits::kCoordinate; }) &&
+         std::isfinite(1 / map.determinant());
+}
+
+Result<PaintAttributes> PaintAttributes::read(Input& input, Element paint) {
+  std::vector<Element> chain{paint};
+  while (input.attribute(chain.back(), "href")) {
+    const Result<Element> next = input.referred(chain.back());
+    if (!next) return next.status();
+    if (!is_paint(next->name()) || is_gradient(*next) != is_gradient(paint)) {
+      return input.error(chain.back(), "href of " + tag(chain.back()) + " leads to " + tag(*next) +
+                                           "; expected a paint of the same kind");
+    }
+    if (std::ranges::find(chain, *next) != chain.end()) return circle_error(input, chain, *next);
+    if (chain.size() == limits::kXmlDepth) {
+      return input.over_limit(paint, limits::kXmlDepth, "paints that inherit from each other");
+    }
+    chain.push_back(*next);
+  }
+  return PaintAttributes(input, std::move(chain));
+}
+
+Element PaintAttributes::bearer(const char* name, bool same_kind) const {
+  for (const Element element : chain_) {
+    if (same_kind && std::string_view(element.name()) != paint().name()) continue;
+    if (element.attribute(name)) return element;
+  }
+  return {};
+}
+
+std::optional<std::string_view> PaintAttributes::text(const char* name) const {
+  const Element element = bearer(name);
+  if (!element) return std::nullopt;
+  return css_trimmed(element.attribute(name).value());
+}
+
+Result<bool> PaintAttributes::in_bounding_box(const char* name, bool by_default) const {
+  const auto units = text(name);
+  if (!units) return by_default;
+  if (*units == "objectBoundingBox") return true;
+  if (*units == "userSpaceOnUse") return false;
+  return input_->error(bearer(name), std::string(name) + " is " + quoted(*units) +
+                                         "; expected userSpaceOnUse or objectBoundingBox");
+}
+
+Result<double> PaintAttributes::length(const char* name, bool in_box, const Box& viewport,
+                                       Axis axis, double share_by_default) const {
+  static constexpr Box kUnitBox{{0, 0}, {1, 1}};
+  const Box& box = in_box ? kUnitBox : viewport;
+  const Element element = bearer(name, is_gradient(paint()));
+  if (!element) return share_by_default * extent(box, axis);
+  Result<double> value = parse_length(element.attribute(name).value(), box, axis);
+  if (!value) return input_->in(element, name, value.status());
+  return value;
+}
+
+Result<Affine> PaintAttributes::transform(const char* name) const {
+  const Element element = bearer(name);
+  if (!element) return Affine{};
+  const Result<Affine> map = parse_transform(element.attribute(name).value());
+  if (!map) return input_->in(element, name, map.status());
+  if (!is_usable(*map)) {
+    return input_->error(element, std::string(name) + " of " + tag(element) +
+                                      " cannot be inverted; expected a map that can");
+  }
+  return *map;
+}
+
+Result<Affine> user_from_bounds(Input& input, const PaintedShape& shape, Element paint) {
+  const Box& box = shape.bounds;
+  if (box.width() > 0 && box.height() > 0) {
+    return Affine{box.width(), 0, 0, box.height(), box.min.x, box.min.y};
+  }
+  return input.error(shape.element, "the bounding box of " + tag(shape.element) +
+                                        " has no area for " + tag(paint) + " " + shown(paint) +
+                                        " of objectBoundingBox units; expected userSpaceOnUse");
+}
+
+}  // namespace sfumato::svg

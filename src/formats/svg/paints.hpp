@@ -1,0 +1,55 @@
+#pragma once
+
+#include <map>
+#include <string_view>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "base/affine.hpp"
+#include "base/box.hpp"
+#include "document/shader.hpp"
+#include "formats/read_document.hpp"
+#include "formats/svg/input.hpp"
+#include "formats/svg/texture_files.hpp"
+#include "formats/svg/totals.hpp"
+
+namespace sfumato::svg {
+
+/// The shape that a paint is for.
+struct PaintedShape {
+  Element element;  ///< the paint's complaints that concern the shape name it
+  Affine layer_from_user;
+  Box bounds;  ///< user space; what objectBoundingBox means
+};
+
+/// Turns paint servers into shaders of the document. One shader serves all that use the same paint
+/// in the same place.
+class Paints {
+ public:
+  /// The paint, its frame and the period of its texture.
+  using Key =
+      std::tuple<const void*, double, double, double, double, double, double, double, double>;
+
+  Paints(Input& input, Totals& totals, const Box& viewport, const ResourceLoader* loader)
+      : input_(input), totals_(totals), viewport_(viewport), files_(input, loader) {}
+
+  /// The index of the shader for url(#id). Errors: bad_input, limit.
+  Result<std::uint32_t> shader(const PaintedShape& shape, std::string_view id);
+
+  std::vector<Shader> take() { return std::move(shaders_); }
+
+ private:
+  Result<std::uint32_t> gradient(const PaintedShape& shape, Element paint);
+  Result<std::uint32_t> pattern(const PaintedShape& shape, Element paint);
+  Result<std::uint32_t> add(const Key& key, Element paint, Shader shader);
+
+  Input& input_;
+  Totals& totals_;
+  const Box& viewport_;
+  TextureFiles files_;
+  std::vector<Shader> shaders_;
+  std::map<Key, std::uint32_t> known_;
+};
+
+}  // namespace sfumato::svg

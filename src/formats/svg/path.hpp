@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "base/affine.hpp"
+#include "base/box.hpp"
+#include "base/status.hpp"
+#include "base/vec2.hpp"
+
+namespace sfumato::svg {
+
+/// One subpath as a chain of cubic Béziers, in the user space of its shape.
+struct Subpath {
+  std::vector<Vec2> control_points;  ///< 3 n + 1
+  /// The first piece of each segment, then the number of pieces. A segment is what one command of a
+  /// path draws: one piece, or 1, 2 or 4 for an arc.
+  std::vector<std::uint32_t> segment_begin;
+};
+
+/// Builds subpaths from the commands of a path. A closed one ends exactly where it began.
+class PathBuilder {
+ public:
+  void move_to(Vec2 point);
+  void line_to(Vec2 point);
+  void quadratic_to(Vec2 control, Vec2 point);
+  void cubic_to(Vec2 control1, Vec2 control2, Vec2 point);
+  /// SVG 1.1, appendix F.6: from the current point to `point` on an ellipse.
+  void arc_to(Vec2 radii, double rotation_degrees, bool large, bool sweep, Vec2 point);
+  void close();
+
+  Vec2 current() const { return current_; }
+  /// Where close() leads.
+  Vec2 subpath_begin() const { return begin_; }
+  std::size_t control_point_count() const { return control_point_count_; }
+
+  /// The subpaths that have a segment. Call once, last.
+  std::vector<Subpath> take();
+
+ private:
+  void begin_segment();
+  void add_piece(Vec2 control1, Vec2 control2, Vec2 point);
+  void finish_subpath();
+
+  std::vector<Subpath> done_;
+  Subpath open_;
+  Vec2 current_;
+  Vec2 begin_;
+  std::size_t control_point_count_ = 0;
+};
+
+/// Reads the d attribute of a path (SVG 1.1, section 8.3; a mistake is an error, not the end of the
+/// path). "none" and blanks are no subpath. Errors: bad_input, limit (control points), without a
+/// place.
+Result<std::vector<Subpath>> parse_path(std::string_view text);
+
+/// How many control points the path will have at most, from a glance at its text.
+std::size_t control_point_bound(std::string_view text);
+
+/// The box of the curves themselves, not of their control points.
+Box bounds(const std::vector<Subpath>& subpaths);
+
+}  // namespace sfumato::svg

@@ -1,0 +1,207 @@
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "base/limits.hpp"
+#include "formats/svg/path.hpp"
+#include "formats/svg/scanner.hpp"
+
+namespace sfumato::svg {
+namespace {
+
+/// The pieces of a long arc.
+constexpr std::size_t kPiecesPerArc = 4;
+
+class PathReader {
+ public:
+  explicit PathReader(std::string_view text) : scanner_(text) {}
+
+  Result<std::vector<Subpath>> read();
+
+ private:
+  Status take_command();
+  Status draw();
+  Status draw_line();
+  Status draw_cubic(bool smooth);
+  Status draw_quadratic(bool smooth);
+  Status draw_arc();
+  Status take_point(Vec2& point);
+  Status take_number(double& value);
+  bool next_is_number() const;
+
+  Scanner scanner_;
+  PathBuilder builder_;
+  char command_ = 0;  ///< in upper case
+  bool relative_ = false;
+  bool first_ = true;                        ///< nothing was read since the command's letter
+  std::optional<Vec2> cubic_control_{};      ///< the last C or S: what S mirrors
+  std::optional<Vec2> quadratic_control_{};  ///< the last Q or T: what T mirrors
+};
+
+bool PathReader::next_is_number() const {
+  const char c = scanner_.peek();
+  return (c >= '0' && c <= '9') || c == '.' || c == '-' || c == '+';
+}
+
+Result<std::vector<Subpath>> PathReader::read() {
+  scanner_.skip_blanks();
+  if (scanner_.rest() == "none") return std::vector<Subpath>();
+  while (!scanner_.at_end()) {
+    if (Status status = take_command(); !status) return status;
+    if (Status status = draw(); !status) return status;
+    if (builder_.control_point_count() > limits::kControlPoints) {
+      return make_error(
+          StatusCode::limit,
+          "more than the limit of " + std::to_string(limits::kControlPoints) + " control points");
+    }
+    scanner_.skip_blanks();
+  }
+  return builder_.take();
+}
+
+/// A letter, or none where the last command goes on.
+Status PathReader::take_command() {
+  const char c = scanner_.peek();
+  const char upper = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+  if (std::string_view("MZLHVCSQTA").find(upper) == std::string_view::npos || c == '\0') {
+    const bool goes_on = command_ != 0 && command_ != 'Z';
+    if (goes_on && (next_is_number() || c == ',')) {
+      scanner_.skip_separator();
+      if (command_ == 'M') command_ = 'L';
+      first_ = false;
+      return ok_status();
+    }
+    return scanner_.error(command_ == 0 ? "M or m" : "a path command, one of MmLlHhVvCcSsQqTtAaZz");
+  }
+  if (command_ == 0 && upper != 'M') return scanner_.error("M or m");
+  scanner_.take(c);
+  command_ = upper;
+  relative_ = c != upper;
+  first_ = true;
+  return ok_status();
+}
+
+Status PathReader::draw() {
+  const std::optional<Vec2> last_cubic = std::exchange(cubic_control_, std::nullopt);
+  const std::optional<Vec2> last_quadratic = std::exchange(quadratic_control_, std::nullopt);
+  switch (command_) {
+    case 'Z':
+      builder_.close();
+      return ok_status();
+    case 'C':
+    case 'S':
+      cubic_control_ = last_cubic;
+      return draw_cubic(command_ == 'S');
+    case 'Q':
+    case 'T':
+      quadratic_control_ = last_quadratic;
+      return draw_quadratic(command_ == 'T');
+    case 'A':
+      return draw_arc();
+    default:
+      return draw_line();
+  }
+}
+
+Status PathReader::draw_line() {
+  Vec2 point = builder_.current();
+  Status status = ok_status();
+  if (command_ == 'H' || command_ == 'V') {
+    double& axis = command_ == 'H' ? point.x : point.y;
+    const double origin = relative_ ? axis : 0;
+    status = take_number(axis);
+    axis += origin;
+  } else {
+    status = take_point(point);
+  }
+  if (!status) return status;
+  if (command_ == 'M') {
+    builder_.move_to(point);
+  } else {
+    builder_.line_to(point);
+  }
+  return ok_status();
+}
+
+Status PathReader::draw_cubic(bool smooth) {
+  const Vec2 from = builder_.current();
+  Vec2 control1 = cubic_control_ ? 2 * from - *cubic_control_ : from;
+  Vec2 control2, point;
+  Status status = smooth ? ok_status() : take_point(control1);
+  if (status) status = take_point(control2);
+  if (status) status = take_point(point);
+  if (!status) return status;
+  builder_.cubic_to(control1, control2, point);
+  cubic_control_ = control2;
+  return ok_status();
+}
+
+Status PathReader::draw_quadratic(bool smooth) {
+  const Vec2 from = builder_.current();
+  Vec2 control = quadratic_control_ ? 2 * from - *quadratic_control_ : from;
+  Vec2 point;
+  Status status = smooth ? ok_status() : take_point(control);
+  if (status) status = take_point(point);
+  if (!status) return status;
+  builder_.quadratic_to(control, point);
+  quadratic_control_ = control;
+  return ok_status();
+}
+
+Status PathReader::draw_arc() {
+  Vec2 radii, point;
+  double rotation_degrees = 0;
+  bool large = false, sweep = false;
+  Status status = take_number(radii.x);
+  if (status) status = take_number(radii.y);
+  if (status) status = take_number(rotation_degrees);
+  scanner_.skip_separator();
+  if (status) status = scanner_.take_flag(large);
+  scanner_.skip_separator();
+  if (status) status = scanner_.take_flag(sweep);
+  if (status) status = take_point(point);
+  if (status) builder_.arc_to(radii, rotation_degrees, large, sweep, point);
+  return status;
+}
+
+/// A number that is no coordinate: the same in relative commands.
+Status PathReader::take_number(double& value) {
+  if (first_) {
+    scanner_.skip_blanks();
+  } else {
+    scanner_.skip_separator();
+  }
+  first_ = false;
+  return scanner_.take_number(value);
+}
+
+Status PathReader::take_point(Vec2& point) {
+  const Vec2 origin = relative_ ? builder_.current() : Vec2{};
+  Vec2 written;
+  Status status = take_number(written.x);
+  if (status) status = take_number(written.y);
+  if (status) point = origin + written;
+  return status;
+}
+
+}  // namespace
+
+Result<std::vector<Subpath>> parse_path(std::string_view text) {
+  return PathReader(text).read();
+}
+
+std::size_t control_point_bound(std::string_view text) {
+  // A piece takes a number or a closing letter at least; an arc's flags may stand in one number.
+  std::size_t numbers = 0, letters = 0;
+  bool in_digits = false;
+  for (const char c : text) {
+    const bool is_digit = c >= '0' && c <= '9';
+    numbers += (is_digit && !in_digits) || c == '.';
+    letters += (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
+    in_digits = is_digit;
+  }
+  const std::size_t pieces = kPiecesPerArc * numbers / 5 + numbers + letters;
+  return std::min(3 * pieces + 1, limits::kControlPoints + 3 * kPiecesPerArc + 1);
+}
+
+}  // namespace sfumato::svg

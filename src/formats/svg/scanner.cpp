@@ -1,0 +1,118 @@
+#include "formats/svg/scanner.hpp"
+
+#include <cmath>
+
+#include "base/limits.hpp"
+#include "formats/number.hpp"
+#include "formats/suggestion.hpp"
+
+namespace sfumato::svg {
+namespace {
+
+/// Of what follows a mistake.
+constexpr std::size_t kShownBytes = 12;
+
+bool is_blank(char c) {
+  return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f';
+}
+
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+bool is_letter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+
+std::size_t count_characters(std::string_view text) {
+  std::size_t count = 0;
+  for (const char c : text) count += (static_cast<unsigned char>(c) & 0xC0) != 0x80;
+  return count;
+}
+
+/// What follows, cut at a character's end.
+std::string_view shown(std::string_view rest) {
+  std::size_t end = std::min(rest.size(), kShownBytes);
+  while (end < rest.size() && (static_cast<unsigned char>(rest[end]) & 0xC0) == 0x80) ++end;
+  return rest.substr(0, end);
+}
+
+}  // namespace
+
+void Scanner::skip_blanks() {
+  while (!at_end() && is_blank(text_[at_])) ++at_;
+}
+
+void Scanner::skip_separator() {
+  skip_blanks();
+  if (take(',')) skip_blanks();
+}
+
+bool Scanner::take(char c) {
+  if (at_end() || text_[at_] != c) return false;
+  ++at_;
+  return true;
+}
+
+std::string_view Scanner::take_word() {
+  const std::size_t begin = at_;
+  while (!at_end() && (is_letter(text_[at_]) || is_digit(text_[at_]))) ++at_;
+  return text_.substr(begin, at_ - begin);
+}
+
+Status Scanner::take_flag(bool& flag) {
+  if (peek() != '0' && peek() != '1') return error("a flag, 0 or 1");
+  flag = text_[at_++] == '1';
+  return ok_status();
+}
+
+/// Where the number that stands here ends; here where there is none.
+std::size_t Scanner::number_end() const {
+  const auto skip_digits = [this](std::size_t i) {
+    while (i < text_.size() && is_digit(text_[i])) ++i;
+    return i;
+  };
+  const auto skip_sign = [this](std::size_t i) {
+    return i < text_.size() && (text_[i] == '+' || text_[i] == '-') ? i + 1 : i;
+  };
+  const std::size_t begin = skip_sign(at_);
+  std::size_t end = skip_digits(begin);
+  std::size_t digits = end - begin;
+  if (end < text_.size() && text_[end] == '.') {
+    const std::size_t fraction_end = skip_digits(end + 1);
+    digits += fraction_end - end - 1;
+    if (digits > 0) end = fraction_end;
+  }
+  if (digits == 0) return at_;
+  if (end < text_.size() && (text_[end] == 'e' || text_[end] == 'E')) {
+    const std::size_t exponent = skip_sign(end + 1);
+    if (skip_digits(exponent) > exponent) return skip_digits(exponent);
+  }
+  return end;
+}
+
+Status Scanner::take_number(double& number) {
+  const std::size_t end = number_end();
+  if (end == at_) return error("a number");
+  const std::optional<double> value = parse_number(text_.substr(at_, end - at_));
+  if (!value || std::abs(*value) > limits::kCoordinate) {
+    return error("a number of at most " + std::to_string(static_cast<long>(limits::kCoordinate)) +
+                 " in magnitude");
+  }
+  number = *value;
+  at_ = end;
+  return ok_status();
+}
+
+Status Scanner::error(std::string_view expected) const {
+  std::string message;
+  if (at_end()) {
+    message = "ends too early";
+  } else {
+    message = "at character " + std::to_string(count_characters(text_.substr(0, at_)) + 1) +
+              ", before " + quoted(shown(rest()));
+  }
+  return make_error(StatusCode::bad_input, message + ": expected " + std::string(expected));
+}
+
+}  // namespace sfumato::svg

@@ -1,0 +1,358 @@
+#include "formats/svg/scene_reader.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "base/limits.hpp"
+#include "formats/suggestion.hpp"
+#include "formats/svg/background.hpp"
+#include "formats/svg/paint_attributes.hpp"
+#include "formats/svg/shapes.hpp"
+#include "formats/svg/transform.hpp"
+#include "formats/svg/view_box.hpp"
+#include "formats/svg/vocabulary.hpp"
+
+namespace sfumato::svg {
+namespace {
+
+/// Elements that paint nothing where they stand.
+constexpr std::array<std::string_view, 16> kNotPainted{
+    "defs",    "metadata",       "title",          "desc",     "style", "symbol",
+    "pattern", "linearGradient", "radialGradient", "clipPath", "mask",  "filter",
+    "marker",  "script",         "cursor",         "view"};
+
+bool paints_nothing(std::string_view name) {
+  return std::ranges::find(kNotPainted, name) != kNotPainted.end();
+}
+
+std::string shown(Element element) {
+  return "#" + std::string(element.attribute("id").value()).substr(0, 64);
+}
+
+}  // namespace
+
+Status SceneReader::read() {
+  Status status = visit_group(input_.root(), {});
+  document_.shaders = paints_.take();
+  return status;
+}
+
+/// One element wherever it stands: whether it is painted at all, and its transform.
+Status SceneReader::visit(Element element, Place place) {
+  if (Status status = count_visit(element, place); !status) return status;
+  const std::string_view name = element.name();
+  if (paints_nothing(name) || input_.property(element, "display").value_or("") == "none") {
+    return ok_status();
+  }
+  if (const auto visibility = input_.property(element, "visibility")) {
+    if (*visibility != "inherit") place.is_visible = *visibility == "visible";
+  }
+  const Result<Affine> own = own_transform(element);
+  if (!own) return own.status();
+  place.frame_from_user = place.frame_from_user * *own;
+  if (place.frame_from_user.determinant() == 0) {
+    input_.warn("/flat", element,
+                tag(element) + " is flattened to nothing by its transform; it is left out");
+    return ok_status();
+  }
+  if (Status status = check_map(element, place.frame_from_user); !status) return status;
+  warn_of_effects(input_, element);
+  return visit_known(element, place);
+}
+
+Status SceneReader::visit_known(Element element, const Place& place) {
+  const std::string_view name = element.name();
+  if (name == "g" || name == "a") return visit_group(element, place);
+  if (name == "use") return visit_use(element, place);
+  if (name == "svg") return visit_nested_svg(element, place);
+  if (is_shape(name)) return visit_shape(element, place);
+  input_.warn(name, element, tag(element) + " is not read; such elements are ignored");
+  return ok_status();
+}
+
+Status SceneReader::count_visit(Element element, const Place& place) {
+  if (place.depth >= limits::kXmlDepth) {
+    return input_.over_limit(element, limits::kXmlDepth,
+                             "elements within each other after every use was followed");
+  }
+  if (!place.is_copy) return ok_status();
+  if (++used_elements_ > limits::kUsedElements) {
+    return input_.over_limit(element, limits::kUsedElements, "elements read through <use>");
+  }
+  return ok_status();
+}
+
+Status SceneReader::check_map(Element element, const Affine& map) {
+  if (is_usable(map)) return ok_status();
+  return input_.error(element, "the transforms around " + tag(element) +
+                                   " together are too large or too small; expected entries of "
+                                   "usual size");
+}
+
+Result<Affine> SceneReader::own_transform(Element element) {
+  if (element.attribute("style") &&
+      std::string_view(element.attribute("style").value()).find("transform") !=
+          std::string_view::npos) {
+    input_.warn("/style transform", element,
+                "a transform in style is not read; expected the attribute transform");
+  }
+  Result<Affine> map = parse_transform(element.attribute("transform").value());
+  if (!map) return input_.in(element, "transform", map.status());
+  return map;
+}
+
+Status SceneReader::visit_children(Element element, const Place& place) {
+  Place inside = place;
+  ++inside.depth;
+  inside.use = {};
+  for (const Element child : element.children()) {
+    if (child.type() != pugi::node_element) continue;
+    if (Status status = visit(child, inside); !status) return status;
+  }
+  return ok_status();
+}
+
+Status SceneReader::visit_group(Element element, const Place& place) {
+  const std::string_view diffuse = input_.sf(element, "diffuse").value_or("false");
+  if (diffuse == "true") return draw_layer(element, place);
+  if (diffuse != "false") {
+    return input_.error(element, "sf:diffuse of " + tag(element) + " is " + quoted(diffuse) +
+                                     "; expected true or false");
+  }
+  const Result<OpenGroup> group = open_group(element, place);
+  if (!group) return group.status();
+  if (Status status = visit_children(element, place); !status) return status;
+  return close_group(element, *group);
+}
+
+/// An <svg> within the document, or a symbol: `use` gives its size where it is set.
+Result<Affine> SceneReader::viewport_transform(Element element, Element use) {
+  const Box& viewport = document_.artboard;
+  const auto size_of = [&](const char* name, Axis axis) {
+    const Element bearer = use && use.attribute(name) ? use : element;
+    return length_of(input_, bearer, name, viewport, axis, extent(viewport, axis));
+  };
+  Vec2 corner;
+  if (std::string_view(element.name()) == "svg") {
+    const Result<double> x = length_of(input_, element, "x", viewport, Axis::x, 0);
+    if (!x) return x.status();
+    const Result<double> y = length_of(input_, element, "y", viewport, Axis::y, 0);
+    if (!y) return y.status();
+    corner = {*x, *y};
+  }
+  const auto view_box = input_.attribute(element, "viewBox");
+  if (!view_box) return Affine{1, 0, 0, 1, corner.x, corner.y};
+  const Result<double> width = size_of("width", Axis::x);
+  if (!width) return width.status();
+  const Result<double> height = size_of("height", Axis::y);
+  if (!height) return height.status();
+  const Result<Box> box = parse_view_box(*view_box);
+  if (!box) return input_.in(element, "viewBox", box.status());
+  AspectRatio ratio;
+  if (const auto text = input_.attribute(element, "preserveAspectRatio")) {
+    const Result<AspectRatio> parsed = parse_aspect_ratio(*text);
+    if (!parsed) return input_.in(element, "preserveAspectRatio", parsed.status());
+    ratio = *parsed;
+  }
+  if (input_.property(element, "overflow").value_or("hidden") != "visible") {
+    input_.warn("/overflow", element,
+                tag(element) + " is not clipped to its viewport; expected overflow=\"visible\"");
+  }
+  return fit(*box, {corner, corner + Vec2{*width, *height}}, ratio);
+}
+
+Status SceneReader::visit_nested_svg(Element element, Place place) {
+  const Result<Affine> user_from_view = viewport_transform(element, place.use);
+  if (!user_from_view) return user_from_view.status();
+  place.frame_from_user = place.frame_from_user * *user_from_view;
+  if (Status status = check_map(element, place.frame_from_user); !status) return status;
+  return visit_group(element, place);
+}
+
+Status SceneReader::visit_use(Element element, Place place) {
+  const Result<Element> target = input_.referred(element);
+  if (!target) return target.status();
+  const Box& viewport = document_.artboard;
+  const Result<double> x = length_of(input_, element, "x", viewport, Axis::x, 0);
+  if (!x) return x.status();
+  const Result<double> y = length_of(input_, element, "y", viewport, Axis::y, 0);
+  if (!y) return y.status();
+  place.frame_from_user = place.frame_from_user * Affine{1, 0, 0, 1, *x, *y};
+  const Result<OpenGroup> group = open_group(element, place);
+  if (!group) return group.status();
+  if (Status status = visit_used(*target, element, place); !status) return status;
+  return close_group(element, *group);
+}
+
+Status SceneReader::visit_used(Element target, Element use, Place place) {
+  if (std::ranges::find(used_, target) != used_.end() || target == input_.root()) {
+    std::string chain;
+    for (const Element element : used_) chain += shown(element) + " → ";
+    return input_.error(use, "the <use> goes round in a circle: " + chain + shown(target));
+  }
+  used_.push_back(target);
+  ++place.depth;
+  place.use = use;
+  place.is_copy = true;
+  const bool is_symbol = std::string_view(target.name()) == "symbol";
+  Status status = is_symbol ? visit_symbol(target, place) : visit(target, place);
+  used_.pop_back();
+  return status;
+}
+
+Status SceneReader::visit_symbol(Element symbol, const Place& place) {
+  if (Status status = count_visit(symbol, place); !status) return status;
+  return visit_nested_svg(symbol, place);
+}
+
+/// The id of a curve: its own; of a copy that of its <use>, or none.
+std::string_view SceneReader::id_for(Element element, const Place& place) const {
+  if (!place.is_copy) return element.attribute("id").value();
+  return place.use ? std::string_view(place.use.attribute("id").value()) : std::string_view();
+}
+
+Status SceneReader::visit_shape(Element element, const Place& place) {
+  if (!place.is_visible) return ok_status();
+  const bool is_local = input_.sf(element, "radius").has_value();
+  if (place.layer) {
+    if (is_local) {
+      return input_.error(element, tag(element) +
+                                       " with sf:radius is a local curve and stands in "
+                                       "a layer; expected it before or after the layer");
+    }
+    return curves_.read_curves(element, place.frame_from_user, id_for(element, place),
+                               place.layer->curves);
+  }
+  if (is_local) return draw_strokes(element, place);
+  if (!input_.has_sf(element)) return read_background(element, place);
+  return input_.error(element, tag(element) +
+                                   " has attributes of a diffusion curve but stands in "
+                                   "no layer; expected it in <g sf:diffuse=\"true\">, "
+                                   "or with sf:radius to be a local curve");
+}
+
+/// A shape without attributes of ours, outside of layers.
+Status SceneReader::read_background(Element element, const Place& place) {
+  const Result<BackgroundRect> rect =
+      may_be_background_
+          ? read_background_rect(input_, element, place.frame_from_user, document_.artboard)
+          : Result<BackgroundRect>(BackgroundRect{});
+  if (!rect) return rect.status();
+  if (!rect->covers) {
+    input_.warn(element.name(), element,
+                tag(element) +
+                    " has no attribute of Sfumato and is ignored; expected it in a "
+                    "layer, or a <rect> over the whole viewBox as the background");
+    return ok_status();
+  }
+  may_be_background_ = false;
+  // What the document says outright goes before what it paints for other programs.
+  if (!input_.sf(input_.root(), "background")) document_.background = rect->color;
+  return ok_status();
+}
+
+Status SceneReader::draw_strokes(Element element, const Place& place) {
+  may_be_background_ = false;
+  std::vector<LocalCurve> strokes;
+  const Result<OpenGroup> group = open_group(element, place);
+  if (!group) return group.status();
+  Status status = curves_.read_local_curves(element, id_for(element, place), strokes);
+  for (LocalCurve& stroke : strokes) {
+    if (status) status = totals_.add_stack_item(element);
+    if (!status) return status;
+    document_.stack.emplace_back(LocalStroke{std::move(stroke), place.frame_from_user});
+  }
+  return status ? close_group(element, *group) : status;
+}
+
+Status SceneReader::draw_layer(Element element, const Place& place) {
+  may_be_background_ = false;
+  if (place.layer) {
+    return input_.error(element, "the layer " + shown(element) +
+                                     " stands in another layer; expected layers side by side");
+  }
+  if (!place.is_visible) return ok_status();
+  const Result<Compositing> compositing = read_compositing(input_, element);
+  if (!compositing) return compositing.status();
+  const Result<std::uint32_t> layer = layer_of(element, place);
+  if (!layer) return layer.status();
+  if (Status status = totals_.add_stack_item(element); !status) return status;
+  document_.stack.emplace_back(
+      LayerInstance{*layer, place.frame_from_user, compositing->opacity, compositing->blend});
+  return ok_status();
+}
+
+/// The layer's index; reads it where this is its first place.
+Result<std::uint32_t> SceneReader::layer_of(Element element, const Place& place) {
+  const auto known = layer_of_.find(element.internal_object());
+  if (known != layer_of_.end()) return known->second;
+  if (document_.layers.size() == limits::kLayers) {
+    return input_.over_limit(element, limits::kLayers, "layers");
+  }
+  Layer layer{element.attribute("id").value(), {}};
+  Place inside;
+  inside.layer = &layer;
+  inside.depth = place.depth;
+  if (Status status = visit_children(element, inside); !status) return status;
+  if (layer.curves.empty()) {
+    input_.warn("/empty layer", element, "the layer has no curves and paints nothing");
+  }
+  const auto index = static_cast<std::uint32_t>(document_.layers.size());
+  document_.layers.push_back(std::move(layer));
+  layer_of_.emplace(element.internal_object(), index);
+  return index;
+}
+
+Result<SceneReader::OpenGroup> SceneReader::open_group(Element element, const Place& place) {
+  const Result<Compositing> compositing = read_compositing(input_, element);
+  if (!compositing) return compositing.status();
+  OpenGroup group{*compositing, document_.stack.size(), group_height_, false};
+  if (place.layer) {
+    if (compositing->opacity != 1 || compositing->blend != BlendMode::normal) {
+      input_.warn("/opacity in a layer", element,
+                  "opacity and mix-blend-mode of " + tag(element) +
+                      " mean nothing within a layer; expected them on the layer, or sf:opacity on "
+                      "its curves");
+    }
+    return group;
+  }
+  if (compositing->is_plain()) return group;
+  if (Status status = totals_.add_stack_item(element); !status) return status;
+  group.is_open = true;
+  group_height_ = 0;
+  document_.stack.emplace_back(GroupBegin{compositing->opacity, compositing->blend});
+  return group;
+}
+
+/// A group of one layer is that layer: its own blending meets nothing within the group.
+Status SceneReader::close_group(Element element, const OpenGroup& group) {
+  if (!group.is_open) return ok_status();
+  const int height = group_height_;
+  group_height_ = group.outer_height;
+  std::vector<StackItem>& stack = document_.stack;
+  const std::size_t items = stack.size() - group.begin - 1;
+  if (items == 0) {
+    stack.pop_back();
+    return ok_status();
+  }
+  if (auto* only = std::get_if<LayerInstance>(&stack.back()); only && items == 1) {
+    only->opacity *= group.compositing.opacity;
+    only->blend = group.compositing.blend;
+    stack.erase(stack.end() - 2);
+    return ok_status();
+  }
+  if (height + 1 > limits::kGroupDepth) {
+    return input_.over_limit(element, limits::kGroupDepth,
+                             "groups within each other that are composited by themselves");
+  }
+  group_height_ = std::max(group_height_, height + 1);
+  if (Status status = totals_.add_stack_item(element); !status) return status;
+  stack.emplace_back(GroupEnd{});
+  return ok_status();
+}
+
+}  // namespace sfumato::svg

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+#include "document/document.hpp"
+#include "formats/svg/compositing.hpp"
+#include "formats/svg/curve_reader.hpp"
+#include "formats/svg/input.hpp"
+#include "formats/svg/paints.hpp"
+#include "formats/svg/totals.hpp"
+
+namespace sfumato::svg {
+
+/// Walks through the document and builds layers and the stack. Each layer is read where it is first
+/// drawn; every further place that draws it is an instance.
+class SceneReader {
+ public:
+  /// Fills document.layers, shaders, stack and, from a <rect>, background. The artboard is set.
+  SceneReader(Input& input, Document& document, const ResourceLoader* loader)
+      : input_(input),
+        document_(document),
+        totals_(input),
+        paints_(input, totals_, document.artboard, loader),
+        curves_(input, totals_, paints_, document.artboard) {}
+
+  /// Errors: bad_input, limit, out_of_memory.
+  Status read();
+
+ private:
+  /// Where the walk is.
+  struct Place {
+    Affine frame_from_user{};  ///< to the artboard or, in a layer, to the layer's frame
+    Layer* layer = nullptr;    ///< what curves go into; null outside of layers
+    bool is_visible = true;
+    int depth = 0;
+    /// Set for what a <use> refers to directly: the <use>.
+    Element use{};
+    /// Somewhere in what a <use> refers to: copies do not bear the id of the original.
+    bool is_copy = false;
+  };
+
+  /// What is painted between these two calls is composited as one.
+  struct OpenGroup {
+    Compositing compositing;
+    std::size_t begin = 0;  ///< of its items in the stack, its GroupBegin first
+    int outer_height = 0;
+    bool is_open = false;
+  };
+
+  Status visit(Element element, Place place);
+  Status visit_known(Element element, const Place& place);
+  Status visit_children(Element element, const Place& place);
+  Status visit_group(Element element, const Place& place);
+  Status visit_nested_svg(Element element, Place place);
+  Status visit_shape(Element element, const Place& place);
+  Status visit_use(Element element, Place place);
+  Status visit_used(Element target, Element use, Place place);
+  Status visit_symbol(Element symbol, const Place& place);
+  Status draw_layer(Element element, const Place& place);
+  Result<std::uint32_t> layer_of(Element element, const Place& place);
+  Status draw_strokes(Element element, const Place& place);
+  Status read_background(Element element, const Place& place);
+
+  Result<Affine> own_transform(Element element);
+  Result<Affine> viewport_transform(Element element, Element use);
+  Result<OpenGroup> open_group(Element element, const Place& place);
+  Status close_group(Element element, const OpenGroup& group);
+  Status count_visit(Element element, const Place& place);
+  Status check_map(Element element, const Affine& map);
+  std::string_view id_for(Element element, const Place& place) const;
+
+  Input& input_;
+  Document& document_;
+  Totals totals_;
+  Paints paints_;
+  CurveReader curves_;
+  std::unordered_map<const void*, std::uint32_t> layer_of_;
+  std::vector<Element> used_;  ///< what the <use>s around this place refer to, outermost first
+  std::size_t used_elements_ = 0;
+  int group_height_ = 0;  ///< of the groups closed in the one that is open
+  bool may_be_background_ = true;
+};
+
+}  // namespace sfumato::svg

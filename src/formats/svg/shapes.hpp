@@ -1,0 +1,24 @@
+#pragma once
+
+#include <vector>
+
+#include "base/box.hpp"
+#include "formats/svg/input.hpp"
+#include "formats/svg/length.hpp"
+#include "formats/svg/path.hpp"
+
+namespace sfumato::svg {
+
+/// A length attribute; `absent` where the element has none. Errors: bad_input.
+Result<double> length_of(Input& input, Element element, const char* name, const Box& viewport,
+                         Axis axis, double absent);
+
+/// The subpaths of a shape (SVG 2, section 10: basic shapes as the paths that they are equal to),
+/// in its user space. A shape of no size has none. `viewport`: of percentages.
+/// Precondition: is_shape(element.name()). Errors: bad_input, limit.
+Result<std::vector<Subpath>> read_shape(Input& input, Element element, const Box& viewport);
+
+/// A <rect> without its corners' radii. Errors: bad_input.
+Result<Box> read_rect(Input& input, Element element, const Box& viewport);
+
+}  // namespace sfumato::svg

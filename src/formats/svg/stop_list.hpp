@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "base/status.hpp"
+#include "document/stops.hpp"
+
+namespace sfumato::svg {
+
+/// How the place of a stop was written.
+enum class OffsetUnit : std::uint8_t {
+  none,     ///< left out
+  percent,  ///< 40%: `offset` is 0.4
+  segment   ///< @2.5: `offset` is 2.5
+};
+
+/// A stop before it meets a subpath.
+template <class Value>
+struct WrittenStop {
+  Value value{};
+  double offset = 0;
+  OffsetUnit unit = OffsetUnit::none;
+};
+
+/// `value [offset]? (, value [offset]?)*` with CSS colours. Colours that are not opaque are errors.
+/// Errors: bad_input, without a place.
+Result<std::vector<WrittenStop<Rgb>>> parse_color_stops(std::string_view text);
+
+/// The same with numbers from 0 to `largest`. `what` names them in messages: "an opacity".
+Result<std::vector<WrittenStop<float>>> parse_scalar_stops(std::string_view text, double largest,
+                                                           std::string_view what);
+
+/// How many stops the text can hold.
+std::size_t stop_bound(std::string_view text);
+
+/// The list on a subpath: offsets as CSS spreads and orders them; in the parameter where any is
+/// written with @, else in arc length. What lies beyond the end is moved there; then
+/// `beyond_end` becomes true.
+template <class Value>
+StopList<Value> place_stops(const std::vector<WrittenStop<Value>>& written,
+                            std::span<const std::uint32_t> segment_begin, bool& beyond_end);
+
+}  // namespace sfumato::svg

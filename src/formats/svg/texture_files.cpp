@@ -1,0 +1,74 @@
+#include "formats/svg/texture_files.hpp"
+
+#include <string>
+#include <utility>
+
+#include "base/limits.hpp"
+#include "formats/base64.hpp"
+#include "formats/css_text.hpp"
+#include "formats/suggestion.hpp"
+
+namespace sfumato::svg {
+namespace {
+
+/// How messages call a reference.
+std::string shown(std::string_view href) {
+  return href.starts_with("data:") ? "the data: URI" : quoted(href);
+}
+
+/// "https" of "https://…", "c" of "C:\…"; nothing where there is no scheme.
+std::string scheme_of(std::string_view href) {
+  const std::size_t colon = href.find(':');
+  if (colon == std::string_view::npos || href.find_first_of("/?#") < colon) return {};
+  return css_lower(href.substr(0, colon));
+}
+
+}  // namespace
+
+Result<const TextureFile*> TextureFiles::find(Element image) {
+  const auto attribute = input_.attribute(image, "href");
+  if (!attribute) return input_.error(image, "<image> has no href");
+  const std::string_view href = css_trimmed(*attribute);
+  if (const auto known = files_.find(href); known != files_.end()) return &known->second;
+  Result<std::vector<std::uint8_t>> bytes = load(image, href);
+  if (!bytes) return bytes.status();
+  Status status = input_.charge(image, bytes->size(), "texture files");
+  if (!status) return status;
+  Result<RgbaImage> decoded = decode_image(input_.context(), *bytes);
+  if (decoded) status = input_.charge(image, decoded->rgba.size(), "textures");
+  if (!decoded) status = decoded.status();
+  if (!status) {
+    status.message = shown(href) + ": " + status.message;
+    return input_.placed(image, std::move(status));
+  }
+  return &files_.emplace(href, TextureFile{std::move(*decoded), std::move(*bytes)}).first->second;
+}
+
+Result<std::vector<std::uint8_t>> TextureFiles::load(Element image, std::string_view href) {
+  const std::string scheme = scheme_of(href);
+  if (scheme == "data") {
+    ScopedCharge charge;
+    Status status = charge.add(input_.context(), 2 * href.size(), "a data: URI");
+    if (!status) return input_.placed(image, std::move(status));
+    Result<std::vector<std::uint8_t>> bytes = decode_data_uri(href);
+    if (!bytes) return input_.in(image, "href", bytes.status());
+    return bytes;
+  }
+  if (!scheme.empty() || href.starts_with("//")) {
+    return input_.error(image, quoted(href) +
+                                   " is not read: nothing is fetched; expected a file "
+                                   "beside the document, or a data: URI");
+  }
+  if (href.empty() || href.starts_with('#') || loader_ == nullptr) {
+    return input_.error(image, quoted(href) + " cannot be read; expected " +
+                                   (loader_ ? "a PNG or JPEG file" : "a data: URI"));
+  }
+  const std::vector<std::uint8_t> name = decode_percent(href);
+  Result<std::vector<std::uint8_t>> bytes =
+      loader_->load({reinterpret_cast<const char*>(name.data()), name.size()});
+  if (bytes) return bytes;
+  return input_.placed(
+      image, make_error(bytes.status().code, quoted(href) + ": " + bytes.status().message));
+}
+
+}  // namespace sfumato::svg

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string_view>
+#include <vector>
+
+#include "formats/image_file.hpp"
+#include "formats/read_document.hpp"
+#include "formats/svg/input.hpp"
+
+namespace sfumato::svg {
+
+struct TextureFile {
+  RgbaImage image;
+  std::vector<std::uint8_t> file;  ///< as it was loaded
+};
+
+/// The images that a document refers to, each loaded and decoded once.
+class TextureFiles {
+ public:
+  TextureFiles(Input& input, const ResourceLoader* loader) : input_(input), loader_(loader) {}
+
+  /// The file behind href="" of an <image>; lives as long as this. Errors: bad_input, limit,
+  /// out_of_memory.
+  Result<const TextureFile*> find(Element image);
+
+ private:
+  Result<std::vector<std::uint8_t>> load(Element image, std::string_view href);
+
+  Input& input_;
+  const ResourceLoader* loader_;
+  std::map<std::string_view, TextureFile> files_;  ///< by href
+};
+
+}  // namespace sfumato::svg
