@@ -80,4 +80,8 @@ struct Document {
 /// 3n+1 control points, stop lists that are sorted. Readers call it last; `diffuse` relies on it.
 Status validate(const Document& document);
 
+/// The same for what pictures take over from documents.
+Status validate(const std::vector<Shader>& shaders);
+Status validate(const LocalStroke& stroke);
+
 }  // namespace sfumato

@@ -327,6 +327,14 @@ Status check_shaders(const std::vector<Shader>& shaders) {
 
 }  // namespace
 
+Status validate(const std::vector<Shader>& shaders) {
+  return check_shaders(shaders);
+}
+
+Status validate(const LocalStroke& stroke) {
+  return check_stroke(stroke);
+}
+
 Status validate(const Document& document) {
   const Box& artboard = document.artboard;
   if (!is_coordinate(artboard.min) || !is_coordinate(artboard.max) || !(artboard.width() > 0) ||

@@ -6,7 +6,6 @@
 #include <cstring>
 
 #include "raster/clip.hpp"
-#include "raster/patch_polynomial.hpp"
 
 namespace sfumato::raster {
 namespace {
@@ -28,23 +27,25 @@ Corners corners_of(const LayerView& layer, std::uint32_t triangle) {
   return corners;
 }
 
-/// A triangle that mixed pixels are made of.
-struct MixedTriangle {
-  ClipTriangle clip;
-  TriangleFrame frame;
-  PatchPolynomial patch;
+ClipTriangle clip_of(const LayerView& layer, const Corners& c) {
+  return layer.mirrored ? clip_triangle(c.vec(0), c.vec(2), c.vec(1))
+                        : clip_triangle(c.vec(0), c.vec(1), c.vec(2));
+}
 
-  MixedTriangle(const LayerView& layer, std::uint32_t triangle, const Corners& c)
-      : clip(layer.mirrored ? clip_triangle(c.vec(0), c.vec(2), c.vec(1))
-                            : clip_triangle(c.vec(0), c.vec(1), c.vec(2))),
-        frame(triangle_frame(c.at, layer.mirrored)),
-        patch(patch_polynomial(layer, triangle, frame)) {}
+/// Shades what is painted straight into a tile: opaque, in code values.
+class OpaqueShader {
+ public:
+  explicit OpaqueShader(const LayerView& layer) : layer_(layer) {}
 
-  Color4 color_at(double x, double y) const {
-    const double q = clamp_unit((y - frame.top_y) * frame.inverse_height);
-    const double u = clamp_unit((x - frame.long_edge_x(y)) * frame.inverse_width);
-    return patch_color(patch, static_cast<float>(u), static_cast<float>(q));
+  const LayerView& layer() const { return layer_; }
+  void begin_triangle(std::uint32_t triangle, const TriangleFrame& frame) {
+    patch_ = patch_polynomial(ColorChannels(layer_), layer_.order, triangle, frame);
   }
+  Color4 at(const PatchPoint& p, Vec2) const { return patch_color(patch_, p); }
+
+ private:
+  const LayerView& layer_;
+  PatchPolynomial patch_;
 };
 
 /// Bits from `begin` up to but not `end`, both in [0, 64].
@@ -129,8 +130,9 @@ bool MixedPixels::any_marked(const PixelRange& range) const {
   return false;
 }
 
-void MixedPixels::add_triangle(const LayerView& layer, std::uint32_t triangle, const Tile& tile) {
-  const Corners corners = corners_of(layer, triangle);
+template <class Shader>
+void MixedPixels::add_triangle(Shader* shader, std::uint32_t triangle, const Tile& tile) {
+  const Corners corners = corners_of(shader->layer(), triangle);
   Box box;
   for (int k = 0; k < 3; ++k) box.extend(corners.vec(k));
   const int last_x = tile.width - 1, last_y = tile.height - 1;
@@ -139,14 +141,17 @@ void MixedPixels::add_triangle(const LayerView& layer, std::uint32_t triangle, c
                          clamped_floor(box.min.y - tile.y0, 0, last_y),
                          clamped_floor(box.max.y - tile.y0, 0, last_y) + 1};
   if (!any_marked(range)) return;
-  const MixedTriangle mixed(layer, triangle, corners);
+  const ClipTriangle clip = clip_of(shader->layer(), corners);
+  const TriangleFrame frame = triangle_frame(corners.at, shader->layer().mirrored);
+  shader->begin_triangle(triangle, frame);
   for (int row = range.first_row; row < range.end_row; ++row) {
     for_each_pixel(row, range.begin, range.end, [&](int column, std::uint32_t index) {
       const int x = tile.x0 + column;
       const int y = tile.y0 + row;
-      const Coverage part = pixel_coverage(mixed.clip, x, y);
+      const Coverage part = pixel_coverage(clip, x, y);
       if (!(part.area > 0)) return;
-      const Color4 color = mixed.color_at(x + part.centroid.x, y + part.centroid.y);
+      const Vec2 p{x + part.centroid.x, y + part.centroid.y};
+      const Color4 color = shader->at(patch_point(frame, p.x, p.y), p);
       Sum& sum = sum_[index];
       const float area = static_cast<float>(part.area);
       if (sum.area == 0) color.store(sum.first);
@@ -157,27 +162,59 @@ void MixedPixels::add_triangle(const LayerView& layer, std::uint32_t triangle, c
   }
 }
 
-void MixedPixels::write(const Tile& tile) const {
-  // A centre of which half the square is covered is one that the centre rule decides.
-  constexpr float kLeastArea = 0.5f + 1e-6f;
+/// visit(offset in the tile's planes, sum) for every marked pixel.
+template <class Visit>
+void MixedPixels::for_each_sum(const Tile& tile, const Visit& visit) const {
   for (int row = 0; row < tile.height; ++row) {
     for_each_pixel(row, 0, tile.width, [&](int x, std::uint32_t index) {
-      const Sum& sum = sum_[index];
-      if (sum.area < kLeastArea) return;
-      const std::size_t offset = static_cast<std::size_t>(row) * kTileStride + x;
-      for (int c = 0; c < 3; ++c) tile.color[c][offset] = sum.first[c] + sum.rest[c] / sum.area;
-      if (tile.alpha) tile.alpha[offset] = 1;
+      visit(static_cast<std::size_t>(row) * kTileStride + static_cast<std::size_t>(x), sum_[index]);
     });
   }
 }
 
-void MixedPixels::paint(const LayerView& layer, const TriangleList& triangles, const Tile& tile) {
-  mark(layer, triangles, tile);
+void MixedPixels::write_opaque(const Tile& tile) const {
+  // A centre of which half the square is covered is one that the centre rule decides.
+  constexpr float kLeastArea = 0.5f + 1e-6f;
+  for_each_sum(tile, [&](std::size_t offset, const Sum& sum) {
+    if (sum.area < kLeastArea) return;
+    for (int c = 0; c < 3; ++c) tile.color[c][offset] = sum.first[c] + sum.rest[c] / sum.area;
+    if (tile.alpha) tile.alpha[offset] = 1;
+  });
+}
+
+void MixedPixels::write_premultiplied(const Tile& tile) const {
+  // More is all of a pixel, but for the rounding of the sum.
+  constexpr float kWholeArea = 1 - 1e-5f;
+  for_each_sum(tile, [&](std::size_t offset, const Sum& sum) {
+    if (sum.area == 0) return;
+    const float share = sum.area > kWholeArea ? 1 : sum.area;
+    const auto mean = [&](int c) { return (sum.first[c] + sum.rest[c] / sum.area) * share; };
+    for (int c = 0; c < 3; ++c) tile.color[c][offset] = mean(c);
+    tile.alpha[offset] = mean(3);
+  });
+}
+
+template <class Shader>
+void MixedPixels::add_triangles(Shader* shader, const TriangleList& triangles, const Tile& tile) {
+  mark(shader->layer(), triangles, tile);
   number_pixels();
   if (sum_.empty()) return;
   for (std::size_t i = 0; i < triangles.count; ++i)
-    add_triangle(layer, triangles.triangle[i], tile);
-  write(tile);
+    add_triangle(shader, triangles.triangle[i], tile);
+}
+
+void MixedPixels::paint(const LayerView& layer, const TriangleList& triangles, const Tile& tile) {
+  OpaqueShader shader(layer);
+  add_triangles(&shader, triangles, tile);
+  write_opaque(tile);
+}
+
+void MixedPixels::paint(PointShader* shader, const TriangleList& triangles, const Tile& tile) {
+  add_triangles(shader, triangles, tile);
+  if (shader->layer().opacity.channel_count > 0)
+    write_premultiplied(tile);
+  else
+    write_opaque(tile);
 }
 
 }  // namespace sfumato::raster

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "raster/point_shader.hpp"
 #include "raster/tile.hpp"
 
 namespace sfumato::raster {
@@ -18,6 +19,10 @@ class MixedPixels {
   /// Repaints the mixed pixels of `tile`, where draw_triangles painted the same list before. A
   /// pixel of which triangles cover no more than a half keeps what it has.
   void paint(const LayerView& layer, const TriangleList& triangles, const Tile& tile);
+
+  /// The same for a layer that was shaded and premultiplied; it is the premultiplied colours that
+  /// are averaged. Where the layer has opacity, the area that no triangle covers is transparent.
+  void paint(PointShader* shader, const TriangleList& triangles, const Tile& tile);
 
  private:
   static constexpr int kWordsPerRow = kTileWidth / 64;
@@ -44,11 +49,17 @@ class MixedPixels {
   void mark(const LayerView& layer, const TriangleList& triangles, const Tile& tile);
   void number_pixels();
   bool any_marked(const PixelRange& range) const;
-  void add_triangle(const LayerView& layer, std::uint32_t triangle, const Tile& tile);
-  void write(const Tile& tile) const;
+  template <class Shader>
+  void add_triangles(Shader* shader, const TriangleList& triangles, const Tile& tile);
+  template <class Shader>
+  void add_triangle(Shader* shader, std::uint32_t triangle, const Tile& tile);
+  void write_opaque(const Tile& tile) const;
+  void write_premultiplied(const Tile& tile) const;
 
   template <class Visit>
   void for_each_pixel(int row, int begin, int end, const Visit& visit) const;
+  template <class Visit>
+  void for_each_sum(const Tile& tile, const Visit& visit) const;
 
   std::uint64_t mask_[kTileHeight][kWordsPerRow];  ///< bit x % 64 of word x / 64 of a row
   std::uint32_t first_sum_[kTileHeight][kWordsPerRow];

@@ -7,10 +7,6 @@
 
 namespace sfumato::raster {
 
-/// Whether the tables of every layer fit together, positions are finite and instances name layers
-/// that are there: what the kernels rely on. Node values may be anything. Error: bad_input.
-Status check_picture(const Picture& picture);
-
 /// The map that makes the viewport fill the image. Error: bad_input (an empty viewport, or one so
 /// small that pixel coordinates would overflow).
 Result<Affine> image_from_artboard(const Picture& picture, const RasterOptions& options);

@@ -7,7 +7,7 @@
 /// Compiled for every instruction set.
 namespace sfumato::raster::inline SFUMATO_ISA {
 
-/// Red, green, blue and an unused lane.
+/// Up to four channels: red, green, blue and opacity, or the weights of four shaders.
 using Color4 = Lanes<4>;
 
 /// node_order[3 top + middle]: the ten nodes of a triangle as top, middle, bottom, then tm, mt, mb,
@@ -54,11 +54,64 @@ struct RowPolynomial {
   Color4 k[4];
 };
 
-SFUMATO_INLINE Color4 load_color(const float* value) {
+SFUMATO_INLINE Color4 color4(float x, float y, float z, float w) {
   Color4 color;
-  color.part[0] = lane::Float<4>{value[0], value[1], value[2], 0};
+  color.part[0] = lane::Float<4>{x, y, z, w};
   return color;
 }
+
+/// The channels that the lanes of a patch are read from; `slot` is 10 triangle + node. This one:
+/// the colour of a layer, and an unused lane.
+struct ColorChannels {
+  static constexpr int kCount = 3;
+
+  SFUMATO_INLINE explicit ColorChannels(const LayerView& layer) : color(layer.color) {}
+
+  SFUMATO_INLINE Color4 at(std::size_t slot) const {
+    const float* value = color.node_value +
+                         color.triangle_node[slot] * static_cast<std::size_t>(color.channel_count);
+    return color4(value[0], value[1], value[2], 0);
+  }
+
+  FieldView color;
+};
+
+/// Colour and opacity.
+struct ColorOpacityChannels {
+  static constexpr int kCount = 4;
+
+  SFUMATO_INLINE explicit ColorOpacityChannels(const LayerView& layer)
+      : color(layer.color), opacity(layer.opacity) {}
+
+  SFUMATO_INLINE Color4 at(std::size_t slot) const {
+    const float* value = color.node_value +
+                         color.triangle_node[slot] * static_cast<std::size_t>(color.channel_count);
+    return color4(value[0], value[1], value[2],
+                  opacity.node_value[opacity.triangle_node[slot] *
+                                     static_cast<std::size_t>(opacity.channel_count)]);
+  }
+
+  FieldView color, opacity;
+};
+
+/// Channels [first, first + 4) of a field, 0 beyond its last.
+struct WeightChannels {
+  static constexpr int kCount = 4;
+
+  SFUMATO_INLINE WeightChannels(const FieldView& weights, int first_channel)
+      : field(weights), first(first_channel), count(weights.channel_count - first_channel) {}
+
+  SFUMATO_INLINE Color4 at(std::size_t slot) const {
+    const float* value = field.node_value +
+                         field.triangle_node[slot] * static_cast<std::size_t>(field.channel_count) +
+                         first;
+    return color4(value[0], count > 1 ? value[1] : 0, count > 2 ? value[2] : 0,
+                  count > 3 ? value[3] : 0);
+  }
+
+  FieldView field;
+  int first, count;
+};
 
 /// Cubic of s in [0, 1] that is 0 at 0, then near, far and end at 1/3, 2/3 and 1.
 SFUMATO_INLINE void edge_monomials(const Color4& near, const Color4& far, const Color4& end,
@@ -113,21 +166,22 @@ SFUMATO_INLINE void shear(float middle_q, PatchPolynomial* p) {
   p->c10 = p->c10 - m * p->c01;
 }
 
-SFUMATO_INLINE PatchPolynomial patch_polynomial(const LayerView& layer, std::uint32_t triangle,
+template <class Channels>
+SFUMATO_INLINE PatchPolynomial patch_polynomial(const Channels& channels, PatchOrder patch_order,
+                                                std::uint32_t triangle,
                                                 const TriangleFrame& frame) {
-  const std::uint32_t* node = layer.triangle_node + std::size_t{10} * triangle;
+  const std::size_t first_slot = std::size_t{10} * triangle;
   const std::uint8_t* order = kNodeOrder.node[frame.corner_order];
-  const std::size_t channel_count = static_cast<std::size_t>(layer.channel_count);
   Color4 d[10];
 #pragma GCC unroll 10
-  for (int i = 0; i < 10; ++i) d[i] = load_color(layer.node_value + node[order[i]] * channel_count);
+  for (int i = 0; i < 10; ++i) d[i] = channels.at(first_slot + order[i]);
   PatchPolynomial p;
   p.c00 = d[0];
 #pragma GCC unroll 9
   for (int i = 1; i < 10; ++i) d[i] = d[i] - d[0];
-  if (layer.order == PatchOrder::cubic)
+  if (patch_order == PatchOrder::cubic)
     cubic_monomials(d, &p);
-  else if (layer.order == PatchOrder::quadratic)
+  else if (patch_order == PatchOrder::quadratic)
     quadratic_monomials(d, &p);
   else
     linear_monomials(d, &p);
@@ -141,9 +195,22 @@ SFUMATO_INLINE RowPolynomial row_polynomial(const PatchPolynomial& p, float row_
            p.c20 + q * p.c21, p.c30}};
 }
 
-SFUMATO_INLINE Color4 patch_color(const PatchPolynomial& p, float u, float q) {
-  const RowPolynomial row = row_polynomial(p, q);
-  return row.k[0] + Color4(u) * (row.k[1] + Color4(u) * (row.k[2] + Color4(u) * row.k[3]));
+/// A point of a triangle; both coordinates in [0, 1].
+struct PatchPoint {
+  float u, q;
+};
+
+/// Of a point of the image in the triangle, or next to it by rounding.
+SFUMATO_INLINE PatchPoint patch_point(const TriangleFrame& frame, double x, double y) {
+  const double q = clamp_unit((y - frame.top_y) * frame.inverse_height);
+  const double u = clamp_unit((x - frame.long_edge_x(y)) * frame.inverse_width);
+  return {static_cast<float>(u), static_cast<float>(q)};
+}
+
+SFUMATO_INLINE Color4 patch_color(const PatchPolynomial& p, const PatchPoint& at) {
+  const RowPolynomial row = row_polynomial(p, at.q);
+  const Color4 u(at.u);
+  return row.k[0] + u * (row.k[1] + u * (row.k[2] + u * row.k[3]));
 }
 
 }  // namespace sfumato::raster::inline SFUMATO_ISA

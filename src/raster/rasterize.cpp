@@ -6,122 +6,115 @@
 #include <utility>
 #include <vector>
 
-#include "raster/coverage.hpp"
+#include "raster/check_picture.hpp"
+#include "raster/compositor.hpp"
 #include "raster/layer_view.hpp"
 #include "raster/options.hpp"
 #include "raster/overlay.hpp"
+#include "raster/paint_list.hpp"
 #include "raster/span_kernels.hpp"
-#include "raster/tile_bins.hpp"
 
 namespace sfumato {
 namespace {
 
-using raster::LayerView;
+using raster::PaintList;
 using raster::Tile;
-using raster::TileBins;
 using raster::TileGrid;
-
-/// One instance of the stack, ready to be painted.
-struct PaintedInstance {
-  LayerView layer;
-  TileBins bins;
-};
 
 /// Everything that the painting of a tile reads.
 struct Scene {
   const RasterOptions* options = nullptr;
   const raster::SpanKernels* kernels = nullptr;
-  std::vector<PaintedInstance> stack;
+  PaintList list;
   raster::Backdrop backdrop;
-  TileGrid grid;
   raster::ImageTarget target;
+
+  bool has_alpha() const { return channel_count(target.format) == 4; }
 };
 
-Status prepare_stack(Context& context, const Picture& picture, const RasterOptions& options,
-                     Scene* scene) {
-  Status status = raster::check_picture(picture);
-  if (!status) return status;
-  const Result<Affine> image_from_artboard = raster::image_from_artboard(picture, options);
-  if (!image_from_artboard) return image_from_artboard.status();
-  const double margin_px = options.mesh_overlay ? raster::kOverlayReachPx + 1 : 0;
-  for (const PictureItem& item : picture.stack) {
-    const auto* instance_item = std::get_if<PatchInstance>(&item);
-    if (!instance_item) continue;
-    const PatchInstance& instance = *instance_item;
-    PaintedInstance painted;
-    painted.layer = raster::view_instance(picture, instance, *image_from_artboard);
-    Result<TileBins> bins = raster::bin_triangles(context, painted.layer,
-                                                  picture.layers[instance.layer].triangle_count(),
-                                                  scene->grid, margin_px);
-    if (!bins) return bins.status();
-    painted.bins = std::move(*bins);
-    scene->stack.push_back(std::move(painted));
-  }
-  return ok_status();
-}
+/// What a tile is painted with.
+class TilePainter {
+ public:
+  explicit TilePainter(const Scene& scene)
+      : scene_(scene),
+        planes_(std::make_unique_for_overwrite<float[]>(raster::kTileFloats *
+                                                        (scene.has_alpha() ? 4 : 3))),
+        compositor_(scene.list, *scene.kernels, scene.options->antialias) {}
 
-/// The most that a Scratch holds.
-constexpr std::size_t kScratchBytes =
-    6 * raster::kTileFloats * sizeof(float) + raster::MixedPixels::kMostBytes;
-
-/// What a tile is painted with; taken and given back for each range of tiles.
-struct Scratch {
-  explicit Scratch(bool has_alpha)
-      : planes(std::make_unique_for_overwrite<float[]>(raster::kTileFloats * (has_alpha ? 4 : 3))) {
+  /// Memory of one, with an overlay.
+  static std::size_t bytes(const PaintList& list) {
+    return 6 * raster::kTileFloats * sizeof(float) + raster::Compositor::bytes(list);
   }
 
-  std::unique_ptr<float[]> planes;
-  raster::MixedPixels mixed;
-  raster::Overlay overlay;
+  void paint(std::size_t tile_index) {
+    const Tile tile = begin(tile_index);
+    compositor_.paint(tile_index, tile);
+    if (tile.alpha && !scene_.list.is_plain()) scene_.kernels->unpremultiply(tile);
+    if (scene_.options->mesh_overlay) paint_overlay(tile_index, tile);
+    scene_.kernels->write_pixels(tile, scene_.target);
+  }
+
+ private:
+  Tile begin(std::size_t tile_index);
+  void paint_overlay(std::size_t tile_index, const Tile& tile);
+
+  const Scene& scene_;
+  std::unique_ptr<float[]> planes_;
+  raster::Compositor compositor_;
+  raster::Overlay overlay_;
+  std::vector<std::uint32_t> listed_;
 };
 
-Tile make_tile(const Scene& scene, std::size_t index, Scratch* scratch) {
-  const std::size_t columns = static_cast<std::size_t>(scene.grid.columns());
-  Tile tile;
-  tile.x0 = static_cast<int>(index % columns) * raster::kTileWidth;
-  tile.y0 = static_cast<int>(index / columns) * raster::kTileHeight;
-  tile.width = std::min(raster::kTileWidth, scene.grid.width - tile.x0);
-  tile.height = std::min(raster::kTileHeight, scene.grid.height - tile.y0);
-  float* plane = scratch->planes.get();
-  const float color[3] = {scene.backdrop.color.r, scene.backdrop.color.g, scene.backdrop.color.b};
+/// The tile with nothing but the backdrop in it.
+Tile TilePainter::begin(std::size_t tile_index) {
+  const raster::PixelRect rect = raster::tile_rect(scene_.list.grid(), tile_index);
+  Tile tile{rect.x0, rect.y0, rect.x1 - rect.x0, rect.y1 - rect.y0, {}, nullptr};
+  float* plane = planes_.get();
+  const Rgb& backdrop = scene_.backdrop.color;
+  const float color[3] = {backdrop.r, backdrop.g, backdrop.b};
   for (int c = 0; c < 3; ++c) {
     tile.color[c] = plane + c * raster::kTileFloats;
     std::fill_n(tile.color[c], raster::kTileFloats, color[c]);
   }
-  if (channel_count(scene.target.format) == 4) {
+  if (scene_.has_alpha()) {
     tile.alpha = plane + 3 * raster::kTileFloats;
-    std::fill_n(tile.alpha, raster::kTileFloats, scene.backdrop.alpha);
+    std::fill_n(tile.alpha, raster::kTileFloats, scene_.backdrop.alpha);
   }
   return tile;
 }
 
-void paint_tile(const Scene& scene, std::size_t index, Scratch* scratch) {
-  const Tile tile = make_tile(scene, index, scratch);
-  for (const PaintedInstance& instance : scene.stack) {
-    const raster::TriangleList triangles = instance.bins.of(index);
-    scene.kernels->draw_triangles(instance.layer, triangles, tile);
-    if (scene.options->antialias) scratch->mixed.paint(instance.layer, triangles, tile);
+void TilePainter::paint_overlay(std::size_t tile_index, const Tile& tile) {
+  const PaintList& list = scene_.list;
+  const int row = static_cast<int>(tile_index / static_cast<std::size_t>(list.grid().columns()));
+  overlay_.clear();
+  for (std::uint32_t index : list.row(row)) {
+    const raster::PaintItem& item = list.item(index);
+    if (item.is_instance())
+      overlay_.add(item.layer, list.triangles(item, tile_index, &listed_), tile);
   }
-  if (scene.options->mesh_overlay) {
-    scratch->overlay.clear();
-    for (const PaintedInstance& instance : scene.stack)
-      scratch->overlay.add(instance.layer, instance.bins.of(index), tile);
-    scratch->overlay.paint(tile);
-  }
-  scene.kernels->write_pixels(tile, scene.target);
+  overlay_.paint(tile);
 }
 
 Status paint_tiles(Context& context, const Scene& scene) {
-  const bool has_alpha = channel_count(scene.target.format) == 4;
   std::atomic<std::size_t> done{0};
-  const std::size_t count = scene.grid.tile_count();
+  const std::size_t count = scene.list.grid().tile_count();
   return parallel_for(context, count, 1, [&](std::size_t begin, std::size_t end) {
-    Scratch scratch(has_alpha);
-    for (std::size_t i = begin; i < end; ++i) paint_tile(scene, i, &scratch);
+    TilePainter painter(scene);
+    for (std::size_t i = begin; i < end; ++i) painter.paint(i);
     if (!context.progress) return;
     const std::size_t so_far = done.fetch_add(end - begin) + (end - begin);
     context.progress->report("rasterise", static_cast<double>(so_far) / count);
   });
+}
+
+Result<PaintList> make_list(Context& context, const Picture& picture,
+                            const RasterOptions& options) {
+  if (Status status = raster::check_picture(picture); !status) return status;
+  const Result<Affine> image_from_artboard = raster::image_from_artboard(picture, options);
+  if (!image_from_artboard) return image_from_artboard.status();
+  const double margin_px = options.mesh_overlay ? raster::kOverlayReachPx + 1 : 0;
+  return PaintList::create(context, picture, *image_from_artboard,
+                           TileGrid{options.width, options.height}, margin_px);
 }
 
 }  // namespace
@@ -132,17 +125,19 @@ Result<Image> rasterize(Context& context, const Picture& picture, const RasterOp
   Scene scene;
   scene.options = &options;
   scene.kernels = &raster::span_kernels(context.simd);
-  scene.grid = {options.width, options.height};
   scene.backdrop = raster::choose_backdrop(options, picture.background);
 
   Image image{options.width, options.height, options.format, {}};
-  const std::size_t image_bytes = image.row_bytes() * options.height;
+  const std::size_t image_bytes = image.row_bytes() * static_cast<std::size_t>(options.height);
   ScopedCharge charge;
   status = charge.add(context, image_bytes, "the image");
   if (!status) return status;
-  status = charge.add(context, context.thread_count() * kScratchBytes, "tiles of the image");
-  if (!status) return status;
-  status = prepare_stack(context, picture, options, &scene);
+  Result<PaintList> list = make_list(context, picture, options);
+  if (!list) return list.status();
+  scene.list = std::move(*list);
+  status = charge.add(
+      context, static_cast<std::size_t>(context.thread_count()) * TilePainter::bytes(scene.list),
+      "tiles of the image");
   if (!status) return status;
   image.bytes.resize(image_bytes);
   scene.target = {image.bytes.data(), image.row_bytes(), options.format, options.dither};

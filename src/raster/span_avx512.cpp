@@ -1,12 +1,15 @@
 #if defined(__x86_64__)
 
+#include "raster/blend_kernel.hpp"
 #include "raster/quantize_kernel.hpp"
 #include "raster/span_kernel.hpp"
 #include "raster/span_kernels.hpp"
 
 namespace sfumato::raster {
 
-const SpanKernels kSpanKernelsAvx512{draw_triangles<8>, write_pixels<8>};
+const SpanKernels kSpanKernelsAvx512{
+    draw_triangles<8>, draw_color_opacity<8>, draw_weights<8>, finish_shading<8>,
+    blend<8>,          unpremultiply<8>,      write_pixels<8>};
 
 }  // namespace sfumato::raster
 

@@ -36,16 +36,18 @@ struct Span {
   float u0, u_step;
 };
 
-/// The polynomials of the three channels along a row: value[c][power of u].
+/// The polynomials of the channels along a row: value[c][power of u].
+template <int kChannels>
 struct ChannelPolynomials {
-  float value[3][4];
+  float value[kChannels][4];
 };
 
-SFUMATO_INLINE ChannelPolynomials by_channel(const RowPolynomial& row) {
+template <int kChannels>
+SFUMATO_INLINE ChannelPolynomials<kChannels> by_channel(const RowPolynomial& row) {
   float k[4][4];
   for (int i = 0; i < 4; ++i) row.k[i].store(k[i]);
-  ChannelPolynomials result;
-  for (int c = 0; c < 3; ++c)
+  ChannelPolynomials<kChannels> result;
+  for (int c = 0; c < kChannels; ++c)
     for (int i = 0; i < 4; ++i) result.value[c][i] = k[i][c];
   return result;
 }
@@ -56,37 +58,38 @@ SFUMATO_INLINE Lanes<W> cubic(const float (&k)[4], const Lanes<W>& u) {
   return F(k[0]) + u * (F(k[1]) + u * (F(k[2]) + u * F(k[3])));
 }
 
-template <int W>
+/// Three channels are the colour of what is opaque; four are the colour and alpha.
+template <int W, int kChannels>
 SFUMATO_INLINE void draw_span(const RowPolynomial& row, const Span& span, const Tile& tile) {
   using F = Lanes<W>;
-  const ChannelPolynomials k = by_channel(row);
+  const ChannelPolynomials<kChannels> k = by_channel<kChannels>(row);
   const F lane_index = F::load(kLaneIndices<W>.value);
   const auto u_at = [&](int first) {
     const F index = lane_index + F(static_cast<float>(first));
     return min(max(F(span.u0) + index * F(span.u_step), F(0)), F(1));
   };
-  float* const pixel[3] = {tile.color[0] + span.offset, tile.color[1] + span.offset,
-                           tile.color[2] + span.offset};
+  float* pixel[kChannels];
+  for (int c = 0; c < kChannels; ++c) pixel[c] = (c < 3 ? tile.color[c] : tile.alpha) + span.offset;
   int i = 0;
   for (; i + W <= span.count; i += W) {
     const F u = u_at(i);
-    for (int c = 0; c < 3; ++c) cubic<W>(k.value[c], u).store(pixel[c] + i);
+    for (int c = 0; c < kChannels; ++c) cubic<W>(k.value[c], u).store(pixel[c] + i);
   }
   if (i < span.count) {
     const F u = u_at(i);
     const auto painted = lane_index < F(static_cast<float>(span.count - i));
-    for (int c = 0; c < 3; ++c) {
+    for (int c = 0; c < kChannels; ++c) {
       float* const last = pixel[c] + i;
       select(painted, cubic<W>(k.value[c], u), F::load(last)).store(last);
     }
   }
-  if (!tile.alpha) return;
+  if (kChannels > 3 || !tile.alpha) return;
   for (i = 0; i < span.count; ++i) tile.alpha[span.offset + i] = 1;
 }
 
-template <int W>
-SFUMATO_INLINE void draw_triangle(const LayerView& layer, std::uint32_t triangle,
-                                  const Tile& tile) {
+template <int W, class Channels>
+SFUMATO_INLINE void draw_triangle(const LayerView& layer, const Channels& channels,
+                                  std::uint32_t triangle, const Tile& tile) {
   PixelPoint corner[3];
   for (int k = 0; k < 3; ++k) corner[k] = corner_position(layer, triangle, k);
   const TriangleFrame frame = triangle_frame(corner, layer.mirrored);
@@ -106,23 +109,40 @@ SFUMATO_INLINE void draw_triangle(const LayerView& layer, std::uint32_t triangle
     const int begin = clamped_ceil(left - 0.5, tile.x0, x_end);
     const int end = clamped_ceil(right - 0.5, tile.x0, x_end);
     if (begin >= end) continue;
-    if (!patch_is_known) patch = patch_polynomial(layer, triangle, frame);
+    if (!patch_is_known) patch = patch_polynomial(channels, layer.order, triangle, frame);
     patch_is_known = true;
     const double q = (center_y - frame.top_y) * frame.inverse_height;
     const double u0 = clamp_unit((begin + 0.5 - long_x) * frame.inverse_width);
     const std::size_t offset =
         static_cast<std::size_t>(y - tile.y0) * kTileStride + (begin - tile.x0);
-    draw_span<W>(
+    draw_span<W, Channels::kCount>(
         row_polynomial(patch, static_cast<float>(q)),
         {offset, end - begin, static_cast<float>(u0), static_cast<float>(frame.inverse_width)},
         tile);
   }
 }
 
+template <int W, class Channels>
+SFUMATO_INLINE void draw_channels(const LayerView& layer, const Channels& channels,
+                                  const TriangleList& triangles, const Tile& tile) {
+  for (std::size_t i = 0; i < triangles.count; ++i)
+    draw_triangle<W>(layer, channels, triangles.triangle[i], tile);
+}
+
 template <int W>
 void draw_triangles(const LayerView& layer, const TriangleList& triangles, const Tile& tile) {
-  for (std::size_t i = 0; i < triangles.count; ++i)
-    draw_triangle<W>(layer, triangles.triangle[i], tile);
+  draw_channels<W>(layer, ColorChannels(layer), triangles, tile);
+}
+
+template <int W>
+void draw_color_opacity(const LayerView& layer, const TriangleList& triangles, const Tile& tile) {
+  draw_channels<W>(layer, ColorOpacityChannels(layer), triangles, tile);
+}
+
+template <int W>
+void draw_weights(const LayerView& layer, const FieldView& field, int first_channel,
+                  const TriangleList& triangles, const Tile& tile) {
+  draw_channels<W>(layer, WeightChannels(field, first_channel), triangles, tile);
 }
 
 }  // namespace sfumato::raster::inline SFUMATO_ISA

@@ -20,6 +20,25 @@ struct SpanKernels {
   /// share an edge share its crossings with the rows, so that no centre between them is left out.
   void (*draw_triangles)(const LayerView& layer, const TriangleList& triangles, const Tile& tile);
 
+  /// The same for a layer's colour and opacity: color and alpha, not premultiplied.
+  void (*draw_color_opacity)(const LayerView& layer, const TriangleList& triangles,
+                             const Tile& tile);
+
+  /// The same for channels [first_channel, first_channel + 4) of one of the layer's fields, into
+  /// color and alpha; 0 beyond the field's last.
+  void (*draw_weights)(const LayerView& layer, const FieldView& field, int first_channel,
+                       const TriangleList& triangles, const Tile& tile);
+
+  /// Makes what these painted, a colour of `space` and an opacity, what `blend` takes: code values
+  /// and alpha, clamped to [0, 1] and premultiplied.
+  void (*finish_shading)(InterpolationSpace space, const Tile& tile);
+
+  /// Composites `source`, its alpha times `opacity`, onto `target`: the same pixels.
+  void (*blend)(const Tile& source, float opacity, BlendMode mode, const Tile& target);
+
+  /// Divides the colours of a tile with alpha by it; 0 where it is 0.
+  void (*unpremultiply)(const Tile& tile);
+
   /// Clamps to [0, 1], dithers or rounds to nearest, and writes the tile's pixels to the image.
   void (*write_pixels)(const Tile& tile, const ImageTarget& target);
 };

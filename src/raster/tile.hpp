@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
@@ -22,28 +23,71 @@ inline constexpr int kTileHeight = 64;
 inline constexpr int kTileStride = kTileWidth + 16;
 inline constexpr std::size_t kTileFloats = std::size_t{kTileStride} * kTileHeight;
 
+/// A PatchField of a picture that was checked.
+struct FieldView {
+  const std::uint32_t* triangle_node = nullptr;
+  const float* node_value = nullptr;
+  int channel_count = 0;  ///< 0: there is none
+  const std::uint32_t* shader = nullptr;
+  int shader_count = 0;  ///< their weights are the last channels
+
+  int first_weight() const { return channel_count - shader_count; }
+  bool is_opacity() const { return first_weight() == 1; }
+};
+
 /// A patch layer as it lies in the image. The pointers are those of a PatchLayer that was checked.
 struct LayerView {
   const Vec2* vertex_position = nullptr;
   const std::uint32_t* triangle_vertex = nullptr;
   const std::uint8_t* edge_is_curve = nullptr;
-  const std::uint32_t* triangle_node = nullptr;
-  const float* node_value = nullptr;
-  int channel_count = 3;
+  FieldView color;
+  FieldView opacity;
   PatchOrder order = PatchOrder::cubic;
   Affine image_from_layer;
   bool mirrored = false;  ///< image_from_layer turns clockwise triangles round
 };
 
-/// The pixels of one tile while they are painted: code values, one plane to a channel. Row j of the
-/// tile begins at j kTileStride.
+/// Pixels of the image from (x0, y0) up to but not (x1, y1).
+struct PixelRect {
+  int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+
+  bool empty() const { return x0 >= x1 || y0 >= y1; }
+  friend bool operator==(const PixelRect&, const PixelRect&) = default;
+};
+
+inline PixelRect intersection(const PixelRect& a, const PixelRect& b) {
+  return {std::max(a.x0, b.x0), std::max(a.y0, b.y0), std::min(a.x1, b.x1), std::min(a.y1, b.y1)};
+}
+
+/// The smallest that holds both; an empty one holds nothing.
+inline PixelRect united(const PixelRect& a, const PixelRect& b) {
+  if (a.empty()) return b;
+  if (b.empty()) return a;
+  return {std::min(a.x0, b.x0), std::min(a.y0, b.y0), std::max(a.x1, b.x1), std::max(a.y1, b.y1)};
+}
+
+/// The pixels of one tile, or of a rectangle in it, while they are painted: code values, one plane
+/// to a channel, premultiplied by alpha. Row j begins at j kTileStride.
 struct Tile {
   int x0 = 0;  ///< pixels of the image
   int y0 = 0;
   int width = 0;  ///< at most kTileWidth
   int height = 0;
   float* color[3] = {};
-  float* alpha = nullptr;  ///< 1 where something was painted; null where the format has no alpha
+  float* alpha = nullptr;  ///< null where every pixel is opaque
+
+  PixelRect rect() const { return {x0, y0, x0 + width, y0 + height}; }
+
+  /// The part of it in `rect`, which must lie in it.
+  Tile part(const PixelRect& rect) const {
+    const std::ptrdiff_t offset = std::ptrdiff_t{rect.y0 - y0} * kTileStride + (rect.x0 - x0);
+    return {rect.x0,
+            rect.y0,
+            rect.x1 - rect.x0,
+            rect.y1 - rect.y0,
+            {color[0] + offset, color[1] + offset, color[2] + offset},
+            alpha ? alpha + offset : nullptr};
+  }
 };
 
 /// The triangles of a layer that may touch a tile, in increasing order.

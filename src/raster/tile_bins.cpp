@@ -4,15 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "base/box.hpp"
-
 namespace sfumato::raster {
 namespace {
-
-/// The tiles from (x0, y0) up to but not (x1, y1); empty where x0 == x1.
-struct TileRange {
-  std::uint16_t x0 = 0, y0 = 0, x1 = 0, y1 = 0;
-};
 
 std::uint16_t tile_index(double pixel, int tile_side, int count) {
   return static_cast<std::uint16_t>(std::clamp(std::floor(pixel / tile_side), 0.0, count - 1.0));
@@ -47,15 +40,7 @@ class Binner {
 TileRange Binner::range(std::uint32_t triangle) const {
   Box box;
   for (int k = 0; k < 3; ++k) box.extend(corner(triangle, k));
-  box = box.grown_by(margin_px_);
-  const Box image{{0, 0}, {static_cast<double>(grid_.width), static_cast<double>(grid_.height)}};
-  if (!overlap(box, image)) return {};
-  TileRange range;
-  range.x0 = tile_index(box.min.x, kTileWidth, grid_.columns());
-  range.y0 = tile_index(box.min.y, kTileHeight, grid_.rows());
-  range.x1 = static_cast<std::uint16_t>(tile_index(box.max.x, kTileWidth, grid_.columns()) + 1);
-  range.y1 = static_cast<std::uint16_t>(tile_index(box.max.y, kTileHeight, grid_.rows()) + 1);
-  return range;
+  return tiles_of(box.grown_by(margin_px_), grid_);
 }
 
 /// The columns of tiles that a long triangle may touch in one row of tiles: a needle across the
@@ -115,6 +100,26 @@ Status Binner::sort(Context& context, const std::vector<TileRange>& ranges, Tile
 }
 
 }  // namespace
+
+PixelRect tile_rect(const TileGrid& grid, std::size_t tile) {
+  const std::size_t columns = static_cast<std::size_t>(grid.columns());
+  const int x0 = static_cast<int>(tile % columns) * kTileWidth;
+  const int y0 = static_cast<int>(tile / columns) * kTileHeight;
+  return {x0, y0, std::min(x0 + kTileWidth, grid.width), std::min(y0 + kTileHeight, grid.height)};
+}
+
+TileRange tiles_of(const Box& box_px, const TileGrid& grid) {
+  const Box image{{0, 0}, {static_cast<double>(grid.width), static_cast<double>(grid.height)}};
+  if (!overlap(box_px, image)) return {};
+  const auto column = [&](double x) { return tile_index(x, kTileWidth, grid.columns()); };
+  const auto row = [&](double y) { return tile_index(y, kTileHeight, grid.rows()); };
+  TileRange range;
+  range.x0 = column(box_px.min.x);
+  range.y0 = row(box_px.min.y);
+  range.x1 = static_cast<std::uint16_t>(column(box_px.max.x) + 1);
+  range.y1 = static_cast<std::uint16_t>(row(box_px.max.y) + 1);
+  return range;
+}
 
 Result<TileBins> bin_triangles(Context& context, const LayerView& layer,
                                std::uint32_t triangle_count, const TileGrid& grid,

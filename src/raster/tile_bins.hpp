@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/box.hpp"
 #include "base/context.hpp"
 #include "base/status.hpp"
 #include "raster/tile.hpp"
@@ -18,6 +19,20 @@ struct TileGrid {
   int rows() const { return (height + kTileHeight - 1) / kTileHeight; }
   std::size_t tile_count() const { return static_cast<std::size_t>(columns()) * rows(); }
 };
+
+/// The pixels of a tile.
+PixelRect tile_rect(const TileGrid& grid, std::size_t tile);
+
+/// The tiles from (x0, y0) up to but not (x1, y1); empty where x0 == x1.
+struct TileRange {
+  std::uint16_t x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+
+  bool empty() const { return x0 == x1; }
+  std::size_t count() const { return static_cast<std::size_t>(x1 - x0) * (y1 - y0); }
+};
+
+/// The tiles that a box in pixels meets.
+TileRange tiles_of(const Box& box_px, const TileGrid& grid);
 
 /// For each tile the triangles of one layer that may touch it.
 struct TileBins {

@@ -25,6 +25,23 @@ StatusCode code_of(const Picture& picture, const RasterOptions& options) {
   return rasterize(context, picture, options).status().code;
 }
 
+/// Cancels at the first report, and remembers the largest charge seen.
+struct Watcher : Progress {
+  Context* context = nullptr;
+  bool cancels = false;
+  std::atomic<std::size_t> peak{0};
+  std::atomic<int> reports{0};
+
+  void report(std::string_view, double fraction) override {
+    EXPECT_GT(fraction, 0);
+    EXPECT_LE(fraction, 1);
+    ++reports;
+    const std::size_t used = context->budget.used();
+    if (used > peak) peak = used;
+    if (cancels) context->cancel = true;
+  }
+};
+
 TEST(RasterLimits, an_image_without_pixels_is_bad_input) {
   const Picture picture = plain_picture();
   for (const auto& [width, height] : {std::pair{0, 4}, {4, 0}, {-1, 4}, {4, -2147483647}})
@@ -63,6 +80,97 @@ TEST(RasterLimits, a_picture_whose_tables_do_not_fit_is_bad_input) {
   refused([](Picture& p) { p.layers[0].color.channel_count = 0; });
   refused([](Picture& p) { p.layers[0].vertex_position[3].x = std::nan(""); });
   refused([](Picture& p) { std::get<PatchInstance>(p.stack[0]).artboard_from_layer.e = 1e300; });
+  refused([](Picture& p) { p.layers[0].color.channel_count = 4; });
+  refused([](Picture& p) { p.layers[0].color.channel_count = -3; });
+  refused([](Picture& p) { p.layers[0].order = static_cast<PatchOrder>(3); });
+  refused([](Picture& p) { p.interpolation = static_cast<InterpolationSpace>(7); });
+}
+
+TEST(RasterLimits, an_opacity_whose_tables_do_not_fit_is_bad_input) {
+  const auto refused = [](const std::function<void(PatchField&)>& spoil) {
+    Picture picture = make_picture(flat_layer({{0, 0}, {8, 8}}, {}, 0.5f));
+    spoil(picture.layers[0].opacity);
+    EXPECT_EQ(code_of(picture, image_size(4, 4)), StatusCode::bad_input);
+  };
+  refused([](PatchField& f) { f.channel_count = 2; });
+  refused([](PatchField& f) { f.channel_count = -1; });
+  refused([](PatchField& f) { f.triangle_node.pop_back(); });
+  refused([](PatchField& f) { f.triangle_node[7] = 100000; });
+  refused([](PatchField& f) { f.node_value.pop_back(); });
+  refused([](PatchField& f) { f.shader.push_back(0); });
+}
+
+TEST(RasterLimits, weights_of_shaders_that_are_not_there_are_bad_input) {
+  const RegionMesh mesh = jittered_grid({{0, 0}, {8, 8}}, 4, 1);
+  Picture picture = plain_picture();
+  const auto weight = [](int, Vec2) { return 0.5f; };
+  add_weight(mesh, 0, weight, &picture.layers[0].color);
+  EXPECT_EQ(code_of(picture, image_size(4, 4)), StatusCode::bad_input);
+  picture = make_picture(flat_layer({{0, 0}, {8, 8}}, {}, 0.5f));
+  add_weight(jittered_grid({{0, 0}, {8, 8}}, 2, 1), 3, weight, &picture.layers[0].opacity);
+  EXPECT_EQ(code_of(picture, image_size(4, 4)), StatusCode::bad_input);
+}
+
+TEST(RasterLimits, a_shader_that_is_none_is_bad_input) {
+  Picture picture = plain_picture();
+  picture.shaders.push_back({"empty", Texture{}});
+  EXPECT_EQ(code_of(picture, image_size(4, 4)), StatusCode::bad_input);
+  picture.shaders[0].paint = Texture{4, 4, std::vector<std::uint8_t>(63), {}, true, {}, {}};
+  EXPECT_EQ(code_of(picture, image_size(4, 4)), StatusCode::bad_input);
+  picture.shaders[0].paint = GradientFill{};
+  EXPECT_EQ(code_of(picture, image_size(4, 4)), StatusCode::bad_input);
+}
+
+TEST(RasterLimits, too_many_shaders_in_a_layer_are_refused) {
+  Picture picture = plain_picture();
+  PatchField& field = picture.layers[0].color;
+  field.shader.assign(limits::kShadersPerLayer + 1, 0);
+  field.channel_count = 3 + static_cast<int>(field.shader.size());
+  EXPECT_EQ(code_of(picture, image_size(4, 4)), StatusCode::limit);
+}
+
+TEST(RasterLimits, groups_must_be_closed_and_not_too_deep) {
+  Picture picture = plain_picture();
+  const auto code_with = [&](std::vector<PictureItem> stack) {
+    picture.stack = std::move(stack);
+    return code_of(picture, image_size(4, 4));
+  };
+  EXPECT_EQ(code_with({GroupBegin{}}), StatusCode::bad_input);
+  EXPECT_EQ(code_with({GroupEnd{}}), StatusCode::bad_input);
+  EXPECT_EQ(code_with({GroupBegin{}, GroupEnd{}, GroupEnd{}, GroupBegin{}}), StatusCode::bad_input);
+  EXPECT_EQ(code_with({GroupBegin{}, GroupEnd{}}), StatusCode::ok);
+  EXPECT_EQ(code_with(std::vector<PictureItem>(limits::kGroupDepth + 1, GroupBegin{})),
+            StatusCode::limit);
+  EXPECT_EQ(code_with(std::vector<PictureItem>(limits::kStackItems + 1, PatchInstance{})),
+            StatusCode::limit);
+}
+
+TEST(RasterLimits, opacities_and_modes_that_do_not_exist_are_bad_input) {
+  Picture picture = plain_picture();
+  for (const auto& [opacity, mode] :
+       {std::pair{-0.1f, 0}, {1.1f, 0}, {std::nanf(""), 0}, {1.0f, 16}}) {
+    const BlendMode blend = static_cast<BlendMode>(mode);
+    picture.stack = {PatchInstance{0, {}, opacity, blend}};
+    EXPECT_EQ(code_of(picture, image_size(4, 4)), StatusCode::bad_input);
+    picture.stack = {GroupBegin{opacity, blend}, GroupEnd{}};
+    EXPECT_EQ(code_of(picture, image_size(4, 4)), StatusCode::bad_input);
+  }
+}
+
+TEST(RasterLimits, a_stack_of_the_largest_size_needs_little_memory) {
+  Picture picture = plain_picture();
+  picture.viewport = {{0, 0}, {1000, 1000}};
+  picture.stack.clear();
+  for (std::size_t i = 0; i < limits::kStackItems; ++i) {
+    const double x = static_cast<double>(i % 450), y = static_cast<double>(i / 450);
+    picture.stack.push_back(PatchInstance{0, {0.1, 0, 0, 0.1, 2.2 * x, 2.2 * y}, 0.5f});
+  }
+  Context context;
+  Watcher watcher;
+  watcher.context = &context;
+  context.progress = &watcher;
+  ASSERT_TRUE(rasterize(context, picture, image_size(64, 64)).ok());
+  EXPECT_LT(watcher.peak.load(), std::size_t{100} << 20);
 }
 
 TEST(RasterLimits, the_image_is_charged_before_it_is_made) {
@@ -81,23 +189,6 @@ TEST(RasterLimits, cancellation_is_seen) {
   EXPECT_EQ(image.status().code, StatusCode::cancelled);
   EXPECT_EQ(context.budget.used(), 0u);
 }
-
-/// Cancels at the first report, and remembers the largest charge seen.
-struct Watcher : Progress {
-  Context* context = nullptr;
-  bool cancels = false;
-  std::atomic<std::size_t> peak{0};
-  std::atomic<int> reports{0};
-
-  void report(std::string_view, double fraction) override {
-    EXPECT_GT(fraction, 0);
-    EXPECT_LE(fraction, 1);
-    ++reports;
-    const std::size_t used = context->budget.used();
-    if (used > peak) peak = used;
-    if (cancels) context->cancel = true;
-  }
-};
 
 TEST(RasterLimits, cancellation_stops_between_tiles) {
   Context context;
@@ -145,9 +236,17 @@ TEST(RasterLimits, far_coordinates_and_extreme_scales_end_in_an_image) {
 }
 
 TEST(RasterLimits, values_that_are_not_numbers_end_in_an_image) {
-  Picture picture = plain_picture();
-  for (std::size_t i = 0; i < picture.layers[0].color.node_value.size(); i += 7)
-    picture.layers[0].color.node_value[i] = std::nan("");
+  Picture picture = make_picture(flat_layer({{0, 0}, {8, 8}}, {0.25f, 0.5f, 0.75f}, 0.5f));
+  for (PatchField* field : {&picture.layers[0].color, &picture.layers[0].opacity}) {
+    for (std::size_t i = 0; i < field->node_value.size(); i += 7)
+      field->node_value[i] = i % 2 ? std::nan("") : INFINITY;
+  }
+  PatchLayer opaque = picture.layers[0];
+  opaque.opacity = {};
+  picture.layers.push_back(opaque);
+  picture.stack.insert(picture.stack.begin(), PatchInstance{1, {}});
+  for (int mode = 0; mode < 16; ++mode)
+    picture.stack.push_back(PatchInstance{0, {}, 0.9f, static_cast<BlendMode>(mode)});
   for (std::uint8_t& is_curve : picture.layers[0].edge_is_curve) is_curve = 1;
   EXPECT_EQ(rasterized(picture, image_size(40, 40, PixelFormat::rgba8)).bytes.size(), 6400u);
 }

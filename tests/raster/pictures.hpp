@@ -19,6 +19,9 @@ using Corners = std::array<std::uint32_t, 3>;
 /// Colour at a point of the layer frame, on one side of the curves.
 using ColorField = std::function<Rgb(int region, Vec2 p)>;
 
+/// Opacity, or the weight of a shader, likewise.
+using ScalarField = std::function<float(int region, Vec2 p)>;
+
 /// A triangulation whose regions are divided by curves.
 struct RegionMesh {
   std::vector<Vec2> vertex;
@@ -59,6 +62,40 @@ inline PatchLayer make_layer(const RegionMesh& mesh, const ColorField& color) {
     }
   }
   return layer;
+}
+
+/// One value for each node of a layer as make_layer makes it.
+inline std::vector<float> node_values(const RegionMesh& mesh, const ScalarField& value) {
+  std::vector<float> values;
+  for (std::size_t t = 0; t < mesh.triangle.size(); ++t) {
+    for (const auto& weight : kNodeBarycentric) {
+      Vec2 p;
+      for (int k = 0; k < 3; ++k) p = p + mesh.vertex[mesh.triangle[t][k]] * weight[k];
+      values.push_back(value(mesh.region[t], p));
+    }
+  }
+  return values;
+}
+
+/// Gives a layer of make_layer an opacity.
+inline void set_opacity(const RegionMesh& mesh, const ScalarField& opacity, PatchLayer* layer) {
+  layer->opacity = {1, layer->color.triangle_node, node_values(mesh, opacity), {}};
+}
+
+/// Gives one of the fields of such a layer the weight of a shader.
+inline void add_weight(const RegionMesh& mesh, std::uint32_t shader, const ScalarField& weight,
+                       PatchField* field) {
+  const std::vector<float> added = node_values(mesh, weight);
+  const std::size_t channels = static_cast<std::size_t>(field->channel_count);
+  std::vector<float> values;
+  for (std::size_t node = 0; node < added.size(); ++node) {
+    for (std::size_t c = 0; c < channels; ++c)
+      values.push_back(field->node_value[node * channels + c]);
+    values.push_back(added[node]);
+  }
+  field->node_value = std::move(values);
+  field->channel_count += 1;
+  field->shader.push_back(shader);
 }
 
 inline Picture make_picture(PatchLayer layer) {
@@ -105,6 +142,20 @@ inline RegionMesh jittered_grid(const Box& box, int cells, std::uint32_t seed,
 
 inline RegionMesh jittered_grid(const Box& box, int cells, std::uint32_t seed) {
   return jittered_grid(box, cells, seed, [](int, int) { return 0; });
+}
+
+/// One colour over a box.
+inline PatchLayer flat_layer(const Box& box, const Rgb& color) {
+  return make_layer(jittered_grid(box, 2, 1), [&](int, Vec2) { return color; });
+}
+
+/// The same with one opacity.
+inline PatchLayer flat_layer(const Box& box, const Rgb& color, float opacity) {
+  const RegionMesh mesh = jittered_grid(box, 2, 1);
+  PatchLayer layer = make_layer(mesh, [&](int, Vec2) { return color; });
+  set_opacity(
+      mesh, [&](int, Vec2) { return opacity; }, &layer);
+  return layer;
 }
 
 /// Two regions that meet on the line through a and b, which must cross the box's opposite sides:

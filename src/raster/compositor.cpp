@@ -1,0 +1,87 @@
+#include "raster/compositor.hpp"
+
+namespace sfumato::raster {
+
+Compositor::Compositor(const PaintList& list, const SpanKernels& kernels, bool antialias)
+    : list_(list),
+      kernels_(kernels),
+      antialias_(antialias),
+      groups_(static_cast<std::size_t>(list.group_depth())) {
+  if (!list.is_plain()) layer_painter_.emplace(kernels, antialias);
+}
+
+std::size_t Compositor::bytes(const PaintList& list) {
+  if (list.is_plain()) return MixedPixels::kMostBytes;
+  return MixedPixels::kMostBytes + LayerPainter::kBytes +
+         static_cast<std::size_t>(list.group_depth()) * TilePlanes::kBytes;
+}
+
+Tile Compositor::target(const PixelRect& rect) {
+  Level& level = levels_.back();
+  const PixelRect old = level.painted;
+  const PixelRect all = united(old, rect);
+  const auto clear_part = [&](const PixelRect& part) {
+    if (!part.empty()) clear(level.tile.part(part));
+  };
+  if (old.empty()) {
+    clear_part(all);
+  } else {
+    clear_part({all.x0, all.y0, all.x1, old.y0});
+    clear_part({all.x0, old.y1, all.x1, all.y1});
+    clear_part({all.x0, old.y0, old.x0, old.y1});
+    clear_part({old.x1, old.y0, all.x1, old.y1});
+  }
+  level.painted = all;
+  return level.tile.part(rect);
+}
+
+void Compositor::paint_straight(const PaintItem& item, const TriangleList& triangles) {
+  const PixelRect whole = levels_.back().tile.rect();
+  const PixelRect rect = item.bins ? whole : pixels_of(item.layer, triangles, whole);
+  if (rect.empty()) return;
+  const Tile tile = target(rect);
+  kernels_.draw_triangles(item.layer, triangles, tile);
+  if (antialias_) mixed_.paint(item.layer, triangles, tile);
+}
+
+void Compositor::paint_shaded(const PaintItem& item, const TriangleList& triangles) {
+  const PixelRect rect = pixels_of(item.layer, triangles, levels_.back().tile.rect());
+  if (rect.empty()) return;
+  const ShadingInput input{list_.space(), &list_.shaders(), item.layer_from_image};
+  const Tile source = layer_painter_->paint(item.layer, input, triangles, rect);
+  kernels_.blend(source, item.opacity, item.blend, target(rect));
+}
+
+void Compositor::close_group(const PaintItem& item) {
+  const Level group = levels_.back();
+  levels_.pop_back();
+  if (group.painted.empty()) return;
+  kernels_.blend(group.tile.part(group.painted), item.opacity, item.blend, target(group.painted));
+}
+
+void Compositor::paint_item(const PaintItem& item, std::size_t tile_index) {
+  switch (item.kind) {
+    case PaintItem::Kind::straight:
+      return paint_straight(item, list_.triangles(item, tile_index, &listed_));
+    case PaintItem::Kind::shaded:
+      return paint_shaded(item, list_.triangles(item, tile_index, &listed_));
+    case PaintItem::Kind::group_begin:
+      levels_.push_back({groups_[levels_.size() - 1].tile(levels_.front().tile.rect()), {}});
+      return;
+    case PaintItem::Kind::group_end:
+      return close_group(item);
+  }
+}
+
+void Compositor::paint(std::size_t tile_index, const Tile& root) {
+  levels_.assign(1, {root, root.rect()});
+  const int columns = list_.grid().columns();
+  const int column = static_cast<int>(tile_index % static_cast<std::size_t>(columns));
+  const int row = static_cast<int>(tile_index / static_cast<std::size_t>(columns));
+  for (std::uint32_t index : list_.row(row)) {
+    const PaintItem& item = list_.item(index);
+    if (column >= item.tiles.x0 && column < item.tiles.x1) paint_item(item, tile_index);
+  }
+}
+
+}  // namespace sfumato::raster

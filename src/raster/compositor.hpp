@@ -1,0 +1,50 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "raster/coverage.hpp"
+#include "raster/layer_painter.hpp"
+#include "raster/paint_list.hpp"
+#include "raster/span_kernels.hpp"
+
+namespace sfumato::raster {
+
+/// Paints the stack of a picture into tiles, one after another: what is opaque straight, other
+/// layers and groups by themselves, blended where they painted something.
+class Compositor {
+ public:
+  /// Both must outlive this.
+  Compositor(const PaintList& list, const SpanKernels& kernels, bool antialias);
+
+  /// Paints onto what `root`, the whole tile, holds.
+  void paint(std::size_t tile_index, const Tile& root);
+
+  /// Memory of one.
+  static std::size_t bytes(const PaintList& list);
+
+ private:
+  /// What is painted on: the tile itself, or an open group.
+  struct Level {
+    Tile tile;
+    PixelRect painted;  ///< what a group holds outside is undefined
+  };
+
+  void paint_item(const PaintItem& item, std::size_t tile_index);
+  void paint_straight(const PaintItem& item, const TriangleList& triangles);
+  void paint_shaded(const PaintItem& item, const TriangleList& triangles);
+  void close_group(const PaintItem& item);
+  /// The pixels of the uppermost level to paint on, transparent where nothing was painted.
+  Tile target(const PixelRect& rect);
+
+  const PaintList& list_;
+  const SpanKernels& kernels_;
+  bool antialias_;
+  MixedPixels mixed_;
+  std::optional<LayerPainter> layer_painter_;
+  std::vector<TilePlanes> groups_;
+  std::vector<Level> levels_;
+  std::vector<std::uint32_t> listed_;
+};
+
+}  // namespace sfumato::raster

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "raster/coverage.hpp"
+#include "raster/point_shader.hpp"
+#include "raster/span_kernels.hpp"
+#include "raster/tile.hpp"
+
+namespace sfumato::raster {
+
+/// Four planes of a tile, zero at first.
+class TilePlanes {
+ public:
+  TilePlanes() : values_(std::make_unique<float[]>(4 * kTileFloats)) {}
+
+  static constexpr std::size_t kBytes = 4 * kTileFloats * sizeof(float);
+
+  /// The pixels of `rect`, at most a tile of them, with alpha.
+  Tile tile(const PixelRect& rect) const;
+
+ private:
+  std::unique_ptr<float[]> values_;
+};
+
+/// All four planes to 0.
+void clear(const Tile& tile);
+
+/// Shades the instances of layers, one after another, each by itself: colours and opacity from the
+/// patches, image-domain shaders at every pixel, curves antialiased.
+class LayerPainter {
+ public:
+  LayerPainter(const SpanKernels& kernels, bool antialias)
+      : kernels_(kernels), antialias_(antialias) {}
+
+  /// Code values and alpha, premultiplied, in the pixels of `rect`, which lie in one tile and hold
+  /// all that the triangles paint of that tile. Valid until the next call.
+  Tile paint(const LayerView& layer, const ShadingInput& input, const TriangleList& triangles,
+             const PixelRect& rect);
+
+  static constexpr std::size_t kBytes = 2 * TilePlanes::kBytes + MixedPixels::kMostBytes;
+
+ private:
+  void add_shaders(const LayerView& layer, const FieldView& field, const ShadingInput& input,
+                   const TriangleList& triangles, const Tile& tile);
+  void add_shader(const FieldView& field, int channel, const ShadingInput& input,
+                  const Tile& weights, const Tile& tile);
+  void add_run(const FieldView& field, int channel, const ShadingInput& input, int x, int y,
+               const float* weight, int count, const Tile& tile);
+
+  const SpanKernels& kernels_;
+  bool antialias_;
+  TilePlanes shaded_, weights_;
+  std::vector<std::uint32_t> weighted_;
+  MixedPixels mixed_;
+};
+
+}  // namespace sfumato::raster

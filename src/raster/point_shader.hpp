@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "raster/patch_polynomial.hpp"
+#include "raster/shader_set.hpp"
+
+namespace sfumato::raster {
+
+/// What the shading of an instance's layer reads besides its patches.
+struct ShadingInput {
+  InterpolationSpace space = InterpolationSpace::srgb;
+  const ShaderSet* shaders = nullptr;
+  Affine layer_from_image;
+};
+
+/// Whether any of the four weights from channel `first_channel` on is not 0 at some node.
+bool has_weight(const FieldView& field, int first_channel, std::uint32_t triangle);
+
+/// A layer's colour and opacity at single points: Z_C + sum of W_s z_s(p) (paper eq. 6) as
+/// premultiplied code values and alpha, all in [0, 1].
+class PointShader {
+ public:
+  /// Both must outlive this.
+  PointShader(const LayerView& layer, const ShadingInput& input) : layer_(layer), input_(input) {}
+
+  const LayerView& layer() const { return layer_; }
+
+  void begin_triangle(std::uint32_t triangle, const TriangleFrame& frame);
+
+  /// At a point of the triangle; `image_point` is the same in pixels.
+  Color4 at(const PatchPoint& point, Vec2 image_point) const;
+
+ private:
+  /// Four weights over the triangle.
+  struct WeightPatch {
+    PatchPolynomial patch;
+    const FieldView* field;
+    int first_channel;
+  };
+
+  void add_weights(const FieldView& field, std::uint32_t triangle, const TriangleFrame& frame);
+  void add_shader(const FieldView& field, int channel, float weight, Vec2 image_point,
+                  float (&value)[4]) const;
+
+  const LayerView& layer_;
+  const ShadingInput& input_;
+  PatchPolynomial patch_;
+  std::vector<WeightPatch> weights_;
+};
+
+}  // namespace sfumato::raster

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <vector>
+
+#include "base/box.hpp"
+#include "base/context.hpp"
+#include "base/status.hpp"
+#include "raster/tile.hpp"
+
+namespace sfumato::raster {
+
+/// The triangles of a layer in runs of kTrianglesPerBlock with their bounding boxes: what finds
+/// those in a tile for any number of instances, with nothing stored for each. Good where
+/// triangles that follow one another lie together, right in any order.
+struct TriangleBlocks {
+  std::vector<Box> box;  ///< layer frame
+  std::uint32_t triangle_count = 0;
+  ScopedCharge charge;
+};
+
+inline constexpr std::uint32_t kTrianglesPerBlock = 32;
+
+/// Errors: limit, cancelled.
+Result<TriangleBlocks> make_triangle_blocks(Context& context, const PatchLayer& layer);
+
+/// Bounds of the image of a box; not a number where they overflow.
+Box mapped_bounds(const Affine& map, const Box& box);
+
+/// Lists, in increasing order, the triangles whose bounding box, grown by margin_px, meets `rect`.
+void list_triangles(const LayerView& layer, const TriangleBlocks& blocks, const PixelRect& rect,
+                    double margin_px, std::vector<std::uint32_t>* triangles);
+
+/// The pixels of `rect` that the triangles' bounding boxes meet.
+PixelRect pixels_of(const LayerView& layer, const TriangleList& triangles, const PixelRect& rect);
+
+}  // namespace sfumato::raster
