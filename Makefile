@@ -34,6 +34,7 @@ bench:
 	  -DSFUMATO_WERROR=OFF --log-level=WARNING >/dev/null
 	@cmake --build $(build_folder) --parallel $(jobs) --target sfumato_bench
 	@$(build_folder)/bench/table1
+	@$(build_folder)/bench/features
 
 wasm:
 	@scripts/setup wasm

@@ -85,6 +85,41 @@ Status flood_inside(Triangulation& mesh, const ChordStore& chords) {
   return ok_status();
 }
 
+/// Constraints that are meshed again: constraint[i] runs from point 2 i to point 2 i + 1.
+struct KeptConstraints {
+  std::vector<std::uint32_t> constraint;
+  std::vector<Point> point;
+};
+
+KeptConstraints kept_constraints(const TriangleMesh& mesh, std::span<const std::uint8_t> keep,
+                                 const Lattice& lattice) {
+  KeptConstraints kept;
+  for (std::uint32_t c = 0; c < mesh.constraint.size(); ++c) {
+    if (!keep[c]) continue;
+    kept.constraint.push_back(c);
+    kept.point.push_back(lattice.nearest(mesh.vertex_position[mesh.constraint[c].from]));
+    kept.point.push_back(lattice.nearest(mesh.vertex_position[mesh.constraint[c].to]));
+  }
+  return kept;
+}
+
+/// Puts the pieces of the constraints that they stand for in the place of the stand-ins.
+void restore_pieces(const TriangleMesh& original, std::span<const std::uint32_t> constraint,
+                    TriangleMesh& mesh) {
+  const std::vector<SegmentPiece> stand_in = std::move(mesh.piece);
+  mesh.piece.clear();
+  for (Constraint& c : mesh.constraint) {
+    const SegmentPiece& whole = stand_in[c.piece_begin];
+    const bool reversed = whole.u_from > whole.u_to;
+    c.piece_begin = static_cast<std::uint32_t>(mesh.piece.size());
+    for (SegmentPiece piece : original.pieces(original.constraint[constraint[whole.segment / 2]])) {
+      if (reversed) std::swap(piece.u_from, piece.u_to);
+      mesh.piece.push_back(piece);
+    }
+    c.piece_end = static_cast<std::uint32_t>(mesh.piece.size());
+  }
+}
+
 }  // namespace
 
 Mesher::Mesher(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -125,6 +160,31 @@ Result<Mesher> Mesher::build(Context& context, const curves::FlatCurves& flat,
 TriangleMesh Mesher::visibility_mesh() const {
   const State& s = *state_;
   return extract(s.mesh, s.chords, s.refiner.origins(), s.lattice, number_everything(s.mesh));
+}
+
+Result<TriangleMesh> Mesher::thinned_mesh(Context& context, const TriangleMesh& visibility,
+                                          std::span<const std::uint8_t> keep) const {
+  const Lattice& lattice = state_->lattice;
+  const KeptConstraints kept = kept_constraints(visibility, keep, lattice);
+  ScopedCharge charge;
+  Triangulation mesh;
+  ChordStore chords;
+  Status status = mesh.grow(context, charge, kept.point.size() * 5 / 4 + 64);
+  if (!status) return status;
+  mesh.start(lattice.width, lattice.height);
+  // They cross nowhere and pass no vertex: nothing is left to weld.
+  Arrangement arrangement(context, mesh, chords, charge, 0);
+  const std::vector<Vertex> vertex_of = insert_points(arrangement, kept.point, lattice);
+  arrangement.set_segments(kept.point);
+  for (std::uint32_t i = 0; i < kept.point.size(); i += 2) {
+    arrangement.add_segment(vertex_of[i], vertex_of[i + 1], i);
+  }
+  if (!arrangement.status()) return arrangement.status();
+  chords.seal();
+  const std::vector<VertexOrigin> origins(mesh.point.size());
+  TriangleMesh out = extract(mesh, chords, origins, lattice, number_everything(mesh));
+  restore_pieces(visibility, kept.constraint, out);
+  return out;
 }
 
 Status Mesher::refine(Context& context) {

@@ -43,6 +43,12 @@ class Mesher {
   /// All triangles, also those outside the frame. Call before `refine`.
   TriangleMesh visibility_mesh() const;
 
+  /// The constrained Delaunay triangulation of those constraints c of `visibility`, which is
+  /// visibility_mesh(), that have keep[c]; their pieces stay what they are. What the rays of an
+  /// attribute do not meet only cuts their windows to pieces. Errors: limit, cancelled.
+  Result<TriangleMesh> thinned_mesh(Context& context, const TriangleMesh& visibility,
+                                    std::span<const std::uint8_t> keep) const;
+
   /// Angle and area refinement inside the frame. Errors: limit, cancelled; the mesh stays valid.
   Status refine(Context& context);
 

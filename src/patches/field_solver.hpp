@@ -46,7 +46,7 @@ class FieldSolver {
 
   /// Where a triangle lies across the border of what sees a curve, its nodes beyond the border have
   /// no value: in this triangle they take the mean of the others. Nodes of triangles that see
-  /// nothing at all stay 0.
+  /// nothing at all stay 0. Comes last, after the questions below were asked.
   void fill_unseen_nodes();
 
   const FieldScene& scene() const { return scene_; }

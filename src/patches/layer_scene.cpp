@@ -87,11 +87,42 @@ bool bears_opacity(const Curve& curve) {
          curve.right.opacity.kind != ShaderKind::open;
 }
 
-Result<FieldScene> prepare_field(Context& context, const mesh::TriangleMesh& visibility,
+/// Per constraint: 1 where a curve on it bears the attribute, on either side.
+std::vector<std::uint8_t> bearing_constraints(const mesh::TriangleMesh& mesh,
+                                              const curves::SegmentAttributes& attributes) {
+  std::vector<std::uint8_t> bears(mesh.constraint.size(), 0);
+  for (std::size_t c = 0; c < bears.size(); ++c) {
+    for (const mesh::SegmentPiece& piece : mesh.pieces(mesh.constraint[c])) {
+      bears[c] |= attributes.left[piece.segment].kind != ShaderKind::open ||
+                  attributes.right[piece.segment].kind != ShaderKind::open;
+    }
+  }
+  return bears;
+}
+
+/// Whether any curve, of which the frame is none, lies where the attribute is not borne.
+bool is_thin(const mesh::TriangleMesh& mesh, const std::vector<std::uint8_t>& bears) {
+  for (std::size_t c = 0; c < bears.size(); ++c) {
+    if (!bears[c] && !mesh.pieces(mesh.constraint[c]).empty()) return true;
+  }
+  return false;
+}
+
+Result<FieldScene> prepare_field(Context& context, const mesh::Mesher& mesher,
+                                 const mesh::TriangleMesh& visibility,
                                  curves::SegmentAttributes attributes,
                                  const DiffuseOptions& options) {
   if (options.ignore_blur) curves::remove_blur(attributes);
-  Result<gather::Gatherer> gatherer = gather::Gatherer::create(context, visibility, attributes);
+  const std::vector<std::uint8_t> bears = bearing_constraints(visibility, attributes);
+  mesh::TriangleMesh thinned;
+  const bool is_thinned = is_thin(visibility, bears);
+  if (is_thinned) {
+    Result<mesh::TriangleMesh> mesh = mesher.thinned_mesh(context, visibility, bears);
+    if (!mesh) return mesh.status();
+    thinned = std::move(*mesh);
+  }
+  Result<gather::Gatherer> gatherer =
+      gather::Gatherer::create(context, is_thinned ? thinned : visibility, attributes);
   if (!gatherer) return gatherer.status();
   return FieldScene{std::move(attributes), std::move(*gatherer)};
 }
@@ -159,12 +190,13 @@ Result<LayerScene> prepare_layer(Context& context, const Document& document, std
   const double mesh_seconds = mesh_watch.seconds();
 
   const Stopwatch gather_watch;
-  Result<FieldScene> color = prepare_field(context, visibility, std::move(colors), options);
+  Result<FieldScene> color =
+      prepare_field(context, *mesher, visibility, std::move(colors), options);
   if (!color) return color.status();
   std::optional<FieldScene> opacity;
   if (std::ranges::any_of(curves, bears_opacity)) {
-    Result<FieldScene> field =
-        prepare_field(context, visibility, curves::sample_opacities(*flat, curves), options);
+    Result<FieldScene> field = prepare_field(context, *mesher, visibility,
+                                             curves::sample_opacities(*flat, curves), options);
     if (!field) return field.status();
     opacity.emplace(std::move(*field));
   }

@@ -176,9 +176,9 @@ std::vector<std::uint8_t> LayerSolver::visible_triangles() const {
 }
 
 PatchLayer LayerSolver::take_patches() {
+  const std::vector<std::uint8_t> keep = visible_triangles();
   color_.fill_unseen_nodes();
   if (opacity_) opacity_->fill_unseen_nodes();
-  const std::vector<std::uint8_t> keep = visible_triangles();
   PatchLayer layer;
   layer.frame = frame_;
   layer.order = options_.order;

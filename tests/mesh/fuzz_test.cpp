@@ -1,6 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 #include "mesh/arrangement_check.hpp"
@@ -47,6 +50,46 @@ TEST_P(MesherFuzz, every_step_leaves_a_valid_mesh) {
       valid = is_valid(patch);
       ASSERT_TRUE(valid.ok()) << valid.message;
     }
+  }
+}
+
+/// Where a constraint runs, and its first piece as it lies from the lower end.
+using ConstraintPlace = std::array<double, 6>;
+
+std::vector<ConstraintPlace> places_of(const TriangleMesh& mesh, auto is_wanted) {
+  std::vector<ConstraintPlace> places;
+  for (std::uint32_t c = 0; c < mesh.constraint.size(); ++c) {
+    if (!is_wanted(c)) continue;
+    const Constraint& constraint = mesh.constraint[c];
+    Vec2 a = mesh.vertex_position[constraint.from], b = mesh.vertex_position[constraint.to];
+    SegmentPiece piece = mesh.pieces(constraint).front();
+    if (std::pair(a.x, a.y) > std::pair(b.x, b.y)) {
+      std::swap(a, b);
+      std::swap(piece.u_from, piece.u_to);
+    }
+    places.push_back({a.x, a.y, b.x, b.y, piece.u_from, piece.u_to});
+  }
+  std::sort(places.begin(), places.end());
+  return places;
+}
+
+TEST_P(MesherFuzz, a_thinned_mesh_is_valid_and_keeps_what_it_should) {
+  for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
+    SCOPED_TRACE(seed);
+    Context context;
+    Result<Mesher> mesher = Mesher::build(context, fuzz_scene(kind(), seed), fuzz_options());
+    ASSERT_TRUE(mesher.ok()) << mesher.status().message;
+    const TriangleMesh whole = mesher->visibility_mesh();
+    std::vector<std::uint8_t> keep(whole.constraint.size());
+    for (std::uint32_t c = 0; c < keep.size(); ++c) {
+      keep[c] = c % 3 != 0 && !whole.pieces(whole.constraint[c]).empty();
+    }
+    const Result<TriangleMesh> thinned = mesher->thinned_mesh(context, whole, keep);
+    ASSERT_TRUE(thinned.ok()) << thinned.status().message;
+    const Status valid = is_valid(*thinned);
+    ASSERT_TRUE(valid.ok()) << valid.message;
+    EXPECT_EQ(places_of(*thinned, [](std::uint32_t) { return true; }),
+              places_of(whole, [&](std::uint32_t c) { return keep[c] != 0; }));
   }
 }
 

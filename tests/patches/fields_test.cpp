@@ -192,6 +192,26 @@ TEST(Fields, an_enlarged_instance_is_as_fine_as_its_layer_drawn_large) {
   }
 }
 
+TEST(Fields, a_field_is_gathered_among_the_curves_that_bear_it) {
+  // A mask among hundreds of curves without opacity: what they would cut the windows to is
+  // thousands of times more than the mask itself.
+  std::vector<Curve> curves;
+  for (int i = 0; i < 400; ++i) {
+    const Vec2 from{5.0 + i % 20 * 4.5, 4.0 + i / 20 * 4.6};
+    curves.push_back(colored(straight_curve(from, from + Vec2{3, 1.7}), test::kRed, test::kBlue));
+  }
+  const Curve mask = with_opacity(circle_curve({50, 50}, 40), 0.2f, 0.8f);
+  curves.push_back(mask);
+  const Picture among = diffused(one_layer(curves));
+  const Picture alone =
+      diffused(one_layer({mask, colored(circle_curve({50, 50}, 400), test::kRed, test::kRed)}));
+  for (double x = 3; x < 100; x += 6.1) {
+    const Vec2 p{x, 0.4 * x + 25};
+    EXPECT_NEAR(opacity_at(among, p), opacity_at(alone, p), 1.5 / 255);
+    EXPECT_NEAR(opacity_at(among, p), length(p - Vec2{50, 50}) < 40 ? 0.8 : 0.2, 1.5 / 255);
+  }
+}
+
 TEST(Fields, colours_are_interpolated_in_the_space_of_the_document) {
   Document document = one_layer({colored(circle_curve({50, 50}, 30), {0.5f, 0.2f, 0.8f}, {})});
   for (auto space : {InterpolationSpace::linear, InterpolationSpace::oklab}) {

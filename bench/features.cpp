@@ -1,0 +1,182 @@
+#include <algorithm>
+#include <cstdio>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/native/tbb_executor.hpp"
+#include "base/stopwatch.hpp"
+#include "patches/diffuse.hpp"
+#include "raster/rasterize.hpp"
+#include "scenes.hpp"
+
+// What the artistic controls cost, as ratios to the plain picture in the same run: blur, opacity
+// and textures on lady_bug, and a thousand instances of a small layer of our own.
+namespace sfumato {
+namespace {
+
+constexpr int kRuns = 11;
+
+double median_seconds(const std::function<double()>& run) {
+  std::vector<double> seconds;
+  for (int i = 0; i < kRuns; ++i) seconds.push_back(run());
+  std::nth_element(seconds.begin(), seconds.begin() + kRuns / 2, seconds.end());
+  return seconds[kRuns / 2];
+}
+
+/// Seconds of the gather on the paper's mesh, of which every variant has the same.
+double gather_seconds(Context& context, const Document& document) {
+  DiffuseOptions options;
+  options.max_error = 0;
+  return median_seconds([&] {
+    DiffuseStats stats;
+    const Result<Picture> picture = diffuse(context, document, options, &stats);
+    return picture ? stats.gather_seconds : -1;
+  });
+}
+
+double whole_seconds(Context& context, const Document& document) {
+  RasterOptions raster{.width = 1024, .height = 1024};
+  return median_seconds([&] {
+    const Stopwatch watch;
+    const Result<Picture> picture = diffuse(context, document, {});
+    const Result<Image> image = rasterize(context, *picture, raster);
+    return image ? watch.seconds() : -1;
+  });
+}
+
+void for_each_side(Document& document, const std::function<void(Side&, std::size_t)>& body) {
+  std::size_t index = 0;
+  for (Curve& curve : document.layers[0].curves) {
+    for (Side* side : {&curve.left, &curve.right}) body(*side, index++);
+  }
+}
+
+Document sharp(Document document) {
+  for_each_side(document, [](Side& side, std::size_t) { side.blur_radius = {}; });
+  return document;
+}
+
+Document blurred(Document document) {
+  for_each_side(document, [](Side& side, std::size_t) {
+    side.blur_radius = {StopSpace::parameter, {{0, 6.0f}}};
+  });
+  return document;
+}
+
+Curve ellipse(Vec2 center, Vec2 radius) {
+  const double k = 0.5522847498307936;
+  const auto at = [&](double x, double y) { return center + Vec2{radius.x * x, radius.y * y}; };
+  Curve curve;
+  curve.control_points = {at(1, 0),  at(1, k),  at(k, 1),   at(0, 1),   at(-k, 1),
+                          at(-1, k), at(-1, 0), at(-1, -k), at(-k, -1), at(0, -1),
+                          at(k, -1), at(1, -k), at(1, 0)};
+  return curve;
+}
+
+SideShader<float> one_opacity(float opacity) {
+  return {ShaderKind::curve_domain, {StopSpace::parameter, {{0, opacity}}}, 0};
+}
+
+SideShader<Rgb> one_color(Rgb color) {
+  return {ShaderKind::curve_domain, {StopSpace::parameter, {{0, color}}}, 0};
+}
+
+Document with_opacity(Document document) {
+  for_each_side(document, [](Side& side, std::size_t i) {
+    side.opacity = {ShaderKind::curve_domain, {StopSpace::parameter, {{0, i % 2 ? 1 : 0.5f}}}, 0};
+  });
+  return document;
+}
+
+/// A soft mask round the middle, apart from the colours.
+Document with_mask(Document document) {
+  Curve mask = ellipse({256, 256}, {220, 200});
+  mask.left.opacity = one_opacity(0);
+  mask.right.opacity = one_opacity(1);
+  document.layers[0].curves.push_back(mask);
+  return document;
+}
+
+Document with_textures(Document document, std::uint32_t count) {
+  for (std::uint32_t s = 0; s < count; ++s) {
+    Texture texture{64, 64, std::vector<std::uint8_t>(4 * 64 * 64), {}, true, {}, {}};
+    for (std::size_t i = 0; i < texture.rgba.size(); ++i) {
+      texture.rgba[i] = static_cast<std::uint8_t>(i % 4 == 3 ? 255 : (i * (s + 3)) % 256);
+    }
+    document.shaders.push_back({"texture", std::move(texture)});
+  }
+  for_each_side(document, [&](Side& side, std::size_t i) {
+    if (side.color.kind != ShaderKind::curve_domain || i % 4 != 0) return;
+    side.color = {ShaderKind::image_domain, {}, static_cast<std::uint32_t>(i / 4 % count)};
+  });
+  return document;
+}
+
+/// A fish-like layer, soft at its edge, `count` times on an artboard of 1024².
+Document school(int count) {
+  Document document;
+  document.artboard = {{0, 0}, {1024, 1024}};
+  document.background = Rgb{0.1f, 0.3f, 0.5f};
+  Curve body = ellipse({40, 20}, {38, 17});
+  body.left.opacity = one_opacity(0);
+  body.right.opacity = one_opacity(1);
+  body.left.blur_radius = body.right.blur_radius = {StopSpace::parameter, {{0, 2.0f}}};
+  Curve back = ellipse({40, 24}, {30, 9});
+  back.left.color = one_color({1, 0.7f, 0.1f});
+  back.right.color = one_color({1, 0.95f, 0.7f});
+  document.layers.push_back({"fish", {body, back}});
+  for (int i = 0; i < count; ++i) {
+    const double scale = 0.5 + 0.01 * (i % 50);
+    const double x = 31.0 * (i * 7 % 32), y = 31.0 * (i * 13 % 31);
+    document.stack.push_back(LayerInstance{0, {scale, 0.2 * scale, -0.2 * scale, scale, x, y}});
+  }
+  return document;
+}
+
+void print(const char* what, double seconds, double plain) {
+  std::printf("| %s | %.2f | %.2f |\n", what, 1e3 * seconds, seconds / plain);
+}
+
+int run() {
+  const auto pool = make_tbb_executor(2);
+  Context context;
+  context.executor = pool.get();
+  std::printf("Two threads; medians of %d runs.\n\n", kRuns);
+  if (const std::optional<std::string> text = bench::scene_text("lady_bug.xml")) {
+    Result<ReadDocument> read = read_orzan(context, *text, "lady_bug.xml");
+    const Document plain = sharp(read->document);
+    const struct {
+      const char* name;
+      Document document;
+    } variants[] = {{"plain", plain},
+                    {"its own blur", read->document},
+                    {"blur, 6 units on every side", blurred(plain)},
+                    {"opacity on every side", with_opacity(plain)},
+                    {"a mask of opacity", with_mask(plain)},
+                    {"8 textures", with_textures(plain, 8)}};
+    std::printf("| lady_bug, gather on the paper's mesh | ms | ratio |\n|---|---|---|\n");
+    const double gather = gather_seconds(context, plain);
+    for (const auto& v : variants) print(v.name, gather_seconds(context, v.document), gather);
+    std::printf(
+        "\n| lady_bug, document to 1024² pixels, default options | ms | ratio |\n"
+        "|---|---|---|\n");
+    const double whole = whole_seconds(context, plain);
+    for (const auto& v : variants) print(v.name, whole_seconds(context, v.document), whole);
+  } else {
+    std::printf("The public scenes are not at hand: no lady_bug.\n");
+  }
+  std::printf("\n| fish, document to 1024² pixels | ms | ratio |\n|---|---|---|\n");
+  const double one = whole_seconds(context, school(1));
+  print("1 instance", one, one);
+  print("1,000 instances", whole_seconds(context, school(1000)), one);
+  return 0;
+}
+
+}  // namespace
+}  // namespace sfumato
+
+int main() {
+  return sfumato::run();
+}
