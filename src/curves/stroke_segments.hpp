@@ -1,0 +1,59 @@
+#pragma once
+
+#include <vector>
+
+#include "base/affine.hpp"
+#include "base/box.hpp"
+#include "base/color_space.hpp"
+#include "base/context.hpp"
+#include "base/status.hpp"
+#include "curves/attributes.hpp"
+#include "document/curve.hpp"
+
+namespace sfumato::curves {
+
+/// Nodes of the midpoint rule in one segment, at most.
+inline constexpr int kStrokeNodes = 16;
+
+/// A short stretch of a local curve, for integrals over its length by the midpoint rule in u: node
+/// k stands at u = (k + 1/2) / node_count. Attributes are linear in u.
+///
+/// Frame: the stroke's own, scaled by StrokeOptions::scale.
+struct StrokeSegment {
+  Vec2 start;
+  float coefficient[3][2];  ///< x, y of start + u (c[0] + u (c[1] + u c[2]))
+  /// Length that a node stands for, divided by the speed |d position / du| there: chosen so that
+  /// the nodes' lengths add up to the segment's.
+  float length_per_speed = 0;
+  int node_count = 1;
+  SegmentValues<float> influence_radius;
+  SegmentValues<float> blur_radius;
+  SegmentValues<Rgb> left;  ///< in the interpolation space
+  SegmentValues<Rgb> right;
+};
+
+struct StrokeOptions {
+  double scale = 1;          ///< of the segments' frame, per user unit
+  Affine image_from_stroke;  ///< user units → pixels
+  Box image;                 ///< pixels: what cannot reach it is left out
+  InterpolationSpace interpolation = InterpolationSpace::srgb;
+  double smallest_radius = 1;   ///< an influence radius below it counts as it; scaled frame
+  double nodes_per_radius = 8;  ///< nodes stand at most 1 / this of the local radius apart
+};
+
+/// The segments of a stroke in walking order, and what each can reach, pixels.
+struct StrokeSegments {
+  std::vector<StrokeSegment> segment;
+  std::vector<Box> reach;
+  ScopedCharge charge;
+};
+
+/// Cuts a local curve into segments: at every stop, and until nodes are close enough and turn
+/// little from one to the next. Where one side has no colours it takes the other's.
+///
+/// Precondition: the curve was validated; one side has colours.
+/// Errors: limit (segments, memory), cancelled. Cost: O(pieces + segments).
+Result<StrokeSegments> stroke_segments(Context& context, const LocalCurve& curve,
+                                       const StrokeOptions& options);
+
+}  // namespace sfumato::curves

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstddef>
+
+#include "base/affine.hpp"
+#include "base/box.hpp"
+#include "base/color_space.hpp"
+#include "base/context.hpp"
+#include "base/status.hpp"
+#include "curves/stroke_segments.hpp"
+#include "document/document.hpp"
+#include "raster/local_stroke_kernels.hpp"
+#include "raster/local_stroke_tree.hpp"
+
+namespace sfumato::raster {
+
+/// A local curve prepared for one image (paper eq. 12–16; docs/mathematics.md, "Local curves").
+class StrokePainter {
+ public:
+  /// image_from_artboard  image coordinates are pixels; the image lies within
+  ///                      [0, limits::kImageSide]², what is outside is not painted.
+  /// Precondition: the document of `stroke` was validated. Nothing of `stroke` is kept.
+  /// Errors: limit (segments, memory), cancelled.
+  /// Cost: O(length within reach of the image / influence radius).
+  static Result<StrokePainter> create(Context& context, const LocalStroke& stroke,
+                                      const Affine& image_from_artboard, InterpolationSpace space);
+
+  /// Every pixel that the stroke can touch lies inside; empty where there is none.
+  Box bounds_px() const { return bounds_; }
+
+  /// Composites the stroke onto the pixels [x0, x0 + width) × [y0, y0 + height), source over.
+  /// r, g, b, alpha  premultiplied sRGB code values; pixel (x0 + i, y0 + j) at i + j * stride.
+  /// Thread-safe; a pixel's value does not depend on the rectangle it is painted in.
+  /// Cost: O(pixels touched · nodes in reach of each) + O(log segments) per 128 pixels.
+  void paint(int x0, int y0, int width, int height, float* r, float* g, float* b, float* alpha,
+             std::size_t stride) const;
+
+ private:
+  StrokePainter() = default;
+
+  bool add_block(int block_x, int block_y, StrokeSums& sums) const;
+
+  curves::StrokeSegments segments_;
+  StrokeTree tree_;
+  Box bounds_;
+  StrokeFrame frame_;
+  Affine frame_from_image_;
+  const StrokeKernels* kernels_ = nullptr;
+};
+
+}  // namespace sfumato::raster

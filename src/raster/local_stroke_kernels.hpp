@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "base/color_space.hpp"
+#include "base/context.hpp"
+#include "base/vec2.hpp"
+#include "curves/stroke_segments.hpp"
+
+namespace sfumato::raster {
+
+/// A stroke is evaluated in blocks of pixels whose corners are multiples of this, whatever
+/// rectangle is painted.
+inline constexpr int kStrokeBlockWidth = 16;
+inline constexpr int kStrokeBlockHeight = 8;
+
+/// W and W Z of the pixels of a block (eq. 12–13); `finish` makes opacity and sRGB colour of them.
+struct StrokeSums {
+  float weight[kStrokeBlockHeight][kStrokeBlockWidth];
+  float color[3][kStrokeBlockHeight][kStrokeBlockWidth];
+};
+
+/// What all blocks of a stroke share. The frame is that of its segments.
+struct StrokeFrame {
+  float frame_from_image[2][2] = {};  ///< linear part: rows x, y; columns of the image's x, y
+  float image_from_frame[2][2] = {};
+  float reach_per_radius[2] = {};  ///< half the bounds of a unit circle in the image, pixels
+  float smallest_radius = 1;
+  float alpha = 1;
+  bool two_sided = false;  ///< the sides' colours differ somewhere
+  InterpolationSpace interpolation = InterpolationSpace::srgb;
+};
+
+/// The inner loops, compiled for one instruction set. All sets give the same bits.
+struct StrokeKernels {
+  /// Adds the named segments, in order, to the sums of the block with `center` (frame).
+  void (*add_segments)(const StrokeFrame& frame, const curves::StrokeSegment* segments,
+                       std::span<const std::uint32_t> indices, Vec2 center, StrokeSums& sums);
+
+  /// weight ← min(1, alpha W); color ← Z as sRGB code values.
+  void (*finish)(const StrokeFrame& frame, StrokeSums& sums);
+};
+
+extern const StrokeKernels kStrokeKernelsBase;
+#if defined(__x86_64__)
+extern const StrokeKernels kStrokeKernelsAvx2;
+extern const StrokeKernels kStrokeKernelsAvx512;
+#endif
+
+/// level must not be above detected_simd_level().
+const StrokeKernels& stroke_kernels(SimdLevel level);
+
+}  // namespace sfumato::raster

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/box.hpp"
+#include "base/context.hpp"
+#include "base/function_ref.hpp"
+#include "base/status.hpp"
+
+namespace sfumato::raster {
+
+/// Finds the segments of a stroke whose reach meets a rectangle, in walking order. A tree of boxes
+/// over runs of eight neighbours: segments that follow one another lie near one another.
+class StrokeTree {
+ public:
+  StrokeTree() = default;
+
+  /// Errors: limit (memory). Cost: O(boxes).
+  static Result<StrokeTree> create(Context& context, std::span<const Box> boxes);
+
+  /// Calls found(indices) for runs of at most kBatch indices, ascending.
+  void find(const Box& box, FunctionRef<void(std::span<const std::uint32_t>)> found) const;
+
+  static constexpr std::size_t kBatch = 64;
+
+ private:
+  /// Single precision, rounded outwards.
+  struct Bounds {
+    float low[2];
+    float high[2];
+  };
+  struct Search;
+
+  void search(std::size_t level, std::size_t index, Search& search) const;
+
+  std::vector<Bounds> bounds_;            ///< level by level, the boxes themselves first
+  std::vector<std::size_t> level_begin_;  ///< into bounds_; the last level is one box
+  ScopedCharge charge_;
+};
+
+}  // namespace sfumato::raster
