@@ -123,6 +123,100 @@ BENCHMARK(rasterize_synthetic)
     ->MeasureProcessCPUTime()
     ->UseRealTime();
 
+constexpr int kSectors = 36;
+constexpr int kRings = 7;
+
+/// A corner of a fish's mesh: rings about the middle, 80 × 36 units, narrowing to the tail.
+Vec2 fish_vertex(int ring, int sector) {
+  const double angle = 2 * 3.14159265358979 * sector / kSectors;
+  const double radius = static_cast<double>(ring) / kRings;
+  const double narrow = 0.65 + 0.35 * std::cos(angle);
+  return {40 * radius * std::cos(angle), 18 * radius * std::sin(angle) * narrow};
+}
+
+/// 468 triangles, opaque in the middle and soft towards the rim; what lies outside was dropped.
+/// Curves are the rim, the outline within it and four stripes.
+PatchLayer fish_layer() {
+  PatchLayer layer;
+  layer.opacity.channel_count = 1;
+  const auto add = [&](const Vec2(&corner)[3], const bool(&is_curve)[3], int stripe) {
+    for (int k = 0; k < 3; ++k) {
+      layer.triangle_vertex.push_back(static_cast<std::uint32_t>(layer.vertex_position.size()));
+      layer.vertex_position.push_back(corner[k]);
+      layer.frame.extend(corner[k]);
+      layer.edge_is_curve.push_back(is_curve[k]);
+    }
+    for (const auto& weight : kNodeBarycentric) {
+      Vec2 p;
+      for (int k = 0; k < 3; ++k) p = p + corner[k] * weight[k];
+      const std::uint32_t node = static_cast<std::uint32_t>(layer.opacity.node_value.size());
+      const Rgb color = color_of(stripe, 3 * p);
+      layer.color.triangle_node.push_back(node);
+      layer.opacity.triangle_node.push_back(node);
+      for (float channel : {color.r, color.g, color.b}) layer.color.node_value.push_back(channel);
+      const double outside = length_squared({p.x / 40, p.y / 18});
+      layer.opacity.node_value.push_back(static_cast<float>(1 - outside * outside));
+    }
+  };
+  for (int ring = 0; ring < kRings; ++ring) {
+    for (int sector = 0; sector < kSectors; ++sector) {
+      const Vec2 a = fish_vertex(ring, sector), b = fish_vertex(ring + 1, sector);
+      const Vec2 c = fish_vertex(ring + 1, sector + 1), d = fish_vertex(ring, sector + 1);
+      const int stripe = sector * 4 / kSectors;
+      const bool outer = ring + 1 == kRings || ring + 2 == kRings;
+      const bool begins = sector % (kSectors / 4) == 0;
+      add({a, b, c}, {begins, outer, false}, stripe);
+      if (ring > 0) add({a, c, d}, {false, sector % 9 == 8, ring + 1 == kRings}, stripe);
+    }
+  }
+  return layer;
+}
+
+/// The school of the paper's Fig. 7: instances of one layer, turned, scaled, half of them mirrored.
+Picture fish_picture(std::uint32_t fish_count) {
+  Picture picture;
+  picture.artboard = picture.viewport = {{0, 0}, {kSide, kSide}};
+  picture.background = Rgb{0.1f, 0.3f, 0.5f};
+  picture.layers.push_back(fish_layer());
+  for (std::uint32_t i = 0; i < fish_count; ++i) {
+    const double scale = 0.3 + 0.25 * hash_unit(5 * i);
+    const double angle = 0.6 * (hash_unit(5 * i + 1) - 0.5);
+    const double mirror = i % 2 ? -1 : 1;
+    const double c = scale * std::cos(angle), s = scale * std::sin(angle);
+    picture.stack.push_back(PatchInstance{
+        0,
+        {mirror * c, mirror * s, -s, c, kSide * hash_unit(5 * i + 2), kSide * hash_unit(5 * i + 3)},
+        0.9f});
+  }
+  return picture;
+}
+
+/// Arguments: instances, side of the image in pixels, threads.
+void rasterize_instances(benchmark::State& state) {
+  const Picture picture = fish_picture(static_cast<std::uint32_t>(state.range(0)));
+  const std::unique_ptr<Executor> executor = make_tbb_executor(static_cast<int>(state.range(2)));
+  Context context;
+  context.executor = executor.get();
+  RasterOptions options;
+  options.width = options.height = static_cast<int>(state.range(1));
+  for (auto _ : state) {
+    const Result<Image> image = rasterize(context, picture, options);
+    if (!image) state.SkipWithError("rasterize failed");
+    benchmark::DoNotOptimize(image);
+  }
+  state.counters["triangles"] = picture.layers[0].triangle_count();
+}
+
+BENCHMARK(rasterize_instances)
+    ->ArgNames({"instances", "side", "threads"})
+    ->Args({1000, 1024, 1})
+    ->Args({1000, 1024, 2})
+    ->Args({100, 1024, 2})
+    ->Args({10000, 4096, 2})
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
+
 constexpr const char* kScenes[] = {"lady_bug", "tomatos", "dolphin"};
 
 /// The mesh of the paper's density, no refinement.

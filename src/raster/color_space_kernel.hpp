@@ -52,7 +52,7 @@ SFUMATO_INLINE Rgb3<W> linear_from_oklab_lanes(const Rgb3<W>& lab) {
           F(-0.0041960863f) * l - F(0.7034186147f) * m + F(1.7076147010f) * s};
 }
 
-/// A colour of `space` as code values in [0, 1]; within 1e-6 of to_srgb, 1e-5 from OKLab.
+/// A colour of `space` as code values in [0, 1]; within 1e-6 of to_srgb, 2e-5 from OKLab.
 template <int W>
 SFUMATO_INLINE Rgb3<W> clamped_srgb(InterpolationSpace space, Rgb3<W> color) {
   if (space == InterpolationSpace::oklab) color = linear_from_oklab_lanes(color);
