@@ -1,0 +1,107 @@
+// Colours as CSS writes them.
+#include "formats/css_color.hpp"
+
+#include <gtest/gtest.h>
+
+#include "formats/css_color_names.hpp"
+
+namespace sfumato {
+namespace {
+
+void expect_color(const char* text, double r, double g, double b, double alpha = 255) {
+  const Result<CssColor> color = parse_css_color(text);
+  ASSERT_TRUE(color.ok()) << text << ": " << to_string(color.status());
+  EXPECT_NEAR(255 * color->color.r, r, 0.01) << text;
+  EXPECT_NEAR(255 * color->color.g, g, 0.01) << text;
+  EXPECT_NEAR(255 * color->color.b, b, 0.01) << text;
+  EXPECT_NEAR(255 * color->alpha, alpha, 0.01) << text;
+}
+
+TEST(CssColor, names) {
+  expect_color("gold", 255, 215, 0);
+  expect_color(" RebeccaPurple ", 102, 51, 153);
+  expect_color("aliceblue", 240, 248, 255);
+  expect_color("yellowgreen", 154, 205, 50);
+  expect_color("transparent", 0, 0, 0, 0);
+}
+
+TEST(CssColor, names_stand_in_order_so_that_they_are_found) {
+  for (std::size_t i = 1; i < kNamedColors.size(); ++i) {
+    EXPECT_LT(kNamedColors[i - 1].name, kNamedColors[i].name);
+  }
+  for (const NamedColor& color : kNamedColors) {
+    EXPECT_TRUE(parse_css_color(color.name).ok()) << color.name;
+  }
+}
+
+TEST(CssColor, hexadecimal_of_three_four_six_and_eight_digits) {
+  expect_color("#c21", 204, 34, 17);
+  expect_color("#C218", 204, 34, 17, 136);
+  expect_color("#dfe9f2", 223, 233, 242);
+  expect_color("#dfe9f240", 223, 233, 242, 64);
+}
+
+TEST(CssColor, rgb_with_commas_or_blanks_numbers_or_percentages) {
+  expect_color("rgb(1,2,3)", 1, 2, 3);
+  expect_color("rgb( 1 , 2.5 , 3 )", 1, 2.5, 3);
+  expect_color("rgb(1 2 3)", 1, 2, 3);
+  expect_color("rgb(100%, 50%, 0%)", 255, 127.5, 0);
+  expect_color("rgba(1,2,3,.5)", 1, 2, 3, 127.5);
+  expect_color("rgb(1 2 3 / 20%)", 1, 2, 3, 51);
+  expect_color("rgb(300,-5,0)", 255, 0, 0);
+}
+
+TEST(CssColor, hsl_and_hwb_in_every_unit_of_angle) {
+  expect_color("hsl(120, 100%, 25%)", 0, 127.5, 0);
+  expect_color("hsl(120deg 100% 25% / .4)", 0, 127.5, 0, 102);
+  expect_color("hsl(-240, 100%, 25%)", 0, 127.5, 0);
+  expect_color("hsl(0.5turn 100% 50%)", 0, 255, 255);
+  expect_color("hsl(200grad 100% 50%)", 0, 255, 255);
+  expect_color("hsla(3.14159265rad, 100%, 50%, 1)", 0, 255, 255);
+  expect_color("hsl(0 0% 40%)", 102, 102, 102);
+  expect_color("hwb(120 20% 0%)", 51, 255, 51);
+  expect_color("hwb(0 60% 60%)", 127.5, 127.5, 127.5);
+}
+
+TEST(CssColor, what_is_no_color_is_refused) {
+  for (const char* text : {"",
+                           " ",
+                           "#",
+                           "#12",
+                           "#12345",
+                           "#1234567",
+                           "#gggggg",
+                           "rgb",
+                           "rgb()",
+                           "rgb(1,2)",
+                           "rgb(1,2,3,4,5)",
+                           "rgb(1,2,x)",
+                           "rgb(1,2,3",
+                           "rgb(1,2,)",
+                           "hsl(120)",
+                           "hsl(a,b,c)",
+                           "color(display-p3 1 0 0)",
+                           "var(--x)",
+                           "url(#a)",
+                           "none",
+                           "inherit",
+                           "nan",
+                           "rgb(nan,0,0)",
+                           "rgb(1e999,0,0)",
+                           "#ffffff ",
+                           "blacK!"}) {
+    const bool is_blank_hex = std::string_view(text) == "#ffffff ";
+    EXPECT_EQ(parse_css_color(text).ok(), is_blank_hex) << text;
+  }
+}
+
+TEST(CssColor, near_names_are_suggested) {
+  EXPECT_EQ(parse_css_color("orangge").status().message,
+            "\"orangge\" is no colour; expected a CSS name, #rgb, #rrggbb, rgb(), hsl() or hwb(); "
+            "did you mean orange?");
+  EXPECT_EQ(parse_css_color("currentColor").status().message,
+            "currentColor depends on where it stands; expected the colour itself");
+}
+
+}  // namespace
+}  // namespace sfumato
