@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "raster/texture_kernels.hpp"
+
 namespace sfumato::raster {
 namespace {
 
@@ -62,9 +64,10 @@ Result<TexturePyramid> TexturePyramid::create(Context& context, const Texture& t
   TexturePyramid pyramid;
   pyramid.texture_from_layer_ = inverse(texture.layer_from_texture);
   pyramid.repeats_ = texture.repeats;
+  pyramid.simd_ = context.simd;
   pyramid.lay_out(texture);
   const TextureLevel& last = pyramid.levels_.back();
-  const std::size_t values = 4 * (last.offset + 1);
+  const std::size_t values = 4 * (last.offset + 1 + kTexelsReadPast);
   if (Status status = pyramid.charge_.add(context, values * sizeof(std::uint16_t), "a texture");
       !status) {
     return status;

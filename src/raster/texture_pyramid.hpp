@@ -39,6 +39,7 @@ class TexturePyramid {
   const Affine& texture_from_layer() const { return texture_from_layer_; }
   bool repeats() const { return repeats_; }
   bool opaque() const { return opaque_; }
+  SimdLevel simd() const { return simd_; }
 
  private:
   TexturePyramid() = default;
@@ -50,6 +51,7 @@ class TexturePyramid {
   Affine texture_from_layer_;
   bool repeats_ = false;
   bool opaque_ = true;
+  SimdLevel simd_ = SimdLevel::sse2;
   std::vector<TextureLevel> levels_;
   std::vector<std::uint16_t> texels_;
   ScopedCharge charge_;
