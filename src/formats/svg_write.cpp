@@ -276,6 +276,7 @@ void SvgWriter::write_layer(std::uint32_t layer, const svg_write::Attributes& at
 }
 
 void SvgWriter::write_item(const LocalStroke& stroke) {
+  if (stroke.curve.left_color.empty() && stroke.curve.right_color.empty()) return;
   svg_write::Attributes attributes;
   if (!stroke.curve.id.empty()) attributes.add("id", ids_.claim(stroke.curve.id));
   add_transform(attributes, stroke.artboard_from_stroke);

@@ -18,10 +18,11 @@ namespace sfumato {
 ///
 /// A layer that is painted once stands in its place, others in <defs> with <use>. Ids are kept;
 /// what is no XML name or not unique is changed. Textures are embedded as the PNG or JPEG file that
-/// they came from, else as PNG. Strokes and fills only show other programs where the curves are.
+/// they came from, else as PNG. Radii that are 0 everywhere and local curves without a colour are
+/// left out. Strokes and fills only show other programs where the curves are.
 ///
-/// Errors  bad_input: the document is not valid; limit: memory, or longer than can be read
-///         (limits::kInputBytes); cancelled.
+/// Errors  bad_input: the document is not valid, or a texture does not repeat; limit: memory, or
+///         longer than can be read (limits::kInputBytes); cancelled.
 /// Cost    O(size of the document).
 Result<std::string> write_svg(Context& context, const Document& document);
 

@@ -19,22 +19,38 @@ std::string value_text(float value) {
   return number_text(value);
 }
 
+/// Whether the stops lie where a reader spreads them that has only the offsets of the ends, to the
+/// bit: shares like a third have no exact percentage.
+template <class Value>
+bool is_evenly_spread(const std::vector<Stop<Value>>& stops) {
+  const double first = stops.front().offset;
+  const auto gaps = static_cast<double>(std::max<std::size_t>(stops.size() - 1, 1));
+  const double step = (stops.back().offset - first) / gaps;
+  for (std::size_t i = 1; i + 1 < stops.size(); ++i) {
+    if (stops[i].offset != first + step * static_cast<double>(i)) return false;
+  }
+  return true;
+}
+
 /// The offset of stop i after its value; nothing where the reader puts the stop there by itself.
 template <class Value>
-std::string offset_text(const StopList<Value>& list, std::size_t i) {
+std::string offset_text(const StopList<Value>& list, std::size_t i, bool evenly_spread) {
   const double offset = list.stops[i].offset;
   if (list.space == StopSpace::parameter) return " @" + number_text(offset);
   const bool at_start = i == 0 && offset == 0;
-  const bool at_end = i > 0 && i + 1 == list.stops.size() && offset == 1;
-  return at_start || at_end ? std::string() : ' ' + percent_text(offset) + '%';
+  const bool is_last = i > 0 && i + 1 == list.stops.size();
+  const bool between = i > 0 && !is_last;
+  if (at_start || (is_last && offset == 1) || (between && evenly_spread)) return {};
+  return ' ' + percent_text(offset) + '%';
 }
 
 template <class Value>
 std::string stop_list_text(const StopList<Value>& list) {
+  const bool evenly_spread = is_evenly_spread(list.stops);
   std::string text;
   for (std::size_t i = 0; i < list.stops.size(); ++i) {
     if (i > 0) text += ",\n";
-    text += value_text(list.stops[i].value) + offset_text(list, i);
+    text += value_text(list.stops[i].value) + offset_text(list, i, evenly_spread);
   }
   return text;
 }
@@ -42,6 +58,12 @@ std::string stop_list_text(const StopList<Value>& list) {
 template <class Value>
 void add_stops(Attributes& attributes, std::string_view name, const StopList<Value>& list) {
   if (!list.empty()) attributes.add(name, stop_list_text(list));
+}
+
+/// Radii that are 0 everywhere are not written.
+void add_radii(Attributes& attributes, std::string_view name, const ScalarStops& list) {
+  const auto is_zero = [](const Stop<float>& stop) { return stop.value == 0; };
+  if (!std::ranges::all_of(list.stops, is_zero)) add_stops(attributes, name, list);
 }
 
 std::string reference(const std::string& id) {
@@ -154,10 +176,10 @@ void add_curve(Attributes& attributes, const Curve& curve, std::span<const std::
     add_shader(attributes, "sf:right-opacity", curve.right.opacity, shader_id);
   }
   if (curve.left.blur_radius == curve.right.blur_radius) {
-    add_stops(attributes, "sf:blur", curve.left.blur_radius);
+    add_radii(attributes, "sf:blur", curve.left.blur_radius);
   } else {
-    add_stops(attributes, "sf:left-blur", curve.left.blur_radius);
-    add_stops(attributes, "sf:right-blur", curve.right.blur_radius);
+    add_radii(attributes, "sf:left-blur", curve.left.blur_radius);
+    add_radii(attributes, "sf:right-blur", curve.right.blur_radius);
   }
   if (curve.weight != 1) attributes.add("sf:weight", number_text(curve.weight));
   add_preview(attributes, curve, shader_id);
@@ -167,7 +189,7 @@ void add_local_curve(Attributes& attributes, const LocalCurve& curve) {
   attributes.add("d", path_data(curve.control_points));
   add_stops(attributes, "sf:left", curve.left_color);
   add_stops(attributes, "sf:right", curve.right_color);
-  add_stops(attributes, "sf:blur", curve.blur_radius);
+  add_radii(attributes, "sf:blur", curve.blur_radius);
   add_stops(attributes, "sf:radius", curve.influence_radius);
   if (curve.alpha != 1) attributes.add("sf:alpha", number_text(curve.alpha));
   MeanColor mean;

@@ -48,6 +48,10 @@ void write_gradient(ElementWriter& writer, const GradientFill& fill, const std::
 
 Status write_texture(Context& context, ElementWriter& writer, const Texture& texture,
                      const std::string& id) {
+  if (!texture.repeats) {
+    return make_error(StatusCode::bad_input,
+                      "the texture \"" + id + "\" does not repeat; a pattern of SVG always does");
+  }
   Result<std::string> uri = data_uri(context, texture);
   if (!uri) return uri.status();
   const bool has_period = texture.period.x > 0;

@@ -10,7 +10,8 @@
 namespace sfumato::svg_write {
 
 /// Writes a shader as <linearGradient>, <radialGradient> or <pattern>. Its frame is the user space
-/// of what refers to it, the texture's own with one texel per unit. Errors: limit, cancelled.
+/// of what refers to it, the texture's own with one texel per unit. Errors: bad_input (a texture
+/// that does not repeat), limit, cancelled.
 Status write_shader(Context& context, ElementWriter& writer, const Shader& shader,
                     const std::string& id);
 

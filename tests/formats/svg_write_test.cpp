@@ -97,6 +97,24 @@ TEST(SvgWrite, writes_offsets_of_arc_length_as_percentages_and_leaves_out_the_en
   EXPECT_TRUE(contains(text, "sf:right-blur=\"1 10%\"")) << text;
 }
 
+TEST(SvgWrite, leaves_out_offsets_of_stops_that_are_evenly_spread) {
+  Curve curve = short_curve();
+  const double third = 1.0 / 3;
+  curve.left.blur_radius = {StopSpace::arc_length,
+                            {{0, 1.0f}, {third, 2.0f}, {2 * third, 3.0f}, {1, 0.0f}}};
+  curve.right.blur_radius = {StopSpace::arc_length,
+                             {{0.25, 1.0f}, {0.5, 2.0f}, {0.75, 3.0f}, {0.75, 0.0f}}};
+  const std::string text = written(one_layer({curve}));
+  EXPECT_TRUE(contains(text, "sf:left-blur=\"1, 2, 3, 0\"")) << text;
+  EXPECT_TRUE(contains(text, "sf:right-blur=\"1 25%, 2 50%, 3 75%, 0 75%\"")) << text;
+}
+
+TEST(SvgWrite, leaves_out_radii_of_0) {
+  Curve curve = short_curve();
+  curve.left.blur_radius = {StopSpace::arc_length, {{0, 0.0f}, {1, 0.0f}}};
+  EXPECT_FALSE(contains(written(one_layer({curve})), "blur"));
+}
+
 TEST(SvgWrite, merges_blur_and_opacity_of_equal_sides) {
   Curve curve = short_curve();
   curve.left.blur_radius = curve.right.blur_radius = {StopSpace::parameter, {{0.5, 2.0f}}};
@@ -172,6 +190,10 @@ TEST(SvgWrite, embeds_the_file_of_a_texture_or_encodes_its_texels) {
                        "height=\"1\"\n"
                        "             patternTransform=\"matrix(2 0 0 2 0 0)\">"))
       << encoded;
+  std::get<Texture>(document.shaders[0].paint).repeats = false;
+  Context context;
+  EXPECT_EQ(write_svg(context, document).status().code, StatusCode::bad_input);
+  std::get<Texture>(document.shaders[0].paint).repeats = true;
   std::get<Texture>(document.shaders[0].paint).file = {0xff, 0xd8, 0xff, 0xe0};
   EXPECT_TRUE(contains(written(document), "href=\"data:image/jpeg;base64,/9j/4A==\""));
 }
