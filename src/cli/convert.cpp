@@ -3,9 +3,10 @@
 #include "base/native/file.hpp"
 #include "base/native/tbb_executor.hpp"
 #include "cli/commands.hpp"
+#include "cli/folder_loader.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/paths.hpp"
-#include "formats/orzan.hpp"
+#include "formats/read_document.hpp"
 #include "formats/svg_write.hpp"
 
 namespace sfumato::cli {
@@ -13,7 +14,9 @@ namespace {
 
 Status convert_document(Context& context, const ConvertArguments& arguments,
                         const std::string& input) {
-  const Result<ReadDocument> read = read_orzan(context, input, display_name(arguments.input));
+  const FolderLoader loader(arguments.input);
+  const Result<ReadDocument> read =
+      read_document(context, input, display_name(arguments.input), &loader);
   if (!read) return read.status();
   if (!arguments.quiet) {
     for (const Status& warning : read->warnings) report_warning(warning);

@@ -11,6 +11,7 @@ constexpr const char* kInfoFooter =
 constexpr const char* kConvertFooter =
     "Examples:\n"
     "  sfumato convert lady_bug.xml -o lady_bug.svg\n"
+    "  sfumato convert by_hand.svg -o normalised.svg\n"
     "  sfumato convert - -o - <lady_bug.xml >lady_bug.svg";
 
 constexpr const char* kLintFooter =
@@ -19,7 +20,7 @@ constexpr const char* kLintFooter =
     "  sfumato lint --strict --quiet lady_bug.svg";
 
 void add_document(CLI::App& app, std::string& input) {
-  app.add_option("IN", input, "Diffusion curves (Orzan XML); '-': from stdin")
+  app.add_option("IN", input, "Diffusion curves (SVG or Orzan XML); '-': from stdin")
       ->required()
       ->type_name("");
 }

@@ -4,10 +4,11 @@
 
 #include "base/native/tbb_executor.hpp"
 #include "cli/commands.hpp"
+#include "cli/folder_loader.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/json.hpp"
 #include "cli/paths.hpp"
-#include "formats/orzan.hpp"
+#include "formats/read_document.hpp"
 
 namespace sfumato::cli {
 namespace {
@@ -79,7 +80,8 @@ int lint(const LintArguments& arguments) {
   const std::unique_ptr<Executor> executor = make_tbb_executor();
   Context context{.executor = executor.get()};
   const CancelOnSignal cancel_on_signal(context.cancel);
-  const Result<ReadDocument> read = read_orzan(context, *input, name);
+  const FolderLoader loader(arguments.input);
+  const Result<ReadDocument> read = read_document(context, *input, name, &loader);
   if (!read) return fail(read.status());
   if (!arguments.quiet) {
     for (const Status& warning : read->warnings) report_warning(warning);

@@ -35,6 +35,38 @@ TEST(Convert, writes_a_file_whole) {
   EXPECT_EQ(read_whole(folder.path("out.SVG")), piped.out);
 }
 
+TEST(Convert, normalises_svg_and_writes_the_same_bytes_again) {
+  const char* by_hand =
+      "<svg xmlns='http://www.w3.org/2000/svg' xmlns:d='urn:sfumato:1' viewBox='0 0 64 48' "
+      "d:version='1'><g d:diffuse='true'>"
+      "<path d='m 1,2 h 30' d:left='gold, red' d:right='rgb(0 128 255)'/></g></svg>";
+  const CommandResult once = run_sfumato({"convert", "-", "-o", "-"}, by_hand);
+  EXPECT_EQ(once.exit_code, 0) << once.err;
+  EXPECT_TRUE(contains(once.out, "sf:left=\"#ffd700, #ff0000\" sf:right=\"#0080ff\"")) << once.out;
+  const CommandResult twice = run_sfumato({"convert", "-", "-o", "-"}, once.out);
+  EXPECT_EQ(twice.exit_code, 0) << twice.err;
+  EXPECT_EQ(twice.out, once.out);
+}
+
+TEST(Convert, gives_an_svg_that_renders_to_the_same_bytes) {
+  const std::string svg = run_sfumato({"convert", "-", "-o", "-"}, two_curve_scene()).out;
+  const CommandResult original = run_sfumato({"render", "-", "-o", "-"}, two_curve_scene());
+  const CommandResult converted = run_sfumato({"render", "-", "-o", "-"}, svg);
+  EXPECT_EQ(converted.exit_code, 0) << converted.err;
+  EXPECT_EQ(original.out, converted.out);
+}
+
+TEST(Convert, gives_an_svg_of_the_public_lady_bug_that_renders_to_the_same_bytes) {
+  const std::string path = SFUMATO_SHARED_DIR "/scenes/lady_bug.xml";
+  if (!std::filesystem::exists(path)) GTEST_SKIP() << "the public scenes are not here: " << path;
+  const CommandResult svg = run_sfumato({"convert", path, "-o", "-"});
+  EXPECT_EQ(svg.exit_code, 0) << svg.err;
+  const CommandResult original = run_sfumato({"render", path, "-o", "-"});
+  const CommandResult converted = run_sfumato({"render", "-", "-o", "-"}, svg.out);
+  EXPECT_EQ(converted.exit_code, 0) << converted.err;
+  EXPECT_TRUE(original.out == converted.out);
+}
+
 TEST(Convert, tells_what_the_reader_overlooked) {
   const std::string scene = scene_xml(64, 48, "<banana/>");
   const CommandResult loud = run_sfumato({"convert", "-", "-o", "-"}, scene);
