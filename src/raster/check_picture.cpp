@@ -81,7 +81,7 @@ struct ItemCheck {
   }
   Status operator()(const LocalStroke& stroke) const {
     if (!is_moderate(stroke.artboard_from_stroke)) return bad("a stroke placed beyond all numbers");
-    return ok_status();
+    return validate(stroke);
   }
   Status operator()(const GroupBegin& group) const {
     if (!can_blend(group.opacity, group.blend))

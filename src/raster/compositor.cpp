@@ -12,7 +12,7 @@ Compositor::Compositor(const PaintList& list, const SpanKernels& kernels, bool a
 
 std::size_t Compositor::bytes(const PaintList& list) {
   if (list.is_plain()) return MixedPixels::kMostBytes;
-  return MixedPixels::kMostBytes + LayerPainter::kBytes +
+  return MixedPixels::kMostBytes + LayerPainter::kBytes + kTileFloats * sizeof(float) +
          static_cast<std::size_t>(list.group_depth()) * TilePlanes::kBytes;
 }
 
@@ -52,6 +52,17 @@ void Compositor::paint_shaded(const PaintItem& item, const TriangleList& triangl
   kernels_.blend(source, item.opacity, item.blend, target(rect));
 }
 
+void Compositor::paint_stroke(const StrokePainter& stroke) {
+  const PixelRect whole = levels_.back().tile.rect();
+  const PixelRect rect = pixels_in(stroke.bounds_px(), whole);
+  if (rect.empty()) return;
+  const Tile tile = target(rect);
+  // Painting over what is opaque leaves the ones of this plane as they are.
+  if (!tile.alpha) opaque_.resize(kTileFloats, 1);
+  stroke.paint(tile.x0, tile.y0, tile.width, tile.height, tile.color[0], tile.color[1],
+               tile.color[2], tile.alpha ? tile.alpha : opaque_.data(), kTileStride);
+}
+
 void Compositor::close_group(const PaintItem& item) {
   const Level group = levels_.back();
   levels_.pop_back();
@@ -65,6 +76,8 @@ void Compositor::paint_item(const PaintItem& item, std::size_t tile_index) {
       return paint_straight(item, list_.triangles(item, tile_index, &listed_));
     case PaintItem::Kind::shaded:
       return paint_shaded(item, list_.triangles(item, tile_index, &listed_));
+    case PaintItem::Kind::stroke:
+      return paint_stroke(*item.stroke);
     case PaintItem::Kind::group_begin:
       levels_.push_back({groups_[levels_.size() - 1].tile(levels_.front().tile.rect()), {}});
       return;

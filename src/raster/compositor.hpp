@@ -33,6 +33,7 @@ class Compositor {
   void paint_item(const PaintItem& item, std::size_t tile_index);
   void paint_straight(const PaintItem& item, const TriangleList& triangles);
   void paint_shaded(const PaintItem& item, const TriangleList& triangles);
+  void paint_stroke(const StrokePainter& stroke);
   void close_group(const PaintItem& item);
   /// The pixels of the uppermost level to paint on, transparent where nothing was painted.
   Tile target(const PixelRect& rect);
@@ -44,6 +45,7 @@ class Compositor {
   std::optional<LayerPainter> layer_painter_;
   std::vector<TilePlanes> groups_;
   std::vector<Level> levels_;
+  std::vector<float> opaque_;  ///< the alpha of a tile that has none
   std::vector<std::uint32_t> listed_;
 };
 

@@ -41,9 +41,10 @@ class PaintList::Builder {
 
  private:
   Status add(const PatchInstance& instance);
-  Status add(const LocalStroke&) { return ok_status(); }
+  Status add(const LocalStroke& stroke);
   Status add(const GroupBegin& group);
   Status add(const GroupEnd&);
+  Status make_strokes();
   Status place_triangles(std::uint32_t layer, PaintItem* item);
   void touch(const TileRange& tiles);
   Status sort_into_rows();
@@ -54,6 +55,7 @@ class PaintList::Builder {
   PaintList& list_;
   std::vector<std::uint32_t> open_groups_;
   std::size_t binned_triangles_ = 0;
+  std::size_t next_stroke_ = 0;
 };
 
 /// What stands in a group counts for it.
@@ -110,6 +112,43 @@ Status PaintList::Builder::add(const PatchInstance& instance) {
   return ok_status();
 }
 
+Status PaintList::Builder::make_strokes() {
+  std::vector<const LocalStroke*> strokes;
+  for (const PictureItem& item : picture_.stack)
+    if (const auto* stroke = std::get_if<LocalStroke>(&item)) strokes.push_back(stroke);
+  Status status = list_.charge_.add(
+      context_, strokes.size() * (sizeof(std::optional<StrokePainter>) + sizeof(Status)),
+      "local curves");
+  if (!status) return status;
+  list_.strokes_.resize(strokes.size());
+  std::vector<Status> statuses(strokes.size());
+  constexpr std::size_t kGrain = 16;
+  status = parallel_for(context_, strokes.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      Result<StrokePainter> painter =
+          StrokePainter::create(context_, *strokes[i], image_from_artboard_, list_.space_);
+      statuses[i] = painter.status();
+      if (painter) list_.strokes_[i].emplace(std::move(*painter));
+    }
+  });
+  if (!status) return status;
+  const auto failed =
+      std::find_if(statuses.begin(), statuses.end(), [](const Status& one) { return !one.ok(); });
+  return failed == statuses.end() ? ok_status() : *failed;
+}
+
+Status PaintList::Builder::add(const LocalStroke&) {
+  PaintItem item;
+  item.kind = PaintItem::Kind::stroke;
+  item.stroke = &*list_.strokes_[next_stroke_++];
+  item.tiles = tiles_of(item.stroke->bounds_px(), list_.grid_);
+  if (item.tiles.empty()) return ok_status();
+  list_.is_plain_ = false;
+  touch(item.tiles);
+  list_.items_.push_back(std::move(item));
+  return ok_status();
+}
+
 Status PaintList::Builder::add(const GroupBegin& group) {
   PaintItem item;
   item.kind = PaintItem::Kind::group_begin;
@@ -158,6 +197,7 @@ Status PaintList::Builder::build() {
   if (!shaders) return shaders.status();
   list_.shaders_ = std::move(*shaders);
   list_.space_ = picture_.interpolation;
+  if (status = make_strokes(); !status) return status;
   list_.layers_.resize(picture_.layers.size());
   for (std::size_t i = 0; i < picture_.layers.size(); ++i)
     for (Vec2 p : picture_.layers[i].vertex_position) list_.layers_[i].bounds.extend(p);

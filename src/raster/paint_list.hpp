@@ -7,6 +7,7 @@
 #include "base/context.hpp"
 #include "base/status.hpp"
 #include "patches/picture.hpp"
+#include "raster/local_stroke.hpp"
 #include "raster/shader_set.hpp"
 #include "raster/tile_bins.hpp"
 #include "raster/triangle_blocks.hpp"
@@ -18,6 +19,7 @@ struct PaintItem {
   enum class Kind : std::uint8_t {
     straight,  ///< an opaque instance in code values: painted as it is onto what lies below
     shaded,    ///< any other instance: painted by itself, then blended
+    stroke,
     group_begin,
     group_end
   };
@@ -30,6 +32,7 @@ struct PaintItem {
   Affine layer_from_image;
   std::optional<std::uint32_t> bins;       ///< index into the list's bins, if it has its own
   const TriangleBlocks* blocks = nullptr;  ///< else its layer's
+  const StrokePainter* stroke = nullptr;
 
   bool is_instance() const { return kind <= Kind::shaded; }
 };
@@ -74,6 +77,7 @@ class PaintList {
   ShaderSet shaders_;
   std::vector<LayerPlace> layers_;
   std::vector<TileBins> bins_;
+  std::vector<std::optional<StrokePainter>> strokes_;
   std::vector<PaintItem> items_;
   std::vector<std::size_t> row_first_;  ///< rows + 1 offsets into row_item_
   std::vector<std::uint32_t> row_item_;

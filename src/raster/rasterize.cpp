@@ -95,12 +95,46 @@ void TilePainter::paint_overlay(std::size_t tile_index, const Tile& tile) {
   overlay_.paint(tile);
 }
 
+/// Painters that no thread uses, handed from tile to tile.
+class PainterPool {
+ public:
+  PainterPool(const Scene& scene, int thread_count)
+      : scene_(scene), idle_(static_cast<std::size_t>(thread_count)) {}
+  ~PainterPool() {
+    for (std::atomic<TilePainter*>& slot : idle_) std::unique_ptr<TilePainter>(slot.load());
+  }
+
+  std::unique_ptr<TilePainter> take() {
+    for (std::atomic<TilePainter*>& slot : idle_)
+      if (TilePainter* painter = slot.exchange(nullptr)) {
+        return std::unique_ptr<TilePainter>(painter);
+      }
+    return std::make_unique<TilePainter>(scene_);
+  }
+
+  void give_back(std::unique_ptr<TilePainter> painter) {
+    for (std::atomic<TilePainter*>& slot : idle_) {
+      TilePainter* none = nullptr;
+      if (slot.compare_exchange_strong(none, painter.get())) {
+        static_cast<void>(painter.release());
+        return;
+      }
+    }
+  }
+
+ private:
+  const Scene& scene_;
+  std::vector<std::atomic<TilePainter*>> idle_;
+};
+
 Status paint_tiles(Context& context, const Scene& scene) {
+  PainterPool pool(scene, context.thread_count());
   std::atomic<std::size_t> done{0};
   const std::size_t count = scene.list.grid().tile_count();
   return parallel_for(context, count, 1, [&](std::size_t begin, std::size_t end) {
-    TilePainter painter(scene);
-    for (std::size_t i = begin; i < end; ++i) painter.paint(i);
+    std::unique_ptr<TilePainter> painter = pool.take();
+    for (std::size_t i = begin; i < end; ++i) painter->paint(i);
+    pool.give_back(std::move(painter));
     if (!context.progress) return;
     const std::size_t so_far = done.fetch_add(end - begin) + (end - begin);
     context.progress->report("rasterise", static_cast<double>(so_far) / count);

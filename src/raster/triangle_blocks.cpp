@@ -77,16 +77,20 @@ void list_triangles(const LayerView& layer, const TriangleBlocks& blocks, const 
   }
 }
 
-PixelRect pixels_of(const LayerView& layer, const TriangleList& triangles, const PixelRect& rect) {
-  Box box;
-  for (std::size_t i = 0; i < triangles.count; ++i)
-    box = united(box, triangle_box(layer, triangles.triangle[i]));
+PixelRect pixels_in(const Box& box, const PixelRect& rect) {
   if (!overlap(box, box_of(rect))) return {};
   const PixelRect pixels{clamped_floor(box.min.x, rect.x0, rect.x1),
                          clamped_floor(box.min.y, rect.y0, rect.y1),
                          clamped_floor(box.max.x, rect.x0 - 1, rect.x1 - 1) + 1,
                          clamped_floor(box.max.y, rect.y0 - 1, rect.y1 - 1) + 1};
   return pixels.empty() ? PixelRect{} : pixels;
+}
+
+PixelRect pixels_of(const LayerView& layer, const TriangleList& triangles, const PixelRect& rect) {
+  Box box;
+  for (std::size_t i = 0; i < triangles.count; ++i)
+    box = united(box, triangle_box(layer, triangles.triangle[i]));
+  return pixels_in(box, rect);
 }
 
 }  // namespace sfumato::raster

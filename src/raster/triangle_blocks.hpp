@@ -30,6 +30,9 @@ Box mapped_bounds(const Affine& map, const Box& box);
 void list_triangles(const LayerView& layer, const TriangleBlocks& blocks, const PixelRect& rect,
                     double margin_px, std::vector<std::uint32_t>* triangles);
 
+/// The pixels of `rect` that a box meets.
+PixelRect pixels_in(const Box& box, const PixelRect& rect);
+
 /// The pixels of `rect` that the triangles' bounding boxes meet.
 PixelRect pixels_of(const LayerView& layer, const TriangleList& triangles, const PixelRect& rect);
 
