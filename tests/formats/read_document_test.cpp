@@ -1,0 +1,100 @@
+// What a file is, by its root element; gzip.
+#include "formats/read_document.hpp"
+
+#include <gtest/gtest.h>
+#include <zlib.h>
+
+#include "base/limits.hpp"
+#include "formats/svg_support.hpp"
+
+namespace sfumato::test {
+namespace {
+
+const std::string kCurveSet = "<curve_set image_width='3' image_height='2'/>";
+
+std::string gzip(const std::string& text) {
+  z_stream stream{};
+  EXPECT_EQ(deflateInit2(&stream, 9, Z_DEFLATED, 31, 9, Z_DEFAULT_STRATEGY), Z_OK);
+  std::string packed(deflateBound(&stream, static_cast<uLong>(text.size())) + 64, '\0');
+  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(text.data()));
+  stream.avail_in = static_cast<uInt>(text.size());
+  stream.next_out = reinterpret_cast<Bytef*>(packed.data());
+  stream.avail_out = static_cast<uInt>(packed.size());
+  EXPECT_EQ(deflate(&stream, Z_FINISH), Z_STREAM_END);
+  packed.resize(stream.total_out);
+  deflateEnd(&stream);
+  return packed;
+}
+
+Result<ReadDocument> read_any(const std::string& bytes) {
+  Context context;
+  Result<ReadDocument> result = read_document(context, bytes, "a");
+  EXPECT_EQ(context.budget.used(), 0u);
+  return result;
+}
+
+std::string message_of(const std::string& bytes) {
+  return to_string(read_any(bytes).status());
+}
+
+TEST(ReadDocument, root_element_tells_the_format) {
+  EXPECT_EQ(read_any(svg(""))->format, DocumentFormat::svg);
+  EXPECT_EQ(read_any(kCurveSet)->format, DocumentFormat::orzan);
+  EXPECT_EQ(read_any("<scene image_width='3' image_height='2'/>")->format, DocumentFormat::orzan);
+}
+
+TEST(ReadDocument, what_stands_before_the_root_is_passed) {
+  const std::string before =
+      "\xEF\xBB\xBF<?xml version='1.0'?>\n<!-- <curve_set> -->\n<!DOCTYPE svg [<!ENTITY a '>'> "
+      "]>\n";
+  EXPECT_TRUE(read_any(before + svg("")).ok()) << message_of(before + svg(""));
+  EXPECT_TRUE(read_any("<!DOCTYPE CurveSetXML>\n" + kCurveSet).ok());
+  EXPECT_TRUE(read_any("<svg:svg xmlns:svg='http://www.w3.org/2000/svg' viewBox='0 0 9 9'/>").ok());
+}
+
+TEST(ReadDocument, other_documents_are_refused_with_their_place) {
+  EXPECT_EQ(message_of("\n <html></html>"),
+            "a:2:2: the document is a <html>; expected <svg>, or Orzan's <curve_set> or <scene>");
+  EXPECT_EQ(message_of(""), "a: the file is empty; expected XML");
+  EXPECT_EQ(message_of("hello"), "a: no XML element found");
+  EXPECT_EQ(message_of("<!-- <svg>"), "a:1:10: the XML is cut short: Error parsing comment");
+}
+
+TEST(ReadDocument, text_in_utf16_is_read) {
+  std::string wide = "\xFF\xFE";
+  for (const char c : svg("")) {
+    wide += c;
+    wide += '\0';
+  }
+  EXPECT_TRUE(read_any(wide).ok()) << message_of(wide);
+}
+
+TEST(ReadDocument, gzip_is_unpacked) {
+  EXPECT_EQ(read_any(gzip(svg("")))->format, DocumentFormat::svg);
+  EXPECT_EQ(read_any(gzip(kCurveSet))->format, DocumentFormat::orzan);
+  EXPECT_EQ(message_of(gzip("<html/>")),
+            "a:1:1: the document is a <html>; expected <svg>, or Orzan's <curve_set> or <scene>");
+}
+
+TEST(ReadDocument, damaged_gzip_is_refused) {
+  const std::string packed = gzip(svg(""));
+  EXPECT_EQ(message_of(packed.substr(0, packed.size() / 2)), "a: the gzip data are cut short");
+  EXPECT_EQ(message_of(packed.substr(0, 2)), "a: the gzip data are cut short");
+  std::string changed = packed;
+  changed[packed.size() - 6] ^= 1;
+  EXPECT_EQ(message_of(changed), "a: the gzip data are damaged");
+  EXPECT_EQ(message_of("\x1f\x8bhello, this is no gzip"), "a: the gzip data are damaged");
+}
+
+TEST(ReadDocument, gzip_bomb_is_refused) {
+  const std::string bomb = gzip(std::string(limits::kInputBytes + 1, ' '));
+  EXPECT_LT(bomb.size(), 100'000u);
+  const Status status = read_any(bomb).status();
+  EXPECT_EQ(status.code, StatusCode::limit);
+  EXPECT_EQ(to_string(status), "a: unpacks to more than the limit of 67108864 bytes");
+  const std::string largest = gzip(svg("") + std::string(limits::kInputBytes - 200, ' '));
+  EXPECT_TRUE(read_any(largest).ok()) << message_of(largest);
+}
+
+}  // namespace
+}  // namespace sfumato::test

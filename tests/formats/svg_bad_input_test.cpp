@@ -1,0 +1,296 @@
+// Documents that nothing sensible can be drawn from: one clear message with its place.
+#include <gtest/gtest.h>
+
+#include "formats/image_files.hpp"
+#include "formats/svg_support.hpp"
+
+namespace sfumato::test {
+namespace {
+
+struct BadInput {
+  const char* name;
+  std::string text;
+  const char* message;  ///< behind "a.svg:"
+};
+
+class BadSvg : public testing::TestWithParam<BadInput> {};
+
+TEST_P(BadSvg, is_refused_with_place_and_reason) {
+  MemoryLoader loader;
+  loader.files["wood.png"] = png_file(4, 2);
+  loader.files["short.png"] = png_file(40, 20);
+  loader.files["short.png"].resize(loader.files["short.png"].size() / 2);
+  loader.files["short.jpg"] = jpeg_file(64, 64, 3, {1, 2, 3, 0});
+  loader.files["short.jpg"].resize(loader.files["short.jpg"].size() - 20);
+  loader.files["text.png"] = {'h', 'i'};
+  const Status status = status_of(GetParam().text, &loader);
+  EXPECT_EQ(status.code, StatusCode::bad_input);
+  EXPECT_EQ(to_string(status), std::string("a.svg:") + GetParam().message);
+}
+
+std::string with(const std::string& attributes) {
+  return svg_layer("<path d='M0 0 h9' " + attributes + "/>");
+}
+
+std::string path(const std::string& data) {
+  return svg_layer("<path d='" + data + "'/>");
+}
+
+std::string painted(const std::string& paint) {
+  return svg_layer("<path d='M0 0 h9' sf:left='url(#p)'/>\n" + paint);
+}
+
+std::string textured(const std::string& href, const std::string& rest = "") {
+  return painted(
+      "<pattern id='p' patternUnits='userSpaceOnUse' width='4' height='2'><image href='" + href +
+      "'/>" + rest + "</pattern>");
+}
+
+const BadInput kStructure[] = {
+    {"not_svg", "<html/>", "1:1: the document is a <html>; expected <svg>"},
+    {"not_xml", "hello", " no XML element found"},
+    {"no_size", "<svg/>", "1:1: <svg> has no size; expected viewBox, or width and height"},
+    {"size_in_percent", "<svg width='100%' height='50'/>",
+     "1:1: width of <svg> is \"100%\", a share of nothing known; expected a viewBox"},
+    {"no_area", "<svg width='0' height='50'/>",
+     "1:1: <svg> has no area; expected width and height above 0"},
+    {"short_view_box", "<svg viewBox='0 0 9'/>",
+     "1:1: viewBox of <svg>: ends too early: expected a number"},
+    {"flat_view_box", "<svg viewBox='0 0 9 0'/>",
+     "1:1: viewBox of <svg>: the box has no area; expected x, y, width and height with a width and "
+     "height above 0"},
+    {"version", "<svg xmlns:s='urn:sfumato:1' viewBox='0 0 9 9' s:version='2'/>",
+     "1:1: sf:version is \"2\"; expected 1, the version that is read here"},
+    {"namespace_version", "<svg xmlns:sf='urn:sfumato:2' viewBox='0 0 9 9'/>",
+     "1:1: the namespace \"urn:sfumato:2\" is not known; expected \"urn:sfumato:1\", the format "
+     "that this version reads"},
+    {"undeclared_prefix", "<svg viewBox='0 0 9 9'>\n<g sf:diffuse='true'/></svg>",
+     "2:1: the prefix sf is not declared; expected xmlns:sf=\"urn:sfumato:1\" on <svg>"},
+    {"element_of_ours", svg("<sf:layer/>"),
+     "2:1: the element <sf:layer> means nothing; the namespace urn:sfumato:1 has attributes only"},
+    {"interpolation", svg("", "sf:interpolation='hsv'"),
+     "1:1: sf:interpolation is \"hsv\"; expected srgb, linear or oklab"},
+    {"background", svg("", "sf:background='#fff8'"),
+     "1:1: sf:background is \"#fff8\"; expected an opaque colour, or none"},
+    {"diffuse", svg("<g sf:diffuse='yes'/>"),
+     "2:1: sf:diffuse of <g> is \"yes\"; expected true or false"},
+    {"layer_in_layer", svg_layer("<g id='x' sf:diffuse='true'/>"),
+     "3:1: the layer #x stands in another layer; expected layers side by side"},
+    {"local_curve_in_layer", with("sf:left='red' sf:radius='3'"),
+     "3:1: <path> with sf:radius is a local curve and stands in a layer; expected it before or "
+     "after the layer"},
+    {"curve_in_no_layer", svg("<path d='M0 0 h9' sf:left='red'/>"),
+     "2:1: <path> has attributes of a diffusion curve but stands in no layer; expected it in "
+     "<g sf:diffuse=\"true\">, or with sf:radius to be a local curve"},
+    {"opacity", svg("<g opacity='half'/>"),
+     "2:1: opacity of <g> is \"half\"; expected a number from 0 to 1 or a percentage"},
+};
+
+const BadInput kAttributes[] = {
+    {"misspelt", with("sf:lefft='red'"),
+     "3:1: there is no attribute sf:lefft; did you mean sf:left?"},
+    {"misspelt_opacity", with("sf:left_opacity='1'"),
+     "3:1: there is no attribute sf:left_opacity; did you mean sf:left-opacity?"},
+    {"unknown", with("sf:zzzzzzzz='1'"),
+     "3:1: there is no attribute sf:zzzzzzzz; docs/format.md lists the attributes"},
+    {"unknown_in_defs", svg("<defs><path sf:rigth='red'/></defs>"),
+     "2:7: there is no attribute sf:rigth; did you mean sf:right?"},
+    {"colour_on_group", svg("<g sf:left='red'/>"),
+     "2:1: sf:left on <g> means nothing; it belongs on a shape: path, line, polyline, polygon, "
+     "circle, ellipse, rect"},
+    {"diffuse_on_path", with("sf:diffuse='true'"),
+     "3:1: sf:diffuse on <path> means nothing; it belongs on a <g>"},
+    {"version_on_group", svg("<g sf:version='1'/>"),
+     "2:1: sf:version on <g> means nothing; it belongs on the outermost <svg>"},
+    {"alpha_without_radius", with("sf:alpha='1'"),
+     "3:1: sf:alpha on <path> means nothing; it belongs on a shape with sf:radius, a local curve"},
+    {"opacity_of_local_curve", svg("<path d='M0 0 h9' sf:radius='3' sf:left-opacity='1'/>"),
+     "2:1: sf:left-opacity on <path> means nothing; it belongs on a shape in a layer, one without "
+     "sf:radius"},
+    {"empty_list", with("sf:left=' '"),
+     "3:1: sf:left of <path>: is empty; expected a list of "
+     "stops"},
+    {"missing_stop", with("sf:left='red,,blue'"),
+     "3:1: sf:left of <path>: a stop is missing beside a comma"},
+    {"comma_at_end", with("sf:left='red,'"),
+     "3:1: sf:left of <path>: a stop is missing beside a comma"},
+    {"colour", with("sf:left='reed'"),
+     "3:1: sf:left of <path>: \"reed\" is no colour; expected a CSS name, #rgb, #rrggbb, rgb(), "
+     "hsl() or hwb(); did you mean red?"},
+    {"transparent_colour", with("sf:left='red, #0f08'"),
+     "3:1: sf:left of <path>: the colour \"#0f08\" is not opaque; expected an opaque colour, and "
+     "sf:left-opacity, sf:right-opacity or sf:opacity for the opacity"},
+    {"current_colour", with("sf:left='currentColor'"),
+     "3:1: sf:left of <path>: currentColor depends on where it stands; expected the colour itself"},
+    {"none_in_list", with("sf:left='none, red'"),
+     "3:1: sf:left of <path>: \"none\" is no stop; expected it alone, without other stops and "
+     "offsets"},
+    {"offset", with("sf:left='red 5'"),
+     "3:1: sf:left of <path>: the offset \"5\" is none; expected 0% to 100% of the length, or @ "
+     "and a segment like @2.5"},
+    {"offset_nan", with("sf:left='red @nan'"),
+     "3:1: sf:left of <path>: the offset \"@nan\" is none; expected 0% to 100% of the length, or "
+     "@ and a segment like @2.5"},
+    {"offset_beyond", with("sf:left='red 101%'"),
+     "3:1: sf:left of <path>: the offset \"101%\" is none; expected 0% to 100% of the length, or "
+     "@ and a segment like @2.5"},
+    {"two_offsets", with("sf:left='red 1% 2%'"),
+     "3:1: sf:left of <path>: \"2%\" follows the offset \"1%\"; expected a comma"},
+    {"opacity_above_1", with("sf:left-opacity='0, 2'"),
+     "3:1: sf:left-opacity of <path>: \"2\" is no opacity; expected a number from 0 to 1"},
+    {"negative_blur", with("sf:blur='-1'"),
+     "3:1: sf:blur of <path>: \"-1\" is no blur radius; expected a number from 0 to 10000000"},
+    {"nan_blur", with("sf:blur='nan'"),
+     "3:1: sf:blur of <path>: \"nan\" is no blur radius; expected a number from 0 to 10000000"},
+    {"weight", with("sf:weight='0'"),
+     "3:1: sf:weight of <path> is \"0\"; expected a number above 0"},
+    {"radius", svg("<path d='M0 0 h9' sf:left='red' sf:radius='0, 0'/>"),
+     "2:1: sf:radius of <path> is nowhere above 0"},
+    {"negative_radius", svg("<path d='M0 0 h9' sf:left='red' sf:radius='-2'/>"),
+     "2:1: sf:radius of <path>: \"-2\" is no radius of influence; expected a number from 0 to "
+     "10000000"},
+    {"alpha", svg("<path d='M0 0 h9' sf:left='red' sf:radius='2' sf:alpha='-1'/>"),
+     "2:1: sf:alpha of <path> is \"-1\"; expected 0 or more"},
+    {"local_curve_without_colour", svg("<path d='M0 0 h9' sf:radius='2'/>"),
+     "2:1: the local curve has no colour; expected sf:left, sf:right or both"},
+    {"paint_on_local_curve", svg("<path d='M0 0 h9' sf:left='url(#a)' sf:radius='2'/>"),
+     "2:1: sf:left of <path> is \"url(#a)\"; a local curve takes a list of colours only"},
+};
+
+const BadInput kGeometry[] = {
+    {"path_garbage", path("M0 0 x"),
+     "3:1: d of <path>: at character 6, before \"x\": expected a path command, one of "
+     "MmLlHhVvCcSsQqTtAaZz"},
+    {"path_without_move", path("L0 0"),
+     "3:1: d of <path>: at character 1, before \"L0 0\": expected M or m"},
+    {"path_short", path("M0 0 C1 2 3 4 5"), "3:1: d of <path>: ends too early: expected a number"},
+    {"path_nan", path("M0 0 Lnan 1"),
+     "3:1: d of <path>: at character 7, before \"nan 1\": expected a number"},
+    {"path_infinite", path("M0 0 L1e999 1"),
+     "3:1: d of <path>: at character 7, before \"1e999 1\": expected a number of at most 10000000 "
+     "in magnitude"},
+    {"path_flag", path("M0 0 A1 1 0 2 0 3 3"),
+     "3:1: d of <path>: at character 13, before \"2 0 3 3\": expected a flag, 0 or 1"},
+    {"path_number_after_close", path("M0 0 h1 z 5"),
+     "3:1: d of <path>: at character 11, before \"5\": expected a path command, one of "
+     "MmLlHhVvCcSsQqTtAaZz"},
+    {"odd_points", svg_layer("<polyline points='1 2 3'/>"),
+     "3:1: points of <polyline>: ends too early: expected a number"},
+    {"negative_radius", svg_layer("<circle r='-1'/>"),
+     "3:1: r of <circle> is negative; expected 0 or more"},
+    {"negative_size", svg_layer("<rect width='-1' height='2'/>"),
+     "3:1: the size of <rect> is negative; expected 0 or more"},
+    {"unit", svg_layer("<circle r='1em'/>"),
+     "3:1: r of <circle>: \"1em\" has an unknown unit; expected px, pt, pc, mm, cm, in or %"},
+    {"transform", svg_layer("<path transform='rotat(3)' d=''/>"),
+     "3:1: transform of <path>: at character 1, before \"rotat(3)\": expected matrix, translate, "
+     "scale, rotate, skewX or skewY; did you mean rotate?"},
+    {"transform_arguments", svg_layer("<path transform='matrix(1 2)' d=''/>"),
+     "3:1: transform of <path>: at character 1, before \"matrix(1 2)\": expected another number of "
+     "arguments than 2"},
+    {"transform_huge", svg_layer("<g transform='scale(1e7)'><g transform='scale(1e7)'/></g>"),
+     "3:27: the transforms around <g> together are too large or too small; expected entries of "
+     "usual size"},
+    {"far_away", svg_layer("<path transform='translate(1e7)' d='M0 0 h9'/>"),
+     "3:1: <path> reaches farther than 10000000 from the origin; expected coordinates within that"},
+};
+
+const BadInput kReferences[] = {
+    {"use_of_nothing", svg("<use/>"), "2:1: <use> has no href"},
+    {"use_unknown", svg("<use href='#fisch'/>"),
+     "2:1: <use> refers to #fisch, but no element has that id"},
+    {"use_of_file", svg("<use href='a.svg#b'/>"),
+     "2:1: href of <use> is \"a.svg#b\"; expected # and the id of an element of this document"},
+    {"use_cycle", svg("<g id='a'><use href='#b'/></g>\n<g id='b'><use href='#a'/></g>"),
+     "2:11: the <use> goes round in a circle: #b → #a → #b"},
+    {"use_of_itself", svg("<use id='a' href='#a'/>"),
+     "2:1: the <use> goes round in a circle: #a → #a"},
+    {"use_of_root", svg("<use href='#r'/>", "id='r'"), "2:1: the <use> goes round in a circle: #r"},
+    {"paint_unknown", painted(""), "3:1: <path> refers to #p, but no element has that id"},
+    {"paint_of_path", painted("<path id='p' d='M0 0 h9'/>"),
+     "3:1: <path> is painted by #p, which is a <path>; expected a linearGradient, a "
+     "radialGradient, or a pattern with one <image>"},
+    {"paint_of_file", with("sf:left='url(a.svg)'"),
+     "3:1: sf:left of <path> is \"url(a.svg)\"; expected url(#id)"},
+    {"paint_cycle", painted("<linearGradient id='p' href='#q'/><linearGradient id='q' href='#p'/>"),
+     "4:1: the hrefs of paints go round in a circle: #p → #q → #p"},
+    {"no_stops", painted("<linearGradient id='p' gradientUnits='userSpaceOnUse'/>"),
+     "4:1: the gradient has no stops; expected one at least"},
+    {"flat_box", painted("<linearGradient id='p'><stop/></linearGradient>"),
+     "3:1: the bounding box of <path> has no area for <linearGradient> #p of objectBoundingBox "
+     "units; expected userSpaceOnUse"},
+    {"stop_offset",
+     painted("<linearGradient id='p' gradientUnits='userSpaceOnUse'><stop offset='x'/>"
+             "</linearGradient>"),
+     "4:55: offset of <stop> is \"x\"; expected a number from 0 to 1 or a percentage"},
+    {"stop_colour",
+     painted("<linearGradient id='p' gradientUnits='userSpaceOnUse'><stop stop-color='x'/>"
+             "</linearGradient>"),
+     "4:55: stop-color of <stop>: \"x\" is no colour; expected a CSS name, #rgb, #rrggbb, rgb(), "
+     "hsl() or hwb()"},
+    {"spread",
+     painted("<linearGradient id='p' gradientUnits='userSpaceOnUse' "
+             "spreadMethod='x'><stop/></linearGradient>"),
+     "4:1: spreadMethod is \"x\"; expected pad, reflect or repeat"},
+    {"units", painted("<linearGradient id='p' gradientUnits='x'><stop/></linearGradient>"),
+     "4:1: gradientUnits is \"x\"; expected userSpaceOnUse or objectBoundingBox"},
+    {"singular_gradient",
+     painted("<linearGradient id='p' gradientUnits='userSpaceOnUse' "
+             "gradientTransform='scale(0)'><stop/></linearGradient>"),
+     "4:1: gradientTransform of <linearGradient> cannot be inverted; expected a map that can"},
+    {"pattern_of_path", painted("<pattern id='p'><path/></pattern>"),
+     "4:1: the pattern holds something else; expected exactly one <image>"},
+    {"pattern_of_two", textured("wood.png", "<image/>"),
+     "4:1: the pattern holds something else; expected exactly one <image>"},
+    {"pattern_without_size",
+     painted("<pattern id='p' patternUnits='userSpaceOnUse'>"
+             "<image href='wood.png'/></pattern>"),
+     "4:1: the pattern's tile has no area; expected width and height above 0"},
+    {"image_turned",
+     painted("<pattern id='p' patternUnits='userSpaceOnUse' width='4' height='2'>"
+             "<image href='wood.png' transform='rotate(9)'/></pattern>"),
+     "4:68: the <image> is turned or mirrored within its tile; expected patternTransform on the "
+     "pattern to do that"},
+    {"image_outside",
+     painted("<pattern id='p' patternUnits='userSpaceOnUse' width='4' height='2'>"
+             "<image href='wood.png' x='-1'/></pattern>"),
+     "4:68: the <image> begins outside of its tile; expected its upper left corner at the tile's"},
+    {"file_missing", textured("gone.png"), "4:68: \"gone.png\": there is no such file"},
+    {"file_remote", textured("https://example.org/a.png"),
+     "4:68: \"https://example.org/a.png\" is not read: nothing is fetched; expected a file beside "
+     "the document, or a data: URI"},
+    {"file_local_url", textured("file:///etc/passwd"),
+     "4:68: \"file:///etc/passwd\" is not read: nothing is fetched; expected a file beside the "
+     "document, or a data: URI"},
+    {"file_of_text", textured("text.png"),
+     "4:68: \"text.png\": the image is neither a PNG nor a JPEG"},
+    {"png_cut_short", textured("short.png"),
+     "4:68: \"short.png\": the PNG image is damaged: end of stream"},
+    {"jpeg_cut_short", textured("short.jpg"),
+     "4:68: \"short.jpg\": the JPEG image is damaged: Premature end of JPEG file"},
+    {"data_without_comma", textured("data:image/png;base64"),
+     "4:68: href of <image>: the data: URI has no comma before its data"},
+    {"data_damaged", textured("data:image/png;base64,AA*A"),
+     "4:68: href of <image>: the base64 is damaged at its character 3"},
+    {"data_short", textured("data:image/png;base64,AAAAA"),
+     "4:68: href of <image>: the base64 is cut short"},
+    {"data_of_text", textured("data:,hello"),
+     "4:68: the data: URI: the image is neither a PNG nor a JPEG"},
+};
+
+std::string name_of(const testing::TestParamInfo<BadInput>& input) {
+  return input.param.name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Structure, BadSvg, testing::ValuesIn(kStructure), name_of);
+INSTANTIATE_TEST_SUITE_P(Attributes, BadSvg, testing::ValuesIn(kAttributes), name_of);
+INSTANTIATE_TEST_SUITE_P(Geometry, BadSvg, testing::ValuesIn(kGeometry), name_of);
+INSTANTIATE_TEST_SUITE_P(References, BadSvg, testing::ValuesIn(kReferences), name_of);
+
+TEST(SvgWithoutLoader, file_is_refused) {
+  EXPECT_EQ(to_string(status_of(textured("wood.png"))),
+            "a.svg:4:68: \"wood.png\" cannot be read; expected a data: URI");
+}
+
+}  // namespace
+}  // namespace sfumato::test

@@ -1,0 +1,262 @@
+// Documents that were written to do harm: refused by a limit, quickly, with nothing taken.
+#include <gtest/gtest.h>
+
+#include <new>
+
+#include "base/limits.hpp"
+#include "formats/image_file.hpp"
+#include "formats/image_files.hpp"
+#include "formats/svg_support.hpp"
+
+namespace sfumato::test {
+namespace {
+
+std::string repeated(const std::string& text, std::size_t count) {
+  std::string result;
+  result.reserve(text.size() * count);
+  for (std::size_t i = 0; i < count; ++i) result += text;
+  return result;
+}
+
+/// Ten uses of the group before, that many times.
+std::string laughs(int levels, const std::string& first) {
+  std::string groups = "<g id='g0'>" + first + "</g>";
+  for (int i = 1; i <= levels; ++i) {
+    groups += "<g id='g" + std::to_string(i) + "'>" +
+              repeated("<use href='#g" + std::to_string(i - 1) + "'/>", 10) + "</g>";
+  }
+  return "<defs>" + groups + "</defs>";
+}
+
+const std::string kStroke = "<path d='M0 0 h9' sf:left='red' sf:radius='2'/>";
+
+TEST(SvgHostile, billion_laughs_are_refused) {
+  const std::string layer = "<g sf:diffuse='true'><path d='M0 0 h9'/></g>";
+  const Status status = status_of(svg(laughs(9, layer) + "<use href='#g9'/>"));
+  EXPECT_EQ(status.code, StatusCode::limit);
+  EXPECT_EQ(status.message,
+            "more than the limit of 200000 layers, local curves and groups after every use was "
+            "followed");
+  EXPECT_EQ(status.where.line, 2);
+}
+
+TEST(SvgHostile, billion_laughs_about_nothing_are_refused) {
+  const Status status = status_of(svg(laughs(9, "") + "<use href='#g9'/>"));
+  EXPECT_EQ(status.code, StatusCode::limit);
+  EXPECT_EQ(status.message, "more than the limit of 1000000 elements read through <use>");
+}
+
+TEST(SvgHostile, billion_laughs_within_a_layer_are_refused) {
+  const Status status = status_of(
+      svg(laughs(9, "<path d='M0 0 h9'/>") + "<g sf:diffuse='true'><use href='#g9'/></g>"));
+  EXPECT_EQ(status.code, StatusCode::limit);
+  EXPECT_EQ(status.message, "more than the limit of 200000 curves");
+}
+
+TEST(SvgHostile, long_chain_of_uses_is_refused) {
+  std::string chain = "<g id='g0'/>";
+  for (int i = 1; i < 100'000; ++i) {
+    chain += "<g id='g" + std::to_string(i) + "'><use href='#g" + std::to_string(i - 1) + "'/></g>";
+  }
+  const Status status = status_of(svg("<defs>" + chain + "</defs><use href='#g99999'/>"));
+  EXPECT_EQ(status.code, StatusCode::limit);
+  EXPECT_EQ(status.message,
+            "more than the limit of 256 elements within each other after every use was followed");
+}
+
+TEST(SvgHostile, million_nested_groups_are_refused) {
+  const Status status = status_of(svg(repeated("<g>", 1'000'000) + repeated("</g>", 1'000'000)));
+  EXPECT_EQ(status.code, StatusCode::limit);
+}
+
+TEST(SvgHostile, groups_that_nest_too_deep_to_composite_are_refused) {
+  const auto nested = [](int depth) {
+    const auto levels = static_cast<std::size_t>(depth);
+    return svg(repeated("<g opacity='.5'>", levels) + kStroke + kStroke + repeated("</g>", levels));
+  };
+  EXPECT_TRUE(status_of(nested(limits::kGroupDepth)).ok());
+  const Status status = status_of(nested(limits::kGroupDepth + 1));
+  EXPECT_EQ(status.code, StatusCode::limit);
+  EXPECT_EQ(to_string(status),
+            "a.svg:2:1: more than the limit of 16 groups within each other that "
+            "are composited by themselves");
+}
+
+TEST(SvgHostile, hundred_thousand_commands_are_no_trouble) {
+  const Curve curve = curve_of_path("M0 0" + repeated("l1 1h-1", 50'000));
+  EXPECT_EQ(curve.piece_count(), 100'000u);
+}
+
+TEST(SvgHostile, path_beyond_the_limit_is_refused) {
+  const Status status = status_of(
+      svg_layer("<path d='M0 0" + repeated("h1", limits::kControlPoints / 3 + 1) + "'/>"));
+  EXPECT_EQ(status.code, StatusCode::limit);
+  EXPECT_EQ(to_string(status),
+            "a.svg:3:1: d of <path>: more than the limit of 4000000 control "
+            "points");
+}
+
+TEST(SvgHostile, million_stops_are_no_trouble) {
+  const Curve curve =
+      curve_of("<path d='M0 0 h9' sf:left-blur='1" + repeated(",2", 1'000'000) + "'/>");
+  EXPECT_EQ(curve.left.blur_radius.stops.size(), 1'000'001u);
+}
+
+TEST(SvgHostile, stops_times_subpaths_beyond_the_limit_are_refused) {
+  const Status status = status_of(svg_layer("<path d='" + repeated("M0 0h9", 10'000) +
+                                            "' sf:left-blur='1" + repeated(",2", 10'000) + "'/>"));
+  EXPECT_EQ(status.code, StatusCode::limit);
+  EXPECT_EQ(to_string(status), "a.svg:3:1: more than the limit of 8000000 stops");
+}
+
+TEST(SvgHostile, more_layers_than_the_limit_are_refused) {
+  const Status status = status_of(svg(repeated("<g sf:diffuse='true'/>", limits::kLayers + 1)));
+  EXPECT_EQ(to_string(status), "a.svg:2:5633: more than the limit of 256 layers");
+}
+
+TEST(SvgHostile, style_sheet_that_multiplies_is_refused) {
+  const Status status = status_of(
+      svg("<style>a" + repeated(",a", 10'000) + "{" + repeated("b:c;", 10'000) + "}</style>"));
+  EXPECT_EQ(status.code, StatusCode::limit);
+  EXPECT_EQ(to_string(status), "a.svg:2:1: more than the limit of 100000 values in style sheets");
+}
+
+TEST(SvgHostile, attributes_by_the_hundred_thousand_are_no_trouble) {
+  EXPECT_TRUE(status_of(svg("<g" + repeated(" sf:diffuse='true'", 200'000) + "/>")).ok());
+  EXPECT_TRUE(status_of(svg("<g" + repeated(" xlink:href='#a'", 200'000) + "/>")).ok());
+  EXPECT_TRUE(status_of(svg("<g" + repeated(" :left='#a'", 200'000) + "/>")).ok());
+}
+
+TEST(SvgHostile, entities_of_a_dtd_are_not_expanded) {
+  const std::string text =
+      "<!DOCTYPE svg [<!ENTITY a 'aaaaaaaaaa'><!ENTITY b '&a;&a;&a;'>"
+      "<!ENTITY x SYSTEM 'file:///etc/passwd'>]>" +
+      svg("<g id='&b;'>&x;</g>");
+  EXPECT_TRUE(status_of(text).ok());
+}
+
+TEST(SvgHostile, memory_is_charged_before_it_is_taken) {
+  const std::string text = svg_layer(repeated("<path d='M0 0 h9' sf:left='red, lime'/>", 2'000));
+  for (const std::size_t budget : {100'000u, 1'000'000u, 2'000'000u}) {
+    Context context;
+    new (&context.budget) Budget(budget);
+    const Status status = read_svg(context, text, "a.svg").status();
+    EXPECT_EQ(status.code, StatusCode::limit) << budget;
+    EXPECT_EQ(context.budget.used(), 0u);
+  }
+}
+
+std::string with_texture(const std::string& href, int count = 1) {
+  std::string curves;
+  for (int i = 1; i <= count; ++i) {
+    curves += "<path transform='scale(" + std::to_string(i) + ")' d='M0 0 h9' sf:left='url(#p)'/>";
+  }
+  return svg_layer(curves +
+                   "<pattern id='p' patternUnits='userSpaceOnUse' width='4' height='2'>"
+                   "<image href='" +
+                   href + "'/></pattern>");
+}
+
+/// A PNG whose header promises that size.
+std::vector<std::uint8_t> lying_png(std::uint32_t width, std::uint32_t height) {
+  std::vector<std::uint8_t> png = png_file(4, 2);
+  for (int i = 0; i < 4; ++i) {
+    png[16 + i] = static_cast<std::uint8_t>(width >> (24 - 8 * i));
+    png[20 + i] = static_cast<std::uint8_t>(height >> (24 - 8 * i));
+  }
+  return png;
+}
+
+TEST(SvgHostile, images_that_lie_about_their_size_are_refused_before_memory_is_taken) {
+  MemoryLoader loader;
+  loader.files["huge.png"] = lying_png(60'000, 60'000);
+  loader.files["wide.png"] = lying_png(60'000, 10);
+  loader.files["large.jpg"] = jpeg_file(16, 16, 3, {1, 2, 3, 0});
+  std::vector<std::uint8_t>& jpeg = loader.files["large.jpg"];
+  for (std::size_t i = 2; i + 9 < jpeg.size(); ++i) {
+    if (jpeg[i] == 0xFF && jpeg[i + 1] == 0xC0) {
+      jpeg[i + 5] = jpeg[i + 7] = 0xFF;
+      break;
+    }
+  }
+  for (const char* name : {"huge.png", "wide.png", "large.jpg"}) {
+    EXPECT_FALSE(status_of(with_texture(name), &loader).ok()) << name;
+  }
+}
+
+TEST(SvgHostile, textures_beyond_the_limit_are_refused) {
+  MemoryLoader loader;
+  loader.files["a.png"] = png_file(4, 2);
+  EXPECT_TRUE(status_of(with_texture("a.png", 60), &loader).ok());
+  const Status status = status_of(with_texture("a.png", 300), &loader);
+  EXPECT_EQ(status.code, StatusCode::limit);
+  EXPECT_EQ(status.message, "more than the limit of 256 textures");
+}
+
+TEST(SvgHostile, huge_data_uri_is_refused) {
+  const std::string uri = "data:image/png;base64," + repeated("AAAA", 8'000'000);
+  const Status status = status_of(with_texture(uri));
+  EXPECT_EQ(status.code, StatusCode::bad_input);
+  EXPECT_EQ(status.message, "the data: URI: the image is neither a PNG nor a JPEG");
+}
+
+TEST(SvgHostile, images_cut_or_changed_anywhere_are_read_or_refused) {
+  for (const bool progressive : {false, true}) {
+    const std::vector<std::uint8_t> jpeg = jpeg_file(24, 16, 3, {9, 200, 80, 0}, progressive);
+    for (std::size_t i = 0; i < jpeg.size(); ++i) {
+      Context context;
+      EXPECT_FALSE(decode_image(context, std::span(jpeg).first(i)).ok()) << i;
+      std::vector<std::uint8_t> changed = jpeg;
+      changed[i] = static_cast<std::uint8_t>(changed[i] ^ (1u << (i % 8)));
+      const auto image = decode_image(context, changed);
+      EXPECT_TRUE(image.ok() || !image.status().message.empty());
+      EXPECT_EQ(context.budget.used(), 0u);
+    }
+  }
+}
+
+/// A document with something of everything.
+std::string rich_document() {
+  return svg(
+      "<style>.a{opacity:.5}</style><rect width='100%' height='100%' fill='#eee'/>"
+      "<defs><linearGradient id='p' gradientUnits='userSpaceOnUse' x2='9'><stop offset='10%' "
+      "stop-color='hsl(1 2% 3%)'/></linearGradient><pattern id='q' width='1' height='1'>"
+      "<image href='data:image/png;base64," +
+          base64_of(png_file(4, 2)) +
+          "'/></pattern><symbol id='s' viewBox='0 0 9 9'><use href='#f'/></symbol>"
+          "<g id='f' sf:diffuse='true'><path d='M0 0c1 2 3 4 5 6s7 8 9 1q1 2 3 4t5 6a5 4 30 1 0 9 "
+          "9z' "
+          "sf:left='red, lime 40%, blue' sf:right='url(#p)' sf:blur='1 @0, 2 @1.5'/>"
+          "<circle r='5' sf:left='url(#q)' sf:left-opacity='0, 1' sf:weight='2'/></g></defs>"
+          "<g class='a'><use href='#f' transform='rotate(30) scale(2 -1)'/><use href='#s'/></g>"
+          "<path d='M1 1h9' sf:left='red' sf:radius='3, 2' sf:alpha='.5'/>",
+      "sf:interpolation='linear'");
+}
+
+TEST(SvgHostile, documents_changed_anywhere_are_read_or_refused_with_a_reason) {
+  const std::string good = rich_document();
+  ASSERT_TRUE(status_of(good).ok()) << to_string(status_of(good));
+  const std::string replacements = "<>/'= ,()#@%-.e9azM&\x80";
+  std::uint32_t random = 12345;
+  const auto next = [&random](std::size_t count) {
+    random = random * 1664525u + 1013904223u;
+    return (random >> 8) % count;
+  };
+  for (int round = 0; round < 4000; ++round) {
+    std::string text = good;
+    for (std::size_t i = 0; i < 1 + next(4); ++i) {
+      const std::size_t at = next(text.size());
+      const std::size_t kind = next(3);
+      if (kind == 0) text[at] = replacements[next(replacements.size())];
+      if (kind == 1) text.erase(at, 1 + next(9));
+      if (kind == 2) text.insert(at, text.substr(next(text.size()), next(20)));
+    }
+    const Status status = status_of(text);
+    if (status.ok()) continue;
+    EXPECT_NE(status.code, StatusCode::internal) << text;
+    EXPECT_EQ(status.where.file, "a.svg") << status.message << "\n" << text;
+  }
+}
+
+}  // namespace
+}  // namespace sfumato::test
