@@ -8,6 +8,7 @@
 #include "cli/interrupt.hpp"
 #include "cli/json.hpp"
 #include "cli/paths.hpp"
+#include "formats/number_text.hpp"
 #include "formats/read_document.hpp"
 
 namespace sfumato::cli {
@@ -29,6 +30,24 @@ std::string size_text(const Box& artboard) {
   return text;
 }
 
+const char* interpolation_name(InterpolationSpace space) {
+  constexpr const char* kNames[] = {"srgb", "linear", "oklab"};
+  return kNames[static_cast<std::size_t>(space)];
+}
+
+std::string background_text(const Document& document) {
+  return document.background ? color_text(*document.background) : "none";
+}
+
+std::string textures_text(const DocumentFacts& facts) {
+  std::string text = std::to_string(facts.textures.size());
+  for (const Texture* texture : facts.textures) {
+    text += texture == facts.textures.front() ? " (" : ", ";
+    text += std::to_string(texture->width) + " x " + std::to_string(texture->height);
+  }
+  return facts.textures.empty() ? text : text + ")";
+}
+
 std::string as_table(const std::string& name, const ReadDocument& read) {
   const DocumentFacts facts = count_facts(read.document);
   std::string table = name + '\n';
@@ -36,19 +55,62 @@ std::string as_table(const std::string& name, const ReadDocument& read) {
     label.resize(24, ' ');
     table += "  " + label + content + '\n';
   };
+  const auto count = [&row](const char* label, std::size_t number) {
+    row(label, std::to_string(number));
+  };
   row("format", format_name(read.format));
   row("artboard", size_text(read.document.artboard));
-  row("layers", std::to_string(facts.layers));
+  row("background", background_text(read.document));
+  row("interpolation", interpolation_name(read.document.interpolation));
+  row("layers", std::to_string(facts.layers) + " (" + std::to_string(facts.instances) +
+                    (facts.instances == 1 ? " instance)" : " instances)"));
+  count("groups", facts.groups);
   row("curves", std::to_string(facts.curves) + " (" +
                     std::to_string(facts.curves - facts.closed_curves) + " open, " +
                     std::to_string(facts.closed_curves) + " closed)");
-  row("Bezier pieces", std::to_string(facts.bezier_pieces));
-  row("control points", std::to_string(facts.control_points));
-  row("colour stops", std::to_string(facts.color_stops));
-  row("curves with blur", std::to_string(facts.blurred_curves));
-  row("leaving the artboard", std::to_string(facts.leaving_curves));
-  row("warnings", std::to_string(read.warnings.size()));
+  count("  of colour", facts.color_curves);
+  count("  of opacity", facts.opacity_curves);
+  count("  of both", facts.both_curves);
+  count("  barriers", facts.barrier_curves);
+  count("  of nothing", facts.bare_curves);
+  count("  with blur", facts.blurred_curves);
+  count("  with a weight", facts.weighted_curves);
+  count("  leaving the artboard", facts.leaving_curves);
+  count("local curves", facts.local_curves);
+  count("Bezier pieces", facts.bezier_pieces);
+  count("control points", facts.control_points);
+  count("colour stops", facts.color_stops);
+  count("opacity stops", facts.opacity_stops);
+  row("gradients", std::to_string(facts.linear_gradients + facts.radial_gradients) + " (" +
+                       std::to_string(facts.linear_gradients) + " linear, " +
+                       std::to_string(facts.radial_gradients) + " radial)");
+  row("textures", textures_text(facts));
+  count("warnings", read.warnings.size());
   return table;
+}
+
+void write_counts(JsonWriter& json, const DocumentFacts& facts) {
+  json.member("layers", facts.layers)
+      .member("instances", facts.instances)
+      .member("groups", facts.groups)
+      .member("curves", facts.curves)
+      .member("open_curves", facts.curves - facts.closed_curves)
+      .member("closed_curves", facts.closed_curves)
+      .member("color_curves", facts.color_curves)
+      .member("opacity_curves", facts.opacity_curves)
+      .member("both_curves", facts.both_curves)
+      .member("barrier_curves", facts.barrier_curves)
+      .member("bare_curves", facts.bare_curves)
+      .member("blurred_curves", facts.blurred_curves)
+      .member("weighted_curves", facts.weighted_curves)
+      .member("leaving_curves", facts.leaving_curves)
+      .member("local_curves", facts.local_curves)
+      .member("bezier_pieces", facts.bezier_pieces)
+      .member("control_points", facts.control_points)
+      .member("color_stops", facts.color_stops)
+      .member("opacity_stops", facts.opacity_stops)
+      .member("linear_gradients", facts.linear_gradients)
+      .member("radial_gradients", facts.radial_gradients);
 }
 
 std::string as_json(const std::string& name, const ReadDocument& read) {
@@ -63,17 +125,15 @@ std::string as_json(const std::string& name, const ReadDocument& read) {
       .member("width", artboard.width())
       .member("height", artboard.height())
       .end_object();
-  json.member("layers", facts.layers)
-      .member("curves", facts.curves)
-      .member("open_curves", facts.curves - facts.closed_curves)
-      .member("closed_curves", facts.closed_curves)
-      .member("bezier_pieces", facts.bezier_pieces)
-      .member("control_points", facts.control_points)
-      .member("color_stops", facts.color_stops)
-      .member("blurred_curves", facts.blurred_curves)
-      .member("leaving_curves", facts.leaving_curves)
-      .member("warnings", read.warnings.size())
-      .end_object();
+  json.member("background", background_text(read.document))
+      .member("interpolation", interpolation_name(read.document.interpolation));
+  write_counts(json, facts);
+  json.key("textures").begin_array();
+  for (const Texture* texture : facts.textures) {
+    json.begin_object().member("width", texture->width).member("height", texture->height);
+    json.end_object();
+  }
+  json.end_array().member("warnings", read.warnings.size()).end_object();
   return json.text() + '\n';
 }
 

@@ -45,6 +45,9 @@ TEST(CountFacts, adds_up_all_layers) {
   Document document;
   document.artboard = kSquare;
   document.layers = {{"", {closed, open}}, {"", {closed}}};
+  LayerInstance aside;
+  aside.artboard_from_layer = {1, 0, 0, 1, -5, 0};
+  document.stack = {LayerInstance{}, aside};
   const DocumentFacts facts = count_facts(document);
   EXPECT_EQ(facts.layers, 2u);
   EXPECT_EQ(facts.curves, 3u);
@@ -54,6 +57,8 @@ TEST(CountFacts, adds_up_all_layers) {
   EXPECT_EQ(facts.color_stops, 6u);
   EXPECT_EQ(facts.blurred_curves, 2u);
   EXPECT_EQ(facts.leaving_curves, 1u);
+  EXPECT_EQ(facts.instances, 2u);
+  EXPECT_EQ(facts.bare_curves, 3u);
 }
 
 }  // namespace
