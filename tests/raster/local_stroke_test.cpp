@@ -233,6 +233,30 @@ TEST(LocalStroke, each_side_has_its_colour_and_the_axis_their_mean) {
   EXPECT_NEAR(share(78), u * u * (3 - 2 * u), 1e-5);
 }
 
+TEST(LocalStroke, a_pixel_that_a_hard_side_cuts_has_both_colours) {
+  for (double below : {-0.4, -0.2, 0.0, 0.2, 0.4}) {
+    const Planes planes = painted(painter_of(straight(20), {1, 0, 0, 1, 0, below}));
+    const auto share = [&](int y) { return value(planes, 0, 80, y) / value(planes, 3, 80, y); };
+    // The left side is above the axis, at 80.5 + below: the pixel's share of it.
+    EXPECT_NEAR(share(80), 0.5 + below, 0.07);
+    EXPECT_NEAR(share(79), 1, 0.03);
+    EXPECT_NEAR(share(81), 0, 0.03);
+  }
+}
+
+TEST(LocalStroke, a_closed_curve_has_no_seam) {
+  LocalCurve curve = straight(12);
+  const double k = 50 * 0.5522847498;
+  curve.control_points = {{130, 80},    {130, 80 + k}, {80 + k, 130}, {80, 130},    {80 - k, 130},
+                          {30, 80 + k}, {30, 80},      {30, 80 - k},  {80 - k, 30}, {80, 30},
+                          {80 + k, 30}, {130, 80 - k}, {130, 80}};
+  const Planes planes = painted(painter_of(curve));
+  for (int d = -12; d < 12; ++d) {
+    EXPECT_NEAR(value(planes, 3, 130 + d, 80), value(planes, 3, 80, 130 + d), 0.002) << d;
+    EXPECT_NEAR(value(planes, 0, 130 + d, 80), value(planes, 0, 80, 130 + d), 0.002) << d;
+  }
+}
+
 TEST(LocalStroke, a_side_without_colours_takes_the_other_sides) {
   LocalCurve curve = straight(20);
   curve.left_color = {};
