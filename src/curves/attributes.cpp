@@ -59,12 +59,9 @@ class StopSampler {
   std::size_t next_ = 0;
 };
 
-SegmentValues<Rgb> as_values(const SegmentValues<Rgb>& color) {
-  return color;
-}
-
-SegmentValues<Rgb> as_values(const SegmentValues<float>& opacity) {
-  return {{opacity.start, 0, 0}, {opacity.end, 0, 0}};
+template <class Value>
+SegmentValues<FieldValue> as_values(const SegmentValues<Value>& values) {
+  return {FieldValue(values.start), FieldValue(values.end)};
 }
 
 ColorStops in_space(ColorStops list, InterpolationSpace space) {
@@ -147,6 +144,30 @@ SegmentAttributes sample_opacities(const FlatCurves& flat, std::span<const Curve
       AttributeSampler<float, decltype(opacity_of)>(flat, curves, opacity_of).run();
   attributes.base_channels = 1;
   return attributes;
+}
+
+bool opacity_goes_with_color(std::span<const Curve> curves) {
+  return std::ranges::all_of(curves, [](const Curve& curve) {
+    return std::ranges::all_of(std::array{&curve.left, &curve.right}, [](const Side* side) {
+      return side->color.kind == side->opacity.kind && side->color.kind != ShaderKind::image_domain;
+    });
+  });
+}
+
+SegmentAttributes sample_colors_and_opacities(const FlatCurves& flat, std::span<const Curve> curves,
+                                              InterpolationSpace space) {
+  SegmentAttributes both = sample_colors(flat, curves, space);
+  const SegmentAttributes opacities = sample_opacities(flat, curves);
+  const auto join = [](std::vector<SegmentSide>& sides, const std::vector<SegmentSide>& from) {
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+      sides[i].value.start.channel[3] = from[i].value.start.channel[0];
+      sides[i].value.end.channel[3] = from[i].value.end.channel[0];
+    }
+  };
+  join(both.left, opacities.left);
+  join(both.right, opacities.right);
+  both.base_channels = 4;
+  return both;
 }
 
 void remove_blur(SegmentAttributes& attributes) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -17,18 +18,39 @@ struct SegmentValues {
   Value end{};
 };
 
+/// A value of a field in the first SegmentAttributes::base_channels numbers: a colour, an opacity,
+/// or both.
+struct FieldValue {
+  static constexpr int kChannels = 4;
+  std::array<float, kChannels> channel{};
+
+  FieldValue() = default;
+  FieldValue(const Rgb& color) : channel{color.r, color.g, color.b, 0} {}
+  explicit FieldValue(float opacity) : channel{opacity, 0, 0, 0} {}
+
+  friend bool operator==(const FieldValue&, const FieldValue&) = default;
+
+  friend FieldValue lerp(const FieldValue& a, const FieldValue& b, float t) {
+    FieldValue value;
+    for (std::size_t c = 0; c < kChannels; ++c) {
+      value.channel[c] = sfumato::lerp(a.channel[c], b.channel[c], t);
+    }
+    return value;
+  }
+};
+
 /// What one side of one segment does to the rays of one attribute.
 struct SegmentSide {
   ShaderKind kind = ShaderKind::open;
   std::uint32_t shader = 0;            ///< index into SegmentAttributes::shader
-  SegmentValues<Rgb> value{};          ///< of curve_domain: a colour, or an opacity in r
+  SegmentValues<FieldValue> value{};   ///< of curve_domain
   SegmentValues<float> blur_radius{};  ///< user units; 0: sharp
 };
 
 /// One attribute on every segment of `flat` (index = segment = its first vertex; the entries of
 /// vertices that begin no segment are open).
 struct SegmentAttributes {
-  int base_channels = 3;  ///< of a curve_domain value: 3 of a colour, 1 of an opacity
+  int base_channels = 3;  ///< 3 of a colour, 1 of an opacity, 4 of both
   InterpolationSpace space = InterpolationSpace::srgb;  ///< of colours
   std::vector<SegmentSide> left;
   std::vector<SegmentSide> right;
@@ -47,6 +69,14 @@ SegmentAttributes sample_colors(const FlatCurves& flat, std::span<const Curve> c
 
 /// Opacities.
 SegmentAttributes sample_opacities(const FlatCurves& flat, std::span<const Curve> curves);
+
+/// Whether each side of each curve has a colour where it has an opacity, none of them
+/// image-domain: the rays of both attributes are the same then.
+bool opacity_goes_with_color(std::span<const Curve> curves);
+
+/// Both at once. Precondition: opacity_goes_with_color.
+SegmentAttributes sample_colors_and_opacities(const FlatCurves& flat, std::span<const Curve> curves,
+                                              InterpolationSpace space);
 
 /// Makes every side sharp.
 void remove_blur(SegmentAttributes& attributes);

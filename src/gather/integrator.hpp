@@ -33,8 +33,9 @@ struct CutEdgeView : EdgeView<W> {
 /// Edges that every lane sees whole, and those that are cut for some, are two lists. When they are
 /// emptied depends on the packet alone, not on W, and so does the order of every lane's sum.
 ///
+/// kChannels: of the values, 3 or 4.
 /// kBlends: sides have blur radii or image-domain shaders (SceneView::blend is there).
-template <int W, bool kBlends>
+template <int W, int kChannels, bool kBlends>
 class Integrator {
  public:
   static constexpr int K = kPacketLanes / W;
@@ -52,7 +53,8 @@ class Integrator {
       shader_count_ = scene.shader_count;
       for (int i = 0; i < shader_count_; ++i) Lanes<W, K>(0).store(share_ + i * kPacketLanes);
     }
-    weight_ = negligible_ = color_[0] = color_[1] = color_[2] = Lanes<W, K>(0);
+    weight_ = negligible_ = Lanes<W, K>(0);
+    for (auto& channel : value_) channel = Lanes<W, K>(0);
     whole_.room = kFirstEdges;
     cut_.room = kCutEdges;
   }
@@ -78,7 +80,9 @@ class Integrator {
     flush(cut_, kCutEdges);
     weight_.store(out.weight);
     const auto is_hit = weight_ > Lanes<W, K>(0);
-    for (int c = 0; c < 3; ++c) zero_unless(is_hit, color_[c] / weight_).store(out.value[c]);
+    for (int c = 0; c < kChannels; ++c) {
+      zero_unless(is_hit, value_[c] / weight_).store(out.value[c]);
+    }
     if constexpr (kBlends) {
       for (float* share = share_; share < share_ + shader_count_ * kPacketLanes;
            share += kPacketLanes) {
@@ -231,20 +235,21 @@ class Integrator {
 
   SFUMATO_INLINE void sum(const EdgeView<W>& view, const Lanes<W>& weight, const Lanes<W>& lean) {
     add_weight(view, weight);
-    add_color(view.row, weight, lean, view.edge->middle, view.edge->half_change);
+    add_value(view.row, weight, lean, view.edge->middle, view.edge->half_change);
   }
 
   SFUMATO_INLINE void add_weight(const EdgeView<W>& view, const Lanes<W>& weight) {
     weight_.part[view.row] = (weight_.row(view.row) + weight * Lanes<W>(view.edge->weight)).part[0];
   }
 
-  // The colour is linear along the edge: w₁ z₁ + w₂ z₂ from its middle and half its change.
-  SFUMATO_INLINE void add_color(int row, const Lanes<W>& weight, const Lanes<W>& lean,
-                                const float (&middle)[3], const float (&half_change)[3]) {
+  // The value is linear along the edge: w₁ z₁ + w₂ z₂ from its middle and half its change.
+  SFUMATO_INLINE void add_value(int row, const Lanes<W>& weight, const Lanes<W>& lean,
+                                const float (&middle)[kValueChannels],
+                                const float (&half_change)[kValueChannels]) {
     using R = Lanes<W>;
-    for (int c = 0; c < 3; ++c) {
+    for (int c = 0; c < kChannels; ++c) {
       const R more = weight * R(middle[c]) + lean * R(half_change[c]);
-      color_[c].part[row] = (color_[c].row(row) + more).part[0];
+      value_[c].part[row] = (value_[c].row(row) + more).part[0];
     }
   }
 
@@ -281,9 +286,10 @@ class Integrator {
 
   /// A part's share of one side's shader.
   SFUMATO_INLINE void add_side(const EdgeView<W>& view, const Lanes<W>& weight,
-                               const Lanes<W>& lean, std::int32_t shader, const float (&middle)[3],
-                               const float (&half_change)[3]) {
-    if (shader < 0) return add_color(view.row, weight, lean, middle, half_change);
+                               const Lanes<W>& lean, std::int32_t shader,
+                               const float (&middle)[kValueChannels],
+                               const float (&half_change)[kValueChannels]) {
+    if (shader < 0) return add_value(view.row, weight, lean, middle, half_change);
     float* share = share_ + shader * kPacketLanes + view.row * W;
     (Lanes<W>::load(share) + weight * Lanes<W>(view.edge->weight)).store(share);
   }
@@ -291,7 +297,7 @@ class Integrator {
   Lanes<W> px_[K], py_[K];
   Lanes<W, K> weight_;
   Lanes<W, K> negligible_;
-  Lanes<W, K> color_[3];
+  Lanes<W, K> value_[kChannels];
   ViewList<EdgeView<W>, kWholeEdges> whole_;
   ViewList<CutEdgeView<W>, kCutEdges> cut_;
   const StopEdge* first_stop_ = nullptr;  ///< this and the rest: where kBlends

@@ -12,7 +12,7 @@
 /// the same bits for every W.
 namespace sfumato::gather::inline SFUMATO_ISA {
 
-template <int W, bool kBlends>
+template <int W, int kChannels, bool kBlends>
 class PacketWalk {
  public:
   static constexpr int K = kPacketLanes / W;
@@ -187,12 +187,12 @@ class PacketWalk {
   int size_ = 0;
   std::int64_t steps_left_ = 0;
   F px_, py_;
-  Integrator<W, kBlends> integrator_;
+  Integrator<W, kChannels, kBlends> integrator_;
 };
 
-template <int W, bool kBlends>
+template <int W, int kChannels, bool kBlends>
 bool walk_packets(const SceneView& scene, const PacketBatch& batch, const PacketStack& stack) {
-  PacketWalk<W, kBlends> walk(scene, stack);
+  PacketWalk<W, kChannels, kBlends> walk(scene, stack);
   for (int i = 0; i < batch.count; ++i) {
     if (!walk.run(batch.packet[i], batch.result[i])) return false;
   }
@@ -202,8 +202,9 @@ bool walk_packets(const SceneView& scene, const PacketBatch& batch, const Packet
 /// A batch of packets with W lanes to a register. False: the stack is too small.
 template <int W>
 bool gather_packets(const SceneView& scene, const PacketBatch& batch, const PacketStack& stack) {
-  return scene.blend ? walk_packets<W, true>(scene, batch, stack)
-                     : walk_packets<W, false>(scene, batch, stack);
+  if (scene.blend) return walk_packets<W, kValueChannels, true>(scene, batch, stack);
+  if (scene.base_channels > 3) return walk_packets<W, 4, false>(scene, batch, stack);
+  return walk_packets<W, 3, false>(scene, batch, stack);
 }
 
 }  // namespace sfumato::gather::inline SFUMATO_ISA

@@ -57,7 +57,7 @@ class PointSums {
     const float lean = 2 * hit.fraction - 1;
     weight_ += falloff * edge.weight;
     if (scene_.blend.empty()) {
-      add_color(falloff, lean, edge.middle, edge.half_change);
+      add_value(falloff, lean, edge.middle, edge.half_change);
       return;
     }
     const StopBlend& blend = scene_.blend[static_cast<std::size_t>(&edge - scene_.stop.data())];
@@ -76,7 +76,7 @@ class PointSums {
   /// Writes Z_C / W and the shares W_s / W; 0 where nothing was hit.
   void store(float* out) const {
     const auto mean = [&](float sum) { return hit() ? sum / weight_ : 0.0f; };
-    for (int c = 0; c < scene_.base_channels; ++c) *out++ = mean(color_[c]);
+    for (int c = 0; c < scene_.base_channels; ++c) *out++ = mean(value_[c]);
     for (int s = 0; s < scene_.shader_count; ++s) *out++ = mean(share_[s]);
   }
 
@@ -88,20 +88,21 @@ class PointSums {
     return x * x * (3 - 2 * x);
   }
 
-  void add_color(float weight, float lean, const float (&middle)[3],
-                 const float (&half_change)[3]) {
-    for (int c = 0; c < 3; ++c) color_[c] += weight * (middle[c] + lean * half_change[c]);
+  void add_value(float weight, float lean, const float (&middle)[kValueChannels],
+                 const float (&half_change)[kValueChannels]) {
+    for (int c = 0; c < kValueChannels; ++c)
+      value_[c] += weight * (middle[c] + lean * half_change[c]);
   }
 
   void add_side(float weight, float lean, const StopEdge& edge, std::int32_t shader,
-                const float (&middle)[3], const float (&half_change)[3]) {
-    if (shader < 0) return add_color(weight, lean, middle, half_change);
+                const float (&middle)[kValueChannels], const float (&half_change)[kValueChannels]) {
+    if (shader < 0) return add_value(weight, lean, middle, half_change);
     share_[shader] += weight * edge.weight;
   }
 
   const Scene& scene_;
   float weight_ = 0;
-  float color_[3] = {};
+  float value_[kValueChannels] = {};
   float share_[limits::kShadersPerLayer] = {};
 };
 

@@ -106,10 +106,9 @@ class ReferenceGather {
       sums_.shader_weight[side.shader] += weight;
       return;
     }
-    const double from[] = {side.from.r, side.from.g, side.from.b};
-    const double to[] = {side.to.r, side.to.g, side.to.b};
     for (std::size_t c = 0; c < 3; ++c) {
-      sums_.color[c] += weight * from[c] + moment * (to[c] - from[c]);
+      const double from = side.from.channel[c], to = side.to.channel[c];
+      sums_.color[c] += weight * from + moment * (to - from);
     }
   }
 

@@ -86,11 +86,12 @@ class SceneBuilder {
     return edge;
   }
 
-  static void set_values(const Facing& facing, float (&middle)[3], float (&half_change)[3]) {
+  static void set_values(const Facing& facing, float (&middle)[kValueChannels],
+                         float (&half_change)[kValueChannels]) {
     if (facing.kind != ShaderKind::curve_domain) return;
-    const float from[] = {facing.from.r, facing.from.g, facing.from.b};
-    const float to[] = {facing.to.r, facing.to.g, facing.to.b};
-    for (int c = 0; c < 3; ++c) {
+    const auto& from = facing.from.channel;
+    const auto& to = facing.to.channel;
+    for (std::size_t c = 0; c < kValueChannels; ++c) {
       middle[c] = 0.5f * (from[c] + to[c]);
       half_change[c] = 0.5f * (to[c] - from[c]);
     }
@@ -136,7 +137,7 @@ class SceneBuilder {
       edge.weight /= largest;
       for (float* values :
            {edge.middle, edge.half_change, blend.back_middle, blend.back_half_change}) {
-        for (int c = 0; c < 3; ++c) values[c] *= edge.weight;
+        for (int c = 0; c < kValueChannels; ++c) values[c] *= edge.weight;
       }
     }
   }
@@ -195,8 +196,9 @@ std::size_t scene_bytes(const mesh::TriangleMesh& mesh) {
 
 SceneView Scene::view() const {
   const auto triangle_count = static_cast<std::int64_t>(triangle.size());
-  return {edge_beyond.data(), stop.data(),     blend.empty() ? nullptr : blend.data(),
-          shader_count,       triangle.data(), 64 * triangle_count + (1 << 20)};
+  return {
+      edge_beyond.data(), stop.data(),     blend.empty() ? nullptr : blend.data(), base_channels,
+      shader_count,       triangle.data(), 64 * triangle_count + (1 << 20)};
 }
 
 Result<Scene> build_scene(Context& context, const mesh::TriangleMesh& mesh,

@@ -19,8 +19,8 @@ namespace sfumato::gather {
 struct Facing {
   ShaderKind kind = ShaderKind::open;
   std::uint32_t shader = 0;
-  Rgb from;  ///< value at the start of the *half-edge* (its origin)
-  Rgb to;    ///< value at its target
+  curves::FieldValue from;  ///< value at the start of the *half-edge* (its origin)
+  curves::FieldValue to;    ///< value at its target
   float weight = 1;
   float blur_from = 0;  ///< blur radius at the origin, user units; 0: sharp
   float blur_to = 0;

@@ -37,16 +37,19 @@ struct alignas(32) EdgeBeyond {
   float offset;
 };
 
+/// Channels of a curve_domain value: SegmentAttributes::base_channels of them mean something.
+inline constexpr int kValueChannels = 4;
+
 /// A half-edge a → b that stops rays, seen from its own triangle: a is the right end, b the left.
-/// The colour is linear from a to b: middle ∓ half_change. Colours are multiplied with the weight.
+/// The value is linear from a to b: middle ∓ half_change. Values are multiplied with the weight.
 struct alignas(64) StopEdge {
   float ax, ay;
   float bx, by;
   float ex, ey;  ///< b - a
   float length_squared;
-  float weight;          ///< k, relative to the largest of the layer
-  float middle[3];       ///< weight × the mean of both ends; 0 for an image-domain shader
-  float half_change[3];  ///< weight × half of (colour at b - colour at a)
+  float weight;                  ///< k, relative to the largest of the layer
+  float middle[kValueChannels];  ///< weight × the mean of both ends; 0 for an image-domain shader
+  float half_change[kValueChannels];  ///< weight × half of (value at b - value at a)
 };
 
 /// What blur and image-domain shaders add to a StopEdge (paper eq. 7–11). `back` is the other side.
@@ -56,8 +59,8 @@ struct alignas(64) StopBlend {
   float blur_half_change;
   std::int32_t front_shader;  ///< index of an image-domain side's weight channel; -1: curve_domain
   std::int32_t back_shader;
-  float back_middle[3];  ///< weight × z_B, as in StopEdge; 0 for an image-domain shader
-  float back_half_change[3];
+  float back_middle[kValueChannels];  ///< weight × z_B, as in StopEdge
+  float back_half_change[kValueChannels];
 };
 
 /// A triangle with what lies at its edges; edge k joins corner k and corner (k + 1) % 3.
@@ -72,6 +75,7 @@ struct SceneView {
   const EdgeBeyond* edge_beyond;
   const StopEdge* stop;
   const StopBlend* blend;  ///< per stop; null: all sides are sharp and curve_domain
+  int base_channels;
   int shader_count;
   const SceneTriangle* triangle;
   std::int64_t step_limit;  ///< triangles that one packet may enter: a guard against a bad mesh
@@ -104,7 +108,7 @@ struct PacketInput {
 /// W and Z_C / W of eq. 6, per lane; where W is 0, so is the rest.
 struct PacketResult {
   alignas(64) float weight[kPacketLanes];
-  alignas(64) float value[3][kPacketLanes];
+  alignas(64) float value[kValueChannels][kPacketLanes];  ///< base_channels of them
   /// W_s / W: kPacketLanes floats for each of SceneView::shader_count, one after another.
   float* shader_share;
 };

@@ -97,7 +97,7 @@ Status FieldSolver::find_misses(Context& context, const mesh::TriangleMesh& mesh
 /// What is tolerated is counted in code values, whatever space the colours are in.
 void FieldSolver::show_as_code_values(float* value) const {
   const InterpolationSpace space = scene_.attributes.space;
-  if (space == InterpolationSpace::srgb || scene_.attributes.base_channels != 3) return;
+  if (space == InterpolationSpace::srgb || scene_.attributes.base_channels < 3) return;
   const Rgb code = to_srgb(space, {value[0], value[1], value[2]});
   value[0] = code.r, value[1] = code.g, value[2] = code.b;
 }
@@ -153,15 +153,35 @@ bool FieldSolver::sees_curves(std::uint32_t triangle) const {
   return node_hit_[layout_.triangle_node[centre]] != 0;
 }
 
-float FieldSolver::largest_value(std::uint32_t triangle) const {
+float FieldSolver::largest_value(std::uint32_t triangle, std::size_t first_channel) const {
   const auto channels = static_cast<std::size_t>(layout_.channel_count);
   float largest = 0;
   for (std::size_t i = 0; i < kNodes; ++i) {
     const float* value =
         layout_.value.data() + channels * layout_.triangle_node[kNodes * triangle + i];
-    for (std::size_t c = 0; c < channels; ++c) largest = std::max(largest, value[c]);
+    for (std::size_t c = first_channel; c < channels; ++c) largest = std::max(largest, value[c]);
   }
   return largest;
+}
+
+PatchField split_channel(PatchField& field, int channel) {
+  const auto channels = static_cast<std::size_t>(field.channel_count);
+  const std::size_t node_count = field.node_value.size() / channels;
+  PatchField split{1, field.triangle_node, std::vector<float>(node_count), {}};
+  float* rest = field.node_value.data();
+  for (std::size_t node = 0; node < node_count; ++node) {
+    for (std::size_t c = 0; c < channels; ++c) {
+      const float value = field.node_value[channels * node + c];
+      if (c == static_cast<std::size_t>(channel)) {
+        split.node_value[node] = value;
+      } else {
+        *rest++ = value;
+      }
+    }
+  }
+  field.node_value.resize((channels - 1) * node_count);
+  --field.channel_count;
+  return split;
 }
 
 PatchField FieldSolver::take(std::span<const std::uint8_t> keep) {

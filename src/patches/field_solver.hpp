@@ -20,8 +20,8 @@ struct FieldScene {
   gather::Gatherer gatherer;
 };
 
-/// Solves one attribute on the patch mesh of its layer, which LayerSolver refines: node values that
-/// follow the mesh from round to round, and what they miss.
+/// Solves one attribute, or colour and opacity as one, on the patch mesh of its layer, which
+/// LayerSolver refines: node values that follow the mesh from round to round, and what they miss.
 class FieldSolver {
  public:
   explicit FieldSolver(FieldScene scene) : scene_(std::move(scene)) {}
@@ -53,8 +53,8 @@ class FieldSolver {
   int channel_count() const { return scene_.attributes.channel_count(); }
   const NodeLayout& layout() const { return layout_; }
   bool sees_curves(std::uint32_t triangle) const;
-  /// The largest value of any channel at the triangle's nodes.
-  float largest_value(std::uint32_t triangle) const;
+  /// The largest value of the channels from `first_channel` on at the triangle's nodes.
+  float largest_value(std::uint32_t triangle, std::size_t first_channel) const;
 
   /// The field of the triangles with keep[t], in their order. Leaves nothing behind.
   PatchField take(std::span<const std::uint8_t> keep);
@@ -67,5 +67,8 @@ class FieldSolver {
   std::vector<std::uint8_t> node_known_;  ///< value gathered in an earlier round, or fixed
   std::vector<std::uint8_t> node_hit_;    ///< 0 where a free node sees no curve
 };
+
+/// Takes one channel out of a field: a field of its own over the same nodes.
+PatchField split_channel(PatchField& field, int channel);
 
 }  // namespace sfumato::patches

@@ -173,14 +173,17 @@ LayerSight sight_of_layer(const Document& document, std::uint32_t layer, const B
 
 Result<LayerScene> prepare_layer(Context& context, const Document& document, std::uint32_t layer,
                                  const LayerSight& sight, const DiffuseOptions& options,
-                                 DiffuseStats* stats) {
+                                 DiffuseStats* stats, Joining joining) {
   const Stopwatch geometry_watch;
   const std::vector<Curve>& curves = document.layers[layer].curves;
   const LayerUnits units(document.artboard, sight, options);
   const mesh::MeshOptions meshing = units.mesh_options();
   Result<curves::FlatCurves> flat = curves::flatten(context, curves, units.flatten_options());
   if (!flat) return flat.status();
-  curves::SegmentAttributes colors = curves::sample_colors(*flat, curves, document.interpolation);
+  const bool is_joint =
+      joining == Joining::where_possible && curves::opacity_goes_with_color(curves);
+  const auto sample = is_joint ? curves::sample_colors_and_opacities : curves::sample_colors;
+  curves::SegmentAttributes colors = sample(*flat, curves, document.interpolation);
   const double geometry_seconds = geometry_watch.seconds();
 
   const Stopwatch mesh_watch;
@@ -194,7 +197,7 @@ Result<LayerScene> prepare_layer(Context& context, const Document& document, std
       prepare_field(context, *mesher, visibility, std::move(colors), options);
   if (!color) return color.status();
   std::optional<FieldScene> opacity;
-  if (std::ranges::any_of(curves, bears_opacity)) {
+  if (!is_joint && std::ranges::any_of(curves, bears_opacity)) {
     Result<FieldScene> field = prepare_field(context, *mesher, visibility,
                                              curves::sample_opacities(*flat, curves), options);
     if (!field) return field.status();

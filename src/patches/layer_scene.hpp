@@ -16,7 +16,7 @@ namespace sfumato::patches {
 struct LayerScene {
   mesh::Mesher mesher;
   FieldScene color;
-  std::optional<FieldScene> opacity;  ///< where any curve of the layer bears opacity
+  std::optional<FieldScene> opacity;  ///< where any curve bears it, and color does not hold it too
   Box frame;                          ///< what the patch mesh covers, layer frame
   double smallest_edge;  ///< a triangle with no longer edge shows on no pixel, layer units
 };
@@ -30,10 +30,13 @@ struct LayerSight {
 /// Empty viewport: no instance shows any of the layer.
 LayerSight sight_of_layer(const Document& document, std::uint32_t layer, const Box& viewport);
 
+/// Whether one field may hold colour and opacity, where the same curves bear both.
+enum class Joining : std::uint8_t { never, where_possible };
+
 /// Adds to `stats` if not null.
 Result<LayerScene> prepare_layer(Context& context, const Document& document, std::uint32_t layer,
                                  const LayerSight& sight, const DiffuseOptions& options,
-                                 DiffuseStats* stats);
+                                 DiffuseStats* stats, Joining joining = Joining::never);
 
 /// Checks lengths and counts of the options against what they mean.
 Status validate(const DiffuseOptions& options);

@@ -14,6 +14,9 @@ constexpr int kMaxRounds = 12;
 /// A triangle that is nowhere more opaque than this shows in no pixel.
 constexpr float kInvisibleOpacity = 1.0f / 4096;
 
+/// Of a field of colour and opacity.
+constexpr int kOpacityChannel = 3;
+
 Status check_limits(const mesh::TriangleMesh& mesh) {
   if (mesh.triangle_count() <= limits::kTriangles) return ok_status();
   return make_error(StatusCode::limit,
@@ -54,6 +57,10 @@ LayerSolver::LayerSolver(Context& context, LayerScene scene, const DiffuseOption
       options_(options),
       stats_(stats) {
   if (scene.opacity) opacity_.emplace(std::move(*scene.opacity));
+}
+
+bool LayerSolver::is_joint() const {
+  return color_.scene().attributes.base_channels > kOpacityChannel;
 }
 
 Result<PatchLayer> LayerSolver::solve() {
@@ -169,8 +176,10 @@ Status LayerSolver::make_smaller(const std::vector<std::uint32_t>& triangles) {
 std::vector<std::uint8_t> LayerSolver::visible_triangles() const {
   std::vector<std::uint8_t> keep(mesh_.triangle_count());
   for (std::uint32_t t = 0; t < mesh_.triangle_count(); ++t) {
-    keep[t] =
-        color_.sees_curves(t) && !(opacity_ && opacity_->largest_value(t) < kInvisibleOpacity);
+    float opacity = 1;
+    if (opacity_) opacity = opacity_->largest_value(t, 0);
+    if (is_joint()) opacity = color_.largest_value(t, kOpacityChannel);
+    keep[t] = color_.sees_curves(t) && opacity >= kInvisibleOpacity;
   }
   return keep;
 }
@@ -194,6 +203,7 @@ PatchLayer LayerSolver::take_patches() {
   layer.vertex_position = std::move(mesh_.vertex_position);
   layer.color = color_.take(keep);
   if (opacity_) layer.opacity = opacity_->take(keep);
+  if (is_joint()) layer.opacity = split_channel(layer.color, kOpacityChannel);
   if (stats_) {
     stats_->triangles += layer.triangle_count();
     stats_->vertices += layer.vertex_position.size();

@@ -33,6 +33,8 @@ class LayerSolver {
   Status find_misses(std::vector<std::uint32_t>& missed);
   Status make_smaller(const std::vector<std::uint32_t>& triangles);
   std::vector<std::uint8_t> visible_triangles() const;
+  /// Whether color_ holds the opacity too, as its fourth channel.
+  bool is_joint() const;
   PatchLayer take_patches();
 
   template <class Body>

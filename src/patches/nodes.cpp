@@ -88,8 +88,10 @@ class LayoutBuilder {
   }
 
   void add_value(const FixedShare& fixed, float* out) const {
-    const float base[] = {fixed.value.base.r, fixed.value.base.g, fixed.value.base.b};
-    for (int c = 0; c < base_channels_; ++c) out[c] += fixed.share * base[c];
+    const auto& base = fixed.value.base.channel;
+    for (std::size_t c = 0; c < static_cast<std::size_t>(base_channels_); ++c) {
+      out[c] += fixed.share * base[c];
+    }
     for (int i = 0; i < 2; ++i) {
       if (fixed.value.share[i] == 0) continue;
       out[base_channels_ + static_cast<int>(fixed.value.shader[i])] +=

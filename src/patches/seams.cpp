@@ -26,17 +26,16 @@ void add_side(const gather::Facing& side, float u, float share, int i, SeamValue
     value.share[i] = share;
     return;
   }
-  const Rgb base = lerp(side.from, side.to, u);
-  value.base = {value.base.r + share * base.r, value.base.g + share * base.g,
-                value.base.b + share * base.b};
+  const curves::FieldValue base = lerp(side.from, side.to, u);
+  for (std::size_t c = 0; c < base.channel.size(); ++c) {
+    value.base.channel[c] += share * base.channel[c];
+  }
 }
 
 }  // namespace
 
 bool same_value(const SeamValue& a, const SeamValue& b) {
-  if (!same(a.base.r, b.base.r) || !same(a.base.g, b.base.g) || !same(a.base.b, b.base.b)) {
-    return false;
-  }
+  if (!std::ranges::equal(a.base.channel, b.base.channel, same)) return false;
   const auto same_share = [&](std::uint32_t s) { return same(share_of(a, s), share_of(b, s)); };
   return std::all_of(a.shader, a.shader + 2, same_share) &&
          std::all_of(b.shader, b.shader + 2, same_share);

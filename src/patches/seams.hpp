@@ -11,7 +11,7 @@ namespace sfumato::patches {
 /// What one side of a curve shows at a point of it (paper eq. 10 with the whole weight on that
 /// point): channels of the curve-domain share, and shares of image-domain shaders.
 struct SeamValue {
-  Rgb base;
+  curves::FieldValue base;
   std::uint32_t shader[2] = {};  ///< index into SegmentAttributes::shader
   float share[2] = {};           ///< 0: none
 };

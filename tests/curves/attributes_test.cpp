@@ -58,7 +58,7 @@ TEST(Attributes, a_list_in_arc_length_is_linear_in_length_not_in_the_parameter) 
   curve.control_points = {{0, 0}, {0, 0}, {90, 0}, {90, 0}};
   const Sampled s = sampled(curve);
   for (std::uint32_t v = 0; s.flat.begins_segment(v); ++v) {
-    EXPECT_NEAR(s.attributes.left[v].value.start.r, s.flat.vertex[v].x / 90, 1e-6);
+    EXPECT_NEAR(s.attributes.left[v].value.start.channel[0], s.flat.vertex[v].x / 90, 1e-6);
   }
 }
 

@@ -196,7 +196,7 @@ TEST(ExactGather, one_lane_at_a_time_gives_the_bits_of_the_packet) {
                                .y = {-8, -8, 8},
                                .edge = {stop_code(0), stop_code(1), stop_code(2)},
                                .twin = {-1, -1, -1}};
-  const SceneView scene{nullptr, stops, nullptr, 0, &triangle, 1000};
+  const SceneView scene{nullptr, stops, nullptr, 3, 0, &triangle, 1000};
   const PacketTriangle member{0, 0, 0, kPacketLanes, 0, 0, 0};
   PacketInput input{&member, 1, {}, {}};
   for (int i = 0; i < kPacketLanes; ++i) {

@@ -78,6 +78,25 @@ TEST(Fields, colour_ignores_curves_of_opacity_and_opacity_those_of_colour) {
   EXPECT_NEAR(opacity_at(both, {80.2, 80.4}), 1, 1e-5);
 }
 
+TEST(Fields, curves_that_bear_both_give_the_same_as_two_fields) {
+  const auto both = [](Curve curve) { return with_opacity(std::move(curve), 0.3f, 0.9f); };
+  std::vector<Curve> curves{
+      blurred(both(colored(circle_curve({40, 50}, 25), test::kRed, test::kBlue)), 4),
+      both(colored(straight_curve({70, 20}, {85, 80}), test::kGreen, test::kWhite))};
+  const Picture joint = diffused(one_layer(curves));
+  // A speck of opacity without colour, far outside, parts the fields.
+  curves.push_back(with_opacity(straight_curve({5000, 0}, {5000.1, 0}), 0.5f, 0.5f));
+  const Picture apart = diffused(one_layer(curves));
+  EXPECT_EQ(joint.layers[0].color.channel_count, 3);
+  EXPECT_EQ(joint.layers[0].opacity.channel_count, 1);
+  for (double x = 3.1; x < 100; x += 5.3) {
+    const Vec2 p{x, 95 - 0.9 * x};
+    const auto a = test::sample(joint.layers[0], p), b = test::sample(apart.layers[0], p);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR((*a)[c], (*b)[c], 2.0 / 255);
+    EXPECT_NEAR(opacity_at(joint, p), opacity_at(apart, p), 2.0 / 255);
+  }
+}
+
 TEST(Fields, a_curve_of_neither_changes_nothing) {
   const Curve line = colored(straight_curve({10, 30}, {90, 60}), test::kRed, test::kBlue);
   const Curve neither = straight_curve({20, 90}, {80, 10});
