@@ -32,6 +32,14 @@ foreach(folder ${library_folders})
           DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/sfumato FILES_MATCHING PATTERN *.hpp)
 endforeach()
 
+install(FILES ${PROJECT_SOURCE_DIR}/docs/man/sfumato.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+install(FILES ${PROJECT_SOURCE_DIR}/completions/sfumato.bash RENAME sfumato
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+install(FILES ${PROJECT_SOURCE_DIR}/completions/_sfumato
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
+install(FILES ${PROJECT_SOURCE_DIR}/completions/sfumato.fish
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
+
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/sfumato)
 install(EXPORT sfumato NAMESPACE sfumato:: FILE sfumatoTargets.cmake DESTINATION ${package_folder})
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/sfumatoConfig.cmake.in

@@ -1,0 +1,57 @@
+# bash completion for sfumato
+
+_sfumato_files() {
+  compopt -o filenames 2>/dev/null
+  mapfile -t COMPREPLY < <(compgen -f -- "$2")
+}
+
+_sfumato() {
+  local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]}
+  local command='' word options
+  for word in "${COMP_WORDS[@]:1:COMP_CWORD-1}"; do
+    case $word in
+      render | info | convert | lint | compare)
+        command=$word
+        break
+        ;;
+    esac
+  done
+  case $previous in
+    --method) options='exact rays pixels' ;;
+    --order) options='linear quadratic cubic' ;;
+    --depth) options='8 16' ;;
+    --max-error) options='off' ;;
+    --background) options='none white black' ;;
+    -o | --output | --stats)
+      _sfumato_files "$1" "$current"
+      return
+      ;;
+    --viewport | --width | --height | --scale | --rays | --seed | --tolerance | --max-area | \
+      --min-angle | --threads | --max-memory)
+      return
+      ;;
+  esac
+  if [[ -n $options ]]; then
+    mapfile -t COMPREPLY < <(compgen -W "$options" -- "$current")
+    return
+  fi
+  if [[ -n $command && $current != -* ]]; then
+    _sfumato_files "$1" "$current"
+    return
+  fi
+  case $command in
+    render)
+      options='--output --viewport --width --height --scale --method --rays --seed --tolerance
+        --no-blur --max-error --max-area --min-angle --order --mesh-overlay --background --depth
+        --dither --no-antialias --threads --max-memory --stats --quiet --help'
+      ;;
+    info) options='--json --quiet --help' ;;
+    convert) options='--output --quiet --help' ;;
+    lint) options='--strict --verbose --json --quiet --help' ;;
+    compare) options='--output --scale --json --help' ;;
+    *) options='render info convert lint compare --help --version' ;;
+  esac
+  mapfile -t COMPREPLY < <(compgen -W "$options" -- "$current")
+}
+
+complete -F _sfumato sfumato

@@ -1,0 +1,50 @@
+# fish completion for sfumato
+
+set -l commands render info convert lint compare
+
+complete -c sfumato -s h -l help -d 'Print the help'
+complete -c sfumato -n "not __fish_seen_subcommand_from $commands" -l version -d 'Print the version'
+complete -c sfumato -n "not __fish_seen_subcommand_from $commands" -f -a render -d 'Draw a file of diffusion curves as an image'
+complete -c sfumato -n "not __fish_seen_subcommand_from $commands" -f -a info -d 'Say what a file of diffusion curves holds'
+complete -c sfumato -n "not __fish_seen_subcommand_from $commands" -f -a convert -d 'Write a file of diffusion curves as SVG'
+complete -c sfumato -n "not __fish_seen_subcommand_from $commands" -f -a lint -d 'Hint at what a drawing has probably got wrong'
+complete -c sfumato -n "not __fish_seen_subcommand_from $commands" -f -a compare -d 'Measure how two images of one size differ'
+
+complete -c sfumato -n '__fish_seen_subcommand_from render' -s o -l output -r -F -d 'The image'
+complete -c sfumato -n '__fish_seen_subcommand_from render' -l viewport -x -d 'The part to draw'
+complete -c sfumato -n '__fish_seen_subcommand_from render' -l width -x -d 'Width in pixels'
+complete -c sfumato -n '__fish_seen_subcommand_from render' -l height -x -d 'Height in pixels'
+complete -c sfumato -n '__fish_seen_subcommand_from render' -l scale -x -d 'Pixels per user unit'
+complete -c sfumato -n '__fish_seen_subcommand_from render' -l method -x -a 'exact rays pixels' -d 'How colours are found'
+complete -c sfumato -n '__fish_seen_subcommand_from render' -l rays -x -d 'Rays per node'
+complete -c sfumato -n '__fish_seen_subcommand_from render' -l seed -x -d 'Of the random rays'
+complete -c sfumato -n '__fish_seen_subcommand_from render' -l tolerance -x -d 'Largest distance between a curve and its chords'
+complete -c sfumato -n '__fish_seen_subcommand_from render' -l no-blur -d 'Draw every curve sharp'
+complete -c sfumato -n '__fish_seen_subcommand_from render' -l max-error -x -a 'off' -d 'Refine where a patch misses by more'
+complete -c sfumato -n '__fish_seen_subcommand_from render' -l max-area -x -d 'Largest triangle'
+complete -c sfumato -n '__fish_seen_subcommand_from render' -l min-angle -x -d 'Smallest angle of a triangle'
+complete -c sfumato -n '__fish_seen_subcommand_from render' -l order -x -a 'linear quadratic cubic' -d 'Interpolation inside a triangle'
+complete -c sfumato -n '__fish_seen_subcommand_from render' -l mesh-overlay -d 'Draw the mesh on top'
+complete -c sfumato -n '__fish_seen_subcommand_from render' -l background -x -a 'none white black' -d 'Behind transparent parts'
+complete -c sfumato -n '__fish_seen_subcommand_from render' -l depth -x -a '8 16' -d 'Bits per channel'
+complete -c sfumato -n '__fish_seen_subcommand_from render' -l dither -d 'Ordered dither'
+complete -c sfumato -n '__fish_seen_subcommand_from render' -l no-antialias -d 'Hard edges at curves'
+complete -c sfumato -n '__fish_seen_subcommand_from render' -l threads -x -d 'Number of threads'
+complete -c sfumato -n '__fish_seen_subcommand_from render' -l max-memory -x -d 'Give up before taking more MiB'
+complete -c sfumato -n '__fish_seen_subcommand_from render' -l stats -r -F -d 'Sizes and times as JSON'
+complete -c sfumato -n '__fish_seen_subcommand_from render' -l quiet -d 'No warnings, no progress bar'
+
+complete -c sfumato -n '__fish_seen_subcommand_from info' -l json -d 'Print one JSON object'
+complete -c sfumato -n '__fish_seen_subcommand_from info' -l quiet -d 'No warnings'
+
+complete -c sfumato -n '__fish_seen_subcommand_from convert' -s o -l output -r -F -d 'The SVG document'
+complete -c sfumato -n '__fish_seen_subcommand_from convert' -l quiet -d 'No warnings'
+
+complete -c sfumato -n '__fish_seen_subcommand_from lint' -l strict -d 'Exit with 1 where there is a hint'
+complete -c sfumato -n '__fish_seen_subcommand_from lint' -l verbose -d 'With notes'
+complete -c sfumato -n '__fish_seen_subcommand_from lint' -l json -d 'Print one JSON object'
+complete -c sfumato -n '__fish_seen_subcommand_from lint' -l quiet -d 'No warnings of the reader'
+
+complete -c sfumato -n '__fish_seen_subcommand_from compare' -s o -l output -r -F -d 'A picture of the differences'
+complete -c sfumato -n '__fish_seen_subcommand_from compare' -l scale -x -d 'Factor of the differences in the picture'
+complete -c sfumato -n '__fish_seen_subcommand_from compare' -l json -d 'Print one JSON object'

@@ -1,0 +1,164 @@
+#include <gtest/gtest.h>
+
+#include <regex>
+#include <set>
+
+#include "cli/run_command.hpp"
+
+/// docs/cli.md, the man page and the completions name the options that the command has.
+namespace sfumato::test {
+namespace {
+
+using Names = std::set<std::string>;
+
+constexpr const char* kCommands[] = {"render", "info", "convert", "lint", "compare"};
+
+std::string file_text(const std::string& path) {
+  const std::string text = read_whole(SFUMATO_SOURCE_DIR "/" + path);
+  EXPECT_FALSE(text.empty()) << path;
+  return text;
+}
+
+/// What stands from `begin` to the next `end`, or to the end of the text.
+std::string section(const std::string& text, const std::string& begin, const std::string& end) {
+  const std::size_t from = text.find(begin);
+  EXPECT_NE(from, std::string::npos) << begin;
+  if (from == std::string::npos) return {};
+  const std::size_t inside = from + begin.size();
+  return text.substr(inside, text.find(end, inside) - inside);
+}
+
+/// All first groups of matches, but --help.
+Names matches(const std::string& text, const std::string& pattern) {
+  const std::regex expression(pattern);
+  Names names;
+  for (std::sregex_iterator i(text.begin(), text.end(), expression), end; i != end; ++i) {
+    names.insert((*i)[1]);
+  }
+  names.erase("--help");
+  return names;
+}
+
+std::string help_of(const std::string& command) {
+  return run_sfumato({command, "--help"}).out;
+}
+
+Names options_of(const std::string& command) {
+  return matches(help_of(command), "\n  (?:-[a-z],)?(--[a-z-]+)");
+}
+
+/// The words among which an option's value is chosen: "exact", "off".
+Names choices_of(const std::string& command) {
+  Names words;
+  const Names lists = matches(help_of(command), "\n  --[a-z-]+ ([A-Za-z0-9]+(?:\\|[a-z0-9]+)+)");
+  for (const std::string& list : lists) words.merge(matches(list, "([a-z0-9]+)"));
+  return words;
+}
+
+void expect_words(const Names& words, const std::string& text, const std::string& where) {
+  for (const std::string& word : words) {
+    EXPECT_TRUE(std::regex_search(text, std::regex("\\b" + word + "\\b"))) << word << where;
+  }
+}
+
+constexpr const char* kOption = "(--[a-z]+(?:-[a-z]+)*)";
+
+TEST(CommandDocuments, the_help_names_options_and_choices) {
+  EXPECT_EQ(options_of("convert"), (Names{"--output", "--quiet"}));
+  EXPECT_TRUE(options_of("render").contains("--no-antialias"));
+  EXPECT_TRUE(choices_of("render").contains("rays"));
+  EXPECT_TRUE(choices_of("render").contains("off"));
+}
+
+TEST(CommandDocuments, every_command_is_known) {
+  const std::string help = run_sfumato({"--help"}).out;
+  const Names commands = matches(section(help, "Subcommands:", "Examples:"), "\n  ([a-z]+)");
+  EXPECT_EQ(commands, Names(std::begin(kCommands), std::end(kCommands)));
+}
+
+TEST(CommandDocuments, the_manual_in_markdown_names_every_option) {
+  const std::string document = file_text("docs/cli.md");
+  for (const std::string command : kCommands) {
+    const std::string text = section(document, "\n## " + command + "\n", "\n## ");
+    Names named = matches(text, kOption);
+    if (text.find("`-o") != std::string::npos) named.insert("--output");
+    EXPECT_EQ(named, options_of(command)) << command;
+    expect_words(choices_of(command), text, " in docs/cli.md, " + command);
+  }
+}
+
+TEST(CommandDocuments, the_session_in_the_manual_runs) {
+  const TemporaryFolder folder;
+  const std::string session = section(file_text("docs/cli.md"), "```sh\n", "```");
+  const std::string script = "cd \"$1\" && cp -r " SFUMATO_SOURCE_DIR
+                             "/examples . && sfumato() { " SFUMATO_BINARY " \"$@\"; }\n" +
+                             session;
+  const CommandResult result = run_command({"/bin/bash", "-ec", script, "bash", folder.path("")});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(result.err, "");
+  EXPECT_NE(result.out.find("evening.svg: 2 hints\n"), std::string::npos) << result.out;
+  EXPECT_TRUE(std::regex_search(result.out, std::regex("maximum +0\\.0000\n"))) << result.out;
+}
+
+TEST(CommandDocuments, the_man_page_names_every_option) {
+  const std::string document =
+      std::regex_replace(file_text("docs/man/sfumato.1"), std::regex("\\\\-"), "-");
+  for (const std::string command : kCommands) {
+    const std::string text = section(document, "\n.SS " + command + "\n", "\n.S");
+    EXPECT_EQ(matches(text, kOption), options_of(command)) << command;
+    expect_words(choices_of(command), text, " in the man page, " + command);
+  }
+}
+
+TEST(CommandDocuments, bash_completes_every_option) {
+  const std::string document = file_text("completions/sfumato.bash");
+  for (const std::string command : kCommands) {
+    const std::string text = section(document, "\n    " + command + ")", ";;");
+    EXPECT_EQ(matches(text, kOption), options_of(command)) << command;
+    expect_words(choices_of(command), document, " in the completion for bash");
+  }
+}
+
+TEST(CommandDocuments, bash_offers_what_fits) {
+  const std::string script = "source " SFUMATO_SOURCE_DIR
+                             "/completions/sfumato.bash; "
+                             "COMP_CWORD=$(($# - 1)); COMP_WORDS=(\"$@\"); "
+                             "_sfumato; echo \"${COMPREPLY[*]}\"";
+  const auto offered = [&script](std::vector<std::string> words) {
+    words.insert(words.begin(), {"/bin/bash", "-c", script, "bash", "sfumato"});
+    const CommandResult result = run_command(words);
+    EXPECT_EQ(result.err, "");
+    return result.out;
+  };
+  EXPECT_EQ(offered({"co"}), "convert compare\n");
+  EXPECT_EQ(offered({"render", "--m"}),
+            "--method --max-error --max-area --min-angle --mesh-overlay "
+            "--max-memory\n");
+  EXPECT_EQ(offered({"render", "a.svg", "--order", "q"}), "quadratic\n");
+  EXPECT_EQ(offered({"lint", "--s"}), "--strict\n");
+  EXPECT_EQ(offered({"render", "--width", ""}), "\n");
+}
+
+TEST(CommandDocuments, zsh_completes_every_option) {
+  const std::string document = file_text("completions/_sfumato");
+  for (const std::string command : kCommands) {
+    const std::string text = section(document, "\n    " + command + ")\n", ";;");
+    EXPECT_EQ(matches(text, kOption), options_of(command)) << command;
+    expect_words(choices_of(command), text, " in the completion for zsh, " + command);
+  }
+}
+
+TEST(CommandDocuments, fish_completes_every_option) {
+  const std::string document = file_text("completions/sfumato.fish");
+  for (const std::string command : kCommands) {
+    Names named;
+    const Names long_names = matches(
+        document, "'__fish_seen_subcommand_from " + command + "'(?: -s [a-z])? -l ([a-z-]+)");
+    for (const std::string& name : long_names) named.insert("--" + name);
+    EXPECT_EQ(named, options_of(command)) << command;
+    expect_words(choices_of(command), document, " in the completion for fish");
+  }
+}
+
+}  // namespace
+}  // namespace sfumato::test
