@@ -129,13 +129,15 @@ class Petal(Blade):
         return mix(colour, rgb('#3a1238'), self.shade)
 
     def rim_colours(self):
-        lights = [self.lights[0]] * 5 + [self.lights[1]] * 5
-        shares = [0, .2, .45, .72, 1, 1, .72, .45, .2, 0]
-        return [self.tint(self.RIM, s, light) for s, light in zip(shares, lights)]
+        """Along the outline; both halves meet at the tip in one colour."""
+        left, right = self.lights
+        halves = ((.2, left), (.45, left), (.72, left), (1, (left + right) / 2), (.72, right),
+                  (.45, right), (.2, right))
+        return [self.tint(self.RIM, s, light) for s, light in ((0, left), *halves, (0, right))]
 
     def layers(self):
-        colours = stops(map(css, self.rim_colours()), [i / 2 for i in (0, .2, .45, .72, .99, 1.01,
-                                                                      1.28, 1.55, 1.8, 2)])
+        offsets = (0, .1, .22, .36, .5, .64, .78, .9, 1)
+        colours = stops(map(css, self.rim_colours()), offsets)
         blur = stops([.2 * self.blur, self.blur, .2 * self.blur], form=number)
         outline = curve(path(self.outline(), True), sf_left=colours, sf_right=colours,
                         sf_left_opacity=0, sf_right_opacity='0, 1 9%, 1 91%, 0', sf_blur=blur,
@@ -164,7 +166,8 @@ class Petal(Blade):
         return layer(self.name + '-shadow', [curve(
             path(points, True), sf_left='#3c0c30', sf_right='#3c0c30', sf_left_opacity=0,
             sf_right_opacity='.1, .5 15%, .2 50%, .5 85%, .1',
-            sf_blur=stops([6, 20, 6], form=number), fill='#3c0c30', fill_opacity='.3')], ' style="mix-blend-mode:multiply"')
+            sf_blur=stops([6, 20, 6], form=number), fill='#3c0c30', fill_opacity='.3')],
+            ' style="mix-blend-mode:multiply"')
 
     def freckles(self, chance, count):
         """Dark spots near the throat: local curves as long as they are wide."""
