@@ -1,4 +1,4 @@
-// Draws a document of diffusion curves as a PNG: embed IN.xml OUT.png
+// Draws a document of diffusion curves as a PNG: embed IN OUT.png
 #include <cstdio>
 #include <sfumato/sfumato.hpp>
 
@@ -16,7 +16,7 @@ sfumato::Status draw(const std::string& in, const std::string& out) {
   options.width = 1440;
   options.height = 960;
 
-  auto read = read_orzan(context, *xml, in);
+  auto read = read_document(context, *xml, in);
   if (!read) return read.status();
   auto picture = diffuse(context, read->document, {});
   if (!picture) return picture.status();
@@ -31,7 +31,7 @@ sfumato::Status draw(const std::string& in, const std::string& out) {
 
 int main(int argc, char** argv) {
   if (argc != 3) {
-    std::fputs("usage: embed IN.xml OUT.png\n", stderr);
+    std::fputs("usage: embed IN OUT.png\n", stderr);
     return 2;
   }
   const sfumato::Status status = draw(argv[1], argv[2]);

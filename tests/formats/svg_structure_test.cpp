@@ -230,7 +230,8 @@ TEST(SvgEditors, file_as_inkscape_saves_it_is_read_without_a_warning) {
        x1="10" y1="20" x2="110" y2="20" gradientUnits="userSpaceOnUse"
        gradientTransform="translate(1,2)" />
   </defs>
-  <metadata id="metadata1"><rdf:RDF xmlns:rdf="http://www.w3.org/1999/02/22-rdf-syntax-ns#"/></metadata>
+  <metadata id="metadata1"><rdf:RDF
+     xmlns:rdf="http://www.w3.org/1999/02/22-rdf-syntax-ns#"/></metadata>
   <g inkscape:label="Layer 1" inkscape:groupmode="layer" id="layer1" sf:diffuse="true"
      transform="matrix(0.26458333,0,0,0.26458333,0,0)" style="display:inline;opacity:0.8">
     <path id="path1" sodipodi:nodetypes="cc" inkscape:connector-curvature="0"
@@ -256,7 +257,10 @@ TEST(SvgEditors, file_as_illustrator_and_svgo_write_it_is_read) {
   const ReadDocument read_document = read(
       R"svg(<?xml version="1.0"?><!DOCTYPE svg PUBLIC "-//W3C//DTD SVG 1.1//EN" "svg11.dtd" [
  <!ENTITY ns_svg "http://www.w3.org/2000/svg"> <!ENTITY ns_xlink "http://www.w3.org/1999/xlink">]>
-<svg xmlns="&ns_svg;" xmlns:xlink="&ns_xlink;" xmlns:sf="urn:sfumato:1" width="9" height="9" sf:version="1"><style>.a{opacity:.5}</style><g class="a" sf:diffuse="true"><path d="M0 0l9 9M.5.5.6-1e-1" sf:left="red"/></g></svg>)svg");
+<svg xmlns="&ns_svg;" )svg"
+      R"svg(xmlns:xlink="&ns_xlink;" xmlns:sf="urn:sfumato:1" width="9" height="9" )svg"
+      R"svg(sf:version="1"><style>.a{opacity:.5}</style><g class="a" sf:diffuse="true">)svg"
+      R"svg(<path d="M0 0l9 9M.5.5.6-1e-1" sf:left="red"/></g></svg>)svg");
   EXPECT_EQ(stack_of(read_document.document), "L0.50");
   EXPECT_EQ(read_document.document.layers[0].curves.size(), 2u);
   EXPECT_TRUE(read_document.warnings.empty());
