@@ -15,6 +15,10 @@
 namespace sfumato {
 namespace {
 
+/// A sheet that is true of everything keeps svgo from renaming ids, which it does without looking
+/// into attributes of other namespaces, and from dropping fills that nobody sees.
+constexpr const char* kStyle = "*{stroke-linejoin:round}";
+
 /// Bytes of text at most: of a point, a stop, an element with its other attributes.
 constexpr std::size_t kPointBytes = 64;
 constexpr std::size_t kStopBytes = 128;
@@ -132,6 +136,7 @@ class SvgWriter {
 Result<std::string> SvgWriter::write() {
   order_and_name();
   writer_.open("svg", root_attributes());
+  writer_.text_element("style", kStyle);
   Status status = write_defs();
   if (!status) return status;
   write_background();
@@ -210,11 +215,11 @@ Status SvgWriter::write_defs() {
 
 void SvgWriter::write_background() {
   if (!document_.background) return;
-  const Box& artboard = document_.artboard;
   svg_write::Attributes attributes;
-  attributes.add("x", number_text(artboard.min.x)).add("y", number_text(artboard.min.y));
-  attributes.add("width", number_text(length_between(artboard.min.x, artboard.max.x)));
-  attributes.add("height", number_text(length_between(artboard.min.y, artboard.max.y)));
+  attributes.add("x", number_text(document_.artboard.min.x));
+  attributes.add("y", number_text(document_.artboard.min.y));
+  // In percent: svgo makes a path of a rectangle in numbers, and a path is no background.
+  attributes.add("width", "100%").add("height", "100%");
   writer_.leaf("rect", attributes.add("fill", color_text(*document_.background)));
 }
 
@@ -260,15 +265,20 @@ void SvgWriter::write_item(const LayerInstance& instance) {
 
 /// `attributes`: those of the place where the layer is painted.
 void SvgWriter::write_layer(std::uint32_t layer, const svg_write::Attributes& attributes) {
+  const std::vector<Curve>& curves = document_.layers[layer].curves;
+  // svgo merges a group with its only child, unless both have a class.
+  const bool has_classes = curves.size() == 1;
   svg_write::Attributes all;
   if (!layer_id_[layer].empty()) all.add("id", layer_id_[layer]);
+  if (has_classes) all.add("class", "layer");
   all.add("sf:diffuse", "true");
   for (const auto& [name, value] : attributes.list()) all.add(name, value);
   all.add("fill", "none").add("stroke-width", stroke_width_);
   writer_.open("g", all);
-  for (const Curve& curve : document_.layers[layer].curves) {
+  for (const Curve& curve : curves) {
     svg_write::Attributes path;
     if (!curve.id.empty()) path.add("id", ids_.claim(curve.id));
+    if (has_classes) path.add("class", "curve");
     svg_write::add_curve(path, curve, shader_id_);
     writer_.leaf("path", path);
   }

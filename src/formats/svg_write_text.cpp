@@ -76,6 +76,14 @@ void ElementWriter::open(std::string_view name, const Attributes& attributes) {
   ++depth_;
 }
 
+void ElementWriter::text_element(std::string_view name, std::string_view text) {
+  text_.append(2 * depth_, ' ');
+  for (const std::string_view part : {std::string_view("<"), name, std::string_view(">"), text,
+                                      std::string_view("</"), name, std::string_view(">\n")}) {
+    text_ += part;
+  }
+}
+
 void ElementWriter::close(std::string_view name) {
   --depth_;
   text_.append(2 * depth_, ' ');

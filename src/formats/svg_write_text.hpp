@@ -28,6 +28,8 @@ class ElementWriter {
  public:
   void open(std::string_view name, const Attributes& attributes);
   void close(std::string_view name);
+  /// <name>text</name>; the text holds nothing that XML would escape.
+  void text_element(std::string_view name, std::string_view text);
   void leaf(std::string_view name, const Attributes& attributes);
 
   const std::string& text() const { return text_; }

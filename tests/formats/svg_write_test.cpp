@@ -18,7 +18,8 @@ using test::one_layer;
 constexpr const char* kHead =
     "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:sf=\"urn:sfumato:1\" "
     "viewBox=\"0 0 100 100\"\n"
-    "     sf:version=\"1\">\n";
+    "     sf:version=\"1\">\n"
+    "  <style>*{stroke-linejoin:round}</style>\n";
 
 std::string written(const Document& document) {
   Context context;
@@ -61,9 +62,10 @@ Texture one_texel() {
 TEST(SvgWrite, writes_a_layer_in_its_place) {
   const std::string expected =
       std::string(kHead) +
-      "  <g id=\"layer\" sf:diffuse=\"true\" fill=\"none\" stroke-width=\"0.2\">\n"
-      "    <path d=\"M1 2 C3 4 5 6 7.5 8\" sf:left=\"#ff0000 @0\" sf:right=\"#0000ff @0\" "
-      "stroke=\"#800080\"/>\n"
+      "  <g id=\"layer\" class=\"layer\" sf:diffuse=\"true\" fill=\"none\" stroke-width=\"0.2\">\n"
+      "    <path class=\"curve\" d=\"M1 2 C3 4 5 6 7.5 8\" sf:left=\"#ff0000 @0\" "
+      "sf:right=\"#0000ff @0\"\n"
+      "          stroke=\"#800080\"/>\n"
       "  </g>\n"
       "</svg>\n";
   EXPECT_EQ(written(one_layer({colored(short_curve(), kRed, kBlue)})), expected);
@@ -208,7 +210,7 @@ TEST(SvgWrite, puts_what_is_painted_more_than_once_or_never_into_defs) {
                        "  <use href=\"#layer\" transform=\"translate(20 0)\" opacity=\"0.5\" "
                        "style=\"mix-blend-mode:color-dodge\"/>\n"))
       << text;
-  EXPECT_LT(text.find("<g id=\"layer\" sf:diffuse=\"true\""), text.find("</defs>"));
+  EXPECT_LT(text.find("<g id=\"layer\" class=\"layer\" sf:diffuse=\"true\""), text.find("</defs>"));
   EXPECT_LT(text.find("<g id=\"layer-1\" sf:diffuse=\"true\""), text.find("</defs>"));
 }
 
@@ -232,7 +234,7 @@ TEST(SvgWrite, writes_background_groups_and_local_strokes_in_their_order) {
   const std::string text = written(document);
   EXPECT_TRUE(contains(text, "sf:interpolation=\"oklab\""));
   EXPECT_TRUE(contains(text,
-                       ">\n  <rect x=\"0\" y=\"0\" width=\"100\" height=\"100\" "
+                       ">\n  <rect x=\"0\" y=\"0\" width=\"100%\" height=\"100%\" "
                        "fill=\"#ff0000\"/>\n  <g"))
       << text;
   EXPECT_TRUE(contains(text,
