@@ -123,6 +123,33 @@ BENCHMARK(rasterize_synthetic)
     ->MeasureProcessCPUTime()
     ->UseRealTime();
 
+/// The same picture over a background, not painted straight. Arguments: BlendMode,
+/// InterpolationSpace (the node values stay: what they look like does not matter).
+void rasterize_blended(benchmark::State& state) {
+  Picture picture = synthetic_picture();
+  picture.interpolation = static_cast<InterpolationSpace>(state.range(1));
+  PatchInstance& instance = std::get<PatchInstance>(picture.stack[0]);
+  instance.opacity = 0.9f;
+  instance.blend = static_cast<BlendMode>(state.range(0));
+  Context context;
+  RasterOptions options;
+  options.width = options.height = 1024;
+  for (auto _ : state) {
+    const Result<Image> image = rasterize(context, picture, options);
+    if (!image) state.SkipWithError("rasterize failed");
+    benchmark::DoNotOptimize(image);
+  }
+}
+
+BENCHMARK(rasterize_blended)
+    ->ArgNames({"mode", "space"})
+    ->Args({static_cast<int>(BlendMode::normal), static_cast<int>(InterpolationSpace::srgb)})
+    ->Args({static_cast<int>(BlendMode::luminosity), static_cast<int>(InterpolationSpace::srgb)})
+    ->Args({static_cast<int>(BlendMode::normal), static_cast<int>(InterpolationSpace::oklab)})
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
+
 constexpr int kSectors = 36;
 constexpr int kRings = 7;
 

@@ -96,8 +96,7 @@ Status PaintList::Builder::add(const PatchInstance& instance) {
   if (!std::isfinite(1 / item.layer.image_from_layer.determinant())) return ok_status();
   const Box bounds =
       mapped_bounds(item.layer.image_from_layer, list_.layers_[instance.layer].bounds);
-  // One pixel more for the rounding of far-away numbers.
-  item.tiles = tiles_of(bounds.grown_by(list_.margin_px_ + 1), list_.grid_);
+  item.tiles = tiles_of(bounds.grown_by(list_.margin_px_), list_.grid_);
   if (item.tiles.empty()) return ok_status();
   item.layer_from_image = inverse(item.layer.image_from_layer);
   item.opacity = instance.opacity;

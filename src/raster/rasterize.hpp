@@ -28,12 +28,16 @@ struct RasterOptions {
 /// image, so that pixels need not be square.
 ///
 /// A pixel shows the patch at its centre; where a curve passes through it and `antialias` is set,
-/// the mean of the patches in it by exact area. Each centre belongs to one triangle only.
+/// the mean of the patches in it by exact area, of premultiplied colours. Each centre belongs to
+/// one triangle only. Layers, strokes and groups are composited in sRGB code values, as CSS has it
+/// (docs/mathematics.md, "Pixels").
 ///
 /// Errors: bad_input (no pixels, an empty viewport, a picture whose tables do not fit), limit
-/// (size, memory), cancelled.
-/// Memory: the image, 1 MiB a thread, 12 bytes a triangle. Cost: about 4 ns a pixel, 0.4 µs a
-/// triangle and 0.1 µs a pixel that a curve cuts, on one thread.
+/// (size, memory, limits of the picture), cancelled.
+/// Memory: the image, 1 MiB a thread, with compositing 2 MiB and 0.3 MiB for each group within a
+/// group; 12 bytes a triangle, 300 an item of the stack. Cost: about 4 ns a pixel, 0.4 µs a
+/// triangle and 0.1 µs a pixel that a curve cuts, on one thread, for what an item covers; 2 to 6 ns
+/// a pixel more for what is not painted straight.
 Result<Image> rasterize(Context& context, const Picture& picture, const RasterOptions& options);
 
 }  // namespace sfumato

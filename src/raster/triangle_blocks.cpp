@@ -57,7 +57,9 @@ Box mapped_bounds(const Affine& map, const Box& box) {
   const double half_y = 0.5 * box.height();
   const Vec2 reach{std::fabs(map.a) * half_x + std::fabs(map.c) * half_y,
                    std::fabs(map.b) * half_x + std::fabs(map.d) * half_y};
-  return {center - reach, center + reach};
+  // What rounding of the sums may take off.
+  const double slack = 1e-12 * (std::fabs(center.x) + std::fabs(center.y) + reach.x + reach.y);
+  return Box{center - reach, center + reach}.grown_by(slack);
 }
 
 void list_triangles(const LayerView& layer, const TriangleBlocks& blocks, const PixelRect& rect,
@@ -66,10 +68,7 @@ void list_triangles(const LayerView& layer, const TriangleBlocks& blocks, const 
   const Box seen = box_of(rect).grown_by(margin_px);
   for (std::uint32_t i = 0; i < blocks.box.size(); ++i) {
     const Box block = mapped_bounds(layer.image_from_layer, blocks.box[i]);
-    // For the rounding of both.
-    const double slack = 1e-9 * (1 + std::max({std::fabs(block.min.x), std::fabs(block.min.y),
-                                               std::fabs(block.max.x), std::fabs(block.max.y)}));
-    if (!may_overlap(block.grown_by(slack), seen)) continue;
+    if (!may_overlap(block, seen)) continue;
     const std::uint32_t first = i * kTrianglesPerBlock;
     const std::uint32_t last = std::min(first + kTrianglesPerBlock, blocks.triangle_count);
     for (std::uint32_t t = first; t < last; ++t)

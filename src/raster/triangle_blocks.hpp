@@ -23,7 +23,8 @@ inline constexpr std::uint32_t kTrianglesPerBlock = 32;
 /// Errors: limit, cancelled.
 Result<TriangleBlocks> make_triangle_blocks(Context& context, const PatchLayer& layer);
 
-/// Bounds of the image of a box; not a number where they overflow.
+/// A box that holds the image of a box, a trifle wider for rounding; not a number where it
+/// overflows.
 Box mapped_bounds(const Affine& map, const Box& box);
 
 /// Lists, in increasing order, the triangles whose bounding box, grown by margin_px, meets `rect`.

@@ -241,6 +241,17 @@ TEST(RasterCompositing, an_instance_equals_the_transformed_layer_alone) {
   }
 }
 
+TEST(RasterCompositing, an_instance_whose_corner_is_magnified_beyond_measure_is_still_there) {
+  for (double scale : {1e3, 1e9, 1e15, 1e22}) {
+    Picture picture = make_picture(flat_layer(kBox, kRed, 0.5f));
+    picture.viewport = {{0, 0}, {8 / scale, 8 / scale}};
+    picture.background = kBlue;
+    expect_color(rasterized(picture, image_size(9, 9)), {0.5f, 0, 0.5f});
+    picture.viewport = {{8 - 8 / scale, 0}, {8, 8 / scale}};
+    if (scale < 1e10) expect_color(rasterized(picture, image_size(9, 9)), {0.5f, 0, 0.5f});
+  }
+}
+
 TEST(RasterCompositing, a_map_onto_a_line_paints_nothing) {
   Picture picture = make_picture(flat_layer(kBox, kRed, 0.5f));
   std::get<PatchInstance>(picture.stack[0]).artboard_from_layer = {1, 1, 1, 1, 0, 0};
