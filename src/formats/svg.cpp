@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <tuple>
 #include <utility>
 
+#include "base/limits.hpp"
 #include "formats/css_color.hpp"
 #include "formats/css_text.hpp"
 #include "formats/suggestion.hpp"
@@ -25,13 +27,22 @@ using svg::Input;
 /// In the order of InterpolationSpace.
 constexpr std::array<std::string_view, 3> kSpaces{"srgb", "linear", "oklab"};
 
+bool is_within_limits(const Box& box) {
+  const double largest = std::max(
+      {std::abs(box.min.x), std::abs(box.min.y), std::abs(box.max.x), std::abs(box.max.y)});
+  return largest <= limits::kCoordinate;
+}
+
 /// viewBox, else width and height.
 Result<Box> read_artboard(Input& input) {
   const Element root = input.root();
   if (const auto text = input.attribute(root, "viewBox")) {
     Result<Box> box = svg::parse_view_box(*text);
     if (!box) return input.in(root, "viewBox", box.status());
-    return box;
+    if (is_within_limits(*box)) return box;
+    return input.error(root, "viewBox of <svg> reaches farther than " +
+                                 std::to_string(static_cast<long>(limits::kCoordinate)) +
+                                 " from the origin; expected coordinates within that");
   }
   if (!root.attribute("width") || !root.attribute("height")) {
     return input.error(root, "<svg> has no size; expected viewBox, or width and height");

@@ -59,6 +59,9 @@ const BadInput kStructure[] = {
     {"flat_view_box", "<svg viewBox='0 0 9 0'/>",
      "1:1: viewBox of <svg>: the box has no area; expected x, y, width and height with a width and "
      "height above 0"},
+    {"far_view_box", "<svg viewBox='1e7 0 1 1'/>",
+     "1:1: viewBox of <svg> reaches farther than 10000000 from the origin; expected coordinates "
+     "within that"},
     {"version", "<svg xmlns:s='urn:sfumato:1' viewBox='0 0 9 9' s:version='2'/>",
      "1:1: sf:version is \"2\"; expected 1, the version that is read here"},
     {"namespace_version", "<svg xmlns:sf='urn:sfumato:2' viewBox='0 0 9 9'/>",

@@ -193,6 +193,13 @@ TEST(SvgHostile, textures_beyond_the_limit_are_refused) {
   EXPECT_EQ(status.message, "more than the limit of 256 textures");
 }
 
+TEST(SvgHostile, more_paints_in_a_layer_than_the_limit_are_refused) {
+  MemoryLoader loader;
+  loader.files["a.png"] = png_file(4, 2);
+  const Status status = status_of(with_texture("a.png", 65), &loader);
+  EXPECT_EQ(to_string(status), "a.svg:2:1: more than the limit of 64 paints in one layer");
+}
+
 TEST(SvgHostile, huge_data_uri_is_refused) {
   const std::string uri = "data:image/png;base64," + repeated("AAAA", 8'000'000);
   const Status status = status_of(with_texture(uri));

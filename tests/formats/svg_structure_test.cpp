@@ -93,7 +93,9 @@ TEST(SvgBackground, other_rects_are_ignored_with_a_warning) {
               "a.svg:2:1: <rect> has no attribute of Sfumato and is ignored; expected it in a "
               "layer, or a <rect> over the whole viewBox as the background");
   }
-  EXPECT_EQ(document_of(kLayer + "<rect width='100' height='50'/>").background, std::nullopt);
+  const std::string rect = "<rect width='100' height='50'/>";
+  EXPECT_EQ(document_of(kLayer + rect).background, std::nullopt);
+  EXPECT_EQ(document_of("<path d='M0 0 h9'/>" + rect + kLayer).background, std::nullopt);
 }
 
 TEST(SvgBackground, the_setting_goes_before_the_rect) {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -27,6 +27,21 @@ constexpr std::array<std::string_view, 16> kNotPainted{
 
 bool paints_nothing(std::string_view name) {
   return std::ranges::find(kNotPainted, name) != kNotPainted.end();
+}
+
+/// The image-domain shaders that the layer's curves use.
+std::size_t count_shaders(const Layer& layer) {
+  std::set<std::uint32_t> shaders;
+  const auto note = [&shaders](const auto& side) {
+    if (side.kind == ShaderKind::image_domain) shaders.insert(side.shader);
+  };
+  for (const Curve& curve : layer.curves) {
+    note(curve.left.color);
+    note(curve.left.opacity);
+    note(curve.right.color);
+    note(curve.right.opacity);
+  }
+  return shaders.size();
 }
 
 std::string shown(Element element) {
@@ -242,6 +257,7 @@ Status SceneReader::read_background(Element element, const Place& place) {
           ? read_background_rect(input_, element, place.frame_from_user, document_.artboard)
           : Result<BackgroundRect>(BackgroundRect{});
   if (!rect) return rect.status();
+  may_be_background_ = false;
   if (!rect->covers) {
     input_.warn(element.name(), element,
                 tag(element) +
@@ -249,7 +265,6 @@ Status SceneReader::read_background(Element element, const Place& place) {
                     "layer, or a <rect> over the whole viewBox as the background");
     return ok_status();
   }
-  may_be_background_ = false;
   // What the document says outright goes before what it paints for other programs.
   if (!input_.sf(input_.root(), "background")) document_.background = rect->color;
   return ok_status();
@@ -300,6 +315,9 @@ Result<std::uint32_t> SceneReader::layer_of(Element element, const Place& place)
   if (Status status = visit_children(element, inside); !status) return status;
   if (layer.curves.empty()) {
     input_.warn("/empty layer", element, "the layer has no curves and paints nothing");
+  }
+  if (count_shaders(layer) > limits::kShadersPerLayer) {
+    return input_.over_limit(element, limits::kShadersPerLayer, "paints in one layer");
   }
   const auto index = static_cast<std::uint32_t>(document_.layers.size());
   document_.layers.push_back(std::move(layer));
