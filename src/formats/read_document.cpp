@@ -74,29 +74,37 @@ Result<std::string> parsed_root_name(Context& context, std::string_view text,
   return name.substr(name.find(':') + 1);
 }
 
-Status other_document(std::string_view name, std::string_view text, const std::string& file) {
-  const std::size_t at = std::min(text.find("<" + std::string(name)), text.size());
-  const std::string_view before = text.substr(0, at);
+/// Where the tag stands that holds the name at `offset`.
+SourcePlace place_of_tag(std::string_view text, std::size_t offset, const std::string& file) {
+  const std::string_view before = text.substr(0, text.rfind('<', offset));
   const auto line = static_cast<int>(std::ranges::count(before, '\n')) + 1;
   const std::size_t newline = before.rfind('\n');
-  const auto column = static_cast<int>(newline == std::string_view::npos ? at + 1 : at - newline);
+  const std::size_t line_begin = newline == std::string_view::npos ? 0 : newline + 1;
+  return {file, line, static_cast<int>(before.size() - line_begin) + 1};
+}
+
+Status other_document(std::string_view name, SourcePlace place) {
   return make_error(StatusCode::bad_input,
                     "the document is a <" + std::string(name.substr(0, 64)) +
                         ">; expected <svg>, or Orzan's <curve_set> or <scene>",
-                    {file, line, column});
+                    std::move(place));
 }
 
 Result<ReadDocument> read_text(Context& context, std::string_view text, const std::string& file,
                                const ResourceLoader* loader) {
-  std::string name(root_name(text));
+  std::string_view name = root_name(text);
+  std::string parsed_name;
   if (name.empty()) {
     Result<std::string> parsed = parsed_root_name(context, text, file);
     if (!parsed) return parsed.status();
-    name = std::move(*parsed);
+    parsed_name = std::move(*parsed);
+    name = parsed_name;
   }
   if (name == "svg") return read_svg(context, text, file, loader);
   if (name == "curve_set" || name == "scene") return read_orzan(context, text, file);
-  return other_document(name, text, file);
+  if (!parsed_name.empty()) return other_document(name, {file});
+  const auto offset = static_cast<std::size_t>(name.data() - text.data());
+  return other_document(name, place_of_tag(text, offset, file));
 }
 
 }  // namespace
