@@ -119,6 +119,7 @@ class SvgWriter {
   /// What the text is so far, against what can be read back.
   Status check_progress() const;
 
+  bool has_references() const;
   bool is_in_place(std::uint32_t layer) const { return use_count_[layer] == 1; }
 
   Context& context_;
@@ -184,6 +185,8 @@ svg_write::Attributes SvgWriter::root_attributes() const {
   const Box& artboard = document_.artboard;
   svg_write::Attributes attributes;
   attributes.add("xmlns", "http://www.w3.org/2000/svg").add("xmlns:sf", "urn:sfumato:1");
+  // Inkscape up to 1.2 follows no plain href.
+  if (has_references()) attributes.add("xmlns:xlink", "http://www.w3.org/1999/xlink");
   attributes.add("viewBox", number_text(artboard.min.x) + ' ' + number_text(artboard.min.y) + ' ' +
                                 number_text(length_between(artboard.min.x, artboard.max.x)) + ' ' +
                                 number_text(length_between(artboard.min.y, artboard.max.y)));
@@ -194,6 +197,15 @@ svg_write::Attributes SvgWriter::root_attributes() const {
     attributes.add("sf:interpolation", "oklab");
   }
   return attributes;
+}
+
+/// Whether there is a <use> or an <image>.
+bool SvgWriter::has_references() const {
+  const auto is_texture = [](const Shader& shader) {
+    return std::holds_alternative<Texture>(shader.paint);
+  };
+  return std::ranges::any_of(use_count_, [](std::uint32_t count) { return count > 1; }) ||
+         std::ranges::any_of(document_.shaders, is_texture);
 }
 
 Status SvgWriter::write_defs() {
@@ -253,7 +265,7 @@ void add_transform(svg_write::Attributes& attributes, const Affine& map) {
 void SvgWriter::write_item(const LayerInstance& instance) {
   svg_write::Attributes attributes;
   const bool in_place = is_in_place(instance.layer);
-  if (!in_place) attributes.add("href", '#' + layer_id_[instance.layer]);
+  if (!in_place) attributes.add("xlink:href", '#' + layer_id_[instance.layer]);
   add_transform(attributes, instance.artboard_from_layer);
   add_compositing(attributes, instance.opacity, instance.blend);
   if (in_place) {

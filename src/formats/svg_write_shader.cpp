@@ -65,7 +65,7 @@ Status write_texture(Context& context, ElementWriter& writer, const Texture& tex
   writer.open("pattern", pattern);
   Attributes image;
   image.add("width", std::to_string(texture.width)).add("height", std::to_string(texture.height));
-  writer.leaf("image", image.add("href", std::move(*uri)));
+  writer.leaf("image", image.add("xlink:href", std::move(*uri)));
   writer.close("pattern");
   return ok_status();
 }

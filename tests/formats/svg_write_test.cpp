@@ -205,11 +205,13 @@ TEST(SvgWrite, puts_what_is_painted_more_than_once_or_never_into_defs) {
   document.layers.push_back({"", {}});
   document.stack.push_back(LayerInstance{0, {1, 0, 0, 1, 20, 0}, 0.5f, BlendMode::color_dodge});
   const std::string text = written(document);
-  EXPECT_TRUE(contains(text,
-                       "  <use href=\"#layer\"/>\n"
-                       "  <use href=\"#layer\" transform=\"translate(20 0)\" opacity=\"0.5\" "
-                       "style=\"mix-blend-mode:color-dodge\"/>\n"))
+  EXPECT_TRUE(
+      contains(text,
+               "  <use xlink:href=\"#layer\"/>\n"
+               "  <use xlink:href=\"#layer\" transform=\"translate(20 0)\" opacity=\"0.5\"\n"
+               "       style=\"mix-blend-mode:color-dodge\"/>\n"))
       << text;
+  EXPECT_TRUE(contains(text, "xmlns:xlink=\"http://www.w3.org/1999/xlink\""));
   EXPECT_LT(text.find("<g id=\"layer\" class=\"layer\" sf:diffuse=\"true\""), text.find("</defs>"));
   EXPECT_LT(text.find("<g id=\"layer-1\" sf:diffuse=\"true\""), text.find("</defs>"));
 }
