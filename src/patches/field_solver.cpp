@@ -11,6 +11,9 @@ namespace {
 
 constexpr std::size_t kNodes = kNodesPerTriangle;
 
+/// Four nodes on an edge of this many radii tell smoothstep to within 2%.
+constexpr double kEdgePerRadius = 1.5;
+
 double longest_edge(const mesh::TriangleMesh& mesh, std::uint32_t t) {
   double longest = 0;
   for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
@@ -123,7 +126,7 @@ void FieldSolver::find_coarse(const mesh::TriangleMesh& mesh,
       const double r = vertex_radius[mesh.origin(h)];
       if (r > 0) radius = radius > 0 ? std::min(radius, r) : r;
     }
-    if (radius > 0 && longest_edge(mesh, t) > radius) coarse[t] = 1;
+    if (radius > 0 && longest_edge(mesh, t) > kEdgePerRadius * radius) coarse[t] = 1;
   }
 }
 

@@ -40,7 +40,7 @@ class FieldSolver {
                      std::span<const std::uint8_t> is_new, float max_error, PatchOrder order,
                      std::span<std::uint8_t> misses) const;
 
-  /// Sets coarse[t] for triangles at a blurred curve whose longest edge is longer than the blur
+  /// Sets coarse[t] for triangles at a blurred curve whose longest edge is too long for the blur
   /// radius there: their nodes could not tell its transition.
   void find_coarse(const mesh::TriangleMesh& mesh, std::span<std::uint8_t> coarse) const;
 

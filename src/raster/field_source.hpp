@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "base/affine.hpp"
+#include "raster/tile.hpp"
+
+namespace sfumato::raster {
+
+/// A layer's fields at pixel centres, row by row. Channels as in PatchLayer.
+struct FieldPixels {
+  std::vector<float> color;       ///< color.channel_count floats a pixel
+  std::vector<float> opacity;     ///< opacity.channel_count floats a pixel; empty: opaque
+  std::vector<std::uint8_t> hit;  ///< 0 where no colour is seen: transparent
+};
+
+/// Where the fields of layers come from if not from their patches. Asked from several threads.
+class FieldSource {
+ public:
+  virtual ~FieldSource() = default;
+
+  /// The fields of Picture::layers[layer] at the pixel centres of `rect`.
+  virtual void read(std::uint32_t layer, const Affine& layer_from_image, const PixelRect& rect,
+                    FieldPixels* out) const = 0;
+};
+
+}  // namespace sfumato::raster
