@@ -32,23 +32,28 @@ PictureItem picture_item(const Item& item) {
 
 }  // namespace
 
+Picture picture_frame(const Document& document, const Box& viewport) {
+  Picture picture;
+  picture.artboard = document.artboard;
+  picture.viewport = viewport;
+  picture.interpolation = document.interpolation;
+  picture.background = document.background;
+  picture.shaders = document.shaders;
+  for (const StackItem& item : document.stack) {
+    picture.stack.push_back(std::visit([](const auto& x) { return picture_item(x); }, item));
+  }
+  return picture;
+}
+
 Result<Picture> diffuse(Context& context, const Document& document, const DiffuseOptions& options,
                         DiffuseStats* stats) {
   if (Status status = patches::validate(options); !status) return status;
   if (Status status = validate(document); !status) return status;
-  Picture picture;
-  picture.artboard = document.artboard;
-  picture.viewport = options.viewport.value_or(document.artboard);
-  picture.interpolation = document.interpolation;
-  picture.background = document.background;
-  picture.shaders = document.shaders;
+  Picture picture = picture_frame(document, options.viewport.value_or(document.artboard));
   for (std::uint32_t i = 0; i < document.layers.size(); ++i) {
     Result<PatchLayer> layer = solve_layer(context, document, i, picture.viewport, options, stats);
     if (!layer) return layer.status();
     picture.layers.push_back(std::move(*layer));
-  }
-  for (const StackItem& item : document.stack) {
-    picture.stack.push_back(std::visit([](const auto& x) { return picture_item(x); }, item));
   }
   return picture;
 }

@@ -2,12 +2,13 @@
 
 namespace sfumato::raster {
 
-Compositor::Compositor(const PaintList& list, const SpanKernels& kernels, bool antialias)
+Compositor::Compositor(const PaintList& list, const SpanKernels& kernels, bool antialias,
+                       const FieldSource* source)
     : list_(list),
       kernels_(kernels),
       antialias_(antialias),
       groups_(static_cast<std::size_t>(list.group_depth())) {
-  if (!list.is_plain()) layer_painter_.emplace(kernels, antialias);
+  if (!list.is_plain()) layer_painter_.emplace(kernels, antialias, source);
 }
 
 std::size_t Compositor::bytes(const PaintList& list) {

@@ -14,8 +14,9 @@ namespace sfumato::raster {
 /// layers and groups by themselves, blended where they painted something.
 class Compositor {
  public:
-  /// Both must outlive this.
-  Compositor(const PaintList& list, const SpanKernels& kernels, bool antialias);
+  /// All must outlive this. source: as LayerPainter's; the list must not be plain then.
+  Compositor(const PaintList& list, const SpanKernels& kernels, bool antialias,
+             const FieldSource* source);
 
   /// Paints onto what `root`, the whole tile, holds.
   void paint(std::size_t tile_index, const Tile& root);

@@ -86,17 +86,66 @@ void LayerPainter::add_shaders(const LayerView& layer, const FieldView& field,
   }
 }
 
-Tile LayerPainter::paint(const LayerView& layer, const ShadingInput& input,
-                         const TriangleList& triangles, const PixelRect& rect) {
-  const Tile tile = shaded_.tile(rect);
-  clear(tile);
+/// Adds the shaders of a field that was read, row by row.
+void LayerPainter::add_read_shaders(const FieldView& field, const std::vector<float>& value,
+                                    const ShadingInput& input, const Tile& tile) {
+  const auto channels = static_cast<std::size_t>(field.channel_count);
+  float weight[kTileWidth];
+  for (int channel = field.first_weight(); channel < field.channel_count; ++channel) {
+    for (int row = 0; row < tile.height; ++row) {
+      const float* first =
+          value.data() + channel + channels * static_cast<std::size_t>(row) * tile.width;
+      for (int x = 0; x < tile.width; ++x) weight[x] = first[channels * x];
+      add_run(field, channel, input, tile.x0, tile.y0 + row, weight, tile.width, tile);
+    }
+  }
+}
+
+void LayerPainter::read_source(const LayerView& layer, const ShadingInput& input,
+                               const Tile& tile) {
+  source_->read(layer.index, input.layer_from_image, tile.rect(), &pixels_);
+  const auto channels = static_cast<std::size_t>(layer.color.channel_count);
+  const auto opacity_channels = static_cast<std::size_t>(layer.opacity.channel_count);
+  const bool has_opacity = !pixels_.opacity.empty();
+  const auto for_each_pixel = [&](auto body) {
+    for (int row = 0; row < tile.height; ++row) {
+      for (int x = 0; x < tile.width; ++x) {
+        body(static_cast<std::size_t>(row) * tile.width + x,
+             static_cast<std::size_t>(row) * kTileStride + x);
+      }
+    }
+  };
+  for_each_pixel([&](std::size_t i, std::size_t at) {
+    for (std::size_t c = 0; c < 3; ++c) tile.color[c][at] = pixels_.color[channels * i + c];
+    tile.alpha[at] = has_opacity ? pixels_.opacity[opacity_channels * i] : 1;
+  });
+  add_read_shaders(layer.color, pixels_.color, input, tile);
+  if (has_opacity) add_read_shaders(layer.opacity, pixels_.opacity, input, tile);
+  for_each_pixel([&](std::size_t i, std::size_t at) {
+    if (!pixels_.hit[i]) tile.alpha[at] = 0;
+  });
+}
+
+void LayerPainter::draw_patches(const LayerView& layer, const ShadingInput& input,
+                                const TriangleList& triangles, const Tile& tile) {
   const bool has_opacity = layer.opacity.channel_count > 0;
   const auto draw = has_opacity ? kernels_.draw_color_opacity : kernels_.draw_triangles;
   draw(layer, triangles, tile);
   add_shaders(layer, layer.color, input, triangles, tile);
   add_shaders(layer, layer.opacity, input, triangles, tile);
+}
+
+Tile LayerPainter::paint(const LayerView& layer, const ShadingInput& input,
+                         const TriangleList& triangles, const PixelRect& rect) {
+  const Tile tile = shaded_.tile(rect);
+  clear(tile);
+  if (source_) {
+    read_source(layer, input, tile);
+  } else {
+    draw_patches(layer, input, triangles, tile);
+  }
   kernels_.finish_shading(input.space, tile);
-  if (antialias_) {
+  if (antialias_ && !source_) {
     PointShader shader(layer, input);
     mixed_.paint(&shader, triangles, tile);
   }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "raster/coverage.hpp"
+#include "raster/field_source.hpp"
 #include "raster/point_shader.hpp"
 #include "raster/span_kernels.hpp"
 #include "raster/tile.hpp"
@@ -31,8 +32,9 @@ void clear(const Tile& tile);
 /// patches, image-domain shaders at every pixel, curves antialiased.
 class LayerPainter {
  public:
-  LayerPainter(const SpanKernels& kernels, bool antialias)
-      : kernels_(kernels), antialias_(antialias) {}
+  /// source   null: the patches; else what is asked for every pixel, and nothing is antialiased
+  LayerPainter(const SpanKernels& kernels, bool antialias, const FieldSource* source)
+      : kernels_(kernels), antialias_(antialias), source_(source) {}
 
   /// Code values and alpha, premultiplied, in the pixels of `rect`, which lie in one tile and hold
   /// all that the triangles paint of that tile. Valid until the next call.
@@ -42,6 +44,11 @@ class LayerPainter {
   static constexpr std::size_t kBytes = 2 * TilePlanes::kBytes + MixedPixels::kMostBytes;
 
  private:
+  void draw_patches(const LayerView& layer, const ShadingInput& input,
+                    const TriangleList& triangles, const Tile& tile);
+  void read_source(const LayerView& layer, const ShadingInput& input, const Tile& tile);
+  void add_read_shaders(const FieldView& field, const std::vector<float>& value,
+                        const ShadingInput& input, const Tile& tile);
   void add_shaders(const LayerView& layer, const FieldView& field, const ShadingInput& input,
                    const TriangleList& triangles, const Tile& tile);
   void add_shader(const FieldView& field, int channel, const ShadingInput& input,
@@ -51,6 +58,8 @@ class LayerPainter {
 
   const SpanKernels& kernels_;
   bool antialias_;
+  const FieldSource* source_;
+  FieldPixels pixels_;
   TilePlanes shaded_, weights_;
   std::vector<std::uint32_t> weighted_;
   MixedPixels mixed_;

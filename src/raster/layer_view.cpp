@@ -32,6 +32,7 @@ LayerView view_instance(const Picture& picture, const PatchInstance& instance,
                         const Affine& image_from_artboard) {
   const PatchLayer& layer = picture.layers[instance.layer];
   LayerView view;
+  view.index = instance.layer;
   view.vertex_position = layer.vertex_position.data();
   view.triangle_vertex = layer.triangle_vertex.data();
   view.edge_is_curve = layer.edge_is_curve.data();

@@ -12,6 +12,7 @@
 #include "raster/options.hpp"
 #include "raster/overlay.hpp"
 #include "raster/paint_list.hpp"
+#include "raster/paint_picture.hpp"
 #include "raster/span_kernels.hpp"
 
 namespace sfumato {
@@ -24,6 +25,7 @@ using raster::TileGrid;
 /// Everything that the painting of a tile reads.
 struct Scene {
   const RasterOptions* options = nullptr;
+  const raster::FieldSource* source = nullptr;
   const raster::SpanKernels* kernels = nullptr;
   PaintList list;
   raster::Backdrop backdrop;
@@ -39,7 +41,7 @@ class TilePainter {
       : scene_(scene),
         planes_(std::make_unique_for_overwrite<float[]>(raster::kTileFloats *
                                                         (scene.has_alpha() ? 4 : 3))),
-        compositor_(scene.list, *scene.kernels, scene.options->antialias) {}
+        compositor_(scene.list, *scene.kernels, scene.options->antialias, scene.source) {}
 
   /// Memory of one, with an overlay.
   static std::size_t bytes(const PaintList& list) {
@@ -153,11 +155,13 @@ Result<PaintList> make_list(Context& context, const Picture& picture,
 
 }  // namespace
 
-Result<Image> rasterize(Context& context, const Picture& picture, const RasterOptions& options) {
+Result<Image> raster::paint_picture(Context& context, const Picture& picture,
+                                    const RasterOptions& options, const FieldSource* source) {
   Status status = raster::check_size(options);
   if (!status) return status;
   Scene scene;
   scene.options = &options;
+  scene.source = source;
   scene.kernels = &raster::span_kernels(context.simd);
   scene.backdrop = raster::choose_backdrop(options, picture.background);
 
@@ -178,6 +182,10 @@ Result<Image> rasterize(Context& context, const Picture& picture, const RasterOp
   status = paint_tiles(context, scene);
   if (!status) return status;
   return image;
+}
+
+Result<Image> rasterize(Context& context, const Picture& picture, const RasterOptions& options) {
+  return raster::paint_picture(context, picture, options, nullptr);
 }
 
 }  // namespace sfumato

@@ -37,6 +37,7 @@ struct FieldView {
 
 /// A patch layer as it lies in the image. The pointers are those of a PatchLayer that was checked.
 struct LayerView {
+  std::uint32_t index = 0;  ///< in Picture::layers
   const Vec2* vertex_position = nullptr;
   const std::uint32_t* triangle_vertex = nullptr;
   const std::uint8_t* edge_is_curve = nullptr;
