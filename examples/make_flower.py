@@ -11,56 +11,10 @@ down, artboard 560 x 640; the light comes from the upper left.
 import math
 import random
 
+from drawing import css, curve, document, element, group, layer, mix, number, path, ramp, rgb, stops
+
 WIDTH, HEIGHT = 560, 640
 THROAT = (272, 322)
-
-
-def mix(a, b, t):
-    return tuple(p + (q - p) * min(1, max(0, t)) for p, q in zip(a, b))
-
-
-def rgb(text):
-    return tuple(int(text[i:i + 2], 16) for i in (1, 3, 5))
-
-
-def css(colour):
-    return '#' + ''.join(f'{round(min(255, max(0, c))):02x}' for c in colour)
-
-
-def number(value):
-    return f'{value:.1f}'.removesuffix('.0')
-
-
-def path(points, closed=False):
-    """Path data through points: Catmull-Rom, as cubic Bezier pieces."""
-    commands = [f'M{number(points[0][0])} {number(points[0][1])}']
-    for i in range(len(points) - 1):
-        a, b = points[i], points[i + 1]
-        before = points[max(i - 1, 0)]
-        after = points[min(i + 2, len(points) - 1)]
-        controls = [(a[0] + (b[0] - before[0]) / 6, a[1] + (b[1] - before[1]) / 6),
-                    (b[0] - (after[0] - a[0]) / 6, b[1] - (after[1] - a[1]) / 6), b]
-        commands.append('C' + ' '.join(f'{number(x)} {number(y)}' for x, y in controls))
-    return ' '.join(commands) + ('Z' if closed else '')
-
-
-def stops(values, offsets=None, form=str):
-    """A stop list; offsets are shares of the arc length, or None: evenly spread."""
-    if offsets is None:
-        return ', '.join(form(value) for value in values)
-    return ', '.join(f'{form(value)} {round(100 * offset)}%'
-                     for value, offset in zip(values, offsets))
-
-
-def curve(data, **attributes):
-    """One shape; an attribute whose name begins with sf_ belongs to the sf namespace."""
-    names = ((name.replace('sf_', 'sf:').replace('_', '-'), value)
-             for name, value in attributes.items())
-    return f'<path d="{data}" ' + ' '.join(f'{name}="{value}"' for name, value in names) + '/>'
-
-
-def layer(name, curves, more=''):
-    return [f'<g id="{name}" sf:diffuse="true"{more}>', *('  ' + line for line in curves), '</g>']
 
 
 class Blade:
@@ -119,11 +73,9 @@ class Petal(Blade):
                          self.PROFILE, ruffle)
         self.name, self.blur, self.shade, self.lights = name, blur, shade, lights
 
-    def tint(self, ramp, s, light):
+    def tint(self, colours, s, light):
         """A colour of the petal at s; light above 0 whitens, below 0 darkens it to purple."""
-        position = s * (len(ramp) - 1)
-        i = min(len(ramp) - 2, int(position))
-        colour = mix(ramp[i], ramp[i + 1], position - i)
+        colour = ramp(colours, s)
         colour = mix(colour, rgb('#fffaf4'), .5 * light) if light > 0 else mix(
             colour, rgb('#6d2a5c'), -.6 * light)
         return mix(colour, rgb('#3a1238'), self.shade)
@@ -255,9 +207,9 @@ def stamens():
 def heart():
     """The throat, and what stands in it."""
     x, y = THROAT
-    throat = f'<ellipse cx="{x}" cy="{y}" rx="30" ry="24" sf:left="#3c1a24" '
-    throat += 'sf:right="#4b5a20" sf:left-opacity="0" sf:right-opacity=".9" sf:blur="22" '
-    throat += 'fill="#4b5a20" fill-opacity=".5"/>'
+    throat = element('ellipse', cx=x, cy=y, rx=30, ry=24, sf_left='#3c1a24', sf_right='#4b5a20',
+                     sf_left_opacity=0, sf_right_opacity='.9', sf_blur=22, fill='#4b5a20',
+                     fill_opacity='.5')
     filaments, anthers = stamens()
     style = Stalk(THROAT, (322, 440), -34, 5, STYLE, GREEN)
     end = style.rib(1)[0]
@@ -303,10 +255,10 @@ def glints(chance):
     discs = []
     for x, y, radius in ((66, 92, 26), (122, 40, 17), (196, 30, 22), (352, 42, 24), (404, 96, 15),
                          (520, 70, 20), (30, 176, 16), (540, 214, 14), (470, 24, 14)):
-        discs.append(f'<circle cx="{x}" cy="{y}" r="{radius}" sf:left="#e9f2b8" '
-                     f'sf:right="#e9f2b8" sf:left-opacity="0" '
-                     f'sf:right-opacity="{chance.uniform(.12, .3):.2f}" sf:blur="4" '
-                     f'fill="#e9f2b8" fill-opacity=".2"/>')
+        discs.append(element('circle', cx=x, cy=y, r=radius, sf_left='#e9f2b8',
+                             sf_right='#e9f2b8', sf_left_opacity=0,
+                             sf_right_opacity=f'{chance.uniform(.12, .3):.2f}', sf_blur=4,
+                             fill='#e9f2b8', fill_opacity='.2'))
     return layer('glints', discs)
 
 
@@ -325,16 +277,12 @@ def main():
         lines += leaf.layers()
     for petal in petals:
         lines += petal.shadow() + petal.layers()
-        lines += [f'<g id="{petal.name}-freckles" fill="none" stroke="#6d0d33">']
-        lines += ['  ' + line for line in petal.freckles(chance, 26)] + ['</g>']
+        lines += group(petal.name + '-freckles', petal.freckles(chance, 26),
+                       ' fill="none" stroke="#6d0d33"')
     lines += heart()
-    print(f'<svg xmlns="http://www.w3.org/2000/svg" xmlns:sf="urn:sfumato:1" '
-          f'viewBox="0 0 {WIDTH} {HEIGHT}" sf:version="1">')
-    print('  <title>A lily</title>')
-    print('  <!-- Drawn by make_flower.py. Every petal and leaf is a layer of its own: its\n'
-          '       outline bears opacity, and a blur radius that follows the depth. -->')
-    print('\n'.join('  ' + line for line in lines))
-    print('</svg>')
+    print(document(WIDTH, HEIGHT, 'A lily', [
+        'Drawn by make_flower.py. Every petal and leaf is a layer of its own: its outline bears',
+        'opacity, and a blur radius that follows the depth.'], lines))
 
 
 if __name__ == '__main__':
