@@ -9,9 +9,9 @@ the picture is that height, looked up in a palette of wood colours. Standard lib
 
 import math
 import random
-import struct
 import sys
-import zlib
+
+from texture import write_texture
 
 WIDTH, HEIGHT = 512, 256
 PLANKS = 2
@@ -80,32 +80,9 @@ def joint(y, plank):
     return 0.75 * math.exp(-(distance / 1.3) ** 2)
 
 
-def ramp(stops, t):
-    for (t0, a), (t1, b) in zip(stops, stops[1:]):
-        if t <= t1:
-            return bytes(round(p + (q - p) * (t - t0) / (t1 - t0)) for p, q in zip(a, b))
-    return bytes(stops[-1][1])
-
-
-def png(rows, palette):
-    def chunk(name, data):
-        body = name + data
-        return struct.pack('>I', len(data)) + body + struct.pack('>I', zlib.crc32(body))
-
-    header = struct.pack('>IIBBBBB', WIDTH, HEIGHT, 8, 3, 0, 0, 0)
-    pixels = zlib.compress(b''.join(b'\0' + row for row in rows), 9)
-    return b'\x89PNG\r\n\x1a\n' + chunk(b'IHDR', header) + chunk(b'PLTE', palette) + chunk(
-        b'IDAT', pixels) + chunk(b'IEND', b'')
-
-
 def main():
-    palette = b''.join(ramp(PALETTE_STOPS, i / (PALETTE_SIZE - 1)) for i in range(PALETTE_SIZE))
-    rows = []
-    for row in range(HEIGHT):
-        heights = (grain((column + 0.5) / WIDTH, (row + 0.5) / HEIGHT) for column in range(WIDTH))
-        rows.append(bytes(round(min(1, max(0, height)) * (PALETTE_SIZE - 1)) for height in heights))
-    with open(sys.argv[1], 'wb') as file:
-        file.write(png(rows, palette))
+    write_texture(sys.argv[1], (WIDTH, HEIGHT), lambda x, y: grain(x / WIDTH, y / HEIGHT),
+                  PALETTE_STOPS, PALETTE_SIZE)
 
 
 if __name__ == '__main__':
