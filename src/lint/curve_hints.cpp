@@ -21,6 +21,7 @@ constexpr double kLeastAreaShare = 1e-6;
 struct Outline {
   double length = 0;
   double doubled_area = 0;  ///< above 0: clockwise on the screen
+  Box box;
   bool touches_sight = false;
 };
 
@@ -38,6 +39,13 @@ bool touches(const Box& box, Vec2 a, Vec2 b) {
   return clip(a.x, b.x - a.x, box.min.x, box.max.x) && clip(a.y, b.y - a.y, box.min.y, box.max.y);
 }
 
+/// A curve outside that runs along a whole side of the artboard, or round it, is there on purpose.
+bool is_frame(const Outline& outline, const Box& sight) {
+  const Box& box = outline.box;
+  return (box.min.x <= sight.min.x && box.max.x >= sight.max.x) ||
+         (box.min.y <= sight.min.y && box.max.y >= sight.max.y);
+}
+
 std::vector<Outline> measure(const LayerUnderTest& test) {
   const curves::SegmentAttributes& flat = test.scene.color.attributes;
   std::vector<Outline> outlines(test.curves().size());
@@ -48,6 +56,8 @@ std::vector<Outline> measure(const LayerUnderTest& test) {
     Outline& outline = outlines[flat.curve[v]];
     outline.length += length(flat.vertex[v + 1] - flat.vertex[v]);
     outline.doubled_area += cross(flat.vertex[v] - origin, flat.vertex[v + 1] - origin);
+    outline.box.extend(flat.vertex[v]);
+    outline.box.extend(flat.vertex[v + 1]);
     outline.touches_sight |= touches(test.sight.viewport, flat.vertex[v], flat.vertex[v + 1]);
   }
   return outlines;
@@ -111,7 +121,7 @@ void check_curves(LayerUnderTest& test) {
     }
     check_side(test, i, CurveSide::left, curve.left);
     check_side(test, i, CurveSide::right, curve.right);
-    if (!outlines[i].touches_sight) {
+    if (!outlines[i].touches_sight && !is_frame(outlines[i], test.sight.viewport)) {
       test.add(HintKind::outside, i,
                "it lies wholly outside the artboard: only its influence can show");
     }
