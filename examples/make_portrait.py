@@ -157,18 +157,18 @@ def eye():
     strokes.append(stroke('M214 280C224 270 244 266 262 273', '#8a4a44', '.8, 2.4 40%, .6', .7))
     strokes.append(stroke('M198 355C206 357 211 350 208 340', '#b06650', '.8, 2.4 40%, .8', .7))
     strokes.append(stroke('M185 356C189 352 194 352 197 356', '#7a3a34', '1, 2 50%, 1', .8))
-    return lines + group('lashes', strokes, ' fill="none"')
+    return lines + group('lashes', strokes)
 
 
 def dark_shape(chain, colour):
     return curve(path_data(clockwise(chain), True), sf_left=colour, sf_right=colour,
-                 sf_left_opacity=0, sf_right_opacity=1, sf_blur='.5', fill=colour)
+                 sf_left_opacity=0, sf_right_opacity=1, fill=colour)
 
 
 def stroke(data, colour, radius, alpha):
     """A local curve."""
     return curve(data, sf_left=colour, sf_right=colour, sf_radius=radius, sf_alpha=alpha,
-                 stroke=colour)
+                 fill='none', stroke=colour)
 
 
 # The hair ---------------------------------------------------------------------------------------
@@ -234,25 +234,23 @@ class Lock:
         colours = [self.colour(s, 0, -.1) for s in shares] + [
             self.colour(s, 1, -.16) for s in shares[-2::-1]]
         return curve(path_data(edges, True), sf_left=stops(colours), sf_right=stops(colours),
-                     sf_left_opacity=0, sf_right_opacity=1, sf_blur='.5',
-                     fill=self.colour(.5, .5))
+                     sf_left_opacity=0, sf_right_opacity=1, fill=self.colour(.5, .5))
 
     def strand(self, chance, across):
         start, end = chance.uniform(.02, .08), chance.uniform(.86, .98)
-        shares = [start + (end - start) * i / 7 for i in range(8)]
+        shares = [start + (end - start) * i / 9 for i in range(10)]
         drift = chance.uniform(-.25, .25) / self.strands
         points = [self.at(s, across + drift * math.sin(5 * s)) for s in shares]
         depth = chance.uniform(.05, .16)
-        fade = [math.sin(math.pi * i / 7) ** .5 for i in range(8)]
+        fade = [math.sin(math.pi * i / 9) ** .5 for i in range(10)]
         lit, dim = ([self.colour(s, across, sign * depth * f - .13 * (1 - f))
                      for s, f in zip(shares, fade)] for sign in (1, -1))
         return curve(path(points), sf_left=stops(lit), sf_right=stops(dim),
-                     sf_left_blur='0, 1 50%, 0', sf_right_blur='0, 5 50%, 0', fill='none',
-                     stroke=lit[3])
+                     sf_right_blur='2, 5 50%, 2', fill='none', stroke=lit[4])
 
     def layers(self, chance):
         count = self.strands
-        strands = [self.strand(chance, (k + .5 + chance.uniform(-.22, .22)) / count)
+        strands = [self.strand(chance, .05 + .9 * (k + .5 + chance.uniform(-.22, .22)) / count)
                    for k in range(count)]
         return self.shadow() + layer(self.name, [self.outline()] + strands)
 
@@ -260,7 +258,7 @@ class Lock:
         edges = [(x + 3, y + 9) for x, y in self.far + self.near[::-1]]
         return layer(self.name + '-shadow', [curve(
             path(edges, True), sf_left='#2a0a18', sf_right='#2a0a18', sf_left_opacity=0,
-            sf_right_opacity='.2, .55 20%, .1 50%, .55 80%, .2', sf_blur='4, 14 50%, 4',
+            sf_right_opacity='0, .55 20%, .1 50%, .55 80%, 0', sf_blur='4, 14 50%, 4',
             fill='#2a0a18', fill_opacity='.3')], ' style="mix-blend-mode:multiply"')
 
 
@@ -300,13 +298,13 @@ LOCKS = [
 
 def stray_hairs():
     """Single hairs that the wind has taken: local curves."""
-    hairs = [[(330, 108), (420, 126), (470, 190), (525, 186)], [(400, 136), (456, 180), (497, 198)],
-             [(464, 300), (507, 318), (547, 268)], [(430, 350), (490, 372), (544, 330)],
-             [(410, 430), (464, 492), (525, 500), (552, 476)],
+    hairs = [[(312, 122), (400, 114), (436, 140), (470, 190), (525, 186)],
+             [(388, 146), (448, 190), (497, 198)], [(464, 300), (507, 318), (547, 268)],
+             [(430, 350), (490, 372), (544, 330)], [(410, 430), (464, 492), (525, 500), (552, 476)],
              [(372, 470), (392, 560), (384, 650)], [(318, 440), (324, 540), (340, 620)],
              [(222, 198), (238, 226), (262, 250), (276, 290)]]
     return group('stray-hairs', [stroke(path(hair), '#b5521f', '.3, 1.1 40%, .3', .9)
-                                 for hair in hairs], ' fill="none"')
+                                 for hair in hairs])
 
 
 # What she wears ---------------------------------------------------------------------------------
