@@ -8,13 +8,14 @@
 
 namespace sfumato::lint_detail {
 
-/// How much of the artboard's border a layer paints, seen at points spread along it.
-enum class BorderCover : std::uint8_t { none, some, all };
+/// How much of the artboard a layer paints, seen at points along its border and inside.
+enum class Cover : std::uint8_t { none, some, all };
 
-/// Gathers colour and opacity just inside the artboard's border, as this instance shows the layer.
+/// Gathers colour and opacity at 68 points just inside the artboard's border and 25 spread over it,
+/// as this instance shows the layer.
 /// A point is painted where a ray from it meets a colour, and the layer's opacity there is at least
 /// half a code value or comes from a shader. Errors: limit, cancelled.
-Result<BorderCover> border_cover(Context& context, const LayerUnderTest& test,
-                                 const Affine& artboard_from_layer);
+Result<Cover> cover_of(Context& context, const LayerUnderTest& test,
+                       const Affine& artboard_from_layer);
 
 }  // namespace sfumato::lint_detail

@@ -11,7 +11,7 @@
 namespace sfumato {
 namespace {
 
-using lint_detail::BorderCover;
+using lint_detail::Cover;
 using lint_detail::LayerUnderTest;
 
 /// Pixels of the artboard's longer side for which the curves are flattened and meshed.
@@ -156,17 +156,17 @@ Status Linter::check_instances(LayerUnderTest& test) {
         patches::bounds_of_mapped(instance->artboard_from_layer, bounds), document_.artboard);
     const bool may_leak = is_above && !leak_told && instance->blend == BlendMode::normal;
     if (!may_leak && !is_outside) continue;
-    const Result<BorderCover> cover =
-        lint_detail::border_cover(context_, test, instance->artboard_from_layer);
+    const Result<Cover> cover =
+        lint_detail::cover_of(context_, test, instance->artboard_from_layer);
     if (!cover) return cover.status();
-    if (may_leak && *cover == BorderCover::all) {
+    if (may_leak && *cover == Cover::all) {
       leak_told = true;
       test.add(HintKind::leak,
                "its colours leak to infinity: they reach the artboard's border all around and "
                "cover everything below; expected a closed curve that is open or a barrier "
                "outside, or an opacity of 0 there")
           .stack_item = i;
-    } else if (is_outside && *cover == BorderCover::none) {
+    } else if (is_outside && *cover == Cover::none) {
       test.add(HintKind::instance_outside, "it lies outside the artboard: nothing of it shows")
           .stack_item = i;
     }

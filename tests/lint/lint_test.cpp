@@ -305,6 +305,15 @@ TEST(Lint, lets_the_lowest_layer_and_layers_that_leave_a_border_free_fill_the_ar
   EXPECT_EQ(count(document, HintKind::leak), 0u);
 }
 
+TEST(Lint, lets_a_layer_frame_the_picture) {
+  Document document = one_layer({colored(circle_curve(kMiddle, 20), kRed, kBlue)});
+  Curve hole = disc(kMiddle, 30);
+  std::swap(hole.left.opacity, hole.right.opacity);
+  document.layers.push_back({"frame", {hole}});
+  document.stack.push_back(instance_of(1));
+  EXPECT_EQ(count(document, HintKind::leak), 0u);
+}
+
 TEST(Lint, finds_what_is_invisible) {
   Document document = one_layer({colored(circle_curve(kMiddle, 30), kRed, kBlue)});
   document.stack.push_back(LayerInstance{0, {}, 0, BlendMode::normal});
