@@ -14,6 +14,8 @@
 #include "formats/png.hpp"
 #include "formats/read_document.hpp"
 #include "formats/svg.hpp"
+#include "formats/svg_write.hpp"
+#include "lint/lint.hpp"
 #include "patches/diffuse.hpp"
 #include "patches/picture.hpp"
 #include "raster/rasterize.hpp"
