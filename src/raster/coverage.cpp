@@ -151,7 +151,8 @@ void MixedPixels::add_triangle(Shader* shader, std::uint32_t triangle, const Til
       const Coverage part = pixel_coverage(clip, x, y);
       if (!(part.area > 0)) return;
       const Vec2 p{x + part.centroid.x, y + part.centroid.y};
-      const Color4 color = shader->at(patch_point(frame, p.x, p.y), p);
+      // Shaders are filtered over the pixel's square already: they are asked at its centre.
+      const Color4 color = shader->at(patch_point(frame, p.x, p.y), {x + 0.5, y + 0.5});
       Sum& sum = sum_[index];
       const float area = static_cast<float>(part.area);
       if (sum.area == 0) color.store(sum.first);

@@ -29,23 +29,23 @@ void PointShader::begin_triangle(std::uint32_t triangle, const TriangleFrame& fr
   add_weights(layer_.opacity, triangle, frame);
 }
 
-void PointShader::add_shader(const FieldView& field, int channel, float weight, Vec2 image_point,
+void PointShader::add_shader(const FieldView& field, int channel, float weight, Vec2 pixel_center,
                              float (&value)[4]) const {
   const std::uint32_t index = field.shader[channel - field.first_weight()];
   if (field.is_opacity()) {
     const ImageShader::Sample sample =
-        input_.shaders->of_opacity(index).at(input_.layer_from_image, image_point);
+        input_.shaders->of_opacity(index).at(input_.layer_from_image, pixel_center);
     value[3] += weight * opacity_of(sample.color.r, sample.color.g, sample.color.b, sample.alpha);
     return;
   }
   const ImageShader::Sample sample =
-      input_.shaders->of_color(index).at(input_.layer_from_image, image_point);
+      input_.shaders->of_color(index).at(input_.layer_from_image, pixel_center);
   value[0] += weight * sample.color.r;
   value[1] += weight * sample.color.g;
   value[2] += weight * sample.color.b;
 }
 
-Color4 PointShader::at(const PatchPoint& point, Vec2 image_point) const {
+Color4 PointShader::at(const PatchPoint& point, Vec2 pixel_center) const {
   float value[4];
   patch_color(patch_, point).store(value);
   if (layer_.opacity.channel_count == 0) value[3] = 1;
@@ -54,7 +54,7 @@ Color4 PointShader::at(const PatchPoint& point, Vec2 image_point) const {
     patch_color(weights.patch, point).store(weight);
     for (int i = 0; i < 4 && weights.first_channel + i < weights.field->channel_count; ++i) {
       if (weight[i] == 0) continue;
-      add_shader(*weights.field, weights.first_channel + i, weight[i], image_point, value);
+      add_shader(*weights.field, weights.first_channel + i, weight[i], pixel_center, value);
     }
   }
   const Rgb3<1> code =

@@ -29,8 +29,9 @@ class PointShader {
 
   void begin_triangle(std::uint32_t triangle, const TriangleFrame& frame);
 
-  /// At a point of the triangle; `image_point` is the same in pixels.
-  Color4 at(const PatchPoint& point, Vec2 image_point) const;
+  /// At a point of the triangle, which stands for a part of a pixel, with the image-domain shaders
+  /// as that pixel has them, in pixels of the image.
+  Color4 at(const PatchPoint& point, Vec2 pixel_center) const;
 
  private:
   /// Four weights over the triangle.
@@ -41,7 +42,7 @@ class PointShader {
   };
 
   void add_weights(const FieldView& field, std::uint32_t triangle, const TriangleFrame& frame);
-  void add_shader(const FieldView& field, int channel, float weight, Vec2 image_point,
+  void add_shader(const FieldView& field, int channel, float weight, Vec2 pixel_center,
                   float (&value)[4]) const;
 
   const LayerView& layer_;
