@@ -61,9 +61,13 @@ std::string_view root_name(std::string_view text) {
   return colon == std::string_view::npos ? name : name.substr(colon + 1);
 }
 
-/// What the tree says of a text that a glance could not read: not XML, or in UTF-16.
-Result<std::string> parsed_root_name(Context& context, std::string_view text,
-                                     const std::string& file) {
+struct Root {
+  std::string name;
+  SourcePlace place;
+};
+
+/// What the tree says of a text that a glance could not read: not quite XML, or in UTF-16.
+Result<Root> parsed_root(Context& context, std::string_view text, const std::string& file) {
   XmlSource source(text, file);
   Status status = source.parse(context);
   if (!status) {
@@ -71,7 +75,7 @@ Result<std::string> parsed_root_name(Context& context, std::string_view text,
     return status;
   }
   const std::string name = source.root().name();
-  return name.substr(name.find(':') + 1);
+  return Root{name.substr(name.find(':') + 1), source.place(source.root())};
 }
 
 /// Where the tag stands that holds the name at `offset`.
@@ -83,28 +87,23 @@ SourcePlace place_of_tag(std::string_view text, std::size_t offset, const std::s
   return {file, line, static_cast<int>(before.size() - line_begin) + 1};
 }
 
-Status other_document(std::string_view name, SourcePlace place) {
-  return make_error(StatusCode::bad_input,
-                    "the document is a <" + std::string(name.substr(0, 64)) +
-                        ">; expected <svg>, or Orzan's <curve_set> or <scene>",
-                    std::move(place));
+Result<Root> find_root(Context& context, std::string_view text, const std::string& file) {
+  const std::string_view name = root_name(text);
+  if (name.empty()) return parsed_root(context, text, file);
+  const auto offset = static_cast<std::size_t>(name.data() - text.data());
+  return Root{std::string(name), place_of_tag(text, offset, file)};
 }
 
 Result<ReadDocument> read_text(Context& context, std::string_view text, const std::string& file,
                                const ResourceLoader* loader) {
-  std::string_view name = root_name(text);
-  std::string parsed_name;
-  if (name.empty()) {
-    Result<std::string> parsed = parsed_root_name(context, text, file);
-    if (!parsed) return parsed.status();
-    parsed_name = std::move(*parsed);
-    name = parsed_name;
-  }
-  if (name == "svg") return read_svg(context, text, file, loader);
-  if (name == "curve_set" || name == "scene") return read_orzan(context, text, file);
-  if (!parsed_name.empty()) return other_document(name, {file});
-  const auto offset = static_cast<std::size_t>(name.data() - text.data());
-  return other_document(name, place_of_tag(text, offset, file));
+  const Result<Root> root = find_root(context, text, file);
+  if (!root) return root.status();
+  if (root->name == "svg") return read_svg(context, text, file, loader);
+  if (root->name == "curve_set" || root->name == "scene") return read_orzan(context, text, file);
+  return make_error(StatusCode::bad_input,
+                    "the document is a <" + root->name.substr(0, 64) +
+                        ">; expected <svg>, or Orzan's <curve_set> or <scene>",
+                    root->place);
 }
 
 }  // namespace

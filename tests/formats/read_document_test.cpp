@@ -57,6 +57,8 @@ TEST(ReadDocument, other_documents_are_refused_with_their_place) {
             "a:2:2: the document is a <html>; expected <svg>, or Orzan's <curve_set> or <scene>");
   EXPECT_EQ(message_of("<!-- <html> -->\n<x:html xmlns:x='urn:x'/>"),
             "a:2:1: the document is a <html>; expected <svg>, or Orzan's <curve_set> or <scene>");
+  EXPECT_EQ(message_of("text\n<html/>"),
+            "a:2:1: the document is a <html>; expected <svg>, or Orzan's <curve_set> or <scene>");
   EXPECT_EQ(message_of(""), "a: the file is empty; expected XML");
   EXPECT_EQ(message_of("hello"), "a: no XML element found");
   EXPECT_EQ(message_of("<!-- <svg>"), "a:1:10: the XML is cut short: Error parsing comment");

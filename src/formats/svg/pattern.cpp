@@ -5,6 +5,7 @@
 #include <optional>
 #include <string_view>
 
+#include "base/limits.hpp"
 #include "formats/svg/shapes.hpp"
 #include "formats/svg/transform.hpp"
 #include "formats/svg/view_box.hpp"
@@ -80,6 +81,12 @@ Result<PatternPlace> PatternReader::read() {
                         "transform that can be inverted, of usual size");
   }
   place_.period = {tile_.width() / pattern_from_texture.a, tile_.height() / pattern_from_texture.d};
+  const auto is_period = [](double texels) { return texels > 0 && texels <= limits::kCoordinate; };
+  if (!is_period(place_.period.x) || !is_period(place_.period.y)) {
+    return input_.error(attributes_.paint(),
+                        "the pattern's tile is too large or too small for its "
+                        "<image>; expected sizes of one kind");
+  }
   const Vec2 size = texture_size();
   if (std::abs(place_.period.x - size.x) <= kSameEdge * size.x &&
       std::abs(place_.period.y - size.y) <= kSameEdge * size.y) {
