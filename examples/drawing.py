@@ -84,10 +84,13 @@ def layer(name, curves, more=''):
     return group(name, curves, ' sf:diffuse="true"' + more)
 
 
-def document(width, height, title, comment, lines):
-    """The whole file; comment is a list of lines."""
+def document(width, height, title, comment, background, lines):
+    """The whole file; comment is a list of lines, background a colour."""
     text = ('\n' + 7 * ' ').join(comment)
-    head = (f'<svg xmlns="http://www.w3.org/2000/svg" xmlns:sf="urn:sfumato:1" '
+    # Inkscape 1.2 follows xlink:href only; later ones, and browsers, know both.
+    head = (f'<svg xmlns="http://www.w3.org/2000/svg" '
+            f'xmlns:xlink="http://www.w3.org/1999/xlink" xmlns:sf="urn:sfumato:1" '
             f'viewBox="0 0 {width} {height}" sf:version="1">')
     return '\n'.join([head, f'  <title>{title}</title>', f'  <!-- {text} -->',
+                      f'  <rect width="{width}" height="{height}" fill="{background}"/>',
                       *('  ' + line for line in lines), '</svg>'])

@@ -282,7 +282,7 @@ def main():
     lines += heart()
     print(document(WIDTH, HEIGHT, 'A lily', [
         'Drawn by make_flower.py. Every petal and leaf is a layer of its own: its outline bears',
-        'opacity, and a blur radius that follows the depth.'], lines))
+        'opacity, and a blur radius that follows the depth.'], '#23452f', lines))
 
 
 if __name__ == '__main__':

@@ -361,11 +361,11 @@ def blossoms():
         element('circle', cx=0, cy=0, r=5, sf_left='#8a4a1c', sf_left_opacity=0,
                 sf_right_opacity=1, sf_right='#8a4a1c, #c9822c 50%, #ffd870 70%, #8a4a1c',
                 sf_blur='.8', fill='#e0a030')])]
-    turns = ''.join(f'<use href="#petal" transform="rotate({72 * i})"/>' for i in range(5))
-    lines += [f'  <g id="blossom">{turns}<use href="#stamens"/></g>', '</defs>']
+    turns = ''.join(f'<use xlink:href="#petal" transform="rotate({72 * i})"/>' for i in range(5))
+    lines += [f'  <g id="blossom">{turns}<use xlink:href="#stamens"/></g>', '</defs>']
     places = ((336, 246, 20, 1.05), (318, 292, -14, 1.3), (338, 338, 34, .95))
     return lines + group('blossoms', [
-        f'<use href="#blossom" transform="translate({x} {y}) rotate({turn}) scale({scale})"/>'
+        f'<use xlink:href="#blossom" transform="translate({x} {y}) rotate({turn}) scale({scale})"/>'
         for x, y, turn, scale in places])
 
 
@@ -396,7 +396,7 @@ def main():
     print(document(WIDTH, HEIGHT, 'A woman before the setting sun', [
         'Drawn by make_portrait.py. Strands of hair are open curves with a light side and a dark',
         'one; locks, lips and lashes are layers whose outlines bear opacity; thin golden lines and',
-        'stray hairs are local curves.'], lines))
+        'stray hairs are local curves.'], '#16424f', lines))
 
 
 if __name__ == '__main__':
