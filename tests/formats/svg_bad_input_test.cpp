@@ -254,6 +254,11 @@ const BadInput kReferences[] = {
              "<image href='wood.png' transform='rotate(9)'/></pattern>"),
      "4:68: the <image> is turned or mirrored within its tile; expected patternTransform on the "
      "pattern to do that"},
+    {"image_of_no_size",
+     painted("<pattern id='p' patternUnits='userSpaceOnUse' width='4' "
+             "height='2'><image href='wood.png' width='1e-7'/></pattern>"),
+     "4:1: the pattern's tile is too large or too small for its <image>; expected sizes of one "
+     "kind"},
     {"image_outside",
      painted("<pattern id='p' patternUnits='userSpaceOnUse' width='4' height='2'>"
              "<image href='wood.png' x='-1'/></pattern>"),
