@@ -25,15 +25,23 @@ double median_seconds(const std::function<double()>& run) {
   return seconds[kRuns / 2];
 }
 
-/// Seconds of the gather on the paper's mesh, of which every variant has the same.
-double gather_seconds(Context& context, const Document& document) {
+/// The gather on the paper's mesh; blur makes that finer where its radii are small.
+struct GatherCost {
+  double seconds = 0;
+  double nodes = 0;
+};
+
+GatherCost gather_cost(Context& context, const Document& document) {
   DiffuseOptions options;
   options.max_error = 0;
-  return median_seconds([&] {
+  GatherCost cost;
+  cost.seconds = median_seconds([&] {
     DiffuseStats stats;
     const Result<Picture> picture = diffuse(context, document, options, &stats);
+    cost.nodes = static_cast<double>(stats.nodes);
     return picture ? stats.gather_seconds : -1;
   });
+  return cost;
 }
 
 double whole_seconds(Context& context, const Document& document) {
@@ -156,9 +164,15 @@ int run() {
                     {"opacity on every side", with_opacity(plain)},
                     {"a mask of opacity", with_mask(plain)},
                     {"8 textures", with_textures(plain, 8)}};
-    std::printf("| lady_bug, gather on the paper's mesh | ms | ratio |\n|---|---|---|\n");
-    const double gather = gather_seconds(context, plain);
-    for (const auto& v : variants) print(v.name, gather_seconds(context, v.document), gather);
+    std::printf(
+        "| lady_bug, gather on the paper's mesh | ms | ratio | nodes | ns a node |\n"
+        "|---|---|---|---|---|\n");
+    const double gather = gather_cost(context, plain).seconds;
+    for (const auto& v : variants) {
+      const GatherCost cost = gather_cost(context, v.document);
+      std::printf("| %s | %.2f | %.2f | %.0f | %.0f |\n", v.name, 1e3 * cost.seconds,
+                  cost.seconds / gather, cost.nodes, 1e9 * cost.seconds / cost.nodes);
+    }
     std::printf(
         "\n| lady_bug, document to 1024² pixels, default options | ms | ratio |\n"
         "|---|---|---|\n");
