@@ -195,7 +195,7 @@ def stamens():
     filaments, anthers = [], []
     for aim, bend, (dx, dy) in (((172, 262), -34, (17, -13)), ((214, 196), -24, (20, 4)),
                                 ((318, 186), 20, (20, -4)), ((378, 250), 34, (15, 15)),
-                                ((372, 356), 40, (5, 21)), ((168, 372), -40, (-4, 21))):
+                                ((372, 356), 40, (5, 21)), ((166, 354), -36, (-4, 21))):
         start = mix(THROAT, aim, .07)
         filament = Stalk(start, aim, bend, 3.4, FILAMENT, GREEN)
         x, y = filament.rib(1)[0]

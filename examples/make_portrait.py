@@ -258,7 +258,7 @@ class Lock:
         edges = [(x + 3, y + 9) for x, y in self.far + self.near[::-1]]
         return layer(self.name + '-shadow', [curve(
             path(edges, True), sf_left='#2a0a18', sf_right='#2a0a18', sf_left_opacity=0,
-            sf_right_opacity='0, .55 20%, .1 50%, .55 80%, 0', sf_blur='4, 14 50%, 4',
+            sf_right_opacity='0, .55 20%, 0 45%, 0 55%, .55 80%, 0', sf_blur='4, 14 50%, 4',
             fill='#2a0a18', fill_opacity='.3')], ' style="mix-blend-mode:multiply"')
 
 
