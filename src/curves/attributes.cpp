@@ -170,9 +170,11 @@ SegmentAttributes sample_colors_and_opacities(const FlatCurves& flat, std::span<
   return both;
 }
 
-void remove_blur(SegmentAttributes& attributes) {
+void remove_blur_below(SegmentAttributes& attributes, double radius) {
   for (auto* sides : {&attributes.left, &attributes.right}) {
-    for (SegmentSide& side : *sides) side.blur_radius = {};
+    for (SegmentSide& side : *sides) {
+      if (std::max(side.blur_radius.start, side.blur_radius.end) < radius) side.blur_radius = {};
+    }
   }
 }
 

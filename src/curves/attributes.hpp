@@ -78,7 +78,7 @@ bool opacity_goes_with_color(std::span<const Curve> curves);
 SegmentAttributes sample_colors_and_opacities(const FlatCurves& flat, std::span<const Curve> curves,
                                               InterpolationSpace space);
 
-/// Makes every side sharp.
-void remove_blur(SegmentAttributes& attributes);
+/// Makes the sides of segments sharp on which no radius reaches `radius`; infinity: all.
+void remove_blur_below(SegmentAttributes& attributes, double radius);
 
 }  // namespace sfumato::curves

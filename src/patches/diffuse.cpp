@@ -14,7 +14,7 @@ Result<PatchLayer> solve_layer(Context& context, const Document& document, std::
   const patches::LayerSight sight = patches::sight_of_layer(document, index, viewport);
   if (sight.viewport.empty() || document.layers[index].curves.empty()) return PatchLayer{};
   Result<patches::LayerScene> scene = patches::prepare_layer(
-      context, document, index, sight, options, stats, patches::Joining::where_possible);
+      context, document, index, sight, options, stats, patches::LayerUse::patches);
   if (!scene) return scene.status();
   return patches::LayerSolver(context, std::move(*scene), options, stats).solve();
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/stopwatch.hpp"
 #include "curves/flatten.hpp"
@@ -14,6 +15,9 @@ namespace {
 constexpr double kTolerancePerSide = 0.1 / 512;
 /// …and inside the viewport by at most this many pixels, so that no facet shows at any zoom.
 constexpr double kTolerancePx = 0.2;
+
+/// Below this radius antialiasing blurs as much, and a mesh as fine as that would be all triangles.
+constexpr double kSmallestRadiusPx = 0.75;
 
 /// Lengths of the mesher are counted in pixels of an artboard that is this many pixels long.
 constexpr double kNominalSidePx = 1024;
@@ -110,9 +114,8 @@ bool is_thin(const mesh::TriangleMesh& mesh, const std::vector<std::uint8_t>& be
 
 Result<FieldScene> prepare_field(Context& context, const mesh::Mesher& mesher,
                                  const mesh::TriangleMesh& visibility,
-                                 curves::SegmentAttributes attributes,
-                                 const DiffuseOptions& options) {
-  if (options.ignore_blur) curves::remove_blur(attributes);
+                                 curves::SegmentAttributes attributes, double smallest_radius) {
+  curves::remove_blur_below(attributes, smallest_radius);
   const std::vector<std::uint8_t> bears = bearing_constraints(visibility, attributes);
   mesh::TriangleMesh thinned;
   const bool is_thinned = is_thin(visibility, bears);
@@ -173,15 +176,14 @@ LayerSight sight_of_layer(const Document& document, std::uint32_t layer, const B
 
 Result<LayerScene> prepare_layer(Context& context, const Document& document, std::uint32_t layer,
                                  const LayerSight& sight, const DiffuseOptions& options,
-                                 DiffuseStats* stats, Joining joining) {
+                                 DiffuseStats* stats, LayerUse use) {
   const Stopwatch geometry_watch;
   const std::vector<Curve>& curves = document.layers[layer].curves;
   const LayerUnits units(document.artboard, sight, options);
   const mesh::MeshOptions meshing = units.mesh_options();
   Result<curves::FlatCurves> flat = curves::flatten(context, curves, units.flatten_options());
   if (!flat) return flat.status();
-  const bool is_joint =
-      joining == Joining::where_possible && curves::opacity_goes_with_color(curves);
+  const bool is_joint = use == LayerUse::patches && curves::opacity_goes_with_color(curves);
   const auto sample = is_joint ? curves::sample_colors_and_opacities : curves::sample_colors;
   curves::SegmentAttributes colors = sample(*flat, curves, document.interpolation);
   const double geometry_seconds = geometry_watch.seconds();
@@ -193,13 +195,15 @@ Result<LayerScene> prepare_layer(Context& context, const Document& document, std
   const double mesh_seconds = mesh_watch.seconds();
 
   const Stopwatch gather_watch;
+  double smallest_radius = use == LayerUse::patches ? kSmallestRadiusPx * units.pixel() : 0;
+  if (options.ignore_blur) smallest_radius = std::numeric_limits<double>::infinity();
   Result<FieldScene> color =
-      prepare_field(context, *mesher, visibility, std::move(colors), options);
+      prepare_field(context, *mesher, visibility, std::move(colors), smallest_radius);
   if (!color) return color.status();
   std::optional<FieldScene> opacity;
   if (!is_joint && std::ranges::any_of(curves, bears_opacity)) {
-    Result<FieldScene> field = prepare_field(context, *mesher, visibility,
-                                             curves::sample_opacities(*flat, curves), options);
+    Result<FieldScene> field = prepare_field(
+        context, *mesher, visibility, curves::sample_opacities(*flat, curves), smallest_radius);
     if (!field) return field.status();
     opacity.emplace(std::move(*field));
   }

@@ -30,13 +30,14 @@ struct LayerSight {
 /// Empty viewport: no instance shows any of the layer.
 LayerSight sight_of_layer(const Document& document, std::uint32_t layer, const Box& viewport);
 
-/// Whether one field may hold colour and opacity, where the same curves bear both.
-enum class Joining : std::uint8_t { never, where_possible };
+/// What a layer is prepared for: single points, exactly; or patches, where one field may hold
+/// colour and opacity if the same curves bear both, and radii too small to be seen are dropped.
+enum class LayerUse : std::uint8_t { points, patches };
 
 /// Adds to `stats` if not null.
 Result<LayerScene> prepare_layer(Context& context, const Document& document, std::uint32_t layer,
                                  const LayerSight& sight, const DiffuseOptions& options,
-                                 DiffuseStats* stats, Joining joining = Joining::never);
+                                 DiffuseStats* stats, LayerUse use = LayerUse::points);
 
 /// Checks lengths and counts of the options against what they mean.
 Status validate(const DiffuseOptions& options);

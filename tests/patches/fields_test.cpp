@@ -181,6 +181,17 @@ TEST(Fields, small_radii_do_not_alias) {
   }
 }
 
+TEST(Fields, radii_below_a_pixel_are_sharp) {
+  const Curve circle = colored(circle_curve({50, 50}, 30), test::kWhite, test::kBlack);
+  const Picture sharp = diffused(one_layer({circle}));
+  const Picture tiny = diffused(one_layer({blurred(circle, 0.5f)}));
+  EXPECT_EQ(tiny.layers[0].triangle_count(), sharp.layers[0].triangle_count());
+  // Closer by, they are seen.
+  const DiffuseOptions enlarged{.viewport = Box{{75, 45}, {85, 55}}, .pixels_per_unit = 10};
+  EXPECT_GT(diffused(one_layer({blurred(circle, 0.5f)}), enlarged).layers[0].triangle_count(),
+            diffused(one_layer({circle}), enlarged).layers[0].triangle_count());
+}
+
 TEST(Fields, the_mesh_follows_the_radii_even_where_it_is_not_refined) {
   const Document document = one_layer(
       {blurred(colored(straight_curve({10, 50}, {90, 50}), test::kWhite, test::kBlack), 5)});
