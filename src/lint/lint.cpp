@@ -151,7 +151,7 @@ Status Linter::check_instances(LayerUnderTest& test) {
   for (std::uint32_t i = 0; i < document_.stack.size(); ++i) {
     const auto* instance = std::get_if<LayerInstance>(&document_.stack[i]);
     if (!instance || instance->layer != test.layer || instance->opacity == 0) continue;
-    const bool is_above = i > 0 || document_.background;
+    const bool is_above = i > 0;  // over the background alone it is the ground of the picture
     const bool is_outside = !overlap(
         patches::bounds_of_mapped(instance->artboard_from_layer, bounds), document_.artboard);
     const bool may_leak = is_above && !leak_told && instance->blend == BlendMode::normal;
