@@ -30,15 +30,39 @@ PictureItem picture_item(const Item& item) {
   return item;
 }
 
+/// The shaders of a document as pixels need them: without the files that textures came from.
+Result<std::vector<Shader>> copy_shaders(Context& context, const std::vector<Shader>& shaders) {
+  std::vector<Shader> copies;
+  ScopedCharge charge;
+  for (const Shader& shader : shaders) {
+    if (const auto* texture = std::get_if<Texture>(&shader.paint)) {
+      Status status = charge.add(context, texture->rgba.size(), "textures");
+      if (!status) return status;
+      copies.push_back({shader.id, Texture{texture->width,
+                                           texture->height,
+                                           texture->rgba,
+                                           texture->layer_from_texture,
+                                           texture->repeats,
+                                           texture->period,
+                                           {}}});
+    } else {
+      copies.push_back(shader);
+    }
+  }
+  return copies;
+}
+
 }  // namespace
 
-Picture picture_frame(const Document& document, const Box& viewport) {
+Result<Picture> picture_frame(Context& context, const Document& document, const Box& viewport) {
+  Result<std::vector<Shader>> shaders = copy_shaders(context, document.shaders);
+  if (!shaders) return shaders.status();
   Picture picture;
   picture.artboard = document.artboard;
   picture.viewport = viewport;
   picture.interpolation = document.interpolation;
   picture.background = document.background;
-  picture.shaders = document.shaders;
+  picture.shaders = std::move(*shaders);
   for (const StackItem& item : document.stack) {
     picture.stack.push_back(std::visit([](const auto& x) { return picture_item(x); }, item));
   }
@@ -49,7 +73,10 @@ Result<Picture> diffuse(Context& context, const Document& document, const Diffus
                         DiffuseStats* stats) {
   if (Status status = patches::validate(options); !status) return status;
   if (Status status = validate(document); !status) return status;
-  Picture picture = picture_frame(document, options.viewport.value_or(document.artboard));
+  Result<Picture> frame =
+      picture_frame(context, document, options.viewport.value_or(document.artboard));
+  if (!frame) return frame.status();
+  Picture picture = std::move(*frame);
   for (std::uint32_t i = 0; i < document.layers.size(); ++i) {
     Result<PatchLayer> layer = solve_layer(context, document, i, picture.viewport, options, stats);
     if (!layer) return layer.status();

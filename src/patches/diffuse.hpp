@@ -38,8 +38,8 @@ struct DiffuseStats {
   double gather_seconds = 0;
 };
 
-/// What of a document stands in its picture as it is: everything but the layers.
-Picture picture_frame(const Document& document, const Box& viewport);
+/// What of a document stands in its picture as it is: everything but the layers. Error: limit.
+Result<Picture> picture_frame(Context& context, const Document& document, const Box& viewport);
 
 /// Document → Picture (paper sections 3–5): flatten, mesh, gather, patches.
 /// Errors: bad_input (an invalid document), limit, cancelled.

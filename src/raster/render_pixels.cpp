@@ -109,13 +109,14 @@ PatchLayer layer_without_patches(const PointEvaluator& evaluator, std::uint32_t 
   return layer;
 }
 
-Picture picture_without_patches(const Document& document, const PointEvaluator& evaluator,
-                                const Box& viewport) {
-  Picture picture = picture_frame(document, viewport);
+Result<Picture> picture_without_patches(Context& context, const Document& document,
+                                        const PointEvaluator& evaluator, const Box& viewport) {
+  Result<Picture> picture = picture_frame(context, document, viewport);
+  if (!picture) return picture;
   for (std::uint32_t i = 0; i < document.layers.size(); ++i) {
     const Box seen = patches::sight_of_layer(document, i, viewport).viewport;
     const bool is_seen = evaluator.color_channels(i) > 0;
-    picture.layers.push_back(is_seen ? layer_without_patches(evaluator, i, seen) : PatchLayer{});
+    picture->layers.push_back(is_seen ? layer_without_patches(evaluator, i, seen) : PatchLayer{});
   }
   return picture;
 }
@@ -133,11 +134,12 @@ Result<Image> render_pixels(Context& context, const Document& document,
   if (!evaluator) return evaluator.status();
   const Stopwatch watch;
   const ExactFields fields(context, *evaluator);
-  const Picture picture = picture_without_patches(document, *evaluator, viewport);
+  const Result<Picture> picture = picture_without_patches(context, document, *evaluator, viewport);
+  if (!picture) return picture.status();
   RasterOptions shown = raster_options;
   shown.viewport = viewport;
   shown.antialias = shown.mesh_overlay = false;
-  Result<Image> image = raster::paint_picture(context, picture, shown, &fields);
+  Result<Image> image = raster::paint_picture(context, *picture, shown, &fields);
   if (!fields.status()) return fields.status();
   if (stats) {
     stats->nodes +=
