@@ -81,7 +81,11 @@ def group(name, lines, more=''):
 
 
 def layer(name, curves, more=''):
-    return group(name, curves, ' sf:diffuse="true"' + more)
+    if len(curves) > 1:
+        return group(name, curves, ' sf:diffuse="true"' + more)
+    # svgo merges a group with its only child, unless both have a class.
+    only = curves[0].replace(' ', ' class="curve" ', 1)
+    return group(name, [only], ' class="layer" sf:diffuse="true"' + more)
 
 
 def document(width, height, title, comment, background, lines):
@@ -91,6 +95,9 @@ def document(width, height, title, comment, background, lines):
     head = (f'<svg xmlns="http://www.w3.org/2000/svg" '
             f'xmlns:xlink="http://www.w3.org/1999/xlink" xmlns:sf="urn:sfumato:1" '
             f'viewBox="0 0 {width} {height}" sf:version="1">')
+    # svgo renames ids, which it does not find in attributes of other namespaces, unless there is a
+    # style sheet; a rectangle in percent stays a rectangle.
     return '\n'.join([head, f'  <title>{title}</title>', f'  <!-- {text} -->',
-                      f'  <rect width="{width}" height="{height}" fill="{background}"/>',
+                      '  <style>*{stroke-linejoin:round}</style>',
+                      f'  <rect width="100%" height="100%" fill="{background}"/>',
                       *('  ' + line for line in lines), '</svg>'])
