@@ -73,7 +73,8 @@ Result<std::size_t> FieldSolver::gather(Context& context, const gather::GatherOp
 
 Status FieldSolver::find_misses(Context& context, const mesh::TriangleMesh& mesh,
                                 std::span<const std::uint8_t> is_new, float max_error,
-                                PatchOrder order, std::span<std::uint8_t> misses) const {
+                                PatchOrder order, std::span<const float> color_weight,
+                                std::span<std::uint8_t> misses) const {
   const auto channels = static_cast<std::size_t>(layout_.channel_count);
   const ProbeSet probes = place_probes(mesh, layout_, is_new);
   std::vector<float> exact(probes.position.size() * channels);
@@ -85,9 +86,11 @@ Status FieldSolver::find_misses(Context& context, const mesh::TriangleMesh& mesh
     float* const exact_value = exact.data() + channels * i;
     show_as_code_values(value.data());
     show_as_code_values(exact_value);
+    const float weight = color_weight.empty() ? 1 : color_weight[probes.half_edge[i] / 3];
     float worst = 0;
     for (std::size_t c = 0; c < channels; ++c) {
-      worst = std::max(worst, std::fabs(value[c] - exact_value[c]));
+      const float miss = std::fabs(value[c] - exact_value[c]);
+      worst = std::max(worst, is_opacity(c) ? miss : weight * miss);
     }
     if (worst <= max_error) continue;
     misses[probes.half_edge[i] / 3] = 1;
@@ -95,6 +98,11 @@ Status FieldSolver::find_misses(Context& context, const mesh::TriangleMesh& mesh
     if (probes.place[i] == 3 && twin != mesh::kNone) misses[twin / 3] = 1;
   }
   return ok_status();
+}
+
+bool FieldSolver::is_opacity(std::size_t channel) const {
+  const int base_channels = scene_.attributes.base_channels;
+  return base_channels == 1 || (base_channels > 3 && channel == kOpacityChannel);
 }
 
 /// What is tolerated is counted in code values, whatever space the colours are in.

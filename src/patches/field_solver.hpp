@@ -20,6 +20,9 @@ struct FieldScene {
   gather::Gatherer gatherer;
 };
 
+/// The channel of opacity in a field of colour and opacity.
+inline constexpr int kOpacityChannel = 3;
+
 /// Solves one attribute, or colour and opacity as one, on the patch mesh of its layer, which
 /// LayerSolver refines: node values that follow the mesh from round to round, and what they miss.
 class FieldSolver {
@@ -36,9 +39,10 @@ class FieldSolver {
   /// Sets misses[t] for new triangles (is_new) whose patch misses the exact gather by more than
   /// max_error (of code values from 0 to 1, or of a share of a shader), and for their neighbours
   /// where the miss lies on the common edge.
+  /// color_weight   per triangle: what a miss of a colour counts there; empty: 1
   Status find_misses(Context& context, const mesh::TriangleMesh& mesh,
                      std::span<const std::uint8_t> is_new, float max_error, PatchOrder order,
-                     std::span<std::uint8_t> misses) const;
+                     std::span<const float> color_weight, std::span<std::uint8_t> misses) const;
 
   /// Sets coarse[t] for triangles at a blurred curve whose longest edge is too long for the blur
   /// radius there: their nodes could not tell its transition.
@@ -60,6 +64,7 @@ class FieldSolver {
   PatchField take(std::span<const std::uint8_t> keep);
 
  private:
+  bool is_opacity(std::size_t channel) const;
   void show_as_code_values(float* value) const;
 
   FieldScene scene_;

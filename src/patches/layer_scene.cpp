@@ -38,7 +38,9 @@ class LayerUnits {
   LayerUnits(const Box& artboard, const LayerSight& sight, const DiffuseOptions& options)
       : sight_(sight), options_(options), artboard_side_(longer_side(artboard) / sight.scale) {
     const Box whole = united(artboard, options.viewport.value_or(artboard));
-    whole_area_ = whole.width() * whole.height() / (sight.scale * sight.scale);
+    // A small instance shows far more of the layer than the artboard's size.
+    whole_area_ = std::max(whole.width() * whole.height() / (sight.scale * sight.scale),
+                           sight.viewport.width() * sight.viewport.height());
   }
 
   double pixel() const { return 1 / (options_.pixels_per_unit * sight_.scale); }

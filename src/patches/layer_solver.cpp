@@ -14,9 +14,6 @@ constexpr int kMaxRounds = 12;
 /// A triangle that is nowhere more opaque than this shows in no pixel.
 constexpr float kInvisibleOpacity = 1.0f / 4096;
 
-/// Of a field of colour and opacity.
-constexpr int kOpacityChannel = 3;
-
 Status check_limits(const mesh::TriangleMesh& mesh) {
   if (mesh.triangle_count() <= limits::kTriangles) return ok_status();
   return make_error(StatusCode::limit,
@@ -156,8 +153,9 @@ Status LayerSolver::find_misses(std::vector<std::uint32_t>& missed) {
   }
   std::vector<std::uint8_t> misses(mesh_.triangle_count(), 0);
   const auto limit = static_cast<float>(options_.max_error / 255);
+  const std::vector<float> opacity = triangle_opacity();
   Status status = for_each_field([&](const FieldSolver& field) {
-    return field.find_misses(context_, mesh_, is_new, limit, options_.order, misses);
+    return field.find_misses(context_, mesh_, is_new, limit, options_.order, opacity, misses);
   });
   missed = indices_of(misses);
   if (stats_) stats_->gather_seconds += watch.seconds();
@@ -171,15 +169,24 @@ Status LayerSolver::make_smaller(const std::vector<std::uint32_t>& triangles) {
   return status;
 }
 
+/// Per triangle the largest opacity at its nodes; empty where the layer is opaque.
+std::vector<float> LayerSolver::triangle_opacity() const {
+  if (!opacity_ && !is_joint()) return {};
+  std::vector<float> opacity(mesh_.triangle_count());
+  for (std::uint32_t t = 0; t < mesh_.triangle_count(); ++t) {
+    opacity[t] =
+        opacity_ ? opacity_->largest_value(t, 0) : color_.largest_value(t, kOpacityChannel);
+  }
+  return opacity;
+}
+
 /// A region from which no curve is seen has no colour, and one without opacity shows nothing: both
 /// need no triangles.
 std::vector<std::uint8_t> LayerSolver::visible_triangles() const {
+  const std::vector<float> opacity = triangle_opacity();
   std::vector<std::uint8_t> keep(mesh_.triangle_count());
   for (std::uint32_t t = 0; t < mesh_.triangle_count(); ++t) {
-    float opacity = 1;
-    if (opacity_) opacity = opacity_->largest_value(t, 0);
-    if (is_joint()) opacity = color_.largest_value(t, kOpacityChannel);
-    keep[t] = color_.sees_curves(t) && opacity >= kInvisibleOpacity;
+    keep[t] = color_.sees_curves(t) && (opacity.empty() || opacity[t] >= kInvisibleOpacity);
   }
   return keep;
 }

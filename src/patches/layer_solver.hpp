@@ -32,6 +32,7 @@ class LayerSolver {
   Status gather(const gather::GatherOptions& options, bool all);
   Status find_misses(std::vector<std::uint32_t>& missed);
   Status make_smaller(const std::vector<std::uint32_t>& triangles);
+  std::vector<float> triangle_opacity() const;
   std::vector<std::uint8_t> visible_triangles() const;
   /// Whether color_ holds the opacity too, as its fourth channel.
   bool is_joint() const;
