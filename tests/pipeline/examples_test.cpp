@@ -1,0 +1,251 @@
+// Our own drawings: each reads without a warning, renders, and shows what the gallery says of it.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "formats/read_document.hpp"
+#include "patches/diffuse.hpp"
+#include "raster/rasterize.hpp"
+#include "support/scenes.hpp"
+
+namespace sfumato {
+namespace {
+
+const std::string kFolder = SFUMATO_SOURCE_DIR "/examples/";
+
+/// Textures beside the examples.
+class ExampleFiles : public ResourceLoader {
+ public:
+  Result<std::vector<std::uint8_t>> load(std::string_view href) const override {
+    const auto bytes = test::file_bytes(kFolder + std::string(href));
+    if (!bytes) return make_error(StatusCode::bad_input, "no such file: " + std::string(href));
+    return std::vector<std::uint8_t>(bytes->begin(), bytes->end());
+  }
+};
+
+Document example(const std::string& name) {
+  Context context;
+  const ExampleFiles files;
+  const auto bytes = test::file_bytes(kFolder + name);
+  if (!bytes) {
+    ADD_FAILURE() << "no " << name;
+    return {};
+  }
+  Result<ReadDocument> read = read_document(context, *bytes, name, &files);
+  if (!read) {
+    ADD_FAILURE() << read.status().message;
+    return {};
+  }
+  for (const Status& warning : read->warnings) ADD_FAILURE() << name << ": " << warning.message;
+  return std::move(read->document);
+}
+
+std::vector<std::string> example_names() {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(kFolder)) {
+    const std::string extension = entry.path().extension().string();
+    if (extension == ".svg" || extension == ".xml") names.push_back(entry.path().filename());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+/// 256 pixels wide.
+Image drawn(const Document& document) {
+  Context context;
+  const double width = document.artboard.max.x - document.artboard.min.x;
+  const double height = document.artboard.max.y - document.artboard.min.y;
+  RasterOptions raster;
+  raster.width = 256;
+  raster.height = static_cast<int>(std::lround(256 * height / width));
+  DiffuseOptions options;
+  options.pixels_per_unit = 256 / width;
+  const Result<Picture> picture = diffuse(context, document, options);
+  if (!picture) {
+    ADD_FAILURE() << picture.status().message;
+    return {};
+  }
+  Result<Image> image = rasterize(context, *picture, raster);
+  if (!image) {
+    ADD_FAILURE() << image.status().message;
+    return {};
+  }
+  return std::move(*image);
+}
+
+std::size_t color_count(const Image& image) {
+  std::set<std::uint32_t> colors;
+  for (std::size_t i = 0; i + 2 < image.bytes.size(); i += 3) {
+    colors.insert(image.bytes[i] | std::uint32_t{image.bytes[i + 1]} << 8 |
+                  std::uint32_t{image.bytes[i + 2]} << 16);
+  }
+  return colors.size();
+}
+
+/// The items of one kind in the stack, bottom first.
+template <class Item>
+std::vector<Item> items(const Document& document) {
+  std::vector<Item> found;
+  for (const StackItem& item : document.stack) {
+    if (const Item* one = std::get_if<Item>(&item)) found.push_back(*one);
+  }
+  return found;
+}
+
+const Layer* layer_of(const Document& document, const std::string& id) {
+  const auto at = std::find_if(document.layers.begin(), document.layers.end(),
+                               [&](const Layer& layer) { return layer.id == id; });
+  return at == document.layers.end() ? nullptr : &*at;
+}
+
+std::size_t curve_count(const Document& document) {
+  std::size_t count = 0;
+  for (const Layer& layer : document.layers) count += layer.curves.size();
+  return count;
+}
+
+template <class Paint>
+std::size_t paint_count(const Document& document) {
+  return static_cast<std::size_t>(std::count_if(
+      document.shaders.begin(), document.shaders.end(),
+      [](const Shader& shader) { return std::holds_alternative<Paint>(shader.paint); }));
+}
+
+float smallest(const ScalarStops& list) {
+  float least = list.empty() ? 0 : list.stops.front().value;
+  for (const Stop<float>& stop : list.stops) least = std::min(least, stop.value);
+  return least;
+}
+
+float largest(const ScalarStops& list) {
+  float most = 0;
+  for (const Stop<float>& stop : list.stops) most = std::max(most, stop.value);
+  return most;
+}
+
+class Example : public testing::TestWithParam<std::string> {};
+
+TEST_P(Example, reads_without_warnings_and_renders) {
+  const Document document = example(GetParam());
+  ASSERT_FALSE(HasFailure());
+  const Image image = drawn(document);
+  ASSERT_EQ(image.width, 256);
+  EXPECT_GT(color_count(image), 1000u);
+}
+
+INSTANTIATE_TEST_SUITE_P(Examples, Example, testing::ValuesIn(example_names()),
+                         [](const testing::TestParamInfo<std::string>& parameter) {
+                           std::string name = parameter.param;
+                           std::replace(name.begin(), name.end(), '.', '_');
+                           return name;
+                         });
+
+TEST(Examples, the_apple_has_a_texture_a_gradient_and_local_highlights) {
+  const Document document = example("apple.svg");
+  EXPECT_EQ(paint_count<Texture>(document), 1u);
+  EXPECT_GE(paint_count<GradientFill>(document), 1u);
+  EXPECT_GE(items<LocalStroke>(document).size(), 2u);
+}
+
+TEST(Examples, the_lily_has_petals_whose_blur_grows_towards_the_tip) {
+  const Document document = example("flower.svg");
+  const Layer* petal = layer_of(document, "petal-top");
+  ASSERT_NE(petal, nullptr);
+  const ScalarStops& blur = petal->curves.front().right.blur_radius;
+  EXPECT_GT(largest(blur), 4 * smallest(blur));
+  EXPECT_GT(smallest(blur), 0);
+}
+
+TEST(Examples, the_portrait_has_more_than_100_curves) {
+  EXPECT_GT(curve_count(example("portrait.svg")), 100u);
+}
+
+TEST(Examples, one_soft_fish_is_drawn_50_times_with_falling_opacity) {
+  const Document document = example("fish.svg");
+  const Layer* fish = layer_of(document, "fish-body");
+  ASSERT_NE(fish, nullptr);
+  const Side& inside = fish->curves.front().right;
+  EXPECT_EQ(inside.opacity.kind, ShaderKind::curve_domain);
+  EXPECT_GT(largest(inside.blur_radius), 0);
+
+  std::size_t count = 0, mirrored = 0;
+  double least = 1e9, most = 0;
+  for (const LayerInstance& instance : items<LayerInstance>(document)) {
+    if (&document.layers[instance.layer] != fish) continue;
+    const double determinant = instance.artboard_from_layer.determinant();
+    ++count;
+    mirrored += determinant < 0;
+    least = std::min(least, std::abs(determinant));
+    most = std::max(most, std::abs(determinant));
+  }
+  EXPECT_EQ(count, 50u);
+  EXPECT_GT(mirrored, 5u);
+  EXPECT_LT(mirrored, count - 5);
+  EXPECT_GT(most, 100 * least);
+  std::set<float> opacities;
+  for (const GroupBegin& group : items<GroupBegin>(document)) opacities.insert(group.opacity);
+  EXPECT_GE(opacities.size(), 20u);
+  EXPECT_LT(*opacities.begin(), .25f);
+}
+
+TEST(Examples, the_board_of_blur_has_every_kind_of_transition) {
+  const Document document = example("blur.svg");
+  for (const std::string row : {"colours", "plane"}) {
+    const auto side = [&](const std::string& column, bool left) {
+      const Layer* layer = layer_of(document, row + "-" + column);
+      if (!layer) ADD_FAILURE() << "no layer " << row << "-" << column;
+      if (!layer) return Side{};
+      return left ? layer->curves.back().left : layer->curves.back().right;
+    };
+    EXPECT_EQ(largest(side("sharp", true).blur_radius), 0);
+    EXPECT_EQ(smallest(side("along", true).blur_radius), 0);
+    EXPECT_GT(largest(side("along", true).blur_radius), 0);
+    EXPECT_EQ(side("along", true).blur_radius, side("along", false).blur_radius);
+    EXPECT_NE(side("sides", true).blur_radius, side("sides", false).blur_radius);
+    EXPECT_GT(smallest(side("sides", true).blur_radius), 0);
+    const ShaderKind kind = row == "plane" ? ShaderKind::image_domain : ShaderKind::curve_domain;
+    for (const char* column : {"sharp", "along", "sides"}) {
+      EXPECT_EQ(side(column, true).color.kind, kind);
+      EXPECT_EQ(side(column, false).color.kind, kind);
+    }
+  }
+  EXPECT_EQ(paint_count<Texture>(document), 1u);
+  EXPECT_EQ(paint_count<GradientFill>(document), 1u);
+}
+
+TEST(Examples, two_curves_bear_colours_on_one_side_and_a_texture_on_the_other) {
+  const Document document = example("textures.svg");
+  EXPECT_EQ(paint_count<Texture>(document), 2u);
+  ASSERT_EQ(curve_count(document), 2u);
+  const Curve &above = document.layers[0].curves[0], &below = document.layers[0].curves[1];
+  EXPECT_EQ(above.left.color.kind, ShaderKind::curve_domain);
+  EXPECT_EQ(above.right.color.kind, ShaderKind::image_domain);
+  EXPECT_EQ(below.left.color.kind, ShaderKind::image_domain);
+  EXPECT_EQ(below.right.color.kind, ShaderKind::curve_domain);
+  EXPECT_NE(above.right.color.shader, below.left.color.shader);
+}
+
+TEST(Examples, the_feather_is_made_of_local_curves_and_stands_there_twice) {
+  const Document document = example("strokes.svg");
+  const std::vector<LocalStroke> strokes = items<LocalStroke>(document);
+  EXPECT_GT(strokes.size(), 600u);
+  EXPECT_EQ(strokes.size() % 2, 0u);
+  std::set<double> alphas;
+  std::set<float> radii;
+  for (const LocalStroke& stroke : strokes) {
+    alphas.insert(stroke.curve.alpha);
+    radii.insert(largest(stroke.curve.influence_radius));
+  }
+  EXPECT_GT(alphas.size(), 10u);
+  EXPECT_GT(radii.size(), 10u);
+  // The half on paper has nothing below: the only layer lies in the other half.
+  EXPECT_EQ(items<LayerInstance>(document).size(), 1u);
+}
+
+}  // namespace
+}  // namespace sfumato
