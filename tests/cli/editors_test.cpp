@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <limits>
 
 #include "cli/run_command.hpp"
 
@@ -41,38 +42,91 @@ bool is_installed(const std::string& program) {
   return run_command({"/bin/sh", "-c", "command -v " + program + " >/dev/null"}).exit_code == 0;
 }
 
+/// `command` run, and something saved.
+void save(const std::string& command, const std::string& ours, const std::string& saved) {
+  const CommandResult result = run_command({"/bin/sh", "-c", command, "sh", ours, saved});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_NE(read_whole(ours), read_whole(saved)) << "nothing was saved";
+}
+
+double number_after(const std::string& json, const std::string& key) {
+  const std::size_t at = json.find("\"" + key + "\":");
+  if (at == std::string::npos) return std::numeric_limits<double>::infinity();
+  return std::atof(json.c_str() + at + key.size() + 3);
+}
+
+/// Both pictures have nearly the same pixels: coordinates are rounded to six digits or fewer, which
+/// moves an edge by some hundredths of a pixel.
+void expect_same_picture(const TemporaryFolder& folder, const std::string& ours,
+                         const std::string& saved) {
+  const std::string picture = folder.path("ours.png"), after = folder.path("saved.png");
+  ASSERT_EQ(run_sfumato({"render", ours, "-o", picture}).exit_code, 0);
+  const CommandResult rendered = run_sfumato({"render", saved, "-o", after});
+  ASSERT_EQ(rendered.exit_code, 0) << rendered.err << read_whole(saved);
+  EXPECT_EQ(rendered.err, "");
+  const std::string json = run_sfumato({"compare", "--json", picture, after}).out;
+  EXPECT_LT(number_after(json, "rms"), 0.2) << json;
+  EXPECT_LT(number_after(json, "maximum"), 16) << json;
+}
+
 /// The document as we write it, saved by `command`, in which $1 is its name and $2 the new one.
 void expect_same_picture_after(const std::string& command) {
   const TemporaryFolder folder;
   const std::string ours = folder.path("ours.svg"), saved = folder.path("saved.svg");
-  const std::string picture = folder.path("ours.png"), after = folder.path("saved.png");
   ASSERT_EQ(run_sfumato({"convert", "-", "-o", ours}, kDrawing).exit_code, 0);
-  const CommandResult save = run_command({"/bin/sh", "-c", command, "sh", ours, saved});
-  ASSERT_EQ(save.exit_code, 0) << save.err;
-  EXPECT_NE(read_whole(ours), read_whole(saved)) << "nothing was saved";
-  ASSERT_EQ(run_sfumato({"render", ours, "-o", picture}).exit_code, 0);
-  const CommandResult rendered = run_sfumato({"render", saved, "-o", after});
-  ASSERT_EQ(rendered.exit_code, 0) << rendered.err << read_whole(saved);
-  // Coordinates are rounded to six digits or so.
-  const std::string json = run_sfumato({"compare", "--json", picture, after}).out;
-  const std::size_t at = json.find("\"rms\":");
-  ASSERT_NE(at, std::string::npos) << json;
-  EXPECT_LT(std::atof(json.c_str() + at + 6), 0.2) << json;
+  save(command, ours, saved);
+  expect_same_picture(folder, ours, saved);
 }
+
+/// The same of our examples, as they were written by hand, beside their textures.
+void expect_same_examples_after(const std::string& command) {
+  const TemporaryFolder folder;
+  const std::string examples = SFUMATO_SOURCE_DIR "/examples/";
+  for (const std::string texture : {"wood.png", "waves.png", "hemp.png"}) {
+    folder.add(texture, read_whole(examples + texture));
+  }
+  for (const std::string name : {"apple", "fish", "textures"}) {
+    SCOPED_TRACE(name);
+    const std::string ours = folder.add(name + ".svg", read_whole(examples + name + ".svg"));
+    const std::string saved = folder.path(name + "-saved.svg");
+    save(command, ours, saved);
+    expect_same_picture(folder, ours, saved);
+  }
+}
+
+constexpr const char* kInkscape = "inkscape \"$1\" --export-type=svg --export-filename=\"$2\"";
+constexpr const char* kPlainInkscape =
+    "inkscape \"$1\" --export-plain-svg --export-filename=\"$2\"";
+constexpr const char* kSvgo = "svgo \"$1\" -o \"$2\"";
 
 TEST(Editors, inkscape_keeps_the_picture) {
   if (!is_installed("inkscape")) GTEST_SKIP() << "inkscape is not installed";
-  expect_same_picture_after("inkscape \"$1\" --export-type=svg --export-filename=\"$2\"");
+  expect_same_picture_after(kInkscape);
 }
 
 TEST(Editors, inkscape_keeps_the_picture_in_plain_svg) {
   if (!is_installed("inkscape")) GTEST_SKIP() << "inkscape is not installed";
-  expect_same_picture_after("inkscape \"$1\" --export-plain-svg --export-filename=\"$2\"");
+  expect_same_picture_after(kPlainInkscape);
 }
 
 TEST(Editors, svgo_keeps_the_picture) {
   if (!is_installed("svgo")) GTEST_SKIP() << "svgo is not installed";
-  expect_same_picture_after("svgo \"$1\" -o \"$2\"");
+  expect_same_picture_after(kSvgo);
+}
+
+TEST(Editors, inkscape_keeps_our_examples) {
+  if (!is_installed("inkscape")) GTEST_SKIP() << "inkscape is not installed";
+  expect_same_examples_after(kInkscape);
+}
+
+TEST(Editors, inkscape_keeps_our_examples_in_plain_svg) {
+  if (!is_installed("inkscape")) GTEST_SKIP() << "inkscape is not installed";
+  expect_same_examples_after(kPlainInkscape);
+}
+
+TEST(Editors, svgo_keeps_our_examples) {
+  if (!is_installed("svgo")) GTEST_SKIP() << "svgo is not installed";
+  expect_same_examples_after(kSvgo);
 }
 
 }  // namespace
