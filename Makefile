@@ -2,7 +2,7 @@
 
 build_folder := build
 jobs := $(shell nproc 2>/dev/null || echo 2)
-scene := examples/evening.xml
+scene := examples/portrait.svg
 
 .DEFAULT_GOAL := help
 .PHONY: help demo build check bench wasm clean
