@@ -9,7 +9,8 @@
 namespace sfumato {
 
 /// A document as SVG with the namespace of docs/format.md, in one canonical form: what is read back
-/// draws the same, and written again has the same bytes.
+/// draws the same, and written again has the same bytes, but for layers that are never painted and
+/// shaders that nothing uses: they are written, and left out by readers.
 ///
 /// Exact: control points, offsets, radii, colours and transforms are the shortest decimals that
 /// read back as the same number. A colour is #rrggbb where each channel is k / 255 to the bit, else
