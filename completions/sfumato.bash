@@ -22,6 +22,11 @@ _sfumato() {
     --depth) options='8 16' ;;
     --max-error) options='off' ;;
     --background) options='none white black' ;;
+    --allow-files)
+      compopt -o filenames 2>/dev/null
+      mapfile -t COMPREPLY < <(compgen -d -- "$current")
+      return
+      ;;
     -o | --output | --stats)
       _sfumato_files "$1" "$current"
       return
@@ -41,13 +46,13 @@ _sfumato() {
   fi
   case $command in
     render)
-      options='--output --viewport --width --height --scale --method --rays --seed --tolerance
-        --no-blur --max-error --max-area --min-angle --order --mesh-overlay --background --depth
-        --dither --no-antialias --threads --max-memory --stats --quiet --help'
+      options='--output --allow-files --viewport --width --height --scale --method --rays --seed
+        --tolerance --no-blur --max-error --max-area --min-angle --order --mesh-overlay
+        --background --depth --dither --no-antialias --threads --max-memory --stats --quiet --help'
       ;;
-    info) options='--json --quiet --help' ;;
-    convert) options='--output --quiet --help' ;;
-    lint) options='--strict --verbose --json --quiet --help' ;;
+    info) options='--allow-files --json --quiet --help' ;;
+    convert) options='--output --allow-files --quiet --help' ;;
+    lint) options='--allow-files --strict --verbose --json --quiet --help' ;;
     compare) options='--output --scale --json --help' ;;
     *) options='render info convert lint compare --help --version' ;;
   esac

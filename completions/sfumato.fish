@@ -11,6 +11,7 @@ complete -c sfumato -n "not __fish_seen_subcommand_from $commands" -f -a lint -d
 complete -c sfumato -n "not __fish_seen_subcommand_from $commands" -f -a compare -d 'Measure how two images of one size differ'
 
 complete -c sfumato -n '__fish_seen_subcommand_from render' -s o -l output -r -F -d 'The image'
+complete -c sfumato -n '__fish_seen_subcommand_from render' -l allow-files -x -a '(__fish_complete_directories)' -d 'Read textures from this folder too'
 complete -c sfumato -n '__fish_seen_subcommand_from render' -l viewport -x -d 'The part to draw'
 complete -c sfumato -n '__fish_seen_subcommand_from render' -l width -x -d 'Width in pixels'
 complete -c sfumato -n '__fish_seen_subcommand_from render' -l height -x -d 'Height in pixels'
@@ -34,12 +35,15 @@ complete -c sfumato -n '__fish_seen_subcommand_from render' -l max-memory -x -d 
 complete -c sfumato -n '__fish_seen_subcommand_from render' -l stats -r -F -d 'Sizes and times as JSON'
 complete -c sfumato -n '__fish_seen_subcommand_from render' -l quiet -d 'No warnings, no progress bar'
 
+complete -c sfumato -n '__fish_seen_subcommand_from info' -l allow-files -x -a '(__fish_complete_directories)' -d 'Read textures from this folder too'
 complete -c sfumato -n '__fish_seen_subcommand_from info' -l json -d 'Print one JSON object'
 complete -c sfumato -n '__fish_seen_subcommand_from info' -l quiet -d 'No warnings'
 
 complete -c sfumato -n '__fish_seen_subcommand_from convert' -s o -l output -r -F -d 'The SVG document'
+complete -c sfumato -n '__fish_seen_subcommand_from convert' -l allow-files -x -a '(__fish_complete_directories)' -d 'Read textures from this folder too'
 complete -c sfumato -n '__fish_seen_subcommand_from convert' -l quiet -d 'No warnings'
 
+complete -c sfumato -n '__fish_seen_subcommand_from lint' -l allow-files -x -a '(__fish_complete_directories)' -d 'Read textures from this folder too'
 complete -c sfumato -n '__fish_seen_subcommand_from lint' -l strict -d 'Exit with 1 where there is a hint'
 complete -c sfumato -n '__fish_seen_subcommand_from lint' -l verbose -d 'With notes'
 complete -c sfumato -n '__fish_seen_subcommand_from lint' -l json -d 'Print one JSON object'

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "base/limits.hpp"
 #include "cli/messages.hpp"
@@ -14,8 +15,14 @@
 
 namespace sfumato::cli {
 
-struct RenderArguments {
+/// What every command is told that reads a document.
+struct DocumentArguments {
   std::string input;
+  std::vector<std::string> allowed_folders;  ///< textures may come from there too; they exist
+  bool quiet = false;
+};
+
+struct RenderArguments : DocumentArguments {
   std::string output;
   SizeRequest size;
   bool per_pixel = false;  ///< --method pixels
@@ -26,27 +33,20 @@ struct RenderArguments {
   int threads = 0;  ///< 0: all cores
   std::size_t max_memory_bytes = limits::kMemoryBytes;
   std::string stats;  ///< where the JSON goes; empty: nowhere
-  bool quiet = false;
 };
 
-struct ConvertArguments {
-  std::string input;
+struct ConvertArguments : DocumentArguments {
   std::string output;
-  bool quiet = false;
 };
 
-struct InfoArguments {
-  std::string input;
+struct InfoArguments : DocumentArguments {
   bool json = false;
-  bool quiet = false;
 };
 
-struct LintArguments {
-  std::string input;
+struct LintArguments : DocumentArguments {
   bool verbose = false;  ///< with notes, which ask for nothing
   bool strict = false;   ///< a hint is a failure
   bool json = false;
-  bool quiet = false;
 };
 
 struct CompareArguments {

@@ -3,10 +3,9 @@
 #include "base/native/file.hpp"
 #include "base/native/tbb_executor.hpp"
 #include "cli/commands.hpp"
-#include "cli/folder_loader.hpp"
+#include "cli/document_input.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/paths.hpp"
-#include "formats/read_document.hpp"
 #include "formats/svg_write.hpp"
 
 namespace sfumato::cli {
@@ -14,13 +13,8 @@ namespace {
 
 Status convert_document(Context& context, const ConvertArguments& arguments,
                         const std::string& input) {
-  const FolderLoader loader(arguments.input);
-  const Result<ReadDocument> read =
-      read_document(context, input, display_name(arguments.input), &loader);
+  const Result<ReadDocument> read = read_given_document(context, arguments, input);
   if (!read) return read.status();
-  if (!arguments.quiet) {
-    for (const Status& warning : read->warnings) report_warning(warning);
-  }
   const Result<std::string> svg = write_svg(context, read->document);
   if (!svg) return svg.status();
   if (context.cancelled()) return make_error(StatusCode::cancelled, "cancelled");

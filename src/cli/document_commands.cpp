@@ -19,12 +19,6 @@ constexpr const char* kLintFooter =
     "  sfumato lint lady_bug.svg\n"
     "  sfumato lint --strict --quiet lady_bug.svg";
 
-void add_document(CLI::App& app, std::string& input) {
-  app.add_option("IN", input, "Diffusion curves (SVG or Orzan XML); '-': from stdin")
-      ->required()
-      ->type_name("");
-}
-
 bool is_svg_name(const std::string& path) {
   constexpr std::string_view kExtension = ".svg";
   if (path.size() <= kExtension.size()) return path == "-";
@@ -41,7 +35,7 @@ bool is_svg_name(const std::string& path) {
 CLI::App* add_info(CLI::App& root, InfoArguments& arguments) {
   CLI::App* app = root.add_subcommand("info", "Say what a file of diffusion curves holds");
   app->footer(kInfoFooter);
-  add_document(*app, arguments.input);
+  add_document(*app, arguments);
   app->add_flag("--json", arguments.json, "Print one JSON object");
   app->add_flag("--quiet", arguments.quiet, "No warnings");
   return app;
@@ -50,7 +44,7 @@ CLI::App* add_info(CLI::App& root, InfoArguments& arguments) {
 CLI::App* add_convert(CLI::App& root, ConvertArguments& arguments) {
   CLI::App* app = root.add_subcommand("convert", "Write a file of diffusion curves as SVG");
   app->footer(kConvertFooter);
-  add_document(*app, arguments.input);
+  add_document(*app, arguments);
   add_value(*app, "-o,--output", {"a file name that ends in .svg, or -", "OUT.svg"},
             "The SVG document; '-': to stdout",
             [&output = arguments.output](const std::string& text) {
@@ -65,7 +59,7 @@ CLI::App* add_convert(CLI::App& root, ConvertArguments& arguments) {
 CLI::App* add_lint(CLI::App& root, LintArguments& arguments) {
   CLI::App* app = root.add_subcommand("lint", "Hint at what a drawing has probably got wrong");
   app->footer(kLintFooter);
-  add_document(*app, arguments.input);
+  add_document(*app, arguments);
   app->add_flag("--strict", arguments.strict, "Exit with 1 where there is a hint");
   app->add_flag("--verbose", arguments.verbose, "With notes: which side of a loop is inside");
   app->add_flag("--json", arguments.json, "Print one JSON object");

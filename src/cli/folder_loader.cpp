@@ -1,8 +1,7 @@
 #include "cli/folder_loader.hpp"
 
-#include <cerrno>
-#include <cstring>
-#include <filesystem>
+#include <algorithm>
+#include <system_error>
 
 #include "base/limits.hpp"
 #include "base/native/file.hpp"
@@ -16,23 +15,48 @@ Status bad(std::string message) {
   return make_error(StatusCode::bad_input, std::move(message));
 }
 
+/// Whether the file lies in the folder or below; both without symbolic links and "..".
+bool is_below(const fs::path& file, const fs::path& folder) {
+  const auto [in_folder, in_file] =
+      std::mismatch(folder.begin(), folder.end(), file.begin(), file.end());
+  return in_folder == folder.end() && in_file != file.end();
+}
+
 }  // namespace
 
-FolderLoader::FolderLoader(const std::string& document)
-    : folder_(document == "-" ? std::string() : fs::path(document).parent_path().string()) {}
+FolderLoader::FolderLoader(const std::string& document,
+                           const std::vector<std::string>& allowed_folders)
+    : folder_(document == "-" ? fs::path() : fs::path(document).parent_path()) {
+  if (folder_.empty()) folder_ = ".";
+  std::error_code error;
+  const fs::path own = fs::canonical(folder_, error);
+  if (!error) granted_.push_back(own);
+  for (const std::string& folder : allowed_folders) {
+    const fs::path allowed = fs::canonical(folder, error);
+    if (!error) granted_.push_back(allowed);
+  }
+}
+
+Status FolderLoader::check_place(const fs::path& file) const {
+  const auto holds = [&file](const fs::path& folder) { return is_below(file, folder); };
+  if (std::ranges::any_of(granted_, holds)) return ok_status();
+  std::string folders;
+  for (const fs::path& folder : granted_) {
+    folders += (folders.empty() ? "" : " and ") + folder.string();
+  }
+  return bad("leads to " + file.string() + ", outside of " + folders +
+             "; expected a file there or below, or --allow-files with another folder");
+}
 
 Result<std::vector<std::uint8_t>> FolderLoader::load(std::string_view href) const {
   if (href.find('\0') != std::string_view::npos) return bad("is no file name");
-  const fs::path name(href);
-  if (name.is_absolute()) {
-    return bad("is an absolute path; expected one relative to the document's folder");
-  }
-  const fs::path path = fs::path(folder_) / name;
   std::error_code error;
+  // What is read is the path without links that was checked, not the one that the document names.
+  const fs::path path = fs::weakly_canonical(folder_ / fs::path(href), error);
+  if (error) return bad("cannot be read: " + error.message());
+  if (Status status = check_place(path); !status) return status;
   const fs::file_status status = fs::status(path, error);
-  if (!fs::exists(status)) {
-    return bad("there is no such file in the folder " + (folder_.empty() ? "." : folder_));
-  }
+  if (!fs::exists(status)) return bad("there is no such file in " + path.parent_path().string());
   if (!fs::is_regular_file(status)) return bad("is not a file");
   Result<std::string> bytes = read_file(path.string(), limits::kImageFileBytes);
   if (!bytes) {

@@ -1,22 +1,28 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
+#include <vector>
 
 #include "formats/read_document.hpp"
 
 namespace sfumato::cli {
 
-/// Reads the files that a document names relative to its own folder (".." is allowed; absolute
-/// paths are refused, and what is not a regular file).
+/// Reads the files that a document names relative to its own folder, or by an absolute path. A file
+/// is read only where it lies in the document's folder or in one that the user allows, or below
+/// them, after all symbolic links were followed; and only if it is a regular file.
 class FolderLoader final : public ResourceLoader {
  public:
-  /// The path of the document; "-" is standard input: the current folder.
-  explicit FolderLoader(const std::string& document);
+  /// The path of the document; "-" is standard input: the current folder. `allowed_folders` exist.
+  FolderLoader(const std::string& document, const std::vector<std::string>& allowed_folders);
 
   Result<std::vector<std::uint8_t>> load(std::string_view href) const override;
 
  private:
-  std::string folder_;
+  Status check_place(const std::filesystem::path& file) const;
+
+  std::filesystem::path folder_;                ///< of the document, as it was given
+  std::vector<std::filesystem::path> granted_;  ///< without symbolic links; the document's first
 };
 
 }  // namespace sfumato::cli

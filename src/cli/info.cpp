@@ -4,12 +4,11 @@
 #include "base/native/tbb_executor.hpp"
 #include "cli/commands.hpp"
 #include "cli/document_facts.hpp"
-#include "cli/folder_loader.hpp"
+#include "cli/document_input.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/json.hpp"
 #include "cli/paths.hpp"
 #include "formats/number_text.hpp"
-#include "formats/read_document.hpp"
 
 namespace sfumato::cli {
 namespace {
@@ -145,12 +144,8 @@ int info(const InfoArguments& arguments) {
   const std::string name = display_name(arguments.input);
   Context context;
   const CancelOnSignal cancel_on_signal(context.cancel);
-  const FolderLoader loader(arguments.input);
-  const Result<ReadDocument> read = read_document(context, *input, name, &loader);
+  const Result<ReadDocument> read = read_given_document(context, arguments, *input);
   if (!read) return fail(read.status());
-  if (!arguments.quiet) {
-    for (const Status& warning : read->warnings) report_warning(warning);
-  }
   const Status printed = print(arguments.json ? as_json(name, *read) : as_table(name, *read));
   return printed ? kDone : fail(printed);
 }

@@ -4,11 +4,10 @@
 
 #include "base/native/tbb_executor.hpp"
 #include "cli/commands.hpp"
-#include "cli/folder_loader.hpp"
+#include "cli/document_input.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/json.hpp"
 #include "cli/paths.hpp"
-#include "formats/read_document.hpp"
 
 namespace sfumato::cli {
 namespace {
@@ -80,12 +79,8 @@ int lint(const LintArguments& arguments) {
   const std::unique_ptr<Executor> executor = make_tbb_executor();
   Context context{.executor = executor.get()};
   const CancelOnSignal cancel_on_signal(context.cancel);
-  const FolderLoader loader(arguments.input);
-  const Result<ReadDocument> read = read_document(context, *input, name, &loader);
+  const Result<ReadDocument> read = read_given_document(context, arguments, *input);
   if (!read) return fail(read.status());
-  if (!arguments.quiet) {
-    for (const Status& warning : read->warnings) report_warning(warning);
-  }
   Result<std::vector<Hint>> hints = sfumato::lint(context, read->document);
   if (!hints) return fail(hints.status());
   if (!arguments.verbose)

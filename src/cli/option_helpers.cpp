@@ -1,8 +1,21 @@
 #include "cli/option_helpers.hpp"
 
+#include <filesystem>
+#include <system_error>
+
 #include "cli/paths.hpp"
 
 namespace sfumato::cli {
+namespace {
+
+/// What is wrong with the name of a folder; empty: nothing.
+std::string complaint_about_folder(const std::string& path) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) return {};
+  return "\"" + path + "\" given, expected a folder that exists";
+}
+
+}  // namespace
 
 CLI::Option* add_output(CLI::App& app, std::string& output, const std::string& help) {
   const std::string expected = "a file name that ends in " + known_extensions() + ", or -";
@@ -11,6 +24,18 @@ CLI::Option* add_output(CLI::App& app, std::string& output, const std::string& h
                      output = text;
                      return output_kind(text).has_value();
                    });
+}
+
+void add_document(CLI::App& app, DocumentArguments& arguments) {
+  app.add_option("IN", arguments.input, "Diffusion curves (SVG or Orzan XML); '-': from stdin")
+      ->required()
+      ->type_name("");
+  app.add_option("--allow-files", arguments.allowed_folders,
+                 "Read textures from this folder too, and below;\nmay be given several times "
+                 "[only beside IN]")
+      ->type_name("DIR")
+      ->allow_extra_args(false)
+      ->check(CLI::Validator(complaint_about_folder, ""));
 }
 
 }  // namespace sfumato::cli

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "cli/arguments.hpp"
 #include "cli/values.hpp"
 
 /// Options whose values our own parsers read, so that each failure says what was expected.
@@ -54,6 +55,9 @@ auto whole_into(Target& target, std::uint64_t lowest, std::uint64_t highest) {
 
 /// The option -o, whose extension must be known.
 CLI::Option* add_output(CLI::App& app, std::string& output, const std::string& help);
+
+/// The document IN and --allow-files, which says where its textures may lie.
+void add_document(CLI::App& app, DocumentArguments& arguments);
 
 /// One of a few words.
 template <class Value>

@@ -9,13 +9,12 @@
 #include "base/native/tbb_executor.hpp"
 #include "base/stopwatch.hpp"
 #include "cli/commands.hpp"
-#include "cli/folder_loader.hpp"
+#include "cli/document_input.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/paths.hpp"
 #include "cli/progress_bar.hpp"
 #include "cli/stats.hpp"
 #include "formats/png.hpp"
-#include "formats/read_document.hpp"
 #include "raster/render_pixels.hpp"
 
 namespace sfumato::cli {
@@ -27,17 +26,6 @@ Status check_outputs(const RenderArguments& arguments) {
   Status status = check_output(arguments.output);
   if (status && !arguments.stats.empty()) status = check_output(arguments.stats);
   return status;
-}
-
-Result<Document> parse(Context& context, const RenderArguments& arguments,
-                       const std::string& bytes) {
-  const FolderLoader loader(arguments.input);
-  Result<ReadDocument> read = read_document(context, bytes, display_name(arguments.input), &loader);
-  if (!read) return read.status();
-  if (!arguments.quiet) {
-    for (const Status& warning : read->warnings) report_warning(warning);
-  }
-  return std::move(read->document);
 }
 
 /// The two ways from a document to pixels; both need diffuse.viewport and raster's size set.
@@ -97,10 +85,10 @@ Status render_document(Context& context, const RenderArguments& arguments, const
                        const Stopwatch& total) {
   RenderStats stats;
   stats.threads = context.thread_count();
-  Result<Document> document = parse(context, arguments, input);
-  if (!document) return document.status();
+  Result<ReadDocument> read = read_given_document(context, arguments, input);
+  if (!read) return read.status();
   stats.read_seconds = total.seconds();
-  const Result<Image> image = draw_as_asked(context, *document, arguments, stats);
+  const Result<Image> image = draw_as_asked(context, read->document, arguments, stats);
   if (!image) return image.status();
   const Stopwatch write_watch;
   const Status written = write_image(context, arguments, *image);

@@ -151,9 +151,7 @@ void add_running_options(CLI::App& app, RenderArguments& arguments) {
 CLI::App* add_render(CLI::App& root, RenderArguments& arguments, RenderChoices& choices) {
   CLI::App* app = root.add_subcommand("render", "Draw a file of diffusion curves as an image");
   app->footer(kRenderFooter);
-  app->add_option("IN", arguments.input, "Diffusion curves (SVG or Orzan XML); '-': from stdin")
-      ->required()
-      ->type_name("");
+  add_document(*app, arguments);
   add_output(*app, arguments.output, "The image; '-': a PNG to stdout")->required();
   add_place_options(*app, arguments);
   add_solution_options(*app, arguments, choices);

@@ -64,7 +64,7 @@ void expect_words(const Names& words, const std::string& text, const std::string
 constexpr const char* kOption = "(--[a-z]+(?:-[a-z]+)*)";
 
 TEST(CommandDocuments, the_help_names_options_and_choices) {
-  EXPECT_EQ(options_of("convert"), (Names{"--output", "--quiet"}));
+  EXPECT_EQ(options_of("convert"), (Names{"--allow-files", "--output", "--quiet"}));
   EXPECT_TRUE(options_of("render").contains("--no-antialias"));
   EXPECT_TRUE(choices_of("render").contains("rays"));
   EXPECT_TRUE(choices_of("render").contains("off"));
