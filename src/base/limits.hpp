@@ -19,6 +19,8 @@ inline constexpr std::size_t kUsedElements = 1'000'000;
 inline constexpr std::size_t kCurves = 200'000;
 inline constexpr std::size_t kControlPoints = 4'000'000;
 inline constexpr std::size_t kStops = 8'000'000;
+/// Of one attribute of a curve, or one gradient.
+inline constexpr std::size_t kStopsPerList = 10'000;
 inline constexpr std::size_t kSegments = 4'000'000;
 inline constexpr std::size_t kTriangles = 8'000'000;
 inline constexpr std::size_t kNodes = 40'000'000;

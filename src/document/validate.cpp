@@ -79,6 +79,9 @@ Status check_control_points(const std::vector<Vec2>& points) {
 /// Offsets in range and never falling; values as is_value says.
 template <class Value, class IsValue>
 Status check_stops(const StopList<Value>& list, std::size_t piece_count, IsValue is_value) {
+  if (Status status = at_most(list.stops.size(), limits::kStopsPerList, "stops"); !status) {
+    return status;
+  }
   const double end = list.space == StopSpace::parameter ? static_cast<double>(piece_count) : 1;
   double last = 0;
   for (std::size_t i = 0; i < list.stops.size(); ++i) {
@@ -274,6 +277,9 @@ Status check_paint(const GradientFill& fill) {
   }
   if (!is_usable(fill.layer_from_gradient)) return bad("the transform cannot be inverted");
   if (fill.stops.empty()) return bad("the gradient has no stops");
+  if (Status status = at_most(fill.stops.size(), limits::kStopsPerList, "stops"); !status) {
+    return status;
+  }
   double last = 0;
   for (const GradientStop& stop : fill.stops) {
     if (!is_share(stop.offset) || stop.offset < last) return bad("a stop's offset is out of order");

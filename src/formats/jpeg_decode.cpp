@@ -115,6 +115,18 @@ Status check_size(const Session& session) {
   return ok_status();
 }
 
+/// Whether the file can hold the picture: Huffman codes take a bit for each block of 8 × 8 at
+/// least.
+bool has_enough_bytes(const jpeg_decompress_struct& decoder, std::size_t byte_count) {
+  if (decoder.arith_code != FALSE) return true;
+  std::size_t blocks = 0;
+  for (int i = 0; i < decoder.num_components; ++i) {
+    const jpeg_component_info& component = decoder.comp_info[i];
+    blocks += std::size_t{component.width_in_blocks} * component.height_in_blocks;
+  }
+  return byte_count >= blocks / 8;
+}
+
 /// From RGB or CMYK, `channels` bytes a pixel.
 void expand(const std::uint8_t* source, std::size_t channels, bool inverted,
             std::vector<std::uint8_t>& rgba) {
@@ -141,6 +153,11 @@ Result<RgbaImage> decode(Context& context, Session& session, std::span<const std
   if (!read_header(session, bytes)) return failure(session);
   if (Status status = check_size(session); !status) return status;
   jpeg_decompress_struct& decoder = session.decoder;
+  if (!has_enough_bytes(decoder, bytes.size())) {
+    return make_error(StatusCode::bad_input, "the JPEG image is damaged: too few bytes for " +
+                                                 std::to_string(decoder.image_width) + " × " +
+                                                 std::to_string(decoder.image_height) + " pixels");
+  }
   const bool is_cmyk = decoder.num_components == 4;
   decoder.out_color_space = is_cmyk ? JCS_CMYK : JCS_RGB;
   const std::size_t channels = is_cmyk ? 4 : 3;

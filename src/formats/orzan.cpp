@@ -236,6 +236,9 @@ Status OrzanReader::read_stops(pugi::xml_node set, const char* name, StopList<Va
   if (stop_count_ > limits::kStops) {
     return limit_error(limits::kStops, " stops", xml_.place(set));
   }
+  if (list.stops.size() + count > limits::kStopsPerList) {
+    return limit_error(limits::kStopsPerList, " stops in one list", xml_.place(set));
+  }
   // Blur serves both sides: twice the stops.
   if (Status status = charge_.add(context_, 2 * count * sizeof(Stop<Value>), "stops"); !status) {
     return status;

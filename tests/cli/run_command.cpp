@@ -1,6 +1,7 @@
 #include "cli/run_command.hpp"
 
 #include <fcntl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -15,6 +16,10 @@ namespace {
 void open_as(int descriptor, const std::string& path, int flags) {
   const int file = open(path.c_str(), flags, 0600);
   if (file < 0 || dup2(file, descriptor) < 0) _exit(127);
+}
+
+double seconds(const timeval& time) {
+  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
 
 }  // namespace
@@ -60,9 +65,12 @@ RunningCommand::RunningCommand(std::vector<std::string> arguments, const std::st
 
 CommandResult RunningCommand::wait() {
   int status = 0;
-  if (id_ < 0 || waitpid(id_, &status, 0) != id_) throw std::runtime_error("no such process");
+  rusage used{};
+  if (id_ < 0 || wait4(id_, &status, 0, &used) != id_) throw std::runtime_error("no such process");
   const int exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-  return {exit_code, read_whole(streams_.path("out")), read_whole(streams_.path("err"))};
+  return {exit_code, read_whole(streams_.path("out")), read_whole(streams_.path("err")),
+          seconds(used.ru_utime) + seconds(used.ru_stime),
+          static_cast<std::size_t>(used.ru_maxrss) * 1024};
 }
 
 CommandResult run_command(std::vector<std::string> arguments, const std::string& input) {

@@ -2,6 +2,7 @@
 
 #include <sys/types.h>
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -12,6 +13,8 @@ struct CommandResult {
   int exit_code = -1;  ///< 128 + the signal's number where a signal ended it
   std::string out;
   std::string err;
+  double cpu_seconds = 0;      ///< of all its threads
+  std::size_t peak_bytes = 0;  ///< resident; this process's own at the start at least
 };
 
 /// A new folder that goes away with everything in it.

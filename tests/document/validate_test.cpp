@@ -167,6 +167,15 @@ TEST(Validate, refuses_more_layers_than_the_limit) {
   EXPECT_EQ(validate(document).code, StatusCode::limit);
 }
 
+TEST(Validate, refuses_more_stops_in_one_list_than_the_limit) {
+  Document document = some_document();
+  second_curve(document).left.blur_radius.stops.assign(limits::kStopsPerList + 1, {0, 1});
+  EXPECT_EQ(validate(document).code, StatusCode::limit);
+  document = some_document();
+  gradient_of(document).stops.assign(limits::kStopsPerList + 1, {});
+  EXPECT_EQ(validate(document).code, StatusCode::limit);
+}
+
 TEST(Validate, refuses_more_curves_than_the_limit_over_all_layers) {
   Document document = some_document();
   Curve curve;

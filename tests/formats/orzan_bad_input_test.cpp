@@ -130,6 +130,15 @@ TEST(OrzanLimits, more_control_points_than_the_limit_are_refused) {
   EXPECT_EQ(status.code, StatusCode::limit);
 }
 
+TEST(OrzanLimits, more_stops_in_one_list_than_the_limit_are_refused) {
+  const std::string color = "<left_color R='1' G='2' B='3' globalID='0'/>";
+  const Status status =
+      status_of(curve_with(points(4) + "<left_colors_set>" +
+                           repeated(color, limits::kStopsPerList + 1) + "</left_colors_set>"));
+  EXPECT_EQ(status.code, StatusCode::limit);
+  EXPECT_TRUE(status.message.ends_with("10000 stops in one list")) << status.message;
+}
+
 TEST(OrzanLimits, input_longer_than_the_limit_is_refused) {
   const Status status = status_of(std::string(limits::kInputBytes + 1, ' '));
   EXPECT_EQ(status.code, StatusCode::limit);

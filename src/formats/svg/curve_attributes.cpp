@@ -51,7 +51,10 @@ std::optional<Found> AttributeReader::find(const char* name, const char* for_bot
 
 Status AttributeReader::check_length(const Found& found) {
   const std::size_t count = stop_bound(found.text);
-  if (count > limits::kStops) return input_.over_limit(element_, limits::kStops, "stops");
+  if (count > limits::kStopsPerList) {
+    return input_.in(element_, found.name,
+                     input_.over_limit(element_, limits::kStopsPerList, "stops in one list"));
+  }
   ScopedCharge charge;
   return input_.placed(element_,
                        charge.add(input_.context(), count * sizeof(WrittenStop<Rgb>), "stops"));

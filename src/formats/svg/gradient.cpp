@@ -4,6 +4,7 @@
 #include <optional>
 #include <string_view>
 
+#include "base/limits.hpp"
 #include "formats/css_color.hpp"
 #include "formats/number.hpp"
 #include "formats/suggestion.hpp"
@@ -124,6 +125,9 @@ Status GradientReader::read_stops() {
   }
   double largest = 0;
   for (const Element element : parent.children("stop")) {
+    if (fill_.stops.size() == limits::kStopsPerList) {
+      return input_.over_limit(element, limits::kStopsPerList, "stops in one gradient");
+    }
     if (Status status = totals_.add_stops(element, 1, sizeof(GradientStop)); !status) {
       return status;
     }
