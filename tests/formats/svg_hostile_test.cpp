@@ -117,8 +117,7 @@ TEST(SvgHostile, gradients_of_more_stops_than_the_limit_are_refused) {
   EXPECT_TRUE(status_of(filled(limits::kStopsPerList)).ok());
   const Status status = status_of(filled(limits::kStopsPerList + 1));
   EXPECT_EQ(status.code, StatusCode::limit);
-  EXPECT_EQ(to_string(status),
-            "a.svg:5:70001: more than the limit of 10000 stops in one gradient");
+  EXPECT_EQ(to_string(status), "a.svg:5:70001: more than the limit of 10000 stops in one gradient");
 }
 
 TEST(SvgHostile, stops_times_subpaths_beyond_the_limit_are_refused) {
