@@ -19,6 +19,17 @@ Result<PatchLayer> solve_layer(Context& context, const Document& document, std::
   return patches::LayerSolver(context, std::move(*scene), options, stats).solve();
 }
 
+std::size_t bytes_of(const PatchField& field) {
+  return field.triangle_node.size() * sizeof(std::uint32_t) +
+         field.node_value.size() * sizeof(float);
+}
+
+std::size_t bytes_of(const PatchLayer& layer) {
+  return layer.vertex_position.size() * sizeof(Vec2) +
+         layer.triangle_vertex.size() * (sizeof(std::uint32_t) + 1) + bytes_of(layer.color) +
+         bytes_of(layer.opacity);
+}
+
 PictureItem picture_item(const LayerInstance& instance) {
   return PatchInstance{instance.layer, instance.artboard_from_layer, instance.opacity,
                        instance.blend};
@@ -77,9 +88,11 @@ Result<Picture> diffuse(Context& context, const Document& document, const Diffus
       picture_frame(context, document, options.viewport.value_or(document.artboard));
   if (!frame) return frame.status();
   Picture picture = std::move(*frame);
+  ScopedCharge charge;  // of the layers that are done, while others are solved
   for (std::uint32_t i = 0; i < document.layers.size(); ++i) {
     Result<PatchLayer> layer = solve_layer(context, document, i, picture.viewport, options, stats);
     if (!layer) return layer.status();
+    if (Status status = charge.add(context, bytes_of(*layer), "patches"); !status) return status;
     picture.layers.push_back(std::move(*layer));
   }
   return picture;

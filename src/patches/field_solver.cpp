@@ -14,6 +14,15 @@ constexpr std::size_t kNodes = kNodesPerTriangle;
 /// Four nodes on an edge of this many radii tell smoothstep to within 2%.
 constexpr double kEdgePerRadius = 1.5;
 
+/// Probes of one triangle (patches/probes.hpp).
+constexpr std::size_t kMostProbes = 6;
+
+/// About five nodes to a triangle.
+std::size_t layout_bytes_per_triangle(int channel_count) {
+  return 10 * sizeof(std::uint32_t) +
+         5 * (28 + sizeof(float) * static_cast<std::size_t>(channel_count)) + 64;
+}
+
 double longest_edge(const mesh::TriangleMesh& mesh, std::uint32_t t) {
   double longest = 0;
   for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
@@ -25,17 +34,28 @@ double longest_edge(const mesh::TriangleMesh& mesh, std::uint32_t t) {
 
 }  // namespace
 
-void FieldSolver::follow(const mesh::TriangleMesh& mesh,
-                         std::span<const std::int32_t> previous_triangle) {
+Status FieldSolver::follow(Context& context, const mesh::TriangleMesh& mesh,
+                           std::span<const std::int32_t> previous_triangle) {
+  ScopedCharge charge;
+  Status status = charge.add(
+      context, mesh.triangle_count() * layout_bytes_per_triangle(channel_count()), "patches");
+  if (!status) return status;
   const NodeLayout old_layout = std::move(layout_);
   const std::vector<std::uint8_t> old_hit = std::move(node_hit_);
   const Seams seams(mesh, scene_.attributes);
   layout_ = lay_out_nodes(mesh, scene_.attributes, seams);
   node_known_ = layout_.is_fixed;
   node_hit_.assign(layout_.node_count(), 1);
-  if (old_layout.triangle_node.empty()) return;
+  if (!old_layout.triangle_node.empty()) carry_over(old_layout, old_hit, previous_triangle);
+  layout_charge_ = std::move(charge);
+  return ok_status();
+}
+
+/// Takes the values of triangles that stayed from the layout before.
+void FieldSolver::carry_over(const NodeLayout& old_layout, const std::vector<std::uint8_t>& old_hit,
+                             std::span<const std::int32_t> previous_triangle) {
   const auto channels = static_cast<std::size_t>(layout_.channel_count);
-  for (std::uint32_t t = 0; t < mesh.triangle_count(); ++t) {
+  for (std::size_t t = 0; t < previous_triangle.size(); ++t) {
     if (previous_triangle[t] == mesh::kNone) continue;
     const auto p = static_cast<std::size_t>(previous_triangle[t]);
     for (std::size_t i = 0; i < kNodes; ++i) {
@@ -50,19 +70,32 @@ void FieldSolver::follow(const mesh::TriangleMesh& mesh,
   }
 }
 
+std::vector<std::uint32_t> FieldSolver::nodes_to_gather(bool all) const {
+  std::vector<std::uint32_t> nodes;
+  for (std::uint32_t node = 0; node < layout_.node_count(); ++node) {
+    if (!layout_.is_fixed[node] && (all || !node_known_[node])) nodes.push_back(node);
+  }
+  return nodes;
+}
+
+std::size_t FieldSolver::point_bytes(std::size_t count) const {
+  const auto channels = static_cast<std::size_t>(channel_count());
+  return count * (sizeof(Vec2) + 2 * sizeof(std::uint32_t) + channels * sizeof(float));
+}
+
 Result<std::size_t> FieldSolver::gather(Context& context, const gather::GatherOptions& options,
                                         bool all) {
-  std::vector<std::uint32_t> nodes;
+  const std::vector<std::uint32_t> nodes = nodes_to_gather(all);
+  ScopedCharge charge;
+  Status status = charge.add(context, point_bytes(nodes.size()), "nodes to gather");
+  if (!status) return status;
   std::vector<Vec2> points;
-  for (std::uint32_t node = 0; node < layout_.node_count(); ++node) {
-    if (layout_.is_fixed[node] || (node_known_[node] && !all)) continue;
-    nodes.push_back(node);
-    points.push_back(layout_.position[node]);
-  }
+  points.reserve(nodes.size());
+  for (std::uint32_t node : nodes) points.push_back(layout_.position[node]);
   const auto channels = static_cast<std::size_t>(layout_.channel_count);
   std::vector<float> values(points.size() * channels);
   std::vector<std::uint8_t> hits(points.size());
-  Status status = scene_.gatherer.gather(context, points, options, values, hits);
+  status = scene_.gatherer.gather(context, points, options, values, hits);
   if (!status) return status;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     std::copy_n(values.data() + channels * i, channels, layout_.value.data() + channels * nodes[i]);
@@ -76,9 +109,14 @@ Status FieldSolver::find_misses(Context& context, const mesh::TriangleMesh& mesh
                                 PatchOrder order, std::span<const float> color_weight,
                                 std::span<std::uint8_t> misses) const {
   const auto channels = static_cast<std::size_t>(layout_.channel_count);
+  const auto new_triangles = static_cast<std::size_t>(std::ranges::count(is_new, 1));
+  ScopedCharge charge;
+  Status status =
+      charge.add(context, point_bytes(kMostProbes * new_triangles), "probes of patches");
+  if (!status) return status;
   const ProbeSet probes = place_probes(mesh, layout_, is_new);
   std::vector<float> exact(probes.position.size() * channels);
-  Status status = scene_.gatherer.gather(context, probes.position, {}, exact);
+  status = scene_.gatherer.gather(context, probes.position, {}, exact);
   if (!status) return status;
   std::vector<float> value(channels);
   for (std::size_t i = 0; i < probes.position.size(); ++i) {

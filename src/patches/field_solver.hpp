@@ -31,9 +31,12 @@ class FieldSolver {
 
   /// Lays out the nodes of `mesh` and carries known values over from triangles that stayed.
   /// previous_triangle   as Mesher::patch_mesh gives it
-  void follow(const mesh::TriangleMesh& mesh, std::span<const std::int32_t> previous_triangle);
+  /// Errors              limit
+  Status follow(Context& context, const mesh::TriangleMesh& mesh,
+                std::span<const std::int32_t> previous_triangle);
 
   /// Gathers the free nodes whose value is not known yet, or all of them, and says how many.
+  /// Errors: limit, cancelled.
   Result<std::size_t> gather(Context& context, const gather::GatherOptions& options, bool all);
 
   /// Sets misses[t] for new triangles (is_new) whose patch misses the exact gather by more than
@@ -65,10 +68,16 @@ class FieldSolver {
 
  private:
   bool is_opacity(std::size_t channel) const;
+  void carry_over(const NodeLayout& old_layout, const std::vector<std::uint8_t>& old_hit,
+                  std::span<const std::int32_t> previous_triangle);
+  std::vector<std::uint32_t> nodes_to_gather(bool all) const;
+  /// The memory of `count` points and their values.
+  std::size_t point_bytes(std::size_t count) const;
   void show_as_code_values(float* value) const;
 
   FieldScene scene_;
   NodeLayout layout_;
+  ScopedCharge layout_charge_;
   std::vector<std::uint8_t> node_known_;  ///< value gathered in an earlier round, or fixed
   std::vector<std::uint8_t> node_hit_;    ///< 0 where a free node sees no curve
 };

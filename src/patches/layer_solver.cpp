@@ -20,11 +20,6 @@ Status check_limits(const mesh::TriangleMesh& mesh) {
                     "more than " + std::to_string(limits::kTriangles) + " triangles");
 }
 
-/// About five nodes of one field to a triangle.
-std::size_t bytes_per_triangle(int channel_count) {
-  return 10 * sizeof(std::uint32_t) + 5 * (28 + sizeof(float) * channel_count) + 64;
-}
-
 std::vector<std::uint32_t> indices_of(const std::vector<std::uint8_t>& chosen) {
   std::vector<std::uint32_t> indices;
   for (std::uint32_t i = 0; i < chosen.size(); ++i) {
@@ -100,13 +95,8 @@ Status LayerSolver::take_mesh() {
 
 Status LayerSolver::lay_out() {
   const Stopwatch watch;
-  Status status = for_each_field([&](FieldSolver& field) {
-    ScopedCharge charge;
-    Status charged = charge.add(
-        context_, mesh_.triangle_count() * bytes_per_triangle(field.channel_count()), "patches");
-    if (charged) field.follow(mesh_, previous_triangle_);
-    return charged;
-  });
+  Status status = for_each_field(
+      [&](FieldSolver& field) { return field.follow(context_, mesh_, previous_triangle_); });
   if (stats_) stats_->triangulation_seconds += watch.seconds();
   return status;
 }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -242,6 +243,39 @@ TEST(Diffuse, options_out_of_range_are_refused) {
   EXPECT_EQ(code({.max_area_fraction = 0}), StatusCode::bad_input);
   EXPECT_EQ(code({.max_error = std::nan("")}), StatusCode::bad_input);
   EXPECT_EQ(code({.viewport = Box{{5, 5}, {5, 9}}}), StatusCode::bad_input);
+}
+
+/// The most that a computation had charged when it reported.
+class MostCharged final : public Progress {
+ public:
+  explicit MostCharged(const Budget& budget) : budget_(budget) {}
+  void report(std::string_view, double) override { bytes_ = std::max(bytes_, budget_.used()); }
+  std::size_t bytes() const { return bytes_; }
+
+ private:
+  const Budget& budget_;
+  std::size_t bytes_ = 0;
+};
+
+TEST(Diffuse, patches_are_charged_as_long_as_they_are_held) {
+  const std::vector<Curve> curves{colored(circle_curve({50, 50}, 30), test::kRed, test::kGreen),
+                                  colored(straight_curve({5, 5}, {60, 90}), {}, test::kBlue)};
+  Document document = one_layer(curves);
+  for (std::uint32_t i = 1; i < 4; ++i) {
+    document.layers.push_back({"", curves});
+    document.stack.push_back(LayerInstance{i, {}});
+  }
+  Context context;
+  MostCharged most(context.budget);
+  context.progress = &most;
+  const Result<Picture> picture = diffuse(context, document, {});
+  ASSERT_TRUE(picture.ok()) << picture.status().message;
+  std::size_t held = 0;
+  for (const PatchLayer& layer : picture->layers) {
+    held += 4 * (layer.color.node_value.size() + layer.color.triangle_node.size());
+  }
+  EXPECT_GT(most.bytes(), held);
+  EXPECT_EQ(context.budget.used(), 0u);
 }
 
 TEST(Diffuse, a_budget_that_is_too_small_is_a_limit) {
