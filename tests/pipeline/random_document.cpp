@@ -151,11 +151,12 @@ class DocumentGenerator {
   }
 
   Curve shape() {
-    const int kind = whole(0, 4);
+    const int kind = chance(0.08) ? 5 : whole(0, 4);
     const Vec2 first = place();
     if (kind == 0) return straight_curve(first, place());
     if (kind == 1) return circle_curve(first, real(5, 60));
     if (kind == 2) return blob(first);
+    if (kind == 5) return degenerate(first);
     Curve curve{.control_points = {first}};
     for (int piece = whole(1, 3); piece > 0; --piece) {
       const Vec2 last = curve.control_points.back();
@@ -165,6 +166,16 @@ class DocumentGenerator {
       }
     }
     return curve;
+  }
+
+  /// Nearly a point, a line that runs back on itself, or a side of the artboard.
+  Curve degenerate(Vec2 first) {
+    const int kind = whole(0, 2);
+    const Vec2 far = kind == 0 ? first + Vec2{1e-3, 0} : place();
+    if (kind < 2) return {.control_points = {first, far, far, first}};
+    const Box& box = document_.artboard;
+    return straight_curve(box.min,
+                          chance(0.5) ? Vec2{box.max.x, box.min.y} : Vec2{box.min.x, box.max.y});
   }
 
   /// A closed curve with a corner at each of its joints.
@@ -197,7 +208,8 @@ class DocumentGenerator {
     if (has_color) side.color = side_shader<Rgb>(pieces, [&] { return color(); });
     if (has_opacity) side.opacity = side_shader<float>(pieces, [&] { return share(); });
     if (is_blurred) {
-      side.blur_radius = stops<float>(pieces, [&] { return chance(0.2) ? 0 : number(0, 25); });
+      side.blur_radius =
+          stops<float>(pieces, [&] { return chance(0.2) ? 0 : number(0, chance(0.1) ? 300 : 25); });
       // Writers leave radii out that are 0 everywhere.
       side.blur_radius.stops.back().value += 0.01f;
     }
@@ -216,10 +228,23 @@ class DocumentGenerator {
       const bool is_blurred = chance(blur_share);
       curve.left = side(pieces, has_color, has_opacity, is_blurred);
       curve.right = side(pieces, has_color, has_opacity, is_blurred);
-      if (chance(0.2)) curve.weight = real(0.1, 5);
+      if (chance(0.2)) curve.weight = chance(0.2) ? real(1e-6, 1e6) : real(0.1, 5);
+      if (chance(0.2) && !layer.curves.empty()) meet(layer.curves.back(), curve);
       layer.curves.push_back(std::move(curve));
     }
     document_.layers.push_back(std::move(layer));
+  }
+
+  /// A curve that begins where another ends, or that runs along it or back along it.
+  void meet(const Curve& other, Curve& curve) {
+    const Vec2 end = other.control_points.back();
+    if (chance(0.5) || other.piece_count() != curve.piece_count()) {
+      const Vec2 offset = end - curve.control_points.front();
+      for (Vec2& p : curve.control_points) p = p + offset;
+      return;
+    }
+    curve.control_points = other.control_points;
+    if (chance(0.5)) std::ranges::reverse(curve.control_points);
   }
 
   float opacity() { return chance(0.5) ? 1 : number(0, 1); }
@@ -231,7 +256,8 @@ class DocumentGenerator {
     LayerInstance instance;
     instance.layer =
         static_cast<std::uint32_t>(whole(0, static_cast<int>(document_.layers.size()) - 1));
-    if (chance(0.6)) instance.artboard_from_layer = transform(0.2, 2.5);
+    if (chance(0.6))
+      instance.artboard_from_layer = chance(0.15) ? transform(0.005, 20) : transform(0.2, 2.5);
     instance.opacity = opacity();
     instance.blend = blend();
     document_.stack.push_back(instance);
