@@ -1,5 +1,5 @@
 // Writes the node values of a document to standard output as raw floats, for tests/wasm/run.mjs:
-// dump_nodes IN.xml MAX_ERROR
+// dump_nodes IN MAX_ERROR
 #include <cstdio>
 #include <cstdlib>
 #include <sfumato/sfumato.hpp>
@@ -9,17 +9,18 @@ namespace {
 sfumato::Status dump(const std::string& in, double max_error) {
   using namespace sfumato;
   Context context;
-  auto xml = read_file(in, limits::kInputBytes);
-  if (!xml) return xml.status();
-  auto read = read_orzan(context, *xml, in);
+  auto text = read_file(in, limits::kInputBytes);
+  if (!text) return text.status();
+  auto read = read_document(context, *text, in);
   if (!read) return read.status();
   DiffuseOptions options;
   options.max_error = max_error;
   auto picture = diffuse(context, read->document, options);
   if (!picture) return picture.status();
   for (const PatchLayer& layer : picture->layers) {
-    std::fwrite(layer.color.node_value.data(), sizeof(float), layer.color.node_value.size(),
-                stdout);
+    for (const PatchField* field : {&layer.color, &layer.opacity}) {
+      std::fwrite(field->node_value.data(), sizeof(float), field->node_value.size(), stdout);
+    }
   }
   return ok_status();
 }
@@ -28,7 +29,7 @@ sfumato::Status dump(const std::string& in, double max_error) {
 
 int main(int argc, char** argv) {
   if (argc != 3) {
-    std::fputs("usage: dump_nodes IN.xml MAX_ERROR\n", stderr);
+    std::fputs("usage: dump_nodes IN MAX_ERROR\n", stderr);
     return 2;
   }
   const sfumato::Status status = dump(argv[1], std::atof(argv[2]));

@@ -66,6 +66,8 @@ function checkError(sfumato) {
 const sfumato = await loadSfumato(readFileSync(wasmPath));
 checkScene(sfumato, pathOf("examples/evening.xml"), 0);
 checkScene(sfumato, pathOf("examples/evening.xml"), 1);
+checkScene(sfumato, pathOf("tests/wasm/controls.svg"), 0);
+checkScene(sfumato, pathOf("tests/wasm/controls.svg"), 1);
 for (const scene of ["lady_bug", "endcap"]) {
   checkScene(sfumato, pathOf(`../shared/scenes/${scene}.xml`), 0);
 }

@@ -42,14 +42,15 @@ class Sfumato {
     this.#exports = exports;
   }
 
-  /// The node values of a document in Orzan's XML (bytes), as diffuse() stores them (a copy).
+  /// The node values of a document (bytes: SVG without images, or Orzan's XML), as diffuse() stores
+  /// them (a copy): layer by layer, those of colour, then those of opacity.
   /// maxError: DiffuseOptions::max_error. Throws SfumatoError.
-  nodeValues(xml, maxError = 1) {
+  nodeValues(document, maxError = 1) {
     const library = this.#exports;
-    const text = library.sfumato_allocate(xml.length);
+    const text = library.sfumato_allocate(document.length);
     if (text === 0) throw new SfumatoError("no memory for the document");
-    new Uint8Array(library.memory.buffer, text, xml.length).set(xml);
-    const failed = library.sfumato_diffuse(text, xml.length, maxError);
+    new Uint8Array(library.memory.buffer, text, document.length).set(document);
+    const failed = library.sfumato_diffuse(text, document.length, maxError);
     library.sfumato_free(text);
     if (failed) throw new SfumatoError(this.#stringAt(library.sfumato_error()));
     const count = library.sfumato_node_value_count();

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "formats/orzan.hpp"
+#include "formats/read_document.hpp"
 #include "patches/diffuse.hpp"
 
 /// The library for JavaScript: plain functions over the module's memory. One picture at a time;
@@ -26,17 +26,19 @@ State& state() {
   return instance;
 }
 
-sfumato::Status diffuse_document(std::string_view xml, double max_error) {
+sfumato::Status diffuse_document(std::string_view text, double max_error) {
   sfumato::Context context;
-  auto read = sfumato::read_orzan(context, xml, "document");
+  auto read = sfumato::read_document(context, text, "document");
   if (!read) return read.status();
   sfumato::DiffuseOptions options;
   options.max_error = max_error;
   auto picture = sfumato::diffuse(context, read->document, options);
   if (!picture) return picture.status();
   for (const sfumato::PatchLayer& layer : picture->layers) {
-    state().node_values.insert(state().node_values.end(), layer.color.node_value.begin(),
-                               layer.color.node_value.end());
+    for (const sfumato::PatchField* field : {&layer.color, &layer.opacity}) {
+      state().node_values.insert(state().node_values.end(), field->node_value.begin(),
+                                 field->node_value.end());
+    }
   }
   return sfumato::ok_status();
 }
@@ -53,17 +55,18 @@ SFUMATO_EXPORT(sfumato_free) void sfumato_free(void* memory) {
   std::free(memory);
 }
 
-/// Diffuses a document in Orzan's XML. max_error in code values as DiffuseOptions has it.
-/// Returns 0, or 1 where sfumato_error holds the reason.
+/// Diffuses a document of any format, not packed: SVG or Orzan's XML. max_error in code values as
+/// DiffuseOptions has it. Returns 0, or 1 where sfumato_error holds the reason.
 SFUMATO_EXPORT(sfumato_diffuse)
-int sfumato_diffuse(const char* xml, std::size_t byte_count, double max_error) {
+int sfumato_diffuse(const char* text, std::size_t byte_count, double max_error) {
   state() = {};
-  const sfumato::Status status = diffuse_document({xml, byte_count}, max_error);
+  const sfumato::Status status = diffuse_document({text, byte_count}, max_error);
   if (!status) state().error = sfumato::to_string(status);
   return status ? 0 : 1;
 }
 
-/// The node values of all layers in order, channel by channel within a node (PatchLayer).
+/// The node values of all layers in order, of each those of colour, then those of opacity; channel
+/// by channel within a node (PatchLayer).
 SFUMATO_EXPORT(sfumato_node_values) const float* sfumato_node_values() {
   return state().node_values.data();
 }
