@@ -29,6 +29,7 @@ template <int W>
 struct Register {
   typedef float Float __attribute__((vector_size(4 * W)));
   typedef std::int32_t Int __attribute__((vector_size(4 * W)));
+  typedef std::uint32_t Word __attribute__((vector_size(4 * W)));
   using Mask = Int;  ///< all bits of a lane set, or none
 };
 
@@ -36,6 +37,7 @@ template <>
 struct Register<1> {
   using Float = float;
   using Int = std::int32_t;
+  using Word = std::uint32_t;
   using Mask = bool;
 };
 
@@ -48,6 +50,7 @@ template <>
 struct Register<16> {
   typedef float Float __attribute__((vector_size(64)));
   typedef std::int32_t Int __attribute__((vector_size(64)));
+  typedef std::uint32_t Word __attribute__((vector_size(64)));
   using Mask = __mmask16;
 };
 template <>
@@ -59,6 +62,8 @@ template <int W>
 using Float = typename Register<W>::Float;
 template <int W>
 using Int = typename Register<W>::Int;
+template <int W>
+using Word = typename Register<W>::Word;
 template <int W>
 using Mask = typename Register<W>::Mask;
 

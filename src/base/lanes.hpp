@@ -48,10 +48,13 @@ struct LaneMask {
   }
 };
 
-/// 32-bit integers, one to a lane. Arithmetic must not overflow; >> keeps the sign.
+/// 32-bit integers, one to a lane. Sums and products wrap: lanes that are not used hold anything.
+/// >> keeps the sign.
 template <int W, int K = 1>
 struct IntLanes {
   using Register = lane::Int<W>;
+  using Word = lane::Word<W>;
+
   Register part[K];
 
   IntLanes() = default;
@@ -69,17 +72,17 @@ struct IntLanes {
 
   friend SFUMATO_INLINE IntLanes operator+(const IntLanes& a, const IntLanes& b) {
     IntLanes r;
-    SFUMATO_EACH(i) r.part[i] = a.part[i] + b.part[i];
+    SFUMATO_EACH(i) r.part[i] = (Register)((Word)a.part[i] + (Word)b.part[i]);
     return r;
   }
   friend SFUMATO_INLINE IntLanes operator-(const IntLanes& a, const IntLanes& b) {
     IntLanes r;
-    SFUMATO_EACH(i) r.part[i] = a.part[i] - b.part[i];
+    SFUMATO_EACH(i) r.part[i] = (Register)((Word)a.part[i] - (Word)b.part[i]);
     return r;
   }
   friend SFUMATO_INLINE IntLanes operator*(const IntLanes& a, const IntLanes& b) {
     IntLanes r;
-    SFUMATO_EACH(i) r.part[i] = a.part[i] * b.part[i];
+    SFUMATO_EACH(i) r.part[i] = (Register)((Word)a.part[i] * (Word)b.part[i]);
     return r;
   }
   friend SFUMATO_INLINE IntLanes operator&(const IntLanes& a, const IntLanes& b) {
