@@ -74,6 +74,21 @@ TEST(Convert, tells_what_the_reader_overlooked) {
   EXPECT_EQ(run_sfumato({"convert", "--quiet", "-", "-o", "-"}, scene).err, "");
 }
 
+TEST(Convert, tells_what_is_drawn_nowhere_and_lost) {
+  const std::string svg =
+      "<svg xmlns='http://www.w3.org/2000/svg' xmlns:sf='urn:sfumato:1' viewBox='0 0 64 48' "
+      "sf:version='1'>\n<g sf:diffuse='true'><path d='M1 2h30' sf:left='url(#used)'/></g>\n"
+      "<defs>\n<g id='fish' sf:diffuse='true'/>\n<g id='bird' sf:diffuse='true'/>\n"
+      "<linearGradient id='used' gradientUnits='userSpaceOnUse' href='#base' x2='9'/>\n"
+      "<linearGradient id='base'><stop/></linearGradient>\n<pattern id='wood'/>\n</defs></svg>";
+  const CommandResult result = run_sfumato({"convert", "-", "-o", "-"}, svg);
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(result.err,
+            "<stdin>:4:1: warning: the layer #fish (and 1 more) is drawn nowhere; it is left out\n"
+            "<stdin>:8:1: warning: the paint #wood is drawn nowhere; it is left out\n");
+  EXPECT_EQ(run_sfumato({"convert", "-", "-o", "-"}, result.out).err, "");
+}
+
 TEST(Convert, fails_as_other_commands_do) {
   const TemporaryFolder folder;
   EXPECT_EQ(run_sfumato({"convert", "-"}).exit_code, 2);

@@ -19,6 +19,7 @@ Paints::Key key_of(const void* paint, const Affine& map, Vec2 period) {
 Result<std::uint32_t> Paints::shader(const PaintedShape& shape, std::string_view id) {
   const Result<Element> paint = input_.element_of(shape.element, id);
   if (!paint) return paint.status();
+  note_use(*paint);
   const std::string_view name = paint->name();
   if (name == "linearGradient" || name == "radialGradient") return gradient(shape, *paint);
   if (name == "pattern") return pattern(shape, *paint);
@@ -26,6 +27,16 @@ Result<std::uint32_t> Paints::shader(const PaintedShape& shape, std::string_view
                                          std::string(id).substr(0, 64) + ", which is a " +
                                          tag(*paint) + "; expected a linearGradient, a " +
                                          "radialGradient, or a pattern with one <image>");
+}
+
+/// The paint and those that it inherits from.
+void Paints::note_use(Element paint) {
+  while (used_.insert(paint.internal_object()).second) {
+    if (!input_.attribute(paint, "href")) return;
+    const Result<Element> parent = input_.referred(paint);
+    if (!parent) return;
+    paint = *parent;
+  }
 }
 
 Result<std::uint32_t> Paints::gradient(const PaintedShape& shape, Element paint) {

@@ -3,6 +3,7 @@
 #include <map>
 #include <string_view>
 #include <tuple>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -37,9 +38,13 @@ class Paints {
   /// The index of the shader for url(#id). Errors: bad_input, limit.
   Result<std::uint32_t> shader(const PaintedShape& shape, std::string_view id);
 
+  /// Whether a curve refers to the paint, by itself or through another paint's href.
+  bool is_used(Element paint) const { return used_.contains(paint.internal_object()); }
+
   std::vector<Shader> take() { return std::move(shaders_); }
 
  private:
+  void note_use(Element paint);
   Result<std::uint32_t> gradient(const PaintedShape& shape, Element paint);
   Result<std::uint32_t> pattern(const PaintedShape& shape, Element paint);
   Result<std::uint32_t> add(const Key& key, Element paint, Shader shader);
@@ -50,6 +55,7 @@ class Paints {
   TextureFiles files_;
   std::vector<Shader> shaders_;
   std::map<Key, std::uint32_t> known_;
+  std::unordered_set<const void*> used_;
 };
 
 }  // namespace sfumato::svg

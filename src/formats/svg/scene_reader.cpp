@@ -52,8 +52,38 @@ std::string shown(Element element) {
 
 Status SceneReader::read() {
   Status status = visit_group(input_.root(), {});
+  if (status) warn_of_unused();
   document_.shaders = paints_.take();
   return status;
+}
+
+/// Layers and paints in the element that were not asked for, all the way down.
+void SceneReader::note_unused(Element element, Unused& unused) const {
+  const std::string_view name = element.name();
+  const bool is_paint = name == "linearGradient" || name == "radialGradient" || name == "pattern";
+  if (is_paint && !paints_.is_used(element)) {
+    if (unused.paints++ == 0) unused.first_paint = element;
+  } else if (name == "g" && input_.sf(element, "diffuse").value_or("") == "true" &&
+             !layer_of_.contains(element.internal_object())) {
+    if (unused.layers++ == 0) unused.first_layer = element;
+  }
+  for (const Element child : element.children()) {
+    if (child.type() == pugi::node_element) note_unused(child, unused);
+  }
+}
+
+void SceneReader::warn_of_unused() {
+  Unused unused;
+  note_unused(input_.root(), unused);
+  const auto warn = [this](Element first, std::size_t count, const char* kind) {
+    if (count == 0) return;
+    const std::string others = count == 1 ? "" : " (and " + std::to_string(count - 1) + " more)";
+    input_.warn(std::string("/unused ") + kind, first,
+                std::string("the ") + kind + " " + shown(first) + others +
+                    " is drawn nowhere; it is left out");
+  };
+  warn(unused.first_layer, unused.layers, "layer");
+  warn(unused.first_paint, unused.paints, "paint");
 }
 
 /// One element wherever it stands: whether it is painted at all, and its transform.

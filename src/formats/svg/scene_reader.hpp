@@ -41,6 +41,12 @@ class SceneReader {
     bool is_copy = false;
   };
 
+  /// What of a kind nothing draws.
+  struct Unused {
+    Element first_layer{}, first_paint{};
+    std::size_t layers = 0, paints = 0;
+  };
+
   /// What is painted between these two calls is composited as one.
   struct OpenGroup {
     Compositing compositing;
@@ -67,6 +73,8 @@ class SceneReader {
   Result<Affine> viewport_transform(Element element, Element use);
   Result<OpenGroup> open_group(Element element, const Place& place);
   Status close_group(Element element, const OpenGroup& group);
+  void note_unused(Element element, Unused& unused) const;
+  void warn_of_unused();
   Status count_visit(Element element, const Place& place);
   Status check_map(Element element, const Affine& map);
   std::string_view id_for(Element element, const Place& place) const;
