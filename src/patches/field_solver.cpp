@@ -11,9 +11,6 @@ namespace {
 
 constexpr std::size_t kNodes = kNodesPerTriangle;
 
-/// Four nodes on an edge of this many radii tell smoothstep to within 2%.
-constexpr double kEdgePerRadius = 1.5;
-
 /// Probes of one triangle (patches/probes.hpp).
 constexpr std::size_t kMostProbes = 6;
 
@@ -151,7 +148,7 @@ void FieldSolver::show_as_code_values(float* value) const {
   value[0] = code.r, value[1] = code.g, value[2] = code.b;
 }
 
-void FieldSolver::find_coarse(const mesh::TriangleMesh& mesh,
+void FieldSolver::find_coarse(const mesh::TriangleMesh& mesh, double edge_per_radius,
                               std::span<std::uint8_t> coarse) const {
   const Seams seams(mesh, scene_.attributes);
   // Per vertex the smallest radius of the curves that end or pass there; 0: no blurred curve.
@@ -172,7 +169,7 @@ void FieldSolver::find_coarse(const mesh::TriangleMesh& mesh,
       const double r = vertex_radius[mesh.origin(h)];
       if (r > 0) radius = radius > 0 ? std::min(radius, r) : r;
     }
-    if (radius > 0 && longest_edge(mesh, t) > kEdgePerRadius * radius) coarse[t] = 1;
+    if (radius > 0 && longest_edge(mesh, t) > edge_per_radius * radius) coarse[t] = 1;
   }
 }
 

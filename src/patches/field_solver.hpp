@@ -47,9 +47,10 @@ class FieldSolver {
                      std::span<const std::uint8_t> is_new, float max_error, PatchOrder order,
                      std::span<const float> color_weight, std::span<std::uint8_t> misses) const;
 
-  /// Sets coarse[t] for triangles at a blurred curve whose longest edge is too long for the blur
-  /// radius there: their nodes could not tell its transition.
-  void find_coarse(const mesh::TriangleMesh& mesh, std::span<std::uint8_t> coarse) const;
+  /// Sets coarse[t] for triangles at a blurred curve whose longest edge is longer than
+  /// edge_per_radius times the blur radius there: their nodes could not tell its transition.
+  void find_coarse(const mesh::TriangleMesh& mesh, double edge_per_radius,
+                   std::span<std::uint8_t> coarse) const;
 
   /// Where a triangle lies across the border of what sees a curve, its nodes beyond the border have
   /// no value: in this triangle they take the mean of the others. Nodes of triangles that see

@@ -11,6 +11,11 @@ namespace {
 /// Each round halves a triangle that misses; the artboard is a few hundred smallest edges across.
 constexpr int kMaxRounds = 12;
 
+/// Four nodes on an edge of this many radii tell smoothstep to within a few code values; probes, to
+/// find what is missed, must stand closer.
+constexpr double kEdgePerRadius = 3;
+constexpr double kProbedEdgePerRadius = 1.5;
+
 /// A triangle that is nowhere more opaque than this shows in no pixel.
 constexpr float kInvisibleOpacity = 1.0f / 4096;
 
@@ -103,10 +108,11 @@ Status LayerSolver::lay_out() {
 
 /// Makes the mesh at blurred curves as fine as their radii, before anything is gathered.
 Status LayerSolver::follow_blur() {
+  const double edge_per_radius = options_.max_error > 0 ? kProbedEdgePerRadius : kEdgePerRadius;
   for (int round = 0; round < kMaxRounds; ++round) {
     std::vector<std::uint8_t> coarse(mesh_.triangle_count(), 0);
     Status status = for_each_field([&](const FieldSolver& field) {
-      field.find_coarse(mesh_, coarse);
+      field.find_coarse(mesh_, edge_per_radius, coarse);
       return ok_status();
     });
     const std::vector<std::uint32_t> triangles = indices_of(coarse);
