@@ -15,6 +15,7 @@ using test::kBlue;
 using test::kRed;
 using test::one_color;
 using test::one_layer;
+using test::one_opacity;
 using test::straight_curve;
 
 constexpr Vec2 kMiddle{50, 50};
@@ -49,10 +50,6 @@ std::string listed(const Document& document) {
 Curve reversed(Curve curve) {
   std::reverse(curve.control_points.begin(), curve.control_points.end());
   return curve;
-}
-
-SideShader<float> one_opacity(float value) {
-  return {ShaderKind::curve_domain, {StopSpace::parameter, {{0, value}}}, 0};
 }
 
 ScalarStops one_radius(float value) {

@@ -11,32 +11,18 @@
 namespace sfumato {
 namespace {
 
+using test::blurred;
 using test::circle_curve;
 using test::colored;
 using test::one_layer;
 using test::straight_curve;
+using test::with_opacity;
 
 Picture diffused(const Document& document, const DiffuseOptions& options = {}) {
   Context context;
   Result<Picture> picture = diffuse(context, document, options);
   EXPECT_TRUE(picture.ok()) << picture.status().message;
   return picture.ok() ? *picture : Picture{};
-}
-
-SideShader<float> one_opacity(float opacity) {
-  return {ShaderKind::curve_domain, {StopSpace::parameter, {{0, opacity}}}, 0};
-}
-
-Curve with_opacity(Curve curve, float left, float right) {
-  curve.left.opacity = one_opacity(left);
-  curve.right.opacity = one_opacity(right);
-  return curve;
-}
-
-Curve blurred(Curve curve, float radius) {
-  curve.left.blur_radius = {StopSpace::parameter, {{0, radius}}};
-  curve.right.blur_radius = curve.left.blur_radius;
-  return curve;
 }
 
 Curve imaged(Curve curve, std::uint32_t left, std::uint32_t right) {

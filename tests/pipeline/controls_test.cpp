@@ -15,10 +15,12 @@
 namespace sfumato {
 namespace {
 
+using test::blurred;
 using test::circle_curve;
 using test::colored;
 using test::one_layer;
 using test::straight_curve;
+using test::with_opacity;
 
 constexpr int kSide = 100;
 
@@ -56,22 +58,6 @@ int differing(const Image& a, const Image& b, int tolerance) {
     count += std::abs(int{a.bytes[i]} - int{b.bytes[i]}) > tolerance;
   }
   return count;
-}
-
-SideShader<float> one_opacity(float opacity) {
-  return {ShaderKind::curve_domain, {StopSpace::parameter, {{0, opacity}}}, 0};
-}
-
-Curve with_opacity(Curve curve, float left, float right) {
-  curve.left.opacity = one_opacity(left);
-  curve.right.opacity = one_opacity(right);
-  return curve;
-}
-
-Curve blurred(Curve curve, float radius) {
-  curve.left.blur_radius = {StopSpace::parameter, {{0, radius}}};
-  curve.right.blur_radius = curve.left.blur_radius;
-  return curve;
 }
 
 Curve imaged(Curve curve) {

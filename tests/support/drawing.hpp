@@ -30,6 +30,23 @@ inline Curve colored(Curve curve, Rgb left, Rgb right) {
   return curve;
 }
 
+inline SideShader<float> one_opacity(float opacity) {
+  return {ShaderKind::curve_domain, {StopSpace::parameter, {{0, opacity}}}, 0};
+}
+
+inline Curve with_opacity(Curve curve, float left, float right) {
+  curve.left.opacity = one_opacity(left);
+  curve.right.opacity = one_opacity(right);
+  return curve;
+}
+
+/// One radius on both sides, all along.
+inline Curve blurred(Curve curve, float radius) {
+  curve.left.blur_radius = {StopSpace::parameter, {{0, radius}}};
+  curve.right.blur_radius = curve.left.blur_radius;
+  return curve;
+}
+
 /// A document of one layer, drawn once.
 inline Document one_layer(std::vector<Curve> curves, Box artboard = {{0, 0}, {100, 100}}) {
   Document document;
