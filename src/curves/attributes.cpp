@@ -64,16 +64,6 @@ SegmentValues<FieldValue> as_values(const SegmentValues<Value>& values) {
   return {FieldValue(values.start), FieldValue(values.end)};
 }
 
-ColorStops in_space(ColorStops list, InterpolationSpace space) {
-  if (space == InterpolationSpace::srgb) return list;
-  for (Stop<Rgb>& stop : list.stops) stop.value = from_srgb(space, stop.value);
-  return list;
-}
-
-const ScalarStops& in_space(const ScalarStops& list, InterpolationSpace) {
-  return list;
-}
-
 /// Samples one attribute, which `shader_of` finds on a side.
 template <class Value, class ShaderOf>
 class AttributeSampler {

@@ -28,4 +28,10 @@ double parameter_at_fraction(std::span<const Vec2> control_points,
   return static_cast<double>(i) + parameter_at_length(piece(control_points, i), within);
 }
 
+ColorStops in_space(ColorStops list, InterpolationSpace space) {
+  if (space == InterpolationSpace::srgb) return list;
+  for (Stop<Rgb>& stop : list.stops) stop.value = from_srgb(space, stop.value);
+  return list;
+}
+
 }  // namespace sfumato::curves

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "base/color_space.hpp"
 #include "base/vec2.hpp"
 #include "document/stops.hpp"
 
@@ -16,6 +17,12 @@ std::vector<double> cumulative_length(std::span<const Vec2> control_points);
 /// The curve parameter (piece + t) at a fraction 0 to 1 of the curve's length.
 double parameter_at_fraction(std::span<const Vec2> control_points,
                              std::span<const double> cumulative, double fraction);
+
+/// Colour stops as they are interpolated: their values in the coordinates of `space`.
+ColorStops in_space(ColorStops list, InterpolationSpace space);
+inline const ScalarStops& in_space(const ScalarStops& list, InterpolationSpace) {
+  return list;
+}
 
 /// The curve parameter of every stop of a list, never falling, clamped to the curve.
 template <class Value>

@@ -65,12 +65,6 @@ class StopCursor {
   std::size_t next_ = 0;
 };
 
-ColorStops converted(const ColorStops& stops, InterpolationSpace space) {
-  ColorStops result = stops;
-  for (Stop<Rgb>& stop : result.stops) stop.value = from_srgb(space, stop.value);
-  return result;
-}
-
 ScalarStops scaled(const ScalarStops& stops, double scale) {
   ScalarStops result = stops;
   if (result.stops.empty()) result.stops.push_back({0, 0});
@@ -100,10 +94,10 @@ class SegmentMaker {
         out_(out),
         points_(scaled(curve.control_points, options.scale)),
         total_length_(cumulative_length(points_).back()),
-        left_(converted(curve.left_color.empty() ? curve.right_color : curve.left_color,
+        left_(in_space(curve.left_color.empty() ? curve.right_color : curve.left_color,
+                       options.interpolation)),
+        right_(in_space(curve.right_color.empty() ? curve.left_color : curve.right_color,
                         options.interpolation)),
-        right_(converted(curve.right_color.empty() ? curve.left_color : curve.right_color,
-                         options.interpolation)),
         blur_(scaled(curve.blur_radius, options.scale)),
         influence_(scaled(curve.influence_radius, options.scale)),
         left_cursor_(points_, left_),

@@ -19,7 +19,8 @@ struct DiffuseOptions {
       tolerance{};  ///< flattening; default 0.1 / 512 of the artboard's longer side
   double min_angle_deg = 22;
   double max_area_fraction = 0.04;  ///< of the artboard's area
-  /// Largest tolerated miss of a patch in code values of 255; 0: the paper's mesh, no refinement.
+  /// Largest tolerated miss of a patch in code values of 255; 0: the paper's mesh, made finer at
+  /// blurred curves alone.
   double max_error = 1;
   PatchOrder order = PatchOrder::cubic;
   gather::GatherOptions gather{};

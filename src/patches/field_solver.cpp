@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kNodes = kNodesPerTriangle;
 
-/// Probes of one triangle (patches/probes.hpp).
+/// The most probes of one triangle (patches/probes.hpp).
 constexpr std::size_t kMostProbes = 6;
 
 /// About five nodes to a triangle.
