@@ -71,17 +71,7 @@ TEST(RasterDeterminism, compositing_gives_the_same_bytes_for_any_number_of_threa
 TEST(RasterDeterminism, compositing_gives_the_same_bytes_for_any_instruction_set) {
   for (InterpolationSpace space : kSpaces) {
     const Picture picture = composited_picture(space);
-    std::vector<std::uint8_t> first;
-    for (SimdLevel level : {SimdLevel::sse2, SimdLevel::avx2, SimdLevel::avx512}) {
-      if (level > detected_simd_level()) continue;
-      Context context;
-      context.simd = level;
-      const Result<Image> image =
-          rasterize(context, picture, image_size(413, 301, PixelFormat::rgba16));
-      ASSERT_TRUE(image.ok());
-      if (first.empty()) first = image->bytes;
-      EXPECT_EQ(image->bytes, first) << static_cast<int>(level);
-    }
+    expect_same_for_every_instruction_set(picture, image_size(413, 301, PixelFormat::rgba16));
   }
 }
 

@@ -235,17 +235,7 @@ TEST(RasterShading, shaders_give_the_same_bytes_for_any_instruction_set_and_crop
                      constant_shader({0.2f, 0.4f, 0.6f}, 0.5f)};
   for (InterpolationSpace space : {InterpolationSpace::srgb, InterpolationSpace::oklab}) {
     picture.interpolation = space;
-    std::vector<std::uint8_t> first;
-    for (SimdLevel level : {SimdLevel::sse2, SimdLevel::avx2, SimdLevel::avx512}) {
-      if (level > detected_simd_level()) continue;
-      Context context;
-      context.simd = level;
-      const Result<Image> image =
-          rasterize(context, picture, image_size(313, 201, PixelFormat::rgba16));
-      ASSERT_TRUE(image.ok());
-      if (first.empty()) first = image->bytes;
-      EXPECT_EQ(image->bytes, first) << static_cast<int>(level);
-    }
+    expect_same_for_every_instruction_set(picture, image_size(313, 201, PixelFormat::rgba16));
   }
 }
 

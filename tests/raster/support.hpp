@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <cstring>
+#include <vector>
 
 #include "raster/rasterize.hpp"
 
@@ -22,6 +23,20 @@ inline Image rasterized(const Picture& picture, const RasterOptions& options) {
   Result<Image> image = rasterize(context, picture, options);
   EXPECT_TRUE(image.ok()) << to_string(image.status());
   return image.ok() ? *image : Image{};
+}
+
+inline void expect_same_for_every_instruction_set(const Picture& picture,
+                                                  const RasterOptions& options) {
+  std::vector<std::uint8_t> first;
+  for (SimdLevel level : {SimdLevel::sse2, SimdLevel::avx2, SimdLevel::avx512}) {
+    if (level > detected_simd_level()) continue;
+    Context context;
+    context.simd = level;
+    const Result<Image> image = rasterize(context, picture, options);
+    ASSERT_TRUE(image.ok()) << to_string(image.status());
+    if (first.empty()) first = image->bytes;
+    EXPECT_EQ(image->bytes, first) << static_cast<int>(level);
+  }
 }
 
 /// A channel in steps of its format.
