@@ -1,0 +1,18 @@
+#pragma once
+
+#include "base/affine.hpp"
+#include "base/box.hpp"
+
+namespace sfumato::outputs {
+
+/// Where a picture lies on a page, y down, the page's upper left corner at (0, 0).
+struct Page {
+  double width = 0;  ///< units of the page
+  double height = 0;
+  Affine page_from_artboard;
+};
+
+/// The page that shows `viewport`, which is not empty, with `unit` page units to a user unit.
+Page make_page(const Box& viewport, double unit);
+
+}  // namespace sfumato::outputs
