@@ -30,7 +30,7 @@ function(sfumato_folder name)
     # No operating system and no other instruction set there; pictures and gzip are the browser's
     # own affair.
     list(FILTER sources EXCLUDE REGEX "/native/|_avx(2|512)\\.cpp$")
-    list(FILTER sources EXCLUDE REGEX "/formats/(png|jpeg|image_file|gunzip)")
+    list(FILTER sources EXCLUDE REGEX "/formats/(png|jpeg|webp|image_file|gunzip)")
   else()
     list(FILTER sources EXCLUDE REGEX "_wasm\\.cpp$")
   endif()

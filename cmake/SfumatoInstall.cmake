@@ -18,7 +18,7 @@ target_include_directories(sfumato_library INTERFACE
   $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
   $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/sfumato>)
 target_link_libraries(sfumato_library PUBLIC TBB::tbb
-  PRIVATE pugixml::pugixml PkgConfig::SPNG ZLIB::ZLIB JPEG::JPEG)
+  PRIVATE pugixml::pugixml PkgConfig::SPNG PkgConfig::WEBP ZLIB::ZLIB JPEG::JPEG)
 if(SFUMATO_SANITIZE)
   target_link_options(sfumato_library INTERFACE -fsanitize=${SFUMATO_SANITIZE})
 endif()

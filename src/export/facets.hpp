@@ -22,9 +22,9 @@ struct FacetSource {
 /// error. Facets of one patch are consecutive and patches keep their order.
 struct FacetMesh {
   int channel_count = 3;
-  std::vector<Vec2> vertex_position;        ///< layer frame
-  std::vector<float> vertex_value;          ///< channel_count per vertex, 0 to 1
-  std::vector<std::uint32_t> facet_vertex;  ///< 3 per facet, cross(01, 02) > 0
+  std::vector<Vec2> vertex_position;             ///< layer frame
+  std::vector<float> vertex_value;               ///< channel_count per vertex, 0 to 1
+  std::vector<std::uint32_t> facet_vertex;       ///< 3 per facet, cross(01, 02) > 0
   std::vector<std::uint32_t> patch_first_facet;  ///< triangle_count + 1
 };
 
