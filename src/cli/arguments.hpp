@@ -10,6 +10,8 @@
 #include "base/limits.hpp"
 #include "cli/messages.hpp"
 #include "cli/output_size.hpp"
+#include "cli/paths.hpp"
+#include "cli/render_jobs.hpp"
 #include "patches/diffuse.hpp"
 #include "raster/rasterize.hpp"
 
@@ -22,8 +24,19 @@ struct DocumentArguments {
   bool quiet = false;
 };
 
+/// How a picture is written.
+struct OutputOptions {
+  OutputKind kind = OutputKind::png;
+  int quality = 90;  ///< of JPEG and lossy WebP
+  bool lossless = false;
+};
+
+/// `input` is of the job at hand.
 struct RenderArguments : DocumentArguments {
-  std::string output;
+  std::vector<RenderJob> jobs;
+  bool many = false;  ///< --out-dir was given
+  std::string output_folder;
+  OutputOptions output;
   SizeRequest size;
   bool per_pixel = false;  ///< --method pixels
   /// As asked for, but for pixels_per_unit, which comes from the size.

@@ -17,12 +17,11 @@ std::string complaint_about_folder(const std::string& path) {
 
 }  // namespace
 
-CLI::Option* add_output(CLI::App& app, std::string& output, const std::string& help) {
-  const std::string expected = "a file name that ends in " + known_extensions() + ", or -";
-  return add_value(app, "-o,--output", {expected, "OUT.png"}, help,
+CLI::Option* add_png_output(CLI::App& app, std::string& output, const std::string& help) {
+  return add_value(app, "-o,--output", {"a file name that ends in .png, or -", "OUT.png"}, help,
                    [&output](const std::string& text) {
                      output = text;
-                     return output_kind(text).has_value();
+                     return text == "-" || output_kind(text) == OutputKind::png;
                    });
 }
 
@@ -30,6 +29,10 @@ void add_document(CLI::App& app, DocumentArguments& arguments) {
   app.add_option("IN", arguments.input, "Diffusion curves (SVG or Orzan XML); '-': from stdin")
       ->required()
       ->type_name("");
+  add_allowed_folders(app, arguments);
+}
+
+void add_allowed_folders(CLI::App& app, DocumentArguments& arguments) {
   app.add_option("--allow-files", arguments.allowed_folders,
                  "Read textures from this folder too, and below;\nmay be given several times "
                  "[only beside IN]")

@@ -53,11 +53,14 @@ auto whole_into(Target& target, std::uint64_t lowest, std::uint64_t highest) {
   };
 }
 
-/// The option -o, whose extension must be known.
-CLI::Option* add_output(CLI::App& app, std::string& output, const std::string& help);
+/// The option -o of a PNG.
+CLI::Option* add_png_output(CLI::App& app, std::string& output, const std::string& help);
 
 /// The document IN and --allow-files, which says where its textures may lie.
 void add_document(CLI::App& app, DocumentArguments& arguments);
+
+/// --allow-files alone.
+void add_allowed_folders(CLI::App& app, DocumentArguments& arguments);
 
 /// One of a few words.
 template <class Value>

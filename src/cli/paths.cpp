@@ -1,5 +1,6 @@
 #include "cli/paths.hpp"
 
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -21,7 +22,9 @@ struct KnownOutput {
   OutputKind kind;
 };
 
-constexpr std::array<KnownOutput, 1> kKnownOutputs{{{".png", OutputKind::png}}};
+constexpr std::array kKnownOutputs{
+    KnownOutput{"png", OutputKind::png}, KnownOutput{"jpg", OutputKind::jpeg},
+    KnownOutput{"jpeg", OutputKind::jpeg}, KnownOutput{"webp", OutputKind::webp}};
 
 Status cannot_write(const std::string& path, const std::string& why) {
   return make_error(StatusCode::io, "cannot be written: " + why, {path});
@@ -29,25 +32,36 @@ Status cannot_write(const std::string& path, const std::string& why) {
 
 }  // namespace
 
-std::optional<OutputKind> output_kind(const std::string& path) {
-  if (path == "-") return OutputKind::png;
-  std::string extension = fs::path(path).extension().string();
-  for (char& c : extension) {
+std::optional<OutputKind> kind_of_extension(std::string_view extension) {
+  std::string lower(extension);
+  for (char& c : lower) {
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   }
   for (const KnownOutput& known : kKnownOutputs) {
-    if (known.extension == extension) return known.kind;
+    if (known.extension == lower) return known.kind;
   }
   return std::nullopt;
+}
+
+std::optional<OutputKind> output_kind(const std::string& path) {
+  const std::string extension = fs::path(path).extension().string();
+  if (extension.empty()) return std::nullopt;
+  return kind_of_extension(std::string_view(extension).substr(1));
 }
 
 std::string known_extensions() {
   std::string list;
   for (const KnownOutput& known : kKnownOutputs) {
     if (!list.empty()) list += ", ";
-    list += known.extension;
+    list += '.' + std::string(known.extension);
   }
   return list;
+}
+
+std::optional<FileIdentity> file_identity(const std::string& path) {
+  struct stat facts;
+  if (stat(path.c_str(), &facts) != 0) return std::nullopt;
+  return FileIdentity{facts.st_dev, facts.st_ino};
 }
 
 Status check_output(const std::string& path) {
@@ -73,6 +87,13 @@ Status check_output(const std::string& path) {
     return cannot_write(path, "the folder " + folder.string() + ": " + std::strerror(errno));
   }
   return ok_status();
+}
+
+Status make_folder(const std::string& path) {
+  std::error_code error;
+  fs::create_directories(path, error);
+  if (fs::is_directory(path, error)) return ok_status();
+  return make_error(StatusCode::io, "cannot be made: " + error.message(), {path});
 }
 
 Result<std::string> read_input(const std::string& path, std::size_t max_bytes) {

@@ -4,23 +4,35 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 
 #include "base/status.hpp"
 
 namespace sfumato::cli {
 
-/// What an output's extension says is to be made.
-enum class OutputKind : std::uint8_t { png };
+/// What a picture can be written as.
+enum class OutputKind : std::uint8_t { png, jpeg, webp };
 
-/// The kind that the extension of `path` (in any case) stands for; "-" is a PNG.
+/// The kind that the extension of `path` (in any case) stands for; nothing for "-".
 std::optional<OutputKind> output_kind(const std::string& path);
 
-/// The extensions that output_kind knows, for messages: ".png".
+/// The same of an extension without its dot: "png".
+std::optional<OutputKind> kind_of_extension(std::string_view extension);
+
+/// The extensions that output_kind knows, for messages: ".png, .jpg".
 std::string known_extensions();
+
+/// What tells an existing file from every other, however it is named; nothing where there is none.
+using FileIdentity = std::pair<std::uint64_t, std::uint64_t>;
+std::optional<FileIdentity> file_identity(const std::string& path);
 
 /// Fails early where `path` can certainly not be written: its folder is missing or not writable, or
 /// it is a folder itself. Writes nothing. Errors: io.
 Status check_output(const std::string& path);
+
+/// Makes a folder, and those above it, where it is not there. Errors: io.
+Status make_folder(const std::string& path);
 
 /// The whole input, up to max_bytes; "-" is standard input.
 /// Errors: bad_input where it cannot be read, limit.

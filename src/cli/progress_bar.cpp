@@ -27,15 +27,31 @@ ProgressBar::ProgressBar(std::FILE* terminal, std::chrono::milliseconds delay)
     : terminal_(terminal), next_drawing_(Clock::now() + delay) {}
 
 ProgressBar::~ProgressBar() {
+  erase();
+}
+
+void ProgressBar::erase() {
+  const std::lock_guard lock(mutex_);
   if (drawn_length_ == 0) return;
   std::fprintf(terminal_, "\r%s\r", std::string(drawn_length_, ' ').c_str());
   std::fflush(terminal_);
+  drawn_length_ = 0;
+}
+
+void ProgressBar::set_job(std::size_t index, std::size_t count) {
+  job_index_ = index;
+  job_count_ = count;
 }
 
 void ProgressBar::report(std::string_view stage, double fraction) {
   const std::unique_lock lock(mutex_, std::try_to_lock);
   if (!lock || Clock::now() < next_drawing_) return;
-  const std::string line = progress_line(stage, fraction);
+  std::string label(stage);
+  if (job_count_ > 1) {
+    label = std::to_string(job_index_ + 1) + '/' + std::to_string(job_count_) + ' ' + label;
+    fraction = static_cast<double>(job_index_) / static_cast<double>(job_count_);
+  }
+  const std::string line = progress_line(label, fraction);
   std::fprintf(terminal_, "\r%s", line.c_str());
   std::fflush(terminal_);
   drawn_length_ = line.size();

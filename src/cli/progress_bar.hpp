@@ -22,6 +22,13 @@ class ProgressBar : public Progress {
 
   void report(std::string_view stage, double fraction) override;
 
+  /// From now on the bar says how many of `count` jobs are done, and `index` of them are; 1: how
+  /// far the stage is. Not while another thread reports.
+  void set_job(std::size_t index, std::size_t count);
+
+  /// Takes the line away, so that a message can stand there, until the next report.
+  void erase();
+
  private:
   using Clock = std::chrono::steady_clock;
 
@@ -29,6 +36,8 @@ class ProgressBar : public Progress {
   std::FILE* terminal_;
   Clock::time_point next_drawing_;
   std::size_t drawn_length_ = 0;
+  std::size_t job_index_ = 0;
+  std::size_t job_count_ = 1;
 };
 
 }  // namespace sfumato::cli

@@ -14,19 +14,13 @@
 #include "cli/paths.hpp"
 #include "cli/progress_bar.hpp"
 #include "cli/stats.hpp"
-#include "formats/png.hpp"
+#include "cli/write_picture.hpp"
 #include "raster/render_pixels.hpp"
 
 namespace sfumato::cli {
 namespace {
 
 constexpr std::chrono::milliseconds kProgressDelay{1000};
-
-Status check_outputs(const RenderArguments& arguments) {
-  Status status = check_output(arguments.output);
-  if (status && !arguments.stats.empty()) status = check_output(arguments.stats);
-  return status;
-}
 
 /// The two ways from a document to pixels; both need diffuse.viewport and raster's size set.
 Result<Image> draw(Context& context, const Document& document,
@@ -66,47 +60,96 @@ Result<Image> draw_as_asked(Context& context, Document& document, const RenderAr
   return draw(context, document, diffuse_options, raster_options, arguments.per_pixel, stats);
 }
 
-Status write_image(Context& context, const RenderArguments& arguments, const Image& image) {
-  const auto png = encode_png(context, image);
-  if (!png) return png.status();
-  if (context.cancelled()) return make_error(StatusCode::cancelled, "cancelled");
-  return write_file(arguments.output, *png);
-}
-
-Status write_stats(const RenderArguments& arguments, const RenderStats& stats) {
-  if (arguments.stats.empty()) return ok_status();
-  const std::string json = to_json(stats);
-  return write_file(arguments.stats,
-                    {reinterpret_cast<const std::uint8_t*>(json.data()), json.size()});
-}
-
-/// The whole of `sfumato render` after its input was read; `total` runs since its start.
-Status render_document(Context& context, const RenderArguments& arguments, const std::string& input,
-                       const Stopwatch& total) {
-  RenderStats stats;
-  stats.threads = context.thread_count();
-  Result<ReadDocument> read = read_given_document(context, arguments, input);
+/// Reads, draws and writes the document of arguments.input; `total` runs since its start.
+Status render_document(Context& context, const RenderArguments& arguments,
+                       const std::string& output, RenderStats& stats) {
+  const Stopwatch total;
+  const Result<std::string> input = read_input(arguments.input, limits::kInputBytes);
+  if (!input) return input.status();
+  Result<ReadDocument> read = read_given_document(context, arguments, *input);
   if (!read) return read.status();
+  stats.threads = context.thread_count();
   stats.read_seconds = total.seconds();
   const Result<Image> image = draw_as_asked(context, read->document, arguments, stats);
   if (!image) return image.status();
   const Stopwatch write_watch;
-  const Status written = write_image(context, arguments, *image);
-  if (!written) return written;
+  const auto file = encode_image(context, *image, arguments.output);
+  if (!file) return file.status();
+  if (context.cancelled()) return make_error(StatusCode::cancelled, "cancelled");
+  const Status written = write_file(output, *file);
   stats.write_seconds = write_watch.seconds();
   stats.total_seconds = total.seconds();
-  return write_stats(arguments, stats);
+  return written;
+}
+
+/// The jobs of one call, one after another, each on all threads.
+class Rendering {
+ public:
+  Rendering(Context& context, const RenderArguments& arguments, ProgressBar* bar)
+      : context_(context), arguments_(arguments), bar_(bar) {}
+
+  /// The exit code: of the first job that failed.
+  int run();
+
+ private:
+  void run_job(std::size_t index);
+  void report_failure(const Status& status);
+
+  Context& context_;
+  RenderArguments arguments_;
+  ProgressBar* bar_;
+  std::string stats_;
+  int exit_code_ = kDone;
+  std::size_t failed_ = 0;
+};
+
+void Rendering::report_failure(const Status& status) {
+  const int code = fail(status);
+  if (failed_++ == 0 || status.code == StatusCode::cancelled) exit_code_ = code;
+}
+
+void Rendering::run_job(std::size_t index) {
+  const RenderJob& job = arguments_.jobs[index];
+  arguments_.input = job.input;
+  if (bar_) {
+    bar_->erase();
+    bar_->set_job(index, arguments_.jobs.size());
+  }
+  RenderStats stats;
+  Status status = check_output(job.output);
+  if (status) status = render_document(context_, arguments_, job.output, stats);
+  if (bar_ && !status) bar_->erase();
+  if (!status) return report_failure(status);
+  stats_ += to_json(stats, arguments_.many ? job.input : std::string());
+}
+
+int Rendering::run() {
+  for (std::size_t i = 0; i < arguments_.jobs.size() && !context_.cancelled(); ++i) run_job(i);
+  if (bar_) bar_->erase();
+  if (!arguments_.stats.empty() && (arguments_.many || failed_ == 0) && !context_.cancelled()) {
+    const Status written = write_file(
+        arguments_.stats, {reinterpret_cast<const std::uint8_t*>(stats_.data()), stats_.size()});
+    if (!written) report_failure(written);
+  }
+  if (arguments_.many && failed_ > 0 && !context_.cancelled()) {
+    std::fprintf(stderr, "sfumato: %zu of %zu drawings failed\n", failed_, arguments_.jobs.size());
+  }
+  return exit_code_;
+}
+
+Status prepare_outputs(const RenderArguments& arguments) {
+  if (arguments.many) {
+    const Status made = make_folder(arguments.output_folder);
+    if (!made) return made;
+  }
+  return arguments.stats.empty() ? ok_status() : check_output(arguments.stats);
 }
 
 }  // namespace
 
 int render(const RenderArguments& arguments) {
-  const Stopwatch total;
-  const Status writable = check_outputs(arguments);
+  const Status writable = prepare_outputs(arguments);
   if (!writable) return fail(writable);
-  const Result<std::string> input = read_input(arguments.input, limits::kInputBytes);
-  if (!input) return fail(input.status());
-
   const std::unique_ptr<Executor> executor = make_tbb_executor(arguments.threads);
   std::optional<ProgressBar> progress;
   if (!arguments.quiet && isatty(STDERR_FILENO) != 0) progress.emplace(stderr, kProgressDelay);
@@ -114,9 +157,7 @@ int render(const RenderArguments& arguments) {
                   .progress = progress ? &*progress : nullptr,
                   .budget = Budget(arguments.max_memory_bytes)};
   const CancelOnSignal cancel_on_signal(context.cancel);
-  const Status status = render_document(context, arguments, *input, total);
-  progress.reset();
-  return status ? kDone : fail(status);
+  return Rendering(context, arguments, progress ? &*progress : nullptr).run();
 }
 
 }  // namespace sfumato::cli

@@ -1,5 +1,7 @@
 #include "cli/render_options.hpp"
 
+#include <algorithm>
+
 #include "cli/paths.hpp"
 #include "cli/values.hpp"
 
@@ -12,6 +14,7 @@ constexpr const char* kRenderFooter =
     "  sfumato render lady_bug.xml -o big.png --width 4096 --depth 16\n"
     "  sfumato render lady_bug.xml -o eye.png --viewport 200,100,64,64 --scale 8\n"
     "  sfumato render lady_bug.xml -o noisy.png --method rays --rays 64 --max-error off\n"
+    "  sfumato render *.svg --out-dir pictures --format webp\n"
     "  sfumato render - -o - <lady_bug.xml >lady_bug.png";
 
 constexpr std::uint64_t kLargestCount = 1'000'000'000;
@@ -31,6 +34,32 @@ bool set_max_error(const std::string& text, double& max_error) {
   if (!value || *value > kLargestMaxError) return false;
   max_error = *value;
   return true;
+}
+
+void add_files(CLI::App& app, RenderArguments& arguments, RenderChoices& choices) {
+  app.add_option("IN", choices.inputs,
+                 "Diffusion curves (SVG or Orzan XML); '-': from stdin;\nseveral with --out-dir")
+      ->required()
+      ->type_name("");
+  add_value(app, "-o,--output",
+            {"a file name that ends in " + known_extensions() + ", or -", "OUT"},
+            "The picture, made as its extension says; '-': to\nstdout, as --format says",
+            [&output = choices.output](const std::string& text) {
+              output = text;
+              return text == "-" || output_kind(text).has_value();
+            });
+  app.add_option("--out-dir", choices.output_folder,
+                 "Instead: every picture into this folder, named as its\ndrawing; made where it "
+                 "is not there")
+      ->type_name("DIR")
+      ->excludes("--output");
+  add_value(app, "--format", {"one of " + known_extensions() + ", without the dot", "EXTENSION"},
+            "What --out-dir and '-o -' write [png]", [&choices](const std::string& text) {
+              choices.extension = text;
+              choices.format = kind_of_extension(text);
+              return choices.format.has_value();
+            });
+  add_allowed_folders(app, arguments);
 }
 
 void add_place_options(CLI::App& app, RenderArguments& arguments) {
@@ -122,6 +151,11 @@ void add_image_options(CLI::App& app, RenderArguments& arguments, RenderChoices&
   add_choice(app, "--depth", {{"8", 8}, {"16", 16}}, "Bits per channel [8]", choices.depth)
       ->group(group);
   app.add_flag("--dither", raster.dither, "Ordered dither, for 8 bits")->group(group);
+  add_value(app, "--quality", {"a whole number from 1 to 100", "N"}, "Of JPEG and WebP [90]",
+            whole_into(choices.quality, 1, 100))
+      ->group(group);
+  app.add_flag("--lossless", arguments.output.lossless, "WebP that keeps every pixel")
+      ->group(group);
   app.add_flag("--no-antialias", choices.no_antialias, "Hard edges at curves")->group(group);
 }
 
@@ -149,10 +183,9 @@ void add_running_options(CLI::App& app, RenderArguments& arguments) {
 }  // namespace
 
 CLI::App* add_render(CLI::App& root, RenderArguments& arguments, RenderChoices& choices) {
-  CLI::App* app = root.add_subcommand("render", "Draw a file of diffusion curves as an image");
+  CLI::App* app = root.add_subcommand("render", "Draw files of diffusion curves");
   app->footer(kRenderFooter);
-  add_document(*app, arguments);
-  add_output(*app, arguments.output, "The image; '-': a PNG to stdout")->required();
+  add_files(*app, arguments, choices);
   add_place_options(*app, arguments);
   add_solution_options(*app, arguments, choices);
   add_mesh_options(*app, arguments);
@@ -161,29 +194,69 @@ CLI::App* add_render(CLI::App& root, RenderArguments& arguments, RenderChoices& 
   return app;
 }
 
-void settle(RenderArguments& arguments, const RenderChoices& choices) {
-  if (arguments.output == "-" && arguments.stats == "-") {
-    throw CLI::ValidationError("--stats", "stdout is taken by the image, expected a file name");
+namespace {
+
+/// Throws where `given` and what it needs are not there together.
+void expect(bool good, const char* option, const std::string& complaint) {
+  if (!good) throw CLI::ValidationError(option, complaint);
+}
+
+void settle_files(RenderArguments& arguments, const RenderChoices& choices) {
+  arguments.many = !choices.output_folder.empty();
+  arguments.output_folder = choices.output_folder;
+  expect(arguments.many || !choices.output.empty(), "--output", "expected, or --out-dir");
+  expect(arguments.many || choices.inputs.size() == 1, "IN",
+         "several drawings given, expected --out-dir for their pictures");
+  const bool reads_stdin = std::count(choices.inputs.begin(), choices.inputs.end(), "-") > 0;
+  expect(!arguments.many || !reads_stdin, "--out-dir", "stdin has no name, expected -o");
+  expect(!choices.format || arguments.many || choices.output == "-", "--format",
+         "expected with --out-dir or '-o -' only: a file's extension says it");
+  arguments.output.kind = arguments.many || choices.output == "-"
+                              ? choices.format.value_or(OutputKind::png)
+                              : *output_kind(choices.output);
+  arguments.jobs =
+      render_jobs(choices.inputs, choices.output, choices.output_folder, choices.extension);
+  const std::string complaint = complaint_about(arguments.jobs);
+  expect(complaint.empty(), arguments.many ? "--out-dir" : "--output", complaint);
+  expect(choices.output != "-" || arguments.stats != "-", "--stats",
+         "stdout is taken by the picture, expected a file name");
+  for (const RenderJob& job : arguments.jobs) {
+    expect(job.output != arguments.stats || job.output == "-", "--stats",
+           "expected another file than the picture's");
   }
-  if (arguments.output == arguments.stats) {
-    throw CLI::ValidationError("--stats", "expected another file than the image's");
-  }
-  if (arguments.size.scale && (arguments.size.width || arguments.size.height)) {
-    throw CLI::ValidationError("--scale", "expected without --width and --height");
-  }
-  if (arguments.raster.dither && choices.depth != 8) {
-    throw CLI::ValidationError("--dither", "expected with --depth 8 only");
-  }
-  if (arguments.raster.mesh_overlay && choices.method == RenderMethod::pixels) {
-    throw CLI::ValidationError("--mesh-overlay", "--method pixels has no mesh to draw");
-  }
-  arguments.per_pixel = choices.method == RenderMethod::pixels;
-  arguments.diffuse.gather.method =
-      choices.method == RenderMethod::rays ? gather::Method::rays : gather::Method::exact;
+}
+
+void settle_image(RenderArguments& arguments, const RenderChoices& choices) {
+  OutputOptions& output = arguments.output;
+  const bool is_webp = output.kind == OutputKind::webp;
+  expect(!output.lossless || is_webp, "--lossless", "expected with WebP only");
+  expect(!choices.quality || output.kind == OutputKind::jpeg || (is_webp && !output.lossless),
+         "--quality", "expected with JPEG and lossy WebP only");
+  output.quality = choices.quality.value_or(output.quality);
+  expect(choices.depth == 8 || output.kind == OutputKind::png, "--depth",
+         "16 bits given, expected with PNG only");
+  expect(!choices.transparent || output.kind != OutputKind::jpeg, "--background",
+         "none given, but JPEG has no alpha channel");
+  expect(!arguments.raster.dither || choices.depth == 8, "--dither",
+         "expected with --depth 8 only");
   arguments.raster.antialias = !choices.no_antialias;
   arguments.raster.format = choices.depth == 8
                                 ? (choices.transparent ? PixelFormat::rgba8 : PixelFormat::rgb8)
                                 : (choices.transparent ? PixelFormat::rgba16 : PixelFormat::rgb16);
+}
+
+}  // namespace
+
+void settle(RenderArguments& arguments, const RenderChoices& choices) {
+  settle_files(arguments, choices);
+  settle_image(arguments, choices);
+  expect(!arguments.size.scale || !(arguments.size.width || arguments.size.height), "--scale",
+         "expected without --width and --height");
+  expect(!arguments.raster.mesh_overlay || choices.method != RenderMethod::pixels, "--mesh-overlay",
+         "--method pixels has no mesh to draw");
+  arguments.per_pixel = choices.method == RenderMethod::pixels;
+  arguments.diffuse.gather.method =
+      choices.method == RenderMethod::rays ? gather::Method::rays : gather::Method::exact;
 }
 
 }  // namespace sfumato::cli

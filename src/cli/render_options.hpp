@@ -1,6 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "cli/arguments.hpp"
 #include "cli/option_helpers.hpp"
@@ -11,6 +14,12 @@ enum class RenderMethod : std::uint8_t { exact, rays, pixels };
 
 /// What is set in several places of RenderArguments once all options are known.
 struct RenderChoices {
+  std::vector<std::string> inputs;
+  std::string output;
+  std::string output_folder;
+  std::optional<OutputKind> format;
+  std::string extension = "png";  ///< of the format, as it was given
+  std::optional<int> quality;
   RenderMethod method = RenderMethod::exact;
   int depth = 8;
   bool transparent = false;

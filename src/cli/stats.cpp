@@ -14,10 +14,11 @@ double to_nanosecond(double seconds) {
 
 }  // namespace
 
-std::string to_json(const RenderStats& stats) {
+std::string to_json(const RenderStats& stats, std::string_view input) {
   JsonWriter json;
-  json.begin_object()
-      .member("curves", stats.diffuse.curves)
+  json.begin_object();
+  if (!input.empty()) json.member("input", input);
+  json.member("curves", stats.diffuse.curves)
       .member("segments", stats.diffuse.segments)
       .member("triangles", stats.diffuse.triangles)
       .member("vertices", stats.diffuse.vertices)

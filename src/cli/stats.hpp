@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "patches/diffuse.hpp"
 
@@ -16,7 +17,7 @@ struct RenderStats {
   double total_seconds = 0;      ///< from the start of the command to the written output
 };
 
-/// The JSON object of docs/cli.md on one line, with its newline.
-std::string to_json(const RenderStats& stats);
+/// The JSON object of docs/cli.md on one line, with its newline; `input`, if any, is a member.
+std::string to_json(const RenderStats& stats, std::string_view input = {});
 
 }  // namespace sfumato::cli

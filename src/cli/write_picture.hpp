@@ -1,0 +1,17 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "base/context.hpp"
+#include "base/image.hpp"
+#include "base/status.hpp"
+#include "cli/arguments.hpp"
+
+namespace sfumato::cli {
+
+/// The file of an image, of a kind that is made of pixels. Errors: limit, out_of_memory, cancelled.
+Result<std::vector<std::uint8_t>> encode_image(Context& context, const Image& image,
+                                               const OutputOptions& options);
+
+}  // namespace sfumato::cli
