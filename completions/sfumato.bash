@@ -21,8 +21,9 @@ _sfumato() {
     --order) options='linear quadratic cubic' ;;
     --depth) options='8 16' ;;
     --max-error) options='off' ;;
+    --format) options='png jpg webp' ;;
     --background) options='none white black' ;;
-    --allow-files)
+    --allow-files | --out-dir)
       compopt -o filenames 2>/dev/null
       mapfile -t COMPREPLY < <(compgen -d -- "$current")
       return
@@ -32,7 +33,7 @@ _sfumato() {
       return
       ;;
     --viewport | --width | --height | --scale | --rays | --seed | --tolerance | --max-area | \
-      --min-angle | --threads | --max-memory)
+      --min-angle | --quality | --threads | --max-memory)
       return
       ;;
   esac
@@ -46,9 +47,10 @@ _sfumato() {
   fi
   case $command in
     render)
-      options='--output --allow-files --viewport --width --height --scale --method --rays --seed
-        --tolerance --no-blur --max-error --max-area --min-angle --order --mesh-overlay
-        --background --depth --dither --no-antialias --threads --max-memory --stats --quiet --help'
+      options='--output --out-dir --format --allow-files --viewport --width --height --scale
+        --method --rays --seed --tolerance --no-blur --max-error --max-area --min-angle --order
+        --mesh-overlay --background --depth --dither --quality --lossless --no-antialias
+        --threads --max-memory --stats --quiet --help'
       ;;
     info) options='--allow-files --json --quiet --help' ;;
     convert) options='--output --allow-files --quiet --help' ;;

@@ -42,6 +42,19 @@ TEST(ProgressBar, draws_a_report_and_takes_it_away_at_the_end) {
   EXPECT_EQ(all_of(file.get()), "\r" + line + "\r" + std::string(line.size(), ' ') + "\r");
 }
 
+TEST(ProgressBar, of_many_jobs_says_how_many_are_done) {
+  const File file(std::tmpfile());
+  const std::string line = progress_line("2/4 gather", 0.25);
+  {
+    ProgressBar bar(file.get(), milliseconds(0));
+    bar.set_job(1, 4);
+    bar.report("gather", 0.9);
+    bar.erase();
+    bar.erase();
+  }
+  EXPECT_EQ(all_of(file.get()), "\r" + line + "\r" + std::string(line.size(), ' ') + "\r");
+}
+
 TEST(ProgressBar, draws_nothing_for_short_work) {
   const File file(std::tmpfile());
   { ProgressBar(file.get(), hours(1)).report("gather", 0.25); }
