@@ -1,7 +1,7 @@
 #include "formats/base64.hpp"
 
+#include <algorithm>
 #include <cstddef>
-#include <string>
 
 #include "formats/css_text.hpp"
 
@@ -35,6 +35,21 @@ Status bad(std::string message) {
 }
 
 }  // namespace
+
+std::string encode_base64(std::span<const std::uint8_t> bytes) {
+  constexpr std::string_view kDigits =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
+    std::uint32_t word = 0;
+    for (std::size_t k = 0; k < 3; ++k) word = word << 8 | (k < count ? bytes[i + k] : 0u);
+    for (std::size_t k = 0; k < 4; ++k)
+      text += k <= count ? kDigits[word >> (18 - 6 * k) & 63] : '=';
+  }
+  return text;
+}
 
 Result<std::vector<std::uint8_t>> decode_base64(std::string_view text) {
   std::vector<std::uint8_t> bytes;

@@ -1,12 +1,17 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "base/status.hpp"
 
 namespace sfumato {
+
+/// Base64 (RFC 4648, section 4) on one line, padded.
+std::string encode_base64(std::span<const std::uint8_t> bytes);
 
 /// Decodes base64 (RFC 4648, section 4); blanks are skipped, padding may be missing. Memory: three
 /// quarters of the text. Errors: bad_input, without a place.

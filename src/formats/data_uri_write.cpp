@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "formats/base64.hpp"
 #include "formats/png.hpp"
 
 namespace sfumato {
@@ -40,19 +41,7 @@ std::string_view image_media_type(std::span<const std::uint8_t> file) {
 }
 
 std::string data_uri(std::string_view media_type, std::span<const std::uint8_t> bytes) {
-  constexpr std::string_view kDigits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string uri = "data:" + std::string(media_type) + ";base64,";
-  uri.reserve(uri.size() + (bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
-    std::uint32_t word = 0;
-    for (std::size_t k = 0; k < 3; ++k) word = word << 8 | (k < count ? bytes[i + k] : 0u);
-    for (std::size_t k = 0; k < 4; ++k) {
-      uri += k <= count ? kDigits[word >> (18 - 6 * k) & 63] : '=';
-    }
-  }
-  return uri;
+  return "data:" + std::string(media_type) + ";base64," + encode_base64(bytes);
 }
 
 Result<std::string> data_uri(Context& context, const Texture& texture) {

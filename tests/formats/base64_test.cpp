@@ -1,0 +1,37 @@
+#include "formats/base64.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace sfumato {
+namespace {
+
+std::vector<std::uint8_t> bytes_of(std::string_view text) {
+  return {text.begin(), text.end()};
+}
+
+/// RFC 4648, section 10.
+TEST(Base64, has_the_values_of_its_standard) {
+  const std::pair<const char*, const char*> cases[] = {{"", ""},
+                                                       {"f", "Zg=="},
+                                                       {"fo", "Zm8="},
+                                                       {"foo", "Zm9v"},
+                                                       {"foob", "Zm9vYg=="},
+                                                       {"fooba", "Zm9vYmE="},
+                                                       {"foobar", "Zm9vYmFy"}};
+  for (const auto& [plain, coded] : cases) EXPECT_EQ(encode_base64(bytes_of(plain)), coded);
+}
+
+TEST(Base64, gives_back_every_byte) {
+  std::vector<std::uint8_t> all(256);
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<std::uint8_t>(i);
+  const auto back = decode_base64(encode_base64(all));
+  ASSERT_TRUE(back);
+  EXPECT_EQ(*back, all);
+}
+
+}  // namespace
+}  // namespace sfumato
