@@ -3,7 +3,7 @@
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
-set(library_folders base document formats curves mesh gather patches raster export lint)
+set(library_folders base document formats curves mesh gather patches raster export gpu lint)
 add_library(sfumato_library STATIC)
 add_library(sfumato::sfumato ALIAS sfumato_library)
 set_target_properties(sfumato_library PROPERTIES
@@ -18,7 +18,8 @@ target_include_directories(sfumato_library INTERFACE
   $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
   $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/sfumato>)
 target_link_libraries(sfumato_library PUBLIC TBB::tbb
-  PRIVATE pugixml::pugixml PkgConfig::SPNG PkgConfig::WEBP ZLIB::ZLIB JPEG::JPEG)
+  PRIVATE pugixml::pugixml PkgConfig::SPNG PkgConfig::WEBP ZLIB::ZLIB JPEG::JPEG
+  ${CMAKE_DL_LIBS})
 if(SFUMATO_SANITIZE)
   target_link_options(sfumato_library INTERFACE -fsanitize=${SFUMATO_SANITIZE})
 endif()

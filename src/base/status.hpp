@@ -14,6 +14,7 @@ enum class StatusCode : std::uint8_t {
   cancelled,      ///< The caller's cancel flag was seen.
   io,             ///< The system refused a read or a write.
   out_of_memory,  ///< The allocator refused.
+  unavailable,    ///< The machine lacks what was asked for: no GPU.
   internal,       ///< A mistake of ours.
 };
 

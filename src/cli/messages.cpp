@@ -16,6 +16,7 @@ int exit_code(const Status& status) {
     case StatusCode::limit:
     case StatusCode::io:
     case StatusCode::out_of_memory:
+    case StatusCode::unavailable:
       return kResource;
     case StatusCode::cancelled:
       return kSignalled + received_signal();

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "base/status.hpp"
+#include "gpu/gl.hpp"
+
+namespace sfumato::gpu {
+
+/// A context of OpenGL ES 3 without a window, by EGL, current in the calling thread until this is
+/// gone; what was current before is current again then. libEGL and libGLESv2 are looked for at run
+/// time and stay loaded, since drivers leave threads behind.
+class Device {
+ public:
+  /// Tries hardware first, then Mesa's software driver. Errors: unavailable.
+  static Result<std::unique_ptr<Device>> create();
+  ~Device();
+  Device(const Device&) = delete;
+  Device& operator=(const Device&) = delete;
+
+  const Gl& gl() const { return gl_; }
+  /// As the driver calls itself ("llvmpipe (LLVM 15.0.6, 256 bits)").
+  const std::string& name() const { return name_; }
+  /// Largest width and height of textures and of what can be drawn to.
+  int largest_side() const { return largest_side_; }
+  /// The most samples, at most `wanted`, that a renderbuffer of a format can have.
+  int samples(GLenum format, int wanted) const;
+  /// Whether 32-bit float targets can be drawn to, and blended.
+  bool blends_floats() const { return blends_floats_; }
+
+ private:
+  struct Egl;
+
+  Device();
+  Status read_limits();
+
+  std::unique_ptr<Egl> egl_;
+  Gl gl_;
+  std::string name_;
+  int largest_side_ = 0;
+  bool blends_floats_ = false;
+};
+
+}  // namespace sfumato::gpu

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <initializer_list>
+#include <string_view>
+
+#include "base/affine.hpp"
+#include "base/status.hpp"
+#include "gpu/gl.hpp"
+
+namespace sfumato::gpu {
+
+/// A program of web/viewer/shaders (docs/gpu.md).
+class Program {
+ public:
+  Program() = default;
+
+  /// Names as "patch.vert"; defines as "WITH_PAINTS". Errors: internal, with the compiler's words.
+  static Result<Program> create(const Gl& gl, std::string_view vertex, std::string_view fragment,
+                                std::initializer_list<std::string_view> defines);
+
+  /// The setters below are of the program that was used last.
+  void use() const { gl_->UseProgram(object_.name()); }
+  GLuint name() const { return object_.name(); }
+
+  void set(const char* uniform, int value) const;
+  void set(const char* uniform, int x, int y) const;
+  void set(const char* uniform, float value) const;
+  void set(const char* uniform, double x, double y) const;
+  /// As two rows.
+  void set(const char* uniform, const Affine& map) const;
+  /// The linear part as a mat2.
+  void set_linear(const char* uniform, const Affine& map) const;
+  /// Binds `texture` to a texture unit for a sampler.
+  void bind(const char* sampler, int unit, GLuint texture) const;
+
+ private:
+  const Gl* gl_ = nullptr;
+  GlObject object_;
+};
+
+}  // namespace sfumato::gpu

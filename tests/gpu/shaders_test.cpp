@@ -1,0 +1,47 @@
+#include <gtest/gtest.h>
+
+#include <initializer_list>
+#include <string_view>
+
+#include "gpu/device.hpp"
+#include "gpu/program.hpp"
+#include "support.hpp"
+
+namespace sfumato::gpu {
+namespace {
+
+void expect_program(std::string_view vertex, std::string_view fragment,
+                    std::initializer_list<std::string_view> defines) {
+  const auto device = Device::create();
+  ASSERT_TRUE(device.ok()) << to_string(device.status());
+  const Result<Program> program = Program::create((*device)->gl(), vertex, fragment, defines);
+  EXPECT_TRUE(program.ok()) << to_string(program.status());
+  EXPECT_EQ((*device)->gl().GetError(), static_cast<GLenum>(GL_NO_ERROR));
+}
+
+TEST(Shaders, every_program_and_variant_links) {
+  SFUMATO_NEEDS_GPU();
+  expect_program("patch.vert", "patch.frag", {});
+  expect_program("patch.vert", "patch.frag", {"WITH_OPACITY"});
+  expect_program("patch.vert", "patch.frag", {"WITH_PAINTS"});
+  expect_program("patch.vert", "patch.frag", {"WITH_OPACITY", "WITH_PAINTS"});
+  expect_program("stroke.vert", "stroke.frag", {});
+  expect_program("screen.vert", "stroke_resolve.frag", {});
+  expect_program("screen.vert", "composite.frag", {});
+  expect_program("screen.vert", "composite.frag", {"WITHOUT_BACKDROP"});
+  expect_program("overlay.vert", "overlay.frag", {});
+  expect_program("screen.vert", "present.frag", {});
+}
+
+TEST(Shaders, a_shader_that_is_not_there_is_an_error_in_words) {
+  SFUMATO_NEEDS_GPU();
+  const auto device = Device::create();
+  const Result<Program> program =
+      Program::create((*device)->gl(), "patch.vert", "no_such.frag", {});
+  ASSERT_FALSE(program.ok());
+  EXPECT_EQ(program.status().code, StatusCode::internal);
+  EXPECT_NE(program.status().message.find("no_such.frag"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace sfumato::gpu

@@ -1,0 +1,141 @@
+// Source over backdrop: W3C Compositing and Blending Level 1, sections 5, 10.1 and 10.2, on code
+// values. b is the backdrop's colour, s the source's, as Cb and Cs there.
+uniform sampler2D source;
+uniform int source_scale;
+uniform float opacity;
+
+out vec4 fragment;
+
+/// What was added up may be out of range.
+vec4 in_range(vec4 pixel) {
+  float alpha = clamp(pixel.a, 0.0, 1.0);
+  return vec4(clamp(pixel.rgb, 0.0, alpha), alpha);
+}
+
+vec4 source_pixel() {
+  ivec2 first = source_scale * ivec2(gl_FragCoord.xy);
+  vec4 sum = vec4(0.0);
+  for (int j = 0; j < source_scale; ++j)
+    for (int i = 0; i < source_scale; ++i)
+      sum += texelFetch(source, first + ivec2(i, j), 0);
+  return opacity * in_range(sum / float(source_scale * source_scale));
+}
+
+#ifdef WITHOUT_BACKDROP
+void main() {
+  fragment = source_pixel();
+}
+#else
+uniform sampler2D backdrop;
+uniform int blend_mode;
+
+// The order of BlendMode.
+const int kMultiply = 1;
+const int kScreen = 2;
+const int kOverlay = 3;
+const int kDarken = 4;
+const int kLighten = 5;
+const int kColorDodge = 6;
+const int kColorBurn = 7;
+const int kHardLight = 8;
+const int kSoftLight = 9;
+const int kDifference = 10;
+const int kExclusion = 11;
+const int kHue = 12;
+const int kSaturation = 13;
+const int kColor = 14;
+const int kLuminosity = 15;
+
+float hard_light(float b, float s) {
+  float twice = s + s;
+  return s <= 0.5 ? b * twice : b + (twice - 1.0) - b * (twice - 1.0);
+}
+
+float color_dodge(float b, float s) {
+  if (b <= 0.0) return 0.0;
+  return s < 1.0 ? min(b / (1.0 - s), 1.0) : 1.0;
+}
+
+float color_burn(float b, float s) {
+  if (b >= 1.0) return 1.0;
+  return s > 0.0 ? 1.0 - min((1.0 - b) / s, 1.0) : 0.0;
+}
+
+float soft_light(float b, float s) {
+  float d = b <= 0.25 ? ((16.0 * b - 12.0) * b + 4.0) * b : sqrt(b);
+  return b + (s + s - 1.0) * (s <= 0.5 ? b * (1.0 - b) : d - b);
+}
+
+/// B(Cb, Cs) of the separable modes.
+float separable(float b, float s) {
+  switch (blend_mode) {
+    case kMultiply: return b * s;
+    case kScreen: return b + s - b * s;
+    case kOverlay: return hard_light(s, b);
+    case kDarken: return min(b, s);
+    case kLighten: return max(b, s);
+    case kColorDodge: return color_dodge(b, s);
+    case kColorBurn: return color_burn(b, s);
+    case kHardLight: return hard_light(b, s);
+    case kSoftLight: return soft_light(b, s);
+    case kDifference: return abs(b - s);
+    case kExclusion: return b + s - 2.0 * b * s;
+  }
+  return s;
+}
+
+float luminosity_of(vec3 c) {
+  return dot(c, vec3(0.3, 0.59, 0.11));
+}
+
+float least(vec3 c) {
+  return min(c.r, min(c.g, c.b));
+}
+
+float greatest(vec3 c) {
+  return max(c.r, max(c.g, c.b));
+}
+
+/// SetLum with its ClipColor.
+vec3 with_luminosity(vec3 c, float luminosity) {
+  vec3 moved = c + (luminosity - luminosity_of(c));
+  float center = luminosity_of(moved), low = least(moved), high = greatest(moved);
+  float from_below = low < 0.0 ? center / (center - low) : 1.0;
+  float from_above = high > 1.0 ? (1.0 - center) / (high - center) : 1.0;
+  return center + (moved - center) * from_below * from_above;
+}
+
+float saturation_of(vec3 c) {
+  return greatest(c) - least(c);
+}
+
+/// SetSat: the least channel becomes 0, the greatest `saturation`.
+vec3 with_saturation(vec3 c, float saturation) {
+  float range = saturation_of(c);
+  return range > 0.0 ? (c - least(c)) * (saturation / range) : vec3(0.0);
+}
+
+vec3 blended(vec3 b, vec3 s) {
+  switch (blend_mode) {
+    case kHue:
+      return with_luminosity(with_saturation(s, saturation_of(b)), luminosity_of(b));
+    case kSaturation:
+      return with_luminosity(with_saturation(b, saturation_of(s)), luminosity_of(b));
+    case kColor: return with_luminosity(s, luminosity_of(b));
+    case kLuminosity: return with_luminosity(b, luminosity_of(s));
+  }
+  return vec3(separable(b.r, s.r), separable(b.g, s.g), separable(b.b, s.b));
+}
+
+vec3 unpremultiplied(vec4 pixel) {
+  return pixel.a > 0.0 ? min(pixel.rgb / pixel.a, 1.0) : vec3(0.0);
+}
+
+void main() {
+  vec4 s = source_pixel();
+  vec4 b = in_range(texelFetch(backdrop, ivec2(gl_FragCoord.xy), 0));
+  vec3 mixed = blended(unpremultiplied(b), unpremultiplied(s));
+  vec3 top = blend_mode == 0 ? s.rgb : s.rgb * (1.0 - b.a) + s.a * b.a * mixed;
+  fragment = vec4(top + b.rgb * (1.0 - s.a), s.a + b.a * (1.0 - s.a));
+}
+#endif

@@ -1,0 +1,98 @@
+// The value of a patch from its ten nodes (paper eq. 17 and 18), with image-domain shaders
+// (eq. 6) where the layer has them.
+uniform int patch_order;
+uniform int interpolation;
+uniform float opacity;
+
+flat in vec4 node[10];
+#ifdef WITH_PAINTS
+flat in int triangle;
+#endif
+centroid in vec2 weight;
+
+out vec4 fragment;
+
+void cubic_basis(float w, float u, float v, out float basis[10]) {
+  basis = float[10](0.5 * w * (3.0 * w - 1.0) * (3.0 * w - 2.0),
+                    0.5 * u * (3.0 * u - 1.0) * (3.0 * u - 2.0),
+                    0.5 * v * (3.0 * v - 1.0) * (3.0 * v - 2.0),
+                    4.5 * w * u * (3.0 * w - 1.0), 4.5 * w * u * (3.0 * u - 1.0),
+                    4.5 * u * v * (3.0 * u - 1.0), 4.5 * u * v * (3.0 * v - 1.0),
+                    4.5 * v * w * (3.0 * v - 1.0), 4.5 * v * w * (3.0 * w - 1.0),
+                    27.0 * w * u * v);
+}
+
+// The centre of an edge is read from the cubic through its nodes: (-Zi + 9 Zij + 9 Zji - Zj) / 16.
+void quadratic_basis(float w, float u, float v, out float basis[10]) {
+  float a = 0.25 * w * u, b = 0.25 * u * v, c = 0.25 * v * w;
+  basis = float[10](w * (2.0 * w - 1.0) - a - c, u * (2.0 * u - 1.0) - a - b,
+                    v * (2.0 * v - 1.0) - b - c, 9.0 * a, 9.0 * a, 9.0 * b, 9.0 * b, 9.0 * c,
+                    9.0 * c, 0.0);
+}
+
+void patch_basis(out float basis[10]) {
+  float u = max(weight.x, 0.0), v = max(weight.y, 0.0), w = max(1.0 - u - v, 0.0);
+  if (patch_order == 3) {
+    cubic_basis(w, u, v, basis);
+  } else if (patch_order == 2) {
+    quadratic_basis(w, u, v, basis);
+  } else {
+    basis = float[10](w, u, v, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+  }
+}
+
+#ifdef WITH_PAINTS
+uniform usampler2D triangle_node;
+uniform sampler2D color_weight;
+#ifdef WITH_OPACITY
+uniform usampler2D triangle_opacity_node;
+uniform sampler2D opacity_weight;
+#endif
+uniform ivec2 paint_count;
+uniform float paint_step;
+
+/// Four weights, of a field with `groups` times four of them.
+vec4 paint_weights(usampler2D nodes, sampler2D values, int groups, int group, float basis[10]) {
+  vec4 first = table_value(values, groups * table_index(nodes, 10 * triangle) + group);
+  vec4 sum = first;
+  for (int i = 1; i < 10; ++i) {
+    int slot = table_index(nodes, 10 * triangle + i);
+    sum += basis[i] * (table_value(values, groups * slot + group) - first);
+  }
+  return sum;
+}
+
+void add_paints(float basis[10], inout vec4 value) {
+  vec2 pixel = floor(gl_FragCoord.xy / paint_step) + 0.5;
+  int groups = (paint_count.x + 3) / 4;
+  vec4 weights;
+  for (int i = 0; i < paint_count.x; ++i) {
+    if ((i & 3) == 0) weights = paint_weights(triangle_node, color_weight, groups, i >> 2, basis);
+    if (weights[i & 3] == 0.0) continue;
+    value.rgb += weights[i & 3] * from_code(interpolation, paint_color(i, pixel).rgb);
+  }
+#ifdef WITH_OPACITY
+  groups = (paint_count.y + 3) / 4;
+  for (int i = 0; i < paint_count.y; ++i) {
+    if ((i & 3) == 0)
+      weights = paint_weights(triangle_opacity_node, opacity_weight, groups, i >> 2, basis);
+    if (weights[i & 3] == 0.0) continue;
+    vec4 color = paint_color(paint_count.x + i, pixel);
+    value.a += weights[i & 3] * color.a * dot(color.rgb, vec3(0.2126, 0.7152, 0.0722));
+  }
+#endif
+}
+#endif
+
+void main() {
+  float basis[10];
+  patch_basis(basis);
+  // Differences to one node, so that a constant patch is exactly its constant.
+  vec4 value = node[0];
+  for (int i = 1; i < 10; ++i) value += basis[i] * (node[i] - node[0]);
+#ifdef WITH_PAINTS
+  add_paints(basis, value);
+#endif
+  float alpha = opacity * clamp(value.a, 0.0, 1.0);
+  fragment = vec4(alpha * clamped_code(interpolation, value.rgb), alpha);
+}
