@@ -1,0 +1,223 @@
+#include "export/facets.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "export/facet_cuts.hpp"
+#include "export/facet_grid.hpp"
+#include "export/facet_patch.hpp"
+
+namespace sfumato::outputs {
+namespace {
+
+constexpr std::size_t kGrain = 256;
+constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+/// Fills a FacetMesh from the cuts of its patches. Its vertices: corners, then the inner points of
+/// edges, then those inside patches.
+class FacetBuilder {
+ public:
+  FacetBuilder(const PatchLayer& layer, InterpolationSpace space, const FacetSource& source,
+               double max_error, const FacetCuts& cuts)
+      : layer_(layer), space_(space), source_(source), max_error_(max_error), cuts_(cuts) {}
+
+  Status build(Context& context, FacetMesh* mesh);
+
+ private:
+  void number_corners();
+  Status count(Context& context, FacetMesh* mesh);
+  Status allocate(Context& context, FacetMesh* mesh) const;
+  void fill(std::uint32_t triangle, FacetMesh* mesh) const;
+  void set(std::uint32_t vertex, Vec2 position, const FacetPatch::Value& value,
+           FacetMesh* mesh) const;
+  void fill_edge(const FacetPatch& patch, std::uint32_t half_edge, FacetMesh* mesh) const;
+  std::vector<std::uint32_t> vertices_of(std::uint32_t triangle, const FacetGrid& grid) const;
+  bool is_low_first(std::uint32_t half_edge) const;
+
+  const PatchLayer& layer_;
+  InterpolationSpace space_;
+  const FacetSource& source_;
+  double max_error_;
+  const FacetCuts& cuts_;
+  std::vector<std::uint32_t> corner_vertex_;  ///< 3 per triangle
+  std::vector<std::uint32_t> corner_owner_;   ///< per corner vertex, a triangle's corner
+  std::vector<std::uint64_t> edge_first_;     ///< first vertex of an edge
+  std::vector<std::uint64_t> inside_first_;   ///< first vertex inside a patch; the last: how many
+};
+
+std::uint32_t next_in_triangle(std::uint32_t half_edge) {
+  return half_edge % 3 == 2 ? half_edge - 2 : half_edge + 1;
+}
+
+bool FacetBuilder::is_low_first(std::uint32_t half_edge) const {
+  return layer_.triangle_vertex[half_edge] < layer_.triangle_vertex[next_in_triangle(half_edge)];
+}
+
+/// Corners with one node at one vertex are one vertex of the mesh.
+void FacetBuilder::number_corners() {
+  const PatchField& field = field_of(layer_, source_);
+  const std::size_t channels = static_cast<std::size_t>(field.channel_count);
+  std::vector<std::uint32_t> of_node(field.node_value.size() / channels, kNone);
+  corner_vertex_.resize(layer_.triangle_vertex.size());
+  for (std::uint32_t corner = 0; corner < corner_vertex_.size(); ++corner) {
+    std::uint32_t& vertex =
+        of_node[field.triangle_node[std::size_t{10} * (corner / 3) + corner % 3]];
+    if (vertex == kNone ||
+        layer_.triangle_vertex[corner_owner_[vertex]] != layer_.triangle_vertex[corner]) {
+      vertex = static_cast<std::uint32_t>(corner_owner_.size());
+      corner_owner_.push_back(corner);
+    }
+    corner_vertex_[corner] = vertex;
+  }
+}
+
+/// Counts facets and places vertices.
+Status FacetBuilder::count(Context& context, FacetMesh* mesh) {
+  const std::size_t triangles = layer_.triangle_count();
+  std::vector<std::uint32_t> facets(triangles);
+  Status status = parallel_for(context, triangles, kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t)
+      FacetGrid(cuts_.of(static_cast<std::uint32_t>(t)))
+          .for_each_facet([&](const std::array<int, 3>&) { ++facets[t]; });
+  });
+  if (!status) return status;
+  std::uint64_t vertex = corner_owner_.size();
+  for (const FacetEdge& edge : cuts_.edge) {
+    edge_first_.push_back(vertex);
+    vertex += edge.cuts - 1u;
+  }
+  std::uint64_t facet = 0;
+  mesh->patch_first_facet.reserve(triangles + 1);
+  inside_first_.reserve(triangles + 1);
+  for (std::size_t t = 0; t < triangles; ++t) {
+    mesh->patch_first_facet.push_back(static_cast<std::uint32_t>(facet));
+    inside_first_.push_back(vertex);
+    facet += facets[t];
+    const std::uint64_t n = cuts_.grid[t];
+    vertex += n > 2 ? (n - 1) * (n - 2) / 2 : 0;
+  }
+  mesh->patch_first_facet.push_back(static_cast<std::uint32_t>(facet));
+  inside_first_.push_back(vertex);
+  if (std::max(facet, vertex) >= kNone)
+    return make_error(StatusCode::limit, "more facets than 32 bits can number");
+  return ok_status();
+}
+
+Status FacetBuilder::allocate(Context& context, FacetMesh* mesh) const {
+  const std::uint64_t vertices = inside_first_.back();
+  const std::uint64_t facets = mesh->patch_first_facet.back();
+  const auto channels = static_cast<std::size_t>(mesh->channel_count);
+  const std::size_t bytes =
+      vertices * (sizeof(Vec2) + channels * sizeof(float)) + facets * 3 * sizeof(std::uint32_t);
+  if (Status status = mesh->charge.add(context, bytes, "facets"); !status) return status;
+  mesh->vertex_position.resize(vertices);
+  mesh->vertex_value.resize(vertices * channels);
+  mesh->facet_vertex.resize(facets * 3);
+  return ok_status();
+}
+
+void FacetBuilder::set(std::uint32_t vertex, Vec2 position, const FacetPatch::Value& value,
+                       FacetMesh* mesh) const {
+  mesh->vertex_position[vertex] = position;
+  const auto channels = static_cast<std::size_t>(mesh->channel_count);
+  for (std::size_t c = 0; c < channels; ++c)
+    mesh->vertex_value[channels * vertex + c] = static_cast<float>(value[c]);
+}
+
+/// Points between the ends of an edge, from the lower vertex to the higher one, so that positions
+/// on the two sides of a curve are the same bits too.
+void FacetBuilder::fill_edge(const FacetPatch& patch, std::uint32_t half_edge,
+                             FacetMesh* mesh) const {
+  const std::uint32_t index = cuts_.edge_of[half_edge];
+  const int cuts = cuts_.edge[index].cuts;
+  const std::uint32_t next = next_in_triangle(half_edge);
+  const std::uint32_t low = is_low_first(half_edge) ? half_edge : next;
+  const std::uint32_t high = is_low_first(half_edge) ? next : half_edge;
+  for (int part = 1; part < cuts; ++part) {
+    const double t = 1.0 * part / cuts;
+    Barycentric at{};
+    at[low % 3] = 1 - t;
+    at[high % 3] = t;
+    set(static_cast<std::uint32_t>(edge_first_[index]) + static_cast<std::uint32_t>(part) - 1,
+        lerp(layer_.vertex_position[layer_.triangle_vertex[low]],
+             layer_.vertex_position[layer_.triangle_vertex[high]], t),
+        patch.shown(at), mesh);
+  }
+}
+
+/// The mesh's vertices for the points of a patch's grid.
+std::vector<std::uint32_t> FacetBuilder::vertices_of(std::uint32_t triangle,
+                                                     const FacetGrid& grid) const {
+  std::vector<std::uint32_t> vertex(static_cast<std::size_t>(grid.point_count()));
+  std::size_t point = 0;
+  for (; point < 3; ++point) vertex[point] = corner_vertex_[std::size_t{3} * triangle + point];
+  for (std::uint32_t k = 0; k < 3; ++k) {
+    const std::uint32_t half_edge = 3 * triangle + k;
+    const std::uint32_t index = cuts_.edge_of[half_edge];
+    const auto first = static_cast<std::uint32_t>(edge_first_[index]);
+    const std::uint32_t count = cuts_.edge[index].cuts - 1u;
+    for (std::uint32_t i = 0; i < count; ++i)
+      vertex[point++] = first + (is_low_first(half_edge) ? i : count - 1 - i);
+  }
+  auto inside = static_cast<std::uint32_t>(inside_first_[triangle]);
+  for (; point < vertex.size(); ++point) vertex[point] = inside++;
+  return vertex;
+}
+
+void FacetBuilder::fill(std::uint32_t triangle, FacetMesh* mesh) const {
+  const FacetPatch patch(layer_, space_, source_, triangle, max_error_);
+  const FacetGrid grid(cuts_.of(triangle));
+  const std::vector<std::uint32_t> vertex = vertices_of(triangle, grid);
+  const std::vector<Barycentric> point = grid.points();
+  Vec2 corner[3];
+  for (std::uint32_t k = 0; k < 3; ++k) {
+    const std::uint32_t half_edge = 3 * triangle + k;
+    corner[k] = layer_.vertex_position[layer_.triangle_vertex[half_edge]];
+    if (corner_owner_[vertex[k]] == half_edge)
+      set(vertex[k], corner[k], patch.shown(point[k]), mesh);
+    if (cuts_.edge[cuts_.edge_of[half_edge]].half_edge == half_edge)
+      fill_edge(patch, half_edge, mesh);
+  }
+  for (auto i = static_cast<std::size_t>(grid.first_point(3)); i < point.size(); ++i) {
+    const Barycentric& at = point[i];
+    set(vertex[i], corner[0] * at[0] + corner[1] * at[1] + corner[2] * at[2], patch.shown(at),
+        mesh);
+  }
+  std::uint32_t* facet =
+      mesh->facet_vertex.data() + std::size_t{3} * mesh->patch_first_facet[triangle];
+  grid.for_each_facet([&](const std::array<int, 3>& at) {
+    for (int i : at) *facet++ = vertex[static_cast<std::size_t>(i)];
+  });
+}
+
+Status FacetBuilder::build(Context& context, FacetMesh* mesh) {
+  // Corners, edges and patches: their places.
+  ScopedCharge places;
+  const std::size_t triangles = layer_.triangle_count();
+  const PatchField& field = field_of(layer_, source_);
+  const std::size_t bytes =
+      triangles * (12 + 12 + 4 + 4 + 8) + cuts_.edge.size() * 8 + field.node_value.size() * 4;
+  Status status = places.add(context, bytes, "places of facets");
+  if (!status) return status;
+  mesh->channel_count = channel_count_of(source_);
+  number_corners();
+  if (status = count(context, mesh); !status) return status;
+  if (status = allocate(context, mesh); !status) return status;
+  return parallel_for(context, triangles, kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t) fill(static_cast<std::uint32_t>(t), mesh);
+  });
+}
+
+}  // namespace
+
+Result<FacetMesh> make_facets(Context& context, const PatchLayer& layer, InterpolationSpace space,
+                              const FacetSource& source, double max_error) {
+  Result<FacetCuts> cuts = find_cuts(context, layer, space, source, max_error);
+  if (!cuts) return cuts.status();
+  FacetMesh mesh;
+  Status status = FacetBuilder(layer, space, source, max_error, *cuts).build(context, &mesh);
+  if (!status) return status;
+  return mesh;
+}
+
+}  // namespace sfumato::outputs
