@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "base/affine.hpp"
@@ -32,6 +33,17 @@ class Gradient {
   /// Values at first + (i, 0), 0 ≤ i < count, image coordinates in pixels.
   void evaluate(const Affine& layer_from_image, Vec2 first, int count, const ShaderRow& row) const;
 
+  const std::vector<GradientSegment>& segments() const { return segments_; }
+  std::span<const double, 4> first() const { return first_; }  ///< before 0, not premultiplied
+  std::span<const double, 4> last() const { return last_; }    ///< after 1
+  std::span<const double, 4> total() const { return total_; }  ///< integral, premultiplied
+  SpreadMethod spread() const { return spread_; }
+  bool is_radial() const { return is_radial_; }
+  /// Linear: the offset is the x of the frame. Radial: the focus is its origin, its unit the
+  /// radius.
+  const Affine& frame_from_layer() const { return frame_from_layer_; }
+  Vec2 center_from_focus() const { return center_from_focus_; }  ///< radial, in radii
+
  private:
   /// Where a sample lies along the gradient, and half of the pixel's width there.
   struct Offset {
@@ -53,14 +65,13 @@ class Gradient {
   std::size_t sample(Offset offset, std::size_t hint, float (&rgba)[4]) const;
 
   std::vector<GradientSegment> segments_;
-  double first_[4] = {};  ///< before offset 0, not premultiplied
+  double first_[4] = {};
   double last_[4] = {};
-  double total_[4] = {};  ///< integral from 0 to 1, premultiplied
+  double total_[4] = {};
   SpreadMethod spread_ = SpreadMethod::pad;
   bool is_radial_ = false;
-  /// Linear: the offset is the x of the frame. Radial: the focus is the origin of the frame.
   Affine frame_from_layer_;
-  Vec2 center_from_focus_;  ///< radial, in radii
+  Vec2 center_from_focus_;
   ScopedCharge charge_;
 };
 

@@ -57,16 +57,15 @@ int round_down(int value, int step) {
 
 }  // namespace
 
-Result<StrokePainter> StrokePainter::create(Context& context, const LocalStroke& stroke,
-                                            const Affine& image_from_artboard,
-                                            InterpolationSpace space) {
-  StrokePainter painter;
+Result<PreparedStroke> prepare_stroke(Context& context, const LocalStroke& stroke,
+                                      const Affine& image_from_artboard, InterpolationSpace space) {
+  PreparedStroke prepared;
   const LocalCurve& curve = stroke.curve;
   const Affine image_from_stroke = image_from_artboard * stroke.artboard_from_stroke;
   const double scale = std::sqrt(std::fabs(image_from_stroke.determinant()));
   const bool has_color = !curve.left_color.empty() || !curve.right_color.empty();
   // A map that flattens the plane leaves nothing to see.
-  if (!(scale > 0) || !std::isfinite(1 / scale) || !has_color) return painter;
+  if (!(scale > 0) || !std::isfinite(1 / scale) || !has_color) return prepared;
   curves::StrokeOptions options;
   options.scale = scale;
   options.image_from_stroke = image_from_stroke;
@@ -76,14 +75,28 @@ Result<StrokePainter> StrokePainter::create(Context& context, const LocalStroke&
   options.nodes_per_radius = nodes_per_radius(curve, scale);
   Result<curves::StrokeSegments> segments = curves::stroke_segments(context, curve, options);
   if (!segments) return segments.status();
-  Result<StrokeTree> tree = StrokeTree::create(context, segments->reach);
+  for (const Box& box : segments->reach) prepared.bounds_px = united(prepared.bounds_px, box);
+  prepared.segments = std::move(*segments);
+  prepared.image_from_frame = image_from_stroke * Affine{1 / scale, 0, 0, 1 / scale, 0, 0};
+  prepared.frame =
+      make_frame(curve, prepared.image_from_frame, inverse(prepared.image_from_frame), space);
+  return prepared;
+}
+
+Result<StrokePainter> StrokePainter::create(Context& context, const LocalStroke& stroke,
+                                            const Affine& image_from_artboard,
+                                            InterpolationSpace space) {
+  StrokePainter painter;
+  Result<PreparedStroke> prepared = prepare_stroke(context, stroke, image_from_artboard, space);
+  if (!prepared) return prepared.status();
+  if (prepared->segments.segment.empty()) return painter;
+  Result<StrokeTree> tree = StrokeTree::create(context, prepared->segments.reach);
   if (!tree) return tree.status();
-  for (const Box& box : segments->reach) painter.bounds_ = united(painter.bounds_, box);
-  painter.segments_ = std::move(*segments);
+  painter.bounds_ = prepared->bounds_px;
+  painter.segments_ = std::move(prepared->segments);
   painter.tree_ = std::move(*tree);
-  const Affine image_from_frame = image_from_stroke * Affine{1 / scale, 0, 0, 1 / scale, 0, 0};
-  painter.frame_from_image_ = inverse(image_from_frame);
-  painter.frame_ = make_frame(curve, image_from_frame, painter.frame_from_image_, space);
+  painter.frame_from_image_ = inverse(prepared->image_from_frame);
+  painter.frame_ = prepared->frame;
   painter.kernels_ = &stroke_kernels(context.simd);
   return painter;
 }

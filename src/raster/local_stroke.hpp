@@ -14,6 +14,18 @@
 
 namespace sfumato::raster {
 
+/// A local curve cut into segments for one image.
+struct PreparedStroke {
+  curves::StrokeSegments segments;  ///< none where there is nothing to see
+  StrokeFrame frame;
+  Affine image_from_frame;  ///< the frame is that of the segments
+  Box bounds_px;            ///< every pixel that the stroke can touch lies inside
+};
+
+/// As StrokePainter::create, which begins with it.
+Result<PreparedStroke> prepare_stroke(Context& context, const LocalStroke& stroke,
+                                      const Affine& image_from_artboard, InterpolationSpace space);
+
 /// A local curve prepared for one image (paper eq. 12–16; docs/mathematics.md, "Local curves").
 class StrokePainter {
  public:
