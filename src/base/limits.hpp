@@ -42,6 +42,11 @@ inline constexpr std::size_t kWarnings = 100;
 /// Coordinates are finite and at most this large in magnitude, in user units.
 inline constexpr double kCoordinate = 1e7;
 
+/// Triangles of all layers, and segments of all local curves, that an HTML viewer takes: graphics
+/// of small devices have textures of 4096 rows.
+inline constexpr std::size_t kViewerTriangles = 800'000;
+inline constexpr std::size_t kViewerStrokeSegments = 1'000'000;
+
 /// Side of a raster image in pixels.
 inline constexpr int kImageSide = 16'384;
 

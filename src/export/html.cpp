@@ -1,0 +1,125 @@
+#include "export/html.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <utility>
+
+#include "export/embedded.hpp"
+#include "export/viewer_payload.hpp"
+#include "formats/base64.hpp"
+
+namespace sfumato {
+namespace {
+
+using outputs::embedded_file;
+
+/// In the order in which they stand in the page; main.js begins.
+constexpr std::string_view kScripts[] = {
+    "affine.js",  "bytes.js",  "mesh.js",    "field.js",    "gl.js",      "paints.js",
+    "payload.js", "layers.js", "strokes.js", "targets.js",  "painter.js", "renderer.js",
+    "view.js",    "motion.js", "input.js",   "controls.js", "viewer.js",  "main.js"};
+
+constexpr std::string_view kShaders[] = {"common.glsl",         "paint.glsl",   "patch.vert",
+                                         "patch.frag",          "screen.vert",  "composite.frag",
+                                         "present.frag",        "stroke.vert",  "stroke.frag",
+                                         "stroke_resolve.frag", "overlay.vert", "overlay.frag"};
+
+std::string escaped(std::string_view text) {
+  std::string result;
+  for (char c : text) {
+    switch (c) {
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      case '"':
+        result += "&quot;";
+        break;
+      default:
+        // Control characters have no place in HTML.
+        result += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
+    }
+  }
+  return result;
+}
+
+std::string scripts() {
+  std::string text;
+  for (std::string_view name : kScripts) text += embedded_file(name);
+  return text;
+}
+
+std::string shaders() {
+  std::string text;
+  for (std::string_view name : kShaders) {
+    text += "<script type=\"text/plain\" data-shader=\"" + std::string(name) + "\">" +
+            std::string(embedded_file("shaders/" + std::string(name))) + "</script>\n";
+  }
+  return text;
+}
+
+bool is_media_type(std::string_view type) {
+  return type.starts_with("image/") && std::all_of(type.begin(), type.end(), [](char c) {
+           return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '/' || c == '+' ||
+                  c == '-' || c == '.';
+         });
+}
+
+std::string fallback(const HtmlOptions& options) {
+  if (options.fallback.empty()) return {};
+  return "<img id=\"fallback\" alt=\"" + escaped(options.title) +
+         "\" src=\"data:" + options.fallback_type + ";base64," + encode_base64(options.fallback) +
+         "\">";
+}
+
+/// The page with its marks, {{name}}, replaced; what replaces them is not looked through.
+std::string filled(std::string_view page,
+                   const std::array<std::pair<std::string_view, std::string>, 6>& values) {
+  std::string text;
+  while (true) {
+    const std::size_t begin = page.find("{{");
+    text += page.substr(0, begin);
+    if (begin == std::string_view::npos) return text;
+    const std::size_t end = page.find("}}", begin);
+    const std::string_view name = page.substr(begin + 2, end - begin - 2);
+    for (const auto& [key, value] : values)
+      if (key == name) text += value;
+    page.remove_prefix(end + 2);
+  }
+}
+
+Rgb background_of(const Picture& picture, const HtmlOptions& options) {
+  if (options.background) return *options.background;
+  return picture.background.value_or(Rgb{1, 1, 1});
+}
+
+}  // namespace
+
+Result<std::vector<std::uint8_t>> export_html(Context& context, const Picture& picture,
+                                              const HtmlOptions& options, ExportNotes* notes) {
+  if (!options.fallback.empty() && !is_media_type(options.fallback_type))
+    return make_error(StatusCode::bad_input, "the fallback picture has no media type of an image");
+  const auto payload = outputs::viewer_payload(context, picture, background_of(picture, options));
+  if (!payload) return payload.status();
+  ScopedCharge charge;
+  const std::size_t bytes = 3 * (payload->size() + options.fallback.size()) / 2 * 2 + (1 << 20);
+  if (Status status = charge.add(context, bytes, "the HTML file"); !status) return status;
+  const std::string page =
+      filled(embedded_file("page.html"), {{{"title", escaped(options.title)},
+                                           {"style", std::string(embedded_file("viewer.css"))},
+                                           {"fallback", fallback(options)},
+                                           {"shaders", shaders()},
+                                           {"payload", encode_base64(*payload)},
+                                           {"script", scripts()}}});
+  if (notes)
+    for (const PatchLayer& layer : picture.layers) notes->triangle_count += layer.triangle_count();
+  return std::vector<std::uint8_t>(page.begin(), page.end());
+}
+
+}  // namespace sfumato

@@ -1,0 +1,151 @@
+// The HTML file as a text; what it shows is tested in a browser (tests/viewer).
+#include "export/html.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <string>
+
+#include "export/embedded.hpp"
+
+namespace sfumato {
+namespace {
+
+/// One triangle of one colour.
+Picture triangle_picture() {
+  Picture picture;
+  picture.artboard = picture.viewport = {{0, 0}, {10, 10}};
+  PatchLayer layer;
+  layer.frame = picture.artboard;
+  layer.vertex_position = {{0, 0}, {10, 0}, {0, 10}};
+  layer.triangle_vertex = {0, 1, 2};
+  layer.edge_is_curve = {1, 0, 0};
+  layer.color.triangle_node = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9};
+  layer.color.node_value.assign(30, 0.5f);
+  picture.layers = {layer};
+  picture.stack = {PatchInstance{}};
+  return picture;
+}
+
+std::string text_of(const Picture& picture, const HtmlOptions& options = {}) {
+  Context context;
+  const auto html = export_html(context, picture, options);
+  EXPECT_TRUE(html) << html.status().message;
+  EXPECT_EQ(context.budget.used(), 0u);
+  return html ? std::string(html->begin(), html->end()) : std::string();
+}
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
+    ++found;
+  return found;
+}
+
+TEST(Html, holds_all_that_it_needs) {
+  const std::string html = text_of(triangle_picture());
+  EXPECT_TRUE(html.starts_with("<!DOCTYPE html>"));
+  EXPECT_TRUE(html.ends_with("</html>\n"));
+  EXPECT_EQ(html.find("http"), html.find("http-equiv"));
+  EXPECT_EQ(count(html, "src="), 0u);
+  for (const char* mark :
+       {"{{title", "{{style", "{{fallback", "{{shaders", "{{payload", "{{script"})
+    EXPECT_EQ(count(html, mark), 0u) << mark;
+  EXPECT_EQ(count(html, "<script"), count(html, "</script>"));
+  EXPECT_NE(html.find("default-src 'none'"), std::string::npos);
+}
+
+TEST(Html, every_script_and_shader_is_compiled_in) {
+  const std::string html = text_of(triangle_picture());
+  for (const char* name : {"patch.vert", "paint.glsl", "present.frag"}) {
+    const std::string_view shader = outputs::embedded_file(std::string("shaders/") + name);
+    ASSERT_FALSE(shader.empty()) << name;
+    EXPECT_NE(html.find(shader), std::string::npos) << name;
+  }
+  // What main.js begins, and what a file before it defines.
+  EXPECT_NE(html.find("class ByteReader"), std::string::npos);
+  EXPECT_NE(html.find("\nmain();\n"), std::string::npos);
+}
+
+TEST(Html, a_title_cannot_leave_its_place) {
+  const std::string plain = text_of(triangle_picture());
+  const std::string html =
+      text_of(triangle_picture(), {.title = "\"><script>a()</script>&\n{{payload}}"});
+  EXPECT_EQ(count(html, "<script"), count(plain, "<script"));
+  EXPECT_NE(html.find("<title>&quot;&gt;&lt;script&gt;a()&lt;/script&gt;&amp; {{payload}}</title>"),
+            std::string::npos);
+}
+
+TEST(Html, a_fallback_picture_is_shown_until_the_first_frame) {
+  HtmlOptions options;
+  options.fallback = {'a', 'b', 'c'};
+  options.fallback_type = "image/jpeg";
+  const std::string html = text_of(triangle_picture(), options);
+  EXPECT_NE(html.find("src=\"data:image/jpeg;base64,YWJj\""), std::string::npos);
+  options.fallback_type = "image/jpeg\" onload=\"a()";
+  Context context;
+  EXPECT_EQ(export_html(context, triangle_picture(), options).status().code, StatusCode::bad_input);
+}
+
+TEST(Html, counts_its_triangles) {
+  Context context;
+  ExportNotes notes;
+  ASSERT_TRUE(export_html(context, triangle_picture(), {}, &notes));
+  EXPECT_EQ(notes.triangle_count, 1u);
+  EXPECT_TRUE(notes.lost.empty());
+}
+
+TEST(Html, an_empty_picture_makes_a_page) {
+  Picture picture;
+  picture.artboard = picture.viewport = {{0, 0}, {10, 10}};
+  EXPECT_FALSE(text_of(picture).empty());
+}
+
+TEST(Html, the_same_picture_gives_the_same_bytes) {
+  EXPECT_EQ(text_of(triangle_picture()), text_of(triangle_picture()));
+}
+
+TEST(Html, refuses_what_does_not_fit_together) {
+  Picture picture = triangle_picture();
+  picture.layers[0].color.triangle_node[4] = 10;
+  Context context;
+  EXPECT_EQ(export_html(context, picture, {}).status().code, StatusCode::bad_input);
+}
+
+/// All on one vertex, one node and one edge: what finds neighbours must not become slow.
+Picture many_triangles(std::size_t count) {
+  Picture picture = triangle_picture();
+  PatchLayer& layer = picture.layers[0];
+  layer.triangle_vertex.resize(3 * count);
+  layer.edge_is_curve.assign(3 * count, 0);
+  for (std::size_t i = 0; i < 3 * count; ++i)
+    layer.triangle_vertex[i] = static_cast<std::uint32_t>(i % 3);
+  layer.color.triangle_node.assign(10 * count, 0);
+  return picture;
+}
+
+TEST(Html, refuses_five_million_triangles_and_says_what_helps) {
+  Context context;
+  const Status status = export_html(context, many_triangles(5'000'000), {}).status();
+  EXPECT_EQ(status.code, StatusCode::limit);
+  EXPECT_NE(status.message.find("5000000 triangles"), std::string::npos);
+  EXPECT_NE(status.message.find("--max-error"), std::string::npos);
+}
+
+TEST(Html, triangles_that_all_lie_on_each_other_are_taken) {
+  EXPECT_FALSE(text_of(many_triangles(100'000)).empty());
+}
+
+TEST(Html, charges_its_memory) {
+  Context context{.budget = Budget(1'000'000)};
+  EXPECT_EQ(export_html(context, many_triangles(100'000), {}).status().code, StatusCode::limit);
+}
+
+TEST(Html, stops_when_cancelled) {
+  Context context;
+  context.cancel = true;
+  EXPECT_EQ(export_html(context, triangle_picture(), {}).status().code, StatusCode::cancelled);
+}
+
+}  // namespace
+}  // namespace sfumato

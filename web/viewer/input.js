@@ -1,0 +1,174 @@
+// Pointers, wheel and keys.
+
+/** Two taps within these are one double tap: milliseconds and CSS pixels. */
+const DOUBLE_TAP_TIME = 350;
+const DOUBLE_TAP_DISTANCE = 24;
+
+const KEY_ZOOM = 1.5;
+const KEY_MOVE = 80;
+const DOUBLE_TAP_ZOOM = 2;
+
+/**
+ * What input asks for.
+ * @typedef {object} Commands
+ * @property {(dx: number, dy: number, smooth: boolean) => void} move CSS pixels
+ * @property {(factor: number, px: number, py: number, smooth: boolean) => void} zoom
+ * @property {(factor: number) => void} zoomMiddle
+ * @property {() => void} fit
+ * @property {() => void} fullSize
+ * @property {() => void} toggleMesh
+ * @property {() => void} toggleFull
+ * @property {() => void} showHelp
+ */
+
+/** Drag, pinch and taps on the canvas. */
+class PointerInput {
+  /**
+   * @param {HTMLCanvasElement} canvas
+   * @param {Commands} commands
+   */
+  constructor(canvas, commands) {
+    this.canvas = canvas;
+    this.commands = commands;
+    /** @type {Map<number, number[]>} */
+    this.down = new Map();
+    this.travelled = 0;
+    this.lastTap = { time: -Infinity, x: 0, y: 0 };
+    canvas.addEventListener("pointerdown", (event) => this.press(event));
+    canvas.addEventListener("pointermove", (event) => this.drag(event));
+    canvas.addEventListener("pointerup", (event) => this.release(event, true));
+    canvas.addEventListener("pointercancel", (event) => this.release(event, false));
+    canvas.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
+    // Safari's own pinch would zoom the page.
+    canvas.addEventListener("gesturestart", (event) => event.preventDefault());
+  }
+
+  /** @param {MouseEvent} event */
+  at(event) {
+    const box = this.canvas.getBoundingClientRect();
+    return [event.clientX - box.left, event.clientY - box.top];
+  }
+
+  /** @param {PointerEvent} event */
+  press(event) {
+    if (event.pointerType === "mouse" && event.button !== 0 && event.button !== 1) return;
+    event.preventDefault();
+    this.canvas.focus({ preventScroll: true });
+    // A pointer that is gone again cannot be captured.
+    if (event.isTrusted) this.canvas.setPointerCapture(event.pointerId);
+    if (this.down.size === 0) this.travelled = 0;
+    this.down.set(event.pointerId, this.at(event));
+  }
+
+  /** Middle and spread of the two pointers that count. */
+  pinch() {
+    const [a, b] = [...this.down.values()];
+    if (!b) return { x: a[0], y: a[1], spread: 0 };
+    return { x: (a[0] + b[0]) / 2, y: (a[1] + b[1]) / 2, spread: Math.hypot(b[0] - a[0], b[1] - a[1]) };
+  }
+
+  /** @param {PointerEvent} event */
+  drag(event) {
+    if (!this.down.has(event.pointerId)) return;
+    const before = this.pinch();
+    this.down.set(event.pointerId, this.at(event));
+    const after = this.pinch();
+    const dx = after.x - before.x, dy = after.y - before.y;
+    this.travelled += Math.hypot(dx, dy) + Math.abs(after.spread - before.spread);
+    this.commands.move(dx, dy, false);
+    if (before.spread > 0 && after.spread > 0) {
+      this.commands.zoom(after.spread / before.spread, after.x, after.y, false);
+    }
+  }
+
+  /**
+   * @param {PointerEvent} event
+   * @param {boolean} isUp and not cancelled
+   */
+  release(event, isUp) {
+    if (!this.down.delete(event.pointerId)) return;
+    const isTap = isUp && this.down.size === 0 && this.travelled < DOUBLE_TAP_DISTANCE / 2;
+    if (isTap) this.tap(event);
+  }
+
+  /** @param {PointerEvent} event */
+  tap(event) {
+    const [x, y] = this.at(event), last = this.lastTap;
+    const isSecond =
+      event.timeStamp - last.time < DOUBLE_TAP_TIME &&
+      Math.hypot(x - last.x, y - last.y) < DOUBLE_TAP_DISTANCE;
+    this.lastTap = { time: isSecond ? -Infinity : event.timeStamp, x, y };
+    if (!isSecond) return;
+    this.commands.zoom(event.shiftKey ? 1 / DOUBLE_TAP_ZOOM : DOUBLE_TAP_ZOOM, x, y, true);
+  }
+
+  /** @param {WheelEvent} event */
+  wheel(event) {
+    event.preventDefault();
+    const unit = [1, 18, 400][event.deltaMode] ?? 1;
+    const delta = (event.deltaY || event.deltaX) * unit;
+    // A pinch on a touch pad comes as a wheel with Ctrl, in small steps.
+    const speed = event.ctrlKey ? 0.01 : 0.002;
+    const factor = Math.exp(-Math.max(-300, Math.min(300, delta)) * speed);
+    const [x, y] = this.at(event);
+    this.commands.zoom(factor, x, y, !event.ctrlKey);
+  }
+}
+
+/**
+ * @param {KeyboardEvent} event
+ * @param {Commands} commands
+ * @returns {boolean} whether the key is one of ours
+ */
+function obeyKey(event, commands) {
+  switch (event.key) {
+    case "ArrowLeft":
+      commands.move(KEY_MOVE, 0, true);
+      return true;
+    case "ArrowRight":
+      commands.move(-KEY_MOVE, 0, true);
+      return true;
+    case "ArrowUp":
+      commands.move(0, KEY_MOVE, true);
+      return true;
+    case "ArrowDown":
+      commands.move(0, -KEY_MOVE, true);
+      return true;
+    case "+":
+    case "=":
+      commands.zoomMiddle(KEY_ZOOM);
+      return true;
+    case "-":
+    case "_":
+      commands.zoomMiddle(1 / KEY_ZOOM);
+      return true;
+    case "0":
+      commands.fit();
+      return true;
+    case "1":
+      commands.fullSize();
+      return true;
+    case "m":
+    case "M":
+      commands.toggleMesh();
+      return true;
+    case "f":
+    case "F":
+      commands.toggleFull();
+      return true;
+    case "?":
+      commands.showHelp();
+      return true;
+    default:
+      return false;
+  }
+}
+
+/** @param {Commands} commands */
+function listenToKeys(commands) {
+  window.addEventListener("keydown", (event) => {
+    if (event.ctrlKey || event.metaKey || event.altKey || event.defaultPrevented) return;
+    if (document.querySelector("dialog[open]")) return;
+    if (obeyKey(event, commands)) event.preventDefault();
+  });
+}

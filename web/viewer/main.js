@@ -1,0 +1,113 @@
+// Begins, and gives the page its interface: window.sfumatoViewer (docs/viewer.md).
+
+/**
+ * @param {unknown} error
+ */
+function inWords(error) {
+  if (error instanceof PayloadError) return `The picture in this file is damaged: ${error.message}.`;
+  return error instanceof Error ? error.message : String(error);
+}
+
+/**
+ * @param {Viewer} viewer
+ * @param {Controls} controls
+ * @returns {Commands}
+ */
+function commandsOf(viewer, controls) {
+  const { view, motion } = viewer;
+  const target = () => (motion.isMoving ? motion.to : view.state);
+  const zoom = (/** @type {number} */ factor, /** @type {number} */ x, /** @type {number} */ y, /** @type {boolean} */ smooth) =>
+    viewer.show(view.zoomed(smooth ? target() : view.state, factor, x, y), smooth);
+  return {
+    move: (dx, dy, smooth) => viewer.show(view.moved(smooth ? target() : view.state, dx, dy), smooth),
+    zoom,
+    zoomMiddle: (factor) => zoom(factor, view.width / 2, view.height / 2, true),
+    fit: () => viewer.fit(true),
+    fullSize: () => viewer.show({ ...target(), zoom: 1 }, true),
+    toggleMesh: () => viewer.setMesh(!viewer.mesh),
+    toggleFull: () => controls.toggleFull(),
+    showHelp: () => controls.dialog.showModal(),
+  };
+}
+
+/**
+ * The view stands in the address, so that a link or a reload shows it again.
+ * @param {Viewer} viewer
+ */
+function followAddress(viewer) {
+  const obey = () => {
+    const state = stateOfHash(location.hash);
+    if (state) viewer.show(state, false);
+  };
+  obey();
+  window.addEventListener("hashchange", obey);
+  viewer.onSettled = (state) => {
+    const hash = viewer.isFitted ? "" : hashOfState(state);
+    if (hash === location.hash) return;
+    // Pages in a frame without an address of their own may not.
+    try {
+      history.replaceState(null, "", hash || location.pathname + location.search);
+    } catch {
+      viewer.onSettled = () => {};
+    }
+  };
+}
+
+/** @param {Controls} controls */
+async function openViewer(controls) {
+  const payload = document.getElementById("payload")?.textContent ?? "";
+  const picture = await readPicture(payload);
+  const viewer = new Viewer(picture, controls);
+  viewer.onError = (error) => controls.say(inWords(error));
+  await viewer.start();
+  const commands = commandsOf(viewer, controls);
+  new PointerInput(controls.canvas, commands);
+  listenToKeys(commands);
+  controls.connect(commands);
+  followAddress(viewer);
+  await viewer.drawn();
+  return viewer;
+}
+
+function main() {
+  const controls = new Controls();
+  /** @type {Viewer | null} */
+  let viewer = null;
+  const ready = openViewer(controls).then((opened) => {
+    viewer = opened;
+  });
+  ready.catch((error) => controls.say(inWords(error)));
+  const api = {
+    /** Resolves when the picture is drawn; rejects where it cannot be. */
+    ready,
+    /** Artboard point in the middle of the window and CSS pixels to a user unit. */
+    get view() {
+      return viewer ? { ...viewer.view.state } : null;
+    },
+    set view(state) {
+      if (viewer && state) viewer.show({ ...viewer.view.state, ...state }, false);
+    },
+    /** Whether the triangulation is shown. */
+    get mesh() {
+      return viewer?.mesh ?? false;
+    },
+    set mesh(isShown) {
+      viewer?.setMesh(isShown);
+    },
+    /** The rectangle of the artboard that is the page: minimum x, y, maximum x, y. */
+    get page() {
+      return viewer ? [...viewer.picture.viewport] : null;
+    },
+    /** Frames drawn since the beginning. */
+    get frames() {
+      return viewer?.frames ?? 0;
+    },
+    /** Shows the whole page. */
+    fit: () => viewer?.fit(false),
+    /** Resolves when nothing moves and the last frame is as fine as it gets. */
+    settled: () => ready.then(() => viewer?.settled()),
+  };
+  Object.defineProperty(window, "sfumatoViewer", { value: Object.freeze(api) });
+}
+
+main();

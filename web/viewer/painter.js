@@ -1,0 +1,195 @@
+// The stack of a picture, bottom first: what is normal is drawn straight, other things by
+// themselves and then blended (docs/mathematics.md, "Pixels").
+
+const NORMAL = 0;
+const CLEAR = [0, 0, 0, 0];
+
+/**
+ * Groups that need a picture of their own: the others are as if they were not there.
+ * @param {Item[]} stack
+ * @returns {Set<Item>} the beginnings and ends of those that do
+ */
+function realGroups(stack) {
+  /** @type {Set<Item>} */
+  const real = new Set();
+  /** @type {{begin: GroupBegin, isReal: boolean}[]} */
+  const open = [];
+  for (const item of stack) {
+    const isBlended = (item.kind === "instance" || item.kind === "begin") && item.blend !== NORMAL;
+    // What is blended sees nothing below its group.
+    if (isBlended && open.length > 0) open[open.length - 1].isReal = true;
+    if (item.kind === "begin") open.push({ begin: item, isReal: isBlended || item.opacity < 1 });
+    const group = item.kind === "end" ? open.pop() : undefined;
+    if (!group) continue;
+    if (group.isReal) real.add(group.begin).add(item);
+  }
+  return real;
+}
+
+class Painter {
+  /**
+   * @param {WebGL2RenderingContext} gl
+   * @param {Programs} programs
+   * @param {Targets} targets
+   * @param {Picture} picture
+   * @param {LayerDrawer} layers
+   * @param {StrokeDrawer} strokes
+   */
+  constructor(gl, programs, targets, picture, layers, strokes) {
+    this.gl = gl;
+    this.programs = programs;
+    this.targets = targets;
+    this.picture = picture;
+    this.layers = layers;
+    this.strokes = strokes;
+    this.realGroups = realGroups(picture.stack);
+    /** @type {Affine} */
+    this.pixelFromArtboard = [1, 0, 0, 1, 0, 0];
+    /** @type {Affine} */
+    this.clipFromPixel = [1, 0, 0, 1, 0, 0];
+    this.level = 0;
+  }
+
+  /**
+   * Paints the picture onto level 0, which was cleared.
+   * @param {Affine} pixelFromArtboard y down: pixel row 0 is the upper one
+   * @param {number[]} shift of edges, pixels; what is asked at pixels' centres stays
+   * @param {Rect} page what is painted of the target
+   */
+  paint(pixelFromArtboard, shift, page) {
+    const [width, height] = this.targets.size;
+    this.pixelFromArtboard = pixelFromArtboard;
+    this.clipFromPixel = [2 / width, 0, 0, 2 / height, (2 * shift[0]) / width - 1, (2 * shift[1]) / height - 1];
+    this.level = 0;
+    const rects = this.itemRects(page);
+    this.picture.stack.forEach((item, i) => {
+      if (!isEmptyRect(rects[i])) this.paintItem(item, rects[i]);
+    });
+    this.targets.level(0).resolve(this.targets.whole);
+  }
+
+  /**
+   * What each item can touch; a group, at its beginning and end: what stands in it.
+   * @param {Rect} page
+   */
+  itemRects(page) {
+    /** @type {Rect[]} */
+    const rects = [];
+    /** @type {number[]} */
+    const open = [];
+    this.picture.stack.forEach((item, i) => {
+      rects.push([0, 0, 0, 0]);
+      if (item.kind === "begin") {
+        open.push(i);
+      } else if (item.kind === "end") {
+        const begin = /** @type {number} */ (open.pop());
+        rects[i] = rects[begin];
+      } else {
+        rects[i] = intersected(page, this.touched(item));
+      }
+      const parent = open.at(-1);
+      if (parent !== undefined && parent !== i) rects[parent] = unitedRects(rects[parent], rects[i]);
+    });
+    return rects;
+  }
+
+  /**
+   * @param {Instance | Stroke} item
+   * @returns {Rect}
+   */
+  touched(item) {
+    if (item.kind === "instance" && item.opacity === 0) return [0, 0, 0, 0];
+    const bounds = item.kind === "stroke" ? this.strokes.bounds(item) : this.layers.bounds(item);
+    if (!(bounds[0] <= bounds[2])) return [0, 0, 0, 0];
+    const box = mappedBox(this.pixelFromArtboard, bounds);
+    // Thin strokes are a pixel wide, and edges are shifted.
+    const margin = 3, far = 1e6;
+    const [x0, y0] = [box[0], box[1]].map((v) => Math.max(-far, Math.floor(v) - margin));
+    const [x1, y1] = [box[2], box[3]].map((v) => Math.min(far, Math.ceil(v) + margin));
+    return [x0, y0, x1 - x0, y1 - y0];
+  }
+
+  /**
+   * @param {Item} item
+   * @param {Rect} rect
+   */
+  paintItem(item, rect) {
+    switch (item.kind) {
+      case "instance":
+        return this.paintInstance(item, rect);
+      case "stroke":
+        return this.paintStroke(item, rect);
+      case "begin":
+        if (!this.realGroups.has(item)) return;
+        this.open.push(item);
+        return this.targets.level(++this.level).clear(rect, CLEAR);
+      default: {
+        if (!this.realGroups.has(item)) return;
+        const group = /** @type {GroupBegin} */ (this.open.pop());
+        const source = this.targets.level(this.level--);
+        return this.blend(source, group.opacity, group.blend, rect);
+      }
+    }
+  }
+
+  /** @type {GroupBegin[]} */
+  open = [];
+
+  /**
+   * @param {Instance} instance
+   * @param {Rect} rect
+   */
+  paintInstance(instance, rect) {
+    const { gl } = this;
+    const isNormal = instance.blend === NORMAL;
+    const target = this.targets.level(isNormal ? this.level : "source");
+    if (!isNormal) target.clear(rect, CLEAR);
+    target.bind(rect);
+    gl.enable(gl.BLEND);
+    gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
+    const opacity = isNormal ? instance.opacity : 1;
+    this.layers.draw(instance, opacity, this.pixelFromArtboard, this.clipFromPixel);
+    if (!isNormal) this.blend(target, instance.opacity, instance.blend, rect);
+  }
+
+  /**
+   * @param {Stroke} stroke
+   * @param {Rect} rect
+   */
+  paintStroke(stroke, rect) {
+    const sums = this.targets.sums();
+    sums.clear(rect, CLEAR);
+    this.strokes.addUp(stroke, this.pixelFromArtboard, this.targets.size);
+    this.targets.level(this.level).bind(rect);
+    this.strokes.show(stroke, sums.texture);
+  }
+
+  /**
+   * Composites what was drawn onto the present level.
+   * @param {Target} source
+   * @param {number} opacity
+   * @param {number} mode
+   * @param {Rect} rect
+   */
+  blend(source, opacity, mode, rect) {
+    const { gl } = this;
+    const target = this.targets.level(this.level);
+    source.resolve(rect);
+    if (mode !== NORMAL) target.resolve(rect);
+    target.bind(rect);
+    const program = this.programs
+      .get("screen", "composite", mode === NORMAL ? ["WITHOUT_BACKDROP"] : [])
+      .use()
+      .texture("source", source.texture)
+      .int("source_scale", 1)
+      .float("opacity", opacity);
+    if (mode === NORMAL) {
+      gl.enable(gl.BLEND);
+      gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
+    } else {
+      program.texture("backdrop", target.texture).int("blend_mode", mode);
+      gl.disable(gl.BLEND);
+    }
+    gl.drawArrays(gl.TRIANGLES, 0, 3);
+  }
+}

@@ -1,0 +1,230 @@
+// Image-domain shaders: the table of paints comes as the GPU wants it (docs/gpu.md, "The table of
+// paints"); the texels of textures are made here from their files.
+
+/**
+ * A texture's file.
+ * @typedef {object} TextureFile
+ * @property {number} width texels
+ * @property {number} height
+ * @property {string} type
+ * @property {Uint8Array<ArrayBuffer>} bytes
+ */
+
+/**
+ * @typedef {object} Paint
+ * @property {number} first its first texel in the table
+ * @property {Affine} paintFromLayer
+ * @property {TextureFile | null} file none: a gradient
+ */
+
+/** @typedef {{table: Float32Array, paint: Paint[], texelCount: number}} Paints */
+
+const FILE_TYPES = ["image/png", "image/jpeg"];
+
+/** Layout of a paint's run of texels. */
+const TEXTURE_KIND = 2;
+
+/**
+ * @param {ByteReader} reader
+ * @returns {Paints}
+ */
+function readPaints(reader) {
+  const table = reader.floatPlanes(4 * reader.count(16));
+  const texelCount = reader.varint();
+  const paint = Array.from({ length: reader.count(1) }, () => readPaint(reader, table));
+  return { table, paint, texelCount };
+}
+
+/**
+ * @param {ByteReader} reader
+ * @param {Float32Array} table
+ * @returns {Paint}
+ */
+function readPaint(reader, table) {
+  const first = reader.varint();
+  if (4 * first > table.length) throw new PayloadError("a paint of it is not there");
+  const paintFromLayer = Array.from({ length: 6 }, () => reader.finite());
+  const type = reader.u8();
+  if (type === 0) return { first, paintFromLayer, file: null };
+  if (type > FILE_TYPES.length) throw new PayloadError("a texture of it is of no known type");
+  const width = reader.varint(), height = reader.varint();
+  const bytes = reader.counted().slice();
+  return { first, paintFromLayer, file: { width, height, type: FILE_TYPES[type - 1], bytes } };
+}
+
+/**
+ * A level of a texture, as the table has it.
+ * @typedef {object} TextureLevel
+ * @property {number} width
+ * @property {number} height
+ * @property {number[]} period texels of the level
+ * @property {number} first its first texel
+ */
+
+/**
+ * @param {Float32Array} table
+ * @param {number} first
+ * @returns {TextureLevel[]}
+ */
+function textureLevels(table, first) {
+  const texel = (/** @type {number} */ i) => Array.from(table.subarray(4 * (first + i), 4 * (first + i) + 4));
+  if (texel(0)[0] !== TEXTURE_KIND) throw new PayloadError("a texture of it is none");
+  return Array.from({ length: texel(0)[2] }, (_, i) => {
+    const [width, height, column, row] = texel(1 + 2 * i);
+    return { width, height, period: texel(2 + 2 * i).slice(2), first: TABLE_WIDTH * row + column };
+  });
+}
+
+/**
+ * The texels of a file, red, green, blue, alpha; not premultiplied, not converted.
+ * @param {WebGL2RenderingContext} gl
+ * @param {TextureFile} file
+ */
+async function decodedTexels(gl, file) {
+  /** @type {ImageBitmapOptions} */
+  const options = { premultiplyAlpha: "none", colorSpaceConversion: "none" };
+  let bitmap;
+  try {
+    bitmap = await createImageBitmap(new Blob([file.bytes], { type: file.type }), options);
+  } catch {
+    throw new PayloadError("a texture of it is damaged");
+  }
+  if (bitmap.width !== file.width || bitmap.height !== file.height) {
+    throw new PayloadError("a texture of it has another size than it should");
+  }
+  const rgba = new Uint8Array(4 * file.width * file.height);
+  const side = 2048;
+  for (let y = 0; y < file.height; y += side) {
+    for (let x = 0; x < file.width; x += side) {
+      const width = Math.min(side, file.width - x), height = Math.min(side, file.height - y);
+      const part = await createImageBitmap(bitmap, x, y, width, height, options);
+      const texels = texelsOf(gl, part);
+      for (let row = 0; row < height; ++row) {
+        const target = 4 * ((y + row) * file.width + x);
+        rgba.set(texels.subarray(4 * row * width, 4 * (row + 1) * width), target);
+      }
+      part.close();
+    }
+  }
+  bitmap.close();
+  return rgba;
+}
+
+/**
+ * By way of a texture: a 2D canvas would multiply by alpha.
+ * @param {WebGL2RenderingContext} gl
+ * @param {ImageBitmap} bitmap
+ */
+function texelsOf(gl, bitmap) {
+  const texture = gl.createTexture(), framebuffer = gl.createFramebuffer();
+  gl.bindTexture(gl.TEXTURE_2D, texture);
+  gl.pixelStorei(gl.UNPACK_COLORSPACE_CONVERSION_WEBGL, gl.NONE);
+  gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA8, gl.RGBA, gl.UNSIGNED_BYTE, bitmap);
+  gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
+  gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, texture, 0);
+  const texels = new Uint8Array(4 * bitmap.width * bitmap.height);
+  gl.readPixels(0, 0, bitmap.width, bitmap.height, gl.RGBA, gl.UNSIGNED_BYTE, texels);
+  gl.deleteFramebuffer(framebuffer);
+  gl.deleteTexture(texture);
+  return texels;
+}
+
+/**
+ * Parts of the texels of the level before that each texel of a level covers along one axis, in
+ * shares that add up to 1. Texels of the first level end at whole numbers, those of the others
+ * divide the extent evenly.
+ * @param {number} sourceCount
+ * @param {boolean} sourceEven
+ * @param {number} count
+ * @param {number} extent
+ */
+function overlapsOf(sourceCount, sourceEven, count, extent) {
+  const border = (/** @type {number} */ i, /** @type {number} */ n, /** @type {boolean} */ even) => {
+    if (i === n) return extent;
+    return even ? (extent * i) / n : i;
+  };
+  let first = 0;
+  return Array.from({ length: count }, (_, i) => {
+    const low = border(i, count, true), high = border(i + 1, count, true);
+    while (first + 1 < sourceCount && border(first + 1, sourceCount, sourceEven) <= low) first += 1;
+    const share = [];
+    for (let k = first; k < sourceCount; ++k) {
+      const from = Math.max(low, border(k, sourceCount, sourceEven));
+      const to = Math.min(high, border(k + 1, sourceCount, sourceEven));
+      if (k > first && !(to > from)) break;
+      share.push((to - from) / (high - low));
+    }
+    return { first, share };
+  });
+}
+
+/**
+ * A level as the area mean of the one before.
+ * @param {Uint16Array} texels of all levels
+ * @param {TextureLevel} source
+ * @param {TextureLevel} level
+ * @param {number[]} extent of the texture, texels
+ * @param {boolean} even whether the source's texels are
+ */
+function fillLevel(texels, source, level, extent, even) {
+  const columns = overlapsOf(source.width, even, level.width, extent[0]);
+  const rows = overlapsOf(source.height, even, level.height, extent[1]);
+  let out = 4 * level.first;
+  for (const row of rows) {
+    for (const column of columns) {
+      const sum = [0.5, 0.5, 0.5, 0.5];
+      row.share.forEach((down, j) => {
+        let at = 4 * (source.first + (row.first + j) * source.width + column.first);
+        for (const across of column.share) {
+          for (let c = 0; c < 4; ++c) sum[c] += down * across * texels[at++];
+        }
+      });
+      for (let c = 0; c < 4; ++c) texels[out++] = Math.min(sum[c], 65535);
+    }
+  }
+}
+
+/**
+ * All texels of all textures: 16 bits, colour times alpha, and alpha.
+ * @param {WebGL2RenderingContext} gl
+ * @param {Paints} paints
+ */
+async function makeTexels(gl, paints) {
+  const room = paints.paint.reduce((sum, { file }) => sum + (file ? file.width * file.height : 0), 0);
+  // Levels add a third, those of a large period little more; what is beyond belongs to no file.
+  if (paints.texelCount > 4 * room + 1e6) throw new PayloadError("its textures are too large");
+  const texels = new Uint16Array(4 * paints.texelCount);
+  for (const { first, file } of paints.paint) {
+    if (!file) continue;
+    const levels = textureLevels(paints.table, first);
+    const last = levels.at(-1);
+    if (!last || last.first + last.width * last.height > paints.texelCount) {
+      throw new PayloadError("a texture of it is not there");
+    }
+    fillBase(texels, levels[0], await decodedTexels(gl, file), file.width);
+    const extent = levels[0].period;
+    for (let i = 1; i < levels.length; ++i) {
+      fillLevel(texels, levels[i - 1], levels[i], extent, i > 1);
+    }
+  }
+  return texels;
+}
+
+/**
+ * @param {Uint16Array} texels
+ * @param {TextureLevel} level
+ * @param {Uint8Array} rgba
+ * @param {number} width of the file
+ */
+function fillBase(texels, level, rgba, width) {
+  let out = 4 * level.first;
+  for (let y = 0; y < level.height; ++y) {
+    for (let at = 4 * y * width; at < 4 * (y * width + level.width); at += 4) {
+      const alpha = rgba[at + 3];
+      for (let c = 0; c < 3; ++c) {
+        texels[out++] = Math.floor((2 * 257 * rgba[at + c] * alpha + 255) / 510);
+      }
+      texels[out++] = 257 * alpha;
+    }
+  }
+}

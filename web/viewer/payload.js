@@ -1,0 +1,214 @@
+// The picture out of the page: base64, inflate, then the tables (docs/viewer.md, "Payload").
+
+const MAGIC = "SFUMATO";
+const VERSION = 1;
+const MOST_GROUPS = 16;
+const MOST_BLEND = 15;
+
+/**
+ * @typedef {object} Layer
+ * @property {number} order 0 linear, 1 quadratic, 2 cubic
+ * @property {Mesh} mesh
+ * @property {Field} color
+ * @property {Field | null} opacity none: the layer is opaque
+ */
+
+/**
+ * @typedef {object} Instance
+ * @property {"instance"} kind
+ * @property {number} layer
+ * @property {Affine} artboardFromLayer
+ * @property {number} opacity
+ * @property {number} blend
+ */
+
+/**
+ * A local curve as segments for the shaders; frame: the stroke's, relative to `origin`.
+ * @typedef {object} Stroke
+ * @property {"stroke"} kind
+ * @property {Affine} artboardFromStroke
+ * @property {number[]} origin
+ * @property {number} alpha
+ * @property {boolean} twoSided
+ * @property {number} count of segments
+ * @property {Float32Array} segments 28 numbers each
+ * @property {number} first its first segment among all strokes'
+ */
+
+/** @typedef {{kind: "begin", opacity: number, blend: number}} GroupBegin */
+/** @typedef {{kind: "end"}} GroupEnd */
+/** @typedef {Instance | Stroke | GroupBegin | GroupEnd} Item */
+
+/**
+ * @typedef {object} Picture
+ * @property {number[]} artboard
+ * @property {number[]} viewport
+ * @property {number} interpolation 0 code values, 1 linear light, 2 OKLab
+ * @property {number[]} background
+ * @property {Paints} paints
+ * @property {Layer[]} layers
+ * @property {Item[]} stack
+ */
+
+/** Values of a segment in the file, and in the texture, where texels are full. */
+const SEGMENT_VALUES = 26;
+const SEGMENT_FLOATS = 28;
+
+/**
+ * The bytes of base64 text.
+ * @param {string} text
+ */
+function bytesOfBase64(text) {
+  let binary;
+  try {
+    binary = atob(text.trim());
+  } catch {
+    throw new PayloadError("its text is not base64");
+  }
+  return Uint8Array.from(binary, (character) => character.charCodeAt(0));
+}
+
+/**
+ * @param {Uint8Array<ArrayBuffer>} bytes in zlib's format
+ */
+async function inflated(bytes) {
+  if (typeof DecompressionStream === "undefined") {
+    throw new Error("This browser cannot unpack the picture: it has no DecompressionStream.");
+  }
+  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"));
+  try {
+    return new Uint8Array(await new Response(stream).arrayBuffer());
+  } catch {
+    throw new PayloadError("it does not unpack");
+  }
+}
+
+class PictureReader {
+  /** @param {Uint8Array} bytes */
+  constructor(bytes) {
+    this.reader = new ByteReader(bytes);
+    this.segmentCount = 0;
+    this.shaderCount = 0;
+    this.layerCount = 0;
+  }
+
+  /** @returns {Picture} */
+  run() {
+    const { reader } = this;
+    const magic = String.fromCharCode(...reader.take(MAGIC.length));
+    if (magic !== MAGIC) throw new PayloadError("it does not begin as it should");
+    const version = reader.u8();
+    if (version !== VERSION) throw new PayloadError(`its version is ${version}, not ${VERSION}`);
+    const artboard = this.box(), viewport = this.box();
+    const interpolation = this.below(3);
+    const background = [reader.f32(), reader.f32(), reader.f32()];
+    const paints = readPaints(reader);
+    this.shaderCount = paints.paint.length;
+    const layers = this.list(() => this.layer());
+    this.layerCount = layers.length;
+    const stack = this.list(() => this.item());
+    this.checkGroups(stack);
+    return { artboard, viewport, interpolation, background, paints, layers, stack };
+  }
+
+  /**
+   * @template T
+   * @param {() => T} readOne
+   * @returns {T[]}
+   */
+  list(readOne) {
+    return Array.from({ length: this.reader.count(1) }, readOne);
+  }
+
+  /** @param {number} bound */
+  below(bound) {
+    const value = this.reader.u8();
+    if (value >= bound) throw new PayloadError("a number in it is too large");
+    return value;
+  }
+
+  box() {
+    const box = Array.from({ length: 4 }, () => this.reader.finite());
+    if (!(box[0] <= box[2] && box[1] <= box[3])) throw new PayloadError("a rectangle of it is empty");
+    return box;
+  }
+
+  /** @returns {Layer} */
+  layer() {
+    const order = this.below(3);
+    const mesh = readMesh(this.reader);
+    const color = readField(this.reader, mesh.topology, 3, this.shaderCount);
+    const hasOpacity = this.below(2) === 1;
+    const opacity = hasOpacity ? readField(this.reader, mesh.topology, 1, this.shaderCount) : null;
+    return { order, mesh, color, opacity };
+  }
+
+  /** @returns {Item} */
+  item() {
+    switch (this.below(4)) {
+      case 0:
+        return this.instance();
+      case 1:
+        return this.stroke();
+      case 2:
+        return { kind: "begin", ...this.blending() };
+      default:
+        return { kind: "end" };
+    }
+  }
+
+  affine() {
+    return Array.from({ length: 6 }, () => this.reader.finite());
+  }
+
+  blending() {
+    const opacity = this.reader.f32();
+    if (!(opacity >= 0 && opacity <= 1)) throw new PayloadError("an opacity of it is not from 0 to 1");
+    return { opacity, blend: this.below(MOST_BLEND + 1) };
+  }
+
+  /** @returns {Instance} */
+  instance() {
+    const layer = this.reader.varint();
+    if (layer >= this.layerCount) throw new PayloadError("a layer of it is not there");
+    return { kind: "instance", layer, artboardFromLayer: this.affine(), ...this.blending() };
+  }
+
+  /** @returns {Stroke} */
+  stroke() {
+    const { reader } = this;
+    const artboardFromStroke = this.affine();
+    const origin = [reader.finite(), reader.finite()];
+    const alpha = reader.f32();
+    const twoSided = this.below(2) === 1;
+    const count = reader.count(4 * SEGMENT_VALUES);
+    const segments = new Float32Array(SEGMENT_FLOATS * count);
+    for (let k = 0; k < SEGMENT_VALUES; ++k) {
+      const values = reader.floatPlanes(count);
+      for (let i = 0; i < count; ++i) segments[SEGMENT_FLOATS * i + k] = values[i];
+    }
+    const first = this.segmentCount;
+    this.segmentCount += count;
+    return { kind: "stroke", artboardFromStroke, origin, alpha, twoSided, count, segments, first };
+  }
+
+  /** @param {Item[]} stack */
+  checkGroups(stack) {
+    let depth = 0;
+    for (const { kind } of stack) {
+      if (kind === "begin") depth += 1;
+      if (kind === "end") depth -= 1;
+      if (depth < 0 || depth > MOST_GROUPS) throw new PayloadError("its groups do not nest");
+    }
+    if (depth !== 0) throw new PayloadError("its groups do not nest");
+  }
+}
+
+/**
+ * @param {string} base64
+ * @returns {Promise<Picture>}
+ */
+async function readPicture(base64) {
+  const bytes = await inflated(bytesOfBase64(base64));
+  return new PictureReader(bytes).run();
+}

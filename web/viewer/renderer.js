@@ -1,0 +1,164 @@
+// A frame: the picture on its page, the mesh on top, and, when nothing moves, finer edges.
+
+/** Where edges lie in the pictures that are added up to a finer one, pixels. */
+const SHIFTS = [[-0.25, -0.25], [0.25, 0.25], [0.25, -0.25], [-0.25, 0.25]];
+
+/**
+ * What a frame shows.
+ * @typedef {object} Frame
+ * @property {number[]} size device pixels
+ * @property {Affine} pixelFromArtboard
+ * @property {number[]} desk colour around the page
+ * @property {boolean} mesh
+ * @property {number} lineScale device pixels to a line's unit
+ */
+
+class Renderer {
+  /**
+   * @param {WebGL2RenderingContext} gl
+   * @param {(name: string) => string} shaderText
+   * @param {Picture} picture
+   * @param {Uint16Array} texels of the paints
+   */
+  constructor(gl, shaderText, picture, texels) {
+    this.gl = gl;
+    this.picture = picture;
+    this.abilities = abilitiesOf(gl);
+    this.programs = new Programs(gl, shaderText);
+    this.targets = new Targets(gl, this.abilities);
+    this.layers = new LayerDrawer(gl, this.programs, picture, texels);
+    const strokes = new StrokeDrawer(gl, this.programs, picture);
+    this.painter = new Painter(gl, this.programs, this.targets, picture, this.layers, strokes);
+    this.noInk = new Target(gl, gl.RG8, [1, 1], 0);
+    this.noInk.clear([0, 0, 1, 1], [0, 0, 0, 0]);
+    gl.bindVertexArray(gl.createVertexArray());
+    gl.disable(gl.CULL_FACE);
+    gl.disable(gl.DEPTH_TEST);
+    gl.disable(gl.DITHER);
+    /** Pictures added up so far. */
+    this.added = 0;
+    /** @type {WebGLSync | null} */
+    this.fence = null;
+  }
+
+  /** Whether the GPU still works on what it was given. */
+  get isBusy() {
+    const { gl, fence } = this;
+    if (!fence || gl.getSyncParameter(fence, gl.SYNC_STATUS) === gl.UNSIGNALED) return fence !== null;
+    gl.deleteSync(fence);
+    this.fence = null;
+    return false;
+  }
+
+  /** From now on the GPU is busy until it is done with what was asked for. */
+  markWork() {
+    this.fence = this.gl.fenceSync(this.gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+    this.gl.flush();
+  }
+
+  /**
+   * Draws a frame at once.
+   * @param {Frame} frame
+   */
+  draw(frame) {
+    this.targets.resize(frame.size);
+    this.added = 0;
+    this.paint(frame, [0, 0]);
+    this.present(frame, this.targets.level(0).texture);
+    this.markWork();
+  }
+
+  /** Whether `refine` has more to do for the frame drawn last. */
+  get canRefine() {
+    return this.abilities.halfTargets && this.added < SHIFTS.length;
+  }
+
+  /**
+   * One more picture of the same frame towards a finer one; the last one shows it.
+   * @param {Frame} frame
+   */
+  refine(frame) {
+    const { gl, targets } = this;
+    this.paint(frame, SHIFTS[this.added]);
+    const mean = targets.mean();
+    if (this.added === 0) mean.clear(targets.whole, [0, 0, 0, 0]);
+    mean.bind(targets.whole);
+    this.programs
+      .get("screen", "composite", ["WITHOUT_BACKDROP"])
+      .use()
+      .texture("source", targets.level(0).texture)
+      .int("source_scale", 1)
+      .float("opacity", 1 / SHIFTS.length);
+    gl.enable(gl.BLEND);
+    gl.blendFunc(gl.ONE, gl.ONE);
+    gl.drawArrays(gl.TRIANGLES, 0, 3);
+    this.added += 1;
+    if (this.added === SHIFTS.length) this.present(frame, mean.texture);
+    this.markWork();
+  }
+
+  /**
+   * @param {Frame} frame
+   * @param {number[]} shift
+   */
+  paint(frame, shift) {
+    const { targets } = this;
+    const page = this.pageRect(frame, shift);
+    const level = targets.level(0);
+    level.clear(targets.whole, [...frame.desk, 1]);
+    if (!isEmptyRect(page)) level.clear(page, [...this.picture.background, 1]);
+    this.painter.paint(frame.pixelFromArtboard, shift, page);
+  }
+
+  /**
+   * The pixels whose centres lie on the page.
+   * @param {Frame} frame
+   * @param {number[]} shift
+   */
+  pageRect({ pixelFromArtboard }, shift) {
+    const box = mappedBox(pixelFromArtboard, this.picture.viewport);
+    const far = 1e6;
+    const edge = (/** @type {number} */ i) =>
+      Math.max(-far, Math.min(far, Math.round(box[i] + shift[i % 2])));
+    const [x, y] = [edge(0), edge(1)];
+    return intersected(this.targets.whole, [x, y, edge(2) - x, edge(3) - y]);
+  }
+
+  /**
+   * @param {Frame} frame
+   * @param {WebGLTexture} picture
+   */
+  present(frame, picture) {
+    const { gl, targets } = this;
+    const ink = frame.mesh ? this.drawInk(frame) : this.noInk.texture;
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    gl.viewport(0, 0, targets.size[0], targets.size[1]);
+    gl.disable(gl.SCISSOR_TEST);
+    gl.disable(gl.BLEND);
+    this.programs
+      .get("screen", "present")
+      .use()
+      .texture("picture", picture)
+      .texture("ink", ink)
+      .int("turned", 1)
+      .int("premultiplied", 1);
+    gl.drawArrays(gl.TRIANGLES, 0, 3);
+  }
+
+  /** @param {Frame} frame */
+  drawInk(frame) {
+    const { gl, targets } = this;
+    const ink = targets.ink();
+    ink.clear(targets.whole, [0, 0, 0, 0]);
+    ink.bind(this.pageRect(frame, [0, 0]));
+    gl.enable(gl.BLEND);
+    gl.blendFunc(gl.ONE, gl.ONE);
+    gl.blendEquation(gl.MAX);
+    for (const item of this.picture.stack) {
+      if (item.kind !== "instance") continue;
+      this.layers.drawMesh(item, frame.pixelFromArtboard, targets.size, frame.lineScale);
+    }
+    gl.blendEquation(gl.FUNC_ADD);
+    return ink.texture;
+  }
+}

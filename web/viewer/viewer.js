@@ -1,0 +1,212 @@
+// The viewer: draws when something has changed, then makes it finer, then rests.
+
+class Viewer {
+  /**
+   * @param {Picture} picture
+   * @param {Controls} controls
+   */
+  constructor(picture, controls) {
+    this.picture = picture;
+    this.controls = controls;
+    this.canvas = controls.canvas;
+    this.view = new View(picture.viewport);
+    this.motion = new Motion(this.view);
+    this.mesh = false;
+    /** Frames that were shown, and those of them that were made finer. */
+    this.frames = 0;
+    this.size = [1, 1];
+    this.isDirty = true;
+    this.isScheduled = false;
+    /** Whether the whole page is to stay in the window when its size changes. */
+    this.isFitted = true;
+    /** @type {Renderer | null} */
+    this.renderer = null;
+    /** Who waits for the next frame, and for the last. @type {(() => void)[]} */
+    this.waitingForFrame = [];
+    /** @type {(() => void)[]} */
+    this.waiting = [];
+    /** @type {Uint16Array | null} */
+    this.texels = null;
+    /** @type {(state: ViewState) => void} */
+    this.onSettled = () => {};
+    /** @type {(error: unknown) => void} */
+    this.onError = () => {};
+  }
+
+  /** Gets hold of the GPU; throws where it cannot be had. */
+  async start() {
+    const gl = this.canvas.getContext("webgl2", {
+      alpha: false, antialias: false, depth: false, stencil: false, powerPreference: "high-performance",
+    });
+    if (!gl) throw new Error("This browser shows a still picture only: it has no WebGL 2.");
+    this.gl = gl;
+    this.texels = await makeTexels(gl, this.picture.paints);
+    this.build();
+    this.canvas.addEventListener("webglcontextlost", (event) => {
+      event.preventDefault();
+      this.renderer = null;
+    });
+    this.canvas.addEventListener("webglcontextrestored", () => this.attempt(() => this.build()));
+    this.controls.showCanvas();
+    this.watchSize();
+    window.matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.change());
+  }
+
+  build() {
+    const { gl, texels } = this;
+    if (!gl || !texels || gl.isContextLost()) return;
+    this.renderer = new Renderer(gl, shaderText, this.picture, texels);
+    this.change();
+  }
+
+  /** @param {() => void} act */
+  attempt(act) {
+    try {
+      act();
+    } catch (error) {
+      this.renderer = null;
+      this.onError(error);
+    }
+  }
+
+  watchSize() {
+    const observer = new ResizeObserver((entries) => this.resize(entries[0]));
+    try {
+      observer.observe(this.canvas, { box: "device-pixel-content-box" });
+    } catch {
+      observer.observe(this.canvas);
+      // The ratio changes without the size where a window goes to another screen.
+      window.addEventListener("resize", () => this.resize(null));
+    }
+    this.resize(null);
+  }
+
+  /** @param {ResizeObserverEntry | null} entry */
+  resize(entry) {
+    const { clientWidth, clientHeight } = this.canvas;
+    const ratio = window.devicePixelRatio || 1;
+    const exact = entry?.devicePixelContentBoxSize?.[0];
+    let size = exact
+      ? [exact.inlineSize, exact.blockSize]
+      : [Math.round(clientWidth * ratio), Math.round(clientHeight * ratio)];
+    const most = this.renderer?.abilities.largestSide ?? Infinity;
+    const shrink = Math.min(1, most / Math.max(...size));
+    size = size.map((length) => Math.max(1, Math.floor(length * shrink)));
+    this.view.width = Math.max(1, clientWidth);
+    this.view.height = Math.max(1, clientHeight);
+    this.view.ratio = size[0] / this.view.width;
+    this.size = size;
+    if (this.isFitted) this.motion.go(this.view.fitted(), false);
+    this.change();
+  }
+
+  /**
+   * @param {ViewState} state
+   * @param {boolean} smooth
+   */
+  show(state, smooth) {
+    this.isFitted = false;
+    this.motion.go(state, smooth);
+    this.change();
+  }
+
+  /** @param {boolean} smooth */
+  fit(smooth) {
+    this.motion.go(this.view.fitted(), smooth);
+    this.isFitted = true;
+    this.change();
+  }
+
+  /** @param {boolean} isShown */
+  setMesh(isShown) {
+    this.mesh = isShown;
+    this.controls.showMesh(isShown);
+    this.change();
+  }
+
+  /** Something is to be seen that was not drawn yet. */
+  change() {
+    this.isDirty = true;
+    this.schedule();
+  }
+
+  schedule() {
+    if (this.isScheduled) return;
+    this.isScheduled = true;
+    requestAnimationFrame((now) => {
+      this.isScheduled = false;
+      this.attempt(() => this.tick(now));
+    });
+  }
+
+  /** @returns {Frame} */
+  frame() {
+    return {
+      size: this.size,
+      pixelFromArtboard: this.view.pixelFromArtboard(this.size),
+      desk: this.controls.deskColor(),
+      mesh: this.mesh,
+      lineScale: this.view.ratio,
+    };
+  }
+
+  /** @param {number} now milliseconds */
+  tick(now) {
+    const { renderer, motion } = this;
+    if (!renderer) return;
+    // What the GPU has not done yet would only pile up.
+    if (renderer.isBusy) return this.schedule();
+    if (motion.isMoving) {
+      motion.step(now);
+      this.isDirty = true;
+    }
+    if (this.isDirty) {
+      this.drawFrame(renderer);
+    } else if (renderer.canRefine) {
+      renderer.refine(this.frame());
+      if (!renderer.canRefine) this.frames += 1;
+    }
+    if (motion.isMoving || renderer.canRefine) this.schedule();
+    else this.settle();
+  }
+
+  /** @param {Renderer} renderer */
+  drawFrame(renderer) {
+    this.isDirty = false;
+    const [width, height] = this.size;
+    if (this.canvas.width !== width) this.canvas.width = width;
+    if (this.canvas.height !== height) this.canvas.height = height;
+    renderer.draw(this.frame());
+    this.frames += 1;
+    this.controls.showZoom(this.view.state.zoom);
+    for (const resolve of this.waitingForFrame.splice(0)) resolve();
+  }
+
+  settle() {
+    this.onSettled(this.view.state);
+    for (const resolve of this.waiting.splice(0)) resolve();
+  }
+
+  /** When the next frame is drawn. @returns {Promise<void>} */
+  drawn() {
+    return new Promise((resolve) => {
+      this.waitingForFrame.push(resolve);
+      this.change();
+    });
+  }
+
+  /** When all is drawn as fine as it gets. @returns {Promise<void>} */
+  settled() {
+    return new Promise((resolve) => {
+      this.waiting.push(resolve);
+      this.schedule();
+    });
+  }
+}
+
+/** @param {string} name */
+function shaderText(name) {
+  const script = document.querySelector(`script[data-shader="${name}"]`);
+  if (!script) throw new Error(`The page has no shader ${name}.`);
+  return script.textContent ?? "";
+}
