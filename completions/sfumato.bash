@@ -21,7 +21,7 @@ _sfumato() {
     --order) options='linear quadratic cubic' ;;
     --depth) options='8 16' ;;
     --max-error) options='off' ;;
-    --format) options='png jpg webp' ;;
+    --format) options='png jpg webp html' ;;
     --background) options='none white black' ;;
     --allow-files | --out-dir)
       compopt -o filenames 2>/dev/null
@@ -33,7 +33,7 @@ _sfumato() {
       return
       ;;
     --viewport | --width | --height | --scale | --rays | --seed | --tolerance | --max-area | \
-      --min-angle | --quality | --threads | --max-memory)
+      --min-angle | --quality | --detail | --title | --threads | --max-memory)
       return
       ;;
   esac
@@ -48,9 +48,9 @@ _sfumato() {
   case $command in
     render)
       options='--output --out-dir --format --allow-files --viewport --width --height --scale
-        --method --rays --seed --tolerance --no-blur --max-error --max-area --min-angle --order
-        --mesh-overlay --background --depth --dither --quality --lossless --no-antialias
-        --threads --max-memory --stats --quiet --help'
+        --detail --method --rays --seed --tolerance --no-blur --max-error --max-area
+        --min-angle --order --mesh-overlay --background --depth --dither --quality --lossless
+        --title --no-antialias --threads --max-memory --stats --quiet --help'
       ;;
     info) options='--allow-files --json --quiet --help' ;;
     convert) options='--output --allow-files --quiet --help' ;;

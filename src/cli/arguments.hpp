@@ -29,6 +29,9 @@ struct OutputOptions {
   OutputKind kind = OutputKind::png;
   int quality = 90;  ///< of JPEG and lossy WebP
   bool lossless = false;
+  // Of outputs that can be enlarged:
+  double detail = 2;  ///< the mesh is made for a picture this many times larger
+  std::string title;  ///< empty: the name of the drawing
 };
 
 /// `input` is of the job at hand.

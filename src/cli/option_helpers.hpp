@@ -67,8 +67,18 @@ template <class Value>
 using Choices = std::initializer_list<std::pair<const char*, Value>>;
 
 template <class Value>
+struct ChoiceOf {
+  using Type = Value;
+};
+template <class Value>
+struct ChoiceOf<std::optional<Value>> {
+  using Type = Value;
+};
+
+/// target: a Value, or an optional one, which stays empty where the option is not given.
+template <class Target, class Value = typename ChoiceOf<Target>::Type>
 CLI::Option* add_choice(CLI::App& app, const std::string& name, Choices<Value> choices,
-                        const std::string& help, Value& target) {
+                        const std::string& help, Target& target) {
   const std::vector<std::pair<std::string, Value>> known(choices.begin(), choices.end());
   std::string list;
   for (const auto& [word, value] : known) list += (list.empty() ? "" : "|") + word;

@@ -16,22 +16,32 @@ std::string in_pixels(double length) {
   return text;
 }
 
+Vec2 scales(const SizeRequest& request, const Box& viewport) {
+  Vec2 scale{request.scale.value_or(1), request.scale.value_or(1)};
+  if (request.width) scale.x = scale.y = *request.width / viewport.width();
+  if (request.height) scale.y = *request.height / viewport.height();
+  if (request.height && !request.width) scale.x = scale.y;
+  return scale;
+}
+
 }  // namespace
 
+double output_scale(const SizeRequest& request, const Box& viewport) {
+  const Vec2 scale = scales(request, viewport);
+  return std::max(scale.x, scale.y);
+}
+
 Result<OutputSize> output_size(const SizeRequest& request, const Box& viewport) {
-  double x_scale = request.scale.value_or(1);
-  double y_scale = x_scale;
-  if (request.width) x_scale = y_scale = *request.width / viewport.width();
-  if (request.height) y_scale = *request.height / viewport.height();
-  if (request.height && !request.width) x_scale = y_scale;
-  const double width = std::max(1.0, std::round(viewport.width() * x_scale));
-  const double height = std::max(1.0, std::round(viewport.height() * y_scale));
+  const Vec2 scale = scales(request, viewport);
+  const double width = std::max(1.0, std::round(viewport.width() * scale.x));
+  const double height = std::max(1.0, std::round(viewport.height() * scale.y));
   if (width > limits::kImageSide || height > limits::kImageSide) {
     return make_error(StatusCode::limit, "the picture would be " + in_pixels(width) + " x " +
                                              in_pixels(height) + " pixels, the limit is " +
                                              std::to_string(limits::kImageSide) + " on a side");
   }
-  return OutputSize{static_cast<int>(width), static_cast<int>(height), std::max(x_scale, y_scale)};
+  return OutputSize{static_cast<int>(width), static_cast<int>(height),
+                    output_scale(request, viewport)};
 }
 
 }  // namespace sfumato::cli

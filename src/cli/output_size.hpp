@@ -20,6 +20,9 @@ struct OutputSize {
   double pixels_per_unit = 1;  ///< the larger of the two directions
 };
 
+/// Pixels per user unit of what was asked for, the larger of the two directions.
+double output_scale(const SizeRequest& request, const Box& viewport);
+
 /// The size of the image that shows `viewport`. One of width and height alone sets the other by the
 /// viewport's aspect; both stretch the picture to them; neither: viewport × scale, default 1. Sizes
 /// are rounded to the nearest pixel, at least 1. Errors: limit (limits::kImageSide).

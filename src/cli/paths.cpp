@@ -24,7 +24,8 @@ struct KnownOutput {
 
 constexpr std::array kKnownOutputs{
     KnownOutput{"png", OutputKind::png}, KnownOutput{"jpg", OutputKind::jpeg},
-    KnownOutput{"jpeg", OutputKind::jpeg}, KnownOutput{"webp", OutputKind::webp}};
+    KnownOutput{"jpeg", OutputKind::jpeg}, KnownOutput{"webp", OutputKind::webp},
+    KnownOutput{"html", OutputKind::html}};
 
 Status cannot_write(const std::string& path, const std::string& why) {
   return make_error(StatusCode::io, "cannot be written: " + why, {path});

@@ -12,7 +12,12 @@
 namespace sfumato::cli {
 
 /// What a picture can be written as.
-enum class OutputKind : std::uint8_t { png, jpeg, webp };
+enum class OutputKind : std::uint8_t { png, jpeg, webp, html };
+
+/// Whether it is made of pixels alone.
+constexpr bool is_image(OutputKind kind) {
+  return kind <= OutputKind::webp;
+}
 
 /// The kind that the extension of `path` (in any case) stands for; nothing for "-".
 std::optional<OutputKind> output_kind(const std::string& path);

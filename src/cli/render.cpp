@@ -12,53 +12,14 @@
 #include "cli/document_input.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/paths.hpp"
+#include "cli/picture_file.hpp"
 #include "cli/progress_bar.hpp"
 #include "cli/stats.hpp"
-#include "cli/write_picture.hpp"
-#include "raster/render_pixels.hpp"
 
 namespace sfumato::cli {
 namespace {
 
 constexpr std::chrono::milliseconds kProgressDelay{1000};
-
-/// The two ways from a document to pixels; both need diffuse.viewport and raster's size set.
-Result<Image> draw(Context& context, const Document& document,
-                   const DiffuseOptions& diffuse_options, const RasterOptions& raster_options,
-                   bool per_pixel, RenderStats& stats) {
-  DiffuseStats& solved = stats.diffuse;
-  if (per_pixel) {
-    const Stopwatch watch;
-    Result<Image> image =
-        render_pixels(context, document, diffuse_options, raster_options, &solved);
-    const double rest = watch.seconds() - solved.geometry_seconds - solved.triangulation_seconds -
-                        solved.gather_seconds;
-    stats.rasterise_seconds = std::max(0.0, rest);
-    return image;
-  }
-  const Result<Picture> picture = diffuse(context, document, diffuse_options, &solved);
-  if (!picture) return picture.status();
-  const Stopwatch watch;
-  Result<Image> image = rasterize(context, *picture, raster_options);
-  stats.rasterise_seconds = watch.seconds();
-  return image;
-}
-
-Result<Image> draw_as_asked(Context& context, Document& document, const RenderArguments& arguments,
-                            RenderStats& stats) {
-  const Box viewport = arguments.diffuse.viewport.value_or(document.artboard);
-  const Result<OutputSize> size = output_size(arguments.size, viewport);
-  if (!size) return size.status();
-  DiffuseOptions diffuse_options = arguments.diffuse;
-  diffuse_options.viewport = viewport;
-  diffuse_options.pixels_per_unit = size->pixels_per_unit;
-  RasterOptions raster_options = arguments.raster;
-  raster_options.viewport = viewport;
-  raster_options.width = size->width;
-  raster_options.height = size->height;
-  if (raster_options.background) document.background = raster_options.background;
-  return draw(context, document, diffuse_options, raster_options, arguments.per_pixel, stats);
-}
 
 /// Reads, draws and writes the document of arguments.input; `total` runs since its start.
 Status render_document(Context& context, const RenderArguments& arguments,
@@ -70,14 +31,12 @@ Status render_document(Context& context, const RenderArguments& arguments,
   if (!read) return read.status();
   stats.threads = context.thread_count();
   stats.read_seconds = total.seconds();
-  const Result<Image> image = draw_as_asked(context, read->document, arguments, stats);
-  if (!image) return image.status();
-  const Stopwatch write_watch;
-  const auto file = encode_image(context, *image, arguments.output);
+  const auto file = make_picture_file(context, read->document, arguments, stats);
   if (!file) return file.status();
   if (context.cancelled()) return make_error(StatusCode::cancelled, "cancelled");
+  const Stopwatch write_watch;
   const Status written = write_file(output, *file);
-  stats.write_seconds = write_watch.seconds();
+  stats.write_seconds += write_watch.seconds();
   stats.total_seconds = total.seconds();
   return written;
 }

@@ -1,7 +1,5 @@
 #include "cli/render_options.hpp"
 
-#include <algorithm>
-
 #include "cli/paths.hpp"
 #include "cli/values.hpp"
 
@@ -14,6 +12,7 @@ constexpr const char* kRenderFooter =
     "  sfumato render lady_bug.xml -o big.png --width 4096 --depth 16\n"
     "  sfumato render lady_bug.xml -o eye.png --viewport 200,100,64,64 --scale 8\n"
     "  sfumato render lady_bug.xml -o noisy.png --method rays --rays 64 --max-error off\n"
+    "  sfumato render lady_bug.xml -o lady_bug.html\n"
     "  sfumato render *.svg --out-dir pictures --format webp\n"
     "  sfumato render - -o - <lady_bug.xml >lady_bug.png";
 
@@ -159,6 +158,18 @@ void add_image_options(CLI::App& app, RenderArguments& arguments, RenderChoices&
   app.add_flag("--no-antialias", choices.no_antialias, "Hard edges at curves")->group(group);
 }
 
+void add_vector_options(CLI::App& app, RenderArguments& arguments, RenderChoices& choices) {
+  const char* group = "HTML";
+  OutputOptions& output = arguments.output;
+  add_value(app, "--detail", {"a number above 0", "NUMBER"},
+            "Make the mesh for a picture this many times larger, to\nbe enlarged [2]",
+            into(choices.detail, parse_positive))
+      ->group(group);
+  app.add_option("--title", output.title, "Of HTML [the drawing's file name]")
+      ->type_name("TEXT")
+      ->group(group);
+}
+
 void add_running_options(CLI::App& app, RenderArguments& arguments) {
   const char* group = "Running";
   add_value(app, "--threads", {"a whole number from 1 to " + std::to_string(limits::kThreads), "N"},
@@ -190,73 +201,9 @@ CLI::App* add_render(CLI::App& root, RenderArguments& arguments, RenderChoices& 
   add_solution_options(*app, arguments, choices);
   add_mesh_options(*app, arguments);
   add_image_options(*app, arguments, choices);
+  add_vector_options(*app, arguments, choices);
   add_running_options(*app, arguments);
   return app;
-}
-
-namespace {
-
-/// Throws where `given` and what it needs are not there together.
-void expect(bool good, const char* option, const std::string& complaint) {
-  if (!good) throw CLI::ValidationError(option, complaint);
-}
-
-void settle_files(RenderArguments& arguments, const RenderChoices& choices) {
-  arguments.many = !choices.output_folder.empty();
-  arguments.output_folder = choices.output_folder;
-  expect(arguments.many || !choices.output.empty(), "--output", "expected, or --out-dir");
-  expect(arguments.many || choices.inputs.size() == 1, "IN",
-         "several drawings given, expected --out-dir for their pictures");
-  const bool reads_stdin = std::count(choices.inputs.begin(), choices.inputs.end(), "-") > 0;
-  expect(!arguments.many || !reads_stdin, "--out-dir", "stdin has no name, expected -o");
-  expect(!choices.format || arguments.many || choices.output == "-", "--format",
-         "expected with --out-dir or '-o -' only: a file's extension says it");
-  arguments.output.kind = arguments.many || choices.output == "-"
-                              ? choices.format.value_or(OutputKind::png)
-                              : *output_kind(choices.output);
-  arguments.jobs =
-      render_jobs(choices.inputs, choices.output, choices.output_folder, choices.extension);
-  const std::string complaint = complaint_about(arguments.jobs);
-  expect(complaint.empty(), arguments.many ? "--out-dir" : "--output", complaint);
-  expect(choices.output != "-" || arguments.stats != "-", "--stats",
-         "stdout is taken by the picture, expected a file name");
-  for (const RenderJob& job : arguments.jobs) {
-    expect(job.output != arguments.stats || job.output == "-", "--stats",
-           "expected another file than the picture's");
-  }
-}
-
-void settle_image(RenderArguments& arguments, const RenderChoices& choices) {
-  OutputOptions& output = arguments.output;
-  const bool is_webp = output.kind == OutputKind::webp;
-  expect(!output.lossless || is_webp, "--lossless", "expected with WebP only");
-  expect(!choices.quality || output.kind == OutputKind::jpeg || (is_webp && !output.lossless),
-         "--quality", "expected with JPEG and lossy WebP only");
-  output.quality = choices.quality.value_or(output.quality);
-  expect(choices.depth == 8 || output.kind == OutputKind::png, "--depth",
-         "16 bits given, expected with PNG only");
-  expect(!choices.transparent || output.kind != OutputKind::jpeg, "--background",
-         "none given, but JPEG has no alpha channel");
-  expect(!arguments.raster.dither || choices.depth == 8, "--dither",
-         "expected with --depth 8 only");
-  arguments.raster.antialias = !choices.no_antialias;
-  arguments.raster.format = choices.depth == 8
-                                ? (choices.transparent ? PixelFormat::rgba8 : PixelFormat::rgb8)
-                                : (choices.transparent ? PixelFormat::rgba16 : PixelFormat::rgb16);
-}
-
-}  // namespace
-
-void settle(RenderArguments& arguments, const RenderChoices& choices) {
-  settle_files(arguments, choices);
-  settle_image(arguments, choices);
-  expect(!arguments.size.scale || !(arguments.size.width || arguments.size.height), "--scale",
-         "expected without --width and --height");
-  expect(!arguments.raster.mesh_overlay || choices.method != RenderMethod::pixels, "--mesh-overlay",
-         "--method pixels has no mesh to draw");
-  arguments.per_pixel = choices.method == RenderMethod::pixels;
-  arguments.diffuse.gather.method =
-      choices.method == RenderMethod::rays ? gather::Method::rays : gather::Method::exact;
 }
 
 }  // namespace sfumato::cli

@@ -20,6 +20,7 @@ struct RenderChoices {
   std::optional<OutputKind> format;
   std::string extension = "png";  ///< of the format, as it was given
   std::optional<int> quality;
+  std::optional<double> detail;
   RenderMethod method = RenderMethod::exact;
   int depth = 8;
   bool transparent = false;

@@ -31,6 +31,7 @@ std::string to_json(const RenderStats& stats, std::string_view input) {
       .member("triangulation", to_nanosecond(stats.diffuse.triangulation_seconds))
       .member("gather", to_nanosecond(stats.diffuse.gather_seconds))
       .member("rasterise", to_nanosecond(stats.rasterise_seconds))
+      .member("export", to_nanosecond(stats.export_seconds))
       .member("write", to_nanosecond(stats.write_seconds))
       .member("total", to_nanosecond(stats.total_seconds))
       .end_object()

@@ -13,6 +13,7 @@ struct RenderStats {
   int threads = 1;
   double read_seconds = 0;       ///< reading and parsing the input
   double rasterise_seconds = 0;  ///< picture to pixels
+  double export_seconds = 0;     ///< picture to a file that is not made of pixels alone
   double write_seconds = 0;      ///< encoding and writing the output
   double total_seconds = 0;      ///< from the start of the command to the written output
 };

@@ -36,7 +36,7 @@ TEST(RenderStats, are_written_in_the_order_of_the_manual) {
   EXPECT_EQ(to_json(stats),
             R"({"curves":1,"segments":2,"triangles":3,"vertices":4,"nodes":5,"threads":6,)"
             R"("seconds":{"read":1,"geometry":0.25,"triangulation":0.5,"gather":0.75,)"
-            R"("rasterise":2,"write":3,"total":8}})"
+            R"("rasterise":2,"export":0,"write":3,"total":8}})"
             "\n");
 }
 

@@ -1,4 +1,4 @@
-#include "cli/write_picture.hpp"
+#include "cli/image_output.hpp"
 
 #include "formats/jpeg_encode.hpp"
 #include "formats/png.hpp"

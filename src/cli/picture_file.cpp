@@ -1,0 +1,149 @@
+#include "cli/picture_file.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "base/stopwatch.hpp"
+#include "cli/image_output.hpp"
+#include "cli/messages.hpp"
+#include "export/html.hpp"
+#include "formats/jpeg_encode.hpp"
+#include "raster/render_pixels.hpp"
+
+namespace sfumato::cli {
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+
+/// The longer side of the picture that a browser without WebGL 2 shows, pixels, and its quality.
+constexpr int kFallbackSide = 640;
+constexpr int kFallbackQuality = 80;
+
+/// Draws a document as one output asks for it.
+class PictureMaker {
+ public:
+  PictureMaker(Context& context, const RenderArguments& arguments, RenderStats& stats)
+      : context_(context), arguments_(arguments), stats_(stats) {}
+
+  Result<Bytes> make(Document& document);
+
+ private:
+  Status choose_options(const Document& document);
+  Result<Image> draw_pixels(const Document& document);
+  Result<Bytes> make_image(const Document& document);
+  Result<Bytes> make_drawing(const Document& document);
+  Result<Bytes> make_html(const Picture& picture, ExportNotes* notes);
+  std::string title() const;
+  void warn(const std::string& what) const;
+
+  Context& context_;
+  const RenderArguments& arguments_;
+  RenderStats& stats_;
+  DiffuseOptions diffuse_;
+  RasterOptions raster_;
+  double scale_ = 1;  ///< output pixels per user unit
+};
+
+Status PictureMaker::choose_options(const Document& document) {
+  const Box viewport = arguments_.diffuse.viewport.value_or(document.artboard);
+  scale_ = output_scale(arguments_.size, viewport);
+  diffuse_ = arguments_.diffuse;
+  diffuse_.viewport = viewport;
+  if (!is_image(arguments_.output.kind)) {
+    diffuse_.pixels_per_unit = scale_ * arguments_.output.detail;
+    return ok_status();
+  }
+  const Result<OutputSize> size = output_size(arguments_.size, viewport);
+  if (!size) return size.status();
+  diffuse_.pixels_per_unit = size->pixels_per_unit;
+  raster_ = arguments_.raster;
+  raster_.viewport = viewport;
+  raster_.width = size->width;
+  raster_.height = size->height;
+  return ok_status();
+}
+
+void PictureMaker::warn(const std::string& what) const {
+  if (arguments_.quiet) return;
+  report_warning({StatusCode::ok, what, {display_name(arguments_.input)}});
+}
+
+/// No mesh; the time that is not the gather's is the raster's.
+Result<Image> PictureMaker::draw_pixels(const Document& document) {
+  const Stopwatch watch;
+  DiffuseStats& solved = stats_.diffuse;
+  Result<Image> image = render_pixels(context_, document, diffuse_, raster_, &solved);
+  const double rest = watch.seconds() - solved.geometry_seconds - solved.triangulation_seconds -
+                      solved.gather_seconds;
+  stats_.rasterise_seconds = std::max(0.0, rest);
+  return image;
+}
+
+Result<Bytes> PictureMaker::make_image(const Document& document) {
+  std::optional<Result<Image>> image;
+  if (arguments_.per_pixel) {
+    image = draw_pixels(document);
+  } else {
+    const Result<Picture> picture = diffuse(context_, document, diffuse_, &stats_.diffuse);
+    if (!picture) return picture.status();
+    const Stopwatch watch;
+    image = rasterize(context_, *picture, raster_);
+    stats_.rasterise_seconds = watch.seconds();
+  }
+  if (!*image) return image->status();
+  const Stopwatch watch;
+  Result<Bytes> file = encode_image(context_, **image, arguments_.output);
+  stats_.write_seconds = watch.seconds();
+  return file;
+}
+
+std::string PictureMaker::title() const {
+  if (!arguments_.output.title.empty()) return arguments_.output.title;
+  if (arguments_.input == "-") return "Sfumato";
+  return std::filesystem::path(arguments_.input).stem().string();
+}
+
+Result<Bytes> PictureMaker::make_html(const Picture& picture, ExportNotes* notes) {
+  RasterOptions small;
+  const Box& viewport = picture.viewport;
+  const double shrink =
+      std::min(1.0, kFallbackSide / std::max(viewport.width(), viewport.height()));
+  small.width = std::max(1, static_cast<int>(viewport.width() * shrink));
+  small.height = std::max(1, static_cast<int>(viewport.height() * shrink));
+  const Result<Image> image = rasterize(context_, picture, small);
+  if (!image) return image.status();
+  Result<Bytes> fallback = encode_jpeg(context_, *image, kFallbackQuality);
+  if (!fallback) return fallback;
+  return export_html(
+      context_, picture,
+      {.title = title(), .fallback = std::move(*fallback), .fallback_type = "image/jpeg"}, notes);
+}
+
+Result<Bytes> PictureMaker::make_drawing(const Document& document) {
+  const Result<Picture> picture = diffuse(context_, document, diffuse_, &stats_.diffuse);
+  if (!picture) return picture.status();
+  const Stopwatch watch;
+  ExportNotes notes;
+  Result<Bytes> file = make_html(*picture, &notes);
+  stats_.export_seconds = watch.seconds();
+  for (const std::string& lost : notes.lost) warn(lost);
+  return file;
+}
+
+Result<Bytes> PictureMaker::make(Document& document) {
+  if (arguments_.raster.background) document.background = arguments_.raster.background;
+  const Status status = choose_options(document);
+  if (!status) return status;
+  return is_image(arguments_.output.kind) ? make_image(document) : make_drawing(document);
+}
+
+}  // namespace
+
+Result<Bytes> make_picture_file(Context& context, Document& document,
+                                const RenderArguments& arguments, RenderStats& stats) {
+  return PictureMaker(context, arguments, stats).make(document);
+}
+
+}  // namespace sfumato::cli

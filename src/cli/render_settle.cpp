@@ -1,0 +1,92 @@
+#include <algorithm>
+
+#include "cli/paths.hpp"
+#include "cli/render_options.hpp"
+
+namespace sfumato::cli {
+namespace {
+
+/// Throws where `given` and what it needs are not there together.
+void expect(bool good, const char* option, const std::string& complaint) {
+  if (!good) throw CLI::ValidationError(option, complaint);
+}
+
+void settle_files(RenderArguments& arguments, const RenderChoices& choices) {
+  arguments.many = !choices.output_folder.empty();
+  arguments.output_folder = choices.output_folder;
+  expect(arguments.many || !choices.output.empty(), "--output", "expected, or --out-dir");
+  expect(arguments.many || choices.inputs.size() == 1, "IN",
+         "several drawings given, expected --out-dir for their pictures");
+  const bool reads_stdin = std::count(choices.inputs.begin(), choices.inputs.end(), "-") > 0;
+  expect(!arguments.many || !reads_stdin, "--out-dir", "stdin has no name, expected -o");
+  expect(!choices.format || arguments.many || choices.output == "-", "--format",
+         "expected with --out-dir or '-o -' only: a file's extension says it");
+  arguments.output.kind = arguments.many || choices.output == "-"
+                              ? choices.format.value_or(OutputKind::png)
+                              : *output_kind(choices.output);
+  arguments.jobs =
+      render_jobs(choices.inputs, choices.output, choices.output_folder, choices.extension);
+  const std::string complaint = complaint_about(arguments.jobs);
+  expect(complaint.empty(), arguments.many ? "--out-dir" : "--output", complaint);
+  expect(choices.output != "-" || arguments.stats != "-", "--stats",
+         "stdout is taken by the picture, expected a file name");
+  for (const RenderJob& job : arguments.jobs) {
+    expect(job.output != arguments.stats || job.output == "-", "--stats",
+           "expected another file than the picture's");
+  }
+}
+
+/// What only images have, or only outputs that can be enlarged.
+void settle_kind(RenderArguments& arguments, const RenderChoices& choices) {
+  OutputOptions& output = arguments.output;
+  if (is_image(output.kind)) {
+    const char* complaint = "expected with HTML only";
+    expect(!choices.detail, "--detail", complaint);
+    expect(output.title.empty(), "--title", complaint);
+  } else {
+    const char* complaint = "expected with images only";
+    expect(choices.method != RenderMethod::pixels, "--method pixels", complaint);
+    expect(!arguments.raster.mesh_overlay, "--mesh-overlay", complaint);
+    expect(!arguments.raster.dither, "--dither", complaint);
+    expect(!choices.no_antialias, "--no-antialias", complaint);
+    expect(!(arguments.size.width && arguments.size.height), "--height",
+           "expected without --width: only images are stretched");
+  }
+  output.detail = choices.detail.value_or(output.detail);
+}
+
+void settle_image(RenderArguments& arguments, const RenderChoices& choices) {
+  OutputOptions& output = arguments.output;
+  const bool is_webp = output.kind == OutputKind::webp;
+  expect(!output.lossless || is_webp, "--lossless", "expected with WebP only");
+  expect(!choices.quality || output.kind == OutputKind::jpeg || (is_webp && !output.lossless),
+         "--quality", "expected with JPEG and lossy WebP only");
+  output.quality = choices.quality.value_or(output.quality);
+  expect(choices.depth == 8 || output.kind == OutputKind::png, "--depth",
+         "16 bits given, expected with PNG only");
+  expect(!choices.transparent || output.kind != OutputKind::jpeg, "--background",
+         "none given, but JPEG has no alpha channel");
+  expect(!arguments.raster.dither || choices.depth == 8, "--dither",
+         "expected with --depth 8 only");
+  arguments.raster.antialias = !choices.no_antialias;
+  arguments.raster.format = choices.depth == 8
+                                ? (choices.transparent ? PixelFormat::rgba8 : PixelFormat::rgb8)
+                                : (choices.transparent ? PixelFormat::rgba16 : PixelFormat::rgb16);
+}
+
+}  // namespace
+
+void settle(RenderArguments& arguments, const RenderChoices& choices) {
+  settle_files(arguments, choices);
+  settle_kind(arguments, choices);
+  settle_image(arguments, choices);
+  expect(!arguments.size.scale || !(arguments.size.width || arguments.size.height), "--scale",
+         "expected without --width and --height");
+  expect(!arguments.raster.mesh_overlay || choices.method != RenderMethod::pixels, "--mesh-overlay",
+         "--method pixels has no mesh to draw");
+  arguments.per_pixel = choices.method == RenderMethod::pixels;
+  arguments.diffuse.gather.method =
+      choices.method == RenderMethod::rays ? gather::Method::rays : gather::Method::exact;
+}
+
+}  // namespace sfumato::cli
