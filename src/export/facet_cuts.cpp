@@ -64,6 +64,19 @@ void join_edges(const PatchLayer& layer, const PatchField& field, FacetCuts* cut
   }
 }
 
+/// Into how many parts sides may be cut that are not to become shorter than `smallest_side`.
+int most_cuts(const PatchLayer& layer, std::uint32_t triangle, double smallest_side) {
+  double longest = 0;
+  for (std::uint32_t k = 0; k < 3; ++k) {
+    const auto corner = [&](std::uint32_t i) {
+      return layer.vertex_position[layer.triangle_vertex[std::size_t{3} * triangle + i % 3]];
+    };
+    longest = std::max(longest, length(corner(k + 1) - corner(k)));
+  }
+  if (!(longest < kMostCuts * smallest_side)) return kMostCuts;
+  return std::max(1, static_cast<int>(longest / smallest_side));
+}
+
 /// The grid of a patch with edges finer than it: as coarse as the error allows.
 int stitched_grid(const FacetPatch& patch, PatchCut cut) {
   const int own = cut.grid;
@@ -83,7 +96,7 @@ PatchCut FacetCuts::of(std::uint32_t triangle) const {
 }
 
 Result<FacetCuts> find_cuts(Context& context, const PatchLayer& layer, InterpolationSpace space,
-                            const FacetSource& source, double max_error) {
+                            const FacetSource& source, double max_error, double smallest_side) {
   FacetCuts cuts;
   const std::size_t count = layer.triangle_count();
   // A grid and at most three edges to a triangle, and the sides while they are sorted.
@@ -98,14 +111,14 @@ Result<FacetCuts> find_cuts(Context& context, const PatchLayer& layer, Interpola
     });
   };
   status = for_each_patch([&](std::uint32_t t, const FacetPatch& patch) {
-    cuts.grid[t] = static_cast<std::uint8_t>(patch.cuts());
+    cuts.grid[t] = static_cast<std::uint8_t>(patch.cuts(most_cuts(layer, t, smallest_side)));
   });
   if (!status) return status;
   join_edges(layer, field_of(layer, source), &cuts);
   status = for_each_patch([&](std::uint32_t t, const FacetPatch& patch) {
     const PatchCut cut = cuts.of(t);
     const auto [least, most] = std::minmax_element(cut.edge.begin(), cut.edge.end());
-    if (*least != cut.grid || *most != cut.grid)
+    if ((*least != cut.grid || *most != cut.grid) && cut.grid < most_cuts(layer, t, smallest_side))
       cuts.grid[t] = static_cast<std::uint8_t>(stitched_grid(patch, cut));
   });
   if (!status) return status;

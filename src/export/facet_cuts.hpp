@@ -26,9 +26,9 @@ struct FacetCuts {
   PatchCut of(std::uint32_t triangle) const;
 };
 
-/// Every patch as fine as `max_error` asks for; edges between the same two vertices as fine as the
-/// finest patch at them. Errors: limit, cancelled.
+/// Every patch as fine as `max_error` asks for and `smallest_side` allows; edges between the same
+/// two vertices as fine as the finest patch at them. Errors: limit, cancelled.
 Result<FacetCuts> find_cuts(Context& context, const PatchLayer& layer, InterpolationSpace space,
-                            const FacetSource& source, double max_error);
+                            const FacetSource& source, double max_error, double smallest_side);
 
 }  // namespace sfumato::outputs

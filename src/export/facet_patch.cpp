@@ -17,22 +17,27 @@ constexpr double kOvershootShare = 0.125;
 constexpr int kSamplesPerSide = 4;
 constexpr double kBetweenSamples = 4.0 / 3;
 
+/// Quotients by a smaller share are taken elsewhere: they are noise, and next to nothing shows
+/// them.
+constexpr double kLeastShare = 0.01;
+
 /// Not a number becomes 0.
 double clamped(double value) {
   return value > 0 ? std::min(value, 1.0) : 0;
 }
 
+bool is_quotient(Kind kind) {
+  return kind >= Kind::color_base;
+}
+
+bool is_of_shader(Kind kind) {
+  return kind == Kind::color_weight || kind == Kind::opacity_weight || kind == Kind::color_mask ||
+         kind == Kind::opacity_mask;
+}
+
 std::size_t first_channel(const FacetSource& source) {
-  switch (source.kind) {
-    case Kind::color:
-    case Kind::opacity:
-      return 0;
-    case Kind::color_weight:
-      return std::size_t{3} + source.shader;
-    case Kind::opacity_weight:
-      break;
-  }
-  return std::size_t{1} + source.shader;
+  if (!is_of_shader(source.kind)) return 0;
+  return (reads_color(source) ? std::size_t{3} : std::size_t{1}) + source.shader;
 }
 
 /// The ten Bézier ordinates of the cubic through the values at the ten nodes, in their order.
@@ -86,13 +91,17 @@ Barycentric mean(const Barycentric& a, const Barycentric& b, const Barycentric& 
 
 }  // namespace
 
+bool reads_color(const FacetSource& source) {
+  return source.kind == Kind::color || source.kind == Kind::color_weight ||
+         source.kind == Kind::color_base || source.kind == Kind::color_mask;
+}
+
 int channel_count_of(const FacetSource& source) {
-  return source.kind == Kind::color ? 3 : 1;
+  return source.kind == Kind::color || source.kind == Kind::color_base ? 3 : 1;
 }
 
 const PatchField& field_of(const PatchLayer& layer, const FacetSource& source) {
-  const bool is_color = source.kind == Kind::color || source.kind == Kind::color_weight;
-  return is_color ? layer.color : layer.opacity;
+  return reads_color(source) ? layer.color : layer.opacity;
 }
 
 /// From second derivatives along two sides of an equilateral triangle, at 60° to each other.
@@ -118,14 +127,32 @@ FacetPatch::FacetPatch(const PatchLayer& layer, InterpolationSpace space, const 
                        std::uint32_t triangle, double max_error)
     : order_(layer.order), channel_count_(channel_count_of(source)), max_error_(max_error) {
   if (source.kind == Kind::color) space_ = space;
-  const PatchField& field = field_of(layer, source);
-  const std::size_t stride = static_cast<std::size_t>(field.channel_count);
-  for (std::size_t n = 0; n < 10; ++n) {
-    const std::size_t slot = field.triangle_node[std::size_t{10} * triangle + n] * stride;
-    for (int c = 0; c < channel_count_; ++c)
-      node_[c][n] = field.node_value[slot + first_channel(source) + static_cast<std::size_t>(c)];
-  }
+  read(layer, source, triangle);
   find_curvature();
+}
+
+void FacetPatch::read(const PatchLayer& layer, const FacetSource& source, std::uint32_t triangle) {
+  const PatchField& field = field_of(layer, source);
+  const auto stride = static_cast<std::size_t>(field.channel_count);
+  has_share_ = is_quotient(source.kind) && !field.shader.empty();
+  const std::size_t first_other = is_of_shader(source.kind) ? source.shader + 1 : 0;
+  for (std::size_t n = 0; n < 10; ++n) {
+    const float* value =
+        field.node_value.data() + field.triangle_node[std::size_t{10} * triangle + n] * stride;
+    for (int c = 0; c < channel_count_; ++c)
+      node_[c][n] = value[first_channel(source) + static_cast<std::size_t>(c)];
+    share_[n] = 1;
+    for (std::size_t s = first_other; has_share_ && s < field.shader.size(); ++s)
+      share_[n] -= value[stride - field.shader.size() + s];
+  }
+}
+
+double FacetPatch::share(const Barycentric& at) const {
+  if (!has_share_) return 1;
+  const std::array<double, 10> basis = patch_basis(order_, at[0], at[1], at[2]);
+  double sum = 0;
+  for (int n = 0; n < 10; ++n) sum += basis[n] * share_[n];
+  return clamped(sum);
 }
 
 FacetPatch::Value FacetPatch::unclamped(const Barycentric& at) const {
@@ -140,8 +167,13 @@ FacetPatch::Value FacetPatch::unclamped(const Barycentric& at) const {
 }
 
 FacetPatch::Value FacetPatch::shown(const Barycentric& at) const {
-  Value value = unclamped(at);
-  for (double& channel : value) channel = clamped(channel);
+  // Where nothing is left to divide by, what stands next to it, further in.
+  const double here = share(at);
+  const bool is_bare = here < kLeastShare;
+  const Barycentric inside{0.9 * at[0] + 0.1 / 3, 0.9 * at[1] + 0.1 / 3, 0.9 * at[2] + 0.1 / 3};
+  Value value = unclamped(is_bare ? inside : at);
+  const double divisor = std::max(is_bare ? share(inside) : here, 1e-6);
+  for (double& channel : value) channel = clamped(channel / divisor);
   return value;
 }
 
@@ -170,7 +202,7 @@ double FacetPatch::find_curvature(int channel) {
 void FacetPatch::find_curvature() {
   double overshoot = 0;
   for (int c = 0; c < channel_count_; ++c) overshoot = std::max(overshoot, find_curvature(c));
-  if (space_ != InterpolationSpace::srgb) {
+  if (space_ != InterpolationSpace::srgb || has_share_) {
     is_sampled_ = true;
   } else if (overshoot > kOvershootShare * max_error_) {
     is_sampled_ = is_clamped_ = true;
@@ -179,9 +211,9 @@ void FacetPatch::find_curvature() {
   }
 }
 
-int FacetPatch::cuts() const {
+int FacetPatch::cuts(int most) const {
   int n = 1;
-  const int most = most_cuts();
+  most = std::min(most, most_cuts());
   if (!is_sampled_) {
     double largest = 0;
     for (int c = 0; c < channel_count_; ++c)
@@ -244,7 +276,7 @@ double FacetPatch::sampled_error(const std::array<Barycentric, 3>& facet) const 
       }
       const Value exact = shown(at);
       for (int c = 0; c < channel_count_; ++c)
-        largest = std::max(largest, std::fabs(flat[c] - exact[c]));
+        largest = std::max(largest, std::fabs(flat[c] - exact[c]) * share(at));
     }
   }
   return largest;

@@ -30,8 +30,8 @@ class FacetPatch {
   /// What is shown at a point: code values, an opacity or a weight. Never out of [0, 1].
   Value shown(const Barycentric& at) const;
 
-  /// Into how many parts the edges must be cut, 1 to kMostCuts.
-  int cuts() const;
+  /// Into how many parts the edges must be cut, 1 to `most`, which is at most kMostCuts.
+  int cuts(int most) const;
 
   /// Whether every facet of a cut stays within the error.
   bool is_met_by(const FacetGrid& grid) const;
@@ -45,7 +45,10 @@ class FacetPatch {
   static Hessian hessian(double uu, double uv, double vv);
   static Hessian turned(const Hessian& h, int k);
 
+  void read(const PatchLayer& layer, const FacetSource& source, std::uint32_t triangle);
   Value unclamped(const Barycentric& at) const;
+  /// The share that a quotient is over; 1 where there is none.
+  double share(const Barycentric& at) const;
   void find_curvature();
   double find_curvature(int channel);
   Hessian hessian_at(int channel, const Barycentric& at) const;
@@ -59,12 +62,16 @@ class FacetPatch {
   int channel_count_;
   double max_error_;
   std::array<std::array<double, 10>, kMostChannels> node_{};
+  bool has_share_ = false;
+  std::array<double, 10> share_{};  ///< at the nodes: what values are divided by
   std::array<std::array<Hessian, 3>, kMostChannels> corner_{};  ///< they are linear in between
   bool is_clamped_ = false;  ///< an sRGB patch that leaves [0, 1]
   bool is_sampled_ = false;  ///< clamping or conversion bend the patch: no bound by derivatives
 };
 
 int channel_count_of(const FacetSource& source);
+
+bool reads_color(const FacetSource& source);
 
 /// The field that a source reads.
 const PatchField& field_of(const PatchLayer& layer, const FacetSource& source);

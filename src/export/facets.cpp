@@ -211,8 +211,8 @@ Status FacetBuilder::build(Context& context, FacetMesh* mesh) {
 }  // namespace
 
 Result<FacetMesh> make_facets(Context& context, const PatchLayer& layer, InterpolationSpace space,
-                              const FacetSource& source, double max_error) {
-  Result<FacetCuts> cuts = find_cuts(context, layer, space, source, max_error);
+                              const FacetSource& source, double max_error, double smallest_side) {
+  Result<FacetCuts> cuts = find_cuts(context, layer, space, source, max_error, smallest_side);
   if (!cuts) return cuts.status();
   FacetMesh mesh;
   Status status = FacetBuilder(layer, space, source, max_error, *cuts).build(context, &mesh);

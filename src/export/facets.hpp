@@ -12,10 +12,22 @@ namespace sfumato::outputs {
 
 /// What a facet mesh carries: the colour of a layer in sRGB code values (3 channels), its opacity
 /// (1 channel), or the weights of one of the shaders of either field (1 channel).
+///
+/// For composition by source-over (docs/pdf.md): `base` is what the curves give over their share of
+/// it all, and `mask` the weight of a shader over the share that the shaders after it leave.
 struct FacetSource {
-  enum class Kind : std::uint8_t { color, opacity, color_weight, opacity_weight };
+  enum class Kind : std::uint8_t {
+    color,
+    opacity,
+    color_weight,
+    opacity_weight,
+    color_base,
+    opacity_base,
+    color_mask,
+    opacity_mask
+  };
   Kind kind = Kind::color;
-  std::uint32_t shader = 0;  ///< of a weight: index into PatchField::shader
+  std::uint32_t shader = 0;  ///< of a weight or mask: index into PatchField::shader
 };
 
 /// Triangles with linear interpolation (Gouraud) that show a field of a layer within a bounded
@@ -36,12 +48,14 @@ struct FacetMesh {
 ///
 /// layer, source  of a picture that check_picture() passes; the field has channels
 /// max_error      above 0: largest difference to the patch, values of both cut to [0, 1]. Colours
-/// of
-///                linear and OKLab pictures are converted to code values, and the bound holds
-///                there. A patch that needs more than 64 cuts misses it.
+///                of linear and OKLab pictures are converted to code values, and the bound holds
+///                there. A patch that needs more than 64 cuts misses it. What base and mask may
+///                miss counts by the share that shows it.
+/// smallest_side  patches are not cut into shorter sides, layer frame: the bound gives way
 /// Errors: limit (memory), cancelled. Cost: about 1 µs a facet on one thread; the same bytes for
 /// any thread count.
 Result<FacetMesh> make_facets(Context& context, const PatchLayer& layer, InterpolationSpace space,
-                              const FacetSource& source, double max_error);
+                              const FacetSource& source, double max_error,
+                              double smallest_side = 0);
 
 }  // namespace sfumato::outputs
