@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/affine.hpp"
+#include "base/box.hpp"
+#include "base/context.hpp"
+#include "base/status.hpp"
+
+namespace sfumato::outputs {
+
+/// The number of an object of a PDF file, from 1.
+using PdfRef = int;
+
+/// A number as PDF knows it: nine significant digits, no exponent. Precondition: finite.
+std::string pdf_number(double value);
+/// "[x0 y0 x1 y1]".
+std::string pdf_rectangle(const Box& box);
+/// "a b c d e f", as the operator cm wants it.
+std::string pdf_matrix(const Affine& map);
+/// UTF-8 text as a string object: UTF-16 in hexadecimal where it is not plain ASCII.
+std::string pdf_text(std::string_view utf8);
+/// "12 0 R".
+std::string pdf_reference(PdfRef ref);
+
+/// The objects of a PDF 1.7 file (ISO 32000-1), in memory. The same calls give the same bytes.
+class PdfFile {
+ public:
+  explicit PdfFile(Context& context) : context_(context) {}
+
+  /// An object without streams: "<< /Type /Page >>".
+  PdfRef add(std::string_view object);
+
+  /// A deflated stream; `entries` are those of its dictionary but Length and Filter. On an error,
+  /// 0, and status() says which: limit (memory), cancelled, out_of_memory.
+  PdfRef add_stream(std::string_view entries, std::span<const std::uint8_t> bytes);
+  PdfRef add_stream(std::string_view entries, std::string_view text);
+
+  /// The first error; what is added after it is dropped.
+  const Status& status() const { return status_; }
+  void fail(Status status);
+
+  /// The whole file. Nothing may be added afterwards.
+  Result<std::vector<std::uint8_t>> finish(PdfRef root, PdfRef info);
+
+ private:
+  PdfRef begin_object();
+  void append(std::string_view text);
+
+  Context& context_;
+  ScopedCharge charge_;
+  Status status_;
+  std::vector<std::uint8_t> bytes_;
+  std::vector<std::size_t> offset_;  ///< of object i + 1
+};
+
+}  // namespace sfumato::outputs

@@ -1,0 +1,138 @@
+#include "export/pdf_layer.hpp"
+
+#include <utility>
+
+#include "export/mesh_bytes.hpp"
+#include "export/pdf_content.hpp"
+#include "export/pdf_paint.hpp"
+#include "export/pixel_part.hpp"
+
+namespace sfumato::outputs {
+namespace {
+
+using Kind = FacetSource::Kind;
+using Resource = PdfContent::Resource;
+
+/// How far the first painting of a mesh is moved, points.
+constexpr double kShift = 0.09;
+
+/// Writes one layer.
+class LayerWriter {
+ public:
+  LayerWriter(Context& context, PdfFile* file, const Picture& picture, std::uint32_t index,
+              const PdfLayerOptions& options, ExportNotes* notes)
+      : context_(context),
+        file_(file),
+        picture_(picture),
+        layer_(picture.layers[index]),
+        index_(index),
+        options_(options),
+        notes_(notes),
+        box_(decode_box(layer_.vertex_position)) {}
+
+  PdfRef write();
+
+ private:
+  bool is_mixed_elsewhere() const;
+  double pixels_per_unit() const { return options_.points_per_unit * options_.dpi / 72; }
+  void paint_facets(const FacetSource& source, PdfContent* content);
+  void paint_field(bool is_opacity, PdfContent* content);
+  void paint_shader(bool is_opacity, std::uint32_t shader, PdfContent* content);
+  void paint_pixels(PdfContent* content);
+  Box box_of_weight(const PatchField& field, std::size_t channel) const;
+
+  Context& context_;
+  PdfFile* file_;
+  const Picture& picture_;
+  const PatchLayer& layer_;
+  std::uint32_t index_;
+  const PdfLayerOptions& options_;
+  ExportNotes* notes_;
+  Box box_;
+};
+
+/// Whether colours of shaders are mixed in a space that source-over knows nothing of.
+bool LayerWriter::is_mixed_elsewhere() const {
+  return picture_.interpolation != InterpolationSpace::srgb && !layer_.color.shader.empty();
+}
+
+void LayerWriter::paint_facets(const FacetSource& source, PdfContent* content) {
+  const Result<FacetMesh> mesh = make_facets(context_, layer_, picture_.interpolation, source,
+                                             options_.max_error, 1 / pixels_per_unit());
+  if (!mesh) return file_->fail(mesh.status());
+  notes_->triangle_count += mesh->facet_vertex.size() / 3;
+  paint_mesh(add_mesh(context_, file_, *mesh, box_), kShift / options_.points_per_unit, content);
+}
+
+/// The triangles where a channel is not 0.
+Box LayerWriter::box_of_weight(const PatchField& field, std::size_t channel) const {
+  Box box;
+  const auto stride = static_cast<std::size_t>(field.channel_count);
+  for (std::size_t slot = 0; slot < field.triangle_node.size(); ++slot) {
+    if (field.node_value[stride * field.triangle_node[slot] + channel] == 0) continue;
+    for (std::size_t k = 0; k < 3; ++k)
+      box.extend(layer_.vertex_position[layer_.triangle_vertex[slot / 10 * 3 + k]]);
+  }
+  return box;
+}
+
+/// A shader's pixels under the mask of its share.
+void LayerWriter::paint_shader(bool is_opacity, std::uint32_t shader, PdfContent* content) {
+  const PatchField& field = is_opacity ? layer_.opacity : layer_.color;
+  const Box box = box_of_weight(field, (is_opacity ? 1u : 3u) + shader);
+  if (!(box.width() > 0 && box.height() > 0)) return;
+  PdfContent mask;
+  paint_facets({is_opacity ? Kind::opacity_mask : Kind::color_mask, shader}, &mask);
+  const Result<PixelPart> part = shader_pixels(context_, picture_.shaders[field.shader[shader]],
+                                               is_opacity, box, pixels_per_unit());
+  if (!part) return file_->fail(part.status());
+  const PdfRef image = is_opacity ? add_alpha_image(context_, file_, part->image)
+                                  : add_image(context_, file_, part->image);
+  const PdfRef state = add_mask(file_, mask.make_mask_form(file_, box_));
+  content->add("q " + content->name(Resource::graphics_state, state) + " gs");
+  paint_image(image, box, content);
+  content->add("Q");
+}
+
+/// Colour or opacity: what the curves give, and the shaders over it, so that the last has all of
+/// its weight and each leaves to those below what they need.
+void LayerWriter::paint_field(bool is_opacity, PdfContent* content) {
+  paint_facets({is_opacity ? Kind::opacity_base : Kind::color_base, 0}, content);
+  const PatchField& field = is_opacity ? layer_.opacity : layer_.color;
+  for (std::uint32_t s = 0; s < field.shader.size(); ++s) paint_shader(is_opacity, s, content);
+}
+
+void LayerWriter::paint_pixels(PdfContent* content) {
+  const Result<PixelPart> part = layer_pixels(context_, picture_, index_, box_, pixels_per_unit());
+  if (!part) return file_->fail(part.status());
+  paint_image(add_image(context_, file_, part->image), box_, content);
+}
+
+PdfRef LayerWriter::write() {
+  if (layer_.triangle_count() == 0) return 0;
+  PdfContent content;
+  if (is_mixed_elsewhere()) {
+    paint_pixels(&content);
+    return content.make_form(file_, box_, options_.is_group);
+  }
+  paint_field(false, &content);
+  if (layer_.opacity.channel_count == 0)
+    return content.make_form(file_, box_, options_.is_group || !layer_.color.shader.empty());
+  PdfContent mask, masked;
+  paint_field(true, &mask);
+  // The mask is applied to a group: applied to a shading, it would be to each of its triangles.
+  const PdfRef colors = content.make_form(file_, box_, true);
+  const PdfRef state = add_mask(file_, mask.make_mask_form(file_, box_));
+  masked.add(masked.name(Resource::graphics_state, state) + " gs " +
+             masked.name(Resource::form, colors) + " Do");
+  return masked.make_form(file_, box_, true);
+}
+
+}  // namespace
+
+PdfRef add_layer(Context& context, PdfFile* file, const Picture& picture, std::uint32_t layer,
+                 const PdfLayerOptions& options, ExportNotes* notes) {
+  return LayerWriter(context, file, picture, layer, options, notes).write();
+}
+
+}  // namespace sfumato::outputs

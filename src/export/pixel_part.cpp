@@ -1,0 +1,166 @@
+#include "export/pixel_part.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "raster/local_stroke.hpp"
+#include "raster/rasterize.hpp"
+
+namespace sfumato::outputs {
+namespace {
+
+/// Pixels for a box; fewer to a unit where they would be too many.
+struct Size {
+  int width, height;
+};
+
+Size size_of(const Box& box, double pixels_per_unit) {
+  const double longer = std::max(box.width(), box.height());
+  const double scale = std::min({pixels_per_unit, limits::kImageSide / longer,
+                                 std::sqrt(kMostPartPixels / (box.width() * box.height()))});
+  const auto side = [&](double length) {
+    return static_cast<int>(std::clamp<double>(std::ceil(length * scale), 1, limits::kImageSide));
+  };
+  return {side(box.width()), side(box.height())};
+}
+
+Result<PixelPart> painted(Context& context, const Picture& picture, const Box& box,
+                          const Size& size, PixelFormat format) {
+  PixelPart part;
+  part.box = box;
+  const std::size_t bytes =
+      std::size_t{4} * static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
+  if (Status status = part.charge.add(context, bytes, "pixels"); !status) return status;
+  RasterOptions options;
+  options.width = size.width;
+  options.height = size.height;
+  options.viewport = box;
+  options.format = format;
+  Result<Image> image = rasterize(context, picture, options);
+  if (!image) return image.status();
+  part.image = std::move(*image);
+  return part;
+}
+
+/// Two triangles over a box, every node of which has the first value of its field.
+PatchLayer box_layer(const Box& box) {
+  PatchLayer layer;
+  layer.frame = box;
+  layer.order = PatchOrder::linear;
+  layer.vertex_position = {box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}};
+  layer.triangle_vertex = {0, 1, 2, 0, 2, 3};
+  layer.edge_is_curve.assign(6, 0);
+  layer.color.triangle_node.assign(20, 0);
+  return layer;
+}
+
+std::size_t texel_bytes(const Shader& shader) {
+  const Texture* texture = std::get_if<Texture>(&shader.paint);
+  return texture ? texture->rgba.size() + texture->file.size() : 0;
+}
+
+/// Gives a transparent pixel the mean colour of neighbours that are not.
+void bleed(Image* image) {
+  const int width = image->width, height = image->height;
+  const auto pixel = [&](int x, int y) {
+    return image->bytes.data() +
+           4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                static_cast<std::size_t>(x));
+  };
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      std::uint8_t* here = pixel(x, y);
+      if (here[3] != 0) continue;
+      int count = 0;
+      std::array<int, 3> sum{};
+      for (int j = std::max(y - 1, 0); j <= std::min(y + 1, height - 1); ++j) {
+        for (int i = std::max(x - 1, 0); i <= std::min(x + 1, width - 1); ++i) {
+          const std::uint8_t* other = pixel(i, j);
+          if (other[3] == 0) continue;
+          ++count;
+          for (std::size_t c = 0; c < 3; ++c) sum[c] += other[c];
+        }
+      }
+      for (std::size_t c = 0; count > 0 && c < 3; ++c)
+        here[c] = static_cast<std::uint8_t>((sum[c] + count / 2) / count);
+    }
+  }
+}
+
+}  // namespace
+
+Result<PixelPart> shader_pixels(Context& context, const Shader& shader, bool as_opacity,
+                                const Box& box, double pixels_per_unit) {
+  ScopedCharge copy;
+  if (Status status = copy.add(context, texel_bytes(shader), "a texture"); !status) return status;
+  Picture picture;
+  picture.artboard = picture.viewport = box;
+  picture.shaders.push_back(shader);
+  PatchLayer layer = box_layer(box);
+  if (as_opacity) {
+    layer.color.node_value = {1, 1, 1};
+    layer.opacity = {2, layer.color.triangle_node, {0, 1}, {0}};
+  } else {
+    layer.color = {4, std::move(layer.color.triangle_node), {0, 0, 0, 1}, {0}};
+  }
+  picture.layers.push_back(std::move(layer));
+  picture.stack.push_back(PatchInstance{});
+  return painted(context, picture, box, size_of(box, pixels_per_unit),
+                 as_opacity ? PixelFormat::rgba8 : PixelFormat::rgb8);
+}
+
+Result<PixelPart> layer_pixels(Context& context, const Picture& picture, std::uint32_t layer,
+                               const Box& box, double pixels_per_unit) {
+  const PatchLayer& source = picture.layers[layer];
+  std::size_t bytes =
+      source.vertex_position.size() * sizeof(Vec2) + source.triangle_vertex.size() * 5;
+  for (const PatchField* field : {&source.color, &source.opacity})
+    bytes += 4 * (field->triangle_node.size() + field->node_value.size());
+  for (const Shader& shader : picture.shaders) bytes += texel_bytes(shader);
+  ScopedCharge copy;
+  if (Status status = copy.add(context, bytes, "a layer"); !status) return status;
+  Picture alone;
+  alone.artboard = alone.viewport = box;
+  alone.interpolation = picture.interpolation;
+  alone.shaders = picture.shaders;
+  alone.layers.push_back(source);
+  alone.stack.push_back(PatchInstance{});
+  return painted(context, alone, box, size_of(box, pixels_per_unit), PixelFormat::rgba8);
+}
+
+Result<PixelPart> stroke_pixels(Context& context, std::span<const LocalStroke> strokes,
+                                InterpolationSpace space, const Box& viewport,
+                                double pixels_per_unit) {
+  const Size size = size_of(viewport, pixels_per_unit);
+  const Vec2 scale{size.width / viewport.width(), size.height / viewport.height()};
+  const Affine pixels_from_artboard{
+      scale.x, 0, 0, scale.y, -viewport.min.x * scale.x, -viewport.min.y * scale.y};
+  Box bounds;
+  Picture picture;
+  picture.interpolation = space;
+  for (const LocalStroke& stroke : strokes) {
+    const Result<raster::StrokePainter> painter =
+        raster::StrokePainter::create(context, stroke, pixels_from_artboard, space);
+    if (!painter) return painter.status();
+    if (!painter->bounds_px().empty()) bounds = united(bounds, painter->bounds_px());
+    picture.stack.push_back(stroke);
+  }
+  // Whole pixels of the viewport's own grid.
+  const Box pixels{
+      {std::max(std::floor(bounds.min.x), 0.0), std::max(std::floor(bounds.min.y), 0.0)},
+      {std::min<double>(std::ceil(bounds.max.x), size.width),
+       std::min<double>(std::ceil(bounds.max.y), size.height)}};
+  if (!(pixels.width() >= 1 && pixels.height() >= 1)) return PixelPart{};
+  const Affine artboard_from_pixels = inverse(pixels_from_artboard);
+  const Box box{artboard_from_pixels(pixels.min), artboard_from_pixels(pixels.max)};
+  picture.artboard = picture.viewport = box;
+  Result<PixelPart> part = painted(
+      context, picture, box, {static_cast<int>(pixels.width()), static_cast<int>(pixels.height())},
+      PixelFormat::rgba8);
+  if (part) bleed(&part->image);
+  return part;
+}
+
+}  // namespace sfumato::outputs

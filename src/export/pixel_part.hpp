@@ -1,0 +1,39 @@
+#pragma once
+
+#include <span>
+
+#include "base/context.hpp"
+#include "base/image.hpp"
+#include "base/status.hpp"
+#include "patches/picture.hpp"
+
+/// What vector formats hold as pixels: parts of a picture, painted by the rasterizer.
+namespace sfumato::outputs {
+
+struct PixelPart {
+  Box box;  ///< that the image fills; empty where there is nothing
+  Image image;
+  ScopedCharge charge;
+};
+
+/// Most pixels of one part; above, it gets fewer to a unit.
+inline constexpr double kMostPartPixels = 64e6;
+
+/// The colours of an image-domain shader over a box of the layer frame, rgb8, or what it adds to
+/// opacity, in the alpha of rgba8. Colours in sRGB code values.
+/// Errors: limit (memory), cancelled.
+Result<PixelPart> shader_pixels(Context& context, const Shader& shader, bool as_opacity,
+                                const Box& box, double pixels_per_unit);
+
+/// A whole layer in its own frame, rgba8. Errors: limit (memory), cancelled.
+Result<PixelPart> layer_pixels(Context& context, const Picture& picture, std::uint32_t layer,
+                               const Box& box, double pixels_per_unit);
+
+/// Local curves, one painted over the other, rgba8, in as much of `viewport` as they need. Artboard
+/// frame. Pixels next to them that are transparent have their colour, so that viewers which filter
+/// leave no fringe. Errors: limit (memory), cancelled.
+Result<PixelPart> stroke_pixels(Context& context, std::span<const LocalStroke> strokes,
+                                InterpolationSpace space, const Box& viewport,
+                                double pixels_per_unit);
+
+}  // namespace sfumato::outputs

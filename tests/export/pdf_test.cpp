@@ -1,0 +1,106 @@
+#include "export/pdf.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "base/native/tbb_executor.hpp"
+#include "export/support.hpp"
+#include "raster/pictures.hpp"
+#include "support/drawing.hpp"
+#include "support/scenes.hpp"
+
+namespace sfumato {
+namespace {
+
+using test::Bytes;
+
+constexpr Box kBox{{0, 0}, {80, 60}};
+
+Bytes exported(const Picture& picture, const PdfOptions& options = {}) {
+  Context context;
+  Result<Bytes> bytes = export_pdf(context, picture, options);
+  EXPECT_TRUE(bytes.ok()) << to_string(bytes.status());
+  EXPECT_EQ(context.budget.used(), 0u);
+  return bytes ? std::move(*bytes) : Bytes{};
+}
+
+std::string text_of(const Bytes& bytes) {
+  return {bytes.begin(), bytes.end()};
+}
+
+/// A layer of one colour, drawn as its instance says.
+Picture flat_picture(const PatchInstance& instance = {}) {
+  Picture picture = test::make_picture(test::flat_layer(kBox, {0.2f, 0.4f, 0.8f}));
+  picture.stack = {instance};
+  return picture;
+}
+
+TEST(Pdf, a_unit_is_three_quarters_of_a_point) {
+  EXPECT_NE(text_of(exported(flat_picture())).find("/MediaBox [0 0 60 45]"), std::string::npos);
+}
+
+TEST(Pdf, the_page_can_have_a_width) {
+  PdfOptions options;
+  options.page_width_pt = 200;
+  EXPECT_NE(text_of(exported(flat_picture(), options)).find("/MediaBox [0 0 200 150]"),
+            std::string::npos);
+}
+
+TEST(Pdf, pages_beyond_200_inches_have_a_larger_unit) {
+  PdfOptions options;
+  options.page_width_pt = 28800;
+  const std::string text = text_of(exported(flat_picture(), options));
+  EXPECT_NE(text.find("/MediaBox [0 0 14400 10800]"), std::string::npos);
+  EXPECT_NE(text.find("/UserUnit 2 "), std::string::npos);
+}
+
+TEST(Pdf, a_layer_painted_often_is_stored_once) {
+  Picture picture = flat_picture();
+  const std::size_t once = exported(picture).size();
+  for (int i = 1; i < 50; ++i)
+    picture.stack.push_back(PatchInstance{0, {0.1, 0, 0, 0.1, 1.5 * i, 2}, 1, BlendMode::normal});
+  EXPECT_LT(exported(picture).size(), once + 2000);
+}
+
+TEST(Pdf, the_title_may_be_in_any_script) {
+  PdfOptions options;
+  options.title = "Näve (\xF0\x9F\x90\x9E)";
+  EXPECT_NE(text_of(exported(flat_picture(), options))
+                .find("/Title <FEFF004E00E400760065002000"
+                      "28D83DDC1E0029>"),
+            std::string::npos);
+}
+
+TEST(Pdf, the_same_picture_gives_the_same_bytes) {
+  const auto pool = make_tbb_executor(3);
+  Context context;
+  context.executor = pool.get();
+  const Picture picture = flat_picture({0, {}, 0.5f, BlendMode::multiply});
+  const Result<Bytes> threaded = export_pdf(context, picture, {});
+  ASSERT_TRUE(threaded.ok());
+  EXPECT_EQ(*threaded, exported(picture));
+}
+
+TEST(Pdf, what_cannot_be_drawn_is_an_error) {
+  Context context;
+  EXPECT_EQ(export_pdf(context, Picture{}, {}).status().code, StatusCode::bad_input);
+  PdfOptions no_width;
+  no_width.page_width_pt = 0;
+  EXPECT_EQ(export_pdf(context, flat_picture(), no_width).status().code, StatusCode::bad_input);
+  Picture broken = flat_picture();
+  broken.layers[0].triangle_vertex[0] = 99;
+  EXPECT_EQ(export_pdf(context, broken, {}).status().code, StatusCode::bad_input);
+}
+
+TEST(Pdf, memory_and_cancellation_end_the_work) {
+  Context small;
+  ASSERT_TRUE(small.budget.charge(small.budget.limit() - 1000, "the test").ok());
+  EXPECT_EQ(export_pdf(small, flat_picture(), {}).status().code, StatusCode::limit);
+  Context cancelled;
+  cancelled.cancel = true;
+  EXPECT_EQ(export_pdf(cancelled, flat_picture(), {}).status().code, StatusCode::cancelled);
+}
+
+}  // namespace
+}  // namespace sfumato

@@ -1,0 +1,135 @@
+#include "export/support.hpp"
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+#include "formats/png.hpp"
+#include "formats/read_document.hpp"
+#include "patches/diffuse.hpp"
+#include "raster/rasterize.hpp"
+#include "support/scenes.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace sfumato::test {
+namespace {
+
+const std::string kExamples = SFUMATO_SOURCE_DIR "/examples/";
+
+/// Textures beside the examples.
+class ExampleFiles : public ResourceLoader {
+ public:
+  Result<std::vector<std::uint8_t>> load(std::string_view href) const override {
+    const auto bytes = file_bytes(kExamples + std::string(href));
+    if (!bytes) return make_error(StatusCode::bad_input, "no such file: " + std::string(href));
+    return Bytes(bytes->begin(), bytes->end());
+  }
+};
+
+void replace_all(std::string* text, const std::string& from, const std::string& to) {
+  for (std::size_t at = text->find(from); at != std::string::npos; at = text->find(from, at))
+    text->replace(at, from.size(), to);
+}
+
+/// Runs a command in a folder that holds the file; IN and OUT become paths there.
+Said run_in(const TemporaryFolder& folder, const Bytes& file, const std::string& name,
+            std::string command) {
+  std::ofstream(folder.file(name), std::ios::binary)
+      .write(reinterpret_cast<const char*>(file.data()), static_cast<std::streamsize>(file.size()));
+  replace_all(&command, "IN", folder.file(name));
+  replace_all(&command, "OUT", folder.file("out.png"));
+  const std::string log = folder.file("log.txt");
+  const int status = std::system(("timeout 120 " + command + " >" + log + " 2>&1").c_str());
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, file_bytes(log).value_or("")};
+}
+
+}  // namespace
+
+std::optional<Document> example(const std::string& name) {
+  Context context;
+  const ExampleFiles files;
+  const auto bytes = file_bytes(kExamples + name);
+  if (!bytes) {
+    ADD_FAILURE() << "no " << name;
+    return std::nullopt;
+  }
+  Result<ReadDocument> read = read_document(context, *bytes, name, &files);
+  if (!read) {
+    ADD_FAILURE() << to_string(read.status());
+    return std::nullopt;
+  }
+  return std::move(read->document);
+}
+
+Picture solved(const Document& document) {
+  Context context;
+  Result<Picture> picture = diffuse(context, document, {});
+  EXPECT_TRUE(picture.ok()) << to_string(picture.status());
+  return picture ? std::move(*picture) : Picture{};
+}
+
+bool has_program(const std::string& name) {
+  const char* path = std::getenv("PATH");
+  std::istringstream folders(path ? path : "");
+  for (std::string folder; std::getline(folders, folder, ':');)
+    if (access((folder + "/" + name).c_str(), X_OK) == 0) return true;
+  return false;
+}
+
+Said said_of(const Bytes& file, const std::string& name, const std::string& command) {
+  const TemporaryFolder folder;
+  return run_in(folder, file, name, command);
+}
+
+std::optional<Image> shown_by(const Bytes& file, const std::string& name,
+                              const std::string& command) {
+  const TemporaryFolder folder;
+  const Said said = run_in(folder, file, name, command);
+  const auto png = file_bytes(folder.file("out.png"));
+  if (said.exit_code != 0 || !png) {
+    ADD_FAILURE() << command << " ends with " << said.exit_code << ": " << said.text;
+    return std::nullopt;
+  }
+  Context context;
+  Result<Image> image =
+      decode_png(context, {reinterpret_cast<const std::uint8_t*>(png->data()), png->size()}, "OUT");
+  if (!image || image->format != PixelFormat::rgb8) {
+    ADD_FAILURE() << command << " writes no PNG of RGB";
+    return std::nullopt;
+  }
+  return std::move(*image);
+}
+
+Image reference(const Picture& picture, int width, int height) {
+  RasterOptions options;
+  options.width = width;
+  options.height = height;
+  Context context;
+  Result<Image> image = rasterize(context, picture, options);
+  EXPECT_TRUE(image.ok()) << to_string(image.status());
+  return image ? std::move(*image) : Image{};
+}
+
+ImageDifference difference(const Image& a, const Image& b) {
+  EXPECT_EQ(a.width, b.width);
+  EXPECT_EQ(a.height, b.height);
+  if (a.bytes.size() != b.bytes.size() || a.bytes.empty()) return {255, 255};
+  std::array<std::size_t, 256> count{};
+  double sum = 0;
+  for (std::size_t i = 0; i < a.bytes.size(); ++i) {
+    const int step = std::abs(a.bytes[i] - b.bytes[i]);
+    ++count[static_cast<std::size_t>(step)];
+    sum += step;
+  }
+  ImageDifference found{sum / static_cast<double>(a.bytes.size()), 0};
+  std::size_t below = count[0];
+  while (100 * below < 99 * a.bytes.size()) below += count[static_cast<std::size_t>(++found.p99)];
+  return found;
+}
+
+}  // namespace sfumato::test
