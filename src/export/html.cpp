@@ -15,10 +15,11 @@ namespace {
 using outputs::embedded_file;
 
 /// In the order in which they stand in the page; main.js begins.
-constexpr std::string_view kScripts[] = {
-    "affine.js",  "bytes.js",  "mesh.js",    "field.js",    "gl.js",      "paints.js",
-    "payload.js", "layers.js", "strokes.js", "targets.js",  "painter.js", "renderer.js",
-    "view.js",    "motion.js", "input.js",   "controls.js", "viewer.js",  "main.js"};
+constexpr std::string_view kScripts[] = {"affine.js",   "bytes.js",   "mesh.js",     "field.js",
+                                         "gl.js",       "paints.js",  "segments.js", "payload.js",
+                                         "layers.js",   "strokes.js", "targets.js",  "painter.js",
+                                         "renderer.js", "view.js",    "motion.js",   "input.js",
+                                         "controls.js", "viewer.js",  "main.js"};
 
 constexpr std::string_view kShaders[] = {"common.glsl",         "paint.glsl",   "patch.vert",
                                          "patch.frag",          "screen.vert",  "composite.frag",

@@ -2,6 +2,9 @@
 
 const TABLE_WIDTH = 2048;
 
+/** Of antialiasing in one picture; all that have WebGL 2 have as many. */
+const SAMPLES = 4;
+
 /**
  * What the browser can do.
  * @typedef {object} Abilities
@@ -23,7 +26,7 @@ function abilitiesOf(gl) {
   return {
     floatSums: floats && gl.getExtension("EXT_float_blend") !== null,
     halfTargets: halves,
-    samples: counts && counts.length > 0 ? Math.min(counts[0], 8) : 0,
+    samples: counts && counts.length > 0 ? Math.min(counts[0], SAMPLES) : 0,
     largestSide: Math.min(
       gl.getParameter(gl.MAX_TEXTURE_SIZE),
       gl.getParameter(gl.MAX_RENDERBUFFER_SIZE),

@@ -26,6 +26,27 @@ function realGroups(stack) {
   return real;
 }
 
+/** Runs of strokes that are kept: each is a picture on the GPU. */
+const MOST_RUNS = 4;
+
+/**
+ * Strokes that follow on each other, by the first of them: painted by themselves onto nothing, then
+ * composited as one, they look the same.
+ * @param {Item[]} stack
+ * @param {Set<Item>} real groups
+ * @returns {Map<number, number[]>} indices into the stack
+ */
+function strokeRuns(stack, real) {
+  /** @type {number[][]} */
+  const runs = [[]];
+  stack.forEach((item, i) => {
+    if (item.kind === "stroke") runs[runs.length - 1].push(i);
+    else if (item.kind === "instance" || real.has(item)) runs.push([]);
+  });
+  const long = runs.filter((run) => run.length > 1).sort((a, b) => b.length - a.length);
+  return new Map(long.slice(0, MOST_RUNS).map((run) => [run[0], run]));
+}
+
 class Painter {
   /**
    * @param {WebGL2RenderingContext} gl
@@ -43,6 +64,10 @@ class Painter {
     this.layers = layers;
     this.strokes = strokes;
     this.realGroups = realGroups(picture.stack);
+    this.runs = strokeRuns(picture.stack, this.realGroups);
+    this.inRun = new Set([...this.runs.values()].flat());
+    /** Whether runs look as they did in the picture before. */
+    this.runsAreKept = false;
     /** @type {Affine} */
     this.pixelFromArtboard = [1, 0, 0, 1, 0, 0];
     /** @type {Affine} */
@@ -55,15 +80,20 @@ class Painter {
    * @param {Affine} pixelFromArtboard y down: pixel row 0 is the upper one
    * @param {number[]} shift of edges, pixels; what is asked at pixels' centres stays
    * @param {Rect} page what is painted of the target
+   * @param {boolean} isSameView as in the picture before
    */
-  paint(pixelFromArtboard, shift, page) {
+  paint(pixelFromArtboard, shift, page, isSameView) {
     const [width, height] = this.targets.size;
     this.pixelFromArtboard = pixelFromArtboard;
     this.clipFromPixel = [2 / width, 0, 0, 2 / height, (2 * shift[0]) / width - 1, (2 * shift[1]) / height - 1];
     this.level = 0;
+    this.runsAreKept = isSameView;
+    this.strokes.prepare(pixelFromArtboard);
     const rects = this.itemRects(page);
     this.picture.stack.forEach((item, i) => {
-      if (!isEmptyRect(rects[i])) this.paintItem(item, rects[i]);
+      const run = this.runs.get(i);
+      if (run) this.paintRun(run, rects);
+      else if (!this.inRun.has(i) && !isEmptyRect(rects[i])) this.paintItem(item, rects[i]);
     });
     this.targets.level(0).resolve(this.targets.whole);
   }
@@ -118,7 +148,7 @@ class Painter {
       case "instance":
         return this.paintInstance(item, rect);
       case "stroke":
-        return this.paintStroke(item, rect);
+        return this.paintStroke(item, rect, this.targets.level(this.level));
       case "begin":
         if (!this.realGroups.has(item)) return;
         this.open.push(item);
@@ -155,13 +185,32 @@ class Painter {
   /**
    * @param {Stroke} stroke
    * @param {Rect} rect
+   * @param {Target} target
    */
-  paintStroke(stroke, rect) {
+  paintStroke(stroke, rect, target) {
     const sums = this.targets.sums();
     sums.clear(rect, CLEAR);
     this.strokes.addUp(stroke, this.pixelFromArtboard, this.targets.size);
-    this.targets.level(this.level).bind(rect);
+    target.bind(rect);
     this.strokes.show(stroke, sums.texture);
+  }
+
+  /**
+   * @param {number[]} run
+   * @param {Rect[]} rects of all items
+   */
+  paintRun(run, rects) {
+    const rect = run.reduce((all, i) => unitedRects(all, rects[i]), [0, 0, 0, 0]);
+    if (isEmptyRect(rect)) return;
+    const target = this.targets.run(run[0]);
+    if (!this.runsAreKept) {
+      target.clear(rect, CLEAR);
+      for (const i of run) {
+        const stroke = /** @type {Stroke} */ (this.picture.stack[i]);
+        if (!isEmptyRect(rects[i])) this.paintStroke(stroke, rects[i], target);
+      }
+    }
+    this.blend(target, 1, NORMAL, rect);
   }
 
   /**

@@ -30,9 +30,7 @@ const MOST_BLEND = 15;
  * @property {number[]} origin
  * @property {number} alpha
  * @property {boolean} twoSided
- * @property {number} count of segments
- * @property {Float32Array} segments 28 numbers each
- * @property {number} first its first segment among all strokes'
+ * @property {Segments} segments
  */
 
 /** @typedef {{kind: "begin", opacity: number, blend: number}} GroupBegin */
@@ -49,10 +47,6 @@ const MOST_BLEND = 15;
  * @property {Layer[]} layers
  * @property {Item[]} stack
  */
-
-/** Values of a segment in the file, and in the texture, where texels are full. */
-const SEGMENT_VALUES = 26;
-const SEGMENT_FLOATS = 28;
 
 /**
  * The bytes of base64 text.
@@ -87,7 +81,6 @@ class PictureReader {
   /** @param {Uint8Array} bytes */
   constructor(bytes) {
     this.reader = new ByteReader(bytes);
-    this.segmentCount = 0;
     this.shaderCount = 0;
     this.layerCount = 0;
   }
@@ -181,15 +174,8 @@ class PictureReader {
     const origin = [reader.finite(), reader.finite()];
     const alpha = reader.f32();
     const twoSided = this.below(2) === 1;
-    const count = reader.count(4 * SEGMENT_VALUES);
-    const segments = new Float32Array(SEGMENT_FLOATS * count);
-    for (let k = 0; k < SEGMENT_VALUES; ++k) {
-      const values = reader.floatPlanes(count);
-      for (let i = 0; i < count; ++i) segments[SEGMENT_FLOATS * i + k] = values[i];
-    }
-    const first = this.segmentCount;
-    this.segmentCount += count;
-    return { kind: "stroke", artboardFromStroke, origin, alpha, twoSided, count, segments, first };
+    const segments = readSegments(reader);
+    return { kind: "stroke", artboardFromStroke, origin, alpha, twoSided, segments };
   }
 
   /** @param {Item[]} stack */

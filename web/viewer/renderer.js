@@ -1,7 +1,11 @@
 // A frame: the picture on its page, the mesh on top, and, when nothing moves, finer edges.
 
-/** Where edges lie in the pictures that are added up to a finer one, pixels. */
-const SHIFTS = [[-0.25, -0.25], [0.25, 0.25], [0.25, -0.25], [-0.25, 0.25]];
+/**
+ * Where edges lie in the pictures that are added up to a finer one, pixels. The four samples of a
+ * pixel usually stand an eighth, and three, to both sides of its centre, in x and in y: so shifted,
+ * all sixteen are evenly spread over the pixel and do not leave it.
+ */
+const SHIFTS = [[-3, -1], [-1, 3], [1, -3], [3, 1]].map((shift) => shift.map((v) => v / 32));
 
 /**
  * What a frame shows.
@@ -63,7 +67,7 @@ class Renderer {
   draw(frame) {
     this.targets.resize(frame.size);
     this.added = 0;
-    this.paint(frame, [0, 0]);
+    this.paint(frame, [0, 0], false);
     this.present(frame, this.targets.level(0).texture);
     this.markWork();
   }
@@ -79,7 +83,7 @@ class Renderer {
    */
   refine(frame) {
     const { gl, targets } = this;
-    this.paint(frame, SHIFTS[this.added]);
+    this.paint(frame, SHIFTS[this.added], true);
     const mean = targets.mean();
     if (this.added === 0) mean.clear(targets.whole, [0, 0, 0, 0]);
     mean.bind(targets.whole);
@@ -100,14 +104,15 @@ class Renderer {
   /**
    * @param {Frame} frame
    * @param {number[]} shift
+   * @param {boolean} isSameView as in the picture before
    */
-  paint(frame, shift) {
+  paint(frame, shift, isSameView) {
     const { targets } = this;
     const page = this.pageRect(frame, shift);
     const level = targets.level(0);
     level.clear(targets.whole, [...frame.desk, 1]);
     if (!isEmptyRect(page)) level.clear(page, [...this.picture.background, 1]);
-    this.painter.paint(frame.pixelFromArtboard, shift, page);
+    this.painter.paint(frame.pixelFromArtboard, shift, page, isSameView);
   }
 
   /**

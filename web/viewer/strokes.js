@@ -1,25 +1,26 @@
 // Local curves on the GPU: the nodes of their segments are added up, then shown.
 
-/** Nodes that a segment has at most; docs/gpu.md. */
-const NODES_PER_SEGMENT = 16;
-
 /** Segments drawn by one call. */
 const SEGMENTS_PER_DRAW = 65536;
+
+/** Of a quad's six vertices those that are not there twice, as a strip. */
+const QUAD = new Uint8Array([0, 1, 2, 4]);
 
 /**
  * What a stroke can reach, without what is added to radii below a pixel; its own frame.
  * @param {Stroke} stroke
  */
-function strokeBounds({ segments, count, origin }) {
+function strokeBounds({ segments, origin }) {
+  const { count, start, coefficient, attribute } = segments;
   const box = [Infinity, Infinity, -Infinity, -Infinity];
-  for (let at = 0; at < SEGMENT_FLOATS * count; at += SEGMENT_FLOATS) {
-    const radius = Math.max(segments[at + 10], segments[at + 11]);
+  for (let i = 0; i < count; ++i) {
+    const radius = Math.max(attribute[0][i], attribute[1][i]);
     for (let axis = 0; axis < 2; ++axis) {
-      const start = origin[axis] + segments[at + axis];
       let reach = radius;
-      for (let k = 2; k < 8; k += 2) reach += Math.abs(segments[at + k + axis]);
-      box[axis] = Math.min(box[axis], start - reach);
-      box[axis + 2] = Math.max(box[axis + 2], start + reach);
+      for (let c = axis; c < 6; c += 2) reach += Math.abs(coefficient[c][i]);
+      const middle = origin[axis] + start[axis][i];
+      box[axis] = Math.min(box[axis], middle - reach);
+      box[axis + 2] = Math.max(box[axis + 2], middle + reach);
     }
   }
   return box;
@@ -35,11 +36,36 @@ class StrokeDrawer {
     this.gl = gl;
     this.programs = programs;
     this.interpolation = picture.interpolation;
-    const strokes = picture.stack.filter((item) => item.kind === "stroke");
-    const all = new Float32Array(SEGMENT_FLOATS * strokes.reduce((sum, { count }) => sum + count, 0));
-    for (const { segments, first } of strokes) all.set(segments, SEGMENT_FLOATS * first);
-    this.table = makeTable(gl, "vector", all);
-    this.boundsOf = new Map(strokes.map((stroke) => [stroke, strokeBounds(stroke)]));
+    this.strokes = picture.stack.filter((item) => item.kind === "stroke");
+    this.boundsOf = new Map(this.strokes.map((stroke) => [stroke, strokeBounds(stroke)]));
+    /** First segment in the table and their number. @type {Map<Stroke, number[]>} */
+    this.places = new Map();
+    /** @type {WebGLTexture | null} */
+    this.table = null;
+    /** Powers of two that the table was made for: device pixels to a user unit. */
+    this.octave = NaN;
+    this.quad = gl.createBuffer();
+    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, this.quad);
+    gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, QUAD, gl.STATIC_DRAW);
+  }
+
+  /**
+   * Gives the segments as many nodes as a zoom needs; does nothing within an octave.
+   * @param {Affine} pixelFromArtboard
+   */
+  prepare([a, b, c, d]) {
+    const octave = Math.ceil(Math.log2(Math.sqrt(Math.abs(a * d - b * c))));
+    if (octave === this.octave || this.strokes.length === 0) return;
+    this.octave = octave;
+    const table = new SegmentTable();
+    for (const stroke of this.strokes) {
+      const [p, q, r, s] = stroke.artboardFromStroke;
+      const first = table.count;
+      table.add(stroke, 2 ** -octave / Math.sqrt(Math.abs(p * s - q * r)));
+      this.places.set(stroke, [first, table.count - first]);
+    }
+    this.gl.deleteTexture(this.table);
+    this.table = makeTable(this.gl, "vector", new Float32Array(table.values));
   }
 
   /**
@@ -48,7 +74,7 @@ class StrokeDrawer {
    */
   bounds(stroke) {
     const box = /** @type {number[]} */ (this.boundsOf.get(stroke));
-    return stroke.count > 0 ? mappedBox(stroke.artboardFromStroke, box) : box;
+    return stroke.segments.count > 0 ? mappedBox(stroke.artboardFromStroke, box) : box;
   }
 
   /**
@@ -61,8 +87,7 @@ class StrokeDrawer {
     const { gl } = this;
     const artboard = composed(stroke.artboardFromStroke, translation(stroke.origin[0], stroke.origin[1]));
     const pixelFromFrame = composed(pixelFromArtboard, artboard);
-    const frameFromPixel = inverted(pixelFromFrame);
-    const [a, b, c, d] = frameFromPixel;
+    const [a, b, c, d] = inverted(pixelFromFrame);
     const program = this.programs
       .get("stroke", "stroke")
       .use()
@@ -74,10 +99,13 @@ class StrokeDrawer {
     gl.uniformMatrix2fv(program.place("frame_from_pixel"), false, [a, b, c, d]);
     gl.enable(gl.BLEND);
     gl.blendFunc(gl.ONE, gl.ONE);
-    for (let i = 0; i < stroke.count; i += SEGMENTS_PER_DRAW) {
-      const count = Math.min(SEGMENTS_PER_DRAW, stroke.count - i);
-      program.int("first_segment", stroke.first + i);
-      gl.drawArraysInstanced(gl.TRIANGLES, 0, 6, NODES_PER_SEGMENT * count);
+    const [first, count] = this.places.get(stroke) ?? [0, 0];
+    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, this.quad);
+    for (let i = 0; i < count; i += SEGMENTS_PER_DRAW) {
+      program.int("first_segment", first + i);
+      const part = Math.min(SEGMENTS_PER_DRAW, count - i);
+      const nodes = NODES_PER_SEGMENT * part;
+      gl.drawElementsInstanced(gl.TRIANGLE_STRIP, QUAD.length, gl.UNSIGNED_BYTE, 0, nodes);
     }
   }
 

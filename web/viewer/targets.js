@@ -164,15 +164,24 @@ class Targets {
    * @param {number | "source"} level
    */
   level(level) {
-    const { gl, abilities } = this;
-    return this.get(`level ${level}`, abilities.halfTargets ? gl.RGBA16F : gl.RGBA8, abilities.samples);
+    return this.get(`level ${level}`, this.format, this.abilities.samples);
+  }
+
+  get format() {
+    return this.abilities.halfTargets ? this.gl.RGBA16F : this.gl.RGBA8;
   }
 
   /** Where local curves are added up. */
   sums() {
-    const { gl, abilities } = this;
-    const half = abilities.halfTargets ? gl.RGBA16F : gl.RGBA8;
-    return this.get("sums", abilities.floatSums ? gl.RGBA32F : half, 0);
+    return this.get("sums", this.abilities.floatSums ? this.gl.RGBA32F : this.format, 0);
+  }
+
+  /**
+   * What a run of strokes shows.
+   * @param {number} first index of its first
+   */
+  run(first) {
+    return this.get(`run ${first}`, this.format, 0);
   }
 
   /** Where pictures are added up to a finer one. */
