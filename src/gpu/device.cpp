@@ -203,10 +203,4 @@ Status Device::read_limits() {
   return ok_status();
 }
 
-int Device::samples(GLenum format, int wanted) const {
-  GLint most = 0;
-  gl_.GetInternalformativ(GL_RENDERBUFFER, format, GL_SAMPLES, 1, &most);
-  return std::min<int>(most, wanted);
-}
-
 }  // namespace sfumato::gpu

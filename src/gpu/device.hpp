@@ -24,8 +24,6 @@ class Device {
   const std::string& name() const { return name_; }
   /// Largest width and height of textures and of what can be drawn to.
   int largest_side() const { return largest_side_; }
-  /// The most samples, at most `wanted`, that a renderbuffer of a format can have.
-  int samples(GLenum format, int wanted) const;
   /// Whether 32-bit float targets can be drawn to, and blended.
   bool blends_floats() const { return blends_floats_; }
 

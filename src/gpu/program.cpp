@@ -14,7 +14,7 @@ std::string_view shader_text(std::string_view name) {
   return outputs::embedded_file("shaders/" + std::string(name));
 }
 
-std::string assembled(std::string_view name, std::initializer_list<std::string_view> defines) {
+std::string assembled(std::string_view name, const std::vector<std::string_view>& defines) {
   std::string text = "#version 300 es\n";
   for (std::string_view define : defines) text += "#define " + std::string(define) + " 1\n";
   text += shader_text("common.glsl");
@@ -44,7 +44,7 @@ Status add_shader(const Gl& gl, GLuint program, GLenum kind, std::string_view na
 }  // namespace
 
 Result<Program> Program::create(const Gl& gl, std::string_view vertex, std::string_view fragment,
-                                std::initializer_list<std::string_view> defines) {
+                                const std::vector<std::string_view>& defines) {
   Program program;
   program.gl_ = &gl;
   program.object_ =

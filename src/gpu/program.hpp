@@ -1,7 +1,7 @@
 #pragma once
 
-#include <initializer_list>
 #include <string_view>
+#include <vector>
 
 #include "base/affine.hpp"
 #include "base/status.hpp"
@@ -16,7 +16,7 @@ class Program {
 
   /// Names as "patch.vert"; defines as "WITH_PAINTS". Errors: internal, with the compiler's words.
   static Result<Program> create(const Gl& gl, std::string_view vertex, std::string_view fragment,
-                                std::initializer_list<std::string_view> defines);
+                                const std::vector<std::string_view>& defines);
 
   /// The setters below are of the program that was used last.
   void use() const { gl_->UseProgram(object_.name()); }

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include <initializer_list>
 #include <string_view>
+#include <vector>
 
 #include "gpu/device.hpp"
 #include "gpu/program.hpp"
@@ -11,7 +11,7 @@ namespace sfumato::gpu {
 namespace {
 
 void expect_program(std::string_view vertex, std::string_view fragment,
-                    std::initializer_list<std::string_view> defines) {
+                    const std::vector<std::string_view>& defines) {
   const auto device = Device::create();
   ASSERT_TRUE(device.ok()) << to_string(device.status());
   const Result<Program> program = Program::create((*device)->gl(), vertex, fragment, defines);
@@ -21,14 +21,20 @@ void expect_program(std::string_view vertex, std::string_view fragment,
 
 TEST(Shaders, every_program_and_variant_links) {
   SFUMATO_NEEDS_GPU();
-  expect_program("patch.vert", "patch.frag", {});
-  expect_program("patch.vert", "patch.frag", {"WITH_OPACITY"});
-  expect_program("patch.vert", "patch.frag", {"WITH_PAINTS"});
-  expect_program("patch.vert", "patch.frag", {"WITH_OPACITY", "WITH_PAINTS"});
+  for (int variant = 0; variant < 8; ++variant) {
+    std::vector<std::string_view> defines;
+    if (variant & 1) defines.push_back("WITH_OPACITY");
+    if (variant & 2) defines.push_back("WITH_PAINTS");
+    if (variant & 4) defines.push_back("WITH_AREAS");
+    expect_program("patch.vert", "patch.frag", defines);
+  }
+  expect_program("edges.vert", "edges.frag", {});
   expect_program("stroke.vert", "stroke.frag", {});
   expect_program("screen.vert", "stroke_resolve.frag", {});
   expect_program("screen.vert", "composite.frag", {});
   expect_program("screen.vert", "composite.frag", {"WITHOUT_BACKDROP"});
+  expect_program("screen.vert", "composite.frag", {"WITH_EDGES"});
+  expect_program("screen.vert", "composite.frag", {"WITHOUT_BACKDROP", "WITH_EDGES"});
   expect_program("overlay.vert", "overlay.frag", {});
   expect_program("screen.vert", "present.frag", {});
 }

@@ -1,8 +1,11 @@
 // Source over backdrop: W3C Compositing and Blending Level 1, sections 5, 10.1 and 10.2, on code
 // values. b is the backdrop's colour, s the source's, as Cb and Cs there.
 uniform sampler2D source;
-uniform int source_scale;
 uniform float opacity;
+#ifdef WITH_EDGES
+uniform sampler2D edges;
+uniform bool is_opaque;
+#endif
 
 out vec4 fragment;
 
@@ -12,13 +15,25 @@ vec4 in_range(vec4 pixel) {
   return vec4(clamp(pixel.rgb, 0.0, alpha), alpha);
 }
 
+#ifdef WITH_EDGES
+// A centre of which half the square is covered is one that the centre rule decides.
+const float kLeastArea = 0.5 + 1e-4;
+
+/// The mean over the pixel's square where a curve cuts it; what is opaque stays so.
+vec4 with_edges(vec4 pixel) {
+  vec4 mean = texelFetch(edges, ivec2(gl_FragCoord.xy), 0);
+  if (mean.a < 0.0) return pixel;
+  if (!is_opaque) return mean;
+  return mean.a < kLeastArea ? pixel : mean / mean.a;
+}
+#endif
+
 vec4 source_pixel() {
-  ivec2 first = source_scale * ivec2(gl_FragCoord.xy);
-  vec4 sum = vec4(0.0);
-  for (int j = 0; j < source_scale; ++j)
-    for (int i = 0; i < source_scale; ++i)
-      sum += texelFetch(source, first + ivec2(i, j), 0);
-  return opacity * in_range(sum / float(source_scale * source_scale));
+  vec4 pixel = texelFetch(source, ivec2(gl_FragCoord.xy), 0);
+#ifdef WITH_EDGES
+  pixel = with_edges(pixel);
+#endif
+  return opacity * in_range(pixel);
 }
 
 #ifdef WITHOUT_BACKDROP

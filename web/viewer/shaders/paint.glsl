@@ -173,7 +173,11 @@ vec2 reduced(Level level, vec2 p) {
 vec4 texel(Level level, ivec2 place) {
   ivec2 last = level.size - 1;
   ivec2 i = clamp(place, ivec2(0), last);
-  if (level.repeats && i != place) i = min(ivec2(reduced(level, vec2(place) + 0.5)), last);
+  if (level.repeats) {
+    ivec2 repeated = min(ivec2(reduced(level, vec2(place) + 0.5)), last);
+    if (i.x != place.x) i.x = repeated.x;
+    if (i.y != place.y) i.y = repeated.y;
+  }
   return vec4(texelFetch(paint_texels, table_texel(level.first + i.y * level.size.x + i.x), 0));
 }
 

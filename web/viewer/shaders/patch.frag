@@ -1,5 +1,7 @@
 // The value of a patch from its ten nodes (paper eq. 17 and 18), with image-domain shaders
 // (eq. 6) where the layer has them.
+//
+// WITH_AREAS: the value at the centroid of what the triangle covers of the pixel, times its area.
 uniform int patch_order;
 uniform int interpolation;
 uniform float opacity;
@@ -8,7 +10,12 @@ flat in vec4 node[10];
 #ifdef WITH_PAINTS
 flat in int triangle;
 #endif
+#ifdef WITH_AREAS
+flat in vec4 corners;
+flat in vec2 last_corner;
+#else
 centroid in vec2 weight;
+#endif
 
 out vec4 fragment;
 
@@ -30,7 +37,8 @@ void quadratic_basis(float w, float u, float v, out float basis[10]) {
                     9.0 * c, 0.0);
 }
 
-void patch_basis(out float basis[10]) {
+/// weight: of corners 1 and 2.
+void patch_basis(vec2 weight, out float basis[10]) {
   float u = max(weight.x, 0.0), v = max(weight.y, 0.0), w = max(1.0 - u - v, 0.0);
   if (patch_order == 3) {
     cubic_basis(w, u, v, basis);
@@ -84,9 +92,9 @@ void add_paints(float basis[10], inout vec4 value) {
 }
 #endif
 
-void main() {
+vec4 patch_value(vec2 weight) {
   float basis[10];
-  patch_basis(basis);
+  patch_basis(weight, basis);
   // Differences to one node, so that a constant patch is exactly its constant.
   vec4 value = node[0];
   for (int i = 1; i < 10; ++i) value += basis[i] * (node[i] - node[0]);
@@ -94,5 +102,54 @@ void main() {
   add_paints(basis, value);
 #endif
   float alpha = opacity * clamp(value.a, 0.0, 1.0);
-  fragment = vec4(alpha * clamped_code(interpolation, value.rgb), alpha);
+  return vec4(alpha * clamped_code(interpolation, value.rgb), alpha);
 }
+
+#ifdef WITH_AREAS
+float cross_product(vec2 a, vec2 b) {
+  return a.x * b.y - a.y * b.x;
+}
+
+/// Integrals of dx dy, x dx dy and y dx dy over what lies left of the line from a to b, which x and
+/// y are linear on: by Green's theorem of x dy, x² / 2 dy and x y dy along the line.
+vec3 piece_integral(vec2 a, vec2 b) {
+  return (b.y - a.y) * vec3(0.5 * (a.x + b.x), (a.x * (a.x + b.x) + b.x * b.x) / 6.0,
+                            (a.x * (2.0 * a.y + b.y) + b.x * (a.y + 2.0 * b.y)) / 6.0);
+}
+
+/// The same for an edge whose points are brought to the nearest of the square [-1/2, 1/2]²: summed
+/// over a polygon's edges this is the integral over its part of the square.
+vec3 edge_integral(vec2 a, vec2 b) {
+  if (a.y == b.y) return vec3(0.0);
+  vec2 rows = clamp((vec2(-0.5, 0.5) - a.y) / (b.y - a.y), 0.0, 1.0);
+  vec2 p = mix(a, b, min(rows.x, rows.y)), q = mix(a, b, max(rows.x, rows.y));
+  vec2 columns = vec2(0.0, 1.0);
+  if (p.x != q.x) columns = clamp((vec2(-0.5, 0.5) - p.x) / (q.x - p.x), 0.0, 1.0);
+  vec2 m = mix(p, q, min(columns.x, columns.y)), n = mix(p, q, max(columns.x, columns.y));
+  p = clamp(p, -0.5, 0.5);
+  q = clamp(q, -0.5, 0.5);
+  m = clamp(m, -0.5, 0.5);
+  n = clamp(n, -0.5, 0.5);
+  return piece_integral(p, m) + piece_integral(m, n) + piece_integral(n, q);
+}
+
+// Smaller parts of a pixel change nothing, and have no centroid. They are not discarded, so that the
+// test of the stencil may come first.
+const float kLeastPart = 1e-5;
+
+void main() {
+  vec2 a = corners.xy - gl_FragCoord.xy, b = corners.zw - gl_FragCoord.xy;
+  vec2 c = last_corner - gl_FragCoord.xy;
+  vec3 sum = edge_integral(a, b) + edge_integral(b, c) + edge_integral(c, a);
+  if (abs(sum.x) < kLeastPart) sum = vec3(0.0);
+  vec2 p = sum.x == 0.0 ? a : clamp(sum.yz / sum.x, -0.5, 0.5);
+  float twice_area = cross_product(b - a, c - a);
+  vec2 weight = vec2(cross_product(p - a, c - a), cross_product(b - a, p - a)) /
+                (twice_area == 0.0 ? 1.0 : twice_area);
+  fragment = abs(sum.x) * patch_value(clamp(weight, 0.0, 1.0));
+}
+#else
+void main() {
+  fragment = patch_value(weight);
+}
+#endif

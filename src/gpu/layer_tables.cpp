@@ -1,0 +1,119 @@
+#include "gpu/layer_tables.hpp"
+
+#include <utility>
+
+namespace sfumato::gpu {
+namespace {
+
+constexpr std::string_view kPurpose = "a layer on the GPU";
+
+class Uploader {
+ public:
+  Uploader(Context& context, const Device& device) : context_(context), device_(device) {}
+
+  Status make(const TableFormat& format, std::size_t texels, Table* table) {
+    Result<Table> made = Table::create(context_, device_, format, texels, kPurpose);
+    if (made) *table = std::move(*made);
+    return made.status();
+  }
+
+  template <class Index>
+  Status indices(const TableFormat& format, const std::vector<Index>& source, Table* table) {
+    Status status = make(format, source.size(), table);
+    if (status) table->upload(0, source.size(), source.data());
+    return status;
+  }
+
+  Status positions(const std::vector<Vec2>& source, Vec2 origin, Table* table) {
+    Status status = make(kPairTable, source.size(), table);
+    if (!status) return status;
+    table->fill<float>([&](std::size_t first, std::size_t count, float* out) {
+      for (std::size_t i = 0; i < count; ++i) {
+        const Vec2 p = source[first + i] - origin;
+        out[2 * i] = static_cast<float>(p.x);
+        out[2 * i + 1] = static_cast<float>(p.y);
+      }
+    });
+    return status;
+  }
+
+  /// Where `is_curve` is not 0.
+  Status slots(const std::vector<std::uint8_t>& is_curve, Table* table, std::uint32_t* count) {
+    ScopedCharge charge;
+    const auto marked = std::count_if(is_curve.begin(), is_curve.end(),
+                                      [](std::uint8_t flag) { return flag != 0; });
+    *count = static_cast<std::uint32_t>(marked);
+    Status status = charge.add(context_, sizeof(std::uint32_t) * *count, kPurpose);
+    if (!status) return status;
+    std::vector<std::uint32_t> slot;
+    slot.reserve(*count);
+    for (std::size_t i = 0; i < is_curve.size(); ++i)
+      if (is_curve[i] != 0) slot.push_back(static_cast<std::uint32_t>(i));
+    return indices(kIndexTable, slot, table);
+  }
+
+  /// `own` channels that are no weights: 3 or 1.
+  Status field(const PatchField& field, std::size_t own, FieldTables* tables) {
+    const auto channels = static_cast<std::size_t>(field.channel_count);
+    Status status = indices(kIndexTable, field.triangle_node, &tables->node);
+    if (status) status = values(field, own, &tables->value);
+    if (!status || channels == own) return status;
+    tables->weight.emplace();
+    return weights(field, own, &*tables->weight);
+  }
+
+ private:
+  Status values(const PatchField& field, std::size_t own, Table* table) {
+    const auto channels = static_cast<std::size_t>(field.channel_count);
+    const TableFormat& format = own == 3 ? kColorTable : kScalarTable;
+    Status status = make(format, field.node_value.size() / channels, table);
+    if (!status) return status;
+    table->fill<float>([&](std::size_t first, std::size_t count, float* out) {
+      for (std::size_t i = 0; i < count; ++i)
+        for (std::size_t c = 0; c < own; ++c)
+          out[format.channels * i + c] = field.node_value[channels * (first + i) + c];
+    });
+    return status;
+  }
+
+  Status weights(const PatchField& field, std::size_t own, Table* table) {
+    const auto channels = static_cast<std::size_t>(field.channel_count);
+    const std::size_t groups = (channels - own + 3) / 4;
+    Status status = make(kColorTable, groups * (field.node_value.size() / channels), table);
+    if (!status) return status;
+    table->fill<float>([&](std::size_t first, std::size_t count, float* out) {
+      for (std::size_t i = 0; i < 4 * count; ++i) {
+        const std::size_t node = (first + i / 4) / groups, group = (first + i / 4) % groups;
+        const std::size_t channel = own + 4 * group + i % 4;
+        out[i] = channel < channels ? field.node_value[channels * node + channel] : 0;
+      }
+    });
+    return status;
+  }
+
+  Context& context_;
+  const Device& device_;
+};
+
+}  // namespace
+
+Result<LayerTables> upload_layer(Context& context, const Device& device, const PatchLayer& layer,
+                                 Vec2 origin, bool with_overlay) {
+  LayerTables tables;
+  tables.origin = origin;
+  Uploader uploader(context, device);
+  Status status = uploader.indices(kIndexTable, layer.triangle_vertex, &tables.triangle_vertex);
+  if (status) status = uploader.positions(layer.vertex_position, origin, &tables.vertex_position);
+  if (status) status = uploader.field(layer.color, 3, &tables.color);
+  if (status && layer.opacity.channel_count > 0)
+    status = uploader.field(layer.opacity, 1, &tables.opacity.emplace());
+  if (status) {
+    status = uploader.slots(layer.edge_is_curve, &tables.edge_slot, &tables.curve_edge_count);
+  }
+  if (status && with_overlay)
+    status = uploader.indices(kFlagTable, layer.edge_is_curve, &tables.edge_is_curve.emplace());
+  if (!status) return status;
+  return tables;
+}
+
+}  // namespace sfumato::gpu

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <optional>
+
+#include "base/box.hpp"
+#include "gpu/table.hpp"
+#include "patches/picture.hpp"
+
+namespace sfumato::gpu {
+
+/// One field of a layer on the device.
+struct FieldTables {
+  Table node;                   ///< indices
+  Table value;                  ///< colours, or opacities
+  std::optional<Table> weight;  ///< of the field's shaders, four to a texel
+};
+
+/// A layer on the device.
+struct LayerTables {
+  Vec2 origin;  ///< layer frame; positions are relative to it
+  Table triangle_vertex;
+  Table vertex_position;
+  FieldTables color;
+  std::optional<FieldTables> opacity;
+  Table edge_slot;  ///< edges that are curves
+  std::uint32_t curve_edge_count = 0;
+  std::optional<Table> edge_is_curve;
+};
+
+/// Uploads a layer of a picture that was checked.
+/// origin        layer frame: near to what is seen, where single precision is finest
+/// with_overlay  edge_is_curve too
+/// Errors: limit. Cost: O(triangles + nodes).
+Result<LayerTables> upload_layer(Context& context, const Device& device, const PatchLayer& layer,
+                                 Vec2 origin, bool with_overlay);
+
+}  // namespace sfumato::gpu

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "gpu/program.hpp"
+#include "gpu/scene.hpp"
+#include "gpu/target.hpp"
+#include "raster/options.hpp"
+
+namespace sfumato::gpu {
+
+/// How a scene is painted.
+struct PaintSettings {
+  int tile_width = 0;  ///< pixels of the image painted at once, at most
+  int tile_height = 0;
+  raster::Backdrop backdrop;
+  bool antialias = true;
+  bool overlay = false;
+};
+
+/// Paints a scene tile by tile: each item by itself, then composited (docs/gpu.md). Pixels that a
+/// layer's curves cut are means of the patches in them by area; elsewhere patches are read at pixel
+/// centres.
+class Painter {
+ public:
+  /// All must outlive this. Errors: limit, out_of_memory, unavailable, internal.
+  static Result<Painter> create(Context& context, const Device& device, const Scene& scene,
+                                const PaintSettings& settings);
+
+  /// The pixels of `tile`: four floats each, code values not premultiplied and alpha, row by row.
+  /// Errors: cancelled, internal (OpenGL's).
+  Status paint(const raster::PixelRect& tile, float* rgba);
+
+ private:
+  /// Names of web/viewer/shaders.
+  struct Programs {
+    std::array<std::optional<Program>, 8> patch;  ///< by the bits of a variant
+    Program edges, stroke, stroke_resolve, over, over_with_edges, blend, blend_with_edges, overlay,
+        present;
+  };
+
+  Painter(Context& context, const Device& device, const Scene& scene,
+          const PaintSettings& settings);
+
+  Status make_programs();
+  Status make_patch_programs();
+  Status make_targets();
+
+  void paint_item(const SceneItem& item);
+  void paint_instance(const SceneItem& item, const raster::PixelRect& rect);
+  void paint_edges(const SceneItem& item, const raster::PixelRect& rect) const;
+  void draw_patches(const SceneItem& item, bool with_areas) const;
+  void bind_layer(const Program& program, const SceneItem& item) const;
+  void bind_paints(const Program& program, const SceneItem& item) const;
+  void paint_stroke(const SceneItem& item, const raster::PixelRect& rect) const;
+  void composite(GLuint source, bool is_layer, const SceneItem& item,
+                 const raster::PixelRect& rect);
+  void paint_overlay() const;
+  void read(float* rgba) const;
+
+  bool is_opaque(const SceneItem& item) const;
+  Affine tile_from_image() const;
+  raster::PixelRect in_tile(const raster::PixelRect& rect) const;
+
+  Context& context_;
+  const Gl& gl_;
+  const Device& device_;
+  const Scene& scene_;
+  PaintSettings settings_;
+  Programs programs_;
+  GlObject vertex_array_, paint_views_;
+  std::vector<Target> levels_;  ///< the tile, then open groups
+  Target layer_, sums_, spare_, ink_, result_;
+  std::size_t level_ = 0;
+  raster::PixelRect tile_;
+};
+
+}  // namespace sfumato::gpu

@@ -1,0 +1,236 @@
+#include "gpu/scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "raster/local_stroke.hpp"
+#include "raster/overlay.hpp"
+#include "raster/triangle_blocks.hpp"
+
+namespace sfumato::gpu {
+namespace {
+
+using raster::PixelRect;
+
+constexpr std::size_t kSegmentTexels = 7;
+
+/// docs/gpu.md, "stroke".
+void append_segment(const curves::StrokeSegment& s, Vec2 origin, std::vector<float>* values) {
+  const Vec2 start = s.start - origin;
+  const auto& c = s.coefficient;
+  const float all[4 * kSegmentTexels] = {static_cast<float>(start.x),
+                                         static_cast<float>(start.y),
+                                         c[0][0],
+                                         c[0][1],
+                                         c[1][0],
+                                         c[1][1],
+                                         c[2][0],
+                                         c[2][1],
+                                         s.length_per_speed,
+                                         static_cast<float>(s.node_count),
+                                         s.influence_radius.start,
+                                         s.influence_radius.end,
+                                         s.blur_radius.start,
+                                         s.blur_radius.end,
+                                         s.left.start.r,
+                                         s.left.start.g,
+                                         s.left.start.b,
+                                         s.left.end.r,
+                                         s.left.end.g,
+                                         s.left.end.b,
+                                         s.right.start.r,
+                                         s.right.start.g,
+                                         s.right.start.b,
+                                         s.right.end.r,
+                                         s.right.end.g,
+                                         s.right.end.b,
+                                         0,
+                                         0};
+  values->insert(values->end(), all, all + 4 * kSegmentTexels);
+}
+
+bool has_shaders(const PatchLayer& layer) {
+  return !layer.color.shader.empty() || !layer.opacity.shader.empty();
+}
+
+}  // namespace
+
+class Scene::Builder {
+ public:
+  Builder(Context& context, const Device& device, const Affine& image_from_artboard,
+          const PixelRect& image, bool with_overlay, Scene* scene)
+      : context_(context),
+        device_(device),
+        image_from_artboard_(image_from_artboard),
+        image_(image),
+        with_overlay_(with_overlay),
+        scene_(*scene) {}
+
+  Status build();
+
+ private:
+  Status add(const PatchInstance& instance);
+  Status add(const LocalStroke& stroke);
+  Status add(const GroupBegin& group);
+  Status add(const GroupEnd&);
+  void add_item(const SceneItem& item);
+  Status upload(const SceneItem& item);
+  Status upload_segments();
+  Status upload_paints();
+
+  Context& context_;
+  const Device& device_;
+  const Affine& image_from_artboard_;
+  const PixelRect image_;
+  const bool with_overlay_;
+  Scene& scene_;
+  std::vector<Box> bounds_;  ///< of the layers
+  std::vector<std::uint32_t> open_groups_;
+  std::vector<float> segment_values_;
+  ScopedCharge segment_charge_;
+  bool needs_paints_ = false;
+};
+
+/// What stands in a group counts for it.
+void Scene::Builder::add_item(const SceneItem& item) {
+  if (!open_groups_.empty()) {
+    PixelRect& group = scene_.items_[open_groups_.back()].rect;
+    group = raster::united(group, item.rect);
+  }
+  scene_.items_.push_back(item);
+}
+
+Status Scene::Builder::add(const PatchInstance& instance) {
+  const PatchLayer& layer = scene_.picture_->layers[instance.layer];
+  if (instance.opacity == 0 || layer.triangle_count() == 0) return ok_status();
+  SceneItem item;
+  item.blend = instance.blend;
+  item.opacity = instance.opacity;
+  item.index = instance.layer;
+  item.image_from_layer = image_from_artboard_ * instance.artboard_from_layer;
+  // A map onto a line paints nothing.
+  if (!std::isfinite(1 / item.image_from_layer.determinant())) return ok_status();
+  const double margin_px = with_overlay_ ? raster::kOverlayReachPx + 1 : 1;
+  const Box bounds = raster::mapped_bounds(item.image_from_layer, bounds_[instance.layer]);
+  item.rect = raster::pixels_in(bounds.grown_by(margin_px), image_);
+  if (item.rect.empty()) return ok_status();
+  add_item(item);
+  return upload(item);
+}
+
+Status Scene::Builder::upload(const SceneItem& item) {
+  std::optional<LayerTables>& tables = scene_.layers_[item.index];
+  if (tables) return ok_status();
+  const PatchLayer& layer = scene_.picture_->layers[item.index];
+  needs_paints_ |= has_shaders(layer);
+  const Vec2 middle{0.5 * (item.rect.x0 + item.rect.x1), 0.5 * (item.rect.y0 + item.rect.y1)};
+  Result<LayerTables> made =
+      upload_layer(context_, device_, layer, inverse(item.image_from_layer)(middle), with_overlay_);
+  if (made) tables.emplace(std::move(*made));
+  return made.status();
+}
+
+Status Scene::Builder::add(const LocalStroke& stroke) {
+  const Result<raster::PreparedStroke> prepared = raster::prepare_stroke(
+      context_, stroke, image_from_artboard_, scene_.picture_->interpolation);
+  if (!prepared) return prepared.status();
+  const std::vector<curves::StrokeSegment>& segments = prepared->segments.segment;
+  SceneItem item;
+  item.kind = SceneItem::Kind::stroke;
+  item.index = static_cast<std::uint32_t>(scene_.strokes_.size());
+  item.rect = raster::pixels_in(prepared->bounds_px, image_);
+  if (segments.empty() || item.rect.empty()) return ok_status();
+  const std::size_t bytes = segments.size() * 4 * kSegmentTexels * sizeof(float);
+  if (Status status = segment_charge_.add(context_, bytes, "local curves"); !status) return status;
+  const Vec2 middle{0.5 * (item.rect.x0 + item.rect.x1), 0.5 * (item.rect.y0 + item.rect.y1)};
+  const Vec2 origin = inverse(prepared->image_from_frame)(middle);
+  SceneStroke placed;
+  placed.first_segment = static_cast<int>(segment_values_.size() / (4 * kSegmentTexels));
+  placed.segment_count = static_cast<int>(segments.size());
+  placed.frame = prepared->frame;
+  placed.image_from_segments = prepared->image_from_frame * Affine{1, 0, 0, 1, origin.x, origin.y};
+  for (const curves::StrokeSegment& segment : segments)
+    append_segment(segment, origin, &segment_values_);
+  scene_.strokes_.push_back(placed);
+  add_item(item);
+  return ok_status();
+}
+
+Status Scene::Builder::add(const GroupBegin& group) {
+  SceneItem item;
+  item.kind = SceneItem::Kind::group_begin;
+  item.blend = group.blend;
+  item.opacity = group.opacity;
+  open_groups_.push_back(static_cast<std::uint32_t>(scene_.items_.size()));
+  scene_.items_.push_back(item);
+  scene_.group_depth_ = std::max(scene_.group_depth_, static_cast<int>(open_groups_.size()));
+  return ok_status();
+}
+
+Status Scene::Builder::add(const GroupEnd&) {
+  SceneItem item = scene_.items_[open_groups_.back()];
+  item.kind = SceneItem::Kind::group_end;
+  open_groups_.pop_back();
+  add_item(item);
+  return ok_status();
+}
+
+Status Scene::Builder::upload_segments() {
+  const std::size_t texels = segment_values_.size() / 4;
+  Result<Table> table = Table::create(context_, device_, kColorTable, texels, "local curves");
+  if (!table) return table.status();
+  scene_.segments_ = std::move(*table);
+  scene_.segments_.upload(0, texels, segment_values_.data());
+  return ok_status();
+}
+
+Status Scene::Builder::upload_paints() {
+  Result<outputs::PaintTable> made = outputs::make_paint_table(context_, *scene_.picture_);
+  if (!made) return made.status();
+  const std::size_t value_count = made->values.size() / 4, texel_count = made->texels.size() / 4;
+  Result<Table> values = Table::create(context_, device_, kColorTable, value_count, "gradients");
+  if (!values) return values.status();
+  values->upload(0, value_count, made->values.data());
+  Result<Table> texels = Table::create(context_, device_, kTexelTable, texel_count, "textures");
+  if (!texels) return texels.status();
+  texels->upload(0, texel_count, made->texels.data());
+  made->texels = {};
+  scene_.paints_.emplace(PaintTables{std::move(*made), std::move(*values), std::move(*texels)});
+  return ok_status();
+}
+
+Status Scene::Builder::build() {
+  const Picture& picture = *scene_.picture_;
+  Status status =
+      scene_.charge_.add(context_, picture.stack.size() * (sizeof(SceneItem) + sizeof(SceneStroke)),
+                         "the picture's stack");
+  if (!status) return status;
+  scene_.layers_.resize(picture.layers.size());
+  bounds_.resize(picture.layers.size());
+  for (std::size_t i = 0; i < bounds_.size(); ++i)
+    for (Vec2 p : picture.layers[i].vertex_position) bounds_[i].extend(p);
+  scene_.items_.reserve(picture.stack.size());
+  scene_.strokes_.reserve(picture.stack.size());
+  for (const PictureItem& item : picture.stack) {
+    if (context_.cancelled()) return make_error(StatusCode::cancelled, "cancelled");
+    status = std::visit([&](const auto& x) { return add(x); }, item);
+    if (!status) return status;
+  }
+  if (status && scene_.has_strokes()) status = upload_segments();
+  if (status && needs_paints_) status = upload_paints();
+  return status;
+}
+
+Result<Scene> Scene::create(Context& context, const Device& device, const Picture& picture,
+                            const Affine& image_from_artboard, const PixelRect& image,
+                            bool with_overlay) {
+  Scene scene;
+  scene.picture_ = &picture;
+  const Status status =
+      Builder(context, device, image_from_artboard, image, with_overlay, &scene).build();
+  if (!status) return status;
+  return scene;
+}
+
+}  // namespace sfumato::gpu

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "export/paint_table.hpp"
+#include "gpu/layer_tables.hpp"
+#include "raster/local_stroke_kernels.hpp"
+#include "raster/tile.hpp"
+
+namespace sfumato::gpu {
+
+/// One item of a picture's stack as it lies in the image.
+struct SceneItem {
+  enum class Kind : std::uint8_t { instance, stroke, group_begin, group_end };
+
+  Kind kind = Kind::instance;
+  BlendMode blend = BlendMode::normal;  ///< of a group at its end
+  float opacity = 1;
+  raster::PixelRect rect;   ///< that it may touch; of a group: that what stands in it may touch
+  std::uint32_t index = 0;  ///< layer, or stroke
+  Affine image_from_layer;
+};
+
+/// A local curve: a run of the table of segments.
+struct SceneStroke {
+  int first_segment = 0;
+  int segment_count = 0;
+  raster::StrokeFrame frame;
+  Affine image_from_segments;  ///< from positions relative to the origin of the table
+};
+
+/// Paints on the device.
+struct PaintTables {
+  outputs::PaintTable table;  ///< its texels are on the device only
+  Table values, texels;
+};
+
+/// What the painting of a tile reads, on the device where it is much.
+class Scene {
+ public:
+  /// The picture was checked and must outlive this.
+  /// Errors: limit, cancelled. Cost: O(picture); what lies outside the image is left out.
+  static Result<Scene> create(Context& context, const Device& device, const Picture& picture,
+                              const Affine& image_from_artboard, const raster::PixelRect& image,
+                              bool with_overlay);
+
+  const Picture& picture() const { return *picture_; }
+  const std::vector<SceneItem>& items() const { return items_; }
+  int group_depth() const { return group_depth_; }
+  /// Of a layer that an item shows.
+  const LayerTables& layer(std::uint32_t index) const { return *layers_[index]; }
+  const SceneStroke& stroke(std::uint32_t index) const { return strokes_[index]; }
+  bool has_strokes() const { return !strokes_.empty(); }
+  const Table& segments() const { return segments_; }
+  const std::optional<PaintTables>& paints() const { return paints_; }
+
+ private:
+  class Builder;
+
+  const Picture* picture_ = nullptr;
+  std::vector<SceneItem> items_;
+  std::vector<std::optional<LayerTables>> layers_;
+  std::vector<SceneStroke> strokes_;
+  Table segments_;
+  std::optional<PaintTables> paints_;
+  int group_depth_ = 0;
+  ScopedCharge charge_;
+};
+
+}  // namespace sfumato::gpu

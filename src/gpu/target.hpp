@@ -1,0 +1,38 @@
+#pragma once
+
+#include "base/context.hpp"
+#include "gpu/device.hpp"
+#include "raster/tile.hpp"
+
+namespace sfumato::gpu {
+
+/// A texture that can be drawn to.
+class Target {
+ public:
+  /// bytes         of a pixel's colour
+  /// with_stencil  8 bits beside it
+  /// Errors: limit (the budget), out_of_memory or unavailable, as the driver refuses.
+  static Result<Target> create(Context& context, const Device& device, GLenum format,
+                               std::size_t bytes, int width, int height, bool with_stencil = false);
+
+  /// Draws go here from now on, and only to the pixels of `rect`.
+  void begin(const raster::PixelRect& rect) const;
+  /// Colour, and the stencil to 0.
+  void clear(float r = 0, float g = 0, float b = 0, float a = 0) const;
+  /// Copies the pixels of `rect` to the same place of another target.
+  void copy_to(const Target& target, const raster::PixelRect& rect) const;
+
+  GLuint texture() const { return texture_.name(); }
+  int width() const { return width_; }
+  int height() const { return height_; }
+
+ private:
+  Status attach(const Device& device, GLenum format, bool with_stencil);
+
+  const Gl* gl_ = nullptr;
+  int width_ = 0, height_ = 0;
+  GlObject texture_, stencil_, framebuffer_;
+  ScopedCharge charge_;
+};
+
+}  // namespace sfumato::gpu

@@ -1,0 +1,91 @@
+// Whole documents by both ways of drawing: the examples, a public scene, and random ones of
+// everything that the format knows.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/native/tbb_executor.hpp"
+#include "formats/read_document.hpp"
+#include "patches/diffuse.hpp"
+#include "pipeline/random_document.hpp"
+#include "support.hpp"
+#include "support/scenes.hpp"
+
+namespace sfumato::test {
+namespace {
+
+const std::string kFolder = SFUMATO_SOURCE_DIR "/examples/";
+
+class ExampleFiles : public ResourceLoader {
+ public:
+  Result<std::vector<std::uint8_t>> load(std::string_view href) const override {
+    const auto bytes = file_bytes(kFolder + std::string(href));
+    if (!bytes) return make_error(StatusCode::bad_input, "no such file: " + std::string(href));
+    return std::vector<std::uint8_t>(bytes->begin(), bytes->end());
+  }
+};
+
+void expect_drawn_near(const Document& document, double pixels_per_unit, PixelFormat format) {
+  Context context;
+  const std::unique_ptr<Executor> executor = make_tbb_executor();
+  context.executor = executor.get();
+  DiffuseOptions options;
+  options.pixels_per_unit = pixels_per_unit;
+  const Result<Picture> picture = diffuse(context, document, options);
+  ASSERT_TRUE(picture.ok()) << to_string(picture.status());
+  const auto pixels = [&](double units) {
+    return static_cast<int>(std::lround(pixels_per_unit * units));
+  };
+  expect_near(*picture, image_size(pixels(document.artboard.width()),
+                                   pixels(document.artboard.height()), format));
+}
+
+TEST(GpuDocuments, every_example_agrees) {
+  SFUMATO_NEEDS_GPU();
+  int count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(kFolder)) {
+    const std::string extension = entry.path().extension().string();
+    if (extension != ".svg" && extension != ".xml") continue;
+    SCOPED_TRACE(entry.path().filename().string());
+    Context context;
+    const ExampleFiles files;
+    const auto bytes = file_bytes(entry.path().string());
+    ASSERT_TRUE(bytes);
+    const Result<ReadDocument> read = read_document(context, *bytes, "example", &files);
+    ASSERT_TRUE(read.ok()) << to_string(read.status());
+    expect_drawn_near(read->document, 320 / read->document.artboard.width(), PixelFormat::rgb8);
+    ++count;
+  }
+  EXPECT_GE(count, 8);
+}
+
+TEST(GpuDocuments, lady_bug_agrees) {
+  SFUMATO_NEEDS_GPU();
+  const std::optional<Document> document = shared_scene("lady_bug.xml");
+  if (!document) GTEST_SKIP() << "no public scene lady_bug.xml";
+  expect_drawn_near(*document, 1, PixelFormat::rgb8);
+}
+
+TEST(GpuDocuments, random_documents_agree) {
+  SFUMATO_NEEDS_GPU();
+  constexpr std::uint64_t kSeeds = 20;
+  for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
+    SCOPED_TRACE(seed);
+    expect_drawn_near(random_document(seed), 1, seed % 2 ? PixelFormat::rgba8 : PixelFormat::rgb8);
+  }
+}
+
+TEST(GpuDocuments, random_documents_agree_when_enlarged) {
+  SFUMATO_NEEDS_GPU();
+  for (std::uint64_t seed : {7, 11, 15, 23})
+    expect_drawn_near(random_document(seed), 2.5, PixelFormat::rgb8);
+}
+
+}  // namespace
+}  // namespace sfumato::test
