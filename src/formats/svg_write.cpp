@@ -1,11 +1,11 @@
 #include "formats/svg_write.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <variant>
 
 #include "base/limits.hpp"
+#include "formats/blend_names.hpp"
 #include "formats/number_text.hpp"
 #include "formats/svg_write_curve.hpp"
 #include "formats/svg_write_ids.hpp"
@@ -23,11 +23,6 @@ constexpr const char* kStyle = "*{stroke-linejoin:round}";
 constexpr std::size_t kPointBytes = 64;
 constexpr std::size_t kStopBytes = 128;
 constexpr std::size_t kElementBytes = 1024;
-
-constexpr std::array<const char*, 16> kBlendNames{
-    "normal",      "multiply",   "screen",     "overlay",    "darken",     "lighten",
-    "color-dodge", "color-burn", "hard-light", "soft-light", "difference", "exclusion",
-    "hue",         "saturation", "color",      "luminosity"};
 
 /// An upper bound of the text's size, without ids.
 std::size_t estimated_bytes(const Document& document) {
@@ -254,8 +249,7 @@ Status SvgWriter::check_progress() const {
 void add_compositing(svg_write::Attributes& attributes, float opacity, BlendMode blend) {
   if (opacity != 1) attributes.add("opacity", number_text(opacity));
   if (blend == BlendMode::normal) return;
-  const auto index = static_cast<std::size_t>(blend);
-  attributes.add("style", std::string("mix-blend-mode:") + kBlendNames[index]);
+  attributes.add("style", "mix-blend-mode:" + std::string(blend_name(blend)));
 }
 
 void add_transform(svg_write::Attributes& attributes, const Affine& map) {

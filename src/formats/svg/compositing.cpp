@@ -4,17 +4,12 @@
 #include <array>
 #include <string_view>
 
+#include "formats/blend_names.hpp"
 #include "formats/number.hpp"
 #include "formats/suggestion.hpp"
 
 namespace sfumato::svg {
 namespace {
-
-/// In the order of BlendMode.
-constexpr std::array<std::string_view, 16> kBlendModes{
-    "normal",      "multiply",   "screen",     "overlay",    "darken",     "lighten",
-    "color-dodge", "color-burn", "hard-light", "soft-light", "difference", "exclusion",
-    "hue",         "saturation", "color",      "luminosity"};
 
 constexpr std::array<const char*, 5> kIgnoredEffects{"clip-path", "mask", "filter",
                                                      "transform-origin", "transform-box"};
@@ -34,13 +29,13 @@ Result<Compositing> read_compositing(Input& input, Element element) {
     compositing.opacity = static_cast<float>(std::clamp(share, 0.0, 1.0));
   }
   if (const auto text = input.property(element, "mix-blend-mode")) {
-    const auto found = std::ranges::find(kBlendModes, *text);
-    if (found != kBlendModes.end()) {
-      compositing.blend = static_cast<BlendMode>(found - kBlendModes.begin());
+    const auto found = std::ranges::find(kBlendNames, *text);
+    if (found != kBlendNames.end()) {
+      compositing.blend = static_cast<BlendMode>(found - kBlendNames.begin());
     } else {
       input.warn("/blend " + std::string(text->substr(0, 64)), element,
                  "mix-blend-mode " + quoted(*text) + " is not known; normal is used" +
-                     did_you_mean(*text, kBlendModes));
+                     did_you_mean(*text, kBlendNames));
     }
   }
   compositing.isolated = input.property(element, "isolation").value_or("auto") == "isolate";

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "document/document.hpp"
+
+namespace sfumato {
+
+/// The modes of BlendMode in its order, as CSS's mix-blend-mode names them.
+inline constexpr std::array<std::string_view, 16> kBlendNames{
+    "normal",      "multiply",   "screen",     "overlay",    "darken",     "lighten",
+    "color-dodge", "color-burn", "hard-light", "soft-light", "difference", "exclusion",
+    "hue",         "saturation", "color",      "luminosity"};
+
+inline std::string_view blend_name(BlendMode mode) {
+  return kBlendNames[static_cast<std::size_t>(mode)];
+}
+
+}  // namespace sfumato
