@@ -50,6 +50,11 @@ inline constexpr std::size_t kViewerStrokeSegments = 1'000'000;
 /// Side of a raster image in pixels.
 inline constexpr int kImageSide = 16'384;
 
+/// Triangles that an SVG of triangles paints, unless forced; and those above which its author is
+/// warned.
+inline constexpr std::size_t kSvgTriangles = 40'000;
+inline constexpr std::size_t kSvgTrianglesSlow = 10'000;
+
 /// Memory charged by one Context, bytes; --max-memory changes it.
 inline constexpr std::size_t kMemoryBytes = std::size_t{2} << 30;
 

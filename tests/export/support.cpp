@@ -36,6 +36,18 @@ void replace_all(std::string* text, const std::string& from, const std::string& 
     text->replace(at, from.size(), to);
 }
 
+Image on_white(const Image& image) {
+  Image opaque{image.width, image.height, PixelFormat::rgb8, {}};
+  for (std::size_t i = 0; i < image.bytes.size(); i += 4) {
+    const int alpha = image.bytes[i + 3];
+    for (std::size_t c = 0; c < 3; ++c) {
+      const int value = image.bytes[i + c] * alpha + 255 * (255 - alpha);
+      opaque.bytes.push_back(static_cast<std::uint8_t>((value + 127) / 255));
+    }
+  }
+  return opaque;
+}
+
 /// Runs a command in a folder that holds the file; IN and OUT become paths there.
 Said run_in(const TemporaryFolder& folder, const Bytes& file, const std::string& name,
             std::string command) {
@@ -98,11 +110,11 @@ std::optional<Image> shown_by(const Bytes& file, const std::string& name,
   Context context;
   Result<Image> image =
       decode_png(context, {reinterpret_cast<const std::uint8_t*>(png->data()), png->size()}, "OUT");
-  if (!image || image->format != PixelFormat::rgb8) {
-    ADD_FAILURE() << command << " writes no PNG of RGB";
+  if (!image || bytes_per_channel(image->format) != 1) {
+    ADD_FAILURE() << command << " writes no PNG of 8 bits";
     return std::nullopt;
   }
-  return std::move(*image);
+  return image->format == PixelFormat::rgba8 ? on_white(*image) : std::move(*image);
 }
 
 Image reference(const Picture& picture, int width, int height) {

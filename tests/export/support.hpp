@@ -31,8 +31,8 @@ struct Said {
 };
 Said said_of(const Bytes& file, const std::string& name, const std::string& command);
 
-/// What a program shows of a file, rgb8: its PNG, which the command must write to OUT. Nothing and
-/// a failed test where it fails.
+/// What a program shows of a file on white, rgb8: its PNG, which the command must write to OUT.
+/// Nothing and a failed test where it fails.
 std::optional<Image> shown_by(const Bytes& file, const std::string& name,
                               const std::string& command);
 

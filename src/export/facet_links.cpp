@@ -1,0 +1,71 @@
+#include "export/facet_links.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <tuple>
+
+namespace sfumato::outputs {
+namespace {
+
+/// One number for all vertices at one position.
+std::vector<std::uint32_t> number_positions(const FacetMesh& mesh) {
+  const std::vector<Vec2>& position = mesh.vertex_position;
+  std::vector<std::uint32_t> order(position.size()), number(position.size());
+  std::iota(order.begin(), order.end(), 0u);
+  const auto key = [&](std::uint32_t v) { return std::tuple(position[v].x, position[v].y, v); };
+  std::ranges::sort(order, {}, key);
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const bool is_new = i == 0 || !(position[order[i]] == position[order[i - 1]]);
+    number[order[i]] = is_new ? order[i] : number[order[i - 1]];
+  }
+  return number;
+}
+
+struct Edge {
+  std::uint32_t low, high;  ///< numbers of the ends
+  std::uint32_t index;
+  bool rises;  ///< from low to high
+};
+
+/// Pairs the edges of [begin, end), which lie on each other.
+void pair_up(const Edge* begin, const Edge* end, std::vector<std::uint32_t>* twin) {
+  const Edge* falling = begin;
+  for (const Edge* rising = begin; rising != end; ++rising) {
+    if (!rising->rises) continue;
+    falling = std::find_if(falling, end, [](const Edge& edge) { return !edge.rises; });
+    if (falling == end) return;
+    (*twin)[rising->index] = falling->index;
+    (*twin)[falling->index] = rising->index;
+    ++falling;
+  }
+}
+
+}  // namespace
+
+Result<FacetLinks> link_facets(Context& context, const FacetMesh& mesh) {
+  const std::size_t count = mesh.facet_vertex.size();
+  ScopedCharge charge;
+  Status status = charge.add(context, count * (sizeof(Edge) + 4) + mesh.vertex_position.size() * 8,
+                             "the edges of facets");
+  if (!status) return status;
+  const std::vector<std::uint32_t> number = number_positions(mesh);
+  if (context.cancelled()) return make_error(StatusCode::cancelled, "cancelled");
+  std::vector<Edge> edges(count);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const std::uint32_t a = number[mesh.facet_vertex[i]],
+                        b = number[mesh.facet_vertex[next_edge(i)]];
+    edges[i] = {std::min(a, b), std::max(a, b), i, a < b};
+  }
+  std::ranges::sort(edges, {}, [](const Edge& e) { return std::tuple(e.low, e.high, e.index); });
+  FacetLinks links{std::vector<std::uint32_t>(count, kNoEdge)};
+  for (std::size_t begin = 0, end; begin < count; begin = end) {
+    const auto same = [&](std::size_t i) {
+      return edges[i].low == edges[begin].low && edges[i].high == edges[begin].high;
+    };
+    for (end = begin + 1; end < count && same(end);) ++end;
+    pair_up(edges.data() + begin, edges.data() + end, &links.twin);
+  }
+  return links;
+}
+
+}  // namespace sfumato::outputs

@@ -1,0 +1,178 @@
+#include "export/pixel_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "formats/png.hpp"
+#include "raster/rasterize.hpp"
+
+namespace sfumato::outputs {
+namespace {
+
+Box mapped(const Affine& map, const Box& box) {
+  Box result;
+  if (box.empty()) return result;
+  for (const Vec2 corner : {box.min, box.max, Vec2{box.min.x, box.max.y}, {box.max.x, box.min.y}}) {
+    result.extend(map(corner));
+  }
+  return result;
+}
+
+Box reach(const LocalStroke& stroke) {
+  Box box;
+  for (const Vec2 p : stroke.curve.control_points) box.extend(p);
+  float radius = 0;
+  for (const auto& stop : stroke.curve.influence_radius.stops) {
+    radius = std::max(radius, stop.value);
+  }
+  return mapped(stroke.artboard_from_stroke, box.grown_by(radius));
+}
+
+Box reach(const PatchInstance& instance, const PatchLayer& layer) {
+  Box box;
+  for (const Vec2 p : layer.vertex_position) box.extend(p);
+  return mapped(instance.artboard_from_layer, box);
+}
+
+Box intersected(const Box& a, const Box& b) {
+  return {{std::max(a.min.x, b.min.x), std::max(a.min.y, b.min.y)},
+          {std::min(a.max.x, b.max.x), std::min(a.max.y, b.max.y)}};
+}
+
+std::size_t bytes(const PatchField& field) {
+  return field.triangle_node.size() * sizeof(std::uint32_t) +
+         field.node_value.size() * sizeof(float);
+}
+
+std::size_t bytes(const PatchLayer& layer) {
+  return layer.vertex_position.size() * sizeof(Vec2) +
+         layer.triangle_vertex.size() * (sizeof(std::uint32_t) + 1) + bytes(layer.color) +
+         bytes(layer.opacity);
+}
+
+std::size_t shader_bytes(const Picture& picture) {
+  std::size_t sum = 0;
+  for (const Shader& shader : picture.shaders) {
+    if (const auto* texture = std::get_if<Texture>(&shader.paint)) {
+      sum += texture->rgba.size() + texture->file.size();
+    }
+  }
+  return sum;
+}
+
+/// The items [first, last) alone, and where they can be seen.
+class PartPicture {
+ public:
+  PartPicture(Context& context, const Picture& whole) : context_(context), whole_(whole) {
+    part_.interpolation = whole.interpolation;
+  }
+
+  Status add(const PictureItem& item) {
+    if (const auto* stroke = std::get_if<LocalStroke>(&item)) {
+      box_ = united(box_, reach(*stroke));
+      part_.stack.push_back(*stroke);
+      return ok_status();
+    }
+    return add(std::get<PatchInstance>(item));
+  }
+
+  /// The picture, on the box of pixels that its items can touch.
+  Picture& on(const Box& box) {
+    part_.artboard = part_.viewport = box;
+    return part_;
+  }
+
+  const Box& box() const { return box_; }
+
+ private:
+  Status add(PatchInstance instance) {
+    const PatchLayer& layer = whole_.layers[instance.layer];
+    const auto known = std::ranges::find(copied_, instance.layer);
+    const auto index = static_cast<std::uint32_t>(known - copied_.begin());
+    if (known == copied_.end()) {
+      const std::size_t shaders = part_.shaders.empty() ? shader_bytes(whole_) : 0;
+      Status status = charge_.add(context_, bytes(layer) + shaders, "a layer to be painted");
+      if (!status) return status;
+      if (part_.shaders.empty()) part_.shaders = whole_.shaders;
+      part_.layers.push_back(layer);
+      copied_.push_back(instance.layer);
+    }
+    box_ = united(box_, reach(instance, layer));
+    instance.layer = index;
+    instance.blend = BlendMode::normal;
+    part_.stack.push_back(instance);
+    return ok_status();
+  }
+
+  Context& context_;
+  const Picture& whole_;
+  ScopedCharge charge_;
+  Picture part_;
+  std::vector<std::uint32_t> copied_;
+  Box box_;
+};
+
+BlendMode blend_of(const PictureItem& item) {
+  const auto* instance = std::get_if<PatchInstance>(&item);
+  return instance ? instance->blend : BlendMode::normal;
+}
+
+}  // namespace
+
+bool needs_pixels(const Picture& picture, const PictureItem& item) {
+  if (std::holds_alternative<LocalStroke>(item)) return true;
+  const auto* instance = std::get_if<PatchInstance>(&item);
+  if (!instance) return false;
+  const PatchLayer& layer = picture.layers[instance->layer];
+  return !layer.color.shader.empty() || !layer.opacity.shader.empty();
+}
+
+std::size_t pixel_run_end(const Picture& picture, std::size_t first) {
+  std::size_t end = first + 1;
+  if (run_blend(picture, first) != BlendMode::normal) return end;
+  while (end < picture.stack.size() && needs_pixels(picture, picture.stack[end]) &&
+         blend_of(picture.stack[end]) == BlendMode::normal) {
+    ++end;
+  }
+  return end;
+}
+
+BlendMode run_blend(const Picture& picture, std::size_t first) {
+  return blend_of(picture.stack[first]);
+}
+
+Result<PixelRun> paint_run(Context& context, const Picture& picture, std::size_t first,
+                           std::size_t last, double pixels_per_unit) {
+  PartPicture part(context, picture);
+  for (std::size_t i = first; i < last; ++i) {
+    if (Status status = part.add(picture.stack[i]); !status) return status;
+  }
+  // Strokes thinner than a pixel reach as far as one of a pixel does.
+  const Box seen = intersected(part.box().grown_by(2 / pixels_per_unit), picture.viewport);
+  PixelRun result;
+  if (!(seen.width() > 0 && seen.height() > 0)) return result;
+  const Vec2 origin = picture.viewport.min;
+  const auto pixel = [&](Vec2 p, auto round) {
+    return Vec2{round((p.x - origin.x) * pixels_per_unit),
+                round((p.y - origin.y) * pixels_per_unit)};
+  };
+  const Vec2 begin = pixel(seen.min, [](double x) { return std::floor(x); });
+  const Vec2 end = pixel(seen.max, [](double x) { return std::ceil(x); });
+  const auto side = [](double pixels) { return static_cast<int>(std::min(pixels, 1e9)); };
+  result.width = side(end.x - begin.x);
+  result.height = side(end.y - begin.y);
+  result.box = {origin + begin * (1 / pixels_per_unit), origin + end * (1 / pixels_per_unit)};
+  RasterOptions options;
+  options.width = result.width;
+  options.height = result.height;
+  options.format = PixelFormat::rgba8;
+  const Result<Image> image = rasterize(context, part.on(result.box), options);
+  if (!image) return image.status();
+  Result<std::vector<std::uint8_t>> png = encode_png(context, *image);
+  if (!png) return png.status();
+  result.png = std::move(*png);
+  return result;
+}
+
+}  // namespace sfumato::outputs
