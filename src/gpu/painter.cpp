@@ -101,9 +101,8 @@ Status Painter::make_programs() {
 }
 
 Status Painter::make_targets() {
-  const bool is_single = device_.blends_floats();
-  const GLenum format = is_single ? GL_RGBA32F : GL_RGBA16F;
-  const std::size_t bytes = is_single ? 16 : 8;
+  const GLenum format = settings_.single_precision ? GL_RGBA32F : GL_RGBA16F;
+  const std::size_t bytes = settings_.single_precision ? 16 : 8;
   Status status;
   const auto make = [&](Target* target, GLenum of, std::size_t pixel_bytes,
                         bool with_stencil = false) {

@@ -18,6 +18,7 @@ struct PaintSettings {
   raster::Backdrop backdrop;
   bool antialias = true;
   bool overlay = false;
+  bool single_precision = true;  ///< else targets are of 16-bit floats
 };
 
 /// Paints a scene tile by tile: each item by itself, then composited (docs/gpu.md). Pixels that a

@@ -21,57 +21,79 @@ using raster::PixelRect;
 /// Side of what is painted at once, pixels of the image.
 constexpr int kTileSide = 1024;
 
-/// Four planes of one tile of the CPU's rasterizer.
-struct Planes {
-  std::vector<float> values = std::vector<float>(4 * raster::kTileFloats);
+/// Pixels as the device gives them: four floats each, row by row.
+struct ReadPixels {
+  const float* rgba = nullptr;
+  PixelRect rect;
 
-  float* plane(int c) { return values.data() + static_cast<std::size_t>(c) * raster::kTileFloats; }
+  const float* at(int x, int y) const {
+    return rgba + 4 * (std::ptrdiff_t{y - rect.y0} * (rect.x1 - rect.x0) + (x - rect.x0));
+  }
 };
 
-/// Writes pixels as the CPU's rasterizer does: its formats, its rounding, its dither.
-void write_pixels(const float* rgba, const PixelRect& rect, const raster::SpanKernels& kernels,
-                  const raster::ImageTarget& target, Planes* planes) {
-  const int width = rect.x1 - rect.x0;
-  for (int y0 = rect.y0; y0 < rect.y1; y0 += raster::kTileHeight) {
-    for (int x0 = rect.x0; x0 < rect.x1; x0 += raster::kTileWidth) {
-      raster::Tile tile{x0,
-                        y0,
-                        std::min(raster::kTileWidth, rect.x1 - x0),
-                        std::min(raster::kTileHeight, rect.y1 - y0),
-                        {planes->plane(0), planes->plane(1), planes->plane(2)},
-                        channel_count(target.format) == 4 ? planes->plane(3) : nullptr};
-      for (int y = 0; y < tile.height; ++y) {
-        const float* row = rgba + 4 * (std::ptrdiff_t{y0 - rect.y0 + y} * width + (x0 - rect.x0));
-        for (int x = 0; x < tile.width; ++x)
-          for (int c = 0; c < 4; ++c)
-            planes->plane(c)[y * raster::kTileStride + x] = row[4 * x + c];
-      }
-      kernels.write_pixels(tile, target);
+/// Writes the rows [y0, y0 + kTileHeight) as the CPU's rasterizer does: its formats, its rounding,
+/// its dither.
+void write_rows(const ReadPixels& pixels, int y0, const raster::SpanKernels& kernels,
+                const raster::ImageTarget& target) {
+  std::vector<float> planes(4 * raster::kTileFloats);
+  const auto plane = [&](int c) { return planes.data() + c * raster::kTileFloats; };
+  const PixelRect& rect = pixels.rect;
+  for (int x0 = rect.x0; x0 < rect.x1; x0 += raster::kTileWidth) {
+    const raster::Tile tile{x0,
+                            y0,
+                            std::min(raster::kTileWidth, rect.x1 - x0),
+                            std::min(raster::kTileHeight, rect.y1 - y0),
+                            {plane(0), plane(1), plane(2)},
+                            channel_count(target.format) == 4 ? plane(3) : nullptr};
+    for (int y = 0; y < tile.height; ++y) {
+      const float* row = pixels.at(x0, y0 + y);
+      for (int x = 0; x < tile.width; ++x)
+        for (int c = 0; c < 4; ++c) plane(c)[y * raster::kTileStride + x] = row[4 * x + c];
     }
+    kernels.write_pixels(tile, target);
   }
 }
 
-gpu::PaintSettings settings_of(const Picture& picture, const RasterOptions& options) {
+Status write_pixels(Context& context, const ReadPixels& pixels, const raster::ImageTarget& target) {
+  const raster::SpanKernels& kernels = raster::span_kernels(context.simd);
+  const int height = pixels.rect.y1 - pixels.rect.y0;
+  const int bands = (height + raster::kTileHeight - 1) / raster::kTileHeight;
+  return parallel_for(context, static_cast<std::size_t>(bands), 1,
+                      [&](std::size_t begin, std::size_t end) {
+                        for (std::size_t i = begin; i < end; ++i) {
+                          const int y0 = pixels.rect.y0 + static_cast<int>(i) * raster::kTileHeight;
+                          write_rows(pixels, y0, kernels, target);
+                        }
+                      });
+}
+
+gpu::PaintSettings settings_of(const gpu::Device& device, const Picture& picture,
+                               const RasterOptions& options) {
   gpu::PaintSettings settings;
   settings.tile_width = std::min(kTileSide, options.width);
   settings.tile_height = std::min(kTileSide, options.height);
   settings.backdrop = raster::choose_backdrop(options, picture.background);
   settings.antialias = options.antialias;
   settings.overlay = options.mesh_overlay;
+  settings.single_precision = device.blends_floats();
   return settings;
 }
 
 Status paint_tiles(Context& context, gpu::Painter& painter, const RasterOptions& options,
                    const raster::ImageTarget& target) {
-  std::vector<float> rgba(std::size_t{4} * kTileSide * kTileSide);
-  Planes planes;
-  const raster::SpanKernels& kernels = raster::span_kernels(context.simd);
+  const std::size_t values = std::size_t{4} * std::min(kTileSide, options.width) *
+                             static_cast<std::size_t>(std::min(kTileSide, options.height));
+  ScopedCharge charge;
+  Status status = charge.add(context, values * sizeof(float), "an image on the GPU");
+  if (!status) return status;
+  std::vector<float> rgba(values);
   for (int y = 0; y < options.height; y += kTileSide) {
     for (int x = 0; x < options.width; x += kTileSide) {
       const PixelRect rect{x, y, std::min(x + kTileSide, options.width),
                            std::min(y + kTileSide, options.height)};
-      if (Status status = painter.paint(rect, rgba.data()); !status) return status;
-      write_pixels(rgba.data(), rect, kernels, target, &planes);
+      status = painter.paint(rect, rgba.data());
+      if (status) status = write_pixels(context, {rgba.data(), rect}, target);
+      if (!status) return status;
     }
     if (context.progress)
       context.progress->report("rasterise", std::min(1.0, 1.0 * (y + kTileSide) / options.height));
@@ -101,7 +123,7 @@ Result<Image> render_on_gpu(Context& context, const Picture& picture,
                          {0, 0, options.width, options.height}, options.mesh_overlay);
   if (!scene) return scene.status();
   Result<gpu::Painter> painter =
-      gpu::Painter::create(context, **device, *scene, settings_of(picture, options));
+      gpu::Painter::create(context, **device, *scene, settings_of(**device, picture, options));
   if (!painter) return painter.status();
   image.bytes.resize(image_bytes);
   status = paint_tiles(context, *painter, options,

@@ -17,7 +17,7 @@ namespace sfumato {
 ///
 /// Errors: those of rasterize(), and unavailable: no context of OpenGL ES 3 can be had, or it
 /// cannot draw to floating point; limit also where a table is more than the device's textures hold.
-/// Memory: of the device's, charged here: tables of 100 to 300 bytes a triangle, 90 bytes a pixel
+/// Memory: of the device's, charged here: tables of 100 to 300 bytes a triangle, 110 bytes a pixel
 /// of a tile of 1024², 16 more for each group within a group.
 Result<Image> render_on_gpu(Context& context, const Picture& picture, const RasterOptions& options);
 

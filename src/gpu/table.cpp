@@ -10,8 +10,10 @@ Result<Table> Table::create(Context& context, const Device& device, const TableF
   Table table;
   const std::size_t rows = std::max<std::size_t>((texels + kTableWidth - 1) / kTableWidth, 1);
   if (rows > static_cast<std::size_t>(device.largest_side())) {
+    const std::size_t most = kTableWidth * static_cast<std::size_t>(device.largest_side());
     return make_error(StatusCode::limit,
-                      std::string(purpose) + ": more than the textures of the GPU hold");
+                      std::string(purpose) + ": a table of " + std::to_string(texels) +
+                          " entries; the device's textures hold " + std::to_string(most));
   }
   Status status = table.charge_.add(context, rows * kTableWidth * format.texel_bytes(), purpose);
   if (!status) return status;
