@@ -9,11 +9,15 @@
  * @returns {Affine}
  */
 function composed(outer, inner) {
-  const [a, b, c, d, e, f] = outer, [p, q, r, s, t, u] = inner;
+  const [a, b, c, d, e, f] = outer,
+    [p, q, r, s, t, u] = inner;
   return [
-    a * p + c * q, b * p + d * q,
-    a * r + c * s, b * r + d * s,
-    a * t + c * u + e, b * t + d * u + f,
+    a * p + c * q,
+    b * p + d * q,
+    a * r + c * s,
+    b * r + d * s,
+    a * t + c * u + e,
+    b * t + d * u + f,
   ];
 }
 
@@ -24,10 +28,7 @@ function composed(outer, inner) {
 function inverted([a, b, c, d, e, f]) {
   const k = 1 / (a * d - b * c);
   const linear = [d * k, -b * k, -c * k, a * k];
-  return [
-    ...linear,
-    -(linear[0] * e + linear[2] * f), -(linear[1] * e + linear[3] * f),
-  ];
+  return [...linear, -(linear[0] * e + linear[2] * f), -(linear[1] * e + linear[3] * f)];
 }
 
 /**
@@ -56,8 +57,14 @@ function mapped(map, x, y) {
  * @returns {number[]}
  */
 function mappedBox(map, [x0, y0, x1, y1]) {
-  const corners = [mapped(map, x0, y0), mapped(map, x1, y0), mapped(map, x0, y1), mapped(map, x1, y1)];
-  const xs = corners.map((p) => p[0]), ys = corners.map((p) => p[1]);
+  const corners = [
+    mapped(map, x0, y0),
+    mapped(map, x1, y0),
+    mapped(map, x0, y1),
+    mapped(map, x1, y1),
+  ];
+  const xs = corners.map((p) => p[0]),
+    ys = corners.map((p) => p[1]);
   return [Math.min(...xs), Math.min(...ys), Math.max(...xs), Math.max(...ys)];
 }
 

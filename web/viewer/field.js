@@ -95,7 +95,8 @@ class FieldDecoder {
    * @param {number} place
    */
   recall(vertex, place) {
-    let before = NO_NODE, found = this.firstAtVertex[vertex];
+    let before = NO_NODE,
+      found = this.firstAtVertex[vertex];
     for (let i = 1; i < place && found !== NO_NODE; ++i) {
       before = found;
       found = this.nextAtVertex[found];
@@ -147,7 +148,8 @@ class FieldDecoder {
   readEdges(t) {
     const { channelCount: n, value, triangleNode, topology } = this;
     for (let k = 0; k < 3; ++k) {
-      const slot = 10 * t + 3 + 2 * k, mate = topology.mate[3 * t + k];
+      const slot = 10 * t + 3 + 2 * k,
+        mate = topology.mate[3 * t + k];
       if (mate !== NO_MATE && this.codes.u8() > 0) {
         const sameWay = topology.cornerVertex[mate] === topology.cornerVertex[3 * t + k];
         const other = 10 * Math.floor(mate / 3) + 3 + 2 * (mate % 3);
@@ -155,7 +157,8 @@ class FieldDecoder {
         triangleNode[slot + 1] = triangleNode[other + (sameWay ? 1 : 0)];
         continue;
       }
-      const a = n * triangleNode[10 * t + k], b = n * triangleNode[10 * t + ((k + 1) % 3)];
+      const a = n * triangleNode[10 * t + k],
+        b = n * triangleNode[10 * t + ((k + 1) % 3)];
       this.addNode(slot, (c) => Math.floor((2 * value[a + c] + value[b + c] + 1) / 3));
       this.addNode(slot + 1, (c) => Math.floor((2 * value[b + c] + value[a + c] + 1) / 3));
     }
@@ -165,7 +168,8 @@ class FieldDecoder {
   readCenter(t) {
     const { channelCount: n, value, triangleNode } = this;
     this.addNode(10 * t + 9, (c) => {
-      let corners = 0, edges = 0;
+      let corners = 0,
+        edges = 0;
       for (let i = 0; i < 3; ++i) corners += value[n * triangleNode[10 * t + i] + c];
       for (let i = 3; i < 9; ++i) edges += value[n * triangleNode[10 * t + i] + c];
       return Math.floor((3 * edges - 2 * corners + 6) / 12);

@@ -66,8 +66,12 @@ class Program {
   complaint() {
     const { gl } = this;
     if (gl.getProgramParameter(this.program, gl.LINK_STATUS) || gl.isContextLost()) return "";
-    const logs = (gl.getAttachedShaders(this.program) ?? []).map((s) => gl.getShaderInfoLog(s) ?? "");
-    return [gl.getProgramInfoLog(this.program) ?? "", ...logs].join("\n").trim() || "it does not link";
+    const logs = (gl.getAttachedShaders(this.program) ?? []).map(
+      (s) => gl.getShaderInfoLog(s) ?? "",
+    );
+    return (
+      [gl.getProgramInfoLog(this.program) ?? "", ...logs].join("\n").trim() || "it does not link"
+    );
   }
 
   /** @param {string} name */
@@ -212,7 +216,11 @@ function makeTable(gl, kind, values) {
   gl.texStorage2D(gl.TEXTURE_2D, 1, internal, TABLE_WIDTH, rows);
   gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
   const whole = Math.floor(values.length / size / TABLE_WIDTH);
-  const upload = (/** @type {number} */ row, /** @type {number} */ width, /** @type {number} */ height) => {
+  const upload = (
+    /** @type {number} */ row,
+    /** @type {number} */ width,
+    /** @type {number} */ height,
+  ) => {
     const first = row * TABLE_WIDTH * size;
     const part = values.subarray(first, first + width * height * size);
     gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, row, width, height, format, type, part);

@@ -64,7 +64,11 @@ class PointerInput {
   pinch() {
     const [a, b] = [...this.down.values()];
     if (!b) return { x: a[0], y: a[1], spread: 0 };
-    return { x: (a[0] + b[0]) / 2, y: (a[1] + b[1]) / 2, spread: Math.hypot(b[0] - a[0], b[1] - a[1]) };
+    return {
+      x: (a[0] + b[0]) / 2,
+      y: (a[1] + b[1]) / 2,
+      spread: Math.hypot(b[0] - a[0], b[1] - a[1]),
+    };
   }
 
   /** @param {PointerEvent} event */
@@ -73,7 +77,8 @@ class PointerInput {
     const before = this.pinch();
     this.down.set(event.pointerId, this.at(event));
     const after = this.pinch();
-    const dx = after.x - before.x, dy = after.y - before.y;
+    const dx = after.x - before.x,
+      dy = after.y - before.y;
     this.travelled += Math.hypot(dx, dy) + Math.abs(after.spread - before.spread);
     this.commands.move(dx, dy, false);
     if (before.spread > 0 && after.spread > 0) {
@@ -93,7 +98,8 @@ class PointerInput {
 
   /** @param {PointerEvent} event */
   tap(event) {
-    const [x, y] = this.at(event), last = this.lastTap;
+    const [x, y] = this.at(event),
+      last = this.lastTap;
     const isSecond =
       event.timeStamp - last.time < DOUBLE_TAP_TIME &&
       Math.hypot(x - last.x, y - last.y) < DOUBLE_TAP_DISTANCE;

@@ -101,7 +101,8 @@ class LayerDrawer {
    */
   draw(instance, opacity, pixelFromArtboard, clipFromPixel) {
     const { gl, picture } = this;
-    const layer = picture.layers[instance.layer], tables = this.tables[instance.layer];
+    const layer = picture.layers[instance.layer],
+      tables = this.tables[instance.layer];
     const hasPaints = tables.colorWeight !== null || tables.opacityWeight !== null;
     const defines = [];
     if (layer.opacity) defines.push("WITH_OPACITY");
@@ -153,7 +154,11 @@ class LayerDrawer {
     });
     gl.bindBufferBase(gl.UNIFORM_BUFFER, 0, this.paintViews);
     gl.bufferData(gl.UNIFORM_BUFFER, views, gl.DYNAMIC_DRAW);
-    gl.uniformBlockBinding(program.program, gl.getUniformBlockIndex(program.program, "PaintViews"), 0);
+    gl.uniformBlockBinding(
+      program.program,
+      gl.getUniformBlockIndex(program.program, "PaintViews"),
+      0,
+    );
   }
 
   /**

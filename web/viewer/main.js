@@ -4,7 +4,8 @@
  * @param {unknown} error
  */
 function inWords(error) {
-  if (error instanceof PayloadError) return `The picture in this file is damaged: ${error.message}.`;
+  if (error instanceof PayloadError)
+    return `The picture in this file is damaged: ${error.message}.`;
   return error instanceof Error ? error.message : String(error);
 }
 
@@ -16,10 +17,15 @@ function inWords(error) {
 function commandsOf(viewer, controls) {
   const { view, motion } = viewer;
   const target = () => (motion.isMoving ? motion.to : view.state);
-  const zoom = (/** @type {number} */ factor, /** @type {number} */ x, /** @type {number} */ y, /** @type {boolean} */ smooth) =>
-    viewer.show(view.zoomed(smooth ? target() : view.state, factor, x, y), smooth);
+  const zoom = (
+    /** @type {number} */ factor,
+    /** @type {number} */ x,
+    /** @type {number} */ y,
+    /** @type {boolean} */ smooth,
+  ) => viewer.show(view.zoomed(smooth ? target() : view.state, factor, x, y), smooth);
   return {
-    move: (dx, dy, smooth) => viewer.show(view.moved(smooth ? target() : view.state, dx, dy), smooth),
+    move: (dx, dy, smooth) =>
+      viewer.show(view.moved(smooth ? target() : view.state, dx, dy), smooth),
     zoom,
     zoomMiddle: (factor) => zoom(factor, view.width / 2, view.height / 2, true),
     fit: () => viewer.fit(true),

@@ -21,7 +21,8 @@ class EdgeTable {
    * @param {number} b
    */
   find(a, b) {
-    const low = Math.min(a, b), high = Math.max(a, b);
+    const low = Math.min(a, b),
+      high = Math.max(a, b);
     let slot = (Math.imul(low, 0x9e3779b1) ^ Math.imul(high, 0x85ebca6b)) >>> 0;
     slot = (slot ^ (slot >>> 15)) & this.mask;
     while (this.low[slot] !== NO_MATE && (this.low[slot] !== low || this.high[slot] !== high)) {
@@ -110,7 +111,8 @@ class TopologyDecoder {
     const corner = this.cornerVertex;
     [corner[base], corner[base + 1], corner[base + 2]] = [a, b, c];
     for (let k = 0; k < 3; ++k) {
-      const start = corner[base + k], end = corner[base + ((k + 1) % 3)];
+      const start = corner[base + k],
+        end = corner[base + ((k + 1) % 3)];
       const slot = this.edges.find(start, end);
       this.slot[base + k] = slot;
       this.mate[base + k] = this.edges.put(slot, start, end, base + k);
@@ -126,8 +128,10 @@ class TopologyDecoder {
       const code = this.codes.varint();
       if (code === 0) continue;
       if (this.placed === this.triangleCount) throw new PayloadError("it has too many triangles");
-      const k = gate % 3, base = gate - k;
-      const start = this.cornerVertex[gate], end = this.cornerVertex[base + ((k + 1) % 3)];
+      const k = gate % 3,
+        base = gate - k;
+      const start = this.cornerVertex[gate],
+        end = this.cornerVertex[base + ((k + 1) % 3)];
       this.place(end, start, this.vertex(code - 1, gate));
     }
   }
@@ -146,7 +150,8 @@ function readGrid(reader, topology) {
     for (let i = 0; i < vertexCount; ++i) {
       let guess = i > 0 ? grid[i - 1] : 0;
       if (apex[i] !== NO_MATE) {
-        const k = apex[i] % 3, base = apex[i] - k;
+        const k = apex[i] % 3,
+          base = apex[i] - k;
         const corner = [0, 1, 2].map((j) => grid[cornerVertex[base + ((k + j) % 3)]]);
         guess = corner[0] + corner[1] - corner[2];
       }
@@ -170,9 +175,11 @@ function readGrid(reader, topology) {
  * @returns {Mesh}
  */
 function readMesh(reader) {
-  const triangleCount = reader.count(1), vertexCount = reader.count(8);
+  const triangleCount = reader.count(1),
+    vertexCount = reader.count(8);
   const topology = new TopologyDecoder(reader.counted(), triangleCount, vertexCount).run();
-  const min = [reader.finite(), reader.finite()], step = [reader.finite(), reader.finite()];
+  const min = [reader.finite(), reader.finite()],
+    step = [reader.finite(), reader.finite()];
   const grid = readGrid(reader, topology);
   const position = new Float32Array(2 * vertexCount);
   // The middle of the grid: single precision holds its steps exactly.

@@ -85,7 +85,14 @@ class Painter {
   paint(pixelFromArtboard, shift, page, isSameView) {
     const [width, height] = this.targets.size;
     this.pixelFromArtboard = pixelFromArtboard;
-    this.clipFromPixel = [2 / width, 0, 0, 2 / height, (2 * shift[0]) / width - 1, (2 * shift[1]) / height - 1];
+    this.clipFromPixel = [
+      2 / width,
+      0,
+      0,
+      2 / height,
+      (2 * shift[0]) / width - 1,
+      (2 * shift[1]) / height - 1,
+    ];
     this.level = 0;
     this.runsAreKept = isSameView;
     this.strokes.prepare(pixelFromArtboard);
@@ -118,7 +125,8 @@ class Painter {
         rects[i] = intersected(page, this.touched(item));
       }
       const parent = open.at(-1);
-      if (parent !== undefined && parent !== i) rects[parent] = unitedRects(rects[parent], rects[i]);
+      if (parent !== undefined && parent !== i)
+        rects[parent] = unitedRects(rects[parent], rects[i]);
     });
     return rects;
   }
@@ -133,7 +141,8 @@ class Painter {
     if (!(bounds[0] <= bounds[2])) return [0, 0, 0, 0];
     const box = mappedBox(this.pixelFromArtboard, bounds);
     // Thin strokes are a pixel wide, and edges are shifted.
-    const margin = 3, far = 1e6;
+    const margin = 3,
+      far = 1e6;
     const [x0, y0] = [box[0], box[1]].map((v) => Math.max(-far, Math.floor(v) - margin));
     const [x1, y1] = [box[2], box[3]].map((v) => Math.min(far, Math.ceil(v) + margin));
     return [x0, y0, x1 - x0, y1 - y0];

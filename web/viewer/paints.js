@@ -21,8 +21,12 @@
 
 const FILE_TYPES = ["image/png", "image/jpeg"];
 
-/** Layout of a paint's run of texels. */
+/** What a paint's first number says of a texture. */
 const TEXTURE_KIND = 2;
+
+/** Levels that the largest texture can have, and texels of all textures. */
+const MOST_LEVELS = 64;
+const MOST_TEXELS = 64e6;
 
 /**
  * @param {ByteReader} reader
@@ -47,7 +51,11 @@ function readPaint(reader, table) {
   const type = reader.u8();
   if (type === 0) return { first, paintFromLayer, file: null };
   if (type > FILE_TYPES.length) throw new PayloadError("a texture of it is of no known type");
-  const width = reader.varint(), height = reader.varint();
+  const width = reader.varint(),
+    height = reader.varint();
+  if (!(width * height > 0 && width * height <= MOST_TEXELS)) {
+    throw new PayloadError("a texture of it has an impossible size");
+  }
   const bytes = reader.counted().slice();
   return { first, paintFromLayer, file: { width, height, type: FILE_TYPES[type - 1], bytes } };
 }
@@ -62,17 +70,31 @@ function readPaint(reader, table) {
  */
 
 /**
- * @param {Float32Array} table
- * @param {number} first
+ * The levels of a texture, checked.
+ * @param {Paints} paints
+ * @param {number} first texel of the paint in the table
+ * @param {TextureFile} file
  * @returns {TextureLevel[]}
  */
-function textureLevels(table, first) {
-  const texel = (/** @type {number} */ i) => Array.from(table.subarray(4 * (first + i), 4 * (first + i) + 4));
-  if (texel(0)[0] !== TEXTURE_KIND) throw new PayloadError("a texture of it is none");
-  return Array.from({ length: texel(0)[2] }, (_, i) => {
+function textureLevels({ table, texelCount }, first, file) {
+  const texel = (/** @type {number} */ i) =>
+    Array.from(table.subarray(4 * (first + i), 4 * (first + i) + 4));
+  const [kind, , count] = texel(0);
+  const fits = (/** @type {TextureLevel} */ level) =>
+    [level.width, level.height, level.first].every(Number.isInteger) &&
+    level.width > 0 &&
+    level.height > 0 &&
+    level.first >= 0 &&
+    level.first + level.width * level.height <= texelCount;
+  let isWhole = kind === TEXTURE_KIND && count >= 1 && count <= MOST_LEVELS;
+  const levels = Array.from({ length: isWhole ? count : 0 }, (_, i) => {
     const [width, height, column, row] = texel(1 + 2 * i);
     return { width, height, period: texel(2 + 2 * i).slice(2), first: TABLE_WIDTH * row + column };
   });
+  isWhole &&=
+    levels.every(fits) && levels[0].width <= file.width && levels[0].height <= file.height;
+  if (!isWhole) throw new PayloadError("the levels of a texture of it do not fit");
+  return levels;
 }
 
 /**
@@ -96,7 +118,8 @@ async function decodedTexels(gl, file) {
   const side = 2048;
   for (let y = 0; y < file.height; y += side) {
     for (let x = 0; x < file.width; x += side) {
-      const width = Math.min(side, file.width - x), height = Math.min(side, file.height - y);
+      const width = Math.min(side, file.width - x),
+        height = Math.min(side, file.height - y);
       const part = await createImageBitmap(bitmap, x, y, width, height, options);
       const texels = texelsOf(gl, part);
       for (let row = 0; row < height; ++row) {
@@ -116,7 +139,8 @@ async function decodedTexels(gl, file) {
  * @param {ImageBitmap} bitmap
  */
 function texelsOf(gl, bitmap) {
-  const texture = gl.createTexture(), framebuffer = gl.createFramebuffer();
+  const texture = gl.createTexture(),
+    framebuffer = gl.createFramebuffer();
   gl.bindTexture(gl.TEXTURE_2D, texture);
   gl.pixelStorei(gl.UNPACK_COLORSPACE_CONVERSION_WEBGL, gl.NONE);
   gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA8, gl.RGBA, gl.UNSIGNED_BYTE, bitmap);
@@ -139,13 +163,18 @@ function texelsOf(gl, bitmap) {
  * @param {number} extent
  */
 function overlapsOf(sourceCount, sourceEven, count, extent) {
-  const border = (/** @type {number} */ i, /** @type {number} */ n, /** @type {boolean} */ even) => {
+  const border = (
+    /** @type {number} */ i,
+    /** @type {number} */ n,
+    /** @type {boolean} */ even,
+  ) => {
     if (i === n) return extent;
     return even ? (extent * i) / n : i;
   };
   let first = 0;
   return Array.from({ length: count }, (_, i) => {
-    const low = border(i, count, true), high = border(i + 1, count, true);
+    const low = border(i, count, true),
+      high = border(i + 1, count, true);
     while (first + 1 < sourceCount && border(first + 1, sourceCount, sourceEven) <= low) first += 1;
     const share = [];
     for (let k = first; k < sourceCount; ++k) {
@@ -190,17 +219,12 @@ function fillLevel(texels, source, level, extent, even) {
  * @param {Paints} paints
  */
 async function makeTexels(gl, paints) {
-  const room = paints.paint.reduce((sum, { file }) => sum + (file ? file.width * file.height : 0), 0);
-  // Levels add a third, those of a large period little more; what is beyond belongs to no file.
-  if (paints.texelCount > 4 * room + 1e6) throw new PayloadError("its textures are too large");
+  // Levels add a third, those of a large period little more.
+  if (paints.texelCount > 2 * MOST_TEXELS) throw new PayloadError("its textures are too large");
   const texels = new Uint16Array(4 * paints.texelCount);
   for (const { first, file } of paints.paint) {
     if (!file) continue;
-    const levels = textureLevels(paints.table, first);
-    const last = levels.at(-1);
-    if (!last || last.first + last.width * last.height > paints.texelCount) {
-      throw new PayloadError("a texture of it is not there");
-    }
+    const levels = textureLevels(paints, first, file);
     fillBase(texels, levels[0], await decodedTexels(gl, file), file.width);
     const extent = levels[0].period;
     for (let i = 1; i < levels.length; ++i) {

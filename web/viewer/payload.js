@@ -92,7 +92,8 @@ class PictureReader {
     if (magic !== MAGIC) throw new PayloadError("it does not begin as it should");
     const version = reader.u8();
     if (version !== VERSION) throw new PayloadError(`its version is ${version}, not ${VERSION}`);
-    const artboard = this.box(), viewport = this.box();
+    const artboard = this.box(),
+      viewport = this.box();
     const interpolation = this.below(3);
     const background = [reader.f32(), reader.f32(), reader.f32()];
     const paints = readPaints(reader);
@@ -122,7 +123,8 @@ class PictureReader {
 
   box() {
     const box = Array.from({ length: 4 }, () => this.reader.finite());
-    if (!(box[0] <= box[2] && box[1] <= box[3])) throw new PayloadError("a rectangle of it is empty");
+    if (!(box[0] <= box[2] && box[1] <= box[3]))
+      throw new PayloadError("a rectangle of it is empty");
     return box;
   }
 
@@ -156,7 +158,8 @@ class PictureReader {
 
   blending() {
     const opacity = this.reader.f32();
-    if (!(opacity >= 0 && opacity <= 1)) throw new PayloadError("an opacity of it is not from 0 to 1");
+    if (!(opacity >= 0 && opacity <= 1))
+      throw new PayloadError("an opacity of it is not from 0 to 1");
     return { opacity, blend: this.below(MOST_BLEND + 1) };
   }
 

@@ -5,7 +5,12 @@
  * pixel usually stand an eighth, and three, to both sides of its centre, in x and in y: so shifted,
  * all sixteen are evenly spread over the pixel and do not leave it.
  */
-const SHIFTS = [[-3, -1], [-1, 3], [1, -3], [3, 1]].map((shift) => shift.map((v) => v / 32));
+const SHIFTS = [
+  [-3, -1],
+  [-1, 3],
+  [1, -3],
+  [3, 1],
+].map((shift) => shift.map((v) => v / 32));
 
 /**
  * What a frame shows.
@@ -48,7 +53,8 @@ class Renderer {
   /** Whether the GPU still works on what it was given. */
   get isBusy() {
     const { gl, fence } = this;
-    if (!fence || gl.getSyncParameter(fence, gl.SYNC_STATUS) === gl.UNSIGNALED) return fence !== null;
+    if (!fence || gl.getSyncParameter(fence, gl.SYNC_STATUS) === gl.UNSIGNALED)
+      return fence !== null;
     gl.deleteSync(fence);
     this.fence = null;
     return false;

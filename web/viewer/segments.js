@@ -1,5 +1,5 @@
-// The segments of local curves, as src/export/viewer_stroke.cpp writes them, and the nodes that they
-// get for a zoom.
+// The segments of local curves, as src/export/viewer_stroke.cpp writes them, and the nodes that
+// they get for a zoom.
 
 /**
  * Segments of a curve, in walking order; arrays of columns. Frame: the stroke's, relative to its
@@ -9,8 +9,8 @@
  * @property {Uint32Array} nodeCount for 4 nodes to an influence radius
  * @property {Float32Array[]} coefficient 6: x, y of start + u (c0 + u (c1 + u c2))
  * @property {Float32Array[]} start 2: x, y
- * @property {Float32Array[]} attribute 16: start and end of influence radius, blur radius, left red,
- *   green, blue, right red, green, blue
+ * @property {Float32Array[]} attribute 16: start and end of influence radius, blur radius, left
+ *   red, green, blue, right red, green, blue
  */
 
 /** Nodes to an influence radius that `nodeCount` stands for. */
@@ -43,7 +43,8 @@ function readSegments(reader) {
     return new Float32Array(bits.buffer);
   };
   const coefficient = Array.from({ length: 6 }, () => column(() => 0));
-  const bitsOf = new Float32Array(1), codeOf = new Uint32Array(bitsOf.buffer);
+  const bitsOf = new Float32Array(1),
+    codeOf = new Uint32Array(bitsOf.buffer);
   const start = [0, 1].map((axis) =>
     column((i, bits) => {
       if (i === 0) return 0;
@@ -68,7 +69,8 @@ function readSegments(reader) {
  * @param {number} count
  */
 function readAttribute(reader, count) {
-  const start = reader.planes(count, 4), end = reader.planes(count, 4);
+  const start = reader.planes(count, 4),
+    end = reader.planes(count, 4);
   for (let i = 0; i < count; ++i) {
     if (i > 0) start[i] ^= end[i - 1];
     end[i] ^= start[i];
@@ -88,7 +90,8 @@ function nodesNeeded({ nodeCount, attribute }, i, twoSided, pixel) {
   const blur = Math.min(attribute[2][i], attribute[3][i]);
   let density = NODES_PLAIN;
   // Below two pixels there are no sides to be seen.
-  if (twoSided && radius > 2 * pixel) density = blur < SHARP_BLUR * pixel ? NODES_SHARP : NODES_TWO_SIDED;
+  if (twoSided && radius > 2 * pixel)
+    density = blur < SHARP_BLUR * pixel ? NODES_SHARP : NODES_TWO_SIDED;
   const shrink = radius / Math.max(radius, pixel);
   return Math.max(1, Math.ceil((nodeCount[i] * density * shrink) / CODED_NODES));
 }
@@ -129,7 +132,12 @@ class SegmentTable {
    */
   addPart({ start, coefficient, attribute }, i, u, v, nodes) {
     const width = v - u;
-    const [begin, first, second, third] = [[0, 0], [0, 0], [0, 0], [0, 0]];
+    const [begin, first, second, third] = [
+      [0, 0],
+      [0, 0],
+      [0, 0],
+      [0, 0],
+    ];
     for (let axis = 0; axis < 2; ++axis) {
       const [c0, c1, c2] = [0, 2, 4].map((k) => coefficient[k + axis][i]);
       begin[axis] = start[axis][i] + u * (c0 + u * (c1 + u * c2));
@@ -138,14 +146,34 @@ class SegmentTable {
       third[axis] = width * width * width * c2;
     }
     const at = (/** @type {number} */ a) => {
-      const from = attribute[2 * a][i], to = attribute[2 * a + 1][i];
+      const from = attribute[2 * a][i],
+        to = attribute[2 * a + 1][i];
       return [from + (to - from) * u, from + (to - from) * v];
     };
     const [lr, lg, lb, rr, rg, rb] = [2, 3, 4, 5, 6, 7].map(at);
     this.values.push(
-      ...begin, ...first, ...second, ...third, lengthPerSpeed(first, second, third, nodes), nodes,
-      ...at(0), ...at(1), lr[0], lg[0], lb[0], lr[1], lg[1], lb[1],
-      rr[0], rg[0], rb[0], rr[1], rg[1], rb[1], 0, 0,
+      ...begin,
+      ...first,
+      ...second,
+      ...third,
+      lengthPerSpeed(first, second, third, nodes),
+      nodes,
+      ...at(0),
+      ...at(1),
+      lr[0],
+      lg[0],
+      lb[0],
+      lr[1],
+      lg[1],
+      lb[1],
+      rr[0],
+      rg[0],
+      rb[0],
+      rr[1],
+      rg[1],
+      rb[1],
+      0,
+      0,
     );
   }
 }
@@ -162,7 +190,8 @@ function lengthPerSpeed(first, second, third, nodes) {
     let sum = 0;
     for (let k = 0; k < count; ++k) {
       const u = (k + 0.5) / count;
-      const speed = (/** @type {number} */ axis) => first[axis] + u * (2 * second[axis] + 3 * u * third[axis]);
+      const speed = (/** @type {number} */ axis) =>
+        first[axis] + u * (2 * second[axis] + 3 * u * third[axis]);
       sum += Math.hypot(speed(0), speed(1));
     }
     return sum / count;

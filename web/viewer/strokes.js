@@ -85,7 +85,10 @@ class StrokeDrawer {
    */
   addUp(stroke, pixelFromArtboard, size) {
     const { gl } = this;
-    const artboard = composed(stroke.artboardFromStroke, translation(stroke.origin[0], stroke.origin[1]));
+    const artboard = composed(
+      stroke.artboardFromStroke,
+      translation(stroke.origin[0], stroke.origin[1]),
+    );
     const pixelFromFrame = composed(pixelFromArtboard, artboard);
     const [a, b, c, d] = inverted(pixelFromFrame);
     const program = this.programs

@@ -8,8 +8,10 @@
  * @returns {Rect}
  */
 function intersected(a, b) {
-  const x = Math.max(a[0], b[0]), y = Math.max(a[1], b[1]);
-  const right = Math.min(a[0] + a[2], b[0] + b[2]), bottom = Math.min(a[1] + a[3], b[1] + b[3]);
+  const x = Math.max(a[0], b[0]),
+    y = Math.max(a[1], b[1]);
+  const right = Math.min(a[0] + a[2], b[0] + b[2]),
+    bottom = Math.min(a[1] + a[3], b[1] + b[3]);
   return [x, y, Math.max(0, right - x), Math.max(0, bottom - y)];
 }
 
@@ -22,8 +24,10 @@ function intersected(a, b) {
 function unitedRects(a, b) {
   if (isEmptyRect(a)) return b;
   if (isEmptyRect(b)) return a;
-  const x = Math.min(a[0], b[0]), y = Math.min(a[1], b[1]);
-  const right = Math.max(a[0] + a[2], b[0] + b[2]), bottom = Math.max(a[1] + a[3], b[1] + b[3]);
+  const x = Math.min(a[0], b[0]),
+    y = Math.min(a[1], b[1]);
+  const right = Math.max(a[0] + a[2], b[0] + b[2]),
+    bottom = Math.max(a[1] + a[3], b[1] + b[3]);
   return [x, y, right - x, bottom - y];
 }
 
@@ -105,7 +109,8 @@ class Target {
     gl.bindFramebuffer(gl.READ_FRAMEBUFFER, this.drawn);
     gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, this.resolved);
     gl.disable(gl.SCISSOR_TEST);
-    const right = x + width, bottom = y + height;
+    const right = x + width,
+      bottom = y + height;
     gl.blitFramebuffer(x, y, right, bottom, x, y, right, bottom, gl.COLOR_BUFFER_BIT, gl.NEAREST);
   }
 

@@ -37,7 +37,8 @@ class View {
   fitted() {
     const [x0, y0, x1, y1] = this.page;
     const small = this.width < 240 || this.height < 240;
-    const margin = small ? 0 : FIT_MARGIN, tools = small ? 0 : FIT_TOOLS;
+    const margin = small ? 0 : FIT_MARGIN,
+      tools = small ? 0 : FIT_TOOLS;
     const width = Math.max(1, this.width - 2 * margin);
     const height = Math.max(1, this.height - margin - tools);
     const zoom = Math.min(width / (x1 - x0 || 1), height / (y1 - y0 || 1));
@@ -71,7 +72,8 @@ class View {
    */
   zoomed(from, factor, px, py) {
     const { zoom } = this.limited({ ...from, zoom: from.zoom * factor });
-    const dx = px - this.width / 2, dy = py - this.height / 2;
+    const dx = px - this.width / 2,
+      dy = py - this.height / 2;
     return this.limited({
       x: from.x + dx / from.zoom - dx / zoom,
       y: from.y + dy / from.zoom - dy / zoom,
@@ -95,7 +97,14 @@ class View {
    */
   pixelFromArtboard(size) {
     const scale = this.state.zoom * this.ratio;
-    return [scale, 0, 0, scale, size[0] / 2 - this.state.x * scale, size[1] / 2 - this.state.y * scale];
+    return [
+      scale,
+      0,
+      0,
+      scale,
+      size[0] / 2 - this.state.x * scale,
+      size[1] / 2 - this.state.y * scale,
+    ];
   }
 }
 

@@ -1,5 +1,8 @@
 // The viewer: draws when something has changed, then makes it finer, then rests.
 
+/** Time after which a lost context is spoken of, milliseconds. */
+const PATIENCE = 1000;
+
 class Viewer {
   /**
    * @param {Picture} picture
@@ -36,20 +39,23 @@ class Viewer {
   /** Gets hold of the GPU; throws where it cannot be had. */
   async start() {
     const gl = this.canvas.getContext("webgl2", {
-      alpha: false, antialias: false, depth: false, stencil: false, powerPreference: "high-performance",
+      alpha: false,
+      antialias: false,
+      depth: false,
+      stencil: false,
+      powerPreference: "high-performance",
     });
     if (!gl) throw new Error("This browser shows a still picture only: it has no WebGL 2.");
     this.gl = gl;
     this.texels = await makeTexels(gl, this.picture.paints);
     this.build();
-    this.canvas.addEventListener("webglcontextlost", (event) => {
-      event.preventDefault();
-      this.renderer = null;
-    });
-    this.canvas.addEventListener("webglcontextrestored", () => this.attempt(() => this.build()));
+    this.canvas.addEventListener("webglcontextlost", (event) => this.lose(event));
+    this.canvas.addEventListener("webglcontextrestored", () => this.attempt(() => this.restore()));
     this.controls.showCanvas();
     this.watchSize();
-    window.matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.change());
+    window
+      .matchMedia("(prefers-color-scheme: dark)")
+      .addEventListener("change", () => this.change());
   }
 
   build() {
@@ -57,6 +63,21 @@ class Viewer {
     if (!gl || !texels || gl.isContextLost()) return;
     this.renderer = new Renderer(gl, shaderText, this.picture, texels);
     this.change();
+  }
+
+  /** @param {Event} event */
+  lose(event) {
+    event.preventDefault();
+    this.renderer = null;
+    setTimeout(() => {
+      if (!this.renderer)
+        this.controls.say("The browser has taken the graphics away. They may come back.");
+    }, PATIENCE);
+  }
+
+  restore() {
+    this.controls.showCanvas();
+    this.build();
   }
 
   /** @param {() => void} act */
@@ -86,9 +107,10 @@ class Viewer {
     const { clientWidth, clientHeight } = this.canvas;
     const ratio = window.devicePixelRatio || 1;
     const exact = entry?.devicePixelContentBoxSize?.[0];
-    let size = exact
-      ? [exact.inlineSize, exact.blockSize]
-      : [Math.round(clientWidth * ratio), Math.round(clientHeight * ratio)];
+    let size = [Math.round(clientWidth * ratio), Math.round(clientHeight * ratio)];
+    // Where a ratio is only pretended, the exact box does not know it.
+    if (exact && Math.abs(exact.inlineSize - size[0]) <= 1)
+      size = [exact.inlineSize, exact.blockSize];
     const most = this.renderer?.abilities.largestSide ?? Infinity;
     const shrink = Math.min(1, most / Math.max(...size));
     size = size.map((length) => Math.max(1, Math.floor(length * shrink)));

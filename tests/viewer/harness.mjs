@@ -1,0 +1,196 @@
+// What the tests share: TAP, the command, pages in Chromium, comparison of pictures.
+import { execFileSync } from "node:child_process";
+import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
+import { fileURLToPath } from "node:url";
+
+const root = new URL("../../", import.meta.url);
+
+/** A path of the project, absolute. */
+export const pathOf = (relative) => fileURLToPath(new URL(relative, root));
+
+export class Skip extends Error {}
+
+/** Runs tests one after another and prints TAP. */
+export class Tap {
+  failures = 0;
+
+  async test(name, body) {
+    const start = Date.now();
+    try {
+      await body();
+      if (Date.now() - start > 1000) console.log(`# ${((Date.now() - start) / 1000).toFixed(1)} s`);
+      console.log(`ok - ${name}`);
+    } catch (error) {
+      if (error instanceof Skip) {
+        console.log(`ok - ${name} # SKIP ${error.message}`);
+        return;
+      }
+      this.failures += 1;
+      console.log(`not ok - ${name}\n# ${String(error?.stack ?? error).replaceAll("\n", "\n# ")}`);
+    }
+  }
+}
+
+export function check(condition, message) {
+  if (!condition) throw new Error(message);
+}
+
+export function checkNear(actual, expected, tolerance, what) {
+  check(Math.abs(actual - expected) <= tolerance, `${what}: ${actual}, expected ${expected}`);
+}
+
+/** A document of the tests; skips where it is a public scene that is not here. */
+export function documentPath(name) {
+  const path = pathOf(name);
+  if (!existsSync(path)) throw new Skip(`${name} is not here`);
+  return path;
+}
+
+/** The command and a folder for what it makes. */
+export class Command {
+  constructor(program, folder) {
+    this.program = program;
+    this.folder = folder;
+    mkdirSync(folder, { recursive: true });
+  }
+
+  file(name) {
+    return `${this.folder}/${name}`;
+  }
+
+  run(...words) {
+    execFileSync(this.program, words.map(String), { stdio: ["ignore", "ignore", "pipe"] });
+  }
+
+  /** The viewer of a document; made once. */
+  html(document, ...options) {
+    const path = this.file(`${document.replace(/\W/g, "_")}${options.join("")}.html`);
+    if (!existsSync(path))
+      this.run("render", documentPath(document), "-o", path, "--quiet", ...options);
+    return path;
+  }
+
+  /** A page made of a document's by changing its text. */
+  changed(document, name, change) {
+    const path = this.file(`${name}.html`);
+    writeFileSync(path, change(readFileSync(this.html(document), "utf8")));
+    return path;
+  }
+
+  /** What the rasterizer shows of a part of the artboard: x, y, width, height. */
+  raster(document, size, part) {
+    const path = this.file("raster.png");
+    this.run(
+      "render",
+      documentPath(document),
+      "-o",
+      path,
+      "--width",
+      size[0],
+      "--height",
+      size[1],
+      "--viewport",
+      part.join(","),
+      "--quiet",
+    );
+    return readFileSync(path);
+  }
+}
+
+/** Messages that are no fault of the page: reading a screenshot back is slow. */
+const HARMLESS = /GPU stall due to ReadPixels/;
+
+/** Pages of one browser; their consoles have to stay silent. */
+export class Pages {
+  constructor(browser) {
+    this.browser = browser;
+  }
+
+  /**
+   * Opens a file, hands the page to `body`, and fails where the page complains.
+   * options: size, ratio, touch, before (a script that runs first), broken (no picture expected).
+   */
+  async open(path, options, body) {
+    const {
+      size = [320, 240],
+      ratio = 1,
+      touch = false,
+      before,
+      broken = false,
+      ...rest
+    } = options;
+    const context = await this.browser.newContext({
+      viewport: { width: size[0], height: size[1] },
+      deviceScaleFactor: ratio,
+      hasTouch: touch,
+      ...rest,
+    });
+    const complaints = [];
+    const page = await context.newPage();
+    page.on("pageerror", (error) => complaints.push(String(error)));
+    page.on("console", (message) => {
+      if (["error", "warning"].includes(message.type()) && !HARMLESS.test(message.text())) {
+        complaints.push(message.text());
+      }
+    });
+    page.on("request", (request) => {
+      if (!/^(file|data|blob):/.test(request.url())) complaints.push(`asked for ${request.url()}`);
+    });
+    try {
+      if (before) await page.addInitScript(before);
+      await page.goto(`file://${path}`);
+      if (!broken) await page.evaluate(() => window.sfumatoViewer.ready);
+      await body(page);
+      check(complaints.length === 0, `the page complained: ${complaints.join(" | ")}`);
+    } finally {
+      await context.close();
+    }
+  }
+}
+
+export const settled = (page) => page.evaluate(() => window.sfumatoViewer.settled());
+
+export const viewOf = (page) => page.evaluate(() => window.sfumatoViewer.view);
+
+export async function show(page, view) {
+  await page.evaluate((to) => {
+    window.sfumatoViewer.view = to;
+  }, view);
+  await settled(page);
+}
+
+/** A screenshot without the buttons. */
+export async function pictureOf(page) {
+  await page.evaluate(() => {
+    document.getElementById("tools").style.visibility = "hidden";
+  });
+  return page.screenshot();
+}
+
+/** Mean and 99th percentile of the difference of two PNGs, code values. */
+export function difference(PNG, a, b) {
+  const [first, second] = [a, b].map((bytes) => PNG.sync.read(bytes));
+  check(first.width === second.width && first.height === second.height, "the sizes differ");
+  const counts = new Array(256).fill(0);
+  for (let i = 0; i < first.data.length; ++i) {
+    if (i % 4 < 3) counts[Math.abs(first.data[i] - second.data[i])] += 1;
+  }
+  const total = (3 * first.data.length) / 4;
+  let mean = 0,
+    below = 0,
+    percentile = 0;
+  counts.forEach((count, value) => {
+    mean += (count * value) / total;
+    if (below < 0.99 * total) percentile = value;
+    below += count;
+  });
+  return { mean, percentile };
+}
+
+/** How far a picture is from one colour at most, code values. */
+export function rangeOf(PNG, bytes) {
+  const { data } = PNG.sync.read(bytes);
+  let range = 0;
+  for (let i = 4; i < data.length; ++i) range = Math.max(range, Math.abs(data[i] - data[i % 4]));
+  return range;
+}

@@ -1,0 +1,115 @@
+// The viewer's own reader, outside a browser: against the library's values, and fed with damage.
+import { execFileSync } from "node:child_process";
+import { readFileSync } from "node:fs";
+import { check, documentPath, pathOf } from "./harness.mjs";
+
+const FILES = ["affine", "bytes", "mesh", "field", "gl", "paints", "segments", "payload"];
+
+/** The files of web/viewer as they stand in the page: one script. */
+function loadReader() {
+  const text = FILES.map((name) => readFileSync(pathOf(`web/viewer/${name}.js`), "utf8")).join("");
+  return new Function(`"use strict"; ${text} return { PictureReader, PayloadError, inflated };`)();
+}
+
+/** A quarter of an 8-bit step. */
+const LARGEST_MISS = 0.25 / 255 + 1e-7;
+
+/** The values of a layer's field at triangle t, from both sides; returns the largest difference. */
+function fieldMiss(field, t, values, at) {
+  let miss = 0;
+  for (let slot = 0; slot < 10; ++slot) {
+    const node = field.triangleNode[10 * t + slot];
+    for (let c = 0; c < field.channelCount; ++c) {
+      miss = Math.max(miss, Math.abs(field.value[field.channelCount * node + c] - values[at++]));
+    }
+  }
+  return miss;
+}
+
+function checkLayer(layer, values, at) {
+  const { mesh, color, opacity } = layer;
+  const [triangleCount, colorChannels, opacityChannels] = values.subarray(at, at + 3);
+  check(mesh.topology.triangleCount === triangleCount, "the number of triangles");
+  check(color.channelCount === colorChannels, "the channels of colour");
+  check((opacity?.channelCount ?? 0) === opacityChannels, "the channels of opacity");
+  const extent = Math.max(mesh.bounds[2] - mesh.bounds[0], mesh.bounds[3] - mesh.bounds[1]);
+  at += 3;
+  for (let t = 0; t < triangleCount; ++t) {
+    for (let k = 0; k < 3; ++k) {
+      for (let axis = 0; axis < 2; ++axis) {
+        const vertex = mesh.topology.cornerVertex[3 * t + k];
+        const position = mesh.position[2 * vertex + axis] + mesh.origin[axis];
+        check(Math.abs(position - values[at++]) <= extent * 2 ** -22, `a corner of triangle ${t}`);
+      }
+    }
+    for (const field of opacity ? [color, opacity] : [color]) {
+      check(fieldMiss(field, t, values, at) <= LARGEST_MISS, `a node of triangle ${t}`);
+      at += 10 * field.channelCount;
+    }
+  }
+  return at;
+}
+
+/** The same numbers in every run. */
+function* randomNumbers(seed) {
+  for (let state = seed >>> 0; ;) {
+    state = (Math.imul(state, 1664525) + 1013904223) >>> 0;
+    yield state >>> 8;
+  }
+}
+
+const DAMAGES = 3000;
+
+/** Reads a picture of which bytes were changed: it has to be read, or refused in words. */
+function feedDamage({ PictureReader, PayloadError }, bytes) {
+  const random = randomNumbers(7);
+  let refused = 0;
+  for (let i = 0; i < DAMAGES; ++i) {
+    const damaged = bytes.slice(
+      0,
+      i % 10 === 0 ? random.next().value % bytes.length : bytes.length,
+    );
+    for (let k = random.next().value % 4; k >= 0 && damaged.length > 0; --k) {
+      damaged[random.next().value % damaged.length] = random.next().value & 255;
+    }
+    try {
+      new PictureReader(damaged).run();
+    } catch (error) {
+      if (!(error instanceof PayloadError)) throw error;
+      refused += 1;
+    }
+  }
+  check(refused > DAMAGES / 10, `only ${refused} of ${DAMAGES} were refused`);
+}
+
+export async function testPayload(tap, { dump, command }) {
+  const reader = loadReader();
+  const read = async (document) => {
+    const [payload, values] = [command.file("picture.payload"), command.file("picture.values")];
+    execFileSync(dump, [documentPath(document), payload, values]);
+    const bytes = await reader.inflated(new Uint8Array(readFileSync(payload)));
+    const raw = readFileSync(values);
+    return {
+      bytes,
+      values: new Float64Array(raw.buffer.slice(raw.byteOffset, raw.byteOffset + raw.length)),
+    };
+  };
+  for (const document of [
+    "../shared/scenes/lady_bug.xml",
+    "examples/fish.svg",
+    "tests/wasm/controls.svg",
+  ]) {
+    await tap.test(
+      `the viewer reads ${document.split("/").at(-1)} within a quarter of a step`,
+      async () => {
+        const { bytes, values } = await read(document);
+        const picture = new reader.PictureReader(bytes).run();
+        const end = picture.layers.reduce((at, layer) => checkLayer(layer, values, at), 0);
+        check(end === values.length, "the number of values");
+      },
+    );
+  }
+  await tap.test("damaged bytes are refused, never a crash", async () => {
+    feedDamage(reader, (await read("tests/viewer/small.svg")).bytes);
+  });
+}

@@ -1,0 +1,50 @@
+// Tests of the HTML viewer in Chromium, printed as TAP:
+// node run.mjs SFUMATO DUMP_PICTURE OUT_FOLDER
+import { execFileSync } from "node:child_process";
+import { rmSync } from "node:fs";
+import { chromium } from "playwright-core";
+import { PNG } from "pngjs";
+import { Command, Pages, Tap, pathOf } from "./harness.mjs";
+import { testInteraction } from "./interaction.mjs";
+import { testPayload } from "./payload.mjs";
+import { testPictures } from "./pictures.mjs";
+import { testRobustness } from "./robustness.mjs";
+
+const [program, dump, folder] = process.argv.slice(2);
+rmSync(folder, { recursive: true, force: true });
+
+const tap = new Tap();
+const command = new Command(program, folder);
+await tap.test("the viewer's types are right", () => {
+  const compiler = pathOf("tests/viewer/node_modules/typescript/bin/tsc");
+  try {
+    execFileSync(process.execPath, [compiler, "-p", pathOf("tests/viewer")]);
+  } catch (error) {
+    throw new Error(String(error.stdout));
+  }
+});
+await testPayload(tap, { dump, command });
+
+await tap.test("Chromium starts, and all tests come to their end", async () => {
+  const browser = await chromium.launch({
+    executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
+    args: [
+      "--no-sandbox",
+      "--disable-gpu",
+      "--disable-quic",
+      "--no-first-run",
+      "--disable-background-networking",
+      "--disable-component-update",
+      "--disable-sync",
+    ],
+  });
+  try {
+    const tools = { PNG, command, pages: new Pages(browser) };
+    await testPictures(tap, tools);
+    await testInteraction(tap, tools);
+    await testRobustness(tap, tools);
+  } finally {
+    await browser.close();
+  }
+});
+process.exitCode = tap.failures > 0 ? 1 : 0;
