@@ -2,12 +2,12 @@
 #include <cstdio>
 #include <string>
 
+#include "base/json.hpp"
 #include "base/native/file.hpp"
 #include "base/native/tbb_executor.hpp"
 #include "cli/commands.hpp"
 #include "cli/difference.hpp"
 #include "cli/interrupt.hpp"
-#include "cli/json.hpp"
 #include "cli/paths.hpp"
 #include "formats/png.hpp"
 

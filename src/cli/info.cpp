@@ -1,12 +1,12 @@
 #include <cstdio>
 #include <string>
 
+#include "base/json.hpp"
 #include "base/native/tbb_executor.hpp"
 #include "cli/commands.hpp"
 #include "cli/document_facts.hpp"
 #include "cli/document_input.hpp"
 #include "cli/interrupt.hpp"
-#include "cli/json.hpp"
 #include "cli/paths.hpp"
 #include "formats/number_text.hpp"
 

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
+#include "base/json.hpp"
 #include "base/native/tbb_executor.hpp"
 #include "cli/commands.hpp"
 #include "cli/document_input.hpp"
 #include "cli/interrupt.hpp"
-#include "cli/json.hpp"
 #include "cli/paths.hpp"
 
 namespace sfumato::cli {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "cli/json.hpp"
+#include "base/json.hpp"
 
 namespace sfumato::cli {
 namespace {

@@ -1,10 +1,10 @@
-#include "cli/json.hpp"
+#include "base/json.hpp"
 
 #include <charconv>
 #include <cmath>
 #include <cstdio>
 
-namespace sfumato::cli {
+namespace sfumato {
 namespace {
 
 std::string quoted(std::string_view text) {
@@ -68,4 +68,4 @@ void JsonWriter::separate() {
   first_ = false;
 }
 
-}  // namespace sfumato::cli
+}  // namespace sfumato

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace sfumato::cli {
+namespace sfumato {
 
 /// Writes one JSON value, compact. Keys and values in the caller's order; infinities and NaN become
 /// null. Text is taken as UTF-8.
@@ -21,6 +21,9 @@ class JsonWriter {
   JsonWriter& value(double number);
   JsonWriter& value(std::unsigned_integral auto number) { return raw(std::to_string(number)); }
   JsonWriter& value(std::signed_integral auto number) { return raw(std::to_string(number)); }
+
+  /// true or false; a function of its own, since text would turn into bool too.
+  JsonWriter& truth(bool is_true) { return raw(is_true ? "true" : "false"); }
 
   template <class Value>
   JsonWriter& member(std::string_view name, const Value& content) {
@@ -39,4 +42,4 @@ class JsonWriter {
   bool first_ = true;  ///< nothing stands before the next value at this level
 };
 
-}  // namespace sfumato::cli
+}  // namespace sfumato
