@@ -85,6 +85,18 @@ double largest_rise(const std::array<double, 3>& bent) {
   return largest;
 }
 
+/// How far the code value of a mean of linear light rises above the same mean of code values
+/// between `low` and `high`, at most. The transfer is convex: its ends mix worst, and most where
+/// its slope is that of their chord.
+double light_rise(double low, double high) {
+  constexpr double kGamma = 2.4, kOffset = 0.055, kScale = 1.055, kToe = 0.04045;
+  if (!(high > std::max(low, kToe))) return 0;
+  const double light = linear_from_code(low);
+  const double slope = (linear_from_code(high) - light) / (high - low);
+  const double code = kScale * std::pow(slope * kScale / kGamma, 1 / (kGamma - 1)) - kOffset;
+  return code - low - (linear_from_code(code) - light) / slope;
+}
+
 Barycentric mean(const Barycentric& a, const Barycentric& b, const Barycentric& c) {
   return {(a[0] + b[0] + c[0]) / 3, (a[1] + b[1] + c[1]) / 3, (a[2] + b[2] + c[2]) / 3};
 }
@@ -93,10 +105,12 @@ Barycentric mean(const Barycentric& a, const Barycentric& b, const Barycentric& 
 
 bool reads_color(const FacetSource& source) {
   return source.kind == Kind::color || source.kind == Kind::color_weight ||
-         source.kind == Kind::color_base || source.kind == Kind::color_mask;
+         source.kind == Kind::color_base || source.kind == Kind::color_mask ||
+         source.kind == Kind::light;
 }
 
 int channel_count_of(const FacetSource& source) {
+  if (source.kind == Kind::light) return 4;
   return source.kind == Kind::color || source.kind == Kind::color_base ? 3 : 1;
 }
 
@@ -126,7 +140,8 @@ double FacetPatch::Hessian::norm() const {
 FacetPatch::FacetPatch(const PatchLayer& layer, InterpolationSpace space, const FacetSource& source,
                        std::uint32_t triangle, double max_error)
     : order_(layer.order), channel_count_(channel_count_of(source)), max_error_(max_error) {
-  if (source.kind == Kind::color) space_ = space;
+  is_light_ = source.kind == Kind::light;
+  if (source.kind == Kind::color || is_light_) space_ = space;
   read(layer, source, triangle);
   find_curvature();
 }
@@ -163,7 +178,7 @@ FacetPatch::Value FacetPatch::unclamped(const Barycentric& at) const {
   if (space_ == InterpolationSpace::srgb) return value;
   const Rgb code = to_srgb(space_, {static_cast<float>(value[0]), static_cast<float>(value[1]),
                                     static_cast<float>(value[2])});
-  return {code.r, code.g, code.b};
+  return {code.r, code.g, code.b, value[3]};
 }
 
 FacetPatch::Value FacetPatch::shown(const Barycentric& at) const {
@@ -223,7 +238,7 @@ int FacetPatch::cuts(int most) const {
     if (exact >= most) return most;
     n = exact > 1 ? static_cast<int>(exact) : 1;
   }
-  const int fraction = is_sampled_ ? 4 : most;
+  const int fraction = is_sampled_ || is_light_ ? 4 : most;
   while (n < most && !is_met_by(FacetGrid({n, {n, n, n}})))
     n = std::min(n + 1 + n / fraction, most);
   return n;
@@ -282,9 +297,22 @@ double FacetPatch::sampled_error(const std::array<Barycentric, 3>& facet) const 
   return largest;
 }
 
+/// By how much a mean of the corners' linear light differs from that of their code values, at most.
+double FacetPatch::light_error(const std::array<Barycentric, 3>& facet) const {
+  const Value corner[3] = {shown(facet[0]), shown(facet[1]), shown(facet[2])};
+  double largest = 0;
+  for (int c = 0; c < 3; ++c) {
+    const auto [low, high] = std::minmax({corner[0][c], corner[1][c], corner[2][c]});
+    largest = std::max(largest, light_rise(low, high));
+  }
+  return largest;
+}
+
 bool FacetPatch::is_met_by(const std::array<Barycentric, 3>& facet) const {
-  if (is_sampled_) return !(kBetweenSamples * sampled_error(facet) > max_error_);
-  return !(bound(facet) > max_error_);
+  const double light = is_light_ ? light_error(facet) : 0;
+  if (light > max_error_) return false;
+  const double curved = is_sampled_ ? kBetweenSamples * sampled_error(facet) : bound(facet);
+  return !(curved + light > max_error_);
 }
 
 bool FacetPatch::is_met_by(const FacetGrid& grid) const {

@@ -20,7 +20,7 @@ inline constexpr int kMostClampedCuts = 16;
 /// (docs/mathematics.md, "Facets").
 class FacetPatch {
  public:
-  static constexpr int kMostChannels = 3;
+  static constexpr int kMostChannels = 4;
   using Value = std::array<double, kMostChannels>;
 
   /// Nothing of `layer` is kept.
@@ -55,6 +55,7 @@ class FacetPatch {
   double bound(const std::array<Barycentric, 3>& facet) const;
   int most_cuts() const { return is_clamped_ ? kMostClampedCuts : kMostCuts; }
   bool is_met_by(const std::array<Barycentric, 3>& facet) const;
+  double light_error(const std::array<Barycentric, 3>& facet) const;
   double sampled_error(const std::array<Barycentric, 3>& facet) const;
 
   PatchOrder order_;
@@ -65,6 +66,7 @@ class FacetPatch {
   bool has_share_ = false;
   std::array<double, 10> share_{};  ///< at the nodes: what values are divided by
   std::array<std::array<Hessian, 3>, kMostChannels> corner_{};  ///< they are linear in between
+  bool is_light_ = false;                                       ///< facets are linear in light
   bool is_clamped_ = false;  ///< an sRGB patch that leaves [0, 1]
   bool is_sampled_ = false;  ///< clamping or conversion bend the patch: no bound by derivatives
 };

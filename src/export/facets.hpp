@@ -13,6 +13,10 @@ namespace sfumato::outputs {
 /// What a facet mesh carries: the colour of a layer in sRGB code values (3 channels), its opacity
 /// (1 channel), or the weights of one of the shaders of either field (1 channel).
 ///
+/// `light` is for programs that interpolate linear light: colour and opacity at once (4 channels,
+/// of which the layer's colour field must have no others), cut so that their error, in code values
+/// too, is bounded.
+///
 /// For composition by source-over (docs/pdf.md): `base` is what the curves give over their share of
 /// it all, and `mask` the weight of a shader over the share that the shaders after it leave.
 struct FacetSource {
@@ -21,6 +25,7 @@ struct FacetSource {
     opacity,
     color_weight,
     opacity_weight,
+    light,
     color_base,
     opacity_base,
     color_mask,
