@@ -61,7 +61,8 @@ std::size_t texel_bytes(const Shader& shader) {
   return texture ? texture->rgba.size() + texture->file.size() : 0;
 }
 
-/// Gives a transparent pixel the mean colour of neighbours that are not.
+}  // namespace
+
 void bleed(Image* image) {
   const int width = image->width, height = image->height;
   const auto pixel = [&](int x, int y) {
@@ -88,8 +89,6 @@ void bleed(Image* image) {
     }
   }
 }
-
-}  // namespace
 
 Result<PixelPart> shader_pixels(Context& context, const Shader& shader, bool as_opacity,
                                 const Box& box, double pixels_per_unit) {

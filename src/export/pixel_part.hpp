@@ -36,4 +36,8 @@ Result<PixelPart> stroke_pixels(Context& context, std::span<const LocalStroke> s
                                 InterpolationSpace space, const Box& viewport,
                                 double pixels_per_unit);
 
+/// Gives transparent pixels of an rgba8 image the mean colour of neighbours that are not, so that
+/// programs which filter it leave no fringe.
+void bleed(Image* image);
+
 }  // namespace sfumato::outputs

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "export/pixel_part.hpp"
 #include "formats/png.hpp"
 #include "raster/rasterize.hpp"
 
@@ -167,8 +168,9 @@ Result<PixelRun> paint_run(Context& context, const Picture& picture, std::size_t
   options.width = result.width;
   options.height = result.height;
   options.format = PixelFormat::rgba8;
-  const Result<Image> image = rasterize(context, part.on(result.box), options);
+  Result<Image> image = rasterize(context, part.on(result.box), options);
   if (!image) return image.status();
+  bleed(&*image);
   Result<std::vector<std::uint8_t>> png = encode_png(context, *image);
   if (!png) return png.status();
   result.png = std::move(*png);

@@ -1,0 +1,96 @@
+#pragma once
+
+#include <array>
+#include <compare>
+#include <cstdint>
+#include <map>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "base/affine.hpp"
+#include "base/context.hpp"
+#include "base/json.hpp"
+#include "base/status.hpp"
+
+namespace sfumato::outputs {
+
+/// Triangles as glTF has them: y up, counter-clockwise from the front.
+struct GlbMesh {
+  std::vector<float> position;       ///< x, y, z per vertex
+  std::vector<std::uint16_t> color;  ///< linear r, g, b and alpha per vertex; or empty
+  std::vector<float> texture;        ///< u, v per vertex; or empty
+  std::vector<std::uint32_t> index;  ///< 3 per triangle
+  ScopedCharge charge;
+};
+
+/// Puts a scene together and writes it as one file: https://registry.khronos.org/glTF/specs/2.0.
+/// All numbers that it returns count from 0.
+class GlbFile {
+ public:
+  explicit GlbFile(Context& context) : context_(context) {}
+
+  /// The data of a mesh, which several may show. Errors: limit (memory, 4 GiB).
+  Result<std::uint32_t> add_geometry(const GlbMesh& mesh);
+  /// A PNG. Errors: limit.
+  Result<std::uint32_t> add_image(std::span<const std::uint8_t> png);
+
+  /// A material of its own for a geometry: its alpha, whether it is blended, and an image or -1.
+  struct Material {
+    double opacity = 1;
+    bool is_blended = false;
+    std::int64_t image = -1;
+    friend auto operator<=>(const Material&, const Material&) = default;
+  };
+  /// A mesh: a geometry with a material. The same twice is one.
+  std::uint32_t add_mesh(std::uint32_t geometry, const Material& material);
+
+  /// A mesh at a place of the root's frame: (x, y) → place(x, y), with z. Errors: limit.
+  Status add_node(std::uint32_t mesh, const Affine& place, double z);
+
+  /// The file; its root turns units into metres. Nothing more may be added. Errors: limit.
+  Result<std::vector<std::uint8_t>> finish(double metres_per_unit);
+
+ private:
+  struct View {
+    std::size_t offset, bytes;
+    int target;  ///< of WebGL; 0: none
+  };
+  struct Geometry {
+    std::uint32_t first_view = 0, first_accessor = 0;
+    std::uint32_t vertices = 0, indices = 0;
+    std::array<float, 6> bounds{};
+    bool has_color = false, has_texture = false;
+  };
+  struct Mesh {
+    std::uint32_t geometry, material;
+  };
+  struct Node {
+    std::int64_t mesh = -1;  ///< or, without one, the next node is its child
+    std::array<double, 16> matrix;
+  };
+
+  Status add_view(const void* data, std::size_t bytes, int target);
+  void write_scene(JsonWriter& json, double metres_per_unit) const;
+  void write_materials(JsonWriter& json) const;
+  void write_meshes(JsonWriter& json) const;
+  void write_buffers(JsonWriter& json) const;
+  void write_accessors(JsonWriter& json) const;
+  void write_images(JsonWriter& json) const;
+
+  Context& context_;
+  ScopedCharge charge_;
+  std::vector<std::uint8_t> binary_;
+  std::vector<View> views_;
+  std::vector<Geometry> geometries_;
+  std::vector<std::uint32_t> image_view_;
+  std::uint32_t accessor_count_ = 0;
+  std::vector<Material> materials_;
+  std::map<Material, std::uint32_t> known_materials_;
+  std::vector<Mesh> meshes_;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> known_meshes_;
+  std::vector<Node> nodes_;
+  std::vector<std::uint32_t> top_nodes_;
+};
+
+}  // namespace sfumato::outputs
