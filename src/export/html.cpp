@@ -6,13 +6,16 @@
 #include <utility>
 
 #include "export/embedded.hpp"
+#include "export/html_text.hpp"
 #include "export/viewer_payload.hpp"
 #include "formats/base64.hpp"
 
 namespace sfumato {
 namespace {
 
+using outputs::condensed;
 using outputs::embedded_file;
+using outputs::escaped_html;
 
 /// In the order in which they stand in the page; main.js begins.
 constexpr std::string_view kScripts[] = {"affine.js",   "bytes.js",   "mesh.js",     "field.js",
@@ -26,33 +29,9 @@ constexpr std::string_view kShaders[] = {"common.glsl",         "paint.glsl",   
                                          "present.frag",        "stroke.vert",  "stroke.frag",
                                          "stroke_resolve.frag", "overlay.vert", "overlay.frag"};
 
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        // Control characters have no place in HTML.
-        result += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
-    }
-  }
-  return result;
-}
-
 std::string scripts() {
   std::string text;
-  for (std::string_view name : kScripts) text += embedded_file(name);
+  for (std::string_view name : kScripts) text += condensed(embedded_file(name));
   return text;
 }
 
@@ -60,7 +39,7 @@ std::string shaders() {
   std::string text;
   for (std::string_view name : kShaders) {
     text += "<script type=\"text/plain\" data-shader=\"" + std::string(name) + "\">" +
-            std::string(embedded_file("shaders/" + std::string(name))) + "</script>\n";
+            condensed(embedded_file("shaders/" + std::string(name))) + "</script>\n";
   }
   return text;
 }
@@ -74,7 +53,7 @@ bool is_media_type(std::string_view type) {
 
 std::string fallback(const HtmlOptions& options) {
   if (options.fallback.empty()) return {};
-  return "<img id=\"fallback\" alt=\"" + escaped(options.title) +
+  return "<img id=\"fallback\" alt=\"" + escaped_html(options.title) +
          "\" src=\"data:" + options.fallback_type + ";base64," + encode_base64(options.fallback) +
          "\">";
 }
@@ -112,8 +91,8 @@ Result<std::vector<std::uint8_t>> export_html(Context& context, const Picture& p
   const std::size_t bytes = 3 * (payload->size() + options.fallback.size()) / 2 * 2 + (1 << 20);
   if (Status status = charge.add(context, bytes, "the HTML file"); !status) return status;
   const std::string page =
-      filled(embedded_file("page.html"), {{{"title", escaped(options.title)},
-                                           {"style", std::string(embedded_file("viewer.css"))},
+      filled(embedded_file("page.html"), {{{"title", escaped_html(options.title)},
+                                           {"style", condensed(embedded_file("viewer.css"))},
                                            {"fallback", fallback(options)},
                                            {"shaders", shaders()},
                                            {"payload", encode_base64(*payload)},

@@ -28,7 +28,7 @@ struct HtmlOptions {
 ///
 /// Errors: bad_input (a picture whose tables do not fit, a fallback type that is none), limit
 /// (kViewerTriangles, kViewerStrokeSegments, memory), cancelled.
-/// Cost: about 2 µs and 12 bytes of the file a triangle, and 100 kB for the viewer.
+/// Cost: about 2 µs and 12 bytes of the file a triangle, and 90 kB for the viewer.
 Result<std::vector<std::uint8_t>> export_html(Context& context, const Picture& picture,
                                               const HtmlOptions& options,
                                               ExportNotes* notes = nullptr);
