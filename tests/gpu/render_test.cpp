@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -186,6 +186,17 @@ TEST(GpuRender, values_out_of_range_are_clamped) {
     return Rgb{static_cast<float>(p.x / 16 - 1), static_cast<float>(2 - p.y / 12), 7};
   };
   expect_near(make_picture(make_layer(checkered(6), steep)), image_size(64, 48, PixelFormat::rgb8));
+}
+
+TEST(GpuRender, what_is_not_a_number_stays_in_its_triangles) {
+  SFUMATO_NEEDS_GPU();
+  Picture picture = veiled(0.7f, BlendMode::multiply);
+  const Image expected = rasterized(picture, image_size(64, 48, PixelFormat::rgb8));
+  // The first quad is the upper left corner.
+  for (std::size_t i = 0; i < 3 * 10; ++i)
+    picture.layers[0].color.node_value[i] = std::numeric_limits<float>::quiet_NaN();
+  const Image image = on_gpu(picture, image_size(64, 48, PixelFormat::rgb8));
+  EXPECT_NEAR(channel(image, 40, 30, 0), channel(expected, 40, 30, 0), 1);
 }
 
 TEST(GpuRender, maps_that_flatten_or_explode_paint_what_the_cpu_paints) {
