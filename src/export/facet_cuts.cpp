@@ -44,82 +44,99 @@ std::vector<Side> sorted_sides(const PatchLayer& layer, const PatchField& field)
   return sides;
 }
 
-/// Numbers the edges and gives each the finest cut at its vertices.
-void join_edges(const PatchLayer& layer, const PatchField& field, FacetCuts* cuts) {
-  const std::vector<Side> sides = sorted_sides(layer, field);
-  cuts->edge_of.resize(sides.size());
-  for (std::size_t begin = 0, end = 0; begin < sides.size(); begin = end) {
-    std::uint8_t finest = 1;
-    for (; end < sides.size() && sides[end].low == sides[begin].low &&
-           sides[end].high == sides[begin].high;
-         ++end)
-      finest = std::max(finest, cuts->grid[sides[end].half_edge / 3]);
-    for (std::size_t i = begin; i < end; ++i) {
-      const std::uint32_t half_edge = sides[i].half_edge;
-      const bool is_same = i > begin && nodes_on(layer, field, half_edge) ==
-                                            nodes_on(layer, field, sides[i - 1].half_edge);
-      if (!is_same) cuts->edge.push_back({half_edge, finest});
-      cuts->edge_of[half_edge] = static_cast<std::uint32_t>(cuts->edge.size() - 1);
-    }
-  }
-}
-
-/// Into how many parts sides may be cut that are not to become shorter than `smallest_side`.
-int most_cuts(const PatchLayer& layer, std::uint32_t triangle, double smallest_side) {
-  double longest = 0;
-  for (std::uint32_t k = 0; k < 3; ++k) {
-    const auto corner = [&](std::uint32_t i) {
-      return layer.vertex_position[layer.triangle_vertex[std::size_t{3} * triangle + i % 3]];
+/// Cuts an edge by halving, where one of the curves of values along it asks for it.
+std::uint64_t steps_of(const std::vector<FacetPatch>& along, double length, double smallest_side) {
+  std::uint64_t steps = 0;
+  const auto halve = [&](const auto& self, int from, int to) -> void {
+    const double size = 1.0 * (to - from) / kEdgeSteps;
+    if (to - from < 2 || size * length < 2 * smallest_side) return;
+    const auto at = [](int step) {
+      return Barycentric{1.0 * (kEdgeSteps - step) / kEdgeSteps, 1.0 * step / kEdgeSteps, 0};
     };
-    longest = std::max(longest, length(corner(k + 1) - corner(k)));
-  }
-  if (!(longest < kMostCuts * smallest_side)) return kMostCuts;
-  return std::max(1, static_cast<int>(longest / smallest_side));
+    const bool is_straight = std::all_of(along.begin(), along.end(), [&](const FacetPatch& edge) {
+      return size * edge.most_cuts() < 2 || edge.is_straight_edge(at(from), at(to));
+    });
+    if (is_straight) return;
+    const int middle = (from + to) / 2;
+    steps |= std::uint64_t{1} << middle;
+    self(self, from, middle);
+    self(self, middle, to);
+  };
+  halve(halve, 0, kEdgeSteps);
+  return steps;
 }
 
-/// The grid of a patch with edges finer than it: as coarse as the error allows.
-int stitched_grid(const FacetPatch& patch, PatchCut cut) {
-  const int own = cut.grid;
-  for (; cut.grid < 2 * own - 1; ++cut.grid)
-    if (patch.is_met_by(FacetGrid(cut))) break;
-  return cut.grid;
+/// Numbers the edges; cuts->edge lies in the order of `sides`, and edges between the same vertices
+/// follow one another. Returns the first edge between each two vertices, and how many there are.
+std::vector<std::uint32_t> number_edges(const PatchLayer& layer, const PatchField& field,
+                                        FacetCuts* cuts) {
+  const std::vector<Side> sides = sorted_sides(layer, field);
+  std::vector<std::uint32_t> first;
+  cuts->edge_of.resize(sides.size());
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    const bool is_same_place =
+        i > 0 && sides[i].low == sides[i - 1].low && sides[i].high == sides[i - 1].high;
+    const bool is_same_edge = is_same_place && nodes_on(layer, field, sides[i].half_edge) ==
+                                                   nodes_on(layer, field, sides[i - 1].half_edge);
+    const auto index = static_cast<std::uint32_t>(cuts->edge.size());
+    if (!is_same_place) first.push_back(index);
+    if (!is_same_edge) cuts->edge.push_back({0, sides[i].half_edge});
+    cuts->edge_of[sides[i].half_edge] = static_cast<std::uint32_t>(cuts->edge.size() - 1);
+  }
+  first.push_back(static_cast<std::uint32_t>(cuts->edge.size()));
+  return first;
+}
+
+Vec2 corner_position(const PatchLayer& layer, std::uint32_t half_edge) {
+  return layer.vertex_position[layer.triangle_vertex[half_edge]];
+}
+
+std::uint32_t next_half_edge(std::uint32_t half_edge) {
+  return half_edge % 3 == 2 ? half_edge - 2 : half_edge + 1;
+}
+
+double length_of(const PatchLayer& layer, std::uint32_t half_edge) {
+  return length(corner_position(layer, next_half_edge(half_edge)) -
+                corner_position(layer, half_edge));
 }
 
 }  // namespace
 
-PatchCut FacetCuts::of(std::uint32_t triangle) const {
-  PatchCut cut;
-  cut.grid = grid[triangle];
-  for (std::size_t k = 0; k < 3; ++k)
-    cut.edge[k] = edge[edge_of[std::size_t{3} * triangle + k]].cuts;
-  return cut;
+bool is_low_first(const PatchLayer& layer, std::uint32_t half_edge) {
+  return layer.triangle_vertex[half_edge] < layer.triangle_vertex[next_half_edge(half_edge)];
+}
+
+std::array<EdgeCuts, 3> FacetCuts::of(const PatchLayer& layer, std::uint32_t triangle) const {
+  std::array<EdgeCuts, 3> cuts;
+  for (std::uint32_t k = 0; k < 3; ++k) {
+    const std::uint32_t half_edge = 3 * triangle + k;
+    cuts[k] = {edge[edge_of[half_edge]].steps, !is_low_first(layer, half_edge)};
+  }
+  return cuts;
 }
 
 Result<FacetCuts> find_cuts(Context& context, const PatchLayer& layer, InterpolationSpace space,
                             const FacetSource& source, double max_error, double smallest_side) {
   FacetCuts cuts;
   const std::size_t count = layer.triangle_count();
-  // A grid and at most three edges to a triangle, and the sides while they are sorted.
-  const std::size_t bytes = count * (1 + 3 * (4 + sizeof(FacetEdge) + sizeof(Side)));
+  // At most three edges to a triangle, and the sides while they are sorted.
+  const std::size_t bytes = 3 * count * (8 + sizeof(FacetEdge) + sizeof(Side));
   Status status = cuts.charge.add(context, bytes, "cuts of patches");
   if (!status) return status;
-  cuts.grid.resize(count);
-  const auto for_each_patch = [&](auto body) {
-    return parallel_for(context, count, kGrain, [&](std::size_t begin, std::size_t end) {
-      for (auto t = static_cast<std::uint32_t>(begin); t < end; ++t)
-        body(t, FacetPatch(layer, space, source, t, max_error));
-    });
+  const std::vector<std::uint32_t> first = number_edges(layer, field_of(layer, source), &cuts);
+  const auto cut = [&](std::size_t place) {
+    std::vector<FacetPatch> along;
+    const std::uint32_t half_edge = cuts.edge[first[place]].half_edge;
+    for (std::uint32_t e = first[place]; e < first[place + 1]; ++e) {
+      const std::uint32_t side = cuts.edge[e].half_edge;
+      along.push_back(FacetPatch(layer, space, source, side / 3, max_error)
+                          .edge(side % 3, !is_low_first(layer, side)));
+    }
+    const std::uint64_t steps = steps_of(along, length_of(layer, half_edge), smallest_side);
+    for (std::uint32_t e = first[place]; e < first[place + 1]; ++e) cuts.edge[e].steps = steps;
   };
-  status = for_each_patch([&](std::uint32_t t, const FacetPatch& patch) {
-    cuts.grid[t] = static_cast<std::uint8_t>(patch.cuts(most_cuts(layer, t, smallest_side)));
-  });
-  if (!status) return status;
-  join_edges(layer, field_of(layer, source), &cuts);
-  status = for_each_patch([&](std::uint32_t t, const FacetPatch& patch) {
-    const PatchCut cut = cuts.of(t);
-    const auto [least, most] = std::minmax_element(cut.edge.begin(), cut.edge.end());
-    if ((*least != cut.grid || *most != cut.grid) && cut.grid < most_cuts(layer, t, smallest_side))
-      cuts.grid[t] = static_cast<std::uint8_t>(stitched_grid(patch, cut));
+  status = parallel_for(context, first.size() - 1, kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t place = begin; place < end; ++place) cut(place);
   });
   if (!status) return status;
   return cuts;

@@ -12,10 +12,18 @@ using Kind = FacetSource::Kind;
 
 /// What of the error may go into overshoot that is cut off, without a closer look.
 constexpr double kOvershootShare = 0.125;
-/// Where no bound holds, a facet is sampled on a lattice of so many steps to a side, and errors
-/// between samples are taken to be so much larger.
+/// Where no bound holds, a side is sampled in so many steps, and errors between samples are taken
+/// to be so much larger.
 constexpr int kSamplesPerSide = 4;
-constexpr double kBetweenSamples = 4.0 / 3;
+constexpr double kBetweenSamples = 1.5;
+
+/// Of the error, what edges of patches may miss, and sides inside them: where all three sides of a
+/// facet miss so much, a third more is amid them.
+constexpr double kEdgeShare = 0.7, kSideShare = 0.85;
+/// And points inside: what a third derivative adds elsewhere.
+constexpr double kInsideShare = 0.9;
+constexpr std::array<Barycentric, 4> kInside{
+    {{1.0 / 3, 1.0 / 3, 1.0 / 3}, {0.5, 0.25, 0.25}, {0.25, 0.5, 0.25}, {0.25, 0.25, 0.5}}};
 
 /// Quotients by a smaller share are taken elsewhere: they are noise, and next to nothing shows
 /// them.
@@ -59,32 +67,6 @@ Vec2 in_plane(const Barycentric& at) {
   return {at[1] + 0.5 * at[2], 0.8660254037844386 * at[2]};
 }
 
-/// Squared radius of the smallest circle around a triangle.
-double enclosing_radius_squared(const std::array<Vec2, 3>& p) {
-  std::array<double, 3> side{length_squared(p[1] - p[0]), length_squared(p[2] - p[1]),
-                             length_squared(p[0] - p[2])};
-  std::sort(side.begin(), side.end());
-  if (side[0] + side[1] <= side[2]) return side[2] / 4;
-  const double area = cross(p[1] - p[0], p[2] - p[0]);
-  return side[0] * side[1] * side[2] / (4 * area * area);
-}
-
-/// The largest |a λ0 λ1 + b λ1 λ2 + c λ2 λ0| in a triangle, from above where signs differ.
-double largest_rise(const std::array<double, 3>& bent) {
-  double largest = 0;
-  for (int sign = -1; sign <= 1; sign += 2) {
-    std::array<double, 3> e;
-    for (int k = 0; k < 3; ++k) e[k] = std::max(sign * bent[k], 0.0);
-    std::sort(e.begin(), e.end());
-    // Its place is inside, or amid the most bent side. No sum here cancels.
-    const double apart = e[2] - e[1];
-    const bool is_inside = apart < e[0];
-    const double divisor = 2 * e[0] * (e[1] + e[2]) - apart * apart - e[0] * e[0];
-    largest = std::max(largest, is_inside ? e[0] * e[1] * e[2] / divisor : e[2] / 4);
-  }
-  return largest;
-}
-
 /// How far the code value of a mean of linear light rises above the same mean of code values
 /// between `low` and `high`, at most. The transfer is convex: its ends mix worst, and most where
 /// its slope is that of their chord.
@@ -97,16 +79,20 @@ double light_rise(double low, double high) {
   return code - low - (linear_from_code(code) - light) / slope;
 }
 
-Barycentric mean(const Barycentric& a, const Barycentric& b, const Barycentric& c) {
-  return {(a[0] + b[0] + c[0]) / 3, (a[1] + b[1] + c[1]) / 3, (a[2] + b[2] + c[2]) / 3};
-}
-
 }  // namespace
 
 bool reads_color(const FacetSource& source) {
   return source.kind == Kind::color || source.kind == Kind::color_weight ||
          source.kind == Kind::color_base || source.kind == Kind::color_mask ||
          source.kind == Kind::light;
+}
+
+Barycentric centroid(const Barycentric& a, const Barycentric& b, const Barycentric& c) {
+  return {(a[0] + b[0] + c[0]) / 3, (a[1] + b[1] + c[1]) / 3, (a[2] + b[2] + c[2]) / 3};
+}
+
+double side_length(const Barycentric& a, const Barycentric& b) {
+  return length(in_plane(b) - in_plane(a));
 }
 
 int channel_count_of(const FacetSource& source) {
@@ -132,14 +118,16 @@ FacetPatch::Hessian FacetPatch::turned(const Hessian& h, int k) {
   return {middle + along, half * sin2 + h.xy * cos2, middle - along};
 }
 
-double FacetPatch::Hessian::norm() const {
-  const double half = (xx - yy) / 2;
-  return std::fabs(xx + yy) / 2 + std::sqrt(half * half + xy * xy);
+double FacetPatch::Hessian::along(Vec2 side) const {
+  return xx * side.x * side.x + 2 * xy * side.x * side.y + yy * side.y * side.y;
 }
 
 FacetPatch::FacetPatch(const PatchLayer& layer, InterpolationSpace space, const FacetSource& source,
                        std::uint32_t triangle, double max_error)
-    : order_(layer.order), channel_count_(channel_count_of(source)), max_error_(max_error) {
+    : order_(layer.order),
+      channel_count_(channel_count_of(source)),
+      asked_error_(max_error),
+      max_error_(max_error) {
   is_light_ = source.kind == Kind::light;
   if (source.kind == Kind::color || is_light_) space_ = space;
   read(layer, source, triangle);
@@ -210,7 +198,10 @@ double FacetPatch::find_curvature(int channel) {
                static_cast<int>(k));
   }
   double overshoot = 0;
-  for (double ordinate : b) overshoot = std::max({overshoot, -ordinate, ordinate - 1});
+  for (std::size_t i = 0; i < 10; ++i) {
+    const bool is_there = !is_edge_ || i < 2 || i == 3 || i == 4;
+    if (is_there) overshoot = std::max({overshoot, -b[i], b[i] - 1});
+  }
   return overshoot;
 }
 
@@ -226,22 +217,22 @@ void FacetPatch::find_curvature() {
   }
 }
 
-int FacetPatch::cuts(int most) const {
-  int n = 1;
-  most = std::min(most, most_cuts());
-  if (!is_sampled_) {
-    double largest = 0;
-    for (int c = 0; c < channel_count_; ++c)
-      for (const Hessian& corner : corner_[c]) largest = std::max(largest, corner.norm());
-    // From below: a facet's circle has the radius 1 / (n √3), and few facets fill the bound.
-    const double exact = 0.7 * std::sqrt(largest / (6 * max_error_));
-    if (exact >= most) return most;
-    n = exact > 1 ? static_cast<int>(exact) : 1;
-  }
-  const int fraction = is_sampled_ || is_light_ ? 4 : most;
-  while (n < most && !is_met_by(FacetGrid({n, {n, n, n}})))
-    n = std::min(n + 1 + n / fraction, most);
-  return n;
+FacetPatch FacetPatch::edge(std::size_t k, bool is_reversed) const {
+  FacetPatch along = *this;
+  along.is_edge_ = true;
+  along.is_sampled_ = along.is_clamped_ = false;
+  along.max_error_ = asked_error_;
+  std::array<std::size_t, 4> from{k, (k + 1) % 3, 3 + 2 * k, 4 + 2 * k};
+  if (is_reversed) from = {from[1], from[0], from[3], from[2]};
+  constexpr std::array<std::size_t, 4> kTo{0, 1, 3, 4};
+  const auto move = [&](const std::array<double, 10>& nodes, std::array<double, 10>* moved) {
+    moved->fill(0);
+    for (std::size_t i = 0; i < 4; ++i) (*moved)[kTo[i]] = nodes[from[i]];
+  };
+  for (std::size_t c = 0; c < kMostChannels; ++c) move(node_[c], &along.node_[c]);
+  move(share_, &along.share_);
+  along.find_curvature();
+  return along;
 }
 
 FacetPatch::Hessian FacetPatch::hessian_at(int channel, const Barycentric& at) const {
@@ -255,73 +246,69 @@ FacetPatch::Hessian FacetPatch::hessian_at(int channel, const Barycentric& at) c
   return here;
 }
 
-double FacetPatch::bound(const std::array<Barycentric, 3>& facet) const {
-  const std::array<Vec2, 3> p{in_plane(facet[0]), in_plane(facet[1]), in_plane(facet[2])};
-  const double radius_squared = enclosing_radius_squared(p);
-  const Barycentric middle = mean(facet[0], facet[1], facet[2]);
+double FacetPatch::sampled_bend(const Barycentric& a, const Barycentric& b) const {
+  const Value at_a = shown(a), at_b = shown(b);
   double largest = 0;
-  for (int c = 0; c < channel_count_; ++c) {
-    const Hessian h = hessian_at(c, middle);
-    std::array<double, 3> bent;
-    double change = 0;
-    for (int k = 0; k < 3; ++k) {
-      const Vec2 side = p[(k + 1) % 3] - p[k];
-      bent[k] = h.xx * side.x * side.x + 2 * h.xy * side.x * side.y + h.yy * side.y * side.y;
-      const Hessian corner = hessian_at(c, facet[k]);
-      change =
-          std::max(change, Hessian{corner.xx - h.xx, corner.xy - h.xy, corner.yy - h.yy}.norm());
-    }
-    largest = std::max(largest, (largest_rise(bent) + change * radius_squared) / 2);
-  }
-  return largest;
-}
-
-double FacetPatch::sampled_error(const std::array<Barycentric, 3>& facet) const {
-  const Value corner[3] = {shown(facet[0]), shown(facet[1]), shown(facet[2])};
-  double largest = 0;
-  for (int i = 0; i <= kSamplesPerSide; ++i) {
-    for (int j = 0; i + j <= kSamplesPerSide; ++j) {
-      const double weight[3] = {1.0 * (kSamplesPerSide - i - j) / kSamplesPerSide,
-                                1.0 * i / kSamplesPerSide, 1.0 * j / kSamplesPerSide};
-      Barycentric at{};
-      Value flat{};
-      for (int k = 0; k < 3; ++k) {
-        for (int n = 0; n < 3; ++n) at[n] += weight[k] * facet[k][n];
-        for (int c = 0; c < channel_count_; ++c) flat[c] += weight[k] * corner[k][c];
-      }
-      const Value exact = shown(at);
-      for (int c = 0; c < channel_count_; ++c)
-        largest = std::max(largest, std::fabs(flat[c] - exact[c]) * share(at));
+  for (int i = 1; i < kSamplesPerSide; ++i) {
+    const double t = 1.0 * i / kSamplesPerSide;
+    Barycentric at;
+    for (std::size_t k = 0; k < 3; ++k) at[k] = (1 - t) * a[k] + t * b[k];
+    const Value exact = shown(at);
+    for (int c = 0; c < channel_count_; ++c) {
+      const double miss = std::fabs((1 - t) * at_a[c] + t * at_b[c] - exact[c]);
+      largest = std::max(largest, miss * share(at));
     }
   }
-  return largest;
+  return kBetweenSamples * largest;
 }
 
-/// By how much a mean of the corners' linear light differs from that of their code values, at most.
-double FacetPatch::light_error(const std::array<Barycentric, 3>& facet) const {
-  const Value corner[3] = {shown(facet[0]), shown(facet[1]), shown(facet[2])};
+double FacetPatch::curved_bend(const Barycentric& a, const Barycentric& b) const {
+  const Vec2 side = in_plane(b) - in_plane(a);
+  double largest = 0;
+  for (int c = 0; c < channel_count_; ++c)
+    for (const Barycentric* end : {&a, &b})
+      largest = std::max(largest, std::fabs(hessian_at(c, *end).along(side)));
+  return largest / 8;
+}
+
+/// By how much a mean of the ends' linear light differs from that of their code values, at most.
+double FacetPatch::light_bend(const Barycentric& a, const Barycentric& b) const {
+  const Value at_a = shown(a), at_b = shown(b);
   double largest = 0;
   for (int c = 0; c < 3; ++c) {
-    const auto [low, high] = std::minmax({corner[0][c], corner[1][c], corner[2][c]});
+    const auto [low, high] = std::minmax(at_a[c], at_b[c]);
     largest = std::max(largest, light_rise(low, high));
   }
   return largest;
 }
 
-bool FacetPatch::is_met_by(const std::array<Barycentric, 3>& facet) const {
-  const double light = is_light_ ? light_error(facet) : 0;
-  if (light > max_error_) return false;
-  const double curved = is_sampled_ ? kBetweenSamples * sampled_error(facet) : bound(facet);
-  return !(curved + light > max_error_);
+double FacetPatch::bend(const Barycentric& a, const Barycentric& b) const {
+  const double light = is_light_ ? light_bend(a, b) : 0;
+  return light + (is_sampled_ ? sampled_bend(a, b) : curved_bend(a, b));
 }
 
-bool FacetPatch::is_met_by(const FacetGrid& grid) const {
-  const std::vector<Barycentric> point = grid.points();
-  bool is_met = true;
-  grid.for_each_facet([&](const std::array<int, 3>& at) {
-    is_met = is_met && is_met_by({point[at[0]], point[at[1]], point[at[2]]});
-  });
-  return is_met;
+bool FacetPatch::is_straight_edge(const Barycentric& a, const Barycentric& b) const {
+  return !(bend(a, b) > kEdgeShare * max_error_);
+}
+
+bool FacetPatch::is_straight(const Barycentric& a, const Barycentric& b) const {
+  return !(bend(a, b) > kSideShare * max_error_);
+}
+
+bool FacetPatch::is_flat(const std::array<Barycentric, 3>& facet) const {
+  const Value corner[3] = {shown(facet[0]), shown(facet[1]), shown(facet[2])};
+  for (const Barycentric& weight : kInside) {
+    Barycentric at{};
+    Value flat{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      for (std::size_t n = 0; n < 3; ++n) at[n] += weight[k] * facet[k][n];
+      for (std::size_t c = 0; c < kMostChannels; ++c) flat[c] += weight[k] * corner[k][c];
+    }
+    const Value exact = shown(at);
+    for (int c = 0; c < channel_count_; ++c)
+      if (std::fabs(flat[c] - exact[c]) * share(at) > kInsideShare * max_error_) return false;
+  }
+  return true;
 }
 
 }  // namespace sfumato::outputs

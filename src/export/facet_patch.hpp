@@ -1,14 +1,22 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
-#include "export/facet_grid.hpp"
 #include "export/facets.hpp"
 
 namespace sfumato::outputs {
 
-/// Most cuts of a patch's edge. A cubic whose Bézier ordinates lie in [0, 1] never needs more for
+/// Barycentric weights of a patch's corners 0, 1, 2.
+using Barycentric = std::array<double, 3>;
+
+Barycentric centroid(const Barycentric& a, const Barycentric& b, const Barycentric& c);
+
+/// Distance where the patch is an equilateral triangle of side 1.
+double side_length(const Barycentric& a, const Barycentric& b);
+
+/// Most parts of a patch's edge. A cubic whose Bézier ordinates lie in [0, 1] never needs more for
 /// an error of 0.5/255; one that needs more is cut so often and misses by more than was asked for.
 inline constexpr int kMostCuts = 64;
 
@@ -30,17 +38,30 @@ class FacetPatch {
   /// What is shown at a point: code values, an opacity or a weight. Never out of [0, 1].
   Value shown(const Barycentric& at) const;
 
-  /// Into how many parts the edges must be cut, 1 to `most`, which is at most kMostCuts.
-  int cuts(int most) const;
+  /// The patch that is edge k of this one along its edge 0 and nothing elsewhere, from its other
+  /// end if reversed: neighbours that share the edge's nodes get the same bits.
+  FacetPatch edge(std::size_t k, bool is_reversed) const;
 
-  /// Whether every facet of a cut stays within the error.
-  bool is_met_by(const FacetGrid& grid) const;
+  /// What a straight side between two points misses, at most.
+  double bend(const Barycentric& a, const Barycentric& b) const;
+
+  /// Whether one of the patch's own edges is straight enough between two points of it, and whether
+  /// a side inside the patch is: edges must be straighter, so that sides next to them, which bend
+  /// as they do, never ask to be halved without end.
+  bool is_straight_edge(const Barycentric& a, const Barycentric& b) const;
+  bool is_straight(const Barycentric& a, const Barycentric& b) const;
+
+  /// Whether a facet with straight sides is near enough at points inside.
+  bool is_flat(const std::array<Barycentric, 3>& facet) const;
+
+  /// Into how many parts it may be cut, for all that it misses.
+  int most_cuts() const { return is_clamped_ ? kMostClampedCuts : kMostCuts; }
 
  private:
   /// Second derivatives in a frame where the patch is an equilateral triangle of side 1.
   struct Hessian {
     double xx = 0, xy = 0, yy = 0;
-    double norm() const;
+    double along(Vec2 side) const;  ///< second derivative, times its length squared
   };
   static Hessian hessian(double uu, double uv, double vv);
   static Hessian turned(const Hessian& h, int k);
@@ -52,16 +73,16 @@ class FacetPatch {
   void find_curvature();
   double find_curvature(int channel);
   Hessian hessian_at(int channel, const Barycentric& at) const;
-  double bound(const std::array<Barycentric, 3>& facet) const;
-  int most_cuts() const { return is_clamped_ ? kMostClampedCuts : kMostCuts; }
-  bool is_met_by(const std::array<Barycentric, 3>& facet) const;
-  double light_error(const std::array<Barycentric, 3>& facet) const;
-  double sampled_error(const std::array<Barycentric, 3>& facet) const;
+  double curved_bend(const Barycentric& a, const Barycentric& b) const;
+  double light_bend(const Barycentric& a, const Barycentric& b) const;
+  double sampled_bend(const Barycentric& a, const Barycentric& b) const;
 
   PatchOrder order_;
   InterpolationSpace space_ = InterpolationSpace::srgb;  ///< weights and opacities stay as they are
   int channel_count_;
+  double asked_error_;  ///< before overshoot had its part of it
   double max_error_;
+  bool is_edge_ = false;  ///< made by edge()
   std::array<std::array<double, 10>, kMostChannels> node_{};
   bool has_share_ = false;
   std::array<double, 10> share_{};  ///< at the nodes: what values are divided by

@@ -1,11 +1,12 @@
 #include "export/facets.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <limits>
 
 #include "export/facet_cuts.hpp"
-#include "export/facet_grid.hpp"
 #include "export/facet_patch.hpp"
+#include "export/facet_tree.hpp"
 
 namespace sfumato::outputs {
 namespace {
@@ -18,8 +19,13 @@ constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 class FacetBuilder {
  public:
   FacetBuilder(const PatchLayer& layer, InterpolationSpace space, const FacetSource& source,
-               double max_error, const FacetCuts& cuts)
-      : layer_(layer), space_(space), source_(source), max_error_(max_error), cuts_(cuts) {}
+               double max_error, double smallest_side, const FacetCuts& cuts)
+      : layer_(layer),
+        space_(space),
+        source_(source),
+        max_error_(max_error),
+        smallest_side_(smallest_side),
+        cuts_(cuts) {}
 
   Status build(Context& context, FacetMesh* mesh);
 
@@ -31,13 +37,14 @@ class FacetBuilder {
   void set(std::uint32_t vertex, Vec2 position, const FacetPatch::Value& value,
            FacetMesh* mesh) const;
   void fill_edge(const FacetPatch& patch, std::uint32_t half_edge, FacetMesh* mesh) const;
-  std::vector<std::uint32_t> vertices_of(std::uint32_t triangle, const FacetGrid& grid) const;
-  bool is_low_first(std::uint32_t half_edge) const;
+  std::vector<std::uint32_t> vertices_of(std::uint32_t triangle, const FacetTree& tree) const;
+  FacetTree tree_of(std::uint32_t triangle, const FacetPatch& patch) const;
 
   const PatchLayer& layer_;
   InterpolationSpace space_;
   const FacetSource& source_;
   double max_error_;
+  double smallest_side_;
   const FacetCuts& cuts_;
   std::vector<std::uint32_t> corner_vertex_;  ///< 3 per triangle
   std::vector<std::uint32_t> corner_owner_;   ///< per corner vertex, a triangle's corner
@@ -49,8 +56,11 @@ std::uint32_t next_in_triangle(std::uint32_t half_edge) {
   return half_edge % 3 == 2 ? half_edge - 2 : half_edge + 1;
 }
 
-bool FacetBuilder::is_low_first(std::uint32_t half_edge) const {
-  return layer_.triangle_vertex[half_edge] < layer_.triangle_vertex[next_in_triangle(half_edge)];
+FacetTree FacetBuilder::tree_of(std::uint32_t triangle, const FacetPatch& patch) const {
+  std::array<Vec2, 3> corner;
+  for (std::size_t k = 0; k < 3; ++k)
+    corner[k] = layer_.vertex_position[layer_.triangle_vertex[std::size_t{3} * triangle + k]];
+  return {patch, cuts_.of(layer_, triangle), corner, smallest_side_};
 }
 
 /// Corners with one node at one vertex are one vertex of the mesh.
@@ -74,17 +84,20 @@ void FacetBuilder::number_corners() {
 /// Counts facets and places vertices.
 Status FacetBuilder::count(Context& context, FacetMesh* mesh) {
   const std::size_t triangles = layer_.triangle_count();
-  std::vector<std::uint32_t> facets(triangles);
+  std::vector<std::uint32_t> facets(triangles), inside(triangles);
   Status status = parallel_for(context, triangles, kGrain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t t = begin; t < end; ++t)
-      FacetGrid(cuts_.of(static_cast<std::uint32_t>(t)))
-          .for_each_facet([&](const std::array<int, 3>&) { ++facets[t]; });
+    for (auto t = static_cast<std::uint32_t>(begin); t < end; ++t) {
+      const FacetPatch patch(layer_, space_, source_, t, max_error_);
+      const FacetTree tree = tree_of(t, patch);
+      facets[t] = static_cast<std::uint32_t>(tree.facets().size());
+      inside[t] = static_cast<std::uint32_t>(tree.points().size() - tree.first_inside());
+    }
   });
   if (!status) return status;
   std::uint64_t vertex = corner_owner_.size();
   for (const FacetEdge& edge : cuts_.edge) {
     edge_first_.push_back(vertex);
-    vertex += edge.cuts - 1u;
+    vertex += static_cast<unsigned>(std::popcount(edge.steps));
   }
   std::uint64_t facet = 0;
   mesh->patch_first_facet.reserve(triangles + 1);
@@ -93,8 +106,7 @@ Status FacetBuilder::count(Context& context, FacetMesh* mesh) {
     mesh->patch_first_facet.push_back(static_cast<std::uint32_t>(facet));
     inside_first_.push_back(vertex);
     facet += facets[t];
-    const std::uint64_t n = cuts_.grid[t];
-    vertex += n > 2 ? (n - 1) * (n - 2) / 2 : 0;
+    vertex += inside[t];
   }
   mesh->patch_first_facet.push_back(static_cast<std::uint32_t>(facet));
   inside_first_.push_back(vertex);
@@ -129,35 +141,36 @@ void FacetBuilder::set(std::uint32_t vertex, Vec2 position, const FacetPatch::Va
 void FacetBuilder::fill_edge(const FacetPatch& patch, std::uint32_t half_edge,
                              FacetMesh* mesh) const {
   const std::uint32_t index = cuts_.edge_of[half_edge];
-  const int cuts = cuts_.edge[index].cuts;
   const std::uint32_t next = next_in_triangle(half_edge);
-  const std::uint32_t low = is_low_first(half_edge) ? half_edge : next;
-  const std::uint32_t high = is_low_first(half_edge) ? next : half_edge;
-  for (int part = 1; part < cuts; ++part) {
-    const double t = 1.0 * part / cuts;
+  const bool is_low = is_low_first(layer_, half_edge);
+  const std::uint32_t low = is_low ? half_edge : next, high = is_low ? next : half_edge;
+  auto vertex = static_cast<std::uint32_t>(edge_first_[index]);
+  for (int step = 1; step < kEdgeSteps; ++step) {
+    if ((cuts_.edge[index].steps >> step & 1) == 0) continue;
+    const double t = 1.0 * step / kEdgeSteps;
     Barycentric at{};
     at[low % 3] = 1 - t;
     at[high % 3] = t;
-    set(static_cast<std::uint32_t>(edge_first_[index]) + static_cast<std::uint32_t>(part) - 1,
+    set(vertex++,
         lerp(layer_.vertex_position[layer_.triangle_vertex[low]],
              layer_.vertex_position[layer_.triangle_vertex[high]], t),
         patch.shown(at), mesh);
   }
 }
 
-/// The mesh's vertices for the points of a patch's grid.
+/// The mesh's vertices for the points of a patch.
 std::vector<std::uint32_t> FacetBuilder::vertices_of(std::uint32_t triangle,
-                                                     const FacetGrid& grid) const {
-  std::vector<std::uint32_t> vertex(static_cast<std::size_t>(grid.point_count()));
+                                                     const FacetTree& tree) const {
+  std::vector<std::uint32_t> vertex(tree.points().size());
   std::size_t point = 0;
   for (; point < 3; ++point) vertex[point] = corner_vertex_[std::size_t{3} * triangle + point];
   for (std::uint32_t k = 0; k < 3; ++k) {
     const std::uint32_t half_edge = 3 * triangle + k;
     const std::uint32_t index = cuts_.edge_of[half_edge];
     const auto first = static_cast<std::uint32_t>(edge_first_[index]);
-    const std::uint32_t count = cuts_.edge[index].cuts - 1u;
+    const auto count = static_cast<std::uint32_t>(std::popcount(cuts_.edge[index].steps));
     for (std::uint32_t i = 0; i < count; ++i)
-      vertex[point++] = first + (is_low_first(half_edge) ? i : count - 1 - i);
+      vertex[point++] = first + (is_low_first(layer_, half_edge) ? i : count - 1 - i);
   }
   auto inside = static_cast<std::uint32_t>(inside_first_[triangle]);
   for (; point < vertex.size(); ++point) vertex[point] = inside++;
@@ -166,9 +179,9 @@ std::vector<std::uint32_t> FacetBuilder::vertices_of(std::uint32_t triangle,
 
 void FacetBuilder::fill(std::uint32_t triangle, FacetMesh* mesh) const {
   const FacetPatch patch(layer_, space_, source_, triangle, max_error_);
-  const FacetGrid grid(cuts_.of(triangle));
-  const std::vector<std::uint32_t> vertex = vertices_of(triangle, grid);
-  const std::vector<Barycentric> point = grid.points();
+  const FacetTree tree = tree_of(triangle, patch);
+  const std::vector<std::uint32_t> vertex = vertices_of(triangle, tree);
+  const std::vector<Barycentric>& point = tree.points();
   Vec2 corner[3];
   for (std::uint32_t k = 0; k < 3; ++k) {
     const std::uint32_t half_edge = 3 * triangle + k;
@@ -178,16 +191,15 @@ void FacetBuilder::fill(std::uint32_t triangle, FacetMesh* mesh) const {
     if (cuts_.edge[cuts_.edge_of[half_edge]].half_edge == half_edge)
       fill_edge(patch, half_edge, mesh);
   }
-  for (auto i = static_cast<std::size_t>(grid.first_point(3)); i < point.size(); ++i) {
+  for (std::size_t i = tree.first_inside(); i < point.size(); ++i) {
     const Barycentric& at = point[i];
     set(vertex[i], corner[0] * at[0] + corner[1] * at[1] + corner[2] * at[2], patch.shown(at),
         mesh);
   }
   std::uint32_t* facet =
       mesh->facet_vertex.data() + std::size_t{3} * mesh->patch_first_facet[triangle];
-  grid.for_each_facet([&](const std::array<int, 3>& at) {
-    for (int i : at) *facet++ = vertex[static_cast<std::size_t>(i)];
-  });
+  for (const auto& points : tree.facets())
+    for (std::uint32_t point_index : points) *facet++ = vertex[point_index];
 }
 
 Status FacetBuilder::build(Context& context, FacetMesh* mesh) {
@@ -196,7 +208,7 @@ Status FacetBuilder::build(Context& context, FacetMesh* mesh) {
   const std::size_t triangles = layer_.triangle_count();
   const PatchField& field = field_of(layer_, source_);
   const std::size_t bytes =
-      triangles * (12 + 12 + 4 + 4 + 8) + cuts_.edge.size() * 8 + field.node_value.size() * 4;
+      triangles * (12 + 12 + 4 + 8 + 8) + cuts_.edge.size() * 8 + field.node_value.size() * 4;
   Status status = places.add(context, bytes, "places of facets");
   if (!status) return status;
   mesh->channel_count = channel_count_of(source_);
@@ -215,7 +227,8 @@ Result<FacetMesh> make_facets(Context& context, const PatchLayer& layer, Interpo
   Result<FacetCuts> cuts = find_cuts(context, layer, space, source, max_error, smallest_side);
   if (!cuts) return cuts.status();
   FacetMesh mesh;
-  Status status = FacetBuilder(layer, space, source, max_error, *cuts).build(context, &mesh);
+  Status status =
+      FacetBuilder(layer, space, source, max_error, smallest_side, *cuts).build(context, &mesh);
   if (!status) return status;
   return mesh;
 }

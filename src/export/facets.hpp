@@ -46,10 +46,9 @@ struct FacetMesh {
   ScopedCharge charge;
 };
 
-/// Layer → facets. A patch is cut into n² facets or a few more, n by a bound on its second
-/// derivatives (docs/mathematics.md, "Facets"). An edge between two patches gets the finer of their
-/// cuts, so that there are no T-junctions; where they share its nodes they share its vertices too,
-/// and elsewhere positions are the same bits.
+/// Layer → facets. Sides that bend are halved until they are straight enough (docs/mathematics.md,
+/// "Facets"). Neighbours cut the edge between them alike, so that there are no T-junctions; where
+/// they share its nodes they share its vertices too, and elsewhere positions are the same bits.
 ///
 /// layer, source  of a picture that check_picture() passes; the field has channels
 /// max_error      above 0: largest difference to the patch, values of both cut to [0, 1]. Colours
