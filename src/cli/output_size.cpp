@@ -40,7 +40,8 @@ Result<OutputSize> output_size(const SizeRequest& request, const Box& viewport) 
                                              in_pixels(height) + " pixels, the limit is " +
                                              std::to_string(limits::kImageSide) + " on a side");
   }
-  return OutputSize{static_cast<int>(width), static_cast<int>(height), output_scale(request, viewport)};
+  return OutputSize{static_cast<int>(width), static_cast<int>(height),
+                    output_scale(request, viewport)};
 }
 
 }  // namespace sfumato::cli

@@ -133,15 +133,12 @@ Result<Bytes> PictureMaker::make_html(const Picture& picture, ExportNotes* notes
   if (!image) return image.status();
   Result<Bytes> fallback = encode_jpeg(context_, *image, kFallbackQuality);
   if (!fallback) return fallback;
-  return export_html(context_, picture,
-                     {.title = title(),
-                      .fallback = std::move(*fallback),
-                      .fallback_type = "image/jpeg"},
-                     notes);
+  return export_html(
+      context_, picture,
+      {.title = title(), .fallback = std::move(*fallback), .fallback_type = "image/jpeg"}, notes);
 }
 
-Result<Bytes> PictureMaker::export_as(OutputKind kind, const Picture& picture,
-                                      ExportNotes* notes) {
+Result<Bytes> PictureMaker::export_as(OutputKind kind, const Picture& picture, ExportNotes* notes) {
   const OutputOptions& output = arguments_.output;
   switch (kind) {
     case OutputKind::html:
