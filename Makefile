@@ -35,6 +35,7 @@ bench:
 	@cmake --build $(build_folder) --parallel $(jobs) --target sfumato_bench
 	@$(build_folder)/bench/table1
 	@$(build_folder)/bench/features
+	@$(build_folder)/bench/outputs
 
 wasm:
 	@scripts/setup wasm

@@ -21,9 +21,7 @@ _sfumato() {
     --order) options='linear quadratic cubic' ;;
     --depth) options='8 16' ;;
     --max-error) options='off' ;;
-    --format) options='png jpg webp html pdf svg glb' ;;
-    --svg) options='image vector' ;;
-    --device) options='cpu gpu' ;;
+    --format) options='png jpg webp html' ;;
     --background) options='none white black' ;;
     --allow-files | --out-dir)
       compopt -o filenames 2>/dev/null
@@ -35,7 +33,7 @@ _sfumato() {
       return
       ;;
     --viewport | --width | --height | --scale | --rays | --seed | --tolerance | --max-area | \
-      --min-angle | --quality | --detail | --dpi | --title | --threads | --max-memory)
+      --min-angle | --quality | --detail | --title | --threads | --max-memory)
       return
       ;;
   esac
@@ -52,8 +50,7 @@ _sfumato() {
       options='--output --out-dir --format --allow-files --viewport --width --height --scale
         --detail --method --rays --seed --tolerance --no-blur --max-error --max-area
         --min-angle --order --mesh-overlay --background --depth --dither --quality --lossless
-        --dpi --svg --force --title --device --no-antialias --threads --max-memory --stats
-        --quiet --help'
+        --title --no-antialias --threads --max-memory --stats --quiet --help'
       ;;
     info) options='--allow-files --json --quiet --help' ;;
     convert) options='--output --allow-files --quiet --help' ;;

@@ -1,0 +1,129 @@
+#include <zlib.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/native/tbb_executor.hpp"
+#include "base/stopwatch.hpp"
+#include "export/glb.hpp"
+#include "export/html.hpp"
+#include "export/pdf.hpp"
+#include "export/svg.hpp"
+#include "formats/jpeg_encode.hpp"
+#include "formats/png.hpp"
+#include "patches/diffuse.hpp"
+#include "raster/rasterize.hpp"
+#include "scenes.hpp"
+
+// What lady_bug becomes in each format: bytes, bytes after gzip (formats that are packed already
+// hardly change), triangles, and the time from the picture to the bytes.
+namespace sfumato {
+namespace {
+
+constexpr int kRuns = 5;
+
+using Bytes = std::vector<std::uint8_t>;
+struct Format {
+  const char* name;
+  Result<Bytes> (*make)(Context&, const Picture&, ExportNotes*);
+};
+
+Result<Bytes> png(Context& context, const Picture& picture, ExportNotes*) {
+  const Result<Image> image = rasterize(context, picture, {.width = 1024, .height = 1024});
+  if (!image) return image.status();
+  return encode_png(context, *image);
+}
+
+/// As the command makes it, with pixels until the first frame.
+Result<Bytes> html(Context& context, const Picture& picture, ExportNotes* notes) {
+  const Result<Image> image = rasterize(context, picture, {.width = 512, .height = 512});
+  if (!image) return image.status();
+  Result<Bytes> fallback = encode_jpeg(context, *image, 80);
+  if (!fallback) return fallback.status();
+  HtmlOptions options;
+  options.fallback = std::move(*fallback);
+  options.fallback_type = "image/jpeg";
+  return export_html(context, picture, options, notes);
+}
+
+Result<Bytes> pdf(Context& context, const Picture& picture, ExportNotes* notes) {
+  return export_pdf(context, picture, {}, notes);
+}
+
+Result<Bytes> svg_of_pixels(Context& context, const Picture& picture, ExportNotes* notes) {
+  return export_svg(context, picture, {.mode = SvgMode::image}, notes);
+}
+
+Result<Bytes> svg_of_triangles(Context& context, const Picture& picture, ExportNotes* notes) {
+  return export_svg(context, picture, {.mode = SvgMode::vector}, notes);
+}
+
+Result<Bytes> glb(Context& context, const Picture& picture, ExportNotes* notes) {
+  return export_glb(context, picture, {}, notes);
+}
+
+constexpr Format kFormats[] = {{"PNG, 1024²", png},
+                               {"HTML viewer", html},
+                               {"PDF", pdf},
+                               {"SVG of pixels, 192 dpi", svg_of_pixels},
+                               {"SVG of triangles", svg_of_triangles},
+                               {"GLB", glb}};
+
+std::size_t packed_bytes(const Bytes& bytes) {
+  uLongf size = compressBound(bytes.size());
+  Bytes packed(size);
+  compress2(packed.data(), &size, bytes.data(), bytes.size(), 9);
+  return size;
+}
+
+void print(Context& context, const Picture& picture, const Format& format) {
+  std::vector<double> seconds;
+  Bytes bytes;
+  ExportNotes notes;
+  for (int i = 0; i < kRuns; ++i) {
+    notes = {};
+    const Stopwatch watch;
+    Result<Bytes> made = format.make(context, picture, &notes);
+    seconds.push_back(watch.seconds());
+    if (!made) {
+      std::printf("| %s | %s | | | |\n", format.name, made.status().message.c_str());
+      return;
+    }
+    bytes = std::move(*made);
+  }
+  std::nth_element(seconds.begin(), seconds.begin() + kRuns / 2, seconds.end());
+  const std::string triangles =
+      notes.triangle_count > 0 ? std::to_string(notes.triangle_count) : std::string();
+  std::printf("| %s | %.0f | %.0f | %s | %.0f |\n", format.name, 1e-3 * bytes.size(),
+              1e-3 * packed_bytes(bytes), triangles.c_str(), 1e3 * seconds[kRuns / 2]);
+}
+
+int run() {
+  const std::optional<std::string> text = bench::scene_text("lady_bug.xml");
+  if (!text) {
+    std::printf("The public scenes are not at hand: no lady_bug.\n");
+    return 0;
+  }
+  const auto pool = make_tbb_executor(2);
+  Context context;
+  context.executor = pool.get();
+  const Result<ReadDocument> read = read_orzan(context, *text, "lady_bug.xml");
+  const Result<Picture> picture = diffuse(context, read->document, {});
+  std::printf("Two threads; medians of %d runs.\n\n", kRuns);
+  std::printf("| lady_bug, %u patches, as | kB | kB after gzip | triangles | ms |\n",
+              picture->layers[0].triangle_count());
+  std::printf("|---|---|---|---|---|\n");
+  for (const Format& format : kFormats) print(context, *picture, format);
+  return 0;
+}
+
+}  // namespace
+}  // namespace sfumato
+
+int main() {
+  return sfumato::run();
+}
