@@ -21,7 +21,9 @@ _sfumato() {
     --order) options='linear quadratic cubic' ;;
     --depth) options='8 16' ;;
     --max-error) options='off' ;;
-    --format) options='png jpg webp html' ;;
+    --format) options='png jpg webp html pdf svg glb' ;;
+    --svg) options='image vector' ;;
+    --device) options='cpu gpu' ;;
     --background) options='none white black' ;;
     --allow-files | --out-dir)
       compopt -o filenames 2>/dev/null
@@ -33,7 +35,7 @@ _sfumato() {
       return
       ;;
     --viewport | --width | --height | --scale | --rays | --seed | --tolerance | --max-area | \
-      --min-angle | --quality | --detail | --title | --threads | --max-memory)
+      --min-angle | --quality | --detail | --dpi | --title | --threads | --max-memory)
       return
       ;;
   esac
@@ -50,7 +52,8 @@ _sfumato() {
       options='--output --out-dir --format --allow-files --viewport --width --height --scale
         --detail --method --rays --seed --tolerance --no-blur --max-error --max-area
         --min-angle --order --mesh-overlay --background --depth --dither --quality --lossless
-        --title --no-antialias --threads --max-memory --stats --quiet --help'
+        --dpi --svg --force --title --device --no-antialias --threads --max-memory --stats
+        --quiet --help'
       ;;
     info) options='--allow-files --json --quiet --help' ;;
     convert) options='--output --allow-files --quiet --help' ;;

@@ -12,6 +12,7 @@
 #include "cli/output_size.hpp"
 #include "cli/paths.hpp"
 #include "cli/render_jobs.hpp"
+#include "export/svg.hpp"
 #include "patches/diffuse.hpp"
 #include "raster/rasterize.hpp"
 
@@ -30,8 +31,11 @@ struct OutputOptions {
   int quality = 90;  ///< of JPEG and lossy WebP
   bool lossless = false;
   // Of outputs that can be enlarged:
-  double detail = 2;  ///< the mesh is made for a picture this many times larger
-  std::string title;  ///< empty: the name of the drawing
+  double detail = 2;            ///< the mesh is made for a picture this many times larger
+  std::optional<double> dpi{};  ///< of what stands as pixels; none: as the format has it
+  SvgMode svg = SvgMode::image;
+  bool force = false;  ///< a vector SVG of any size
+  std::string title;   ///< empty: the name of the drawing
 };
 
 /// `input` is of the job at hand.
@@ -42,6 +46,7 @@ struct RenderArguments : DocumentArguments {
   OutputOptions output;
   SizeRequest size;
   bool per_pixel = false;  ///< --method pixels
+  bool on_gpu = false;     ///< --device gpu
   /// As asked for, but for pixels_per_unit, which comes from the size.
   DiffuseOptions diffuse;
   /// As asked for, but for width, height and viewport.

@@ -8,8 +8,13 @@
 #include "base/stopwatch.hpp"
 #include "cli/image_output.hpp"
 #include "cli/messages.hpp"
+#include "export/glb.hpp"
 #include "export/html.hpp"
+#include "export/pdf.hpp"
+#include "export/svg.hpp"
 #include "formats/jpeg_encode.hpp"
+#include "formats/png.hpp"
+#include "gpu/render.hpp"
 #include "raster/render_pixels.hpp"
 
 namespace sfumato::cli {
@@ -32,8 +37,10 @@ class PictureMaker {
  private:
   Status choose_options(const Document& document);
   Result<Image> draw_pixels(const Document& document);
+  Result<Image> draw_picture(const Picture& picture);
   Result<Bytes> make_image(const Document& document);
   Result<Bytes> make_drawing(const Document& document);
+  Result<Bytes> export_as(OutputKind kind, const Picture& picture, ExportNotes* notes);
   Result<Bytes> make_html(const Picture& picture, ExportNotes* notes);
   std::string title() const;
   void warn(const std::string& what) const;
@@ -81,6 +88,16 @@ Result<Image> PictureMaker::draw_pixels(const Document& document) {
   return image;
 }
 
+/// Where a GPU cannot be had the CPU draws the same.
+Result<Image> PictureMaker::draw_picture(const Picture& picture) {
+  if (arguments_.on_gpu) {
+    Result<Image> image = render_on_gpu(context_, picture, raster_);
+    if (image || image.status().code != StatusCode::unavailable) return image;
+    warn(image.status().message + "; drawn on the CPU");
+  }
+  return rasterize(context_, picture, raster_);
+}
+
 Result<Bytes> PictureMaker::make_image(const Document& document) {
   std::optional<Result<Image>> image;
   if (arguments_.per_pixel) {
@@ -89,7 +106,7 @@ Result<Bytes> PictureMaker::make_image(const Document& document) {
     const Result<Picture> picture = diffuse(context_, document, diffuse_, &stats_.diffuse);
     if (!picture) return picture.status();
     const Stopwatch watch;
-    image = rasterize(context_, *picture, raster_);
+    image = draw_picture(*picture);
     stats_.rasterise_seconds = watch.seconds();
   }
   if (!*image) return image->status();
@@ -121,12 +138,38 @@ Result<Bytes> PictureMaker::make_html(const Picture& picture, ExportNotes* notes
       {.title = title(), .fallback = std::move(*fallback), .fallback_type = "image/jpeg"}, notes);
 }
 
+Result<Bytes> PictureMaker::export_as(OutputKind kind, const Picture& picture, ExportNotes* notes) {
+  const OutputOptions& output = arguments_.output;
+  switch (kind) {
+    case OutputKind::html:
+      return make_html(picture, notes);
+    case OutputKind::pdf: {
+      PdfOptions options{.title = title()};
+      if (output.dpi) options.dpi = *output.dpi;
+      options.page_width_pt = 0.75 * scale_ * picture.viewport.width();
+      return export_pdf(context_, picture, options, notes);
+    }
+    case OutputKind::glb: {
+      GlbOptions options;
+      if (output.dpi) options.dpi = *output.dpi;
+      return export_glb(context_, picture, options, notes);
+    }
+    default: {
+      SvgOptions options{.mode = output.svg, .force = output.force};
+      options.scale = scale_;
+      if (output.dpi) options.dpi = *output.dpi;
+      options.max_error = std::max(options.max_error, diffuse_.max_error);
+      return export_svg(context_, picture, options, notes);
+    }
+  }
+}
+
 Result<Bytes> PictureMaker::make_drawing(const Document& document) {
   const Result<Picture> picture = diffuse(context_, document, diffuse_, &stats_.diffuse);
   if (!picture) return picture.status();
   const Stopwatch watch;
   ExportNotes notes;
-  Result<Bytes> file = make_html(*picture, &notes);
+  Result<Bytes> file = export_as(arguments_.output.kind, *picture, &notes);
   stats_.export_seconds = watch.seconds();
   for (const std::string& lost : notes.lost) warn(lost);
   return file;

@@ -13,6 +13,7 @@ constexpr const char* kRenderFooter =
     "  sfumato render lady_bug.xml -o eye.png --viewport 200,100,64,64 --scale 8\n"
     "  sfumato render lady_bug.xml -o noisy.png --method rays --rays 64 --max-error off\n"
     "  sfumato render lady_bug.xml -o lady_bug.html\n"
+    "  sfumato render lady_bug.xml -o lady_bug.pdf --title \"Lady bug\"\n"
     "  sfumato render *.svg --out-dir pictures --format webp\n"
     "  sfumato render - -o - <lady_bug.xml >lady_bug.png";
 
@@ -159,19 +160,30 @@ void add_image_options(CLI::App& app, RenderArguments& arguments, RenderChoices&
 }
 
 void add_vector_options(CLI::App& app, RenderArguments& arguments, RenderChoices& choices) {
-  const char* group = "HTML";
+  const char* group = "HTML, PDF, SVG and GLB";
   OutputOptions& output = arguments.output;
   add_value(app, "--detail", {"a number above 0", "NUMBER"},
-            "Make the mesh for a picture this many times larger, to\nbe enlarged [2]",
+            "Make the mesh for a picture this many times larger, to\nbe enlarged [2; vector SVG 1]",
             into(choices.detail, parse_positive))
       ->group(group);
-  app.add_option("--title", output.title, "Of HTML [the drawing's file name]")
+  add_value(app, "--dpi", {"a number above 0", "NUMBER"},
+            "Of what stands as pixels there; a user unit is 1/96\ninch [300; SVG and GLB 192]",
+            into(output.dpi, parse_positive))
+      ->group(group);
+  add_choice(app, "--svg", {{"image", SvgMode::image}, {"vector", SvgMode::vector}},
+             "image: one PNG in an SVG; vector: triangles of gradients\n[image]", choices.svg)
+      ->group(group);
+  app.add_flag("--force", output.force, "A vector SVG however large it is")->group(group);
+  app.add_option("--title", output.title, "Of HTML and PDF [the drawing's file name]")
       ->type_name("TEXT")
       ->group(group);
 }
 
-void add_running_options(CLI::App& app, RenderArguments& arguments) {
+void add_running_options(CLI::App& app, RenderArguments& arguments, RenderChoices& choices) {
   const char* group = "Running";
+  add_choice(app, "--device", {{"cpu", RenderDevice::cpu}, {"gpu", RenderDevice::gpu}},
+             "What draws pixels; gpu: by OpenGL ES, where there is\none [cpu]", choices.device)
+      ->group(group);
   add_value(app, "--threads", {"a whole number from 1 to " + std::to_string(limits::kThreads), "N"},
             "Threads; the picture is the same for any number [all cores]",
             whole_into(arguments.threads, 1, limits::kThreads))
@@ -202,7 +214,7 @@ CLI::App* add_render(CLI::App& root, RenderArguments& arguments, RenderChoices& 
   add_mesh_options(*app, arguments);
   add_image_options(*app, arguments, choices);
   add_vector_options(*app, arguments, choices);
-  add_running_options(*app, arguments);
+  add_running_options(*app, arguments, choices);
   return app;
 }
 

@@ -10,6 +10,8 @@
 
 namespace sfumato::cli {
 
+enum class RenderDevice : std::uint8_t { cpu, gpu };
+
 enum class RenderMethod : std::uint8_t { exact, rays, pixels };
 
 /// What is set in several places of RenderArguments once all options are known.
@@ -21,7 +23,9 @@ struct RenderChoices {
   std::string extension = "png";  ///< of the format, as it was given
   std::optional<int> quality;
   std::optional<double> detail;
+  std::optional<SvgMode> svg;
   RenderMethod method = RenderMethod::exact;
+  RenderDevice device = RenderDevice::cpu;
   int depth = 8;
   bool transparent = false;
   bool no_antialias = false;

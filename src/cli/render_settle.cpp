@@ -39,20 +39,29 @@ void settle_files(RenderArguments& arguments, const RenderChoices& choices) {
 /// What only images have, or only outputs that can be enlarged.
 void settle_kind(RenderArguments& arguments, const RenderChoices& choices) {
   OutputOptions& output = arguments.output;
+  const bool is_svg = output.kind == OutputKind::svg;
   if (is_image(output.kind)) {
-    const char* complaint = "expected with HTML only";
+    const char* complaint = "expected with HTML, PDF, SVG and GLB only";
     expect(!choices.detail, "--detail", complaint);
+    expect(!output.dpi, "--dpi", complaint);
     expect(output.title.empty(), "--title", complaint);
   } else {
     const char* complaint = "expected with images only";
     expect(choices.method != RenderMethod::pixels, "--method pixels", complaint);
+    expect(choices.device == RenderDevice::cpu, "--device gpu", complaint);
     expect(!arguments.raster.mesh_overlay, "--mesh-overlay", complaint);
     expect(!arguments.raster.dither, "--dither", complaint);
     expect(!choices.no_antialias, "--no-antialias", complaint);
     expect(!(arguments.size.width && arguments.size.height), "--height",
            "expected without --width: only images are stretched");
   }
-  output.detail = choices.detail.value_or(output.detail);
+  expect(is_svg || !choices.svg, "--svg", "expected with SVG only");
+  output.svg = choices.svg.value_or(output.svg);
+  expect(!output.force || (is_svg && output.svg == SvgMode::vector), "--force",
+         "expected with --svg vector only");
+  // Triangles of a vector SVG are dear.
+  output.detail = choices.detail.value_or(output.svg == SvgMode::vector ? 1 : 2);
+  arguments.on_gpu = choices.device == RenderDevice::gpu;
 }
 
 void settle_image(RenderArguments& arguments, const RenderChoices& choices) {
@@ -84,6 +93,8 @@ void settle(RenderArguments& arguments, const RenderChoices& choices) {
          "expected without --width and --height");
   expect(!arguments.raster.mesh_overlay || choices.method != RenderMethod::pixels, "--mesh-overlay",
          "--method pixels has no mesh to draw");
+  expect(!arguments.on_gpu || choices.method != RenderMethod::pixels, "--device",
+         "--method pixels runs on the CPU only");
   arguments.per_pixel = choices.method == RenderMethod::pixels;
   arguments.diffuse.gather.method =
       choices.method == RenderMethod::rays ? gather::Method::rays : gather::Method::exact;

@@ -28,12 +28,12 @@ constexpr double kUnitsPerInch = 96;
 constexpr double kNominalSide = 512;
 
 double pixels_per_unit(const SvgOptions& options) {
-  return options.dpi / kUnitsPerInch;
+  return options.scale * options.dpi / kUnitsPerInch;
 }
 
 Status check(const Picture& picture, const SvgOptions& options) {
-  if (!(options.dpi > 0) || !std::isfinite(options.dpi)) {
-    return make_error(StatusCode::bad_input, "dpi of an SVG that are not a positive number");
+  if (!(pixels_per_unit(options) > 0) || !std::isfinite(pixels_per_unit(options))) {
+    return make_error(StatusCode::bad_input, "scale or dpi of an SVG that is no positive number");
   }
   if (!(options.max_error > 0)) {
     return make_error(StatusCode::bad_input, "an error of an SVG's colours that is not above 0");
@@ -71,10 +71,10 @@ void append_image(std::string& text, const Box& box, BlendMode blend,
   text += " preserveAspectRatio=\"none\" xlink:href=\"" + data_uri("image/png", png) + "\"/>\n";
 }
 
-void begin_file(std::string& text, const Box& viewport) {
+void begin_file(std::string& text, const Box& viewport, double scale) {
   text += "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\"";
-  append_attribute(text, "width", viewport.width());
-  append_attribute(text, "height", viewport.height());
+  append_attribute(text, "width", scale * viewport.width());
+  append_attribute(text, "height", scale * viewport.height());
   text += " viewBox=\"" + number_text(viewport.min.x) + ' ' + number_text(viewport.min.y) + ' ' +
           number_text(viewport.width()) + ' ' + number_text(viewport.height()) + "\">\n";
 }
@@ -103,7 +103,7 @@ Result<std::vector<std::uint8_t>> image_file(Context& context, const Picture& pi
   Status status = charge.add(context, 3 * png->size() + 1024, "the image as SVG");
   if (!status) return status;
   std::string text;
-  begin_file(text, viewport);
+  begin_file(text, viewport, options.scale);
   append_image(text, viewport, BlendMode::normal, *png);
   return end_file(text);
 }
@@ -281,7 +281,7 @@ Result<std::vector<std::uint8_t>> VectorWriter::write() {
   if (status) status = make_layers();
   if (!status) return status;
   tell();
-  begin_file(text_, picture_.viewport);
+  begin_file(text_, picture_.viewport, options_.scale);
   if (const auto& color = options_.background ? options_.background : picture_.background) {
     text_ += "<rect";
     append_box(text_, picture_.viewport);

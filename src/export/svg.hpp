@@ -18,8 +18,8 @@ enum class SvgMode : std::uint8_t {
 
 struct SvgOptions {
   SvgMode mode = SvgMode::image;
-  /// Of what is stored as pixels; a user unit is 1/96 inch, so that 96 is a pixel a unit.
-  double dpi = 192;
+  double scale = 1;  ///< CSS pixels, of which 96 are an inch, to a user unit
+  double dpi = 192;  ///< of what is stored as pixels
   /// Behind what no layer covers; default the picture's own, else nothing.
   std::optional<Rgb> background{};
   /// vector: largest tolerated difference to the patches, in code values of 255.
@@ -34,8 +34,8 @@ struct SvgOptions {
 /// Local curves and layers with image-domain shaders stand between them as images.
 ///
 /// notes   if not null: what is stored as pixels, and a warning above limits::kSvgTrianglesSlow
-/// Errors: bad_input (a picture whose tables do not fit, an empty viewport, dpi or max_error that
-/// are not positive numbers), limit (size of the image, memory, limits::kSvgTriangles unless
+/// Errors: bad_input (a picture whose tables do not fit, an empty viewport, scale, dpi or max_error
+/// that are not positive numbers), limit (size of the image, memory, limits::kSvgTriangles unless
 /// forced), cancelled.
 /// Cost: that of rasterize(); vector: about 400 bytes a triangle.
 Result<std::vector<std::uint8_t>> export_svg(Context& context, const Picture& picture,

@@ -1,0 +1,196 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "cli/run_command.hpp"
+#include "cli/scenes.hpp"
+
+/// `sfumato render` with outputs that can be enlarged. What the files hold is tests/export's.
+namespace sfumato::test {
+namespace {
+
+using Names = std::vector<std::string>;
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+struct Output {
+  const char* extension;
+  const char* begin;  ///< of the file
+  const char* end;
+};
+
+const Output kOutputs[] = {{"html", "<!DOCTYPE html>", "</html>\n"},
+                           {"pdf", "%PDF-1.", "%%EOF\n"},
+                           {"svg", "<", "</svg>\n"},
+                           {"glb", "glTF", ""}};
+
+constexpr const char* kEmptyDrawing =
+    R"(<svg xmlns="http://www.w3.org/2000/svg" xmlns:sf="urn:sfumato:1" )"
+    R"(viewBox="0 0 40 30" sf:version="1"/>)";
+
+TEST(Outputs, the_extension_says_what_is_made) {
+  const TemporaryFolder folder;
+  const std::string drawing = folder.add("a.xml", two_curve_scene());
+  for (const Output& output : kOutputs) {
+    const std::string path = folder.path(std::string("a.") + output.extension);
+    const CommandResult result = run_sfumato({"render", drawing, "-o", path});
+    EXPECT_EQ(result.exit_code, 0) << output.extension << result.err;
+    EXPECT_EQ(result.out + result.err, "") << output.extension;
+    const std::string file = read_whole(path);
+    EXPECT_TRUE(file.starts_with(output.begin)) << output.extension << file.substr(0, 40);
+    EXPECT_TRUE(file.ends_with(output.end)) << output.extension;
+    const CommandResult piped =
+        run_sfumato({"render", drawing, "-o", "-", "--format", output.extension});
+    EXPECT_EQ(piped.out, file) << output.extension;
+  }
+}
+
+TEST(Outputs, are_the_same_for_any_number_of_threads) {
+  const TemporaryFolder folder;
+  const std::string drawing = folder.add("a.xml", busy_scene(20));
+  for (const Output& output : kOutputs) {
+    const auto drawn_by = [&](const char* threads) {
+      return run_sfumato(
+                 {"render", drawing, "-o", "-", "--format", output.extension, "--threads", threads})
+          .out;
+    };
+    const std::string one = drawn_by("1");
+    EXPECT_FALSE(one.empty()) << output.extension;
+    EXPECT_TRUE(one == drawn_by("3")) << output.extension;
+  }
+}
+
+TEST(Outputs, of_a_picture_with_nothing_in_it_are_whole) {
+  const TemporaryFolder folder;
+  const std::string drawing = folder.add("empty.svg", kEmptyDrawing);
+  for (const Output& output : kOutputs) {
+    const CommandResult result =
+        run_sfumato({"render", drawing, "-o", "-", "--format", output.extension});
+    EXPECT_EQ(result.exit_code, 0) << output.extension << result.err;
+    EXPECT_TRUE(result.out.starts_with(output.begin)) << output.extension;
+    EXPECT_TRUE(result.out.ends_with(output.end)) << output.extension;
+  }
+}
+
+TEST(Outputs, where_they_cannot_be_written_is_told_and_nothing_stays) {
+  const TemporaryFolder folder;
+  const std::string drawing = folder.add("a.xml", two_curve_scene());
+  for (const Output& output : kOutputs) {
+    const std::string missing = folder.path(std::string("missing/a.") + output.extension);
+    const CommandResult result = run_sfumato({"render", drawing, "-o", missing});
+    EXPECT_EQ(result.exit_code, 3) << output.extension;
+    EXPECT_TRUE(contains(result.err, "cannot be written")) << result.err;
+  }
+  EXPECT_EQ(folder.names(), Names{"a.xml"});
+}
+
+TEST(Outputs, detail_makes_the_mesh_finer) {
+  const TemporaryFolder folder;
+  const std::string drawing = folder.add("a.xml", busy_scene(20));
+  const auto size_at = [&](const char* detail) {
+    return run_sfumato({"render", drawing, "-o", "-", "--format", "html", "--detail", detail})
+        .out.size();
+  };
+  EXPECT_LT(size_at("0.5"), size_at("8"));
+}
+
+TEST(Outputs, title_is_the_name_of_the_drawing_or_what_was_given) {
+  const TemporaryFolder folder;
+  const std::string drawing = folder.add("Two <curves>.xml", two_curve_scene());
+  const auto page = [&](Names options) {
+    options.insert(options.begin(), {"render", drawing, "-o", "-", "--format", "html"});
+    return run_sfumato(options).out;
+  };
+  EXPECT_TRUE(contains(page({}), "<title>Two &lt;curves&gt;</title>"));
+  EXPECT_TRUE(contains(page({"--title", "A & B"}), "<title>A &amp; B</title>"));
+}
+
+TEST(Outputs, pages_have_the_size_that_was_asked_for) {
+  const TemporaryFolder folder;
+  const std::string drawing = folder.add("a.xml", two_curve_scene());  // 64 × 48
+  const auto drawn = [&](const char* format, Names options) {
+    options.insert(options.begin(), {"render", drawing, "-o", "-", "--format", format});
+    const CommandResult result = run_sfumato(options);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return result.out;
+  };
+  EXPECT_TRUE(contains(drawn("pdf", {}), "/MediaBox [0 0 48 36]"));
+  EXPECT_TRUE(contains(drawn("pdf", {"--width", "128"}), "/MediaBox [0 0 96 72]"));
+  const std::string svg = drawn("svg", {"--scale", "2"});
+  EXPECT_TRUE(contains(svg, "width=\"128\" height=\"96\"")) << svg.substr(0, 300);
+}
+
+struct BadPair {
+  const char* extension;
+  Names options;
+  const char* expected;
+};
+
+TEST(Outputs, options_that_an_output_has_no_place_for_are_named) {
+  const TemporaryFolder folder;
+  const std::string drawing = folder.add("a.xml", two_curve_scene());
+  const BadPair cases[] = {
+      {"html", {"--depth", "16"}, "--depth"},
+      {"pdf", {"--method", "pixels"}, "images only"},
+      {"svg", {"--mesh-overlay"}, "images only"},
+      {"glb", {"--dither"}, "images only"},
+      {"html", {"--no-antialias"}, "images only"},
+      {"pdf", {"--device", "gpu"}, "images only"},
+      {"pdf", {"--width", "10", "--height", "10"}, "only images are stretched"},
+      {"pdf", {"--quality", "50"}, "JPEG"},
+      {"png", {"--detail", "4"}, "HTML, PDF, SVG and GLB only"},
+      {"webp", {"--dpi", "4"}, "HTML, PDF, SVG and GLB only"},
+      {"png", {"--title", "x"}, "HTML, PDF, SVG and GLB only"},
+      {"pdf", {"--svg", "vector"}, "SVG only"},
+      {"svg", {"--force"}, "--svg vector only"},
+      {"svg", {"--svg", "flat"}, "one of image|vector"},
+      {"pdf", {"--dpi", "0"}, "a number above 0"},
+      {"png", {"--device", "gpu", "--method", "pixels"}, "CPU only"},
+  };
+  for (const BadPair& bad : cases) {
+    Names arguments{"render", drawing, "-o", folder.path(std::string("o.") + bad.extension)};
+    arguments.insert(arguments.end(), bad.options.begin(), bad.options.end());
+    const CommandResult result = run_sfumato(arguments);
+    EXPECT_EQ(result.exit_code, 2) << bad.extension << bad.options[0];
+    EXPECT_TRUE(contains(result.err, bad.expected)) << result.err;
+  }
+  EXPECT_EQ(folder.names(), Names{"a.xml"});
+}
+
+TEST(Outputs, what_a_format_cannot_hold_is_a_warning_that_quiet_silences) {
+  const TemporaryFolder folder;
+  const std::string drawing =
+      folder.add("groups.svg", R"(<svg xmlns="http://www.w3.org/2000/svg" )"
+                               R"(xmlns:sf="urn:sfumato:1" viewBox="0 0 40 30" )"
+                               R"(sf:version="1"><g sf:diffuse="true" )"
+                               R"(style="mix-blend-mode: multiply">)"
+                               R"(<circle cx="20" cy="15" r="9" sf:left="red" )"
+                               R"(sf:right="blue"/></g></svg>)");
+  const CommandResult loud = run_sfumato({"render", drawing, "-o", folder.path("a.glb")});
+  EXPECT_EQ(loud.exit_code, 0) << loud.err;
+  EXPECT_TRUE(contains(loud.err, drawing + ": warning: ")) << loud.err;
+  EXPECT_TRUE(contains(loud.err, "blend")) << loud.err;
+  const CommandResult quiet =
+      run_sfumato({"render", drawing, "-o", folder.path("a.glb"), "--quiet"});
+  EXPECT_EQ(quiet.exit_code, 0);
+  EXPECT_EQ(quiet.err, "");
+}
+
+TEST(Device, a_gpu_draws_or_a_warning_says_that_the_cpu_did) {
+  const TemporaryFolder folder;
+  const std::string drawing = folder.add("a.xml", two_curve_scene());
+  const CommandResult result =
+      run_sfumato({"render", drawing, "-o", folder.path("a.png"), "--device", "gpu"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  if (!result.err.empty()) {
+    EXPECT_TRUE(contains(result.err, "warning: ")) << result.err;
+    EXPECT_TRUE(contains(result.err, "drawn on the CPU")) << result.err;
+  }
+  const Image image = image_of(read_whole(folder.path("a.png")));
+  EXPECT_EQ(image.width, 64);
+}
+
+}  // namespace
+}  // namespace sfumato::test
