@@ -51,7 +51,7 @@ async function testBrowsers(tap, tools) {
   );
   await tap.test("a driver that refuses the shaders is spoken of", () => {
     const path = tools.command.changed(DOCUMENT, "refused", (text) =>
-      text.replace("void main()", "void main("),
+      text.replaceAll("void main()", "void main("),
     );
     return saysInstead(tools, path, undefined, "refuses a shader");
   });

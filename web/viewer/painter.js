@@ -2,7 +2,6 @@
 // themselves and then blended (docs/mathematics.md, "Pixels").
 
 const NORMAL = 0;
-const CLEAR = [0, 0, 0, 0];
 
 /**
  * Groups that need a picture of their own: the others are as if they were not there.
@@ -161,7 +160,7 @@ class Painter {
       case "begin":
         if (!this.realGroups.has(item)) return;
         this.open.push(item);
-        return this.targets.level(++this.level).clear(rect, CLEAR);
+        return this.targets.level(++this.level).begin(rect);
       default: {
         if (!this.realGroups.has(item)) return;
         const group = /** @type {GroupBegin} */ (this.open.pop());
@@ -182,8 +181,8 @@ class Painter {
     const { gl } = this;
     const isNormal = instance.blend === NORMAL;
     const target = this.targets.level(isNormal ? this.level : "source");
-    if (!isNormal) target.clear(rect, CLEAR);
-    target.bind(rect);
+    if (isNormal) target.bind(rect);
+    else target.begin(rect);
     gl.enable(gl.BLEND);
     gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
     const opacity = isNormal ? instance.opacity : 1;
@@ -198,7 +197,7 @@ class Painter {
    */
   paintStroke(stroke, rect, target) {
     const sums = this.targets.sums();
-    sums.clear(rect, CLEAR);
+    sums.begin(rect);
     this.strokes.addUp(stroke, this.pixelFromArtboard, this.targets.size);
     target.bind(rect);
     this.strokes.show(stroke, sums.texture);
@@ -213,7 +212,7 @@ class Painter {
     if (isEmptyRect(rect)) return;
     const target = this.targets.run(run[0]);
     if (!this.runsAreKept) {
-      target.clear(rect, CLEAR);
+      target.begin(rect);
       for (const i of run) {
         const stroke = /** @type {Stroke} */ (this.picture.stack[i]);
         if (!isEmptyRect(rects[i])) this.paintStroke(stroke, rects[i], target);

@@ -37,6 +37,22 @@ function isEmptyRect(rect) {
 }
 
 /**
+ * What is cleared and resolved around what is used, pixels: along the border of such a rectangle
+ * some drivers (Mesa's llvmpipe) leave out samples.
+ */
+const BORDER = 4;
+
+/**
+ * A rectangle with its border.
+ * @param {Rect} rect
+ * @param {Rect} whole what it stays in
+ */
+function bordered([x, y, width, height], whole) {
+  const grown = [x - BORDER, y - BORDER, width + 2 * BORDER, height + 2 * BORDER];
+  return intersected(whole, grown);
+}
+
+/**
  * A texture to draw into and, where it is multisampled, the buffer that is drawn into before.
  */
 class Target {
@@ -90,6 +106,15 @@ class Target {
   }
 
   /**
+   * Makes a rectangle, with its border, transparent, and draws within it from now on.
+   * @param {Rect} rect
+   */
+  begin(rect) {
+    this.clear(bordered(rect, [0, 0, this.size[0], this.size[1]]), [0, 0, 0, 0]);
+    this.bind(rect);
+  }
+
+  /**
    * @param {Rect} rect
    * @param {number[]} color red, green, blue, alpha
    */
@@ -103,9 +128,10 @@ class Target {
    * Makes the texture show what was drawn.
    * @param {Rect} rect
    */
-  resolve([x, y, width, height]) {
+  resolve(rect) {
     if (this.drawn === this.resolved) return;
     const { gl } = this;
+    const [x, y, width, height] = bordered(rect, [0, 0, this.size[0], this.size[1]]);
     gl.bindFramebuffer(gl.READ_FRAMEBUFFER, this.drawn);
     gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, this.resolved);
     gl.disable(gl.SCISSOR_TEST);
