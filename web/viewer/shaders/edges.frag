@@ -1,15 +1,17 @@
-// The pixels that an edge cuts become 0, and are marked in the stencil.
+// The pixels that an edge cuts become 0, and are marked in the stencil. A pixel is the half-open
+// square from its upper left corner on, as raster::MixedPixels takes it.
 flat in vec2 begin;
 flat in vec2 end;
 
 out vec4 fragment;
 
 void main() {
-  vec2 from = begin - gl_FragCoord.xy, to = end - gl_FragCoord.xy, along = to - from;
-  // The square and the edge are apart along x, along y, or across the edge.
-  if (min(from.x, to.x) >= 0.5 || max(from.x, to.x) < -0.5) discard;
+  vec2 from = begin - gl_FragCoord.xy, to = end - gl_FragCoord.xy;
   if (min(from.y, to.y) >= 0.5 || max(from.y, to.y) < -0.5) discard;
-  float across = from.x * along.y - from.y * along.x;
-  if (abs(across) > 0.5 * (abs(along.x) + abs(along.y))) discard;
+  // Where the edge enters and leaves the row; its ends where they lie in the row.
+  vec2 row = vec2(0.0, 1.0);
+  if (from.y != to.y) row = clamp((vec2(-0.5, 0.5) - from.y) / (to.y - from.y), 0.0, 1.0);
+  vec2 x = mix(vec2(from.x), vec2(to.x), row);
+  if (min(x.x, x.y) >= 0.5 || max(x.x, x.y) < -0.5) discard;
   fragment = vec4(0.0);
 }
