@@ -1,4 +1,4 @@
-// Tests of the HTML viewer in Chromium, printed as TAP:
+// Tests of the HTML viewer, SVG and GLB in Chromium and programs from npm, printed as TAP:
 // node run.mjs SFUMATO DUMP_PICTURE OUT_FOLDER
 import { execFileSync } from "node:child_process";
 import { rmSync } from "node:fs";
@@ -6,6 +6,7 @@ import { chromium } from "playwright-core";
 import { PNG } from "pngjs";
 import { Command, Pages, Tap, pathOf } from "./harness.mjs";
 import { testInteraction } from "./interaction.mjs";
+import { testGlb, testSvg } from "./outputs.mjs";
 import { testPayload } from "./payload.mjs";
 import { testPictures } from "./pictures.mjs";
 import { testRobustness } from "./robustness.mjs";
@@ -24,6 +25,7 @@ await tap.test("the viewer's types are right", () => {
   }
 });
 await testPayload(tap, { dump, command });
+await testGlb(tap, { command });
 
 await tap.test("Chromium starts, and all tests come to their end", async () => {
   const browser = await chromium.launch({
@@ -43,6 +45,7 @@ await tap.test("Chromium starts, and all tests come to their end", async () => {
     await testPictures(tap, tools);
     await testInteraction(tap, tools);
     await testRobustness(tap, tools);
+    await testSvg(tap, tools);
   } finally {
     await browser.close();
   }
