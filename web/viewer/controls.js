@@ -13,6 +13,9 @@ function element(id, type) {
   return found;
 }
 
+/** Beyond, the zoom is a factor. */
+const MOST_PERCENT = 10000;
+
 class Controls {
   constructor() {
     this.canvas = element("canvas", HTMLCanvasElement);
@@ -24,6 +27,8 @@ class Controls {
     this.dialog = element("keys-dialog", HTMLDialogElement);
     this.fallback = document.getElementById("fallback");
     this.full.hidden = !document.fullscreenEnabled;
+    this.message.hidden = false;
+    this.message.textContent = "Unpacking the picture …";
   }
 
   /** @param {Commands} commands */
@@ -67,7 +72,8 @@ class Controls {
   showZoom(zoom) {
     const percent = 100 * zoom;
     const digits = percent >= 10 ? 0 : 1;
-    this.percent.textContent = `${percent.toFixed(digits)} %`;
+    this.percent.textContent =
+      zoom < MOST_PERCENT / 100 ? `${percent.toFixed(digits)} %` : `${zoom.toFixed(0)} ×`;
   }
 
   /** @param {boolean} isShown */

@@ -59,7 +59,9 @@ function bytesOfBase64(text) {
   } catch {
     throw new PayloadError("its text is not base64");
   }
-  return Uint8Array.from(binary, (character) => character.charCodeAt(0));
+  const bytes = new Uint8Array(binary.length);
+  for (let i = 0; i < bytes.length; ++i) bytes[i] = binary.charCodeAt(i);
+  return bytes;
 }
 
 /**

@@ -46,11 +46,15 @@ class View {
   }
 
   /**
-   * The nearest state that is allowed: the page stays under the middle of the window.
+   * The nearest state that is allowed: the page stays under the middle of the window. What is no
+   * number stays as it is.
    * @param {ViewState} state
    * @returns {ViewState}
    */
-  limited({ x, y, zoom }) {
+  limited(state) {
+    const kept = (/** @type {keyof ViewState} */ name) =>
+      Number.isFinite(state[name]) ? state[name] : this.state[name];
+    const [x, y, zoom] = [kept("x"), kept("y"), kept("zoom")];
     const fitted = this.fitted();
     const least = Math.min(fitted.zoom, FARTHEST_PAGE / this.extent);
     const most = Math.max(fitted.zoom, CLOSEST_PAGE / this.extent / this.ratio);
