@@ -25,8 +25,7 @@ constexpr double kInsideShare = 0.9;
 constexpr std::array<Barycentric, 4> kInside{
     {{1.0 / 3, 1.0 / 3, 1.0 / 3}, {0.5, 0.25, 0.25}, {0.25, 0.5, 0.25}, {0.25, 0.25, 0.5}}};
 
-/// Quotients by a smaller share are taken elsewhere: they are noise, and next to nothing shows
-/// them.
+/// Quotients by a smaller share are noise, and next to nothing shows them.
 constexpr double kLeastShare = 0.01;
 
 /// Not a number becomes 0.
@@ -131,6 +130,7 @@ FacetPatch::FacetPatch(const PatchLayer& layer, InterpolationSpace space, const 
   is_light_ = source.kind == Kind::light;
   if (source.kind == Kind::color || is_light_) space_ = space;
   read(layer, source, triangle);
+  find_covered(layer, source, triangle);
   find_curvature();
 }
 
@@ -148,6 +148,28 @@ void FacetPatch::read(const PatchLayer& layer, const FacetSource& source, std::u
     for (std::size_t s = first_other; has_share_ && s < field.shader.size(); ++s)
       share_[n] -= value[stride - field.shader.size() + s];
   }
+}
+
+/// The mean of what shaders show, by their weights in all of the patch.
+void FacetPatch::find_covered(const PatchLayer& layer, const FacetSource& source,
+                              std::uint32_t triangle) {
+  const PatchField& field = field_of(layer, source);
+  if (!has_share_ || source.shown.size() != field.shader.size()) return;
+  const auto stride = static_cast<std::size_t>(field.channel_count);
+  double sum = 0;
+  for (std::size_t n = 0; n < 10; ++n) {
+    const std::size_t end =
+        (field.triangle_node[std::size_t{10} * triangle + n] + std::size_t{1}) * stride;
+    for (std::size_t s = 0; s < field.shader.size(); ++s) {
+      const double weight = clamped(field.node_value[end - field.shader.size() + s]);
+      const Rgb& color = source.shown[s];
+      sum += weight;
+      covered_[0] += weight * color.r;
+      covered_[1] += weight * color.g;
+      covered_[2] += weight * color.b;
+    }
+  }
+  for (double& channel : covered_) channel = sum > 0 ? clamped(channel / sum) : 0;
 }
 
 double FacetPatch::share(const Barycentric& at) const {
@@ -170,12 +192,9 @@ FacetPatch::Value FacetPatch::unclamped(const Barycentric& at) const {
 }
 
 FacetPatch::Value FacetPatch::shown(const Barycentric& at) const {
-  // Where nothing is left to divide by, what stands next to it, further in.
-  const double here = share(at);
-  const bool is_bare = here < kLeastShare;
-  const Barycentric inside{0.9 * at[0] + 0.1 / 3, 0.9 * at[1] + 0.1 / 3, 0.9 * at[2] + 0.1 / 3};
-  Value value = unclamped(is_bare ? inside : at);
-  const double divisor = std::max(is_bare ? share(inside) : here, 1e-6);
+  const double divisor = share(at);
+  if (divisor < kLeastShare) return covered_;
+  Value value = unclamped(at);
   for (double& channel : value) channel = clamped(channel / divisor);
   return value;
 }

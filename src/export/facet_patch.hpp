@@ -67,6 +67,7 @@ class FacetPatch {
   static Hessian turned(const Hessian& h, int k);
 
   void read(const PatchLayer& layer, const FacetSource& source, std::uint32_t triangle);
+  void find_covered(const PatchLayer& layer, const FacetSource& source, std::uint32_t triangle);
   Value unclamped(const Barycentric& at) const;
   /// The share that a quotient is over; 1 where there is none.
   double share(const Barycentric& at) const;
@@ -85,6 +86,7 @@ class FacetPatch {
   bool is_edge_ = false;  ///< made by edge()
   std::array<std::array<double, 10>, kMostChannels> node_{};
   bool has_share_ = false;
+  Value covered_{};                 ///< shown where no share is left
   std::array<double, 10> share_{};  ///< at the nodes: what values are divided by
   std::array<std::array<Hessian, 3>, kMostChannels> corner_{};  ///< they are linear in between
   bool is_light_ = false;                                       ///< facets are linear in light

@@ -33,6 +33,9 @@ struct FacetSource {
   };
   Kind kind = Kind::color;
   std::uint32_t shader = 0;  ///< of a weight or mask: index into PatchField::shader
+  /// Of a base: roughly what each of the field's shaders shows, code values. Where a shader has all
+  /// of the share, that stands below it, in case it leaves a gap. Empty, or as many as shaders.
+  std::vector<Rgb> shown{};
 };
 
 /// Triangles with linear interpolation (Gouraud) that show a field of a layer within a bounded

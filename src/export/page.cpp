@@ -1,6 +1,20 @@
 #include "export/page.hpp"
 
+#include <cmath>
+
+#include "base/limits.hpp"
+
 namespace sfumato::outputs {
+
+Status check_viewport(const Box& viewport) {
+  const auto is_place = [](Vec2 p) {
+    return std::fabs(p.x) <= limits::kCoordinate && std::fabs(p.y) <= limits::kCoordinate;
+  };
+  if (viewport.width() > 0 && viewport.height() > 0 && is_place(viewport.min) &&
+      is_place(viewport.max))
+    return ok_status();
+  return make_error(StatusCode::bad_input, "a picture with an empty viewport");
+}
 
 Page make_page(const Box& viewport, double unit) {
   return {viewport.width() * unit,

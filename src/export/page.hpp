@@ -2,6 +2,7 @@
 
 #include "base/affine.hpp"
 #include "base/box.hpp"
+#include "base/status.hpp"
 
 namespace sfumato::outputs {
 
@@ -11,6 +12,9 @@ struct Page {
   double height = 0;
   Affine page_from_artboard;
 };
+
+/// Error: bad_input, where a viewport is empty or beyond all coordinates.
+Status check_viewport(const Box& viewport);
 
 /// The page that shows `viewport`, which is not empty, with `unit` page units to a user unit.
 Page make_page(const Box& viewport, double unit);

@@ -195,11 +195,7 @@ bool is_positive(double value) {
 }
 
 Status check(const Picture& picture, const PdfOptions& options) {
-  const Box& box = picture.viewport;
-  const bool is_box = is_positive(box.width()) && is_positive(box.height()) &&
-                      std::fabs(box.min.x) <= limits::kCoordinate &&
-                      std::fabs(box.min.y) <= limits::kCoordinate;
-  if (!is_box) return make_error(StatusCode::bad_input, "a picture with an empty viewport");
+  if (Status status = check_viewport(picture.viewport); !status) return status;
   if (!is_positive(options.page_width_pt.value_or(1)))
     return make_error(StatusCode::bad_input, "a page width that is no positive number");
   if (!is_positive(options.dpi) || !is_positive(options.max_error))

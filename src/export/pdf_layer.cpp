@@ -33,11 +33,18 @@ class LayerWriter {
   PdfRef write();
 
  private:
+  /// A shader where it has weight.
+  struct Paint {
+    PdfRef image = 0;  ///< 0: nowhere
+    Box box;
+    Rgb mean;
+  };
+
   bool is_mixed_elsewhere() const;
   double pixels_per_unit() const { return options_.points_per_unit * options_.dpi / 72; }
   void paint_facets(const FacetSource& source, PdfContent* content);
   void paint_field(bool is_opacity, PdfContent* content);
-  void paint_shader(bool is_opacity, std::uint32_t shader, PdfContent* content);
+  Paint add_shader(bool is_opacity, std::uint32_t shader);
   void paint_pixels(PdfContent* content);
   Box box_of_weight(const PatchField& field, std::size_t channel) const;
 
@@ -76,30 +83,44 @@ Box LayerWriter::box_of_weight(const PatchField& field, std::size_t channel) con
   return box;
 }
 
-/// A shader's pixels under the mask of its share.
-void LayerWriter::paint_shader(bool is_opacity, std::uint32_t shader, PdfContent* content) {
+/// A shader's pixels, and what they show on the whole.
+LayerWriter::Paint LayerWriter::add_shader(bool is_opacity, std::uint32_t shader) {
   const PatchField& field = is_opacity ? layer_.opacity : layer_.color;
-  const Box box = box_of_weight(field, (is_opacity ? 1u : 3u) + shader);
-  if (!(box.width() > 0 && box.height() > 0)) return;
-  PdfContent mask;
-  paint_facets({is_opacity ? Kind::opacity_mask : Kind::color_mask, shader}, &mask);
+  Paint paint;
+  paint.box = box_of_weight(field, (is_opacity ? 1u : 3u) + shader);
+  if (!(paint.box.width() > 0 && paint.box.height() > 0)) return paint;
   const Result<PixelPart> part = shader_pixels(context_, picture_.shaders[field.shader[shader]],
-                                               is_opacity, box, pixels_per_unit());
-  if (!part) return file_->fail(part.status());
-  const PdfRef image = is_opacity ? add_alpha_image(context_, file_, part->image)
-                                  : add_image(context_, file_, part->image);
-  const PdfRef state = add_mask(file_, mask.make_mask_form(file_, box_));
-  content->add("q " + content->name(Resource::graphics_state, state) + " gs");
-  paint_image(image, box, content);
-  content->add("Q");
+                                               is_opacity, paint.box, pixels_per_unit());
+  if (!part) {
+    file_->fail(part.status());
+    return paint;
+  }
+  paint.mean = mean_color(*part);
+  paint.image = is_opacity ? add_alpha_image(context_, file_, part->image)
+                           : add_image(context_, file_, part->image);
+  return paint;
 }
 
-/// Colour or opacity: what the curves give, and the shaders over it, so that the last has all of
-/// its weight and each leaves to those below what they need.
+/// Colour or opacity: what the curves give, and the shaders over it under masks of their shares, so
+/// that the last has all of its weight and each leaves to those below what they need.
 void LayerWriter::paint_field(bool is_opacity, PdfContent* content) {
-  paint_facets({is_opacity ? Kind::opacity_base : Kind::color_base, 0}, content);
   const PatchField& field = is_opacity ? layer_.opacity : layer_.color;
-  for (std::uint32_t s = 0; s < field.shader.size(); ++s) paint_shader(is_opacity, s, content);
+  std::vector<Paint> paints;
+  FacetSource base{is_opacity ? Kind::opacity_base : Kind::color_base, 0, {}};
+  for (std::uint32_t s = 0; s < field.shader.size(); ++s) {
+    paints.push_back(add_shader(is_opacity, s));
+    base.shown.push_back(paints.back().mean);
+  }
+  paint_facets(base, content);
+  for (std::uint32_t s = 0; s < field.shader.size(); ++s) {
+    if (paints[s].image == 0) continue;
+    PdfContent mask;
+    paint_facets({is_opacity ? Kind::opacity_mask : Kind::color_mask, s, {}}, &mask);
+    const PdfRef state = add_mask(file_, mask.make_mask_form(file_, box_));
+    content->add("q " + content->name(Resource::graphics_state, state) + " gs");
+    paint_image(paints[s].image, paints[s].box, content);
+    content->add("Q");
+  }
 }
 
 void LayerWriter::paint_pixels(PdfContent* content) {

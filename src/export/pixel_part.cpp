@@ -110,6 +110,20 @@ Result<PixelPart> shader_pixels(Context& context, const Shader& shader, bool as_
                  as_opacity ? PixelFormat::rgba8 : PixelFormat::rgb8);
 }
 
+Rgb mean_color(const PixelPart& part) {
+  std::array<std::uint64_t, 3> sum{};
+  const auto stride = static_cast<std::size_t>(channel_count(part.image.format));
+  const std::vector<std::uint8_t>& bytes = part.image.bytes;
+  for (std::size_t i = 0; i + stride <= bytes.size(); i += stride)
+    for (std::size_t c = 0; c < 3; ++c) sum[c] += bytes[i + c];
+  const double scale =
+      1 / (255.0 * static_cast<double>(std::max(bytes.size() / stride, std::size_t{1})));
+  const auto mean = [&](std::size_t c) {
+    return static_cast<float>(static_cast<double>(sum[c]) * scale);
+  };
+  return {mean(0), mean(1), mean(2)};
+}
+
 Result<PixelPart> layer_pixels(Context& context, const Picture& picture, std::uint32_t layer,
                                const Box& box, double pixels_per_unit) {
   const PatchLayer& source = picture.layers[layer];
@@ -127,6 +141,11 @@ Result<PixelPart> layer_pixels(Context& context, const Picture& picture, std::ui
   alone.layers.push_back(source);
   alone.stack.push_back(PatchInstance{});
   return painted(context, alone, box, size_of(box, pixels_per_unit), PixelFormat::rgba8);
+}
+
+Result<PixelPart> picture_pixels(Context& context, const Picture& picture, double pixels_per_unit) {
+  const Box& box = picture.viewport;
+  return painted(context, picture, box, size_of(box, pixels_per_unit), PixelFormat::rgb8);
 }
 
 Result<PixelPart> stroke_pixels(Context& context, std::span<const LocalStroke> strokes,

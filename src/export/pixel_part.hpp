@@ -25,9 +25,15 @@ inline constexpr double kMostPartPixels = 64e6;
 Result<PixelPart> shader_pixels(Context& context, const Shader& shader, bool as_opacity,
                                 const Box& box, double pixels_per_unit);
 
+/// The mean of a part's colours.
+Rgb mean_color(const PixelPart& part);
+
 /// A whole layer in its own frame, rgba8. Errors: limit (memory), cancelled.
 Result<PixelPart> layer_pixels(Context& context, const Picture& picture, std::uint32_t layer,
                                const Box& box, double pixels_per_unit);
+
+/// All of a picture's viewport on its background or white, rgb8. Errors: limit (memory), cancelled.
+Result<PixelPart> picture_pixels(Context& context, const Picture& picture, double pixels_per_unit);
 
 /// Local curves, one painted over the other, rgba8, in as much of `viewport` as they need. Artboard
 /// frame. Pixels next to them that are transparent have their colour, so that viewers which filter

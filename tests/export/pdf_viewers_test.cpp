@@ -1,0 +1,119 @@
+// Pictures as PDF in the programs that show PDF, held against our own raster. Limits are a little
+// above what was measured; curves are antialiased by clip paths, which poppler's Splash and
+// Ghostscript do not antialias.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "export/pdf.hpp"
+#include "export/support.hpp"
+#include "pipeline/random_document.hpp"
+#include "support/scenes.hpp"
+
+namespace sfumato {
+namespace {
+
+using test::Bytes;
+
+struct Viewer {
+  std::string program, command;
+};
+
+const Viewer kSplash{"pdftoppm", "pdftoppm -r 96 -png -singlefile IN OUT && mv OUT.png OUT"};
+const Viewer kCairo{"pdftocairo", "pdftocairo -r 96 -png -singlefile IN OUT && mv OUT.png OUT"};
+const Viewer kMuPdf{"mutool", "mutool draw -q -r 96 -o OUT IN"};
+const Viewer kGhostscript{"gs", "gs -q -dSAFER -dBATCH -dNOPAUSE -sDEVICE=png16m -r96 -o OUT IN"};
+
+Bytes exported(const Picture& picture) {
+  Context context;
+  Result<Bytes> bytes = export_pdf(context, picture, {});
+  EXPECT_TRUE(bytes.ok()) << to_string(bytes.status());
+  return bytes ? std::move(*bytes) : Bytes{};
+}
+
+/// Largest mean and 99th percentile of the differences, code values.
+struct Limits {
+  double mean;
+  int p99;
+};
+
+void expect_shown(const Picture& picture, const Bytes& pdf, const Viewer& viewer,
+                  const Limits& limits) {
+  if (!test::has_program(viewer.program)) {
+    std::printf("no %s here: skipped\n", viewer.program.c_str());
+    return;
+  }
+  const auto shown = test::shown_by(pdf, "in.pdf", viewer.command);
+  ASSERT_TRUE(shown) << viewer.program;
+  const auto found =
+      test::difference(*shown, test::reference(picture, shown->width, shown->height));
+  std::printf("%-10s mean %.2f p99 %d\n", viewer.program.c_str(), found.mean, found.p99);
+  EXPECT_LE(found.mean, limits.mean) << viewer.program;
+  EXPECT_LE(found.p99, limits.p99) << viewer.program;
+}
+
+void expect_valid(const Bytes& pdf) {
+  if (!test::has_program("qpdf")) return;
+  const test::Said said = test::said_of(pdf, "in.pdf", "qpdf --check IN");
+  EXPECT_EQ(said.exit_code, 0) << said.text;
+}
+
+/// One document in all programs; limits in the order Splash, cairo, MuPDF, Ghostscript.
+void expect_shown_everywhere(const Document& document, const Limits (&limits)[4]) {
+  const Picture picture = test::solved(document);
+  const Bytes pdf = exported(picture);
+  std::printf("%zu bytes\n", pdf.size());
+  expect_valid(pdf);
+  const Viewer* viewers[] = {&kSplash, &kCairo, &kMuPdf, &kGhostscript};
+  for (std::size_t i = 0; i < 4; ++i) expect_shown(picture, pdf, *viewers[i], limits[i]);
+}
+
+bool has_any_program() {
+  return test::has_program("qpdf") || test::has_program("pdftoppm") ||
+         test::has_program("mutool") || test::has_program("gs");
+}
+
+#define SKIP_WITHOUT_PROGRAMS() \
+  if (!has_any_program()) GTEST_SKIP() << "no qpdf, poppler, MuPDF or Ghostscript here"
+
+TEST(PdfInViewers, the_lady_bug) {
+  SKIP_WITHOUT_PROGRAMS();
+  const auto document = test::shared_scene("lady_bug.xml");
+  if (!document) GTEST_SKIP() << "no public scene lady_bug.xml";
+  expect_shown_everywhere(*document, {{1.6, 30}, {1.3, 26}, {1.3, 23}, {1.3, 26}});
+}
+
+TEST(PdfInViewers, the_apple) {
+  SKIP_WITHOUT_PROGRAMS();
+  if (const auto document = test::example("apple.svg"))
+    expect_shown_everywhere(*document, {{2.1, 16}, {0.8, 8}, {1.6, 16}, {1.6, 16}});
+}
+
+TEST(PdfInViewers, blurred_curves_and_clipped_frames) {
+  SKIP_WITHOUT_PROGRAMS();
+  if (const auto document = test::example("blur.svg"))
+    expect_shown_everywhere(*document, {{4.2, 75}, {1.7, 30}, {2, 30}, {2.2, 60}});
+}
+
+TEST(PdfInViewers, textures) {
+  SKIP_WITHOUT_PROGRAMS();
+  if (const auto document = test::example("textures.svg"))
+    expect_shown_everywhere(*document, {{8, 75}, {2, 14}, {6, 58}, {6, 60}});
+}
+
+TEST(PdfInViewers, local_curves) {
+  SKIP_WITHOUT_PROGRAMS();
+  if (const auto document = test::example("strokes.svg"))
+    expect_shown_everywhere(*document, {{3, 33}, {0.7, 9}, {2.5, 28}, {3, 31}});
+}
+
+TEST(PdfInViewers, everything_that_documents_can_hold_is_valid) {
+  if (!test::has_program("qpdf")) GTEST_SKIP() << "no qpdf here";
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    SCOPED_TRACE(seed);
+    expect_valid(exported(test::solved(test::random_document(seed))));
+  }
+}
+
+}  // namespace
+}  // namespace sfumato
