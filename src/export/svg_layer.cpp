@@ -14,10 +14,13 @@ constexpr std::size_t kFacetBytes = 320;
 /// The layer's longer side in steps of its grid, at least.
 constexpr double kGridSteps = 5e4;
 /// Sides of facets in the largest instance, nominal pixels: patches are not cut any shorter.
+/// Opacity has shorter ones: its blurs are the outlines that one sees.
 constexpr double kSmallestSide = 3;
-/// How far a facet reaches under its neighbours in the smallest instance, nominal pixels, and
-/// beyond the mesh in the largest one.
-constexpr double kReach = 3;
+constexpr double kSmallestMaskSide = 1.5;
+/// How far a facet reaches under its neighbours in the smallest instance, nominal pixels: the
+/// farther, the smaller the file can be shown. And beyond the mesh in the largest one.
+constexpr double kReachInside = 20;
+constexpr double kReachOutside = 3;
 /// Facets whose inscribed circle is smaller than this are painted as flat colours before, larger by
 /// the margin: nominal pixels in the smallest instance.
 constexpr double kSmallRadius = 1;
@@ -136,15 +139,16 @@ Status LayerWriter::write(const std::string& id) {
 Result<SvgLayer> make_svg_layer(Context& context, const PatchLayer& layer, InterpolationSpace space,
                                 const SvgScale& scale) {
   const double pixel = scale.pixel / scale.smallest;
-  const double smallest_side = kSmallestSide * scale.pixel / scale.largest;
+  const double largest_pixel = scale.pixel / scale.largest;
   SvgLayer result;
-  Result<FacetMesh> color = make_facets(context, layer, space, {}, scale.max_error, smallest_side);
+  Result<FacetMesh> color =
+      make_facets(context, layer, space, {}, scale.max_error, kSmallestSide * largest_pixel);
   if (!color) return color.status();
   result.color = std::move(*color);
   if (layer.opacity.channel_count > 0) {
     const FacetSource source{FacetSource::Kind::opacity, 0};
-    Result<FacetMesh> opacity =
-        make_facets(context, layer, space, source, scale.max_error, smallest_side);
+    Result<FacetMesh> opacity = make_facets(context, layer, space, source, scale.max_error,
+                                            kSmallestMaskSide * largest_pixel);
     if (!opacity) return opacity.status();
     result.opacity = std::move(*opacity);
   }
@@ -152,7 +156,7 @@ Result<SvgLayer> make_svg_layer(Context& context, const PatchLayer& layer, Inter
   result.layer_from_grid = grid_of(result.box);
   result.frame = layer.frame;
   result.pixel = pixel;
-  result.reach = {kReach * pixel, kReach * scale.pixel / scale.largest};
+  result.reach = {kReachInside * pixel, kReachOutside * largest_pixel};
   return result;
 }
 

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdlib>
 #include <limits>
 #include <string>
 
@@ -242,6 +244,33 @@ TEST(SvgInPrograms, librsvg_shows_triangles_as_we_do) {
   expect_shown("rsvg-convert IN -o OUT", "apple.svg", options, 0.6, 4);
   expect_shown("rsvg-convert IN -o OUT", "blur.svg", options, 0.8, 6);
   expect_shown("rsvg-convert IN -o OUT", "strokes.svg", options, 0.4, 3);
+}
+
+TEST(SvgInPrograms, triangles_of_one_colour_have_no_seams) {
+  if (!test::has_program("rsvg-convert")) GTEST_SKIP() << "no rsvg-convert here";
+  const test::RegionMesh mesh = test::jittered_grid(kBox, 12, 5);
+  const Picture picture = test::make_picture(test::make_layer(mesh, [](int, Vec2) {
+    return Rgb{0.2f, 0.4f, 0.8f};
+  }));
+  Context context;
+  const auto svg = export_svg(context, picture, vector_options());
+  ASSERT_TRUE(svg);
+  for (const char* zoom : {"1.37", "3.1", "5"}) {
+    const std::string command = std::string("rsvg-convert -z ") + zoom + " IN -o OUT";
+    const auto image = test::shown_by(*svg, "a.svg", command);
+    ASSERT_TRUE(image);
+    int largest = 0;
+    // Not the pixels that the page ends in.
+    for (int y = 0; y < image->height - 1; ++y) {
+      for (int x = 0; x < image->width - 1; ++x) {
+        const std::uint8_t* pixel =
+            image->bytes.data() + 3 * (static_cast<std::size_t>(y * image->width) + x);
+        largest = std::max(
+            {largest, std::abs(pixel[0] - 51), std::abs(pixel[1] - 102), std::abs(pixel[2] - 204)});
+      }
+    }
+    EXPECT_LE(largest, 3) << zoom;
+  }
 }
 
 TEST(SvgInPrograms, librsvg_shows_the_lady_bug_as_we_do) {

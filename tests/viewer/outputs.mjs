@@ -70,7 +70,8 @@ export async function testSvg(tap, tools) {
     const name = `SVG (${shown.mode}) of ${shortName(shown.document)}`;
     await tap.test(`Chromium shows the ${name} as the rasterizer does`, async () => {
       const path = made(tools.command, shown.document, "svg", ...options);
-      compare(tools, await shownByChromium(tools.pages.browser, path, shown.size), shown, "Chromium");
+      const image = await shownByChromium(tools.pages.browser, path, shown.size);
+      compare(tools, image, shown, "Chromium");
     });
     if (!Resvg) continue;
     await tap.test(`resvg shows the ${name} as the rasterizer does`, () => {
