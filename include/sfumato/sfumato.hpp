@@ -1,8 +1,10 @@
 #pragma once
 
 /// The library's public face. Three verbs: `read_document` (bytes → Document), `diffuse`
-/// (Document → Picture) and `rasterize` (Picture → Image); `encode_png` and `write_file` put an
-/// image on disk. All take a Context; none throws, prints or exits: errors come back as values.
+/// (Document → Picture) and `rasterize` (Picture → Image; `render_on_gpu` does the same). Images
+/// become files by `encode_png`, `encode_jpeg` and `encode_webp`, pictures by `export_html`,
+/// `export_pdf`, `export_svg` and `export_glb`; `write_file` puts them on disk. All take a Context;
+/// none throws, prints or exits: errors come back as values.
 
 #include "base/context.hpp"
 #include "base/image.hpp"
@@ -10,11 +12,18 @@
 #include "base/native/tbb_executor.hpp"
 #include "base/status.hpp"
 #include "document/document.hpp"
+#include "export/glb.hpp"
+#include "export/html.hpp"
+#include "export/pdf.hpp"
+#include "export/svg.hpp"
+#include "formats/jpeg_encode.hpp"
 #include "formats/orzan.hpp"
 #include "formats/png.hpp"
 #include "formats/read_document.hpp"
 #include "formats/svg.hpp"
 #include "formats/svg_write.hpp"
+#include "formats/webp_encode.hpp"
+#include "gpu/render.hpp"
 #include "lint/lint.hpp"
 #include "patches/diffuse.hpp"
 #include "patches/picture.hpp"
