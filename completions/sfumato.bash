@@ -21,7 +21,7 @@ _sfumato() {
     --order) options='linear quadratic cubic' ;;
     --depth) options='8 16' ;;
     --max-error) options='off' ;;
-    --format) options='png jpg webp html pdf svg glb' ;;
+    --format) options='png jpg webp html pdf eps svg glb' ;;
     --svg) options='image vector' ;;
     --device) options='cpu gpu' ;;
     --background) options='none white black' ;;

@@ -12,7 +12,7 @@ complete -c sfumato -n "not __fish_seen_subcommand_from $commands" -f -a compare
 
 complete -c sfumato -n '__fish_seen_subcommand_from render' -s o -l output -r -F -d 'The image'
 complete -c sfumato -n '__fish_seen_subcommand_from render' -l out-dir -x -a '(__fish_complete_directories)' -d 'Every picture into this folder'
-complete -c sfumato -n '__fish_seen_subcommand_from render' -l format -x -a 'png jpg webp html pdf svg glb' -d 'What is written'
+complete -c sfumato -n '__fish_seen_subcommand_from render' -l format -x -a 'png jpg webp html pdf eps svg glb' -d 'What is written'
 complete -c sfumato -n '__fish_seen_subcommand_from render' -l allow-files -x -a '(__fish_complete_directories)' -d 'Read textures from this folder too'
 complete -c sfumato -n '__fish_seen_subcommand_from render' -l viewport -x -d 'The part to draw'
 complete -c sfumato -n '__fish_seen_subcommand_from render' -l width -x -d 'Width in pixels'
@@ -37,7 +37,7 @@ complete -c sfumato -n '__fish_seen_subcommand_from render' -l lossless -d 'WebP
 complete -c sfumato -n '__fish_seen_subcommand_from render' -l dpi -x -d 'Of what stands as pixels'
 complete -c sfumato -n '__fish_seen_subcommand_from render' -l svg -x -a 'image vector' -d 'How an SVG is made'
 complete -c sfumato -n '__fish_seen_subcommand_from render' -l force -d 'A vector SVG of any size'
-complete -c sfumato -n '__fish_seen_subcommand_from render' -l title -x -d 'Of HTML and PDF'
+complete -c sfumato -n '__fish_seen_subcommand_from render' -l title -x -d 'Of HTML, PDF and EPS'
 complete -c sfumato -n '__fish_seen_subcommand_from render' -l device -x -a 'cpu gpu' -d 'What draws pixels'
 complete -c sfumato -n '__fish_seen_subcommand_from render' -l no-antialias -d 'Hard edges at curves'
 complete -c sfumato -n '__fish_seen_subcommand_from render' -l threads -x -d 'Number of threads'

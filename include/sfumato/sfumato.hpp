@@ -3,8 +3,8 @@
 /// The library's public face. Three verbs: `read_document` (bytes → Document), `diffuse`
 /// (Document → Picture) and `rasterize` (Picture → Image; `render_on_gpu` does the same). Images
 /// become files by `encode_png`, `encode_jpeg` and `encode_webp`, pictures by `export_html`,
-/// `export_pdf`, `export_svg` and `export_glb`; `write_file` puts them on disk. All take a Context;
-/// none throws, prints or exits: errors come back as values.
+/// `export_pdf`, `export_eps`, `export_svg` and `export_glb`; `write_file` puts them on disk. All
+/// take a Context; none throws, prints or exits: errors come back as values.
 
 #include "base/context.hpp"
 #include "base/image.hpp"
@@ -12,6 +12,7 @@
 #include "base/native/tbb_executor.hpp"
 #include "base/status.hpp"
 #include "document/document.hpp"
+#include "export/eps.hpp"
 #include "export/glb.hpp"
 #include "export/html.hpp"
 #include "export/pdf.hpp"

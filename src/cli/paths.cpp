@@ -26,7 +26,8 @@ constexpr std::array kKnownOutputs{
     KnownOutput{"png", OutputKind::png},   KnownOutput{"jpg", OutputKind::jpeg},
     KnownOutput{"jpeg", OutputKind::jpeg}, KnownOutput{"webp", OutputKind::webp},
     KnownOutput{"html", OutputKind::html}, KnownOutput{"pdf", OutputKind::pdf},
-    KnownOutput{"svg", OutputKind::svg},   KnownOutput{"glb", OutputKind::glb}};
+    KnownOutput{"eps", OutputKind::eps},   KnownOutput{"svg", OutputKind::svg},
+    KnownOutput{"glb", OutputKind::glb}};
 
 Status cannot_write(const std::string& path, const std::string& why) {
   return make_error(StatusCode::io, "cannot be written: " + why, {path});

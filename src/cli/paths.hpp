@@ -12,7 +12,7 @@
 namespace sfumato::cli {
 
 /// What a picture can be written as.
-enum class OutputKind : std::uint8_t { png, jpeg, webp, html, pdf, svg, glb };
+enum class OutputKind : std::uint8_t { png, jpeg, webp, html, pdf, eps, svg, glb };
 
 /// Whether it is made of pixels alone.
 constexpr bool is_image(OutputKind kind) {

@@ -8,6 +8,7 @@
 #include "base/stopwatch.hpp"
 #include "cli/image_output.hpp"
 #include "cli/messages.hpp"
+#include "export/eps.hpp"
 #include "export/glb.hpp"
 #include "export/html.hpp"
 #include "export/pdf.hpp"
@@ -148,6 +149,12 @@ Result<Bytes> PictureMaker::export_as(OutputKind kind, const Picture& picture, E
       if (output.dpi) options.dpi = *output.dpi;
       options.page_width_pt = 0.75 * scale_ * picture.viewport.width();
       return export_pdf(context_, picture, options, notes);
+    }
+    case OutputKind::eps: {
+      EpsOptions options{.title = title()};
+      if (output.dpi) options.dpi = *output.dpi;
+      options.page_width_pt = 0.75 * scale_ * picture.viewport.width();
+      return export_eps(context_, picture, options, notes);
     }
     case OutputKind::glb: {
       GlbOptions options;

@@ -160,7 +160,7 @@ void add_image_options(CLI::App& app, RenderArguments& arguments, RenderChoices&
 }
 
 void add_vector_options(CLI::App& app, RenderArguments& arguments, RenderChoices& choices) {
-  const char* group = "HTML, PDF, SVG and GLB";
+  const char* group = "HTML, PDF, EPS, SVG and GLB";
   OutputOptions& output = arguments.output;
   add_value(app, "--detail", {"a number above 0", "NUMBER"},
             "Make the mesh for a picture this many times larger, to\nbe enlarged [2; vector SVG 1]",
@@ -174,7 +174,7 @@ void add_vector_options(CLI::App& app, RenderArguments& arguments, RenderChoices
              "image: one PNG in an SVG; vector: triangles of gradients\n[image]", choices.svg)
       ->group(group);
   app.add_flag("--force", output.force, "A vector SVG however large it is")->group(group);
-  app.add_option("--title", output.title, "Of HTML and PDF [the drawing's file name]")
+  app.add_option("--title", output.title, "Of HTML, PDF and EPS [the drawing's file name]")
       ->type_name("TEXT")
       ->group(group);
 }

@@ -41,7 +41,7 @@ void settle_kind(RenderArguments& arguments, const RenderChoices& choices) {
   OutputOptions& output = arguments.output;
   const bool is_svg = output.kind == OutputKind::svg;
   if (is_image(output.kind)) {
-    const char* complaint = "expected with HTML, PDF, SVG and GLB only";
+    const char* complaint = "expected with HTML, PDF, EPS, SVG and GLB only";
     expect(!choices.detail, "--detail", complaint);
     expect(!output.dpi, "--dpi", complaint);
     expect(output.title.empty(), "--title", complaint);

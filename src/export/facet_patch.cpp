@@ -128,7 +128,8 @@ FacetPatch::FacetPatch(const PatchLayer& layer, InterpolationSpace space, const 
       asked_error_(max_error),
       max_error_(max_error) {
   is_light_ = source.kind == Kind::light;
-  if (source.kind == Kind::color || is_light_) space_ = space;
+  const bool is_color = source.kind == Kind::color || source.kind == Kind::color_base;
+  if (is_color || is_light_) space_ = space;
   read(layer, source, triangle);
   find_covered(layer, source, triangle);
   find_curvature();

@@ -23,6 +23,7 @@ struct Output {
 
 const Output kOutputs[] = {{"html", "<!DOCTYPE html>", "</html>\n"},
                            {"pdf", "%PDF-1.", "%%EOF\n"},
+                           {"eps", "%!PS-Adobe-3.0 EPSF-3.0", "%%EOF\n"},
                            {"svg", "<", "</svg>\n"},
                            {"glb", "glTF", ""}};
 
@@ -118,6 +119,7 @@ TEST(Outputs, pages_have_the_size_that_was_asked_for) {
   };
   EXPECT_TRUE(contains(drawn("pdf", {}), "/MediaBox [0 0 48 36]"));
   EXPECT_TRUE(contains(drawn("pdf", {"--width", "128"}), "/MediaBox [0 0 96 72]"));
+  EXPECT_TRUE(contains(drawn("eps", {"--scale", "2"}), "%%BoundingBox: 0 0 96 72\n"));
   const std::string svg = drawn("svg", {"--scale", "2"});
   EXPECT_TRUE(contains(svg, "width=\"128\" height=\"96\"")) << svg.substr(0, 300);
 }
@@ -140,9 +142,9 @@ TEST(Outputs, options_that_an_output_has_no_place_for_are_named) {
       {"pdf", {"--device", "gpu"}, "images only"},
       {"pdf", {"--width", "10", "--height", "10"}, "only images are stretched"},
       {"pdf", {"--quality", "50"}, "JPEG"},
-      {"png", {"--detail", "4"}, "HTML, PDF, SVG and GLB only"},
-      {"webp", {"--dpi", "4"}, "HTML, PDF, SVG and GLB only"},
-      {"png", {"--title", "x"}, "HTML, PDF, SVG and GLB only"},
+      {"png", {"--detail", "4"}, "HTML, PDF, EPS, SVG and GLB only"},
+      {"webp", {"--dpi", "4"}, "HTML, PDF, EPS, SVG and GLB only"},
+      {"png", {"--title", "x"}, "HTML, PDF, EPS, SVG and GLB only"},
       {"pdf", {"--svg", "vector"}, "SVG only"},
       {"svg", {"--force"}, "--svg vector only"},
       {"svg", {"--svg", "flat"}, "one of image|vector"},

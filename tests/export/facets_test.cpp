@@ -209,6 +209,9 @@ TEST(Facets, other_interpolation_spaces_are_bound_in_code_values) {
     const FacetMesh mesh = facets(layer, 2 / 255.0, {}, space);
     EXPECT_LE(largest_error(layer, mesh, {}, space, 3), 2 / 255.0) << static_cast<int>(space);
     EXPECT_GT(mesh.facet_vertex.size(), layer.triangle_vertex.size());
+    // Without shaders the curves' share is everything.
+    const FacetMesh base = facets(layer, 2 / 255.0, {FacetSource::Kind::color_base}, space);
+    EXPECT_EQ(base.vertex_value, mesh.vertex_value);
   }
 }
 
