@@ -9,6 +9,7 @@
 
 #include "base/native/tbb_executor.hpp"
 #include "base/stopwatch.hpp"
+#include "export/eps.hpp"
 #include "export/glb.hpp"
 #include "export/html.hpp"
 #include "export/pdf.hpp"
@@ -54,6 +55,10 @@ Result<Bytes> pdf(Context& context, const Picture& picture, ExportNotes* notes) 
   return export_pdf(context, picture, {}, notes);
 }
 
+Result<Bytes> eps(Context& context, const Picture& picture, ExportNotes* notes) {
+  return export_eps(context, picture, {}, notes);
+}
+
 Result<Bytes> svg_of_pixels(Context& context, const Picture& picture, ExportNotes* notes) {
   return export_svg(context, picture, {.mode = SvgMode::image}, notes);
 }
@@ -69,6 +74,7 @@ Result<Bytes> glb(Context& context, const Picture& picture, ExportNotes* notes) 
 constexpr Format kFormats[] = {{"PNG, 1024²", png},
                                {"HTML viewer", html},
                                {"PDF", pdf},
+                               {"EPS", eps},
                                {"SVG of pixels, 192 dpi", svg_of_pixels},
                                {"SVG of triangles", svg_of_triangles},
                                {"GLB", glb}};
