@@ -23,7 +23,9 @@ build:
 
 demo: build
 	@$(build_folder)/sfumato render $(scene) -o $(build_folder)/demo.png --scale 2
+	@$(build_folder)/sfumato render $(scene) -o $(build_folder)/demo.html
 	@echo 'The picture is $(build_folder)/demo.png'
+	@echo 'To zoom into it, open $(build_folder)/demo.html in a browser'
 
 check:
 	@scripts/check
