@@ -167,7 +167,7 @@ export async function pictureOf(page) {
   return page.screenshot();
 }
 
-/** Mean and 99th percentile of the difference of two PNGs, code values. */
+/** Mean, 99th percentile and maximum of the difference of two PNGs, code values. */
 export function difference(PNG, a, b) {
   const [first, second] = [a, b].map((bytes) => PNG.sync.read(bytes));
   check(first.width === second.width && first.height === second.height, "the sizes differ");
@@ -178,13 +178,15 @@ export function difference(PNG, a, b) {
   const total = (3 * first.data.length) / 4;
   let mean = 0,
     below = 0,
-    percentile = 0;
+    percentile = 0,
+    largest = 0;
   counts.forEach((count, value) => {
     mean += (count * value) / total;
     if (below < 0.99 * total) percentile = value;
+    if (count > 0) largest = value;
     below += count;
   });
-  return { mean, percentile };
+  return { mean, percentile, largest };
 }
 
 /** How far a picture is from one colour at most, code values. */

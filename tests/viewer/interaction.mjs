@@ -198,7 +198,10 @@ async function testWindow(test, { PNG, command }) {
   await test("a view that cannot be is brought near to one that can", {}, async (page) => {
     const before = await viewOf(page);
     await show(page, { x: NaN, y: "a", zoom: Infinity });
-    check(JSON.stringify(await viewOf(page)) === JSON.stringify(before), "what is no number counts");
+    check(
+      JSON.stringify(await viewOf(page)) === JSON.stringify(before),
+      "what is no number counts",
+    );
     await show(page, { x: 1e9, y: -1e9, zoom: 1e12 });
     const { x, y, zoom } = await viewOf(page);
     check(x <= 128 && y >= -30 && zoom < 1e5, `it shows ${x}, ${y} at ${zoom}`);

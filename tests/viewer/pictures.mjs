@@ -1,5 +1,5 @@
 // What the page shows is what the rasterizer shows, at two zooms.
-import { check, difference, pictureOf, settled, show } from "./harness.mjs";
+import { Skip, check, difference, pictureOf, settled, show } from "./harness.mjs";
 
 /**
  * Documents, their pages' width and height, the width of the window, and where to look from near:
@@ -58,10 +58,11 @@ async function compare({ PNG, command }, page, document, size, view, name) {
   const extent = size.map((length) => length / view.zoom);
   const part = [view.x - extent[0] / 2, view.y - extent[1] / 2, ...extent];
   const expected = command.raster(document, size, part);
-  const { mean, percentile } = difference(PNG, shown, expected);
-  const found = `${name}: mean ${mean.toFixed(3)}, 99th percentile ${percentile}`;
+  const { mean, percentile, largest } = difference(PNG, shown, expected);
+  const found = `${name}: mean ${mean.toFixed(3)}, 99th percentile ${percentile}, most ${largest}`;
   console.log(`# ${document} ${found}`);
   check(mean <= LARGEST_MEAN && percentile <= LARGEST_PERCENTILE, found);
+  return largest;
 }
 
 export async function testPictures(tap, tools) {
@@ -83,4 +84,30 @@ export async function testPictures(tap, tools) {
       },
     );
   }
+}
+
+/** What compositing.svg differs by at most: its edges do. Lines where there are none differ more. */
+const LARGEST_AT_EDGES = 40;
+
+/** On Mesa's software driver, which has other weaknesses than Chromium's own. */
+export async function testOnMesa(tap, tools) {
+  const { document, page: extent, width } = PICTURES.at(-1);
+  await tap.test("Mesa's driver shows compositing.svg as the rasterizer does", async () => {
+    const zoom = width / extent[0];
+    const size = [width, Math.floor(extent[1] * zoom)];
+    const view = { x: extent[0] / 2, y: size[1] / zoom / 2, zoom };
+    const path = tools.command.html(document);
+    await tools.pages.open(path, { size, broken: true }, async (page) => {
+      const isReady = await page.evaluate(() =>
+        window.sfumatoViewer.ready.then(
+          () => true,
+          () => false,
+        ),
+      );
+      if (!isReady) throw new Skip("Chromium has no WebGL 2 by Mesa's driver here");
+      await show(page, view);
+      const largest = await compare(tools, page, document, size, view, "on Mesa");
+      check(largest <= LARGEST_AT_EDGES, `${largest} at most`);
+    });
+  });
 }

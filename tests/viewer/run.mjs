@@ -8,7 +8,7 @@ import { Command, Pages, Tap, pathOf } from "./harness.mjs";
 import { testInteraction } from "./interaction.mjs";
 import { testGlb, testSvg } from "./outputs.mjs";
 import { testPayload } from "./payload.mjs";
-import { testPictures } from "./pictures.mjs";
+import { testOnMesa, testPictures } from "./pictures.mjs";
 import { testRobustness } from "./robustness.mjs";
 
 const [program, dump, folder] = process.argv.slice(2);
@@ -27,12 +27,13 @@ await tap.test("the viewer's types are right", () => {
 await testPayload(tap, { dump, command });
 await testGlb(tap, { command });
 
-await tap.test("Chromium starts, and all tests come to their end", async () => {
+/** A browser for `body`, its graphics by the flags. */
+async function withBrowser(flags, body) {
   const browser = await chromium.launch({
     executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
     args: [
+      ...flags,
       "--no-sandbox",
-      "--disable-gpu",
       "--disable-quic",
       "--no-first-run",
       "--disable-background-networking",
@@ -41,13 +42,21 @@ await tap.test("Chromium starts, and all tests come to their end", async () => {
     ],
   });
   try {
-    const tools = { PNG, command, pages: new Pages(browser) };
+    await body({ PNG, command, pages: new Pages(browser) });
+  } finally {
+    await browser.close();
+  }
+}
+
+const MESA = ["--use-gl=angle", "--use-angle=gl-egl", "--ignore-gpu-blocklist", "--enable-gpu"];
+
+await tap.test("Chromium starts, and all tests come to their end", async () => {
+  await withBrowser(["--disable-gpu"], async (tools) => {
     await testPictures(tap, tools);
     await testInteraction(tap, tools);
     await testRobustness(tap, tools);
     await testSvg(tap, tools);
-  } finally {
-    await browser.close();
-  }
+  });
+  await withBrowser(MESA, (tools) => testOnMesa(tap, tools));
 });
 process.exitCode = tap.failures > 0 ? 1 : 0;
