@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "export/curve_bands.hpp"
 #include "export/mesh_bytes.hpp"
 #include "export/pdf_content.hpp"
 #include "export/pdf_paint.hpp"
@@ -15,6 +16,19 @@ using Resource = PdfContent::Resource;
 
 /// How far the first painting of a mesh is moved, points.
 constexpr double kShift = 0.09;
+/// Of the bands along curves, points: two pixels of a screen.
+constexpr double kBandWidth = 1.25;
+
+/// The union of quadrangles as a path.
+std::string path_of(const std::vector<std::array<Vec2, 4>>& quadrangles) {
+  std::string path;
+  for (const auto& corner : quadrangles) {
+    const char* operators[] = {" m ", " l ", " l ", " l h\n"};
+    for (std::size_t k = 0; k < 4; ++k)
+      path += pdf_number(corner[k].x) + " " + pdf_number(corner[k].y) + operators[k];
+  }
+  return path;
+}
 
 /// Writes one layer.
 class LayerWriter {
@@ -28,7 +42,8 @@ class LayerWriter {
         index_(index),
         options_(options),
         notes_(notes),
-        box_(decode_box(layer_.vertex_position)) {}
+        mesh_box_(decode_box(layer_.vertex_position)),
+        box_(mesh_box_.grown_by(band_width())) {}
 
   PdfRef write();
 
@@ -43,6 +58,9 @@ class LayerWriter {
   bool is_mixed_elsewhere() const;
   double pixels_per_unit() const { return options_.points_per_unit * options_.dpi / 72; }
   void paint_facets(const FacetSource& source, PdfContent* content);
+  void paint_bands(const FacetSource& source, PdfContent* content);
+  void paint_once(const FacetMesh& mesh, PdfContent* content);
+  double band_width() const { return kBandWidth / options_.points_per_unit; }
   void paint_field(bool is_opacity, PdfContent* content);
   Paint add_shader(bool is_opacity, std::uint32_t shader);
   void paint_pixels(PdfContent* content);
@@ -55,7 +73,9 @@ class LayerWriter {
   std::uint32_t index_;
   const PdfLayerOptions& options_;
   ExportNotes* notes_;
-  Box box_;
+  CurveEdges edges_;
+  Box mesh_box_;
+  Box box_;  ///< with the bands around it
 };
 
 /// Whether colours of shaders are mixed in a space that source-over knows nothing of.
@@ -68,7 +88,29 @@ void LayerWriter::paint_facets(const FacetSource& source, PdfContent* content) {
                                              options_.max_error, 1 / pixels_per_unit());
   if (!mesh) return file_->fail(mesh.status());
   notes_->triangle_count += mesh->facet_vertex.size() / 3;
-  paint_mesh(add_mesh(context_, file_, *mesh, box_), kShift / options_.points_per_unit, content);
+  paint_mesh(add_mesh(context_, file_, *mesh, mesh_box_), kShift / options_.points_per_unit,
+             content);
+  paint_bands(source, content);
+}
+
+/// Antialiases the curves: over the mesh one side's colours, a little into the other, and over
+/// these the other's, clipped along the curve.
+void LayerWriter::paint_bands(const FacetSource& source, PdfContent* content) {
+  if (!file_->status()) return;
+  const Result<CurveBands> bands =
+      make_curve_bands(context_, layer_, picture_.interpolation, source, edges_, band_width());
+  if (!bands) return file_->fail(bands.status());
+  paint_once(bands->under, content);
+  if (bands->clip.empty()) return;
+  content->add("q " + path_of(bands->clip) + "W n");
+  paint_once(bands->over, content);
+  content->add("Q");
+}
+
+void LayerWriter::paint_once(const FacetMesh& mesh, PdfContent* content) {
+  notes_->triangle_count += mesh.facet_vertex.size() / 3;
+  const PdfRef ref = add_mesh(context_, file_, mesh, decode_box(mesh.vertex_position));
+  if (ref != 0) content->add(content->name(Resource::shading, ref) + " sh");
 }
 
 /// The triangles where a channel is not 0.
@@ -124,14 +166,21 @@ void LayerWriter::paint_field(bool is_opacity, PdfContent* content) {
 }
 
 void LayerWriter::paint_pixels(PdfContent* content) {
-  const Result<PixelPart> part = layer_pixels(context_, picture_, index_, box_, pixels_per_unit());
+  const Result<PixelPart> part =
+      layer_pixels(context_, picture_, index_, mesh_box_, pixels_per_unit());
   if (!part) return file_->fail(part.status());
-  paint_image(add_image(context_, file_, part->image), box_, content);
+  paint_image(add_image(context_, file_, part->image), mesh_box_, content);
 }
 
 PdfRef LayerWriter::write() {
   if (layer_.triangle_count() == 0) return 0;
   PdfContent content;
+  Result<CurveEdges> edges = find_curve_edges(context_, layer_);
+  if (!edges) {
+    file_->fail(edges.status());
+    return 0;
+  }
+  edges_ = std::move(*edges);
   if (is_mixed_elsewhere()) {
     paint_pixels(&content);
     return content.make_form(file_, box_, options_.is_group);

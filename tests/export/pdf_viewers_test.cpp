@@ -80,19 +80,19 @@ TEST(PdfInViewers, the_lady_bug) {
   SKIP_WITHOUT_PROGRAMS();
   const auto document = test::shared_scene("lady_bug.xml");
   if (!document) GTEST_SKIP() << "no public scene lady_bug.xml";
-  expect_shown_everywhere(*document, {{1.6, 30}, {1.3, 26}, {1.3, 23}, {1.3, 26}});
+  expect_shown_everywhere(*document, {{1.4, 20}, {0.7, 6}, {0.9, 9}, {1.5, 32}});
 }
 
 TEST(PdfInViewers, the_apple) {
   SKIP_WITHOUT_PROGRAMS();
   if (const auto document = test::example("apple.svg"))
-    expect_shown_everywhere(*document, {{2.1, 16}, {0.8, 8}, {1.6, 16}, {1.6, 16}});
+    expect_shown_everywhere(*document, {{2.1, 15}, {0.6, 6}, {1.4, 14}, {1.5, 15}});
 }
 
 TEST(PdfInViewers, blurred_curves_and_clipped_frames) {
   SKIP_WITHOUT_PROGRAMS();
   if (const auto document = test::example("blur.svg"))
-    expect_shown_everywhere(*document, {{4.2, 75}, {1.7, 30}, {2, 30}, {2.2, 60}});
+    expect_shown_everywhere(*document, {{4.2, 75}, {1, 14}, {1.8, 22}, {1.5, 14}});
 }
 
 TEST(PdfInViewers, textures) {

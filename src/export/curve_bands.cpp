@@ -1,0 +1,285 @@
+#include "export/curve_bands.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "export/facet_patch.hpp"
+
+namespace sfumato::outputs {
+namespace {
+
+constexpr double kLeastDifference = 2.0 / 255;
+/// Bands take less than half of a triangle, so that those of two curves do not meet.
+constexpr double kMostOfHeight = 0.6;
+/// How wide what lies under a band is, of its width: programs that paint every pixel that a mesh
+/// touches must not show it beyond.
+constexpr double kUnderShare = 0.4;
+constexpr int kMostColumns = 8;
+/// What may be missed along a column; it shows in pixels that a curve cuts.
+constexpr double kColumnError = 1.5 / 255;
+
+using Value = FacetPatch::Value;
+
+Barycentric along(std::uint32_t half_edge, double t, double inwards) {
+  const std::uint32_t k = half_edge % 3;
+  Barycentric at{};
+  at[k] = (1 - t) * (1 - inwards);
+  at[(k + 1) % 3] = t * (1 - inwards);
+  at[(k + 2) % 3] = inwards;
+  return at;
+}
+
+class BandBuilder {
+ public:
+  BandBuilder(const PatchLayer& layer, InterpolationSpace space, const FacetSource& source,
+              const CurveEdges& edges, double width, CurveBands* bands)
+      : layer_(layer), space_(space), source_(source), edges_(edges), width_(width), bands_(bands) {
+    bands->under.channel_count = bands->over.channel_count = channel_count_of(source);
+  }
+
+  /// What reaches beyond curves first: bands of other curves must not be under it.
+  void build() {
+    for (std::uint32_t side : edges_.side) paint(side, Part::beyond);
+    for (std::uint32_t side : edges_.side) paint(side, Part::band);
+  }
+
+ private:
+  enum class Part { beyond, band };
+
+  FacetPatch patch(std::uint32_t half_edge) const {
+    return {layer_, space_, source_, half_edge / 3, kColumnError};
+  }
+  Vec2 position(std::uint32_t half_edge) const {
+    return layer_.vertex_position[layer_.triangle_vertex[half_edge]];
+  }
+  bool is_mask() const { return !reads_color(source_); }
+  bool is_seen(std::uint32_t half_edge) const;
+  double inwards(std::uint32_t half_edge, double width) const;
+  void paint(std::uint32_t side, Part part);
+  void carry(std::uint32_t from, std::uint32_t into, double width, FacetMesh* mesh);
+  void carry_strip(std::uint32_t from, std::uint32_t into, double width, FacetMesh* mesh);
+  void carry_under(std::uint32_t from, std::uint32_t into);
+  void carry_outside(std::uint32_t from, FacetMesh* mesh);
+  void carry_nothing(std::uint32_t into);
+  void paint_band(std::uint32_t side);
+  int columns(std::uint32_t half_edge) const;
+  std::uint32_t add(Vec2 at, const Value& value, FacetMesh* mesh) const;
+  template <class Corner>
+  void add_columns(int count, FacetMesh* mesh, const Corner& corner) const;
+  template <class Visit>
+  void for_each_between(std::uint32_t side, const Visit& visit) const;
+  double reach(std::uint32_t leaving, double width) const;
+  void carry_corner(std::uint32_t leaving, double width, const Value& value, FacetMesh* mesh);
+  Vec2 inner(std::uint32_t half_edge, double t, double share) const;
+
+  const PatchLayer& layer_;
+  InterpolationSpace space_;
+  const FacetSource& source_;
+  const CurveEdges& edges_;
+  double width_;
+  CurveBands* bands_;
+};
+
+/// Whether a side has opacity at the middle of an edge or its ends.
+bool BandBuilder::is_seen(std::uint32_t half_edge) const {
+  if (half_edge == kNoHalfEdge) return false;
+  if (layer_.opacity.channel_count == 0) return true;
+  if (!layer_.opacity.shader.empty()) return true;
+  const FacetPatch opacity(layer_, space_, {FacetSource::Kind::opacity, 0, {}}, half_edge / 3,
+                           kColumnError);
+  double most = 0;
+  for (double t : {0.0, 0.5, 1.0}) most = std::max(most, opacity.shown(along(half_edge, t, 0))[0]);
+  return most > kLeastDifference;
+}
+
+/// The share of a triangle's height that a width is.
+double BandBuilder::inwards(std::uint32_t half_edge, double width) const {
+  const Vec2 a = position(half_edge), b = position(next_half_edge(half_edge));
+  const Vec2 c = position(last_half_edge(half_edge));
+  const double height = cross(b - a, c - a) / length(b - a);
+  return height * kMostOfHeight > width ? width / height : kMostOfHeight;
+}
+
+Vec2 BandBuilder::inner(std::uint32_t half_edge, double t, double share) const {
+  const Vec2 on_edge = lerp(position(half_edge), position(next_half_edge(half_edge)), t);
+  return lerp(on_edge, position(last_half_edge(half_edge)), share);
+}
+
+std::uint32_t BandBuilder::add(Vec2 at, const Value& value, FacetMesh* mesh) const {
+  mesh->vertex_position.push_back(at);
+  for (int c = 0; c < mesh->channel_count; ++c)
+    mesh->vertex_value.push_back(static_cast<float>(value[static_cast<std::size_t>(c)]));
+  return static_cast<std::uint32_t>(mesh->vertex_position.size() - 1);
+}
+
+/// Columns of two facets between corner(t, false, mesh), on the edge, and corner(t, true, mesh).
+template <class Corner>
+void BandBuilder::add_columns(int count, FacetMesh* mesh, const Corner& corner) const {
+  std::uint32_t low = corner(0.0, false), high = corner(0.0, true);
+  for (int i = 1; i <= count; ++i) {
+    const double t = 1.0 * i / count;
+    const std::uint32_t next_low = corner(t, false), next_high = corner(t, true);
+    for (std::uint32_t v : {high, low, next_low}) mesh->facet_vertex.push_back(v);
+    for (std::uint32_t v : {high, next_low, next_high}) mesh->facet_vertex.push_back(v);
+    low = next_low;
+    high = next_high;
+  }
+}
+
+int BandBuilder::columns(std::uint32_t half_edge) const {
+  int count = 1;
+  double bend = patch(half_edge).bend(along(half_edge, 0, 0), along(half_edge, 1, 0));
+  for (; count < kMostColumns && bend > kColumnError; bend /= 4) count *= 2;
+  return count;
+}
+
+/// The colours at an edge, from one side of it, into the triangle on the other.
+void BandBuilder::carry(std::uint32_t from, std::uint32_t into, double width, FacetMesh* mesh) {
+  carry_strip(from, into, width, mesh);
+  // And on to the next edge of the curve, around their common vertex.
+  const Value value = patch(from).shown(along(from, 1, 0));
+  if (edges_.onward[from] == kNoHalfEdge) return;
+  const std::uint32_t next = edges_.twin[edges_.onward[from]];
+  if (next == kNoHalfEdge) return;
+  for_each_between(next, [&](std::uint32_t leaving) { carry_corner(leaving, width, value, mesh); });
+}
+
+void BandBuilder::carry_strip(std::uint32_t from, std::uint32_t into, double width,
+                              FacetMesh* mesh) {
+  const FacetPatch source = patch(from);
+  const double share = inwards(into, width);
+  add_columns(columns(from), mesh, [&](double t, bool is_inner) {
+    return add(inner(into, 1 - t, is_inner ? share : 0), source.shown(along(from, t, 0)), mesh);
+  });
+}
+
+/// The same under the band that comes over it, and narrower: only where that is as wide as it
+/// should be, for what it does not cover shows.
+void BandBuilder::carry_under(std::uint32_t from, std::uint32_t into) {
+  if (inwards(into, width_) >= kMostOfHeight) return;
+  carry_strip(from, into, kUnderShare * width_, &bands_->under);
+}
+
+/// The same where no triangle is.
+void BandBuilder::carry_outside(std::uint32_t from, FacetMesh* mesh) {
+  const FacetPatch source = patch(from);
+  const Vec2 a = position(from), b = position(next_half_edge(from));
+  const Vec2 out = left_of(b - a) * (width_ / length(b - a));
+  add_columns(columns(from), mesh, [&](double t, bool is_inner) {
+    return add(lerp(a, b, t) + (is_inner ? out : Vec2{}), source.shown(along(from, t, 0)), mesh);
+  });
+}
+
+/// An opacity of 0 into the last triangle before nothing.
+void BandBuilder::carry_nothing(std::uint32_t into) {
+  const double share = inwards(into, kUnderShare * width_);
+  FacetMesh* mesh = &bands_->under;
+  add_columns(1, mesh, [&](double t, bool is_inner) {
+    return add(inner(into, t, is_inner ? share : 0), Value{}, mesh);
+  });
+}
+
+/// How far bands reach along the side of a triangle that leaves a curve's vertex.
+double BandBuilder::reach(std::uint32_t leaving, double width) const {
+  const double side = length(position(next_half_edge(leaving)) - position(leaving));
+  return side * kMostOfHeight > width ? width / side : kMostOfHeight;
+}
+
+/// One colour in the corner of a triangle.
+void BandBuilder::carry_corner(std::uint32_t leaving, double width, const Value& value,
+                               FacetMesh* mesh) {
+  const Vec2 v = position(leaving);
+  const std::uint32_t corner[3] = {
+      add(v, value, mesh),
+      add(lerp(v, position(next_half_edge(leaving)), reach(leaving, width)), value, mesh),
+      add(lerp(v, position(last_half_edge(leaving)), reach(leaving, width)), value, mesh)};
+  for (std::uint32_t vertex : corner) mesh->facet_vertex.push_back(vertex);
+}
+
+/// Visits the triangles between an edge of a curve and the next one, on its side, by their
+/// half-edges that leave the common vertex.
+template <class Visit>
+void BandBuilder::for_each_between(std::uint32_t side, const Visit& visit) const {
+  const std::uint32_t end = edges_.onward[side];
+  if (end == kNoHalfEdge) return;
+  std::uint32_t leaving = next_half_edge(side);
+  // No vertex has so many triangles; a picture that is no mesh might turn for ever.
+  for (int turns = 0; leaving != end && turns < 1000; ++turns) {
+    const std::uint32_t across = edges_.twin[leaving];
+    if (across == kNoHalfEdge) return;
+    leaving = next_half_edge(across);
+    if (leaving != end) visit(leaving);
+  }
+}
+
+/// The colours of a side next to its edge, and the path that clips them.
+void BandBuilder::paint_band(std::uint32_t side) {
+  const FacetPatch source = patch(side);
+  const double share = inwards(side, width_);
+  FacetMesh* mesh = &bands_->over;
+  add_columns(columns(side), mesh, [&](double t, bool is_inner) {
+    const double depth = is_inner ? share : 0;
+    return add(inner(side, t, depth), source.shown(along(side, t, depth)), mesh);
+  });
+  bands_->clip.push_back(
+      {inner(side, 0, 0), inner(side, 1, 0), inner(side, 1, share), inner(side, 0, share)});
+  for_each_between(side, [&](std::uint32_t leaving) {
+    const FacetPatch corner = patch(leaving);
+    const double far = reach(leaving, width_);
+    const std::uint32_t k = leaving % 3;
+    const Vec2 v = position(leaving);
+    std::array<Vec2, 3> at{v, lerp(v, position(next_half_edge(leaving)), far),
+                           lerp(v, position(last_half_edge(leaving)), far)};
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      Barycentric place{};
+      place[k] = i == 0 ? 1 : 1 - far;
+      if (i > 0) place[(k + i) % 3] = far;
+      mesh->facet_vertex.push_back(add(at[i], corner.shown(place), mesh));
+    }
+    bands_->clip.push_back({at[0], at[1], at[2], at[2]});
+  });
+}
+
+void BandBuilder::paint(std::uint32_t side, Part part) {
+  const std::uint32_t across = edges_.twin[side];
+  if (across == kNoHalfEdge) {
+    if (layer_.opacity.channel_count == 0) return;
+    if (!is_mask()) return part == Part::beyond ? carry_outside(side, &bands_->under) : void();
+    if (part == Part::band) return paint_band(side);
+    carry_nothing(side);
+    return carry_outside(side, &bands_->over);
+  }
+  if (!is_mask() && is_seen(side) != is_seen(across)) {
+    if (part == Part::band) return;
+    return is_seen(side) ? carry(side, across, width_, &bands_->under)
+                         : carry(across, side, width_, &bands_->under);
+  }
+  const FacetPatch here = patch(side), there = patch(across);
+  double difference = 0;
+  for (double t : {0.0, 0.5, 1.0}) {
+    const Value a = here.shown(along(side, t, 0)), b = there.shown(along(across, 1 - t, 0));
+    for (std::size_t c = 0; c < a.size(); ++c)
+      difference = std::max(difference, std::fabs(a[c] - b[c]));
+  }
+  if (difference < kLeastDifference) return;
+  if (part == Part::band) return paint_band(side);
+  carry_under(across, side);
+  carry(side, across, width_, &bands_->over);
+}
+
+}  // namespace
+
+Result<CurveBands> make_curve_bands(Context& context, const PatchLayer& layer,
+                                    InterpolationSpace space, const FacetSource& source,
+                                    const CurveEdges& edges, double width) {
+  CurveBands bands;
+  // Three strips of columns for every edge, and corners between them.
+  const std::size_t bytes = edges.side.size() * (3 * (2 * kMostColumns + 8) * 40 + 6 * 64);
+  if (Status status = bands.charge.add(context, bytes, "bands along curves"); !status)
+    return status;
+  if (context.cancelled()) return make_error(StatusCode::cancelled, "cancelled");
+  BandBuilder(layer, space, source, edges, width, &bands).build();
+  return bands;
+}
+
+}  // namespace sfumato::outputs

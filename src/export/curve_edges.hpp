@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "base/context.hpp"
+#include "base/status.hpp"
+#include "patches/picture.hpp"
+
+namespace sfumato::outputs {
+
+inline constexpr std::uint32_t kNoHalfEdge = ~std::uint32_t{0};
+
+constexpr std::uint32_t next_half_edge(std::uint32_t half_edge) {
+  return half_edge % 3 == 2 ? half_edge - 2 : half_edge + 1;
+}
+constexpr std::uint32_t last_half_edge(std::uint32_t half_edge) {
+  return half_edge % 3 == 0 ? half_edge + 2 : half_edge - 1;
+}
+
+/// The edges of a layer that lie on curves, each once, by the half-edge (3 triangle + side) of one
+/// of its sides: along a curve always the same side, but at junctions.
+struct CurveEdges {
+  std::vector<std::uint32_t> twin;  ///< per half-edge the one across; kNoHalfEdge: none
+  std::vector<std::uint32_t> side;  ///< one half-edge of each edge
+  /// Per half-edge of `side`, and of their twins: the one that goes on along the curve, on the same
+  /// side of it; kNoHalfEdge elsewhere, at ends and junctions.
+  std::vector<std::uint32_t> onward;
+  ScopedCharge charge;
+};
+
+/// Errors: limit (memory). Cost: O(n log n) in the triangles.
+Result<CurveEdges> find_curve_edges(Context& context, const PatchLayer& layer);
+
+}  // namespace sfumato::outputs

@@ -1,0 +1,125 @@
+#include "export/curve_bands.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+#include "export/pdf.hpp"
+#include "export/support.hpp"
+#include "raster/pictures.hpp"
+#include "support/drawing.hpp"
+
+namespace sfumato::outputs {
+namespace {
+
+constexpr Box kBox{{0, 0}, {64, 64}};
+
+/// A grid whose middle is another region: one closed curve.
+test::RegionMesh island() {
+  return test::jittered_grid(kBox, 8, 4, [](int column, int row) {
+    return column >= 2 && column < 6 && row >= 2 && row < 6 ? 1 : 0;
+  });
+}
+
+Rgb color_of(int region, Vec2 p) {
+  return region == 1 ? Rgb{1, 0.5f, static_cast<float>(p.y / 64)}
+                     : Rgb{static_cast<float>(p.x / 128), 0.2f, 0.3f};
+}
+
+CurveEdges edges_of(const PatchLayer& layer) {
+  Context context;
+  Result<CurveEdges> edges = find_curve_edges(context, layer);
+  EXPECT_TRUE(edges.ok());
+  return std::move(*edges);
+}
+
+CurveBands bands_of(const PatchLayer& layer, double width = 1) {
+  Context context;
+  const CurveEdges edges = edges_of(layer);
+  Result<CurveBands> bands =
+      make_curve_bands(context, layer, InterpolationSpace::srgb, {}, edges, width);
+  EXPECT_TRUE(bands.ok());
+  return std::move(*bands);
+}
+
+TEST(CurveBands, a_closed_curve_is_followed_on_one_side) {
+  const test::RegionMesh mesh = island();
+  const PatchLayer layer = test::make_layer(mesh, color_of);
+  const CurveEdges edges = edges_of(layer);
+  EXPECT_EQ(edges.side.size(), 16u);
+  std::set<int> regions;
+  for (std::uint32_t side : edges.side) {
+    regions.insert(mesh.region[side / 3]);
+    const std::uint32_t next = edges.onward[side];
+    ASSERT_NE(next, kNoHalfEdge);
+    EXPECT_EQ(layer.triangle_vertex[next_half_edge(side)], layer.triangle_vertex[next]);
+    EXPECT_EQ(edges.onward[edges.twin[next]], edges.twin[side]);
+  }
+  EXPECT_EQ(regions.size(), 1u);
+}
+
+TEST(CurveBands, bands_have_the_colours_of_their_side_and_the_clip_holds_them) {
+  const PatchLayer layer = test::make_layer(island(), color_of);
+  const CurveBands bands = bands_of(layer);
+  EXPECT_GE(bands.clip.size(), 16u);
+  double area = 0;
+  for (const auto& corner : bands.clip) {
+    const double turned = cross(corner[1] - corner[0], corner[2] - corner[0]) +
+                          cross(corner[2] - corner[0], corner[3] - corner[0]);
+    EXPECT_GT(turned, 0);
+    area += turned / 2;
+  }
+  // A curve of about 128 units, a unit wide.
+  EXPECT_NEAR(area, 128, 32);
+  const bool is_inside = bands.over.vertex_value[0] > 0.9f;
+  for (std::size_t v = 0; v < bands.over.vertex_position.size(); ++v)
+    EXPECT_EQ(bands.over.vertex_value[3 * v] > 0.9f, is_inside);
+  for (std::size_t v = 0; v < bands.under.vertex_position.size(); ++v)
+    EXPECT_EQ(bands.under.vertex_value[3 * v] > 0.9f, !is_inside);
+}
+
+TEST(CurveBands, sides_that_look_alike_have_none) {
+  const PatchLayer layer = test::make_layer(island(), [](int, Vec2 p) { return color_of(0, p); });
+  const CurveBands bands = bands_of(layer);
+  EXPECT_TRUE(bands.clip.empty());
+  EXPECT_TRUE(bands.over.facet_vertex.empty());
+}
+
+TEST(CurveBands, colours_reach_beyond_where_opacity_ends_and_only_the_mask_is_clipped) {
+  const test::RegionMesh mesh = island();
+  PatchLayer layer = test::make_layer(mesh, color_of);
+  test::set_opacity(
+      mesh, [](int region, Vec2) { return region == 1 ? 1.0f : 0.0f; }, &layer);
+  const CurveBands colors = bands_of(layer);
+  EXPECT_TRUE(colors.clip.empty());
+  ASSERT_FALSE(colors.under.vertex_position.empty());
+  for (std::size_t v = 0; v < colors.under.vertex_position.size(); ++v)
+    EXPECT_GT(colors.under.vertex_value[3 * v], 0.9f);
+  Context context;
+  const CurveEdges edges = edges_of(layer);
+  const auto mask = make_curve_bands(context, layer, InterpolationSpace::srgb,
+                                     {FacetSource::Kind::opacity, 0, {}}, edges, 1);
+  ASSERT_TRUE(mask.ok());
+  EXPECT_GE(mask->clip.size(), 16u);
+}
+
+/// The mean difference to our raster in a viewer that antialiases clip paths.
+TEST(CurveBands, a_curve_between_two_colours_is_antialiased) {
+  if (!test::has_program("mutool")) GTEST_SKIP() << "no mutool here";
+  const Picture picture = test::make_picture(
+      test::make_layer(test::cut_box(kBox, {14, 64}, {47, 0}),
+                       [](int region, Vec2) { return region == 0 ? test::kBlack : test::kWhite; }));
+  Context context;
+  const auto pdf = export_pdf(context, picture, {});
+  ASSERT_TRUE(pdf.ok());
+  const auto shown = test::shown_by(*pdf, "in.pdf", "mutool draw -q -r 96 -o OUT IN");
+  ASSERT_TRUE(shown);
+  const auto found =
+      test::difference(*shown, test::reference(picture, shown->width, shown->height));
+  // Aliased, the 64 pixels of the edge would miss by 64 on average: 1 in all.
+  EXPECT_LT(found.mean, 0.35);
+}
+
+}  // namespace
+}  // namespace sfumato::outputs
