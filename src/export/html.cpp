@@ -88,7 +88,9 @@ Result<std::vector<std::uint8_t>> export_html(Context& context, const Picture& p
   const auto payload = outputs::viewer_payload(context, picture, background_of(picture, options));
   if (!payload) return payload.status();
   ScopedCharge charge;
-  const std::size_t bytes = 3 * (payload->size() + options.fallback.size()) / 2 * 2 + (1 << 20);
+  // Base64 is a third longer, and stands in a part, in the page and in the result.
+  const std::size_t bytes =
+      4 * (payload->size() + options.fallback.size()) + 16 * options.title.size() + (1 << 20);
   if (Status status = charge.add(context, bytes, "the HTML file"); !status) return status;
   const std::string page =
       filled(embedded_file("page.html"), {{{"title", escaped_html(options.title)},

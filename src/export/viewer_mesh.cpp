@@ -22,8 +22,9 @@ constexpr std::size_t kTriangleBytes = 160;
 /// looked at yet.
 class Walker {
  public:
-  Walker(const PatchLayer& layer, ViewerMesh& mesh)
-      : layer_(layer),
+  Walker(Context& context, const PatchLayer& layer, ViewerMesh& mesh)
+      : context_(context),
+        layer_(layer),
         mesh_(mesh),
         edge_(layer.triangle_vertex.size()),
         is_placed_(layer.triangle_count(), false),
@@ -31,10 +32,8 @@ class Walker {
     find_edges();
   }
 
-  Status run(Context& context) {
+  Status run() {
     for (std::uint32_t t = 0; t < layer_.triangle_count(); ++t) {
-      if (t % 4096 == 0 && context.cancelled())
-        return make_error(StatusCode::cancelled, "cancelled");
       if (is_placed_[t]) continue;
       for (std::uint32_t k = 0; k < 3; ++k) {
         const std::uint32_t vertex = layer_.triangle_vertex[3 * t + k];
@@ -42,7 +41,7 @@ class Walker {
         see(vertex, kNoMate);
       }
       place(t, 0);
-      follow_gates();
+      if (Status status = follow_gates(); !status) return status;
     }
     mesh_.codes = codes_.take();
     return ok_status();
@@ -115,8 +114,10 @@ class Walker {
     }
   }
 
-  void follow_gates() {
-    while (!gates_.empty()) {
+  Status follow_gates() {
+    for (std::size_t step = 0; !gates_.empty(); ++step) {
+      if (step % 4096 == 0 && context_.cancelled())
+        return make_error(StatusCode::cancelled, "cancelled");
       const Gate gate = gates_.back();
       gates_.pop_back();
       if (last_on_edge_[gate.edge] != gate.half_edge) continue;
@@ -130,6 +131,7 @@ class Walker {
       see(apex, gate.half_edge);
       place(next / 3, next % 3);
     }
+    return ok_status();
   }
 
   struct Gate {
@@ -150,6 +152,7 @@ class Walker {
     return kNoMate;
   }
 
+  Context& context_;
   const PatchLayer& layer_;
   ViewerMesh& mesh_;
   std::vector<std::uint32_t> edge_;           ///< of the layer's half-edges
@@ -207,7 +210,7 @@ Result<ViewerMesh> order_for_viewer(Context& context, const PatchLayer& layer) {
                             layer.vertex_position.size() * (4 * sizeof(std::uint32_t));
   if (Status status = mesh.charge.add(context, bytes, "the viewer's triangles"); !status)
     return status;
-  if (Status status = Walker(layer, mesh).run(context); !status) return status;
+  if (Status status = Walker(context, layer, mesh).run(); !status) return status;
   return mesh;
 }
 

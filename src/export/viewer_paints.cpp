@@ -38,9 +38,6 @@ Result<TextureFile> file_of(Context& context, const Texture& texture) {
 }
 
 Status write_texture(Context& context, const Texture& texture, ByteWriter& out) {
-  ScopedCharge charge;
-  const std::size_t bytes = 2 * texture.rgba.size() + texture.file.size();
-  if (Status status = charge.add(context, bytes, "a texture's file"); !status) return status;
   const Result<TextureFile> file = file_of(context, texture);
   if (!file) return file.status();
   out.u8(static_cast<std::uint8_t>(file->type));

@@ -32,7 +32,13 @@ void write_blending(float opacity, BlendMode blend, ByteWriter& out) {
   out.u8(static_cast<std::uint8_t>(blend));
 }
 
+bool is_shown(const Box& box) {
+  return is_finite(box.min) && is_finite(box.max) && box.width() > 0 && box.height() > 0;
+}
+
 Status check_size(const Picture& picture) {
+  if (!is_shown(picture.artboard) || !is_shown(picture.viewport))
+    return make_error(StatusCode::bad_input, "the picture's artboard or viewport is empty");
   std::size_t triangles = 0;
   for (const PatchLayer& layer : picture.layers) triangles += layer.triangle_count();
   if (triangles <= limits::kViewerTriangles) return ok_status();
@@ -53,6 +59,7 @@ class PayloadWriter {
     write_box(picture_.viewport, out_);
     out_.u8(static_cast<std::uint8_t>(picture_.interpolation));
     for (float value : {background.r, background.g, background.b}) out_.f32(value);
+    if (Status status = charge_textures(); !status) return status;
     if (Status status = write_paints(context_, picture_, out_); !status) return status;
     out_.varint(picture_.layers.size());
     for (const PatchLayer& layer : picture_.layers)
@@ -68,6 +75,16 @@ class PayloadWriter {
   std::vector<std::uint8_t> take() { return out_.take(); }
 
  private:
+  /// Their files, or their texels as PNG.
+  Status charge_textures() {
+    std::size_t bytes = 0;
+    for (const Shader& shader : picture_.shaders) {
+      if (const auto* texture = std::get_if<Texture>(&shader.paint))
+        bytes += 2 * texture->rgba.size() + texture->file.size();
+    }
+    return charge_.add(context_, bytes, "the files of textures");
+  }
+
   Status write_layer(const PatchLayer& layer) {
     Result<ViewerMesh> mesh = order_for_viewer(context_, layer);
     if (!mesh) return mesh.status();

@@ -113,6 +113,24 @@ TEST(Html, refuses_what_does_not_fit_together) {
   EXPECT_EQ(export_html(context, picture, {}).status().code, StatusCode::bad_input);
 }
 
+TEST(Html, refuses_a_viewport_without_an_area) {
+  Context context;
+  Picture picture = triangle_picture();
+  picture.viewport = {};
+  EXPECT_EQ(export_html(context, picture, {}).status().code, StatusCode::bad_input);
+  picture.viewport = {{0, 0}, {0, 10}};
+  EXPECT_EQ(export_html(context, picture, {}).status().code, StatusCode::bad_input);
+}
+
+TEST(Html, values_that_are_no_numbers_are_not_written) {
+  Picture zero = triangle_picture(), odd = zero;
+  zero.layers[0].color.node_value[4] = 0;
+  odd.layers[0].color.node_value[4] = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_EQ(text_of(odd), text_of(zero));
+  odd.layers[0].color.node_value[4] = std::numeric_limits<float>::infinity();
+  EXPECT_FALSE(text_of(odd).empty());
+}
+
 /// All on one vertex, one node and one edge: what finds neighbours must not become slow.
 Picture many_triangles(std::size_t count) {
   Picture picture = triangle_picture();

@@ -72,6 +72,8 @@ class Painter {
     /** @type {Affine} */
     this.clipFromPixel = [1, 0, 0, 1, 0, 0];
     this.level = 0;
+    /** Groups that are painted at present. @type {GroupBegin[]} */
+    this.open = [];
   }
 
   /**
@@ -169,9 +171,6 @@ class Painter {
       }
     }
   }
-
-  /** @type {GroupBegin[]} */
-  open = [];
 
   /**
    * @param {Instance} instance
