@@ -3,7 +3,8 @@ import { Skip, check, difference, pictureOf, settled, show } from "./harness.mjs
 
 /**
  * Documents, their pages' width and height, the width of the window, and where to look from near:
- * artboard point and zoom. Windows are small because the tests' graphics are made in software.
+ * artboard point and zoom; `most`: the largest difference of a value, where there is a limit. Windows
+ * are small because the tests' graphics are made in software.
  */
 const PICTURES = [
   {
@@ -44,16 +45,19 @@ const PICTURES = [
   },
   {
     document: "tests/viewer/compositing.svg",
+    // At edges; lines where there are none differ more.
+    most: 40,
     page: [200, 120],
     width: 320,
     near: { x: 100, y: 60, zoom: 4 },
   },
 ];
 
-const LARGEST_MEAN = 0.7;
+const LARGEST_MEAN = 0.9;
 const LARGEST_PERCENTILE = 10;
 
-async function compare({ PNG, command }, page, document, size, view, name) {
+async function compare({ PNG, command }, page, tested, size, view, name) {
+  const { document, most = 255 } = tested;
   const shown = await pictureOf(page);
   const extent = size.map((length) => length / view.zoom);
   const part = [view.x - extent[0] / 2, view.y - extent[1] / 2, ...extent];
@@ -61,12 +65,12 @@ async function compare({ PNG, command }, page, document, size, view, name) {
   const { mean, percentile, largest } = difference(PNG, shown, expected);
   const found = `${name}: mean ${mean.toFixed(3)}, 99th percentile ${percentile}, most ${largest}`;
   console.log(`# ${document} ${found}`);
-  check(mean <= LARGEST_MEAN && percentile <= LARGEST_PERCENTILE, found);
-  return largest;
+  check(mean <= LARGEST_MEAN && percentile <= LARGEST_PERCENTILE && largest <= most, found);
 }
 
 export async function testPictures(tap, tools) {
-  for (const { document, page: extent, width, near } of PICTURES) {
+  for (const tested of PICTURES) {
+    const { document, page: extent, width, near } = tested;
     await tap.test(
       `the viewer shows ${document.split("/").at(-1)} as the rasterizer does`,
       async () => {
@@ -77,22 +81,20 @@ export async function testPictures(tap, tools) {
         const hash = `#${whole.x},${whole.y},${whole.zoom}`;
         await tools.pages.open(html + hash, { size }, async (page) => {
           await settled(page);
-          await compare(tools, page, document, size, whole, "whole");
+          await compare(tools, page, tested, size, whole, "whole");
           await show(page, near);
-          await compare(tools, page, document, size, near, "near");
+          await compare(tools, page, tested, size, near, "near");
         });
       },
     );
   }
 }
 
-/** What compositing.svg differs by at most: its edges do. Lines where there are none differ more. */
-const LARGEST_AT_EDGES = 40;
-
-/** On Mesa's software driver, which has other weaknesses than Chromium's own. */
-export async function testOnMesa(tap, tools) {
-  const { document, page: extent, width } = PICTURES.at(-1);
-  await tap.test("Mesa's driver shows compositing.svg as the rasterizer does", async () => {
+/** On a driver that the other tests did not have: each has weaknesses of its own. */
+export async function testOtherDriver(tap, tools) {
+  const tested = PICTURES.at(-1);
+  const { document, page: extent, width } = tested;
+  await tap.test("another driver shows compositing.svg as the rasterizer does", async () => {
     const zoom = width / extent[0];
     const size = [width, Math.floor(extent[1] * zoom)];
     const view = { x: extent[0] / 2, y: size[1] / zoom / 2, zoom };
@@ -104,10 +106,9 @@ export async function testOnMesa(tap, tools) {
           () => false,
         ),
       );
-      if (!isReady) throw new Skip("Chromium has no WebGL 2 by Mesa's driver here");
+      if (!isReady) throw new Skip("Chromium has WebGL 2 by one driver only here");
       await show(page, view);
-      const largest = await compare(tools, page, document, size, view, "on Mesa");
-      check(largest <= LARGEST_AT_EDGES, `${largest} at most`);
+      await compare(tools, page, tested, size, view, "by another driver");
     });
   });
 }
