@@ -38,9 +38,14 @@ class BandBuilder {
   }
 
   /// What reaches beyond curves first: bands of other curves must not be under it.
-  void build() {
-    for (std::uint32_t side : edges_.side) paint(side, Part::beyond);
-    for (std::uint32_t side : edges_.side) paint(side, Part::band);
+  Status build(Context& context) {
+    for (Part part : {Part::beyond, Part::band}) {
+      for (std::uint32_t side : edges_.side) {
+        if (context.cancelled()) return make_error(StatusCode::cancelled, "cancelled");
+        paint(side, part);
+      }
+    }
+    return ok_status();
   }
 
  private:
@@ -275,10 +280,10 @@ Result<CurveBands> make_curve_bands(Context& context, const PatchLayer& layer,
   CurveBands bands;
   // Three strips of columns for every edge, and corners between them.
   const std::size_t bytes = edges.side.size() * (3 * (2 * kMostColumns + 8) * 40 + 6 * 64);
-  if (Status status = bands.charge.add(context, bytes, "bands along curves"); !status)
-    return status;
-  if (context.cancelled()) return make_error(StatusCode::cancelled, "cancelled");
-  BandBuilder(layer, space, source, edges, width, &bands).build();
+  Status status = bands.charge.add(context, bytes, "bands along curves");
+  if (!status) return status;
+  status = BandBuilder(layer, space, source, edges, width, &bands).build(context);
+  if (!status) return status;
   return bands;
 }
 

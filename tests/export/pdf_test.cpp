@@ -93,6 +93,15 @@ TEST(Pdf, what_cannot_be_drawn_is_an_error) {
   EXPECT_EQ(export_pdf(context, broken, {}).status().code, StatusCode::bad_input);
 }
 
+TEST(Pdf, a_picture_of_nothing_is_an_empty_page) {
+  Picture picture;
+  picture.artboard = picture.viewport = kBox;
+  EXPECT_LT(exported(picture).size(), 1000u);
+  picture.layers.emplace_back();
+  picture.stack.push_back(PatchInstance{});
+  EXPECT_LT(exported(picture).size(), 1000u);
+}
+
 TEST(Pdf, memory_and_cancellation_end_the_work) {
   Context small;
   ASSERT_TRUE(small.budget.charge(small.budget.limit() - 1000, "the test").ok());

@@ -107,6 +107,16 @@ TEST(PdfInViewers, local_curves) {
     expect_shown_everywhere(*document, {{3, 33}, {0.7, 9}, {2.5, 28}, {3, 31}});
 }
 
+TEST(PdfInViewers, the_fish) {
+  if (!test::has_program(kMuPdf.program)) GTEST_SKIP() << "no mutool here";
+  const auto document = test::example("fish.svg");
+  if (!document) return;
+  const Picture picture = test::solved(*document);
+  const Bytes pdf = exported(picture);
+  expect_valid(pdf);
+  expect_shown(picture, pdf, kMuPdf, {2.6, 40});
+}
+
 TEST(PdfInViewers, everything_that_documents_can_hold_is_valid) {
   if (!test::has_program("qpdf")) GTEST_SKIP() << "no qpdf here";
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
