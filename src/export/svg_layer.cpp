@@ -11,8 +11,14 @@ namespace {
 
 /// Text of a facet in one channel, at most and roughly.
 constexpr std::size_t kFacetBytes = 320;
-/// The layer's longer side in steps of its grid, at least.
+/// The layer's longer side in steps of its grid, at least, if no instance is much smaller than
+/// others.
 constexpr double kGridSteps = 5e4;
+/// A step in nominal pixels: at least so many in the smallest instance, as cairo (librsvg,
+/// Inkscape) gives up where gradients have units below 2^-15 pixels; but never more in the largest
+/// one.
+constexpr double kSmallestStep = 1e-2;
+constexpr double kLargestStep = 1.0 / 16;
 /// Sides of facets in the largest instance, nominal pixels: patches are not cut any shorter.
 /// Opacity has shorter ones: its blurs are the outlines that one sees.
 constexpr double kSmallestSide = 3;
@@ -26,11 +32,13 @@ constexpr double kReachOutside = 3;
 constexpr double kSmallRadius = 1;
 constexpr double kSmallMargin = 1;
 
-/// The grid on a layer: numbers are whole and short.
-Affine grid_of(const Box& box) {
+/// The grid on a layer: numbers are whole and short. Pixels are nominal, in the layer's frame.
+Affine grid_of(const Box& box, double pixel, double largest_pixel) {
   const double side = std::max(box.width(), box.height());
   if (!(side > 0)) return {};
-  const double step = std::pow(10, std::floor(std::log10(side / kGridSteps)));
+  const double wished =
+      std::max(side / kGridSteps, std::min(kSmallestStep * pixel, kLargestStep * largest_pixel));
+  const double step = std::exp2(std::floor(std::log2(wished)));
   const auto rounded = [&](double x) { return std::floor(x / step) * step; };
   return {step, 0, 0, step, rounded(box.min.x), rounded(box.min.y)};
 }
@@ -153,7 +161,7 @@ Result<SvgLayer> make_svg_layer(Context& context, const PatchLayer& layer, Inter
     result.opacity = std::move(*opacity);
   }
   for (const Vec2 p : result.color.vertex_position) result.box.extend(p);
-  result.layer_from_grid = grid_of(result.box);
+  result.layer_from_grid = grid_of(result.box, pixel, largest_pixel);
   result.frame = layer.frame;
   result.pixel = pixel;
   result.reach = {kReachInside * pixel, kReachOutside * largest_pixel};

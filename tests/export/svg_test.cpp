@@ -290,6 +290,25 @@ TEST(SvgInPrograms, triangles_of_one_colour_have_no_seams) {
   }
 }
 
+TEST(SvgInPrograms, librsvg_shows_small_instances_and_thumbnails) {
+  if (!test::has_program("rsvg-convert")) GTEST_SKIP() << "no rsvg-convert here";
+  const test::RegionMesh mesh = test::jittered_grid(kBox, 4, 3);
+  Picture picture = test::make_picture(test::make_layer(mesh, [](int, Vec2 p) {
+    return Rgb{static_cast<float>(p.x / 100), 0, 0};
+  }));
+  picture.stack.push_back(PatchInstance{0, {0.01, 0, 0, 0.01, 50, 30}, 1, BlendMode::normal});
+  Context context;
+  const auto svg = export_svg(context, picture, vector_options());
+  ASSERT_TRUE(svg);
+  for (const char* zoom : {"0.5", "1"}) {
+    const std::string command = std::string("rsvg-convert -z ") + zoom + " IN -o OUT";
+    const auto image = test::shown_by(*svg, "a.svg", command);
+    ASSERT_TRUE(image) << zoom;
+    const std::size_t middle = static_cast<std::size_t>(image->height / 2) * image->width;
+    EXPECT_NEAR(image->bytes[3 * (middle + image->width * 8 / 10)], 0.85 * 255, 0.06 * 255) << zoom;
+  }
+}
+
 TEST(SvgInPrograms, librsvg_shows_the_lady_bug_as_we_do) {
   if (!test::has_program("rsvg-convert")) GTEST_SKIP() << "no rsvg-convert here";
   const auto document = test::shared_scene("lady_bug.xml");
