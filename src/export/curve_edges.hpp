@@ -5,18 +5,10 @@
 
 #include "base/context.hpp"
 #include "base/status.hpp"
+#include "export/half_edge.hpp"
 #include "patches/picture.hpp"
 
 namespace sfumato::outputs {
-
-inline constexpr std::uint32_t kNoHalfEdge = ~std::uint32_t{0};
-
-constexpr std::uint32_t next_half_edge(std::uint32_t half_edge) {
-  return half_edge % 3 == 2 ? half_edge - 2 : half_edge + 1;
-}
-constexpr std::uint32_t last_half_edge(std::uint32_t half_edge) {
-  return half_edge % 3 == 0 ? half_edge + 2 : half_edge - 1;
-}
 
 /// The edges of a layer that lie on curves, each once, by the half-edge (3 triangle + side) of one
 /// of its sides: along a curve always the same side, but at junctions.

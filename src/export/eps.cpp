@@ -200,10 +200,6 @@ Result<std::vector<std::uint8_t>> EpsWriter::write() {
   return std::vector<std::uint8_t>(text_.begin(), text_.end());
 }
 
-bool is_positive(double value) {
-  return value > 0 && std::isfinite(value);
-}
-
 Status check(const Picture& picture, const EpsOptions& options) {
   if (Status status = check_viewport(picture.viewport); !status) return status;
   if (!is_positive(options.page_width_pt.value_or(1)) || !is_positive(options.dpi) ||

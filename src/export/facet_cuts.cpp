@@ -4,6 +4,8 @@
 #include <array>
 #include <tuple>
 
+#include "export/half_edge.hpp"
+
 namespace sfumato::outputs {
 namespace {
 
@@ -31,7 +33,7 @@ std::vector<Side> sorted_sides(const PatchLayer& layer, const PatchField& field)
   std::vector<Side> sides(layer.triangle_vertex.size());
   for (std::uint32_t h = 0; h < sides.size(); ++h) {
     const std::uint32_t from = layer.triangle_vertex[h];
-    const std::uint32_t to = layer.triangle_vertex[h % 3 == 2 ? h - 2 : h + 1];
+    const std::uint32_t to = layer.triangle_vertex[next_half_edge(h)];
     sides[h] = {std::min(from, to), std::max(from, to), h};
   }
   std::sort(sides.begin(), sides.end(), [&](const Side& a, const Side& b) {
@@ -89,10 +91,6 @@ std::vector<std::uint32_t> number_edges(const PatchLayer& layer, const PatchFiel
 
 Vec2 corner_position(const PatchLayer& layer, std::uint32_t half_edge) {
   return layer.vertex_position[layer.triangle_vertex[half_edge]];
-}
-
-std::uint32_t next_half_edge(std::uint32_t half_edge) {
-  return half_edge % 3 == 2 ? half_edge - 2 : half_edge + 1;
 }
 
 double length_of(const PatchLayer& layer, std::uint32_t half_edge) {

@@ -7,6 +7,7 @@
 #include "export/facet_cuts.hpp"
 #include "export/facet_patch.hpp"
 #include "export/facet_tree.hpp"
+#include "export/half_edge.hpp"
 
 namespace sfumato::outputs {
 namespace {
@@ -51,10 +52,6 @@ class FacetBuilder {
   std::vector<std::uint64_t> edge_first_;     ///< first vertex of an edge
   std::vector<std::uint64_t> inside_first_;   ///< first vertex inside a patch; the last: how many
 };
-
-std::uint32_t next_in_triangle(std::uint32_t half_edge) {
-  return half_edge % 3 == 2 ? half_edge - 2 : half_edge + 1;
-}
 
 FacetTree FacetBuilder::tree_of(std::uint32_t triangle, const FacetPatch& patch) const {
   std::array<Vec2, 3> corner;
@@ -141,7 +138,7 @@ void FacetBuilder::set(std::uint32_t vertex, Vec2 position, const FacetPatch::Va
 void FacetBuilder::fill_edge(const FacetPatch& patch, std::uint32_t half_edge,
                              FacetMesh* mesh) const {
   const std::uint32_t index = cuts_.edge_of[half_edge];
-  const std::uint32_t next = next_in_triangle(half_edge);
+  const std::uint32_t next = next_half_edge(half_edge);
   const bool is_low = is_low_first(layer_, half_edge);
   const std::uint32_t low = is_low ? half_edge : next, high = is_low ? next : half_edge;
   auto vertex = static_cast<std::uint32_t>(edge_first_[index]);

@@ -6,6 +6,10 @@
 
 namespace sfumato::outputs {
 
+bool is_positive(double value) {
+  return value > 0 && std::isfinite(value);
+}
+
 Status check_viewport(const Box& viewport) {
   const auto is_place = [](Vec2 p) {
     return std::fabs(p.x) <= limits::kCoordinate && std::fabs(p.y) <= limits::kCoordinate;

@@ -13,6 +13,9 @@ struct Page {
   Affine page_from_artboard;
 };
 
+/// Finite, and above 0.
+bool is_positive(double value);
+
 /// Error: bad_input, where a viewport is empty or beyond all coordinates.
 Status check_viewport(const Box& viewport);
 

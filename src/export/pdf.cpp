@@ -190,10 +190,6 @@ Result<std::vector<std::uint8_t>> PdfWriter::write() {
   return file_.finish(root, file_.add(info + " >>"));
 }
 
-bool is_positive(double value) {
-  return value > 0 && std::isfinite(value);
-}
-
 Status check(const Picture& picture, const PdfOptions& options) {
   if (Status status = check_viewport(picture.viewport); !status) return status;
   if (!is_positive(options.page_width_pt.value_or(1)))
