@@ -131,13 +131,15 @@ LayerWriter::Paint LayerWriter::add_shader(bool is_opacity, std::uint32_t shader
   Paint paint;
   paint.box = box_of_weight(field, (is_opacity ? 1u : 3u) + shader);
   if (!(paint.box.width() > 0 && paint.box.height() > 0)) return paint;
+  // Bands carry weights across curves; without the paint there, opacity would show at its ends.
+  if (is_opacity) paint.box = paint.box.grown_by(band_width());
   const Result<PixelPart> part = shader_pixels(context_, picture_.shaders[field.shader[shader]],
                                                is_opacity, paint.box, pixels_per_unit());
   if (!part) {
     file_->fail(part.status());
     return paint;
   }
-  paint.mean = mean_color(*part);
+  paint.mean = is_opacity ? mean_opacity(*part) : mean_color(*part);
   paint.image = is_opacity ? add_alpha_image(context_, file_, part->image)
                            : add_image(context_, file_, part->image);
   return paint;

@@ -61,6 +61,15 @@ std::size_t texel_bytes(const Shader& shader) {
   return texture ? texture->rgba.size() + texture->file.size() : 0;
 }
 
+float mean_of(const PixelPart& part, std::size_t channel) {
+  const auto stride = static_cast<std::size_t>(channel_count(part.image.format));
+  const std::vector<std::uint8_t>& bytes = part.image.bytes;
+  std::uint64_t sum = 0;
+  for (std::size_t i = channel; i < bytes.size(); i += stride) sum += bytes[i];
+  const std::size_t pixels = std::max(bytes.size() / stride, std::size_t{1});
+  return static_cast<float>(static_cast<double>(sum) / (255.0 * static_cast<double>(pixels)));
+}
+
 }  // namespace
 
 void bleed(Image* image) {
@@ -111,17 +120,12 @@ Result<PixelPart> shader_pixels(Context& context, const Shader& shader, bool as_
 }
 
 Rgb mean_color(const PixelPart& part) {
-  std::array<std::uint64_t, 3> sum{};
-  const auto stride = static_cast<std::size_t>(channel_count(part.image.format));
-  const std::vector<std::uint8_t>& bytes = part.image.bytes;
-  for (std::size_t i = 0; i + stride <= bytes.size(); i += stride)
-    for (std::size_t c = 0; c < 3; ++c) sum[c] += bytes[i + c];
-  const double scale =
-      1 / (255.0 * static_cast<double>(std::max(bytes.size() / stride, std::size_t{1})));
-  const auto mean = [&](std::size_t c) {
-    return static_cast<float>(static_cast<double>(sum[c]) * scale);
-  };
-  return {mean(0), mean(1), mean(2)};
+  return {mean_of(part, 0), mean_of(part, 1), mean_of(part, 2)};
+}
+
+Rgb mean_opacity(const PixelPart& part) {
+  const float mean = mean_of(part, 3);
+  return {mean, mean, mean};
 }
 
 Result<PixelPart> layer_pixels(Context& context, const Picture& picture, std::uint32_t layer,

@@ -28,6 +28,9 @@ Result<PixelPart> shader_pixels(Context& context, const Shader& shader, bool as_
 /// The mean of a part's colours.
 Rgb mean_color(const PixelPart& part);
 
+/// The mean of the alpha of an rgba8 part, as grey.
+Rgb mean_opacity(const PixelPart& part);
+
 /// A whole layer in its own frame, rgba8. Errors: limit (memory), cancelled.
 Result<PixelPart> layer_pixels(Context& context, const Picture& picture, std::uint32_t layer,
                                const Box& box, double pixels_per_unit);

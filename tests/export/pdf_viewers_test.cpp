@@ -3,10 +3,12 @@
 // Ghostscript do not antialias.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 
 #include "export/pdf.hpp"
 #include "export/support.hpp"
+#include "formats/svg.hpp"
 #include "pipeline/random_document.hpp"
 #include "support/scenes.hpp"
 
@@ -115,6 +117,26 @@ TEST(PdfInViewers, the_fish) {
   const Bytes pdf = exported(picture);
   expect_valid(pdf);
   expect_shown(picture, pdf, kMuPdf, {2.6, 40});
+}
+
+/// Opacity by a gradient ends at the circle, and so does the gradient's image.
+TEST(PdfInViewers, opacity_by_a_paint_leaves_no_dark_pixels_where_it_ends) {
+  if (!test::has_program("mutool")) GTEST_SKIP() << "no mutool here";
+  Context context;
+  const auto read = read_svg(context, R"svg(<svg xmlns="http://www.w3.org/2000/svg"
+      xmlns:sf="urn:sfumato:1" viewBox="0 0 200 150" sf:version="1"><defs>
+      <linearGradient id="fade" gradientUnits="userSpaceOnUse" x1="0" y1="0" x2="200" y2="0">
+      <stop stop-color="#fff" stop-opacity="0"/><stop offset="1" stop-color="#fff"/>
+      </linearGradient></defs><g sf:diffuse="true"><circle cx="60" cy="75" r="45"
+      sf:left-opacity="0" sf:right-opacity="url(#fade)" sf:left="#000" sf:right="#000"/></g>
+      </svg>)svg",
+                             "a.svg");
+  ASSERT_TRUE(read) << to_string(read.status());
+  const auto shown = test::shown_by(exported(test::solved(read->document)), "in.pdf",
+                                    "mutool draw -q -r 192 -o OUT IN");
+  ASSERT_TRUE(shown);
+  // The circle's darkest is where the gradient has 105 of its 200 units.
+  EXPECT_GE(*std::min_element(shown->bytes.begin(), shown->bytes.end()), 255 - 255 * 105 / 200 - 4);
 }
 
 TEST(PdfInViewers, everything_that_documents_can_hold_is_valid) {
