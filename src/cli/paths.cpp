@@ -93,9 +93,9 @@ Status check_output(const std::string& path) {
 }
 
 Status make_folder(const std::string& path) {
-  std::error_code error;
+  std::error_code error, ignored;
   fs::create_directories(path, error);
-  if (fs::is_directory(path, error)) return ok_status();
+  if (fs::is_directory(path, ignored)) return ok_status();
   return make_error(StatusCode::io, "cannot be made: " + error.message(), {path});
 }
 

@@ -126,6 +126,9 @@ TEST(ManyDrawings, need_a_folder_and_names) {
   const CommandResult no_place = run_sfumato({"render", a, "--out-dir", a + "/o"});
   EXPECT_EQ(no_place.exit_code, 3);
   EXPECT_TRUE(contains(no_place.err, "cannot be made")) << no_place.err;
+  const CommandResult no_folder_but_a_file = run_sfumato({"render", a, "--out-dir", b});
+  EXPECT_EQ(no_folder_but_a_file.exit_code, 3);
+  EXPECT_TRUE(contains(no_folder_but_a_file.err, "Not a directory")) << no_folder_but_a_file.err;
   EXPECT_EQ(folder.names(), (Names{"a.xml", "b.xml"}));
 }
 
