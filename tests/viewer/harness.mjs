@@ -46,6 +46,8 @@ export function documentPath(name) {
   return path;
 }
 
+export const shortName = (document) => document.split("/").at(-1);
+
 /** The command and a folder for what it makes. */
 export class Command {
   constructor(program, folder) {
@@ -60,6 +62,13 @@ export class Command {
 
   run(...words) {
     execFileSync(this.program, words.map(String), { stdio: ["ignore", "ignore", "pipe"] });
+  }
+
+  /** Renders a document as the extension says; returns the file's path. */
+  made(document, extension, ...options) {
+    const path = this.file(`${shortName(document)}${options.join("")}.${extension}`);
+    this.run("render", documentPath(document), "-o", path, "--quiet", ...options);
+    return path;
   }
 
   /** The viewer of a document; made once. */

@@ -1,7 +1,7 @@
 // Other outputs than the viewer, in programs that npm and Chromium bring: SVG and GLB.
 import { createRequire } from "node:module";
 import { readFileSync } from "node:fs";
-import { check, difference, documentPath } from "./harness.mjs";
+import { check, difference, shortName } from "./harness.mjs";
 
 const LADY_BUG = "../shared/scenes/lady_bug.xml";
 const APPLE = "examples/apple.svg";
@@ -13,15 +13,6 @@ const SHOWN = [
   { document: APPLE, size: [640, 480], mode: "vector", mean: 0.6, percentile: 4 },
   { document: FISH, size: [840, 560], mode: "image", mean: 0.15, percentile: 1 },
 ];
-
-const shortName = (document) => document.split("/").at(-1);
-
-/** Renders a document; returns the file's path. */
-function made(command, document, extension, ...options) {
-  const path = command.file(`${shortName(document)}${options.join("")}.${extension}`);
-  command.run("render", documentPath(document), "-o", path, "--quiet", ...options);
-  return path;
-}
 
 async function shownByChromium(browser, path, [width, height]) {
   const context = await browser.newContext({ viewport: { width, height } });
@@ -56,7 +47,7 @@ export async function testGlb(tap, { command }) {
   const validator = createRequire(import.meta.url)("gltf-validator");
   for (const document of [LADY_BUG, APPLE, FISH, "examples/textures.svg"]) {
     await tap.test(`the GLB of ${shortName(document)} is valid`, async () => {
-      const bytes = readFileSync(made(command, document, "glb"));
+      const bytes = readFileSync(command.made(document, "glb"));
       const { issues } = await validator.validateBytes(new Uint8Array(bytes));
       check(issues.numErrors + issues.numWarnings === 0, JSON.stringify(issues.messages));
     });
@@ -69,13 +60,13 @@ export async function testSvg(tap, tools) {
     const options = ["--svg", shown.mode, "--dpi", 96];
     const name = `SVG (${shown.mode}) of ${shortName(shown.document)}`;
     await tap.test(`Chromium shows the ${name} as the rasterizer does`, async () => {
-      const path = made(tools.command, shown.document, "svg", ...options);
+      const path = tools.command.made(shown.document, "svg", ...options);
       const image = await shownByChromium(tools.pages.browser, path, shown.size);
       compare(tools, image, shown, "Chromium");
     });
     if (!Resvg) continue;
     await tap.test(`resvg shows the ${name} as the rasterizer does`, () => {
-      const path = made(tools.command, shown.document, "svg", ...options);
+      const path = tools.command.made(shown.document, "svg", ...options);
       const image = new Resvg(readFileSync(path, "utf8")).render();
       compare(tools, image.asPng(), shown, "resvg");
     });

@@ -1,4 +1,4 @@
-// Tests of the HTML viewer, SVG and GLB in Chromium and programs from npm, printed as TAP:
+// Tests of the HTML viewer, SVG, GLB and PDF in Chromium and programs from npm, printed as TAP:
 // node run.mjs SFUMATO DUMP_PICTURE OUT_FOLDER
 import { execFileSync } from "node:child_process";
 import { rmSync } from "node:fs";
@@ -8,6 +8,7 @@ import { Command, Pages, Tap, pathOf } from "./harness.mjs";
 import { testInteraction } from "./interaction.mjs";
 import { testGlb, testSvg } from "./outputs.mjs";
 import { testPayload } from "./payload.mjs";
+import { testPdf, testPdfInChromium } from "./pdf.mjs";
 import { testOtherDriver, testPictures } from "./pictures.mjs";
 import { testRobustness } from "./robustness.mjs";
 
@@ -26,6 +27,7 @@ await tap.test("the viewer's types are right", () => {
 });
 await testPayload(tap, { dump, command });
 await testGlb(tap, { command });
+await testPdf(tap, { command });
 
 /** A browser for `body`, its graphics by the flags. */
 async function withBrowser(flags, body) {
@@ -70,6 +72,7 @@ await tap.test("Chromium starts, and all tests come to their end", async () => {
     await testInteraction(tap, tools);
     await testRobustness(tap, tools);
     await testSvg(tap, tools);
+    await testPdfInChromium(tap, tools);
   });
   await withBrowser(other, (tools) => testOtherDriver(tap, tools));
 });
