@@ -14,6 +14,8 @@ constexpr double kMostOfHeight = 0.6;
 /// How wide what lies under a band is, of its width: programs that paint every pixel that a mesh
 /// touches must not show it beyond.
 constexpr double kUnderShare = 0.4;
+/// How far a band reaches around a curve's vertex, of its width, for the same reason.
+constexpr double kCornerShare = 2;
 constexpr int kMostColumns = 8;
 /// What may be missed along a column; it shows in pixels that a curve cuts.
 constexpr double kColumnError = 1.5 / 255;
@@ -201,19 +203,17 @@ void BandBuilder::carry_corner(std::uint32_t leaving, double width, const Value&
   for (std::uint32_t vertex : corner) mesh->facet_vertex.push_back(vertex);
 }
 
-/// Visits the triangles between an edge of a curve and the next one, on its side, by their
+/// Visits the triangles at the end of an edge up to the next curve, on its side, by their
 /// half-edges that leave the common vertex.
 template <class Visit>
 void BandBuilder::for_each_between(std::uint32_t side, const Visit& visit) const {
-  const std::uint32_t end = edges_.onward[side];
-  if (end == kNoHalfEdge) return;
   std::uint32_t leaving = next_half_edge(side);
   // No vertex has so many triangles; a picture that is no mesh might turn for ever.
-  for (int turns = 0; leaving != end && turns < 1000; ++turns) {
+  for (int turns = 0; layer_.edge_is_curve[leaving] == 0 && turns < 1000; ++turns) {
     const std::uint32_t across = edges_.twin[leaving];
     if (across == kNoHalfEdge) return;
     leaving = next_half_edge(across);
-    if (leaving != end) visit(leaving);
+    visit(leaving);
   }
 }
 
@@ -230,7 +230,7 @@ void BandBuilder::paint_band(std::uint32_t side) {
       {inner(side, 0, 0), inner(side, 1, 0), inner(side, 1, share), inner(side, 0, share)});
   for_each_between(side, [&](std::uint32_t leaving) {
     const FacetPatch corner = patch(leaving);
-    const double far = reach(leaving, width_);
+    const double far = reach(leaving, kCornerShare * width_);
     const std::uint32_t k = leaving % 3;
     const Vec2 v = position(leaving);
     std::array<Vec2, 3> at{v, lerp(v, position(next_half_edge(leaving)), far),

@@ -31,9 +31,15 @@ class ExampleFiles : public ResourceLoader {
   }
 };
 
-void replace_all(std::string* text, const std::string& from, const std::string& to) {
-  for (std::size_t at = text->find(from); at != std::string::npos; at = text->find(from, at))
-    text->replace(at, from.size(), to);
+/// The command with paths for IN and OUT, in one pass: the name of a folder may hold these letters.
+std::string with_paths(const std::string& command, const std::string& in, const std::string& out) {
+  std::string text;
+  for (std::size_t i = 0; i < command.size();) {
+    const bool is_in = command.compare(i, 2, "IN") == 0, is_out = command.compare(i, 3, "OUT") == 0;
+    text += is_in ? in : is_out ? out : command.substr(i, 1);
+    i += is_in ? 2 : is_out ? 3 : 1;
+  }
+  return text;
 }
 
 Image on_white(const Image& image) {
@@ -53,8 +59,7 @@ Said run_in(const TemporaryFolder& folder, const Bytes& file, const std::string&
             std::string command) {
   std::ofstream(folder.file(name), std::ios::binary)
       .write(reinterpret_cast<const char*>(file.data()), static_cast<std::streamsize>(file.size()));
-  replace_all(&command, "IN", folder.file(name));
-  replace_all(&command, "OUT", folder.file("out.png"));
+  command = with_paths(command, folder.file(name), folder.file("out.png"));
   const std::string log = folder.file("log.txt");
   const int status = std::system(("timeout 120 " + command + " >" + log + " 2>&1").c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, file_bytes(log).value_or("")};
