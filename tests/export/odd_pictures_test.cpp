@@ -1,0 +1,127 @@
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <limits>
+#include <string>
+
+#include "export/eps.hpp"
+#include "export/glb.hpp"
+#include "export/html.hpp"
+#include "export/pdf.hpp"
+#include "export/svg.hpp"
+#include "raster/pictures.hpp"
+
+/// Every exporter, on pictures that are small, broken, or too large for its memory.
+namespace sfumato {
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+using Export = std::function<Result<Bytes>(Context&, const Picture&)>;
+
+struct Exporter {
+  const char* name;
+  Export write;
+};
+
+const Exporter kExporters[] = {
+    {"HTML", [](Context& c, const Picture& p) { return export_html(c, p, {}); }},
+    {"PDF", [](Context& c, const Picture& p) { return export_pdf(c, p, {}); }},
+    {"EPS", [](Context& c, const Picture& p) { return export_eps(c, p, {}); }},
+    {"SVG of pixels", [](Context& c, const Picture& p) { return export_svg(c, p, {}); }},
+    {"SVG of triangles",
+     [](Context& c, const Picture& p) {
+       SvgOptions options;
+       options.mode = SvgMode::vector;
+       options.force = true;
+       return export_svg(c, p, options);
+     }},
+    {"GLB", [](Context& c, const Picture& p) { return export_glb(c, p, {}); }}};
+
+constexpr Box kBox{{0, 0}, {64, 64}};
+
+Rgb sloped(int, Vec2 p) {
+  return {static_cast<float>(p.x / 64), 0.5f, static_cast<float>(p.y / 64)};
+}
+
+Picture of_one_triangle() {
+  test::RegionMesh mesh;
+  mesh.vertex = {{3, 4}, {60, 20}, {11, 44}};
+  mesh.add(0, 1, 2, 0);
+  Picture picture = test::make_picture(test::make_layer(mesh, sloped));
+  picture.artboard = picture.viewport = kBox;
+  return picture;
+}
+
+TEST(OddPictures, one_triangle_is_written) {
+  for (const Exporter& exporter : kExporters) {
+    Context context;
+    const auto file = exporter.write(context, of_one_triangle());
+    ASSERT_TRUE(file.ok()) << exporter.name << ": " << to_string(file.status());
+    EXPECT_GT(file->size(), 200u) << exporter.name;
+    EXPECT_EQ(context.budget.used(), 0u) << exporter.name;
+  }
+}
+
+TEST(OddPictures, a_small_budget_is_a_limit_and_nothing_stays_charged) {
+  const Picture picture =
+      test::make_picture(test::make_layer(test::jittered_grid(kBox, 120, 3), sloped));
+  for (const Exporter& exporter : kExporters) {
+    Context context{.budget = Budget(std::size_t{20} << 10)};
+    EXPECT_EQ(exporter.write(context, picture).status().code, StatusCode::limit) << exporter.name;
+    EXPECT_EQ(context.budget.used(), 0u) << exporter.name;
+  }
+}
+
+TEST(OddPictures, cancelled_work_ends) {
+  const Picture picture =
+      test::make_picture(test::make_layer(test::jittered_grid(kBox, 120, 3), sloped));
+  for (const Exporter& exporter : kExporters) {
+    Context context;
+    context.cancel = true;
+    EXPECT_EQ(exporter.write(context, picture).status().code, StatusCode::cancelled)
+        << exporter.name;
+  }
+}
+
+TEST(OddPictures, tables_that_do_not_fit_are_refused) {
+  for (const Exporter& exporter : kExporters) {
+    const auto refuses = [&](const Picture& picture) {
+      Context context;
+      return exporter.write(context, picture).status().code == StatusCode::bad_input;
+    };
+    Picture no_layer = of_one_triangle();
+    no_layer.stack = {PatchInstance{7, {}, 1, BlendMode::normal}};
+    EXPECT_TRUE(refuses(no_layer)) << exporter.name;
+    Picture no_node = of_one_triangle();
+    no_node.layers[0].color.triangle_node[4] = 1000;
+    EXPECT_TRUE(refuses(no_node)) << exporter.name;
+    Picture no_place = of_one_triangle();
+    no_place.layers[0].vertex_position[1].x = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_TRUE(refuses(no_place)) << exporter.name;
+    Picture no_view = of_one_triangle();
+    no_view.viewport = {{5, 5}, {5, 9}};
+    EXPECT_TRUE(refuses(no_view)) << exporter.name;
+    Picture open_group = of_one_triangle();
+    open_group.stack.insert(open_group.stack.begin(), GroupBegin{});
+    EXPECT_TRUE(refuses(open_group)) << exporter.name;
+  }
+}
+
+TEST(OddPictures, node_values_that_are_no_numbers_are_not_written) {
+  Picture picture = of_one_triangle();
+  picture.layers[0].color.node_value[0] = std::numeric_limits<float>::quiet_NaN();
+  picture.layers[0].color.node_value[4] = std::numeric_limits<float>::infinity();
+  for (const Exporter& exporter : kExporters) {
+    Context context;
+    const auto file = exporter.write(context, picture);
+    ASSERT_TRUE(file.ok()) << exporter.name << ": " << to_string(file.status());
+    const std::string text(file->begin(), file->end());
+    if (std::string(exporter.name).starts_with("SVG of t")) {
+      EXPECT_EQ(text.find("nan"), std::string::npos);
+      EXPECT_EQ(text.find("inf"), std::string::npos);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace sfumato
