@@ -204,7 +204,8 @@ void BandBuilder::carry_corner(std::uint32_t leaving, double width, const Value&
 }
 
 /// Visits the triangles at the end of an edge up to the next curve, on its side, by their
-/// half-edges that leave the common vertex.
+/// half-edges that leave the common vertex. Those that lie on either have bands of their own, and
+/// PDFium adds up coverage where parts of a clip path overlap.
 template <class Visit>
 void BandBuilder::for_each_between(std::uint32_t side, const Visit& visit) const {
   std::uint32_t leaving = next_half_edge(side);
@@ -213,7 +214,7 @@ void BandBuilder::for_each_between(std::uint32_t side, const Visit& visit) const
     const std::uint32_t across = edges_.twin[leaving];
     if (across == kNoHalfEdge) return;
     leaving = next_half_edge(across);
-    visit(leaving);
+    if (layer_.edge_is_curve[leaving] == 0) visit(leaving);
   }
 }
 
