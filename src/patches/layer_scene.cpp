@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 
+#include "base/limits.hpp"
 #include "base/stopwatch.hpp"
 #include "curves/flatten.hpp"
 #include "patches/layer_view.hpp"
@@ -132,6 +134,17 @@ Result<FieldScene> prepare_field(Context& context, const mesh::Mesher& mesher,
   return FieldScene{std::move(attributes), std::move(*gatherer)};
 }
 
+/// What the frame of a layer may hold: its triangles' vertices are coordinates like any others.
+Status check_frame(const Box& frame, const Layer& layer) {
+  const double reach = std::max({-frame.min.x, -frame.min.y, frame.max.x, frame.max.y});
+  if (reach <= limits::kCoordinate) return ok_status();
+  const std::string name = layer.id.empty() ? "a layer" : "layer \"" + layer.id + '"';
+  return make_error(StatusCode::limit,
+                    "the picture shows coordinates of " + name + " beyond the limit of " +
+                        std::to_string(static_cast<std::int64_t>(limits::kCoordinate)) +
+                        ": a transform shrinks it too far");
+}
+
 }  // namespace
 
 Status validate(const DiffuseOptions& options) {
@@ -183,6 +196,7 @@ Result<LayerScene> prepare_layer(Context& context, const Document& document, std
   const std::vector<Curve>& curves = document.layers[layer].curves;
   const LayerUnits units(document.artboard, sight, options);
   const mesh::MeshOptions meshing = units.mesh_options();
+  if (Status status = check_frame(meshing.frame, document.layers[layer]); !status) return status;
   Result<curves::FlatCurves> flat = curves::flatten(context, curves, units.flatten_options());
   if (!flat) return flat.status();
   const bool is_joint = use == LayerUse::patches && curves::opacity_goes_with_color(curves);

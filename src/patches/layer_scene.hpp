@@ -34,7 +34,8 @@ LayerSight sight_of_layer(const Document& document, std::uint32_t layer, const B
 /// colour and opacity if the same curves bear both, and radii too small to be seen are dropped.
 enum class LayerUse : std::uint8_t { points, patches };
 
-/// Adds to `stats` if not null.
+/// Adds to `stats` if not null. Errors: limit (an instance shows more of its layer than coordinates
+/// reach, memory, counts), cancelled.
 Result<LayerScene> prepare_layer(Context& context, const Document& document, std::uint32_t layer,
                                  const LayerSight& sight, const DiffuseOptions& options,
                                  DiffuseStats* stats, LayerUse use = LayerUse::points);

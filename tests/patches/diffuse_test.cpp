@@ -290,6 +290,18 @@ TEST(Diffuse, a_cancelled_context_gives_no_picture) {
   EXPECT_EQ(diffuse(context, two_curves({}), {}).status().code, StatusCode::cancelled);
 }
 
+TEST(Diffuse, a_layer_that_is_shrunk_to_nothing_is_a_limit_that_names_it) {
+  for (const Affine& map : {Affine{1e-7, 0, 0, 1e-7, 0, 0}, Affine{1, 0, 0, 1e-6, 0, 0}}) {
+    Document document = two_curves({});
+    document.layers[0].id = "far";
+    std::get<LayerInstance>(document.stack[0]).artboard_from_layer = map;
+    Context context;
+    const Status status = diffuse(context, document, {}).status();
+    EXPECT_EQ(status.code, StatusCode::limit);
+    EXPECT_NE(status.message.find("\"far\""), std::string::npos) << status.message;
+  }
+}
+
 TEST(Diffuse, at_the_papers_density_the_lady_bug_has_the_papers_size) {
   const std::optional<Document> document = test::shared_scene("lady_bug.xml");
   if (!document) GTEST_SKIP() << "the shared scenes are not here";
