@@ -41,7 +41,7 @@ class PictureMaker {
   Result<Image> draw_picture(const Picture& picture);
   Result<Bytes> make_image(const Document& document);
   Result<Bytes> make_drawing(const Document& document);
-  Result<Bytes> export_as(OutputKind kind, const Picture& picture, ExportNotes* notes);
+  Result<Bytes> export_picture(const Picture& picture, ExportNotes* notes);
   Result<Bytes> make_html(const Picture& picture, ExportNotes* notes);
   std::string title() const;
   void warn(const std::string& what) const;
@@ -139,32 +139,32 @@ Result<Bytes> PictureMaker::make_html(const Picture& picture, ExportNotes* notes
       {.title = title(), .fallback = std::move(*fallback), .fallback_type = "image/jpeg"}, notes);
 }
 
-Result<Bytes> PictureMaker::export_as(OutputKind kind, const Picture& picture, ExportNotes* notes) {
+Result<Bytes> PictureMaker::export_picture(const Picture& picture, ExportNotes* notes) {
   const OutputOptions& output = arguments_.output;
-  switch (kind) {
+  switch (output.kind) {
     case OutputKind::html:
       return make_html(picture, notes);
     case OutputKind::pdf: {
       PdfOptions options{.title = title()};
-      if (output.dpi) options.dpi = *output.dpi;
+      options.dpi = output.dpi.value_or(options.dpi);
       options.page_width_pt = 0.75 * scale_ * picture.viewport.width();
       return export_pdf(context_, picture, options, notes);
     }
     case OutputKind::eps: {
       EpsOptions options{.title = title()};
-      if (output.dpi) options.dpi = *output.dpi;
+      options.dpi = output.dpi.value_or(options.dpi);
       options.page_width_pt = 0.75 * scale_ * picture.viewport.width();
       return export_eps(context_, picture, options, notes);
     }
     case OutputKind::glb: {
       GlbOptions options;
-      if (output.dpi) options.dpi = *output.dpi;
+      options.dpi = output.dpi.value_or(options.dpi);
       return export_glb(context_, picture, options, notes);
     }
     default: {
       SvgOptions options{.mode = output.svg, .force = output.force};
       options.scale = scale_;
-      if (output.dpi) options.dpi = *output.dpi;
+      options.dpi = output.dpi.value_or(options.dpi);
       options.max_error = std::max(options.max_error, diffuse_.max_error);
       return export_svg(context_, picture, options, notes);
     }
@@ -176,7 +176,7 @@ Result<Bytes> PictureMaker::make_drawing(const Document& document) {
   if (!picture) return picture.status();
   const Stopwatch watch;
   ExportNotes notes;
-  Result<Bytes> file = export_as(arguments_.output.kind, *picture, &notes);
+  Result<Bytes> file = export_picture(*picture, &notes);
   stats_.export_seconds = watch.seconds();
   for (const std::string& lost : notes.lost) warn(lost);
   return file;

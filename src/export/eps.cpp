@@ -19,7 +19,6 @@ namespace sfumato {
 namespace outputs {
 namespace {
 
-constexpr double kPointsPerUnit = 0.75;
 constexpr std::size_t kLineLength = 76;
 
 /// Bytes as ASCII base 85, with its end mark.
@@ -214,11 +213,10 @@ Status check(const Picture& picture, const EpsOptions& options) {
 Result<std::vector<std::uint8_t>> export_eps(Context& context, const Picture& picture,
                                              const EpsOptions& options, ExportNotes* notes) {
   if (Status status = outputs::check(picture, options); !status) return status;
-  const double points_per_unit = options.page_width_pt
-                                     ? *options.page_width_pt / picture.viewport.width()
-                                     : outputs::kPointsPerUnit;
   ExportNotes unread;
-  return outputs::EpsWriter(context, picture, options, points_per_unit, notes ? notes : &unread)
+  return outputs::EpsWriter(context, picture, options,
+                            outputs::points_per_unit(options.page_width_pt, picture.viewport),
+                            notes ? notes : &unread)
       .write();
 }
 

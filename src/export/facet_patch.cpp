@@ -38,8 +38,7 @@ bool is_quotient(Kind kind) {
 }
 
 bool is_of_shader(Kind kind) {
-  return kind == Kind::color_weight || kind == Kind::opacity_weight || kind == Kind::color_mask ||
-         kind == Kind::opacity_mask;
+  return kind == Kind::color_mask || kind == Kind::opacity_mask;
 }
 
 std::size_t first_channel(const FacetSource& source) {
@@ -81,9 +80,8 @@ double light_rise(double low, double high) {
 }  // namespace
 
 bool reads_color(const FacetSource& source) {
-  return source.kind == Kind::color || source.kind == Kind::color_weight ||
-         source.kind == Kind::color_base || source.kind == Kind::color_mask ||
-         source.kind == Kind::light;
+  return source.kind == Kind::color || source.kind == Kind::color_base ||
+         source.kind == Kind::color_mask || source.kind == Kind::light;
 }
 
 Barycentric centroid(const Barycentric& a, const Barycentric& b, const Barycentric& c) {

@@ -10,8 +10,8 @@
 
 namespace sfumato::outputs {
 
-/// What a facet mesh carries: the colour of a layer in sRGB code values (3 channels), its opacity
-/// (1 channel), or the weights of one of the shaders of either field (1 channel).
+/// What a facet mesh carries: the colour of a layer in sRGB code values (3 channels) or its opacity
+/// (1 channel), both without what shaders add.
 ///
 /// `light` is for programs that interpolate linear light: colour and opacity at once (4 channels,
 /// of which the layer's colour field must have no others), cut so that their error, in code values
@@ -23,8 +23,6 @@ struct FacetSource {
   enum class Kind : std::uint8_t {
     color,
     opacity,
-    color_weight,
-    opacity_weight,
     light,
     color_base,
     opacity_base,
@@ -32,7 +30,7 @@ struct FacetSource {
     opacity_mask
   };
   Kind kind = Kind::color;
-  std::uint32_t shader = 0;  ///< of a weight or mask: index into PatchField::shader
+  std::uint32_t shader = 0;  ///< of a mask: index into PatchField::shader
   /// Of a base: roughly what each of the field's shaders shows, code values. Where a shader has all
   /// of the share, that stands below it, in case it leaves a gap. Empty, or as many as shaders.
   std::vector<Rgb> shown{};

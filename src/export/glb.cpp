@@ -7,6 +7,7 @@
 
 #include "export/glb_file.hpp"
 #include "export/glb_layer.hpp"
+#include "export/page.hpp"
 #include "export/pixel_run.hpp"
 #include "raster/check_picture.hpp"
 
@@ -33,11 +34,7 @@ Status check(const Picture& picture, const GlbOptions& options) {
     return make_error(StatusCode::bad_input,
                       "dpi, size and error of a GLB must be positive numbers");
   }
-  const Box& viewport = picture.viewport;
-  if (!(viewport.width() > 0 && viewport.height() > 0) || !is_finite(viewport.min) ||
-      !is_finite(viewport.max)) {
-    return make_error(StatusCode::bad_input, "a picture with an empty viewport");
-  }
+  if (Status status = outputs::check_viewport(picture.viewport); !status) return status;
   return raster::check_picture(picture);
 }
 

@@ -20,6 +20,11 @@ Status check_viewport(const Box& viewport) {
   return make_error(StatusCode::bad_input, "a picture with an empty viewport");
 }
 
+double points_per_unit(const std::optional<double>& page_width_pt, const Box& viewport) {
+  constexpr double kPointsPerCssPixel = 0.75;
+  return page_width_pt ? *page_width_pt / viewport.width() : kPointsPerCssPixel;
+}
+
 Page make_page(const Box& viewport, double unit) {
   return {viewport.width() * unit,
           viewport.height() * unit,

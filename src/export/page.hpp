@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "base/affine.hpp"
 #include "base/box.hpp"
 #include "base/status.hpp"
@@ -18,6 +20,10 @@ bool is_positive(double value);
 
 /// Error: bad_input, where a viewport is empty or beyond all coordinates.
 Status check_viewport(const Box& viewport);
+
+/// Points (1/72 inch) to a user unit on a page of that width; of its own, three quarters of one, as
+/// CSS has it.
+double points_per_unit(const std::optional<double>& page_width_pt, const Box& viewport);
 
 /// The page that shows `viewport`, which is not empty, with `unit` page units to a user unit.
 Page make_page(const Box& viewport, double unit);

@@ -23,7 +23,6 @@ using Resource = PdfContent::Resource;
 
 /// Of a page, in its own units; larger pages have larger units.
 constexpr double kMostPageUnits = 14400;
-constexpr double kPointsPerUnit = 0.75;
 
 bool is_composited(float opacity, BlendMode blend) {
   return opacity < 1 || blend != BlendMode::normal;
@@ -205,11 +204,10 @@ Status check(const Picture& picture, const PdfOptions& options) {
 Result<std::vector<std::uint8_t>> export_pdf(Context& context, const Picture& picture,
                                              const PdfOptions& options, ExportNotes* notes) {
   if (Status status = outputs::check(picture, options); !status) return status;
-  const double points_per_unit = options.page_width_pt
-                                     ? *options.page_width_pt / picture.viewport.width()
-                                     : outputs::kPointsPerUnit;
   ExportNotes unread;
-  return outputs::PdfWriter(context, picture, options, points_per_unit, notes ? notes : &unread)
+  return outputs::PdfWriter(context, picture, options,
+                            outputs::points_per_unit(options.page_width_pt, picture.viewport),
+                            notes ? notes : &unread)
       .write();
 }
 

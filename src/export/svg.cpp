@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/limits.hpp"
+#include "export/page.hpp"
 #include "export/pixel_run.hpp"
 #include "export/svg_layer.hpp"
 #include "export/svg_text.hpp"
@@ -38,11 +39,7 @@ Status check(const Picture& picture, const SvgOptions& options) {
   if (!(options.max_error > 0)) {
     return make_error(StatusCode::bad_input, "an error of an SVG's colours that is not above 0");
   }
-  const Box& viewport = picture.viewport;
-  if (!(viewport.width() > 0 && viewport.height() > 0) || !is_finite(viewport.min) ||
-      !is_finite(viewport.max)) {
-    return make_error(StatusCode::bad_input, "a picture with an empty viewport");
-  }
+  if (Status status = outputs::check_viewport(picture.viewport); !status) return status;
   return raster::check_picture(picture);
 }
 

@@ -15,34 +15,35 @@ GlObject::~GlObject() {
   if (name_ != 0) delete_(*gl_, name_);
 }
 
-GlObject make_texture(const Gl& gl) {
+namespace {
+
+template <auto kGenerate, auto kDelete>
+GlObject make(const Gl& gl) {
   GLuint name = 0;
-  gl.GenTextures(1, &name);
-  return {gl, name, [](const Gl& g, GLuint n) { g.DeleteTextures(1, &n); }};
+  (gl.*kGenerate)(1, &name);
+  return {gl, name, [](const Gl& g, GLuint n) { (g.*kDelete)(1, &n); }};
+}
+
+}  // namespace
+
+GlObject make_texture(const Gl& gl) {
+  return make<&Gl::GenTextures, &Gl::DeleteTextures>(gl);
 }
 
 GlObject make_framebuffer(const Gl& gl) {
-  GLuint name = 0;
-  gl.GenFramebuffers(1, &name);
-  return {gl, name, [](const Gl& g, GLuint n) { g.DeleteFramebuffers(1, &n); }};
+  return make<&Gl::GenFramebuffers, &Gl::DeleteFramebuffers>(gl);
 }
 
 GlObject make_renderbuffer(const Gl& gl) {
-  GLuint name = 0;
-  gl.GenRenderbuffers(1, &name);
-  return {gl, name, [](const Gl& g, GLuint n) { g.DeleteRenderbuffers(1, &n); }};
+  return make<&Gl::GenRenderbuffers, &Gl::DeleteRenderbuffers>(gl);
 }
 
 GlObject make_buffer(const Gl& gl) {
-  GLuint name = 0;
-  gl.GenBuffers(1, &name);
-  return {gl, name, [](const Gl& g, GLuint n) { g.DeleteBuffers(1, &n); }};
+  return make<&Gl::GenBuffers, &Gl::DeleteBuffers>(gl);
 }
 
 GlObject make_vertex_array(const Gl& gl) {
-  GLuint name = 0;
-  gl.GenVertexArrays(1, &name);
-  return {gl, name, [](const Gl& g, GLuint n) { g.DeleteVertexArrays(1, &n); }};
+  return make<&Gl::GenVertexArrays, &Gl::DeleteVertexArrays>(gl);
 }
 
 }  // namespace sfumato::gpu

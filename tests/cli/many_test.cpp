@@ -81,7 +81,7 @@ TEST(ManyDrawings, stats_are_one_line_for_each_that_was_drawn) {
   const std::string bad = folder.add("bad.xml", "<curve_set");
   const std::string stats = folder.path("stats.json");
   const CommandResult result =
-      run_sfumato({"render", a, bad, a + "", "--out-dir", folder.path("out"), "--stats", stats});
+      run_sfumato({"render", a, bad, a, "--out-dir", folder.path("out"), "--stats", stats});
   EXPECT_EQ(result.exit_code, 2) << "one drawing twice";
   ASSERT_EQ(run_sfumato({"render", a, bad, folder.add("c.xml", two_curve_scene()), "--out-dir",
                          folder.path("out"), "--stats", stats})

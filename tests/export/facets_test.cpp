@@ -247,14 +247,14 @@ TEST(Facets, the_sides_of_a_curve_have_the_same_points) {
   }
 }
 
-TEST(Facets, opacity_and_weights_are_one_channel) {
+TEST(Facets, opacity_and_masks_are_one_channel) {
   const test::RegionMesh mesh = test::jittered_grid(kBox, 2, 1);
   PatchLayer layer = test::make_layer(mesh, [](int, Vec2) { return test::kRed; });
   test::set_opacity(
       mesh, [](int, Vec2 p) { return static_cast<float>(p.x / 64); }, &layer);
   test::add_weight(
       mesh, 0, [](int, Vec2 p) { return static_cast<float>(p.y / 64); }, &layer.color);
-  for (const auto kind : {FacetSource::Kind::opacity, FacetSource::Kind::color_weight}) {
+  for (const auto kind : {FacetSource::Kind::opacity, FacetSource::Kind::color_mask}) {
     const FacetMesh cut = facets(layer, kHalfStep, {kind, 0});
     ASSERT_EQ(cut.channel_count, 1);
     for (std::size_t v = 0; v < cut.vertex_position.size(); ++v) {

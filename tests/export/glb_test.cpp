@@ -9,7 +9,6 @@
 #include <limits>
 #include <string>
 
-#include "base/native/tbb_executor.hpp"
 #include "export/facet_patch.hpp"
 #include "export/glb_scene.hpp"
 #include "export/support.hpp"
@@ -188,18 +187,6 @@ TEST(Glb, options_and_pictures_that_mean_nothing_are_errors) {
     }
   }
   EXPECT_EQ(export_glb(context, Picture{}, {}).status().code, StatusCode::bad_input);
-}
-
-TEST(Glb, is_the_same_for_any_number_of_threads) {
-  const auto document = test::example("apple.svg");
-  ASSERT_TRUE(document);
-  const Picture picture = test::solved(*document);
-  Context alone, shared;
-  const auto pool = make_tbb_executor(3);
-  shared.executor = pool.get();
-  const auto one = export_glb(alone, picture, {}), three = export_glb(shared, picture, {});
-  ASSERT_TRUE(one && three);
-  EXPECT_TRUE(*one == *three);
 }
 
 TEST(Glb, stops_when_it_is_cancelled_or_out_of_memory) {

@@ -9,7 +9,6 @@
 #include <string>
 
 #include "base/limits.hpp"
-#include "base/native/tbb_executor.hpp"
 #include "export/support.hpp"
 #include "formats/base64.hpp"
 #include "formats/png.hpp"
@@ -222,22 +221,6 @@ TEST(Svg, options_and_pictures_that_mean_nothing_are_errors) {
   picture.viewport = {{0, 0}, {0, 10}};
   EXPECT_EQ(export_svg(context, picture, {}).status().code, StatusCode::bad_input);
   EXPECT_EQ(export_svg(context, Picture{}, vector_options()).status().code, StatusCode::bad_input);
-}
-
-TEST(Svg, is_the_same_for_any_number_of_threads) {
-  const auto document = test::example("apple.svg");
-  ASSERT_TRUE(document);
-  const Picture picture = test::solved(*document);
-  Context alone, shared;
-  const auto pool = make_tbb_executor(3);
-  shared.executor = pool.get();
-  for (const SvgMode mode : {SvgMode::image, SvgMode::vector}) {
-    const SvgOptions options{.mode = mode};
-    const auto one = export_svg(alone, picture, options);
-    const auto three = export_svg(shared, picture, options);
-    ASSERT_TRUE(one && three);
-    EXPECT_TRUE(*one == *three);
-  }
 }
 
 TEST(Svg, stops_when_it_is_cancelled_or_out_of_memory) {

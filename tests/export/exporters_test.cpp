@@ -4,14 +4,17 @@
 #include <limits>
 #include <string>
 
+#include "base/native/tbb_executor.hpp"
 #include "export/eps.hpp"
 #include "export/glb.hpp"
 #include "export/html.hpp"
 #include "export/pdf.hpp"
+#include "export/support.hpp"
 #include "export/svg.hpp"
 #include "raster/pictures.hpp"
 
-/// Every exporter, on pictures that are small, broken, or too large for its memory.
+/// What every exporter does: the same for any number of threads, and no harm on pictures that are
+/// small, broken, or too large for its memory.
 namespace sfumato {
 namespace {
 
@@ -52,7 +55,7 @@ Picture of_one_triangle() {
   return picture;
 }
 
-TEST(OddPictures, one_triangle_is_written) {
+TEST(Exporters, one_triangle_is_written) {
   for (const Exporter& exporter : kExporters) {
     Context context;
     const auto file = exporter.write(context, of_one_triangle());
@@ -62,7 +65,21 @@ TEST(OddPictures, one_triangle_is_written) {
   }
 }
 
-TEST(OddPictures, a_small_budget_is_a_limit_and_nothing_stays_charged) {
+TEST(Exporters, write_the_same_for_any_number_of_threads) {
+  const auto document = test::example("apple.svg");
+  ASSERT_TRUE(document);
+  const Picture picture = test::solved(*document);
+  const auto pool = make_tbb_executor(3);
+  for (const Exporter& exporter : kExporters) {
+    Context alone, shared;
+    shared.executor = pool.get();
+    const auto one = exporter.write(alone, picture), three = exporter.write(shared, picture);
+    ASSERT_TRUE(one.ok() && three.ok()) << exporter.name;
+    EXPECT_TRUE(*one == *three) << exporter.name;
+  }
+}
+
+TEST(Exporters, a_small_budget_is_a_limit_and_nothing_stays_charged) {
   const Picture picture =
       test::make_picture(test::make_layer(test::jittered_grid(kBox, 120, 3), sloped));
   for (const Exporter& exporter : kExporters) {
@@ -72,7 +89,7 @@ TEST(OddPictures, a_small_budget_is_a_limit_and_nothing_stays_charged) {
   }
 }
 
-TEST(OddPictures, cancelled_work_ends) {
+TEST(Exporters, cancelled_work_ends) {
   const Picture picture =
       test::make_picture(test::make_layer(test::jittered_grid(kBox, 120, 3), sloped));
   for (const Exporter& exporter : kExporters) {
@@ -83,7 +100,7 @@ TEST(OddPictures, cancelled_work_ends) {
   }
 }
 
-TEST(OddPictures, tables_that_do_not_fit_are_refused) {
+TEST(Exporters, tables_that_do_not_fit_are_refused) {
   for (const Exporter& exporter : kExporters) {
     const auto refuses = [&](const Picture& picture) {
       Context context;
@@ -107,7 +124,7 @@ TEST(OddPictures, tables_that_do_not_fit_are_refused) {
   }
 }
 
-TEST(OddPictures, node_values_that_are_no_numbers_are_not_written) {
+TEST(Exporters, node_values_that_are_no_numbers_are_not_written) {
   Picture picture = of_one_triangle();
   picture.layers[0].color.node_value[0] = std::numeric_limits<float>::quiet_NaN();
   picture.layers[0].color.node_value[4] = std::numeric_limits<float>::infinity();
