@@ -9,7 +9,7 @@
 #include "export/pdf.hpp"
 #include "export/support.hpp"
 #include "formats/svg.hpp"
-#include "pipeline/random_document.hpp"
+#include "support/random_document.hpp"
 #include "support/scenes.hpp"
 
 namespace sfumato {

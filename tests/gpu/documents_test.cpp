@@ -13,8 +13,8 @@
 #include "base/native/tbb_executor.hpp"
 #include "formats/read_document.hpp"
 #include "patches/diffuse.hpp"
-#include "pipeline/random_document.hpp"
 #include "support.hpp"
+#include "support/random_document.hpp"
 #include "support/scenes.hpp"
 
 namespace sfumato::test {

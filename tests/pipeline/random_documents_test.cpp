@@ -12,9 +12,9 @@
 #include "formats/svg_write.hpp"
 #include "patches/diffuse.hpp"
 #include "pipeline/agreement.hpp"
-#include "pipeline/random_document.hpp"
 #include "raster/rasterize.hpp"
 #include "raster/render_pixels.hpp"
+#include "support/random_document.hpp"
 
 // Documents of everything that the format knows, from the document to pixels and to SVG and back.
 namespace sfumato::test {

@@ -1,4 +1,4 @@
-#include "pipeline/random_document.hpp"
+#include "support/random_document.hpp"
 
 #include <algorithm>
 #include <cmath>
