@@ -4,6 +4,8 @@
 #include <string>
 #include <utility>
 
+#include "base/no_throw.hpp"
+
 namespace sfumato {
 
 void Executor::run(std::size_t task_count, FunctionRef<void(std::size_t)> task) {
@@ -55,8 +57,15 @@ Status ScopedCharge::add(Context& context, std::size_t bytes, std::string_view p
 Status parallel_for(Context& context, std::size_t count, std::size_t grain,
                     FunctionRef<void(std::size_t, std::size_t)> body) {
   const std::size_t task_count = (count + grain - 1) / grain;
+  // Nothing is thrown at an executor: a thread pool without memory cannot hand an exception on.
+  std::atomic<bool> has_memory{true};
   const auto task = [&](std::size_t i) {
-    if (!context.cancelled()) body(i * grain, std::min(count, (i + 1) * grain));
+    if (context.cancelled() || !has_memory.load(std::memory_order_relaxed)) return;
+    const Status status = no_throw([&] {
+      body(i * grain, std::min(count, (i + 1) * grain));
+      return ok_status();
+    });
+    if (!status) has_memory.store(false, std::memory_order_relaxed);
   };
   if (context.executor && task_count > 1) {
     context.executor->run(task_count, task);
@@ -64,7 +73,7 @@ Status parallel_for(Context& context, std::size_t count, std::size_t grain,
     for (std::size_t i = 0; i < task_count; ++i) task(i);
   }
   if (context.cancelled()) return make_error(StatusCode::cancelled, "cancelled");
-  return ok_status();
+  return has_memory ? ok_status() : out_of_memory();
 }
 
 }  // namespace sfumato

@@ -86,7 +86,8 @@ class ScopedCharge {
 
 /// Calls body(begin, end) for consecutive ranges of [0, count) of `grain` items (the last may be
 /// shorter). The cut does not depend on the number of threads; a body writes only its own slots.
-/// After cancellation remaining ranges are skipped and the status is cancelled.
+/// After cancellation remaining ranges are skipped and the status is cancelled; so they are where
+/// an allocation of a body fails, which is out_of_memory.
 Status parallel_for(Context& context, std::size_t count, std::size_t grain,
                     FunctionRef<void(std::size_t begin, std::size_t end)> body);
 

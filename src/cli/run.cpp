@@ -24,16 +24,25 @@ struct RunCommand {
   int operator()(const CompareArguments& arguments) const { return compare(arguments); }
 };
 
+int parse_and_run(int argc, const char* const* argv) {
+  try {
+    return std::visit(RunCommand{}, parse_arguments(argc, argv));
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& error) {
+    return fail(
+        make_error(StatusCode::internal, std::string("a mistake of ours: ") + error.what()));
+  }
+}
+
 }  // namespace
 
 int run(int argc, const char* const* argv) {
   try {
-    return std::visit(RunCommand{}, parse_arguments(argc, argv));
-  } catch (const std::bad_alloc&) {
-    return fail(make_error(StatusCode::out_of_memory, "out of memory"));
-  } catch (const std::exception& error) {
-    return fail(
-        make_error(StatusCode::internal, std::string("a mistake of ours: ") + error.what()));
+    return parse_and_run(argc, argv);
+  } catch (const std::bad_alloc&) {  // without another allocation
+    std::fputs("sfumato: error: out of memory\n", stderr);
+    return kResource;
   }
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/limits.hpp"
+#include "base/no_throw.hpp"
 #include "document/document.hpp"
 
 namespace sfumato {
@@ -331,17 +332,7 @@ Status check_shaders(const std::vector<Shader>& shaders) {
   return ok_status();
 }
 
-}  // namespace
-
-Status validate(const std::vector<Shader>& shaders) {
-  return check_shaders(shaders);
-}
-
-Status validate(const LocalStroke& stroke) {
-  return check_stroke(stroke);
-}
-
-Status validate(const Document& document) {
+Status check_document(const Document& document) {
   const Box& artboard = document.artboard;
   if (!is_coordinate(artboard.min) || !is_coordinate(artboard.max) || !(artboard.width() > 0) ||
       !(artboard.height() > 0)) {
@@ -356,6 +347,20 @@ Status validate(const Document& document) {
   if (status) status = check_stack(document, totals);
   if (status) status = check_totals(totals);
   return status;
+}
+
+}  // namespace
+
+Status validate(const std::vector<Shader>& shaders) {
+  return no_throw([&] { return check_shaders(shaders); });
+}
+
+Status validate(const LocalStroke& stroke) {
+  return no_throw([&] { return check_stroke(stroke); });
+}
+
+Status validate(const Document& document) {
+  return no_throw([&] { return check_document(document); });
 }
 
 }  // namespace sfumato

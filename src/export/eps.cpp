@@ -7,6 +7,7 @@
 #include <utility>
 #include <variant>
 
+#include "base/no_throw.hpp"
 #include "export/deflate.hpp"
 #include "export/facets.hpp"
 #include "export/mesh_bytes.hpp"
@@ -207,17 +208,22 @@ Status check(const Picture& picture, const EpsOptions& options) {
   return raster::check_picture(picture);
 }
 
+Result<std::vector<std::uint8_t>> write(Context& context, const Picture& picture,
+                                        const EpsOptions& options, ExportNotes* notes) {
+  if (Status status = check(picture, options); !status) return status;
+  ExportNotes unread;
+  return EpsWriter(context, picture, options,
+                   points_per_unit(options.page_width_pt, picture.viewport),
+                   notes ? notes : &unread)
+      .write();
+}
+
 }  // namespace
 }  // namespace outputs
 
 Result<std::vector<std::uint8_t>> export_eps(Context& context, const Picture& picture,
                                              const EpsOptions& options, ExportNotes* notes) {
-  if (Status status = outputs::check(picture, options); !status) return status;
-  ExportNotes unread;
-  return outputs::EpsWriter(context, picture, options,
-                            outputs::points_per_unit(options.page_width_pt, picture.viewport),
-                            notes ? notes : &unread)
-      .write();
+  return no_throw([&] { return outputs::write(context, picture, options, notes); });
 }
 
 }  // namespace sfumato

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "base/no_throw.hpp"
 #include "export/glb_file.hpp"
 #include "export/glb_layer.hpp"
 #include "export/page.hpp"
@@ -209,12 +210,17 @@ Result<std::vector<std::uint8_t>> GlbWriter::write(ExportNotes* notes) {
   return file_.finish(options_.size / side_);
 }
 
+Result<std::vector<std::uint8_t>> write(Context& context, const Picture& picture,
+                                        const GlbOptions& options, ExportNotes* notes) {
+  if (Status status = check(picture, options); !status) return status;
+  return GlbWriter(context, picture, options).write(notes);
+}
+
 }  // namespace
 
 Result<std::vector<std::uint8_t>> export_glb(Context& context, const Picture& picture,
                                              const GlbOptions& options, ExportNotes* notes) {
-  if (Status status = check(picture, options); !status) return status;
-  return GlbWriter(context, picture, options).write(notes);
+  return no_throw([&] { return write(context, picture, options, notes); });
 }
 
 }  // namespace sfumato

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <utility>
 
+#include "base/no_throw.hpp"
 #include "export/embedded.hpp"
 #include "export/html_text.hpp"
 #include "export/viewer_payload.hpp"
@@ -79,10 +80,8 @@ Rgb background_of(const Picture& picture, const HtmlOptions& options) {
   return picture.background.value_or(Rgb{1, 1, 1});
 }
 
-}  // namespace
-
-Result<std::vector<std::uint8_t>> export_html(Context& context, const Picture& picture,
-                                              const HtmlOptions& options, ExportNotes* notes) {
+Result<std::vector<std::uint8_t>> write(Context& context, const Picture& picture,
+                                        const HtmlOptions& options, ExportNotes* notes) {
   if (!options.fallback.empty() && !is_media_type(options.fallback_type))
     return make_error(StatusCode::bad_input, "the fallback picture has no media type of an image");
   const auto payload = outputs::viewer_payload(context, picture, background_of(picture, options));
@@ -102,6 +101,13 @@ Result<std::vector<std::uint8_t>> export_html(Context& context, const Picture& p
   if (notes)
     for (const PatchLayer& layer : picture.layers) notes->triangle_count += layer.triangle_count();
   return std::vector<std::uint8_t>(page.begin(), page.end());
+}
+
+}  // namespace
+
+Result<std::vector<std::uint8_t>> export_html(Context& context, const Picture& picture,
+                                              const HtmlOptions& options, ExportNotes* notes) {
+  return no_throw([&] { return write(context, picture, options, notes); });
 }
 
 }  // namespace sfumato

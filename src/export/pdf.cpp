@@ -8,6 +8,7 @@
 #include <utility>
 #include <variant>
 
+#include "base/no_throw.hpp"
 #include "export/page.hpp"
 #include "export/pdf_content.hpp"
 #include "export/pdf_layer.hpp"
@@ -198,17 +199,22 @@ Status check(const Picture& picture, const PdfOptions& options) {
   return raster::check_picture(picture);
 }
 
+Result<std::vector<std::uint8_t>> write(Context& context, const Picture& picture,
+                                        const PdfOptions& options, ExportNotes* notes) {
+  if (Status status = check(picture, options); !status) return status;
+  ExportNotes unread;
+  return PdfWriter(context, picture, options,
+                   points_per_unit(options.page_width_pt, picture.viewport),
+                   notes ? notes : &unread)
+      .write();
+}
+
 }  // namespace
 }  // namespace outputs
 
 Result<std::vector<std::uint8_t>> export_pdf(Context& context, const Picture& picture,
                                              const PdfOptions& options, ExportNotes* notes) {
-  if (Status status = outputs::check(picture, options); !status) return status;
-  ExportNotes unread;
-  return outputs::PdfWriter(context, picture, options,
-                            outputs::points_per_unit(options.page_width_pt, picture.viewport),
-                            notes ? notes : &unread)
-      .write();
+  return no_throw([&] { return outputs::write(context, picture, options, notes); });
 }
 
 }  // namespace sfumato

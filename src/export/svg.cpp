@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/limits.hpp"
+#include "base/no_throw.hpp"
 #include "export/page.hpp"
 #include "export/pixel_run.hpp"
 #include "export/svg_layer.hpp"
@@ -291,13 +292,18 @@ Result<std::vector<std::uint8_t>> VectorWriter::write() {
   return end_file(text_);
 }
 
+Result<std::vector<std::uint8_t>> write(Context& context, const Picture& picture,
+                                        const SvgOptions& options, ExportNotes* notes) {
+  if (Status status = check(picture, options); !status) return status;
+  if (options.mode == SvgMode::image) return image_file(context, picture, options);
+  return VectorWriter(context, picture, options, notes).write();
+}
+
 }  // namespace
 
 Result<std::vector<std::uint8_t>> export_svg(Context& context, const Picture& picture,
                                              const SvgOptions& options, ExportNotes* notes) {
-  if (Status status = check(picture, options); !status) return status;
-  if (options.mode == SvgMode::image) return image_file(context, picture, options);
-  return VectorWriter(context, picture, options, notes).write();
+  return no_throw([&] { return write(context, picture, options, notes); });
 }
 
 }  // namespace sfumato

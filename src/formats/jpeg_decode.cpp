@@ -26,13 +26,18 @@ constexpr std::size_t kWorkingBytes = std::size_t{1} << 20;
 /// The library's view of one decoding. It reports errors by a call that must not come back: that
 /// call jumps to decode_jpeg's setjmp. Between the two only the library's C code is on the stack.
 struct Session {
-  jpeg_decompress_struct decoder;
-  jpeg_error_mgr errors;
-  jpeg_progress_mgr progress;
+  Session();
+  ~Session() { jpeg_destroy_decompress(&decoder); }
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+
+  jpeg_decompress_struct decoder{};
+  jpeg_error_mgr errors{};
+  jpeg_progress_mgr progress{};
   std::jmp_buf failed;
-  char message[JMSG_LENGTH_MAX];
-  bool too_many_scans;
-  bool no_memory;
+  char message[JMSG_LENGTH_MAX] = "";
+  bool too_many_scans = false;
+  bool no_memory = false;
 };
 
 [[noreturn]] void fail(j_common_ptr library) {
@@ -57,15 +62,12 @@ void count_scans(j_common_ptr library) {
   std::longjmp(session->failed, 1);
 }
 
-void open(Session& session) {
-  session.decoder.err = jpeg_std_error(&session.errors);
-  session.errors.error_exit = fail;
-  session.errors.emit_message = on_message;
-  session.errors.output_message = keep_quiet;
-  session.decoder.client_data = &session;
-  session.message[0] = '\0';
-  session.too_many_scans = false;
-  session.no_memory = false;
+Session::Session() {
+  decoder.err = jpeg_std_error(&errors);
+  errors.error_exit = fail;
+  errors.emit_message = on_message;
+  errors.output_message = keep_quiet;
+  decoder.client_data = this;
 }
 
 bool read_header(Session& session, std::span<const std::uint8_t> bytes) {
@@ -181,11 +183,8 @@ Result<RgbaImage> decode(Context& context, Session& session, std::span<const std
 }  // namespace
 
 Result<RgbaImage> decode_jpeg(Context& context, std::span<const std::uint8_t> bytes) {
-  Session session{};
-  open(session);
-  Result<RgbaImage> image = decode(context, session, bytes);
-  jpeg_destroy_decompress(&session.decoder);
-  return image;
+  Session session;
+  return decode(context, session, bytes);
 }
 
 }  // namespace sfumato

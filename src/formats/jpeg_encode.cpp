@@ -6,9 +6,12 @@
 #include <jerror.h>
 #include <jpeglib.h>
 
+#include <algorithm>
 #include <csetjmp>
-#include <cstdlib>
 #include <string>
+#include <utility>
+
+#include "base/no_throw.hpp"
 
 namespace sfumato {
 namespace {
@@ -17,17 +20,24 @@ namespace {
 /// tables; and the file, which is never longer than its pixels by much.
 constexpr std::size_t kWorkingBytesPerPixel = 6 + 4;
 constexpr std::size_t kWorkingBytes = std::size_t{1} << 20;
+constexpr std::size_t kFirstFileBytes = std::size_t{16} << 10;
 
-/// The library's view of one encoding; errors jump to `write_image`, with only C code between.
+/// The library's view of one encoding; errors jump to `write_image`, with only C code between. The
+/// file grows here: the library's own destination loses track of it where memory runs out.
 struct Session {
-  jpeg_compress_struct encoder;
-  jpeg_error_mgr errors;
+  Session();
+  ~Session() { jpeg_destroy_compress(&encoder); }
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+
+  jpeg_compress_struct encoder{};
+  jpeg_error_mgr errors{};
+  jpeg_destination_mgr destination{};
   std::jmp_buf failed;
-  char message[JMSG_LENGTH_MAX];
-  bool no_memory;
-  bool cancelled;
-  unsigned char* file;  ///< malloc's
-  unsigned long file_bytes;
+  char message[JMSG_LENGTH_MAX] = "";
+  bool no_memory = false;
+  bool cancelled = false;
+  std::vector<std::uint8_t> file;
 };
 
 [[noreturn]] void fail(j_common_ptr library) {
@@ -39,11 +49,37 @@ struct Session {
 
 void keep_quiet(j_common_ptr) {}
 
-void open(Session& session) {
-  session.encoder.err = jpeg_std_error(&session.errors);
-  session.errors.error_exit = fail;
-  session.errors.output_message = keep_quiet;
-  session.encoder.client_data = &session;
+/// Called where the file is full.
+boolean enlarge_file(j_compress_ptr encoder) {
+  auto* session = static_cast<Session*>(encoder->client_data);
+  const std::size_t used = session->file.size();
+  session->no_memory = !no_throw([&] {
+                          session->file.resize(std::max(kFirstFileBytes, 2 * used));
+                          return ok_status();
+                        }).ok();
+  if (session->no_memory) std::longjmp(session->failed, 1);
+  session->destination.next_output_byte = session->file.data() + used;
+  session->destination.free_in_buffer = session->file.size() - used;
+  return TRUE;
+}
+
+void begin_file(j_compress_ptr encoder) {
+  enlarge_file(encoder);
+}
+
+void end_file(j_compress_ptr encoder) {
+  auto* session = static_cast<Session*>(encoder->client_data);
+  session->file.resize(session->file.size() - session->destination.free_in_buffer);
+}
+
+Session::Session() {
+  encoder.err = jpeg_std_error(&errors);
+  errors.error_exit = fail;
+  errors.output_message = keep_quiet;
+  encoder.client_data = this;
+  destination.init_destination = begin_file;
+  destination.empty_output_buffer = enlarge_file;
+  destination.term_destination = end_file;
 }
 
 void set_up(jpeg_compress_struct& encoder, const Image& image, int quality) {
@@ -66,7 +102,7 @@ bool write_image(Session& session, const Context& context, const Image& image, i
   if (setjmp(session.failed) != 0) return false;
   jpeg_compress_struct& encoder = session.encoder;
   jpeg_create_compress(&encoder);
-  jpeg_mem_dest(&encoder, &session.file, &session.file_bytes);
+  encoder.dest = &session.destination;
   set_up(encoder, image, quality);
   jpeg_start_compress(&encoder, TRUE);
   while (encoder.next_scanline < encoder.image_height) {
@@ -90,9 +126,7 @@ Status failure(const Session& session) {
   return make_error(StatusCode::internal, std::string("writing a JPEG: ") + session.message);
 }
 
-}  // namespace
-
-Result<std::vector<std::uint8_t>> encode_jpeg(Context& context, const Image& image, int quality) {
+Result<std::vector<std::uint8_t>> encode(Context& context, const Image& image, int quality) {
   if (image.format != PixelFormat::rgb8) {
     return make_error(StatusCode::bad_input, "JPEG holds 8 bits per channel and no alpha");
   }
@@ -101,14 +135,15 @@ Result<std::vector<std::uint8_t>> encode_jpeg(Context& context, const Image& ima
   const Status status = charge.add(context, kWorkingBytes + kWorkingBytesPerPixel * pixel_count,
                                    "writing a JPEG image");
   if (!status) return status;
-  Session session{};
-  open(session);
-  const bool written = write_image(session, context, image, quality);
-  Result<std::vector<std::uint8_t>> file = failure(session);
-  if (written) file = std::vector<std::uint8_t>(session.file, session.file + session.file_bytes);
-  jpeg_destroy_compress(&session.encoder);
-  std::free(session.file);
-  return file;
+  Session session;
+  if (!write_image(session, context, image, quality)) return failure(session);
+  return std::move(session.file);
+}
+
+}  // namespace
+
+Result<std::vector<std::uint8_t>> encode_jpeg(Context& context, const Image& image, int quality) {
+  return no_throw([&] { return encode(context, image, quality); });
 }
 
 }  // namespace sfumato

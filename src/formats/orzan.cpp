@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/limits.hpp"
+#include "base/no_throw.hpp"
 #include "formats/number.hpp"
 #include "formats/warnings.hpp"
 #include "formats/xml_source.hpp"
@@ -361,9 +362,7 @@ void OrzanReader::warn(std::string_view kind, pugi::xml_node element, std::strin
   if (warnings_.is_new(kind)) warnings_.add(std::move(message), xml_.place(element));
 }
 
-}  // namespace
-
-Result<ReadDocument> read_orzan(Context& context, std::string_view xml, const std::string& file) {
+Result<ReadDocument> read(Context& context, std::string_view xml, const std::string& file) {
   XmlSource source(xml, file);
   Status status = source.parse(context);
   if (status) {
@@ -373,6 +372,12 @@ Result<ReadDocument> read_orzan(Context& context, std::string_view xml, const st
   }
   status.where.file = file;
   return status;
+}
+
+}  // namespace
+
+Result<ReadDocument> read_orzan(Context& context, std::string_view xml, const std::string& file) {
+  return no_throw([&] { return read(context, xml, file); });
 }
 
 }  // namespace sfumato

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/limits.hpp"
+#include "base/no_throw.hpp"
 #include "formats/png.hpp"
 
 namespace sfumato {
@@ -165,7 +166,7 @@ Result<Image> Decoder::decode_as(int spng_format, PixelFormat format) {
 
 Result<Image> decode_png(Context& context, std::span<const std::uint8_t> bytes,
                          const std::string& file) {
-  return Decoder(context, bytes, file).decode();
+  return no_throw([&] { return Decoder(context, bytes, file).decode(); });
 }
 
 }  // namespace sfumato

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/limits.hpp"
+#include "base/no_throw.hpp"
 #include "formats/gunzip.hpp"
 #include "formats/orzan.hpp"
 #include "formats/svg.hpp"
@@ -106,10 +107,8 @@ Result<ReadDocument> read_text(Context& context, std::string_view text, const st
                     root->place);
 }
 
-}  // namespace
-
-Result<ReadDocument> read_document(Context& context, std::string_view bytes,
-                                   const std::string& file, const ResourceLoader* loader) {
+Result<ReadDocument> read_bytes(Context& context, std::string_view bytes, const std::string& file,
+                                const ResourceLoader* loader) {
   if (!is_gzip(bytes)) return read_text(context, bytes, file, loader);
   ScopedCharge charge;
   Result<std::string> text = gunzip(context, bytes, limits::kInputBytes, charge);
@@ -117,6 +116,13 @@ Result<ReadDocument> read_document(Context& context, std::string_view bytes,
   Status status = text.status();
   status.where.file = file;
   return status;
+}
+
+}  // namespace
+
+Result<ReadDocument> read_document(Context& context, std::string_view bytes,
+                                   const std::string& file, const ResourceLoader* loader) {
+  return no_throw([&] { return read_bytes(context, bytes, file, loader); });
 }
 
 }  // namespace sfumato

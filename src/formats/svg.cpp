@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/limits.hpp"
+#include "base/no_throw.hpp"
 #include "formats/css_color.hpp"
 #include "formats/css_text.hpp"
 #include "formats/suggestion.hpp"
@@ -125,16 +126,21 @@ Result<ReadDocument> read(Input& input, const ResourceLoader* loader) {
   return ReadDocument{std::move(document), input.take_warnings(), DocumentFormat::svg};
 }
 
-}  // namespace
-
-Result<ReadDocument> read_svg(Context& context, std::string_view text, const std::string& file,
-                              const ResourceLoader* loader) {
+Result<ReadDocument> read_text(Context& context, std::string_view text, const std::string& file,
+                               const ResourceLoader* loader) {
   Input input(context, text, file);
   Result<ReadDocument> result = read(input, loader);
   if (result) return result;
   Status status = result.status();
   status.where.file = file;
   return status;
+}
+
+}  // namespace
+
+Result<ReadDocument> read_svg(Context& context, std::string_view text, const std::string& file,
+                              const ResourceLoader* loader) {
+  return no_throw([&] { return read_text(context, text, file, loader); });
 }
 
 }  // namespace sfumato

@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "base/limits.hpp"
+#include "base/no_throw.hpp"
 #include "formats/blend_names.hpp"
 #include "formats/number_text.hpp"
 #include "formats/svg_write_curve.hpp"
@@ -311,15 +312,19 @@ void SvgWriter::write_item(const GroupEnd&) {
   writer_.close("g");
 }
 
-}  // namespace
-
-Result<std::string> write_svg(Context& context, const Document& document) {
+Result<std::string> write(Context& context, const Document& document) {
   if (Status status = validate(document); !status) return status;
   ScopedCharge charge;
   // The text grows by doubling: as it moves, both copies are there.
   const std::size_t bytes = std::min(estimated_bytes(document), 2 * limits::kInputBytes);
   if (Status status = charge.add(context, 2 * bytes, "the document as SVG"); !status) return status;
   return SvgWriter(context, document).write();
+}
+
+}  // namespace
+
+Result<std::string> write_svg(Context& context, const Document& document) {
+  return no_throw([&] { return write(context, document); });
 }
 
 }  // namespace sfumato

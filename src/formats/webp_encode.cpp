@@ -5,6 +5,8 @@
 #include <memory>
 #include <string>
 
+#include "base/no_throw.hpp"
+
 namespace sfumato {
 namespace {
 
@@ -68,10 +70,8 @@ bool import(const Image& image, WebPPicture& picture) {
               : WebPPictureImportRGB(&picture, image.bytes.data(), stride)) != 0;
 }
 
-}  // namespace
-
-Result<std::vector<std::uint8_t>> encode_webp(Context& context, const Image& image,
-                                              const WebpOptions& options) {
+Result<std::vector<std::uint8_t>> encode(Context& context, const Image& image,
+                                         const WebpOptions& options) {
   Status status = check(image);
   ScopedCharge charge;
   const std::size_t pixel_count = static_cast<std::size_t>(image.width) * image.height;
@@ -96,6 +96,13 @@ Result<std::vector<std::uint8_t>> encode_webp(Context& context, const Image& ima
   const WebPConfig config = configuration(options);
   if (!import(image, picture) || WebPEncode(&config, &picture) == 0) return failure(picture);
   return std::vector<std::uint8_t>(writer.mem, writer.mem + writer.size);
+}
+
+}  // namespace
+
+Result<std::vector<std::uint8_t>> encode_webp(Context& context, const Image& image,
+                                              const WebpOptions& options) {
+  return no_throw([&] { return encode(context, image, options); });
 }
 
 }  // namespace sfumato

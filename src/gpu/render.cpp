@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/no_throw.hpp"
 #include "gpu/device.hpp"
 #include "gpu/painter.hpp"
 #include "gpu/scene.hpp"
@@ -101,10 +102,7 @@ Status paint_tiles(Context& context, gpu::Painter& painter, const RasterOptions&
   return ok_status();
 }
 
-}  // namespace
-
-Result<Image> render_on_gpu(Context& context, const Picture& picture,
-                            const RasterOptions& options) {
+Result<Image> render(Context& context, const Picture& picture, const RasterOptions& options) {
   Status status = raster::check_size(options);
   if (status) status = raster::check_picture(picture);
   if (!status) return status;
@@ -132,10 +130,21 @@ Result<Image> render_on_gpu(Context& context, const Picture& picture,
   return image;
 }
 
-Result<std::string> gpu_name() {
+Result<std::string> device_name() {
   Result<std::unique_ptr<gpu::Device>> device = gpu::Device::create();
   if (!device) return device.status();
   return (*device)->name();
+}
+
+}  // namespace
+
+Result<Image> render_on_gpu(Context& context, const Picture& picture,
+                            const RasterOptions& options) {
+  return no_throw([&] { return render(context, picture, options); });
+}
+
+Result<std::string> gpu_name() {
+  return no_throw(device_name);
 }
 
 }  // namespace sfumato

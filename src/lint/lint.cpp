@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/no_throw.hpp"
 #include "formats/number_text.hpp"
 #include "lint/coverage.hpp"
 #include "lint/curve_hints.hpp"
@@ -239,7 +240,7 @@ void Linter::check_shader(std::uint32_t i) {
 
 Result<std::vector<Hint>> lint(Context& context, const Document& document) {
   if (Status status = validate(document); !status) return status;
-  return Linter(context, document).run();
+  return no_throw([&] { return Linter(context, document).run(); });
 }
 
 }  // namespace sfumato

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "base/no_throw.hpp"
 #include "patches/layer_scene.hpp"
 #include "patches/layer_solver.hpp"
 
@@ -63,9 +64,7 @@ Result<std::vector<Shader>> copy_shaders(Context& context, const std::vector<Sha
   return copies;
 }
 
-}  // namespace
-
-Result<Picture> picture_frame(Context& context, const Document& document, const Box& viewport) {
+Result<Picture> make_frame(Context& context, const Document& document, const Box& viewport) {
   Result<std::vector<Shader>> shaders = copy_shaders(context, document.shaders);
   if (!shaders) return shaders.status();
   Picture picture;
@@ -80,12 +79,12 @@ Result<Picture> picture_frame(Context& context, const Document& document, const 
   return picture;
 }
 
-Result<Picture> diffuse(Context& context, const Document& document, const DiffuseOptions& options,
-                        DiffuseStats* stats) {
+Result<Picture> solve(Context& context, const Document& document, const DiffuseOptions& options,
+                      DiffuseStats* stats) {
   if (Status status = patches::validate(options); !status) return status;
   if (Status status = validate(document); !status) return status;
   Result<Picture> frame =
-      picture_frame(context, document, options.viewport.value_or(document.artboard));
+      make_frame(context, document, options.viewport.value_or(document.artboard));
   if (!frame) return frame.status();
   Picture picture = std::move(*frame);
   ScopedCharge charge;  // of the layers that are done, while others are solved
@@ -96,6 +95,17 @@ Result<Picture> diffuse(Context& context, const Document& document, const Diffus
     picture.layers.push_back(std::move(*layer));
   }
   return picture;
+}
+
+}  // namespace
+
+Result<Picture> picture_frame(Context& context, const Document& document, const Box& viewport) {
+  return no_throw([&] { return make_frame(context, document, viewport); });
+}
+
+Result<Picture> diffuse(Context& context, const Document& document, const DiffuseOptions& options,
+                        DiffuseStats* stats) {
+  return no_throw([&] { return solve(context, document, options, stats); });
 }
 
 }  // namespace sfumato

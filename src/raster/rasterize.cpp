@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/no_throw.hpp"
 #include "raster/check_picture.hpp"
 #include "raster/compositor.hpp"
 #include "raster/layer_view.hpp"
@@ -185,7 +186,7 @@ Result<Image> raster::paint_picture(Context& context, const Picture& picture,
 }
 
 Result<Image> rasterize(Context& context, const Picture& picture, const RasterOptions& options) {
-  return raster::paint_picture(context, picture, options, nullptr);
+  return no_throw([&] { return raster::paint_picture(context, picture, options, nullptr); });
 }
 
 }  // namespace sfumato

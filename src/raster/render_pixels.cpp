@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/no_throw.hpp"
 #include "base/stopwatch.hpp"
 #include "patches/layer_scene.hpp"
 #include "patches/point_evaluator.hpp"
@@ -121,11 +122,9 @@ Result<Picture> picture_without_patches(Context& context, const Document& docume
   return picture;
 }
 
-}  // namespace
-
-Result<Image> render_pixels(Context& context, const Document& document,
-                            const DiffuseOptions& diffuse_options,
-                            const RasterOptions& raster_options, DiffuseStats* stats) {
+Result<Image> render(Context& context, const Document& document,
+                     const DiffuseOptions& diffuse_options, const RasterOptions& raster_options,
+                     DiffuseStats* stats) {
   const Box viewport =
       raster_options.viewport.value_or(diffuse_options.viewport.value_or(document.artboard));
   DiffuseOptions options = diffuse_options;
@@ -147,6 +146,15 @@ Result<Image> render_pixels(Context& context, const Document& document,
     stats->gather_seconds += watch.seconds();
   }
   return image;
+}
+
+}  // namespace
+
+Result<Image> render_pixels(Context& context, const Document& document,
+                            const DiffuseOptions& diffuse_options,
+                            const RasterOptions& raster_options, DiffuseStats* stats) {
+  return no_throw(
+      [&] { return render(context, document, diffuse_options, raster_options, stats); });
 }
 
 }  // namespace sfumato

@@ -11,6 +11,7 @@
 
 #include "base/native/atomic_file.hpp"
 #include "base/native/posix.hpp"
+#include "base/no_throw.hpp"
 
 namespace sfumato {
 namespace {
@@ -75,16 +76,14 @@ Status write_device(const std::string& path, std::span<const std::uint8_t> bytes
   return status;
 }
 
-}  // namespace
-
-Result<std::string> read_file(const std::string& path, std::size_t max_bytes) {
+Result<std::string> read(const std::string& path, std::size_t max_bytes) {
   if (path == "-") return read_all(STDIN_FILENO, "standard input", max_bytes);
   const FileDescriptor file(path, O_RDONLY | O_NOCTTY);
   if (!file.is_open()) return io_error(path, "cannot be read", errno);
   return read_all(file.number(), path, max_bytes);
 }
 
-Status write_file(const std::string& path, std::span<const std::uint8_t> bytes) {
+Status write(const std::string& path, std::span<const std::uint8_t> bytes) {
   if (path == "-") return write_in_place(STDOUT_FILENO, "standard output", bytes);
   std::string target = without_links(path);
   struct stat existing {};
@@ -101,6 +100,16 @@ Status write_file(const std::string& path, std::span<const std::uint8_t> bytes) 
   if (status) status = file.write(bytes);
   if (status) status = file.commit();
   return status;
+}
+
+}  // namespace
+
+Result<std::string> read_file(const std::string& path, std::size_t max_bytes) {
+  return no_throw([&] { return read(path, max_bytes); });
+}
+
+Status write_file(const std::string& path, std::span<const std::uint8_t> bytes) {
+  return no_throw([&] { return write(path, bytes); });
 }
 
 }  // namespace sfumato

@@ -2,11 +2,41 @@
 
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/info.h>
-#include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
+#include <oneapi/tbb/task_group.h>
+
+#include <algorithm>
+#include <atomic>
+#include <new>
+#include <system_error>
+#include <thread>
+#include <vector>
+
+#include "base/stopwatch.hpp"
 
 namespace sfumato {
 namespace {
+
+/// Threads of the pool that have not come by then come later.
+constexpr double kStartSeconds = 0.005;
+
+/// How many of `wanted` threads, the calling one among them, the system lets this process have.
+/// oneTBB asks when it starts its threads, and ends the process where it is refused.
+int allowed_threads(int wanted) {
+  std::atomic<bool> is_over{false};
+  std::vector<std::jthread> others;
+  try {
+    others.reserve(static_cast<std::size_t>(wanted));
+    while (static_cast<int>(others.size()) + 1 < wanted) {
+      others.emplace_back([&is_over] { is_over.wait(false); });
+    }
+  } catch (const std::system_error&) {  // as many as these
+  } catch (const std::bad_alloc&) {
+  }
+  is_over.store(true);
+  is_over.notify_all();
+  return static_cast<int>(others.size()) + 1;
+}
 
 class TbbExecutor final : public Executor {
  public:
@@ -14,18 +44,47 @@ class TbbExecutor final : public Executor {
   explicit TbbExecutor(int thread_count)
       : parallelism_(tbb::global_control::max_allowed_parallelism,
                      static_cast<std::size_t>(thread_count)),
-        arena_(thread_count) {}
+        arena_(thread_count) {
+    start_threads();
+  }
 
+  /// Helpers take items one by one. Only the calling thread asks oneTBB for memory: a thread of the
+  /// pool that was refused any could not hand the exception on, and would end the process.
   void run(std::size_t task_count, FunctionRef<void(std::size_t)> task) override {
-    arena_.execute([&] {
-      tbb::parallel_for(
-          std::size_t{0}, task_count, [&](std::size_t i) { task(i); }, tbb::auto_partitioner{});
+    std::atomic<std::size_t> next{0};
+    run_everywhere(std::min(task_count, static_cast<std::size_t>(thread_count())), [&] {
+      for (std::size_t i = next++; i < task_count; i = next++) task(i);
     });
   }
 
   int thread_count() const override { return arena_.max_concurrency(); }
 
  private:
+  /// Calls work() in this thread, and in others up to a total of `count` as far as these are free.
+  template <class Work>
+  void run_everywhere(std::size_t count, const Work& work) {
+    arena_.execute([&] {
+      tbb::task_group helpers;
+      try {
+        for (std::size_t i = 1; i < count; ++i) helpers.run(work);
+      } catch (const std::bad_alloc&) {  // fewer do it as well
+      }
+      work();
+      helpers.wait();
+    });
+  }
+
+  /// Now, while the system allows them: later, memory may be short.
+  void start_threads() {
+    const Stopwatch watch;
+    const int wanted = thread_count();
+    std::atomic<int> started{0};
+    run_everywhere(static_cast<std::size_t>(wanted), [&] {
+      ++started;
+      while (started < wanted && watch.seconds() < kStartSeconds) std::this_thread::yield();
+    });
+  }
+
   tbb::global_control parallelism_;
   tbb::task_arena arena_;
 };
@@ -34,7 +93,11 @@ class TbbExecutor final : public Executor {
 
 std::unique_ptr<Executor> make_tbb_executor(int thread_count) {
   if (thread_count <= 0) thread_count = tbb::info::default_concurrency();
-  return std::make_unique<TbbExecutor>(thread_count);
+  try {
+    return std::make_unique<TbbExecutor>(allowed_threads(thread_count));
+  } catch (const std::bad_alloc&) {
+    return nullptr;
+  }
 }
 
 }  // namespace sfumato
