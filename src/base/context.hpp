@@ -66,7 +66,8 @@ struct Context {
   int thread_count() const { return executor ? executor->thread_count() : 1; }
 };
 
-/// A charge that gives itself back at the end of its scope. Movable.
+/// A charge that gives itself back at the end of its scope, to a Context that must outlive it.
+/// Movable.
 class ScopedCharge {
  public:
   ScopedCharge() = default;

@@ -28,7 +28,7 @@ struct MeshOptions {
 /// refine   Delaunay refinement of the triangles inside the frame: the patch mesh
 ///
 /// No finite input within limits::kCoordinate makes it loop, crash or return an invalid mesh.
-/// Deterministic; single-threaded.
+/// Deterministic; single-threaded. Memory is charged to the Context, which must outlive this.
 class Mesher {
  public:
   /// Errors: bad_input (coordinates or options that are not finite or out of range, an empty

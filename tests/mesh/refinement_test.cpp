@@ -12,13 +12,17 @@
 namespace sfumato::mesh::test {
 namespace {
 
-Mesher refined(const curves::FlatCurves& flat, const MeshOptions& options) {
-  Context context;
-  Result<Mesher> mesher = Mesher::build(context, flat, options);
-  EXPECT_TRUE(mesher.ok()) << mesher.status().message;
-  EXPECT_TRUE(mesher->refine(context).ok());
-  return std::move(*mesher);
-}
+class Refinement : public ::testing::Test {
+ protected:
+  Mesher refined(const curves::FlatCurves& flat, const MeshOptions& options) {
+    Result<Mesher> mesher = Mesher::build(context_, flat, options);
+    EXPECT_TRUE(mesher.ok()) << mesher.status().message;
+    EXPECT_TRUE(mesher->refine(context_).ok());
+    return std::move(*mesher);
+  }
+
+  Context context_;
+};
 
 double smallest_angle_of_all(const TriangleMesh& mesh) {
   double least = 180;
@@ -32,7 +36,7 @@ curves::FlatCurves crossing_lines() {
   return flat_curves({{{11, 13}, {83, 77}}, {{20, 80}, {70, 9}}, {{5, 50}, {95, 52}}});
 }
 
-TEST(Refinement, the_minimum_angle_holds_where_the_input_has_no_smaller) {
+TEST_F(Refinement, the_minimum_angle_holds_where_the_input_has_no_smaller) {
   for (double angle : {10.0, 22.0, 28.0}) {
     MeshOptions options = options_100();
     options.min_angle_deg = angle;
@@ -42,43 +46,41 @@ TEST(Refinement, the_minimum_angle_holds_where_the_input_has_no_smaller) {
   }
 }
 
-TEST(Refinement, no_minimum_angle_leaves_the_arrangement) {
+TEST_F(Refinement, no_minimum_angle_leaves_the_arrangement) {
   MeshOptions options = options_100();
   options.min_angle_deg = 0;
-  Context context;
-  Result<Mesher> mesher = Mesher::build(context, flat_curves({{{11, 13}, {83, 77}}}), options);
+  Result<Mesher> mesher = Mesher::build(context_, flat_curves({{{11, 13}, {83, 77}}}), options);
   ASSERT_TRUE(mesher.ok());
   const std::uint32_t before = mesher->patch_mesh().triangle_count();
-  ASSERT_TRUE(mesher->refine(context).ok());
+  ASSERT_TRUE(mesher->refine(context_).ok());
   EXPECT_EQ(mesher->patch_mesh().triangle_count(), before);
 }
 
-TEST(Refinement, the_largest_area_holds) {
+TEST_F(Refinement, the_largest_area_holds) {
   MeshOptions options = options_100();
   options.max_area = 7;
   const TriangleMesh patch = refined(crossing_lines(), options).patch_mesh();
   for (std::uint32_t t = 0; t < patch.triangle_count(); ++t) EXPECT_LE(area(patch, t), 7);
 }
 
-TEST(Refinement, triangles_outside_the_frame_are_left_alone) {
+TEST_F(Refinement, triangles_outside_the_frame_are_left_alone) {
   MeshOptions options = options_100();
   options.max_area = 50;
   curves::FlatCurves flat = crossing_lines();
   add_polyline(flat, {{300, 0}, {300.5, 80}, {301, 0}});
   const Mesher mesher = refined(flat, options);
   const TriangleMesh whole = mesher.visibility_mesh();
-  Context context;
   const auto count_outside = [](const TriangleMesh& mesh) {
     std::size_t count = 0;
     for (const Vec2 p : mesh.vertex_position) count += p.x > 110;
     return count;
   };
-  Result<Mesher> unrefined = Mesher::build(context, flat, options);
+  Result<Mesher> unrefined = Mesher::build(context_, flat, options);
   ASSERT_TRUE(unrefined.ok());
   EXPECT_EQ(count_outside(whole), count_outside(unrefined->visibility_mesh()));
 }
 
-TEST(Refinement, a_needle_of_two_curves_ends) {
+TEST_F(Refinement, a_needle_of_two_curves_ends) {
   // 0.6 degrees: no mesher can do better there, and a poor one never stops.
   const TriangleMesh patch =
       refined(flat_curves({{{10, 50}, {90, 50}}, {{10, 50}, {90, 50.8}}}), options_100())
@@ -87,7 +89,7 @@ TEST(Refinement, a_needle_of_two_curves_ends) {
   EXPECT_LT(patch.triangle_count(), 2000u);
 }
 
-TEST(Refinement, parallel_curves_just_beyond_the_weld_end) {
+TEST_F(Refinement, parallel_curves_just_beyond_the_weld_end) {
   const TriangleMesh patch =
       refined(flat_curves({{{10, 50}, {90, 50}}, {{10, 50.07}, {90, 50.07}}}), options_100())
           .patch_mesh();
@@ -95,7 +97,7 @@ TEST(Refinement, parallel_curves_just_beyond_the_weld_end) {
   EXPECT_LT(patch.triangle_count(), 20'000u);
 }
 
-TEST(Refinement, an_angle_beyond_what_refinement_guarantees_does_not_run_away) {
+TEST_F(Refinement, an_angle_beyond_what_refinement_guarantees_does_not_run_away) {
   MeshOptions options;
   options.frame = {{-500, -500}, {2000, 1500}};
   options.weld_px = 1.0 / 64;
@@ -105,7 +107,7 @@ TEST(Refinement, an_angle_beyond_what_refinement_guarantees_does_not_run_away) {
   EXPECT_LT(patch.triangle_count(), 400'000u);
 }
 
-TEST(Refinement, listed_triangles_become_smaller_and_others_stay) {
+TEST_F(Refinement, listed_triangles_become_smaller_and_others_stay) {
   MeshOptions options = options_100();
   options.max_area = 40;
   Mesher mesher = refined(crossing_lines(), options);
@@ -116,8 +118,7 @@ TEST(Refinement, listed_triangles_become_smaller_and_others_stay) {
     if (p.x < 25 && p.y < 25) near_corner.push_back(t);
   }
   ASSERT_GT(near_corner.size(), 5u);
-  Context context;
-  ASSERT_TRUE(mesher.refine_triangles(context, near_corner, 0.5).ok());
+  ASSERT_TRUE(mesher.refine_triangles(context_, near_corner, 0.5).ok());
   std::vector<std::int32_t> previous;
   const TriangleMesh after = mesher.patch_mesh(&previous);
   EXPECT_TRUE(is_valid(after).ok());
@@ -139,7 +140,7 @@ TEST(Refinement, listed_triangles_become_smaller_and_others_stay) {
   EXPECT_GT(kept_count, before.triangle_count() / 2);
 }
 
-TEST(Refinement, nothing_changes_between_two_extractions) {
+TEST_F(Refinement, nothing_changes_between_two_extractions) {
   Mesher mesher = refined(crossing_lines(), options_100());
   const TriangleMesh first = mesher.patch_mesh();
   std::vector<std::int32_t> previous;
@@ -150,26 +151,24 @@ TEST(Refinement, nothing_changes_between_two_extractions) {
   }
 }
 
-TEST(Refinement, the_first_extraction_has_no_predecessor) {
+TEST_F(Refinement, the_first_extraction_has_no_predecessor) {
   Mesher mesher = refined(crossing_lines(), options_100());
   std::vector<std::int32_t> previous;
   const TriangleMesh patch = mesher.patch_mesh(&previous);
   EXPECT_EQ(previous, std::vector<std::int32_t>(patch.triangle_count(), kNone));
 }
 
-TEST(Refinement, triangles_below_the_smallest_edge_are_left_alone) {
+TEST_F(Refinement, triangles_below_the_smallest_edge_are_left_alone) {
   Mesher mesher = refined(crossing_lines(), options_100());
   const TriangleMesh before = mesher.patch_mesh();
   std::vector<std::uint32_t> all(before.triangle_count());
   for (std::uint32_t t = 0; t < all.size(); ++t) all[t] = t;
-  Context context;
-  ASSERT_TRUE(mesher.refine_triangles(context, all, 1000).ok());
+  ASSERT_TRUE(mesher.refine_triangles(context_, all, 1000).ok());
   EXPECT_EQ(mesh_hash(mesher.patch_mesh()), mesh_hash(before));
 }
 
-TEST(Refinement, every_triangle_reaches_the_smallest_edge_in_the_end) {
+TEST_F(Refinement, every_triangle_reaches_the_smallest_edge_in_the_end) {
   Mesher mesher = refined(crossing_lines(), options_100());
-  Context context;
   std::uint32_t rounds = 0;
   for (;; ++rounds) {
     const TriangleMesh patch = mesher.patch_mesh();
@@ -180,23 +179,22 @@ TEST(Refinement, every_triangle_reaches_the_smallest_edge_in_the_end) {
     }
     if (large.empty()) break;
     ASSERT_LT(rounds, 30u);
-    ASSERT_TRUE(mesher.refine_triangles(context, large, 2.5).ok());
+    ASSERT_TRUE(mesher.refine_triangles(context_, large, 2.5).ok());
   }
   EXPECT_GT(rounds, 3u);
   // Two of the lines meet at 40 degrees.
   EXPECT_GE(smallest_angle_of_all(mesher.patch_mesh()), 20);
 }
 
-TEST(Refinement, indices_beyond_the_mesh_are_ignored) {
+TEST_F(Refinement, indices_beyond_the_mesh_are_ignored) {
   Mesher mesher = refined(crossing_lines(), options_100());
   const TriangleMesh before = mesher.patch_mesh();
   const std::vector<std::uint32_t> beyond{before.triangle_count(), 0xffffffffu};
-  Context context;
-  ASSERT_TRUE(mesher.refine_triangles(context, beyond, 0.1).ok());
+  ASSERT_TRUE(mesher.refine_triangles(context_, beyond, 0.1).ok());
   EXPECT_EQ(mesh_hash(mesher.patch_mesh()), mesh_hash(before));
 }
 
-TEST(Refinement, the_same_input_gives_the_same_mesh) {
+TEST_F(Refinement, the_same_input_gives_the_same_mesh) {
   MeshOptions options;
   options.frame = {{0, 0}, {kFuzzSide, kFuzzSide}};
   const curves::FlatCurves flat = fuzz_scene(FuzzKind::crossings, 7);
