@@ -5,12 +5,13 @@ jobs := $(shell nproc 2>/dev/null || echo 2)
 scene := examples/portrait.svg
 
 .DEFAULT_GOAL := help
-.PHONY: help demo build check bench wasm clean
+.PHONY: help demo build check sanitize bench wasm clean
 
 help:
 	@echo 'make demo    install what the build needs, build, draw $(scene)'
 	@echo 'make build   the command: $(build_folder)/sfumato'
 	@echo 'make check   everything built and tested, and the style checked'
+	@echo 'make sanitize  the unit tests under AddressSanitizer, UBSan and ThreadSanitizer'
 	@echo 'make bench   the table of docs/benchmarks.md on this machine'
 	@echo 'make wasm    the library for WebAssembly: build-wasm/sfumato.wasm'
 	@echo 'make clean   remove what was built'
@@ -30,6 +31,9 @@ demo: build
 check:
 	@scripts/check
 
+sanitize:
+	@scripts/sanitize
+
 bench:
 	@scripts/setup build bench
 	@cmake --preset release -DSFUMATO_TESTS=OFF -DSFUMATO_BENCH=ON \
@@ -44,4 +48,4 @@ wasm:
 	@scripts/build-wasm build-wasm
 
 clean:
-	rm -rf $(build_folder) build-wasm build-check
+	rm -rf $(build_folder) build-wasm build-check build-asan build-tsan

@@ -16,7 +16,26 @@ cpp_files() {
   )
 }
 
-# Lines of the Test Anything Protocol, which scripts/check counts.
+# Lines of the Test Anything Protocol, which scripts/count-tests counts.
 passed() { echo "ok - $1"; }
 failed() { echo "not ok - $1"; }
 skipped() { echo "ok - $1 # SKIP $2"; }
+
+# stage NAME COMMAND...: one check that passes or fails as a whole, noted in the file $stages.
+stage() {
+  local name=$1 verdict=failed
+  shift
+  echo "== $name"
+  if "$@"; then verdict=passed; fi
+  "$verdict" "$name" | tee -a "$stages"
+}
+
+# unit_tests FOLDER: runs the tests of a build folder, in parallel on all cores. The tests themselves
+# are counted from ctest's report there; the exit code says whether there is one.
+unit_tests() {
+  local log=$1/ctest.log
+  ctest --test-dir "$1" --parallel "$(nproc)" --output-on-failure --output-junit ctest.xml \
+    --no-tests=error </dev/null >"$log" 2>&1
+  grep -vE '^ *(Start +[0-9]+:|[0-9]+/[0-9]+ Test +#[0-9]+:.* Passed +)' "$log"
+  [[ -s $1/ctest.xml ]]
+}
