@@ -40,10 +40,10 @@ int allowed_threads(int wanted) {
 
 class TbbExecutor final : public Executor {
  public:
-  // The control lets an arena have more threads than cores: tests ask for 8 on 2 cores.
+  // The control lets an arena have more threads than cores: tests ask for 8 on 2 cores. Of several
+  // controls the smallest goes for all arenas: each executor asks for the same.
   explicit TbbExecutor(int thread_count)
-      : parallelism_(tbb::global_control::max_allowed_parallelism,
-                     static_cast<std::size_t>(thread_count)),
+      : parallelism_(tbb::global_control::max_allowed_parallelism, limits::kThreads),
         arena_(thread_count) {
     start_threads();
   }
