@@ -29,14 +29,14 @@ Rgb color_of(int region, Vec2 p) {
 }
 
 CurveEdges edges_of(const PatchLayer& layer) {
-  Context context;
+  static Context context;  // outlives what is charged to it
   Result<CurveEdges> edges = find_curve_edges(context, layer);
   EXPECT_TRUE(edges.ok());
   return std::move(*edges);
 }
 
 CurveBands bands_of(const PatchLayer& layer, double width = 1) {
-  Context context;
+  static Context context;  // outlives what is charged to it
   const CurveEdges edges = edges_of(layer);
   Result<CurveBands> bands =
       make_curve_bands(context, layer, InterpolationSpace::srgb, {}, edges, width);

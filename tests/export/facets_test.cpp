@@ -23,7 +23,7 @@ constexpr Box kBox{{0, 0}, {64, 64}};
 FacetMesh facets(const PatchLayer& layer, double max_error,
                  const FacetSource& source = {FacetSource::Kind::color, 0},
                  InterpolationSpace space = InterpolationSpace::srgb) {
-  Context context;
+  static Context context;  // outlives what is charged to it
   Result<FacetMesh> mesh = make_facets(context, layer, space, source, max_error);
   EXPECT_TRUE(mesh.ok()) << to_string(mesh.status());
   return mesh ? std::move(*mesh) : FacetMesh{};

@@ -16,7 +16,7 @@ Picture picture_with(std::vector<Shader> shaders, std::vector<std::uint32_t> nam
 }
 
 PaintTable table_of(const Picture& picture) {
-  Context context;
+  static Context context;  // outlives what is charged to it
   Result<PaintTable> table = make_paint_table(context, picture);
   EXPECT_TRUE(table.ok()) << to_string(table.status());
   return table.ok() ? std::move(*table) : PaintTable{};

@@ -24,7 +24,7 @@ GradientFill fill_of(std::variant<LinearGradient, RadialGradient> shape,
 const LinearGradient kLinear{{10, 20}, {110, 20}};
 
 Gradient gradient_of(const GradientFill& fill) {
-  Context context;
+  static Context context;  // outlives what is charged to it
   Result<Gradient> gradient = Gradient::create(context, fill);
   EXPECT_TRUE(gradient.ok()) << to_string(gradient.status());
   return std::move(*gradient);

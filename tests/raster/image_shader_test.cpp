@@ -29,7 +29,7 @@ Shader texture_shader() {
 }
 
 ImageShader shader_of(const Shader& shader, InterpolationSpace space) {
-  Context context;
+  static Context context;  // outlives what is charged to it
   Result<ImageShader> result = ImageShader::create(context, shader, space);
   EXPECT_TRUE(result.ok()) << to_string(result.status());
   return std::move(*result);

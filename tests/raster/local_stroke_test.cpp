@@ -29,7 +29,7 @@ Planes transparent() {
 StrokePainter painter_of(const LocalCurve& curve, const Affine& image_from_artboard = {},
                          SimdLevel level = detected_simd_level(),
                          InterpolationSpace space = InterpolationSpace::srgb) {
-  Context context;
+  static Context context;  // outlives what is charged to it
   context.simd = level;
   Result<StrokePainter> painter =
       StrokePainter::create(context, {curve, {}}, image_from_artboard, space);

@@ -43,7 +43,7 @@ Texel checkerboard(int x, int y) {
 }
 
 TexturePyramid pyramid_of(const Texture& texture, SimdLevel level = detected_simd_level()) {
-  Context context;
+  static Context context;  // outlives what is charged to it
   context.simd = level;
   Result<TexturePyramid> pyramid = TexturePyramid::create(context, texture);
   EXPECT_TRUE(pyramid.ok()) << to_string(pyramid.status());
