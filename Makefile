@@ -3,15 +3,17 @@
 build_folder := build
 jobs := $(shell nproc 2>/dev/null || echo 2)
 scene := examples/portrait.svg
+fuzz_seconds := 60
 
 .DEFAULT_GOAL := help
-.PHONY: help demo build check sanitize bench wasm clean
+.PHONY: help demo build check sanitize fuzz fuzz-merge bench wasm clean
 
 help:
 	@echo 'make demo    install what the build needs, build, draw $(scene)'
 	@echo 'make build   the command: $(build_folder)/sfumato'
 	@echo 'make check   everything built and tested, and the style checked'
 	@echo 'make sanitize  the unit tests under AddressSanitizer, UBSan and ThreadSanitizer'
+	@echo 'make fuzz    each fuzz target for fuzz_seconds=$(fuzz_seconds) (fuzz/README.md)'
 	@echo 'make bench   the table of docs/benchmarks.md on this machine'
 	@echo 'make wasm    the library for WebAssembly: build-wasm/sfumato.wasm'
 	@echo 'make clean   remove what was built'
@@ -33,6 +35,12 @@ check:
 
 sanitize:
 	@scripts/sanitize
+
+fuzz:
+	@scripts/fuzz --seconds $(fuzz_seconds)
+
+fuzz-merge:
+	@scripts/fuzz --seconds $(fuzz_seconds) --grow
 
 bench:
 	@scripts/setup build bench

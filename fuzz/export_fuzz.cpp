@@ -1,0 +1,84 @@
+// Pictures to every kind of file, small and coarse: refused with a reason, or some bytes.
+#include <algorithm>
+#include <vector>
+
+#include "document/document.hpp"
+#include "drawn_document.hpp"
+#include "export/eps.hpp"
+#include "export/glb.hpp"
+#include "export/html.hpp"
+#include "export/pdf.hpp"
+#include "export/svg.hpp"
+#include "fuzz.hpp"
+#include "patches/diffuse.hpp"
+
+using namespace sfumato;
+
+namespace {
+
+constexpr double kPixels = 32;
+constexpr double kMaxError = 16;
+constexpr std::size_t kCurves = 12;
+constexpr std::size_t kItems = 12;
+
+bool is_small(const Document& document) {
+  std::size_t curves = 0;
+  for (const Layer& layer : document.layers) curves += layer.curves.size();
+  return curves <= kCurves && document.stack.size() <= kItems;
+}
+
+using File = Result<std::vector<std::uint8_t>>;
+
+void check(const File& file) {
+  if (!file) return fuzz::require_honest(file.status());
+  fuzz::require(!file->empty(), "a file of no bytes");
+}
+
+/// The first byte of the input says which file.
+File exported(Context& context, const Picture& picture, unsigned kind) {
+  const double side = std::max(picture.artboard.width(), picture.artboard.height());
+  // A page of 72 points at kPixels a page.
+  const double points = 72, dpi = kPixels;
+  switch (kind) {
+    case 0:
+      return export_html(context, picture, {});
+    case 1:
+      return export_pdf(context, picture,
+                        {.page_width_pt = points, .dpi = dpi, .max_error = kMaxError});
+    case 2:
+      return export_eps(context, picture,
+                        {.page_width_pt = points, .dpi = dpi, .max_error = kMaxError});
+    case 3:
+      return export_svg(context, picture, {.scale = kPixels / side, .dpi = 96});
+    case 4:
+      return export_svg(
+          context, picture,
+          {.mode = SvgMode::vector, .scale = kPixels / side, .dpi = 96, .max_error = kMaxError});
+    default:
+      return export_glb(context, picture, {.max_error = kMaxError, .dpi = 96 * kPixels / side});
+  }
+}
+
+}  // namespace
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  fuzz::ByteReader reader({data, size});
+  const unsigned kind = reader.below(6);
+  Context context{.budget = Budget(fuzz::kBudgetBytes)};
+  const std::optional<Document> document = fuzz::drawn_document(context, reader.rest());
+  if (!document || !is_small(*document)) return 0;
+  {
+    DiffuseOptions options;
+    options.pixels_per_unit =
+        kPixels / std::max(document->artboard.width(), document->artboard.height());
+    options.max_error = kMaxError;
+    const Result<Picture> picture = diffuse(context, *document, options);
+    if (!picture) {
+      fuzz::require_honest(picture.status());
+      return 0;
+    }
+    check(exported(context, *picture, kind));
+  }
+  fuzz::require(context.budget.used() == 0, "a picture keeps what it charged");
+  return 0;
+}

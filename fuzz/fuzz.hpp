@@ -1,0 +1,75 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "base/context.hpp"
+
+/// What the targets of this folder share. A target is one function of bytes; it may refuse them,
+/// but never crash, hang or answer wrongly.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+
+namespace sfumato::fuzz {
+
+using Bytes = std::span<const std::uint8_t>;
+
+inline std::string_view as_text(Bytes bytes) {
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+/// Ends the program where a promise is broken: that is how a fuzzer is told.
+inline void require(bool holds, std::string_view promise) {
+  if (holds) return;
+  std::fprintf(stderr, "broken promise: %.*s\n", static_cast<int>(promise.size()), promise.data());
+  std::abort();
+}
+
+inline void require_ok(const Status& status, std::string_view what) {
+  if (status) return;
+  require(false, std::string(what) + ": " + to_string(status));
+}
+
+/// A refusal must be one of those that input can bring about, and say something.
+inline void require_honest(const Status& status) {
+  require(status.code == StatusCode::bad_input || status.code == StatusCode::limit,
+          "an error of input has another code: " + to_string(status));
+  require(!status.message.empty(), "an error without a message");
+}
+
+/// Where targets get their context from: one thread, so little memory that what is large is refused
+/// at once.
+inline constexpr std::size_t kBudgetBytes = std::size_t{48} << 20;
+
+/// Turns bytes into numbers; zeros where they end.
+class ByteReader {
+ public:
+  explicit ByteReader(Bytes bytes) : rest_(bytes) {}
+
+  bool at_end() const { return rest_.empty(); }
+  Bytes rest() const { return rest_; }
+
+  std::uint8_t byte() {
+    if (rest_.empty()) return 0;
+    const std::uint8_t first = rest_.front();
+    rest_ = rest_.subspan(1);
+    return first;
+  }
+  unsigned word() {
+    const unsigned high = byte();
+    return high << 8 | byte();
+  }
+  /// 0 to n - 1, for n up to 256.
+  unsigned below(unsigned n) { return byte() % n; }
+  /// 0 to 1; both can come.
+  double unit() { return byte() / 255.0; }
+
+ private:
+  Bytes rest_;
+};
+
+}  // namespace sfumato::fuzz

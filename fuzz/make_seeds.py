@@ -1,0 +1,200 @@
+#!/usr/bin/env python3
+"""Draws the first inputs of the fuzz targets: python3 fuzz/make_seeds.py FOLDER makes FOLDER/TARGET.
+
+What the fuzzers found since then is in fuzz/corpus; this is for beginning anew.
+"""
+
+import gzip
+import pathlib
+import random
+import re
+import shutil
+import struct
+import subprocess
+import sys
+import zlib
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+
+HEAD = ('<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink" '
+        'xmlns:sf="urn:sfumato:1" viewBox="0 0 64 64" sf:version="1"%s>%s</svg>')
+
+
+def svg(content, attributes=''):
+    return HEAD % (attributes, content)
+
+
+def layer(content, attributes=''):
+    return svg('<g sf:diffuse="true"%s>%s</g>' % (attributes, content))
+
+
+TINY_PNG = ('iVBORw0KGgoAAAANSUhEUgAAAAIAAAABCAYAAAD0In+KAAAAD0lEQVR4nGP4z8DwnwGMAAv7Av9JhQDaAAAA'
+            'AElFTkSuQmCC')
+
+PAINTS = ('<defs><linearGradient id="l" x1="0" y1="1" x2="1" y2="0" spreadMethod="reflect">'
+          '<stop offset="0" stop-color="red"/><stop offset="50%" stop-color="#08f" '
+          'stop-opacity=".5"/></linearGradient><radialGradient id="r" href="#l" cx=".3" r=".4" '
+          'fx=".2" fy=".3" gradientTransform="rotate(20)"/><pattern id="p" '
+          'patternUnits="userSpaceOnUse" width="8" height="4" patternTransform="scale(2)">'
+          '<image href="data:image/png;base64,' + TINY_PNG + '" width="8" height="4" '
+          'preserveAspectRatio="none"/></pattern></defs>')
+
+DOCUMENTS = [
+    layer('<path d="M8 32C20 8 40 56 56 32" sf:left="red,blue 50%,#0f0" sf:right="#fff @0,#000 @1"/>'),
+    layer('<circle cx="32" cy="32" r="20" sf:left="gold" sf:right="navy" sf:blur="0,5 50%,0"/>'
+          '<line x1="2" y1="9" x2="60" y2="50" sf:left="none" sf:right="hsl(20 80% 50%)" '
+          'sf:weight="2"/>'),
+    layer('<rect x="4" y="5" width="30" height="20" rx="3" sf:left="#123" sf:opacity="1,0"/>'
+          '<ellipse cx="40" cy="40" rx="9" ry="5" sf:right-opacity=".3" sf:left-opacity="none"/>'
+          '<polygon points="1,2 30,4 20,40" sf:right="rgb(20% 30% 40%)"/>'
+          '<polyline points="50 50 60 10" sf:left-blur="3" sf:left="tan" sf:right="red"/>'),
+    svg('<path d="M5 5q20 0 20 20t10 5" sf:radius="3,9 50%,1" sf:left="#abc" sf:alpha=".7"/>'
+        '<path d="M5 60L60 5" sf:radius="4" sf:right="red" sf:blur="1" opacity=".4"/>'),
+    svg('<defs><g id="a" sf:diffuse="true"><path d="M0 0L9 9" sf:left="red" sf:right="blue"/></g>'
+        '<symbol id="s" viewBox="0 0 4 4"><use xlink:href="#a"/></symbol></defs>'
+        '<use href="#a" transform="translate(9 3) rotate(30)" opacity=".5"/>'
+        '<g opacity=".6" style="mix-blend-mode:multiply"><use href="#s" x="3" y="4" width="20" '
+        'height="20"/></g>'),
+    svg(PAINTS + '<g sf:diffuse="true"><path d="M9 9C30 20 30 40 9 60" sf:left="url(#l)" '
+        'sf:right="url(#p)" sf:opacity="url(#r)"/></g>'),
+    svg('<style>.a{opacity:.5} #b,path{display:inline;fill:red}/*c*/ *{visibility:visible}</style>'
+        '<rect width="64" height="64" fill="#eee"/><g id="b" class="a" sf:diffuse="true">'
+        '<path style="visibility:visible" d="M1 1h40v40z" sf:left="red"/></g>',
+        ' sf:interpolation="oklab" sf:background="none"'),
+    svg('<g transform="matrix(1 .2 -.3 1 4 5) skewX(9)" style="isolation:isolate">'
+        '<g sf:diffuse="true"><g transform="scale(-1 2)"><path id="x" d="M1 2a9 5 30 1 0 20 9" '
+        'sf:left="red"/><use href="#x" y="9"/></g></g></g><text>no</text>'),
+    '<?xml version="1.0"?><!DOCTYPE svg [<!ENTITY a "b">]><!-- c --><s:svg '
+    'xmlns:s="http://www.w3.org/2000/svg" xmlns:f="urn:sfumato:1" width="2in" height="5cm" '
+    'f:version="1"><s:g f:diffuse="true"><s:path d="M1,1 2,3" f:left="red"/></s:g></s:svg>',
+]
+
+CURVE_SETS = [
+    '<curve_set image_width="64" image_height="48" nb_curves="1"><curve nb_control_points="4">'
+    '<control_points_set><control_point x="1" y="2"/><control_point x="9" y="20"/>'
+    '<control_point x="30" y="4"/><control_point x="40" y="44"/></control_points_set>'
+    '<left_colors_set><left_color R="1" G="255" B="33.5" globalID="0"/>'
+    '<left_color R="100" G="5" B="3" globalID="7"/></left_colors_set>'
+    '<right_colors_set boundary="Neumann"/>'
+    '<blur_points_set><best_scale value="2" globalID="3"/></blur_points_set>'
+    '<weight_set><weight w="2"/></weight_set></curve></curve_set>',
+    '<scene image_width="9" image_height="8"><curve_set><curve><control_points_set>'
+    + '<control_point x="1e1" y="-2"/>' * 7 +
+    '</control_points_set><right_colors_set><right_color R="0" G="0" B="0" globalID="12"/>'
+    '</right_colors_set></curve></curve_set><other/></scene>',
+]
+
+STOP_LISTS = ['red', 'red, gold', 'red, gold 30%, white', 'red 50%, blue 50%',
+              'red @0, gold @2.5, white @4', '0, 12 50%, 0', '#abc 10%,#aabbcc,hsl(20deg 80% 50%)',
+              'rgb(1 2 3/1) 1e1%,rgb(10%,20%,30%)', '.5,1e-3 @1.25,.7 99%', 'hwb(1turn 2% 3%)']
+
+PATHS = ['M1 2L3 4', 'm1,2 3-4.5.6z', 'M0 0H9V9h-3v-3Z', 'M1 1C2 3 4 5 6 7S1 2 3 4',
+         'M1 1Q2 3 4 5T6 7t1 1', 'M1 1A9 5 30 1 0 20 9a1 1 0 0110,5', 'none', 'M1 1 2 2 3 3zm4 4l1 1',
+         'M-1e2+3L1e-7.5', 'matrix(1 2 3 4 5 6)', 'translate(3) rotate(30, 4 5),scale(2)',
+         'skewX(9)skewY(8) scale(1 -1)']
+
+SHEETS = ['path{fill:red;opacity:.5}', '.a, #a , *{display:none !important}/*c*/',
+          '@media x{path{fill:red}} @import "a";.a{opacity:1}', '<!-- *{fill:"a;b"} -->',
+          'path{fill:url(a;b)}.a{fill:}', 'rebeccapurple', '#abcd', '#aabbccdd', 'rgb(1,2,3,.4)',
+          'hsla(20deg,30%,40%,.5)', 'hwb(.5turn 10% 20%/30%)', 'rgb(1e2% 0 none)']
+
+
+def chunk(name, data):
+    body = name + data
+    return struct.pack('>I', len(data)) + body + struct.pack('>I', zlib.crc32(body))
+
+
+def png(depth, kind, interlaced=0, extra=b''):
+    """5 x 3 pixels; 9 x 9 where interlaced."""
+    width, height = (9, 9) if interlaced else (5, 3)
+    channels = {0: 1, 2: 3, 3: 1, 4: 2, 6: 4}[kind]
+    header = struct.pack('>IIBBBBB', width, height, depth, kind, 0, 0, interlaced)
+    passes = [(0, 0, 8, 8), (4, 0, 8, 8), (0, 4, 4, 8), (2, 0, 4, 4), (0, 2, 2, 4), (1, 0, 2, 2),
+              (0, 1, 1, 2)] if interlaced else [(0, 0, 1, 1)]
+    rows = b''
+    for x, y, step_x, step_y in passes:
+        columns = len(range(x, width, step_x))
+        for row in range(y, height, step_y) if columns else ():
+            rows += bytes([row % 5]) + bytes(
+                (37 * i + row) % 256
+                for i in range((columns * channels * depth + 7) // 8))
+    if kind == 3:
+        extra = chunk(b'PLTE', bytes(7 * i % 256 for i in range(3 << depth))) + extra
+    return (b'\x89PNG\r\n\x1a\n' + chunk(b'IHDR', header) + extra +
+            chunk(b'IDAT', zlib.compress(rows, 9)) + chunk(b'IEND', b''))
+
+
+def pngs():
+    for depth, kind in [(1, 0), (2, 0), (4, 0), (8, 0), (16, 0), (8, 2), (16, 2), (1, 3), (2, 3),
+                        (4, 3), (8, 3), (8, 4), (16, 4), (8, 6), (16, 6)]:
+        yield png(depth, kind)
+        yield png(depth, kind, 1)
+    yield png(8, 3, 0, chunk(b'tRNS', b'\0\x80\xff'))
+    yield png(8, 2, 0, chunk(b'tRNS', b'\0\1\0\2\0\3') + chunk(b'gAMA', b'\0\0\xb1\x8f'))
+    yield png(16, 0, 0, chunk(b'tRNS', b'\0\1') + chunk(b'sRGB', b'\0') +
+              chunk(b'tEXt', b'Title\0a') + chunk(b'pHYs', b'\0\0\0\1\0\0\0\1\1'))
+    rows = bytes(random.Random(1).randrange(256) for _ in range(60))
+    for depth in range(5):
+        for kind in range(5):
+            yield bytes([5, 3, depth, kind, 0, 9, 2]) + rows
+
+
+def jpegs():
+    """By netpbm, if it is here: baseline and progressive, gray and colour, whole and subsampled."""
+    if not shutil.which('pnmtojpeg'):
+        return
+    pixels = bytes((i * i // 7) % 256 for i in range(17 * 9 * 3))
+    for picture in (b'P6 17 9 255\n' + pixels, b'P5 17 9 255\n' + pixels[:17 * 9]):
+        for flags in ([], ['-progressive'], ['-optimize', '-restart=2'], ['-quality=3'],
+                      ['-arith'], ['-progressive', '-arith']):
+            run = subprocess.run(['pnmtojpeg', *flags], input=picture, capture_output=True,
+                                 check=False)
+            if run.returncode == 0 and run.stdout:
+                yield run.stdout
+
+
+def noise(seed, count, longest):
+    numbers = random.Random(seed)
+    for _ in range(count):
+        yield bytes(numbers.randrange(256) for _ in range(numbers.randrange(8, longest)))
+
+
+def examples():
+    """Those of our drawings that are small."""
+    for file in [*ROOT.glob('examples/*.svg'), *ROOT.glob('tests/*/*.svg')]:
+        if file.stat().st_size < 4000:
+            yield file.read_bytes()
+    for file in ROOT.glob('docs/format*.md'):
+        yield from (text.encode() for text in re.findall('```xml\n(.*?)```', file.read_text(), re.S))
+
+
+def seeds():
+    documents = [text.encode() for text in DOCUMENTS] + list(examples())
+    orzan = [text.encode() for text in CURVE_SETS]
+    yield 'orzan', orzan + [text for text in documents if b'curve_set' in text]
+    yield 'svg', documents + orzan + [gzip.compress(text, 9, mtime=0) for text in documents[:3]]
+    yield 'stop_list', [text.encode() for text in STOP_LISTS]
+    yield 'path_data', [text.encode() for text in PATHS]
+    yield 'style_sheet', [text.encode() for text in SHEETS]
+    yield 'png', list(pngs())
+    yield 'jpeg', list(jpegs())
+    yield 'mesher', list(noise(1, 40, 200))
+    yield 'gather', list(noise(2, 40, 400))
+    yield 'pixels', documents + orzan + list(noise(3, 40, 300))
+    yield 'round_trip', documents + orzan + list(noise(4, 40, 300))
+    yield 'export', [bytes([kind]) + text for kind in range(6)
+                     for text in documents[:8] + list(noise(kind, 8, 250))]
+
+
+def main():
+    if len(sys.argv) != 2:
+        sys.exit(__doc__)
+    for target, inputs in seeds():
+        folder = pathlib.Path(sys.argv[1]) / target
+        folder.mkdir(parents=True, exist_ok=True)
+        for i, content in enumerate(inputs):
+            (folder / f'seed-{i:03}').write_bytes(content)
+        print(f'{target}: {len(inputs)}')
+
+
+main()

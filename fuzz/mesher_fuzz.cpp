@@ -1,0 +1,155 @@
+// Segment sets to meshes: every step leaves a mesh that the exact checker finds valid, whose
+// constraints cover the segments they came from.
+#include <cmath>
+#include <vector>
+
+#include "fuzz.hpp"
+#include "mesh/arrangement_check.hpp"
+#include "mesh/is_valid.hpp"
+#include "mesh/mesher.hpp"
+
+using namespace sfumato;
+
+namespace {
+
+constexpr double kSide = 64;
+/// Beyond this a run would take too long, and show nothing that a smaller one does not.
+constexpr std::uint32_t kManyTriangles = 20'000;
+
+/// Points as bytes say: on a grid, near or between those before, on the frame, far away.
+class SceneReader {
+ public:
+  explicit SceneReader(fuzz::Bytes bytes) : reader_(bytes) {}
+
+  mesh::MeshOptions options() {
+    mesh::MeshOptions options;
+    options.frame = {{0, 0}, {kSide, kSide}};
+    if (reader_.below(4) == 0) options.frame.max.y = 1 + reader_.below(64);
+    options.unit_size = std::ldexp(1.0, static_cast<int>(reader_.below(4)) - 4);
+    constexpr double kAngles[] = {22, 0, 30, 33};
+    options.min_angle_deg = kAngles[reader_.below(4)];
+    constexpr double kAreas[] = {0, 200, 50, 1000};
+    options.max_area = kAreas[reader_.below(4)];
+    return options;
+  }
+
+  curves::FlatCurves curves() {
+    flat_.curve_begin.push_back(0);
+    while (!reader_.at_end()) add_curve();
+    return std::move(flat_);
+  }
+
+  fuzz::ByteReader& reader() { return reader_; }
+
+ private:
+  Vec2 known_point() {
+    if (flat_.vertex.empty()) return {kSide / 2, kSide / 2};
+    return flat_.vertex[reader_.below(256) % flat_.vertex.size()];
+  }
+
+  double grid() { return kSide * (static_cast<int>(reader_.byte()) - 32) / 192; }
+  /// From 2^-40 to 2^7, of either sign.
+  double small() {
+    const unsigned code = reader_.byte();
+    return std::ldexp(code & 1 ? 1.0 : -1.0, static_cast<int>((code >> 1) % 48) - 40);
+  }
+
+  Vec2 point() {
+    switch (reader_.below(8)) {
+      case 0:
+        return known_point();
+      case 1: {
+        const Vec2 near = known_point();
+        return {near.x + small(), near.y + small()};
+      }
+      case 2: {
+        // Nearly on the line through two others.
+        const Vec2 a = known_point(), b = known_point();
+        const double t = grid() / kSide * 1.5;
+        const Vec2 on = lerp(a, b, t);
+        return reader_.below(2) == 0 ? on : Vec2{on.x + small(), on.y};
+      }
+      case 3:
+        return {reader_.below(2) * kSide, grid()};
+      case 4: {
+        const double x = grid() * 1000, y = grid() * 1000;
+        return {x, y};
+      }
+      default: {
+        const double x = grid(), y = grid();
+        return {x, y};
+      }
+    }
+  }
+
+  void add_curve() {
+    const unsigned count = 1 + reader_.below(6);
+    const auto curve = static_cast<std::uint32_t>(flat_.curve_begin.size() - 1);
+    double arc = 0;
+    Vec2 last;
+    for (unsigned i = 0; i <= count; ++i) {
+      const Vec2 p = point();
+      if (i > 0) arc += length(p - last);
+      last = p;
+      flat_.vertex.push_back(p);
+      flat_.parameter.push_back(i);
+      flat_.arc_length.push_back(arc);
+      flat_.vertex_curve.push_back(curve);
+    }
+    flat_.curve_begin.push_back(static_cast<std::uint32_t>(flat_.vertex.size()));
+  }
+
+  fuzz::ByteReader reader_;
+  curves::FlatCurves flat_;
+};
+
+void check_thinned(Context& context, const mesh::Mesher& mesher, const mesh::TriangleMesh& whole) {
+  std::vector<std::uint8_t> keep(whole.constraint.size());
+  for (std::size_t c = 0; c < keep.size(); ++c) {
+    keep[c] = c % 3 != 0 && !whole.pieces(whole.constraint[c]).empty();
+  }
+  const Result<mesh::TriangleMesh> thinned = mesher.thinned_mesh(context, whole, keep);
+  fuzz::require_ok(thinned.status(), "a mesh cannot be thinned");
+  fuzz::require_ok(is_valid(*thinned), "the thinned mesh is not valid");
+}
+
+/// Every third triangle is made smaller. A limit may stop it; the mesh stays valid.
+void check_refinement(Context& context, mesh::Mesher& mesher, double smallest_edge) {
+  const Status refined = mesher.refine(context);
+  mesh::TriangleMesh patch = mesher.patch_mesh();
+  fuzz::require_ok(is_valid(patch), "the patch mesh is not valid");
+  if (!refined) return fuzz::require_honest(refined);
+  if (patch.triangle_count() > kManyTriangles) return;
+  std::vector<std::uint32_t> every_third;
+  for (std::uint32_t t = 0; t < patch.triangle_count(); t += 3) every_third.push_back(t);
+  if (const Status finer = mesher.refine_triangles(context, every_third, smallest_edge); !finer) {
+    fuzz::require_honest(finer);
+  }
+  patch = mesher.patch_mesh();
+  fuzz::require_ok(is_valid(patch), "the finer patch mesh is not valid");
+}
+
+}  // namespace
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  SceneReader scene({data, size});
+  const mesh::MeshOptions options = scene.options();
+  const curves::FlatCurves flat = scene.curves();
+  Context context{.budget = Budget(fuzz::kBudgetBytes)};
+  {
+    Result<mesh::Mesher> mesher = mesh::Mesher::build(context, flat, options);
+    if (!mesher) {
+      fuzz::require_honest(mesher.status());
+      return 0;
+    }
+    const mesh::TriangleMesh whole = mesher->visibility_mesh();
+    fuzz::require_ok(is_valid(whole), "the visibility mesh is not valid");
+    const double weld = options.weld_px * options.unit_size;
+    const mesh::test::ArrangementFacts facts = mesh::test::check_arrangement(whole, flat, weld);
+    fuzz::require(facts.broken.empty(), facts.broken);
+    check_thinned(context, *mesher, whole);
+    check_refinement(context, *mesher, options.unit_size);
+  }
+  fuzz::require(context.budget.used() == 0, "a mesher keeps what it charged");
+  return 0;
+}

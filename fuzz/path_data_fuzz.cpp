@@ -1,0 +1,57 @@
+// The d of paths, and transforms, which share its numbers.
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "formats/svg/path.hpp"
+#include "formats/svg/transform.hpp"
+#include "fuzz.hpp"
+
+using namespace sfumato;
+
+namespace {
+
+void check(const svg::Subpath& subpath) {
+  const std::size_t points = subpath.control_points.size();
+  fuzz::require(points >= 4 && points % 3 == 1, "a chain that is not 3n+1 points long");
+  fuzz::require(subpath.segment_begin.size() >= 2, "a subpath without a segment");
+  fuzz::require(subpath.segment_begin.front() == 0, "the first segment begins elsewhere");
+  fuzz::require(subpath.segment_begin.back() == (points - 1) / 3,
+                "the last segment ends elsewhere");
+  for (std::size_t i = 1; i < subpath.segment_begin.size(); ++i) {
+    const auto pieces = static_cast<int>(subpath.segment_begin[i] - subpath.segment_begin[i - 1]);
+    fuzz::require(pieces >= 1 && pieces <= 4, "a segment of no piece or more than four");
+  }
+}
+
+/// Arcs of radii too small for their chord are stretched to beyond all numbers; the document's
+/// reader refuses what lies beyond limits::kCoordinate.
+bool has_finite_points(const svg::Subpath& subpath) {
+  return std::ranges::all_of(subpath.control_points,
+                             [](Vec2 p) { return std::isfinite(p.x) && std::isfinite(p.y); });
+}
+
+}  // namespace
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string_view text = fuzz::as_text({data, size});
+  const Result<std::vector<svg::Subpath>> path = svg::parse_path(text);
+  if (path) {
+    std::size_t points = 0;
+    for (const svg::Subpath& subpath : *path) {
+      check(subpath);
+      points += subpath.control_points.size();
+    }
+    fuzz::require(points <= svg::control_point_bound(text), "more points than were foreseen");
+    const Box box = svg::bounds(*path);
+    if (std::ranges::all_of(*path, has_finite_points)) {
+      fuzz::require(box.empty() == path->empty(), "a box of nothing, or no box");
+    }
+  } else {
+    fuzz::require_honest(path.status());
+  }
+  if (const Result<Affine> map = svg::parse_transform(text); !map) {
+    fuzz::require_honest(map.status());
+  }
+  return 0;
+}

@@ -1,0 +1,71 @@
+// Documents to pictures of 64 × 64 pixels and to PNG: the same bytes on every instruction set.
+#include <algorithm>
+#include <vector>
+
+#include "document/document.hpp"
+#include "drawn_document.hpp"
+#include "formats/png.hpp"
+#include "fuzz.hpp"
+#include "patches/diffuse.hpp"
+#include "raster/rasterize.hpp"
+
+using namespace sfumato;
+
+namespace {
+
+constexpr int kSide = 64;
+/// Larger documents are for the readers' targets: here they would only take time.
+constexpr std::size_t kCurves = 24;
+constexpr std::size_t kItems = 24;
+
+bool is_small(const Document& document) {
+  std::size_t curves = 0;
+  for (const Layer& layer : document.layers) curves += layer.curves.size();
+  return curves <= kCurves && document.stack.size() <= kItems;
+}
+
+Result<Image> picture(Context& context, const Document& document) {
+  DiffuseOptions options;
+  options.pixels_per_unit = kSide / std::max(document.artboard.width(), document.artboard.height());
+  options.max_error = 8;
+  const Result<Picture> solved = diffuse(context, document, options);
+  if (!solved) return solved.status();
+  return rasterize(context, *solved,
+                   {.width = kSide, .height = kSide, .format = PixelFormat::rgba8});
+}
+
+void check_png(Context& context, const Image& image) {
+  const Result<std::vector<std::uint8_t>> png = encode_png(context, image);
+  fuzz::require_ok(png.status(), "a picture that is no PNG");
+  const Result<Image> again = decode_png(context, *png, "again.png");
+  fuzz::require_ok(again.status(), "a PNG that cannot be read");
+  fuzz::require(again->bytes == image.bytes, "a picture changed on its way through a file");
+}
+
+void check_plain(const Document& document, const Image& image) {
+  Context context{.budget = Budget(fuzz::kBudgetBytes), .simd = SimdLevel::sse2};
+  const Result<Image> same = picture(context, document);
+  fuzz::require_ok(same.status(), "one instruction set draws, another does not");
+  fuzz::require(same->bytes == image.bytes, "two instruction sets draw different pictures");
+}
+
+}  // namespace
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  Context context{.budget = Budget(fuzz::kBudgetBytes)};
+  const std::optional<Document> document = fuzz::drawn_document(context, {data, size});
+  if (!document || !is_small(*document)) return 0;
+  fuzz::require_ok(validate(*document), "a document that is not valid");
+  {
+    const Result<Image> image = picture(context, *document);
+    if (!image) {
+      fuzz::require_honest(image.status());
+      return 0;
+    }
+    check_png(context, *image);
+    // It takes as long again: a quarter of the inputs tells as much.
+    if (size % 4 == 0) check_plain(*document, *image);
+  }
+  fuzz::require(context.budget.used() == 0, "a picture keeps what it charged");
+  return 0;
+}

@@ -1,0 +1,146 @@
+// PNG files. One that begins as PNG does gets its checksums mended, or no change of a byte would
+// come past them; other bytes are made into one: header, palette, transparency, rows.
+#include <zlib.h>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <vector>
+
+#include "formats/image_file.hpp"
+#include "formats/png.hpp"
+#include "fuzz.hpp"
+
+using namespace sfumato;
+
+namespace {
+
+constexpr std::array<std::uint8_t, 8> kSignature{0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
+/// Largest image that is decoded: with more the runs were slow, and no other code would run.
+constexpr std::size_t kPngBudgetBytes = std::size_t{1} << 20;
+
+using File = std::vector<std::uint8_t>;
+
+std::uint32_t big_endian(const std::uint8_t* bytes) {
+  return std::uint32_t{bytes[0]} << 24 | std::uint32_t{bytes[1]} << 16 |
+         std::uint32_t{bytes[2]} << 8 | bytes[3];
+}
+
+void put_big_endian(std::uint32_t number, std::span<std::uint8_t> four_bytes) {
+  for (std::uint8_t& byte : four_bytes) {
+    byte = static_cast<std::uint8_t>(number >> 24);
+    number <<= 8;
+  }
+}
+
+void append_big_endian(std::uint32_t number, File& file) {
+  for (int shift = 24; shift >= 0; shift -= 8) {
+    file.push_back(static_cast<std::uint8_t>(number >> shift));
+  }
+}
+
+std::uint32_t checksum(const std::uint8_t* bytes, std::size_t count) {
+  return static_cast<std::uint32_t>(crc32(0, bytes, static_cast<uInt>(count)));
+}
+
+File with_checksums(fuzz::Bytes bytes) {
+  File file(bytes.begin(), bytes.end());
+  for (std::size_t at = kSignature.size(); at + 12 <= file.size();) {
+    const std::size_t length = big_endian(&file[at]);
+    if (length > file.size() - at - 12) break;
+    put_big_endian(checksum(&file[at + 4], length + 4),
+                   std::span(file).subspan(at + 8 + length, 4));
+    at += length + 12;
+  }
+  return file;
+}
+
+void add_chunk(File& file, std::string_view type, const File& content) {
+  append_big_endian(static_cast<std::uint32_t>(content.size()), file);
+  const std::size_t at = file.size();
+  for (const char c : type) file.push_back(static_cast<std::uint8_t>(c));
+  for (const std::uint8_t byte : content) file.push_back(byte);
+  append_big_endian(checksum(&file[at], file.size() - at), file);
+}
+
+File packed(fuzz::Bytes rows) {
+  uLongf size = compressBound(static_cast<uLong>(rows.size()));
+  File result(size);
+  compress2(result.data(), &size, rows.data(), static_cast<uLong>(rows.size()), 1);
+  result.resize(size);
+  return result;
+}
+
+/// width, height, depth, kind, interlace, size of the palette and of tRNS, their bytes, the rows.
+File composed(fuzz::Bytes bytes) {
+  fuzz::ByteReader reader(bytes);
+  File header;
+  append_big_endian(reader.byte(), header);
+  append_big_endian(reader.byte(), header);
+  constexpr std::uint8_t kDepths[] = {1, 2, 4, 8, 16, 0, 3, 32};
+  constexpr std::uint8_t kKinds[] = {0, 2, 3, 4, 6, 1, 5, 255};
+  header.push_back(kDepths[reader.below(8)]);
+  header.push_back(kKinds[reader.below(8)]);
+  header.insert(header.end(), 2, 0);
+  header.push_back(static_cast<std::uint8_t>(reader.below(3)));
+  const auto take = [&reader](unsigned count) {
+    File taken;
+    for (unsigned i = 0; i < count && !reader.at_end(); ++i) taken.push_back(reader.byte());
+    return taken;
+  };
+  const File palette = take(reader.byte()), transparency = take(reader.below(64));
+  File file;
+  for (const std::uint8_t byte : kSignature) file.push_back(byte);
+  add_chunk(file, "IHDR", header);
+  if (!palette.empty()) add_chunk(file, "PLTE", palette);
+  if (!transparency.empty()) add_chunk(file, "tRNS", transparency);
+  add_chunk(file, "IDAT", packed(reader.rest()));
+  add_chunk(file, "IEND", {});
+  return file;
+}
+
+void check_size(const Image& image) {
+  fuzz::require(image.width > 0 && image.height > 0, "an image of no pixels");
+  fuzz::require(image.bytes.size() == image.row_bytes() * static_cast<std::size_t>(image.height),
+                "an image of another size than its bytes");
+}
+
+/// What was read is written and read again as it was.
+void check_round_trip(const Image& image) {
+  Context context;
+  const Result<std::vector<std::uint8_t>> png = encode_png(context, image);
+  fuzz::require_ok(png.status(), "a decoded image cannot be encoded");
+  const Result<Image> again = decode_png(context, *png, "again.png");
+  fuzz::require_ok(again.status(), "an encoded image cannot be decoded");
+  fuzz::require(again->width == image.width && again->height == image.height &&
+                    again->format == image.format && again->bytes == image.bytes,
+                "an image changed on its way through a file");
+}
+
+}  // namespace
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const fuzz::Bytes bytes(data, size);
+  const bool is_file =
+      size >= kSignature.size() && std::equal(kSignature.begin(), kSignature.end(), bytes.begin());
+  const File file = is_file ? with_checksums(bytes) : composed(bytes);
+  Context context{.budget = Budget(kPngBudgetBytes)};
+  const Result<Image> image = decode_png(context, file, "fuzz.png");
+  const Result<RgbaImage> texture = decode_image(context, file);
+  fuzz::require(context.budget.used() == 0, "a decoder keeps what it charged");
+  if (image) {
+    check_size(*image);
+    check_round_trip(*image);
+  } else {
+    fuzz::require_honest(image.status());
+  }
+  if (texture) {
+    fuzz::require(image.ok(), "a texture that is no image");
+    fuzz::require(texture->rgba.size() == 4 * static_cast<std::size_t>(texture->width) *
+                                              static_cast<std::size_t>(texture->height),
+                  "a texture of another size than its bytes");
+  } else {
+    fuzz::require_honest(texture.status());
+  }
+  return 0;
+}

@@ -1,0 +1,90 @@
+// A document that was read is written and read again: the same document, then the same text.
+#include <string>
+#include <utility>
+#include <variant>
+
+#include "document/document.hpp"
+#include "drawn_document.hpp"
+#include "formats/svg.hpp"
+#include "formats/svg_write.hpp"
+#include "fuzz.hpp"
+
+using namespace sfumato;
+
+namespace {
+
+std::string written(const Document& document) {
+  Context context;
+  Result<std::string> text = write_svg(context, document);
+  fuzz::require_ok(text.status(), "a valid document cannot be written");
+  return std::move(*text);
+}
+
+Document read_back(const std::string& text) {
+  Context context;
+  Result<ReadDocument> read = read_svg(context, text, "written.svg");
+  fuzz::require_ok(read.status(), "what was written cannot be read");
+  return std::move(read->document);
+}
+
+/// Of curves that were read: ids may be changed where they were no names or not unique.
+void require_same(const Curve& a, Curve b) {
+  b.id = a.id;
+  fuzz::require(a == b, "a curve changed");
+}
+
+struct SameItem {
+  void operator()(const LayerInstance& a, const LayerInstance& b) const {
+    fuzz::require(a.layer == b.layer && a.artboard_from_layer == b.artboard_from_layer &&
+                      a.opacity == b.opacity && a.blend == b.blend,
+                  "an instance changed");
+  }
+  void operator()(const LocalStroke& a, const LocalStroke& b) const {
+    LocalCurve curve = b.curve;
+    curve.id = a.curve.id;
+    fuzz::require(a.curve == curve && a.artboard_from_stroke == b.artboard_from_stroke,
+                  "a local curve changed");
+  }
+  void operator()(const GroupBegin& a, const GroupBegin& b) const {
+    fuzz::require(a.opacity == b.opacity && a.blend == b.blend, "a group changed");
+  }
+  template <class A, class B>
+  void operator()(const A&, const B&) const {
+    fuzz::require(std::is_same_v<A, B>, "the stack changed");
+  }
+};
+
+/// Layers and shaders of a document from a reader stand in the order of their first use.
+void require_same(const Document& a, const Document& b) {
+  fuzz::require(a.artboard == b.artboard && a.interpolation == b.interpolation &&
+                    a.background == b.background,
+                "the artboard changed");
+  fuzz::require(a.shaders.size() == b.shaders.size() && a.layers.size() == b.layers.size() &&
+                    a.stack.size() == b.stack.size(),
+                "something was lost or added");
+  for (std::size_t i = 0; i < a.layers.size(); ++i) {
+    fuzz::require(a.layers[i].curves.size() == b.layers[i].curves.size(), "a curve was lost");
+    for (std::size_t k = 0; k < a.layers[i].curves.size(); ++k) {
+      require_same(a.layers[i].curves[k], b.layers[i].curves[k]);
+    }
+  }
+  for (std::size_t i = 0; i < a.stack.size(); ++i) {
+    std::visit(SameItem{}, a.stack[i], b.stack[i]);
+  }
+}
+
+}  // namespace
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  Context context{.budget = Budget(fuzz::kBudgetBytes)};
+  const std::optional<Document> document = fuzz::drawn_document(context, {data, size});
+  if (!document) return 0;
+  // The first writing brings the order of readers, and the first reading leaves out what nothing
+  // uses.
+  const Document first = read_back(written(*document));
+  const std::string text = written(first);
+  const Document second = read_back(text);
+  require_same(first, second);
+  fuzz::require(written(second) == text, "the same document is written in two ways");
+  return 0;
+}
