@@ -14,22 +14,14 @@
 #include "formats/read_document.hpp"
 #include "patches/diffuse.hpp"
 #include "support.hpp"
+#include "support/folder_files.hpp"
 #include "support/random_document.hpp"
 #include "support/scenes.hpp"
 
 namespace sfumato::test {
 namespace {
 
-const std::string kFolder = SFUMATO_SOURCE_DIR "/examples/";
-
-class ExampleFiles : public ResourceLoader {
- public:
-  Result<std::vector<std::uint8_t>> load(std::string_view href) const override {
-    const auto bytes = file_bytes(kFolder + std::string(href));
-    if (!bytes) return make_error(StatusCode::bad_input, "no such file: " + std::string(href));
-    return std::vector<std::uint8_t>(bytes->begin(), bytes->end());
-  }
-};
+const std::string kFolder = SFUMATO_SOURCE_DIR "/examples";
 
 void expect_drawn_near(const Document& document, double pixels_per_unit, PixelFormat format) {
   Context context;
@@ -54,7 +46,7 @@ TEST(GpuDocuments, every_example_agrees) {
     if (extension != ".svg" && extension != ".xml") continue;
     SCOPED_TRACE(entry.path().filename().string());
     Context context;
-    const ExampleFiles files;
+    const FolderFiles files(kFolder);
     const auto bytes = file_bytes(entry.path().string());
     ASSERT_TRUE(bytes);
     const Result<ReadDocument> read = read_document(context, *bytes, "example", &files);

@@ -22,6 +22,8 @@ class DocumentGenerator {
 
   Document generate() {
     document_.artboard.min = chance(0.5) ? Vec2{} : Vec2{real(-50, 50), real(-50, 50)};
+    // Where single precision has no more than seven bits below a unit.
+    if (chance(0.04)) document_.artboard.min = {real(-1e5, 1e5), real(-1e5, 1e5)};
     document_.artboard.max =
         document_.artboard.min + Vec2{1.0 * whole(96, 160), 1.0 * whole(96, 160)};
     document_.interpolation = static_cast<InterpolationSpace>(whole(0, 2));
@@ -58,7 +60,14 @@ class DocumentGenerator {
   Vec2 place() {
     const Box& box = document_.artboard;
     const double x = real(-0.15, 1.15), y = real(-0.15, 1.15);
-    return box.min + Vec2{x * box.width(), y * box.height()};
+    return box.min + on_grid({x * box.width(), y * box.height()});
+  }
+
+  /// Layers whose points lie on a grid have curves that meet, overlap and cross at whole numbers,
+  /// and more than three vertices on one circle.
+  Vec2 on_grid(Vec2 p) const {
+    if (grid_ == 0) return p;
+    return {grid_ * std::round(p.x / grid_), grid_ * std::round(p.y / grid_)};
   }
 
   /// About the centre of the artboard: turned, mirrored, scaled, sheared, moved.
@@ -85,7 +94,7 @@ class DocumentGenerator {
     // SVG has percent: not every fraction is one.
     const double steps = list.space == StopSpace::parameter ? 1 : 100;
     const double end = list.space == StopSpace::parameter ? static_cast<double>(piece_count) : 1;
-    for (int i = whole(1, 4); i > 0; --i) {
+    for (int i = chance(0.03) ? whole(5, 40) : whole(1, 4); i > 0; --i) {
       const double offset = real(0, end * steps) / steps;
       list.stops.push_back({offset, make()});
     }
@@ -124,6 +133,7 @@ class DocumentGenerator {
       fill.stops.push_back({real(0, 1), color(), chance(0.5) ? 1 : number(0, 1)});
     }
     std::ranges::sort(fill.stops, {}, &GradientStop::offset);
+    if (fill.stops.size() > 1 && chance(0.2)) fill.stops[0].offset = fill.stops[1].offset;
     return fill;
   }
 
@@ -154,7 +164,7 @@ class DocumentGenerator {
     const int kind = chance(0.08) ? 5 : whole(0, 4);
     const Vec2 first = place();
     if (kind == 0) return straight_curve(first, place());
-    if (kind == 1) return circle_curve(first, real(5, 60));
+    if (kind == 1) return circle_curve(first, grid_ > 0 ? grid_ * whole(1, 6) : real(5, 60));
     if (kind == 2) return blob(first);
     if (kind == 5) return degenerate(first);
     Curve curve{.control_points = {first}};
@@ -162,7 +172,8 @@ class DocumentGenerator {
       const Vec2 last = curve.control_points.back();
       const double reach = kind == 3 ? 40 : 100;
       for (int i = 0; i < 3; ++i) {
-        curve.control_points.push_back(last + Vec2{real(-reach, reach), real(-reach, reach)});
+        const double x = real(-reach, reach), y = real(-reach, reach);
+        curve.control_points.push_back(last + on_grid({x, y}));
       }
     }
     return curve;
@@ -218,20 +229,22 @@ class DocumentGenerator {
 
   void add_layer() {
     Layer layer{"layer " + std::to_string(document_.layers.size()), {}};
+    grid_ = chance(0.2) ? whole(2, 16) : 0;
     const double opacity_share = whole(0, 2) * 0.5, color_share = chance(0.5) ? 1 : 0.7;
     const double blur_share = whole(0, 2) * 0.5;
-    for (int i = whole(1, 6); i > 0; --i) {
+    for (int i = chance(0.03) ? 0 : whole(1, 6); i > 0; --i) {
       Curve curve = shape();
       curve.id = layer.id + " curve " + std::to_string(i);
       const std::size_t pieces = curve.piece_count();
       const bool has_color = chance(color_share), has_opacity = chance(opacity_share);
       const bool is_blurred = chance(blur_share);
       curve.left = side(pieces, has_color, has_opacity, is_blurred);
-      curve.right = side(pieces, has_color, has_opacity, is_blurred);
+      curve.right = side(pieces, has_color, has_opacity, chance(0.1) ? !is_blurred : is_blurred);
       if (chance(0.2)) curve.weight = chance(0.2) ? real(1e-6, 1e6) : real(0.1, 5);
       if (chance(0.2) && !layer.curves.empty()) meet(layer.curves.back(), curve);
       layer.curves.push_back(std::move(curve));
     }
+    grid_ = 0;
     document_.layers.push_back(std::move(layer));
   }
 
@@ -247,7 +260,10 @@ class DocumentGenerator {
     if (chance(0.5)) std::ranges::reverse(curve.control_points);
   }
 
-  float opacity() { return chance(0.5) ? 1 : number(0, 1); }
+  float opacity() {
+    if (chance(0.03)) return 0;
+    return chance(0.5) ? 1 : number(0, 1);
+  }
   BlendMode blend() {
     return chance(0.5) ? BlendMode::normal : static_cast<BlendMode>(whole(0, kBlendModeCount - 1));
   }
@@ -272,7 +288,9 @@ class DocumentGenerator {
     curve.right_color =
         chance(0.5) ? curve.left_color : stops<Rgb>(pieces, [&] { return color(); });
     if (chance(0.5)) curve.blur_radius = stops<float>(pieces, [&] { return number(0, 10); });
-    curve.influence_radius = stops<float>(pieces, [&] { return number(0.5, 15); });
+    curve.influence_radius =
+        stops<float>(pieces, [&] { return chance(0.1) ? 0 : number(0.5, 15); });
+    curve.influence_radius.stops.back().value += 0.5f;  // above 0 somewhere
     curve.alpha = real(0, 1.5);
     if (chance(0.4)) stroke.artboard_from_stroke = transform(0.3, 2);
     document_.stack.push_back(std::move(stroke));
@@ -282,9 +300,10 @@ class DocumentGenerator {
     for (int i = whole(1, 3); i > 0; --i) {
       const double kind = real(0, 1);
       if (kind < 0.2 && depth < kDeepestGroup) {
-        document_.stack.push_back(GroupBegin{opacity(), blend()});
+        const int deep = depth == 0 && chance(0.1) ? 8 : 1;
+        for (int g = 0; g < deep; ++g) document_.stack.push_back(GroupBegin{opacity(), blend()});
         add_items(depth + 1);
-        document_.stack.push_back(GroupEnd{});
+        for (int g = 0; g < deep; ++g) document_.stack.push_back(GroupEnd{});
       } else if (kind < 0.4) {
         add_stroke();
       } else {
@@ -294,6 +313,7 @@ class DocumentGenerator {
   }
 
   std::mt19937_64 bits_;
+  double grid_ = 0;  ///< of the layer in hand, units; 0: none
   Document document_;
 };
 

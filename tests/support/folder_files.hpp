@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "base/native/file.hpp"
+#include "formats/read_document.hpp"
+
+namespace sfumato::test {
+
+/// The files that a document of our own refers to, beside it or below. Not for strangers' files.
+class FolderFiles : public ResourceLoader {
+ public:
+  explicit FolderFiles(std::string folder) : folder_(std::move(folder)) {}
+
+  Result<std::vector<std::uint8_t>> load(std::string_view href) const override {
+    const auto bytes = read_file(folder_ + '/' + std::string(href), limits::kImageFileBytes);
+    if (!bytes) return bytes.status();
+    return std::vector<std::uint8_t>(bytes->begin(), bytes->end());
+  }
+
+ private:
+  std::string folder_;
+};
+
+}  // namespace sfumato::test
