@@ -44,7 +44,7 @@ bool any_blur(const FieldScene& field) {
 }  // namespace
 
 LayerSolver::LayerSolver(Context& context, LayerScene scene, const DiffuseOptions& options,
-                         DiffuseStats* stats)
+                         DiffuseStats* stats, std::optional<RoundWatch> watch)
     : context_(context),
       mesher_(std::move(scene.mesher)),
       color_(std::move(scene.color)),
@@ -52,7 +52,8 @@ LayerSolver::LayerSolver(Context& context, LayerScene scene, const DiffuseOption
       smallest_edge_(scene.smallest_edge),
       is_blurred_(any_blur(color_.scene()) || (scene.opacity && any_blur(*scene.opacity))),
       options_(options),
-      stats_(stats) {
+      stats_(stats),
+      watch_(watch) {
   if (scene.opacity) opacity_.emplace(std::move(*scene.opacity));
 }
 
@@ -137,6 +138,7 @@ Status LayerSolver::gather(const gather::GatherOptions& options, bool all) {
     return ok_status();
   });
   if (stats_) stats_->gather_seconds += watch.seconds();
+  if (status && watch_) (*watch_)(mesh_, color_, opacity_ ? &*opacity_ : nullptr);
   return status;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/context.hpp"
+#include "base/function_ref.hpp"
 #include "base/status.hpp"
 #include "patches/diffuse.hpp"
 #include "patches/field_solver.hpp"
@@ -12,6 +13,11 @@
 #include "patches/picture.hpp"
 
 namespace sfumato::patches {
+
+/// Sees each round of a layer's solution, for tests: its mesh, and the fields as they were
+/// gathered; opacity is null where `color` holds it or there is none.
+using RoundWatch = FunctionRef<void(const mesh::TriangleMesh& mesh, const FieldSolver& color,
+                                    const FieldSolver* opacity)>;
 
 /// Solves one layer: patch mesh, node values of colour and opacity, error-driven refinement.
 ///
@@ -21,7 +27,7 @@ namespace sfumato::patches {
 class LayerSolver {
  public:
   LayerSolver(Context& context, LayerScene scene, const DiffuseOptions& options,
-              DiffuseStats* stats);
+              DiffuseStats* stats, std::optional<RoundWatch> watch = {});
 
   Result<PatchLayer> solve();
 
@@ -53,6 +59,7 @@ class LayerSolver {
   bool is_blurred_;
   const DiffuseOptions& options_;
   DiffuseStats* stats_;
+  std::optional<RoundWatch> watch_;
   mesh::TriangleMesh mesh_;
   std::vector<std::int32_t> previous_triangle_;  ///< as Mesher::patch_mesh gives it
 };

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/context.hpp"
+#include "equal/tool/configuration.hpp"
+#include "equal/tool/digest.hpp"
+#include "equal/tool/scene.hpp"
+#include "equal/tool/trace.hpp"
+
+namespace sfumato::test {
+
+/// What came of one scene under several configurations.
+struct SceneCheck {
+  std::string line;       ///< digest_line under the first of them
+  std::string complaint;  ///< empty where all gave the same; else who did not, and where it begins
+};
+
+/// Works on scenes under configurations; keeps the threads from one to the next.
+class SceneChecker {
+ public:
+  std::vector<StageHash> digest(const Scene& scene, const Configuration& configuration);
+  Result<Trace> trace(const Scene& scene, const Configuration& configuration);
+
+  /// configurations   not empty
+  SceneCheck check(const Scene& scene, const std::vector<Configuration>& configurations);
+
+ private:
+  Executor* executor(int threads);
+  std::string complaint(const Scene& scene, const Configuration& a, const Configuration& b);
+
+  std::vector<std::unique_ptr<Executor>> executors_;
+};
+
+}  // namespace sfumato::test
