@@ -20,11 +20,18 @@ _sfumato() {
     --method) options='exact rays pixels' ;;
     --order) options='linear quadratic cubic' ;;
     --depth) options='8 16' ;;
-    --max-error) options='off' ;;
+    --max-error | --max-time) options='off' ;;
     --format) options='png jpg webp html pdf eps svg glb' ;;
     --svg) options='image vector' ;;
     --device) options='cpu gpu' ;;
     --background) options='none white black' ;;
+    --limit)
+      options='input-bytes= unpack-ratio= xml-depth= xml-elements= xml-attributes= style-values=
+        used-elements= curves= control-points= stops= stops-per-list= layers= shaders-per-layer=
+        stack-items= group-depth= image-file-bytes= textures= texels= segments= triangles= nodes=
+        image-side= viewer-triangles= viewer-stroke-segments= svg-triangles='
+      compopt -o nospace 2>/dev/null
+      ;;
     --allow-files | --out-dir)
       compopt -o filenames 2>/dev/null
       mapfile -t COMPREPLY < <(compgen -d -- "$current")
@@ -52,13 +59,25 @@ _sfumato() {
       options='--output --out-dir --format --allow-files --viewport --width --height --scale
         --detail --method --rays --seed --tolerance --no-blur --max-error --max-area
         --min-angle --order --mesh-overlay --background --depth --dither --quality --lossless
-        --dpi --svg --force --title --device --no-antialias --threads --max-memory --stats
-        --quiet --help'
+        --dpi --svg --force --title --device --no-antialias --threads --stats --quiet
+        --max-memory --max-time --limit --help'
       ;;
-    info) options='--allow-files --json --quiet --help' ;;
-    convert) options='--output --allow-files --quiet --help' ;;
-    lint) options='--allow-files --strict --verbose --json --quiet --help' ;;
-    compare) options='--output --scale --json --help' ;;
+    info)
+      options='--allow-files --json --quiet
+        --max-memory --max-time --limit --help'
+      ;;
+    convert)
+      options='--output --allow-files --quiet
+        --max-memory --max-time --limit --help'
+      ;;
+    lint)
+      options='--allow-files --strict --verbose --json --quiet
+        --max-memory --max-time --limit --help'
+      ;;
+    compare)
+      options='--output --scale --json
+        --max-memory --max-time --limit --help'
+      ;;
     *) options='render info convert lint compare --help --version' ;;
   esac
   mapfile -t COMPREPLY < <(compgen -W "$options" -- "$current")

@@ -1,6 +1,7 @@
 # fish completion for sfumato
 
 set -l commands render info convert lint compare
+set -l limits input-bytes= unpack-ratio= xml-depth= xml-elements= xml-attributes= style-values= used-elements= curves= control-points= stops= stops-per-list= layers= shaders-per-layer= stack-items= group-depth= image-file-bytes= textures= texels= segments= triangles= nodes= image-side= viewer-triangles= viewer-stroke-segments= svg-triangles=
 
 complete -c sfumato -s h -l help -d 'Print the help'
 complete -c sfumato -n "not __fish_seen_subcommand_from $commands" -l version -d 'Print the version'
@@ -41,24 +42,38 @@ complete -c sfumato -n '__fish_seen_subcommand_from render' -l title -x -d 'Of H
 complete -c sfumato -n '__fish_seen_subcommand_from render' -l device -x -a 'cpu gpu' -d 'What draws pixels'
 complete -c sfumato -n '__fish_seen_subcommand_from render' -l no-antialias -d 'Hard edges at curves'
 complete -c sfumato -n '__fish_seen_subcommand_from render' -l threads -x -d 'Number of threads'
-complete -c sfumato -n '__fish_seen_subcommand_from render' -l max-memory -x -d 'Give up before taking more MiB'
 complete -c sfumato -n '__fish_seen_subcommand_from render' -l stats -r -F -d 'Sizes and times as JSON'
 complete -c sfumato -n '__fish_seen_subcommand_from render' -l quiet -d 'No warnings, no progress bar'
+complete -c sfumato -n '__fish_seen_subcommand_from render' -l max-memory -x -d 'Give up before taking more MiB'
+complete -c sfumato -n '__fish_seen_subcommand_from render' -l max-time -x -a off -d 'Give up after these seconds'
+complete -c sfumato -n '__fish_seen_subcommand_from render' -l limit -x -a "$limits" -d 'Set another limit on the input'
 
 complete -c sfumato -n '__fish_seen_subcommand_from info' -l allow-files -x -a '(__fish_complete_directories)' -d 'Read textures from this folder too'
 complete -c sfumato -n '__fish_seen_subcommand_from info' -l json -d 'Print one JSON object'
 complete -c sfumato -n '__fish_seen_subcommand_from info' -l quiet -d 'No warnings'
+complete -c sfumato -n '__fish_seen_subcommand_from info' -l max-memory -x -d 'Give up before taking more MiB'
+complete -c sfumato -n '__fish_seen_subcommand_from info' -l max-time -x -a off -d 'Give up after these seconds'
+complete -c sfumato -n '__fish_seen_subcommand_from info' -l limit -x -a "$limits" -d 'Set another limit on the input'
 
 complete -c sfumato -n '__fish_seen_subcommand_from convert' -s o -l output -r -F -d 'The SVG document'
 complete -c sfumato -n '__fish_seen_subcommand_from convert' -l allow-files -x -a '(__fish_complete_directories)' -d 'Read textures from this folder too'
 complete -c sfumato -n '__fish_seen_subcommand_from convert' -l quiet -d 'No warnings'
+complete -c sfumato -n '__fish_seen_subcommand_from convert' -l max-memory -x -d 'Give up before taking more MiB'
+complete -c sfumato -n '__fish_seen_subcommand_from convert' -l max-time -x -a off -d 'Give up after these seconds'
+complete -c sfumato -n '__fish_seen_subcommand_from convert' -l limit -x -a "$limits" -d 'Set another limit on the input'
 
 complete -c sfumato -n '__fish_seen_subcommand_from lint' -l allow-files -x -a '(__fish_complete_directories)' -d 'Read textures from this folder too'
 complete -c sfumato -n '__fish_seen_subcommand_from lint' -l strict -d 'Exit with 1 where there is a hint'
 complete -c sfumato -n '__fish_seen_subcommand_from lint' -l verbose -d 'With notes'
 complete -c sfumato -n '__fish_seen_subcommand_from lint' -l json -d 'Print one JSON object'
 complete -c sfumato -n '__fish_seen_subcommand_from lint' -l quiet -d 'No warnings of the reader'
+complete -c sfumato -n '__fish_seen_subcommand_from lint' -l max-memory -x -d 'Give up before taking more MiB'
+complete -c sfumato -n '__fish_seen_subcommand_from lint' -l max-time -x -a off -d 'Give up after these seconds'
+complete -c sfumato -n '__fish_seen_subcommand_from lint' -l limit -x -a "$limits" -d 'Set another limit on the input'
 
 complete -c sfumato -n '__fish_seen_subcommand_from compare' -s o -l output -r -F -d 'A picture of the differences'
 complete -c sfumato -n '__fish_seen_subcommand_from compare' -l scale -x -d 'Factor of the differences in the picture'
 complete -c sfumato -n '__fish_seen_subcommand_from compare' -l json -d 'Print one JSON object'
+complete -c sfumato -n '__fish_seen_subcommand_from compare' -l max-memory -x -d 'Give up before taking more MiB'
+complete -c sfumato -n '__fish_seen_subcommand_from compare' -l max-time -x -a off -d 'Give up after these seconds'
+complete -c sfumato -n '__fish_seen_subcommand_from compare' -l limit -x -a "$limits" -d 'Set another limit on the input'

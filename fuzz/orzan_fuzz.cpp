@@ -11,7 +11,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   {
     const Result<ReadDocument> read = read_orzan(context, fuzz::as_text({data, size}), "fuzz.xml");
     if (read) {
-      fuzz::require_ok(validate(read->document), "a document that is not valid");
+      fuzz::require_ok(validate(context, read->document), "a document that is not valid");
     } else {
       fuzz::require_honest(read.status());
     }

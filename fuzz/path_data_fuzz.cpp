@@ -35,14 +35,16 @@ bool has_finite_points(const svg::Subpath& subpath) {
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text = fuzz::as_text({data, size});
-  const Result<std::vector<svg::Subpath>> path = svg::parse_path(text);
+  Context context;
+  const Result<std::vector<svg::Subpath>> path = svg::parse_path(context, text);
   if (path) {
     std::size_t points = 0;
     for (const svg::Subpath& subpath : *path) {
       check(subpath);
       points += subpath.control_points.size();
     }
-    fuzz::require(points <= svg::control_point_bound(text), "more points than were foreseen");
+    fuzz::require(points <= svg::control_point_bound(context.limits, text),
+                  "more points than were foreseen");
     const Box box = svg::bounds(*path);
     if (std::ranges::all_of(*path, has_finite_points)) {
       fuzz::require(box.empty() == path->empty(), "a box of nothing, or no box");

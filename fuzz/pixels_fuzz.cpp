@@ -55,7 +55,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   Context context{.budget = Budget(fuzz::kBudgetBytes)};
   const std::optional<Document> document = fuzz::drawn_document(context, {data, size});
   if (!document || !is_small(*document)) return 0;
-  fuzz::require_ok(validate(*document), "a document that is not valid");
+  fuzz::require_ok(validate(context, *document), "a document that is not valid");
   {
     const Result<Image> image = picture(context, *document);
     if (!image) {

@@ -19,7 +19,7 @@ bool lies_in(std::string_view part, std::string_view whole) {
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text = fuzz::as_text({data, size});
   svg::StyleSheet sheet;
-  sheet.add(text);
+  sheet.add(text, limits::kStyleValues);
   fuzz::require(sheet.empty() == (sheet.value_count() == 0), "an empty sheet with values");
   for (const char* property : {"fill", "opacity", "display"}) {
     for (const char* classes : {"", "a", " a  b ", "\ta\n"}) {
@@ -29,7 +29,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   }
   // A second sheet is laid over the first.
   const std::size_t count = sheet.value_count();
-  sheet.add(text);
+  sheet.add(text, limits::kStyleValues);
   fuzz::require(sheet.value_count() == 2 * count, "the second reading of a sheet differs");
   if (const Result<CssColor> color = parse_css_color(text)) {
     const auto is_share = [](float x) { return x >= 0 && x <= 1; };

@@ -41,7 +41,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const Result<ReadDocument> read =
         read_document(context, fuzz::as_text({data, size}), "fuzz.svg", &pictures);
     if (read) {
-      fuzz::require_ok(validate(read->document), "a document that is not valid");
+      fuzz::require_ok(validate(context, read->document), "a document that is not valid");
       fuzz::require(read->warnings.size() <= limits::kWarnings + 1, "too many warnings");
     } else {
       fuzz::require_honest(read.status());

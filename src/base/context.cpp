@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "base/json.hpp"
 #include "base/no_throw.hpp"
 
 namespace sfumato {
@@ -18,10 +19,31 @@ Status Budget::charge(std::size_t bytes, std::string_view purpose) {
     if (bytes > limit_ || used > limit_ - bytes) {
       return make_error(StatusCode::limit, "memory limit of " + std::to_string(limit_ >> 20) +
                                                " MiB reached: " + std::string(purpose) + " needs " +
-                                               std::to_string((bytes >> 20) + 1) + " MiB more");
+                                               std::to_string((bytes >> 20) + 1) +
+                                               " MiB more (--max-memory sets another)");
     }
   } while (!used_.compare_exchange_weak(used, used + bytes, std::memory_order_relaxed));
   return ok_status();
+}
+
+Deadline Deadline::in(double seconds) {
+  const std::chrono::duration<double> span(seconds);
+  return {std::chrono::steady_clock::now() +
+              std::chrono::duration_cast<std::chrono::steady_clock::duration>(span),
+          seconds};
+}
+
+bool Context::is_late() const {
+  return std::chrono::steady_clock::now() >= deadline->at;
+}
+
+Status Context::stop_status() const {
+  if (cancel.load(std::memory_order_relaxed) || !deadline) {
+    return make_error(StatusCode::cancelled, "cancelled");
+  }
+  return make_error(StatusCode::limit, "the time limit of " +
+                                           JsonWriter().value(deadline->seconds).text() +
+                                           " s is over (--max-time sets another)");
 }
 
 SimdLevel detected_simd_level() {
@@ -72,7 +94,7 @@ Status parallel_for(Context& context, std::size_t count, std::size_t grain,
   } else {
     for (std::size_t i = 0; i < task_count; ++i) task(i);
   }
-  if (context.cancelled()) return make_error(StatusCode::cancelled, "cancelled");
+  if (context.cancelled()) return context.stop_status();
   return has_memory ? ok_status() : out_of_memory();
 }
 

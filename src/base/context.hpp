@@ -1,8 +1,10 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 
 #include "base/function_ref.hpp"
@@ -48,22 +50,69 @@ class Progress {
   virtual void report(std::string_view stage, double fraction) = 0;
 };
 
+/// Told of every look at the cancel flag: how tests learn how often work looks. Called from any
+/// thread.
+class PollWatch {
+ public:
+  virtual ~PollWatch() = default;
+  virtual void polled() = 0;
+};
+
+/// Wall-clock time after which work is given up.
+struct Deadline {
+  std::chrono::steady_clock::time_point at;
+  double seconds = 0;  ///< what was given, for the message
+
+  static Deadline in(double seconds);
+};
+
 /// Instruction sets that kernels are compiled for. All give the same bits.
 enum class SimdLevel : std::uint8_t { sse2, avx2, avx512 };
 
 /// The best level of the machine that runs this.
 SimdLevel detected_simd_level();
 
-/// Everything that travels with a computation. The caller keeps executor and progress alive.
+/// Everything that travels with a computation. The caller keeps executor, progress and poll_watch
+/// alive.
+///
+/// Work looks at cancelled() at least every few milliseconds of each thread, and then ends with
+/// stop_status(). tests/limits holds it to that.
 struct Context {
   Executor* executor = nullptr;  ///< null: the calling thread alone
   Progress* progress = nullptr;
   Budget budget{};
+  Limits limits{};
   std::atomic<bool> cancel{false};
+  std::optional<Deadline> deadline{};  ///< none: no limit on time
   SimdLevel simd = detected_simd_level();
+  PollWatch* poll_watch = nullptr;
 
-  bool cancelled() const { return cancel.load(std::memory_order_relaxed); }
+  /// Whether to stop, by the flag or the deadline. Cheap, but not for every turn of a short loop.
+  bool cancelled() const {
+    if (poll_watch) poll_watch->polled();
+    return cancel.load(std::memory_order_relaxed) || (deadline && is_late());
+  }
+  /// Ok, or why to stop: cancelled, or limit for the deadline.
+  Status check() const { return cancelled() ? stop_status() : ok_status(); }
+  /// Why cancelled() was true.
+  Status stop_status() const;
+
   int thread_count() const { return executor ? executor->thread_count() : 1; }
+
+ private:
+  bool is_late() const;
+};
+
+/// Looks at the cancel flag once in `kTurns` calls, for loops of short turns.
+template <std::uint32_t kTurns>
+class RarePoll {
+ public:
+  explicit RarePoll(const Context& context) : context_(context) {}
+  bool cancelled() { return ++turn_ % kTurns == 0 && context_.cancelled(); }
+
+ private:
+  const Context& context_;
+  std::uint32_t turn_ = 0;
 };
 
 /// A charge that gives itself back at the end of its scope, to a Context that must outlive it.

@@ -37,6 +37,7 @@ CLI::App* add_compare(CLI::App& root, CompareArguments& arguments) {
             "Factor of the differences in the picture [128]", into(arguments.scale, parse_positive))
       ->needs(app->get_option("--output"));
   app->add_flag("--json", arguments.json, "Print one JSON object");
+  add_resources(*app, arguments.resources);
   return app;
 }
 

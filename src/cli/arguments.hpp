@@ -7,11 +7,11 @@
 #include <variant>
 #include <vector>
 
-#include "base/limits.hpp"
 #include "cli/messages.hpp"
 #include "cli/output_size.hpp"
 #include "cli/paths.hpp"
 #include "cli/render_jobs.hpp"
+#include "cli/resources.hpp"
 #include "export/svg.hpp"
 #include "patches/diffuse.hpp"
 #include "raster/rasterize.hpp"
@@ -22,6 +22,7 @@ namespace sfumato::cli {
 struct DocumentArguments {
   std::string input;
   std::vector<std::string> allowed_folders;  ///< textures may come from there too; they exist
+  Resources resources;
   bool quiet = false;
 };
 
@@ -51,8 +52,7 @@ struct RenderArguments : DocumentArguments {
   DiffuseOptions diffuse;
   /// As asked for, but for width, height and viewport.
   RasterOptions raster;
-  int threads = 0;  ///< 0: all cores
-  std::size_t max_memory_bytes = limits::kMemoryBytes;
+  int threads = 0;    ///< 0: all cores
   std::string stats;  ///< where the JSON goes; empty: nowhere
 };
 
@@ -75,6 +75,7 @@ struct CompareArguments {
   std::string second;
   std::string output;  ///< of the difference picture; empty: none
   double scale = 128;
+  Resources resources;
   bool json = false;
 };
 

@@ -101,7 +101,10 @@ int compare(const CompareArguments& arguments) {
   const Result<std::string> second = read_input(arguments.second, limits::kPngBytes);
   if (!second) return fail(second.status());
   const std::unique_ptr<Executor> executor = make_tbb_executor();
-  Context context{.executor = executor.get()};
+  Context context{.executor = executor.get(),
+                  .budget = Budget(arguments.resources.memory_bytes),
+                  .limits = arguments.resources.limits,
+                  .deadline = deadline_of(arguments.resources)};
   const CancelOnSignal cancel_on_signal(context.cancel);
   const Status status = compare_files(context, arguments, *first, *second);
   return status ? kDone : fail(status);

@@ -11,13 +11,12 @@
 namespace sfumato::cli {
 namespace {
 
-Status convert_document(Context& context, const ConvertArguments& arguments,
-                        const std::string& input) {
-  const Result<ReadDocument> read = read_given_document(context, arguments, input);
+Status convert_document(Context& context, const ConvertArguments& arguments) {
+  const Result<ReadDocument> read = read_drawing(context, arguments);
   if (!read) return read.status();
   const Result<std::string> svg = write_svg(context, read->document);
   if (!svg) return svg.status();
-  if (context.cancelled()) return make_error(StatusCode::cancelled, "cancelled");
+  if (context.cancelled()) return context.stop_status();
   return write_file(arguments.output,
                     {reinterpret_cast<const std::uint8_t*>(svg->data()), svg->size()});
 }
@@ -27,12 +26,13 @@ Status convert_document(Context& context, const ConvertArguments& arguments,
 int convert(const ConvertArguments& arguments) {
   const Status writable = check_output(arguments.output);
   if (!writable) return fail(writable);
-  const Result<std::string> input = read_input(arguments.input, limits::kInputBytes);
-  if (!input) return fail(input.status());
   const std::unique_ptr<Executor> executor = make_tbb_executor();
-  Context context{.executor = executor.get()};
+  Context context{.executor = executor.get(),
+                  .budget = Budget(arguments.resources.memory_bytes),
+                  .limits = arguments.resources.limits,
+                  .deadline = deadline_of(arguments.resources)};
   const CancelOnSignal cancel_on_signal(context.cancel);
-  const Status status = convert_document(context, arguments, *input);
+  const Status status = convert_document(context, arguments);
   return status ? kDone : fail(status);
 }
 

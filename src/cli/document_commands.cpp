@@ -38,6 +38,7 @@ CLI::App* add_info(CLI::App& root, InfoArguments& arguments) {
   add_document(*app, arguments);
   app->add_flag("--json", arguments.json, "Print one JSON object");
   app->add_flag("--quiet", arguments.quiet, "No warnings");
+  add_resources(*app, arguments.resources);
   return app;
 }
 
@@ -53,6 +54,7 @@ CLI::App* add_convert(CLI::App& root, ConvertArguments& arguments) {
             })
       ->required();
   app->add_flag("--quiet", arguments.quiet, "No warnings");
+  add_resources(*app, arguments.resources);
   return app;
 }
 
@@ -64,6 +66,7 @@ CLI::App* add_lint(CLI::App& root, LintArguments& arguments) {
   app->add_flag("--verbose", arguments.verbose, "With notes: which side of a loop is inside");
   app->add_flag("--json", arguments.json, "Print one JSON object");
   app->add_flag("--quiet", arguments.quiet, "No warnings of the reader");
+  add_resources(*app, arguments.resources);
   return app;
 }
 

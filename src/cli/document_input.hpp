@@ -8,9 +8,8 @@
 
 namespace sfumato::cli {
 
-/// Reads a document of any format from the bytes of arguments.input, with the textures that it may
-/// have, and reports the reader's warnings. Errors: bad_input, limit, out_of_memory.
-Result<ReadDocument> read_given_document(Context& context, const DocumentArguments& arguments,
-                                         const std::string& bytes);
+/// Reads the document of arguments.input, with the textures that it may have, and reports the
+/// reader's warnings. Errors: bad_input, limit, cancelled, out_of_memory.
+Result<ReadDocument> read_drawing(Context& context, const DocumentArguments& arguments);
 
 }  // namespace sfumato::cli

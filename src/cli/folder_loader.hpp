@@ -14,13 +14,16 @@ namespace sfumato::cli {
 class FolderLoader final : public ResourceLoader {
  public:
   /// The path of the document; "-" is standard input: the current folder. `allowed_folders` exist.
-  FolderLoader(const std::string& document, const std::vector<std::string>& allowed_folders);
+  /// Longer files than `limits` allows are errors.
+  FolderLoader(const std::string& document, const std::vector<std::string>& allowed_folders,
+               const Limits& limits);
 
   Result<std::vector<std::uint8_t>> load(std::string_view href) const override;
 
  private:
   Status check_place(const std::filesystem::path& file) const;
 
+  Limits limits_;
   std::filesystem::path folder_;                ///< of the document, as it was given
   std::vector<std::filesystem::path> granted_;  ///< without symbolic links; the document's first
 };

@@ -139,12 +139,12 @@ std::string as_json(const std::string& name, const ReadDocument& read) {
 }  // namespace
 
 int info(const InfoArguments& arguments) {
-  const Result<std::string> input = read_input(arguments.input, limits::kInputBytes);
-  if (!input) return fail(input.status());
   const std::string name = display_name(arguments.input);
-  Context context;
+  Context context{.budget = Budget(arguments.resources.memory_bytes),
+                  .limits = arguments.resources.limits,
+                  .deadline = deadline_of(arguments.resources)};
   const CancelOnSignal cancel_on_signal(context.cancel);
-  const Result<ReadDocument> read = read_given_document(context, arguments, *input);
+  const Result<ReadDocument> read = read_drawing(context, arguments);
   if (!read) return fail(read.status());
   const Status printed = print(arguments.json ? as_json(name, *read) : as_table(name, *read));
   return printed ? kDone : fail(printed);

@@ -73,13 +73,14 @@ std::string as_json(const std::string& name, const Document& document,
 }  // namespace
 
 int lint(const LintArguments& arguments) {
-  const Result<std::string> input = read_input(arguments.input, limits::kInputBytes);
-  if (!input) return fail(input.status());
   const std::string name = display_name(arguments.input);
   const std::unique_ptr<Executor> executor = make_tbb_executor();
-  Context context{.executor = executor.get()};
+  Context context{.executor = executor.get(),
+                  .budget = Budget(arguments.resources.memory_bytes),
+                  .limits = arguments.resources.limits,
+                  .deadline = deadline_of(arguments.resources)};
   const CancelOnSignal cancel_on_signal(context.cancel);
-  const Result<ReadDocument> read = read_given_document(context, arguments, *input);
+  const Result<ReadDocument> read = read_drawing(context, arguments);
   if (!read) return fail(read.status());
   Result<std::vector<Hint>> hints = sfumato::lint(context, read->document);
   if (!hints) return fail(hints.status());

@@ -31,14 +31,16 @@ double output_scale(const SizeRequest& request, const Box& viewport) {
   return std::max(scale.x, scale.y);
 }
 
-Result<OutputSize> output_size(const SizeRequest& request, const Box& viewport) {
+Result<OutputSize> output_size(const Limits& limits, const SizeRequest& request,
+                               const Box& viewport) {
   const Vec2 scale = scales(request, viewport);
   const double width = std::max(1.0, std::round(viewport.width() * scale.x));
   const double height = std::max(1.0, std::round(viewport.height() * scale.y));
-  if (width > limits::kImageSide || height > limits::kImageSide) {
-    return make_error(StatusCode::limit, "the picture would be " + in_pixels(width) + " x " +
-                                             in_pixels(height) + " pixels, the limit is " +
-                                             std::to_string(limits::kImageSide) + " on a side");
+  if (std::max(width, height) > static_cast<double>(limits.image_side)) {
+    return make_error(StatusCode::limit,
+                      "the picture would be " + in_pixels(width) + " x " + in_pixels(height) +
+                          " pixels, the limit is " +
+                          limit_text(limits, &Limits::image_side, "pixels on a side"));
   }
   return OutputSize{static_cast<int>(width), static_cast<int>(height),
                     output_scale(request, viewport)};

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "base/box.hpp"
+#include "base/limits.hpp"
 #include "base/status.hpp"
 
 namespace sfumato::cli {
@@ -25,7 +26,8 @@ double output_scale(const SizeRequest& request, const Box& viewport);
 
 /// The size of the image that shows `viewport`. One of width and height alone sets the other by the
 /// viewport's aspect; both stretch the picture to them; neither: viewport × scale, default 1. Sizes
-/// are rounded to the nearest pixel, at least 1. Errors: limit (limits::kImageSide).
-Result<OutputSize> output_size(const SizeRequest& request, const Box& viewport);
+/// are rounded to the nearest pixel, at least 1. Errors: limit (of an image's side).
+Result<OutputSize> output_size(const Limits& limits, const SizeRequest& request,
+                               const Box& viewport);
 
 }  // namespace sfumato::cli

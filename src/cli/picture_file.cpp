@@ -63,7 +63,7 @@ Status PictureMaker::choose_options(const Document& document) {
     diffuse_.pixels_per_unit = scale_ * arguments_.output.detail;
     return ok_status();
   }
-  const Result<OutputSize> size = output_size(arguments_.size, viewport);
+  const Result<OutputSize> size = output_size(context_.limits, arguments_.size, viewport);
   if (!size) return size.status();
   diffuse_.pixels_per_unit = size->pixels_per_unit;
   raster_ = arguments_.raster;

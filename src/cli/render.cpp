@@ -25,15 +25,14 @@ constexpr std::chrono::milliseconds kProgressDelay{1000};
 Status render_document(Context& context, const RenderArguments& arguments,
                        const std::string& output, RenderStats& stats) {
   const Stopwatch total;
-  const Result<std::string> input = read_input(arguments.input, limits::kInputBytes);
-  if (!input) return input.status();
-  Result<ReadDocument> read = read_given_document(context, arguments, *input);
+  context.deadline = deadline_of(arguments.resources);
+  Result<ReadDocument> read = read_drawing(context, arguments);
   if (!read) return read.status();
   stats.threads = context.thread_count();
   stats.read_seconds = total.seconds();
   const auto file = make_picture_file(context, read->document, arguments, stats);
   if (!file) return file.status();
-  if (context.cancelled()) return make_error(StatusCode::cancelled, "cancelled");
+  if (context.cancelled()) return context.stop_status();
   const Stopwatch write_watch;
   const Status written = write_file(output, *file);
   stats.write_seconds += write_watch.seconds();
@@ -53,6 +52,8 @@ class Rendering {
  private:
   void run_job(std::size_t index);
   void report_failure(const Status& status);
+  /// By a signal; one drawing that takes too long does not end the others.
+  bool interrupted() const { return context_.cancel.load(); }
 
   Context& context_;
   RenderArguments arguments_;
@@ -78,19 +79,20 @@ void Rendering::run_job(std::size_t index) {
   Status status = check_output(job.output);
   if (status) status = render_document(context_, arguments_, job.output, stats);
   if (bar_ && !status) bar_->erase();
+  if (!status && status.where.file.empty()) status.where.file = display_name(job.input);
   if (!status) return report_failure(status);
   stats_ += to_json(stats, arguments_.many ? job.input : std::string());
 }
 
 int Rendering::run() {
-  for (std::size_t i = 0; i < arguments_.jobs.size() && !context_.cancelled(); ++i) run_job(i);
+  for (std::size_t i = 0; i < arguments_.jobs.size() && !interrupted(); ++i) run_job(i);
   if (bar_) bar_->erase();
-  if (!arguments_.stats.empty() && (arguments_.many || failed_ == 0) && !context_.cancelled()) {
+  if (!arguments_.stats.empty() && (arguments_.many || failed_ == 0) && !interrupted()) {
     const Status written = write_file(
         arguments_.stats, {reinterpret_cast<const std::uint8_t*>(stats_.data()), stats_.size()});
     if (!written) report_failure(written);
   }
-  if (arguments_.many && failed_ > 0 && !context_.cancelled()) {
+  if (arguments_.many && failed_ > 0 && !interrupted()) {
     std::fprintf(stderr, "sfumato: %zu of %zu drawings failed\n", failed_, arguments_.jobs.size());
   }
   return exit_code_;
@@ -114,7 +116,8 @@ int render(const RenderArguments& arguments) {
   if (!arguments.quiet && isatty(STDERR_FILENO) != 0) progress.emplace(stderr, kProgressDelay);
   Context context{.executor = executor.get(),
                   .progress = progress ? &*progress : nullptr,
-                  .budget = Budget(arguments.max_memory_bytes)};
+                  .budget = Budget(arguments.resources.memory_bytes),
+                  .limits = arguments.resources.limits};
   const CancelOnSignal cancel_on_signal(context.cancel);
   return Rendering(context, arguments, progress ? &*progress : nullptr).run();
 }

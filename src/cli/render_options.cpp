@@ -18,7 +18,6 @@ constexpr const char* kRenderFooter =
     "  sfumato render - -o - <lady_bug.xml >lady_bug.png";
 
 constexpr std::uint64_t kLargestCount = 1'000'000'000;
-constexpr std::uint64_t kLargestMemoryMib = std::uint64_t{1} << 24;
 constexpr double kLargestMinAngleDeg = 33;
 constexpr double kLargestMaxError = 255;
 
@@ -188,15 +187,6 @@ void add_running_options(CLI::App& app, RenderArguments& arguments, RenderChoice
             "Threads; the picture is the same for any number [all cores]",
             whole_into(arguments.threads, 1, limits::kThreads))
       ->group(group);
-  add_value(
-      app, "--max-memory", {"a whole number of MiB, at least 1", "MIB"},
-      "Give up before taking more memory [" + std::to_string(limits::kMemoryBytes >> 20) + "]",
-      [&bytes = arguments.max_memory_bytes](const std::string& text) {
-        const auto value = parse_whole(text, 1, kLargestMemoryMib);
-        bytes = static_cast<std::size_t>(value.value_or(0)) << 20;
-        return value.has_value();
-      })
-      ->group(group);
   app.add_option("--stats", arguments.stats, "Sizes and times as JSON; '-': to stdout")
       ->type_name("FILE.json")
       ->group(group);
@@ -215,6 +205,7 @@ CLI::App* add_render(CLI::App& root, RenderArguments& arguments, RenderChoices& 
   add_image_options(*app, arguments, choices);
   add_vector_options(*app, arguments, choices);
   add_running_options(*app, arguments, choices);
+  add_resources(*app, arguments.resources);
   return app;
 }
 

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "base/limits.hpp"
 
@@ -87,6 +88,21 @@ std::optional<std::uint64_t> parse_whole(std::string_view text, std::uint64_t lo
   const std::optional<std::uint64_t> value = parse_all<std::uint64_t>(text, 10);
   if (!value || *value < lowest || *value > highest) return std::nullopt;
   return value;
+}
+
+std::optional<std::uint64_t> parse_count(std::string_view text, std::uint64_t highest) {
+  constexpr std::pair<std::string_view, std::uint64_t> kUnits[] = {
+      {"KiB", 1ull << 10}, {"MiB", 1ull << 20}, {"GiB", 1ull << 30},
+      {"k", 1'000},        {"M", 1'000'000},    {"G", 1'000'000'000}};
+  std::uint64_t unit = 1;
+  for (const auto& [name, size] : kUnits) {
+    if (!text.ends_with(name)) continue;
+    text.remove_suffix(name.size());
+    unit = size;
+    break;
+  }
+  const std::optional<std::uint64_t> value = parse_whole(text, 0, highest / unit);
+  return value ? std::optional(*value * unit) : std::nullopt;
 }
 
 std::optional<double> parse_fraction(std::string_view text) {

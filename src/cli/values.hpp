@@ -21,6 +21,10 @@ std::optional<double> parse_positive(std::string_view text);
 std::optional<std::uint64_t> parse_whole(std::string_view text, std::uint64_t lowest,
                                          std::uint64_t highest);
 
+/// The same from 0 to `highest`, perhaps with k, M or G (thousands), or KiB, MiB or GiB (1024s)
+/// behind it: "300k".
+std::optional<std::uint64_t> parse_count(std::string_view text, std::uint64_t highest);
+
 /// A fraction above 0 and at most 1: "0.04" or "4%".
 std::optional<double> parse_fraction(std::string_view text);
 

@@ -25,14 +25,15 @@ Box bounds(const Cubic& cubic) {
 
 class Flattener {
  public:
-  Flattener(const FlattenOptions& options, FlatCurves& flat) : options_(options), flat_(flat) {
+  Flattener(Context& context, const FlattenOptions& options, FlatCurves& flat)
+      : context_(context), options_(options), flat_(flat) {
     if (options.focus) {
       const double margin = 0.1 * std::max(options.focus->width(), options.focus->height());
       focus_ = options.focus->grown_by(margin);
     }
   }
 
-  bool over_limit() const { return flat_.vertex.size() > limits::kSegments; }
+  bool over_limit() const { return flat_.vertex.size() > context_.limits.segments; }
 
   void add_curve(const Curve& curve, std::uint32_t index) {
     curve_ = index;
@@ -108,6 +109,7 @@ class Flattener {
     flat_.vertex_curve.push_back(curve_);
   }
 
+  Context& context_;
   const FlattenOptions& options_;
   FlatCurves& flat_;
   std::optional<Box> focus_;
@@ -123,15 +125,16 @@ Result<FlatCurves> flatten(Context& context, std::span<const Curve> curves,
                            const FlattenOptions& options) {
   FlatCurves flat;
   flat.curve_begin.reserve(curves.size() + 1);
-  Flattener flattener(options, flat);
+  Flattener flattener(context, options, flat);
   for (std::size_t i = 0; i < curves.size(); ++i) {
-    if (context.cancelled()) return make_error(StatusCode::cancelled, "cancelled");
+    if (context.cancelled()) return context.stop_status();
     flat.curve_begin.push_back(static_cast<std::uint32_t>(flat.vertex.size()));
     flattener.add_curve(curves[i], static_cast<std::uint32_t>(i));
     if (flattener.over_limit()) {
-      return make_error(StatusCode::limit,
-                        "more than " + std::to_string(limits::kSegments) +
-                            " segments after flattening; a larger tolerance makes fewer");
+      return make_error(StatusCode::limit, "more than the limit of " +
+                                               limit_text(context.limits, &Limits::segments,
+                                                          "segments after flattening") +
+                                               "; a larger tolerance makes fewer");
     }
   }
   flat.curve_begin.push_back(static_cast<std::uint32_t>(flat.vertex.size()));

@@ -117,7 +117,7 @@ class SegmentMaker {
     std::size_t next_cut = 0;
     Status status;
     for (std::size_t i = 0; status && 3 * i + 3 < points_.size(); ++i) {
-      if (context_.cancelled()) return make_error(StatusCode::cancelled, "cancelled");
+      if (context_.cancelled()) return context_.stop_status();
       const Cubic cubic = piece(points_, i);
       const double begin = static_cast<double>(i);
       double from = 0;
@@ -260,12 +260,14 @@ class SegmentMaker {
   Status reserve() {
     const std::size_t capacity = out_.segment.capacity();
     if (out_.segment.size() < capacity) return ok_status();
-    if (capacity >= limits::kSegments) {
-      return make_error(StatusCode::limit, "a local curve of more than " +
-                                               std::to_string(limits::kSegments) +
-                                               " segments; a larger radius makes fewer");
+    const std::size_t most = context_.limits.segments;
+    if (capacity >= most) {
+      return make_error(StatusCode::limit, "more than the limit of " +
+                                               limit_text(context_.limits, &Limits::segments,
+                                                          "segments in one local curve") +
+                                               "; a larger radius makes fewer");
     }
-    const std::size_t larger = std::min(std::max<std::size_t>(2 * capacity, 8), limits::kSegments);
+    const std::size_t larger = std::min(std::max<std::size_t>(2 * capacity, 8), most);
     const std::size_t bytes = (larger - capacity) * (sizeof(StrokeSegment) + sizeof(Box));
     if (Status status = out_.charge.add(context_, bytes, "a local curve"); !status) return status;
     out_.segment.reserve(larger);

@@ -10,6 +10,7 @@
 #include "base/box.hpp"
 #include "base/color.hpp"
 #include "base/color_space.hpp"
+#include "base/context.hpp"
 #include "base/status.hpp"
 #include "document/curve.hpp"
 #include "document/shader.hpp"
@@ -76,12 +77,13 @@ struct Document {
   std::vector<StackItem> stack;  ///< bottom first; groups nest and are closed
 };
 
-/// Checks every invariant of the model: sizes against limits.hpp, finite numbers in range, indices,
-/// 3n+1 control points, stop lists that are sorted. Readers call it last; `diffuse` relies on it.
-Status validate(const Document& document);
+/// Checks every invariant of the model: sizes against the context's limits, finite numbers in
+/// range, indices, 3n+1 control points, stop lists that are sorted. Readers call it last; `diffuse`
+/// relies on it. Errors: bad_input, limit, cancelled.
+Status validate(const Context& context, const Document& document);
 
 /// The same for what pictures take over from documents.
-Status validate(const std::vector<Shader>& shaders);
-Status validate(const LocalStroke& stroke);
+Status validate(const Context& context, const std::vector<Shader>& shaders);
+Status validate(const Context& context, const LocalStroke& stroke);
 
 }  // namespace sfumato

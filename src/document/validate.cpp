@@ -15,10 +15,11 @@ Status bad(std::string message) {
   return make_error(StatusCode::bad_input, std::move(message));
 }
 
-Status at_most(std::size_t count, std::size_t limit, const char* what) {
-  if (count <= limit) return ok_status();
-  return make_error(StatusCode::limit,
-                    std::to_string(count) + " " + what + "; the limit is " + std::to_string(limit));
+Status at_most(const Context& context, std::size_t count, std::size_t Limits::*limit,
+               const char* what) {
+  if (count <= context.limits.*limit) return ok_status();
+  return make_error(StatusCode::limit, std::to_string(count) + " " + what + "; the limit is " +
+                                           limit_text(context.limits, limit, what));
 }
 
 /// `status` with the place in the document put before its message.
@@ -60,10 +61,11 @@ struct Totals {
   std::size_t stops = 0;
 };
 
-Status check_totals(const Totals& totals) {
-  Status status = at_most(totals.curves, limits::kCurves, "curves");
-  if (status) status = at_most(totals.control_points, limits::kControlPoints, "control points");
-  if (status) status = at_most(totals.stops, limits::kStops, "stops");
+Status check_totals(const Context& context, const Totals& totals) {
+  Status status = at_most(context, totals.curves, &Limits::curves, "curves");
+  if (status)
+    status = at_most(context, totals.control_points, &Limits::control_points, "control points");
+  if (status) status = at_most(context, totals.stops, &Limits::stops, "stops");
   return status;
 }
 
@@ -79,8 +81,10 @@ Status check_control_points(const std::vector<Vec2>& points) {
 
 /// Offsets in range and never falling; values as is_value says.
 template <class Value, class IsValue>
-Status check_stops(const StopList<Value>& list, std::size_t piece_count, IsValue is_value) {
-  if (Status status = at_most(list.stops.size(), limits::kStopsPerList, "stops"); !status) {
+Status check_stops(const Context& context, const StopList<Value>& list, std::size_t piece_count,
+                   IsValue is_value) {
+  if (Status status = at_most(context, list.stops.size(), &Limits::stops_per_list, "stops");
+      !status) {
     return status;
   }
   const double end = list.space == StopSpace::parameter ? static_cast<double>(piece_count) : 1;
@@ -99,8 +103,8 @@ Status check_stops(const StopList<Value>& list, std::size_t piece_count, IsValue
 }
 
 template <class Value, class IsValue>
-Status check_shader(const SideShader<Value>& shader, std::size_t piece_count,
-                    std::size_t shader_count, IsValue is_value) {
+Status check_shader(const Context& context, const SideShader<Value>& shader,
+                    std::size_t piece_count, std::size_t shader_count, IsValue is_value) {
   const bool has_stops = !shader.stops.empty();
   if (has_stops != (shader.kind == ShaderKind::curve_domain)) {
     return bad(has_stops ? "stops on a side that takes none" : "no stops");
@@ -108,25 +112,31 @@ Status check_shader(const SideShader<Value>& shader, std::size_t piece_count,
   if (shader.kind == ShaderKind::image_domain && shader.shader >= shader_count) {
     return bad("there is no shader " + std::to_string(shader.shader));
   }
-  return check_stops(shader.stops, piece_count, is_value);
+  return check_stops(context, shader.stops, piece_count, is_value);
 }
 
-Status check_side(const Side& side, std::size_t piece_count, std::size_t shader_count) {
-  Status status = inside("colour", check_shader(side.color, piece_count, shader_count, is_color));
+Status check_side(const Context& context, const Side& side, std::size_t piece_count,
+                  std::size_t shader_count) {
+  Status status =
+      inside("colour", check_shader(context, side.color, piece_count, shader_count, is_color));
   if (status) {
-    status = inside("opacity", check_shader(side.opacity, piece_count, shader_count, is_share));
+    status =
+        inside("opacity", check_shader(context, side.opacity, piece_count, shader_count, is_share));
   }
-  if (status) status = inside("blur radius", check_stops(side.blur_radius, piece_count, is_length));
+  if (status)
+    status = inside("blur radius", check_stops(context, side.blur_radius, piece_count, is_length));
   return status;
 }
 
-Status check_curve(const Curve& curve, std::size_t shader_count) {
+Status check_curve(const Context& context, const Curve& curve, std::size_t shader_count) {
   Status status = check_control_points(curve.control_points);
   if (status) {
-    status = inside("left side", check_side(curve.left, curve.piece_count(), shader_count));
+    status =
+        inside("left side", check_side(context, curve.left, curve.piece_count(), shader_count));
   }
   if (status) {
-    status = inside("right side", check_side(curve.right, curve.piece_count(), shader_count));
+    status =
+        inside("right side", check_side(context, curve.right, curve.piece_count(), shader_count));
   }
   if (status && !(curve.weight > 0 && curve.weight <= limits::kCoordinate)) {
     status = bad("the weight is not above 0 and finite");
@@ -134,18 +144,19 @@ Status check_curve(const Curve& curve, std::size_t shader_count) {
   return status;
 }
 
-void note_shader(ShaderKind kind, std::uint32_t shader, std::vector<std::uint32_t>& used) {
+void note_shader(ShaderKind kind, std::uint32_t shader, std::size_t most,
+                 std::vector<std::uint32_t>& used) {
   if (kind == ShaderKind::image_domain && std::ranges::find(used, shader) == used.end() &&
-      used.size() <= limits::kShadersPerLayer) {
+      used.size() <= most) {
     used.push_back(shader);
   }
 }
 
-/// Adds the shaders that a curve uses and `used` does not hold yet.
-void note_shaders(const Curve& curve, std::vector<std::uint32_t>& used) {
+/// Adds the shaders that a curve uses and `used` does not hold yet, while it has at most `most`.
+void note_shaders(const Curve& curve, std::size_t most, std::vector<std::uint32_t>& used) {
   for (const Side* side : {&curve.left, &curve.right}) {
-    note_shader(side->color.kind, side->color.shader, used);
-    note_shader(side->opacity.kind, side->opacity.shader, used);
+    note_shader(side->color.kind, side->color.shader, most, used);
+    note_shader(side->opacity.kind, side->opacity.shader, most, used);
   }
 }
 
@@ -154,28 +165,32 @@ std::size_t stop_count(const Side& side) {
          side.blur_radius.stops.size();
 }
 
-Status check_layer(const Layer& layer, std::size_t shader_count, Totals& totals) {
+Status check_layer(const Context& context, const Layer& layer, std::size_t shader_count,
+                   Totals& totals) {
   std::vector<std::uint32_t> used_shaders;
   totals.curves += layer.curves.size();
   for (std::size_t i = 0; i < layer.curves.size(); ++i) {
+    if (context.cancelled()) return context.stop_status();
     const Curve& curve = layer.curves[i];
-    if (Status status = check_curve(curve, shader_count); !status) {
+    if (Status status = check_curve(context, curve, shader_count); !status) {
       return inside("curve " + std::to_string(i), std::move(status));
     }
     totals.control_points += curve.control_points.size();
     totals.stops += stop_count(curve.left) + stop_count(curve.right);
-    note_shaders(curve, used_shaders);
+    note_shaders(curve, context.limits.shaders_per_layer, used_shaders);
   }
-  return at_most(used_shaders.size(), limits::kShadersPerLayer, "shaders or more");
+  return at_most(context, used_shaders.size(), &Limits::shaders_per_layer, "shaders");
 }
 
-Status check_layers(const Document& document, Totals& totals) {
-  if (Status status = at_most(document.layers.size(), limits::kLayers, "layers"); !status) {
+Status check_layers(const Context& context, const Document& document, Totals& totals) {
+  if (Status status = at_most(context, document.layers.size(), &Limits::layers, "layers");
+      !status) {
     return status;
   }
   for (std::size_t i = 0; i < document.layers.size(); ++i) {
     const Layer& layer = document.layers[i];
-    if (Status status = check_layer(layer, document.shaders.size(), totals); !status) {
+    if (Status status = check_layer(context, layer, document.shaders.size(), totals); !status) {
+      if (context.cancelled()) return context.stop_status();
       return inside("layer " + std::to_string(i) + " \"" + layer.id + "\"", std::move(status));
     }
   }
@@ -191,16 +206,20 @@ Status check_instance(const LayerInstance& instance, std::size_t layer_count) {
   return ok_status();
 }
 
-Status check_stroke(const LocalStroke& stroke) {
+Status check_stroke(const Context& context, const LocalStroke& stroke) {
   const LocalCurve& curve = stroke.curve;
   const std::size_t pieces =
       curve.control_points.empty() ? 0 : (curve.control_points.size() - 1) / 3;
   Status status = check_control_points(curve.control_points);
-  if (status) status = inside("left colour", check_stops(curve.left_color, pieces, is_color));
-  if (status) status = inside("right colour", check_stops(curve.right_color, pieces, is_color));
-  if (status) status = inside("blur radius", check_stops(curve.blur_radius, pieces, is_length));
+  if (status)
+    status = inside("left colour", check_stops(context, curve.left_color, pieces, is_color));
+  if (status)
+    status = inside("right colour", check_stops(context, curve.right_color, pieces, is_color));
+  if (status)
+    status = inside("blur radius", check_stops(context, curve.blur_radius, pieces, is_length));
   if (status) {
-    status = inside("influence radius", check_stops(curve.influence_radius, pieces, is_length));
+    status =
+        inside("influence radius", check_stops(context, curve.influence_radius, pieces, is_length));
   }
   if (!status) return status;
   const auto is_wide = [](const Stop<float>& stop) { return stop.value > 0; };
@@ -215,8 +234,8 @@ Status check_stroke(const LocalStroke& stroke) {
 /// Checks the items of the stack one after another.
 class StackChecker {
  public:
-  StackChecker(std::size_t layer_count, Totals& totals)
-      : layer_count_(layer_count), totals_(totals) {}
+  StackChecker(const Context& context, std::size_t layer_count, Totals& totals)
+      : context_(context), layer_count_(layer_count), totals_(totals) {}
 
   Status operator()(const LayerInstance& instance) const {
     return check_instance(instance, layer_count_);
@@ -228,12 +247,12 @@ class StackChecker {
     totals_.control_points += curve.control_points.size();
     totals_.stops += curve.left_color.stops.size() + curve.right_color.stops.size() +
                      curve.blur_radius.stops.size() + curve.influence_radius.stops.size();
-    return check_stroke(stroke);
+    return check_stroke(context_, stroke);
   }
 
   Status operator()(const GroupBegin& group) {
     if (!is_share(group.opacity)) return bad("the opacity is not within 0 to 1");
-    return at_most(static_cast<std::size_t>(++open_groups_), limits::kGroupDepth,
+    return at_most(context_, static_cast<std::size_t>(++open_groups_), &Limits::group_depth,
                    "groups within each other");
   }
 
@@ -245,17 +264,20 @@ class StackChecker {
   int open_groups() const { return open_groups_; }
 
  private:
+  const Context& context_;
   std::size_t layer_count_;
   Totals& totals_;
   int open_groups_ = 0;
 };
 
-Status check_stack(const Document& document, Totals& totals) {
-  if (Status status = at_most(document.stack.size(), limits::kStackItems, "stack items"); !status) {
+Status check_stack(const Context& context, const Document& document, Totals& totals) {
+  if (Status status = at_most(context, document.stack.size(), &Limits::stack_items, "stack items");
+      !status) {
     return status;
   }
-  StackChecker checker(document.layers.size(), totals);
+  StackChecker checker(context, document.layers.size(), totals);
   for (std::size_t i = 0; i < document.stack.size(); ++i) {
+    if (context.cancelled()) return context.stop_status();
     if (Status status = std::visit(checker, document.stack[i]); !status) {
       return inside("stack item " + std::to_string(i), std::move(status));
     }
@@ -272,13 +294,14 @@ bool is_shape(const RadialGradient& shape) {
          shape.radius > 0 && length(shape.focus - shape.center) <= shape.radius;
 }
 
-Status check_paint(const GradientFill& fill) {
+Status check_paint(const Context& context, const GradientFill& fill) {
   if (!std::visit([](const auto& shape) { return is_shape(shape); }, fill.shape)) {
     return bad("the gradient's shape is out of range");
   }
   if (!is_usable(fill.layer_from_gradient)) return bad("the transform cannot be inverted");
   if (fill.stops.empty()) return bad("the gradient has no stops");
-  if (Status status = at_most(fill.stops.size(), limits::kStopsPerList, "stops"); !status) {
+  if (Status status = at_most(context, fill.stops.size(), &Limits::stops_per_list, "stops");
+      !status) {
     return status;
   }
   double last = 0;
@@ -291,11 +314,11 @@ Status check_paint(const GradientFill& fill) {
   return ok_status();
 }
 
-Status check_paint(const Texture& texture) {
+Status check_paint(const Context& context, const Texture& texture) {
   if (texture.width < 1 || texture.height < 1) return bad("the texture has no pixels");
-  if (std::max(texture.width, texture.height) > limits::kImageSide) {
-    return make_error(StatusCode::limit, "a side of the texture is longer than the limit of " +
-                                             std::to_string(limits::kImageSide) + " pixels");
+  if (static_cast<std::size_t>(std::max(texture.width, texture.height)) >
+      context.limits.image_side) {
+    return limit_error(context.limits, &Limits::image_side, "pixels on a side of the texture");
   }
   const std::size_t texels = static_cast<std::size_t>(texture.width) * texture.height;
   if (texture.rgba.size() != 4 * texels) return bad("the texture's size and bytes disagree");
@@ -307,7 +330,7 @@ Status check_paint(const Texture& texture) {
   return ok_status();
 }
 
-Status check_textures(const std::vector<Shader>& shaders) {
+Status check_textures(const Context& context, const std::vector<Shader>& shaders) {
   std::size_t textures = 0, texels = 0;
   for (const Shader& shader : shaders) {
     const auto* texture = std::get_if<Texture>(&shader.paint);
@@ -315,15 +338,15 @@ Status check_textures(const std::vector<Shader>& shaders) {
     ++textures;
     texels += texture->rgba.size() / 4;
   }
-  Status status = at_most(textures, limits::kTextures, "textures");
-  return status ? at_most(texels, limits::kTexels, "texels") : status;
+  Status status = at_most(context, textures, &Limits::textures, "textures");
+  return status ? at_most(context, texels, &Limits::texels, "texels") : status;
 }
 
-Status check_shaders(const std::vector<Shader>& shaders) {
-  if (Status status = check_textures(shaders); !status) return status;
+Status check_shaders(const Context& context, const std::vector<Shader>& shaders) {
+  if (Status status = check_textures(context, shaders); !status) return status;
   for (std::size_t i = 0; i < shaders.size(); ++i) {
-    Status status =
-        std::visit([](const auto& paint) { return check_paint(paint); }, shaders[i].paint);
+    Status status = std::visit([&](const auto& paint) { return check_paint(context, paint); },
+                               shaders[i].paint);
     if (!status) {
       return inside("shader " + std::to_string(i) + " \"" + shaders[i].id + "\"",
                     std::move(status));
@@ -332,7 +355,7 @@ Status check_shaders(const std::vector<Shader>& shaders) {
   return ok_status();
 }
 
-Status check_document(const Document& document) {
+Status check_document(const Context& context, const Document& document) {
   const Box& artboard = document.artboard;
   if (!is_coordinate(artboard.min) || !is_coordinate(artboard.max) || !(artboard.width() > 0) ||
       !(artboard.height() > 0)) {
@@ -342,25 +365,25 @@ Status check_document(const Document& document) {
     return bad("the background is not within 0 to 1");
   }
   Totals totals;
-  Status status = check_shaders(document.shaders);
-  if (status) status = check_layers(document, totals);
-  if (status) status = check_stack(document, totals);
-  if (status) status = check_totals(totals);
+  Status status = check_shaders(context, document.shaders);
+  if (status) status = check_layers(context, document, totals);
+  if (status) status = check_stack(context, document, totals);
+  if (status) status = check_totals(context, totals);
   return status;
 }
 
 }  // namespace
 
-Status validate(const std::vector<Shader>& shaders) {
-  return no_throw([&] { return check_shaders(shaders); });
+Status validate(const Context& context, const std::vector<Shader>& shaders) {
+  return no_throw([&] { return check_shaders(context, shaders); });
 }
 
-Status validate(const LocalStroke& stroke) {
-  return no_throw([&] { return check_stroke(stroke); });
+Status validate(const Context& context, const LocalStroke& stroke) {
+  return no_throw([&] { return check_stroke(context, stroke); });
 }
 
-Status validate(const Document& document) {
-  return no_throw([&] { return check_document(document); });
+Status validate(const Context& context, const Document& document) {
+  return no_throw([&] { return check_document(context, document); });
 }
 
 }  // namespace sfumato

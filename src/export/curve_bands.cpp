@@ -43,7 +43,7 @@ class BandBuilder {
   Status build(Context& context) {
     for (Part part : {Part::beyond, Part::band}) {
       for (std::uint32_t side : edges_.side) {
-        if (context.cancelled()) return make_error(StatusCode::cancelled, "cancelled");
+        if (context.cancelled()) return context.stop_status();
         paint(side, part);
       }
     }

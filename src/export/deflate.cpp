@@ -59,7 +59,7 @@ Result<std::vector<std::uint8_t>> deflated(Context& context, std::span<const std
   std::vector<std::uint8_t> packed;
   std::size_t fed = 0;
   for (bool is_done = false; !is_done;) {
-    if (context.cancelled()) return make_error(StatusCode::cancelled, "cancelled");
+    if (context.cancelled()) return context.stop_status();
     if (deflater.is_hungry()) {
       const std::size_t size = std::min(kPiece, bytes.size() - fed);
       deflater.feed(bytes.subspan(fed, size));

@@ -200,17 +200,17 @@ Result<std::vector<std::uint8_t>> EpsWriter::write() {
   return std::vector<std::uint8_t>(text_.begin(), text_.end());
 }
 
-Status check(const Picture& picture, const EpsOptions& options) {
+Status check(const Context& context, const Picture& picture, const EpsOptions& options) {
   if (Status status = check_viewport(picture.viewport); !status) return status;
   if (!is_positive(options.page_width_pt.value_or(1)) || !is_positive(options.dpi) ||
       !is_positive(options.max_error))
     return make_error(StatusCode::bad_input, "an option of EPS that is no positive number");
-  return raster::check_picture(picture);
+  return raster::check_picture(context, picture);
 }
 
 Result<std::vector<std::uint8_t>> write(Context& context, const Picture& picture,
                                         const EpsOptions& options, ExportNotes* notes) {
-  if (Status status = check(picture, options); !status) return status;
+  if (Status status = check(context, picture, options); !status) return status;
   ExportNotes unread;
   return EpsWriter(context, picture, options,
                    points_per_unit(options.page_width_pt, picture.viewport),

@@ -49,7 +49,7 @@ Result<FacetLinks> link_facets(Context& context, const FacetMesh& mesh) {
                              "the edges of facets");
   if (!status) return status;
   const std::vector<std::uint32_t> number = number_positions(mesh);
-  if (context.cancelled()) return make_error(StatusCode::cancelled, "cancelled");
+  if (context.cancelled()) return context.stop_status();
   std::vector<Edge> edges(count);
   for (std::uint32_t i = 0; i < count; ++i) {
     const std::uint32_t a = number[mesh.facet_vertex[i]],

@@ -30,13 +30,13 @@ bool is_positive(double value) {
   return value > 0 && std::isfinite(value);
 }
 
-Status check(const Picture& picture, const GlbOptions& options) {
+Status check(const Context& context, const Picture& picture, const GlbOptions& options) {
   if (!is_positive(options.dpi) || !is_positive(options.size) || !is_positive(options.max_error)) {
     return make_error(StatusCode::bad_input,
                       "dpi, size and error of a GLB must be positive numbers");
   }
   if (Status status = outputs::check_viewport(picture.viewport); !status) return status;
-  return raster::check_picture(picture);
+  return raster::check_picture(context, picture);
 }
 
 /// Of a layer that is shown as triangles.
@@ -167,7 +167,7 @@ Status GlbWriter::add_pixels(std::size_t first, std::size_t end) {
 Status GlbWriter::add_stack() {
   const std::vector<PictureItem>& stack = picture_.stack;
   for (std::size_t i = 0; i < stack.size(); ++i) {
-    if (context_.cancelled()) return make_error(StatusCode::cancelled, "cancelled");
+    if (context_.cancelled()) return context_.stop_status();
     Status status = ok_status();
     if (outputs::needs_pixels(picture_, stack[i])) {
       const std::size_t end = outputs::pixel_run_end(picture_, i);
@@ -212,7 +212,7 @@ Result<std::vector<std::uint8_t>> GlbWriter::write(ExportNotes* notes) {
 
 Result<std::vector<std::uint8_t>> write(Context& context, const Picture& picture,
                                         const GlbOptions& options, ExportNotes* notes) {
-  if (Status status = check(picture, options); !status) return status;
+  if (Status status = check(context, picture, options); !status) return status;
   return GlbWriter(context, picture, options).write(notes);
 }
 

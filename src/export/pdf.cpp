@@ -190,18 +190,18 @@ Result<std::vector<std::uint8_t>> PdfWriter::write() {
   return file_.finish(root, file_.add(info + " >>"));
 }
 
-Status check(const Picture& picture, const PdfOptions& options) {
+Status check(const Context& context, const Picture& picture, const PdfOptions& options) {
   if (Status status = check_viewport(picture.viewport); !status) return status;
   if (!is_positive(options.page_width_pt.value_or(1)))
     return make_error(StatusCode::bad_input, "a page width that is no positive number");
   if (!is_positive(options.dpi) || !is_positive(options.max_error))
     return make_error(StatusCode::bad_input, "a resolution or error that is no positive number");
-  return raster::check_picture(picture);
+  return raster::check_picture(context, picture);
 }
 
 Result<std::vector<std::uint8_t>> write(Context& context, const Picture& picture,
                                         const PdfOptions& options, ExportNotes* notes) {
-  if (Status status = check(picture, options); !status) return status;
+  if (Status status = check(context, picture, options); !status) return status;
   ExportNotes unread;
   return PdfWriter(context, picture, options,
                    points_per_unit(options.page_width_pt, picture.viewport),

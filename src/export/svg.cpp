@@ -33,7 +33,7 @@ double pixels_per_unit(const SvgOptions& options) {
   return options.scale * options.dpi / kUnitsPerInch;
 }
 
-Status check(const Picture& picture, const SvgOptions& options) {
+Status check(const Context& context, const Picture& picture, const SvgOptions& options) {
   if (!(pixels_per_unit(options) > 0) || !std::isfinite(pixels_per_unit(options))) {
     return make_error(StatusCode::bad_input, "scale or dpi of an SVG that is no positive number");
   }
@@ -41,7 +41,7 @@ Status check(const Picture& picture, const SvgOptions& options) {
     return make_error(StatusCode::bad_input, "an error of an SVG's colours that is not above 0");
   }
   if (Status status = outputs::check_viewport(picture.viewport); !status) return status;
-  return raster::check_picture(picture);
+  return raster::check_picture(context, picture);
 }
 
 void append_attribute(std::string& text, std::string_view name, double value) {
@@ -172,11 +172,11 @@ void VectorWriter::find_uses() {
 }
 
 Status VectorWriter::check_count(std::uint64_t triangles) const {
-  if (options_.force || triangles <= limits::kSvgTriangles) return ok_status();
-  return make_error(StatusCode::limit, std::to_string(triangles) +
-                                           " triangles or more in an SVG; the limit is " +
-                                           std::to_string(limits::kSvgTriangles) +
-                                           ": allow a larger error or write pixels instead");
+  if (options_.force || triangles <= context_.limits.svg_triangles) return ok_status();
+  return make_error(StatusCode::limit,
+                    std::to_string(triangles) + " triangles or more in an SVG; the limit is " +
+                        limit_text(context_.limits, &Limits::svg_triangles, "triangles") +
+                        ": allow a larger error or write pixels instead");
 }
 
 Status VectorWriter::make_layers() {
@@ -294,7 +294,7 @@ Result<std::vector<std::uint8_t>> VectorWriter::write() {
 
 Result<std::vector<std::uint8_t>> write(Context& context, const Picture& picture,
                                         const SvgOptions& options, ExportNotes* notes) {
-  if (Status status = check(picture, options); !status) return status;
+  if (Status status = check(context, picture, options); !status) return status;
   if (options.mode == SvgMode::image) return image_file(context, picture, options);
   return VectorWriter(context, picture, options, notes).write();
 }

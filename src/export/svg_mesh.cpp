@@ -114,7 +114,7 @@ Status MeshWriter::append(Context& context, int channel, std::string& text) {
   std::string path;
   for (std::uint32_t facet = 0; facet < count; ++facet) {
     if (facet % kFacetsPerCheck == 0 && context.cancelled()) {
-      return make_error(StatusCode::cancelled, "cancelled");
+      return context.stop_status();
     }
     outline.clear();
     for (const Vec2 p : mesh_.outlines.of(facet)) outline.push_back(mesh_.grid_from_layer(p));

@@ -188,7 +188,7 @@ Result<FacetOutlines> underlapped(Context& context, const FacetMesh& mesh, const
   Outliner outliner(mesh, links, reach, &outlines.point);
   for (std::uint32_t facet = 0; facet < count; ++facet) {
     if (facet % kFacetsPerCheck == 0 && context.cancelled()) {
-      return make_error(StatusCode::cancelled, "cancelled");
+      return context.stop_status();
     }
     outlines.first.push_back(static_cast<std::uint32_t>(outlines.point.size()));
     outliner.add(facet);

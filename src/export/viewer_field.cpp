@@ -52,8 +52,7 @@ class FieldWriter {
  private:
   Status for_each_triangle(Context& context, void (FieldWriter::*body)(std::uint32_t)) {
     for (std::uint32_t t = 0; t < mesh_.triangle_count(); ++t) {
-      if (t % 4096 == 0 && context.cancelled())
-        return make_error(StatusCode::cancelled, "cancelled");
+      if (t % 4096 == 0 && context.cancelled()) return context.stop_status();
       (this->*body)(t);
     }
     return ok_status();

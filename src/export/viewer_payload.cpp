@@ -36,15 +36,15 @@ bool is_shown(const Box& box) {
   return is_finite(box.min) && is_finite(box.max) && box.width() > 0 && box.height() > 0;
 }
 
-Status check_size(const Picture& picture) {
+Status check_size(const Limits& limits, const Picture& picture) {
   if (!is_shown(picture.artboard) || !is_shown(picture.viewport))
     return make_error(StatusCode::bad_input, "the picture's artboard or viewport is empty");
   std::size_t triangles = 0;
   for (const PatchLayer& layer : picture.layers) triangles += layer.triangle_count();
-  if (triangles <= limits::kViewerTriangles) return ok_status();
+  if (triangles <= limits.viewer_triangles) return ok_status();
   return make_error(StatusCode::limit,
                     std::to_string(triangles) + " triangles, the viewer takes " +
-                        std::to_string(limits::kViewerTriangles) +
+                        limit_text(limits, &Limits::viewer_triangles, "triangles") +
                         "; a larger --max-error, a smaller --scale or --viewport makes fewer");
 }
 
@@ -147,8 +147,8 @@ class PayloadWriter {
 
 Result<std::vector<std::uint8_t>> viewer_payload(Context& context, const Picture& picture,
                                                  const Rgb& background) {
-  if (Status status = raster::check_picture(picture); !status) return status;
-  if (Status status = check_size(picture); !status) return status;
+  if (Status status = raster::check_picture(context, picture); !status) return status;
+  if (Status status = check_size(context.limits, picture); !status) return status;
   PayloadWriter writer(context, picture);
   if (Status status = writer.run(background); !status) return status;
   return deflated(context, writer.take());

@@ -125,10 +125,9 @@ Status write_stroke(Context& context, const LocalStroke& stroke, InterpolationSp
   }
   const std::size_t count = segments.segment.size();
   *segment_count += count;
-  if (*segment_count > limits::kViewerStrokeSegments) {
-    return make_error(StatusCode::limit, "local curves of more than " +
-                                             std::to_string(limits::kViewerStrokeSegments) +
-                                             " segments do not fit into the viewer");
+  if (*segment_count > context.limits.viewer_stroke_segments) {
+    return limit_error(context.limits, &Limits::viewer_stroke_segments,
+                       "segments of local curves in the viewer");
   }
   const std::size_t bytes = 3 * count * sizeof(StoredSegment);
   if (Status status = charge.add(context, bytes, "a local curve"); !status) return status;

@@ -9,7 +9,7 @@ bool is_gzip(std::string_view bytes) {
   return bytes.starts_with("\x1f\x8b");
 }
 
-Result<std::string> gunzip(Context&, std::string_view, std::size_t, ScopedCharge&) {
+Result<std::string> gunzip(Context&, std::string_view, ScopedCharge&) {
   return make_error(StatusCode::bad_input, "gzip is not unpacked here; expected the SVG itself");
 }
 

@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
+
+#include "base/limits.hpp"
 
 namespace sfumato {
 namespace {
@@ -12,6 +15,7 @@ namespace {
 constexpr int kGzipWindow = 15 + 16;
 
 constexpr std::size_t kFirstBytes = std::size_t{64} << 10;
+constexpr std::size_t kBytesPerPoll = std::size_t{1} << 20;
 
 /// An inflater that ends with its scope.
 class Inflater {
@@ -44,41 +48,57 @@ class Inflater {
   bool ready_ = false;
 };
 
+/// Both texts are there while one moves to the other.
+Status grow(Context& context, std::string& text, std::size_t size, ScopedCharge& charge) {
+  ScopedCharge larger;
+  if (Status status = larger.add(context, size, "unpacked gzip"); !status) return status;
+  text.resize(size);
+  charge = std::move(larger);
+  return ok_status();
+}
+
+Status too_long(const Limits& limits, std::size_t most) {
+  if (most == limits.input_bytes) {
+    return make_error(StatusCode::limit, "unpacks to more than the limit of " +
+                                             limit_text(limits, &Limits::input_bytes, "bytes"));
+  }
+  return make_error(StatusCode::limit,
+                    "unpacks to " + std::to_string(most) +
+                        " bytes and more: more than the limit of " +
+                        limit_text(limits, &Limits::unpack_ratio, "bytes of each packed byte"));
+}
+
 }  // namespace
 
 bool is_gzip(std::string_view bytes) {
   return bytes.starts_with("\x1f\x8b");
 }
 
-Result<std::string> gunzip(Context& context, std::string_view bytes, std::size_t max_bytes,
-                           ScopedCharge& charge) {
+Result<std::string> gunzip(Context& context, std::string_view bytes, ScopedCharge& charge) {
   Inflater inflater(bytes);
   if (!inflater.ready()) return make_error(StatusCode::out_of_memory, "no memory to unpack gzip");
+  const Limits& limits = context.limits;
+  const std::size_t expected = limits.unpack_ratio * bytes.size() + limits::kUnpackedSlack;
+  const std::size_t most = std::min(limits.input_bytes, expected);
   std::string text;
   std::size_t size = 0;
-  for (;;) {
-    if (size > max_bytes) {
-      return make_error(StatusCode::limit, "unpacks to more than the limit of " +
-                                               std::to_string(max_bytes) + " bytes");
-    }
+  for (int code = Z_OK; code != Z_STREAM_END;) {
+    if (context.cancelled()) return context.stop_status();
+    if (size > most) break;
     if (size == text.size()) {
-      const std::size_t next = std::clamp(2 * size, kFirstBytes, max_bytes + 1);
-      if (Status status = charge.add(context, next, "unpacked gzip"); !status) return status;
-      text.resize(next);
+      const std::size_t next = std::clamp(2 * size, kFirstBytes, most + 1);
+      if (Status status = grow(context, text, next, charge); !status) return status;
     }
     std::size_t written = 0;
-    const int code = inflater.fill(&text[size], text.size() - size, written);
+    const std::size_t room = std::min(text.size() - size, kBytesPerPoll);
+    code = inflater.fill(&text[size], room, written);
     size += written;
-    if (code == Z_STREAM_END) break;
-    if (code != Z_OK) {
+    if (code != Z_OK && code != Z_STREAM_END) {
       return make_error(StatusCode::bad_input, code == Z_BUF_ERROR ? "the gzip data are cut short"
                                                                    : "the gzip data are damaged");
     }
   }
-  if (size > max_bytes) {
-    return make_error(StatusCode::limit,
-                      "unpacks to more than the limit of " + std::to_string(max_bytes) + " bytes");
-  }
+  if (size > most) return too_long(limits, most);
   text.resize(size);
   return text;
 }

@@ -11,9 +11,9 @@ namespace sfumato {
 /// Whether the bytes begin as gzip's do.
 bool is_gzip(std::string_view bytes);
 
-/// Unpacks gzip, up to max_bytes; memory is charged to `charge` before it is taken.
-/// Errors: bad_input, limit, out_of_memory, without a place.
-Result<std::string> gunzip(Context& context, std::string_view bytes, std::size_t max_bytes,
-                           ScopedCharge& charge);
+/// Unpacks gzip, up to the limits of an input's bytes and of how many a packed byte may become;
+/// memory is charged to `charge` before it is taken.
+/// Errors: bad_input, limit, cancelled, out_of_memory, without a place.
+Result<std::string> gunzip(Context& context, std::string_view bytes, ScopedCharge& charge);
 
 }  // namespace sfumato

@@ -1,5 +1,6 @@
 #include "formats/image_file.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstring>
@@ -57,11 +58,9 @@ Result<RgbaImage> to_rgba(Context& context, const Image& image) {
 }
 
 Result<RgbaImage> from_png(Context& context, std::span<const std::uint8_t> bytes) {
-  const std::uint64_t texels = number_at(bytes, kPngWidthAt) * number_at(bytes, kPngHeightAt);
-  if (texels > limits::kTexels) {
-    return make_error(StatusCode::limit, "the image has more than the limit of " +
-                                             std::to_string(limits::kTexels) + " pixels");
-  }
+  Status sized = check_image_size(context.limits, number_at(bytes, kPngWidthAt),
+                                  number_at(bytes, kPngHeightAt));
+  if (!sized) return sized;
   Result<Image> image = decode_png(context, bytes, {});
   if (!image) return image.status();
   if (image->format == PixelFormat::rgba8) {
@@ -71,6 +70,21 @@ Result<RgbaImage> from_png(Context& context, std::span<const std::uint8_t> bytes
 }
 
 }  // namespace
+
+Status check_image_size(const Limits& limits, std::uint64_t width, std::uint64_t height) {
+  const std::string size =
+      "an image of " + std::to_string(width) + " × " + std::to_string(height) + " pixels";
+  if (std::max(width, height) > limits.image_side) {
+    return make_error(
+        StatusCode::limit,
+        size + "; the limit is " + limit_text(limits, &Limits::image_side, "pixels on a side"));
+  }
+  if (width * height > limits.texels) {
+    return make_error(StatusCode::limit,
+                      size + "; the limit is " + limit_text(limits, &Limits::texels, "texels"));
+  }
+  return ok_status();
+}
 
 Result<RgbaImage> decode_image(Context& context, std::span<const std::uint8_t> bytes) {
   if (starts_with(bytes, kPngSignature)) return from_png(context, bytes);

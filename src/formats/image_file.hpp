@@ -16,9 +16,12 @@ struct RgbaImage {
 };
 
 /// Decodes a PNG or a JPEG by its first bytes. 16 bits are rounded to 8; colour profiles and
-/// orientation tags are not applied. The size is held against limits::kImageSide and kTexels, and
-/// memory is charged while decoding, before it is taken.
-/// Errors: bad_input, limit, out_of_memory, without a place.
+/// orientation tags are not applied. The size is held against the limits of a side and of texels,
+/// and memory is charged while decoding, before it is taken. Errors: bad_input, limit, cancelled,
+/// out_of_memory, without a place.
 Result<RgbaImage> decode_image(Context& context, std::span<const std::uint8_t> bytes);
+
+/// Whether a texture may be as large as a file's header says. Errors: limit.
+Status check_image_size(const Limits& limits, std::uint64_t width, std::uint64_t height);
 
 }  // namespace sfumato

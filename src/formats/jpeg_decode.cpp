@@ -10,7 +10,7 @@
 #include <string>
 #include <utility>
 
-#include "base/limits.hpp"
+#include "formats/image_file.hpp"
 
 namespace sfumato {
 namespace {
@@ -104,17 +104,9 @@ Status failure(const Session& session) {
                     std::string("the JPEG image is damaged: ") + session.message);
 }
 
-Status check_size(const Session& session) {
+Status check_size(const Limits& limits, const Session& session) {
   const std::size_t width = session.decoder.image_width, height = session.decoder.image_height;
-  if (width > limits::kImageSide || height > limits::kImageSide ||
-      width * height > limits::kTexels) {
-    return make_error(StatusCode::limit,
-                      "the image of " + std::to_string(width) + " × " + std::to_string(height) +
-                          " pixels is larger than the limit of " +
-                          std::to_string(limits::kImageSide) + " on a side and " +
-                          std::to_string(limits::kTexels) + " pixels");
-  }
-  return ok_status();
+  return check_image_size(limits, width, height);
 }
 
 /// Whether the file can hold the picture: Huffman codes take a bit for each block of 8 × 8 at
@@ -153,7 +145,7 @@ void expand(const std::uint8_t* source, std::size_t channels, bool inverted,
 
 Result<RgbaImage> decode(Context& context, Session& session, std::span<const std::uint8_t> bytes) {
   if (!read_header(session, bytes)) return failure(session);
-  if (Status status = check_size(session); !status) return status;
+  if (Status status = check_size(context.limits, session); !status) return status;
   jpeg_decompress_struct& decoder = session.decoder;
   if (!has_enough_bytes(decoder, bytes.size())) {
     return make_error(StatusCode::bad_input, "the JPEG image is damaged: too few bytes for " +

@@ -118,8 +118,8 @@ bool write_image(Session& session, const Context& context, const Image& image, i
   return true;
 }
 
-Status failure(const Session& session) {
-  if (session.cancelled) return make_error(StatusCode::cancelled, "cancelled");
+Status failure(const Context& context, const Session& session) {
+  if (session.cancelled) return context.stop_status();
   if (session.no_memory) {
     return make_error(StatusCode::out_of_memory, "no memory to write the JPEG image");
   }
@@ -136,7 +136,7 @@ Result<std::vector<std::uint8_t>> encode(Context& context, const Image& image, i
                                    "writing a JPEG image");
   if (!status) return status;
   Session session;
-  if (!write_image(session, context, image, quality)) return failure(session);
+  if (!write_image(session, context, image, quality)) return failure(context, session);
   return std::move(session.file);
 }
 

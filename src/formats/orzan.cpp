@@ -83,11 +83,6 @@ std::string tag(pugi::xml_node element) {
   return "<" + std::string(element.name()).substr(0, 64) + ">";
 }
 
-Status limit_error(std::size_t limit, const char* what, SourcePlace place) {
-  return make_error(StatusCode::limit, "more than the limit of " + std::to_string(limit) + what,
-                    std::move(place));
-}
-
 Result<ReadDocument> OrzanReader::read() {
   const pugi::xml_node root = xml_.root();
   const std::string_view name = root.name();
@@ -102,7 +97,7 @@ Result<ReadDocument> OrzanReader::read() {
   if (document_.layers.front().curves.empty()) {
     warn("/no curves", root, "the document has no curves: the picture is empty");
   }
-  if (Status status = validate(document_); !status) return status;
+  if (Status status = validate(context_, document_); !status) return status;
   return ReadDocument{std::move(document_), warnings_.take(), DocumentFormat::orzan};
 }
 
@@ -143,7 +138,9 @@ Status OrzanReader::read_curve_sets(pugi::xml_node root) {
 }
 
 Status OrzanReader::reserve_curves(pugi::xml_node root, std::size_t count) {
-  if (count > limits::kCurves) return limit_error(limits::kCurves, " curves", xml_.place(root));
+  if (count > context_.limits.curves) {
+    return limit_error(context_.limits, &Limits::curves, "curves", xml_.place(root));
+  }
   if (Status status = charge_.add(context_, count * sizeof(Curve), "the curves"); !status) {
     return status;
   }
@@ -200,8 +197,8 @@ Status OrzanReader::read_control_points(pugi::xml_node curve_element, Curve& cur
                         " control points; expected 3n+1 of them (4, 7, 10, …)");
   }
   control_point_count_ += count;
-  if (control_point_count_ > limits::kControlPoints) {
-    return limit_error(limits::kControlPoints, " control points", xml_.place(set));
+  if (control_point_count_ > context_.limits.control_points) {
+    return limit_error(context_.limits, &Limits::control_points, "control points", xml_.place(set));
   }
   if (Status status = charge_.add(context_, count * sizeof(Vec2), "control points"); !status) {
     return status;
@@ -234,11 +231,12 @@ Status OrzanReader::read_stops(pugi::xml_node set, const char* name, StopList<Va
                                ReadOne read_one) {
   const std::size_t count = count_children(set, name);
   stop_count_ += count;
-  if (stop_count_ > limits::kStops) {
-    return limit_error(limits::kStops, " stops", xml_.place(set));
+  if (stop_count_ > context_.limits.stops) {
+    return limit_error(context_.limits, &Limits::stops, "stops", xml_.place(set));
   }
-  if (list.stops.size() + count > limits::kStopsPerList) {
-    return limit_error(limits::kStopsPerList, " stops in one list", xml_.place(set));
+  if (list.stops.size() + count > context_.limits.stops_per_list) {
+    return limit_error(context_.limits, &Limits::stops_per_list, "stops in one list",
+                       xml_.place(set));
   }
   // Blur serves both sides: twice the stops.
   if (Status status = charge_.add(context_, 2 * count * sizeof(Stop<Value>), "stops"); !status) {

@@ -234,10 +234,9 @@ Bytes Encoder::joined_parts() {
   return joined;
 }
 
-Status check(const Image& image) {
-  if (image.width > limits::kImageSide || image.height > limits::kImageSide) {
-    return make_error(StatusCode::limit, "a side of the image is longer than the limit of " +
-                                             std::to_string(limits::kImageSide) + " pixels");
+Status check(const Limits& limits, const Image& image) {
+  if (static_cast<std::size_t>(std::max(image.width, image.height)) > limits.image_side) {
+    return limit_error(limits, &Limits::image_side, "pixels on a side of the image");
   }
   if (image.width < 1 || image.height < 1 ||
       image.bytes.size() != image.row_bytes() * static_cast<std::size_t>(image.height)) {
@@ -247,7 +246,7 @@ Status check(const Image& image) {
 }
 
 Result<Bytes> encode(Context& context, const Image& image) {
-  if (Status status = check(image); !status) return status;
+  if (Status status = check(context.limits, image); !status) return status;
   return Encoder(context, image).encode();
 }
 

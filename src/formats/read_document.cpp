@@ -111,7 +111,7 @@ Result<ReadDocument> read_bytes(Context& context, std::string_view bytes, const 
                                 const ResourceLoader* loader) {
   if (!is_gzip(bytes)) return read_text(context, bytes, file, loader);
   ScopedCharge charge;
-  Result<std::string> text = gunzip(context, bytes, limits::kInputBytes, charge);
+  Result<std::string> text = gunzip(context, bytes, charge);
   if (text) return read_text(context, *text, file, loader);
   Status status = text.status();
   status.where.file = file;

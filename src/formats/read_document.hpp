@@ -27,14 +27,15 @@ class ResourceLoader {
   virtual ~ResourceLoader() = default;
 
   /// The bytes behind a reference as it is written in the document, percent signs decoded; never a
-  /// data: URI. At most limits::kImageFileBytes. Errors: bad_input, limit; their place is ignored.
+  /// data: URI. At most
+  /// Limits::image_file_bytes. Errors: bad_input, limit; their place is ignored.
   virtual Result<std::vector<std::uint8_t>> load(std::string_view href) const = 0;
 };
 
 /// Reads a document of any format, by its root element: SVG (docs/format.md) or Orzan's XML
 /// (docs/format-orzan.md); packed by gzip (.svgz) too. `file` names the input in messages.
 /// `loader` may be null: then every file that the document refers to is an error.
-/// Errors: bad_input, limit, out_of_memory.
+/// Errors: bad_input, limit, cancelled, out_of_memory.
 Result<ReadDocument> read_document(Context& context, std::string_view bytes,
                                    const std::string& file, const ResourceLoader* loader = nullptr);
 

@@ -122,7 +122,7 @@ Result<ReadDocument> read(Input& input, const ResourceLoader* loader) {
     input.warn("/no layers", input.root(),
                "the document has no layer and no local curve: the picture is empty");
   }
-  if (Status valid = validate(document); !valid) return valid;
+  if (Status valid = validate(input.context(), document); !valid) return valid;
   return ReadDocument{std::move(document), input.take_warnings(), DocumentFormat::svg};
 }
 

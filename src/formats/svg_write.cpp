@@ -240,11 +240,11 @@ Status SvgWriter::write_stack() {
 }
 
 Status SvgWriter::check_progress() const {
-  if (context_.cancelled()) return make_error(StatusCode::cancelled, "cancelled");
-  if (writer_.text().size() <= limits::kInputBytes) return ok_status();
-  return make_error(StatusCode::limit, "the document as SVG is longer than " +
-                                           std::to_string(limits::kInputBytes >> 20) +
-                                           " MiB, the most that can be read again");
+  if (context_.cancelled()) return context_.stop_status();
+  if (writer_.text().size() <= context_.limits.input_bytes) return ok_status();
+  return make_error(StatusCode::limit,
+                    "the document as SVG is longer than can be read again: " +
+                        limit_text(context_.limits, &Limits::input_bytes, "bytes"));
 }
 
 void add_compositing(svg_write::Attributes& attributes, float opacity, BlendMode blend) {
@@ -313,10 +313,10 @@ void SvgWriter::write_item(const GroupEnd&) {
 }
 
 Result<std::string> write(Context& context, const Document& document) {
-  if (Status status = validate(document); !status) return status;
+  if (Status status = validate(context, document); !status) return status;
   ScopedCharge charge;
   // The text grows by doubling: as it moves, both copies are there.
-  const std::size_t bytes = std::min(estimated_bytes(document), 2 * limits::kInputBytes);
+  const std::size_t bytes = std::min(estimated_bytes(document), 2 * context.limits.input_bytes);
   if (Status status = charge.add(context, 2 * bytes, "the document as SVG"); !status) return status;
   return SvgWriter(context, document).write();
 }

@@ -29,7 +29,7 @@ int go_on(int, const WebPPicture* picture) {
 Status failure(const WebPPicture& picture) {
   switch (picture.error_code) {
     case VP8_ENC_ERROR_USER_ABORT:
-      return make_error(StatusCode::cancelled, "cancelled");
+      return static_cast<const Context*>(picture.user_data)->stop_status();
     case VP8_ENC_ERROR_OUT_OF_MEMORY:
     case VP8_ENC_ERROR_BITSTREAM_OUT_OF_MEMORY:
       return make_error(StatusCode::out_of_memory, "no memory to write the WebP image");

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <utility>
 
 #include "base/limits.hpp"
 
@@ -42,33 +43,55 @@ std::size_t count_attributes(std::string_view text) {
   return count;
 }
 
-class DepthLimit : public pugi::xml_tree_walker {
+/// Looks at every element; ends the walk at the first that passes a limit, and where work stops.
+class ShapeCheck : public pugi::xml_tree_walker {
  public:
+  explicit ShapeCheck(const Context& context) : context_(context), poll_(context) {}
+
   bool for_each(pugi::xml_node& node) override {
+    if (poll_.cancelled()) status = context_.stop_status();
+    if (node.type() != pugi::node_element) return status.ok();
+    const Limits& limits = context_.limits;
     // Text lies one deeper than the element that holds it.
-    if (node.type() != pugi::node_element || depth() < limits::kXmlDepth) return true;
-    offender = node;
+    if (static_cast<std::size_t>(depth()) >= limits.xml_depth) {
+      fail(node, limit_error(limits, &Limits::xml_depth, "elements within each other"));
+    } else if (has_more_attributes(node, limits.xml_attributes)) {
+      fail(node, limit_error(limits, &Limits::xml_attributes, "attributes of one element"));
+    }
+    return status.ok();
+  }
+
+  Status status;
+  pugi::xml_node offender;
+
+ private:
+  static bool has_more_attributes(pugi::xml_node node, std::size_t most) {
+    std::size_t count = 0;
+    for (pugi::xml_attribute a = node.first_attribute(); a; a = a.next_attribute()) {
+      if (++count > most) return true;
+    }
     return false;
   }
 
-  pugi::xml_node offender;
+  void fail(pugi::xml_node node, Status error) {
+    offender = node;
+    status = std::move(error);
+  }
+
+  const Context& context_;
+  RarePoll<4096> poll_;
 };
 
 }  // namespace
 
 Status XmlSource::check_size(Context& context) {
-  if (text_.size() > limits::kInputBytes) {
-    return make_error(
-        StatusCode::limit,
-        "input is longer than the limit of " + std::to_string(limits::kInputBytes) + " bytes",
-        {file_});
+  const Limits& limits = context.limits;
+  if (text_.size() > limits.input_bytes) {
+    return limit_error(limits, &Limits::input_bytes, "bytes of input", {file_});
   }
   const TagCounts counts = count_tags(text_);
-  if (counts.elements > limits::kXmlElements) {
-    return make_error(
-        StatusCode::limit,
-        "more than the limit of " + std::to_string(limits::kXmlElements) + " XML elements",
-        {file_});
+  if (counts.elements > limits.xml_elements) {
+    return limit_error(limits, &Limits::xml_elements, "XML elements", {file_});
   }
   // The text, its copy, and a text node before every tag.
   const std::size_t tree_bytes = 2 * text_.size() + 2 * counts.tags * kNodeBytes +
@@ -76,13 +99,11 @@ Status XmlSource::check_size(Context& context) {
   return charge_.add(context, tree_bytes, "the XML tree");
 }
 
-Status XmlSource::check_depth() {
-  DepthLimit walker;
-  if (tree_.traverse(walker)) return ok_status();
-  return make_error(
-      StatusCode::limit,
-      "elements are nested deeper than the limit of " + std::to_string(limits::kXmlDepth),
-      place(walker.offender));
+Status XmlSource::check_shape(const Context& context) {
+  ShapeCheck walker(context);
+  tree_.traverse(walker);
+  if (walker.offender) walker.status.where = place(walker.offender);
+  return walker.status;
 }
 
 Status XmlSource::parse(Context& context) {
@@ -98,7 +119,7 @@ Status XmlSource::parse(Context& context) {
                       {file_});
   }
   if (!result) return syntax_error(result);
-  return check_depth();
+  return check_shape(context);
 }
 
 Status XmlSource::syntax_error(const pugi::xml_parse_result& result) {

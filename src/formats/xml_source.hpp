@@ -16,7 +16,8 @@ class XmlSource {
   XmlSource(std::string_view text, const std::string& file) : text_(text), file_(file) {}
 
   /// Builds the tree; its memory is charged before, and given back with this object.
-  /// Errors: bad_input where the text is not well-formed; limit (bytes, elements, depth, memory).
+  /// Errors: bad_input where the text is not well-formed; limit (bytes, elements, depth,
+  /// attributes, memory), cancelled.
   Status parse(Context& context);
 
   /// The document element. Precondition: parse was ok.
@@ -29,7 +30,7 @@ class XmlSource {
  private:
   SourcePlace place_at(std::size_t offset);
   Status check_size(Context& context);
-  Status check_depth();
+  Status check_shape(const Context& context);
   Status syntax_error(const pugi::xml_parse_result& result);
 
   std::string_view text_;

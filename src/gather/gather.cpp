@@ -42,8 +42,8 @@ int Gatherer::channel_count() const {
 Status Gatherer::gather(Context& context, std::span<const Vec2> points,
                         const GatherOptions& options, std::span<float> out,
                         std::span<std::uint8_t> hit) const {
-  if (points.size() > limits::kNodes) {
-    return make_error(StatusCode::limit, "more points to gather at than the limit kNodes");
+  if (points.size() > context.limits.nodes) {
+    return limit_error(context.limits, &Limits::nodes, "points to gather at");
   }
   if (options.method == Method::rays) {
     return gather_rays(context, state_->scene, points, options, out, hit);

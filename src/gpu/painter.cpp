@@ -350,7 +350,7 @@ Status Painter::paint(const PixelRect& tile, float* rgba) {
   levels_.front().clear(back.alpha * back.color.r, back.alpha * back.color.g,
                         back.alpha * back.color.b, back.alpha);
   for (const SceneItem& item : scene_.items()) {
-    if (context_.cancelled()) return make_error(StatusCode::cancelled, "cancelled");
+    if (context_.cancelled()) return context_.stop_status();
     paint_item(item);
   }
   paint_overlay();

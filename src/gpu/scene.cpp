@@ -213,7 +213,7 @@ Status Scene::Builder::build() {
   scene_.items_.reserve(picture.stack.size());
   scene_.strokes_.reserve(picture.stack.size());
   for (const PictureItem& item : picture.stack) {
-    if (context_.cancelled()) return make_error(StatusCode::cancelled, "cancelled");
+    if (context_.cancelled()) return context_.stop_status();
     status = std::visit([&](const auto& x) { return add(x); }, item);
     if (!status) return status;
   }

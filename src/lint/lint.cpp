@@ -239,7 +239,7 @@ void Linter::check_shader(std::uint32_t i) {
 }  // namespace
 
 Result<std::vector<Hint>> lint(Context& context, const Document& document) {
-  if (Status status = validate(document); !status) return status;
+  if (Status status = validate(context, document); !status) return status;
   return no_throw([&] { return Linter(context, document).run(); });
 }
 

@@ -45,7 +45,7 @@ void Arrangement::charge_chords() {
 
 Vertex Arrangement::add_point(Point p) {
   if ((++steps_ & (kStepsPerCancelCheck - 1)) == 0 && context_.cancelled()) {
-    fail(StatusCode::cancelled, "cancelled");
+    status_ = context_.stop_status();
   }
   if (!status_.ok()) return 0;
   return place(p, true);
@@ -69,7 +69,7 @@ void Arrangement::run(Job job) {
     const Job now = jobs_.back();
     jobs_.pop_back();
     if ((++steps_ & (kStepsPerCancelCheck - 1)) == 0 && context_.cancelled()) {
-      fail(StatusCode::cancelled, "cancelled");
+      status_ = context_.stop_status();
     }
     charge_chords();
     if (!status_.ok()) return;
@@ -90,7 +90,8 @@ void Arrangement::drop(const Job& job) {
 
 /// Replaces the job by two, through a vertex.
 void Arrangement::detour(const Job& job, Vertex through) {
-  if (chords_.live_owner_count() + static_cast<std::size_t>(job.load.count) > kOwnerLimit) {
+  if (chords_.live_owner_count() + static_cast<std::size_t>(job.load.count) >
+      kOwnersPerSegment * context_.limits.segments) {
     fail(StatusCode::limit, "overlapping curves are cut into too many pieces");
     return;
   }

@@ -35,8 +35,9 @@ struct Chord {
   Load load;
 };
 
-/// Live owners of one arrangement: overlapping curves that many others cross multiply them.
-inline constexpr std::size_t kOwnerLimit = 4 * limits::kSegments;
+/// Live owners of one arrangement, for each segment that a layer may have: overlapping curves that
+/// many others cross multiply them.
+inline constexpr std::size_t kOwnersPerSegment = 4;
 
 /// All chords and their owners. Slots of removed ones are used again.
 class ChordStore {

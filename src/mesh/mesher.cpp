@@ -28,10 +28,9 @@ struct Mesher::State {
 
 namespace {
 
-Status check_sizes(const curves::FlatCurves& flat) {
-  if (flat.curve_begin.empty() || flat.segment_count() <= limits::kSegments) return ok_status();
-  return make_error(StatusCode::limit,
-                    "more than " + std::to_string(limits::kSegments) + " segments in one layer");
+Status check_sizes(const Limits& limits, const curves::FlatCurves& flat) {
+  if (flat.curve_begin.empty() || flat.segment_count() <= limits.segments) return ok_status();
+  return limit_error(limits, &Limits::segments, "segments in one layer");
 }
 
 /// Inserts all curve vertices; per vertex the vertex that it became.
@@ -129,7 +128,7 @@ Mesher::~Mesher() = default;
 
 Result<Mesher> Mesher::build(Context& context, const curves::FlatCurves& flat,
                              const MeshOptions& options) {
-  if (Status status = check_sizes(flat); !status) return status;
+  if (Status status = check_sizes(context.limits, flat); !status) return status;
   Result<Lattice> lattice = choose_lattice(flat, options);
   if (!lattice) return lattice.status();
   auto state = std::make_unique<State>();

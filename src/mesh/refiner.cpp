@@ -257,7 +257,7 @@ bool Refiner::split_subsegment(HalfEdge e) {
   const std::int32_t index = mesh_.chord[e];
   const Chord& chord = chords_[index];
   owner_pieces_ += static_cast<std::size_t>(chord.load.count);
-  if (owner_pieces_ > kOwnerLimit) {
+  if (owner_pieces_ > kOwnersPerSegment * context_->limits.segments) {
     status_ = make_error(StatusCode::limit, "overlapping curves are cut into too many pieces");
     return false;
   }
@@ -292,7 +292,7 @@ Status Refiner::run(Context& context) {
   for (std::uint32_t step = 1; status_.ok() && next_bad(bad); ++step) {
     if (mesh_.triangle[triangle_of(bad.shortest_edge)].stamp != bad.stamp) continue;
     if (step % kStepsPerCancelCheck == 0 && context.cancelled()) {
-      status_ = make_error(StatusCode::cancelled, "cancelled");
+      status_ = context.stop_status();
     }
     refine_triangle(bad);
   }
@@ -390,7 +390,7 @@ Status Refiner::refine_targets(Context& context, std::span<const Target> targets
     shrink(target, smallest_edge * smallest_edge);
     if (!status_.ok()) return status_;
   }
-  if (context.cancelled()) return make_error(StatusCode::cancelled, "cancelled");
+  if (context.cancelled()) return context.stop_status();
   return run(context);
 }
 

@@ -31,11 +31,10 @@ void Triangulation::start(std::int32_t domain_width, std::int32_t domain_height)
 
 Status Triangulation::grow(Context& context, ScopedCharge& charge, std::size_t vertex_count) {
   const std::size_t vertices =
-      std::min(std::max(vertex_count, point.size() + 1), limits::kTriangles / 2);
+      std::min(std::max(vertex_count, point.size() + 1), context.limits.triangles / 2);
   const std::size_t triangles = 2 * vertices;
   if (triangle.size() + 2 > triangles) {
-    return make_error(StatusCode::limit,
-                      "more than " + std::to_string(limits::kTriangles) + " triangles");
+    return limit_error(context.limits, &Limits::triangles, "triangles in one layer");
   }
   const std::size_t more_vertices = vertices - std::min(vertices, point.capacity());
   const std::size_t more_triangles = triangles - std::min(triangles, triangle.capacity());

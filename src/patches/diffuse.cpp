@@ -82,7 +82,7 @@ Result<Picture> make_frame(Context& context, const Document& document, const Box
 Result<Picture> solve(Context& context, const Document& document, const DiffuseOptions& options,
                       DiffuseStats* stats) {
   if (Status status = patches::validate(options); !status) return status;
-  if (Status status = validate(document); !status) return status;
+  if (Status status = validate(context, document); !status) return status;
   Result<Picture> frame =
       make_frame(context, document, options.viewport.value_or(document.artboard));
   if (!frame) return frame.status();

@@ -19,10 +19,9 @@ constexpr double kProbedEdgePerRadius = 1.5;
 /// A triangle that is nowhere more opaque than this shows in no pixel.
 constexpr float kInvisibleOpacity = 1.0f / 4096;
 
-Status check_limits(const mesh::TriangleMesh& mesh) {
-  if (mesh.triangle_count() <= limits::kTriangles) return ok_status();
-  return make_error(StatusCode::limit,
-                    "more than " + std::to_string(limits::kTriangles) + " triangles");
+Status check_limits(const Limits& limits, const mesh::TriangleMesh& mesh) {
+  if (mesh.triangle_count() <= limits.triangles) return ok_status();
+  return limit_error(limits, &Limits::triangles, "triangles in one layer");
 }
 
 std::vector<std::uint32_t> indices_of(const std::vector<std::uint8_t>& chosen) {
@@ -96,7 +95,7 @@ Status LayerSolver::take_mesh() {
   const Stopwatch watch;
   mesh_ = mesher_.patch_mesh(&previous_triangle_);
   if (stats_) stats_->triangulation_seconds += watch.seconds();
-  return check_limits(mesh_);
+  return check_limits(context_.limits, mesh_);
 }
 
 Status LayerSolver::lay_out() {

@@ -33,7 +33,7 @@ PointEvaluator::~PointEvaluator() = default;
 Result<PointEvaluator> PointEvaluator::create(Context& context, const Document& document,
                                               const DiffuseOptions& options, DiffuseStats* stats) {
   if (Status status = patches::validate(options); !status) return status;
-  if (Status status = validate(document); !status) return status;
+  if (Status status = validate(context, document); !status) return status;
   auto state = std::make_unique<State>();
   state->gather = options.gather;
   state->layers.resize(document.layers.size());

@@ -52,10 +52,11 @@ bool is_whole(const PatchLayer& layer, const Picture& picture) {
          std::all_of(layer.vertex_position.begin(), layer.vertex_position.end(), is_position);
 }
 
-Status check_layer(const PatchLayer& layer, const Picture& picture) {
-  if (std::max(layer.color.shader.size(), layer.opacity.shader.size()) > limits::kShadersPerLayer) {
-    return make_error(StatusCode::limit, "a layer of the picture with more than " +
-                                             std::to_string(limits::kShadersPerLayer) + " shaders");
+Status check_layer(const Context& context, const PatchLayer& layer, const Picture& picture) {
+  const std::size_t shaders = std::max(layer.color.shader.size(), layer.opacity.shader.size());
+  if (shaders > context.limits.shaders_per_layer) {
+    return limit_error(context.limits, &Limits::shaders_per_layer,
+                       "shaders in a layer of the picture");
   }
   if (!is_whole(layer, picture)) return bad("a layer of the picture whose tables do not fit");
   return ok_status();
@@ -67,8 +68,9 @@ bool can_blend(float opacity, BlendMode blend) {
 
 /// One item of the stack; `depth` is the number of open groups.
 struct ItemCheck {
+  const Context& context;
   const Picture& picture;
-  int* depth;
+  std::size_t* depth;
 
   Status operator()(const PatchInstance& instance) const {
     if (instance.layer >= picture.layers.size())
@@ -81,17 +83,18 @@ struct ItemCheck {
   }
   Status operator()(const LocalStroke& stroke) const {
     if (!is_moderate(stroke.artboard_from_stroke)) return bad("a stroke placed beyond all numbers");
-    return validate(stroke);
+    return validate(context, stroke);
   }
   Status operator()(const GroupBegin& group) const {
     if (!can_blend(group.opacity, group.blend))
       return bad("a group with an opacity outside 0 to 1 or an unknown blend mode");
-    if (++*depth <= limits::kGroupDepth) return ok_status();
-    return make_error(StatusCode::limit, "groups of the picture nest deeper than " +
-                                             std::to_string(limits::kGroupDepth));
+    if (++*depth <= context.limits.group_depth) return ok_status();
+    return limit_error(context.limits, &Limits::group_depth, "groups of the picture in each other");
   }
   Status operator()(const GroupEnd&) const {
-    return --*depth >= 0 ? ok_status() : bad("a group of the picture ends that did not begin");
+    if (*depth == 0) return bad("a group of the picture ends that did not begin");
+    --*depth;
+    return ok_status();
   }
 };
 
@@ -103,20 +106,22 @@ bool is_moderate(const Affine& m) {
                      [](double entry) { return std::fabs(entry) <= kLargestScale; });
 }
 
-Status check_picture(const Picture& picture) {
+Status check_picture(const Context& context, const Picture& picture) {
   if (picture.interpolation > InterpolationSpace::oklab)
     return bad("a picture with an unknown interpolation space");
-  if (picture.stack.size() > limits::kStackItems) {
-    return make_error(StatusCode::limit, std::to_string(picture.stack.size()) +
-                                             " items in the picture's stack; the limit is " +
-                                             std::to_string(limits::kStackItems));
+  if (picture.stack.size() > context.limits.stack_items) {
+    return limit_error(context.limits, &Limits::stack_items, "items in the picture's stack");
   }
-  if (Status status = validate(picture.shaders); !status) return status;
+  if (Status status = validate(context, picture.shaders); !status) return status;
   for (const PatchLayer& layer : picture.layers)
-    if (Status status = check_layer(layer, picture); !status) return status;
-  int depth = 0;
-  for (const PictureItem& item : picture.stack)
-    if (Status status = std::visit(ItemCheck{picture, &depth}, item); !status) return status;
+    if (Status status = check_layer(context, layer, picture); !status) return status;
+  std::size_t depth = 0;
+  for (const PictureItem& item : picture.stack) {
+    if (context.cancelled()) return context.stop_status();
+    if (Status status = std::visit(ItemCheck{context, picture, &depth}, item); !status) {
+      return status;
+    }
+  }
   return depth == 0 ? ok_status() : bad("a group of the picture that does not end");
 }
 

@@ -4,15 +4,16 @@
 
 namespace sfumato::raster {
 
-Status check_size(const RasterOptions& options) {
+Status check_size(const Limits& limits, const RasterOptions& options) {
   const std::string size =
       std::to_string(options.width) + " x " + std::to_string(options.height) + " pixels";
   if (options.width < 1 || options.height < 1) {
     return make_error(StatusCode::bad_input, "an image of " + size + "; expected at least 1 x 1");
   }
-  if (options.width > limits::kImageSide || options.height > limits::kImageSide) {
-    return make_error(StatusCode::limit, "an image of " + size + "; the limit is " +
-                                             std::to_string(limits::kImageSide) + " a side");
+  if (static_cast<std::size_t>(std::max(options.width, options.height)) > limits.image_side) {
+    return make_error(StatusCode::limit,
+                      "an image of " + size + "; the limit is " +
+                          limit_text(limits, &Limits::image_side, "pixels on a side"));
   }
   return ok_status();
 }

@@ -9,7 +9,7 @@
 namespace sfumato::raster {
 
 /// Checks the size of the image against limits.hpp.
-Status check_size(const RasterOptions& options);
+Status check_size(const Limits& limits, const RasterOptions& options);
 
 /// What a pixel shows where nothing is painted.
 struct Backdrop {

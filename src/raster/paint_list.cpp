@@ -202,7 +202,7 @@ Status PaintList::Builder::build() {
     for (Vec2 p : picture_.layers[i].vertex_position) list_.layers_[i].bounds.extend(p);
   list_.items_.reserve(picture_.stack.size());
   for (const PictureItem& item : picture_.stack) {
-    if (context_.cancelled()) return make_error(StatusCode::cancelled, "cancelled");
+    if (context_.cancelled()) return context_.stop_status();
     status = std::visit([&](const auto& x) { return add(x); }, item);
     if (!status) return status;
   }

@@ -146,7 +146,7 @@ Status paint_tiles(Context& context, const Scene& scene) {
 
 Result<PaintList> make_list(Context& context, const Picture& picture,
                             const RasterOptions& options) {
-  if (Status status = raster::check_picture(picture); !status) return status;
+  if (Status status = raster::check_picture(context, picture); !status) return status;
   const Result<Affine> image_from_artboard = raster::image_from_artboard(picture, options);
   if (!image_from_artboard) return image_from_artboard.status();
   const double margin_px = options.mesh_overlay ? raster::kOverlayReachPx + 1 : 0;
@@ -158,7 +158,7 @@ Result<PaintList> make_list(Context& context, const Picture& picture,
 
 Result<Image> raster::paint_picture(Context& context, const Picture& picture,
                                     const RasterOptions& options, const FieldSource* source) {
-  Status status = raster::check_size(options);
+  Status status = raster::check_size(context.limits, options);
   if (!status) return status;
   Scene scene;
   scene.options = &options;

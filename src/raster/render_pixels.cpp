@@ -57,7 +57,7 @@ class ExactFields final : public raster::FieldSource {
 
   /// Of all that was read.
   Status status() const {
-    if (context_.cancelled()) return make_error(StatusCode::cancelled, "cancelled");
+    if (context_.cancelled()) return context_.stop_status();
     if (!over_limit_.load()) return ok_status();
     return make_error(StatusCode::limit, "memory limit reached: the gather at every pixel");
   }

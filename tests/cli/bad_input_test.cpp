@@ -168,7 +168,7 @@ TEST(Limits, pictures_too_large_are_refused_with_their_size) {
     const CommandResult result =
         run_sfumato({"render", input, "-o", folder.path("out.png"), size[0], size[1]});
     EXPECT_EQ(result.exit_code, 3) << size[0];
-    EXPECT_TRUE(contains(result.err, "the limit is 16384 on a side")) << result.err;
+    EXPECT_TRUE(contains(result.err, "the limit is 16384 pixels on a side")) << result.err;
   }
   EXPECT_EQ(folder.names(), Names{"scene.xml"});
 }
@@ -181,6 +181,66 @@ TEST(Limits, memory_limit_is_kept_and_named) {
   EXPECT_EQ(result.exit_code, 3);
   EXPECT_TRUE(contains(result.err, "memory limit of 16 MiB")) << result.err;
   EXPECT_EQ(folder.names(), Names{"scene.xml"});
+}
+
+TEST(Limits, limits_are_set_by_option_and_named) {
+  struct Case {
+    const char* option;
+    const char* expected;
+  };
+  const Case cases[] = {
+      {"curves=1", "more than the limit of 1 curves (--limit curves=N sets another)"},
+      {"xml-elements=3",
+       "more than the limit of 3 XML elements (--limit xml-elements=N sets another)"},
+      {"xml-depth=2", "more than the limit of 2 elements within each other (--limit xml-depth=N"},
+      {"segments=1", "more than the limit of 1 segments after flattening (--limit segments=N"},
+      {"triangles=2", "more than the limit of 2 triangles in one layer (--limit triangles=N"},
+      {"nodes=3", "more than the limit of 3 points to gather at (--limit nodes=N"},
+      {"image-side=4", "the limit is 4 pixels on a side (--limit image-side=N"},
+      {"input-bytes=99", "more than the limit of 99 bytes of input (--limit input-bytes=N"},
+  };
+  const TemporaryFolder folder;
+  const std::string input = folder.add("scene.xml", two_curve_scene());
+  for (const Case& limit : cases) {
+    const CommandResult result =
+        run_sfumato({"render", input, "-o", folder.path("out.png"), "--limit", limit.option});
+    EXPECT_EQ(result.exit_code, 3) << limit.option;
+    EXPECT_TRUE(contains(result.err, limit.expected)) << limit.option << "\n" << result.err;
+  }
+  EXPECT_EQ(folder.names(), Names{"scene.xml"});
+}
+
+TEST(Limits, several_limits_may_be_set_in_every_command) {
+  const TemporaryFolder folder;
+  const std::string input = folder.add("scene.xml", two_curve_scene());
+  const std::vector<std::vector<std::string>> commands = {
+      {"render", input, "-o", folder.path("out.png")},
+      {"info", input},
+      {"convert", input, "-o", "-"},
+      {"lint", input}};
+  for (std::vector<std::string> command : commands) {
+    const std::vector<std::string> given = {"--limit",          "curves=1k",  "--limit",
+                                            "input-bytes=1MiB", "--max-time", "off",
+                                            "--max-memory",     "512"};
+    command.insert(command.end(), given.begin(), given.end());
+    EXPECT_EQ(run_sfumato(command).exit_code, 0) << command[0];
+    command.insert(command.end(), {"--limit", "curves=0"});
+    EXPECT_EQ(run_sfumato(command).exit_code, 3) << command[0];
+  }
+}
+
+TEST(Limits, time_is_limited_for_each_drawing) {
+  const TemporaryFolder folder;
+  const std::string input = folder.add("scene.xml", two_curve_scene());
+  const std::string second = folder.add("second.xml", two_curve_scene());
+  const CommandResult result =
+      run_sfumato({"render", input, second, "--out-dir", folder.path("pictures"), "--max-time",
+                   "1e-6", "--width", "2048"});
+  EXPECT_EQ(result.exit_code, 3);
+  const std::string message = "the time limit of 1e-06 s is over (--max-time sets another)";
+  EXPECT_TRUE(contains(result.err, "scene.xml: error: " + message)) << result.err;
+  EXPECT_TRUE(contains(result.err, "second.xml: error: " + message)) << result.err;
+  EXPECT_TRUE(contains(result.err, "2 of 2 drawings failed")) << result.err;
 }
 
 /// Whether the process catches this signal itself, as Linux tells.

@@ -64,7 +64,8 @@ void expect_words(const Names& words, const std::string& text, const std::string
 constexpr const char* kOption = "(--[a-z]+(?:-[a-z]+)*)";
 
 TEST(CommandDocuments, the_help_names_options_and_choices) {
-  EXPECT_EQ(options_of("convert"), (Names{"--allow-files", "--output", "--quiet"}));
+  EXPECT_EQ(options_of("convert"), (Names{"--allow-files", "--limit", "--max-memory", "--max-time",
+                                          "--output", "--quiet"}));
   EXPECT_TRUE(options_of("render").contains("--no-antialias"));
   EXPECT_TRUE(choices_of("render").contains("rays"));
   EXPECT_TRUE(choices_of("render").contains("off"));
@@ -133,7 +134,8 @@ TEST(CommandDocuments, bash_offers_what_fits) {
   EXPECT_EQ(offered({"co"}), "convert compare\n");
   EXPECT_EQ(offered({"render", "--m"}),
             "--method --max-error --max-area --min-angle --mesh-overlay "
-            "--max-memory\n");
+            "--max-memory --max-time\n");
+  EXPECT_EQ(offered({"info", "--limit", "tex"}), "textures= texels=\n");
   EXPECT_EQ(offered({"render", "a.svg", "--order", "q"}), "quadratic\n");
   EXPECT_EQ(offered({"lint", "--s"}), "--strict\n");
   EXPECT_EQ(offered({"render", "--width", ""}), "\n");

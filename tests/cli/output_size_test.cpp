@@ -10,7 +10,7 @@ namespace {
 const Box kWide{{0, 0}, {400, 300}};
 
 TEST(OutputSize, is_one_pixel_per_unit_by_default) {
-  const Result<OutputSize> size = output_size({}, kWide);
+  const Result<OutputSize> size = output_size(Limits{}, {}, kWide);
   ASSERT_TRUE(size);
   EXPECT_EQ(size->width, 400);
   EXPECT_EQ(size->height, 300);
@@ -18,7 +18,7 @@ TEST(OutputSize, is_one_pixel_per_unit_by_default) {
 }
 
 TEST(OutputSize, scales_the_viewport_and_rounds_to_whole_pixels) {
-  const Result<OutputSize> size = output_size({.scale = 0.333}, kWide);
+  const Result<OutputSize> size = output_size(Limits{}, {.scale = 0.333}, kWide);
   ASSERT_TRUE(size);
   EXPECT_EQ(size->width, 133);
   EXPECT_EQ(size->height, 100);
@@ -26,18 +26,18 @@ TEST(OutputSize, scales_the_viewport_and_rounds_to_whole_pixels) {
 }
 
 TEST(OutputSize, follows_the_aspect_from_one_side) {
-  const Result<OutputSize> from_width = output_size({.width = 800}, kWide);
+  const Result<OutputSize> from_width = output_size(Limits{}, {.width = 800}, kWide);
   ASSERT_TRUE(from_width);
   EXPECT_EQ(from_width->height, 600);
   EXPECT_EQ(from_width->pixels_per_unit, 2);
-  const Result<OutputSize> from_height = output_size({.height = 150}, kWide);
+  const Result<OutputSize> from_height = output_size(Limits{}, {.height = 150}, kWide);
   ASSERT_TRUE(from_height);
   EXPECT_EQ(from_height->width, 200);
   EXPECT_EQ(from_height->pixels_per_unit, 0.5);
 }
 
 TEST(OutputSize, stretches_to_both_sides_and_tells_the_finer_scale) {
-  const Result<OutputSize> size = output_size({.width = 400, .height = 900}, kWide);
+  const Result<OutputSize> size = output_size(Limits{}, {.width = 400, .height = 900}, kWide);
   ASSERT_TRUE(size);
   EXPECT_EQ(size->width, 400);
   EXPECT_EQ(size->height, 900);
@@ -45,18 +45,21 @@ TEST(OutputSize, stretches_to_both_sides_and_tells_the_finer_scale) {
 }
 
 TEST(OutputSize, is_never_below_one_pixel) {
-  const Result<OutputSize> size = output_size({.scale = 1e-9}, kWide);
+  const Result<OutputSize> size = output_size(Limits{}, {.scale = 1e-9}, kWide);
   ASSERT_TRUE(size);
   EXPECT_EQ(size->width, 1);
   EXPECT_EQ(size->height, 1);
 }
 
 TEST(OutputSize, stops_at_the_limit_of_a_side) {
-  EXPECT_TRUE(output_size({.width = limits::kImageSide}, kWide));
-  EXPECT_EQ(output_size({.width = limits::kImageSide + 1}, kWide).status().code, StatusCode::limit);
-  EXPECT_EQ(output_size({.height = limits::kImageSide}, kWide).status().code, StatusCode::limit);
-  EXPECT_EQ(output_size({.scale = 1e300}, kWide).status().code, StatusCode::limit);
-  EXPECT_EQ(output_size({.scale = 1}, {{0, 0}, {1e7, 1}}).status().code, StatusCode::limit);
+  EXPECT_TRUE(output_size(Limits{}, {.width = limits::kImageSide}, kWide));
+  EXPECT_EQ(output_size(Limits{}, {.width = limits::kImageSide + 1}, kWide).status().code,
+            StatusCode::limit);
+  EXPECT_EQ(output_size(Limits{}, {.height = limits::kImageSide}, kWide).status().code,
+            StatusCode::limit);
+  EXPECT_EQ(output_size(Limits{}, {.scale = 1e300}, kWide).status().code, StatusCode::limit);
+  EXPECT_EQ(output_size(Limits{}, {.scale = 1}, {{0, 0}, {1e7, 1}}).status().code,
+            StatusCode::limit);
 }
 
 }  // namespace

@@ -177,32 +177,38 @@ const BadInput kReferences[] = {
        }
        return curve("sf:left='url(#p0)'", chain);
      },
-     3, "3:1: error: more than the limit of 256 paints that inherit from each other"},
+     3,
+     "3:1: error: more than the limit of 256 paints that inherit from each other "
+     "(--limit xml-depth=N sets another)"},
 };
 
 // Files that are missing or lie elsewhere: svg_input_test.cpp.
 const BadInput kTextures[] = {
     {"lying_png", [] { return textured("texture"); }, 3,
-     "4:1: error: \"texture\": the image has more than the limit of 64000000 pixels",
+     "4:1: error: \"texture\": an image of 60000 × 60000 pixels; the limit is 16384 pixels on a "
+     "side (--limit image-side=N sets another)",
      [] { return lying_png(60'000, 60'000); }},
     {"lying_png_within_the_limits", [] { return textured("texture"); }, 1,
      "4:1: error: \"texture\": the PNG image is damaged: too few bytes for 8000 × 8000 pixels",
      [] { return lying_png(8'000, 8'000); }},
     {"lying_jpeg", [] { return textured("texture"); }, 3,
-     "4:1: error: \"texture\": the image of 60000 × 60000 pixels is larger than the limit of 16384 "
-     "on a side and 64000000 pixels",
+     "4:1: error: \"texture\": an image of 60000 × 60000 pixels; the limit is 16384 pixels on a "
+     "side (--limit image-side=N sets another)",
      [] { return lying_jpeg(60'000, 60'000); }},
     {"lying_jpeg_within_the_limits", [] { return textured("texture"); }, 1,
      "4:1: error: \"texture\": the JPEG image is damaged: too few bytes for 8000 × 8000 pixels",
      [] { return lying_jpeg(8'000, 8'000); }},
     {"lying_data_uri",
      [] {
-       const std::string png = lying_png(60'000, 60'000);
+       const std::string png = lying_png(16'000, 16'000);
        return textured("data:image/png;base64," + base64_of({png.begin(), png.end()}));
      },
-     3, "4:1: error: the data: URI: the image has more than the limit of 64000000 pixels"},
+     3,
+     "4:1: error: the data: URI: an image of 16000 × 16000 pixels; the limit is 64000000 "
+     "texels (--limit texels=N sets another)"},
     {"huge_file", [] { return textured("texture"); }, 3,
-     "4:1: error: \"texture\": is longer than the limit of 67108864 bytes",
+     "4:1: error: \"texture\": more than the limit of 67108864 bytes in the file "
+     "(--limit image-file-bytes=N sets another)",
      [] { return text_of(png_file(4, 4)) + std::string(std::size_t{64} << 20, '\0'); }},
     {"corrupt", [] { return textured("texture"); }, 1,
      "4:1: error: \"texture\": the PNG image is damaged: IDAT stream error", damaged_png},
@@ -235,18 +241,23 @@ const BadInput kStopLists[] = {
     {"nan_in_a_gradient", [] { return gradient("", "<stop offset='nan'/>"); }, 1,
      "3:56: error: offset of <stop> is \"nan\"; expected a number from 0 to 1 or a percentage"},
     {"million_colours", [] { return curve("sf:left='red" + repeated(",blue", kMillion) + "'"); }, 3,
-     "2:22: error: sf:left of <path>: more than the limit of 10000 stops in one list"},
+     "2:22: error: sf:left of <path>: more than the limit of 10000 stops in one list "
+     "(--limit stops-per-list=N sets another)"},
     {"million_opacities",
      [] { return curve("sf:left='red' sf:right-opacity='1" + repeated(",0", kMillion) + "'"); }, 3,
-     "2:22: error: sf:right-opacity of <path>: more than the limit of 10000 stops in one list"},
+     "2:22: error: sf:right-opacity of <path>: more than the limit of 10000 stops in one list "
+     "(--limit stops-per-list=N sets another)"},
     {"million_radii",
      [] {
        return svg("<path d='M9 9h80' sf:left='red' sf:radius='1" + repeated(",2", kMillion) +
                   "'/>");
      },
-     3, "2:1: error: sf:radius of <path>: more than the limit of 10000 stops in one list"},
+     3,
+     "2:1: error: sf:radius of <path>: more than the limit of 10000 stops in one list "
+     "(--limit stops-per-list=N sets another)"},
     {"million_in_a_gradient", [] { return gradient("", repeated("<stop/>", kMillion)); }, 3,
-     "3:70056: error: more than the limit of 10000 stops in one gradient"},
+     "3:70056: error: more than the limit of 10000 stops in one gradient "
+     "(--limit stops-per-list=N sets another)"},
 };
 
 const BadInput kBombs[] = {
@@ -262,23 +273,30 @@ const BadInput kBombs[] = {
      0, ""},
     {"uses_of_layers", [] { return svg(laughs(kLayer) + "<use href='#g9'/>"); }, 3,
      "2:18: error: more than the limit of 200000 layers, local curves and groups after every use "
-     "was followed"},
+     "was followed "
+     "(--limit stack-items=N sets another)"},
     {"uses_of_nothing", [] { return svg(laughs("") + "<use href='#g9'/>"); }, 3,
-     "2:7: error: more than the limit of 1000000 elements read through <use>"},
+     "2:7: error: more than the limit of 1000000 elements read through <use> "
+     "(--limit used-elements=N sets another)"},
     {"uses_of_curves",
      [] {
        return svg(laughs("<path d='M9 9h9' sf:left='red'/>") +
                   "<g sf:diffuse='true'><use href='#g9'/></g>");
      },
-     3, "2:18: error: more than the limit of 200000 curves"},
+     3,
+     "2:18: error: more than the limit of 200000 curves "
+     "(--limit curves=N sets another)"},
     {"uses_of_stops",
      [] {
        return svg(laughs("<path d='M9 9h9' sf:left='red" + repeated(",lime", 9'999) + "'/>") +
                   "<g sf:diffuse='true'><use href='#g9'/></g>");
      },
-     3, "2:18: error: more than the limit of 8000000 stops"},
+     3,
+     "2:18: error: more than the limit of 8000000 stops "
+     "(--limit stops=N sets another)"},
     {"nested_groups", [] { return svg(repeated("<g>", kMillion) + repeated("</g>", kMillion)); }, 3,
-     "2:766: error: elements are nested deeper than the limit of 256"},
+     "2:766: error: more than the limit of 256 elements within each other "
+     "(--limit xml-depth=N sets another)"},
 };
 
 const BadInput kValues[] = {

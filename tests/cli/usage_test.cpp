@@ -80,6 +80,16 @@ TEST(Usage, bad_values_say_what_was_expected) {
       {"--background", "#12", "#rrggbb"},
       {"--threads", "0", "from 1 to 1024"},
       {"--max-memory", "0", "MiB"},
+      {"--max-time", "0", "seconds above 0, or off"},
+      {"--max-time", "forever", "seconds above 0, or off"},
+      {"--limit", "curves", "curves= and a whole number from 0 to 3200000"},
+      {"--limit", "curves=-1", "curves= and a whole number"},
+      {"--limit", "curves=4M", "from 0 to 3200000"},
+      {"--limit", "curves=99999999999999999999", "from 0 to 3200000"},
+      {"--limit", "curves=3e5", "perhaps with k, M, KiB or MiB"},
+      {"--limit", "group-depth=17", "from 0 to 16"},
+      {"--limit", "curvs=3", "NAME one of input-bytes, unpack-ratio"},
+      {"--limit", "=3", "NAME one of"},
       {"--depth", "12", "8|16"},
   };
   const TemporaryFolder folder;

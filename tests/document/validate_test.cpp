@@ -51,14 +51,14 @@ Document some_document() {
 }
 
 TEST(Validate, accepts_a_document_that_holds_one_of_everything) {
-  const Status status = validate(some_document());
+  const Status status = validate(Context{}, some_document());
   EXPECT_TRUE(status.ok()) << to_string(status);
 }
 
 TEST(Validate, accepts_a_document_without_curves) {
   Document document;
   document.artboard = {{-5, -5}, {5, 5}};
-  EXPECT_TRUE(validate(document).ok());
+  EXPECT_TRUE(validate(Context{}, document).ok());
 }
 
 struct Fault {
@@ -72,7 +72,7 @@ class FaultyDocument : public testing::TestWithParam<Fault> {};
 TEST_P(FaultyDocument, is_refused_with_the_place) {
   Document document = some_document();
   GetParam().make(document);
-  const Status status = validate(document);
+  const Status status = validate(Context{}, document);
   EXPECT_EQ(status.code, StatusCode::bad_input);
   EXPECT_EQ(status.message, GetParam().message);
 }
@@ -164,16 +164,16 @@ INSTANTIATE_TEST_SUITE_P(, FaultyDocument, testing::ValuesIn(kFaults),
 TEST(Validate, refuses_more_layers_than_the_limit) {
   Document document = some_document();
   document.layers.resize(limits::kLayers + 1);
-  EXPECT_EQ(validate(document).code, StatusCode::limit);
+  EXPECT_EQ(validate(Context{}, document).code, StatusCode::limit);
 }
 
 TEST(Validate, refuses_more_stops_in_one_list_than_the_limit) {
   Document document = some_document();
   second_curve(document).left.blur_radius.stops.assign(limits::kStopsPerList + 1, {0, 1});
-  EXPECT_EQ(validate(document).code, StatusCode::limit);
+  EXPECT_EQ(validate(Context{}, document).code, StatusCode::limit);
   document = some_document();
   gradient_of(document).stops.assign(limits::kStopsPerList + 1, {});
-  EXPECT_EQ(validate(document).code, StatusCode::limit);
+  EXPECT_EQ(validate(Context{}, document).code, StatusCode::limit);
 }
 
 TEST(Validate, refuses_more_curves_than_the_limit_over_all_layers) {
@@ -181,17 +181,18 @@ TEST(Validate, refuses_more_curves_than_the_limit_over_all_layers) {
   Curve curve;
   curve.control_points.resize(4);
   document.layers.push_back({"many", std::vector<Curve>(limits::kCurves - 3, curve)});
-  EXPECT_TRUE(validate(document).ok());
+  EXPECT_TRUE(validate(Context{}, document).ok());
   document.layers[0].curves.push_back(curve);
-  const Status status = validate(document);
+  const Status status = validate(Context{}, document);
   EXPECT_EQ(status.code, StatusCode::limit);
-  EXPECT_EQ(status.message, "200001 curves; the limit is 200000");
+  EXPECT_EQ(status.message,
+            "200001 curves; the limit is 200000 curves (--limit curves=N sets another)");
 }
 
 TEST(Validate, refuses_more_control_points_than_the_limit) {
   Document document = some_document();
   second_curve(document).control_points.resize(3 * (limits::kControlPoints / 3) + 4);
-  EXPECT_EQ(validate(document).code, StatusCode::limit);
+  EXPECT_EQ(validate(Context{}, document).code, StatusCode::limit);
 }
 
 TEST(Validate, refuses_more_shaders_on_a_layer_than_the_limit) {
@@ -202,7 +203,7 @@ TEST(Validate, refuses_more_shaders_on_a_layer_than_the_limit) {
     curve.left.color = {ShaderKind::image_domain, {}, i};
     document.layers[0].curves.push_back(curve);
   }
-  EXPECT_EQ(validate(document).code, StatusCode::limit);
+  EXPECT_EQ(validate(Context{}, document).code, StatusCode::limit);
 }
 
 }  // namespace

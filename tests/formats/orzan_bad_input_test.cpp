@@ -21,8 +21,8 @@ std::string curve_with(const std::string& parts) {
   return kHead + " <curve>" + parts + "</curve>\n</curve_set>";
 }
 
-Status status_of(const std::string& xml) {
-  Context context;
+Status status_of(const std::string& xml, const Limits& limits = {}) {
+  Context context{.limits = limits};
   const Status status = read_orzan(context, xml, "a.xml").status();
   EXPECT_EQ(context.budget.used(), 0u);
   return status;
@@ -120,7 +120,9 @@ std::string repeated(const std::string& text, std::size_t count) {
 TEST(OrzanLimits, one_million_curves_are_refused) {
   const Status status = status_of(kHead + repeated("<curve/>", 1'000'000) + "</curve_set>");
   EXPECT_EQ(status.code, StatusCode::limit);
-  EXPECT_EQ(to_string(status), "a.xml:1:1: more than the limit of 200000 curves");
+  EXPECT_EQ(to_string(status),
+            "a.xml:1:1: more than the limit of 200000 curves "
+            "(--limit curves=N sets another)");
 }
 
 TEST(OrzanLimits, more_control_points_than_the_limit_are_refused) {
@@ -136,7 +138,8 @@ TEST(OrzanLimits, more_stops_in_one_list_than_the_limit_are_refused) {
       status_of(curve_with(points(4) + "<left_colors_set>" +
                            repeated(color, limits::kStopsPerList + 1) + "</left_colors_set>"));
   EXPECT_EQ(status.code, StatusCode::limit);
-  EXPECT_TRUE(status.message.ends_with("10000 stops in one list")) << status.message;
+  EXPECT_TRUE(status.message.starts_with("more than the limit of 10000 stops in one list"))
+      << status.message;
 }
 
 TEST(OrzanLimits, input_longer_than_the_limit_is_refused) {
@@ -150,14 +153,13 @@ TEST(OrzanLimits, more_elements_than_the_limit_are_refused) {
 }
 
 TEST(OrzanLimits, elements_nested_deeper_than_the_limit_are_refused) {
-  const auto nested = [](int depth) {
-    return kHead + repeated("<a>", static_cast<std::size_t>(depth) - 1) +
-           repeated("</a>", static_cast<std::size_t>(depth) - 1) + "</curve_set>";
+  const auto nested = [](std::size_t depth) {
+    return kHead + repeated("<a>", depth - 1) + repeated("</a>", depth - 1) + "</curve_set>";
   };
   EXPECT_TRUE(status_of(nested(limits::kXmlDepth)).ok());
   const Status status = status_of(nested(limits::kXmlDepth + 1));
   EXPECT_EQ(status.code, StatusCode::limit);
-  EXPECT_EQ(status.where.column, 3 * limits::kXmlDepth - 2);
+  EXPECT_EQ(status.where.column, 3 * static_cast<int>(limits::kXmlDepth) - 2);
   EXPECT_EQ(status_of(nested(1'000'000)).code, StatusCode::limit);
 }
 
@@ -173,7 +175,9 @@ TEST(OrzanLimits, memory_is_charged_before_it_is_taken) {
 TEST(OrzanLimits, two_hundred_thousand_attributes_are_no_trouble) {
   std::string attributes;
   for (int i = 0; i < 200'000; ++i) attributes += " a" + std::to_string(i) + "='1'";
-  EXPECT_TRUE(status_of("<curve_set image_width='3' image_height='2'" + attributes + "/>").ok());
+  const std::string xml = "<curve_set image_width='3' image_height='2'" + attributes + "/>";
+  EXPECT_EQ(status_of(xml).code, StatusCode::limit);
+  EXPECT_TRUE(status_of(xml, {.xml_attributes = 300'000}).ok());
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ TEST_P(PublicScene, loads_with_all_its_curves_and_its_canvas) {
   ASSERT_EQ(document.stack.size(), 1u);
   EXPECT_EQ(document.layers[0].curves.size(), facts.curve_count);
   EXPECT_EQ(document.artboard, (Box{{0, 0}, {facts.width, facts.height}}));
-  EXPECT_TRUE(validate(document).ok());
+  EXPECT_TRUE(validate(Context{}, document).ok());
   EXPECT_EQ(context.budget.used(), 0u);
 }
 

@@ -90,14 +90,53 @@ TEST(ReadDocument, damaged_gzip_is_refused) {
   EXPECT_EQ(message_of("\x1f\x8bhello, this is no gzip"), "a: the gzip data are damaged");
 }
 
+/// The message of reading with another limit; empty where it can be read.
+std::string message_with(const std::string& bytes, std::size_t Limits::*limit, std::size_t value) {
+  Context context;
+  context.limits.*limit = value;
+  const Result<ReadDocument> read = read_document(context, bytes, "a");
+  EXPECT_EQ(context.budget.used(), 0u);
+  return read ? std::string() : to_string(read.status());
+}
+
 TEST(ReadDocument, gzip_bomb_is_refused) {
   const std::string bomb = gzip(std::string(limits::kInputBytes + 1, ' '));
   EXPECT_LT(bomb.size(), 100'000u);
-  const Status status = read_any(bomb).status();
-  EXPECT_EQ(status.code, StatusCode::limit);
-  EXPECT_EQ(to_string(status), "a: unpacks to more than the limit of 67108864 bytes");
+  EXPECT_EQ(read_any(bomb).status().code, StatusCode::limit);
+  const std::size_t most = limits::kUnpackRatio * bomb.size() + limits::kUnpackedSlack;
+  EXPECT_EQ(message_of(bomb),
+            "a: unpacks to " + std::to_string(most) +
+                " bytes and more: more than the limit of 200 bytes of each packed byte "
+                "(--limit unpack-ratio=N sets another)");
+  EXPECT_EQ(
+      message_with(bomb, &Limits::unpack_ratio, 1032),
+      "a: unpacks to more than the limit of 67108864 bytes (--limit input-bytes=N sets another)");
+}
+
+TEST(ReadDocument, gzip_up_to_the_limits_is_read) {
   const std::string largest = gzip(svg("") + std::string(limits::kInputBytes - 200, ' '));
-  EXPECT_TRUE(read_any(largest).ok()) << message_of(largest);
+  EXPECT_EQ(message_with(largest, &Limits::unpack_ratio, 1032), "");
+  const std::string small = gzip(svg("") + std::string(limits::kUnpackedSlack, ' '));
+  EXPECT_LT(small.size() * 500, limits::kUnpackedSlack);
+  EXPECT_EQ(message_of(small), "");
+}
+
+TEST(ReadDocument, a_lower_limit_of_bytes_is_kept) {
+  const std::string text = svg("") + std::string(1000, ' ');
+  for (const std::string& bytes : {text, gzip(text)}) {
+    EXPECT_EQ(message_with(bytes, &Limits::input_bytes, text.size()), "");
+    EXPECT_NE(message_with(bytes, &Limits::input_bytes, text.size() - 1), "");
+  }
+}
+
+TEST(ReadDocument, attributes_of_one_element_are_limited) {
+  const auto with_attributes = [](std::size_t count) {
+    std::string attributes;
+    for (std::size_t i = 0; i < count; ++i) attributes += " a" + std::to_string(i) + "='1'";
+    return svg("<desc" + attributes + "/>");
+  };
+  EXPECT_EQ(message_of(with_attributes(limits::kXmlAttributes)), "");
+  EXPECT_EQ(read_any(with_attributes(limits::kXmlAttributes + 1)).status().code, StatusCode::limit);
 }
 
 }  // namespace

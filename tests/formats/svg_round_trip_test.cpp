@@ -259,7 +259,7 @@ TEST(SvgRoundTrip, gives_back_every_number_of_random_drawings) {
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
     SCOPED_TRACE(seed);
     const Document document = drawing(seed);
-    ASSERT_TRUE(validate(document).ok()) << validate(document).message;
+    ASSERT_TRUE(validate(Context{}, document).ok()) << validate(Context{}, document).message;
     const Document read = read_back(written(document));
     EXPECT_EQ(document.artboard, read.artboard);
     EXPECT_EQ(document.interpolation, read.interpolation);

@@ -45,8 +45,9 @@ inline ReadDocument read(const std::string& text, const ResourceLoader* loader =
   return result ? std::move(*result) : ReadDocument{};
 }
 
-inline Status status_of(const std::string& text, const ResourceLoader* loader = nullptr) {
-  Context context;
+inline Status status_of(const std::string& text, const ResourceLoader* loader = nullptr,
+                        const Limits& limits = {}) {
+  Context context{.limits = limits};
   const Status status = read_svg(context, text, "a.svg", loader).status();
   EXPECT_EQ(context.budget.used(), 0u);
   return status;

@@ -99,10 +99,10 @@ TEST(RasterCompositing, a_group_is_blended_by_itself) {
 TEST(RasterCompositing, groups_nest_to_the_limit) {
   Picture picture = stacked({flat_layer(kBox, {0, 0, 0}), flat_layer(kBox, {1, 1, 1})});
   picture.stack.pop_back();
-  for (int i = 0; i < limits::kGroupDepth; ++i)
+  for (std::size_t i = 0; i < limits::kGroupDepth; ++i)
     picture.stack.push_back(GroupBegin{i < 3 ? 0.5f : 1.0f, {}});
   picture.stack.push_back(PatchInstance{1, {0.5, 0, 0, 0.5, 0, 0}});
-  for (int i = 0; i < limits::kGroupDepth; ++i) picture.stack.push_back(GroupEnd{});
+  for (std::size_t i = 0; i < limits::kGroupDepth; ++i) picture.stack.push_back(GroupEnd{});
   const Image image = rasterized(picture, image_size(600, 200));
   EXPECT_NEAR(channel(image, 100, 50, 1), 65535 / 8.0, 1);
   EXPECT_NEAR(channel(image, 299, 99, 1), 65535 / 8.0, 1);

@@ -51,9 +51,9 @@ std::optional<Found> AttributeReader::find(const char* name, const char* for_bot
 
 Status AttributeReader::check_length(const Found& found) {
   const std::size_t count = stop_bound(found.text);
-  if (count > limits::kStopsPerList) {
+  if (count > input_.limits().stops_per_list) {
     return input_.in(element_, found.name,
-                     input_.over_limit(element_, limits::kStopsPerList, "stops in one list"));
+                     input_.over_limit(element_, &Limits::stops_per_list, "stops in one list"));
   }
   ScopedCharge charge;
   return input_.placed(element_,

@@ -125,8 +125,8 @@ Status GradientReader::read_stops() {
   }
   double largest = 0;
   for (const Element element : parent.children("stop")) {
-    if (fill_.stops.size() == limits::kStopsPerList) {
-      return input_.over_limit(element, limits::kStopsPerList, "stops in one gradient");
+    if (fill_.stops.size() == input_.limits().stops_per_list) {
+      return input_.over_limit(element, &Limits::stops_per_list, "stops in one gradient");
     }
     if (Status status = totals_.add_stops(element, 1, sizeof(GradientStop)); !status) {
       return status;

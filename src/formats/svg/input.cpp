@@ -52,9 +52,9 @@ Status Input::read_style_sheets(Element element) {
   for (const pugi::xml_node text : element.children()) {
     if (text.type() != pugi::node_pcdata && text.type() != pugi::node_cdata) continue;
     const std::string_view sheet = text.value();
-    const std::string_view left_out = sheet_.add(sheet);
-    if (sheet_.value_count() > limits::kStyleValues) {
-      return over_limit(element, limits::kStyleValues, "values in style sheets");
+    const std::string_view left_out = sheet_.add(sheet, limits().style_values);
+    if (sheet_.value_count() > limits().style_values) {
+      return over_limit(element, &Limits::style_values, "values in style sheets");
     }
     if (left_out.empty()) continue;
     warn("/style sheet", element,
@@ -126,10 +126,8 @@ Status Input::error(Element element, std::string message) {
   return make_error(StatusCode::bad_input, std::move(message), xml_.place(element));
 }
 
-Status Input::over_limit(Element element, std::size_t limit, std::string_view what) {
-  return make_error(StatusCode::limit,
-                    "more than the limit of " + std::to_string(limit) + " " + std::string(what),
-                    xml_.place(element));
+Status Input::over_limit(Element element, std::size_t Limits::*limit, std::string_view what) {
+  return limit_error(limits(), limit, what, xml_.place(element));
 }
 
 Status Input::in(Element element, std::string_view attribute, Status status) {

@@ -28,6 +28,7 @@ class Input {
 
   Element root() const { return xml_.root(); }
   Context& context() const { return context_; }
+  const Limits& limits() const { return context_.limits; }
 
   /// An attribute of SVG.
   std::optional<std::string_view> attribute(Element element, const char* name) const;
@@ -46,8 +47,8 @@ class Input {
   Result<Element> element_of(Element element, std::string_view id);
 
   Status error(Element element, std::string message);
-  /// "more than the limit of N curves".
-  Status over_limit(Element element, std::size_t limit, std::string_view what);
+  /// "more than the limit of N curves", with the place.
+  Status over_limit(Element element, std::size_t Limits::*limit, std::string_view what);
   /// A status of a parser: puts "d of <path>: " before its message, and the place.
   Status in(Element element, std::string_view attribute, Status status);
   /// The status with the element's place.

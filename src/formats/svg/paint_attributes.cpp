@@ -50,8 +50,8 @@ Result<PaintAttributes> PaintAttributes::read(Input& input, Element paint) {
                                            "; expected a paint of the same kind");
     }
     if (std::ranges::find(chain, *next) != chain.end()) return circle_error(input, chain, *next);
-    if (chain.size() == limits::kXmlDepth) {
-      return input.over_limit(paint, limits::kXmlDepth, "paints that inherit from each other");
+    if (chain.size() >= input.limits().xml_depth) {
+      return input.over_limit(paint, &Limits::xml_depth, "paints that inherit from each other");
     }
     chain.push_back(*next);
   }

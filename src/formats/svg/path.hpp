@@ -6,6 +6,7 @@
 
 #include "base/affine.hpp"
 #include "base/box.hpp"
+#include "base/context.hpp"
 #include "base/status.hpp"
 #include "base/vec2.hpp"
 
@@ -53,10 +54,10 @@ class PathBuilder {
 /// Reads the d attribute of a path (SVG 1.1, section 8.3; a mistake is an error, not the end of the
 /// path). "none" and blanks are no subpath. Errors: bad_input, limit (control points), without a
 /// place.
-Result<std::vector<Subpath>> parse_path(std::string_view text);
+Result<std::vector<Subpath>> parse_path(Context& context, std::string_view text);
 
 /// How many control points the path will have at most, from a glance at its text.
-std::size_t control_point_bound(std::string_view text);
+std::size_t control_point_bound(const Limits& limits, std::string_view text);
 
 /// The box of the curves themselves, not of their control points.
 Box bounds(const std::vector<Subpath>& subpaths);

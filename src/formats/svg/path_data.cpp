@@ -14,7 +14,8 @@ constexpr std::size_t kPiecesPerArc = 4;
 
 class PathReader {
  public:
-  explicit PathReader(std::string_view text) : scanner_(text) {}
+  PathReader(Context& context, std::string_view text)
+      : context_(context), poll_(context), scanner_(text) {}
 
   Result<std::vector<Subpath>> read();
 
@@ -29,6 +30,8 @@ class PathReader {
   Status take_number(double& value);
   bool next_is_number() const;
 
+  Context& context_;
+  RarePoll<1024> poll_;
   Scanner scanner_;
   PathBuilder builder_;
   char command_ = 0;  ///< in upper case
@@ -49,11 +52,10 @@ Result<std::vector<Subpath>> PathReader::read() {
   while (!scanner_.at_end()) {
     if (Status status = take_command(); !status) return status;
     if (Status status = draw(); !status) return status;
-    if (builder_.control_point_count() > limits::kControlPoints) {
-      return make_error(
-          StatusCode::limit,
-          "more than the limit of " + std::to_string(limits::kControlPoints) + " control points");
+    if (builder_.control_point_count() > context_.limits.control_points) {
+      return limit_error(context_.limits, &Limits::control_points, "control points");
     }
+    if (poll_.cancelled()) return context_.stop_status();
     scanner_.skip_blanks();
   }
   return builder_.take();
@@ -186,11 +188,11 @@ Status PathReader::take_point(Vec2& point) {
 
 }  // namespace
 
-Result<std::vector<Subpath>> parse_path(std::string_view text) {
-  return PathReader(text).read();
+Result<std::vector<Subpath>> parse_path(Context& context, std::string_view text) {
+  return PathReader(context, text).read();
 }
 
-std::size_t control_point_bound(std::string_view text) {
+std::size_t control_point_bound(const Limits& limits, std::string_view text) {
   // A piece takes a number or a closing letter at least; an arc's flags may stand in one number.
   std::size_t numbers = 0, letters = 0;
   bool in_digits = false;
@@ -201,7 +203,7 @@ std::size_t control_point_bound(std::string_view text) {
     in_digits = is_digit;
   }
   const std::size_t pieces = kPiecesPerArc * numbers / 5 + numbers + letters;
-  return std::min(3 * pieces + 1, limits::kControlPoints + 3 * kPiecesPerArc + 1);
+  return std::min(3 * pieces + 1, limits.control_points + 3 * kPiecesPerArc + 1);
 }
 
 }  // namespace sfumato::svg

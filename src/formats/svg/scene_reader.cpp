@@ -120,13 +120,13 @@ Status SceneReader::visit_known(Element element, const Place& place) {
 }
 
 Status SceneReader::count_visit(Element element, const Place& place) {
-  if (place.depth >= limits::kXmlDepth) {
-    return input_.over_limit(element, limits::kXmlDepth,
+  if (static_cast<std::size_t>(place.depth) >= input_.limits().xml_depth) {
+    return input_.over_limit(element, &Limits::xml_depth,
                              "elements within each other after every use was followed");
   }
   if (!place.is_copy) return ok_status();
-  if (++used_elements_ > limits::kUsedElements) {
-    return input_.over_limit(element, limits::kUsedElements, "elements read through <use>");
+  if (++used_elements_ > input_.limits().used_elements) {
+    return input_.over_limit(element, &Limits::used_elements, "elements read through <use>");
   }
   return ok_status();
 }
@@ -335,8 +335,8 @@ Status SceneReader::draw_layer(Element element, const Place& place) {
 Result<std::uint32_t> SceneReader::layer_of(Element element, const Place& place) {
   const auto known = layer_of_.find(element.internal_object());
   if (known != layer_of_.end()) return known->second;
-  if (document_.layers.size() == limits::kLayers) {
-    return input_.over_limit(element, limits::kLayers, "layers");
+  if (document_.layers.size() >= input_.limits().layers) {
+    return input_.over_limit(element, &Limits::layers, "layers");
   }
   Layer layer{element.attribute("id").value(), {}};
   Place inside;
@@ -346,8 +346,8 @@ Result<std::uint32_t> SceneReader::layer_of(Element element, const Place& place)
   if (layer.curves.empty()) {
     input_.warn("/empty layer", element, "the layer has no curves and paints nothing");
   }
-  if (count_shaders(layer) > limits::kShadersPerLayer) {
-    return input_.over_limit(element, limits::kShadersPerLayer, "paints in one layer");
+  if (count_shaders(layer) > input_.limits().shaders_per_layer) {
+    return input_.over_limit(element, &Limits::shaders_per_layer, "paints in one layer");
   }
   const auto index = static_cast<std::uint32_t>(document_.layers.size());
   document_.layers.push_back(std::move(layer));
@@ -393,8 +393,8 @@ Status SceneReader::close_group(Element element, const OpenGroup& group) {
     stack.erase(stack.end() - 2);
     return ok_status();
   }
-  if (height + 1 > limits::kGroupDepth) {
-    return input_.over_limit(element, limits::kGroupDepth,
+  if (static_cast<std::size_t>(height) + 1 > input_.limits().group_depth) {
+    return input_.over_limit(element, &Limits::group_depth,
                              "groups within each other that are composited by themselves");
   }
   group_height_ = std::max(group_height_, height + 1);

@@ -66,7 +66,8 @@ Status ShapeReader::not_negative(const char* name, double value) {
 }
 
 Status ShapeReader::charge_bound(std::string_view text, ScopedCharge& charge) {
-  Status status = charge.add(input_.context(), kGrowth * control_point_bound(text) * sizeof(Vec2),
+  Status status = charge.add(input_.context(),
+                             kGrowth * control_point_bound(input_.limits(), text) * sizeof(Vec2),
                              "control points");
   return status ? status : input_.placed(element_, status);
 }
@@ -75,7 +76,7 @@ Result<Subpaths> ShapeReader::read_path() {
   const std::string_view data = input_.attribute(element_, "d").value_or("");
   ScopedCharge charge;
   if (Status status = charge_bound(data, charge); !status) return status;
-  Result<Subpaths> subpaths = parse_path(data);
+  Result<Subpaths> subpaths = parse_path(input_.context(), data);
   if (!subpaths) return input_.in(element_, "d", subpaths.status());
   return subpaths;
 }

@@ -50,7 +50,7 @@ std::string_view take_block(std::string_view& text) {
 
 }  // namespace
 
-std::string_view StyleSheet::add(std::string_view text) {
+std::string_view StyleSheet::add(std::string_view text, std::size_t most_values) {
   std::string_view left_out;
   const auto leave_out = [&](std::string_view what) {
     if (left_out.empty()) left_out = css_trimmed(what);
@@ -68,7 +68,7 @@ std::string_view StyleSheet::add(std::string_view text) {
     while (!selectors.empty()) {
       const std::string_view selector = css_trimmed(take_until(selectors, ','));
       if (is_simple(selector)) {
-        add_rule(selector, block);
+        add_rule(selector, block, most_values);
       } else {
         leave_out(selector);
       }
@@ -77,8 +77,9 @@ std::string_view StyleSheet::add(std::string_view text) {
   return left_out;
 }
 
-void StyleSheet::add_rule(std::string_view selector, std::string_view declarations) {
-  while (!declarations.empty() && count_ <= limits::kStyleValues) {
+void StyleSheet::add_rule(std::string_view selector, std::string_view declarations,
+                          std::size_t most_values) {
+  while (!declarations.empty() && count_ <= most_values) {
     skip_comments(declarations);
     const std::string_view declaration = take_until(declarations, ';');
     const std::size_t colon = declaration.find(':');

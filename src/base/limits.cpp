@@ -1,0 +1,63 @@
+#include "base/limits.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace sfumato {
+namespace {
+
+/// Times the default that tables of 32-bit indices, ten nodes to a triangle, have room for.
+constexpr std::size_t kIndexRoom = 4;
+/// Counts that only memory and time bound.
+constexpr std::size_t kRoom = 16;
+
+constexpr std::array kNames{
+    LimitName{"input-bytes", &Limits::input_bytes, kRoom* limits::kInputBytes},
+    LimitName{"unpack-ratio", &Limits::unpack_ratio, 1032},  // deflate packs no more tightly
+    LimitName{"xml-depth", &Limits::xml_depth, limits::kXmlDepth},
+    LimitName{"xml-elements", &Limits::xml_elements, kRoom* limits::kXmlElements},
+    LimitName{"xml-attributes", &Limits::xml_attributes, kRoom* limits::kXmlAttributes},
+    LimitName{"style-values", &Limits::style_values, kRoom* limits::kStyleValues},
+    LimitName{"used-elements", &Limits::used_elements, kRoom* limits::kUsedElements},
+    LimitName{"curves", &Limits::curves, kRoom* limits::kCurves},
+    LimitName{"control-points", &Limits::control_points, kRoom* limits::kControlPoints},
+    LimitName{"stops", &Limits::stops, kRoom* limits::kStops},
+    LimitName{"stops-per-list", &Limits::stops_per_list, kRoom* limits::kStopsPerList},
+    LimitName{"layers", &Limits::layers, kRoom* limits::kLayers},
+    LimitName{"shaders-per-layer", &Limits::shaders_per_layer, limits::kShadersPerLayer},
+    LimitName{"stack-items", &Limits::stack_items, kRoom* limits::kStackItems},
+    LimitName{"group-depth", &Limits::group_depth, limits::kGroupDepth},
+    LimitName{"image-file-bytes", &Limits::image_file_bytes, kRoom* limits::kImageFileBytes},
+    LimitName{"textures", &Limits::textures, kRoom* limits::kTextures},
+    LimitName{"texels", &Limits::texels, kIndexRoom* limits::kTexels},
+    LimitName{"segments", &Limits::segments, kIndexRoom* limits::kSegments},
+    LimitName{"triangles", &Limits::triangles, kIndexRoom* limits::kTriangles},
+    LimitName{"nodes", &Limits::nodes, kIndexRoom* limits::kNodes},
+    LimitName{"image-side", &Limits::image_side, limits::kImageSide},
+    LimitName{"viewer-triangles", &Limits::viewer_triangles, limits::kViewerTriangles},
+    LimitName{"viewer-stroke-segments", &Limits::viewer_stroke_segments,
+              limits::kViewerStrokeSegments},
+    LimitName{"svg-triangles", &Limits::svg_triangles, kRoom* limits::kSvgTriangles},
+};
+static_assert(sizeof(Limits) == kNames.size() * sizeof(std::size_t), "every limit has its name");
+
+}  // namespace
+
+std::span<const LimitName> limit_names() {
+  return kNames;
+}
+
+std::string limit_text(const Limits& limits, std::size_t Limits::*limit, std::string_view what) {
+  const auto known = std::ranges::find(kNames, limit, &LimitName::value);
+  return std::to_string(limits.*limit) + " " + std::string(what) + " (--limit " +
+         std::string(known->name) + "=N sets another)";
+}
+
+Status limit_error(const Limits& limits, std::size_t Limits::*limit, std::string_view what,
+                   SourcePlace where) {
+  return make_error(StatusCode::limit, "more than the limit of " + limit_text(limits, limit, what),
+                    std::move(where));
+}
+
+}  // namespace sfumato

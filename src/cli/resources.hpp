@@ -1,0 +1,24 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstddef>
+#include <optional>
+
+#include "base/context.hpp"
+
+namespace sfumato::cli {
+
+/// What a command may take of memory and time, and the limits on its input.
+struct Resources {
+  Limits limits{};
+  std::size_t memory_bytes = limits::kMemoryBytes;
+  std::optional<double> seconds = limits::kSeconds;  ///< none: as long as it takes
+};
+
+/// --max-memory, --max-time and --limit.
+void add_resources(CLI::App& app, Resources& resources);
+
+/// From now on.
+std::optional<Deadline> deadline_of(const Resources& resources);
+
+}  // namespace sfumato::cli
