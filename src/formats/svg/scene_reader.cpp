@@ -52,6 +52,7 @@ std::string shown(Element element) {
 
 Status SceneReader::read() {
   Status status = visit_group(input_.root(), {});
+  if (status) status = visit_open(0);
   if (status) warn_of_unused();
   document_.shaders = paints_.take();
   return status;
@@ -150,15 +151,31 @@ Result<Affine> SceneReader::own_transform(Element element) {
   return map;
 }
 
-Status SceneReader::visit_children(Element element, const Place& place) {
-  Place inside = place;
-  ++inside.depth;
-  inside.use = {};
-  for (const Element child : element.children()) {
-    if (child.type() != pugi::node_element) continue;
-    if (Status status = visit(child, inside); !status) return status;
+void SceneReader::open_children(Element element, const Place& place,
+                                const std::optional<OpenGroup>& group) {
+  OpenElement open{element, element.first_child(), place, group, false};
+  ++open.inside.depth;
+  open.inside.use = {};
+  open_.push_back(std::move(open));
+}
+
+/// Visits what is in the open elements, and closes them, until `count` are left. A stack of our
+/// own: elements may lie deeper than a thread's small stack reaches.
+Status SceneReader::visit_open(std::size_t count) {
+  Status status = ok_status();
+  while (status && open_.size() > count) {
+    OpenElement& top = open_.back();
+    if (const Element child = top.next) {
+      top.next = child.next_sibling();
+      if (child.type() == pugi::node_element) status = visit(child, Place(top.inside));
+    } else {
+      const OpenElement done = top;
+      open_.pop_back();
+      if (done.is_use) used_.pop_back();
+      if (done.group) status = close_group(done.element, *done.group);
+    }
   }
-  return ok_status();
+  return status;
 }
 
 Status SceneReader::visit_group(Element element, const Place& place) {
@@ -170,8 +187,8 @@ Status SceneReader::visit_group(Element element, const Place& place) {
   }
   const Result<OpenGroup> group = open_group(element, place);
   if (!group) return group.status();
-  if (Status status = visit_children(element, place); !status) return status;
-  return close_group(element, *group);
+  open_children(element, place, *group);
+  return ok_status();
 }
 
 /// An <svg> within the document, or a symbol: `use` gives its size where it is set.
@@ -229,8 +246,8 @@ Status SceneReader::visit_use(Element element, Place place) {
   place.frame_from_user = place.frame_from_user * Affine{1, 0, 0, 1, *x, *y};
   const Result<OpenGroup> group = open_group(element, place);
   if (!group) return group.status();
-  if (Status status = visit_used(*target, element, place); !status) return status;
-  return close_group(element, *group);
+  open_.push_back({element, {}, place, *group, true});
+  return visit_used(*target, element, place);
 }
 
 Status SceneReader::visit_used(Element target, Element use, Place place) {
@@ -244,9 +261,7 @@ Status SceneReader::visit_used(Element target, Element use, Place place) {
   place.use = use;
   place.is_copy = true;
   const bool is_symbol = std::string_view(target.name()) == "symbol";
-  Status status = is_symbol ? visit_symbol(target, place) : visit(target, place);
-  used_.pop_back();
-  return status;
+  return is_symbol ? visit_symbol(target, place) : visit(target, place);
 }
 
 Status SceneReader::visit_symbol(Element symbol, const Place& place) {
@@ -342,7 +357,9 @@ Result<std::uint32_t> SceneReader::layer_of(Element element, const Place& place)
   Place inside;
   inside.layer = &layer;
   inside.depth = place.depth;
-  if (Status status = visit_children(element, inside); !status) return status;
+  const std::size_t open_around = open_.size();
+  open_children(element, inside, std::nullopt);
+  if (Status status = visit_open(open_around); !status) return status;
   if (layer.curves.empty()) {
     input_.warn("/empty layer", element, "the layer has no curves and paints nothing");
   }

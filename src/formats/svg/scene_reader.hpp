@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <unordered_map>
 #include <vector>
 
@@ -55,9 +56,19 @@ class SceneReader {
     bool is_open = false;
   };
 
+  /// An element whose end the walk has not reached.
+  struct OpenElement {
+    Element element;
+    Element next;  ///< the child, of any kind, that is visited next; null: its end
+    Place inside;
+    std::optional<OpenGroup> group;
+    bool is_use = false;  ///< the last of used_ ends with it
+  };
+
   Status visit(Element element, Place place);
   Status visit_known(Element element, const Place& place);
-  Status visit_children(Element element, const Place& place);
+  void open_children(Element element, const Place& place, const std::optional<OpenGroup>& group);
+  Status visit_open(std::size_t count);
   Status visit_group(Element element, const Place& place);
   Status visit_nested_svg(Element element, Place place);
   Status visit_shape(Element element, const Place& place);
@@ -85,7 +96,8 @@ class SceneReader {
   Paints paints_;
   CurveReader curves_;
   std::unordered_map<const void*, std::uint32_t> layer_of_;
-  std::vector<Element> used_;  ///< what the <use>s around this place refer to, outermost first
+  std::vector<OpenElement> open_;  ///< outermost first
+  std::vector<Element> used_;      ///< what the <use>s around this place refer to, outermost first
   std::size_t used_elements_ = 0;
   int group_height_ = 0;  ///< of the groups closed in the one that is open
   bool may_be_background_ = true;

@@ -1,0 +1,193 @@
+// The command where the system gives it little: memory, stack, threads, or no output to write to.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "cli/run_command.hpp"
+#include "cli/scenes.hpp"
+
+namespace sfumato::test {
+namespace {
+
+namespace fs = std::filesystem;
+using Names = std::vector<std::string>;
+
+constexpr const char* kStack = "ulimit -s 256; exec \"$@\"";  // KiB
+
+/// The command as a shell script starts it; "$@" is the command and its arguments.
+CommandResult run_in_shell(const std::string& script, Names arguments) {
+  arguments.insert(arguments.begin(), {"/bin/sh", "-c", script, "sh", SFUMATO_BINARY});
+  return run_command(std::move(arguments));
+}
+
+std::string example(const char* name) {
+  return std::string(SFUMATO_SOURCE_DIR "/examples/") + name;
+}
+
+#if defined(__SANITIZE_ADDRESS__)
+#define SFUMATO_ADDRESS_SPACE_IS_TAKEN
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define SFUMATO_ADDRESS_SPACE_IS_TAKEN
+#endif
+#endif
+
+TEST(ScarceMemory, is_its_exit_code_and_its_message_and_no_output) {
+#if defined(SFUMATO_ADDRESS_SPACE_IS_TAKEN)
+  GTEST_SKIP() << "sanitizers take more address space than these limits leave";
+#endif
+  const TemporaryFolder folder;
+  const std::string output = folder.path("out.png");
+  std::size_t refused = 0, drawn = 0;
+  for (int mebibytes = 24; mebibytes <= 240; mebibytes += 12) {
+    for (const char* threads : {"1", "4"}) {
+      fs::remove(output);
+      const std::string limit = "ulimit -v " + std::to_string(1024 * mebibytes);
+      const CommandResult result = run_in_shell(
+          limit + "; exec \"$@\"",
+          {"render", example("textures.svg"), "-o", output, "--quiet", "--threads", threads});
+      const std::string what = std::to_string(mebibytes) + " MiB, " + threads + " threads: ";
+      ASSERT_TRUE(result.exit_code == 0 || result.exit_code == 3)
+          << what << result.exit_code << ' ' << result.err;
+      (result.exit_code == 0 ? drawn : refused) += 1;
+      ASSERT_EQ(fs::exists(output), result.exit_code == 0) << what;
+      if (result.exit_code == 3) {
+        ASSERT_NE(result.err.find("memory"), std::string::npos) << what << result.err;
+      }
+    }
+  }
+  EXPECT_GT(refused, 0u);
+  EXPECT_GT(drawn, 0u);
+  EXPECT_LE(folder.names().size(), 1u);
+}
+
+class SmallStack : public testing::TestWithParam<std::string> {};
+
+TEST_P(SmallStack, is_enough) {
+  const TemporaryFolder folder;
+  for (const char* threads : {"1", "3"}) {
+    const CommandResult result = run_in_shell(
+        kStack,
+        {"render", GetParam(), "-o", folder.path("out.png"), "--quiet", "--threads", threads});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+  }
+  for (const char* extension : {"html", "pdf", "eps", "svg", "glb", "jpg", "webp"}) {
+    const std::string output = folder.path(std::string("out.") + extension);
+    const CommandResult result =
+        run_in_shell(kStack, {"render", GetParam(), "-o", output, "--quiet"});
+    EXPECT_EQ(result.exit_code, 0) << extension << result.err;
+  }
+  EXPECT_EQ(run_in_shell(kStack, {"lint", GetParam()}).exit_code, 0);
+  EXPECT_EQ(run_in_shell(kStack, {"info", GetParam()}).exit_code, 0);
+  EXPECT_EQ(run_in_shell(kStack, {"convert", GetParam(), "-o", folder.path("a.svg")}).exit_code, 0);
+}
+
+/// The examples, and the public scenes where they are at hand.
+Names drawings() {
+  Names found;
+  for (const char* folder : {SFUMATO_SOURCE_DIR "/examples", SFUMATO_SHARED_DIR "/scenes"}) {
+    std::error_code ignored;
+    for (const auto& entry : fs::directory_iterator(folder, ignored)) {
+      const std::string extension = entry.path().extension();
+      if (extension == ".svg" || extension == ".xml") found.push_back(entry.path().string());
+    }
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+INSTANTIATE_TEST_SUITE_P(For, SmallStack, testing::ValuesIn(drawings()), [](const auto& instance) {
+  return fs::path(instance.param).stem().string();
+});
+
+std::string repeated(const std::string& text, int count) {
+  std::string all;
+  for (int i = 0; i < count; ++i) all += text;
+  return all;
+}
+
+std::string svg(const std::string& content) {
+  return R"(<svg xmlns="http://www.w3.org/2000/svg" xmlns:sf="urn:sfumato:1" )"
+         R"(viewBox="0 0 64 48" sf:version="1">)" +
+         content + "</svg>";
+}
+
+struct DeepInput {
+  const char* name;
+  std::string text;
+};
+
+std::vector<DeepInput> deep_inputs() {
+  const std::string layer = R"(<g sf:diffuse="true"><path d="M0 9L64 20" sf:left="red"/></g>)";
+  std::string uses = "<g id='u0'>" + layer + "</g>";
+  for (int i = 1; i < 1000; ++i) {
+    uses += "<g id='u" + std::to_string(i) + "'><use href='#u" + std::to_string(i - 1) + "'/></g>";
+  }
+  const auto nested = [&](const std::string& open, int count) {
+    return svg(repeated(open, count) + layer + repeated("</g>", count));
+  };
+  return {{"as_deep_as_allowed", nested("<g>", 250)},
+          {"deeper_than_allowed", nested("<g>", 300)},
+          {"a_million_groups", nested("<g>", 1'000'000)},
+          {"groups_never_closed", svg(repeated("<g>", 100'000))},
+          {"deep_compositing", nested("<g opacity='.9'>", 16)},
+          {"too_deep_compositing", nested("<g opacity='.9'>", 200)},
+          {"deep_switches", nested("<a><g>", 120) + "</a>"},
+          {"a_chain_of_uses", svg("<defs>" + uses + "</defs><use href='#u999'/>")},
+          {"a_circle_of_uses", svg("<g id='a'><use href='#a'/></g>")},
+          {"transforms",
+           svg("<g transform='" + repeated("rotate(1) ", 100'000) + "'>" + layer + "</g>")},
+          {"brackets", svg(repeated("<![CDATA[", 50'000))},
+          {"a_deep_doctype", "<!DOCTYPE svg [" + repeated("<![", 100'000) + "]>" + svg(layer)},
+          {"orzan", repeated("<curve_set>", 100'000)}};
+}
+
+TEST(SmallStackOf, deep_inputs_is_enough) {
+  const TemporaryFolder folder;
+  for (const DeepInput& input : deep_inputs()) {
+    const std::string path = folder.add("in.svg", input.text);
+    const CommandResult result = run_in_shell(
+        kStack, {"render", path, "-o", folder.path("out.png"), "--quiet", "--threads", "2"});
+    EXPECT_TRUE(result.exit_code == 0 || result.exit_code == 1 || result.exit_code == 3)
+        << input.name << ": " << result.exit_code << result.err;
+  }
+}
+
+/// Scripts that start the command, "$@", with an output that takes nothing, and print its exit
+/// code.
+TEST(NoOutput, is_an_io_error_and_no_signal) {
+  const TemporaryFolder folder;
+  const std::string input = folder.add("in.xml", two_curve_scene());
+  for (const char* script : {"\"$@\" >&-; echo $? >&2", "{ \"$@\"; echo $? >&2; } | true",
+                             "{ sleep .1; \"$@\"; echo $? >&2; } | head -c 100 >/dev/null; true"}) {
+    for (const Names& arguments :
+         {Names{"render", input, "-o", "-", "--width", "800", "--format", "png"},
+          Names{"convert", input, "-o", "-"}}) {
+      const CommandResult result = run_in_shell(script, arguments);
+      const bool is_short = arguments[0] == "convert" && result.err == "0\n";  // fits a pipe
+      EXPECT_TRUE(is_short || result.err.ends_with("\n3\n")) << script << ": " << result.err;
+    }
+  }
+}
+
+TEST(NoOutput, closed_streams_are_no_reason_to_write_into_the_picture) {
+  const TemporaryFolder folder;
+  const std::string input = folder.add("in.xml", two_curve_scene());
+  const std::string open = folder.path("open.png"), closed = folder.path("closed.png");
+  ASSERT_EQ(run_sfumato({"render", input, "-o", open}).exit_code, 0);
+  const CommandResult result = run_in_shell("\"$@\" <&- >&- 2>&-", {"render", input, "-o", closed});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_TRUE(read_whole(open) == read_whole(closed));
+}
+
+TEST(ReadOnlyFileSystem, is_an_io_error) {
+  const TemporaryFolder folder;
+  const std::string input = folder.add("in.xml", two_curve_scene());
+  const CommandResult result = run_sfumato({"render", input, "-o", "/proc/sfumato.png"});
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_NE(result.err.find("cannot be written"), std::string::npos) << result.err;
+}
+
+}  // namespace
+}  // namespace sfumato::test
