@@ -21,9 +21,9 @@ constexpr std::array<std::array<double, 3>, kProbeKinds> kBarycentric{{
     {0.5, 0, 0.5},
 }};
 
-using BasisTable = std::array<std::array<double, kNodesPerTriangle>, kProbeKinds>;
+using BasisTable = std::array<PatchBasis, kProbeKinds>;
 
-BasisTable make_basis(PatchOrder order) {
+constexpr BasisTable make_basis(PatchOrder order) {
   BasisTable table{};
   for (int i = 0; i < kProbeKinds; ++i) {
     table[i] = patch_basis(order, kBarycentric[i][0], kBarycentric[i][1], kBarycentric[i][2]);
@@ -71,9 +71,9 @@ ProbeSet place_probes(const mesh::TriangleMesh& mesh, const NodeLayout& layout,
 
 void patch_value_at_probe(const ProbeSet& probes, std::size_t i, const NodeLayout& layout,
                           PatchOrder order, float* value) {
-  static const std::array<BasisTable, 3> kBasis{make_basis(PatchOrder::linear),
-                                                make_basis(PatchOrder::quadratic),
-                                                make_basis(PatchOrder::cubic)};
+  static constexpr std::array<BasisTable, 3> kBasis{make_basis(PatchOrder::linear),
+                                                    make_basis(PatchOrder::quadratic),
+                                                    make_basis(PatchOrder::cubic)};
   const auto& basis = kBasis[static_cast<std::size_t>(order)][kind_of(probes, i)];
   const std::uint32_t* node =
       layout.triangle_node.data() + std::size_t{kNodesPerTriangle} * (probes.half_edge[i] / 3);

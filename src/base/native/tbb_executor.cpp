@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <mutex>
 #include <new>
 #include <system_error>
 #include <thread>
@@ -23,20 +24,39 @@ constexpr double kStartSeconds = 0.005;
 /// How many of `wanted` threads, the calling one among them, the system lets this process have.
 /// oneTBB asks when it starts its threads, and ends the process where it is refused.
 int allowed_threads(int wanted) {
-  std::atomic<bool> is_over{false};
+  std::mutex gate;
   std::vector<std::jthread> others;
+  const std::scoped_lock all_wait(gate);
   try {
     others.reserve(static_cast<std::size_t>(wanted));
     while (static_cast<int>(others.size()) + 1 < wanted) {
-      others.emplace_back([&is_over] { is_over.wait(false); });
+      others.emplace_back([&gate] { const std::scoped_lock through(gate); });
     }
   } catch (const std::system_error&) {  // as many as these
   } catch (const std::bad_alloc&) {
   }
-  is_over.store(true);
-  is_over.notify_all();
   return static_cast<int>(others.size()) + 1;
 }
+
+/// Tasks that are waited for together.
+class Helpers : public tbb::task_group {
+ public:
+  /// Nothing more where there is no memory for it. oneTBB counts a task before it makes it: what
+  /// could not be made would be waited for for ever.
+  template <class Work, class Group = Helpers>
+  bool add(const Work& work) {
+    try {
+      run(work);
+      return true;
+    } catch (const std::bad_alloc&) {
+      // Later versions of oneTBB have no such member, and count what there is.
+      if constexpr (requires(Group & group) { group.m_wait_ctx.release(); }) {
+        static_cast<Group*>(this)->m_wait_ctx.release();
+      }
+      return false;
+    }
+  }
+};
 
 class TbbExecutor final : public Executor {
  public:
@@ -64,11 +84,8 @@ class TbbExecutor final : public Executor {
   template <class Work>
   void run_everywhere(std::size_t count, const Work& work) {
     arena_.execute([&] {
-      tbb::task_group helpers;
-      try {
-        for (std::size_t i = 1; i < count; ++i) helpers.run(work);
-      } catch (const std::bad_alloc&) {  // fewer do it as well
-      }
+      Helpers helpers;
+      for (std::size_t i = 1; i < count && helpers.add(work); ++i) continue;
       work();
       helpers.wait();
     });
