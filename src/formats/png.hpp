@@ -16,7 +16,8 @@ namespace sfumato {
 Result<std::vector<std::uint8_t>> encode_png(Context& context, const Image& image);
 
 /// Decodes any PNG to rgb8, rgba8, rgb16 or rgba16. The header is checked before memory is taken.
-/// Errors: bad_input, limit.
+/// Errors: bad_input, limit, out_of_memory; bad_input too where zlib is refused memory, which
+/// libspng reports as damage.
 Result<Image> decode_png(Context& context, std::span<const std::uint8_t> bytes,
                          const std::string& file);
 

@@ -81,7 +81,7 @@ Status Decoder::error(StatusCode code, std::string message) const {
 
 Status Decoder::status_of(int error_code) const {
   if (error_code == SPNG_OK) return ok_status();
-  if (error_code == SPNG_EMEM) {
+  if (error_code == SPNG_EMEM || error_code == SPNG_EZLIB_INIT) {
     return error(StatusCode::out_of_memory, "no memory to read the PNG image");
   }
   if (error_code == SPNG_ESIGNATURE) return error(StatusCode::bad_input, "is not a PNG image");

@@ -30,8 +30,10 @@ Status failure(const WebPPicture& picture) {
   switch (picture.error_code) {
     case VP8_ENC_ERROR_USER_ABORT:
       return static_cast<const Context*>(picture.user_data)->stop_status();
+    case VP8_ENC_OK:  // what libwebp leaves where some of its allocations fail
     case VP8_ENC_ERROR_OUT_OF_MEMORY:
     case VP8_ENC_ERROR_BITSTREAM_OUT_OF_MEMORY:
+    case VP8_ENC_ERROR_BAD_WRITE:  // into memory
       return make_error(StatusCode::out_of_memory, "no memory to write the WebP image");
     case VP8_ENC_ERROR_FILE_TOO_BIG:
       return make_error(StatusCode::limit, "a WebP file holds at most 4 GiB");

@@ -2,29 +2,15 @@
 #include "formats/read_document.hpp"
 
 #include <gtest/gtest.h>
-#include <zlib.h>
 
 #include "base/limits.hpp"
 #include "formats/svg_support.hpp"
+#include "support/gzip.hpp"
 
 namespace sfumato::test {
 namespace {
 
 const std::string kCurveSet = "<curve_set image_width='3' image_height='2'/>";
-
-std::string gzip(const std::string& text) {
-  z_stream stream{};
-  EXPECT_EQ(deflateInit2(&stream, 9, Z_DEFLATED, 31, 9, Z_DEFAULT_STRATEGY), Z_OK);
-  std::string packed(deflateBound(&stream, static_cast<uLong>(text.size())) + 64, '\0');
-  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(text.data()));
-  stream.avail_in = static_cast<uInt>(text.size());
-  stream.next_out = reinterpret_cast<Bytef*>(packed.data());
-  stream.avail_out = static_cast<uInt>(packed.size());
-  EXPECT_EQ(deflate(&stream, Z_FINISH), Z_STREAM_END);
-  packed.resize(stream.total_out);
-  deflateEnd(&stream);
-  return packed;
-}
 
 Result<ReadDocument> read_any(const std::string& bytes) {
   Context context;
@@ -74,14 +60,14 @@ TEST(ReadDocument, text_in_utf16_is_read) {
 }
 
 TEST(ReadDocument, gzip_is_unpacked) {
-  EXPECT_EQ(read_any(gzip(svg("")))->format, DocumentFormat::svg);
-  EXPECT_EQ(read_any(gzip(kCurveSet))->format, DocumentFormat::orzan);
-  EXPECT_EQ(message_of(gzip("<html/>")),
+  EXPECT_EQ(read_any(gzipped(svg("")))->format, DocumentFormat::svg);
+  EXPECT_EQ(read_any(gzipped(kCurveSet))->format, DocumentFormat::orzan);
+  EXPECT_EQ(message_of(gzipped("<html/>")),
             "a:1:1: the document is a <html>; expected <svg>, or Orzan's <curve_set> or <scene>");
 }
 
 TEST(ReadDocument, damaged_gzip_is_refused) {
-  const std::string packed = gzip(svg(""));
+  const std::string packed = gzipped(svg(""));
   EXPECT_EQ(message_of(packed.substr(0, packed.size() / 2)), "a: the gzip data are cut short");
   EXPECT_EQ(message_of(packed.substr(0, 2)), "a: the gzip data are cut short");
   std::string changed = packed;
@@ -100,7 +86,7 @@ std::string message_with(const std::string& bytes, std::size_t Limits::*limit, s
 }
 
 TEST(ReadDocument, gzip_bomb_is_refused) {
-  const std::string bomb = gzip(std::string(limits::kInputBytes + 1, ' '));
+  const std::string bomb = gzipped(std::string(limits::kInputBytes + 1, ' '));
   EXPECT_LT(bomb.size(), 100'000u);
   EXPECT_EQ(read_any(bomb).status().code, StatusCode::limit);
   const std::size_t most = limits::kUnpackRatio * bomb.size() + limits::kUnpackedSlack;
@@ -114,16 +100,16 @@ TEST(ReadDocument, gzip_bomb_is_refused) {
 }
 
 TEST(ReadDocument, gzip_up_to_the_limits_is_read) {
-  const std::string largest = gzip(svg("") + std::string(limits::kInputBytes - 200, ' '));
+  const std::string largest = gzipped(svg("") + std::string(limits::kInputBytes - 200, ' '));
   EXPECT_EQ(message_with(largest, &Limits::unpack_ratio, 1032), "");
-  const std::string small = gzip(svg("") + std::string(limits::kUnpackedSlack, ' '));
+  const std::string small = gzipped(svg("") + std::string(limits::kUnpackedSlack, ' '));
   EXPECT_LT(small.size() * 500, limits::kUnpackedSlack);
   EXPECT_EQ(message_of(small), "");
 }
 
 TEST(ReadDocument, a_lower_limit_of_bytes_is_kept) {
   const std::string text = svg("") + std::string(1000, ' ');
-  for (const std::string& bytes : {text, gzip(text)}) {
+  for (const std::string& bytes : {text, gzipped(text)}) {
     EXPECT_EQ(message_with(bytes, &Limits::input_bytes, text.size()), "");
     EXPECT_NE(message_with(bytes, &Limits::input_bytes, text.size() - 1), "");
   }

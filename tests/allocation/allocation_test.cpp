@@ -1,0 +1,289 @@
+// Every allocation of every public function is refused in turn. README.md says what is counted.
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <map>
+#include <optional>
+#include <span>
+
+#include "allocation/documents.hpp"
+#include "allocation/every_allocation.hpp"
+#include "base/native/file.hpp"
+#include "base/native/tbb_executor.hpp"
+#include "export/eps.hpp"
+#include "export/glb.hpp"
+#include "export/html.hpp"
+#include "export/pdf.hpp"
+#include "export/svg.hpp"
+#include "formats/jpeg_encode.hpp"
+#include "formats/png.hpp"
+#include "formats/read_document.hpp"
+#include "formats/svg_write.hpp"
+#include "formats/webp_encode.hpp"
+#include "lint/lint.hpp"
+#include "patches/diffuse.hpp"
+#include "raster/rasterize.hpp"
+#include "raster/render_pixels.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace sfumato::test {
+namespace {
+
+/// A value made with all memory.
+template <class Make>
+auto made(const Make& make) {
+  Context context;
+  auto result = make(context);
+  EXPECT_TRUE(result.ok()) << to_string(result.status());
+  return std::move(*result);
+}
+
+Document document_of(const std::string& text) {
+  return made([&](Context& context) { return read_document(context, text, "a.svg"); }).document;
+}
+
+Picture picture_of(const Document& document, const DiffuseOptions& options = {}) {
+  return made([&](Context& context) { return diffuse(context, document, options); });
+}
+
+template <class Value>
+void append(std::string& text, const std::vector<Value>& values) {
+  text.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(Value));
+}
+
+/// What tells one result from another.
+std::string digest(const ReadDocument& read) {
+  std::string text = made([&](Context& context) { return write_svg(context, read.document); });
+  for (const Status& warning : read.warnings) text += to_string(warning) + '\n';
+  return text;
+}
+
+std::string digest(const Picture& picture) {
+  std::string text = std::to_string(picture.stack.size());
+  for (const PatchLayer& layer : picture.layers) {
+    append(text, layer.vertex_position);
+    append(text, layer.triangle_vertex);
+    append(text, layer.color.node_value);
+    append(text, layer.opacity.node_value);
+  }
+  return text;
+}
+
+std::string digest(const Image& image) {
+  std::string text = std::to_string(image.width);
+  append(text, image.bytes);
+  return text;
+}
+
+std::string digest(const std::vector<std::uint8_t>& bytes) {
+  return {bytes.begin(), bytes.end()};
+}
+
+std::string digest(const std::string& text) {
+  return text;
+}
+
+std::string digest(const std::vector<Hint>& hints) {
+  std::string text;
+  for (const Hint& hint : hints) text += std::string(hint_name(hint.kind)) + hint.message + '\n';
+  return text;
+}
+
+template <class Make>
+void check(const std::string& name, const Make& make, const Sampling& sampling = {}) {
+  expect_every_refusal_is_survived(
+      name, make, [](const auto& value) { return digest(value); }, sampling);
+}
+
+class Allocation : public testing::TestWithParam<SmallDocument> {};
+
+TEST_P(Allocation, read) {
+  const std::string& text = GetParam().text;
+  const bool has_png = std::string(GetParam().name) == "png_texture";
+  check("read", [&](Context& context) { return read_document(context, text, "a.svg"); },
+        {.also = has_png ? StatusCode::bad_input : StatusCode::out_of_memory});
+}
+
+TEST_P(Allocation, convert) {
+  const Document document = document_of(GetParam().text);
+  check("convert", [&](Context& context) { return write_svg(context, document); });
+}
+
+TEST_P(Allocation, lint) {
+  const Document document = document_of(GetParam().text);
+  check("lint", [&](Context& context) { return lint(context, document); });
+}
+
+TEST_P(Allocation, diffuse) {
+  const Document document = document_of(GetParam().text);
+  check("diffuse", [&](Context& context) { return diffuse(context, document, {}); });
+}
+
+TEST_P(Allocation, rasterize) {
+  const Picture picture = picture_of(document_of(GetParam().text));
+  const RasterOptions options{.width = 32, .height = 24, .format = PixelFormat::rgba8};
+  check("rasterize", [&](Context& context) { return rasterize(context, picture, options); });
+}
+
+TEST_P(Allocation, render_pixels) {
+  const Document document = document_of(GetParam().text);
+  const RasterOptions options{.width = 16, .height = 12};
+  check("render_pixels",
+        [&](Context& context) { return render_pixels(context, document, {}, options); });
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, Allocation, testing::ValuesIn(small_documents()),
+                         [](const auto& instance) { return std::string(instance.param.name); });
+
+using Bytes = std::vector<std::uint8_t>;
+
+Image image_of(int width, int height, PixelFormat format) {
+  Image image{width, height, format, {}};
+  image.bytes.resize(image.row_bytes() * static_cast<std::size_t>(height));
+  for (std::size_t i = 0; i < image.bytes.size(); ++i) {
+    image.bytes[i] = static_cast<std::uint8_t>(i * i % 251);
+  }
+  return image;
+}
+
+TEST(AllocationOf, png_encoder) {
+  const Image wide = image_of(70, 900, PixelFormat::rgba16);  // more stripes than one
+  check("png16", [&](Context& context) { return encode_png(context, wide); });
+  const Image plain = image_of(7, 5, PixelFormat::rgb8);
+  check("png8", [&](Context& context) { return encode_png(context, plain); });
+}
+
+TEST(AllocationOf, png_decoder) {
+  const Image image = image_of(40, 30, PixelFormat::rgba16);
+  const Bytes file = made([&](Context& context) { return encode_png(context, image); });
+  // libspng calls the file damaged where zlib was refused memory.
+  check("decode", [&](Context& context) { return decode_png(context, file, "a.png"); },
+        {.also = StatusCode::bad_input});
+}
+
+TEST(AllocationOf, jpeg_encoder) {
+  const Image image = image_of(150, 130, PixelFormat::rgb8);  // its file is enlarged twice
+  check("jpeg", [&](Context& context) { return encode_jpeg(context, image, 95); });
+}
+
+/// libwebp may say nothing of memory that it was refused, and leave another file, even a broken one
+/// (README.md): its bytes are not looked at.
+std::string no_digest(const Bytes&) {
+  return "a file";
+}
+
+TEST(AllocationOf, webp_encoder) {
+  const Image image = image_of(20, 18, PixelFormat::rgba8);
+  const auto webp = [&](bool lossless) {
+    return [&image, lossless](Context& context) {
+      return encode_webp(context, image, {.lossless = lossless});
+    };
+  };
+  expect_every_refusal_is_survived("lossy", webp(false), no_digest);
+  expect_every_refusal_is_survived("lossless", webp(true), no_digest);
+}
+
+/// Of the small document each allocation is refused, or one of `every`; of the other one of many.
+template <class Export>
+void check_output(const Export& export_as, std::size_t every = 1) {
+  const auto exporting = [&](const Picture& picture) {
+    return [&](Context& context) { return export_as(context, picture); };
+  };
+  const DiffuseOptions coarse{.pixels_per_unit = 0.25, .max_error = 40};
+  const Picture small = picture_of(document_of(small_document_for_outputs()), coarse);
+  check("small", exporting(small), {.every = every});
+  const Picture everything = picture_of(document_of(document_with_everything()), coarse);
+  check("everything", exporting(everything), {.every = 211 * every});
+}
+
+TEST(AllocationOfOutput, html) {
+  const HtmlOptions options{.title = "a", .fallback = {1, 2, 3}, .fallback_type = "image/jpeg"};
+  check_output([&](Context& context, const Picture& picture) {
+    return export_html(context, picture, options);
+  });
+}
+
+TEST(AllocationOfOutput, pdf) {
+  check_output([](Context& context,
+                  const Picture& picture) { return export_pdf(context, picture, {.title = "a"}); },
+               11);
+}
+
+TEST(AllocationOfOutput, eps) {
+  check_output([](Context& context, const Picture& picture) {
+    return export_eps(context, picture, {.title = "a"});
+  });
+}
+
+TEST(AllocationOfOutput, svg_image) {
+  check_output(
+      [](Context& context, const Picture& picture) { return export_svg(context, picture, {}); });
+}
+
+TEST(AllocationOfOutput, svg_of_triangles) {
+  check_output(
+      [](Context& context, const Picture& picture) {
+        return export_svg(context, picture, {.mode = SvgMode::vector});
+      },
+      101);
+}
+
+TEST(AllocationOfOutput, glb) {
+  check_output(
+      [](Context& context, const Picture& picture) { return export_glb(context, picture, {}); });
+}
+
+TEST(AllocationOf, files) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("a");
+  const Bytes bytes(1000, 'x');
+  const auto write_and_read = [&](Context&) -> Result<std::string> {
+    if (Status status = write_file(path, bytes); !status) return status;
+    return read_file(path, 1 << 20);
+  };
+  check("files", write_and_read);
+  EXPECT_EQ(folder.entry_count(), 1u);
+}
+
+/// Document to PNG.
+auto whole_render(const std::string& text, int width, int height) {
+  return [=](Context& context) -> Result<Bytes> {
+    const auto read = read_document(context, text, "a.svg");
+    if (!read) return read.status();
+    const auto picture = diffuse(context, read->document, {});
+    if (!picture) return picture.status();
+    const auto image = rasterize(context, *picture, {.width = width, .height = height});
+    if (!image) return image.status();
+    return encode_png(context, *image);
+  };
+}
+
+TEST(AllocationOf, a_whole_render) {
+  check("render", whole_render(document_with_everything(), 32, 24),
+        {.every = 29, .also = StatusCode::bad_input});
+}
+
+TEST(AllocationOf, a_whole_render_on_many_threads) {
+  const auto executor = make_tbb_executor(4);
+  check("render", whole_render(document_with_everything(), 128, 96),
+        {.every = 41, .executor = executor.get(), .also = StatusCode::bad_input});
+}
+
+TEST(AllocationOf, a_loop_on_many_threads) {
+  const auto executor = make_tbb_executor(3);
+  for (std::size_t k = 0; k < 32; ++k) {
+    for (const Refusal refusal : {Refusal::one, Refusal::all_from}) {
+      Context context{.executor = executor.get()};
+      Status status = ok_status();
+      {
+        const RefusedAllocations refused(k, refusal);
+        status = parallel_for(context, 100, 1, [](std::size_t, std::size_t) {});
+      }
+      EXPECT_TRUE(status.ok() || status.code == StatusCode::out_of_memory) << to_string(status);
+      EXPECT_TRUE(parallel_for(context, 100, 1, [](std::size_t, std::size_t) {}).ok());
+    }
+  }
+}
+
+}  // namespace
+}  // namespace sfumato::test
