@@ -6,12 +6,13 @@ scene := examples/portrait.svg
 fuzz_seconds := 60
 
 .DEFAULT_GOAL := help
-.PHONY: help demo build check sanitize fuzz fuzz-merge bench wasm clean
+.PHONY: help demo build check kills sanitize fuzz fuzz-merge bench wasm clean
 
 help:
 	@echo 'make demo    install what the build needs, build, draw $(scene)'
 	@echo 'make build   the command: $(build_folder)/sfumato'
 	@echo 'make check   everything built and tested, and the style checked'
+	@echo 'make kills   outputs under 1,000 times kill -9'
 	@echo 'make sanitize  the unit tests under AddressSanitizer, UBSan and ThreadSanitizer'
 	@echo 'make fuzz    each fuzz target for fuzz_seconds=$(fuzz_seconds) (fuzz/README.md)'
 	@echo 'make bench   the table of docs/benchmarks.md on this machine'
@@ -32,6 +33,12 @@ demo: build
 
 check:
 	@scripts/check
+
+kills:
+	@scripts/setup build check
+	@cmake --preset release -DSFUMATO_TESTS=ON --log-level=WARNING >/dev/null
+	@cmake --build $(build_folder) --parallel $(jobs) --target test_cli
+	@SFUMATO_KILLS=1000 $(build_folder)/tests/test_cli --gtest_filter='*Kill*'
 
 sanitize:
 	@scripts/sanitize

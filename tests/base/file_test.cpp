@@ -314,6 +314,27 @@ TEST(StandardOutput, takes_all_bytes_through_a_narrow_pipe) {
   ::close(ends[0]);
 }
 
+TEST(StandardOutput, takes_all_bytes_through_a_pipe_that_does_not_block) {
+  int ends[2];
+  ASSERT_EQ(::pipe2(ends, O_NONBLOCK), 0);
+  const std::string content(1'000'000, 'x');
+  const pid_t child = ::fork();
+  if (child == 0) {
+    ::dup2(ends[1], STDOUT_FILENO);
+    ::_exit(write_file("-", bytes_of(content)).ok() ? 0 : 1);
+  }
+  ::close(ends[1]);
+  ::dup2(ends[0], STDIN_FILENO);
+  ::close(ends[0]);
+  ::usleep(20'000);  // the pipe is full, then empty
+  const Result<std::string> received = read_file("-", 2'000'000);
+  int status = 1;
+  ::waitpid(child, &status, 0);
+  EXPECT_EQ(status, 0);
+  ASSERT_TRUE(received.ok()) << to_string(received.status());
+  EXPECT_EQ(*received, content);
+}
+
 TEST(StandardInput, is_read_to_its_end) {
   const int status = in_a_child([] {
     int ends[2];

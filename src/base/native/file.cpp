@@ -1,6 +1,7 @@
 #include "base/native/file.hpp"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -39,7 +40,10 @@ Result<std::string> read_all(int descriptor, const std::string& path, std::size_
     const ssize_t count = ::read(descriptor, content.data() + size, content.size() - size);
     const int error_number = errno;
     content.resize(size + static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
-    if (count < 0 && error_number != EINTR) return io_error(path, "cannot be read", error_number);
+    if (count < 0 && error_number != EINTR &&
+        !(error_number == EAGAIN && wait_until_ready(descriptor, POLLIN))) {
+      return io_error(path, "cannot be read", error_number);
+    }
     if (content.size() > max_bytes) return too_long(path, max_bytes);
     if (count == 0) return content;
   }

@@ -1,6 +1,7 @@
 #include "base/native/posix.hpp"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <pthread.h>
 #include <time.h>
 #include <unistd.h>
@@ -72,12 +73,21 @@ WriteSignalGuard::~WriteSignalGuard() {
   ::pthread_sigmask(SIG_SETMASK, &previous_mask_, nullptr);
 }
 
+bool wait_until_ready(int descriptor, short event) {
+  pollfd asked{descriptor, event, 0};
+  int ready = 0;
+  do {
+    ready = ::poll(&asked, 1, -1);
+  } while (ready < 0 && errno == EINTR);
+  return ready > 0;
+}
+
 bool write_all(int descriptor, std::span<const std::uint8_t> bytes) {
   while (!bytes.empty()) {
     const ssize_t written = ::write(descriptor, bytes.data(), std::min(bytes.size(), kWriteBytes));
     if (written >= 0) {
       bytes = bytes.subspan(static_cast<std::size_t>(written));
-    } else if (errno != EINTR) {
+    } else if (errno != EINTR && !(errno == EAGAIN && wait_until_ready(descriptor, POLLOUT))) {
       return false;
     }
   }

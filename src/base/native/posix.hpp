@@ -46,6 +46,10 @@ class WriteSignalGuard {
   sigset_t previous_mask_;
 };
 
+/// Waits until a descriptor that does not block by itself (a pipe that another program set so) can
+/// be read (POLLIN) or written (POLLOUT). False: errno says why.
+bool wait_until_ready(int descriptor, short event);
+
 /// Writes all bytes, over short writes and interruptions. False: errno says why.
 bool write_all(int descriptor, std::span<const std::uint8_t> bytes);
 
