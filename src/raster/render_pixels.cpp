@@ -58,8 +58,14 @@ class ExactFields final : public raster::FieldSource {
   /// Of all that was read.
   Status status() const {
     if (context_.cancelled()) return context_.stop_status();
-    if (!over_limit_.load()) return ok_status();
-    return make_error(StatusCode::limit, "memory limit reached: the gather at every pixel");
+    switch (failure_.load()) {
+      case StatusCode::ok:
+        return ok_status();
+      case StatusCode::out_of_memory:
+        return out_of_memory();
+      default:
+        return make_error(StatusCode::limit, "memory limit reached: the gather at every pixel");
+    }
   }
 
  private:
@@ -70,7 +76,8 @@ class ExactFields final : public raster::FieldSource {
     const Budget& budget = context_.budget;
     Context serial{.budget = Budget(budget.limit() - std::min(budget.limit(), budget.used())),
                    .simd = context_.simd};
-    if (!evaluator_.evaluate(serial, layer, points, color, hit, opacity)) over_limit_.store(true);
+    const Status status = evaluator_.evaluate(serial, layer, points, color, hit, opacity);
+    if (!status) failure_.store(status.code);
   }
 
   template <class Value>
@@ -84,7 +91,7 @@ class ExactFields final : public raster::FieldSource {
 
   Context& context_;
   const PointEvaluator& evaluator_;
-  mutable std::atomic<bool> over_limit_{false};
+  mutable std::atomic<StatusCode> failure_{StatusCode::ok};
 };
 
 PatchField field_without_values(int channel_count, std::span<const std::uint32_t> shaders) {

@@ -72,15 +72,21 @@ TEST_P(SmallStack, is_enough) {
         {"render", GetParam(), "-o", folder.path("out.png"), "--quiet", "--threads", threads});
     EXPECT_EQ(result.exit_code, 0) << result.err;
   }
-  for (const char* extension : {"html", "pdf", "eps", "svg", "glb", "jpg", "webp"}) {
-    const std::string output = folder.path(std::string("out.") + extension);
-    const CommandResult result =
-        run_in_shell(kStack, {"render", GetParam(), "-o", output, "--quiet"});
-    EXPECT_EQ(result.exit_code, 0) << extension << result.err;
-  }
   EXPECT_EQ(run_in_shell(kStack, {"lint", GetParam()}).exit_code, 0);
   EXPECT_EQ(run_in_shell(kStack, {"info", GetParam()}).exit_code, 0);
   EXPECT_EQ(run_in_shell(kStack, {"convert", GetParam(), "-o", folder.path("a.svg")}).exit_code, 0);
+}
+
+TEST(SmallStackOf, every_output_is_enough) {
+  const TemporaryFolder folder;
+  for (const char* extension : {"html", "pdf", "eps", "svg", "glb", "jpg", "webp"}) {
+    const std::string output = folder.path(std::string("out.") + extension);
+    for (const char* name : {"textures.svg", "strokes.svg", "apple.svg"}) {
+      const CommandResult result = run_in_shell(
+          kStack, {"render", example(name), "-o", output, "--quiet", "--max-error", "16"});
+      EXPECT_EQ(result.exit_code, 0) << extension << result.err;
+    }
+  }
 }
 
 /// The examples, and the public scenes where they are at hand.
