@@ -33,7 +33,7 @@ struct Prepared {
 
 patches::NodeLayout lay_out(const mesh::TriangleMesh& mesh,
                             const curves::SegmentAttributes& attributes) {
-  return patches::lay_out_nodes(mesh, attributes, patches::Seams(mesh, attributes));
+  return patches::lay_out_nodes({}, mesh, attributes, patches::Seams({}, mesh, attributes));
 }
 
 std::unique_ptr<Prepared> prepare(benchmark::State& state, const std::string& name) {

@@ -38,6 +38,7 @@ bool Context::is_late() const {
 }
 
 Status Context::stop_status() const {
+  if (outer && outer->cancelled()) return outer->stop_status();
   if (cancel.load(std::memory_order_relaxed) || !deadline) {
     return make_error(StatusCode::cancelled, "cancelled");
   }

@@ -86,11 +86,13 @@ struct Context {
   std::optional<Deadline> deadline{};  ///< none: no limit on time
   SimdLevel simd = detected_simd_level();
   PollWatch* poll_watch = nullptr;
+  const Context* outer = nullptr;  ///< of work within work: what stops it stops this too
 
   /// Whether to stop, by the flag or the deadline. Cheap, but not for every turn of a short loop.
   bool cancelled() const {
     if (poll_watch) poll_watch->polled();
-    return cancel.load(std::memory_order_relaxed) || (deadline && is_late());
+    return cancel.load(std::memory_order_relaxed) || (deadline && is_late()) ||
+           (outer && outer->cancelled());
   }
   /// Ok, or why to stop: cancelled, or limit for the deadline.
   Status check() const { return cancelled() ? stop_status() : ok_status(); }

@@ -39,8 +39,9 @@ class PictureMaker {
   Status choose_options(const Document& document);
   Result<Image> draw_pixels(const Document& document);
   Result<Image> draw_picture(const Picture& picture);
-  Result<Bytes> make_image(const Document& document);
-  Result<Bytes> make_drawing(const Document& document);
+  Result<Picture> solve(Document& document);
+  Result<Bytes> make_image(Document& document);
+  Result<Bytes> make_drawing(Document& document);
   Result<Bytes> export_picture(const Picture& picture, ExportNotes* notes);
   Result<Bytes> make_html(const Picture& picture, ExportNotes* notes);
   std::string title() const;
@@ -49,6 +50,7 @@ class PictureMaker {
   Context& context_;
   const RenderArguments& arguments_;
   RenderStats& stats_;
+  ScopedCharge charge_;  ///< of what is held: the document, then its picture, then the image
   DiffuseOptions diffuse_;
   RasterOptions raster_;
   double scale_ = 1;  ///< output pixels per user unit
@@ -99,18 +101,33 @@ Result<Image> PictureMaker::draw_picture(const Picture& picture) {
   return rasterize(context_, picture, raster_);
 }
 
-Result<Bytes> PictureMaker::make_image(const Document& document) {
+/// Holds either the document or its picture, never both for longer than it takes.
+Result<Picture> PictureMaker::solve(Document& document) {
+  Result<Picture> picture = diffuse(context_, document, diffuse_, &stats_.diffuse);
+  if (!picture) return picture;
+  document = {};
+  charge_ = {};
+  Status status = charge_.add(context_, bytes_of(*picture), "the picture");
+  if (!status) return status;
+  return picture;
+}
+
+Result<Bytes> PictureMaker::make_image(Document& document) {
   std::optional<Result<Image>> image;
   if (arguments_.per_pixel) {
     image = draw_pixels(document);
   } else {
-    const Result<Picture> picture = diffuse(context_, document, diffuse_, &stats_.diffuse);
+    const Result<Picture> picture = solve(document);
     if (!picture) return picture.status();
     const Stopwatch watch;
     image = draw_picture(*picture);
     stats_.rasterise_seconds = watch.seconds();
   }
   if (!*image) return image->status();
+  charge_ = {};
+  if (Status status = charge_.add(context_, (*image)->bytes.size(), "the image"); !status) {
+    return status;
+  }
   const Stopwatch watch;
   Result<Bytes> file = encode_image(context_, **image, arguments_.output);
   stats_.write_seconds = watch.seconds();
@@ -171,8 +188,8 @@ Result<Bytes> PictureMaker::export_picture(const Picture& picture, ExportNotes* 
   }
 }
 
-Result<Bytes> PictureMaker::make_drawing(const Document& document) {
-  const Result<Picture> picture = diffuse(context_, document, diffuse_, &stats_.diffuse);
+Result<Bytes> PictureMaker::make_drawing(Document& document) {
+  const Result<Picture> picture = solve(document);
   if (!picture) return picture.status();
   const Stopwatch watch;
   ExportNotes notes;
@@ -184,7 +201,8 @@ Result<Bytes> PictureMaker::make_drawing(const Document& document) {
 
 Result<Bytes> PictureMaker::make(Document& document) {
   if (arguments_.raster.background) document.background = arguments_.raster.background;
-  const Status status = choose_options(document);
+  Status status = choose_options(document);
+  if (status) status = charge_.add(context_, bytes_of(document), "the document");
   if (!status) return status;
   return is_image(arguments_.output.kind) ? make_image(document) : make_drawing(document);
 }

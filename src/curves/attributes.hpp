@@ -63,6 +63,12 @@ struct SegmentAttributes {
   int channel_count() const { return base_channels + static_cast<int>(shader.size()); }
 };
 
+/// What one attribute of a polyline's segments takes in memory.
+inline std::size_t attribute_bytes(const FlatCurves& flat) {
+  return flat.vertex.size() *
+         (2 * sizeof(SegmentSide) + sizeof(float) + sizeof(Vec2) + sizeof(std::uint32_t));
+}
+
 /// Colours on the sides of the curves, interpolated between stops and given in `space`.
 SegmentAttributes sample_colors(const FlatCurves& flat, std::span<const Curve> curves,
                                 InterpolationSpace space = InterpolationSpace::srgb);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "curves/bezier.hpp"
 #include "curves/stop_parameters.hpp"
@@ -23,24 +24,28 @@ Box bounds(const Cubic& cubic) {
   return box;
 }
 
+constexpr std::size_t kBytesPerVertex = sizeof(Vec2) + 2 * sizeof(double) + sizeof(std::uint32_t);
+constexpr std::size_t kFirstVertices = 1024;
+
 class Flattener {
  public:
   Flattener(Context& context, const FlattenOptions& options, FlatCurves& flat)
-      : context_(context), options_(options), flat_(flat) {
+      : context_(context), poll_(context), options_(options), flat_(flat) {
     if (options.focus) {
       const double margin = 0.1 * std::max(options.focus->width(), options.focus->height());
       focus_ = options.focus->grown_by(margin);
     }
   }
 
-  bool over_limit() const { return flat_.vertex.size() > context_.limits.segments; }
+  /// Not ok: nothing more is appended.
+  const Status& status() const { return status_; }
 
   void add_curve(const Curve& curve, std::uint32_t index) {
     curve_ = index;
     collect_cuts(curve);
     push(curve.control_points.front(), 0.0);
     std::size_t next_cut = 0;
-    for (std::size_t i = 0; i < curve.piece_count() && !over_limit(); ++i) {
+    for (std::size_t i = 0; i < curve.piece_count() && status_.ok(); ++i) {
       const Cubic cubic = piece(curve.control_points, i);
       const double begin = static_cast<double>(i);
       double from = 0;
@@ -87,7 +92,7 @@ class Flattener {
     Part stack[kMaxHalvings + 1];
     int depth = 0;
     stack[depth++] = {t0, t1, 0};
-    while (depth > 0) {
+    while (depth > 0 && status_.ok()) {
       const Part part = stack[--depth];
       if (part.halvings == kMaxHalvings || flat_enough(subcurve(cubic, part.t0, part.t1))) {
         push(point_at(cubic, part.t1), begin + part.t1);
@@ -100,6 +105,9 @@ class Flattener {
   }
 
   void push(Vec2 point, double parameter) {
+    if (poll_.cancelled()) status_ = context_.stop_status();
+    if (flat_.vertex.size() == room_) make_room();
+    if (!status_.ok()) return;
     const bool first = flat_.vertex.size() == flat_.curve_begin[curve_];
     const double before = first ? 0.0 : flat_.arc_length.back();
     const double step = first ? 0.0 : length(point - flat_.vertex.back());
@@ -109,15 +117,39 @@ class Flattener {
     flat_.vertex_curve.push_back(curve_);
   }
 
+  /// Doubles the tables, charged before; old and new are there while one moves to the other.
+  void make_room() {
+    const std::size_t most = context_.limits.segments + 1;
+    if (room_ >= most) {
+      status_ = make_error(StatusCode::limit, "more than the limit of " +
+                                                  limit_text(context_.limits, &Limits::segments,
+                                                             "segments after flattening") +
+                                                  "; a larger tolerance makes fewer");
+      return;
+    }
+    const std::size_t larger = std::min(std::max(2 * room_, kFirstVertices), most);
+    ScopedCharge charge;
+    status_ = charge.add(context_, larger * kBytesPerVertex, "flattening");
+    if (!status_) return;
+    flat_.vertex.reserve(larger);
+    flat_.parameter.reserve(larger);
+    flat_.arc_length.reserve(larger);
+    flat_.vertex_curve.reserve(larger);
+    room_ = larger;
+    charge_ = std::move(charge);
+  }
+
   Context& context_;
+  RarePoll<1024> poll_;
+  Status status_;
+  ScopedCharge charge_;
+  std::size_t room_ = 0;  ///< vertices that are charged
   const FlattenOptions& options_;
   FlatCurves& flat_;
   std::optional<Box> focus_;
   std::uint32_t curve_ = 0;
   std::vector<double> cuts_;
 };
-
-constexpr std::size_t kBytesPerVertex = sizeof(Vec2) + 2 * sizeof(double) + sizeof(std::uint32_t);
 
 }  // namespace
 
@@ -130,19 +162,9 @@ Result<FlatCurves> flatten(Context& context, std::span<const Curve> curves,
     if (context.cancelled()) return context.stop_status();
     flat.curve_begin.push_back(static_cast<std::uint32_t>(flat.vertex.size()));
     flattener.add_curve(curves[i], static_cast<std::uint32_t>(i));
-    if (flattener.over_limit()) {
-      return make_error(StatusCode::limit, "more than the limit of " +
-                                               limit_text(context.limits, &Limits::segments,
-                                                          "segments after flattening") +
-                                               "; a larger tolerance makes fewer");
-    }
+    if (!flattener.status()) return flattener.status();
   }
   flat.curve_begin.push_back(static_cast<std::uint32_t>(flat.vertex.size()));
-  ScopedCharge charge;  // the limit above bounds what was taken before the charge
-  if (Status status = charge.add(context, flat.vertex.size() * kBytesPerVertex, "flattening");
-      !status) {
-    return status;
-  }
   return flat;
 }
 

@@ -36,6 +36,13 @@ struct FlatCurves {
   std::size_t segment_count() const { return vertex.size() - curve_count(); }
 };
 
+/// What a polyline takes in memory.
+inline std::size_t bytes_of(const FlatCurves& flat) {
+  return flat.vertex.capacity() * sizeof(Vec2) +
+         (flat.parameter.capacity() + flat.arc_length.capacity()) * sizeof(double) +
+         (flat.vertex_curve.capacity() + flat.curve_begin.capacity()) * sizeof(std::uint32_t);
+}
+
 /// Flattens every curve. Errors: limit (segments, memory), cancelled.
 /// Cost: O(vertices), in the calling thread (0.1 µs a vertex: less than handing it out).
 Result<FlatCurves> flatten(Context& context, std::span<const Curve> curves,

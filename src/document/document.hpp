@@ -77,6 +77,11 @@ struct Document {
   std::vector<StackItem> stack;  ///< bottom first; groups nest and are closed
 };
 
+/// About what it takes in memory. Readers charge it only while they read: who holds a document may
+/// charge it again.
+std::size_t bytes_of(const Document& document);
+std::size_t bytes_of(const std::vector<Shader>& shaders);
+
 /// Checks every invariant of the model: sizes against the context's limits, finite numbers in
 /// range, indices, 3n+1 control points, stop lists that are sorted. Readers call it last; `diffuse`
 /// relies on it. Errors: bad_input, limit, cancelled.

@@ -12,6 +12,7 @@ constexpr int kLevel = 9;
 
 /// Bytes taken in or given out at once; between them the cancel flag is looked at.
 constexpr std::size_t kPiece = std::size_t{256} << 10;
+constexpr std::size_t kBytesPerPoll = std::size_t{64} << 10;
 
 /// A deflater that ends with its scope.
 class Deflater {
@@ -61,7 +62,7 @@ Result<std::vector<std::uint8_t>> deflated(Context& context, std::span<const std
   for (bool is_done = false; !is_done;) {
     if (context.cancelled()) return context.stop_status();
     if (deflater.is_hungry()) {
-      const std::size_t size = std::min(kPiece, bytes.size() - fed);
+      const std::size_t size = std::min(kBytesPerPoll, bytes.size() - fed);
       deflater.feed(bytes.subspan(fed, size));
       fed += size;
     }

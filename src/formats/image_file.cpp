@@ -40,33 +40,29 @@ std::uint8_t rounded(const std::uint8_t* big_or_little) {
   return static_cast<std::uint8_t>((value * 255u + 32767u) / 65535u);
 }
 
-Result<RgbaImage> to_rgba(Context& context, const Image& image) {
-  const bool has_alpha = image.format == PixelFormat::rgba8 || image.format == PixelFormat::rgba16;
-  const bool is_wide = image.format == PixelFormat::rgb16 || image.format == PixelFormat::rgba16;
-  const std::size_t channels = has_alpha ? 4 : 3;
-  const std::size_t pixel_count = static_cast<std::size_t>(image.width) * image.height;
-  ScopedCharge charge;
-  if (Status status = charge.add(context, 4 * pixel_count, "a texture"); !status) return status;
-  RgbaImage result{image.width, image.height, std::vector<std::uint8_t>(4 * pixel_count, 255)};
-  for (std::size_t i = 0; i < pixel_count; ++i) {
-    for (std::size_t c = 0; c < channels; ++c) {
-      const std::size_t from = channels * i + c;
-      result.rgba[4 * i + c] = is_wide ? rounded(&image.bytes[2 * from]) : image.bytes[from];
-    }
+/// In place: the bytes of a pixel end up before those of the next.
+Status halve_depth(const Context& context, Image& image) {
+  RarePoll<65536> poll(context);
+  const std::size_t count = image.bytes.size() / 2;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (poll.cancelled()) return context.stop_status();
+    image.bytes[i] = rounded(&image.bytes[2 * i]);
   }
-  return result;
+  image.bytes.resize(count);
+  image.bytes.shrink_to_fit();
+  return ok_status();
 }
 
 Result<RgbaImage> from_png(Context& context, std::span<const std::uint8_t> bytes) {
   Status sized = check_image_size(context.limits, number_at(bytes, kPngWidthAt),
                                   number_at(bytes, kPngHeightAt));
   if (!sized) return sized;
-  Result<Image> image = decode_png(context, bytes, {});
+  Result<Image> image = decode_png_with_alpha(context, bytes, {});
   if (!image) return image.status();
-  if (image->format == PixelFormat::rgba8) {
-    return RgbaImage{image->width, image->height, std::move(image->bytes)};
+  if (image->format == PixelFormat::rgba16) {
+    if (Status status = halve_depth(context, *image); !status) return status;
   }
-  return to_rgba(context, *image);
+  return RgbaImage{image->width, image->height, std::move(image->bytes)};
 }
 
 }  // namespace

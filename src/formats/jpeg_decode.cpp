@@ -10,6 +10,7 @@
 #include <string>
 #include <utility>
 
+#include "base/large_vector.hpp"
 #include "formats/image_file.hpp"
 
 namespace sfumato {
@@ -26,11 +27,12 @@ constexpr std::size_t kWorkingBytes = std::size_t{1} << 20;
 /// The library's view of one decoding. It reports errors by a call that must not come back: that
 /// call jumps to decode_jpeg's setjmp. Between the two only the library's C code is on the stack.
 struct Session {
-  Session();
+  explicit Session(const Context& of);
   ~Session() { jpeg_destroy_decompress(&decoder); }
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
+  const Context& context;
   jpeg_decompress_struct decoder{};
   jpeg_error_mgr errors{};
   jpeg_progress_mgr progress{};
@@ -38,6 +40,7 @@ struct Session {
   char message[JMSG_LENGTH_MAX] = "";
   bool too_many_scans = false;
   bool no_memory = false;
+  bool cancelled = false;
 };
 
 [[noreturn]] void fail(j_common_ptr library) {
@@ -55,14 +58,19 @@ void on_message(j_common_ptr library, int level) {
 
 void keep_quiet(j_common_ptr) {}
 
-void count_scans(j_common_ptr library) {
+/// Called for every row of blocks that is read.
+void watch(j_common_ptr library) {
   auto* session = static_cast<Session*>(library->client_data);
+  if (session->context.cancelled()) {
+    session->cancelled = true;
+    std::longjmp(session->failed, 1);
+  }
   if (session->decoder.input_scan_number <= kScans) return;
   session->too_many_scans = true;
   std::longjmp(session->failed, 1);
 }
 
-Session::Session() {
+Session::Session(const Context& of) : context(of) {
   decoder.err = jpeg_std_error(&errors);
   errors.error_exit = fail;
   errors.emit_message = on_message;
@@ -78,21 +86,48 @@ bool read_header(Session& session, std::span<const std::uint8_t> bytes) {
   return true;
 }
 
-/// pixels: output_components bytes for each, row by row.
-bool read_pixels(Session& session, std::uint8_t* pixels, std::size_t row_bytes) {
-  if (setjmp(session.failed) != 0) return false;
-  session.decoder.progress = &session.progress;
-  session.progress.progress_monitor = count_scans;
-  jpeg_start_decompress(&session.decoder);
-  while (session.decoder.output_scanline < session.decoder.output_height) {
-    JSAMPROW row = pixels + row_bytes * session.decoder.output_scanline;
-    jpeg_read_scanlines(&session.decoder, &row, 1);
+/// From RGB or CMYK, `channels` bytes a pixel.
+void expand(const std::uint8_t* source, std::size_t channels, bool inverted, std::size_t count,
+            std::uint8_t* rgba) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::uint8_t* pixel = source + channels * i;
+    std::uint8_t* out = rgba + 4 * i;
+    if (channels == 3) {
+      out[0] = pixel[0], out[1] = pixel[1], out[2] = pixel[2];
+    } else {
+      // Adobe's bytes are 255 where there is no ink.
+      const auto ink_free = [inverted](std::uint8_t byte) {
+        return static_cast<unsigned>(inverted ? byte : 255 - byte);
+      };
+      const unsigned light = ink_free(pixel[3]);
+      for (int c = 0; c < 3; ++c) {
+        out[c] = static_cast<std::uint8_t>((ink_free(pixel[c]) * light + 127) / 255);
+      }
+    }
+    out[3] = 255;
   }
-  jpeg_finish_decompress(&session.decoder);
+}
+
+/// rgba: 4 bytes for each pixel, row by row. row: room for one as the library has it.
+bool read_pixels(Session& session, std::size_t channels, std::uint8_t* row, std::uint8_t* rgba) {
+  if (setjmp(session.failed) != 0) return false;
+  jpeg_decompress_struct& decoder = session.decoder;
+  decoder.progress = &session.progress;
+  session.progress.progress_monitor = watch;
+  jpeg_start_decompress(&decoder);
+  while (decoder.output_scanline < decoder.output_height) {
+    watch(reinterpret_cast<j_common_ptr>(&decoder));
+    std::uint8_t* const out =
+        rgba + std::size_t{4} * decoder.output_width * decoder.output_scanline;
+    jpeg_read_scanlines(&decoder, &row, 1);
+    expand(row, channels, decoder.saw_Adobe_marker != FALSE, decoder.output_width, out);
+  }
+  jpeg_finish_decompress(&decoder);
   return true;
 }
 
 Status failure(const Session& session) {
+  if (session.cancelled) return session.context.stop_status();
   if (session.no_memory) {
     return make_error(StatusCode::out_of_memory, "no memory to read the JPEG image");
   }
@@ -121,28 +156,6 @@ bool has_enough_bytes(const jpeg_decompress_struct& decoder, std::size_t byte_co
   return byte_count >= blocks / 8;
 }
 
-/// From RGB or CMYK, `channels` bytes a pixel.
-void expand(const std::uint8_t* source, std::size_t channels, bool inverted,
-            std::vector<std::uint8_t>& rgba) {
-  for (std::size_t i = 0; i < rgba.size() / 4; ++i) {
-    const std::uint8_t* pixel = source + channels * i;
-    std::uint8_t* out = &rgba[4 * i];
-    if (channels == 3) {
-      out[0] = pixel[0], out[1] = pixel[1], out[2] = pixel[2];
-    } else {
-      // Adobe's bytes are 255 where there is no ink.
-      const auto ink_free = [inverted](std::uint8_t byte) {
-        return static_cast<unsigned>(inverted ? byte : 255 - byte);
-      };
-      const unsigned light = ink_free(pixel[3]);
-      for (int c = 0; c < 3; ++c) {
-        out[c] = static_cast<std::uint8_t>((ink_free(pixel[c]) * light + 127) / 255);
-      }
-    }
-    out[3] = 255;
-  }
-}
-
 Result<RgbaImage> decode(Context& context, Session& session, std::span<const std::uint8_t> bytes) {
   if (!read_header(session, bytes)) return failure(session);
   if (Status status = check_size(context.limits, session); !status) return status;
@@ -157,25 +170,21 @@ Result<RgbaImage> decode(Context& context, Session& session, std::span<const std
   const std::size_t channels = is_cmyk ? 4 : 3;
   const std::size_t pixel_count = std::size_t{decoder.image_width} * decoder.image_height;
   ScopedCharge charge;
-  Status status =
-      charge.add(context, kWorkingBytes + pixel_count * (kWorkingBytesPerPixel + channels + 4),
-                 "a JPEG image");
+  Status status = charge.add(context, kWorkingBytes + pixel_count * (kWorkingBytesPerPixel + 4),
+                             "a JPEG image");
   if (!status) return status;
-  std::vector<std::uint8_t> pixels(pixel_count * channels);
-  const bool inverted = decoder.saw_Adobe_marker != FALSE;
-  if (!read_pixels(session, pixels.data(), channels * decoder.image_width)) {
-    return failure(session);
-  }
-  RgbaImage image{static_cast<int>(decoder.image_width), static_cast<int>(decoder.image_height),
-                  std::vector<std::uint8_t>(4 * pixel_count)};
-  expand(pixels.data(), channels, inverted, image.rgba);
+  std::vector<std::uint8_t> row(channels * decoder.image_width);
+  RgbaImage image{
+      static_cast<int>(decoder.image_width), static_cast<int>(decoder.image_height), {}};
+  if (status = resize_large(context, image.rgba, 4 * pixel_count); !status) return status;
+  if (!read_pixels(session, channels, row.data(), image.rgba.data())) return failure(session);
   return image;
 }
 
 }  // namespace
 
 Result<RgbaImage> decode_jpeg(Context& context, std::span<const std::uint8_t> bytes) {
-  Session session;
+  Session session(context);
   return decode(context, session, bytes);
 }
 

@@ -25,13 +25,15 @@ constexpr std::size_t kFirstFileBytes = std::size_t{16} << 10;
 /// The library's view of one encoding; errors jump to `write_image`, with only C code between. The
 /// file grows here: the library's own destination loses track of it where memory runs out.
 struct Session {
-  Session();
+  explicit Session(const Context& of);
   ~Session() { jpeg_destroy_compress(&encoder); }
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
+  const Context& context;
   jpeg_compress_struct encoder{};
   jpeg_error_mgr errors{};
+  jpeg_progress_mgr progress{};
   jpeg_destination_mgr destination{};
   std::jmp_buf failed;
   char message[JMSG_LENGTH_MAX] = "";
@@ -48,6 +50,14 @@ struct Session {
 }
 
 void keep_quiet(j_common_ptr) {}
+
+/// Called for every row of blocks in each pass.
+void watch(j_common_ptr library) {
+  auto* session = static_cast<Session*>(library->client_data);
+  if (!session->context.cancelled()) return;
+  session->cancelled = true;
+  std::longjmp(session->failed, 1);
+}
 
 /// Called where the file is full.
 boolean enlarge_file(j_compress_ptr encoder) {
@@ -72,7 +82,7 @@ void end_file(j_compress_ptr encoder) {
   session->file.resize(session->file.size() - session->destination.free_in_buffer);
 }
 
-Session::Session() {
+Session::Session(const Context& of) : context(of) {
   encoder.err = jpeg_std_error(&errors);
   errors.error_exit = fail;
   errors.output_message = keep_quiet;
@@ -98,18 +108,17 @@ void set_up(jpeg_compress_struct& encoder, const Image& image, int quality) {
   jpeg_simple_progression(&encoder);
 }
 
-bool write_image(Session& session, const Context& context, const Image& image, int quality) {
+bool write_image(Session& session, const Image& image, int quality) {
   if (setjmp(session.failed) != 0) return false;
   jpeg_compress_struct& encoder = session.encoder;
   jpeg_create_compress(&encoder);
   encoder.dest = &session.destination;
   set_up(encoder, image, quality);
+  encoder.progress = &session.progress;
+  session.progress.progress_monitor = watch;
   jpeg_start_compress(&encoder, TRUE);
   while (encoder.next_scanline < encoder.image_height) {
-    if (context.cancelled()) {
-      session.cancelled = true;
-      return false;
-    }
+    watch(reinterpret_cast<j_common_ptr>(&encoder));
     const std::uint8_t* row = &image.bytes[image.row_bytes() * encoder.next_scanline];
     JSAMPROW rows = const_cast<JSAMPROW>(row);
     jpeg_write_scanlines(&encoder, &rows, 1);
@@ -118,8 +127,8 @@ bool write_image(Session& session, const Context& context, const Image& image, i
   return true;
 }
 
-Status failure(const Context& context, const Session& session) {
-  if (session.cancelled) return context.stop_status();
+Status failure(const Session& session) {
+  if (session.cancelled) return session.context.stop_status();
   if (session.no_memory) {
     return make_error(StatusCode::out_of_memory, "no memory to write the JPEG image");
   }
@@ -135,8 +144,8 @@ Result<std::vector<std::uint8_t>> encode(Context& context, const Image& image, i
   const Status status = charge.add(context, kWorkingBytes + kWorkingBytesPerPixel * pixel_count,
                                    "writing a JPEG image");
   if (!status) return status;
-  Session session;
-  if (!write_image(session, context, image, quality)) return failure(context, session);
+  Session session(context);
+  if (!write_image(session, image, quality)) return failure(session);
   return std::move(session.file);
 }
 

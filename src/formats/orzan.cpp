@@ -70,6 +70,7 @@ class OrzanReader {
   void warn(std::string_view kind, pugi::xml_node element, std::string message);
 
   Context& context_;
+  RarePoll<64> poll_{context_};
   XmlSource& xml_;
   Dialect dialect_ = kOrzan;
   Document document_;
@@ -152,6 +153,7 @@ Status OrzanReader::read_curve_set(pugi::xml_node set) {
   std::vector<Curve>& curves = document_.layers.front().curves;
   for (const pugi::xml_node child : set.children()) {
     if (child.type() != pugi::node_element) continue;
+    if (poll_.cancelled()) return context_.stop_status();
     if (std::string_view(child.name()) != "curve") {
       ignore(child);
     } else if (Status status = read_curve(child, curves.emplace_back()); !status) {

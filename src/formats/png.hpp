@@ -21,4 +21,8 @@ Result<std::vector<std::uint8_t>> encode_png(Context& context, const Image& imag
 Result<Image> decode_png(Context& context, std::span<const std::uint8_t> bytes,
                          const std::string& file);
 
+/// The same, to rgba8 or rgba16 whatever it holds.
+Result<Image> decode_png_with_alpha(Context& context, std::span<const std::uint8_t> bytes,
+                                    const std::string& file);
+
 }  // namespace sfumato

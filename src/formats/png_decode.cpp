@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "base/large_vector.hpp"
 #include "base/limits.hpp"
 #include "base/no_throw.hpp"
 #include "formats/png.hpp"
@@ -29,8 +30,14 @@ using SpngContext = std::unique_ptr<spng_ctx, ContextDeleter>;
 
 class Decoder {
  public:
-  Decoder(Context& context, std::span<const std::uint8_t> bytes, const std::string& file)
-      : context_(context), bytes_(bytes), file_(file), png_(spng_ctx_new(0)) {}
+  /// wants_alpha: the image has it in any case.
+  Decoder(Context& context, std::span<const std::uint8_t> bytes, const std::string& file,
+          bool wants_alpha)
+      : context_(context),
+        bytes_(bytes),
+        file_(file),
+        wants_alpha_(wants_alpha),
+        png_(spng_ctx_new(0)) {}
 
   Result<Image> decode();
 
@@ -38,6 +45,7 @@ class Decoder {
   Status read_header();
   Status check_header();
   Status charge(std::size_t size);
+  Status decode_rows(int spng_format, int flags, Image& image);
   Result<Image> decode_as(int spng_format, PixelFormat format);
   Status error(StatusCode code, std::string message) const;
   /// The status of one call of the library.
@@ -46,6 +54,7 @@ class Decoder {
   Context& context_;
   std::span<const std::uint8_t> bytes_;
   const std::string& file_;
+  bool wants_alpha_;
   SpngContext png_;
   spng_ihdr header_{};
   bool has_alpha_ = false;
@@ -126,10 +135,10 @@ Result<Image> Decoder::decode() {
                header_.color_type == SPNG_COLOR_TYPE_TRUECOLOR_ALPHA ||
                spng_get_trns(png_.get(), &transparency) == SPNG_OK;
   if (header_.bit_depth < 16) {
-    return has_alpha_ ? decode_as(SPNG_FMT_RGBA8, PixelFormat::rgba8)
-                      : decode_as(SPNG_FMT_RGB8, PixelFormat::rgb8);
+    return has_alpha_ || wants_alpha_ ? decode_as(SPNG_FMT_RGBA8, PixelFormat::rgba8)
+                                      : decode_as(SPNG_FMT_RGB8, PixelFormat::rgb8);
   }
-  if (has_alpha_) return decode_as(SPNG_FMT_RGBA16, PixelFormat::rgba16);
+  if (has_alpha_ || wants_alpha_) return decode_as(SPNG_FMT_RGBA16, PixelFormat::rgba16);
   if (header_.color_type == SPNG_COLOR_TYPE_TRUECOLOR) {
     return decode_as(SPNG_FMT_PNG, PixelFormat::rgb16);
   }
@@ -146,14 +155,28 @@ Status Decoder::charge(std::size_t size) {
   return status;
 }
 
+/// Row by row, so that it can be cancelled; interlaced images come row by row in seven passes.
+Status Decoder::decode_rows(int spng_format, int flags, Image& image) {
+  int code =
+      spng_decode_image(png_.get(), nullptr, 0, spng_format, flags | SPNG_DECODE_PROGRESSIVE);
+  while (code == SPNG_OK) {
+    if (context_.cancelled()) return context_.stop_status();
+    spng_row_info row{};
+    code = spng_get_row_info(png_.get(), &row);
+    if (code != SPNG_OK) break;
+    code = spng_decode_row(png_.get(), &image.bytes[row.row_num * image.row_bytes()],
+                           image.row_bytes());
+  }
+  return status_of(code == SPNG_EOI ? SPNG_OK : code);
+}
+
 Result<Image> Decoder::decode_as(int spng_format, PixelFormat format) {
   Image image{static_cast<int>(header_.width), static_cast<int>(header_.height), format, {}};
   const std::size_t size = image.row_bytes() * header_.height;
   if (Status status = charge(size); !status) return status;
-  image.bytes.resize(size);
+  if (Status status = resize_large(context_, image.bytes, size); !status) return status;
   const int flags = has_alpha_ ? SPNG_DECODE_TRNS : 0;
-  Status status = status_of(
-      spng_decode_image(png_.get(), image.bytes.data(), image.bytes.size(), spng_format, flags));
+  Status status = decode_rows(spng_format, flags, image);
   if (status) status = status_of(spng_decode_chunks(png_.get()));
   if (!status) return status;
   if (!is_whole(bytes_)) {
@@ -166,7 +189,12 @@ Result<Image> Decoder::decode_as(int spng_format, PixelFormat format) {
 
 Result<Image> decode_png(Context& context, std::span<const std::uint8_t> bytes,
                          const std::string& file) {
-  return no_throw([&] { return Decoder(context, bytes, file).decode(); });
+  return no_throw([&] { return Decoder(context, bytes, file, false).decode(); });
+}
+
+Result<Image> decode_png_with_alpha(Context& context, std::span<const std::uint8_t> bytes,
+                                    const std::string& file) {
+  return no_throw([&] { return Decoder(context, bytes, file, true).decode(); });
 }
 
 }  // namespace sfumato

@@ -282,7 +282,9 @@ void SvgWriter::write_layer(std::uint32_t layer, const svg_write::Attributes& at
   for (const auto& [name, value] : attributes.list()) all.add(name, value);
   all.add("fill", "none").add("stroke-width", stroke_width_);
   writer_.open("g", all);
+  RarePoll<64> poll(context_);
   for (const Curve& curve : curves) {
+    if (poll.cancelled()) return;
     svg_write::Attributes path;
     if (!curve.id.empty()) path.add("id", ids_.claim(curve.id));
     if (has_classes) path.add("class", "curve");

@@ -12,6 +12,10 @@ namespace {
 
 constexpr std::size_t kPacketsPerTask = 16;
 
+/// A packet may walk through every triangle of the mesh, in some 30 ns each: as many between two
+/// looks at the cancel flag.
+constexpr std::size_t kTrianglesPerPoll = 500'000;
+
 /// Windows that wait during a walk: a few dozen at most on real scenes, as many as a ray crosses
 /// triangles on adversarial ones.
 class GrowingStack {
@@ -53,6 +57,8 @@ class ExactGather {
         channel_count_(static_cast<std::size_t>(scene.channel_count())),
         points_(points),
         packing_(packing),
+        packets_per_poll_(std::clamp<std::size_t>(kTrianglesPerPoll / (scene.triangle.size() + 1),
+                                                  1, kPacketsPerTask)),
         out_(out),
         hit_(hit) {}
 
@@ -77,15 +83,24 @@ class ExactGather {
       result[i - begin].shader_share =
           shares.empty() ? nullptr : shares[(i - begin) * shader_count].lane;
     }
-    const PacketBatch batch{input, result, static_cast<int>(end - begin)};
     GrowingStack stack(context_);
-    while (!kernel_(scene_, batch, stack.view())) {
-      if (!stack.grow()) {
-        stack_failed_.store(true);
+    for (std::size_t i = begin; i < end; i += packets_per_poll_) {
+      if (context_.cancelled()) return;
+      const std::size_t count = std::min(packets_per_poll_, end - i);
+      if (!walk({input + (i - begin), result + (i - begin), static_cast<int>(count)}, stack))
         return;
-      }
     }
     for (std::size_t i = begin; i < end; ++i) store(packing_.packet[i], result[i - begin]);
+  }
+
+  /// False where the stack has no memory.
+  bool walk(const PacketBatch& batch, GrowingStack& stack) {
+    while (!kernel_(scene_, batch, stack.view())) {
+      if (stack.grow()) continue;
+      stack_failed_.store(true);
+      return false;
+    }
+    return true;
   }
 
   PacketInput packet_input(const Packet& packet) const {
@@ -134,6 +149,7 @@ class ExactGather {
   std::size_t channel_count_;
   const LocatedPoints& points_;
   const Packing& packing_;
+  std::size_t packets_per_poll_;
   std::span<float> out_;
   std::span<std::uint8_t> hit_;
   std::atomic<bool> stack_failed_{false};

@@ -7,13 +7,14 @@ namespace {
 
 class Packer {
  public:
-  Packer(const Scene& scene, const LocatedPoints& points, Packing& packing)
-      : scene_(scene), packing_(packing) {
+  Packer(const Context& context, const Scene& scene, const LocatedPoints& points, Packing& packing)
+      : poll_(context), scene_(scene), packing_(packing) {
     sort_by_triangle(points.triangle);
   }
 
   void pack() {
     for (std::uint32_t t = 0; t < scene_.triangle.size(); ++t) {
+      if (poll_.cancelled()) return;
       while (next_[t] < end_of(t)) pack_from(t);
     }
   }
@@ -76,6 +77,7 @@ class Packer {
     }
   }
 
+  RarePoll<8192> poll_;
   const Scene& scene_;
   Packing& packing_;
   Packet packet_;
@@ -93,7 +95,8 @@ Result<Packing> pack(Context& context, const Scene& scene, const LocatedPoints& 
   if (Status status = packing.charge.add(context, bytes, "packets of points"); !status) {
     return status;
   }
-  Packer(scene, points, packing).pack();
+  Packer(context, scene, points, packing).pack();
+  if (context.cancelled()) return context.stop_status();
   return packing;
 }
 

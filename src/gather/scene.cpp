@@ -11,9 +11,9 @@ namespace {
 
 class SceneBuilder {
  public:
-  SceneBuilder(const mesh::TriangleMesh& mesh, const curves::SegmentAttributes& attributes,
-               Scene& scene)
-      : mesh_(mesh), attributes_(attributes), scene_(scene) {}
+  SceneBuilder(const Context& context, const mesh::TriangleMesh& mesh,
+               const curves::SegmentAttributes& attributes, Scene& scene)
+      : poll_(context), mesh_(mesh), attributes_(attributes), scene_(scene) {}
 
   void build() {
     Box box;
@@ -30,7 +30,10 @@ class SceneBuilder {
       if (codes_[h] >= 0) scene_.edge_beyond.push_back(beyond(h));
     });
     scene_.triangle.reserve(order_.size());
-    for (std::uint32_t t : order_) scene_.triangle.push_back(triangle(t));
+    for (std::uint32_t t : order_) {
+      if (poll_.cancelled()) return;
+      scene_.triangle.push_back(triangle(t));
+    }
   }
 
  private:
@@ -48,8 +51,9 @@ class SceneBuilder {
 
   /// In the order of the scene's triangles.
   template <class Body>
-  void for_each_half_edge(Body body) const {
+  void for_each_half_edge(Body body) {
     for (std::uint32_t t : order_) {
+      if (poll_.cancelled()) return;
       for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) body(h);
     }
   }
@@ -173,6 +177,7 @@ class SceneBuilder {
     return triangle;
   }
 
+  RarePoll<8192> poll_;
   const mesh::TriangleMesh& mesh_;
   const curves::SegmentAttributes& attributes_;
   Scene& scene_;
@@ -208,7 +213,8 @@ Result<Scene> build_scene(Context& context, const mesh::TriangleMesh& mesh,
       !status) {
     return status;
   }
-  SceneBuilder(mesh, attributes, scene).build();
+  SceneBuilder(context, mesh, attributes, scene).build();
+  if (context.cancelled()) return context.stop_status();
   return scene;
 }
 

@@ -50,7 +50,8 @@ std::vector<Outline> measure(const LayerUnderTest& test) {
   const curves::SegmentAttributes& flat = test.scene.color.attributes;
   std::vector<Outline> outlines(test.curves().size());
   Vec2 origin;  // of the areas: the curve's first point
-  for (std::size_t v = 0; v + 1 < flat.vertex.size(); ++v) {
+  RarePoll<16384> poll(test.context);
+  for (std::size_t v = 0; v + 1 < flat.vertex.size() && !poll.cancelled(); ++v) {
     if (v == 0 || flat.curve[v] != flat.curve[v - 1]) origin = flat.vertex[v];
     if (flat.curve[v] != flat.curve[v + 1]) continue;
     Outline& outline = outlines[flat.curve[v]];
@@ -107,7 +108,8 @@ void check_side(LayerUnderTest& test, std::uint32_t index, CurveSide which, cons
 
 void check_curves(LayerUnderTest& test) {
   const std::vector<Outline> outlines = measure(test);
-  for (std::uint32_t i = 0; i < outlines.size(); ++i) {
+  RarePoll<1024> poll(test.context);
+  for (std::uint32_t i = 0; i < outlines.size() && !poll.cancelled(); ++i) {
     const Curve& curve = test.curves()[i];
     const bool closed = curve.control_points.front() == curve.control_points.back();
     if (closed) {

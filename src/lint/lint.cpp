@@ -115,9 +115,10 @@ Status Linter::check_layer(std::uint32_t layer) {
   const Result<patches::LayerScene> scene =
       patches::prepare_layer(context_, document_, layer, sight, options, nullptr);
   if (!scene) return scene.status();
-  LayerUnderTest test{document_, layer, sight, *scene, hints_};
+  LayerUnderTest test{context_, document_, layer, sight, *scene, hints_};
   lint_detail::check_curves(test);
   lint_detail::check_visibility(test);
+  if (context_.cancelled()) return context_.stop_status();
   check_attributes(layer);
   return check_instances(test);
 }

@@ -38,7 +38,8 @@ std::vector<bool> check_duplicates(LayerUnderTest& test) {
   const std::vector<Curve>& curves = test.curves();
   std::vector<bool> hidden(curves.size(), false);
   std::unordered_map<std::uint64_t, std::uint32_t> last_with_hash;
-  for (std::uint32_t i = 0; i < curves.size(); ++i) {
+  RarePoll<1024> poll(test.context);
+  for (std::uint32_t i = 0; i < curves.size() && !poll.cancelled(); ++i) {
     const Curve& curve = curves[i];
     const auto [entry, is_new] =
         last_with_hash.try_emplace(hash_of_points(curve.control_points), i);
@@ -67,12 +68,15 @@ std::vector<bool> check_duplicates(LayerUnderTest& test) {
 /// that is not reached is certainly not seen.
 class Reach {
  public:
-  Reach(const mesh::TriangleMesh& mesh, curves::SegmentAttributes attributes, const Box& artboard,
-        std::size_t curve_count)
-      : mesh_(mesh), attributes_(std::move(attributes)), met_(2 * curve_count, false) {
+  Reach(const Context& context, const mesh::TriangleMesh& mesh,
+        curves::SegmentAttributes attributes, const Box& artboard, std::size_t curve_count)
+      : poll_(context),
+        mesh_(mesh),
+        attributes_(std::move(attributes)),
+        met_(2 * curve_count, false) {
     name_sides();
     enter(artboard);
-    while (!open_.empty()) {
+    while (!open_.empty() && !poll_.cancelled()) {
       const std::uint32_t triangle = open_.back();
       open_.pop_back();
       for (std::uint32_t k = 0; k < 3; ++k) look_across(3 * triangle + k);
@@ -94,7 +98,7 @@ class Reach {
 
   void enter(const Box& artboard) {
     entered_.resize(mesh_.triangle_count(), false);
-    for (std::uint32_t t = 0; t < mesh_.triangle_count(); ++t) {
+    for (std::uint32_t t = 0; t < mesh_.triangle_count() && !poll_.cancelled(); ++t) {
       Box box;
       for (std::size_t k = 0; k < 3; ++k) {
         box.extend(mesh_.vertex_position[mesh_.triangle_vertex[3 * std::size_t{t} + k]]);
@@ -129,6 +133,7 @@ class Reach {
     if (back.kind != ShaderKind::open) met_[back.shader] = true;
   }
 
+  RarePoll<4096> poll_;
   const mesh::TriangleMesh& mesh_;
   curves::SegmentAttributes attributes_;
   std::vector<bool> met_;
@@ -150,12 +155,14 @@ void check_visibility(LayerUnderTest& test) {
   const std::vector<Curve>& curves = test.curves();
   const mesh::TriangleMesh mesh = test.scene.mesher.visibility_mesh();
   const Box& sight = test.sight.viewport;
-  const Reach color(mesh, test.scene.color.attributes, sight, curves.size());
+  if (test.context.cancelled()) return;
+  const Reach color(test.context, mesh, test.scene.color.attributes, sight, curves.size());
   std::optional<Reach> opacity;
   if (test.scene.opacity) {
-    opacity.emplace(mesh, test.scene.opacity->attributes, sight, curves.size());
+    opacity.emplace(test.context, mesh, test.scene.opacity->attributes, sight, curves.size());
   }
-  for (std::uint32_t i = 0; i < curves.size(); ++i) {
+  RarePoll<4096> poll(test.context);
+  for (std::uint32_t i = 0; i < curves.size() && !poll.cancelled(); ++i) {
     if (hidden[i]) continue;
     for (const CurveSide which : {CurveSide::left, CurveSide::right}) {
       const Side& side = which == CurveSide::left ? curves[i].left : curves[i].right;

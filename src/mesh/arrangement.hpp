@@ -43,6 +43,7 @@ class Arrangement {
 
   /// limit, cancelled, internal: all later calls do nothing.
   const Status& status() const { return status_; }
+  const Context& context() const { return context_; }
 
  private:
   /// A constraint that is yet to be inserted.

@@ -32,14 +32,16 @@ void add_constraint(const Triangulation& mesh, const ChordStore& chords,
 
 /// Numbers the triangles inside and their vertices from neighbour to neighbour: refinement left
 /// them in an order that jumps about, and what follows reads them again and again.
-void number_depth_first(const Triangulation& mesh, Numbering& numbering) {
+void number_depth_first(const Context& context, const Triangulation& mesh, Numbering& numbering) {
   const auto wanted = [&](std::int32_t t) {
     return mesh.triangle[t].inside && numbering.triangle[t] == kNone;
   };
   std::vector<std::int32_t> stack;
+  RarePoll<16384> poll(context);
   for (std::size_t seed = 0; seed < mesh.triangle.size(); ++seed) {
     stack.assign(1, static_cast<std::int32_t>(seed));
     while (!stack.empty()) {
+      if (poll.cancelled()) return;
       const std::int32_t t = stack.back();
       stack.pop_back();
       if (!wanted(t)) continue;
@@ -67,11 +69,11 @@ Numbering number_everything(const Triangulation& mesh) {
   return numbering;
 }
 
-void number_inside(const Triangulation& mesh, Numbering& numbering) {
+void number_inside(const Context& context, const Triangulation& mesh, Numbering& numbering) {
   const std::size_t known = numbering.triangle.size(), known_vertices = numbering.vertex.size();
   numbering.triangle.resize(mesh.triangle.size(), kNone);
   numbering.vertex.resize(mesh.point.size(), kNone);
-  if (known == 0) return number_depth_first(mesh, numbering);
+  if (known == 0) return number_depth_first(context, mesh, numbering);
   // All later triangles and vertices come from refinement, which works inside and on the frame.
   for (std::size_t t = known; t < mesh.triangle.size(); ++t) {
     if (mesh.triangle[t].inside) {
@@ -87,12 +89,14 @@ namespace {
 
 /// Corners and neighbours. Pointers, since stores to one vector could move another's data for all
 /// that the compiler knows.
-void copy_triangles(const Triangulation& mesh, const Numbering& numbering, TriangleMesh& out) {
+void copy_triangles(const Context& context, const Triangulation& mesh, const Numbering& numbering,
+                    TriangleMesh& out) {
   const std::int32_t* const vertex_number = numbering.vertex.data();
   const std::int32_t* const triangle_number = numbering.triangle.data();
   std::uint32_t* const corner = out.triangle_vertex.data();
   std::int32_t* const twin = out.half_edge_twin.data();
-  for (std::size_t slot = 0; slot < mesh.triangle.size(); ++slot) {
+  RarePoll<65536> poll(context);
+  for (std::size_t slot = 0; slot < mesh.triangle.size() && !poll.cancelled(); ++slot) {
     if (triangle_number[slot] == kNone) continue;
     const std::int32_t first = 3 * triangle_number[slot];
     const Triangle t = mesh.triangle[slot];
@@ -105,10 +109,11 @@ void copy_triangles(const Triangulation& mesh, const Numbering& numbering, Trian
   }
 }
 
-void copy_constraints(const Triangulation& mesh, const ChordStore& chords,
+void copy_constraints(const Context& context, const Triangulation& mesh, const ChordStore& chords,
                       const std::vector<VertexOrigin>& origins, const Numbering& numbering,
                       TriangleMesh& out) {
-  for (std::size_t slot = 0; slot < mesh.triangle.size(); ++slot) {
+  RarePoll<65536> poll(context);
+  for (std::size_t slot = 0; slot < mesh.triangle.size() && !poll.cancelled(); ++slot) {
     const Triangle& t = mesh.triangle[slot];
     if (!((t.across[0] | t.across[1] | t.across[2]) & 1)) continue;
     if (numbering.triangle[slot] == kNone) continue;
@@ -127,24 +132,26 @@ void copy_constraints(const Triangulation& mesh, const ChordStore& chords,
 
 }  // namespace
 
-TriangleMesh extract(const Triangulation& mesh, const ChordStore& chords,
+TriangleMesh extract(const Context& context, const Triangulation& mesh, const ChordStore& chords,
                      const std::vector<VertexOrigin>& origins, const Lattice& lattice,
                      const Numbering& numbering) {
   TriangleMesh out;
   out.lattice_step = lattice.step;
   out.vertex_position.resize(numbering.vertex_count);
-  for (std::size_t v = 0; v < mesh.point.size(); ++v) {
+  RarePoll<65536> poll(context);
+  for (std::size_t v = 0; v < mesh.point.size() && !poll.cancelled(); ++v) {
     if (numbering.vertex[v] == kNone) continue;
     out.vertex_position[numbering.vertex[v]] = lattice.position(mesh.point[v]);
   }
+  if (context.cancelled()) return {};
   const std::size_t half_edges = std::size_t{3} * numbering.triangle_count;
   out.triangle_vertex.resize(half_edges);
   out.half_edge_twin.resize(half_edges);
   out.half_edge_constraint.assign(half_edges, kNone);
   out.constraint.reserve(chords.size() + half_edges / 16);
   out.piece.reserve(chords.live_owner_count() + half_edges / 16);
-  copy_triangles(mesh, numbering, out);
-  copy_constraints(mesh, chords, origins, numbering, out);
+  copy_triangles(context, mesh, numbering, out);
+  if (!context.cancelled()) copy_constraints(context, mesh, chords, origins, numbering, out);
   return out;
 }
 

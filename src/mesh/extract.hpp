@@ -24,10 +24,10 @@ Numbering number_everything(const Triangulation& mesh);
 /// Triangles inside the frame and their vertices: at first from neighbour to neighbour, later ones
 /// in their own order. Vertices that `numbering` has already keep their numbers; more are appended.
 /// Triangles do too, since slots are never freed.
-void number_inside(const Triangulation& mesh, Numbering& numbering);
+void number_inside(const Context& context, const Triangulation& mesh, Numbering& numbering);
 
 /// The numbered part of a triangulation as flat arrays. Cost: O(slots + pieces).
-TriangleMesh extract(const Triangulation& mesh, const ChordStore& chords,
+TriangleMesh extract(const Context& context, const Triangulation& mesh, const ChordStore& chords,
                      const std::vector<VertexOrigin>& origins, const Lattice& lattice,
                      const Numbering& numbering);
 

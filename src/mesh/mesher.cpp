@@ -17,6 +17,9 @@
 namespace sfumato::mesh {
 
 struct Mesher::State {
+  explicit State(const Context& of) : context(of) {}
+
+  const Context& context;
   ScopedCharge charge;
   Lattice lattice;
   Triangulation mesh;
@@ -37,7 +40,8 @@ Status check_sizes(const Limits& limits, const curves::FlatCurves& flat) {
 std::vector<Vertex> insert_points(Arrangement& arrangement, std::span<const Point> points,
                                   const Lattice& lattice) {
   std::vector<Vertex> vertex_of(points.size());
-  for (const std::uint32_t i : insertion_order(points, std::max(lattice.width, lattice.height))) {
+  const std::int32_t extent = std::max(lattice.width, lattice.height);
+  for (const std::uint32_t i : insertion_order(arrangement.context(), points, extent)) {
     vertex_of[i] = arrangement.add_point(points[i]);
   }
   return vertex_of;
@@ -60,12 +64,14 @@ Status arrange(Arrangement& arrangement, const curves::FlatCurves& flat, const L
 
 /// Marks the triangles inside the frame: those that an odd number of frame chords separates from
 /// the hull.
-Status flood_inside(Triangulation& mesh, const ChordStore& chords) {
+Status flood_inside(const Context& context, Triangulation& mesh, const ChordStore& chords) {
   constexpr std::int16_t kUnknown = -1;
   for (Triangle& t : mesh.triangle) t.inside = kUnknown;
   std::vector<std::int32_t> stack{triangle_of(mesh.spoke[0])};
   mesh.triangle[stack[0]].inside = 0;
+  RarePoll<4096> poll(context);
   while (!stack.empty()) {
+    if (poll.cancelled()) return context.stop_status();
     const std::int32_t t = stack.back();
     stack.pop_back();
     for (HalfEdge e = 4 * t; e < 4 * t + 3; ++e) {
@@ -131,7 +137,7 @@ Result<Mesher> Mesher::build(Context& context, const curves::FlatCurves& flat,
   if (Status status = check_sizes(context.limits, flat); !status) return status;
   Result<Lattice> lattice = choose_lattice(flat, options);
   if (!lattice) return lattice.status();
-  auto state = std::make_unique<State>();
+  auto state = std::make_unique<State>(context);
   state->lattice = *lattice;
   const std::size_t points = flat.vertex.size();
   // Points, their order, its scratch and the vertex of each.
@@ -145,7 +151,7 @@ Result<Mesher> Mesher::build(Context& context, const curves::FlatCurves& flat,
   status = arrange(arrangement, flat, *lattice);
   if (!status) return status;
   state->chords.seal();
-  status = flood_inside(state->mesh, state->chords);
+  status = flood_inside(context, state->mesh, state->chords);
   if (!status) return status;
   state->refiner.start();
   const double step = lattice->step;
@@ -158,7 +164,8 @@ Result<Mesher> Mesher::build(Context& context, const curves::FlatCurves& flat,
 
 TriangleMesh Mesher::visibility_mesh() const {
   const State& s = *state_;
-  return extract(s.mesh, s.chords, s.refiner.origins(), s.lattice, number_everything(s.mesh));
+  return extract(s.context, s.mesh, s.chords, s.refiner.origins(), s.lattice,
+                 number_everything(s.mesh));
 }
 
 Result<TriangleMesh> Mesher::thinned_mesh(Context& context, const TriangleMesh& visibility,
@@ -181,7 +188,8 @@ Result<TriangleMesh> Mesher::thinned_mesh(Context& context, const TriangleMesh& 
   if (!arrangement.status()) return arrangement.status();
   chords.seal();
   const std::vector<VertexOrigin> origins(mesh.point.size());
-  TriangleMesh out = extract(mesh, chords, origins, lattice, number_everything(mesh));
+  TriangleMesh out = extract(context, mesh, chords, origins, lattice, number_everything(mesh));
+  if (context.cancelled()) return context.stop_status();
   restore_pieces(visibility, kept.constraint, out);
   return out;
 }
@@ -203,7 +211,8 @@ Status Mesher::refine_triangles(Context& context, std::span<const std::uint32_t>
 
 TriangleMesh Mesher::patch_mesh(std::vector<std::int32_t>* previous_triangle) {
   State& s = *state_;
-  number_inside(s.mesh, s.numbering);
+  number_inside(s.context, s.mesh, s.numbering);
+  if (s.context.cancelled()) return {};
   std::vector<Refiner::Target> now(s.numbering.triangle_count);
   for (std::size_t slot = 0; slot < s.mesh.triangle.size(); ++slot) {
     const std::int32_t t = s.numbering.triangle[slot];
@@ -219,7 +228,7 @@ TriangleMesh Mesher::patch_mesh(std::vector<std::int32_t>* previous_triangle) {
     }
   }
   s.patched = std::move(now);
-  return extract(s.mesh, s.chords, s.refiner.origins(), s.lattice, s.numbering);
+  return extract(s.context, s.mesh, s.chords, s.refiner.origins(), s.lattice, s.numbering);
 }
 
 }  // namespace sfumato::mesh

@@ -312,7 +312,9 @@ Status Refiner::refine_all(Context& context) {
   status_ = ok_status();
   if (!make_room(3 * mesh_.point.size())) return status_;
   const auto count = static_cast<std::int32_t>(mesh_.triangle.size());
+  RarePoll<4096> poll(context);
   for (std::int32_t t = 0; t < count; ++t) {
+    if (poll.cancelled()) return context.stop_status();
     check_encroachment(t);
     check_triangle(t);
   }

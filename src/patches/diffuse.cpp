@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "base/large_vector.hpp"
 #include "base/no_throw.hpp"
 #include "patches/layer_scene.hpp"
 #include "patches/layer_solver.hpp"
@@ -18,17 +19,6 @@ Result<PatchLayer> solve_layer(Context& context, const Document& document, std::
       context, document, index, sight, options, stats, patches::LayerUse::patches);
   if (!scene) return scene.status();
   return patches::LayerSolver(context, std::move(*scene), options, stats).solve();
-}
-
-std::size_t bytes_of(const PatchField& field) {
-  return field.triangle_node.size() * sizeof(std::uint32_t) +
-         field.node_value.size() * sizeof(float);
-}
-
-std::size_t bytes_of(const PatchLayer& layer) {
-  return layer.vertex_position.size() * sizeof(Vec2) +
-         layer.triangle_vertex.size() * (sizeof(std::uint32_t) + 1) + bytes_of(layer.color) +
-         bytes_of(layer.opacity);
 }
 
 PictureItem picture_item(const LayerInstance& instance) {
@@ -50,13 +40,11 @@ Result<std::vector<Shader>> copy_shaders(Context& context, const std::vector<Sha
     if (const auto* texture = std::get_if<Texture>(&shader.paint)) {
       Status status = charge.add(context, texture->rgba.size(), "textures");
       if (!status) return status;
-      copies.push_back({shader.id, Texture{texture->width,
-                                           texture->height,
-                                           texture->rgba,
-                                           texture->layer_from_texture,
-                                           texture->repeats,
-                                           texture->period,
-                                           {}}});
+      Texture copy{texture->width,   texture->height, {}, texture->layer_from_texture,
+                   texture->repeats, texture->period, {}};
+      status = copy_large(context, texture->rgba, copy.rgba);
+      if (!status) return status;
+      copies.push_back({shader.id, std::move(copy)});
     } else {
       copies.push_back(shader);
     }

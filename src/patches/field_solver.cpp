@@ -39,20 +39,27 @@ Status FieldSolver::follow(Context& context, const mesh::TriangleMesh& mesh,
   if (!status) return status;
   const NodeLayout old_layout = std::move(layout_);
   const std::vector<std::uint8_t> old_hit = std::move(node_hit_);
-  const Seams seams(mesh, scene_.attributes);
-  layout_ = lay_out_nodes(mesh, scene_.attributes, seams);
+  const Seams seams(context, mesh, scene_.attributes);
+  if (context.cancelled()) return context.stop_status();
+  layout_ = lay_out_nodes(context, mesh, scene_.attributes, seams);
+  if (context.cancelled()) return context.stop_status();
   node_known_ = layout_.is_fixed;
   node_hit_.assign(layout_.node_count(), 1);
-  if (!old_layout.triangle_node.empty()) carry_over(old_layout, old_hit, previous_triangle);
+  if (!old_layout.triangle_node.empty()) {
+    carry_over(context, old_layout, old_hit, previous_triangle);
+  }
   layout_charge_ = std::move(charge);
-  return ok_status();
+  return context.check();
 }
 
 /// Takes the values of triangles that stayed from the layout before.
-void FieldSolver::carry_over(const NodeLayout& old_layout, const std::vector<std::uint8_t>& old_hit,
+void FieldSolver::carry_over(const Context& context, const NodeLayout& old_layout,
+                             const std::vector<std::uint8_t>& old_hit,
                              std::span<const std::int32_t> previous_triangle) {
+  RarePoll<4096> poll(context);
   const auto channels = static_cast<std::size_t>(layout_.channel_count);
   for (std::size_t t = 0; t < previous_triangle.size(); ++t) {
+    if (poll.cancelled()) return;
     if (previous_triangle[t] == mesh::kNone) continue;
     const auto p = static_cast<std::size_t>(previous_triangle[t]);
     for (std::size_t i = 0; i < kNodes; ++i) {
@@ -111,12 +118,15 @@ Status FieldSolver::find_misses(Context& context, const mesh::TriangleMesh& mesh
   Status status =
       charge.add(context, point_bytes(kMostProbes * new_triangles), "probes of patches");
   if (!status) return status;
-  const ProbeSet probes = place_probes(mesh, layout_, is_new);
+  const ProbeSet probes = place_probes(context, mesh, layout_, is_new);
+  if (context.cancelled()) return context.stop_status();
   std::vector<float> exact(probes.position.size() * channels);
   status = scene_.gatherer.gather(context, probes.position, {}, exact);
   if (!status) return status;
   std::vector<float> value(channels);
+  RarePoll<4096> poll(context);
   for (std::size_t i = 0; i < probes.position.size(); ++i) {
+    if (poll.cancelled()) return context.stop_status();
     patch_value_at_probe(probes, i, layout_, order, value.data());
     float* const exact_value = exact.data() + channels * i;
     show_as_code_values(value.data());
@@ -148,9 +158,11 @@ void FieldSolver::show_as_code_values(float* value) const {
   value[0] = code.r, value[1] = code.g, value[2] = code.b;
 }
 
-void FieldSolver::find_coarse(const mesh::TriangleMesh& mesh, double edge_per_radius,
-                              std::span<std::uint8_t> coarse) const {
-  const Seams seams(mesh, scene_.attributes);
+void FieldSolver::find_coarse(const Context& context, const mesh::TriangleMesh& mesh,
+                              double edge_per_radius, std::span<std::uint8_t> coarse) const {
+  const Seams seams(context, mesh, scene_.attributes);
+  if (context.cancelled()) return;
+  RarePoll<16384> poll(context);
   // Per vertex the smallest radius of the curves that end or pass there; 0: no blurred curve.
   std::vector<float> vertex_radius(mesh.vertex_position.size(), 0);
   const auto lower = [&](std::uint32_t vertex, float radius) {
@@ -158,12 +170,12 @@ void FieldSolver::find_coarse(const mesh::TriangleMesh& mesh, double edge_per_ra
     known = known > 0 ? std::min(known, radius) : radius;
   };
   const auto half_edge_count = static_cast<std::uint32_t>(mesh.triangle_vertex.size());
-  for (std::uint32_t h = 0; h < half_edge_count; ++h) {
+  for (std::uint32_t h = 0; h < half_edge_count && !poll.cancelled(); ++h) {
     if (!seams.is_seam(h)) continue;
     if (const float r = seams.blur_radius(h, 0); r > 0) lower(mesh.origin(h), r);
     if (const float r = seams.blur_radius(h, 1); r > 0) lower(mesh.target(h), r);
   }
-  for (std::uint32_t t = 0; t < mesh.triangle_count(); ++t) {
+  for (std::uint32_t t = 0; t < mesh.triangle_count() && !poll.cancelled(); ++t) {
     double radius = 0;
     for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
       const double r = vertex_radius[mesh.origin(h)];
@@ -173,10 +185,12 @@ void FieldSolver::find_coarse(const mesh::TriangleMesh& mesh, double edge_per_ra
   }
 }
 
-void FieldSolver::fill_unseen_nodes() {
+void FieldSolver::fill_unseen_nodes(const Context& context) {
+  RarePoll<16384> poll(context);
   const auto channels = static_cast<std::size_t>(layout_.channel_count);
   std::vector<float> sum(channels);
   for (std::size_t first = 0; first < layout_.triangle_node.size(); first += kNodes) {
+    if (poll.cancelled()) return;
     std::uint32_t* node = layout_.triangle_node.data() + first;
     std::fill(sum.begin(), sum.end(), 0.0f);
     std::size_t seen = 0;

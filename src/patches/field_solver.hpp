@@ -17,6 +17,7 @@ namespace sfumato::patches {
 /// One attribute of a layer, ready to be gathered.
 struct FieldScene {
   curves::SegmentAttributes attributes;
+  ScopedCharge charge;  ///< of the attributes
   gather::Gatherer gatherer;
 };
 
@@ -49,13 +50,13 @@ class FieldSolver {
 
   /// Sets coarse[t] for triangles at a blurred curve whose longest edge is longer than
   /// edge_per_radius times the blur radius there: their nodes could not tell its transition.
-  void find_coarse(const mesh::TriangleMesh& mesh, double edge_per_radius,
+  void find_coarse(const Context& context, const mesh::TriangleMesh& mesh, double edge_per_radius,
                    std::span<std::uint8_t> coarse) const;
 
   /// Where a triangle lies across the border of what sees a curve, its nodes beyond the border have
   /// no value: in this triangle they take the mean of the others. Nodes of triangles that see
   /// nothing at all stay 0. Comes last, after the questions below were asked.
-  void fill_unseen_nodes();
+  void fill_unseen_nodes(const Context& context);
 
   const FieldScene& scene() const { return scene_; }
   int channel_count() const { return scene_.attributes.channel_count(); }
@@ -69,7 +70,8 @@ class FieldSolver {
 
  private:
   bool is_opacity(std::size_t channel) const;
-  void carry_over(const NodeLayout& old_layout, const std::vector<std::uint8_t>& old_hit,
+  void carry_over(const Context& context, const NodeLayout& old_layout,
+                  const std::vector<std::uint8_t>& old_hit,
                   std::span<const std::int32_t> previous_triangle);
   std::vector<std::uint32_t> nodes_to_gather(bool all) const;
   /// The memory of `count` points and their values.

@@ -118,7 +118,8 @@ bool is_thin(const mesh::TriangleMesh& mesh, const std::vector<std::uint8_t>& be
 
 Result<FieldScene> prepare_field(Context& context, const mesh::Mesher& mesher,
                                  const mesh::TriangleMesh& visibility,
-                                 curves::SegmentAttributes attributes, double smallest_radius) {
+                                 curves::SegmentAttributes attributes, ScopedCharge charge,
+                                 double smallest_radius) {
   curves::remove_blur_below(attributes, smallest_radius);
   const std::vector<std::uint8_t> bears = bearing_constraints(visibility, attributes);
   mesh::TriangleMesh thinned;
@@ -131,7 +132,7 @@ Result<FieldScene> prepare_field(Context& context, const mesh::Mesher& mesher,
   Result<gather::Gatherer> gatherer =
       gather::Gatherer::create(context, is_thinned ? thinned : visibility, attributes);
   if (!gatherer) return gatherer.status();
-  return FieldScene{std::move(attributes), std::move(*gatherer)};
+  return FieldScene{std::move(attributes), std::move(charge), std::move(*gatherer)};
 }
 
 /// What the frame of a layer may hold: its triangles' vertices are coordinates like any others.
@@ -200,6 +201,14 @@ Result<LayerScene> prepare_layer(Context& context, const Document& document, std
   Result<curves::FlatCurves> flat = curves::flatten(context, curves, units.flatten_options());
   if (!flat) return flat.status();
   const bool is_joint = use == LayerUse::patches && curves::opacity_goes_with_color(curves);
+  // The polyline, and two attributes while they become one.
+  ScopedCharge flat_charge, color_charge, opacity_charge;
+  Status status = flat_charge.add(context, curves::bytes_of(*flat), "flattening");
+  if (status) status = color_charge.add(context, curves::attribute_bytes(*flat), "attributes");
+  if (status && is_joint) {
+    status = flat_charge.add(context, curves::attribute_bytes(*flat), "attributes");
+  }
+  if (!status) return status;
   const auto sample = is_joint ? curves::sample_colors_and_opacities : curves::sample_colors;
   curves::SegmentAttributes colors = sample(*flat, curves, document.interpolation);
   const double geometry_seconds = geometry_watch.seconds();
@@ -208,18 +217,22 @@ Result<LayerScene> prepare_layer(Context& context, const Document& document, std
   Result<mesh::Mesher> mesher = mesh::Mesher::build(context, *flat, meshing);
   if (!mesher) return mesher.status();
   const mesh::TriangleMesh visibility = mesher->visibility_mesh();
+  if (context.cancelled()) return context.stop_status();
   const double mesh_seconds = mesh_watch.seconds();
 
   const Stopwatch gather_watch;
   double smallest_radius = use == LayerUse::patches ? kSmallestRadiusPx * units.pixel() : 0;
   if (options.ignore_blur) smallest_radius = std::numeric_limits<double>::infinity();
-  Result<FieldScene> color =
-      prepare_field(context, *mesher, visibility, std::move(colors), smallest_radius);
+  Result<FieldScene> color = prepare_field(context, *mesher, visibility, std::move(colors),
+                                           std::move(color_charge), smallest_radius);
   if (!color) return color.status();
   std::optional<FieldScene> opacity;
   if (!is_joint && std::ranges::any_of(curves, bears_opacity)) {
-    Result<FieldScene> field = prepare_field(
-        context, *mesher, visibility, curves::sample_opacities(*flat, curves), smallest_radius);
+    status = opacity_charge.add(context, curves::attribute_bytes(*flat), "attributes");
+    if (!status) return status;
+    Result<FieldScene> field =
+        prepare_field(context, *mesher, visibility, curves::sample_opacities(*flat, curves),
+                      std::move(opacity_charge), smallest_radius);
     if (!field) return field.status();
     opacity.emplace(std::move(*field));
   }

@@ -87,7 +87,9 @@ Result<PatchLayer> LayerSolver::solve() {
     status = gather(options_.gather, true);
   }
   if (!status) return status;
-  return take_patches();
+  PatchLayer layer = take_patches();
+  if (context_.cancelled()) return context_.stop_status();
+  return layer;
 }
 
 /// Takes the mesher's present mesh.
@@ -95,6 +97,7 @@ Status LayerSolver::take_mesh() {
   const Stopwatch watch;
   mesh_ = mesher_.patch_mesh(&previous_triangle_);
   if (stats_) stats_->triangulation_seconds += watch.seconds();
+  if (context_.cancelled()) return context_.stop_status();
   return check_limits(context_.limits, mesh_);
 }
 
@@ -112,9 +115,10 @@ Status LayerSolver::follow_blur() {
   for (int round = 0; round < kMaxRounds; ++round) {
     std::vector<std::uint8_t> coarse(mesh_.triangle_count(), 0);
     Status status = for_each_field([&](const FieldSolver& field) {
-      field.find_coarse(mesh_, edge_per_radius, coarse);
-      return ok_status();
+      field.find_coarse(context_, mesh_, edge_per_radius, coarse);
+      return context_.check();
     });
+    if (!status) return status;
     const std::vector<std::uint32_t> triangles = indices_of(coarse);
     if (triangles.empty()) break;
     const std::uint32_t before = mesh_.triangle_count();
@@ -170,7 +174,8 @@ Status LayerSolver::make_smaller(const std::vector<std::uint32_t>& triangles) {
 std::vector<float> LayerSolver::triangle_opacity() const {
   if (!opacity_ && !is_joint()) return {};
   std::vector<float> opacity(mesh_.triangle_count());
-  for (std::uint32_t t = 0; t < mesh_.triangle_count(); ++t) {
+  RarePoll<16384> poll(context_);
+  for (std::uint32_t t = 0; t < mesh_.triangle_count() && !poll.cancelled(); ++t) {
     opacity[t] =
         opacity_ ? opacity_->largest_value(t, 0) : color_.largest_value(t, kOpacityChannel);
   }
@@ -182,7 +187,8 @@ std::vector<float> LayerSolver::triangle_opacity() const {
 std::vector<std::uint8_t> LayerSolver::visible_triangles() const {
   const std::vector<float> opacity = triangle_opacity();
   std::vector<std::uint8_t> keep(mesh_.triangle_count());
-  for (std::uint32_t t = 0; t < mesh_.triangle_count(); ++t) {
+  RarePoll<16384> poll(context_);
+  for (std::uint32_t t = 0; t < mesh_.triangle_count() && !poll.cancelled(); ++t) {
     keep[t] = color_.sees_curves(t) && (opacity.empty() || opacity[t] >= kInvisibleOpacity);
   }
   return keep;
@@ -190,12 +196,13 @@ std::vector<std::uint8_t> LayerSolver::visible_triangles() const {
 
 PatchLayer LayerSolver::take_patches() {
   const std::vector<std::uint8_t> keep = visible_triangles();
-  color_.fill_unseen_nodes();
-  if (opacity_) opacity_->fill_unseen_nodes();
+  color_.fill_unseen_nodes(context_);
+  if (opacity_) opacity_->fill_unseen_nodes(context_);
   PatchLayer layer;
+  RarePoll<16384> poll(context_);
   layer.frame = frame_;
   layer.order = options_.order;
-  for (std::uint32_t t = 0; t < mesh_.triangle_count(); ++t) {
+  for (std::uint32_t t = 0; t < mesh_.triangle_count() && !poll.cancelled(); ++t) {
     if (!keep[t]) continue;
     for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
       layer.triangle_vertex.push_back(mesh_.triangle_vertex[h]);
@@ -204,6 +211,7 @@ PatchLayer LayerSolver::take_patches() {
       layer.edge_is_curve.push_back(is_curve);
     }
   }
+  if (context_.cancelled()) return {};
   layer.vertex_position = std::move(mesh_.vertex_position);
   layer.color = color_.take(keep);
   if (opacity_) layer.opacity = opacity_->take(keep);

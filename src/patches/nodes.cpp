@@ -26,9 +26,9 @@ struct FixedShare {
 
 class LayoutBuilder {
  public:
-  LayoutBuilder(const TriangleMesh& mesh, const curves::SegmentAttributes& attributes,
-                const Seams& seams)
-      : mesh_(mesh), seams_(seams), base_channels_(attributes.base_channels) {
+  LayoutBuilder(const Context& context, const TriangleMesh& mesh,
+                const curves::SegmentAttributes& attributes, const Seams& seams)
+      : poll_(context), mesh_(mesh), seams_(seams), base_channels_(attributes.base_channels) {
     layout_.channel_count = attributes.channel_count();
   }
 
@@ -38,6 +38,7 @@ class LayoutBuilder {
     layout_.edge_is_curve.resize(std::size_t{3} * triangle_count);
     layout_.position.reserve(std::size_t{5} * triangle_count);
     for (std::uint32_t t = 0; t < triangle_count; ++t) {
+      if (poll_.cancelled()) return {};
       for (std::uint32_t k = 0; k < 3; ++k) {
         layout_.edge_is_curve[3 * t + k] = seams_.is_seam(3 * t + k);
         if (node_at(t, k) == kUnset) place_around_vertex(3 * t + k);
@@ -82,6 +83,7 @@ class LayoutBuilder {
     const auto channel_count = static_cast<std::size_t>(layout_.channel_count);
     layout_.value.assign(channel_count * layout_.node_count(), 0.0f);
     for (const FixedShare& fixed : fixed_) {
+      if (poll_.cancelled()) return;
       layout_.is_fixed[fixed.node] = 1;
       add_value(fixed, layout_.value.data() + channel_count * fixed.node);
     }
@@ -230,6 +232,7 @@ class LayoutBuilder {
     }
   }
 
+  RarePoll<4096> poll_;
   const TriangleMesh& mesh_;
   const Seams& seams_;
   int base_channels_;
@@ -241,9 +244,9 @@ class LayoutBuilder {
 
 }  // namespace
 
-NodeLayout lay_out_nodes(const TriangleMesh& mesh, const curves::SegmentAttributes& attributes,
-                         const Seams& seams) {
-  return LayoutBuilder(mesh, attributes, seams).build();
+NodeLayout lay_out_nodes(const Context& context, const TriangleMesh& mesh,
+                         const curves::SegmentAttributes& attributes, const Seams& seams) {
+  return LayoutBuilder(context, mesh, attributes, seams).build();
 }
 
 }  // namespace sfumato::patches

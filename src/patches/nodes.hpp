@@ -29,7 +29,7 @@ struct NodeLayout {
 
 /// Lays out the nodes in the order of the triangles, so that neighbours in the list are neighbours
 /// in the plane. `seams` is made of the same mesh and attributes. Cost O(triangles).
-NodeLayout lay_out_nodes(const mesh::TriangleMesh& mesh,
+NodeLayout lay_out_nodes(const Context& context, const mesh::TriangleMesh& mesh,
                          const curves::SegmentAttributes& attributes, const Seams& seams);
 
 }  // namespace sfumato::patches

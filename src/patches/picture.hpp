@@ -70,4 +70,9 @@ struct Picture {
   std::vector<PictureItem> stack;  ///< bottom first; groups as in Document::stack
 };
 
+/// About what they take in memory. `diffuse` charges it only while it works: who holds a picture
+/// may charge it again.
+std::size_t bytes_of(const PatchLayer& layer);
+std::size_t bytes_of(const Picture& picture);
+
 }  // namespace sfumato

@@ -46,8 +46,8 @@ Vec2 point(const mesh::TriangleMesh& mesh, std::uint32_t t, int kind) {
 
 }  // namespace
 
-ProbeSet place_probes(const mesh::TriangleMesh& mesh, const NodeLayout& layout,
-                      std::span<const std::uint8_t> is_new) {
+ProbeSet place_probes(const Context& context, const mesh::TriangleMesh& mesh,
+                      const NodeLayout& layout, std::span<const std::uint8_t> is_new) {
   ProbeSet probes;
   const auto add = [&](std::uint32_t half_edge, int place) {
     const int kind = place < kInnerProbes ? place : kInnerProbes + static_cast<int>(half_edge % 3);
@@ -55,7 +55,8 @@ ProbeSet place_probes(const mesh::TriangleMesh& mesh, const NodeLayout& layout,
     probes.half_edge.push_back(half_edge);
     probes.place.push_back(static_cast<std::uint8_t>(place));
   };
-  for (std::uint32_t t = 0; t < mesh.triangle_count(); ++t) {
+  RarePoll<4096> poll(context);
+  for (std::uint32_t t = 0; t < mesh.triangle_count() && !poll.cancelled(); ++t) {
     if (!is_new[t]) continue;
     for (int place = 0; place < kInnerProbes; ++place) add(3 * t, place);
     for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {

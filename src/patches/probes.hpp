@@ -19,8 +19,8 @@ struct ProbeSet {
 };
 
 /// Probes of the triangles t with is_new[t].
-ProbeSet place_probes(const mesh::TriangleMesh& mesh, const NodeLayout& layout,
-                      std::span<const std::uint8_t> is_new);
+ProbeSet place_probes(const Context& context, const mesh::TriangleMesh& mesh,
+                      const NodeLayout& layout, std::span<const std::uint8_t> is_new);
 
 /// The patch's value at probe i, layout.channel_count floats.
 void patch_value_at_probe(const ProbeSet& probes, std::size_t i, const NodeLayout& layout,

@@ -41,12 +41,14 @@ bool same_value(const SeamValue& a, const SeamValue& b) {
          std::all_of(b.shader, b.shader + 2, same_share);
 }
 
-Seams::Seams(const mesh::TriangleMesh& mesh, const curves::SegmentAttributes& attributes)
+Seams::Seams(const Context& context, const mesh::TriangleMesh& mesh,
+             const curves::SegmentAttributes& attributes)
     : mesh_(mesh),
       facing_(2 * mesh.constraint.size()),
       is_seam_(mesh.half_edge_constraint.size(), 0) {
   const auto half_edge_count = static_cast<std::uint32_t>(mesh.half_edge_constraint.size());
-  for (std::uint32_t h = 0; h < half_edge_count; ++h) {
+  RarePoll<16384> poll(context);
+  for (std::uint32_t h = 0; h < half_edge_count && !poll.cancelled(); ++h) {
     if (mesh.half_edge_constraint[h] == mesh::kNone) continue;
     facing_[index(h)] = gather::facing_side(mesh, attributes, h);
     if (facing_[index(h)].kind == ShaderKind::open) continue;

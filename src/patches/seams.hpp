@@ -22,7 +22,9 @@ bool same_value(const SeamValue& a, const SeamValue& b);
 /// Where the picture may jump: the constrained edges with a side that is not open.
 class Seams {
  public:
-  Seams(const mesh::TriangleMesh& mesh, const curves::SegmentAttributes& attributes);
+  /// Incomplete where the context is cancelled.
+  Seams(const Context& context, const mesh::TriangleMesh& mesh,
+        const curves::SegmentAttributes& attributes);
 
   /// True for both half-edges of an edge that stops rays on either side.
   bool is_seam(std::uint32_t half_edge) const { return is_seam_[half_edge] != 0; }

@@ -2,9 +2,10 @@
 
 namespace sfumato::raster {
 
-Compositor::Compositor(const PaintList& list, const SpanKernels& kernels, bool antialias,
-                       const FieldSource* source)
-    : list_(list),
+Compositor::Compositor(const Context& context, const PaintList& list, const SpanKernels& kernels,
+                       bool antialias, const FieldSource* source)
+    : context_(context),
+      list_(list),
       kernels_(kernels),
       antialias_(antialias),
       groups_(static_cast<std::size_t>(list.group_depth())) {
@@ -93,6 +94,7 @@ void Compositor::paint(std::size_t tile_index, const Tile& root) {
   const int column = static_cast<int>(tile_index % static_cast<std::size_t>(columns));
   const int row = static_cast<int>(tile_index / static_cast<std::size_t>(columns));
   for (std::uint32_t index : list_.row(row)) {
+    if (context_.cancelled()) return;
     const PaintItem& item = list_.item(index);
     if (column >= item.tiles.x0 && column < item.tiles.x1) paint_item(item, tile_index);
   }

@@ -15,10 +15,10 @@ namespace sfumato::raster {
 class Compositor {
  public:
   /// All must outlive this. source: as LayerPainter's; the list must not be plain then.
-  Compositor(const PaintList& list, const SpanKernels& kernels, bool antialias,
-             const FieldSource* source);
+  Compositor(const Context& context, const PaintList& list, const SpanKernels& kernels,
+             bool antialias, const FieldSource* source);
 
-  /// Paints onto what `root`, the whole tile, holds.
+  /// Paints onto what `root`, the whole tile, holds; some of it where the context is cancelled.
   void paint(std::size_t tile_index, const Tile& root);
 
   /// Memory of one.
@@ -39,6 +39,7 @@ class Compositor {
   /// The pixels of the uppermost level to paint on, transparent where nothing was painted.
   Tile target(const PixelRect& rect);
 
+  const Context& context_;
   const PaintList& list_;
   const SpanKernels& kernels_;
   bool antialias_;

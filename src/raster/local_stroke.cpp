@@ -98,6 +98,7 @@ Result<StrokePainter> StrokePainter::create(Context& context, const LocalStroke&
   painter.frame_from_image_ = inverse(prepared->image_from_frame);
   painter.frame_ = prepared->frame;
   painter.kernels_ = &stroke_kernels(context.simd);
+  painter.context_ = &context;
   return painter;
 }
 
@@ -108,7 +109,11 @@ bool StrokePainter::add_block(int block_x, int block_y, StrokeSums& sums) const 
                    static_cast<double>(block_y + kStrokeBlockHeight)}};
   const Vec2 center = frame_from_image_(block.center());
   bool touched = false;
+  RarePoll<64> poll(*context_);
+  bool stopped = context_->cancelled();
   tree_.find(block, [&](std::span<const std::uint32_t> indices) {
+    stopped = stopped || poll.cancelled();
+    if (stopped) return;
     if (!touched) sums = {};
     touched = true;
     kernels_->add_segments(frame_, segments_.segment.data(), indices, center, sums);

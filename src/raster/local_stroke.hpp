@@ -31,7 +31,8 @@ class StrokePainter {
  public:
   /// image_from_artboard  image coordinates are pixels; the image lies within
   ///                      [0, limits::kImageSide]², what is outside is not painted.
-  /// Precondition: the document of `stroke` was validated. Nothing of `stroke` is kept.
+  /// Precondition: the document of `stroke` was validated. Nothing of `stroke` is kept; the
+  /// context must outlive the painter.
   /// Errors: limit (segments, memory), cancelled.
   /// Cost: O(length within reach of the image / influence radius).
   static Result<StrokePainter> create(Context& context, const LocalStroke& stroke,
@@ -42,8 +43,9 @@ class StrokePainter {
 
   /// Composites the stroke onto the pixels [x0, x0 + width) × [y0, y0 + height), source over.
   /// r, g, b, alpha  premultiplied sRGB code values; pixel (x0 + i, y0 + j) at i + j * stride.
-  /// Thread-safe; a pixel's value does not depend on the rectangle it is painted in.
-  /// Cost: O(pixels touched · nodes in reach of each) + O(log segments) per 128 pixels.
+  /// Incomplete where the context is cancelled. Thread-safe; a pixel's value does not depend on the
+  /// rectangle it is painted in. Cost: O(pixels touched · nodes in reach of each) + O(log segments)
+  /// per 128 pixels.
   void paint(int x0, int y0, int width, int height, float* r, float* g, float* b, float* alpha,
              std::size_t stride) const;
 
@@ -58,6 +60,7 @@ class StrokePainter {
   StrokeFrame frame_;
   Affine frame_from_image_;
   const StrokeKernels* kernels_ = nullptr;
+  const Context* context_ = nullptr;
 };
 
 }  // namespace sfumato::raster

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/large_vector.hpp"
 #include "base/no_throw.hpp"
 #include "raster/check_picture.hpp"
 #include "raster/compositor.hpp"
@@ -25,6 +26,7 @@ using raster::TileGrid;
 
 /// Everything that the painting of a tile reads.
 struct Scene {
+  const Context* context = nullptr;
   const RasterOptions* options = nullptr;
   const raster::FieldSource* source = nullptr;
   const raster::SpanKernels* kernels = nullptr;
@@ -42,7 +44,8 @@ class TilePainter {
       : scene_(scene),
         planes_(std::make_unique_for_overwrite<float[]>(raster::kTileFloats *
                                                         (scene.has_alpha() ? 4 : 3))),
-        compositor_(scene.list, *scene.kernels, scene.options->antialias, scene.source) {}
+        compositor_(*scene.context, scene.list, *scene.kernels, scene.options->antialias,
+                    scene.source) {}
 
   /// Memory of one, with an overlay.
   static std::size_t bytes(const PaintList& list) {
@@ -162,6 +165,7 @@ Result<Image> raster::paint_picture(Context& context, const Picture& picture,
   if (!status) return status;
   Scene scene;
   scene.options = &options;
+  scene.context = &context;
   scene.source = source;
   scene.kernels = &raster::span_kernels(context.simd);
   scene.backdrop = raster::choose_backdrop(options, picture.background);
@@ -178,7 +182,8 @@ Result<Image> raster::paint_picture(Context& context, const Picture& picture,
       context, static_cast<std::size_t>(context.thread_count()) * TilePainter::bytes(scene.list),
       "tiles of the image");
   if (!status) return status;
-  image.bytes.resize(image_bytes);
+  status = resize_large(context, image.bytes, image_bytes);
+  if (!status) return status;
   scene.target = {image.bytes.data(), image.row_bytes(), options.format, options.dither};
   status = paint_tiles(context, scene);
   if (!status) return status;

@@ -75,7 +75,9 @@ class ExactFields final : public raster::FieldSource {
     // Tiles run side by side already; what one point needs besides is little.
     const Budget& budget = context_.budget;
     Context serial{.budget = Budget(budget.limit() - std::min(budget.limit(), budget.used())),
-                   .simd = context_.simd};
+                   .limits = context_.limits,
+                   .simd = context_.simd,
+                   .outer = &context_};
     const Status status = evaluator_.evaluate(serial, layer, points, color, hit, opacity);
     if (!status) failure_.store(status.code);
   }

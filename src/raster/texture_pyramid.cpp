@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/large_vector.hpp"
 #include "raster/texture_kernels.hpp"
 
 namespace sfumato::raster {
@@ -72,8 +73,8 @@ Result<TexturePyramid> TexturePyramid::create(Context& context, const Texture& t
       !status) {
     return status;
   }
-  pyramid.texels_.resize(values);
-  Status status = pyramid.fill_base(context, texture);
+  Status status = resize_large(context, pyramid.texels_, values);
+  if (status) status = pyramid.fill_base(context, texture);
   for (std::size_t i = 1; status && i < pyramid.levels_.size(); ++i) {
     status = pyramid.fill_level(context, i);
   }
@@ -111,6 +112,7 @@ Status TexturePyramid::fill_base(Context& context, const Texture& texture) {
   const std::uint8_t* bytes = texture.rgba.data();
   opaque_ = true;
   for (std::size_t i = 3; i < texture.rgba.size(); i += 4) opaque_ &= bytes[i] == 255;
+  if (context.cancelled()) return context.stop_status();
   const std::size_t width = static_cast<std::size_t>(level.width);
   return parallel_for(context, static_cast<std::size_t>(level.height), kGrain,
                       [&](std::size_t begin, std::size_t end) {

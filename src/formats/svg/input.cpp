@@ -24,13 +24,14 @@ std::string tag(Element element) {
 
 Status Input::parse() {
   Status status = xml_.parse(context_);
-  if (status) status = resolve_namespaces(xml_);
+  if (status) status = resolve_namespaces(context_, xml_);
   if (status) status = index(root());
   return status;
 }
 
 /// Notes ids and style sheets, and checks the names of attributes, all the way down.
 Status Input::index(Element element) {
+  if (Status status = check(); !status) return status;
   if (Status status = check_sf_attributes(*this, element); !status) return status;
   if (const auto id = attribute(element, "id"); id && !id->empty()) {
     if (Status status = charge(element, kIdBytes, "ids"); !status) return status;

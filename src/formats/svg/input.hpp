@@ -21,13 +21,15 @@ using Element = pugi::xml_node;
 class Input {
  public:
   Input(Context& context, std::string_view text, const std::string& file)
-      : context_(context), xml_(text, file) {}
+      : context_(context), poll_(context), xml_(text, file) {}
 
-  /// Errors: bad_input, limit, out_of_memory.
+  /// Errors: bad_input, limit, cancelled, out_of_memory.
   Status parse();
 
   Element root() const { return xml_.root(); }
   Context& context() const { return context_; }
+  /// Ok, or why to stop; looks at the cancel flag now and then.
+  Status check() { return poll_.cancelled() ? context_.stop_status() : ok_status(); }
   const Limits& limits() const { return context_.limits; }
 
   /// An attribute of SVG.
@@ -64,6 +66,7 @@ class Input {
   Status read_style_sheets(Element element);
 
   Context& context_;
+  RarePoll<256> poll_;
   XmlSource xml_;
   Warnings warnings_;
   ScopedCharge charge_;

@@ -30,7 +30,7 @@ QualifiedName split(std::string_view name) {
 
 class Resolver {
  public:
-  explicit Resolver(XmlSource& xml) : xml_(xml) {}
+  Resolver(const Context& context, XmlSource& xml) : context_(context), poll_(context), xml_(xml) {}
 
   Status resolve(pugi::xml_node element);
 
@@ -44,6 +44,8 @@ class Resolver {
     return make_error(StatusCode::bad_input, std::move(message), xml_.place(element));
   }
 
+  const Context& context_;
+  RarePoll<256> poll_;
   XmlSource& xml_;
   /// What each prefix means now, the innermost last; the empty one is the default's.
   std::unordered_map<std::string_view, std::vector<Space>> meanings_;
@@ -123,6 +125,7 @@ Status Resolver::resolve_attributes(pugi::xml_node element) {
 Status Resolver::resolve_children(pugi::xml_node element) {
   for (pugi::xml_node child = element.first_child(), next; child; child = next) {
     next = child.next_sibling();
+    if (poll_.cancelled()) return context_.stop_status();
     if (child.type() != pugi::node_element) continue;
     const QualifiedName name = split(child.name());
     const pugi::xml_attribute own = child.attribute(
@@ -150,11 +153,11 @@ Status Resolver::resolve_children(pugi::xml_node element) {
 
 }  // namespace
 
-Status resolve_namespaces(XmlSource& xml) {
+Status resolve_namespaces(const Context& context, XmlSource& xml) {
   pugi::xml_node root = xml.root();
   const QualifiedName name = split(root.name());
   if (!name.prefix.empty()) root.set_name(std::string(name.local).c_str());
-  return Resolver(xml).resolve(root);
+  return Resolver(context, xml).resolve(root);
 }
 
 }  // namespace sfumato::svg

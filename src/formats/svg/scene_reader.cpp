@@ -164,6 +164,7 @@ void SceneReader::open_children(Element element, const Place& place,
 Status SceneReader::visit_open(std::size_t count) {
   Status status = ok_status();
   while (status && open_.size() > count) {
+    if (status = input_.check(); !status) break;
     OpenElement& top = open_.back();
     if (const Element child = top.next) {
       top.next = child.next_sibling();

@@ -1,0 +1,125 @@
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "export/glb.hpp"
+#include "export/html.hpp"
+#include "export/svg.hpp"
+#include "formats/image_file.hpp"
+#include "formats/jpeg_encode.hpp"
+#include "formats/png.hpp"
+#include "formats/read_document.hpp"
+#include "formats/svg_write.hpp"
+#include "limits/large_inputs.hpp"
+#include "lint/lint.hpp"
+#include "raster/rasterize.hpp"
+#include "raster/render_pixels.hpp"
+#include "support/poll_recorder.hpp"
+
+/// No work goes on for 50 ms of CPU time without a look at the cancel flag, whatever stage it is
+/// in; and once the flag is set all of it ends within that. On one thread, whose CPU time is
+/// measured, so that what else runs on the machine does not matter.
+/// bench/poll_gaps.cpp measures the same with inputs near the limits, and PDF, which does not keep
+/// to it yet: its longest gap was 90 ms here.
+namespace sfumato::test {
+namespace {
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || !defined(NDEBUG)
+constexpr double kSlowdown = 20;  // sanitizers, and builds that are not optimised
+#else
+constexpr double kSlowdown = 1;
+#endif
+constexpr double kLongestSeconds = 0.05 * kSlowdown;
+
+/// Runs `work` to its end, then again, cancelled half way through its polls.
+template <class Work>
+void expect_polls(const std::string& name, Work work) {
+  Context context;
+  PollRecorder recorder;
+  context.poll_watch = &recorder;
+  recorder.start();
+  const auto result = work(context);
+  recorder.stop();
+  ASSERT_TRUE(result.ok()) << name << ": " << result.status().message;
+  EXPECT_LT(recorder.longest_seconds(), kLongestSeconds) << name;
+  EXPECT_EQ(context.budget.used(), 0u) << name;
+
+  Context cancelled;
+  PollRecorder until;
+  until.cancel_at = recorder.polls() / 2 + 1;
+  until.cancel = &cancelled.cancel;
+  cancelled.poll_watch = &until;
+  until.start();
+  {
+    const auto stopped = work(cancelled);
+    EXPECT_EQ(stopped.status().code, StatusCode::cancelled) << name;
+  }
+  const double end = thread_seconds();
+  EXPECT_LT(end - until.cancelled_at(), kLongestSeconds) << name;
+  EXPECT_EQ(cancelled.budget.used(), 0u) << name;
+}
+
+TEST(Polls, readers_look_often) {
+  const std::string svg = many_curves_svg(20'000), orzan = many_curves_orzan(10'000);
+  const std::string path = long_path_svg(200'000);
+  for (const std::string* text : {&svg, &orzan, &path}) {
+    expect_polls(text->substr(0, 9),
+                 [&](Context& c) { return read_document(c, *text, "drawing"); });
+  }
+}
+
+TEST(Polls, solving_looks_often) {
+  const Document curves = many_curves(500);
+  expect_polls("curves", [&](Context& c) { return diffuse(c, curves, {.max_error = 0}); });
+  const DiffuseOptions fine{.max_area_fraction = 2e-4, .max_error = 0};
+  const Document few = many_curves(10);
+  expect_polls("triangles", [&](Context& c) { return diffuse(c, few, fine); });
+}
+
+TEST(Polls, one_node_that_sees_thousands_of_colours_looks_often) {
+  const Document stops = curve_of_many_stops(1000);
+  expect_polls("stops", [&](Context& c) {
+    return render_pixels(c, stops, {}, {.width = 16, .height = 16});
+  });
+}
+
+TEST(Polls, rasters_look_often) {
+  Context context;
+  const Result<Picture> picture = diffuse(context, many_curves(100), {.max_error = 0});
+  ASSERT_TRUE(picture.ok());
+  expect_polls(
+      "wide", [&](Context& c) { return rasterize(c, *picture, {.width = 16'384, .height = 256}); });
+  const Result<Picture> strokes = diffuse(context, many_strokes(50, 3000), {});
+  ASSERT_TRUE(strokes.ok());
+  expect_polls("strokes",
+               [&](Context& c) { return rasterize(c, *strokes, {.width = 512, .height = 512}); });
+}
+
+TEST(Polls, codecs_look_often) {
+  Context context;
+  const Image image = noise_image(1500, 1500);
+  expect_polls("PNG", [&](Context& c) { return encode_png(c, image); });
+  expect_polls("JPEG", [&](Context& c) { return encode_jpeg(c, image, 90); });
+  const auto png = encode_png(context, image);
+  const auto jpeg = encode_jpeg(context, image, 90);
+  ASSERT_TRUE(png.ok() && jpeg.ok());
+  expect_polls("PNG back", [&](Context& c) { return decode_image(c, *png); });
+  expect_polls("JPEG back", [&](Context& c) { return decode_image(c, *jpeg); });
+}
+
+TEST(Polls, exporters_look_often) {
+  Context context;
+  const Document document = many_curves(1000);
+  const Result<Picture> picture = diffuse(context, document, {.max_error = 0});
+  ASSERT_TRUE(picture.ok());
+  expect_polls("GLB", [&](Context& c) { return export_glb(c, *picture, {}); });
+  expect_polls("HTML", [&](Context& c) { return export_html(c, *picture, {}); });
+  expect_polls("SVG", [&](Context& c) {
+    return export_svg(c, *picture, {.mode = SvgMode::vector, .force = true});
+  });
+  expect_polls("SVG of curves", [&](Context& c) { return write_svg(c, document); });
+  expect_polls("lint", [&](Context& c) { return lint(c, document); });
+}
+
+}  // namespace
+}  // namespace sfumato::test

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <ctime>
+#include <functional>
+
+#include "base/context.hpp"
+
+namespace sfumato::test {
+
+/// CPU time of the calling thread, so that other work on the machine does not count.
+inline double thread_seconds() {
+  std::timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+/// Measures how long the one thread that works goes without a look at the cancel flag.
+class PollRecorder : public PollWatch {
+ public:
+  /// Called behind every gap that is longer than all before it, in the place of its end.
+  std::function<void(double seconds)> on_longest;
+  /// The flag is set behind this poll; 0: never.
+  std::uint64_t cancel_at = 0;
+  std::atomic<bool>* cancel = nullptr;
+
+  void start() { last_ = thread_seconds(); }
+
+  void polled() override {
+    end_gap();
+    last_ = thread_seconds();
+    if (++polls_ != cancel_at) return;
+    cancel->store(true);
+    cancelled_at_ = last_;
+  }
+
+  /// Ends the last gap: work is done.
+  void stop() { end_gap(); }
+
+  double longest_seconds() const { return longest_; }
+  std::uint64_t polls() const { return polls_; }
+  /// CPU time of the thread as the flag was set.
+  double cancelled_at() const { return cancelled_at_; }
+
+ private:
+  void end_gap() {
+    const double gap = thread_seconds() - last_;
+    if (gap <= longest_) return;
+    longest_ = gap;
+    if (on_longest) on_longest(gap);
+  }
+
+  double last_ = 0;
+  double longest_ = 0;
+  double cancelled_at_ = 0;
+  std::uint64_t polls_ = 0;
+};
+
+}  // namespace sfumato::test
