@@ -82,18 +82,25 @@ Status parallel_for(Context& context, std::size_t count, std::size_t grain,
   const std::size_t task_count = (count + grain - 1) / grain;
   // Nothing is thrown at an executor: a thread pool without memory cannot hand an exception on.
   std::atomic<bool> has_memory{true};
+  std::atomic<bool> goes_on{true};  // quicker to ask than the clock, where many ranges are left
   const auto task = [&](std::size_t i) {
-    if (context.cancelled() || !has_memory.load(std::memory_order_relaxed)) return;
+    if (!goes_on.load(std::memory_order_relaxed)) return;
+    if (context.cancelled()) {
+      goes_on.store(false, std::memory_order_relaxed);
+      return;
+    }
     const Status status = no_throw([&] {
       body(i * grain, std::min(count, (i + 1) * grain));
       return ok_status();
     });
-    if (!status) has_memory.store(false, std::memory_order_relaxed);
+    if (status) return;
+    has_memory.store(false, std::memory_order_relaxed);
+    goes_on.store(false, std::memory_order_relaxed);
   };
   if (context.executor && task_count > 1) {
     context.executor->run(task_count, task);
   } else {
-    for (std::size_t i = 0; i < task_count; ++i) task(i);
+    for (std::size_t i = 0; i < task_count && goes_on; ++i) task(i);
   }
   if (context.cancelled()) return context.stop_status();
   return has_memory ? ok_status() : out_of_memory();
