@@ -43,10 +43,12 @@ void Arrangement::charge_chords() {
   charged_bytes_ = chords_.bytes();
 }
 
+void Arrangement::end_if_cancelled() {
+  if (status_.ok() && context_.cancelled()) status_ = context_.stop_status();
+}
+
 Vertex Arrangement::add_point(Point p) {
-  if ((++steps_ & (kStepsPerCancelCheck - 1)) == 0 && context_.cancelled()) {
-    status_ = context_.stop_status();
-  }
+  if ((++steps_ & (kStepsPerCancelCheck - 1)) == 0) end_if_cancelled();
   if (!status_.ok()) return 0;
   return place(p, true);
 }
@@ -68,9 +70,7 @@ void Arrangement::run(Job job) {
   while (!jobs_.empty()) {
     const Job now = jobs_.back();
     jobs_.pop_back();
-    if ((++steps_ & (kStepsPerCancelCheck - 1)) == 0 && context_.cancelled()) {
-      status_ = context_.stop_status();
-    }
+    if ((++steps_ & (kStepsPerCancelCheck - 1)) == 0) end_if_cancelled();
     charge_chords();
     if (!status_.ok()) return;
     const auto vertices = static_cast<std::uint32_t>(mesh_.point.size());

@@ -41,6 +41,8 @@ class Arrangement {
   void add_segment(Vertex from, Vertex to, std::uint32_t segment);
   void add_frame_side(Vertex from, Vertex to);
 
+  void end_if_cancelled();  ///< asks the Context now
+
   /// limit, cancelled, internal: all later calls do nothing.
   const Status& status() const { return status_; }
   const Context& context() const { return context_; }

@@ -44,6 +44,7 @@ std::vector<Vertex> insert_points(Arrangement& arrangement, std::span<const Poin
   for (const std::uint32_t i : insertion_order(arrangement.context(), points, extent)) {
     vertex_of[i] = arrangement.add_point(points[i]);
   }
+  arrangement.end_if_cancelled();  // the order may then be none
   return vertex_of;
 }
 
