@@ -6,7 +6,7 @@ scene := examples/portrait.svg
 fuzz_seconds := 60
 
 .DEFAULT_GOAL := help
-.PHONY: help demo build check kills sanitize fuzz fuzz-merge bench wasm clean
+.PHONY: help demo build check kills sanitize fuzz fuzz-merge bench wasm hostile-growth clean
 
 help:
 	@echo 'make demo    install what the build needs, build, draw $(scene)'
@@ -16,6 +16,7 @@ help:
 	@echo 'make sanitize  the unit tests under AddressSanitizer, UBSan and ThreadSanitizer'
 	@echo 'make fuzz    each fuzz target for fuzz_seconds=$(fuzz_seconds) (fuzz/README.md)'
 	@echo 'make bench   the table of docs/benchmarks.md on this machine'
+	@echo 'make hostile-growth   time and memory of hostile inputs, doubled twice'
 	@echo 'make wasm    the library for WebAssembly: build-wasm/sfumato.wasm'
 	@echo 'make clean   remove what was built'
 
@@ -61,6 +62,12 @@ bench:
 wasm:
 	@scripts/setup wasm
 	@scripts/build-wasm build-wasm
+
+hostile-growth:
+	@scripts/setup build check
+	@cmake --preset release -DSFUMATO_TESTS=ON -DSFUMATO_WERROR=OFF --log-level=WARNING >/dev/null
+	@cmake --build $(build_folder) --parallel $(jobs) --target hostile
+	@$(build_folder)/tests/hostile --growth
 
 clean:
 	rm -rf $(build_folder) build-wasm build-check build-asan build-tsan

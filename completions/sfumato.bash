@@ -27,7 +27,7 @@ _sfumato() {
     --background) options='none white black' ;;
     --limit)
       options='input-bytes= unpack-ratio= xml-depth= xml-elements= xml-attributes= style-values=
-        used-elements= curves= control-points= stops= stops-per-list= layers= shaders-per-layer=
+        used-elements= used-bytes= id-bytes= curves= control-points= stops= stops-per-list= layers= shaders-per-layer=
         stack-items= group-depth= image-file-bytes= textures= texels= segments= triangles= nodes=
         image-side= viewer-triangles= viewer-stroke-segments= svg-triangles='
       compopt -o nospace 2>/dev/null

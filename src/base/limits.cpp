@@ -20,6 +20,8 @@ constexpr std::array kNames{
     LimitName{"xml-attributes", &Limits::xml_attributes, kRoom* limits::kXmlAttributes},
     LimitName{"style-values", &Limits::style_values, kRoom* limits::kStyleValues},
     LimitName{"used-elements", &Limits::used_elements, kRoom* limits::kUsedElements},
+    LimitName{"used-bytes", &Limits::used_bytes, kRoom* limits::kUsedBytes},
+    LimitName{"id-bytes", &Limits::id_bytes, kRoom* limits::kIdBytes},
     LimitName{"curves", &Limits::curves, kRoom* limits::kCurves},
     LimitName{"control-points", &Limits::control_points, kRoom* limits::kControlPoints},
     LimitName{"stops", &Limits::stops, kRoom* limits::kStops},

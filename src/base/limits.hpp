@@ -27,6 +27,10 @@ inline constexpr std::size_t kXmlAttributes = 1024;
 inline constexpr std::size_t kStyleValues = 100'000;
 /// Elements that are read through `use`, each as often as it is used.
 inline constexpr std::size_t kUsedElements = 1'000'000;
+/// Text of elements that is read again, through `use` or by curves of one paint.
+inline constexpr std::size_t kUsedBytes = std::size_t{64} << 20;
+/// An element's id.
+inline constexpr std::size_t kIdBytes = 1024;
 inline constexpr std::size_t kCurves = 200'000;
 inline constexpr std::size_t kControlPoints = 4'000'000;
 inline constexpr std::size_t kStops = 8'000'000;
@@ -87,6 +91,8 @@ struct Limits {
   std::size_t xml_attributes = limits::kXmlAttributes;
   std::size_t style_values = limits::kStyleValues;
   std::size_t used_elements = limits::kUsedElements;
+  std::size_t used_bytes = limits::kUsedBytes;
+  std::size_t id_bytes = limits::kIdBytes;
   std::size_t curves = limits::kCurves;
   std::size_t control_points = limits::kControlPoints;
   std::size_t stops = limits::kStops;

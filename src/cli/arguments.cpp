@@ -1,5 +1,8 @@
 #include "cli/arguments.hpp"
 
+#include <algorithm>
+#include <string>
+
 #include "cli/document_commands.hpp"
 #include "cli/option_helpers.hpp"
 #include "cli/render_options.hpp"
@@ -50,6 +53,20 @@ void settle(const CompareArguments& arguments) {
   }
 }
 
+/// The beginning of what is wrong, which quotes arguments; without control characters.
+std::string printable(const std::string& text) {
+  constexpr std::size_t kMostBytes = 1000;
+  std::size_t end = std::min(text.size(), kMostBytes);
+  const auto continues = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; };
+  while (end < text.size() && end > 0 && continues(text[end])) --end;
+  std::string shown = text.substr(0, end) + (end < text.size() ? "…" : "");
+  for (char& c : shown) {
+    const auto byte = static_cast<unsigned char>(c);
+    if ((byte < 0x20 && c != '\n') || byte == 0x7f) c = '?';
+  }
+  return shown;
+}
+
 NoCommand usage_error(const CLI::App& root, std::string what) {
   std::string command = "sfumato";
   for (const CLI::App* chosen : root.get_subcommands()) command += ' ' + chosen->get_name();
@@ -57,7 +74,7 @@ NoCommand usage_error(const CLI::App& root, std::string what) {
     what = "\"" + root.remaining().front() +
            "\" given, expected render, info, convert, lint or compare";
   }
-  return {"sfumato: error: " + what + "\nTry '" + command + " --help'.\n", kBadUsage};
+  return {"sfumato: error: " + printable(what) + "\nTry '" + command + " --help'.\n", kBadUsage};
 }
 
 }  // namespace

@@ -6,6 +6,12 @@
 #include "cli/interrupt.hpp"
 
 namespace sfumato::cli {
+namespace {
+
+/// Names of files are as long as who calls likes.
+constexpr std::size_t kMostMessageBytes = std::size_t{16} << 10;
+
+}  // namespace
 
 int exit_code(const Status& status) {
   switch (status.code) {
@@ -33,6 +39,11 @@ std::string format_message(const Status& status, std::string_view severity) {
   if (text.empty()) text = "sfumato: ";
   text += severity;
   text += ": " + status.message;
+  if (text.size() > kMostMessageBytes) {
+    // The place stands at the beginning, what is wrong at the end.
+    text = text.substr(0, kMostMessageBytes / 2) + "…" +
+           text.substr(text.size() - kMostMessageBytes / 2);
+  }
   for (char& c : text) {
     const auto byte = static_cast<unsigned char>(c);
     if (byte < 0x20 || byte == 0x7f) c = '?';

@@ -57,6 +57,7 @@ std::string_view take_until(std::string_view& text, char separator) {
 std::optional<std::string_view> css_declaration(std::string_view declarations,
                                                 std::string_view property) {
   std::optional<std::string_view> value;
+  if (declarations.find(property) == std::string_view::npos) return value;
   while (!declarations.empty()) {
     std::string_view rest = take_until(declarations, ';');
     const std::string_view name = css_trimmed(take_until(rest, ':'));

@@ -34,6 +34,12 @@ class Inflater {
 
   bool ready() const { return ready_; }
 
+  /// Whether another gzip stream follows the one that has ended; goes on with it.
+  bool next_member() {
+    const std::string_view rest(reinterpret_cast<const char*>(stream_.next_in), stream_.avail_in);
+    return is_gzip(rest) && inflateReset(&stream_) == Z_OK;
+  }
+
   /// Fills `room`; returns zlib's code and how much was written.
   int fill(char* room, std::size_t size, std::size_t& written) {
     stream_.next_out = reinterpret_cast<Bytef*>(room);
@@ -93,6 +99,7 @@ Result<std::string> gunzip(Context& context, std::string_view bytes, ScopedCharg
     const std::size_t room = std::min(text.size() - size, kBytesPerPoll);
     code = inflater.fill(&text[size], room, written);
     size += written;
+    if (code == Z_STREAM_END && inflater.next_member()) code = Z_OK;
     if (code != Z_OK && code != Z_STREAM_END) {
       return make_error(StatusCode::bad_input, code == Z_BUF_ERROR ? "the gzip data are cut short"
                                                                    : "the gzip data are damaged");

@@ -11,7 +11,8 @@ namespace sfumato {
 /// Whether the bytes begin as gzip's do.
 bool is_gzip(std::string_view bytes);
 
-/// Unpacks gzip, up to the limits of an input's bytes and of how many a packed byte may become;
+/// Unpacks gzip, one stream or several one behind the other, up to the limits of an input's bytes
+/// and of how many a packed byte may become; bytes behind them are passed over, as gzip does;
 /// memory is charged to `charge` before it is taken.
 /// Errors: bad_input, limit, cancelled, out_of_memory, without a place.
 Result<std::string> gunzip(Context& context, std::string_view bytes, ScopedCharge& charge);

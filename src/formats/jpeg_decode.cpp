@@ -6,6 +6,7 @@
 #include <jerror.h>
 #include <jpeglib.h>
 
+#include <algorithm>
 #include <csetjmp>
 #include <string>
 #include <utility>
@@ -17,7 +18,13 @@ namespace sfumato {
 namespace {
 
 /// A progressive file may ask for the whole picture to be gone through again and again.
-constexpr int kScans = 200;
+constexpr std::size_t kScans = 200;
+/// Encoders write ten for colour; a large picture may have no more than twice that.
+constexpr std::size_t kUsualScans = 20;
+/// Blocks of 8 × 8 in all scans together.
+constexpr std::size_t kScannedBlocks = std::size_t{32} << 20;
+
+constexpr std::size_t kArithmeticBlocksPerByte = 1024;
 
 /// The library's own memory: coefficients of a progressive file (16 bits, three or four channels,
 /// none subsampled), rows, tables.
@@ -38,6 +45,7 @@ struct Session {
   jpeg_progress_mgr progress{};
   std::jmp_buf failed;
   char message[JMSG_LENGTH_MAX] = "";
+  std::size_t most_scans = kScans;
   bool too_many_scans = false;
   bool no_memory = false;
   bool cancelled = false;
@@ -65,7 +73,7 @@ void watch(j_common_ptr library) {
     session->cancelled = true;
     std::longjmp(session->failed, 1);
   }
-  if (session->decoder.input_scan_number <= kScans) return;
+  if (session->decoder.input_scan_number <= static_cast<int>(session->most_scans)) return;
   session->too_many_scans = true;
   std::longjmp(session->failed, 1);
 }
@@ -132,8 +140,8 @@ Status failure(const Session& session) {
     return make_error(StatusCode::out_of_memory, "no memory to read the JPEG image");
   }
   if (session.too_many_scans) {
-    return make_error(StatusCode::bad_input,
-                      "the JPEG image is damaged: more than " + std::to_string(kScans) + " scans");
+    return make_error(StatusCode::bad_input, "the JPEG image is damaged: more than " +
+                                                 std::to_string(session.most_scans) + " scans");
   }
   return make_error(StatusCode::bad_input,
                     std::string("the JPEG image is damaged: ") + session.message);
@@ -144,16 +152,21 @@ Status check_size(const Limits& limits, const Session& session) {
   return check_image_size(limits, width, height);
 }
 
-/// Whether the file can hold the picture: Huffman codes take a bit for each block of 8 × 8 at
-/// least.
-bool has_enough_bytes(const jpeg_decompress_struct& decoder, std::size_t byte_count) {
-  if (decoder.arith_code != FALSE) return true;
+/// Blocks of 8 × 8 of all components.
+std::size_t count_blocks(const jpeg_decompress_struct& decoder) {
   std::size_t blocks = 0;
   for (int i = 0; i < decoder.num_components; ++i) {
     const jpeg_component_info& component = decoder.comp_info[i];
     blocks += std::size_t{component.width_in_blocks} * component.height_in_blocks;
   }
-  return byte_count >= blocks / 8;
+  return blocks;
+}
+
+/// Whether the file can hold the picture: Huffman codes take a bit for each block at least. Of
+/// arithmetic codes so many blocks in a byte are nothing but one colour.
+bool has_enough_bytes(const jpeg_decompress_struct& decoder, std::size_t byte_count) {
+  const std::size_t blocks_per_byte = decoder.arith_code != FALSE ? kArithmeticBlocksPerByte : 8;
+  return byte_count >= count_blocks(decoder) / blocks_per_byte;
 }
 
 Result<RgbaImage> decode(Context& context, Session& session, std::span<const std::uint8_t> bytes) {
@@ -165,6 +178,8 @@ Result<RgbaImage> decode(Context& context, Session& session, std::span<const std
                                                  std::to_string(decoder.image_width) + " × " +
                                                  std::to_string(decoder.image_height) + " pixels");
   }
+  session.most_scans = std::clamp(kScannedBlocks / std::max<std::size_t>(count_blocks(decoder), 1),
+                                  kUsualScans, kScans);
   const bool is_cmyk = decoder.num_components == 4;
   decoder.out_color_space = is_cmyk ? JCS_CMYK : JCS_RGB;
   const std::size_t channels = is_cmyk ? 4 : 3;

@@ -131,9 +131,12 @@ Status Decoder::check_header() {
 Result<Image> Decoder::decode() {
   if (Status status = read_header(); !status) return status;
   spng_trns transparency{};
+  const int has_transparency = spng_get_trns(png_.get(), &transparency);
+  if (has_transparency != SPNG_ECHUNKAVAIL) {
+    if (Status status = status_of(has_transparency); !status) return status;
+  }
   has_alpha_ = header_.color_type == SPNG_COLOR_TYPE_GRAYSCALE_ALPHA ||
-               header_.color_type == SPNG_COLOR_TYPE_TRUECOLOR_ALPHA ||
-               spng_get_trns(png_.get(), &transparency) == SPNG_OK;
+               header_.color_type == SPNG_COLOR_TYPE_TRUECOLOR_ALPHA || has_transparency == SPNG_OK;
   if (header_.bit_depth < 16) {
     return has_alpha_ || wants_alpha_ ? decode_as(SPNG_FMT_RGBA8, PixelFormat::rgba8)
                                       : decode_as(SPNG_FMT_RGB8, PixelFormat::rgb8);

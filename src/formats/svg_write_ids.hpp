@@ -1,10 +1,10 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
+#include <set>
 #include <string>
 #include <string_view>
-#include <unordered_map>
-#include <unordered_set>
 
 namespace sfumato::svg_write {
 
@@ -21,8 +21,9 @@ class IdPool {
  private:
   std::string numbered(const std::string& base, std::size_t first);
 
-  std::unordered_set<std::string> taken_;
-  std::unordered_map<std::string, std::size_t> next_number_;
+  // No hash tables: a document could choose ids of one hash.
+  std::set<std::string> taken_;
+  std::map<std::string, std::size_t> next_number_;
 };
 
 }  // namespace sfumato::svg_write

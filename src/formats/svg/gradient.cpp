@@ -132,7 +132,9 @@ Status GradientReader::read_stops() {
       return status;
     }
     GradientStop& stop = fill_.stops.emplace_back();
-    if (Status status = read_stop(element, stop); !status) return status;
+    Status status = input_.charge_text(element);
+    if (status) status = read_stop(element, stop);
+    if (!status) return status;
     stop.offset = largest = std::max(largest, stop.offset);
   }
   return ok_status();

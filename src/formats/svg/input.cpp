@@ -14,7 +14,13 @@ namespace sfumato::svg {
 namespace {
 
 // What an id takes in its table, roughly.
-constexpr std::size_t kIdBytes = 64;
+constexpr std::size_t kIdEntryBytes = 96;
+
+/// Elements up to this length are as cheap as any, and their number has a limit of its own.
+constexpr std::size_t kFreeBytes = 256;
+
+/// A class is looked up for each property.
+constexpr std::size_t kClassWeight = 16;
 
 }  // namespace
 
@@ -34,7 +40,9 @@ Status Input::index(Element element) {
   if (Status status = check(); !status) return status;
   if (Status status = check_sf_attributes(*this, element); !status) return status;
   if (const auto id = attribute(element, "id"); id && !id->empty()) {
-    if (Status status = charge(element, kIdBytes, "ids"); !status) return status;
+    if (id->size() > limits().id_bytes)
+      return over_limit(element, &Limits::id_bytes, "bytes of an id");
+    if (Status status = charge(element, kIdEntryBytes, "ids"); !status) return status;
     if (!element_of_id_.emplace(*id, element).second) {
       warn("/id", element, "the id " + quoted(*id) + " was given before; the first one counts");
     }
@@ -145,6 +153,27 @@ Status Input::placed(Element element, Status status) {
 
 void Input::warn(std::string_view kind, Element element, std::string message) {
   if (warnings_.is_new(kind)) warnings_.add(std::move(message), xml_.place(element));
+}
+
+Status Input::charge_reading(Element element, std::string_view what) {
+  if (++used_elements_ > limits().used_elements) {
+    return over_limit(element, &Limits::used_elements,
+                      "elements read through " + std::string(what));
+  }
+  return charge_text(element);
+}
+
+Status Input::charge_text(Element element) {
+  std::size_t bytes = std::strlen(element.name());
+  for (const pugi::xml_attribute attribute : element.attributes()) {
+    const std::size_t weight = std::strcmp(attribute.name(), "class") == 0 ? kClassWeight : 1;
+    bytes += std::strlen(attribute.name()) + weight * std::strlen(attribute.value()) + 1;
+  }
+  for (const pugi::xml_node child : element.children()) bytes += child.type() != pugi::node_element;
+  if (bytes <= kFreeBytes) return ok_status();
+  used_bytes_ += bytes - kFreeBytes;
+  if (used_bytes_ <= limits().used_bytes) return ok_status();
+  return over_limit(element, &Limits::used_bytes, "bytes read again through <use> or for paints");
 }
 
 Status Input::charge(Element element, std::size_t bytes, std::string_view purpose) {

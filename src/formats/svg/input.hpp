@@ -1,10 +1,10 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <pugixml.hpp>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 
 #include "base/context.hpp"
 #include "base/status.hpp"
@@ -57,6 +57,11 @@ class Input {
   Status placed(Element element, Status status);
   /// One warning for each kind.
   void warn(std::string_view kind, Element element, std::string message);
+  /// Counts an element that is read again, where `what` ("<use>") leads to it, and its text.
+  /// Errors: limit.
+  Status charge_reading(Element element, std::string_view what);
+  /// Counts its text alone.
+  Status charge_text(Element element);
   /// Charges memory that is held until the reader is done.
   Status charge(Element element, std::size_t bytes, std::string_view purpose);
   std::vector<Status> take_warnings() { return warnings_.take(); }
@@ -70,7 +75,10 @@ class Input {
   XmlSource xml_;
   Warnings warnings_;
   ScopedCharge charge_;
-  std::unordered_map<std::string_view, Element> element_of_id_;
+  /// No hash table: a document could choose ids of one hash.
+  std::map<std::string_view, Element> element_of_id_;
+  std::size_t used_elements_ = 0;
+  std::size_t used_bytes_ = 0;
   StyleSheet sheet_;
 };
 

@@ -1,8 +1,8 @@
 #include "formats/svg/namespaces.hpp"
 
+#include <map>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <vector>
 
 #include "formats/suggestion.hpp"
@@ -48,7 +48,7 @@ class Resolver {
   RarePoll<256> poll_;
   XmlSource& xml_;
   /// What each prefix means now, the innermost last; the empty one is the default's.
-  std::unordered_map<std::string_view, std::vector<Space>> meanings_;
+  std::map<std::string_view, std::vector<Space>> meanings_;
 };
 
 Status Resolver::resolve(pugi::xml_node element) {

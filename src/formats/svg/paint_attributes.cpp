@@ -20,11 +20,17 @@ std::string shown(Element element) {
   return "#" + std::string(element.attribute("id").value()).substr(0, 64);
 }
 
-Status circle_error(Input& input, const std::vector<Element>& chain, Element again) {
-  std::string names;
-  for (const Element element : chain) names += shown(element) + " → ";
-  return input.error(chain.front(),
-                     "the hrefs of paints go round in a circle: " + names + shown(again));
+/// The circle that the chain goes round in, or that it is too long.
+Status chain_error(Input& input, const std::vector<Element>& chain) {
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    const auto end = chain.begin() + static_cast<std::ptrdiff_t>(i);
+    if (std::find(chain.begin(), end, chain[i]) == end) continue;
+    std::string names;
+    for (std::size_t k = 0; k < i; ++k) names += shown(chain[k]) + " → ";
+    return input.error(chain.front(),
+                       "the hrefs of paints go round in a circle: " + names + shown(chain[i]));
+  }
+  return input.over_limit(chain.front(), &Limits::xml_depth, "paints that inherit from each other");
 }
 
 bool is_gradient(Element element) {
@@ -42,19 +48,20 @@ bool is_usable(const Affine& map) {
 
 Result<PaintAttributes> PaintAttributes::read(Input& input, Element paint) {
   std::vector<Element> chain{paint};
-  while (input.attribute(chain.back(), "href")) {
+  Status status = input.charge_text(paint);
+  while (status && input.attribute(chain.back(), "href")) {
     const Result<Element> next = input.referred(chain.back());
     if (!next) return next.status();
     if (!is_paint(next->name()) || is_gradient(*next) != is_gradient(paint)) {
       return input.error(chain.back(), "href of " + tag(chain.back()) + " leads to " + tag(*next) +
                                            "; expected a paint of the same kind");
     }
-    if (std::ranges::find(chain, *next) != chain.end()) return circle_error(input, chain, *next);
-    if (chain.size() >= input.limits().xml_depth) {
-      return input.over_limit(paint, &Limits::xml_depth, "paints that inherit from each other");
-    }
+    // Circles are looked for where the chain is too long: not for every curve of the paint.
+    if (chain.size() >= input.limits().xml_depth) return chain_error(input, chain);
     chain.push_back(*next);
+    status = input.charge_reading(*next, "href of paints");
   }
+  if (!status) return status;
   return PaintAttributes(input, std::move(chain));
 }
 

@@ -35,6 +35,7 @@ class PathBuilder {
   /// Where close() leads.
   Vec2 subpath_begin() const { return begin_; }
   std::size_t control_point_count() const { return control_point_count_; }
+  std::size_t subpath_count() const { return done_.size(); }
 
   /// The subpaths that have a segment. Call once, last.
   std::vector<Subpath> take();

@@ -55,6 +55,9 @@ Result<std::vector<Subpath>> PathReader::read() {
     if (builder_.control_point_count() > context_.limits.control_points) {
       return limit_error(context_.limits, &Limits::control_points, "control points");
     }
+    if (builder_.subpath_count() > context_.limits.curves) {
+      return limit_error(context_.limits, &Limits::curves, "curves");
+    }
     if (poll_.cancelled()) return context_.stop_status();
     scanner_.skip_blanks();
   }
@@ -68,7 +71,6 @@ Status PathReader::take_command() {
   if (std::string_view("MZLHVCSQTA").find(upper) == std::string_view::npos || c == '\0') {
     const bool goes_on = command_ != 0 && command_ != 'Z';
     if (goes_on && (next_is_number() || c == ',')) {
-      scanner_.skip_separator();
       if (command_ == 'M') command_ = 'L';
       first_ = false;
       return ok_status();

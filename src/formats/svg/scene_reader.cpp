@@ -126,10 +126,7 @@ Status SceneReader::count_visit(Element element, const Place& place) {
                              "elements within each other after every use was followed");
   }
   if (!place.is_copy) return ok_status();
-  if (++used_elements_ > input_.limits().used_elements) {
-    return input_.over_limit(element, &Limits::used_elements, "elements read through <use>");
-  }
-  return ok_status();
+  return input_.charge_reading(element, "<use>");
 }
 
 Status SceneReader::check_map(Element element, const Affine& map) {

@@ -98,8 +98,7 @@ class SceneReader {
   std::unordered_map<const void*, std::uint32_t> layer_of_;
   std::vector<OpenElement> open_;  ///< outermost first
   std::vector<Element> used_;      ///< what the <use>s around this place refer to, outermost first
-  std::size_t used_elements_ = 0;
-  int group_height_ = 0;  ///< of the groups closed in the one that is open
+  int group_height_ = 0;           ///< of the groups closed in the one that is open
   bool may_be_background_ = true;
 };
 

@@ -48,7 +48,36 @@ std::string_view take_block(std::string_view& text) {
   return block;
 }
 
+/// Texts of one place are equal without a look: a rule may set many values for one long selector.
+int compared(std::string_view a, std::string_view b) {
+  if (a.data() == b.data() && a.size() == b.size()) return 0;
+  return a.compare(b);
+}
+
+using Declarations = std::vector<std::pair<std::string_view, std::string_view>>;
+
+/// A block's declarations, as often as they stand there; at most one more than the limit.
+Declarations declarations_of(std::string_view block, std::size_t most_values) {
+  Declarations declarations;
+  while (!block.empty() && declarations.size() <= most_values) {
+    skip_comments(block);
+    const std::string_view declaration = take_until(block, ';');
+    const std::size_t colon = declaration.find(':');
+    if (colon == std::string_view::npos) continue;
+    const std::string_view property = css_trimmed(declaration.substr(0, colon));
+    const auto value = css_declaration(declaration, property);
+    declarations.emplace_back(property, value.value_or(std::string_view()));
+  }
+  return declarations;
+}
+
 }  // namespace
+
+bool StyleSheet::Key::operator<(const Key& other) const {
+  if (kind != other.kind) return kind < other.kind;
+  if (const int order = compared(name, other.name); order != 0) return order < 0;
+  return compared(property, other.property) < 0;
+}
 
 std::string_view StyleSheet::add(std::string_view text, std::size_t most_values) {
   std::string_view left_out;
@@ -65,10 +94,11 @@ std::string_view StyleSheet::add(std::string_view text, std::size_t most_values)
       leave_out(selectors);
       continue;
     }
+    const Declarations declarations = declarations_of(block, most_values);
     while (!selectors.empty()) {
       const std::string_view selector = css_trimmed(take_until(selectors, ','));
       if (is_simple(selector)) {
-        add_rule(selector, block, most_values);
+        add_rule(selector, declarations, most_values);
       } else {
         leave_out(selector);
       }
@@ -77,27 +107,19 @@ std::string_view StyleSheet::add(std::string_view text, std::size_t most_values)
   return left_out;
 }
 
-void StyleSheet::add_rule(std::string_view selector, std::string_view declarations,
+void StyleSheet::add_rule(std::string_view selector, const std::vector<Declaration>& declarations,
                           std::size_t most_values) {
-  while (!declarations.empty() && count_ <= most_values) {
-    skip_comments(declarations);
-    const std::string_view declaration = take_until(declarations, ';');
-    const std::size_t colon = declaration.find(':');
-    if (colon == std::string_view::npos) continue;
-    const std::string_view property = css_trimmed(declaration.substr(0, colon));
-    const auto value = css_declaration(declaration, property);
-    std::string key(selector);
-    key += '\n';
-    key += property;
-    values_[std::move(key)] = {value.value_or(std::string_view()), ++count_};
+  const bool is_marked = selector.starts_with('#') || selector.starts_with('.');
+  const char kind = is_marked ? selector.front() : 'e';
+  if (is_marked) selector.remove_prefix(1);
+  for (const auto& [property, value] : declarations) {
+    if (count_ > most_values) return;
+    values_[{kind, selector, property}] = {value, ++count_};
   }
 }
 
-const StyleSheet::Value* StyleSheet::value_of(std::string selector,
-                                              std::string_view property) const {
-  selector += '\n';
-  selector += property;
-  const auto found = values_.find(selector);
+const StyleSheet::Value* StyleSheet::value_of(const Key& key) const {
+  const auto found = values_.find(key);
   return found == values_.end() ? nullptr : &found->second;
 }
 
@@ -105,17 +127,17 @@ std::optional<std::string_view> StyleSheet::find(std::string_view name, std::str
                                                  std::string_view classes,
                                                  std::string_view property) const {
   if (!id.empty()) {
-    if (const Value* value = value_of("#" + std::string(id), property)) return value->text;
+    if (const Value* value = value_of({'#', id, property})) return value->text;
   }
   const Value* best = nullptr;
   while (!(classes = css_trimmed(classes)).empty()) {
     const std::size_t end = std::min(classes.find_first_of(" \t\r\n\f"), classes.size());
-    const Value* value = value_of("." + std::string(classes.substr(0, end)), property);
+    const Value* value = value_of({'.', classes.substr(0, end), property});
     if (value && (!best || value->order > best->order)) best = value;
     classes.remove_prefix(end);
   }
-  if (!best) best = value_of(std::string(name), property);
-  if (!best) best = value_of("*", property);
+  if (!best) best = value_of({'e', name, property});
+  if (!best) best = value_of({'e', "*", property});
   return best ? std::optional(best->text) : std::nullopt;
 }
 

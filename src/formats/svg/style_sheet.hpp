@@ -3,8 +3,9 @@
 #include <cstddef>
 #include <map>
 #include <optional>
-#include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace sfumato::svg {
 
@@ -29,10 +30,22 @@ class StyleSheet {
     std::size_t order = 0;  ///< later rules win
   };
 
-  void add_rule(std::string_view selector, std::string_view declarations, std::size_t most_values);
-  const Value* value_of(std::string selector, std::string_view property) const;
+  struct Key {
+    char kind;  ///< '#', '.', or 'e': an element's name or '*'
+    std::string_view name;
+    std::string_view property;
 
-  std::map<std::string, Value, std::less<>> values_;  ///< by selector, newline, property
+    bool operator<(const Key& other) const;
+  };
+
+  /// A property and its value.
+  using Declaration = std::pair<std::string_view, std::string_view>;
+
+  void add_rule(std::string_view selector, const std::vector<Declaration>& declarations,
+                std::size_t most_values);
+  const Value* value_of(const Key& key) const;
+
+  std::map<Key, Value> values_;
   std::size_t count_ = 0;
 };
 

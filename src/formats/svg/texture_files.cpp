@@ -26,6 +26,14 @@ std::string scheme_of(std::string_view href) {
 }  // namespace
 
 Result<const TextureFile*> TextureFiles::find(Element image) {
+  const auto known = file_of_image_.find(image.internal_object());
+  if (known != file_of_image_.end()) return known->second;
+  const Result<const TextureFile*> file = read(image);
+  if (file) file_of_image_.emplace(image.internal_object(), *file);
+  return file;
+}
+
+Result<const TextureFile*> TextureFiles::read(Element image) {
   const auto attribute = input_.attribute(image, "href");
   if (!attribute) return input_.error(image, "<image> has no href");
   const std::string_view href = css_trimmed(*attribute);

@@ -26,11 +26,14 @@ class TextureFiles {
   Result<const TextureFile*> find(Element image);
 
  private:
+  Result<const TextureFile*> read(Element image);
   Result<std::vector<std::uint8_t>> load(Element image, std::string_view href);
 
   Input& input_;
   const ResourceLoader* loader_;
   std::map<std::string_view, TextureFile> files_;  ///< by href
+  /// By element: a data: URI is long, and many curves may share its pattern.
+  std::map<const void*, const TextureFile*> file_of_image_;
 };
 
 }  // namespace sfumato::svg

@@ -1,0 +1,143 @@
+#include "hostile/growth.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <limits>
+
+#include "hostile/documents.hpp"
+#include "hostile/sandbox.hpp"
+
+namespace sfumato::hostile {
+namespace {
+
+constexpr double kMostGrowth = 2.5;
+
+/// Shorter runs say nothing: the first is made longer until it takes this much.
+constexpr double kLeastSeconds = 0.05;
+/// Memory that comes and goes with the pages of an allocator.
+constexpr double kLeastBytes = 4 << 20;
+
+/// Other programs only ever add time: the least of some runs is the truest.
+constexpr int kRuns = 3;
+/// Before a generator is called guilty.
+constexpr int kAttempts = 4;
+
+struct Cost {
+  double seconds = std::numeric_limits<double>::infinity();
+  double bytes = std::numeric_limits<double>::infinity();
+};
+
+/// One generator at n, 2n and 4n.
+class Measurement {
+ public:
+  Measurement(const Growing& growing, const std::string& binary, const Cost& empty)
+      : growing_(growing), binary_(binary), empty_(empty) {}
+
+  /// "" or what is wrong.
+  std::string run() {
+    if (!choose_size()) return failure_;
+    for (int attempt = 0; attempt < kAttempts; ++attempt) {
+      for (int k = 0; k < 3; ++k) {
+        for (int i = 0; i < kRuns; ++i) {
+          if (!measure(n_ << k, cost_[k])) return failure_;
+        }
+      }
+      if (worst_time() <= kMostGrowth && worst_memory() <= kMostGrowth) return {};
+    }
+    return worst_time() > kMostGrowth ? "time grows faster than its input"
+                                      : "memory grows faster than its input";
+  }
+
+  void print() const {
+    std::printf("| %s | %zu | %.0f | %.0f | %.0f | %.2f | %.1f | %.1f | %.1f | %.2f |\n",
+                growing_.name.c_str(), n_, 1e3 * cost_[0].seconds, 1e3 * cost_[1].seconds,
+                1e3 * cost_[2].seconds, worst_time(), mib(0), mib(1), mib(2), worst_memory());
+  }
+
+ private:
+  bool choose_size() {
+    for (n_ = growing_.first;; n_ *= 2) {
+      Cost cost;
+      if (!measure(n_, cost)) return false;
+      if (cost.seconds >= kLeastSeconds || 8 * n_ > growing_.most) return true;
+    }
+  }
+
+  bool measure(std::size_t n, Cost& least) {
+    const Sandbox sandbox;
+    Case of;
+    of.files.emplace_back("in.svg", [&] { return growing_.document(n); });
+    if (!sandbox.prepare(of)) return fail("its file cannot be made");
+    const Ended ended = sandbox.run(binary_, growing_.arguments, {});
+    if (ended.signal != 0) return fail("signal " + std::to_string(ended.signal));
+    if (ended.exit_code != 0) return fail("n = " + std::to_string(n) + ": " + ended.err);
+    least.seconds = std::min(least.seconds, std::max(0.0, ended.user_seconds - empty_.seconds));
+    least.bytes = std::min(least.bytes, static_cast<double>(ended.peak_bytes) - empty_.bytes);
+    return true;
+  }
+
+  bool fail(const std::string& why) {
+    failure_ = why;
+    return false;
+  }
+
+  double worst_time() const {
+    return std::max(growth(cost_[0].seconds, cost_[1].seconds, kLeastSeconds / 2),
+                    growth(cost_[1].seconds, cost_[2].seconds, kLeastSeconds / 2));
+  }
+  double worst_memory() const {
+    return std::max(growth(cost_[0].bytes, cost_[1].bytes, kLeastBytes),
+                    growth(cost_[1].bytes, cost_[2].bytes, kLeastBytes));
+  }
+  static double growth(double from, double to, double least) {
+    return std::max(to, least) / std::max(from, least);
+  }
+  double mib(std::size_t k) const { return cost_[k].bytes / (1 << 20); }
+
+  const Growing& growing_;
+  const std::string& binary_;
+  const Cost& empty_;
+  std::size_t n_ = 0;
+  std::array<Cost, 3> cost_{};
+  std::string failure_;
+};
+
+/// What the command takes for next to nothing.
+Cost cost_of_nothing(const std::string& binary) {
+  Cost least;
+  for (int i = 0; i < 2 * kRuns; ++i) {
+    const Sandbox sandbox;
+    Case of;
+    of.files.emplace_back("in.svg", svg(kLayer));
+    if (!sandbox.prepare(of)) continue;
+    const Ended ended = sandbox.run(binary, {"info", "in.svg"}, {});
+    least.seconds = std::min(least.seconds, ended.user_seconds);
+    least.bytes = std::min(least.bytes, static_cast<double>(ended.peak_bytes));
+  }
+  return least;
+}
+
+}  // namespace
+
+int run_growth(const std::string& binary, const std::string& only) {
+  const Cost empty = cost_of_nothing(binary);
+  std::printf("| generator | n | ms at n | 2n | 4n | growth | MiB at n | 2n | 4n | growth |\n");
+  std::printf("|---|---|---|---|---|---|---|---|---|---|\n");
+  int count = 0, failed = 0;
+  for (const Growing& growing : all_growing()) {
+    if (!only.empty() && growing.name != only) continue;
+    ++count;
+    Measurement measurement(growing, binary, empty);
+    const std::string complaint = measurement.run();
+    measurement.print();
+    std::fflush(stdout);
+    if (complaint.empty()) continue;
+    ++failed;
+    std::printf("not ok growth/%s: %s\n", growing.name.c_str(), complaint.c_str());
+  }
+  std::printf("%d generators, %d failed\n", count, failed);
+  return count > 0 && failed == 0 ? 0 : 1;
+}
+
+}  // namespace sfumato::hostile
