@@ -20,9 +20,9 @@ class Drawer {
   explicit Drawer(Bytes bytes) : reader_(bytes) {}
 
   Document draw() {
-    constexpr double kSides[] = {64, 1, 4096, 96};
+    constexpr double kSides[] = {64, 1, 4096, 96, 4e5, 1e-4};
     constexpr double kShapes[] = {1, 0.5, 2, 0.0625};
-    const double width = kSides[reader_.below(4)], height = width * kShapes[reader_.below(4)];
+    const double width = kSides[reader_.below(6)], height = width * kShapes[reader_.below(4)];
     document_.artboard.min = reader_.below(2) == 0 ? Vec2{} : Vec2{-17, 33};
     document_.artboard.max = document_.artboard.min + Vec2{width, height};
     document_.interpolation = static_cast<InterpolationSpace>(reader_.below(3));
@@ -250,10 +250,13 @@ class Drawer {
 
 }  // namespace
 
+bool is_file(Bytes bytes) {
+  return as_text(bytes).starts_with('<') || as_text(bytes).starts_with("\x1f\x8b");
+}
+
 std::optional<Document> drawn_document(Context& context, Bytes bytes) {
-  const std::string_view text = as_text(bytes);
-  if (!text.starts_with('<') && !text.starts_with("\x1f\x8b")) return Drawer(bytes).draw();
-  Result<ReadDocument> read = read_document(context, text, "fuzz");
+  if (!is_file(bytes)) return Drawer(bytes).draw();
+  Result<ReadDocument> read = read_document(context, as_text(bytes), "fuzz");
   if (!read) return std::nullopt;
   return std::move(read->document);
 }

@@ -123,8 +123,10 @@ double distance_to_segment(Vec2 p, Vec2 a, Vec2 b) {
   return length(lerp(a, b, t) - p);
 }
 
+/// And to vertices, which curves of no length leave behind alone.
 double distance_to_curves(const mesh::TriangleMesh& mesh, Vec2 p) {
   double least = kSide;
+  for (const Vec2 vertex : mesh.vertex_position) least = std::min(least, length(vertex - p));
   for (const mesh::Constraint& c : mesh.constraint) {
     if (mesh.pieces(c).empty()) continue;
     least = std::min(
