@@ -198,6 +198,12 @@ void refinement() {
   measure_exports("millions of triangles", *picture);
 }
 
+void exports() {
+  const std::optional<Picture> picture =
+      measure_diffuse("1000 curves", test::many_curves(1000), {.max_error = 0});
+  if (picture) measure_exports("1000 curves", *picture);
+}
+
 void wide_images() {
   const Document document = test::many_curves(100);
   const std::optional<Picture> picture = measure_diffuse("100 curves", document);
@@ -243,8 +249,8 @@ struct Case {
 
 constexpr Case kCases[] = {{"stops", many_stops}, {"curves", many_curves},
                            {"path", long_path},   {"refinement", refinement},
-                           {"wide", wide_images}, {"strokes", strokes},
-                           {"textures", textures}};
+                           {"exports", exports},  {"wide", wide_images},
+                           {"strokes", strokes},  {"textures", textures}};
 
 constexpr const char* kScenes[] = {"lady_bug", "dolphin", "tomatos", "glass_droplet_blur"};
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "base/context.hpp"
@@ -11,12 +12,13 @@ namespace sfumato {
 /// Makes room for `count` items and sets them, part by part: to touch memory for the first time
 /// takes 0.3 s a GiB. Charged before by who calls. Errors: cancelled; `items` is shorter then.
 template <class Item>
-Status resize_large(const Context& context, std::vector<Item>& items, std::size_t count) {
+Status resize_large(const Context& context, std::vector<Item>& items, std::size_t count,
+                    const Item& value = Item()) {
   constexpr std::size_t kItems = (std::size_t{8} << 20) / sizeof(Item);
   items.reserve(count);
   while (items.size() < count) {
     if (context.cancelled()) return context.stop_status();
-    items.resize(std::min(count, items.size() + kItems));
+    items.resize(std::min(count, items.size() + kItems), value);
   }
   return ok_status();
 }
@@ -31,6 +33,52 @@ Status copy_large(const Context& context, const std::vector<Item>& from, std::ve
     const auto begin = from.begin() + static_cast<std::ptrdiff_t>(i);
     const std::size_t count = std::min(kItems, from.size() - i);
     to.insert(to.end(), begin, begin + static_cast<std::ptrdiff_t>(count));
+  }
+  return ok_status();
+}
+
+/// items.reserve(count), which copies what is there, in the same way. Errors: cancelled; nothing
+/// changes then.
+template <class Item>
+Status reserve_large(const Context& context, std::vector<Item>& items, std::size_t count) {
+  if (count <= items.capacity()) return ok_status();
+  std::vector<Item> moved;
+  moved.reserve(count);
+  if (Status status = copy_large(context, items, moved); !status) return status;
+  items = std::move(moved);
+  return ok_status();
+}
+
+/// Sorts by `less`, not stably: runs, and then these merged by twos into a second vector, which is
+/// charged. Errors: limit (memory), cancelled; the order is unspecified then.
+template <class Item, class Less>
+Status sort_large(Context& context, std::vector<Item>& items, Less less) {
+  constexpr std::size_t kRun = std::size_t{1} << 15;
+  const std::size_t count = items.size();
+  for (std::size_t begin = 0; begin < count; begin += kRun) {
+    if (context.cancelled()) return context.stop_status();
+    const auto first = items.begin() + static_cast<std::ptrdiff_t>(begin);
+    std::sort(first, first + static_cast<std::ptrdiff_t>(std::min(kRun, count - begin)), less);
+  }
+  if (count <= kRun) return ok_status();
+  ScopedCharge charge;
+  Status status = charge.add(context, count * sizeof(Item), "sorting");
+  std::vector<Item> merged;
+  if (status) status = resize_large(context, merged, count);
+  if (!status) return status;
+  RarePoll<kRun> poll(context);
+  for (std::size_t run = kRun; run < count; run *= 2) {
+    std::size_t out = 0;
+    for (std::size_t begin = 0; begin < count; begin += 2 * run) {
+      std::size_t a = begin, b = std::min(begin + run, count);
+      const std::size_t a_end = b, b_end = std::min(b + run, count);
+      while (out < b_end) {
+        if (poll.cancelled()) return context.stop_status();
+        const bool takes_b = a == a_end || (b < b_end && less(items[b], items[a]));
+        merged[out++] = items[takes_b ? b++ : a++];
+      }
+    }
+    items.swap(merged);
   }
   return ok_status();
 }

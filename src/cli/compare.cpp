@@ -64,13 +64,18 @@ Status write_difference(Context& context, const CompareArguments& arguments, con
   const std::size_t pixels = static_cast<std::size_t>(first.width) * first.height;
   Status status = charge.add(context, 3 * pixels, "the difference picture");
   if (!status) return status;
-  const auto png = encode_png(context, difference_image(first, second, arguments.scale));
+  const Image picture = difference_image(context, first, second, arguments.scale);
+  if (context.cancelled()) return context.stop_status();
+  const auto png = encode_png(context, picture);
   if (!png) return png.status();
   return write_file(arguments.output, *png);
 }
 
 Status compare_files(Context& context, const CompareArguments& arguments,
                      const std::string& first_bytes, const std::string& second_bytes) {
+  ScopedCharge charge;
+  Status status = charge.add(context, first_bytes.size() + second_bytes.size(), "the input");
+  if (!status) return status;
   const Result<Image> first = read_png(context, arguments.first, first_bytes);
   if (!first) return first.status();
   const Result<Image> second = read_png(context, arguments.second, second_bytes);
@@ -82,10 +87,11 @@ Status compare_files(Context& context, const CompareArguments& arguments,
                       {display_name(arguments.second)});
   }
   if (!arguments.output.empty()) {
-    Status status = write_difference(context, arguments, *first, *second);
+    status = write_difference(context, arguments, *first, *second);
     if (!status) return status;
   }
-  const Difference difference(*first, *second);
+  const Difference difference(context, *first, *second);
+  if (context.cancelled()) return context.stop_status();
   return print(arguments.json ? as_json(difference) : as_table(difference));
 }
 

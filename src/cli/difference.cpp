@@ -31,12 +31,13 @@ void expand_row(const Image& image, int y, std::vector<std::uint16_t>& rgba) {
 }
 
 /// Calls visit(difference) with the absolute differences of the four channels of every pixel, row
-/// by row.
+/// by row; the rest are left out once the context is cancelled.
 template <class Visit>
-void for_each_pixel_difference(const Image& a, const Image& b, Visit visit) {
+void for_each_pixel_difference(const Context& context, const Image& a, const Image& b,
+                               Visit visit) {
   std::vector<std::uint16_t> row_a(4 * static_cast<std::size_t>(a.width));
   std::vector<std::uint16_t> row_b(row_a.size());
-  for (int y = 0; y < a.height; ++y) {
+  for (int y = 0; y < a.height && !context.cancelled(); ++y) {
     expand_row(a, y, row_a);
     expand_row(b, y, row_b);
     for (std::size_t i = 0; i < row_a.size(); i += 4) {
@@ -51,10 +52,11 @@ void for_each_pixel_difference(const Image& a, const Image& b, Visit visit) {
 
 }  // namespace
 
-Difference::Difference(const Image& a, const Image& b) : count_of_(kUnitValues) {
+Difference::Difference(const Context& context, const Image& a, const Image& b)
+    : count_of_(kUnitValues) {
   const std::size_t channels =
       static_cast<std::size_t>(std::max(channel_count(a.format), channel_count(b.format)));
-  for_each_pixel_difference(a, b, [&](const std::array<std::uint32_t, 4>& difference) {
+  for_each_pixel_difference(context, a, b, [&](const std::array<std::uint32_t, 4>& difference) {
     for (std::size_t c = 0; c < channels; ++c) ++count_of_[difference[c]];
   });
   sample_count_ =
@@ -90,10 +92,10 @@ double Difference::percentile(int per_mille) const {
   return static_cast<double>(units) / kUnitsPerCode;
 }
 
-Image difference_image(const Image& a, const Image& b, double scale) {
+Image difference_image(const Context& context, const Image& a, const Image& b, double scale) {
   Image image{a.width, a.height, PixelFormat::rgb8, {}};
   image.bytes.reserve(image.row_bytes() * static_cast<std::size_t>(a.height));
-  for_each_pixel_difference(a, b, [&](const std::array<std::uint32_t, 4>& difference) {
+  for_each_pixel_difference(context, a, b, [&](const std::array<std::uint32_t, 4>& difference) {
     for (std::size_t c = 0; c < 3; ++c) {
       const double units = std::max(difference[c], difference[3]);
       const double code = std::min(255.0, units / kUnitsPerCode * scale + 0.5);

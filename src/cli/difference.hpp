@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/context.hpp"
 #include "base/image.hpp"
 
 namespace sfumato::cli {
@@ -13,8 +14,9 @@ namespace sfumato::cli {
 /// has it; an image without is opaque.
 class Difference {
  public:
-  /// Precondition: the images have one size.
-  Difference(const Image& a, const Image& b);
+  /// Precondition: the images have one size. It counts in part where the context is cancelled
+  /// before the end, which the caller asks it.
+  Difference(const Context& context, const Image& a, const Image& b);
 
   /// In code values of 255.
   double rms() const;
@@ -33,7 +35,8 @@ class Difference {
 };
 
 /// |a − b| · scale in each colour channel, clamped, as rgb8; a greater difference in alpha shows in
-/// all three. Precondition: the images have one size.
-Image difference_image(const Image& a, const Image& b, double scale);
+/// all three. Precondition: the images have one size. Rows are missing where the context is
+/// cancelled before the end.
+Image difference_image(const Context& context, const Image& a, const Image& b, double scale);
 
 }  // namespace sfumato::cli

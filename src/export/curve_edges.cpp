@@ -3,8 +3,12 @@
 #include <algorithm>
 #include <tuple>
 
+#include "base/large_vector.hpp"
+
 namespace sfumato::outputs {
 namespace {
+
+constexpr std::uint32_t kTurnsPerPoll = 65'536;
 
 struct Side {
   std::uint32_t low, high, half_edge;
@@ -18,17 +22,23 @@ std::uint32_t to_vertex(const PatchLayer& layer, std::uint32_t half_edge) {
 }
 
 /// Half-edges that run against each other between the same two vertices.
-void pair_sides(const PatchLayer& layer, std::vector<std::uint32_t>* twin) {
-  std::vector<Side> sides(layer.triangle_vertex.size());
+Status pair_sides(Context& context, const PatchLayer& layer, std::vector<std::uint32_t>* twin) {
+  std::vector<Side> sides;
+  Status status = resize_large(context, sides, layer.triangle_vertex.size());
+  if (status) status = resize_large(context, *twin, sides.size(), std::uint32_t{kNoHalfEdge});
+  if (!status) return status;
+  RarePoll<kTurnsPerPoll> poll(context);
   for (std::uint32_t h = 0; h < sides.size(); ++h) {
+    if (poll.cancelled()) return context.stop_status();
     const std::uint32_t from = from_vertex(layer, h), to = to_vertex(layer, h);
     sides[h] = {std::min(from, to), std::max(from, to), h};
   }
-  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
+  status = sort_large(context, sides, [](const Side& a, const Side& b) {
     return std::tie(a.low, a.high, a.half_edge) < std::tie(b.low, b.high, b.half_edge);
   });
-  twin->assign(sides.size(), kNoHalfEdge);
+  if (!status) return status;
   for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
+    if (poll.cancelled()) return context.stop_status();
     const Side &a = sides[i], &b = sides[i + 1];
     if (a.low != b.low || a.high != b.high) continue;
     if (from_vertex(layer, a.half_edge) != to_vertex(layer, b.half_edge)) continue;
@@ -36,31 +46,40 @@ void pair_sides(const PatchLayer& layer, std::vector<std::uint32_t>* twin) {
     (*twin)[b.half_edge] = a.half_edge;
     ++i;
   }
+  return ok_status();
 }
 
 /// Follows curves through vertices where just two of their edges meet.
 class CurveTracer {
  public:
-  CurveTracer(const PatchLayer& layer, CurveEdges* edges)
-      : layer_(layer), edges_(*edges), at_vertex_(layer.vertex_position.size(), {0, 0, 0}) {}
+  CurveTracer(const PatchLayer& layer, CurveEdges* edges) : layer_(layer), edges_(*edges) {}
 
-  void trace() {
-    for (std::uint32_t h = 0; h < layer_.edge_is_curve.size(); ++h)
+  Status trace(Context& context) {
+    const std::size_t count = layer_.edge_is_curve.size();
+    std::vector<std::uint8_t> is_done;
+    Status status = resize_large(context, at_vertex_, layer_.vertex_position.size());
+    if (status) status = resize_large(context, edges_.onward, count, std::uint32_t{kNoHalfEdge});
+    if (status) status = resize_large(context, is_done, count);
+    if (!status) return status;
+    RarePoll<kTurnsPerPoll> poll(context);
+    for (std::uint32_t h = 0; h < count; ++h) {
+      if (poll.cancelled()) return context.stop_status();
       if (is_first_side(h)) add_ends(h);
-    edges_.onward.assign(layer_.edge_is_curve.size(), kNoHalfEdge);
-    std::vector<std::uint8_t> is_done(layer_.edge_is_curve.size());
-    for (std::uint32_t h = 0; h < layer_.edge_is_curve.size(); ++h) {
+    }
+    for (std::uint32_t h = 0; h < count; ++h) {
+      if (poll.cancelled()) return context.stop_status();
       if (!is_first_side(h) || is_done[h]) continue;
       follow(h, &is_done);
       const std::uint32_t back = edges_.twin[h];
       if (back != kNoHalfEdge) follow_back(h, &is_done);
     }
+    return ok_status();
   }
 
  private:
   /// Edges on curves that end at a vertex, and the first two.
   struct Ends {
-    std::uint32_t count, first, second;
+    std::uint32_t count = 0, first = 0, second = 0;
   };
 
   bool is_curve(std::uint32_t h) const {
@@ -148,8 +167,9 @@ Result<CurveEdges> find_curve_edges(Context& context, const PatchLayer& layer) {
   const std::size_t bytes =
       layer.triangle_vertex.size() * (sizeof(Side) + 16) + layer.vertex_position.size() * 12;
   if (Status status = edges.charge.add(context, bytes, "edges on curves"); !status) return status;
-  pair_sides(layer, &edges.twin);
-  CurveTracer(layer, &edges).trace();
+  Status status = pair_sides(context, layer, &edges.twin);
+  if (status) status = CurveTracer(layer, &edges).trace(context);
+  if (!status) return status;
   return edges;
 }
 

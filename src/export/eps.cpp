@@ -22,10 +22,13 @@ namespace {
 
 constexpr std::size_t kLineLength = 76;
 
-/// Bytes as ASCII base 85, with its end mark.
-void append_ascii85(std::span<const std::uint8_t> bytes, std::string* text) {
+/// Bytes as ASCII base 85, with its end mark. Errors: cancelled.
+Status append_ascii85(const Context& context, std::span<const std::uint8_t> bytes,
+                      std::string* text) {
+  RarePoll<65536> poll(context);
   std::size_t line_begin = text->size();
   for (std::size_t i = 0; i < bytes.size(); i += 4) {
+    if (poll.cancelled()) return context.stop_status();
     const std::size_t count = std::min<std::size_t>(4, bytes.size() - i);
     std::uint32_t word = 0;
     for (std::size_t k = 0; k < 4; ++k) word = word << 8 | (k < count ? bytes[i + k] : 0u);
@@ -42,6 +45,7 @@ void append_ascii85(std::span<const std::uint8_t> bytes, std::string* text) {
     if (i + 4 < bytes.size()) text->push_back(' ');
   }
   *text += "~>\n";
+  return ok_status();
 }
 
 /// Writes a picture.
@@ -112,7 +116,7 @@ Status EpsWriter::add_data(const std::string& name, std::span<const std::uint8_t
   if (Status status = charge_.add(context_, packed->size() * 3, "an EPS's text"); !status)
     return status;
   text_ += "/" + name + " currentfile /ASCII85Decode filter /ReusableStreamDecode filter\n";
-  append_ascii85(*packed, &text_);
+  if (Status status = append_ascii85(context_, *packed, &text_); !status) return status;
   text_ += "def\n";
   return ok_status();
 }

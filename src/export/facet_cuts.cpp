@@ -4,12 +4,14 @@
 #include <array>
 #include <tuple>
 
+#include "base/large_vector.hpp"
 #include "export/half_edge.hpp"
 
 namespace sfumato::outputs {
 namespace {
 
 constexpr std::size_t kGrain = 256;
+constexpr std::uint32_t kTurnsPerPoll = 65'536;
 
 /// A side of a triangle by its end vertices, the lower index first.
 struct Side {
@@ -29,20 +31,26 @@ EdgeNodes nodes_on(const PatchLayer& layer, const PatchField& field, std::uint32
   return nodes;
 }
 
-std::vector<Side> sorted_sides(const PatchLayer& layer, const PatchField& field) {
-  std::vector<Side> sides(layer.triangle_vertex.size());
+Result<std::vector<Side>> sorted_sides(Context& context, const PatchLayer& layer,
+                                       const PatchField& field) {
+  std::vector<Side> sides;
+  Status status = resize_large(context, sides, layer.triangle_vertex.size());
+  if (!status) return status;
+  RarePoll<kTurnsPerPoll> poll(context);
   for (std::uint32_t h = 0; h < sides.size(); ++h) {
+    if (poll.cancelled()) return context.stop_status();
     const std::uint32_t from = layer.triangle_vertex[h];
     const std::uint32_t to = layer.triangle_vertex[next_half_edge(h)];
     sides[h] = {std::min(from, to), std::max(from, to), h};
   }
-  std::sort(sides.begin(), sides.end(), [&](const Side& a, const Side& b) {
+  status = sort_large(context, sides, [&](const Side& a, const Side& b) {
     if (a.low != b.low || a.high != b.high)
       return std::tie(a.low, a.high) < std::tie(b.low, b.high);
     const EdgeNodes on_a = nodes_on(layer, field, a.half_edge);
     const EdgeNodes on_b = nodes_on(layer, field, b.half_edge);
     return on_a != on_b ? on_a < on_b : a.half_edge < b.half_edge;
   });
+  if (!status) return status;
   return sides;
 }
 
@@ -70,12 +78,16 @@ std::uint64_t steps_of(const std::vector<FacetPatch>& along, double length, doub
 
 /// Numbers the edges; cuts->edge lies in the order of `sides`, and edges between the same vertices
 /// follow one another. Returns the first edge between each two vertices, and how many there are.
-std::vector<std::uint32_t> number_edges(const PatchLayer& layer, const PatchField& field,
-                                        FacetCuts* cuts) {
-  const std::vector<Side> sides = sorted_sides(layer, field);
+Result<std::vector<std::uint32_t>> number_edges(Context& context, const PatchLayer& layer,
+                                                const PatchField& field, FacetCuts* cuts) {
+  const Result<std::vector<Side>> sorted = sorted_sides(context, layer, field);
+  if (!sorted) return sorted.status();
+  const std::vector<Side>& sides = *sorted;
   std::vector<std::uint32_t> first;
-  cuts->edge_of.resize(sides.size());
+  if (Status status = resize_large(context, cuts->edge_of, sides.size()); !status) return status;
+  RarePoll<kTurnsPerPoll> poll(context);
   for (std::size_t i = 0; i < sides.size(); ++i) {
+    if (poll.cancelled()) return context.stop_status();
     const bool is_same_place =
         i > 0 && sides[i].low == sides[i - 1].low && sides[i].high == sides[i - 1].high;
     const bool is_same_edge = is_same_place && nodes_on(layer, field, sides[i].half_edge) ==
@@ -121,7 +133,10 @@ Result<FacetCuts> find_cuts(Context& context, const PatchLayer& layer, Interpola
   const std::size_t bytes = 3 * count * (8 + sizeof(FacetEdge) + sizeof(Side));
   Status status = cuts.charge.add(context, bytes, "cuts of patches");
   if (!status) return status;
-  const std::vector<std::uint32_t> first = number_edges(layer, field_of(layer, source), &cuts);
+  const Result<std::vector<std::uint32_t>> numbered =
+      number_edges(context, layer, field_of(layer, source), &cuts);
+  if (!numbered) return numbered.status();
+  const std::vector<std::uint32_t>& first = *numbered;
   const auto cut = [&](std::size_t place) {
     std::vector<FacetPatch> along;
     const std::uint32_t half_edge = cuts.edge[first[place]].half_edge;

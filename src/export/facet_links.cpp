@@ -4,17 +4,28 @@
 #include <numeric>
 #include <tuple>
 
+#include "base/large_vector.hpp"
+
 namespace sfumato::outputs {
 namespace {
 
+constexpr std::uint32_t kTurnsPerPoll = 65'536;
+
 /// One number for all vertices at one position.
-std::vector<std::uint32_t> number_positions(const FacetMesh& mesh) {
+Result<std::vector<std::uint32_t>> number_positions(Context& context, const FacetMesh& mesh) {
   const std::vector<Vec2>& position = mesh.vertex_position;
-  std::vector<std::uint32_t> order(position.size()), number(position.size());
+  std::vector<std::uint32_t> order(position.size()), number;
   std::iota(order.begin(), order.end(), 0u);
   const auto key = [&](std::uint32_t v) { return std::tuple(position[v].x, position[v].y, v); };
-  std::ranges::sort(order, {}, key);
+  Status status = resize_large(context, number, position.size());
+  if (status) {
+    status = sort_large(context, order,
+                        [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
+  }
+  if (!status) return status;
+  RarePoll<kTurnsPerPoll> poll(context);
   for (std::size_t i = 0; i < order.size(); ++i) {
+    if (poll.cancelled()) return context.stop_status();
     const bool is_new = i == 0 || !(position[order[i]] == position[order[i - 1]]);
     number[order[i]] = is_new ? order[i] : number[order[i - 1]];
   }
@@ -48,17 +59,27 @@ Result<FacetLinks> link_facets(Context& context, const FacetMesh& mesh) {
   Status status = charge.add(context, count * (sizeof(Edge) + 4) + mesh.vertex_position.size() * 8,
                              "the edges of facets");
   if (!status) return status;
-  const std::vector<std::uint32_t> number = number_positions(mesh);
-  if (context.cancelled()) return context.stop_status();
-  std::vector<Edge> edges(count);
+  const Result<std::vector<std::uint32_t>> numbered = number_positions(context, mesh);
+  if (!numbered) return numbered.status();
+  const std::vector<std::uint32_t>& number = *numbered;
+  std::vector<Edge> edges;
+  status = resize_large(context, edges, count);
+  if (!status) return status;
+  RarePoll<kTurnsPerPoll> poll(context);
   for (std::uint32_t i = 0; i < count; ++i) {
+    if (poll.cancelled()) return context.stop_status();
     const std::uint32_t a = number[mesh.facet_vertex[i]],
                         b = number[mesh.facet_vertex[next_edge(i)]];
     edges[i] = {std::min(a, b), std::max(a, b), i, a < b};
   }
-  std::ranges::sort(edges, {}, [](const Edge& e) { return std::tuple(e.low, e.high, e.index); });
-  FacetLinks links{std::vector<std::uint32_t>(count, kNoEdge)};
+  status = sort_large(context, edges, [](const Edge& a, const Edge& b) {
+    return std::tie(a.low, a.high, a.index) < std::tie(b.low, b.high, b.index);
+  });
+  FacetLinks links;
+  if (status) status = resize_large(context, links.twin, count, std::uint32_t{kNoEdge});
+  if (!status) return status;
   for (std::size_t begin = 0, end; begin < count; begin = end) {
+    if (poll.cancelled()) return context.stop_status();
     const auto same = [&](std::size_t i) {
       return edges[i].low == edges[begin].low && edges[i].high == edges[begin].high;
     };

@@ -4,6 +4,7 @@
 #include <bit>
 #include <limits>
 
+#include "base/large_vector.hpp"
 #include "export/facet_cuts.hpp"
 #include "export/facet_patch.hpp"
 #include "export/facet_tree.hpp"
@@ -13,6 +14,7 @@ namespace sfumato::outputs {
 namespace {
 
 constexpr std::size_t kGrain = 256;
+constexpr std::uint32_t kTurnsPerPoll = 65'536;
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
 /// Fills a FacetMesh from the cuts of its patches. Its vertices: corners, then the inner points of
@@ -31,7 +33,7 @@ class FacetBuilder {
   Status build(Context& context, FacetMesh* mesh);
 
  private:
-  void number_corners();
+  Status number_corners(Context& context);
   Status count(Context& context, FacetMesh* mesh);
   Status allocate(Context& context, FacetMesh* mesh) const;
   void fill(std::uint32_t triangle, FacetMesh* mesh) const;
@@ -61,12 +63,17 @@ FacetTree FacetBuilder::tree_of(std::uint32_t triangle, const FacetPatch& patch)
 }
 
 /// Corners with one node at one vertex are one vertex of the mesh.
-void FacetBuilder::number_corners() {
+Status FacetBuilder::number_corners(Context& context) {
   const PatchField& field = field_of(layer_, source_);
   const std::size_t channels = static_cast<std::size_t>(field.channel_count);
-  std::vector<std::uint32_t> of_node(field.node_value.size() / channels, kNone);
-  corner_vertex_.resize(layer_.triangle_vertex.size());
+  const std::size_t nodes = field.node_value.size() / channels;
+  std::vector<std::uint32_t> of_node;
+  Status status = resize_large(context, of_node, nodes, std::uint32_t{kNone});
+  if (status) status = resize_large(context, corner_vertex_, layer_.triangle_vertex.size());
+  if (!status) return status;
+  RarePoll<kTurnsPerPoll> poll(context);
   for (std::uint32_t corner = 0; corner < corner_vertex_.size(); ++corner) {
+    if (poll.cancelled()) return context.stop_status();
     std::uint32_t& vertex =
         of_node[field.triangle_node[std::size_t{10} * (corner / 3) + corner % 3]];
     if (vertex == kNone ||
@@ -76,6 +83,7 @@ void FacetBuilder::number_corners() {
     }
     corner_vertex_[corner] = vertex;
   }
+  return ok_status();
 }
 
 /// Counts facets and places vertices.
@@ -92,7 +100,10 @@ Status FacetBuilder::count(Context& context, FacetMesh* mesh) {
   });
   if (!status) return status;
   std::uint64_t vertex = corner_owner_.size();
+  RarePoll<kTurnsPerPoll> poll(context);
+  edge_first_.reserve(cuts_.edge.size());
   for (const FacetEdge& edge : cuts_.edge) {
+    if (poll.cancelled()) return context.stop_status();
     edge_first_.push_back(vertex);
     vertex += static_cast<unsigned>(std::popcount(edge.steps));
   }
@@ -100,6 +111,7 @@ Status FacetBuilder::count(Context& context, FacetMesh* mesh) {
   mesh->patch_first_facet.reserve(triangles + 1);
   inside_first_.reserve(triangles + 1);
   for (std::size_t t = 0; t < triangles; ++t) {
+    if (poll.cancelled()) return context.stop_status();
     mesh->patch_first_facet.push_back(static_cast<std::uint32_t>(facet));
     inside_first_.push_back(vertex);
     facet += facets[t];
@@ -118,11 +130,11 @@ Status FacetBuilder::allocate(Context& context, FacetMesh* mesh) const {
   const auto channels = static_cast<std::size_t>(mesh->channel_count);
   const std::size_t bytes =
       vertices * (sizeof(Vec2) + channels * sizeof(float)) + facets * 3 * sizeof(std::uint32_t);
-  if (Status status = mesh->charge.add(context, bytes, "facets"); !status) return status;
-  mesh->vertex_position.resize(vertices);
-  mesh->vertex_value.resize(vertices * channels);
-  mesh->facet_vertex.resize(facets * 3);
-  return ok_status();
+  Status status = mesh->charge.add(context, bytes, "facets");
+  if (status) status = resize_large(context, mesh->vertex_position, vertices);
+  if (status) status = resize_large(context, mesh->vertex_value, vertices * channels);
+  if (status) status = resize_large(context, mesh->facet_vertex, facets * 3);
+  return status;
 }
 
 void FacetBuilder::set(std::uint32_t vertex, Vec2 position, const FacetPatch::Value& value,
@@ -209,7 +221,7 @@ Status FacetBuilder::build(Context& context, FacetMesh* mesh) {
   Status status = places.add(context, bytes, "places of facets");
   if (!status) return status;
   mesh->channel_count = channel_count_of(source_);
-  number_corners();
+  if (status = number_corners(context); !status) return status;
   if (status = count(context, mesh); !status) return status;
   if (status = allocate(context, mesh); !status) return status;
   return parallel_for(context, triangles, kGrain, [&](std::size_t begin, std::size_t end) {

@@ -6,12 +6,14 @@
 #include <utility>
 
 #include "base/color_space.hpp"
+#include "base/large_vector.hpp"
 #include "export/facets.hpp"
 
 namespace sfumato::outputs {
 namespace {
 
 constexpr std::size_t kGrain = 4096;
+constexpr std::uint32_t kTurnsPerPoll = 65'536;
 
 /// The node pairs, of colour and of opacity, that the corners and edges of patches use.
 struct NodePairs {
@@ -19,17 +21,21 @@ struct NodePairs {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> node;
 };
 
-NodePairs pair_nodes(const PatchField& color, const PatchField& opacity) {
+Result<NodePairs> pair_nodes(Context& context, const PatchField& color, const PatchField& opacity) {
   const std::size_t slots = color.triangle_node.size();
   const auto key = [&](std::uint32_t slot) {
     return std::pair(color.triangle_node[slot], opacity.triangle_node[slot]);
   };
   std::vector<std::uint32_t> order(slots);
   std::iota(order.begin(), order.end(), 0u);
-  std::ranges::sort(order, {}, key);
   NodePairs pairs;
-  pairs.triangle_node.resize(slots);
+  Status status =
+      sort_large(context, order, [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
+  if (status) status = resize_large(context, pairs.triangle_node, slots);
+  if (!status) return status;
+  RarePoll<kTurnsPerPoll> poll(context);
   for (const std::uint32_t slot : order) {
+    if (poll.cancelled()) return context.stop_status();
     if (pairs.node.empty() || pairs.node.back() != key(slot)) pairs.node.push_back(key(slot));
     pairs.triangle_node[slot] = static_cast<std::uint32_t>(pairs.node.size() - 1);
   }
@@ -37,33 +43,47 @@ NodePairs pair_nodes(const PatchField& color, const PatchField& opacity) {
 }
 
 /// Colour and opacity as one field of four channels.
-PatchField joined(const PatchField& color, const PatchField& opacity) {
+Result<PatchField> joined(Context& context, const PatchField& color, const PatchField& opacity) {
   const auto channels = static_cast<std::size_t>(color.channel_count);
   PatchField both{4, {}, {}, {}};
   const auto add = [&](std::size_t color_node, float alpha) {
     const float* value = color.node_value.data() + channels * color_node;
     both.node_value.insert(both.node_value.end(), {value[0], value[1], value[2], alpha});
   };
+  RarePoll<kTurnsPerPoll> poll(context);
   if (opacity.channel_count == 0) {
-    both.triangle_node = color.triangle_node;
-    for (std::size_t i = 0; i * channels < color.node_value.size(); ++i) add(i, 1);
+    Status status = copy_large(context, color.triangle_node, both.triangle_node);
+    if (!status) return status;
+    both.node_value.reserve(color.node_value.size() / channels * 4);
+    for (std::size_t i = 0; i * channels < color.node_value.size(); ++i) {
+      if (poll.cancelled()) return context.stop_status();
+      add(i, 1);
+    }
     return both;
   }
-  NodePairs pairs = pair_nodes(color, opacity);
-  both.triangle_node = std::move(pairs.triangle_node);
+  Result<NodePairs> pairs = pair_nodes(context, color, opacity);
+  if (!pairs) return pairs.status();
+  both.triangle_node = std::move(pairs->triangle_node);
+  both.node_value.reserve(4 * pairs->node.size());
   const auto stride = static_cast<std::size_t>(opacity.channel_count);
-  for (const auto& [c, o] : pairs.node) add(c, opacity.node_value[stride * o]);
+  for (const auto& [c, o] : pairs->node) {
+    if (poll.cancelled()) return context.stop_status();
+    add(c, opacity.node_value[stride * o]);
+  }
   return both;
 }
 
 /// What facets of light are made from.
-PatchLayer light_layer(const PatchLayer& layer) {
+Result<PatchLayer> light_layer(Context& context, const PatchLayer& layer) {
   PatchLayer light;
   light.frame = layer.frame;
   light.order = layer.order;
-  light.vertex_position = layer.vertex_position;
-  light.triangle_vertex = layer.triangle_vertex;
-  light.color = joined(layer.color, layer.opacity);
+  Status status = copy_large(context, layer.vertex_position, light.vertex_position);
+  if (status) status = copy_large(context, layer.triangle_vertex, light.triangle_vertex);
+  if (!status) return status;
+  Result<PatchField> color = joined(context, layer.color, layer.opacity);
+  if (!color) return color.status();
+  light.color = std::move(*color);
   return light;
 }
 
@@ -107,16 +127,22 @@ Result<GlbMesh> make_glb_layer(Context& context, const PatchLayer& layer, Interp
   ScopedCharge copy;
   Status status = copy.add(context, light_bytes(layer), "colours and opacity of a layer");
   if (!status) return status;
-  const PatchLayer light = light_layer(layer);
+  const Result<PatchLayer> light = light_layer(context, layer);
+  if (!light) return light.status();
   const FacetSource source{FacetSource::Kind::light, 0};
-  const auto facets = make_facets(context, light, space, source, max_error, smallest_side);
+  const auto facets = make_facets(context, *light, space, source, max_error, smallest_side);
   if (!facets) return facets.status();
   const std::size_t vertices = facets->vertex_position.size();
   status = mesh.charge.add(context, vertices * 20 + facets->facet_vertex.size() * 4, "a GLB mesh");
   if (!status) return status;
+  RarePoll<kTurnsPerPoll> poll(context);
   mesh.position.reserve(3 * vertices);
-  for (const Vec2 p : facets->vertex_position) add_vertex(mesh, p, origin);
-  mesh.color.resize(4 * vertices);
+  for (const Vec2 p : facets->vertex_position) {
+    if (poll.cancelled()) return context.stop_status();
+    add_vertex(mesh, p, origin);
+  }
+  status = resize_large(context, mesh.color, 4 * vertices);
+  if (!status) return status;
   status = parallel_for(context, vertices, kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = 4 * begin; i < 4 * end; ++i) {
       const double value = facets->vertex_value[i];
@@ -125,7 +151,9 @@ Result<GlbMesh> make_glb_layer(Context& context, const PatchLayer& layer, Interp
   });
   if (!status) return status;
   // Turned over with the y axis, they run the other way.
+  mesh.index.reserve(facets->facet_vertex.size());
   for (std::size_t i = 0; i < facets->facet_vertex.size(); i += 3) {
+    if (poll.cancelled()) return context.stop_status();
     const std::uint32_t* corner = facets->facet_vertex.data() + i;
     mesh.index.insert(mesh.index.end(), {corner[0], corner[2], corner[1]});
   }

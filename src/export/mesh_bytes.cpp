@@ -17,7 +17,7 @@ class MeshWriter {
   MeshWriter(const FacetMesh& mesh, const Box& box, std::vector<std::uint8_t>* bytes)
       : mesh_(mesh), box_(box), bytes_(bytes) {}
 
-  void write();
+  Status write(Context& context);
 
  private:
   void add_vertex(std::uint8_t flag, std::uint32_t vertex);
@@ -82,14 +82,17 @@ void MeshWriter::begin_strip(const Facet& facet, const Facet* next) {
   for (std::uint32_t vertex : last_) add_vertex(0, vertex);
 }
 
-void MeshWriter::write() {
+Status MeshWriter::write(Context& context) {
+  RarePoll<65536> poll(context);
   const std::size_t count = mesh_.facet_vertex.size() / 3;
   for (std::size_t i = 0; i < count; ++i) {
+    if (poll.cancelled()) return context.stop_status();
     const Facet here = facet(i);
     if (i > 0 && continue_strip(here)) continue;
     const Facet next = i + 1 < count ? facet(i + 1) : here;
     begin_strip(here, i + 1 < count ? &next : nullptr);
   }
+  return ok_status();
 }
 
 }  // namespace
@@ -111,7 +114,7 @@ Result<std::vector<std::uint8_t>> mesh_bytes(Context& context, const FacetMesh& 
   if (Status status = charge->add(context, most, "a mesh's bytes"); !status) return status;
   std::vector<std::uint8_t> bytes;
   bytes.reserve(most);
-  MeshWriter(mesh, box, &bytes).write();
+  if (Status status = MeshWriter(mesh, box, &bytes).write(context); !status) return status;
   return bytes;
 }
 

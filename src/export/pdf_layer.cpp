@@ -19,10 +19,13 @@ constexpr double kShift = 0.09;
 /// Of the bands along curves, points: two pixels of a screen.
 constexpr double kBandWidth = 1.25;
 
-/// The union of quadrangles as a path.
-std::string path_of(const std::vector<std::array<Vec2, 4>>& quadrangles) {
+/// The union of quadrangles as a path. Errors: cancelled.
+Result<std::string> path_of(const Context& context,
+                            const std::vector<std::array<Vec2, 4>>& quadrangles) {
   std::string path;
+  RarePoll<1024> poll(context);
   for (const auto& corner : quadrangles) {
+    if (poll.cancelled()) return context.stop_status();
     const char* operators[] = {" m ", " l ", " l ", " l h\n"};
     for (std::size_t k = 0; k < 4; ++k)
       path += pdf_number(corner[k].x) + " " + pdf_number(corner[k].y) + operators[k];
@@ -102,7 +105,9 @@ void LayerWriter::paint_bands(const FacetSource& source, PdfContent* content) {
   if (!bands) return file_->fail(bands.status());
   paint_once(bands->under, content);
   if (bands->clip.empty()) return;
-  content->add("q " + path_of(bands->clip) + "W n");
+  const Result<std::string> path = path_of(context_, bands->clip);
+  if (!path) return file_->fail(path.status());
+  content->add("q " + *path + "W n");
   paint_once(bands->over, content);
   content->add("Q");
 }

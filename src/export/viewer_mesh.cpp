@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "base/large_vector.hpp"
+
 namespace sfumato::outputs {
 namespace {
 
@@ -28,11 +30,10 @@ class Walker {
         mesh_(mesh),
         edge_(layer.triangle_vertex.size()),
         is_placed_(layer.triangle_count(), false),
-        vertex_number_(layer.vertex_position.size(), kUnseen) {
-    find_edges();
-  }
+        vertex_number_(layer.vertex_position.size(), kUnseen) {}
 
   Status run() {
+    if (Status status = find_edges(); !status) return status;
     for (std::uint32_t t = 0; t < layer_.triangle_count(); ++t) {
       if (is_placed_[t]) continue;
       for (std::uint32_t k = 0; k < 3; ++k) {
@@ -49,7 +50,7 @@ class Walker {
 
  private:
   /// Half-edges on one edge get one number, and are found by it.
-  void find_edges() {
+  Status find_edges() {
     struct Key {
       std::uint32_t low, high, half_edge;
       bool operator<(const Key& other) const {
@@ -63,9 +64,12 @@ class Walker {
       const std::uint32_t a = start(h), b = end(h);
       keys[h] = {std::min(a, b), std::max(a, b), h};
     }
-    std::sort(keys.begin(), keys.end());
+    Status status = sort_large(context_, keys, [](const Key& a, const Key& b) { return a < b; });
+    if (!status) return status;
+    RarePoll<65536> poll(context_);
     half_edge_.resize(keys.size());
     for (std::size_t i = 0; i < keys.size(); ++i) {
+      if (poll.cancelled()) return context_.stop_status();
       const bool is_new =
           i == 0 || keys[i].low != keys[i - 1].low || keys[i].high != keys[i - 1].high;
       if (is_new) first_half_edge_.push_back(i);
@@ -74,6 +78,7 @@ class Walker {
     }
     last_on_edge_.assign(first_half_edge_.size(), kNoMate);
     first_half_edge_.push_back(keys.size());
+    return ok_status();
   }
 
   /// Of the layer's half-edges.

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/box.hpp"
+#include "base/large_vector.hpp"
 
 namespace sfumato::gather {
 namespace {
@@ -123,27 +124,27 @@ Result<LocatedPoints> Locator::locate(Context& context, std::span<const Vec2> po
   if (Status status = located.charge.add(context, bytes, "the points to gather at"); !status) {
     return status;
   }
-  located.x.resize(points.size());
-  located.y.resize(points.size());
-  located.triangle.resize(points.size());
-  Status status =
-      parallel_for(context, points.size(), kChunk, [&](std::size_t begin, std::size_t end) {
-        float last_x = std::numeric_limits<float>::infinity(), last_y = 0;
-        std::uint32_t t = 0;
-        for (std::size_t i = begin; i < end; ++i) {
-          auto x = static_cast<float>(points[i].x - scene_->origin.x);
-          auto y = static_cast<float>(points[i].y - scene_->origin.y);
-          const float cells_away = std::max(std::fabs(x - last_x) * cells_per_unit_x_,
-                                            std::fabs(y - last_y) * cells_per_unit_y_);
-          if (!(cells_away < 1)) t = start_triangle(x, y);
-          t = walk(scene_->triangle, t, x, y);
-          last_x = x, last_y = y;
-          leave_corner(scene_->triangle[t], x, y);
-          located.x[i] = x;
-          located.y[i] = y;
-          located.triangle[i] = t;
-        }
-      });
+  Status status = resize_large(context, located.x, points.size());
+  if (status) status = resize_large(context, located.y, points.size());
+  if (status) status = resize_large(context, located.triangle, points.size());
+  if (!status) return status;
+  status = parallel_for(context, points.size(), kChunk, [&](std::size_t begin, std::size_t end) {
+    float last_x = std::numeric_limits<float>::infinity(), last_y = 0;
+    std::uint32_t t = 0;
+    for (std::size_t i = begin; i < end; ++i) {
+      auto x = static_cast<float>(points[i].x - scene_->origin.x);
+      auto y = static_cast<float>(points[i].y - scene_->origin.y);
+      const float cells_away = std::max(std::fabs(x - last_x) * cells_per_unit_x_,
+                                        std::fabs(y - last_y) * cells_per_unit_y_);
+      if (!(cells_away < 1)) t = start_triangle(x, y);
+      t = walk(scene_->triangle, t, x, y);
+      last_x = x, last_y = y;
+      leave_corner(scene_->triangle[t], x, y);
+      located.x[i] = x;
+      located.y[i] = y;
+      located.triangle[i] = t;
+    }
+  });
   if (!status) return status;
   return located;
 }

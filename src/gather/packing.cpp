@@ -2,34 +2,43 @@
 
 #include <algorithm>
 
+#include "base/large_vector.hpp"
+
 namespace sfumato::gather {
 namespace {
 
 class Packer {
  public:
   Packer(const Context& context, const Scene& scene, const LocatedPoints& points, Packing& packing)
-      : poll_(context), scene_(scene), packing_(packing) {
-    sort_by_triangle(points.triangle);
-  }
+      : context_(context), poll_(context), scene_(scene), points_(points), packing_(packing) {}
 
-  void pack() {
+  Status pack() {
+    if (Status status = sort_by_triangle(points_.triangle); !status) return status;
     for (std::uint32_t t = 0; t < scene_.triangle.size(); ++t) {
-      if (poll_.cancelled()) return;
+      if (poll_.cancelled()) return context_.stop_status();
       while (next_[t] < end_of(t)) pack_from(t);
     }
+    return ok_status();
   }
 
  private:
-  void sort_by_triangle(const std::vector<std::uint32_t>& triangle) {
+  Status sort_by_triangle(const std::vector<std::uint32_t>& triangle) {
+    RarePoll<65536> poll(context_);
     begin_.assign(scene_.triangle.size() + 1, 0);
-    for (std::uint32_t t : triangle) ++begin_[t + 1];
+    for (std::uint32_t t : triangle) {
+      if (poll.cancelled()) return context_.stop_status();
+      ++begin_[t + 1];
+    }
     for (std::size_t t = 1; t < begin_.size(); ++t) begin_[t] += begin_[t - 1];
     next_.assign(begin_.begin(), begin_.end() - 1);
-    packing_.point.resize(triangle.size());
+    Status status = resize_large(context_, packing_.point, triangle.size());
+    if (!status) return status;
     for (std::size_t i = 0; i < triangle.size(); ++i) {
+      if (poll.cancelled()) return context_.stop_status();
       packing_.point[next_[triangle[i]]++] = static_cast<std::uint32_t>(i);
     }
     next_.assign(begin_.begin(), begin_.end() - 1);
+    return ok_status();
   }
 
   std::uint32_t end_of(std::uint32_t t) const { return begin_[t + 1]; }
@@ -77,8 +86,10 @@ class Packer {
     }
   }
 
+  const Context& context_;
   RarePoll<8192> poll_;
   const Scene& scene_;
+  const LocatedPoints& points_;
   Packing& packing_;
   Packet packet_;
   std::vector<std::uint32_t> begin_;  ///< first sorted point of each triangle
@@ -95,8 +106,8 @@ Result<Packing> pack(Context& context, const Scene& scene, const LocatedPoints& 
   if (Status status = packing.charge.add(context, bytes, "packets of points"); !status) {
     return status;
   }
-  Packer(context, scene, points, packing).pack();
-  if (context.cancelled()) return context.stop_status();
+  Status status = Packer(context, scene, points, packing).pack();
+  if (!status) return status;
   return packing;
 }
 

@@ -4,6 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/large_vector.hpp"
+
 namespace sfumato::mesh {
 namespace {
 
@@ -71,11 +73,14 @@ Numbering number_everything(const Triangulation& mesh) {
 
 void number_inside(const Context& context, const Triangulation& mesh, Numbering& numbering) {
   const std::size_t known = numbering.triangle.size(), known_vertices = numbering.vertex.size();
-  numbering.triangle.resize(mesh.triangle.size(), kNone);
-  numbering.vertex.resize(mesh.point.size(), kNone);
+  if (!resize_large(context, numbering.triangle, mesh.triangle.size(), std::int32_t{kNone}) ||
+      !resize_large(context, numbering.vertex, mesh.point.size(), std::int32_t{kNone})) {
+    return;
+  }
+  RarePoll<65536> poll(context);
   if (known == 0) return number_depth_first(context, mesh, numbering);
   // All later triangles and vertices come from refinement, which works inside and on the frame.
-  for (std::size_t t = known; t < mesh.triangle.size(); ++t) {
+  for (std::size_t t = known; t < mesh.triangle.size() && !poll.cancelled(); ++t) {
     if (mesh.triangle[t].inside) {
       numbering.triangle[t] = static_cast<std::int32_t>(numbering.triangle_count++);
     }
@@ -145,9 +150,11 @@ TriangleMesh extract(const Context& context, const Triangulation& mesh, const Ch
   }
   if (context.cancelled()) return {};
   const std::size_t half_edges = std::size_t{3} * numbering.triangle_count;
-  out.triangle_vertex.resize(half_edges);
-  out.half_edge_twin.resize(half_edges);
-  out.half_edge_constraint.assign(half_edges, kNone);
+  if (!resize_large(context, out.triangle_vertex, half_edges) ||
+      !resize_large(context, out.half_edge_twin, half_edges) ||
+      !resize_large(context, out.half_edge_constraint, half_edges, std::int32_t{kNone})) {
+    return {};
+  }
   out.constraint.reserve(chords.size() + half_edges / 16);
   out.piece.reserve(chords.live_owner_count() + half_edges / 16);
   copy_triangles(context, mesh, numbering, out);

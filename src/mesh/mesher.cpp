@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "base/large_vector.hpp"
 #include "mesh/arrangement.hpp"
 #include "mesh/chords.hpp"
 #include "mesh/extract.hpp"
@@ -214,15 +215,20 @@ TriangleMesh Mesher::patch_mesh(std::vector<std::int32_t>* previous_triangle) {
   State& s = *state_;
   number_inside(s.context, s.mesh, s.numbering);
   if (s.context.cancelled()) return {};
-  std::vector<Refiner::Target> now(s.numbering.triangle_count);
+  std::vector<Refiner::Target> now;
+  RarePoll<65536> poll(s.context);
+  if (!resize_large(s.context, now, s.numbering.triangle_count)) return {};
   for (std::size_t slot = 0; slot < s.mesh.triangle.size(); ++slot) {
+    if (poll.cancelled()) return {};
     const std::int32_t t = s.numbering.triangle[slot];
     if (t != kNone) now[t] = {static_cast<std::int32_t>(slot), s.mesh.triangle[slot].stamp};
   }
   if (previous_triangle) {
     // Slots are never freed nor reordered: an unchanged triangle keeps its number.
-    previous_triangle->assign(now.size(), kNone);
+    previous_triangle->clear();
+    if (!resize_large(s.context, *previous_triangle, now.size(), std::int32_t{kNone})) return {};
     for (std::size_t t = 0; t < std::min(now.size(), s.patched.size()); ++t) {
+      if (poll.cancelled()) return {};
       if (now[t].stamp == s.patched[t].stamp) {
         (*previous_triangle)[t] = static_cast<std::int32_t>(t);
       }

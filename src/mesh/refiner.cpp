@@ -6,6 +6,8 @@
 #include <limits>
 #include <string>
 
+#include "base/large_vector.hpp"
+
 namespace sfumato::mesh {
 namespace {
 
@@ -59,11 +61,11 @@ bool Refiner::make_room() {
 
 bool Refiner::make_room(std::size_t vertex_count) {
   Status status = mesh_.grow(*context_, charge_, vertex_count);
+  if (status) status = reserve_large(*context_, origin_, mesh_.point.capacity());
   if (!status) {
     if (status_.ok()) status_ = status;
     return false;
   }
-  origin_.reserve(mesh_.point.capacity());
   return true;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "base/large_vector.hpp"
 #include "base/limits.hpp"
 
 namespace sfumato::mesh {
@@ -42,10 +43,11 @@ Status Triangulation::grow(Context& context, ScopedCharge& charge, std::size_t v
       charge.add(context, more_vertices * kBytesPerVertex + more_triangles * kBytesPerTriangle,
                  "the triangle mesh");
   if (!status) return status;
-  point.reserve(vertices);
-  spoke.reserve(vertices);
-  triangle.reserve(triangles);
-  chord.resize(4 * triangle.capacity());
+  status = reserve_large(context, point, vertices);
+  if (status) status = reserve_large(context, spoke, vertices);
+  if (status) status = reserve_large(context, triangle, triangles);
+  if (status) status = reserve_large(context, chord, 4 * triangle.capacity());
+  if (status) status = resize_large(context, chord, 4 * triangle.capacity());
   return status;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/large_vector.hpp"
 #include "patches/patch.hpp"
 #include "patches/probes.hpp"
 
@@ -44,7 +45,9 @@ Status FieldSolver::follow(Context& context, const mesh::TriangleMesh& mesh,
   layout_ = lay_out_nodes(context, mesh, scene_.attributes, seams);
   if (context.cancelled()) return context.stop_status();
   node_known_ = layout_.is_fixed;
-  node_hit_.assign(layout_.node_count(), 1);
+  node_hit_.clear();
+  status = resize_large(context, node_hit_, layout_.node_count(), std::uint8_t{1});
+  if (!status) return status;
   if (!old_layout.triangle_node.empty()) {
     carry_over(context, old_layout, old_hit, previous_triangle);
   }
@@ -74,12 +77,16 @@ void FieldSolver::carry_over(const Context& context, const NodeLayout& old_layou
   }
 }
 
-std::vector<std::uint32_t> FieldSolver::nodes_to_gather(bool all) const {
-  std::vector<std::uint32_t> nodes;
+bool FieldSolver::is_to_gather(std::uint32_t node, bool all) const {
+  return !layout_.is_fixed[node] && (all || !node_known_[node]);
+}
+
+std::size_t FieldSolver::count_to_gather(bool all) const {
+  std::size_t count = 0;
   for (std::uint32_t node = 0; node < layout_.node_count(); ++node) {
-    if (!layout_.is_fixed[node] && (all || !node_known_[node])) nodes.push_back(node);
+    count += is_to_gather(node, all);
   }
-  return nodes;
+  return count;
 }
 
 std::size_t FieldSolver::point_bytes(std::size_t count) const {
@@ -89,19 +96,30 @@ std::size_t FieldSolver::point_bytes(std::size_t count) const {
 
 Result<std::size_t> FieldSolver::gather(Context& context, const gather::GatherOptions& options,
                                         bool all) {
-  const std::vector<std::uint32_t> nodes = nodes_to_gather(all);
-  ScopedCharge charge;
-  Status status = charge.add(context, point_bytes(nodes.size()), "nodes to gather");
-  if (!status) return status;
-  std::vector<Vec2> points;
-  points.reserve(nodes.size());
-  for (std::uint32_t node : nodes) points.push_back(layout_.position[node]);
+  const std::size_t count = count_to_gather(all);
   const auto channels = static_cast<std::size_t>(layout_.channel_count);
-  std::vector<float> values(points.size() * channels);
-  std::vector<std::uint8_t> hits(points.size());
-  status = scene_.gatherer.gather(context, points, options, values, hits);
+  ScopedCharge charge;
+  Status status = charge.add(context, point_bytes(count), "nodes to gather");
+  if (!status) return status;
+  std::vector<std::uint32_t> nodes;
+  std::vector<Vec2> points;
+  nodes.reserve(count);
+  points.reserve(count);
+  RarePoll<65536> poll(context);
+  for (std::uint32_t node = 0; node < layout_.node_count(); ++node) {
+    if (poll.cancelled()) return context.stop_status();
+    if (!is_to_gather(node, all)) continue;
+    nodes.push_back(node);
+    points.push_back(layout_.position[node]);
+  }
+  std::vector<float> values;
+  std::vector<std::uint8_t> hits;
+  status = resize_large(context, values, count * channels);
+  if (status) status = resize_large(context, hits, count);
+  if (status) status = scene_.gatherer.gather(context, points, options, values, hits);
   if (!status) return status;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (poll.cancelled()) return context.stop_status();
     std::copy_n(values.data() + channels * i, channels, layout_.value.data() + channels * nodes[i]);
     node_hit_[nodes[i]] = hits[i];
   }
@@ -120,8 +138,9 @@ Status FieldSolver::find_misses(Context& context, const mesh::TriangleMesh& mesh
   if (!status) return status;
   const ProbeSet probes = place_probes(context, mesh, layout_, is_new);
   if (context.cancelled()) return context.stop_status();
-  std::vector<float> exact(probes.position.size() * channels);
-  status = scene_.gatherer.gather(context, probes.position, {}, exact);
+  std::vector<float> exact;
+  status = resize_large(context, exact, probes.position.size() * channels);
+  if (status) status = scene_.gatherer.gather(context, probes.position, {}, exact);
   if (!status) return status;
   std::vector<float> value(channels);
   RarePoll<4096> poll(context);

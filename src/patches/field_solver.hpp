@@ -73,7 +73,8 @@ class FieldSolver {
   void carry_over(const Context& context, const NodeLayout& old_layout,
                   const std::vector<std::uint8_t>& old_hit,
                   std::span<const std::int32_t> previous_triangle);
-  std::vector<std::uint32_t> nodes_to_gather(bool all) const;
+  bool is_to_gather(std::uint32_t node, bool all) const;
+  std::size_t count_to_gather(bool all) const;
   /// The memory of `count` points and their values.
   std::size_t point_bytes(std::size_t count) const;
   void show_as_code_values(float* value) const;

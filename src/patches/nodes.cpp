@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/large_vector.hpp"
 #include "patches/angle.hpp"
 #include "patches/patch.hpp"
 
@@ -28,14 +29,22 @@ class LayoutBuilder {
  public:
   LayoutBuilder(const Context& context, const TriangleMesh& mesh,
                 const curves::SegmentAttributes& attributes, const Seams& seams)
-      : poll_(context), mesh_(mesh), seams_(seams), base_channels_(attributes.base_channels) {
+      : context_(context),
+        poll_(context),
+        mesh_(mesh),
+        seams_(seams),
+        base_channels_(attributes.base_channels) {
     layout_.channel_count = attributes.channel_count();
   }
 
   NodeLayout build() {
     const std::uint32_t triangle_count = mesh_.triangle_count();
-    layout_.triangle_node.assign(std::size_t{10} * triangle_count, kUnset);
-    layout_.edge_is_curve.resize(std::size_t{3} * triangle_count);
+    Status status = resize_large(context_, layout_.triangle_node, std::size_t{10} * triangle_count,
+                                 std::uint32_t{kUnset});
+    if (status) {
+      status = resize_large(context_, layout_.edge_is_curve, std::size_t{3} * triangle_count);
+    }
+    if (!status) return {};
     layout_.position.reserve(std::size_t{5} * triangle_count);
     for (std::uint32_t t = 0; t < triangle_count; ++t) {
       if (poll_.cancelled()) return {};
@@ -79,9 +88,12 @@ class LayoutBuilder {
   }
 
   void set_fixed_values() {
-    layout_.is_fixed.assign(layout_.node_count(), 0);
     const auto channel_count = static_cast<std::size_t>(layout_.channel_count);
-    layout_.value.assign(channel_count * layout_.node_count(), 0.0f);
+    const std::size_t value_count = channel_count * layout_.node_count();
+    if (!resize_large(context_, layout_.is_fixed, layout_.node_count()) ||
+        !resize_large(context_, layout_.value, value_count)) {
+      return;
+    }
     for (const FixedShare& fixed : fixed_) {
       if (poll_.cancelled()) return;
       layout_.is_fixed[fixed.node] = 1;
@@ -232,6 +244,7 @@ class LayoutBuilder {
     }
   }
 
+  const Context& context_;
   RarePoll<4096> poll_;
   const TriangleMesh& mesh_;
   const Seams& seams_;

@@ -46,7 +46,7 @@ Image black(PixelFormat format = PixelFormat::rgb8) {
 }
 
 TEST(Difference, counts_every_channel_once) {
-  const Difference difference(black(), nearly_black());
+  const Difference difference(Context(), black(), nearly_black());
   EXPECT_DOUBLE_EQ(difference.rms(), std::sqrt(1.04));
   EXPECT_DOUBLE_EQ(difference.psnr_db(), 20 * std::log10(255 / std::sqrt(1.04)));
   EXPECT_EQ(difference.maximum(), 10);
@@ -59,13 +59,13 @@ TEST(Difference, counts_every_channel_once) {
 }
 
 TEST(Difference, does_not_depend_on_the_order) {
-  const Difference difference(nearly_black(), black());
+  const Difference difference(Context(), nearly_black(), black());
   EXPECT_DOUBLE_EQ(difference.rms(), std::sqrt(1.04));
   EXPECT_EQ(difference.maximum(), 10);
 }
 
 TEST(Difference, of_equal_images_is_nothing) {
-  const Difference difference(nearly_black(), nearly_black());
+  const Difference difference(Context(), nearly_black(), nearly_black());
   EXPECT_EQ(difference.rms(), 0);
   EXPECT_EQ(difference.maximum(), 0);
   EXPECT_EQ(difference.psnr_db(), std::numeric_limits<double>::infinity());
@@ -75,31 +75,46 @@ TEST(Difference, takes_16_bits_as_fractions_of_a_code_value) {
   const Image eight = row_image(5, PixelFormat::rgb8, [](int x, int c) { return 40 * x + c; });
   const Image sixteen =
       row_image(5, PixelFormat::rgb16, [](int x, int c) { return 257 * (40 * x + c); });
-  EXPECT_EQ(Difference(eight, sixteen).rms(), 0);
+  EXPECT_EQ(Difference(Context(), eight, sixteen).rms(), 0);
   const Image finer =
       row_image(5, PixelFormat::rgb16, [](int x, int c) { return 257 * (40 * x + c) + 64; });
-  EXPECT_DOUBLE_EQ(Difference(eight, finer).maximum(), 64 / 257.0);
-  EXPECT_DOUBLE_EQ(Difference(eight, finer).rms(), 64 / 257.0);
+  EXPECT_DOUBLE_EQ(Difference(Context(), eight, finer).maximum(), 64 / 257.0);
+  EXPECT_DOUBLE_EQ(Difference(Context(), eight, finer).rms(), 64 / 257.0);
 }
 
 TEST(Difference, takes_an_image_without_alpha_as_opaque) {
   const Image clear = row_image(100, PixelFormat::rgba8, [](int x, int c) {
     return c == 3 && x != 0 ? 255 : 0;  // the first pixel is transparent
   });
-  EXPECT_EQ(Difference(black(), clear).maximum(), 255);
-  EXPECT_DOUBLE_EQ(Difference(black(), clear).rms(), 255 / std::sqrt(400.0));
-  EXPECT_EQ(difference_image(black(), clear, 1).bytes[0], 255);
-  EXPECT_EQ(difference_image(black(), clear, 1).bytes[3], 0);
+  EXPECT_EQ(Difference(Context(), black(), clear).maximum(), 255);
+  EXPECT_DOUBLE_EQ(Difference(Context(), black(), clear).rms(), 255 / std::sqrt(400.0));
+  EXPECT_EQ(difference_image(Context(), black(), clear, 1).bytes[0], 255);
+  EXPECT_EQ(difference_image(Context(), black(), clear, 1).bytes[3], 0);
 }
 
 TEST(Difference, picture_is_scaled_and_clamped) {
-  const Image picture = difference_image(black(), nearly_black(), 12.5);
+  const Image picture = difference_image(Context(), black(), nearly_black(), 12.5);
   EXPECT_EQ(picture.format, PixelFormat::rgb8);
   EXPECT_EQ(picture.width, 100);
   EXPECT_EQ(picture.bytes[97 * 3], 0);
   EXPECT_EQ(picture.bytes[98 * 3], 25);
   EXPECT_EQ(picture.bytes[99 * 3 + 2], 125);
-  EXPECT_EQ(difference_image(black(), nearly_black(), 128).bytes[99 * 3], 255);
+  EXPECT_EQ(difference_image(Context(), black(), nearly_black(), 128).bytes[99 * 3], 255);
+}
+
+TEST(Difference, ends_at_the_first_row_after_cancelling) {
+  Context context;
+  context.cancel = true;
+  EXPECT_TRUE(difference_image(context, black(), nearly_black(), 1).bytes.empty());
+  EXPECT_EQ(Difference(context, black(), nearly_black()).rms(), 0);
+}
+
+TEST(Compare, charges_the_files) {
+  const TemporaryFolder folder;
+  const std::string large = folder.add("large.png", std::string(std::size_t{1} << 20, ' '));
+  const CommandResult result = run_sfumato({"compare", large, large, "--max-memory", "1"});
+  EXPECT_EQ(result.exit_code, 3) << result.err;
+  EXPECT_NE(result.err.find("the input"), std::string::npos) << result.err;
 }
 
 TEST(Compare, prints_the_figures) {
@@ -139,7 +154,7 @@ TEST(Compare, draws_the_difference) {
   EXPECT_EQ(run_sfumato({"compare", a, b, "-o", output, "--scale", "20"}).exit_code, 0);
   const Image picture = image_of(read_whole(output));
   ASSERT_EQ(picture.width, 100);
-  EXPECT_EQ(picture.bytes, difference_image(black(), nearly_black(), 20).bytes);
+  EXPECT_EQ(picture.bytes, difference_image(Context(), black(), nearly_black(), 20).bytes);
 }
 
 TEST(Compare, refuses_images_of_two_sizes) {

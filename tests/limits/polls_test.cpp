@@ -4,6 +4,7 @@
 
 #include "export/glb.hpp"
 #include "export/html.hpp"
+#include "export/pdf.hpp"
 #include "export/svg.hpp"
 #include "formats/image_file.hpp"
 #include "formats/jpeg_encode.hpp"
@@ -19,8 +20,7 @@
 /// No work goes on for 50 ms of CPU time without a look at the cancel flag, whatever stage it is
 /// in; and once the flag is set all of it ends within that. On one thread, whose CPU time is
 /// measured, so that what else runs on the machine does not matter.
-/// bench/poll_gaps.cpp measures the same with inputs near the limits, and PDF, which does not keep
-/// to it yet: its longest gap was 90 ms here.
+/// bench/poll_gaps.cpp measures the same with inputs near the limits.
 namespace sfumato::test {
 namespace {
 
@@ -114,6 +114,7 @@ TEST(Polls, exporters_look_often) {
   ASSERT_TRUE(picture.ok());
   expect_polls("GLB", [&](Context& c) { return export_glb(c, *picture, {}); });
   expect_polls("HTML", [&](Context& c) { return export_html(c, *picture, {}); });
+  expect_polls("PDF", [&](Context& c) { return export_pdf(c, *picture, {}); });
   expect_polls("SVG", [&](Context& c) {
     return export_svg(c, *picture, {.mode = SvgMode::vector, .force = true});
   });
