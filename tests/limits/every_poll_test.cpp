@@ -1,0 +1,128 @@
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "allocation/documents.hpp"
+#include "export/eps.hpp"
+#include "export/glb.hpp"
+#include "export/html.hpp"
+#include "export/pdf.hpp"
+#include "export/svg.hpp"
+#include "formats/image_file.hpp"
+#include "formats/jpeg_encode.hpp"
+#include "formats/png.hpp"
+#include "formats/read_document.hpp"
+#include "formats/svg_write.hpp"
+#include "formats/webp_encode.hpp"
+#include "limits/large_inputs.hpp"
+#include "lint/lint.hpp"
+#include "patches/diffuse.hpp"
+#include "raster/rasterize.hpp"
+#include "raster/render_pixels.hpp"
+#include "support/poll_recorder.hpp"
+
+/// Whichever look at the cancel flag is the first to see it, the answer is that it was cancelled:
+/// what is half done is never taken for a result.
+namespace sfumato::test {
+namespace {
+
+constexpr std::uint64_t kRuns = 100;
+
+/// Runs `work` to its end, then again and again, cancelled at each of its polls, or, where there
+/// are more than kRuns, at so many of them, evenly spread.
+template <class Work>
+void expect_cancelled_at_every_poll(const std::string& name, const Work& work) {
+  Context context;
+  PollRecorder all;
+  context.poll_watch = &all;
+  const auto whole = work(context);
+  ASSERT_TRUE(whole.ok()) << name << ": " << to_string(whole.status());
+  ASSERT_GT(all.polls(), 0u) << name << " never looks";
+  for (std::uint64_t k = 1; k <= all.polls(); k += 1 + all.polls() / kRuns) {
+    Context cancelled;
+    PollRecorder until;
+    until.cancel_at = k;
+    until.cancel = &cancelled.cancel;
+    cancelled.poll_watch = &until;
+    {
+      const auto result = work(cancelled);
+      ASSERT_EQ(result.status().code, StatusCode::cancelled)
+          << name << ", poll " << k << " of " << all.polls();
+    }
+    ASSERT_EQ(cancelled.budget.used(), 0u) << name << ", poll " << k;
+  }
+}
+
+template <class Value>
+Value take(Result<Value> result) {
+  EXPECT_TRUE(result.ok()) << to_string(result.status());
+  return std::move(*result);
+}
+
+Document document_of(const std::string& text) {
+  Context context;
+  return take(read_document(context, text, "a.svg")).document;
+}
+
+class EveryPoll : public testing::TestWithParam<SmallDocument> {};
+
+TEST_P(EveryPoll, ends_the_reader) {
+  expect_cancelled_at_every_poll(
+      "read", [&](Context& c) { return read_document(c, GetParam().text, "a.svg"); });
+}
+
+TEST_P(EveryPoll, ends_what_is_done_with_a_document) {
+  const Document document = document_of(GetParam().text);
+  expect_cancelled_at_every_poll("convert", [&](Context& c) { return write_svg(c, document); });
+  expect_cancelled_at_every_poll("lint", [&](Context& c) { return lint(c, document); });
+  expect_cancelled_at_every_poll("diffuse", [&](Context& c) { return diffuse(c, document, {}); });
+  expect_cancelled_at_every_poll("pixels", [&](Context& c) {
+    return render_pixels(c, document, {}, {.width = 16, .height = 12});
+  });
+}
+
+TEST_P(EveryPoll, ends_the_raster) {
+  Context context;
+  const Picture picture = take(diffuse(context, document_of(GetParam().text), {}));
+  expect_cancelled_at_every_poll("raster", [&](Context& c) {
+    return rasterize(c, picture, {.width = 32, .height = 24, .format = PixelFormat::rgba8});
+  });
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, EveryPoll, testing::ValuesIn(small_documents()),
+                         [](const auto& instance) { return std::string(instance.param.name); });
+
+TEST(EveryPollOf, solving_many_curves) {
+  const Document document = many_curves(20);
+  expect_cancelled_at_every_poll(
+      "diffuse", [&](Context& c) { return diffuse(c, document, {.max_error = 40}); });
+}
+
+TEST(EveryPollOf, exporters) {
+  Context context;
+  const DiffuseOptions coarse{.pixels_per_unit = 0.25, .max_error = 40};
+  const Picture picture = take(diffuse(context, document_of(document_with_everything()), coarse));
+  expect_cancelled_at_every_poll("HTML", [&](Context& c) { return export_html(c, picture, {}); });
+  expect_cancelled_at_every_poll("PDF", [&](Context& c) { return export_pdf(c, picture, {}); });
+  expect_cancelled_at_every_poll("EPS", [&](Context& c) { return export_eps(c, picture, {}); });
+  expect_cancelled_at_every_poll("GLB", [&](Context& c) { return export_glb(c, picture, {}); });
+  for (const SvgMode mode : {SvgMode::image, SvgMode::vector}) {
+    expect_cancelled_at_every_poll(
+        "SVG", [&](Context& c) { return export_svg(c, picture, {.mode = mode, .force = true}); });
+  }
+}
+
+TEST(EveryPollOf, codecs) {
+  Context context;
+  const Image image = noise_image(70, 50);
+  expect_cancelled_at_every_poll("PNG", [&](Context& c) { return encode_png(c, image); });
+  expect_cancelled_at_every_poll("JPEG", [&](Context& c) { return encode_jpeg(c, image, 90); });
+  expect_cancelled_at_every_poll("WebP", [&](Context& c) { return encode_webp(c, image, {}); });
+  const auto png = take(encode_png(context, image));
+  const auto jpeg = take(encode_jpeg(context, image, 90));
+  expect_cancelled_at_every_poll("PNG back", [&](Context& c) { return decode_image(c, png); });
+  expect_cancelled_at_every_poll("JPEG back", [&](Context& c) { return decode_image(c, jpeg); });
+}
+
+}  // namespace
+}  // namespace sfumato::test
