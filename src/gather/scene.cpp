@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/box.hpp"
+#include "gather/blind.hpp"
 #include "gather/spatial_order.hpp"
 
 namespace sfumato::gather {
@@ -11,11 +12,11 @@ namespace {
 
 class SceneBuilder {
  public:
-  SceneBuilder(const Context& context, const mesh::TriangleMesh& mesh,
+  SceneBuilder(Context& context, const mesh::TriangleMesh& mesh,
                const curves::SegmentAttributes& attributes, Scene& scene)
-      : poll_(context), mesh_(mesh), attributes_(attributes), scene_(scene) {}
+      : context_(context), poll_(context), mesh_(mesh), attributes_(attributes), scene_(scene) {}
 
-  void build() {
+  Status build() {
     Box box;
     for (Vec2 p : mesh_.vertex_position) box.extend(p);
     scene_.origin = box.empty() ? Vec2{} : box.center();
@@ -23,17 +24,22 @@ class SceneBuilder {
     order_triangles();
     codes_.resize(half_edge_count);
     for_each_half_edge([&](std::uint32_t h) { codes_[h] = code(h); });
+    if (context_.cancelled()) return context_.stop_status();
     normalize_weights();
     drop_blend_if_plain();
+    Result<std::vector<std::uint8_t>> blind = find_blind(context_, mesh_, codes_);
+    if (!blind) return blind.status();
+    blind_ = std::move(*blind);
     scene_.edge_beyond.reserve(passage_count_);
     for_each_half_edge([&](std::uint32_t h) {
       if (codes_[h] >= 0) scene_.edge_beyond.push_back(beyond(h));
     });
     scene_.triangle.reserve(order_.size());
     for (std::uint32_t t : order_) {
-      if (poll_.cancelled()) return;
+      if (poll_.cancelled()) break;
       scene_.triangle.push_back(triangle(t));
     }
+    return context_.check();
   }
 
  private:
@@ -152,14 +158,18 @@ class SceneBuilder {
     const Vec2 a = mesh_.vertex_position[mesh_.origin(h)] - scene_.origin;
     const Vec2 along = mesh_.vertex_position[mesh_.target(h)] - scene_.origin - a;
     const Vec2 normal = Vec2{-along.y, along.x} / length(along);
+    const bool blind = blind_[h] != 0;
     return {x(apex),
             y(apex),
-            codes_[mesh::TriangleMesh::next(twin)],
-            codes_[mesh::TriangleMesh::previous(twin)],
+            blind ? kBorder : code_behind(mesh::TriangleMesh::next(twin)),
+            blind ? kBorder : code_behind(mesh::TriangleMesh::previous(twin)),
             static_cast<float>(normal.x),
             static_cast<float>(normal.y),
             static_cast<float>(-dot(normal, a))};
   }
+
+  /// Packets hold neighbours on both sides of a blind half-edge: SceneTriangle keeps its code.
+  EdgeCode code_behind(std::uint32_t h) const { return blind_[h] ? kBorder : codes_[h]; }
 
   SceneTriangle triangle(std::uint32_t t) const {
     SceneTriangle triangle{};
@@ -177,6 +187,7 @@ class SceneBuilder {
     return triangle;
   }
 
+  Context& context_;
   RarePoll<8192> poll_;
   const mesh::TriangleMesh& mesh_;
   const curves::SegmentAttributes& attributes_;
@@ -184,6 +195,7 @@ class SceneBuilder {
   std::vector<std::uint32_t> order_;      ///< the mesh's triangles in the scene's order
   std::vector<std::uint32_t> new_index_;  ///< its inverse
   std::vector<EdgeCode> codes_;           ///< per half-edge of the mesh
+  std::vector<std::uint8_t> blind_;       ///< per half-edge, see find_blind
   std::uint32_t passage_count_ = 0;
   bool is_plain_ = true;
 };
@@ -213,8 +225,9 @@ Result<Scene> build_scene(Context& context, const mesh::TriangleMesh& mesh,
       !status) {
     return status;
   }
-  SceneBuilder(context, mesh, attributes, scene).build();
-  if (context.cancelled()) return context.stop_status();
+  if (Status status = SceneBuilder(context, mesh, attributes, scene).build(); !status) {
+    return status;
+  }
   return scene;
 }
 

@@ -1,7 +1,5 @@
-#include <cmath>
-#include <cstdio>
-
 #include "hostile/documents.hpp"
+#include "hostile/drawings.hpp"
 #include "hostile/growth.hpp"
 #include "hostile/images.hpp"
 
@@ -14,24 +12,6 @@ const Arguments kInfo{"info", "in.svg"};
 const Arguments kConvert{"convert", "in.svg", "-o", "-"};
 const Arguments kLint{"lint", "in.svg"};
 const Arguments kRender{"render", "in.svg", "-o", "out.png"};
-
-std::string decimal(double value) {
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.9g", value);
-  return text;
-}
-
-/// So many short curves, spread evenly.
-std::string dust(std::size_t n, const char* attributes = "sf:left='red'") {
-  std::string curves;
-  for (std::size_t i = 0; i < n; ++i) {
-    const double along = static_cast<double>(i);
-    curves += "<path " + std::string(attributes) + " d='M" +
-              decimal(std::fmod(along * 61.8033989, 99)) + " " +
-              decimal(std::fmod(along * 75.4877666, 49)) + "l.03 .02'/>";
-  }
-  return curves;
-}
 
 /// Text alone: what the parsers go through.
 void add_texts(std::vector<Growing>& all) {
@@ -89,7 +69,7 @@ void add_documents(std::vector<Growing>& all) {
   const auto add = [&](const char* name, std::size_t first, std::size_t most, auto document) {
     all.push_back({name, first, most, document, kInfo});
   };
-  add("curves", 5'000, 200'000, [](std::size_t n) { return layer(dust(n)); });
+  add("curves", 5'000, 200'000, [](std::size_t n) { return dust(n); });
   add("subpaths", 5'000, 200'000, [](std::size_t n) { return path(repeated("M9 9h9", n)); });
   add("path_lines", 50'000, 1'300'000,
       [](std::size_t n) { return path("M0 0" + repeated("l1 1l-1-1", n / 2)); });
@@ -167,12 +147,12 @@ void add_work(std::vector<Growing>& all) {
     return svg("<defs><g id='a' sf:diffuse='true'><path d='M9 9h9' sf:left='red'/></g></defs>" +
                repeated("<use href='#a'/>", n));
   });
-  add("converted_curves", 2'000, 100'000, kConvert, [](std::size_t n) { return layer(dust(n)); });
+  add("converted_curves", 2'000, 100'000, kConvert, [](std::size_t n) { return dust(n); });
   add("converted_ids", 2'000, 100'000, kConvert, [](std::size_t n) {
     return layer("<path id='a' d='" + repeated("M9 9h9", n) + "' sf:left='red'/>" +
                  numbered("<path id='a-", n, "' d='M9 9h9' sf:left='red'/>"));
   });
-  add("linted_curves", 1'000, 50'000, kLint, [](std::size_t n) { return layer(dust(n)); });
+  add("linted_curves", 1'000, 50'000, kLint, [](std::size_t n) { return dust(n); });
   add("linted_equal_curves", 1'000, 50'000, kLint,
       [](std::size_t n) { return layer(repeated("<path sf:left='red' d='M9 9h9'/>", n)); });
 }

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+/// Drawings of many curves or stops within 100 by 50 units.
+namespace sfumato::hostile {
+
+/// A number as text, nine digits.
+std::string decimal(double value);
+
+/// So many colours, no two neighbours the same.
+std::string colours(std::size_t count);
+
+/// One curve with this path data, so many colours above and none below.
+std::string open_below(const std::string& data, std::size_t stops);
+
+/// Circles about the middle, evenly spaced; `attributes` of each.
+std::string concentric_circles(std::size_t count, const std::string& attributes);
+
+/// So many short curves, spread evenly.
+std::string dust(std::size_t count, const std::string& attributes = "sf:left='red'");
+
+}  // namespace sfumato::hostile
