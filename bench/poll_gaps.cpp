@@ -110,6 +110,8 @@ void measure_encoders(const std::string& name, const Image& image) {
   measure(name + ", PNG", context, [&](Context& c) { return encode_png(c, image); });
   measure(name + ", JPEG", context, [&](Context& c) { return encode_jpeg(c, image, 90); });
   measure(name + ", WebP", context, [&](Context& c) { return encode_webp(c, image, {}); });
+  measure(name + ", lossless WebP", context,
+          [&](Context& c) { return encode_webp(c, image, {.lossless = true}); });
 }
 
 std::optional<Picture> measure_diffuse(const std::string& name, const Document& document,
@@ -215,6 +217,21 @@ void wide_images() {
   });
 }
 
+void webp() {
+  for (const PixelFormat format : {PixelFormat::rgb8, PixelFormat::rgba8}) {
+    const std::string channels = format == PixelFormat::rgb8 ? "" : " with alpha";
+    Context context = roomy();
+    const Image noise = test::noise_image(2048, 2048, format);
+    measure("noise of 2048²" + channels + ", WebP", context,
+            [&](Context& c) { return encode_webp(c, noise, {}); });
+    const std::optional<Picture> picture = measure_diffuse("20 curves", test::many_curves(20));
+    if (!picture) continue;
+    const Result<Image> image =
+        rasterize(context, *picture, {.width = 4096, .height = 4096, .format = format});
+    if (image) measure_encoders("20 curves on 4096²" + channels, *image);
+  }
+}
+
 void strokes() {
   const Document document = test::many_strokes(20'000, 40);
   const std::optional<Picture> picture = measure_diffuse("20,000 local curves", document);
@@ -247,10 +264,10 @@ struct Case {
   void (*run)();
 };
 
-constexpr Case kCases[] = {{"stops", many_stops}, {"curves", many_curves},
-                           {"path", long_path},   {"refinement", refinement},
-                           {"exports", exports},  {"wide", wide_images},
-                           {"strokes", strokes},  {"textures", textures}};
+constexpr Case kCases[] = {
+    {"stops", many_stops},      {"curves", many_curves}, {"path", long_path},
+    {"refinement", refinement}, {"exports", exports},    {"wide", wide_images},
+    {"strokes", strokes},       {"textures", textures},  {"webp", webp}};
 
 constexpr const char* kScenes[] = {"lady_bug", "dolphin", "tomatos", "glass_droplet_blur"};
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "base/no_throw.hpp"
+#include "formats/webp_import.hpp"
 
 namespace sfumato {
 namespace {
@@ -60,16 +61,7 @@ WebPConfig configuration(const WebpOptions& options) {
   config.lossless = options.lossless ? 1 : 0;
   config.exact = options.lossless ? 1 : 0;
   config.quality = options.lossless ? 75.0f : static_cast<float>(options.quality);
-  // The file's lossy colour is at half resolution; this conversion keeps edges from darkening.
-  config.use_sharp_yuv = 1;
   return config;
-}
-
-bool import(const Image& image, WebPPicture& picture) {
-  const int stride = static_cast<int>(image.row_bytes());
-  return (channel_count(image.format) == 4
-              ? WebPPictureImportRGBA(&picture, image.bytes.data(), stride)
-              : WebPPictureImportRGB(&picture, image.bytes.data(), stride)) != 0;
 }
 
 Result<std::vector<std::uint8_t>> encode(Context& context, const Image& image,
@@ -78,7 +70,8 @@ Result<std::vector<std::uint8_t>> encode(Context& context, const Image& image,
   ScopedCharge charge;
   const std::size_t pixel_count = static_cast<std::size_t>(image.width) * image.height;
   if (status) {
-    status = charge.add(context, kWorkingBytes + kWorkingBytesPerPixel * pixel_count,
+    const std::size_t parts = options.lossless ? 0 : import_bytes(context.thread_count());
+    status = charge.add(context, kWorkingBytes + parts + kWorkingBytesPerPixel * pixel_count,
                         "writing a WebP image");
   }
   if (!status) return status;
@@ -90,13 +83,15 @@ Result<std::vector<std::uint8_t>> encode(Context& context, const Image& image,
   const std::unique_ptr<WebPMemoryWriter, FreeWriter> writer_guard(&writer);
   picture.width = image.width;
   picture.height = image.height;
-  picture.use_argb = 1;
   picture.writer = WebPMemoryWrite;
   picture.custom_ptr = &writer;
   picture.progress_hook = go_on;
   picture.user_data = &context;
   const WebPConfig config = configuration(options);
-  if (!import(image, picture) || WebPEncode(&config, &picture) == 0) return failure(picture);
+  status =
+      options.lossless ? import_argb(context, image, picture) : import_yuv(context, image, picture);
+  if (!status) return status;
+  if (WebPEncode(&config, &picture) == 0) return failure(picture);
   return std::vector<std::uint8_t>(writer.mem, writer.mem + writer.size);
 }
 

@@ -11,6 +11,7 @@
 #include "formats/png.hpp"
 #include "formats/read_document.hpp"
 #include "formats/svg_write.hpp"
+#include "formats/webp_encode.hpp"
 #include "limits/large_inputs.hpp"
 #include "lint/lint.hpp"
 #include "raster/rasterize.hpp"
@@ -100,6 +101,12 @@ TEST(Polls, codecs_look_often) {
   const Image image = noise_image(1500, 1500);
   expect_polls("PNG", [&](Context& c) { return encode_png(c, image); });
   expect_polls("JPEG", [&](Context& c) { return encode_jpeg(c, image, 90); });
+  // Of noise libwebp's own passes take longer.
+  const Result<Picture> picture = diffuse(context, many_curves(20), {});
+  ASSERT_TRUE(picture.ok());
+  const auto smooth = rasterize(context, *picture, {.width = 1500, .height = 1500});
+  ASSERT_TRUE(smooth.ok());
+  expect_polls("WebP", [&](Context& c) { return encode_webp(c, *smooth, {}); });
   const auto png = encode_png(context, image);
   const auto jpeg = encode_jpeg(context, image, 90);
   ASSERT_TRUE(png.ok() && jpeg.ok());
