@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -25,16 +26,20 @@ Status resize_large(const Context& context, std::vector<Item>& items, std::size_
 
 /// Appends a copy of `from` in the same way.
 template <class Item>
-Status copy_large(const Context& context, const std::vector<Item>& from, std::vector<Item>& to) {
+Status append_large(const Context& context, std::span<const Item> from, std::vector<Item>& to) {
   constexpr std::size_t kItems = (std::size_t{8} << 20) / sizeof(Item);
   to.reserve(to.size() + from.size());
   for (std::size_t i = 0; i < from.size(); i += kItems) {
     if (context.cancelled()) return context.stop_status();
-    const auto begin = from.begin() + static_cast<std::ptrdiff_t>(i);
-    const std::size_t count = std::min(kItems, from.size() - i);
-    to.insert(to.end(), begin, begin + static_cast<std::ptrdiff_t>(count));
+    const std::span<const Item> part = from.subspan(i, std::min(kItems, from.size() - i));
+    to.insert(to.end(), part.begin(), part.end());
   }
   return ok_status();
+}
+
+template <class Item>
+Status copy_large(const Context& context, const std::vector<Item>& from, std::vector<Item>& to) {
+  return append_large(context, std::span<const Item>(from), to);
 }
 
 /// items.reserve(count), which copies what is there, in the same way. Errors: cancelled; nothing

@@ -6,6 +6,8 @@
 #include <cstring>
 #include <limits>
 
+#include "base/large_vector.hpp"
+
 namespace sfumato::outputs {
 namespace {
 
@@ -60,18 +62,21 @@ std::size_t padded(std::size_t bytes) {
 
 Status GlbFile::add_view(const void* data, std::size_t bytes, int target) {
   const std::size_t size = padded(bytes);
-  if (binary_.size() + size > kMostBytes / 2) {
+  if (part_bytes_ + size > kMostBytes / 2) {
     return make_error(StatusCode::limit, "a GLB of more than 2 GiB: allow a larger error");
   }
   // Once here, once in the file.
   if (Status status = charge_.add(context_, 2 * size + kElementBytes, "the GLB"); !status) {
     return status;
   }
-  views_.push_back({binary_.size(), bytes, target});
-  const auto* begin = static_cast<const std::uint8_t*>(data);
-  binary_.insert(binary_.end(), begin, begin + bytes);
-  binary_.resize(views_.back().offset + size);
-  return ok_status();
+  views_.push_back({part_bytes_, bytes, target});
+  part_bytes_ += size;
+  std::vector<std::uint8_t>& part = parts_.emplace_back();
+  part.reserve(size);
+  Status status =
+      append_large(context_, std::span(static_cast<const std::uint8_t*>(data), bytes), part);
+  if (status) part.resize(size);
+  return status;
 }
 
 Result<std::uint32_t> GlbFile::add_geometry(const GlbMesh& mesh) {
@@ -230,7 +235,7 @@ void GlbFile::write_accessors(JsonWriter& json) const {
 
 void GlbFile::write_buffers(JsonWriter& json) const {
   json.key("buffers").begin_array().begin_object();
-  json.member("byteLength", binary_.size()).end_object().end_array();
+  json.member("byteLength", part_bytes_).end_object().end_array();
   json.key("bufferViews").begin_array();
   for (const View& view : views_) {
     json.begin_object().member("buffer", 0).member("byteOffset", view.offset);
@@ -274,7 +279,7 @@ Result<std::vector<std::uint8_t>> GlbFile::finish(double metres_per_unit) {
   Status status = charge_.add(context_, 2 * text.size(), "the GLB");
   if (!status) return status;
   std::vector<std::uint8_t> file;
-  const std::size_t binary_bytes = binary_.empty() ? 0 : 8 + binary_.size();
+  const std::size_t binary_bytes = part_bytes_ == 0 ? 0 : 8 + part_bytes_;
   file.reserve(20 + text.size() + binary_bytes);
   append_word(file, kMagic);
   append_word(file, 2);
@@ -283,9 +288,13 @@ Result<std::vector<std::uint8_t>> GlbFile::finish(double metres_per_unit) {
   append_word(file, kJsonChunk);
   file.insert(file.end(), text.begin(), text.end());
   if (binary_bytes == 0) return file;
-  append_word(file, binary_.size());
+  append_word(file, part_bytes_);
   append_word(file, kBinaryChunk);
-  file.insert(file.end(), binary_.begin(), binary_.end());
+  for (std::vector<std::uint8_t>& part : parts_) {
+    status = copy_large(context_, part, file);
+    if (!status) return status;
+    part = std::vector<std::uint8_t>();
+  }
   return file;
 }
 

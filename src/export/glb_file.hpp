@@ -80,7 +80,8 @@ class GlbFile {
 
   Context& context_;
   ScopedCharge charge_;
-  std::vector<std::uint8_t> binary_;
+  std::vector<std::vector<std::uint8_t>> parts_;  ///< of the binary chunk, one for each view
+  std::size_t part_bytes_ = 0;
   std::vector<View> views_;
   std::vector<Geometry> geometries_;
   std::vector<std::uint32_t> image_view_;
