@@ -160,7 +160,8 @@ Result<Mesher> Mesher::build(Context& context, const curves::FlatCurves& flat,
   state->refiner.set_quality(options.min_angle_deg,
                              options.max_area > 0 ? 2 * options.max_area / (step * step)
                                                   : std::numeric_limits<double>::infinity(),
-                             std::sqrt(static_cast<double>(lattice->weld_squared)));
+                             std::sqrt(static_cast<double>(lattice->weld_squared)),
+                             options.small_edge / step);
   return Mesher(std::move(state));
 }
 

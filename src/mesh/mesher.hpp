@@ -20,6 +20,7 @@ struct MeshOptions {
   double weld_px = 1.0 / 16;  ///< weld distance in multiples of unit_size, at least 2^-8
   double min_angle_deg = 22;  ///< 0 to 33
   double max_area = 0;        ///< user units²; 0: none
+  double small_edge = 0;      ///< triangles with no longer edge may have smaller angles
 };
 
 /// Curves to constrained Delaunay triangulations on an integer lattice.

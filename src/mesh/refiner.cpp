@@ -44,8 +44,10 @@ double squared_length(Point a, Point b) {
 
 }  // namespace
 
-void Refiner::set_quality(double min_angle_deg, double doubled_area, double weld) {
+void Refiner::set_quality(double min_angle_deg, double doubled_area, double weld,
+                          double small_edge) {
   shortest_edge_ = kShortestEdgePerWeld * weld;
+  small_edge2_ = small_edge * small_edge;
   const double c = cosine_of_degrees(std::clamp(min_angle_deg, 0.0, 33.0));
   const double c2 = 2 * c * c - 1;
   sin2_ = 1 - c * c;
@@ -87,6 +89,7 @@ void Refiner::check_triangle(std::int32_t t) {
   const double least = std::min(l0, std::min(l1, l2));
   const bool large = area2 > doubled_area_;
   if (!large && area2 * area2 * least >= sin2_ * (l0 * l1 * l2)) return;
+  if (!large && std::max(l0, std::max(l1, l2)) <= small_edge2_) return;
   const HalfEdge shortest = 4 * t + (l0 == least ? 0 : l1 == least ? 1 : 2);
   if (!large && (least < shortest_edge_ * shortest_edge_ || spans_small_input_angle(shortest)))
     return;
@@ -123,6 +126,10 @@ bool Refiner::in_lens(Point a, Point b, Point p) const {
   return d < 0 && d * d >= lens_ * ((ax * ax + ay * ay) * (bx * bx + by * by));
 }
 
+bool Refiner::is_small(Vertex a, Vertex b) const {
+  return squared_length(mesh_.point[a], mesh_.point[b]) <= small_edge2_;
+}
+
 void Refiner::check_encroachment(std::int32_t t) {
   const Triangle& now = mesh_.triangle[t];
   if (!now.inside || !((now.across[0] | now.across[1] | now.across[2]) & 1)) return;
@@ -130,7 +137,7 @@ void Refiner::check_encroachment(std::int32_t t) {
     const HalfEdge e = 4 * t + k;
     if (!mesh_.is_constrained(e)) continue;
     const Vertex u = mesh_.origin(e), w = mesh_.target(e);
-    if (in_lens(mesh_.point[u], mesh_.point[w], mesh_.apex_point(e))) {
+    if (in_lens(mesh_.point[u], mesh_.point[w], mesh_.apex_point(e)) && !is_small(u, w)) {
       encroached_.push_back({e, u, w});
     }
   }
@@ -153,7 +160,7 @@ bool Refiner::cavity_encroaches(Point p) {
     if (!(wall.across & 1) || wall.across == kHull) continue;
     const Vertex from = wall.from;
     const Vertex to = cavity[i + 1 < cavity.size() ? i + 1 : 0].from;
-    if (!in_lens(mesh_.point[from], mesh_.point[to], p)) continue;
+    if (!in_lens(mesh_.point[from], mesh_.point[to], p) || is_small(from, to)) continue;
     encroached_.push_back({wall.across >> 1, to, from});
     any = true;
   }
@@ -194,6 +201,7 @@ void Refiner::refine_triangle(const Bad& bad) {
   if (at.place == Place::on_vertex) return;
   bool changed = false;
   if (at.place == Place::blocked || (at.place == Place::on_edge && mesh_.is_wall(at.edge))) {
+    if (is_small(mesh_.origin(at.edge), mesh_.target(at.edge))) return;
     changed = split_subsegment(at.edge);
   } else {
     mesh_.dig(p, triangle_of(at.edge));

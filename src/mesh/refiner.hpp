@@ -32,14 +32,20 @@ inline float fraction_at(const Chord& c, std::int32_t chord_index, Vertex v, Ver
 /// off-centres (Üngör 2004), encroachment by diametral lenses, splits on concentric shells around
 /// vertices where chords meet, and no splitting of triangles that span a small input angle between
 /// two shells (Miller, Pav, Walkington 2003). Shortest edges first. Chords are cut on the straight,
-/// so that the mesh keeps the arrangement's shape.
+/// so that the mesh keeps the arrangement's shape. A point that is put beside a small chord, which
+/// is not cut for it, keeps its distance to all vertices: what comes of it is a flat small
+/// triangle.
 class Refiner {
  public:
   Refiner(Triangulation& mesh, const ChordStore& chords, ScopedCharge& charge)
       : mesh_(mesh), chords_(chords), charge_(charge) {}
 
-  /// min_angle_deg: 0 to 33. doubled_area: largest 2 · area in steps², or infinity. weld: steps.
-  void set_quality(double min_angle_deg, double doubled_area, double weld);
+  /// min_angle_deg  0 to 33
+  /// doubled_area   largest 2 · area in steps², or infinity
+  /// weld           steps
+  /// small_edge     steps: a triangle with no longer edge is not refined for its angles, nor is a
+  ///                chord that is no longer cut because of a point near it
+  void set_quality(double min_angle_deg, double doubled_area, double weld, double small_edge);
 
   /// Refines all triangles inside. Errors: limit, cancelled.
   Status refine_all(Context& context);
@@ -76,6 +82,7 @@ class Refiner {
   void check_touched();
   bool spans_small_input_angle(HalfEdge e) const;
   bool in_lens(Point a, Point b, Point p) const;
+  bool is_small(Vertex a, Vertex b) const;
   bool cavity_encroaches(Point p);
   Point steiner_point(HalfEdge shortest, double off_center) const;
 
@@ -105,6 +112,7 @@ class Refiner {
   double off_center_ = 0;  ///< height of an off-centre over its edge, in edge lengths
   double doubled_area_ = 0;
   double shortest_edge_ = 4;
+  double small_edge2_ = 0;
   std::size_t owner_pieces_ = 0;
 
   static constexpr int kBucketCount = 128;

@@ -27,8 +27,12 @@ constexpr double kNominalSidePx = 1024;
 /// Below this weld, in nominal pixels, nearly coincident curves make slivers without end.
 constexpr double kFinestWeldPx = 1.0 / 128;
 
-/// Refinement stops where a triangle's longest edge falls below this many pixels.
+/// Refinement stops where a triangle's longest edge falls below this many pixels…
 constexpr double kSmallestEdgePx = 1.0;
+/// …and below this many no triangle is made smaller for its angles, or n curves within a pixel
+/// would take n times n triangles. Those of a whole pixel show where colours change within a tenth
+/// of one.
+constexpr double kSmallAnglesEdgePx = 0.5;
 
 double longer_side(const Box& box) {
   return std::max(box.width(), box.height());
@@ -72,6 +76,8 @@ class LayerUnits {
     }
     mesh.min_angle_deg = options_.min_angle_deg;
     mesh.max_area = options_.max_area_fraction * whole_area_;
+    // Without a bound on the error the mesh is the paper's.
+    if (options_.max_error > 0) mesh.small_edge = kSmallAnglesEdgePx * pixel();
     return mesh;
   }
 

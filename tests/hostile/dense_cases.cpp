@@ -21,8 +21,24 @@ void add_open_sides(Family& family) {
              [] { return concentric_circles(300, "sf:left='red'"); });
 }
 
+/// Many curves to a pixel.
+void add_close(Family& family) {
+  const std::string both = "sf:left='red' sf:right='blue'";
+  family.add("circles_300_open_nowhere", kDone, "",
+             [both] { return concentric_circles(300, both); });
+  family.add("parallels_250_within_20_units", kDone, "",
+             [both] { return parallel_lines(250, 20, both); });
+  family.add("parallels_400_within_20_units", kDone, "",
+             [both] { return parallel_lines(400, 20, both); });
+  family.add("parallels_500_open_below", kDone, "",
+             [] { return parallel_lines(500, 20, "sf:left='red'"); });
+  family.add("parallels_1000_within_a_unit", kDone, "",
+             [both] { return parallel_lines(1000, 1, both); });
+}
+
 void add_cases(Family& family) {
   add_open_sides(family);
+  add_close(family);
 }
 
 const Register kDense("dense", add_cases);

@@ -36,6 +36,15 @@ std::string concentric_circles(std::size_t count, const std::string& attributes)
   return layer(circles);
 }
 
+std::string parallel_lines(std::size_t count, double height, const std::string& attributes) {
+  std::string lines;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double y = 9 + height * static_cast<double>(i) / static_cast<double>(count);
+    lines += "<path d='M9 " + decimal(y) + "h80' " + attributes + "/>";
+  }
+  return layer(lines);
+}
+
 std::string dust(std::size_t count, const std::string& attributes) {
   std::string curves;
   for (std::size_t i = 0; i < count; ++i) {

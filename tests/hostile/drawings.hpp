@@ -18,6 +18,9 @@ std::string open_below(const std::string& data, std::size_t stops);
 /// Circles about the middle, evenly spaced; `attributes` of each.
 std::string concentric_circles(std::size_t count, const std::string& attributes);
 
+/// Horizontal lines, evenly spaced over so many units of height; `attributes` of each.
+std::string parallel_lines(std::size_t count, double height, const std::string& attributes);
+
 /// So many short curves, spread evenly.
 std::string dust(std::size_t count, const std::string& attributes = "sf:left='red'");
 

@@ -147,6 +147,15 @@ void add_work(std::vector<Growing>& all) {
     return svg("<defs><g id='a' sf:diffuse='true'><path d='M9 9h9' sf:left='red'/></g></defs>" +
                repeated("<use href='#a'/>", n));
   });
+  // Closer than half a pixel from the first on.
+  add("drawn_circles_open_inside", 200, 2'000, kRender,
+      [](std::size_t n) { return concentric_circles(n, "sf:left='red'"); });
+  add("drawn_circles", 200, 2'000, kRender,
+      [](std::size_t n) { return concentric_circles(n, "sf:left='red' sf:right='blue'"); });
+  add("drawn_parallels_open_below", 200, 4'000, kRender,
+      [](std::size_t n) { return parallel_lines(n, 20, "sf:left='red'"); });
+  add("drawn_parallels", 200, 4'000, kRender,
+      [](std::size_t n) { return parallel_lines(n, 20, "sf:left='red' sf:right='blue'"); });
   add("converted_curves", 2'000, 100'000, kConvert, [](std::size_t n) { return dust(n); });
   add("converted_ids", 2'000, 100'000, kConvert, [](std::size_t n) {
     return layer("<path id='a' d='" + repeated("M9 9h9", n) + "' sf:left='red'/>" +

@@ -107,6 +107,43 @@ TEST_F(Refinement, an_angle_beyond_what_refinement_guarantees_does_not_run_away)
   EXPECT_LT(patch.triangle_count(), 400'000u);
 }
 
+/// Lines of 80 units within 4.
+curves::FlatCurves parallels(int count) {
+  curves::FlatCurves flat;
+  for (int i = 0; i < count; ++i) {
+    const double y = 50 + 4.0 * i / count;
+    add_polyline(flat, {{10, y}, {90, y}});
+  }
+  return flat;
+}
+
+TEST_F(Refinement, triangles_between_close_parallels_are_as_many_as_small_edges_fit_along_them) {
+  const auto count_triangles = [&](int lines, double small_edge) {
+    MeshOptions options = options_100();
+    options.small_edge = small_edge;
+    const TriangleMesh patch = refined(parallels(lines), options).patch_mesh();
+    EXPECT_TRUE(is_valid(patch).ok());
+    return static_cast<double>(patch.triangle_count());
+  };
+  EXPECT_LT(count_triangles(40, 1), 2.2 * count_triangles(20, 1));
+  EXPECT_GT(count_triangles(40, 0), 3 * count_triangles(20, 0));
+}
+
+TEST_F(Refinement, triangles_larger_than_the_small_edge_keep_the_minimum_angle) {
+  MeshOptions options = options_100();
+  options.small_edge = 2;
+  curves::FlatCurves flat = parallels(40);
+  add_polyline(flat, {{20, 20}, {40, 35}, {80, 30}});
+  const TriangleMesh patch = refined(flat, options).patch_mesh();
+  for (std::uint32_t t = 0; t < patch.triangle_count(); ++t) {
+    const double top = patch.vertex_position[patch.triangle_vertex[3 * t]].y;
+    const bool is_between = top > 47 && top < 57;
+    if (longest_edge(patch, t) > 2 && !is_between) {
+      EXPECT_GE(smallest_angle(patch, t), 21.9) << t;
+    }
+  }
+}
+
 TEST_F(Refinement, listed_triangles_become_smaller_and_others_stay) {
   MeshOptions options = options_100();
   options.max_area = 40;
