@@ -105,12 +105,13 @@ class Hull {
 class BlindFinder {
  public:
   BlindFinder(Context& context, const mesh::TriangleMesh& mesh, std::span<const EdgeCode> code)
-      : context_(context), poll_(context), mesh_(mesh), code_(code), blind_(code.size(), 0) {}
+      : context_(context), poll_(context), mesh_(mesh), code_(code) {}
 
   Result<std::vector<std::uint8_t>> run() {
-    find_points();
-    Status status = find_beyond_the_hull();
-    if (status) find_facing_away();
+    Status status = resize_large(context_, blind_, code_.size());
+    if (status) status = find_points();
+    if (status) status = find_beyond_the_hull();
+    if (status) status = find_facing_away();
     if (status) status = context_.check();
     if (!status) return status;
     return std::move(blind_);
@@ -119,12 +120,13 @@ class BlindFinder {
  private:
   enum class Sight : std::uint8_t { blind, stop, undecided };
 
-  void find_points() {
-    point_.resize(mesh_.vertex_position.size());
+  Status find_points() {
+    Status status = resize_large(context_, point_, mesh_.vertex_position.size());
     for (std::size_t v = 0; v < point_.size() && !poll_.cancelled(); ++v) {
       const Vec2 steps = (mesh_.vertex_position[v] - mesh_.vertex_position[0]) / mesh_.lattice_step;
       point_[v] = {static_cast<std::int32_t>(steps.x), static_cast<std::int32_t>(steps.y)};
     }
+    return status;
   }
 
   LatticePoint from(std::uint32_t h) const { return point_[mesh_.origin(h)]; }
@@ -133,7 +135,7 @@ class BlindFinder {
 
   Status find_beyond_the_hull() {
     std::vector<std::uint8_t> stops(point_.size(), 0);
-    for (std::uint32_t h = 0; h < half_edge_count(); ++h) {
+    for (std::uint32_t h = 0; h < half_edge_count() && !poll_.cancelled(); ++h) {
       if (!is_stop(code_[h])) continue;
       stops[mesh_.origin(h)] = stops[mesh_.target(h)] = 1;
     }
@@ -164,19 +166,20 @@ class BlindFinder {
 
   /// Open sides wait for the first open side behind them that is not known to be blind: when it is,
   /// they are looked at again.
-  void find_facing_away() {
-    std::vector<std::uint32_t> queue;
-    for (std::uint32_t h = 0; h < half_edge_count(); ++h) {
-      if (is_open_side(h)) queue.push_back(h);
+  Status find_facing_away() {
+    std::vector<std::uint32_t> unsettled;
+    for (std::uint32_t h = 0; h < half_edge_count() && !poll_.cancelled(); ++h) {
+      if (is_open_side(h)) unsettled.push_back(h);
     }
-    if (queue.empty()) return;
-    first_waiting_.assign(code_.size(), kNobody);
-    next_waiting_.assign(code_.size(), kNobody);
-    turn_.assign(mesh_.triangle_count(), 0);
+    if (unsettled.empty()) return ok_status();
+    Status status = resize_large(context_, first_waiting_, code_.size(), kNobody);
+    if (status) status = resize_large(context_, next_waiting_, code_.size(), kNobody);
+    if (status) status = resize_large(context_, turn_, mesh_.triangle_count());
+    if (!status) return status;
     triangles_left_ = kTrianglesPerHalfEdge * static_cast<std::int64_t>(code_.size());
-    for (std::size_t i = 0; i < queue.size() && triangles_left_ > 0; ++i) {
-      if (poll_.cancelled()) return;
-      const std::uint32_t h = queue[i];
+    while (!unsettled.empty() && triangles_left_ > 0 && !poll_.cancelled()) {
+      const std::uint32_t h = unsettled.back();
+      unsettled.pop_back();
       std::uint32_t unknown = kNobody;
       const Sight sight = look_through(h, unknown);
       if (sight == Sight::undecided && unknown != kNobody) {
@@ -186,9 +189,10 @@ class BlindFinder {
       if (sight != Sight::blind) continue;
       blind_[h] = 1;
       for (std::uint32_t w = first_waiting_[h]; w != kNobody; w = next_waiting_[w]) {
-        queue.push_back(w);
+        unsettled.push_back(w);
       }
     }
+    return ok_status();
   }
 
   /// Goes through the triangles that can be reached through edges that face h.
@@ -232,7 +236,7 @@ Result<std::vector<std::uint8_t>> find_blind(Context& context, const mesh::Trian
                                              std::span<const EdgeCode> code) {
   if (!(mesh.lattice_step > 0)) return std::vector<std::uint8_t>(code.size(), 0);
   ScopedCharge charge;
-  const std::size_t bytes = mesh.vertex_position.size() * 28 + code.size() * 13;
+  const std::size_t bytes = mesh.vertex_position.size() * 40 + code.size() * 14;
   if (Status status = charge.add(context, bytes, "the visibility mesh"); !status) return status;
   return BlindFinder(context, mesh, code).run();
 }
