@@ -27,7 +27,9 @@ class SceneReader {
     if (reader_.below(4) == 0) options.frame.max.y = 1 + reader_.below(64);
     options.unit_size = std::ldexp(1.0, static_cast<int>(reader_.below(4)) - 4);
     constexpr double kAngles[] = {22, 0, 30, 33};
-    options.min_angle_deg = kAngles[reader_.below(4)];
+    const unsigned quality = reader_.below(8);
+    options.min_angle_deg = kAngles[quality % 4];
+    if (quality >= 4) options.small_edge = 2;
     constexpr double kAreas[] = {0, 200, 50, 1000};
     options.max_area = kAreas[reader_.below(4)];
     return options;
