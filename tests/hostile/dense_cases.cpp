@@ -17,6 +17,8 @@ void add_open_sides(Family& family) {
              [] { return open_below("M9 40C30 0 60 0 90 40", 1000); });
   family.add("circles_75_open_inside", kDone, "",
              [] { return concentric_circles(75, "sf:left='red'"); });
+  family.add("circles_30_open_outside", kDone, "",
+             [] { return concentric_circles(30, "sf:right='red'"); });
   family.add("circles_300_open_inside", kDone, "",
              [] { return concentric_circles(300, "sf:left='red'"); });
 }
@@ -36,7 +38,21 @@ void add_close(Family& family) {
              [both] { return parallel_lines(1000, 1, both); });
 }
 
+/// All nodes see all curves: a square by nature, which the limit on time ends.
+void add_dust(Family& family) {
+  family.add("dust_200", kDone, "", [] { return dust(200); });
+  family.add("dust_200_open_nowhere", kDone, "",
+             [] { return dust(200, "sf:left='red' sf:right='blue'"); });
+  family.add("dust_20000", kLimit, "the time limit of 1 s is over", [] { return dust(20'000); })
+      .also({"--max-time", "1", "--threads", "1"});
+  family
+      .add("circles_300_open_outside", kLimit, "the time limit of 1 s is over",
+           [] { return concentric_circles(300, "sf:right='red'"); })
+      .also({"--max-time", "1", "--threads", "1"});
+}
+
 void add_cases(Family& family) {
+  add_dust(family);
   add_open_sides(family);
   add_close(family);
 }
