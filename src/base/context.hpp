@@ -36,6 +36,7 @@ class Budget {
 
   std::size_t used() const { return used_.load(std::memory_order_relaxed); }
   std::size_t limit() const { return limit_; }
+  std::size_t room() const { return limit_ - used(); }
 
  private:
   std::size_t limit_;

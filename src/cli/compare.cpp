@@ -80,6 +80,8 @@ Status compare_files(Context& context, const CompareArguments& arguments,
   if (!first) return first.status();
   const Result<Image> second = read_png(context, arguments.second, second_bytes);
   if (!second) return second.status();
+  status = charge.add(context, first->bytes.size() + second->bytes.size(), "the pictures");
+  if (!status) return status;
   if (first->width != second->width || first->height != second->height) {
     return make_error(StatusCode::bad_input,
                       "this picture is " + size_text(*second) + " pixels, expected " +

@@ -1,20 +1,34 @@
 #include "cli/document_input.hpp"
 
+#include <algorithm>
+
 #include "cli/folder_loader.hpp"
 #include "cli/paths.hpp"
 
 namespace sfumato::cli {
+namespace {
+
+/// What a pipe gives is read into memory that doubles: old and new are there at once.
+constexpr std::size_t kBytesPerPipedByte = 3;
+
+/// The input, if the budget has room for it; who calls charges for it.
+Result<std::string> read_text(Context& context, const std::string& path) {
+  const std::size_t most = context.limits.input_bytes, room = context.budget.room();
+  const std::size_t readable = path == "-" ? room / kBytesPerPipedByte : room;
+  Result<std::string> bytes = read_input(path, std::min(most, readable));
+  if (bytes || bytes.status().code != StatusCode::limit) return bytes;
+  if (readable < most) return context.budget.charge(room + 1, "the input");
+  return limit_error(context.limits, &Limits::input_bytes, "bytes of input", bytes.status().where);
+}
+
+}  // namespace
 
 Result<ReadDocument> read_drawing(Context& context, const DocumentArguments& arguments) {
-  const Result<std::string> bytes = read_input(arguments.input, context.limits.input_bytes);
-  if (!bytes) {
-    Status status = bytes.status();
-    if (status.code != StatusCode::limit) return status;
-    return limit_error(context.limits, &Limits::input_bytes, "bytes of input", status.where);
-  }
+  const Result<std::string> bytes = read_text(context, arguments.input);
+  if (!bytes) return bytes.status();
   ScopedCharge charge;
   if (Status status = charge.add(context, bytes->size(), "the input"); !status) return status;
-  const FolderLoader loader(arguments.input, arguments.allowed_folders, context.limits);
+  const FolderLoader loader(arguments.input, arguments.allowed_folders, context);
   Result<ReadDocument> read =
       read_document(context, *bytes, display_name(arguments.input), &loader);
   if (!read || arguments.quiet) return read;

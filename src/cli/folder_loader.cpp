@@ -25,8 +25,8 @@ bool is_below(const fs::path& file, const fs::path& folder) {
 }  // namespace
 
 FolderLoader::FolderLoader(const std::string& document,
-                           const std::vector<std::string>& allowed_folders, const Limits& limits)
-    : limits_(limits), folder_(document == "-" ? fs::path() : fs::path(document).parent_path()) {
+                           const std::vector<std::string>& allowed_folders, Context& context)
+    : context_(context), folder_(document == "-" ? fs::path() : fs::path(document).parent_path()) {
   if (folder_.empty()) folder_ = ".";
   std::error_code error;
   const fs::path own = fs::canonical(folder_, error);
@@ -58,16 +58,17 @@ Result<std::vector<std::uint8_t>> FolderLoader::load(std::string_view href) cons
   const fs::file_status status = fs::status(path, error);
   if (!fs::exists(status)) return bad("there is no such file in " + path.parent_path().string());
   if (!fs::is_regular_file(status)) return bad("is not a file");
-  Result<std::string> bytes = read_file(path.string(), limits_.image_file_bytes);
-  if (!bytes) {
-    const Status& failed = bytes.status();
-    if (failed.code == StatusCode::limit) {
-      return limit_error(limits_, &Limits::image_file_bytes, "bytes in the file");
-    }
-    const bool is_io = failed.code == StatusCode::io;
-    return make_error(is_io ? StatusCode::bad_input : failed.code, failed.message);
+  // Who asks charges for it.
+  const std::size_t most = context_.limits.image_file_bytes, room = context_.budget.room();
+  Result<std::vector<std::uint8_t>> bytes = read_bytes(path.string(), std::min(most, room));
+  if (bytes) return bytes;
+  const Status& failed = bytes.status();
+  if (failed.code == StatusCode::limit) {
+    if (room < most) return context_.budget.charge(room + 1, "a texture file");
+    return limit_error(context_.limits, &Limits::image_file_bytes, "bytes in the file");
   }
-  return std::vector<std::uint8_t>(bytes->begin(), bytes->end());
+  const bool is_io = failed.code == StatusCode::io;
+  return make_error(is_io ? StatusCode::bad_input : failed.code, failed.message);
 }
 
 }  // namespace sfumato::cli

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "base/context.hpp"
 #include "formats/read_document.hpp"
 
 namespace sfumato::cli {
@@ -14,16 +15,17 @@ namespace sfumato::cli {
 class FolderLoader final : public ResourceLoader {
  public:
   /// The path of the document; "-" is standard input: the current folder. `allowed_folders` exist.
-  /// Longer files than `limits` allows are errors.
+  /// A file that is longer than the limits of `context` allow, or than its budget has room for, is
+  /// an error. The context must outlive this.
   FolderLoader(const std::string& document, const std::vector<std::string>& allowed_folders,
-               const Limits& limits);
+               Context& context);
 
   Result<std::vector<std::uint8_t>> load(std::string_view href) const override;
 
  private:
   Status check_place(const std::filesystem::path& file) const;
 
-  Limits limits_;
+  Context& context_;
   std::filesystem::path folder_;                ///< of the document, as it was given
   std::vector<std::filesystem::path> granted_;  ///< without symbolic links; the document's first
 };

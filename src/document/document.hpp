@@ -80,6 +80,7 @@ struct Document {
 /// About what it takes in memory. Readers charge it only while they read: who holds a document may
 /// charge it again.
 std::size_t bytes_of(const Document& document);
+std::size_t bytes_of(const LocalCurve& curve);  ///< beside the object itself
 std::size_t bytes_of(const std::vector<Shader>& shaders);
 
 /// Checks every invariant of the model: sizes against the context's limits, finite numbers in

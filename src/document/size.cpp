@@ -17,12 +17,6 @@ std::size_t bytes_of(const Curve& curve) {
          bytes_of(curve.right);
 }
 
-std::size_t bytes_of(const LocalCurve& curve) {
-  return curve.control_points.capacity() * sizeof(Vec2) + bytes_of(curve.left_color) +
-         bytes_of(curve.right_color) + bytes_of(curve.blur_radius) +
-         bytes_of(curve.influence_radius);
-}
-
 std::size_t bytes_of(const GradientFill& fill) {
   return fill.stops.capacity() * sizeof(GradientStop);
 }
@@ -32,6 +26,12 @@ std::size_t bytes_of(const Texture& texture) {
 }
 
 }  // namespace
+
+std::size_t bytes_of(const LocalCurve& curve) {
+  return curve.control_points.capacity() * sizeof(Vec2) + bytes_of(curve.left_color) +
+         bytes_of(curve.right_color) + bytes_of(curve.blur_radius) +
+         bytes_of(curve.influence_radius);
+}
 
 std::size_t bytes_of(const std::vector<Shader>& shaders) {
   std::size_t bytes = shaders.capacity() * sizeof(Shader);

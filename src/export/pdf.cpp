@@ -44,7 +44,7 @@ class PdfWriter {
   Result<std::vector<std::uint8_t>> write();
 
   void operator()(const PatchInstance& instance);
-  void operator()(const LocalStroke& stroke) { strokes_.push_back(stroke); }
+  void operator()(const LocalStroke&) { ++stroke_count_; }
   void operator()(const GroupBegin& group);
   void operator()(const GroupEnd&);
 
@@ -70,7 +70,8 @@ class PdfWriter {
   std::vector<PdfRef> layer_;  ///< 0: shows nothing
   std::vector<std::tuple<float, BlendMode, PdfRef>> states_;
   std::vector<Level> levels_{1};
-  std::vector<LocalStroke> strokes_;  ///< that follow one another and are not painted yet
+  std::size_t item_ = 0;          ///< of the stack
+  std::size_t stroke_count_ = 0;  ///< local curves before it that are not painted yet
 };
 
 /// Layers that are painted, each for its largest instance.
@@ -136,11 +137,12 @@ void PdfWriter::operator()(const GroupEnd&) {
 
 /// Local curves that follow one another are one image.
 void PdfWriter::paint_strokes() {
-  if (strokes_.empty()) return;
+  if (stroke_count_ == 0) return;
+  const auto strokes = std::span(picture_.stack).subspan(item_ - stroke_count_, stroke_count_);
+  stroke_count_ = 0;
   const Result<PixelPart> part =
-      stroke_pixels(context_, strokes_, picture_.interpolation, picture_.viewport,
+      stroke_pixels(context_, strokes, picture_.interpolation, picture_.viewport,
                     points_per_unit_ * options_.dpi / 72);
-  strokes_.clear();
   if (!part) return file_.fail(part.status());
   if (part->box.empty()) return;
   paint_image(add_image(context_, &file_, part->image), part->box, &levels_.back().content);
@@ -177,9 +179,9 @@ PdfRef PdfWriter::add_page() {
 Result<std::vector<std::uint8_t>> PdfWriter::write() {
   add_layers();
   paint_background();
-  for (const PictureItem& item : picture_.stack) {
+  for (; item_ < picture_.stack.size(); ++item_) {
     if (!file_.status()) return file_.status();
-    std::visit(*this, item);
+    std::visit(*this, picture_.stack[item_]);
   }
   paint_strokes();
   const PdfRef page = add_page();

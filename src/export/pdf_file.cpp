@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "base/large_vector.hpp"
 #include "export/deflate.hpp"
 
 namespace sfumato::outputs {
@@ -101,6 +102,15 @@ void PdfFile::append(std::string_view text) {
   bytes_.insert(bytes_.end(), text.begin(), text.end());
 }
 
+/// For so many bytes more, charged before; the table doubles.
+void PdfFile::make_room(std::size_t bytes) {
+  const std::size_t needed = bytes_.size() + bytes + kHeader.size();
+  if (needed <= bytes_.capacity()) return;
+  const std::size_t larger = std::max(needed, 2 * bytes_.capacity());
+  fail(charge_.add(context_, larger - bytes_.capacity(), "objects of a PDF"));
+  if (status_) fail(reserve_large(context_, bytes_, larger));
+}
+
 PdfRef PdfFile::begin_object() {
   if (offset_.empty()) append(kHeader);
   offset_.push_back(bytes_.size());
@@ -111,7 +121,7 @@ PdfRef PdfFile::begin_object() {
 
 PdfRef PdfFile::add(std::string_view object) {
   if (!status_) return 0;
-  fail(charge_.add(context_, object.size() + 64, "objects of a PDF"));
+  make_room(object.size() + 64);
   if (!status_) return 0;
   const PdfRef ref = begin_object();
   append(object);
@@ -126,13 +136,13 @@ PdfRef PdfFile::add_stream(std::string_view entries, std::span<const std::uint8_
     fail(packed.status());
     return 0;
   }
-  fail(charge_.add(context_, packed->size() + entries.size() + 128, "objects of a PDF"));
+  make_room(packed->size() + entries.size() + 128);
   if (!status_) return 0;
   const PdfRef ref = begin_object();
   append("<< ");
   append(entries);
   append(" /Filter /FlateDecode /Length " + std::to_string(packed->size()) + " >>\nstream\n");
-  bytes_.insert(bytes_.end(), packed->begin(), packed->end());
+  fail(copy_large(context_, *packed, bytes_));
   append("\nendstream\nendobj\n");
   return ref;
 }

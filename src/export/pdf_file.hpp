@@ -48,6 +48,7 @@ class PdfFile {
   Result<std::vector<std::uint8_t>> finish(PdfRef root, PdfRef info);
 
  private:
+  void make_room(std::size_t bytes);
   PdfRef begin_object();
   void append(std::string_view text);
 

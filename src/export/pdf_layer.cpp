@@ -19,10 +19,13 @@ constexpr double kShift = 0.09;
 /// Of the bands along curves, points: two pixels of a screen.
 constexpr double kBandWidth = 1.25;
 
-/// The union of quadrangles as a path. Errors: cancelled.
-Result<std::string> path_of(const Context& context,
+/// Of a quadrangle: eight numbers and its operators.
+constexpr std::size_t kQuadrangleBytes = 128;
+
+/// Operators that begin a part that is clipped to the union of quadrangles. Errors: cancelled.
+Result<std::string> clip_to(const Context& context,
                             const std::vector<std::array<Vec2, 4>>& quadrangles) {
-  std::string path;
+  std::string path = "q ";
   RarePoll<1024> poll(context);
   for (const auto& corner : quadrangles) {
     if (poll.cancelled()) return context.stop_status();
@@ -30,7 +33,7 @@ Result<std::string> path_of(const Context& context,
     for (std::size_t k = 0; k < 4; ++k)
       path += pdf_number(corner[k].x) + " " + pdf_number(corner[k].y) + operators[k];
   }
-  return path;
+  return path + "W n";
 }
 
 /// Writes one layer.
@@ -70,6 +73,7 @@ class LayerWriter {
   Box box_of_weight(const PatchField& field, std::size_t channel) const;
 
   Context& context_;
+  ScopedCharge charge_;
   PdfFile* file_;
   const Picture& picture_;
   const PatchLayer& layer_;
@@ -105,9 +109,12 @@ void LayerWriter::paint_bands(const FacetSource& source, PdfContent* content) {
   if (!bands) return file_->fail(bands.status());
   paint_once(bands->under, content);
   if (bands->clip.empty()) return;
-  const Result<std::string> path = path_of(context_, bands->clip);
-  if (!path) return file_->fail(path.status());
-  content->add("q " + *path + "W n");
+  // The text here, and in the content, which doubles.
+  Status status = charge_.add(context_, 4 * kQuadrangleBytes * bands->clip.size(), "a PDF's text");
+  if (!status) return file_->fail(std::move(status));
+  const Result<std::string> clip = clip_to(context_, bands->clip);
+  if (!clip) return file_->fail(clip.status());
+  content->add(*clip);
   paint_once(bands->over, content);
   content->add("Q");
 }

@@ -152,7 +152,19 @@ Result<PixelPart> picture_pixels(Context& context, const Picture& picture, doubl
   return painted(context, picture, box, size_of(box, pixels_per_unit), PixelFormat::rgb8);
 }
 
-Result<PixelPart> stroke_pixels(Context& context, std::span<const LocalStroke> strokes,
+namespace {
+
+std::size_t stroke_bytes(std::span<const PictureItem> strokes) {
+  std::size_t bytes = 0;
+  for (const PictureItem& item : strokes) {
+    bytes += sizeof(item) + bytes_of(std::get<LocalStroke>(item).curve);
+  }
+  return bytes;
+}
+
+}  // namespace
+
+Result<PixelPart> stroke_pixels(Context& context, std::span<const PictureItem> strokes,
                                 InterpolationSpace space, const Box& viewport,
                                 double pixels_per_unit) {
   const Size size = size_of(viewport, pixels_per_unit);
@@ -162,7 +174,13 @@ Result<PixelPart> stroke_pixels(Context& context, std::span<const LocalStroke> s
   Box bounds;
   Picture picture;
   picture.interpolation = space;
-  for (const LocalStroke& stroke : strokes) {
+  ScopedCharge copies;
+  if (Status status = copies.add(context, stroke_bytes(strokes), "local curves"); !status) {
+    return status;
+  }
+  picture.stack.reserve(strokes.size());
+  for (const PictureItem& item : strokes) {
+    const auto& stroke = std::get<LocalStroke>(item);
     const Result<raster::StrokePainter> painter =
         raster::StrokePainter::create(context, stroke, pixels_from_artboard, space);
     if (!painter) return painter.status();

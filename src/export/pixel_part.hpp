@@ -38,10 +38,10 @@ Result<PixelPart> layer_pixels(Context& context, const Picture& picture, std::ui
 /// All of a picture's viewport on its background or white, rgb8. Errors: limit (memory), cancelled.
 Result<PixelPart> picture_pixels(Context& context, const Picture& picture, double pixels_per_unit);
 
-/// Local curves, one painted over the other, rgba8, in as much of `viewport` as they need. Artboard
-/// frame. Pixels next to them that are transparent have their colour, so that viewers which filter
-/// leave no fringe. Errors: limit (memory), cancelled.
-Result<PixelPart> stroke_pixels(Context& context, std::span<const LocalStroke> strokes,
+/// Items that are local curves, one painted over the other, rgba8, in as much of `viewport` as they
+/// need. Artboard frame. Pixels next to them that are transparent have their colour, so that
+/// viewers which filter leave no fringe. Errors: limit (memory), cancelled.
+Result<PixelPart> stroke_pixels(Context& context, std::span<const PictureItem> strokes,
                                 InterpolationSpace space, const Box& viewport,
                                 double pixels_per_unit);
 

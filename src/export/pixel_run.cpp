@@ -72,8 +72,7 @@ class PartPicture {
   Status add(const PictureItem& item) {
     if (const auto* stroke = std::get_if<LocalStroke>(&item)) {
       box_ = united(box_, reach(*stroke));
-      part_.stack.push_back(*stroke);
-      return ok_status();
+      return push(*stroke, bytes_of(stroke->curve));
     }
     return add(std::get<PatchInstance>(item));
   }
@@ -102,8 +101,14 @@ class PartPicture {
     box_ = united(box_, reach(instance, layer));
     instance.layer = index;
     instance.blend = BlendMode::normal;
-    part_.stack.push_back(instance);
-    return ok_status();
+    return push(instance, 0);
+  }
+
+  /// The list doubles: as it moves, old and new are there.
+  Status push(const PictureItem& item, std::size_t bytes) {
+    Status status = charge_.add(context_, 3 * sizeof(item) + bytes, "items to be painted");
+    if (status) part_.stack.push_back(item);
+    return status;
   }
 
   Context& context_;

@@ -59,8 +59,12 @@ Result<RgbaImage> from_png(Context& context, std::span<const std::uint8_t> bytes
   if (!sized) return sized;
   Result<Image> image = decode_png_with_alpha(context, bytes, {});
   if (!image) return image.status();
+  ScopedCharge charge;  // of an image of 16 bits beside one of 8
   if (image->format == PixelFormat::rgba16) {
-    if (Status status = halve_depth(context, *image); !status) return status;
+    const std::size_t both = image->bytes.size() / 2 * 3;
+    Status status = charge.add(context, both, "a PNG image of 16 bits");
+    if (status) status = halve_depth(context, *image);
+    if (!status) return status;
   }
   return RgbaImage{image->width, image->height, std::move(image->bytes)};
 }

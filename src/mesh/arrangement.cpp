@@ -34,8 +34,7 @@ bool Arrangement::make_room() {
   return status_.ok();
 }
 
-/// Charges for what the chords have come to take. Their tables double: a small part is charged
-/// late.
+/// Charges for the tables of chords before they double.
 void Arrangement::charge_chords() {
   if (chords_.bytes() <= charged_bytes_) return;
   Status status = charge_.add(context_, chords_.bytes() - charged_bytes_, "curve pieces");

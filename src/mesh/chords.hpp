@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/limits.hpp"
+#include "mesh/triangle_mesh.hpp"
 #include "mesh/triangulation.hpp"
 
 namespace sfumato::mesh {
@@ -45,8 +46,11 @@ class ChordStore {
   const Chord& operator[](std::int32_t index) const { return chord_[index]; }
   std::size_t size() const { return chord_.size(); }
   std::size_t live_owner_count() const { return live_owners_; }
+  /// What the tables take, and what lies on the chords takes in a TriangleMesh. A table that is
+  /// nearly full counts as if it had grown.
   std::size_t bytes() const {
-    return chord_.capacity() * sizeof(Chord) + owner_.capacity() * sizeof(Owner);
+    return room(chord_) * (sizeof(Chord) + sizeof(std::int32_t) + sizeof(Constraint)) +
+           room(owner_) * (sizeof(Owner) + sizeof(SegmentPiece));
   }
 
   const Owner& owner(std::int32_t index) const { return owner_[index]; }
@@ -68,12 +72,19 @@ class ChordStore {
   void discard(Load load);
 
   /// Ends the arrangement: the owners of each chord stand in a row, in drawing order.
+  /// Takes a second table of owners meanwhile.
   void seal();
 
   /// After `seal`: the owners of a chord.
   const Owner* begin(const Chord& c) const { return owner_.data() + c.load.first; }
 
  private:
+  template <class Item>
+  static std::size_t room(const std::vector<Item>& table) {
+    const std::size_t capacity = table.capacity();
+    return table.size() > capacity / 4 * 3 ? 2 * capacity : capacity;
+  }
+
   std::int32_t new_owner(Owner owner);
 
   std::vector<Chord> chord_;

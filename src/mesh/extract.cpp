@@ -114,9 +114,11 @@ void copy_triangles(const Context& context, const Triangulation& mesh, const Num
   }
 }
 
-void copy_constraints(const Context& context, const Triangulation& mesh, const ChordStore& chords,
-                      const std::vector<VertexOrigin>& origins, const Numbering& numbering,
-                      TriangleMesh& out) {
+/// Calls visit(e, h) for every constrained edge, once: its half-edge e of the triangulation, which
+/// is h in `out`.
+template <class Visit>
+void for_each_constraint(const Context& context, const Triangulation& mesh,
+                         const Numbering& numbering, const TriangleMesh& out, Visit visit) {
   RarePoll<65536> poll(context);
   for (std::size_t slot = 0; slot < mesh.triangle.size() && !poll.cancelled(); ++slot) {
     const Triangle& t = mesh.triangle[slot];
@@ -127,10 +129,7 @@ void copy_constraints(const Context& context, const Triangulation& mesh, const C
       const std::int32_t h = 3 * numbering.triangle[slot] + k;
       const std::int32_t twin = out.half_edge_twin[h];
       if (twin != kNone && twin < h) continue;
-      const auto constraint = static_cast<std::int32_t>(out.constraint.size());
-      add_constraint(mesh, chords, origins, numbering, static_cast<HalfEdge>(4 * slot) + k, out);
-      out.half_edge_constraint[h] = constraint;
-      if (twin != kNone) out.half_edge_constraint[twin] = constraint;
+      visit(static_cast<HalfEdge>(4 * slot) + k, h);
     }
   }
 }
@@ -155,10 +154,22 @@ TriangleMesh extract(const Context& context, const Triangulation& mesh, const Ch
       !resize_large(context, out.half_edge_constraint, half_edges, std::int32_t{kNone})) {
     return {};
   }
-  out.constraint.reserve(chords.size() + half_edges / 16);
-  out.piece.reserve(chords.live_owner_count() + half_edges / 16);
   copy_triangles(context, mesh, numbering, out);
-  if (!context.cancelled()) copy_constraints(context, mesh, chords, origins, numbering, out);
+  if (context.cancelled()) return {};
+  std::size_t constraints = 0, pieces = 0;
+  for_each_constraint(context, mesh, numbering, out, [&](HalfEdge e, std::int32_t) {
+    constraints += 1;
+    pieces += static_cast<std::size_t>(chords[mesh.chord[e]].load.count);
+  });
+  out.constraint.reserve(constraints);
+  out.piece.reserve(pieces);
+  for_each_constraint(context, mesh, numbering, out, [&](HalfEdge e, std::int32_t h) {
+    const auto constraint = static_cast<std::int32_t>(out.constraint.size());
+    add_constraint(mesh, chords, origins, numbering, e, out);
+    out.half_edge_constraint[h] = constraint;
+    const std::int32_t twin = out.half_edge_twin[h];
+    if (twin != kNone) out.half_edge_constraint[twin] = constraint;
+  });
   return out;
 }
 

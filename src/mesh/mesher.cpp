@@ -1,5 +1,6 @@
 #include "mesh/mesher.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <span>
@@ -31,6 +32,9 @@ struct Mesher::State {
 };
 
 namespace {
+
+/// Points, their order, its scratch and the vertex of each.
+constexpr std::size_t kInputBytesPerPoint = 40;
 
 Status check_sizes(const Limits& limits, const curves::FlatCurves& flat) {
   if (flat.curve_begin.empty() || flat.segment_count() <= limits.segments) return ok_status();
@@ -64,6 +68,13 @@ Status arrange(Arrangement& arrangement, const curves::FlatCurves& flat, const L
   return arrangement.status();
 }
 
+Status seal(Context& context, ChordStore& chords) {
+  ScopedCharge charge;
+  Status status = charge.add(context, chords.live_owner_count() * sizeof(Owner), "curve pieces");
+  if (status) chords.seal();
+  return status;
+}
+
 /// Marks the triangles inside the frame: those that an odd number of frame chords separates from
 /// the hull.
 Status flood_inside(const Context& context, Triangulation& mesh, const ChordStore& chords) {
@@ -92,6 +103,10 @@ Status flood_inside(const Context& context, Triangulation& mesh, const ChordStor
   return ok_status();
 }
 
+std::size_t bytes_of_pieces(const TriangleMesh& mesh) {
+  return mesh.piece.size() * sizeof(SegmentPiece);
+}
+
 /// Constraints that are meshed again: constraint[i] runs from point 2 i to point 2 i + 1.
 struct KeptConstraints {
   std::vector<std::uint32_t> constraint;
@@ -99,8 +114,10 @@ struct KeptConstraints {
 };
 
 KeptConstraints kept_constraints(const TriangleMesh& mesh, std::span<const std::uint8_t> keep,
-                                 const Lattice& lattice) {
+                                 std::size_t count, const Lattice& lattice) {
   KeptConstraints kept;
+  kept.constraint.reserve(count);
+  kept.point.reserve(2 * count);
   for (std::uint32_t c = 0; c < mesh.constraint.size(); ++c) {
     if (!keep[c]) continue;
     kept.constraint.push_back(c);
@@ -114,12 +131,21 @@ KeptConstraints kept_constraints(const TriangleMesh& mesh, std::span<const std::
 void restore_pieces(const TriangleMesh& original, std::span<const std::uint32_t> constraint,
                     TriangleMesh& mesh) {
   const std::vector<SegmentPiece> stand_in = std::move(mesh.piece);
+  const auto original_of = [&](const Constraint& c) -> const Constraint& {
+    return original.constraint[constraint[stand_in[c.piece_begin].segment / 2]];
+  };
+  std::size_t count = 0;
+  for (const Constraint& c : mesh.constraint) {
+    count += original_of(c).piece_end - original_of(c).piece_begin;
+  }
   mesh.piece.clear();
+  mesh.piece.reserve(count);
   for (Constraint& c : mesh.constraint) {
     const SegmentPiece& whole = stand_in[c.piece_begin];
+    const Constraint& before = original_of(c);
     const bool reversed = whole.u_from > whole.u_to;
     c.piece_begin = static_cast<std::uint32_t>(mesh.piece.size());
-    for (SegmentPiece piece : original.pieces(original.constraint[constraint[whole.segment / 2]])) {
+    for (SegmentPiece piece : original.pieces(before)) {
       if (reversed) std::swap(piece.u_from, piece.u_to);
       mesh.piece.push_back(piece);
     }
@@ -142,17 +168,18 @@ Result<Mesher> Mesher::build(Context& context, const curves::FlatCurves& flat,
   auto state = std::make_unique<State>(context);
   state->lattice = *lattice;
   const std::size_t points = flat.vertex.size();
-  // Points, their order, its scratch and the vertex of each.
   ScopedCharge scratch;
-  if (Status status = scratch.add(context, points * 40, "mesh input"); !status) return status;
+  if (Status status = scratch.add(context, points * kInputBytesPerPoint, "mesh input"); !status) {
+    return status;
+  }
   Status status = state->mesh.grow(context, state->charge, points * 5 / 4 + 64);
   if (!status) return status;
   state->mesh.start(lattice->width, lattice->height);
   Arrangement arrangement(context, state->mesh, state->chords, state->charge,
                           lattice->weld_squared);
   status = arrange(arrangement, flat, *lattice);
+  if (status) status = seal(context, state->chords);
   if (!status) return status;
-  state->chords.seal();
   status = flood_inside(context, state->mesh, state->chords);
   if (!status) return status;
   state->refiner.start();
@@ -174,11 +201,16 @@ TriangleMesh Mesher::visibility_mesh() const {
 Result<TriangleMesh> Mesher::thinned_mesh(Context& context, const TriangleMesh& visibility,
                                           std::span<const std::uint8_t> keep) const {
   const Lattice& lattice = state_->lattice;
-  const KeptConstraints kept = kept_constraints(visibility, keep, lattice);
+  const auto count = static_cast<std::size_t>(std::ranges::count(keep, 1));
   ScopedCharge charge;
+  // The constraints and their points, and of the pieces those that stand in for them.
+  Status status = charge.add(
+      context, count * (4 + 2 * kInputBytesPerPoint) + bytes_of_pieces(visibility), "mesh input");
+  if (!status) return status;
+  const KeptConstraints kept = kept_constraints(visibility, keep, count, lattice);
   Triangulation mesh;
   ChordStore chords;
-  Status status = mesh.grow(context, charge, kept.point.size() * 5 / 4 + 64);
+  status = mesh.grow(context, charge, kept.point.size() * 5 / 4 + 64);
   if (!status) return status;
   mesh.start(lattice.width, lattice.height);
   // They cross nowhere and pass no vertex: nothing is left to weld.
@@ -188,8 +220,9 @@ Result<TriangleMesh> Mesher::thinned_mesh(Context& context, const TriangleMesh& 
   for (std::uint32_t i = 0; i < kept.point.size(); i += 2) {
     arrangement.add_segment(vertex_of[i], vertex_of[i + 1], i);
   }
-  if (!arrangement.status()) return arrangement.status();
-  chords.seal();
+  status = arrangement.status();
+  if (status) status = seal(context, chords);
+  if (!status) return status;
   const std::vector<VertexOrigin> origins(mesh.point.size());
   TriangleMesh out = extract(context, mesh, chords, origins, lattice, number_everything(mesh));
   if (context.cancelled()) return context.stop_status();
@@ -198,7 +231,8 @@ Result<TriangleMesh> Mesher::thinned_mesh(Context& context, const TriangleMesh& 
 }
 
 Status Mesher::refine(Context& context) {
-  return state_->refiner.refine_all(context);
+  const Point low = state_->lattice.frame_min, high = state_->lattice.frame_max;
+  return state_->refiner.refine_all(context, double(high.x - low.x) * double(high.y - low.y));
 }
 
 Status Mesher::refine_triangles(Context& context, std::span<const std::uint32_t> triangles,

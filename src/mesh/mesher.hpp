@@ -29,7 +29,8 @@ struct MeshOptions {
 /// refine   Delaunay refinement of the triangles inside the frame: the patch mesh
 ///
 /// No finite input within limits::kCoordinate makes it loop, crash or return an invalid mesh.
-/// Deterministic; single-threaded. Memory is charged to the Context, which must outlive this.
+/// Deterministic; single-threaded. Memory is charged to the Context, which must outlive this, and
+/// with it that of one mesh from visibility_mesh or patch_mesh.
 class Mesher {
  public:
   /// Errors: bad_input (coordinates or options that are not finite or out of range, an empty
@@ -46,7 +47,8 @@ class Mesher {
 
   /// The constrained Delaunay triangulation of those constraints c of `visibility`, which is
   /// visibility_mesh(), that have keep[c]; their pieces stay what they are. What the rays of an
-  /// attribute do not meet only cuts their windows to pieces. Errors: limit, cancelled.
+  /// attribute do not meet only cuts their windows to pieces. Who keeps it charges for it.
+  /// Errors: limit, cancelled.
   Result<TriangleMesh> thinned_mesh(Context& context, const TriangleMesh& visibility,
                                     std::span<const std::uint8_t> keep) const;
 

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "base/large_vector.hpp"
+#include "mesh/triangle_mesh.hpp"
 
 namespace sfumato::mesh {
 namespace {
@@ -24,6 +25,7 @@ constexpr double kShellSteps = 2;
 constexpr double kOffCenterShare = 0.475;
 
 constexpr int kShrinkAttempts = 3;
+constexpr std::size_t kCutBytesAtATime = std::size_t{1} << 20;
 constexpr std::uint32_t kStepsPerCancelCheck = 1024;
 constexpr double kPi = 3.14159265358979323846;
 
@@ -68,6 +70,26 @@ bool Refiner::make_room(std::size_t vertex_count) {
     if (status_.ok()) status_ = status;
     return false;
   }
+  return true;
+}
+
+/// Charges, for many at a time, for the constraint and its pieces that a cut adds to the mesh that
+/// leaves.
+bool Refiner::charge_cut(const Chord& chord) {
+  const auto pieces = static_cast<std::size_t>(chord.load.count);
+  owner_pieces_ += pieces;
+  if (owner_pieces_ > kOwnersPerSegment * context_->limits.segments) {
+    status_ = make_error(StatusCode::limit, "overlapping curves are cut into too many pieces");
+    return false;
+  }
+  cut_bytes_ += sizeof(Constraint) + pieces * sizeof(SegmentPiece);
+  if (cut_bytes_ <= charged_cut_bytes_) return true;
+  const std::size_t more = cut_bytes_ - charged_cut_bytes_ + kCutBytesAtATime;
+  if (Status status = charge_.add(*context_, more, "curve pieces"); !status) {
+    status_ = status;
+    return false;
+  }
+  charged_cut_bytes_ += more;
   return true;
 }
 
@@ -266,11 +288,7 @@ bool Refiner::split_subsegment(HalfEdge e) {
   if (!split_point(e, s, p) || !make_room()) return false;
   const std::int32_t index = mesh_.chord[e];
   const Chord& chord = chords_[index];
-  owner_pieces_ += static_cast<std::size_t>(chord.load.count);
-  if (owner_pieces_ > kOwnersPerSegment * context_->limits.segments) {
-    status_ = make_error(StatusCode::limit, "overlapping curves are cut into too many pieces");
-    return false;
-  }
+  if (!charge_cut(chord)) return false;
   const double at_a = fraction_at(chord, index, a, origin_[a]);
   const double at_b = fraction_at(chord, index, b, origin_[b]);
   mesh_.split(e, p);
@@ -317,10 +335,22 @@ Status Refiner::run(Context& context) {
   return status_;
 }
 
-Status Refiner::refine_all(Context& context) {
+/// How many triangles an area has at least, of which none is too large. Near curves cuts end before
+/// that where the bound is finer than they may be.
+double Refiner::least_triangles(double area) const {
+  const double finest = 2 * shortest_edge_;
+  return area / std::max(0.5 * doubled_area_, finest * finest);
+}
+
+Status Refiner::refine_all(Context& context, double area) {
   context_ = &context;
   status_ = ok_status();
-  if (!make_room(3 * mesh_.point.size())) return status_;
+  const double least = least_triangles(area);
+  if (least > static_cast<double>(context.limits.triangles)) {
+    return limit_error(context.limits, &Limits::triangles, "triangles in one layer");
+  }
+  const auto least_vertices = static_cast<std::size_t>(least / 2);
+  if (!make_room(std::max(3 * mesh_.point.size(), least_vertices))) return status_;
   const auto count = static_cast<std::int32_t>(mesh_.triangle.size());
   RarePoll<4096> poll(context);
   for (std::int32_t t = 0; t < count; ++t) {

@@ -48,7 +48,8 @@ class Refiner {
   void set_quality(double min_angle_deg, double doubled_area, double weld, double small_edge);
 
   /// Refines all triangles inside. Errors: limit, cancelled.
-  Status refine_all(Context& context);
+  /// area   of the frame, steps²: where it must have more triangles than fit that is told at once
+  Status refine_all(Context& context, double area);
 
   /// Makes the triangles smaller whose stamp is still `stamp[i]` and whose longest edge is longer
   /// than `smallest_edge` steps, then restores the quality around.
@@ -77,6 +78,7 @@ class Refiner {
     std::size_t head = 0;
   };
 
+  double least_triangles(double area) const;
   void check_triangle(std::int32_t t);
   void check_encroachment(std::int32_t t);
   void check_touched();
@@ -99,6 +101,7 @@ class Refiner {
   HalfEdge longest_edge(std::int32_t t) const;
   bool make_room();
   bool make_room(std::size_t vertex_count);
+  bool charge_cut(const Chord& chord);
 
   Triangulation& mesh_;
   const ChordStore& chords_;
@@ -114,6 +117,8 @@ class Refiner {
   double shortest_edge_ = 4;
   double small_edge2_ = 0;
   std::size_t owner_pieces_ = 0;
+  std::size_t cut_bytes_ = 0;          ///< what cuts have added to the mesh that leaves
+  std::size_t charged_cut_bytes_ = 0;  ///< charged for that
 
   static constexpr int kBucketCount = 128;
   std::array<Bucket, kBucketCount> bucket_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -50,5 +51,15 @@ struct TriangleMesh {
     return {piece.data() + c.piece_begin, piece.data() + c.piece_end};
   }
 };
+
+/// What a mesh takes in memory.
+inline std::size_t bytes_of(const TriangleMesh& mesh) {
+  return mesh.vertex_position.capacity() * sizeof(Vec2) +
+         (mesh.triangle_vertex.capacity() + mesh.half_edge_twin.capacity() +
+          mesh.half_edge_constraint.capacity()) *
+             sizeof(std::uint32_t) +
+         mesh.constraint.capacity() * sizeof(Constraint) +
+         mesh.piece.capacity() * sizeof(SegmentPiece);
+}
 
 }  // namespace sfumato::mesh

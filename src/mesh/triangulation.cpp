@@ -9,9 +9,11 @@
 namespace sfumato::mesh {
 namespace {
 
-/// What one triangle and one vertex take: the records, the chord slots, the refinement queue, and
-/// the copy that leaves as a TriangleMesh.
-constexpr std::size_t kBytesPerTriangle = sizeof(Triangle) + 4 * sizeof(std::int32_t) + 16 + 36;
+/// What one triangle and one vertex take: the records, the chord slots, the refinement queue, the
+/// numbers under which they leave, what is remembered of the patch mesh before, and the copy that
+/// leaves as a TriangleMesh.
+constexpr std::size_t kBytesPerTriangle =
+    sizeof(Triangle) + 4 * sizeof(std::int32_t) + 16 + 24 + 36;
 constexpr std::size_t kBytesPerVertex = sizeof(Point) + sizeof(HalfEdge) + 8 + 20;
 
 /// After so many steps a walk breaks ties at random: among chords it could go round in circles.

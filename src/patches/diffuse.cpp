@@ -52,6 +52,14 @@ Result<std::vector<Shader>> copy_shaders(Context& context, const std::vector<Sha
   return copies;
 }
 
+std::size_t stack_bytes(const Document& document) {
+  std::size_t bytes = document.stack.size() * sizeof(PictureItem);
+  for (const StackItem& item : document.stack) {
+    if (const auto* stroke = std::get_if<LocalStroke>(&item)) bytes += bytes_of(stroke->curve);
+  }
+  return bytes;
+}
+
 Result<Picture> make_frame(Context& context, const Document& document, const Box& viewport) {
   Result<std::vector<Shader>> shaders = copy_shaders(context, document.shaders);
   if (!shaders) return shaders.status();
@@ -61,6 +69,10 @@ Result<Picture> make_frame(Context& context, const Document& document, const Box
   picture.interpolation = document.interpolation;
   picture.background = document.background;
   picture.shaders = std::move(*shaders);
+  ScopedCharge charge;
+  Status status = charge.add(context, stack_bytes(document), "the picture's stack");
+  if (!status) return status;
+  picture.stack.reserve(document.stack.size());
   for (const StackItem& item : document.stack) {
     picture.stack.push_back(std::visit([](const auto& x) { return picture_item(x); }, item));
   }
@@ -75,11 +87,14 @@ Result<Picture> solve(Context& context, const Document& document, const DiffuseO
       make_frame(context, document, options.viewport.value_or(document.artboard));
   if (!frame) return frame.status();
   Picture picture = std::move(*frame);
-  ScopedCharge charge;  // of the layers that are done, while others are solved
+  ScopedCharge charge;  // of the frame and the layers that are done, while others are solved
+  Status status = charge.add(context, bytes_of(picture), "the picture");
+  if (!status) return status;
   for (std::uint32_t i = 0; i < document.layers.size(); ++i) {
     Result<PatchLayer> layer = solve_layer(context, document, i, picture.viewport, options, stats);
     if (!layer) return layer.status();
-    if (Status status = charge.add(context, bytes_of(*layer), "patches"); !status) return status;
+    status = charge.add(context, bytes_of(*layer), "patches");
+    if (!status) return status;
     picture.layers.push_back(std::move(*layer));
   }
   return picture;

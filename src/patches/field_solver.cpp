@@ -12,6 +12,9 @@ namespace {
 
 constexpr std::size_t kNodes = kNodesPerTriangle;
 
+/// Both sides of an edge on a curve, and six nodes with a fixed value, in a table that doubles.
+constexpr std::size_t kBytesPerSeam = 2 * sizeof(gather::Facing) + 2 * 6 * 64;
+
 /// The most probes of one triangle (patches/probes.hpp).
 constexpr std::size_t kMostProbes = 6;
 
@@ -19,6 +22,11 @@ constexpr std::size_t kMostProbes = 6;
 std::size_t layout_bytes_per_triangle(int channel_count) {
   return 10 * sizeof(std::uint32_t) +
          5 * (28 + sizeof(float) * static_cast<std::size_t>(channel_count)) + 64;
+}
+
+/// What a side of a curve shows, and nodes that take their values from it.
+std::size_t seam_bytes(const mesh::TriangleMesh& mesh) {
+  return mesh.constraint.size() * kBytesPerSeam;
 }
 
 double longest_edge(const mesh::TriangleMesh& mesh, std::uint32_t t) {
@@ -37,6 +45,8 @@ Status FieldSolver::follow(Context& context, const mesh::TriangleMesh& mesh,
   ScopedCharge charge;
   Status status = charge.add(
       context, mesh.triangle_count() * layout_bytes_per_triangle(channel_count()), "patches");
+  ScopedCharge seam_charge;
+  if (status) status = seam_charge.add(context, seam_bytes(mesh), "patches along curves");
   if (!status) return status;
   const NodeLayout old_layout = std::move(layout_);
   const std::vector<std::uint8_t> old_hit = std::move(node_hit_);
@@ -204,13 +214,35 @@ void FieldSolver::find_coarse(const Context& context, const mesh::TriangleMesh& 
   }
 }
 
-void FieldSolver::fill_unseen_nodes(const Context& context) {
+bool FieldSolver::sees_some(const std::uint32_t* node) const {
+  const auto hit = [&](std::uint32_t n) { return node_hit_[n] != 0; };
+  return std::any_of(node, node + kNodes, hit) && !std::all_of(node, node + kNodes, hit);
+}
+
+/// Makes room for the values that fill_unseen_nodes adds.
+Status FieldSolver::make_room_for_means(Context& context) {
+  RarePoll<16384> poll(context);
+  std::size_t count = 0;
+  for (std::size_t first = 0; first < layout_.triangle_node.size(); first += kNodes) {
+    if (poll.cancelled()) return context.stop_status();
+    count += sees_some(layout_.triangle_node.data() + first);
+  }
+  if (count == 0) return ok_status();
+  const std::size_t values =
+      layout_.value.size() + count * static_cast<std::size_t>(layout_.channel_count);
+  Status status = layout_charge_.add(context, values * sizeof(float), "patches");
+  return status ? reserve_large(context, layout_.value, values) : status;
+}
+
+Status FieldSolver::fill_unseen_nodes(Context& context) {
+  if (Status status = make_room_for_means(context); !status) return status;
   RarePoll<16384> poll(context);
   const auto channels = static_cast<std::size_t>(layout_.channel_count);
   std::vector<float> sum(channels);
   for (std::size_t first = 0; first < layout_.triangle_node.size(); first += kNodes) {
-    if (poll.cancelled()) return;
+    if (poll.cancelled()) return context.stop_status();
     std::uint32_t* node = layout_.triangle_node.data() + first;
+    if (!sees_some(node)) continue;
     std::fill(sum.begin(), sum.end(), 0.0f);
     std::size_t seen = 0;
     for (std::size_t i = 0; i < kNodes; ++i) {
@@ -218,13 +250,13 @@ void FieldSolver::fill_unseen_nodes(const Context& context) {
       ++seen;
       for (std::size_t c = 0; c < channels; ++c) sum[c] += layout_.value[channels * node[i] + c];
     }
-    if (seen == kNodes || seen == 0) continue;
     const auto mean = static_cast<std::uint32_t>(layout_.value.size() / channels);
     for (float channel : sum) layout_.value.push_back(channel / static_cast<float>(seen));
     for (std::size_t i = 0; i < kNodes; ++i) {
       if (!node_hit_[node[i]]) node[i] = mean;
     }
   }
+  return ok_status();
 }
 
 bool FieldSolver::sees_curves(std::uint32_t triangle) const {

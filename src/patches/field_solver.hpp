@@ -55,8 +55,9 @@ class FieldSolver {
 
   /// Where a triangle lies across the border of what sees a curve, its nodes beyond the border have
   /// no value: in this triangle they take the mean of the others. Nodes of triangles that see
-  /// nothing at all stay 0. Comes last, after the questions below were asked.
-  void fill_unseen_nodes(const Context& context);
+  /// nothing at all stay 0. Comes last, after the questions below were asked. Errors: limit
+  /// (memory), cancelled.
+  Status fill_unseen_nodes(Context& context);
 
   const FieldScene& scene() const { return scene_; }
   int channel_count() const { return scene_.attributes.channel_count(); }
@@ -73,6 +74,9 @@ class FieldSolver {
   void carry_over(const Context& context, const NodeLayout& old_layout,
                   const std::vector<std::uint8_t>& old_hit,
                   std::span<const std::int32_t> previous_triangle);
+  /// Whether some of a triangle's nodes see a curve, and some do not.
+  bool sees_some(const std::uint32_t* node) const;
+  Status make_room_for_means(Context& context);
   bool is_to_gather(std::uint32_t node, bool all) const;
   std::size_t count_to_gather(bool all) const;
   /// The memory of `count` points and their values.

@@ -44,8 +44,10 @@ class LayerUnits {
   LayerUnits(const Box& artboard, const LayerSight& sight, const DiffuseOptions& options)
       : sight_(sight), options_(options), artboard_side_(longer_side(artboard) / sight.scale) {
     const Box whole = united(artboard, options.viewport.value_or(artboard));
-    // A small instance shows far more of the layer than the artboard's size.
-    whole_area_ = std::max(whole.width() * whole.height() / (sight.scale * sight.scale),
+    // A small instance shows far more of the layer than the artboard's size. What is thinner than
+    // a pixel is drawn on a frame of some pixels: a share of its area would be out of proportion.
+    const auto side = [&](double length) { return std::max(length / sight.scale, pixel()); };
+    whole_area_ = std::max(side(whole.width()) * side(whole.height()),
                            sight.viewport.width() * sight.viewport.height());
   }
 
@@ -128,12 +130,15 @@ Result<FieldScene> prepare_field(Context& context, const mesh::Mesher& mesher,
                                  double smallest_radius) {
   curves::remove_blur_below(attributes, smallest_radius);
   const std::vector<std::uint8_t> bears = bearing_constraints(visibility, attributes);
+  ScopedCharge scratch;
   mesh::TriangleMesh thinned;
   const bool is_thinned = is_thin(visibility, bears);
   if (is_thinned) {
     Result<mesh::TriangleMesh> mesh = mesher.thinned_mesh(context, visibility, bears);
     if (!mesh) return mesh.status();
     thinned = std::move(*mesh);
+    Status status = scratch.add(context, mesh::bytes_of(thinned), "the visibility mesh");
+    if (!status) return status;
   }
   Result<gather::Gatherer> gatherer =
       gather::Gatherer::create(context, is_thinned ? thinned : visibility, attributes);

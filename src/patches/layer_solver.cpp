@@ -87,7 +87,7 @@ Result<PatchLayer> LayerSolver::solve() {
     status = gather(options_.gather, true);
   }
   if (!status) return status;
-  PatchLayer layer = take_patches();
+  Result<PatchLayer> layer = take_patches();
   if (context_.cancelled()) return context_.stop_status();
   return layer;
 }
@@ -95,6 +95,7 @@ Result<PatchLayer> LayerSolver::solve() {
 /// Takes the mesher's present mesh.
 Status LayerSolver::take_mesh() {
   const Stopwatch watch;
+  mesh_ = {};  // the mesher charges for one
   mesh_ = mesher_.patch_mesh(&previous_triangle_);
   if (stats_) stats_->triangulation_seconds += watch.seconds();
   if (context_.cancelled()) return context_.stop_status();
@@ -194,14 +195,33 @@ std::vector<std::uint8_t> LayerSolver::visible_triangles() const {
   return keep;
 }
 
-PatchLayer LayerSolver::take_patches() {
+/// What take_patches takes beside what the fields have: its marks, its tables, and of a joint field
+/// a copy of the nodes.
+std::size_t LayerSolver::patch_bytes() const {
+  constexpr std::size_t kMarks = sizeof(float) + 1;
+  constexpr std::size_t kTables = 3 * (sizeof(std::uint32_t) + 1);
+  std::size_t bytes = (kMarks + kTables) * mesh_.triangle_count();
+  if (is_joint()) {
+    bytes += sizeof(std::uint32_t) * color_.layout().triangle_node.size() +
+             sizeof(float) * color_.layout().node_count();
+  }
+  return bytes;
+}
+
+Result<PatchLayer> LayerSolver::take_patches() {
+  ScopedCharge charge;
+  Status status = charge.add(context_, patch_bytes(), "patches");
+  if (!status) return status;
   const std::vector<std::uint8_t> keep = visible_triangles();
-  color_.fill_unseen_nodes(context_);
-  if (opacity_) opacity_->fill_unseen_nodes(context_);
+  status = for_each_field([&](FieldSolver& field) { return field.fill_unseen_nodes(context_); });
+  if (!status) return status;
   PatchLayer layer;
   RarePoll<16384> poll(context_);
   layer.frame = frame_;
   layer.order = options_.order;
+  const auto kept = static_cast<std::size_t>(std::ranges::count(keep, 1));
+  layer.triangle_vertex.reserve(3 * kept);
+  layer.edge_is_curve.reserve(3 * kept);
   for (std::uint32_t t = 0; t < mesh_.triangle_count() && !poll.cancelled(); ++t) {
     if (!keep[t]) continue;
     for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
@@ -211,7 +231,7 @@ PatchLayer LayerSolver::take_patches() {
       layer.edge_is_curve.push_back(is_curve);
     }
   }
-  if (context_.cancelled()) return {};
+  if (context_.cancelled()) return context_.stop_status();
   layer.vertex_position = std::move(mesh_.vertex_position);
   layer.color = color_.take(keep);
   if (opacity_) layer.opacity = opacity_->take(keep);

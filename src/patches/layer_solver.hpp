@@ -42,7 +42,8 @@ class LayerSolver {
   std::vector<std::uint8_t> visible_triangles() const;
   /// Whether color_ holds the opacity too, as its fourth channel.
   bool is_joint() const;
-  PatchLayer take_patches();
+  std::size_t patch_bytes() const;
+  Result<PatchLayer> take_patches();
 
   template <class Body>
   Status for_each_field(Body body) {

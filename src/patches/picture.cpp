@@ -19,6 +19,9 @@ std::size_t bytes_of(const PatchLayer& layer) {
 std::size_t bytes_of(const Picture& picture) {
   std::size_t bytes = bytes_of(picture.shaders) + picture.stack.capacity() * sizeof(PictureItem);
   for (const PatchLayer& layer : picture.layers) bytes += bytes_of(layer);
+  for (const PictureItem& item : picture.stack) {
+    if (const auto* stroke = std::get_if<LocalStroke>(&item)) bytes += bytes_of(stroke->curve);
+  }
   return bytes;
 }
 

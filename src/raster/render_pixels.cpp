@@ -144,6 +144,9 @@ Result<Image> render(Context& context, const Document& document,
   const ExactFields fields(context, *evaluator);
   const Result<Picture> picture = picture_without_patches(context, document, *evaluator, viewport);
   if (!picture) return picture.status();
+  ScopedCharge charge;
+  Status status = charge.add(context, bytes_of(*picture), "the picture");
+  if (!status) return status;
   RasterOptions shown = raster_options;
   shown.viewport = viewport;
   shown.antialias = shown.mesh_overlay = false;

@@ -64,6 +64,19 @@ TEST(MesherLimits, a_long_thin_frame_is_meshed) {
   expect_valid(flat_curves({{{-10, 0.2}, {9'900, 0.7}}}), options);
 }
 
+TEST(MesherLimits, an_area_that_asks_for_too_many_triangles_is_refused_before_any_is_made) {
+  MeshOptions options = options_100();
+  options.max_area = 1e-300;
+  Context context;
+  Result<Mesher> mesher = Mesher::build(context, flat_curves({{{10, 10}, {90, 80}}}), options);
+  ASSERT_TRUE(mesher.ok()) << mesher.status().message;
+  const std::uint32_t before = mesher->visibility_mesh().triangle_count();
+  const std::size_t charged = context.budget.used();
+  EXPECT_EQ(mesher->refine(context).code, StatusCode::limit);
+  EXPECT_EQ(mesher->visibility_mesh().triangle_count(), before);
+  EXPECT_EQ(context.budget.used(), charged);
+}
+
 TEST(MesherLimits, many_curves_from_one_point_are_meshed) {
   curves::FlatCurves flat;
   for (int i = 0; i < 3000; ++i) {

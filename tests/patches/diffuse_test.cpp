@@ -213,6 +213,14 @@ TEST(Diffuse, a_viewport_is_all_that_is_meshed) {
   EXPECT_FALSE(test::sample(picture.layers[0], {20, 20}).has_value());
 }
 
+TEST(Diffuse, an_artboard_thinner_than_a_pixel_is_no_finer_mesh) {
+  const Curve curve = colored(straight_curve({100, 0}, {900, 1e-7}), test::kRed, test::kGreen);
+  const Picture picture = diffused(one_layer({curve}, {{0, 0}, {1000, 1e-6}}));
+  ASSERT_EQ(picture.layers.size(), 1u);
+  EXPECT_GT(picture.layers[0].triangle_count(), 0u);
+  EXPECT_LT(picture.layers[0].triangle_count(), 10'000u);
+}
+
 TEST(Diffuse, the_same_bits_for_any_number_of_threads_and_any_instruction_set) {
   const Document document = two_curves({});
   const Picture expected = diffused(document);

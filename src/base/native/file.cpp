@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "base/native/atomic_file.hpp"
 #include "base/native/posix.hpp"
@@ -26,10 +27,11 @@ Status too_long(const std::string& path, std::size_t max_bytes) {
 }
 
 /// Reads to the end. Errors: io, limit.
-Result<std::string> read_all(int descriptor, const std::string& path, std::size_t max_bytes) {
+template <class Bytes>
+Result<Bytes> read_all(int descriptor, const std::string& path, std::size_t max_bytes) {
   struct stat status {};
   if (::fstat(descriptor, &status) != 0) return io_error(path, "cannot be read", errno);
-  std::string content;
+  Bytes content;
   if (S_ISREG(status.st_mode) && status.st_size > 0) {
     if (static_cast<std::uintmax_t>(status.st_size) > max_bytes) return too_long(path, max_bytes);
     content.reserve(static_cast<std::size_t>(status.st_size) + kReadBytes);
@@ -80,11 +82,12 @@ Status write_device(const std::string& path, std::span<const std::uint8_t> bytes
   return status;
 }
 
-Result<std::string> read(const std::string& path, std::size_t max_bytes) {
-  if (path == "-") return read_all(STDIN_FILENO, "standard input", max_bytes);
+template <class Bytes>
+Result<Bytes> read(const std::string& path, std::size_t max_bytes) {
+  if (path == "-") return read_all<Bytes>(STDIN_FILENO, "standard input", max_bytes);
   const FileDescriptor file(path, O_RDONLY | O_NOCTTY);
   if (!file.is_open()) return io_error(path, "cannot be read", errno);
-  return read_all(file.number(), path, max_bytes);
+  return read_all<Bytes>(file.number(), path, max_bytes);
 }
 
 Status write(const std::string& path, std::span<const std::uint8_t> bytes) {
@@ -109,7 +112,11 @@ Status write(const std::string& path, std::span<const std::uint8_t> bytes) {
 }  // namespace
 
 Result<std::string> read_file(const std::string& path, std::size_t max_bytes) {
-  return no_throw([&] { return read(path, max_bytes); });
+  return no_throw([&] { return read<std::string>(path, max_bytes); });
+}
+
+Result<std::vector<std::uint8_t>> read_bytes(const std::string& path, std::size_t max_bytes) {
+  return no_throw([&] { return read<std::vector<std::uint8_t>>(path, max_bytes); });
 }
 
 Status write_file(const std::string& path, std::span<const std::uint8_t> bytes) {

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+/// What takes `sfumato` the most memory: inputs near the limits, and each of its outputs.
+namespace sfumato::peak {
+
+struct InputFile {
+  std::string name;
+  std::function<std::string()> bytes;
+};
+
+struct Case {
+  std::string name;
+  std::vector<InputFile> files;
+  std::vector<std::string> arguments;  ///< of the command; a file of the case is DIR/name
+  bool is_quick = false;               ///< small enough for every run of the tests
+};
+
+/// The drawing that takes as good as nothing: what the process needs of itself.
+Case empty_drawing();
+
+std::vector<Case> all_cases();
+
+}  // namespace sfumato::peak
