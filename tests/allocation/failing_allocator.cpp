@@ -7,14 +7,7 @@
 #include <limits>
 #include <new>
 
-#if defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-#define SFUMATO_SANITIZER_ALLOCATES
-#endif
-#endif
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || !defined(__GLIBC__)
-#define SFUMATO_SANITIZER_ALLOCATES
-#endif
+#include "support/sanitizers.hpp"
 
 namespace sfumato::test {
 namespace {
@@ -69,7 +62,7 @@ using sfumato::test::count_freed;
 using sfumato::test::counted;
 using sfumato::test::is_refused;
 
-#if !defined(SFUMATO_SANITIZER_ALLOCATES)
+#if !SFUMATO_HAS_SANITIZER && defined(__GLIBC__)
 
 // glibc's own, under the names that it keeps for those who replace malloc.
 extern "C" {

@@ -6,6 +6,7 @@
 
 #include "cli/run_command.hpp"
 #include "cli/scenes.hpp"
+#include "support/sanitizers.hpp"
 
 namespace sfumato::test {
 namespace {
@@ -25,16 +26,8 @@ std::string example(const char* name) {
   return std::string(SFUMATO_SOURCE_DIR "/examples/") + name;
 }
 
-#if defined(__SANITIZE_ADDRESS__)
-#define SFUMATO_ADDRESS_SPACE_IS_TAKEN
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-#define SFUMATO_ADDRESS_SPACE_IS_TAKEN
-#endif
-#endif
-
 TEST(ScarceMemory, is_its_exit_code_and_its_message_and_no_output) {
-#if defined(SFUMATO_ADDRESS_SPACE_IS_TAKEN)
+#if SFUMATO_HAS_SANITIZER
   GTEST_SKIP() << "sanitizers take more address space than these limits leave";
 #endif
   const TemporaryFolder folder;

@@ -8,6 +8,7 @@
 
 #include "cli/run_command.hpp"
 #include "formats/image_files.hpp"
+#include "support/sanitizers.hpp"
 
 namespace sfumato::test {
 namespace {
@@ -17,7 +18,7 @@ constexpr double kMostSeconds = 2;
 constexpr std::size_t kMostBytes = std::size_t{256} << 20;
 
 /// Debug builds and sanitizers take longer and more.
-#if defined(NDEBUG) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#if defined(NDEBUG) && !SFUMATO_HAS_SANITIZER
 constexpr bool kIsMeasured = true;
 #else
 constexpr bool kIsMeasured = false;

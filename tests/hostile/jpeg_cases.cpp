@@ -23,9 +23,9 @@ void add_kinds(Family& family) {
       {"arithmetic", 3, JpegKind::arithmetic},
       {"arithmetic_progressive", 3, JpegKind::arithmetic_progressive},
   };
-  for (const auto& [name, channels, kind] : kKinds) {
-    const auto make = [channels = channels, kind = kind] { return jpeg(24, 16, channels, kind); };
-    const std::string label = name;
+  for (const auto& of : kKinds) {
+    const auto make = [of] { return jpeg(24, 16, of.channels, of.kind); };
+    const std::string label = of.name;
     family.add(label, kDone, "", kTextured).with("t", make);
     family.add(label + "_60000", kLimit, "the limit is 16384 pixels on a side", kTextured)
         .with("t", [make] { return jpeg_of_size(make(), 60'000, 60'000); });

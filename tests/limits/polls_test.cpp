@@ -17,6 +17,7 @@
 #include "raster/rasterize.hpp"
 #include "raster/render_pixels.hpp"
 #include "support/poll_recorder.hpp"
+#include "support/sanitizers.hpp"
 
 /// No work goes on for 50 ms of CPU time without a look at the cancel flag, whatever stage it is
 /// in; and once the flag is set all of it ends within that. On one thread, whose CPU time is
@@ -25,7 +26,7 @@
 namespace sfumato::test {
 namespace {
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || !defined(NDEBUG)
+#if SFUMATO_HAS_SANITIZER || !defined(NDEBUG)
 constexpr double kSlowdown = 20;  // sanitizers, and builds that are not optimised
 #else
 constexpr double kSlowdown = 1;

@@ -14,20 +14,12 @@
 #include "patches/diffuse.hpp"
 #include "raster/rasterize.hpp"
 #include "support/random_document.hpp"
+#include "support/sanitizers.hpp"
 
 namespace sfumato::test {
 namespace {
 
 constexpr std::size_t kStackBytes = std::size_t{256} << 10;
-
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool kHasPlainFrames = false;
-#elif defined(__has_feature)
-constexpr bool kHasPlainFrames =
-    !__has_feature(address_sanitizer) && !__has_feature(thread_sanitizer);
-#else
-constexpr bool kHasPlainFrames = true;
-#endif
 
 void* call(void* body) {
   (*static_cast<std::function<void()>*>(body))();
@@ -60,12 +52,12 @@ void draw(Executor* executor, std::uint64_t seed) {
 }
 
 TEST(SmallStack, of_the_calling_thread_is_enough) {
-  if (!kHasPlainFrames) GTEST_SKIP() << "sanitizers make frames larger";
+  if (SFUMATO_HAS_SANITIZER) GTEST_SKIP() << "sanitizers make frames larger";
   for (const std::uint64_t seed : {1, 2, 3, 4}) run_on_small_stack([=] { draw(nullptr, seed); });
 }
 
 TEST(SmallStack, of_the_pools_threads_is_enough) {
-  if (!kHasPlainFrames) GTEST_SKIP() << "sanitizers make frames larger";
+  if (SFUMATO_HAS_SANITIZER) GTEST_SKIP() << "sanitizers make frames larger";
   // Must come before the process's first pool: ctest runs each test in a process of its own.
   const tbb::global_control small(tbb::global_control::thread_stack_size, kStackBytes);
   const auto executor = make_tbb_executor(4);
