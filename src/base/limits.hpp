@@ -28,7 +28,7 @@ inline constexpr std::size_t kStyleValues = 100'000;
 /// Elements that are read through `use`, each as often as it is used.
 inline constexpr std::size_t kUsedElements = 1'000'000;
 /// Text of elements that is read again, through `use` or by curves of one paint.
-inline constexpr std::size_t kUsedBytes = std::size_t{64} << 20;
+inline constexpr std::size_t kUsedBytes = std::size_t{16} << 20;
 /// An element's id.
 inline constexpr std::size_t kIdBytes = 1024;
 inline constexpr std::size_t kCurves = 200'000;

@@ -6,6 +6,11 @@
 
 namespace sfumato {
 
+/// A blank of CSS or XML.
+inline bool is_css_blank(char c) {
+  return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f';
+}
+
 /// Without the blanks of CSS and XML on both ends.
 std::string_view css_trimmed(std::string_view text);
 

@@ -138,13 +138,14 @@ SourcePlace XmlSource::place(pugi::xml_node node) {
 SourcePlace XmlSource::place_at(std::size_t offset) {
   if (!is_utf8_) return {file_};
   offset = std::min(offset, text_.size());
-  if (offset < counted_bytes_) counted_bytes_ = counted_lines_ = 0;
+  if (offset < counted_bytes_) counted_bytes_ = counted_lines_ = line_begin_ = 0;
   const std::string_view unseen = text_.substr(counted_bytes_, offset - counted_bytes_);
-  counted_lines_ += static_cast<int>(std::ranges::count(unseen, '\n'));
+  if (const std::size_t newline = unseen.rfind('\n'); newline != std::string_view::npos) {
+    counted_lines_ += static_cast<int>(std::ranges::count(unseen, '\n'));
+    line_begin_ = counted_bytes_ + newline + 1;
+  }
   counted_bytes_ = offset;
-  const std::size_t newline = text_.substr(0, offset).rfind('\n');
-  const std::size_t line_begin = newline == std::string_view::npos ? 0 : newline + 1;
-  return {file_, counted_lines_ + 1, static_cast<int>(offset - line_begin) + 1};
+  return {file_, counted_lines_ + 1, static_cast<int>(offset - line_begin_) + 1};
 }
 
 }  // namespace sfumato

@@ -40,6 +40,7 @@ class XmlSource {
   bool is_utf8_ = true;
   // Places are mostly asked for in rising order: counting goes on from the last one.
   std::size_t counted_bytes_ = 0;
+  std::size_t line_begin_ = 0;
   int counted_lines_ = 0;
 };
 

@@ -293,8 +293,8 @@ const BadInput kBombs[] = {
                   "<g sf:diffuse='true'><use href='#g9'/></g>");
      },
      3,
-     "2:18: error: more than the limit of 8000000 stops "
-     "(--limit stops=N sets another)"},
+     "2:18: error: more than the limit of 16777216 bytes read again through <use> or for paints "
+     "(--limit used-bytes=N sets another)"},
     {"nested_groups", [] { return svg(repeated("<g>", kMillion) + repeated("</g>", kMillion)); }, 3,
      "2:766: error: more than the limit of 256 elements within each other "
      "(--limit xml-depth=N sets another)"},

@@ -82,7 +82,13 @@ Status map_points(Input& input, Element shape, const Affine& map, std::vector<Ve
 Result<std::vector<Subpath>> CurveReader::read_subpaths(Element shape) {
   Result<std::vector<Subpath>> subpaths = read_shape(input_, shape, viewport_);
   if (!subpaths) return subpaths;
-  const std::size_t removed = std::erase_if(*subpaths, has_no_length);
+  std::size_t removed_points = 0;
+  const std::size_t removed = std::erase_if(*subpaths, [&](const Subpath& subpath) {
+    const bool is_removed = has_no_length(subpath);
+    if (is_removed) removed_points += subpath.control_points.size();
+    return is_removed;
+  });
+  if (Status status = totals_.count_curves(shape, removed, removed_points); !status) return status;
   if (removed > 0 || subpaths->empty()) {
     input_.warn("/no length", shape,
                 tag(shape) + " has a part of no length, or draws nothing; that is left out");

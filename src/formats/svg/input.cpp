@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cstring>
+#include <functional>
 #include <utility>
 
+#include "base/large_vector.hpp"
 #include "base/limits.hpp"
 #include "formats/css_text.hpp"
 #include "formats/suggestion.hpp"
@@ -13,8 +15,8 @@
 namespace sfumato::svg {
 namespace {
 
-// What an id takes in its table, roughly.
-constexpr std::size_t kIdEntryBytes = 96;
+/// A vector of ids while it grows holds them twice.
+constexpr std::size_t kGrowth = 2;
 
 /// Elements up to this length are as cheap as any, and their number has a limit of its own.
 constexpr std::size_t kFreeBytes = 256;
@@ -32,6 +34,7 @@ Status Input::parse() {
   Status status = xml_.parse(context_);
   if (status) status = resolve_namespaces(context_, xml_);
   if (status) status = index(root());
+  if (status) status = sort_ids();
   return status;
 }
 
@@ -42,10 +45,8 @@ Status Input::index(Element element) {
   if (const auto id = attribute(element, "id"); id && !id->empty()) {
     if (id->size() > limits().id_bytes)
       return over_limit(element, &Limits::id_bytes, "bytes of an id");
-    if (Status status = charge(element, kIdEntryBytes, "ids"); !status) return status;
-    if (!element_of_id_.emplace(*id, element).second) {
-      warn("/id", element, "the id " + quoted(*id) + " was given before; the first one counts");
-    }
+    if (Status status = charge(element, kGrowth * sizeof(IdElement), "ids"); !status) return status;
+    ids_.push_back({id->data(), element});
   }
   if (std::strcmp(element.name(), "style") == 0) {
     if (Status status = read_style_sheets(element); !status) return status;
@@ -54,6 +55,27 @@ Status Input::index(Element element) {
     if (child.type() != pugi::node_element) continue;
     if (Status status = index(child); !status) return status;
   }
+  return ok_status();
+}
+
+/// By id; of the same id by place in the document: the tree keeps its texts in that order.
+bool Input::comes_before(const IdElement& a, const IdElement& b) {
+  const int order = std::strcmp(a.id, b.id);
+  return order != 0 ? order < 0 : std::less<>()(a.id, b.id);
+}
+
+/// Sorts the ids, and warns of the first that was given before.
+Status Input::sort_ids() {
+  if (Status status = sort_large(context_, ids_, comes_before); !status) return status;
+  const IdElement* repeated = nullptr;
+  for (std::size_t i = 1; i < ids_.size(); ++i) {
+    if (Status status = check(); !status) return status;
+    if (std::strcmp(ids_[i - 1].id, ids_[i].id) != 0) continue;
+    if (!repeated || std::less<>()(ids_[i].id, repeated->id)) repeated = &ids_[i];
+  }
+  if (!repeated) return ok_status();
+  warn("/id", repeated->element,
+       "the id " + quoted(repeated->id) + " was given before; the first one counts");
   return ok_status();
 }
 
@@ -125,8 +147,8 @@ Result<Element> Input::referred(Element element) {
 }
 
 Result<Element> Input::element_of(Element element, std::string_view id) {
-  const auto found = element_of_id_.find(id);
-  if (found != element_of_id_.end()) return found->second;
+  const auto found = std::ranges::lower_bound(ids_, id, {}, &IdElement::id);
+  if (found != ids_.end() && found->id == id) return found->element;
   return error(element, tag(element) + " refers to #" + std::string(id).substr(0, 64) +
                             ", but no element has that id");
 }

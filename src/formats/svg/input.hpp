@@ -1,10 +1,10 @@
 #pragma once
 
-#include <map>
 #include <optional>
 #include <pugixml.hpp>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/context.hpp"
 #include "base/status.hpp"
@@ -67,7 +67,14 @@ class Input {
   std::vector<Status> take_warnings() { return warnings_.take(); }
 
  private:
+  struct IdElement {
+    const char* id;  ///< of the tree
+    Element element;
+  };
+
   Status index(Element element);
+  Status sort_ids();
+  static bool comes_before(const IdElement& a, const IdElement& b);
   Status read_style_sheets(Element element);
 
   Context& context_;
@@ -75,8 +82,8 @@ class Input {
   XmlSource xml_;
   Warnings warnings_;
   ScopedCharge charge_;
-  /// No hash table: a document could choose ids of one hash.
-  std::map<std::string_view, Element> element_of_id_;
+  /// Sorted. No hash table: a document could choose ids of one hash.
+  std::vector<IdElement> ids_;
   std::size_t used_elements_ = 0;
   std::size_t used_bytes_ = 0;
   StyleSheet sheet_;

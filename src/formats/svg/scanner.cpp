@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/limits.hpp"
+#include "formats/css_text.hpp"
 #include "formats/number.hpp"
 #include "formats/suggestion.hpp"
 
@@ -11,10 +12,6 @@ namespace {
 
 /// Of what follows a mistake.
 constexpr std::size_t kShownBytes = 12;
-
-bool is_blank(char c) {
-  return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f';
-}
 
 bool is_digit(char c) {
   return c >= '0' && c <= '9';
@@ -40,7 +37,7 @@ std::string_view shown(std::string_view rest) {
 }  // namespace
 
 void Scanner::skip_blanks() {
-  while (!at_end() && is_blank(text_[at_])) ++at_;
+  while (!at_end() && is_css_blank(text_[at_])) ++at_;
 }
 
 void Scanner::skip_separator() {

@@ -24,7 +24,7 @@ std::string_view take_token(std::string_view& text) {
   for (; i < text.size(); ++i) {
     if (text[i] == '(') ++open;
     if (text[i] == ')') open -= open > 0;
-    if (open == 0 && css_trimmed(text.substr(i, 1)).empty()) break;
+    if (open == 0 && is_css_blank(text[i])) break;
   }
   const std::string_view token = text.substr(0, i);
   text = css_trimmed(text.substr(i));

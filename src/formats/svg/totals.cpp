@@ -5,13 +5,19 @@
 
 namespace sfumato::svg {
 
-Status Totals::add_curve(Element element, std::size_t control_points, std::size_t curve_bytes) {
-  if (++curves_ > input_.limits().curves)
+Status Totals::count_curves(Element element, std::size_t curves, std::size_t control_points) {
+  curves_ += curves;
+  if (curves_ > input_.limits().curves)
     return input_.over_limit(element, &Limits::curves, "curves");
   control_points_ += control_points;
   if (control_points_ > input_.limits().control_points) {
     return input_.over_limit(element, &Limits::control_points, "control points");
   }
+  return ok_status();
+}
+
+Status Totals::add_curve(Element element, std::size_t control_points, std::size_t curve_bytes) {
+  if (Status status = count_curves(element, 1, control_points); !status) return status;
   return input_.charge(element, curve_bytes + control_points * sizeof(Vec2), "the curves");
 }
 

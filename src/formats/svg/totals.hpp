@@ -11,6 +11,9 @@ class Totals {
  public:
   explicit Totals(Input& input) : input_(input) {}
 
+  /// Counts curves that are read and left out: reading them took time. Errors: limit.
+  Status count_curves(Element element, std::size_t curves, std::size_t control_points);
+
   /// Errors: limit; nothing is to be allocated then.
   Status add_curve(Element element, std::size_t control_points, std::size_t curve_bytes);
   Status add_stops(Element element, std::size_t count, std::size_t stop_bytes);
