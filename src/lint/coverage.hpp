@@ -14,8 +14,9 @@ enum class Cover : std::uint8_t { none, some, all };
 /// Gathers colour and opacity at 68 points just inside the artboard's border and 25 spread over it,
 /// as this instance shows the layer.
 /// A point is painted where a ray from it meets a colour, and the layer's opacity there is at least
-/// half a code value or comes from a shader. Errors: limit, cancelled.
+/// half a code value or comes from a shader. Where it does not matter whether all are, `some` may
+/// stand for `all`, and is found sooner. Errors: limit, cancelled.
 Result<Cover> cover_of(Context& context, const LayerUnderTest& test,
-                       const Affine& artboard_from_layer);
+                       const Affine& artboard_from_layer, bool all_matters);
 
 }  // namespace sfumato::lint_detail

@@ -159,7 +159,7 @@ Status Linter::check_instances(LayerUnderTest& test) {
     const bool may_leak = is_above && !leak_told && instance->blend == BlendMode::normal;
     if (!may_leak && !is_outside) continue;
     const Result<Cover> cover =
-        lint_detail::cover_of(context_, test, instance->artboard_from_layer);
+        lint_detail::cover_of(context_, test, instance->artboard_from_layer, may_leak);
     if (!cover) return cover.status();
     if (may_leak && *cover == Cover::all) {
       leak_told = true;
