@@ -70,4 +70,4 @@ hostile-growth:
 	@$(build_folder)/tests/hostile --growth
 
 clean:
-	rm -rf $(build_folder) build-wasm build-check build-asan build-tsan
+	rm -rf $(build_folder) build-wasm build-check build-asan build-tsan build-fuzz
