@@ -9,6 +9,8 @@
 #include <csignal>
 #include <utility>
 
+#include "support/sanitizers.hpp"
+
 namespace sfumato::test {
 
 #if defined(__x86_64__) && defined(__linux__)
@@ -16,6 +18,11 @@ namespace {
 
 constexpr int kCannotBeTraced = 77;
 constexpr int kSystemCallStop = SIGTRAP | 0x80;
+
+/// A sanitizer's allocator asks for memory where it likes, and ends the process that is refused it.
+bool is_of_a_sanitizer(long call) {
+  return SFUMATO_HAS_SANITIZER && (call == SYS_mmap || call == SYS_munmap || call == SYS_madvise);
+}
 
 pid_t start(const std::function<int()>& body) {
   const pid_t child = ::fork();
@@ -61,7 +68,7 @@ class Tracer {
   void before_call() {
     user_regs_struct registers = read();
     const auto number = static_cast<long>(registers.orig_rax);
-    if (number == SYS_exit_group || number == SYS_exit) return;
+    if (number == SYS_exit_group || number == SYS_exit || is_of_a_sanitizer(number)) return;
     if (end_.call_count++ != mishap_.call || mishap_.kind == Mishap::Kind::none) return;
     end_.call = number;
     if (mishap_.kind == Mishap::Kind::kill) {

@@ -20,7 +20,7 @@ struct Mishap {
 };
 
 struct TracedEnd {
-  std::size_t call_count = 0;  ///< system calls that body made
+  std::size_t call_count = 0;  ///< system calls that body made, but for a sanitizer's
   long call = -1;              ///< the number of the one that the mishap befell
   int status = 0;              ///< what body returned, or minus the signal that ended it
 };
