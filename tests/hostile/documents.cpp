@@ -1,41 +1,10 @@
 #include "hostile/documents.hpp"
 
-#include <zlib.h>
-
 #include <algorithm>
 
+#include "hostile/packer.hpp"
+
 namespace sfumato::hostile {
-namespace {
-
-/// A gzip stream that takes its text in pieces.
-class Packer {
- public:
-  Packer() { deflateInit2(&stream_, 9, Z_DEFLATED, 15 + 16, 9, Z_DEFAULT_STRATEGY); }
-  ~Packer() { deflateEnd(&stream_); }
-  Packer(const Packer&) = delete;
-  Packer& operator=(const Packer&) = delete;
-
-  void add(const std::string& text, bool last) {
-    stream_.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(text.data()));
-    stream_.avail_in = static_cast<uInt>(text.size());
-    do {
-      char room[65536];
-      stream_.next_out = reinterpret_cast<Bytef*>(room);
-      stream_.avail_out = sizeof(room);
-      deflate(&stream_, last ? Z_FINISH : Z_NO_FLUSH);
-      packed_.append(room, sizeof(room) - stream_.avail_out);
-    } while (stream_.avail_out == 0);
-  }
-
-  const std::string& packed() const { return packed_; }
-
- private:
-  z_stream stream_{};
-  std::string packed_;
-};
-
-}  // namespace
-
 std::string repeated(const std::string& text, std::size_t count) {
   std::string result;
   result.reserve(text.size() * count);
@@ -99,17 +68,13 @@ std::string orzan_curve(const std::string& parts) {
 }
 
 std::string gzip(const std::string& text) {
-  Packer packer;
+  Packer packer(Wrapper::gzip);
   packer.add(text, true);
   return packer.packed();
 }
 
 std::string gzip_of_byte(char byte, std::size_t count) {
-  const std::string block(std::size_t{1} << 20, byte);
-  Packer packer;
-  for (; count > block.size(); count -= block.size()) packer.add(block, false);
-  packer.add(block.substr(0, count), true);
-  return packer.packed();
+  return packed_run(Wrapper::gzip, byte, count);
 }
 
 std::string utf16(const std::string& ascii, bool big_end_first) {

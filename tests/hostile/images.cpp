@@ -11,6 +11,7 @@
 #include <algorithm>
 
 #include "formats/base64.hpp"
+#include "hostile/packer.hpp"
 
 namespace sfumato::hostile {
 namespace {
@@ -116,26 +117,7 @@ std::string zlib_packed(const std::string& data) {
 }
 
 std::string zlib_of_zeros(std::size_t count) {
-  static const std::string kBlock(std::size_t{1} << 20, '\0');
-  z_stream stream{};
-  deflateInit(&stream, 9);
-  std::string packed;
-  for (bool last = false; !last;) {
-    const std::size_t size = std::min(count, kBlock.size());
-    count -= size;
-    last = count == 0;
-    stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(kBlock.data()));
-    stream.avail_in = static_cast<uInt>(size);
-    do {
-      char room[65536];
-      stream.next_out = reinterpret_cast<Bytef*>(room);
-      stream.avail_out = sizeof(room);
-      deflate(&stream, last ? Z_FINISH : Z_NO_FLUSH);
-      packed.append(room, sizeof(room) - stream.avail_out);
-    } while (stream.avail_out == 0);
-  }
-  deflateEnd(&stream);
-  return packed;
+  return packed_run(Wrapper::zlib, '\0', count);
 }
 
 std::string jpeg(int width, int height, int channels, JpegKind kind) {
