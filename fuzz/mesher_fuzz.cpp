@@ -1,11 +1,13 @@
 // Segment sets to meshes: every step leaves a mesh that the exact checker finds valid, whose
 // constraints cover the segments they came from.
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "fuzz.hpp"
 #include "mesh/arrangement_check.hpp"
 #include "mesh/is_valid.hpp"
+#include "mesh/lattice.hpp"
 #include "mesh/mesher.hpp"
 
 using namespace sfumato;
@@ -146,7 +148,8 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     }
     const mesh::TriangleMesh whole = mesher->visibility_mesh();
     fuzz::require_ok(is_valid(whole), "the visibility mesh is not valid");
-    const double weld = options.weld_px * options.unit_size;
+    const double weld =
+        std::max(options.weld_px * options.unit_size, mesh::kLeastWeldSteps * whole.lattice_step);
     const mesh::test::ArrangementFacts facts = mesh::test::check_arrangement(whole, flat, weld);
     fuzz::require(facts.broken.empty(), facts.broken);
     check_thinned(context, *mesher, whole);

@@ -10,9 +10,6 @@ namespace {
 
 __extension__ typedef __int128 Int128;
 
-/// The least weld, in steps: below four, duplicates of curves can no longer be told from noise.
-constexpr double kLeastWeldSteps = 16;
-
 /// The largest power of two not above `value`. Precondition: value > 0 and finite.
 double power_of_two_below(double value) {
   int exponent = 0;

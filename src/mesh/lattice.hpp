@@ -24,6 +24,9 @@ struct Point {
 /// determinants into 128.
 inline constexpr int kLatticeBits = 29;
 
+/// The least weld, in steps: below four, duplicates of curves can no longer be told from noise.
+inline constexpr double kLeastWeldSteps = 16;
+
 /// Twice the signed area of (a, b, c). Exact.
 constexpr std::int64_t orient2d(Point a, Point b, Point c) {
   return std::int64_t{b.x - a.x} * (c.y - a.y) - std::int64_t{b.y - a.y} * (c.x - a.x);
@@ -114,8 +117,8 @@ struct Lattice {
 };
 
 /// A step of about unit_size / 2^12 (a power of two), coarser where the padded bounding box of
-/// curves and frame would pass 2^kLatticeBits steps. The weld is at least 16 steps, and at most
-/// 1/32 of the frame's shorter side where that allows.
+/// curves and frame would pass 2^kLatticeBits steps. The weld is at least kLeastWeldSteps, and at
+/// most 1/32 of the frame's shorter side where that allows.
 /// Errors: bad_input (a coordinate that is not finite or beyond limits::kCoordinate, an empty
 /// frame, a unit size or weld that is not above 0).
 Result<Lattice> choose_lattice(const curves::FlatCurves& flat, const MeshOptions& options);
