@@ -4,6 +4,6 @@
 extern "C" const char* __tsan_default_suppressions();
 
 extern "C" const char* __tsan_default_suppressions() {
-  return "race:swrast_dri.so\n"    // Mesa before 24.2
+  return "race:swrast_dri.so\n"     // Mesa before 24.2
          "race:libgallium-*.so\n";  // and since
 }
