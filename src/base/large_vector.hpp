@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <span>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -24,17 +26,31 @@ Status resize_large(const Context& context, std::vector<Item>& items, std::size_
   return ok_status();
 }
 
-/// Appends a copy of `from` in the same way.
+template <class Item>
+Status reserve_large(const Context& context, std::vector<Item>& items, std::size_t count);
+
+/// Appends a copy of `from` in the same way. Where room is lacking it doubles at least.
 template <class Item>
 Status append_large(const Context& context, std::span<const Item> from, std::vector<Item>& to) {
   constexpr std::size_t kItems = (std::size_t{8} << 20) / sizeof(Item);
-  to.reserve(to.size() + from.size());
+  const std::size_t size = to.size() + from.size();
+  if (size > to.capacity()) {
+    Status status = reserve_large(context, to, std::max(size, 2 * to.size()));
+    if (!status) return status;
+  }
   for (std::size_t i = 0; i < from.size(); i += kItems) {
     if (context.cancelled()) return context.stop_status();
     const std::span<const Item> part = from.subspan(i, std::min(kItems, from.size() - i));
     to.insert(to.end(), part.begin(), part.end());
   }
   return ok_status();
+}
+
+/// Appends the bytes of a text in the same way.
+inline Status append_text(const Context& context, std::string_view text,
+                          std::vector<std::uint8_t>& to) {
+  const auto* bytes = reinterpret_cast<const std::uint8_t*>(text.data());
+  return append_large(context, std::span(bytes, text.size()), to);
 }
 
 template <class Item>

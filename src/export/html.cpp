@@ -5,11 +5,13 @@
 #include <string_view>
 #include <utility>
 
+#include "base/large_vector.hpp"
 #include "base/no_throw.hpp"
 #include "export/embedded.hpp"
 #include "export/html_text.hpp"
 #include "export/viewer_payload.hpp"
 #include "formats/base64.hpp"
+#include "formats/data_uri_write.hpp"
 
 namespace sfumato {
 namespace {
@@ -52,25 +54,34 @@ bool is_media_type(std::string_view type) {
          });
 }
 
-std::string fallback(const HtmlOptions& options) {
-  if (options.fallback.empty()) return {};
-  return "<img id=\"fallback\" alt=\"" + escaped_html(options.title) +
-         "\" src=\"data:" + options.fallback_type + ";base64," + encode_base64(options.fallback) +
-         "\">";
+Result<std::string> fallback(const Context& context, const HtmlOptions& options) {
+  std::string text;
+  if (options.fallback.empty()) return text;
+  text = "<img id=\"fallback\" alt=\"" + escaped_html(options.title) + "\" src=\"";
+  Status status = append_data_uri(context, options.fallback_type, options.fallback, text);
+  if (!status) return status;
+  return text += "\">";
 }
 
 /// The page with its marks, {{name}}, replaced; what replaces them is not looked through.
-std::string filled(std::string_view page,
-                   const std::array<std::pair<std::string_view, std::string>, 6>& values) {
-  std::string text;
+Result<std::vector<std::uint8_t>> filled(
+    const Context& context, std::string_view page,
+    const std::array<std::pair<std::string_view, std::string>, 6>& values) {
+  std::size_t bytes = page.size();
+  for (const auto& [key, value] : values) bytes += value.size();
+  std::vector<std::uint8_t> file;
+  file.reserve(bytes);
   while (true) {
     const std::size_t begin = page.find("{{");
-    text += page.substr(0, begin);
-    if (begin == std::string_view::npos) return text;
+    const std::string_view before = page.substr(0, begin);
+    file.insert(file.end(), before.begin(), before.end());
+    if (begin == std::string_view::npos) return file;
     const std::size_t end = page.find("}}", begin);
     const std::string_view name = page.substr(begin + 2, end - begin - 2);
-    for (const auto& [key, value] : values)
-      if (key == name) text += value;
+    for (const auto& [key, value] : values) {
+      if (key != name) continue;
+      if (Status status = append_text(context, value, file); !status) return status;
+    }
     page.remove_prefix(end + 2);
   }
 }
@@ -87,20 +98,23 @@ Result<std::vector<std::uint8_t>> write(Context& context, const Picture& picture
   const auto payload = outputs::viewer_payload(context, picture, background_of(picture, options));
   if (!payload) return payload.status();
   ScopedCharge charge;
-  // Base64 is a third longer, and stands in a part, in the page and in the result.
+  // Base64 is a third longer, and stands in a part and in the page.
   const std::size_t bytes =
-      4 * (payload->size() + options.fallback.size()) + 16 * options.title.size() + (1 << 20);
+      3 * (payload->size() + options.fallback.size()) + 16 * options.title.size() + (1 << 20);
   if (Status status = charge.add(context, bytes, "the HTML file"); !status) return status;
-  const std::string page =
-      filled(embedded_file("page.html"), {{{"title", escaped_html(options.title)},
-                                           {"style", condensed(embedded_file("viewer.css"))},
-                                           {"fallback", fallback(options)},
-                                           {"shaders", shaders()},
-                                           {"payload", encode_base64(*payload)},
-                                           {"script", scripts()}}});
+  Result<std::string> image = fallback(context, options);
+  if (!image) return image.status();
+  std::string packed;
+  if (Status status = append_base64(context, *payload, packed); !status) return status;
   if (notes)
     for (const PatchLayer& layer : picture.layers) notes->triangle_count += layer.triangle_count();
-  return std::vector<std::uint8_t>(page.begin(), page.end());
+  return filled(context, embedded_file("page.html"),
+                {{{"title", escaped_html(options.title)},
+                  {"style", condensed(embedded_file("viewer.css"))},
+                  {"fallback", std::move(*image)},
+                  {"shaders", shaders()},
+                  {"payload", std::move(packed)},
+                  {"script", scripts()}}});
 }
 
 }  // namespace

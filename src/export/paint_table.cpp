@@ -5,6 +5,7 @@
 #include <utility>
 #include <variant>
 
+#include "base/large_vector.hpp"
 #include "raster/gradient.hpp"
 #include "raster/texture_pyramid.hpp"
 
@@ -16,7 +17,8 @@ constexpr float kTextureKind = 2;
 
 class TableMaker {
  public:
-  TableMaker(Context& context, PaintTable& table) : context_(context), table_(table) {}
+  TableMaker(Context& context, PaintTexels texels, PaintTable& table)
+      : context_(context), texels_(texels), table_(table) {}
 
   Status add(std::uint32_t index, const Shader& shader) {
     table_.first_value[index] = static_cast<std::uint32_t>(table_.values.size() / 4);
@@ -62,10 +64,9 @@ class TableMaker {
         raster::TexturePyramid::create(context_, texture);
     if (!pyramid) return pyramid.status();
     const std::vector<raster::TextureLevel>& levels = pyramid->levels();
-    const std::size_t base = table_.texels.size() / 4, count = levels.back().offset + 1;
-    Status status = reserve(1 + 2 * levels.size());
-    if (status) status = table_.charge.add(context_, 4 * count * sizeof(std::uint16_t), "texels");
-    if (!status) return status;
+    const std::size_t base = table_.texel_count;
+    table_.texel_count += levels.back().offset + 1;
+    if (Status status = reserve(1 + 2 * levels.size()); !status) return status;
     table_.paint_from_layer[index] = pyramid->texture_from_layer();
     put(kTextureKind, pyramid->repeats() ? 1 : 0, static_cast<double>(levels.size()),
         pyramid->opaque() ? 1 : 0);
@@ -75,23 +76,30 @@ class TableMaker {
           static_cast<double>(first / kTableWidth));
       put(level.level_from_texture.x, level.level_from_texture.y, level.period.x, level.period.y);
     }
-    const std::uint16_t* texels = pyramid->texels(levels.front());
-    table_.texels.insert(table_.texels.end(), texels, texels + 4 * count);
-    return ok_status();
+    return texels_ == PaintTexels::kept ? add_texels(*pyramid) : ok_status();
+  }
+
+  Status add_texels(const raster::TexturePyramid& pyramid) {
+    const std::size_t count = 4 * (pyramid.levels().back().offset + 1);
+    Status status = table_.charge.add(context_, count * sizeof(std::uint16_t), "texels");
+    if (!status) return status;
+    const std::uint16_t* texels = pyramid.texels(pyramid.levels().front());
+    return append_large(context_, std::span(texels, count), table_.texels);
   }
 
   Context& context_;
+  PaintTexels texels_;
   PaintTable& table_;
 };
 
 }  // namespace
 
-Result<PaintTable> make_paint_table(Context& context, const Picture& picture) {
+Result<PaintTable> make_paint_table(Context& context, const Picture& picture, PaintTexels texels) {
   PaintTable table;
   table.first_value.resize(picture.shaders.size());
   table.paint_from_layer.resize(picture.shaders.size());
   std::vector<bool> is_made(picture.shaders.size());
-  TableMaker maker(context, table);
+  TableMaker maker(context, texels, table);
   for (const PatchLayer& layer : picture.layers) {
     for (const PatchField* field : {&layer.color, &layer.opacity}) {
       for (std::uint32_t index : field->shader) {

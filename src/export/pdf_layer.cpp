@@ -151,7 +151,12 @@ LayerWriter::Paint LayerWriter::add_shader(bool is_opacity, std::uint32_t shader
     file_->fail(part.status());
     return paint;
   }
-  paint.mean = is_opacity ? mean_opacity(*part) : mean_color(*part);
+  const Result<Rgb> mean = is_opacity ? mean_opacity(context_, *part) : mean_color(context_, *part);
+  if (!mean) {
+    file_->fail(mean.status());
+    return paint;
+  }
+  paint.mean = *mean;
   paint.image = is_opacity ? add_alpha_image(context_, file_, part->image)
                            : add_image(context_, file_, part->image);
   return paint;

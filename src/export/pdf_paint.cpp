@@ -21,7 +21,9 @@ std::string image_entries(const Image& image, std::string_view color_space) {
          " /BitsPerComponent 8 /Interpolate true";
 }
 
-/// Channels [first, first + count) of 8-bit pixels. Error: limit.
+constexpr std::uint32_t kPixelsPerPoll = 1 << 16;
+
+/// Channels [first, first + count) of 8-bit pixels. Errors: limit, cancelled.
 Result<std::vector<std::uint8_t>> planes(Context& context, const Image& image, int first, int count,
                                          ScopedCharge* charge) {
   const auto stride = static_cast<std::size_t>(channel_count(image.format));
@@ -31,9 +33,12 @@ Result<std::vector<std::uint8_t>> planes(Context& context, const Image& image, i
     return status;
   std::vector<std::uint8_t> bytes;
   bytes.reserve(pixels * static_cast<std::size_t>(count));
-  for (std::size_t i = 0; i < pixels; ++i)
+  RarePoll<kPixelsPerPoll> poll(context);
+  for (std::size_t i = 0; i < pixels; ++i) {
+    if (poll.cancelled()) return context.stop_status();
     for (int c = first; c < first + count; ++c)
       bytes.push_back(image.bytes[stride * i + static_cast<std::size_t>(c)]);
+  }
   return bytes;
 }
 

@@ -5,11 +5,14 @@
 #include <cmath>
 #include <utility>
 
+#include "export/picture_copy.hpp"
 #include "raster/local_stroke.hpp"
 #include "raster/rasterize.hpp"
 
 namespace sfumato::outputs {
 namespace {
+
+constexpr std::uint32_t kPixelsPerPoll = 1 << 16;
 
 /// Pixels for a box; fewer to a unit where they would be too many.
 struct Size {
@@ -56,23 +59,26 @@ PatchLayer box_layer(const Box& box) {
   return layer;
 }
 
-std::size_t texel_bytes(const Shader& shader) {
-  const Texture* texture = std::get_if<Texture>(&shader.paint);
-  return texture ? texture->rgba.size() + texture->file.size() : 0;
-}
-
-float mean_of(const PixelPart& part, std::size_t channel) {
-  const auto stride = static_cast<std::size_t>(channel_count(part.image.format));
-  const std::vector<std::uint8_t>& bytes = part.image.bytes;
-  std::uint64_t sum = 0;
-  for (std::size_t i = channel; i < bytes.size(); i += stride) sum += bytes[i];
-  const std::size_t pixels = std::max(bytes.size() / stride, std::size_t{1});
-  return static_cast<float>(static_cast<double>(sum) / (255.0 * static_cast<double>(pixels)));
+/// The means of three or four channels, 0 to 1; the fourth is 0 where there is none.
+Result<std::array<float, 4>> channel_means(const Context& context, const Image& image) {
+  const auto stride = static_cast<std::size_t>(channel_count(image.format));
+  const std::size_t pixels = image.bytes.size() / stride;
+  RarePoll<kPixelsPerPoll> poll(context);
+  std::array<std::uint64_t, 4> sum{};
+  for (std::size_t i = 0; i < pixels; ++i) {
+    if (poll.cancelled()) return context.stop_status();
+    for (std::size_t c = 0; c < stride; ++c) sum[c] += image.bytes[stride * i + c];
+  }
+  const double full = 255.0 * static_cast<double>(std::max(pixels, std::size_t{1}));
+  std::array<float, 4> means{};
+  for (std::size_t c = 0; c < 4; ++c)
+    means[c] = static_cast<float>(static_cast<double>(sum[c]) / full);
+  return means;
 }
 
 }  // namespace
 
-void bleed(Image* image) {
+Status bleed(const Context& context, Image* image) {
   const int width = image->width, height = image->height;
   const auto pixel = [&](int x, int y) {
     return image->bytes.data() +
@@ -80,6 +86,7 @@ void bleed(Image* image) {
                 static_cast<std::size_t>(x));
   };
   for (int y = 0; y < height; ++y) {
+    if (context.cancelled()) return context.stop_status();
     for (int x = 0; x < width; ++x) {
       std::uint8_t* here = pixel(x, y);
       if (here[3] != 0) continue;
@@ -97,15 +104,16 @@ void bleed(Image* image) {
         here[c] = static_cast<std::uint8_t>((sum[c] + count / 2) / count);
     }
   }
+  return ok_status();
 }
 
 Result<PixelPart> shader_pixels(Context& context, const Shader& shader, bool as_opacity,
                                 const Box& box, double pixels_per_unit) {
   ScopedCharge copy;
-  if (Status status = copy.add(context, texel_bytes(shader), "a texture"); !status) return status;
   Picture picture;
   picture.artboard = picture.viewport = box;
-  picture.shaders.push_back(shader);
+  Status status = copy_shaders(context, {&shader, 1}, &copy, &picture.shaders);
+  if (!status) return status;
   PatchLayer layer = box_layer(box);
   if (as_opacity) {
     layer.color.node_value = {1, 1, 1};
@@ -119,30 +127,28 @@ Result<PixelPart> shader_pixels(Context& context, const Shader& shader, bool as_
                  as_opacity ? PixelFormat::rgba8 : PixelFormat::rgb8);
 }
 
-Rgb mean_color(const PixelPart& part) {
-  return {mean_of(part, 0), mean_of(part, 1), mean_of(part, 2)};
+Result<Rgb> mean_color(const Context& context, const PixelPart& part) {
+  const auto means = channel_means(context, part.image);
+  if (!means) return means.status();
+  return Rgb{(*means)[0], (*means)[1], (*means)[2]};
 }
 
-Rgb mean_opacity(const PixelPart& part) {
-  const float mean = mean_of(part, 3);
-  return {mean, mean, mean};
+Result<Rgb> mean_opacity(const Context& context, const PixelPart& part) {
+  const auto means = channel_means(context, part.image);
+  if (!means) return means.status();
+  const float mean = (*means)[3];
+  return Rgb{mean, mean, mean};
 }
 
 Result<PixelPart> layer_pixels(Context& context, const Picture& picture, std::uint32_t layer,
                                const Box& box, double pixels_per_unit) {
-  const PatchLayer& source = picture.layers[layer];
-  std::size_t bytes =
-      source.vertex_position.size() * sizeof(Vec2) + source.triangle_vertex.size() * 5;
-  for (const PatchField* field : {&source.color, &source.opacity})
-    bytes += 4 * (field->triangle_node.size() + field->node_value.size());
-  for (const Shader& shader : picture.shaders) bytes += texel_bytes(shader);
   ScopedCharge copy;
-  if (Status status = copy.add(context, bytes, "a layer"); !status) return status;
   Picture alone;
   alone.artboard = alone.viewport = box;
   alone.interpolation = picture.interpolation;
-  alone.shaders = picture.shaders;
-  alone.layers.push_back(source);
+  Status status = copy_shaders(context, picture.shaders, &copy, &alone.shaders);
+  if (status) status = copy_layer(context, picture.layers[layer], &copy, &alone.layers);
+  if (!status) return status;
   alone.stack.push_back(PatchInstance{});
   return painted(context, alone, box, size_of(box, pixels_per_unit), PixelFormat::rgba8);
 }
@@ -199,7 +205,8 @@ Result<PixelPart> stroke_pixels(Context& context, std::span<const PictureItem> s
   Result<PixelPart> part = painted(
       context, picture, box, {static_cast<int>(pixels.width()), static_cast<int>(pixels.height())},
       PixelFormat::rgba8);
-  if (part) bleed(&part->image);
+  if (!part) return part;
+  if (Status status = bleed(context, &part->image); !status) return status;
   return part;
 }
 

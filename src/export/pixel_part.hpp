@@ -25,11 +25,11 @@ inline constexpr double kMostPartPixels = 64e6;
 Result<PixelPart> shader_pixels(Context& context, const Shader& shader, bool as_opacity,
                                 const Box& box, double pixels_per_unit);
 
-/// The mean of a part's colours.
-Rgb mean_color(const PixelPart& part);
+/// The mean of a part's colours. Error: cancelled.
+Result<Rgb> mean_color(const Context& context, const PixelPart& part);
 
-/// The mean of the alpha of an rgba8 part, as grey.
-Rgb mean_opacity(const PixelPart& part);
+/// The mean of the alpha of an rgba8 part, as grey. Error: cancelled.
+Result<Rgb> mean_opacity(const Context& context, const PixelPart& part);
 
 /// A whole layer in its own frame, rgba8. Errors: limit (memory), cancelled.
 Result<PixelPart> layer_pixels(Context& context, const Picture& picture, std::uint32_t layer,
@@ -46,7 +46,7 @@ Result<PixelPart> stroke_pixels(Context& context, std::span<const PictureItem> s
                                 double pixels_per_unit);
 
 /// Gives transparent pixels of an rgba8 image the mean colour of neighbours that are not, so that
-/// programs which filter it leave no fringe.
-void bleed(Image* image);
+/// programs which filter it leave no fringe. Error: cancelled.
+Status bleed(const Context& context, Image* image);
 
 }  // namespace sfumato::outputs

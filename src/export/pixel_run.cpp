@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "export/picture_copy.hpp"
 #include "export/pixel_part.hpp"
 #include "formats/png.hpp"
 #include "raster/rasterize.hpp"
@@ -41,27 +42,6 @@ Box intersected(const Box& a, const Box& b) {
           {std::min(a.max.x, b.max.x), std::min(a.max.y, b.max.y)}};
 }
 
-std::size_t bytes(const PatchField& field) {
-  return field.triangle_node.size() * sizeof(std::uint32_t) +
-         field.node_value.size() * sizeof(float);
-}
-
-std::size_t bytes(const PatchLayer& layer) {
-  return layer.vertex_position.size() * sizeof(Vec2) +
-         layer.triangle_vertex.size() * (sizeof(std::uint32_t) + 1) + bytes(layer.color) +
-         bytes(layer.opacity);
-}
-
-std::size_t shader_bytes(const Picture& picture) {
-  std::size_t sum = 0;
-  for (const Shader& shader : picture.shaders) {
-    if (const auto* texture = std::get_if<Texture>(&shader.paint)) {
-      sum += texture->rgba.size() + texture->file.size();
-    }
-  }
-  return sum;
-}
-
 /// The items [first, last) alone, and where they can be seen.
 class PartPicture {
  public:
@@ -91,11 +71,11 @@ class PartPicture {
     const auto known = std::ranges::find(copied_, instance.layer);
     const auto index = static_cast<std::uint32_t>(known - copied_.begin());
     if (known == copied_.end()) {
-      const std::size_t shaders = part_.shaders.empty() ? shader_bytes(whole_) : 0;
-      Status status = charge_.add(context_, bytes(layer) + shaders, "a layer to be painted");
+      Status status = copy_layer(context_, layer, &charge_, &part_.layers);
+      if (status && part_.shaders.empty()) {
+        status = copy_shaders(context_, whole_.shaders, &charge_, &part_.shaders);
+      }
       if (!status) return status;
-      if (part_.shaders.empty()) part_.shaders = whole_.shaders;
-      part_.layers.push_back(layer);
       copied_.push_back(instance.layer);
     }
     box_ = united(box_, reach(instance, layer));
@@ -175,7 +155,7 @@ Result<PixelRun> paint_run(Context& context, const Picture& picture, std::size_t
   options.format = PixelFormat::rgba8;
   Result<Image> image = rasterize(context, part.on(result.box), options);
   if (!image) return image.status();
-  bleed(&*image);
+  if (Status status = bleed(context, &*image); !status) return status;
   Result<std::vector<std::uint8_t>> png = encode_png(context, *image);
   if (!png) return png.status();
   result.png = std::move(*png);

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "base/large_vector.hpp"
 #include "base/limits.hpp"
 #include "base/no_throw.hpp"
 #include "export/page.hpp"
@@ -61,12 +62,15 @@ void append_compositing(std::string& text, float opacity, BlendMode blend) {
   text += " style=\"mix-blend-mode:" + std::string(blend_name(blend)) + '"';
 }
 
-void append_image(std::string& text, const Box& box, BlendMode blend,
-                  const std::vector<std::uint8_t>& png) {
+Status append_image(const Context& context, const Box& box, BlendMode blend,
+                    const std::vector<std::uint8_t>& png, std::string& text) {
   text += "<image";
   append_box(text, box);
   append_compositing(text, 1, blend);
-  text += " preserveAspectRatio=\"none\" xlink:href=\"" + data_uri("image/png", png) + "\"/>\n";
+  text += " preserveAspectRatio=\"none\" xlink:href=\"";
+  Status status = append_data_uri(context, "image/png", png, text);
+  text += "\"/>\n";
+  return status;
 }
 
 void begin_file(std::string& text, const Box& viewport, double scale) {
@@ -77,9 +81,11 @@ void begin_file(std::string& text, const Box& viewport, double scale) {
           number_text(viewport.width()) + ' ' + number_text(viewport.height()) + "\">\n";
 }
 
-std::vector<std::uint8_t> end_file(std::string& text) {
+Result<std::vector<std::uint8_t>> end_file(const Context& context, std::string& text) {
   text += "</svg>\n";
-  return {text.begin(), text.end()};
+  std::vector<std::uint8_t> file;
+  if (Status status = append_text(context, text, file); !status) return status;
+  return file;
 }
 
 Result<std::vector<std::uint8_t>> image_file(Context& context, const Picture& picture,
@@ -102,8 +108,9 @@ Result<std::vector<std::uint8_t>> image_file(Context& context, const Picture& pi
   if (!status) return status;
   std::string text;
   begin_file(text, viewport, options.scale);
-  append_image(text, viewport, BlendMode::normal, *png);
-  return end_file(text);
+  status = append_image(context, viewport, BlendMode::normal, *png, text);
+  if (!status) return status;
+  return end_file(context, text);
 }
 
 double scale_of(const Affine& map) {
@@ -135,7 +142,7 @@ class VectorWriter {
   Status write_layers();
   Status write_stack();
   Status write_pixels(std::size_t first, std::size_t end);
-  Status charge(std::size_t bytes) { return charge_.add(context_, bytes, "the SVG"); }
+  Status charge(std::size_t bytes);
 
   Context& context_;
   const Picture& picture_;
@@ -146,8 +153,15 @@ class VectorWriter {
   std::uint64_t stored_ = 0;
   bool has_pixels_ = false;
   ScopedCharge charge_;
+  std::size_t charged_ = 0;
   std::string text_;
 };
+
+Status VectorWriter::charge(std::size_t bytes) {
+  Status status = charge_.add(context_, bytes, "the SVG");
+  if (status) charged_ += bytes;
+  return status;
+}
 
 bool VectorWriter::is_drawn(const PatchInstance& instance) const {
   return scale_of(instance.artboard_from_layer) > 0 &&
@@ -245,8 +259,7 @@ Status VectorWriter::write_pixels(std::size_t first, std::size_t end) {
   if (part->box.empty()) return ok_status();
   Status status = charge(3 * part->png.size());
   if (!status) return status;
-  append_image(text_, part->box, outputs::run_blend(picture_, first), part->png);
-  return ok_status();
+  return append_image(context_, part->box, outputs::run_blend(picture_, first), part->png, text_);
 }
 
 Status VectorWriter::write_stack() {
@@ -279,6 +292,7 @@ Result<std::vector<std::uint8_t>> VectorWriter::write() {
   if (status) status = make_layers();
   if (!status) return status;
   tell();
+  text_.reserve(charged_);  // to move a long text takes long
   begin_file(text_, picture_.viewport, options_.scale);
   if (const auto& color = options_.background ? options_.background : picture_.background) {
     text_ += "<rect";
@@ -289,7 +303,7 @@ Result<std::vector<std::uint8_t>> VectorWriter::write() {
   if (status) status = write_stack();
   if (status) status = charge(text_.size());
   if (!status) return status;
-  return end_file(text_);
+  return end_file(context_, text_);
 }
 
 Result<std::vector<std::uint8_t>> write(Context& context, const Picture& picture,

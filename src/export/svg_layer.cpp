@@ -75,8 +75,10 @@ Result<SvgMesh> LayerWriter::mesh_of(const FacetMesh& facets, const FacetLinks& 
   SvgMesh mesh;
   mesh.mesh = &facets;
   mesh.outlines = std::move(*outlines);
-  mesh.small = small_facets(facets, links, layer_.pixel * kSmallRadius, layer_.pixel * kSmallMargin,
-                            outside == 0);
+  auto small = small_facets(context_, facets, links, layer_.pixel * kSmallRadius,
+                            layer_.pixel * kSmallMargin, outside == 0);
+  if (!small) return small.status();
+  mesh.small = std::move(*small);
   mesh.grid_from_layer = grid_from_layer_;
   return mesh;
 }
@@ -100,8 +102,9 @@ Result<std::string> LayerWriter::write_mask() {
   if (!links) return links.status();
   Result<SvgMesh> mesh = mesh_of(facets, *links, 0);
   if (!mesh) return mesh.status();
-  const Silhouette shape = silhouette(facets, *links, layer_.frame);
-  if (!shape.is_frame && !mesh->small.empty()) mesh->small_clip = write_clip(shape);
+  const Result<Silhouette> shape = silhouette(context_, facets, *links, layer_.frame);
+  if (!shape) return shape.status();
+  if (!shape->is_frame && !mesh->small.empty()) mesh->small_clip = write_clip(*shape);
   const std::string id = short_id(ids_.next++);
   const Vec2 size = grid_from_layer_(layer_.box.max);
   text_ += "<mask id=\"" + id + "\" maskUnits=\"userSpaceOnUse\" x=\"-1\" y=\"-1\" width=\"";
@@ -118,16 +121,17 @@ Result<std::string> LayerWriter::write_mask() {
 Status LayerWriter::write(const std::string& id) {
   const Result<FacetLinks> links = link_facets(context_, layer_.color);
   if (!links) return links.status();
-  const Silhouette shape = silhouette(layer_.color, *links, layer_.frame);
+  const Result<Silhouette> shape = silhouette(context_, layer_.color, *links, layer_.frame);
+  if (!shape) return shape.status();
   std::string shown;
   if (!layer_.opacity.facet_vertex.empty()) {
     Result<std::string> mask = write_mask();
     if (!mask) return mask.status();
     shown = std::move(*mask);
-  } else if (!shape.is_frame) {
-    shown = write_clip(shape);
+  } else if (!shape->is_frame) {
+    shown = write_clip(*shape);
   }
-  const auto mesh = mesh_of(layer_.color, *links, shape.is_frame ? 0 : layer_.reach.outside);
+  const auto mesh = mesh_of(layer_.color, *links, shape->is_frame ? 0 : layer_.reach.outside);
   if (!mesh) return mesh.status();
   text_ += "<g id=\"" + id + "\"" + transform_attribute(layer_.layer_from_grid) + shown +
            " style=\"isolation:isolate\">\n";

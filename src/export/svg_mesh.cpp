@@ -38,7 +38,7 @@ class MeshWriter {
 
  private:
   /// What lies below small facets: the values of their centres.
-  void append_small(int channel, std::string& text) const;
+  Status append_small(const Context& context, int channel, std::string& text) const;
   Affinity affinity(std::uint32_t facet, int channel) const;
   std::string gradient(const Affinity& field, std::string& text);
 
@@ -93,10 +93,12 @@ void append_fill(double value, const Ink& ink, std::string& text) {
   append_color(text, code(ink.full[0]), code(ink.full[1]), code(ink.full[2]));
 }
 
-void MeshWriter::append_small(int channel, std::string& text) const {
-  if (mesh_.small.empty()) return;
+Status MeshWriter::append_small(const Context& context, int channel, std::string& text) const {
+  if (mesh_.small.empty()) return ok_status();
+  RarePoll<kFacetsPerCheck> poll(context);
   text += "<g" + mesh_.small_clip + ">\n";
   for (const SmallFacet& small : mesh_.small) {
+    if (poll.cancelled()) return context.stop_status();
     std::array<Vec2, 3> corner = small.grown;
     for (Vec2& p : corner) p = mesh_.grid_from_layer(p);
     append_fill(affinity(small.facet, channel).value, ink_, text);
@@ -105,11 +107,12 @@ void MeshWriter::append_small(int channel, std::string& text) const {
     text += "\"/>\n";
   }
   text += "</g>\n";
+  return ok_status();
 }
 
 Status MeshWriter::append(Context& context, int channel, std::string& text) {
   const auto count = static_cast<std::uint32_t>(mesh_.mesh->facet_vertex.size() / 3);
-  append_small(channel, text);
+  if (Status status = append_small(context, channel, text); !status) return status;
   std::vector<Vec2> outline;
   std::string path;
   for (std::uint32_t facet = 0; facet < count; ++facet) {

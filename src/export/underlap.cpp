@@ -149,19 +149,22 @@ void for_each_around(const FacetLinks& links, std::uint32_t edge, Visit visit) {
 }
 
 /// Facets that have a corner at the end of the mesh, and their neighbours.
-std::vector<bool> facets_near_end(const FacetLinks& links) {
+Status mark_near_end(const Context& context, const FacetLinks& links, std::vector<bool>& near_end) {
   const std::size_t edges = links.twin.size();
-  std::vector<bool> at_end(edges / 3), near_end(edges / 3);
+  RarePoll<kFacetsPerCheck> poll(context);
+  std::vector<bool> at_end(edges / 3);
   for (std::uint32_t edge = 0; edge < edges; ++edge) {
+    if (poll.cancelled()) return context.stop_status();
     if (links.twin[edge] != kNoEdge) continue;
     for_each_around(links, edge, [&](std::uint32_t around) { at_end[around / 3] = true; });
   }
   for (std::uint32_t edge = 0; edge < edges; ++edge) {
+    if (poll.cancelled()) return context.stop_status();
     if (!at_end[edge / 3]) continue;
     near_end[edge / 3] = true;
     for_each_around(links, edge, [&](std::uint32_t around) { near_end[around / 3] = true; });
   }
-  return near_end;
+  return ok_status();
 }
 
 bool on_one_side(Vec2 a, Vec2 b, const Box& frame) {
@@ -197,12 +200,17 @@ Result<FacetOutlines> underlapped(Context& context, const FacetMesh& mesh, const
   return outlines;
 }
 
-std::vector<SmallFacet> small_facets(const FacetMesh& mesh, const FacetLinks& links, double radius,
-                                     double margin, bool keeps_outline) {
-  const std::vector<bool> is_near_end =
-      keeps_outline ? facets_near_end(links) : std::vector<bool>(mesh.facet_vertex.size() / 3);
+Result<std::vector<SmallFacet>> small_facets(const Context& context, const FacetMesh& mesh,
+                                             const FacetLinks& links, double radius, double margin,
+                                             bool keeps_outline) {
+  std::vector<bool> is_near_end(mesh.facet_vertex.size() / 3);
+  if (keeps_outline) {
+    if (Status status = mark_near_end(context, links, is_near_end); !status) return status;
+  }
+  RarePoll<kFacetsPerCheck> poll(context);
   std::vector<SmallFacet> result;
   for (std::uint32_t facet = 0; 3 * facet < mesh.facet_vertex.size(); ++facet) {
+    if (poll.cancelled()) return context.stop_status();
     const std::uint32_t* vertex = mesh.facet_vertex.data() + std::size_t{3} * facet;
     if (is_near_end[facet]) continue;
     const Vec2 p[3] = {mesh.vertex_position[vertex[0]], mesh.vertex_position[vertex[1]],
@@ -222,16 +230,20 @@ std::vector<SmallFacet> small_facets(const FacetMesh& mesh, const FacetLinks& li
   return result;
 }
 
-Silhouette silhouette(const FacetMesh& mesh, const FacetLinks& links, const Box& frame) {
+Result<Silhouette> silhouette(const Context& context, const FacetMesh& mesh,
+                              const FacetLinks& links, const Box& frame) {
   Silhouette result;
+  RarePoll<kFacetsPerCheck> poll(context);
   const auto start = [&](std::uint32_t edge) {
     return mesh.vertex_position[mesh.facet_vertex[edge]];
   };
   std::vector<bool> is_done(links.twin.size());
   for (std::uint32_t first = 0; first < links.twin.size(); ++first) {
+    if (poll.cancelled()) return context.stop_status();
     if (links.twin[first] != kNoEdge || is_done[first]) continue;
     std::vector<Vec2>& loop = result.loops.emplace_back();
     for (std::uint32_t edge = first; !is_done[edge];) {
+      if (poll.cancelled()) return context.stop_status();
       is_done[edge] = true;
       loop.push_back(start(edge));
       result.is_frame &= on_one_side(start(edge), start(next_edge(edge)), frame);

@@ -39,9 +39,10 @@ struct SmallFacet {
 };
 
 /// Facets whose inscribed circle has a radius below `radius`; not those near the mesh's end where
-/// `keeps_outline` is set. Cost: O(facets).
-std::vector<SmallFacet> small_facets(const FacetMesh& mesh, const FacetLinks& links, double radius,
-                                     double margin, bool keeps_outline);
+/// `keeps_outline` is set. Cost: O(facets). Error: cancelled.
+Result<std::vector<SmallFacet>> small_facets(const Context& context, const FacetMesh& mesh,
+                                             const FacetLinks& links, double radius, double margin,
+                                             bool keeps_outline);
 
 /// The closed lines around what the mesh covers, for filling by the even-odd rule; whether there is
 /// any of which not both ends lie on one side of `frame`.
@@ -50,6 +51,8 @@ struct Silhouette {
   bool is_frame = true;
 };
 
-Silhouette silhouette(const FacetMesh& mesh, const FacetLinks& links, const Box& frame);
+/// Cost: O(facets). Error: cancelled.
+Result<Silhouette> silhouette(const Context& context, const FacetMesh& mesh,
+                              const FacetLinks& links, const Box& frame);
 
 }  // namespace sfumato::outputs

@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/large_vector.hpp"
+
 namespace sfumato::outputs {
 
 /// Bytes of the viewer's payload (docs/viewer.md, "Payload"), least significant first.
@@ -29,6 +31,16 @@ class ByteWriter {
   void counted(std::span<const std::uint8_t> bytes) {
     varint(bytes.size());
     raw(bytes);
+  }
+
+  /// The same for bytes that take long to be copied. Error: cancelled.
+  Status counted_large(const Context& context, std::span<const std::uint8_t> bytes) {
+    varint(bytes.size());
+    const std::size_t size = bytes_.size() + bytes.size();
+    Status status = ok_status();
+    // With room for what follows, which would move all else.
+    if (size > bytes_.capacity()) status = reserve_large(context, bytes_, 2 * size);
+    return status ? append_large(context, bytes, bytes_) : status;
   }
 
   /// The lowest bytes of all values, then the next, `byte_count` of each: alike stands beside

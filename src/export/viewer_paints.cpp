@@ -9,7 +9,6 @@
 
 #include "export/paint_table.hpp"
 #include "formats/data_uri_write.hpp"
-#include "formats/png.hpp"
 
 namespace sfumato::outputs {
 namespace {
@@ -32,7 +31,7 @@ Result<TextureFile> file_of(Context& context, const Texture& texture) {
   const std::string_view type = image_media_type(texture.file);
   if (!type.empty() && !may_be_turned(texture.file))
     return TextureFile{type == "image/png" ? PaintFile::png : PaintFile::jpeg, texture.file};
-  auto png = encode_png(context, {texture.width, texture.height, PixelFormat::rgba8, texture.rgba});
+  auto png = texture_png(context, texture);
   if (!png) return png.status();
   return TextureFile{PaintFile::png, std::move(*png)};
 }
@@ -43,8 +42,7 @@ Status write_texture(Context& context, const Texture& texture, ByteWriter& out) 
   out.u8(static_cast<std::uint8_t>(file->type));
   out.varint(static_cast<std::uint64_t>(texture.width));
   out.varint(static_cast<std::uint64_t>(texture.height));
-  out.counted(file->bytes);
-  return ok_status();
+  return out.counted_large(context, file->bytes);
 }
 
 std::vector<bool> used_shaders(const Picture& picture) {
@@ -67,10 +65,10 @@ void write_values(const std::vector<float>& values, ByteWriter& out) {
 }  // namespace
 
 Status write_paints(Context& context, const Picture& picture, ByteWriter& out) {
-  const Result<PaintTable> table = make_paint_table(context, picture);
+  const Result<PaintTable> table = make_paint_table(context, picture, PaintTexels::counted);
   if (!table) return table.status();
   write_values(table->values, out);
-  out.varint(table->texels.size() / 4);
+  out.varint(table->texel_count);
   const std::vector<bool> is_used = used_shaders(picture);
   out.varint(picture.shaders.size());
   for (std::size_t i = 0; i < picture.shaders.size(); ++i) {

@@ -34,13 +34,10 @@ Status bad(std::string message) {
   return make_error(StatusCode::bad_input, std::move(message));
 }
 
-}  // namespace
-
-std::string encode_base64(std::span<const std::uint8_t> bytes) {
+/// Whole threes of bytes, but at the end of all.
+void append_part(std::span<const std::uint8_t> bytes, std::string& text) {
   constexpr std::string_view kDigits =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
   for (std::size_t i = 0; i < bytes.size(); i += 3) {
     const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
     std::uint32_t word = 0;
@@ -48,7 +45,30 @@ std::string encode_base64(std::span<const std::uint8_t> bytes) {
     for (std::size_t k = 0; k < 4; ++k)
       text += k <= count ? kDigits[word >> (18 - 6 * k) & 63] : '=';
   }
+}
+
+}  // namespace
+
+std::size_t base64_length(std::size_t byte_count) {
+  return (byte_count + 2) / 3 * 4;
+}
+
+std::string encode_base64(std::span<const std::uint8_t> bytes) {
+  std::string text;
+  text.reserve(base64_length(bytes.size()));
+  append_part(bytes, text);
   return text;
+}
+
+Status append_base64(const Context& context, std::span<const std::uint8_t> bytes,
+                     std::string& text) {
+  constexpr std::size_t kPart = std::size_t{3} << 20;
+  text.reserve(text.size() + base64_length(bytes.size()));
+  for (std::size_t i = 0; i < bytes.size(); i += kPart) {
+    if (context.cancelled()) return context.stop_status();
+    append_part(bytes.subspan(i, std::min(kPart, bytes.size() - i)), text);
+  }
+  return ok_status();
 }
 
 Result<std::vector<std::uint8_t>> decode_base64(std::string_view text) {

@@ -6,12 +6,18 @@
 #include <string_view>
 #include <vector>
 
+#include "base/context.hpp"
 #include "base/status.hpp"
 
 namespace sfumato {
 
-/// Base64 (RFC 4648, section 4) on one line, padded.
+/// Base64 (RFC 4648, section 4) on one line, padded; its length.
 std::string encode_base64(std::span<const std::uint8_t> bytes);
+std::size_t base64_length(std::size_t byte_count);
+
+/// Appends it. Error: cancelled; a part is there then.
+Status append_base64(const Context& context, std::span<const std::uint8_t> bytes,
+                     std::string& text);
 
 /// Decodes base64 (RFC 4648, section 4); blanks are skipped, padding may be missing. Memory: three
 /// quarters of the text. Errors: bad_input, without a place.

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <vector>
 
+#include "base/large_vector.hpp"
 #include "formats/base64.hpp"
 #include "formats/png.hpp"
 
@@ -17,7 +17,9 @@ bool starts_with(std::span<const std::uint8_t> bytes, std::span<const std::uint8
   return bytes.size() >= start.size() && std::equal(start.begin(), start.end(), bytes.begin());
 }
 
-Result<std::vector<std::uint8_t>> encoded(Context& context, const Texture& texture) {
+}  // namespace
+
+Result<std::vector<std::uint8_t>> texture_png(Context& context, const Texture& texture) {
 #if defined(__wasm__)
   static_cast<void>(context);
   static_cast<void>(texture);
@@ -28,11 +30,12 @@ Result<std::vector<std::uint8_t>> encoded(Context& context, const Texture& textu
   ScopedCharge charge;
   Status status = charge.add(context, texture.rgba.size(), "a texture to be saved");
   if (!status) return status;
-  return encode_png(context, {texture.width, texture.height, PixelFormat::rgba8, texture.rgba});
+  Image image{texture.width, texture.height, PixelFormat::rgba8, {}};
+  status = copy_large(context, texture.rgba, image.bytes);
+  if (!status) return status;
+  return encode_png(context, image);
 #endif
 }
-
-}  // namespace
 
 std::string_view image_media_type(std::span<const std::uint8_t> file) {
   if (starts_with(file, kPngMagic)) return "image/png";
@@ -40,17 +43,24 @@ std::string_view image_media_type(std::span<const std::uint8_t> file) {
   return {};
 }
 
-std::string data_uri(std::string_view media_type, std::span<const std::uint8_t> bytes) {
-  return "data:" + std::string(media_type) + ";base64," + encode_base64(bytes);
+Status append_data_uri(const Context& context, std::string_view media_type,
+                       std::span<const std::uint8_t> bytes, std::string& text) {
+  text.append("data:").append(media_type).append(";base64,");
+  return append_base64(context, bytes, text);
 }
 
 Result<std::string> data_uri(Context& context, const Texture& texture) {
+  std::string text;
+  Status status;
   if (const std::string_view type = image_media_type(texture.file); !type.empty()) {
-    return data_uri(type, texture.file);
+    status = append_data_uri(context, type, texture.file, text);
+  } else {
+    const auto png = texture_png(context, texture);
+    if (!png) return png.status();
+    status = append_data_uri(context, "image/png", *png, text);
   }
-  const auto png = encoded(context, texture);
-  if (!png) return png.status();
-  return data_uri("image/png", *png);
+  if (!status) return status;
+  return text;
 }
 
 }  // namespace sfumato

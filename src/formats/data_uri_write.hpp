@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/context.hpp"
 #include "base/status.hpp"
@@ -14,11 +15,16 @@ namespace sfumato {
 /// "image/png" or "image/jpeg" by a file's first bytes; empty where it is neither.
 std::string_view image_media_type(std::span<const std::uint8_t> file);
 
-/// "data:TYPE;base64,…" on one line.
-std::string data_uri(std::string_view media_type, std::span<const std::uint8_t> bytes);
+/// A texture's texels as PNG. Errors: limit, cancelled; in WebAssembly, which has no encoder,
+/// bad_input.
+Result<std::vector<std::uint8_t>> texture_png(Context& context, const Texture& texture);
+
+/// Appends "data:TYPE;base64,…" on one line. Error: cancelled.
+Status append_data_uri(const Context& context, std::string_view media_type,
+                       std::span<const std::uint8_t> bytes, std::string& text);
 
 /// The texture's own file where it is a PNG or JPEG, else its texels encoded as PNG.
-/// Errors: limit, cancelled; in WebAssembly, which has no encoder, bad_input where one is needed.
+/// Errors: those of texture_png.
 Result<std::string> data_uri(Context& context, const Texture& texture);
 
 }  // namespace sfumato

@@ -98,7 +98,7 @@ class Encoder {
   const std::uint8_t* row(std::size_t y, Bytes& scratch) const;
   Bytes head() const;
   void finish_data();
-  Bytes joined_parts();
+  Result<Bytes> joined_parts();
 
   Context& context_;
   const Image& image_;
@@ -222,12 +222,13 @@ void Encoder::finish_data() {
 }
 
 /// One text of all parts; each part's memory is given back as soon as it is copied.
-Bytes Encoder::joined_parts() {
+Result<Bytes> Encoder::joined_parts() {
   std::size_t size = 0;
   for (const Bytes& part : parts_) size += part.size();
   Bytes joined;
   joined.reserve(size);
   for (Bytes& part : parts_) {
+    if (context_.cancelled()) return context_.stop_status();
     joined.insert(joined.end(), part.begin(), part.end());
     part = Bytes();
   }

@@ -241,10 +241,7 @@ Status SvgWriter::write_stack() {
 
 Status SvgWriter::check_progress() const {
   if (context_.cancelled()) return context_.stop_status();
-  if (writer_.text().size() <= context_.limits.input_bytes) return ok_status();
-  return make_error(StatusCode::limit,
-                    "the document as SVG is longer than can be read again: " +
-                        limit_text(context_.limits, &Limits::input_bytes, "bytes"));
+  return svg_write::check_length(context_, writer_.text().size());
 }
 
 void add_compositing(svg_write::Attributes& attributes, float opacity, BlendMode blend) {

@@ -54,6 +54,9 @@ Status write_texture(Context& context, ElementWriter& writer, const Texture& tex
   }
   Result<std::string> uri = data_uri(context, texture);
   if (!uri) return uri.status();
+  if (Status status = check_length(context, writer.text().size() + uri->size()); !status) {
+    return status;
+  }
   const bool has_period = texture.period.x > 0;
   const Vec2 period =
       has_period ? texture.period

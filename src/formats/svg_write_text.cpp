@@ -38,6 +38,13 @@ void append_broken(std::string& text, std::string_view value, std::size_t indent
 
 }  // namespace
 
+Status check_length(const Context& context, std::size_t bytes) {
+  if (bytes <= context.limits.input_bytes) return ok_status();
+  return make_error(StatusCode::limit,
+                    "the document as SVG is longer than can be read again: " +
+                        limit_text(context.limits, &Limits::input_bytes, "bytes"));
+}
+
 void ElementWriter::element(std::string_view name, const Attributes& attributes,
                             std::string_view end) {
   const std::size_t indent = 2 * depth_;

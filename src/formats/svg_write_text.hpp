@@ -1,11 +1,18 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "base/context.hpp"
+#include "base/status.hpp"
+
 namespace sfumato::svg_write {
+
+/// Error: limit, where a text of so many bytes is longer than what can be read.
+Status check_length(const Context& context, std::size_t bytes);
 
 /// The attributes of one element, in the order in which they are written. A '\n' in a value is a
 /// place where its line may be broken, else a space. Values hold nothing that XML would escape.

@@ -17,7 +17,7 @@ Picture picture_with(std::vector<Shader> shaders, std::vector<std::uint32_t> nam
 
 PaintTable table_of(const Picture& picture) {
   static Context context;  // outlives what is charged to it
-  Result<PaintTable> table = make_paint_table(context, picture);
+  Result<PaintTable> table = make_paint_table(context, picture, PaintTexels::kept);
   EXPECT_TRUE(table.ok()) << to_string(table.status());
   return table.ok() ? std::move(*table) : PaintTable{};
 }
@@ -84,7 +84,7 @@ TEST(PaintTable, what_no_layer_names_is_left_out) {
 TEST(PaintTable, memory_is_charged) {
   const Picture picture = picture_with({texture_of(64, 64)}, {0});
   Context context{.budget = Budget(64 * 64 * 8)};
-  const Result<PaintTable> table = make_paint_table(context, picture);
+  const Result<PaintTable> table = make_paint_table(context, picture, PaintTexels::kept);
   ASSERT_FALSE(table.ok());
   EXPECT_EQ(table.status().code, StatusCode::limit);
   EXPECT_EQ(context.budget.used(), 0u);

@@ -132,20 +132,22 @@ TEST(Underlap, reaches_beyond_the_mesh_only_where_it_is_asked_to) {
 
 TEST(Silhouette, goes_around_the_mesh_and_knows_the_frame) {
   FacetMesh mesh = facets(4);
-  const Silhouette whole = silhouette(mesh, linked(mesh), kBox);
+  const Context context;
+  const Silhouette whole = *silhouette(context, mesh, linked(mesh), kBox);
   ASSERT_EQ(whole.loops.size(), 1u);
   EXPECT_TRUE(whole.is_frame);
   EXPECT_EQ(std::abs(winding(whole.loops[0], {5, 4})), 1);
-  EXPECT_FALSE(silhouette(mesh, linked(mesh), kBox.grown_by(1)).is_frame);
+  EXPECT_FALSE(silhouette(context, mesh, linked(mesh), kBox.grown_by(1))->is_frame);
   mesh.facet_vertex.erase(mesh.facet_vertex.begin() + 60, mesh.facet_vertex.begin() + 63);
-  const Silhouette broken = silhouette(mesh, linked(mesh), kBox);
+  const Silhouette broken = *silhouette(context, mesh, linked(mesh), kBox);
   EXPECT_FALSE(broken.is_frame && broken.loops.size() == 1);
 }
 
 TEST(SmallFacets, are_grown_and_stay_away_from_the_end) {
   const FacetMesh mesh = facets(5);
   const FacetLinks links = linked(mesh);
-  const auto all = small_facets(mesh, links, 100, 0.1, false);
+  const Context context;
+  const auto all = *small_facets(context, mesh, links, 100, 0.1, false);
   EXPECT_EQ(all.size(), facet_count(mesh));
   for (const SmallFacet& small : all) {
     for (std::uint32_t k = 0; k < 3; ++k) {
@@ -154,8 +156,9 @@ TEST(SmallFacets, are_grown_and_stay_away_from_the_end) {
       EXPECT_LE(length(small.grown[k] - corner), 0.3 + 1e-9);
     }
   }
-  EXPECT_TRUE(small_facets(mesh, links, 1e-9, 0.1, false).empty());
-  for (const SmallFacet& small : small_facets(mesh, links, 100, 0.1, true))
+  EXPECT_TRUE(small_facets(context, mesh, links, 1e-9, 0.1, false)->empty());
+  const auto inner = *small_facets(context, mesh, links, 100, 0.1, true);
+  for (const SmallFacet& small : inner)
     for (const Vec2 p : small.grown) EXPECT_TRUE(kBox.contains(p));
 }
 

@@ -33,5 +33,16 @@ TEST(Base64, gives_back_every_byte) {
   EXPECT_EQ(*back, all);
 }
 
+TEST(Base64, appended_in_parts_is_the_same_as_at_once) {
+  const std::vector<std::uint8_t> bytes((std::size_t{6} << 20) + 1, 0xa5);
+  Context context;
+  std::string text = "data:,";
+  ASSERT_TRUE(append_base64(context, bytes, text));
+  EXPECT_EQ(text, "data:," + encode_base64(bytes));
+  EXPECT_EQ(text.size(), 6 + base64_length(bytes.size()));
+  context.cancel = true;
+  EXPECT_EQ(append_base64(context, bytes, text).code, StatusCode::cancelled);
+}
+
 }  // namespace
 }  // namespace sfumato

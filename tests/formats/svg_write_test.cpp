@@ -295,9 +295,11 @@ TEST(SvgWrite, charges_the_budget_before_it_writes) {
 TEST(DataUri, pads_what_is_no_multiple_of_three) {
   const std::vector<std::uint8_t> bytes{'f', 'o', 'o', 'b', 'a', 'r'};
   const char* expected[] = {"", "Zg==", "Zm8=", "Zm9v", "Zm9vYg==", "Zm9vYmE=", "Zm9vYmFy"};
+  const Context context;
   for (std::size_t n = 0; n <= bytes.size(); ++n) {
-    EXPECT_EQ(data_uri("a/b", std::span(bytes).first(n)),
-              std::string("data:a/b;base64,") + expected[n]);
+    std::string text;
+    ASSERT_TRUE(append_data_uri(context, "a/b", std::span(bytes).first(n), text));
+    EXPECT_EQ(text, std::string("data:a/b;base64,") + expected[n]);
   }
 }
 

@@ -130,5 +130,16 @@ TEST(Polls, exporters_look_often) {
   expect_polls("lint", [&](Context& c) { return lint(c, document); });
 }
 
+TEST(Polls, exporters_of_large_textures_look_often) {
+  Context context;
+  const Document document = textured_curve(2500);
+  const Result<Picture> picture = diffuse(context, document, {});
+  ASSERT_TRUE(picture.ok());
+  expect_polls("GLB", [&](Context& c) { return export_glb(c, *picture, {}); });
+  expect_polls("HTML", [&](Context& c) { return export_html(c, *picture, {}); });
+  expect_polls("PDF", [&](Context& c) { return export_pdf(c, *picture, {}); });
+  expect_polls("SVG of curves", [&](Context& c) { return write_svg(c, document); });
+}
+
 }  // namespace
 }  // namespace sfumato::test
