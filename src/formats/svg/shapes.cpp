@@ -163,13 +163,13 @@ Result<Subpaths> ShapeReader::read_ellipse() {
 Subpaths rounded_rect(const Box& box, Vec2 radii) {
   const auto [x0, y0] = box.min;
   const auto [x1, y1] = box.max;
+  // Corners of half the width leave no side between them, but for rounding.
+  const double extent = std::max({std::abs(x0), std::abs(x1), std::abs(y0), std::abs(y1)});
   PathBuilder builder;
   const auto corner = [&](Vec2 point) {
     if (radii.x > 0 && radii.y > 0) builder.arc_to(radii, 0, false, true, point);
   };
   const auto side = [&](Vec2 point) {
-    // Corners of half the width leave no side between them, but for rounding.
-    const double extent = std::max({std::abs(x0), std::abs(x1), std::abs(y0), std::abs(y1)});
     if (sfumato::length(point - builder.current()) > kNoSide * extent) builder.line_to(point);
   };
   builder.move_to({x0 + radii.x, y0});
