@@ -1,5 +1,6 @@
 // Pictures to every kind of file, small and coarse: refused with a reason, or some bytes.
 #include <algorithm>
+#include <string>
 #include <vector>
 
 #include "document/document.hpp"
@@ -20,6 +21,7 @@ constexpr double kPixels = 32;
 constexpr double kMaxError = 16;
 constexpr std::size_t kCurves = 12;
 constexpr std::size_t kItems = 12;
+constexpr std::size_t kTitleBytes = 24;
 
 bool is_small(const Document& document) {
   std::size_t curves = 0;
@@ -34,17 +36,18 @@ void check(const File& file) {
   fuzz::require(!file->empty(), "a file of no bytes");
 }
 
-/// The first byte of the input says which file.
-File exported(Context& context, const Picture& picture, unsigned kind) {
+/// The first byte of the input says which file; its beginning is the title where there is one.
+File exported(Context& context, const Picture& picture, unsigned kind, const std::string& title) {
   const double side = std::max(picture.artboard.width(), picture.artboard.height());
   // A page of 72 points at kPixels a page.
   const double points = 72, dpi = kPixels;
   switch (kind) {
     case 0:
-      return export_html(context, picture, {});
+      return export_html(context, picture, {.title = title});
     case 1:
-      return export_pdf(context, picture,
-                        {.page_width_pt = points, .dpi = dpi, .max_error = kMaxError});
+      return export_pdf(
+          context, picture,
+          {.page_width_pt = points, .dpi = dpi, .max_error = kMaxError, .title = title});
     case 2:
       return export_eps(context, picture,
                         {.page_width_pt = points, .dpi = dpi, .max_error = kMaxError});
@@ -63,6 +66,7 @@ File exported(Context& context, const Picture& picture, unsigned kind) {
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   fuzz::ByteReader reader({data, size});
+  const std::string title(fuzz::as_text({data, std::min(size, kTitleBytes)}));
   const unsigned kind = reader.below(6);
   Context context{.budget = Budget(fuzz::kBudgetBytes)};
   const std::optional<Document> document = fuzz::drawn_document(context, reader.rest());
@@ -77,7 +81,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
       fuzz::require_honest(picture.status());
       return 0;
     }
-    check(exported(context, *picture, kind));
+    check(exported(context, *picture, kind, title));
   }
   fuzz::require(context.budget.used() == 0, "a picture keeps what it charged");
   return 0;

@@ -1,4 +1,5 @@
-// Documents to pictures of 64 × 64 pixels and to PNG: the same bytes on every instruction set.
+// Documents to pictures of 64 × 64 pixels and to PNG: the same bytes on every instruction set. By
+// patches, by rays, or gathered at every pixel of 16 × 16.
 #include <algorithm>
 #include <vector>
 
@@ -8,12 +9,15 @@
 #include "fuzz.hpp"
 #include "patches/diffuse.hpp"
 #include "raster/rasterize.hpp"
+#include "raster/render_pixels.hpp"
 
 using namespace sfumato;
 
 namespace {
 
 constexpr int kSide = 64;
+constexpr int kGatheredSide = 16;
+constexpr int kRays = 8;
 /// Larger documents are for the readers' targets: here they would only take time.
 constexpr std::size_t kCurves = 24;
 constexpr std::size_t kItems = 24;
@@ -24,14 +28,30 @@ bool is_small(const Document& document) {
   return curves <= kCurves && document.stack.size() <= kItems;
 }
 
-Result<Image> picture(Context& context, const Document& document) {
+/// `way`: how it is drawn, 0 to 7; from 3 on by patches as they are by default.
+Result<Image> picture(Context& context, const Document& document, std::size_t way) {
   DiffuseOptions options;
   options.pixels_per_unit = kSide / std::max(document.artboard.width(), document.artboard.height());
   options.max_error = 8;
+  RasterOptions raster{.width = kSide, .height = kSide, .format = PixelFormat::rgba8};
+  if (way == 0) {
+    raster.width = raster.height = kGatheredSide;
+    return render_pixels(context, document, options, raster);
+  }
+  if (way == 1) {
+    options.gather.method = gather::Method::rays;
+    options.gather.rays_per_node = kRays;
+    options.order = PatchOrder::linear;
+  }
+  if (way == 2) {
+    raster.dither = raster.mesh_overlay = true;
+    raster.antialias = false;
+    raster.background = Rgb{1, 0.5f, 0};
+    options.order = PatchOrder::quadratic;
+  }
   const Result<Picture> solved = diffuse(context, document, options);
   if (!solved) return solved.status();
-  return rasterize(context, *solved,
-                   {.width = kSide, .height = kSide, .format = PixelFormat::rgba8});
+  return rasterize(context, *solved, raster);
 }
 
 void check_png(Context& context, const Image& image) {
@@ -42,9 +62,9 @@ void check_png(Context& context, const Image& image) {
   fuzz::require(again->bytes == image.bytes, "a picture changed on its way through a file");
 }
 
-void check_plain(const Document& document, const Image& image) {
+void check_plain(const Document& document, std::size_t way, const Image& image) {
   Context context{.budget = Budget(fuzz::kBudgetBytes), .simd = SimdLevel::sse2};
-  const Result<Image> same = picture(context, document);
+  const Result<Image> same = picture(context, document, way);
   fuzz::require_ok(same.status(), "one instruction set draws, another does not");
   fuzz::require(same->bytes == image.bytes, "two instruction sets draw different pictures");
 }
@@ -57,14 +77,15 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (!document || !is_small(*document)) return 0;
   fuzz::require_ok(validate(context, *document), "a document that is not valid");
   {
-    const Result<Image> image = picture(context, *document);
+    const std::size_t way = size % 8;
+    const Result<Image> image = picture(context, *document, way);
     if (!image) {
       fuzz::require_honest(image.status());
       return 0;
     }
     check_png(context, *image);
     // It takes as long again: a quarter of the inputs tells as much.
-    if (size % 4 == 0) check_plain(*document, *image);
+    if (size / 8 % 4 == 0) check_plain(*document, way, *image);
   }
   fuzz::require(context.budget.used() == 0, "a picture keeps what it charged");
   return 0;
