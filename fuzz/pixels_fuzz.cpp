@@ -7,6 +7,7 @@
 #include "drawn_document.hpp"
 #include "formats/png.hpp"
 #include "fuzz.hpp"
+#include "lint/lint.hpp"
 #include "patches/diffuse.hpp"
 #include "raster/rasterize.hpp"
 #include "raster/render_pixels.hpp"
@@ -69,6 +70,12 @@ void check_plain(const Document& document, std::size_t way, const Image& image) 
   fuzz::require(same->bytes == image.bytes, "two instruction sets draw different pictures");
 }
 
+void check_lint(Context& context, const Document& document) {
+  const Result<std::vector<Hint>> hints = lint(context, document);
+  if (!hints) return fuzz::require_honest(hints.status());
+  for (const Hint& hint : *hints) fuzz::require(!hint.message.empty(), "a hint that says nothing");
+}
+
 }  // namespace
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -84,6 +91,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
       return 0;
     }
     check_png(context, *image);
+    if (way == 3) check_lint(context, *document);
     // It takes as long again: a quarter of the inputs tells as much.
     if (size / 8 % 4 == 0) check_plain(*document, way, *image);
   }
