@@ -20,8 +20,8 @@ constexpr int kSide = 64;
 constexpr int kGatheredSide = 16;
 constexpr int kRays = 8;
 /// Larger documents are for the readers' targets: here they would only take time.
-constexpr std::size_t kCurves = 24;
-constexpr std::size_t kItems = 24;
+constexpr std::size_t kCurves = 8;
+constexpr std::size_t kItems = 12;
 
 bool is_small(const Document& document) {
   std::size_t curves = 0;
