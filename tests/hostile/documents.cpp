@@ -5,6 +5,7 @@
 #include "hostile/packer.hpp"
 
 namespace sfumato::hostile {
+
 std::string repeated(const std::string& text, std::size_t count) {
   std::string result;
   result.reserve(text.size() * count);

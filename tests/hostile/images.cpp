@@ -108,12 +108,9 @@ std::string png_of_zeros(const PngHeader& header, std::size_t row_bytes) {
 }
 
 std::string zlib_packed(const std::string& data) {
-  uLongf size = compressBound(static_cast<uLong>(data.size()));
-  std::string packed(size, '\0');
-  compress2(reinterpret_cast<Bytef*>(packed.data()), &size,
-            reinterpret_cast<const Bytef*>(data.data()), static_cast<uLong>(data.size()), 9);
-  packed.resize(size);
-  return packed;
+  Packer packer(Wrapper::zlib);
+  packer.add(data, true);
+  return packer.packed();
 }
 
 std::string zlib_of_zeros(std::size_t count) {
