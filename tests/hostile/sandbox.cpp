@@ -18,9 +18,10 @@ namespace fs = std::filesystem;
 
 /// A sanitizer's shadow and its memory of freed blocks count as the process's own: blocks are kept
 /// less long than by default, the stack that functions return from not at all (the unit tests look
-/// there), and what asks for more than any limit grants is reported.
+/// there), of who allocated a block one function is noted, and what asks for more than any limit
+/// grants is reported.
 constexpr const char* kAddressOptions =
-    "quarantine_size_mb=8:thread_local_quarantine_size_kb=64:malloc_context_size=4:"
+    "quarantine_size_mb=8:thread_local_quarantine_size_kb=64:malloc_context_size=1:"
     "detect_stack_use_after_return=0:max_allocation_size_mb=2048:hard_rss_limit_mb=1024:"
     "detect_leaks=1";
 constexpr const char* kUndefinedOptions = "print_stacktrace=1:halt_on_error=1";

@@ -59,6 +59,8 @@ std::string complaint_of_files(const Case& of, const std::vector<std::string>& b
   return is_one ? std::string() : "made " + made.front() + " and " + made.back();
 }
 
+}  // namespace
+
 std::string complaint_of_cost(const Ended& ended) {
   if (ended.cpu_seconds > kMostSeconds) {
     return "took " + std::to_string(ended.cpu_seconds) + " s of processor time";
@@ -68,8 +70,6 @@ std::string complaint_of_cost(const Ended& ended) {
   }
   return {};
 }
-
-}  // namespace
 
 std::string complaint(const Case& of, const Ended& ended, const std::vector<std::string>& before,
                       const std::vector<std::string>& after) {

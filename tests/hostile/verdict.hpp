@@ -9,7 +9,7 @@
 namespace sfumato::hostile {
 
 /// What every case has to stay below, whatever it is about: processor time of all threads together
-/// (a busy machine does not change it; of one thread it is the wall clock's) and resident memory.
+/// (that of one thread is the wall clock's, without what waits for others) and resident memory.
 constexpr double kMostSeconds = 2;
 constexpr std::size_t kMostBytes = std::size_t{256} << 20;
 
@@ -18,5 +18,8 @@ constexpr std::size_t kMostBytes = std::size_t{256} << 20;
 /// before, after   names in its folder, sorted
 std::string complaint(const Case& of, const Ended& ended, const std::vector<std::string>& before,
                       const std::vector<std::string>& after);
+
+/// Of that what is about time and memory.
+std::string complaint_of_cost(const Ended& ended);
 
 }  // namespace sfumato::hostile

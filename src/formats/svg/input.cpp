@@ -48,6 +48,7 @@ Status Input::index(Element element) {
     if (Status status = charge(element, kGrowth * sizeof(IdElement), "ids"); !status) return status;
     ids_.push_back({id->data(), element});
   }
+  has_styles_ = has_styles_ || element.attribute("style");
   if (std::strcmp(element.name(), "style") == 0) {
     if (Status status = read_style_sheets(element); !status) return status;
   }
@@ -101,22 +102,24 @@ std::optional<std::string_view> Input::attribute(Element element, const char* na
 }
 
 std::optional<std::string_view> Input::sf(Element element, const char* name) const {
-  for (const pugi::xml_attribute found : element.attributes()) {
+  for (auto found = element.first_attribute(); found; found = found.next_attribute()) {
     if (found.name()[0] == ':' && std::strcmp(found.name() + 1, name) == 0) return found.value();
   }
   return std::nullopt;
 }
 
 bool Input::has_sf(Element element) const {
-  for (const pugi::xml_attribute found : element.attributes()) {
+  for (auto found = element.first_attribute(); found; found = found.next_attribute()) {
     if (found.name()[0] == ':') return true;
   }
   return false;
 }
 
 std::optional<std::string_view> Input::property(Element element, const char* name) const {
-  if (const auto style = attribute(element, "style")) {
-    if (const auto value = css_declaration(*style, name)) return value;
+  if (has_styles_) {
+    if (const auto style = attribute(element, "style")) {
+      if (const auto value = css_declaration(*style, name)) return value;
+    }
   }
   if (!sheet_.empty()) {
     const auto value = sheet_.find(element.name(), element.attribute("id").value(),
@@ -187,7 +190,8 @@ Status Input::charge_reading(Element element, std::string_view what) {
 
 Status Input::charge_text(Element element) {
   std::size_t bytes = std::strlen(element.name());
-  for (const pugi::xml_attribute attribute : element.attributes()) {
+  for (auto attribute = element.first_attribute(); attribute;
+       attribute = attribute.next_attribute()) {
     const std::size_t weight = std::strcmp(attribute.name(), "class") == 0 ? kClassWeight : 1;
     bytes += std::strlen(attribute.name()) + weight * std::strlen(attribute.value()) + 1;
   }

@@ -87,18 +87,20 @@ Status parse_opaque(std::string_view text, Rgb& color) {
 }
 
 /// CSS Images 3, section 3.4.3, on offsets in one unit from 0 to `end`. Missing ones are NaN.
-void spread(std::vector<double>& offsets, double end) {
-  if (std::isnan(offsets.front())) offsets.front() = 0;
-  if (std::isnan(offsets.back())) offsets.back() = end;
+template <class Value>
+void spread(std::vector<Stop<Value>>& stops, double end) {
+  if (std::isnan(stops.front().offset)) stops.front().offset = 0;
+  if (std::isnan(stops.back().offset)) stops.back().offset = end;
   double largest = 0;
   std::size_t last = 0;  // the last stop with an offset
-  for (std::size_t i = 0; i < offsets.size(); ++i) {
-    if (std::isnan(offsets[i])) continue;
-    offsets[i] = largest = std::max(largest, offsets[i]);
+  for (std::size_t i = 0; i < stops.size(); ++i) {
+    if (std::isnan(stops[i].offset)) continue;
+    stops[i].offset = largest = std::max(largest, stops[i].offset);
+    const double begin = stops[last].offset;
     const double step =
-        (offsets[i] - offsets[last]) / static_cast<double>(std::max<std::size_t>(i - last, 1));
+        (stops[i].offset - begin) / static_cast<double>(std::max<std::size_t>(i - last, 1));
     for (std::size_t j = last + 1; j < i; ++j) {
-      offsets[j] = std::min(offsets[last] + step * static_cast<double>(j - last), offsets[i]);
+      stops[j].offset = std::min(begin + step * static_cast<double>(j - last), stops[i].offset);
     }
     last = i;
   }
@@ -148,19 +150,16 @@ StopList<Value> place_stops(const std::vector<WrittenStop<Value>>& written,
   const bool in_parameter = std::ranges::any_of(written, has_segments);
   list.space = in_parameter ? StopSpace::parameter : StopSpace::arc_length;
   const double end = in_parameter ? static_cast<double>(segment_begin.size() - 1) : 1;
-  std::vector<double> offsets;
-  offsets.reserve(written.size());
+  list.stops.reserve(written.size());
   for (const WrittenStop<Value>& stop : written) {
     const double offset = stop.unit == OffsetUnit::percent ? stop.offset * end : stop.offset;
     beyond_end |= stop.unit != OffsetUnit::none && offset > end;
-    offsets.push_back(stop.unit == OffsetUnit::none ? std::nan("") : std::min(offset, end));
+    const bool has_offset = stop.unit != OffsetUnit::none;
+    list.stops.push_back({has_offset ? std::min(offset, end) : std::nan(""), stop.value});
   }
-  spread(offsets, end);
-  list.stops.reserve(written.size());
-  for (std::size_t i = 0; i < written.size(); ++i) {
-    const double offset = in_parameter ? piece_parameter(offsets[i], segment_begin) : offsets[i];
-    list.stops.push_back({offset, written[i].value});
-  }
+  spread(list.stops, end);
+  if (!in_parameter) return list;
+  for (Stop<Value>& stop : list.stops) stop.offset = piece_parameter(stop.offset, segment_begin);
   return list;
 }
 
