@@ -87,7 +87,7 @@ class Input {
   std::size_t used_elements_ = 0;
   std::size_t used_bytes_ = 0;
   StyleSheet sheet_;
-  bool has_styles_ = false;  ///< some element has the attribute style
+  bool has_styles_ = false;  ///< some element has the attribute style: property() looks then
 };
 
 /// "<path>", for messages.
