@@ -10,7 +10,7 @@ fuzz_seconds := 60
 
 help:
 	@echo 'make demo    install what the build needs, build, draw $(scene)'
-	@echo 'make build   the command: $(build_folder)/sfumato'
+	@echo 'make build   the command: $(build_folder)/sfumato, and what cmake --install takes'
 	@echo 'make check   everything built and tested, and the style checked'
 	@echo 'make kills   outputs under 1,000 times kill -9'
 	@echo 'make sanitize  the unit tests under AddressSanitizer, UBSan and ThreadSanitizer'
@@ -24,7 +24,7 @@ build:
 	@scripts/setup build
 	@cmake --preset release -DSFUMATO_TESTS=OFF -DSFUMATO_BENCH=OFF \
 	  -DSFUMATO_WERROR=OFF --log-level=WARNING >/dev/null
-	@cmake --build $(build_folder) --parallel $(jobs) --target sfumato
+	@cmake --build $(build_folder) --parallel $(jobs) --target sfumato sfumato_library
 
 demo: build
 	@$(build_folder)/sfumato render $(scene) -o $(build_folder)/demo.png --scale 2

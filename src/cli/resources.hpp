@@ -1,10 +1,13 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstddef>
 #include <optional>
 
 #include "base/context.hpp"
+
+namespace CLI {
+class App;  // its header takes seconds to compile: only files that add options include it
+}
 
 namespace sfumato::cli {
 
