@@ -52,9 +52,9 @@ std::unique_ptr<Prepared> prepare(benchmark::State& state, const std::string& na
   Result<mesh::Mesher> mesher = mesh::Mesher::build(context, *flat, options);
   auto prepared = std::make_unique<Prepared>();
   prepared->attributes = curves::sample_colors(*flat, curves);
-  prepared->visibility = mesher->visibility_mesh();
+  prepared->visibility = mesher->visibility_mesh({});
   if (!mesher->refine(context)) return nullptr;
-  const patches::NodeLayout layout = lay_out(mesher->patch_mesh(), prepared->attributes);
+  const patches::NodeLayout layout = lay_out(mesher->patch_mesh({}), prepared->attributes);
   for (std::uint32_t i = 0; i < layout.node_count(); ++i) {
     if (!layout.is_fixed[i]) prepared->points.push_back(layout.position[i]);
   }

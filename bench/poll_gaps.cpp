@@ -95,7 +95,6 @@ Context roomy() {
 /// What a picture becomes, by every exporter.
 void measure_exports(const std::string& name, const Picture& picture) {
   Context context = roomy();
-  context.limits.svg_triangles = context.limits.triangles;
   measure(name + ", PDF", context, [&](Context& c) { return export_pdf(c, picture, {}); });
   measure(name + ", EPS", context, [&](Context& c) { return export_eps(c, picture, {}); });
   measure(name + ", GLB", context, [&](Context& c) { return export_glb(c, picture, {}); });

@@ -49,7 +49,7 @@ void lay_out_nodes(benchmark::State& state) {
   options.frame = document->artboard;
   Result<mesh::Mesher> mesher = mesh::Mesher::build(context, *flat, options);
   if (!mesher || !mesher->refine(context)) return state.SkipWithError("no mesh");
-  const mesh::TriangleMesh mesh = mesher->patch_mesh();
+  const mesh::TriangleMesh mesh = mesher->patch_mesh({});
   for (auto _ : state) {
     const patches::Seams seams(context, mesh, attributes);
     benchmark::DoNotOptimize(patches::lay_out_nodes(context, mesh, attributes, seams));

@@ -1,6 +1,7 @@
 #include "base/context.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -26,11 +27,20 @@ Status Budget::charge(std::size_t bytes, std::string_view purpose) {
   return ok_status();
 }
 
+void Budget::release(std::size_t bytes) {
+  std::size_t used = used_.load(std::memory_order_relaxed);
+  while (
+      !used_.compare_exchange_weak(used, used - std::min(used, bytes), std::memory_order_relaxed)) {
+  }
+}
+
 Deadline Deadline::in(double seconds) {
+  using Clock = std::chrono::steady_clock;
+  constexpr double kFarAway = 1e9;  // some thirty years: the clock counts nanoseconds in 64 bits
+  if (!(seconds < kFarAway)) return {Clock::time_point::max(), seconds};
+  if (seconds < -kFarAway) return {Clock::time_point::min(), seconds};
   const std::chrono::duration<double> span(seconds);
-  return {std::chrono::steady_clock::now() +
-              std::chrono::duration_cast<std::chrono::steady_clock::duration>(span),
-          seconds};
+  return {Clock::now() + std::chrono::duration_cast<Clock::duration>(span), seconds};
 }
 
 bool Context::is_late() const {
@@ -45,6 +55,38 @@ Status Context::stop_status() const {
   return make_error(StatusCode::limit, "the time limit of " +
                                            JsonWriter().value(deadline->seconds).text() +
                                            " s is over (--max-time sets another)");
+}
+
+namespace {
+
+/// Contexts within each other; the library makes one within the caller's.
+constexpr int kDeepestContext = 64;
+
+bool ends(const Context* context) {
+  int depth = 0;
+  while (context && depth < kDeepestContext) {
+    context = context->outer;
+    ++depth;
+  }
+  return context == nullptr;
+}
+
+}  // namespace
+
+Status validate(const Context& context) {
+  const auto bad = [](const char* what) { return make_error(StatusCode::bad_input, what); };
+  if (Status status = validate(context.limits); !status) return status;
+  if (context.simd > SimdLevel::avx512) return bad("a context with an unknown instruction set");
+  if (context.simd > detected_simd_level()) {
+    return make_error(StatusCode::unavailable, "this machine lacks the context's instruction set");
+  }
+  if (context.deadline && std::isnan(context.deadline->seconds)) {
+    return bad("a deadline that is not a number");
+  }
+  if (context.executor && (context.thread_count() < 1 || context.thread_count() > limits::kThreads))
+    return bad("an executor with no threads, or with too many");
+  if (!ends(&context)) return bad("a context that lies within itself, or within too many others");
+  return ok_status();
 }
 
 SimdLevel detected_simd_level() {
@@ -70,9 +112,10 @@ ScopedCharge::~ScopedCharge() {
 }
 
 Status ScopedCharge::add(Context& context, std::size_t bytes, std::string_view purpose) {
-  Status status = context.budget.charge(bytes, purpose);
+  Budget& budget = budget_ ? *budget_ : context.budget;
+  Status status = budget.charge(bytes, purpose);
   if (!status) return status;
-  budget_ = &context.budget;
+  budget_ = &budget;
   bytes_ += bytes;
   return status;
 }

@@ -32,7 +32,8 @@ class Budget {
 
   /// Takes `bytes`, or nothing and a limit error that says what they were for.
   Status charge(std::size_t bytes, std::string_view purpose);
-  void release(std::size_t bytes) { used_.fetch_sub(bytes, std::memory_order_relaxed); }
+  /// Gives back what was charged, and never more than that.
+  void release(std::size_t bytes);
 
   std::size_t used() const { return used_.load(std::memory_order_relaxed); }
   std::size_t limit() const { return limit_; }
@@ -64,6 +65,7 @@ struct Deadline {
   std::chrono::steady_clock::time_point at;
   double seconds = 0;  ///< what was given, for the message
 
+  /// Never, where that is too far away to be counted. Not a number: see validate().
   static Deadline in(double seconds);
 };
 
@@ -106,6 +108,11 @@ struct Context {
   bool is_late() const;
 };
 
+/// What every public verb checks before it begins: limits within their highest values, a deadline
+/// that is a number, `outer` without a circle (bad_input), and instructions that this machine has
+/// (unavailable).
+Status validate(const Context& context);
+
 /// Looks at the cancel flag once in `kTurns` calls, for loops of short turns.
 template <std::uint32_t kTurns>
 class RarePoll {
@@ -118,8 +125,8 @@ class RarePoll {
   std::uint32_t turn_ = 0;
 };
 
-/// A charge that gives itself back at the end of its scope, to a Context that must outlive it.
-/// Movable.
+/// A charge that gives itself back at the end of its scope. It belongs to one Budget, that of the
+/// first Context that it is charged to, which must outlive it. Movable.
 class ScopedCharge {
  public:
   ScopedCharge() = default;
@@ -129,7 +136,8 @@ class ScopedCharge {
   ScopedCharge& operator=(ScopedCharge&& other) noexcept;
   ~ScopedCharge();
 
-  /// Charges `bytes` more to `context.budget`; on failure nothing changes.
+  /// Charges `bytes` more; on failure nothing changes. What has a Budget already stays with it,
+  /// whichever Context does the work now.
   Status add(Context& context, std::size_t bytes, std::string_view purpose);
 
  private:

@@ -50,6 +50,17 @@ std::span<const LimitName> limit_names() {
   return kNames;
 }
 
+Status validate(const Limits& limits) {
+  for (const LimitName& known : kNames) {
+    if (limits.*(known.value) <= known.highest) continue;
+    return make_error(StatusCode::bad_input, "a limit " + std::string(known.name) + " of " +
+                                                 std::to_string(limits.*(known.value)) +
+                                                 "; at most " + std::to_string(known.highest) +
+                                                 " is possible");
+  }
+  return ok_status();
+}
+
 std::string limit_text(const Limits& limits, std::size_t Limits::*limit, std::string_view what) {
   const auto known = std::ranges::find(kNames, limit, &LimitName::value);
   return std::to_string(limits.*limit) + " " + std::string(what) + " (--limit " +

@@ -124,6 +124,10 @@ struct LimitName {
 /// All of Limits, in its order.
 std::span<const LimitName> limit_names();
 
+/// Whether none is above its LimitName::highest, which tables and recursion are made for. Error:
+/// bad_input, which names the limit.
+Status validate(const Limits& limits);
+
 /// The limit in an error's words: "200000 curves (--limit curves=N sets another)".
 /// what    in the plural
 std::string limit_text(const Limits& limits, std::size_t Limits::*limit, std::string_view what);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cassert>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -51,7 +52,11 @@ template <class T>
 class [[nodiscard]] Result {
  public:
   Result(T value) : value_(std::move(value)) {}
-  Result(Status error) : status_(std::move(error)) {}
+  /// Precondition: an error. Success without a value is StatusCode::internal.
+  Result(Status error) : status_(std::move(error)) {
+    assert(!status_.ok());
+    if (status_.ok()) status_ = make_error(StatusCode::internal, "no value");
+  }
 
   bool ok() const { return value_.has_value(); }
   explicit operator bool() const { return ok(); }

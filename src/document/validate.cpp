@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/limits.hpp"
-#include "base/no_throw.hpp"
+#include "base/public_verb.hpp"
 #include "document/document.hpp"
 
 namespace sfumato {
@@ -375,15 +375,15 @@ Status check_document(const Context& context, const Document& document) {
 }  // namespace
 
 Status validate(const Context& context, const std::vector<Shader>& shaders) {
-  return no_throw([&] { return check_shaders(context, shaders); });
+  return public_verb(context, [&] { return check_shaders(context, shaders); });
 }
 
 Status validate(const Context& context, const LocalStroke& stroke) {
-  return no_throw([&] { return check_stroke(context, stroke); });
+  return public_verb(context, [&] { return check_stroke(context, stroke); });
 }
 
 Status validate(const Context& context, const Document& document) {
-  return no_throw([&] { return check_document(context, document); });
+  return public_verb(context, [&] { return check_document(context, document); });
 }
 
 }  // namespace sfumato

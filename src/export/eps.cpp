@@ -7,7 +7,7 @@
 #include <utility>
 #include <variant>
 
-#include "base/no_throw.hpp"
+#include "base/public_verb.hpp"
 #include "export/deflate.hpp"
 #include "export/facets.hpp"
 #include "export/mesh_bytes.hpp"
@@ -227,7 +227,7 @@ Result<std::vector<std::uint8_t>> write(Context& context, const Picture& picture
 
 Result<std::vector<std::uint8_t>> export_eps(Context& context, const Picture& picture,
                                              const EpsOptions& options, ExportNotes* notes) {
-  return no_throw([&] { return outputs::write(context, picture, options, notes); });
+  return public_verb(context, [&] { return outputs::write(context, picture, options, notes); });
 }
 
 }  // namespace sfumato

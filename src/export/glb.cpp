@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "base/no_throw.hpp"
+#include "base/public_verb.hpp"
 #include "export/glb_file.hpp"
 #include "export/glb_layer.hpp"
 #include "export/page.hpp"
@@ -220,7 +220,7 @@ Result<std::vector<std::uint8_t>> write(Context& context, const Picture& picture
 
 Result<std::vector<std::uint8_t>> export_glb(Context& context, const Picture& picture,
                                              const GlbOptions& options, ExportNotes* notes) {
-  return no_throw([&] { return write(context, picture, options, notes); });
+  return public_verb(context, [&] { return write(context, picture, options, notes); });
 }
 
 }  // namespace sfumato

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "base/large_vector.hpp"
-#include "base/no_throw.hpp"
+#include "base/public_verb.hpp"
 #include "export/embedded.hpp"
 #include "export/html_text.hpp"
 #include "export/viewer_payload.hpp"
@@ -121,7 +121,7 @@ Result<std::vector<std::uint8_t>> write(Context& context, const Picture& picture
 
 Result<std::vector<std::uint8_t>> export_html(Context& context, const Picture& picture,
                                               const HtmlOptions& options, ExportNotes* notes) {
-  return no_throw([&] { return write(context, picture, options, notes); });
+  return public_verb(context, [&] { return write(context, picture, options, notes); });
 }
 
 }  // namespace sfumato

@@ -8,7 +8,7 @@
 #include <utility>
 #include <variant>
 
-#include "base/no_throw.hpp"
+#include "base/public_verb.hpp"
 #include "export/page.hpp"
 #include "export/pdf_content.hpp"
 #include "export/pdf_layer.hpp"
@@ -216,7 +216,7 @@ Result<std::vector<std::uint8_t>> write(Context& context, const Picture& picture
 
 Result<std::vector<std::uint8_t>> export_pdf(Context& context, const Picture& picture,
                                              const PdfOptions& options, ExportNotes* notes) {
-  return no_throw([&] { return outputs::write(context, picture, options, notes); });
+  return public_verb(context, [&] { return outputs::write(context, picture, options, notes); });
 }
 
 }  // namespace sfumato

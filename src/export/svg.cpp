@@ -8,7 +8,7 @@
 
 #include "base/large_vector.hpp"
 #include "base/limits.hpp"
-#include "base/no_throw.hpp"
+#include "base/public_verb.hpp"
 #include "export/page.hpp"
 #include "export/pixel_run.hpp"
 #include "export/svg_layer.hpp"
@@ -317,7 +317,7 @@ Result<std::vector<std::uint8_t>> write(Context& context, const Picture& picture
 
 Result<std::vector<std::uint8_t>> export_svg(Context& context, const Picture& picture,
                                              const SvgOptions& options, ExportNotes* notes) {
-  return no_throw([&] { return write(context, picture, options, notes); });
+  return public_verb(context, [&] { return write(context, picture, options, notes); });
 }
 
 }  // namespace sfumato

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "base/no_throw.hpp"
+#include "base/public_verb.hpp"
 
 namespace sfumato {
 namespace {
@@ -152,7 +153,7 @@ Result<std::vector<std::uint8_t>> encode(Context& context, const Image& image, i
 }  // namespace
 
 Result<std::vector<std::uint8_t>> encode_jpeg(Context& context, const Image& image, int quality) {
-  return no_throw([&] { return encode(context, image, quality); });
+  return public_verb(context, [&] { return encode(context, image, quality); });
 }
 
 }  // namespace sfumato

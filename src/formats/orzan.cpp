@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "base/limits.hpp"
-#include "base/no_throw.hpp"
+#include "base/public_verb.hpp"
 #include "formats/number.hpp"
 #include "formats/warnings.hpp"
 #include "formats/xml_source.hpp"
@@ -377,7 +377,7 @@ Result<ReadDocument> read(Context& context, std::string_view xml, const std::str
 }  // namespace
 
 Result<ReadDocument> read_orzan(Context& context, std::string_view xml, const std::string& file) {
-  return no_throw([&] { return read(context, xml, file); });
+  return public_verb(context, [&] { return read(context, xml, file); });
 }
 
 }  // namespace sfumato

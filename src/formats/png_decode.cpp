@@ -7,7 +7,7 @@
 
 #include "base/large_vector.hpp"
 #include "base/limits.hpp"
-#include "base/no_throw.hpp"
+#include "base/public_verb.hpp"
 #include "formats/png.hpp"
 
 namespace sfumato {
@@ -192,12 +192,12 @@ Result<Image> Decoder::decode_as(int spng_format, PixelFormat format) {
 
 Result<Image> decode_png(Context& context, std::span<const std::uint8_t> bytes,
                          const std::string& file) {
-  return no_throw([&] { return Decoder(context, bytes, file, false).decode(); });
+  return public_verb(context, [&] { return Decoder(context, bytes, file, false).decode(); });
 }
 
 Result<Image> decode_png_with_alpha(Context& context, std::span<const std::uint8_t> bytes,
                                     const std::string& file) {
-  return no_throw([&] { return Decoder(context, bytes, file, true).decode(); });
+  return public_verb(context, [&] { return Decoder(context, bytes, file, true).decode(); });
 }
 
 }  // namespace sfumato

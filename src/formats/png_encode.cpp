@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "base/limits.hpp"
-#include "base/no_throw.hpp"
+#include "base/public_verb.hpp"
 #include "formats/png.hpp"
 #include "formats/png_filter.hpp"
 
@@ -254,7 +254,7 @@ Result<Bytes> encode(Context& context, const Image& image) {
 }  // namespace
 
 Result<std::vector<std::uint8_t>> encode_png(Context& context, const Image& image) {
-  return no_throw([&] { return encode(context, image); });
+  return public_verb(context, [&] { return encode(context, image); });
 }
 
 }  // namespace sfumato

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "base/limits.hpp"
-#include "base/no_throw.hpp"
+#include "base/public_verb.hpp"
 #include "formats/gunzip.hpp"
 #include "formats/orzan.hpp"
 #include "formats/svg.hpp"
@@ -122,7 +122,7 @@ Result<ReadDocument> read_bytes(Context& context, std::string_view bytes, const 
 
 Result<ReadDocument> read_document(Context& context, std::string_view bytes,
                                    const std::string& file, const ResourceLoader* loader) {
-  return no_throw([&] { return read_bytes(context, bytes, file, loader); });
+  return public_verb(context, [&] { return read_bytes(context, bytes, file, loader); });
 }
 
 }  // namespace sfumato

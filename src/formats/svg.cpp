@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "base/limits.hpp"
-#include "base/no_throw.hpp"
+#include "base/public_verb.hpp"
 #include "formats/css_color.hpp"
 #include "formats/css_text.hpp"
 #include "formats/suggestion.hpp"
@@ -140,7 +140,7 @@ Result<ReadDocument> read_text(Context& context, std::string_view text, const st
 
 Result<ReadDocument> read_svg(Context& context, std::string_view text, const std::string& file,
                               const ResourceLoader* loader) {
-  return no_throw([&] { return read_text(context, text, file, loader); });
+  return public_verb(context, [&] { return read_text(context, text, file, loader); });
 }
 
 }  // namespace sfumato

@@ -5,7 +5,7 @@
 #include <variant>
 
 #include "base/limits.hpp"
-#include "base/no_throw.hpp"
+#include "base/public_verb.hpp"
 #include "formats/blend_names.hpp"
 #include "formats/number_text.hpp"
 #include "formats/svg_write_curve.hpp"
@@ -323,7 +323,7 @@ Result<std::string> write(Context& context, const Document& document) {
 }  // namespace
 
 Result<std::string> write_svg(Context& context, const Document& document) {
-  return no_throw([&] { return write(context, document); });
+  return public_verb(context, [&] { return write(context, document); });
 }
 
 }  // namespace sfumato

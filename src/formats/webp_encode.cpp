@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "base/no_throw.hpp"
+#include "base/public_verb.hpp"
 #include "formats/webp_import.hpp"
 
 namespace sfumato {
@@ -99,7 +99,7 @@ Result<std::vector<std::uint8_t>> encode(Context& context, const Image& image,
 
 Result<std::vector<std::uint8_t>> encode_webp(Context& context, const Image& image,
                                               const WebpOptions& options) {
-  return no_throw([&] { return encode(context, image, options); });
+  return public_verb(context, [&] { return encode(context, image, options); });
 }
 
 }  // namespace sfumato

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "gather/ray_grid.hpp"
 
@@ -47,7 +48,10 @@ UnitVector unit_vector(float turns) {
 /// The estimate of one point.
 class PointSums {
  public:
-  explicit PointSums(const Scene& scene) : scene_(scene) {}
+  /// share  scratch, scene.shader_count of them.
+  PointSums(const Scene& scene, std::span<float> share) : scene_(scene), share_(share) {
+    std::ranges::fill(share_, 0.0f);
+  }
 
   /// (dx, dy): the ray's unit vector.
   void add(const RayHit& hit, UnitVector d) {
@@ -103,16 +107,16 @@ class PointSums {
   const Scene& scene_;
   float weight_ = 0;
   float value_[kValueChannels] = {};
-  float share_[limits::kShadersPerLayer] = {};
+  std::span<float> share_;
 };
 
 PointSums sample(const Scene& scene, const RayGrid& grid, float x, float y,
-                 const GatherOptions& options) {
+                 const GatherOptions& options, std::span<float> shares) {
   const std::uint64_t place =
       std::uint64_t{std::bit_cast<std::uint32_t>(x)} << 32 | std::bit_cast<std::uint32_t>(y);
   const std::uint64_t point_hash = mix(options.seed + mix(place + 0x9e3779b97f4a7c15ull));
   const float share = 1 / static_cast<float>(options.rays_per_node);
-  PointSums sums(scene);
+  PointSums sums(scene, shares);
   for (int ray = 0; ray < options.rays_per_node; ++ray) {
     const std::uint64_t hash =
         mix(point_hash + static_cast<std::uint64_t>(ray + 1) * 0x9e3779b97f4a7c15ull);
@@ -137,10 +141,11 @@ Status gather_rays(Context& context, const Scene& scene, std::span<const Vec2> p
   const auto channel_count = static_cast<std::size_t>(scene.channel_count());
   return parallel_for(context, points.size(), kPointsPerTask,
                       [&](std::size_t begin, std::size_t end) {
+                        std::vector<float> shares(scene.shader_count);
                         for (std::size_t i = begin; i < end; ++i) {
                           const auto x = static_cast<float>(points[i].x - scene.origin.x);
                           const auto y = static_cast<float>(points[i].y - scene.origin.y);
-                          const PointSums sums = sample(scene, *grid, x, y, options);
+                          const PointSums sums = sample(scene, *grid, x, y, options, shares);
                           sums.store(out.data() + i * channel_count);
                           if (!hit.empty()) hit[i] = sums.hit();
                         }

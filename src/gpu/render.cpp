@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/no_throw.hpp"
+#include "base/public_verb.hpp"
 #include "gpu/device.hpp"
 #include "gpu/painter.hpp"
 #include "gpu/scene.hpp"
@@ -140,7 +141,7 @@ Result<std::string> device_name() {
 
 Result<Image> render_on_gpu(Context& context, const Picture& picture,
                             const RasterOptions& options) {
-  return no_throw([&] { return render(context, picture, options); });
+  return public_verb(context, [&] { return render(context, picture, options); });
 }
 
 Result<std::string> gpu_name() {

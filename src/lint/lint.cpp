@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/no_throw.hpp"
+#include "base/public_verb.hpp"
 #include "formats/number_text.hpp"
 #include "lint/coverage.hpp"
 #include "lint/curve_hints.hpp"
@@ -241,7 +241,7 @@ void Linter::check_shader(std::uint32_t i) {
 
 Result<std::vector<Hint>> lint(Context& context, const Document& document) {
   if (Status status = validate(context, document); !status) return status;
-  return no_throw([&] { return Linter(context, document).run(); });
+  return public_verb(context, [&] { return Linter(context, document).run(); });
 }
 
 }  // namespace sfumato

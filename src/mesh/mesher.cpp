@@ -19,9 +19,6 @@
 namespace sfumato::mesh {
 
 struct Mesher::State {
-  explicit State(const Context& of) : context(of) {}
-
-  const Context& context;
   ScopedCharge charge;
   Lattice lattice;
   Triangulation mesh;
@@ -165,7 +162,7 @@ Result<Mesher> Mesher::build(Context& context, const curves::FlatCurves& flat,
   if (Status status = check_sizes(context.limits, flat); !status) return status;
   Result<Lattice> lattice = choose_lattice(flat, options);
   if (!lattice) return lattice.status();
-  auto state = std::make_unique<State>(context);
+  auto state = std::make_unique<State>();
   state->lattice = *lattice;
   const std::size_t points = flat.vertex.size();
   ScopedCharge scratch;
@@ -192,9 +189,9 @@ Result<Mesher> Mesher::build(Context& context, const curves::FlatCurves& flat,
   return Mesher(std::move(state));
 }
 
-TriangleMesh Mesher::visibility_mesh() const {
+TriangleMesh Mesher::visibility_mesh(const Context& context) const {
   const State& s = *state_;
-  return extract(s.context, s.mesh, s.chords, s.refiner.origins(), s.lattice,
+  return extract(context, s.mesh, s.chords, s.refiner.origins(), s.lattice,
                  number_everything(s.mesh));
 }
 
@@ -246,13 +243,14 @@ Status Mesher::refine_triangles(Context& context, std::span<const std::uint32_t>
   return s.refiner.refine_targets(context, targets, smallest_edge / s.lattice.step);
 }
 
-TriangleMesh Mesher::patch_mesh(std::vector<std::int32_t>* previous_triangle) {
+TriangleMesh Mesher::patch_mesh(const Context& context,
+                                std::vector<std::int32_t>* previous_triangle) {
   State& s = *state_;
-  number_inside(s.context, s.mesh, s.numbering);
-  if (s.context.cancelled()) return {};
+  number_inside(context, s.mesh, s.numbering);
+  if (context.cancelled()) return {};
   std::vector<Refiner::Target> now;
-  RarePoll<65536> poll(s.context);
-  if (!resize_large(s.context, now, s.numbering.triangle_count)) return {};
+  RarePoll<65536> poll(context);
+  if (!resize_large(context, now, s.numbering.triangle_count)) return {};
   for (std::size_t slot = 0; slot < s.mesh.triangle.size(); ++slot) {
     if (poll.cancelled()) return {};
     const std::int32_t t = s.numbering.triangle[slot];
@@ -261,7 +259,7 @@ TriangleMesh Mesher::patch_mesh(std::vector<std::int32_t>* previous_triangle) {
   if (previous_triangle) {
     // Slots are never freed nor reordered: an unchanged triangle keeps its number.
     previous_triangle->clear();
-    if (!resize_large(s.context, *previous_triangle, now.size(), std::int32_t{kNone})) return {};
+    if (!resize_large(context, *previous_triangle, now.size(), std::int32_t{kNone})) return {};
     for (std::size_t t = 0; t < std::min(now.size(), s.patched.size()); ++t) {
       if (poll.cancelled()) return {};
       if (now[t].stamp == s.patched[t].stamp) {
@@ -270,7 +268,7 @@ TriangleMesh Mesher::patch_mesh(std::vector<std::int32_t>* previous_triangle) {
     }
   }
   s.patched = std::move(now);
-  return extract(s.context, s.mesh, s.chords, s.refiner.origins(), s.lattice, s.numbering);
+  return extract(context, s.mesh, s.chords, s.refiner.origins(), s.lattice, s.numbering);
 }
 
 }  // namespace sfumato::mesh

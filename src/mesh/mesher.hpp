@@ -29,8 +29,9 @@ struct MeshOptions {
 /// refine   Delaunay refinement of the triangles inside the frame: the patch mesh
 ///
 /// No finite input within limits::kCoordinate makes it loop, crash or return an invalid mesh.
-/// Deterministic; single-threaded. Memory is charged to the Context, which must outlive this, and
-/// with it that of one mesh from visibility_mesh or patch_mesh.
+/// Deterministic; single-threaded. Memory is charged to the Budget of build's Context, which must
+/// outlive this, and with it that of one mesh from visibility_mesh or patch_mesh. Each call may
+/// have a Context of its own, which says when to stop and is not kept.
 class Mesher {
  public:
   /// Errors: bad_input (coordinates or options that are not finite or out of range, an empty
@@ -43,7 +44,7 @@ class Mesher {
   ~Mesher();
 
   /// All triangles, also those outside the frame. Call before `refine`.
-  TriangleMesh visibility_mesh() const;
+  TriangleMesh visibility_mesh(const Context& context) const;
 
   /// The constrained Delaunay triangulation of those constraints c of `visibility`, which is
   /// visibility_mesh(), that have keep[c]; their pieces stay what they are. What the rays of an
@@ -65,7 +66,8 @@ class Mesher {
   /// The triangles inside the frame. Vertices keep their indices from one call to the next;
   /// `previous_triangle[t]` is the index that triangle t had in the call before if it is unchanged
   /// since (same corners, same slots), else kNone. May be null.
-  TriangleMesh patch_mesh(std::vector<std::int32_t>* previous_triangle = nullptr);
+  TriangleMesh patch_mesh(const Context& context,
+                          std::vector<std::int32_t>* previous_triangle = nullptr);
 
  private:
   struct State;

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "base/large_vector.hpp"
-#include "base/no_throw.hpp"
+#include "base/public_verb.hpp"
 #include "patches/layer_scene.hpp"
 #include "patches/layer_solver.hpp"
 
@@ -103,12 +103,12 @@ Result<Picture> solve(Context& context, const Document& document, const DiffuseO
 }  // namespace
 
 Result<Picture> picture_frame(Context& context, const Document& document, const Box& viewport) {
-  return no_throw([&] { return make_frame(context, document, viewport); });
+  return public_verb(context, [&] { return make_frame(context, document, viewport); });
 }
 
 Result<Picture> diffuse(Context& context, const Document& document, const DiffuseOptions& options,
                         DiffuseStats* stats) {
-  return no_throw([&] { return solve(context, document, options, stats); });
+  return public_verb(context, [&] { return solve(context, document, options, stats); });
 }
 
 }  // namespace sfumato

@@ -227,7 +227,7 @@ Result<LayerScene> prepare_layer(Context& context, const Document& document, std
   const Stopwatch mesh_watch;
   Result<mesh::Mesher> mesher = mesh::Mesher::build(context, *flat, meshing);
   if (!mesher) return mesher.status();
-  const mesh::TriangleMesh visibility = mesher->visibility_mesh();
+  const mesh::TriangleMesh visibility = mesher->visibility_mesh(context);
   if (context.cancelled()) return context.stop_status();
   const double mesh_seconds = mesh_watch.seconds();
 

@@ -96,7 +96,7 @@ Result<PatchLayer> LayerSolver::solve() {
 Status LayerSolver::take_mesh() {
   const Stopwatch watch;
   mesh_ = {};  // the mesher charges for one
-  mesh_ = mesher_.patch_mesh(&previous_triangle_);
+  mesh_ = mesher_.patch_mesh(context_, &previous_triangle_);
   if (stats_) stats_->triangulation_seconds += watch.seconds();
   if (context_.cancelled()) return context_.stop_status();
   return check_limits(context_.limits, mesh_);

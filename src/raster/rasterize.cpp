@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/large_vector.hpp"
-#include "base/no_throw.hpp"
+#include "base/public_verb.hpp"
 #include "raster/check_picture.hpp"
 #include "raster/compositor.hpp"
 #include "raster/layer_view.hpp"
@@ -191,7 +191,8 @@ Result<Image> raster::paint_picture(Context& context, const Picture& picture,
 }
 
 Result<Image> rasterize(Context& context, const Picture& picture, const RasterOptions& options) {
-  return no_throw([&] { return raster::paint_picture(context, picture, options, nullptr); });
+  return public_verb(context,
+                     [&] { return raster::paint_picture(context, picture, options, nullptr); });
 }
 
 }  // namespace sfumato

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/no_throw.hpp"
+#include "base/public_verb.hpp"
 #include "base/stopwatch.hpp"
 #include "patches/layer_scene.hpp"
 #include "patches/point_evaluator.hpp"
@@ -165,8 +166,8 @@ Result<Image> render(Context& context, const Document& document,
 Result<Image> render_pixels(Context& context, const Document& document,
                             const DiffuseOptions& diffuse_options,
                             const RasterOptions& raster_options, DiffuseStats* stats) {
-  return no_throw(
-      [&] { return render(context, document, diffuse_options, raster_options, stats); });
+  return public_verb(
+      context, [&] { return render(context, document, diffuse_options, raster_options, stats); });
 }
 
 }  // namespace sfumato

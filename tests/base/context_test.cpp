@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <set>
 #include <string>
@@ -41,6 +42,67 @@ TEST(Deadline, passing_it_is_a_limit_that_names_the_option) {
   over.seconds = 2.5;
   const Context named{.deadline = over};
   EXPECT_EQ(named.check().message, "the time limit of 2.5 s is over (--max-time sets another)");
+}
+
+TEST(Limits, none_can_be_raised_beyond_what_tables_are_made_for) {
+  for (const LimitName& known : limit_names()) {
+    Context context;
+    context.limits.*(known.value) = known.highest;
+    EXPECT_TRUE(validate(context).ok()) << known.name;
+    context.limits.*(known.value) = known.highest + 1;
+    const Status status = validate(context);
+    EXPECT_EQ(status.code, StatusCode::bad_input) << known.name;
+    EXPECT_NE(status.message.find(known.name), std::string::npos) << status.message;
+  }
+}
+
+TEST(Context, one_that_cannot_be_worked_in_is_refused) {
+  EXPECT_EQ(validate(Context{.simd = SimdLevel(200)}).code, StatusCode::bad_input);
+  EXPECT_EQ(validate(Context{.deadline = Deadline::in(NAN)}).code, StatusCode::bad_input);
+  Context round;
+  round.outer = &round;
+  EXPECT_EQ(validate(round).code, StatusCode::bad_input);
+}
+
+TEST(Deadline, any_number_of_seconds_is_a_time) {
+  for (const double seconds : {1e10, 1e300, HUGE_VAL}) {
+    EXPECT_TRUE(Context{.deadline = Deadline::in(seconds)}.check().ok()) << seconds;
+  }
+  for (const double seconds : {-1.0, -1e10, -1e300, -HUGE_VAL}) {
+    EXPECT_EQ(Context{.deadline = Deadline::in(seconds)}.check().code, StatusCode::limit)
+        << seconds;
+  }
+}
+
+TEST(ScopedCharge, belongs_to_one_budget) {
+  Context first, second;
+  {
+    ScopedCharge charge;
+    ASSERT_TRUE(charge.add(first, 100, "a test").ok());
+    ASSERT_TRUE(charge.add(second, 50, "a test").ok());
+    EXPECT_EQ(first.budget.used(), 150u);
+    EXPECT_EQ(second.budget.used(), 0u);
+  }
+  EXPECT_EQ(first.budget.used(), 0u);
+  EXPECT_EQ(second.budget.used(), 0u);
+}
+
+TEST(Budget, gives_back_no_more_than_was_taken) {
+  Budget budget(1000);
+  ASSERT_TRUE(budget.charge(10, "a test").ok());
+  budget.release(11);
+  EXPECT_EQ(budget.used(), 0u);
+  EXPECT_TRUE(budget.charge(1000, "a test").ok());
+}
+
+TEST(Result, without_value_or_error_is_internal) {
+#ifdef NDEBUG
+  const Result<int> nothing(ok_status());
+  EXPECT_FALSE(nothing.ok());
+  EXPECT_EQ(nothing.status().code, StatusCode::internal);
+#else
+  EXPECT_DEATH(Result<int>(ok_status()), "status");
+#endif
 }
 
 TEST(Deadline, the_flag_goes_before_it) {

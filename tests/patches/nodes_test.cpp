@@ -46,7 +46,7 @@ LaidOut laid_out(const std::vector<Curve>& curves) {
   EXPECT_TRUE(mesher.ok());
   EXPECT_TRUE(mesher->refine(context).ok());
   LaidOut result;
-  result.mesh = mesher->patch_mesh();
+  result.mesh = mesher->patch_mesh({});
   result.layout =
       lay_out_nodes(Context{}, result.mesh, attributes, Seams(Context{}, result.mesh, attributes));
   return result;

@@ -110,6 +110,7 @@ class TbbExecutor final : public Executor {
 
 std::unique_ptr<Executor> make_tbb_executor(int thread_count) {
   if (thread_count <= 0) thread_count = tbb::info::default_concurrency();
+  thread_count = std::min(thread_count, limits::kThreads);
   try {
     return std::make_unique<TbbExecutor>(allowed_threads(thread_count));
   } catch (const std::bad_alloc&) {
