@@ -135,6 +135,18 @@ bool Painter::is_opaque(const SceneItem& item) const {
   return scene_.picture().layers[item.index].opacity.channel_count == 0;
 }
 
+/// From pixels of the tile to where the frame of the item's layer is [0, 1]².
+Affine Painter::frame_from_tile(const SceneItem& item) const {
+  const Box& frame = scene_.picture().layers[item.index].frame;
+  const Affine unit_from_layer{1 / frame.width(),
+                               0,
+                               0,
+                               1 / frame.height(),
+                               -frame.min.x / frame.width(),
+                               -frame.min.y / frame.height()};
+  return unit_from_layer * inverse(tile_from_image() * item.image_from_layer);
+}
+
 /// Two vec4 for each paint of the layer, colours first (docs/gpu.md, PaintViews).
 void Painter::bind_paints(const Program& program, const SceneItem& item) const {
   const PatchLayer& layer = scene_.picture().layers[item.index];
@@ -245,6 +257,7 @@ void Painter::composite(GLuint source, bool is_layer, const SceneItem& item,
   if (is_layer) {
     program.bind("edges", 1, sums_.texture());
     program.set("is_opaque", is_opaque(item) ? 1 : 0);
+    program.set("frame_from_pixel", frame_from_tile(item));
   }
   if (is_normal) {
     level.begin(rect);

@@ -62,6 +62,7 @@ class Painter {
   void read(float* rgba) const;
 
   bool is_opaque(const SceneItem& item) const;
+  Affine frame_from_tile(const SceneItem& item) const;
   Affine tile_from_image() const;
   raster::PixelRect in_tile(const raster::PixelRect& rect) const;
 

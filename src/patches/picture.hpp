@@ -39,7 +39,7 @@ struct PatchLayer {
   PatchOrder order = PatchOrder::cubic;
   std::vector<Vec2> vertex_position;           ///< layer frame
   std::vector<std::uint32_t> triangle_vertex;  ///< 3 per triangle, cross(01, 02) > 0
-  /// 3 per triangle, edge k from corner k to corner (k+1)%3: 1 where the picture may jump.
+  /// 3 per triangle, edge k from corner k to corner (k+1)%3: 1 where the picture may jump, or ends.
   std::vector<std::uint8_t> edge_is_curve;
   PatchField color{3, {}, {}, {}};  ///< 3 channels and one for each of its shaders
   PatchField opacity;               ///< 1 channel and one for each of its shaders; none: opaque

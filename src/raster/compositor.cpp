@@ -42,6 +42,7 @@ void Compositor::paint_straight(const PaintItem& item, const TriangleList& trian
   const PixelRect rect = item.bins ? whole : pixels_of(item.layer, triangles, whole);
   if (rect.empty()) return;
   const Tile tile = target(rect);
+  if (antialias_) mixed_.begin(item.layer, triangles, tile);
   kernels_.draw_triangles(item.layer, triangles, tile);
   if (antialias_) mixed_.paint(item.layer, triangles, tile);
 }

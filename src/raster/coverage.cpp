@@ -41,17 +41,42 @@ class OpaqueShader {
   void begin_triangle(std::uint32_t triangle, const TriangleFrame& frame) {
     patch_ = patch_polynomial(ColorChannels(layer_), layer_.order, triangle, frame);
   }
-  Color4 at(const PatchPoint& p, Vec2) const { return patch_color(patch_, p); }
+  Color4 at(const PatchPoint& p, Vec2) const { return patch_color(patch_, p) + color4(0, 0, 0, 1); }
 
  private:
   const LayerView& layer_;
   PatchPolynomial patch_;
 };
 
+/// Tells the pixels that lie in a layer's frame with all their square.
+class FrameInImage {
+ public:
+  explicit FrameInImage(const LayerView& layer)
+      : frame_(layer.frame), layer_from_image_(inverse(layer.image_from_layer)) {}
+
+  bool holds(int x, int y) const {
+    const Affine& m = layer_from_image_;
+    const Vec2 center = m({x + 0.5, y + 0.5});
+    const Vec2 reach{0.5 * (std::fabs(m.a) + std::fabs(m.c)),
+                     0.5 * (std::fabs(m.b) + std::fabs(m.d))};
+    return center.x - reach.x >= frame_.min.x && center.x + reach.x <= frame_.max.x &&
+           center.y - reach.y >= frame_.min.y && center.y + reach.y <= frame_.max.y;
+  }
+
+ private:
+  Box frame_;
+  Affine layer_from_image_;
+};
+
 /// Bits from `begin` up to but not `end`, both in [0, 64].
 std::uint64_t bit_range(int begin, int end) {
   if (begin >= end) return 0;
   return (~std::uint64_t{0} << begin) & (~std::uint64_t{0} >> (64 - end));
+}
+
+/// Of a pixel in the tile's planes.
+std::size_t offset(int x, int row) {
+  return static_cast<std::size_t>(row) * kTileStride + static_cast<std::size_t>(x);
 }
 
 }  // namespace
@@ -163,59 +188,67 @@ void MixedPixels::add_triangle(Shader* shader, std::uint32_t triangle, const Til
   }
 }
 
-/// visit(offset in the tile's planes, sum) for every marked pixel.
+/// visit(x, row, index of its sum) for every marked pixel.
 template <class Visit>
-void MixedPixels::for_each_sum(const Tile& tile, const Visit& visit) const {
+void MixedPixels::for_each_marked(const Tile& tile, const Visit& visit) const {
   for (int row = 0; row < tile.height; ++row) {
-    for_each_pixel(row, 0, tile.width, [&](int x, std::uint32_t index) {
-      visit(static_cast<std::size_t>(row) * kTileStride + static_cast<std::size_t>(x), sum_[index]);
-    });
+    for_each_pixel(row, 0, tile.width, [&](int x, std::uint32_t index) { visit(x, row, index); });
   }
 }
 
-void MixedPixels::write_opaque(const Tile& tile) const {
+void MixedPixels::write(const LayerView& layer, const Tile& tile) const {
   // A centre of which half the square is covered is one that the centre rule decides.
   constexpr float kLeastArea = 0.5f + 1e-6f;
-  for_each_sum(tile, [&](std::size_t offset, const Sum& sum) {
-    if (sum.area < kLeastArea) return;
-    for (int c = 0; c < 3; ++c) tile.color[c][offset] = sum.first[c] + sum.rest[c] / sum.area;
-    if (tile.alpha) tile.alpha[offset] = 1;
-  });
-}
-
-void MixedPixels::write_premultiplied(const Tile& tile) const {
   // More is all of a pixel, but for the rounding of the sum.
   constexpr float kWholeArea = 1 - 1e-5f;
-  for_each_sum(tile, [&](std::size_t offset, const Sum& sum) {
-    if (sum.area == 0) return;
-    const float share = sum.area > kWholeArea ? 1 : sum.area;
-    const auto mean = [&](int c) { return (sum.first[c] + sum.rest[c] / sum.area) * share; };
-    for (int c = 0; c < 3; ++c) tile.color[c][offset] = mean(c);
-    tile.alpha[offset] = mean(3);
+  const FrameInImage frame(layer);
+  const bool is_opaque = layer.opacity.channel_count == 0;
+  for_each_marked(tile, [&](int x, int row, std::uint32_t index) {
+    const Sum& sum = sum_[index];
+    float share = sum.area > kWholeArea ? 1 : sum.area;
+    if (share < 1 && is_opaque && !frame.holds(tile.x0 + x, tile.y0 + row)) {
+      if (share < kLeastArea) return;
+      share = 1;
+    }
+    const std::size_t at = offset(x, row);
+    float* const target[4] = {tile.color[0] + at, tile.color[1] + at, tile.color[2] + at,
+                              tile.alpha ? tile.alpha + at : nullptr};
+    for (int c = 0; c < 4 && target[c]; ++c) {
+      const float mean = sum.area > 0 ? sum.first[c] + sum.rest[c] / sum.area : 0;
+      // What overshoots is clamped later where it stands alone.
+      *target[c] =
+          share == 1 ? mean : share * std::clamp(mean, 0.0f, 1.0f) + (1 - share) * sum.below[c];
+    }
   });
 }
 
 template <class Shader>
 void MixedPixels::add_triangles(Shader* shader, const TriangleList& triangles, const Tile& tile) {
-  mark(shader->layer(), triangles, tile);
-  number_pixels();
   if (sum_.empty()) return;
   for (std::size_t i = 0; i < triangles.count; ++i)
     add_triangle(shader, triangles.triangle[i], tile);
+  write(shader->layer(), tile);
+}
+
+void MixedPixels::begin(const LayerView& layer, const TriangleList& triangles, const Tile& tile) {
+  mark(layer, triangles, tile);
+  number_pixels();
+  for_each_marked(tile, [&](int x, int row, std::uint32_t index) {
+    const std::size_t at = offset(x, row);
+    for (int c = 0; c < 3; ++c) sum_[index].below[c] = tile.color[c][at];
+    sum_[index].below[3] = tile.alpha ? tile.alpha[at] : 1;
+  });
 }
 
 void MixedPixels::paint(const LayerView& layer, const TriangleList& triangles, const Tile& tile) {
   OpaqueShader shader(layer);
   add_triangles(&shader, triangles, tile);
-  write_opaque(tile);
 }
 
 void MixedPixels::paint(PointShader* shader, const TriangleList& triangles, const Tile& tile) {
+  mark(shader->layer(), triangles, tile);
+  number_pixels();
   add_triangles(shader, triangles, tile);
-  if (shader->layer().opacity.channel_count > 0)
-    write_premultiplied(tile);
-  else
-    write_opaque(tile);
 }
 
 }  // namespace sfumato::raster

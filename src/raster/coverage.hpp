@@ -13,15 +13,21 @@ namespace sfumato::raster {
 /// centroid of its part (exact for colours that are linear in the pixel). Sums run in the order of
 /// the triangles, from the first colour on, so that one colour stays exactly itself.
 ///
+/// Through the area that no triangle covers, what lies below shows. But the frame of a layer
+/// without opacity is no outline: a pixel that it cuts is covered by all or by nothing, as most of
+/// it is, so that frames side by side leave no seam.
+///
 /// One object serves many tiles, one after another.
 class MixedPixels {
  public:
-  /// Repaints the mixed pixels of `tile`, where draw_triangles painted the same list before. A
-  /// pixel of which triangles cover no more than a half keeps what it has.
+  /// Marks the mixed pixels of `tile` and keeps what they hold before the list is drawn.
+  void begin(const LayerView& layer, const TriangleList& triangles, const Tile& tile);
+
+  /// Repaints them after draw_triangles painted the same list; `begin` came before that.
   void paint(const LayerView& layer, const TriangleList& triangles, const Tile& tile);
 
-  /// The same for a layer that was shaded and premultiplied; it is the premultiplied colours that
-  /// are averaged. Where the layer has opacity, the area that no triangle covers is transparent.
+  /// Marks and repaints the mixed pixels of a layer that was shaded and premultiplied, with nothing
+  /// below it; it is the premultiplied colours that are averaged.
   void paint(PointShader* shader, const TriangleList& triangles, const Tile& tile);
 
  private:
@@ -32,6 +38,7 @@ class MixedPixels {
     float first[4] = {};  ///< the first triangle's colour
     float rest[4] = {};   ///< area times difference to it
     float area = 0;
+    float below[4] = {};  ///< colour and alpha before the layer was painted
   };
 
  public:
@@ -53,13 +60,12 @@ class MixedPixels {
   void add_triangles(Shader* shader, const TriangleList& triangles, const Tile& tile);
   template <class Shader>
   void add_triangle(Shader* shader, std::uint32_t triangle, const Tile& tile);
-  void write_opaque(const Tile& tile) const;
-  void write_premultiplied(const Tile& tile) const;
+  void write(const LayerView& layer, const Tile& tile) const;
 
   template <class Visit>
   void for_each_pixel(int row, int begin, int end, const Visit& visit) const;
   template <class Visit>
-  void for_each_sum(const Tile& tile, const Visit& visit) const;
+  void for_each_marked(const Tile& tile, const Visit& visit) const;
 
   std::uint64_t mask_[kTileHeight][kWordsPerRow];  ///< bit x % 64 of word x / 64 of a row
   std::uint32_t first_sum_[kTileHeight][kWordsPerRow];

@@ -38,6 +38,7 @@ LayerView view_instance(const Picture& picture, const PatchInstance& instance,
   view.edge_is_curve = layer.edge_is_curve.data();
   view.color = view_field(layer.color);
   view.opacity = view_field(layer.opacity);
+  view.frame = layer.frame;
   view.order = layer.order;
   view.image_from_layer = image_from_artboard * instance.artboard_from_layer;
   view.mirrored = view.image_from_layer.determinant() < 0;

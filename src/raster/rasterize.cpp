@@ -55,7 +55,8 @@ class TilePainter {
   void paint(std::size_t tile_index) {
     const Tile tile = begin(tile_index);
     compositor_.paint(tile_index, tile);
-    if (tile.alpha && !scene_.list.is_plain()) scene_.kernels->unpremultiply(tile);
+    const bool is_mixed = scene_.backdrop.alpha < 1 || !scene_.list.is_plain();
+    if (tile.alpha && is_mixed) scene_.kernels->unpremultiply(tile);
     if (scene_.options->mesh_overlay) paint_overlay(tile_index, tile);
     scene_.kernels->write_pixels(tile, scene_.target);
   }

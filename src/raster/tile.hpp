@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "base/affine.hpp"
+#include "base/box.hpp"
 #include "base/image.hpp"
 #include "base/vec2.hpp"
 #include "patches/picture.hpp"
@@ -44,6 +45,7 @@ struct LayerView {
   FieldView color;
   FieldView opacity;
   PatchOrder order = PatchOrder::cubic;
+  Box frame;  ///< PatchLayer::frame
   Affine image_from_layer;
   bool mirrored = false;  ///< image_from_layer turns clockwise triangles round
 };

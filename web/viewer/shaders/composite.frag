@@ -5,6 +5,7 @@ uniform float opacity;
 #ifdef WITH_EDGES
 uniform sampler2D edges;
 uniform bool is_opaque;
+uniform vec3 frame_from_pixel[2];
 #endif
 
 out vec4 fragment;
@@ -18,12 +19,25 @@ vec4 in_range(vec4 pixel) {
 #ifdef WITH_EDGES
 // A centre of which half the square is covered is one that the centre rule decides.
 const float kLeastArea = 0.5 + 1e-4;
+// More is all of a pixel, but for the rounding of the sum (in half precision, too).
+const float kWholeArea = 1.0 - 2e-3;
 
-/// The mean over the pixel's square where a curve cuts it; what is opaque stays so.
+/// Whether all of the pixel lies in the layer's frame, which is [0, 1]².
+bool in_frame() {
+  vec2 center = mapped(frame_from_pixel, gl_FragCoord.xy);
+  vec2 reach = 0.5 * vec2(abs(frame_from_pixel[0].x) + abs(frame_from_pixel[0].y),
+                          abs(frame_from_pixel[1].x) + abs(frame_from_pixel[1].y));
+  return all(greaterThanEqual(center - reach, vec2(0.0))) &&
+         all(lessThanEqual(center + reach, vec2(1.0)));
+}
+
+/// The mean over the pixel's square where a curve cuts it. The frame is no outline: as
+/// raster::MixedPixels.
 vec4 with_edges(vec4 pixel) {
   vec4 mean = texelFetch(edges, ivec2(gl_FragCoord.xy), 0);
   if (mean.a < 0.0) return pixel;
-  if (!is_opaque) return mean;
+  if (is_opaque && mean.a > kWholeArea) return mean / mean.a;
+  if (!is_opaque || in_frame()) return mean;
   return mean.a < kLeastArea ? pixel : mean / mean.a;
 }
 #endif
