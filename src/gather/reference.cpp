@@ -12,6 +12,9 @@ namespace {
 
 using mesh::TriangleMesh;
 
+/// Where the radius varies along an edge, what is seen of it is taken in so many parts.
+constexpr int kBlurParts = 512;
+
 /// (D - sin D cos D) / (2 sin³ D): the closed form, and its series where that would cancel.
 double h1(double angle) {
   const double s = std::sin(angle);
@@ -81,12 +84,35 @@ class ReferenceGather {
     const Vec2 b = seen(mesh_.target(window.half_edge));
     const double t1 = window.right == a ? 0 : cut(a, b, window.right);
     const double t2 = window.left == b ? 1 : cut(a, b, window.left);
-    const ReferenceWeights part = reference_weights(lerp(a, b, t1), lerp(a, b, t2));
-    const double weight = (part.right + part.left) * facing.weight;
-    const double moment = (part.right * t1 + part.left * t2) * facing.weight;
+    const Facing back = back_side(mesh_, attributes_, window.half_edge);
+    const bool varies = back.has_value() && facing.blur_from != facing.blur_to;
+    if (!varies) return integrate_part({a, b, t1, t2}, facing, back);
+    // In parts of one angle each, on which the radius hardly varies.
+    const Vec2 right = lerp(a, b, t1), left = lerp(a, b, t2);
+    const double angle = std::atan2(cross(right, left), dot(right, left));
+    double from = t1;
+    for (int i = 1; i <= kBlurParts; ++i) {
+      const double turn = angle * i / kBlurParts;
+      const Vec2 ray = std::cos(turn) * right + std::sin(turn) * Vec2{-right.y, right.x};
+      const double to = i == kBlurParts ? t2 : std::clamp(cut(a, b, ray), from, t2);
+      integrate_part({a, b, from, to}, facing, back);
+      from = to;
+    }
+  }
+
+  /// What is seen of the edge from a to b.
+  struct Part {
+    Vec2 a, b;
+    double from, to;  ///< fractions of the way
+  };
+
+  void integrate_part(const Part& part, const Facing& facing, const Facing& back) {
+    const auto& [a, b, from, to] = part;
+    const ReferenceWeights ends = reference_weights(lerp(a, b, from), lerp(a, b, to));
+    const double weight = (ends.right + ends.left) * facing.weight;
+    const double moment = (ends.right * from + ends.left * to) * facing.weight;
     sums_.weight += weight;
     if (!(weight > 0)) return;
-    const Facing back = back_side(mesh_, attributes_, window.half_edge);
     const double distance = cross(a, b) / length(b - a);
     const double radius = facing.blur_from + moment / weight * (facing.blur_to - facing.blur_from);
     const double front = back.has_value() ? front_share(distance, radius) : 1;
