@@ -4,6 +4,7 @@
 #include <string>
 
 #include "cli/document_commands.hpp"
+#include "cli/file_uses.hpp"
 #include "cli/option_helpers.hpp"
 #include "cli/render_options.hpp"
 #include "cli/values.hpp"
@@ -51,6 +52,18 @@ void settle(const CompareArguments& arguments) {
   if (arguments.output == "-") {
     throw CLI::ValidationError("--output", "stdout is taken by the figures, expected a file name");
   }
+  const std::string complaint =
+      complaint_about({{arguments.first, "the picture"}, {arguments.second, "the picture"}},
+                      {{arguments.output, "the picture of the differences", "--output"}});
+  if (!complaint.empty()) throw CLI::ValidationError("--output", complaint);
+}
+
+void settle(ConvertArguments& arguments) {
+  const std::string complaint =
+      complaint_about({{arguments.input, "the drawing"}},
+                      {{arguments.output, "the converted drawing", "--output"}});
+  if (!complaint.empty()) throw CLI::ValidationError("--output", complaint);
+  arguments.outputs = {arguments.output};
 }
 
 /// The beginning of what is wrong, which quotes arguments; without control characters.
@@ -105,7 +118,10 @@ Command parse_arguments(int argc, const char* const* argv) {
       return render;
     }
     if (info_app->parsed()) return info;
-    if (convert_app->parsed()) return convert;
+    if (convert_app->parsed()) {
+      settle(convert);
+      return convert;
+    }
     if (lint_app->parsed()) return lint;
     if (compare_app->parsed()) {
       settle(compare);

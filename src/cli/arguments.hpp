@@ -22,6 +22,7 @@ namespace sfumato::cli {
 struct DocumentArguments {
   std::string input;
   std::vector<std::string> allowed_folders;  ///< textures may come from there too; they exist
+  std::vector<std::string> outputs;          ///< that the call writes: no texture may be one
   Resources resources;
   bool quiet = false;
 };

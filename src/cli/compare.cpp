@@ -68,7 +68,7 @@ Status write_difference(Context& context, const CompareArguments& arguments, con
   if (context.cancelled()) return context.stop_status();
   const auto png = encode_png(context, picture);
   if (!png) return png.status();
-  return write_file(arguments.output, *png);
+  return write_file(arguments.output, *png, &context);
 }
 
 Status compare_files(Context& context, const CompareArguments& arguments,
@@ -94,7 +94,7 @@ Status compare_files(Context& context, const CompareArguments& arguments,
   }
   const Difference difference(context, *first, *second);
   if (context.cancelled()) return context.stop_status();
-  return print(arguments.json ? as_json(difference) : as_table(difference));
+  return print(arguments.json ? as_json(difference) : as_table(difference), &context);
 }
 
 }  // namespace
@@ -104,16 +104,16 @@ int compare(const CompareArguments& arguments) {
     const Status writable = check_output(arguments.output);
     if (!writable) return fail(writable);
   }
-  const Result<std::string> first = read_input(arguments.first, limits::kPngBytes);
-  if (!first) return fail(first.status());
-  const Result<std::string> second = read_input(arguments.second, limits::kPngBytes);
-  if (!second) return fail(second.status());
   const std::unique_ptr<Executor> executor = make_tbb_executor();
   Context context{.executor = executor.get(),
                   .budget = Budget(arguments.resources.memory_bytes),
                   .limits = arguments.resources.limits,
                   .deadline = deadline_of(arguments.resources)};
   const CancelOnSignal cancel_on_signal(context.cancel);
+  const Result<std::string> first = read_input(context, arguments.first, limits::kPngBytes);
+  if (!first) return fail(first.status());
+  const Result<std::string> second = read_input(context, arguments.second, limits::kPngBytes);
+  if (!second) return fail(second.status());
   const Status status = compare_files(context, arguments, *first, *second);
   return status ? kDone : fail(status);
 }

@@ -18,7 +18,7 @@ Status convert_document(Context& context, const ConvertArguments& arguments) {
   if (!svg) return svg.status();
   if (context.cancelled()) return context.stop_status();
   return write_file(arguments.output,
-                    {reinterpret_cast<const std::uint8_t*>(svg->data()), svg->size()});
+                    {reinterpret_cast<const std::uint8_t*>(svg->data()), svg->size()}, &context);
 }
 
 }  // namespace

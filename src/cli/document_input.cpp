@@ -15,8 +15,8 @@ constexpr std::size_t kBytesPerPipedByte = 3;
 Result<std::string> read_text(Context& context, const std::string& path) {
   const std::size_t most = context.limits.input_bytes, room = context.budget.room();
   const std::size_t readable = path == "-" ? room / kBytesPerPipedByte : room;
-  Result<std::string> bytes = read_input(path, std::min(most, readable));
-  if (bytes || bytes.status().code != StatusCode::limit) return bytes;
+  Result<std::string> bytes = read_input(context, path, std::min(most, readable));
+  if (bytes || bytes.status().code != StatusCode::limit || context.cancelled()) return bytes;
   if (readable < most) return context.budget.charge(room + 1, "the input");
   return limit_error(context.limits, &Limits::input_bytes, "bytes of input", bytes.status().where);
 }
@@ -28,7 +28,7 @@ Result<ReadDocument> read_drawing(Context& context, const DocumentArguments& arg
   if (!bytes) return bytes.status();
   ScopedCharge charge;
   if (Status status = charge.add(context, bytes->size(), "the input"); !status) return status;
-  const FolderLoader loader(arguments.input, arguments.allowed_folders, context);
+  const FolderLoader loader(arguments, context);
   Result<ReadDocument> read =
       read_document(context, *bytes, display_name(arguments.input), &loader);
   if (!read || arguments.quiet) return read;

@@ -24,14 +24,15 @@ bool is_below(const fs::path& file, const fs::path& folder) {
 
 }  // namespace
 
-FolderLoader::FolderLoader(const std::string& document,
-                           const std::vector<std::string>& allowed_folders, Context& context)
-    : context_(context), folder_(document == "-" ? fs::path() : fs::path(document).parent_path()) {
+FolderLoader::FolderLoader(const DocumentArguments& arguments, Context& context)
+    : arguments_(arguments),
+      context_(context),
+      folder_(arguments.input == "-" ? fs::path() : fs::path(arguments.input).parent_path()) {
   if (folder_.empty()) folder_ = ".";
   std::error_code error;
   const fs::path own = fs::canonical(folder_, error);
   if (!error) granted_.push_back(own);
-  for (const std::string& folder : allowed_folders) {
+  for (const std::string& folder : arguments.allowed_folders) {
     const fs::path allowed = fs::canonical(folder, error);
     if (!error) granted_.push_back(allowed);
   }
@@ -48,6 +49,20 @@ Status FolderLoader::check_place(const fs::path& file) const {
              "; expected a file there or below, or --allow-files with another folder");
 }
 
+Status FolderLoader::check_use(const std::string& path) const {
+  if (!outputs_) {
+    outputs_.emplace();
+    for (const std::string& output : arguments_.outputs) {
+      const auto identity = file_identity(output, FileUse::writes);
+      if (identity) outputs_->emplace(*identity, output);
+    }
+  }
+  const auto identity = file_identity(path, FileUse::reads);
+  const auto output = identity ? outputs_->find(*identity) : outputs_->end();
+  if (output == outputs_->end()) return ok_status();
+  return bad("the output " + in_quotes(output->second) + " would replace this file");
+}
+
 Result<std::vector<std::uint8_t>> FolderLoader::load(std::string_view href) const {
   if (href.find('\0') != std::string_view::npos) return bad("is no file name");
   std::error_code error;
@@ -58,9 +73,11 @@ Result<std::vector<std::uint8_t>> FolderLoader::load(std::string_view href) cons
   const fs::file_status status = fs::status(path, error);
   if (!fs::exists(status)) return bad("there is no such file in " + path.parent_path().string());
   if (!fs::is_regular_file(status)) return bad("is not a file");
+  if (Status use = check_use(path.string()); !use) return use;
   // Who asks charges for it.
   const std::size_t most = context_.limits.image_file_bytes, room = context_.budget.room();
-  Result<std::vector<std::uint8_t>> bytes = read_bytes(path.string(), std::min(most, room));
+  Result<std::vector<std::uint8_t>> bytes =
+      read_bytes(path.string(), std::min(most, room), &context_);
   if (bytes) return bytes;
   const Status& failed = bytes.status();
   if (failed.code == StatusCode::limit) {

@@ -1,10 +1,14 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "base/context.hpp"
+#include "cli/arguments.hpp"
+#include "cli/file_uses.hpp"
 #include "formats/read_document.hpp"
 
 namespace sfumato::cli {
@@ -14,18 +18,21 @@ namespace sfumato::cli {
 /// them, after all symbolic links were followed; and only if it is a regular file.
 class FolderLoader final : public ResourceLoader {
  public:
-  /// The path of the document; "-" is standard input: the current folder. `allowed_folders` exist.
-  /// A file that is longer than the limits of `context` allow, or than its budget has room for, is
-  /// an error. The context must outlive this.
-  FolderLoader(const std::string& document, const std::vector<std::string>& allowed_folders,
-               Context& context);
+  /// Of the document that the arguments name; of standard input: the current folder. A file is an
+  /// error that is longer than the limits of `context` allow, or than its budget has room for, and
+  /// one that the call writes. Arguments and context must outlive this.
+  FolderLoader(const DocumentArguments& arguments, Context& context);
 
   Result<std::vector<std::uint8_t>> load(std::string_view href) const override;
 
  private:
   Status check_place(const std::filesystem::path& file) const;
+  Status check_use(const std::string& path) const;
 
+  const DocumentArguments& arguments_;
   Context& context_;
+  /// That the call writes, as they are when the first file is asked for.
+  mutable std::optional<std::map<FileIdentity, std::string>> outputs_;
   std::filesystem::path folder_;                ///< of the document, as it was given
   std::vector<std::filesystem::path> granted_;  ///< without symbolic links; the document's first
 };

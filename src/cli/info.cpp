@@ -146,7 +146,8 @@ int info(const InfoArguments& arguments) {
   const CancelOnSignal cancel_on_signal(context.cancel);
   const Result<ReadDocument> read = read_drawing(context, arguments);
   if (!read) return fail(read.status());
-  const Status printed = print(arguments.json ? as_json(name, *read) : as_table(name, *read));
+  const Status printed =
+      print(arguments.json ? as_json(name, *read) : as_table(name, *read), &context);
   return printed ? kDone : fail(printed);
 }
 

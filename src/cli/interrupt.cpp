@@ -38,6 +38,10 @@ CancelOnSignal::~CancelOnSignal() {
   cancel_flag.store(nullptr);
 }
 
+void ignore_write_signals() {
+  for (const int signal_number : {SIGPIPE, SIGXFSZ}) handle(signal_number, SIG_IGN, 0);
+}
+
 int received_signal() {
   return last_signal;
 }

@@ -14,6 +14,10 @@ class CancelOnSignal {
   CancelOnSignal& operator=(const CancelOnSignal&) = delete;
 };
 
+/// From now on writing to a closed pipe, or past the limit on a file's size, is an error of the
+/// write and no end of the process: standard error, too, is written.
+void ignore_write_signals();
+
 /// The number of the signal that set a cancel flag; 0 where none has.
 int received_signal();
 

@@ -87,7 +87,8 @@ int lint(const LintArguments& arguments) {
   if (!arguments.verbose)
     std::erase_if(*hints, [](const Hint& hint) { return is_note(hint.kind); });
   const Status printed = print(arguments.json ? as_json(name, read->document, *hints)
-                                              : as_text(name, read->document, *hints));
+                                              : as_text(name, read->document, *hints),
+                               &context);
   if (!printed) return fail(printed);
   return arguments.strict && count_hints(*hints) > 0 ? kBadInput : kDone;
 }

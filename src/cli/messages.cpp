@@ -61,8 +61,9 @@ void report_warning(const Status& status) {
   std::fputs(format_message(status, "warning").c_str(), stderr);
 }
 
-Status print(std::string_view text) {
-  return write_file("-", {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+Status print(std::string_view text, const Context* context) {
+  return write_file("-", {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()},
+                    context);
 }
 
 int fail(const Status& status) {

@@ -3,6 +3,7 @@
 #include <string>
 #include <string_view>
 
+#include "base/context.hpp"
 #include "base/status.hpp"
 
 namespace sfumato::cli {
@@ -29,8 +30,8 @@ std::string format_message(const Status& status, std::string_view severity);
 void report_error(const Status& status);
 void report_warning(const Status& status);
 
-/// Writes text to standard output. Errors: io.
-Status print(std::string_view text);
+/// Writes text to standard output. Errors: io, cancelled, limit for the deadline.
+Status print(std::string_view text, const Context* context = nullptr);
 
 /// Reports the failure and gives its exit code.
 int fail(const Status& status);

@@ -1,6 +1,5 @@
 #include "cli/paths.hpp"
 
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -61,12 +60,6 @@ std::string known_extensions() {
   return list;
 }
 
-std::optional<FileIdentity> file_identity(const std::string& path) {
-  struct stat facts;
-  if (stat(path.c_str(), &facts) != 0) return std::nullopt;
-  return FileIdentity{facts.st_dev, facts.st_ino};
-}
-
 Status check_output(const std::string& path) {
   if (path == "-") return ok_status();
   std::error_code ignored;
@@ -99,8 +92,9 @@ Status make_folder(const std::string& path) {
   return make_error(StatusCode::io, "cannot be made: " + error.message(), {path});
 }
 
-Result<std::string> read_input(const std::string& path, std::size_t max_bytes) {
-  Result<std::string> bytes = read_file(path, max_bytes);
+Result<std::string> read_input(const Context& context, const std::string& path,
+                               std::size_t max_bytes) {
+  Result<std::string> bytes = read_file(path, max_bytes, &context);
   if (bytes || bytes.status().code != StatusCode::io) return bytes;
   Status status = bytes.status();
   status.code = StatusCode::bad_input;

@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 
+#include "base/context.hpp"
 #include "base/status.hpp"
 
 namespace sfumato::cli {
@@ -28,10 +28,6 @@ std::optional<OutputKind> kind_of_extension(std::string_view extension);
 /// The extensions that output_kind knows, for messages: ".png, .jpg".
 std::string known_extensions();
 
-/// What tells an existing file from every other, however it is named; nothing where there is none.
-using FileIdentity = std::pair<std::uint64_t, std::uint64_t>;
-std::optional<FileIdentity> file_identity(const std::string& path);
-
 /// Fails early where `path` can certainly not be written: its folder is missing or not writable, or
 /// it is a folder itself. Writes nothing. Errors: io.
 Status check_output(const std::string& path);
@@ -40,8 +36,9 @@ Status check_output(const std::string& path);
 Status make_folder(const std::string& path);
 
 /// The whole input, up to max_bytes; "-" is standard input.
-/// Errors: bad_input where it cannot be read, limit.
-Result<std::string> read_input(const std::string& path, std::size_t max_bytes);
+/// Errors: bad_input where it cannot be read, limit, cancelled.
+Result<std::string> read_input(const Context& context, const std::string& path,
+                               std::size_t max_bytes);
 
 /// How messages call an input: "<stdin>" for "-".
 std::string display_name(const std::string& path);

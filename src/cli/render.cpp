@@ -34,7 +34,7 @@ Status render_document(Context& context, const RenderArguments& arguments,
   if (!file) return file.status();
   if (context.cancelled()) return context.stop_status();
   const Stopwatch write_watch;
-  const Status written = write_file(output, *file);
+  const Status written = write_file(output, *file, &context);
   stats.write_seconds += write_watch.seconds();
   stats.total_seconds = total.seconds();
   return written;
@@ -89,7 +89,8 @@ int Rendering::run() {
   if (bar_) bar_->erase();
   if (!arguments_.stats.empty() && (arguments_.many || failed_ == 0) && !interrupted()) {
     const Status written = write_file(
-        arguments_.stats, {reinterpret_cast<const std::uint8_t*>(stats_.data()), stats_.size()});
+        arguments_.stats, {reinterpret_cast<const std::uint8_t*>(stats_.data()), stats_.size()},
+        &context_);
     if (!written) report_failure(written);
   }
   if (arguments_.many && failed_ > 0 && !interrupted()) {

@@ -17,8 +17,4 @@ std::vector<RenderJob> render_jobs(const std::vector<std::string>& inputs,
                                    const std::string& output, const std::string& folder,
                                    const std::string& extension);
 
-/// What is wrong with them, as "--output: ..."; empty: nothing. No picture may replace a document
-/// that is read, or another picture of the same call.
-std::string complaint_about(const std::vector<RenderJob>& jobs);
-
 }  // namespace sfumato::cli

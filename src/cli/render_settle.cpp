@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "cli/file_uses.hpp"
 #include "cli/paths.hpp"
 #include "cli/render_options.hpp"
 
@@ -9,6 +10,22 @@ namespace {
 /// Throws where `given` and what it needs are not there together.
 void expect(bool good, const char* option, const std::string& complaint) {
   if (!good) throw CLI::ValidationError(option, complaint);
+}
+
+/// No picture and no stats may replace a drawing that is read, or one another.
+void settle_file_uses(RenderArguments& arguments) {
+  std::vector<InputFile> inputs;
+  std::vector<OutputFile> outputs;
+  for (const RenderJob& job : arguments.jobs) {
+    inputs.push_back({job.input, "the drawing"});
+    outputs.push_back({job.output, "the picture", in_quotes(job.input)});
+  }
+  std::string complaint = complaint_about(inputs, outputs);
+  expect(complaint.empty(), arguments.many ? "--out-dir" : "--output", complaint);
+  if (!arguments.stats.empty()) outputs.push_back({arguments.stats, "the figures", "--stats"});
+  complaint = complaint_about(inputs, outputs);
+  expect(complaint.empty(), "--stats", complaint);
+  for (const OutputFile& output : outputs) arguments.outputs.push_back(output.path);
 }
 
 void settle_files(RenderArguments& arguments, const RenderChoices& choices) {
@@ -26,14 +43,9 @@ void settle_files(RenderArguments& arguments, const RenderChoices& choices) {
                               : *output_kind(choices.output);
   arguments.jobs =
       render_jobs(choices.inputs, choices.output, choices.output_folder, choices.extension);
-  const std::string complaint = complaint_about(arguments.jobs);
-  expect(complaint.empty(), arguments.many ? "--out-dir" : "--output", complaint);
   expect(choices.output != "-" || arguments.stats != "-", "--stats",
          "stdout is taken by the picture, expected a file name");
-  for (const RenderJob& job : arguments.jobs) {
-    expect(job.output != arguments.stats || job.output == "-", "--stats",
-           "expected another file than the picture's");
-  }
+  settle_file_uses(arguments);
 }
 
 /// What only images have, or only outputs that can be enlarged.

@@ -3,6 +3,7 @@
 #include <new>
 
 #include "cli/commands.hpp"
+#include "cli/interrupt.hpp"
 #include "cli/messages.hpp"
 
 namespace sfumato::cli {
@@ -38,6 +39,7 @@ int parse_and_run(int argc, const char* const* argv) {
 }  // namespace
 
 int run(int argc, const char* const* argv) {
+  ignore_write_signals();
   try {
     return parse_and_run(argc, argv);
   } catch (const std::bad_alloc&) {  // without another allocation

@@ -13,7 +13,9 @@
 #include <thread>
 #include <vector>
 
+#include "base/context.hpp"
 #include "base/native/atomic_file.hpp"
+#include "base/stopwatch.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace sfumato {
@@ -343,6 +345,92 @@ TEST(StandardInput, is_read_to_its_end) {
     ::dup2(ends[0], STDIN_FILENO);
     const Result<std::string> content = read_file("-", 10);
     return content.ok() && *content == "abc" ? 0 : 1;
+  });
+  EXPECT_EQ(status, 0);
+}
+
+/// A FIFO that nobody else has open.
+class Fifo : public File {
+ protected:
+  void SetUp() override { ASSERT_EQ(::mkfifo(path_.c_str(), 0600), 0); }
+
+  const std::string path_ = folder_.file("fifo");
+};
+
+TEST_F(Fifo, without_a_writer_is_waited_for_until_the_deadline) {
+  const Context context{.deadline = Deadline::in(0.1)};
+  const Stopwatch watch;
+  EXPECT_EQ(read_file(path_, 100, &context).status().code, StatusCode::limit);
+  EXPECT_GE(watch.seconds(), 0.1);
+  EXPECT_LT(watch.seconds(), 2);
+}
+
+TEST_F(Fifo, without_a_reader_is_waited_for_until_the_deadline) {
+  const Context context{.deadline = Deadline::in(0.1)};
+  EXPECT_EQ(write_file(path_, bytes_of("a"), &context).code, StatusCode::limit);
+}
+
+TEST_F(Fifo, that_gives_no_end_is_waited_for_until_the_work_is_cancelled) {
+  Context context;
+  const int writer = ::open(path_.c_str(), O_RDWR);
+  ASSERT_EQ(::write(writer, "abc", 3), 3);
+  std::thread other([&] {
+    ::usleep(50'000);
+    context.cancel = true;
+  });
+  EXPECT_EQ(read_file(path_, 100, &context).status().code, StatusCode::cancelled);
+  other.join();
+  ::close(writer);
+}
+
+TEST_F(Fifo, that_nobody_empties_is_waited_for_until_the_deadline) {
+  const int reader = ::open(path_.c_str(), O_RDWR);
+  const Context context{.deadline = Deadline::in(0.1)};
+  const std::string large(1'000'000, 'x');
+  EXPECT_EQ(write_file(path_, bytes_of(large), &context).code, StatusCode::limit);
+  ::close(reader);
+}
+
+TEST_F(Fifo, hands_on_all_bytes_whoever_comes_first) {
+  const std::string content(300'000, 'x');
+  for (const int writer_waits : {0, 30'000}) {
+    for (const int reader_waits : {0, 60'000}) {
+      const Context context{.deadline = Deadline::in(20)};
+      std::thread writer([&] {
+        ::usleep(static_cast<useconds_t>(writer_waits));
+        EXPECT_TRUE(write_file(path_, bytes_of(content), &context).ok());
+      });
+      ::usleep(static_cast<useconds_t>(reader_waits));
+      const Result<std::string> received = read_file(path_, 1'000'000, &context);
+      writer.join();
+      ASSERT_TRUE(received.ok()) << to_string(received.status());
+      EXPECT_EQ(*received, content);
+    }
+  }
+}
+
+TEST_F(Fifo, that_is_closed_unwritten_is_empty) {
+  std::thread writer([&] {
+    ::usleep(20'000);
+    ::close(::open(path_.c_str(), O_WRONLY));
+  });
+  const Result<std::string> received = read_file(path_, 100);
+  writer.join();
+  ASSERT_TRUE(received.ok());
+  EXPECT_EQ(*received, "");
+}
+
+TEST(StandardStreams, are_waited_for_until_the_deadline) {
+  const int status = in_a_child([] {
+    int ends[2];
+    if (::pipe(ends) != 0) return 2;
+    ::dup2(ends[0], STDIN_FILENO);
+    ::dup2(ends[1], STDOUT_FILENO);
+    const Context reading{.deadline = Deadline::in(0.1)};
+    if (read_file("-", 10, &reading).status().code != StatusCode::limit) return 3;
+    const Context writing{.deadline = Deadline::in(0.1)};
+    const std::string large(1'000'000, 'x');
+    return write_file("-", bytes_of(large), &writing).code == StatusCode::limit ? 0 : 1;
   });
   EXPECT_EQ(status, 0);
 }

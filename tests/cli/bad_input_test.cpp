@@ -1,6 +1,7 @@
 // What cannot be drawn or written: an exit code, one message, and nothing half-written.
 #include <gtest/gtest.h>
 #include <signal.h>
+#include <sys/stat.h>
 
 #include <chrono>
 #include <filesystem>
@@ -273,6 +274,45 @@ TEST(Interrupt, ends_the_work_with_130_and_leaves_nothing) {
     EXPECT_EQ(folder.names(), Names{"scene.xml"});
   }
 }
+
+class Waiting : public testing::TestWithParam<Names> {};
+
+/// The command of the parameter reads a FIFO that nobody writes, or writes one that nobody reads.
+TEST_P(Waiting, ends_with_the_first_signal_and_with_the_time_limit) {
+  const TemporaryFolder folder;
+  const std::string fifo = folder.path("fifo.svg");
+  ASSERT_EQ(mkfifo(fifo.c_str(), 0600), 0);
+  Names arguments = GetParam();
+  for (std::string& argument : arguments) {
+    if (argument == "FIFO") argument = fifo;
+    if (argument == "DRAWING") argument = folder.add("in.xml", two_curve_scene());
+    if (argument == "OUT") argument = folder.path("out.png");
+  }
+  arguments.insert(arguments.begin(), SFUMATO_BINARY);
+  for (const auto& [signal_number, exit_code] : {std::pair(SIGINT, 130), std::pair(SIGTERM, 143)}) {
+    RunningCommand command(arguments, "");
+    while (!catches(command.id(), signal_number) && kill(command.id(), 0) == 0) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    kill(command.id(), signal_number);
+    const CommandResult result = command.wait();
+    EXPECT_EQ(result.exit_code, exit_code);
+    EXPECT_EQ(result.err, "sfumato: interrupted\n");
+  }
+  arguments.insert(arguments.end(), {"--max-time", "0.3"});
+  const CommandResult late = run_command(arguments);
+  EXPECT_EQ(late.exit_code, 3);
+  EXPECT_NE(late.err.find("time limit of 0.3 s"), std::string::npos) << late.err;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    For, Waiting,
+    testing::Values(Names{"info", "FIFO"}, Names{"lint", "FIFO"},
+                    Names{"convert", "FIFO", "-o", "-"}, Names{"render", "FIFO", "-o", "OUT"},
+                    Names{"compare", "FIFO", "FIFO"}, Names{"convert", "DRAWING", "-o", "FIFO"},
+                    Names{"render", "DRAWING", "-o", "FIFO"}),
+    [](const auto& instance) { return instance.param[0] + std::to_string(instance.index); });
 
 }  // namespace
 }  // namespace sfumato::test

@@ -55,6 +55,23 @@ TEST(ScarceMemory, is_its_exit_code_and_its_message_and_no_output) {
   EXPECT_LE(folder.names().size(), 1u);
 }
 
+TEST(ScarceMemory, gives_fewer_threads_and_ends_no_process) {
+#if SFUMATO_HAS_SANITIZER
+  GTEST_SKIP() << "sanitizers take more address space than these limits leave";
+#endif
+  const TemporaryFolder folder;
+  const std::string input = folder.add("in.xml", two_curve_scene());
+  for (const int mebibytes : {120, 200, 300, 500, 1000, 2000}) {
+    for (const char* threads : {"3", "16", "64", "256", "1024"}) {
+      const std::string limit = "ulimit -v " + std::to_string(1024 * mebibytes);
+      const CommandResult result = run_in_shell(
+          limit + "; exec \"$@\"",
+          {"render", input, "-o", folder.path("out.png"), "--quiet", "--threads", threads});
+      EXPECT_EQ(result.exit_code, 0) << mebibytes << " MiB, " << threads << ": " << result.err;
+    }
+  }
+}
+
 class SmallStack : public testing::TestWithParam<std::string> {};
 
 TEST_P(SmallStack, is_enough) {
@@ -178,6 +195,25 @@ TEST(NoOutput, closed_streams_are_no_reason_to_write_into_the_picture) {
   const CommandResult result = run_in_shell("\"$@\" <&- >&- 2>&-", {"render", input, "-o", closed});
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_TRUE(read_whole(open) == read_whole(closed));
+}
+
+TEST(NoStandardError, gives_the_exit_code_all_the_same) {
+  const TemporaryFolder folder;
+  const std::string input = folder.add("in.xml", two_curve_scene());
+  const std::string code = folder.path("code");
+  const std::string to_nobody =
+      "{ sleep .1; \"$@\" 2>&1 >/dev/null; echo $? >'" + code + "'; } | true";
+  const std::string to_a_full_file =
+      "(ulimit -f 0; exec \"$@\" 2>'" + folder.path("err") + "'); echo $? >'" + code + "'";
+  const std::string to_nothing = "\"$@\" 2>&-; echo $? >'" + code + "'";
+  for (const std::string& script : {to_nobody, to_a_full_file, to_nothing}) {
+    run_in_shell(script, {"info", folder.path("none")});
+    EXPECT_EQ(read_whole(code), "1\n") << script;
+    run_in_shell(script, {"info", "--nonsense", input});
+    EXPECT_EQ(read_whole(code), "2\n") << script;
+    run_in_shell(script, {"render", input, "-o", folder.path("none/a.png")});
+    EXPECT_EQ(read_whole(code), "3\n") << script;
+  }
 }
 
 TEST(ReadOnlyFileSystem, is_an_io_error) {

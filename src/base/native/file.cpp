@@ -26,24 +26,29 @@ Status too_long(const std::string& path, std::size_t max_bytes) {
                     "is longer than the limit of " + std::to_string(max_bytes) + " bytes", {path});
 }
 
-/// Reads to the end. Errors: io, limit.
+/// Reads to the end. Errors: io, limit, those of Context::stop_status.
 template <class Bytes>
-Result<Bytes> read_all(int descriptor, const std::string& path, std::size_t max_bytes) {
+Result<Bytes> read_all(int descriptor, const std::string& path, std::size_t max_bytes,
+                       const Context* context) {
   struct stat status {};
   if (::fstat(descriptor, &status) != 0) return io_error(path, "cannot be read", errno);
   Bytes content;
-  if (S_ISREG(status.st_mode) && status.st_size > 0) {
+  const bool is_regular = S_ISREG(status.st_mode);
+  if (is_regular && status.st_size > 0) {
     if (static_cast<std::uintmax_t>(status.st_size) > max_bytes) return too_long(path, max_bytes);
     content.reserve(static_cast<std::size_t>(status.st_size) + kReadBytes);
   }
   while (true) {
+    // Without a writer yet, a pipe that was opened without blocking would seem to be at its end.
+    if (!is_regular && !wait_until_ready(descriptor, POLLIN, context)) {
+      return io_error(path, "cannot be read", errno, context);
+    }
     const std::size_t size = content.size();
     content.resize(std::max(size + kReadBytes, content.capacity()));
     const ssize_t count = ::read(descriptor, content.data() + size, content.size() - size);
     const int error_number = errno;
     content.resize(size + static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
-    if (count < 0 && error_number != EINTR &&
-        !(error_number == EAGAIN && wait_until_ready(descriptor, POLLIN))) {
+    if (count < 0 && error_number != EINTR && error_number != EAGAIN) {
       return io_error(path, "cannot be read", error_number);
     }
     if (content.size() > max_bytes) return too_long(path, max_bytes);
@@ -51,7 +56,62 @@ Result<Bytes> read_all(int descriptor, const std::string& path, std::size_t max_
   }
 }
 
-/// The path behind symbolic links, which may name nothing yet.
+Status write_in_place(int descriptor, const std::string& path, std::span<const std::uint8_t> bytes,
+                      const Context* context) {
+  const WriteSignalGuard guard;
+  if (write_all(descriptor, bytes, context)) return ok_status();
+  return io_error(path, "cannot be written", errno, context);
+}
+
+/// Opened without blocking a FIFO is refused for as long as nobody reads it.
+FileDescriptor open_device(const std::string& path, bool is_fifo, const Context* context) {
+  while (true) {
+    FileDescriptor file(path, O_WRONLY | O_NOCTTY | O_NONBLOCK);
+    if (file.is_open() || !is_fifo || errno != ENXIO || !wait_a_moment(context)) return file;
+  }
+}
+
+Status write_device(const std::string& path, bool is_fifo, std::span<const std::uint8_t> bytes,
+                    const Context* context) {
+  FileDescriptor file = open_device(path, is_fifo, context);
+  if (!file.is_open()) return io_error(path, "cannot be written", errno, context);
+  Status status = write_in_place(file.number(), path, bytes, context);
+  if (status && !file.close()) status = io_error(path, "cannot be written", errno);
+  return status;
+}
+
+template <class Bytes>
+Result<Bytes> read(const std::string& path, std::size_t max_bytes, const Context* context) {
+  if (path == "-") return read_all<Bytes>(STDIN_FILENO, "standard input", max_bytes, context);
+  // A FIFO without a writer, or a line without a carrier, would be waited for here.
+  const FileDescriptor file(path, O_RDONLY | O_NOCTTY | O_NONBLOCK);
+  if (!file.is_open()) return io_error(path, "cannot be read", errno);
+  return read_all<Bytes>(file.number(), path, max_bytes, context);
+}
+
+Status write(const std::string& path, std::span<const std::uint8_t> bytes, const Context* context) {
+  if (path == "-") return write_in_place(STDOUT_FILENO, "standard output", bytes, context);
+  std::string target = without_links(path);
+  struct stat existing {};
+  const bool exists = ::stat(target.c_str(), &existing) == 0;
+  if (!exists && errno != ENOENT) return io_error(path, "cannot be written", errno);
+  if (exists && S_ISDIR(existing.st_mode)) return io_error(path, "cannot be written", EISDIR);
+  if (exists && !S_ISREG(existing.st_mode)) {
+    return write_device(target, S_ISFIFO(existing.st_mode), bytes, context);
+  }
+  // Renaming over a file asks nobody whether the file may be written: we do.
+  if (exists && ::faccessat(AT_FDCWD, target.c_str(), W_OK, AT_EACCESS) != 0) {
+    return io_error(path, "cannot be written", errno);
+  }
+  AtomicFile file(std::move(target));
+  Status status = file.open(exists ? std::optional<unsigned>(existing.st_mode) : std::nullopt);
+  if (status) status = file.write(bytes);
+  if (status) status = file.commit();
+  return status;
+}
+
+}  // namespace
+
 std::string without_links(std::string path) {
   for (int depth = 0; depth < kLinkDepth; ++depth) {
     std::string target(4096, '\0');
@@ -67,60 +127,19 @@ std::string without_links(std::string path) {
   return path;
 }
 
-Status write_in_place(int descriptor, const std::string& path,
-                      std::span<const std::uint8_t> bytes) {
-  const WriteSignalGuard guard;
-  if (write_all(descriptor, bytes)) return ok_status();
-  return io_error(path, "cannot be written", errno);
+Result<std::string> read_file(const std::string& path, std::size_t max_bytes,
+                              const Context* context) {
+  return no_throw([&] { return read<std::string>(path, max_bytes, context); });
 }
 
-Status write_device(const std::string& path, std::span<const std::uint8_t> bytes) {
-  FileDescriptor file(path, O_WRONLY | O_NOCTTY);
-  if (!file.is_open()) return io_error(path, "cannot be written", errno);
-  Status status = write_in_place(file.number(), path, bytes);
-  if (status && !file.close()) status = io_error(path, "cannot be written", errno);
-  return status;
+Result<std::vector<std::uint8_t>> read_bytes(const std::string& path, std::size_t max_bytes,
+                                             const Context* context) {
+  return no_throw([&] { return read<std::vector<std::uint8_t>>(path, max_bytes, context); });
 }
 
-template <class Bytes>
-Result<Bytes> read(const std::string& path, std::size_t max_bytes) {
-  if (path == "-") return read_all<Bytes>(STDIN_FILENO, "standard input", max_bytes);
-  const FileDescriptor file(path, O_RDONLY | O_NOCTTY);
-  if (!file.is_open()) return io_error(path, "cannot be read", errno);
-  return read_all<Bytes>(file.number(), path, max_bytes);
-}
-
-Status write(const std::string& path, std::span<const std::uint8_t> bytes) {
-  if (path == "-") return write_in_place(STDOUT_FILENO, "standard output", bytes);
-  std::string target = without_links(path);
-  struct stat existing {};
-  const bool exists = ::stat(target.c_str(), &existing) == 0;
-  if (!exists && errno != ENOENT) return io_error(path, "cannot be written", errno);
-  if (exists && S_ISDIR(existing.st_mode)) return io_error(path, "cannot be written", EISDIR);
-  if (exists && !S_ISREG(existing.st_mode)) return write_device(target, bytes);
-  // Renaming over a file asks nobody whether the file may be written: we do.
-  if (exists && ::faccessat(AT_FDCWD, target.c_str(), W_OK, AT_EACCESS) != 0) {
-    return io_error(path, "cannot be written", errno);
-  }
-  AtomicFile file(std::move(target));
-  Status status = file.open(exists ? std::optional<unsigned>(existing.st_mode) : std::nullopt);
-  if (status) status = file.write(bytes);
-  if (status) status = file.commit();
-  return status;
-}
-
-}  // namespace
-
-Result<std::string> read_file(const std::string& path, std::size_t max_bytes) {
-  return no_throw([&] { return read<std::string>(path, max_bytes); });
-}
-
-Result<std::vector<std::uint8_t>> read_bytes(const std::string& path, std::size_t max_bytes) {
-  return no_throw([&] { return read<std::vector<std::uint8_t>>(path, max_bytes); });
-}
-
-Status write_file(const std::string& path, std::span<const std::uint8_t> bytes) {
-  return no_throw([&] { return write(path, bytes); });
+Status write_file(const std::string& path, std::span<const std::uint8_t> bytes,
+                  const Context* context) {
+  return no_throw([&] { return write(path, bytes, context); });
 }
 
 }  // namespace sfumato

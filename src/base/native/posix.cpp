@@ -1,8 +1,10 @@
 #include "base/native/posix.hpp"
 
 #include <fcntl.h>
+#include <limits.h>
 #include <poll.h>
 #include <pthread.h>
+#include <sys/stat.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -10,6 +12,8 @@
 #include <cerrno>
 #include <system_error>
 #include <utility>
+
+#include "base/context.hpp"
 
 namespace sfumato {
 namespace {
@@ -20,6 +24,9 @@ constexpr int kGuardedSignals[] = {SIGPIPE, SIGXFSZ};
 /// Some systems refuse larger writes.
 constexpr std::size_t kWriteBytes = std::size_t{1} << 30;
 
+/// Between two looks at a context while something is waited for.
+constexpr int kWaitMilliseconds = 20;
+
 int above_standard_streams(int descriptor) {
   if (descriptor < 0 || descriptor >= kFirstFreeDescriptor) return descriptor;
   const int moved = ::fcntl(descriptor, F_DUPFD_CLOEXEC, kFirstFreeDescriptor);
@@ -27,6 +34,18 @@ int above_standard_streams(int descriptor) {
   ::close(descriptor);
   errno = error_number;
   return moved;
+}
+
+bool is_regular(int descriptor) {
+  struct stat status {};
+  return ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode);
+}
+
+/// False, with ECANCELED: the context says to stop.
+bool goes_on(const Context* context) {
+  if (!context || !context->cancelled()) return true;
+  errno = ECANCELED;
+  return false;
 }
 
 }  // namespace
@@ -73,28 +92,41 @@ WriteSignalGuard::~WriteSignalGuard() {
   ::pthread_sigmask(SIG_SETMASK, &previous_mask_, nullptr);
 }
 
-bool wait_until_ready(int descriptor, short event) {
+bool wait_until_ready(int descriptor, short event, const Context* context) {
   pollfd asked{descriptor, event, 0};
   int ready = 0;
   do {
-    ready = ::poll(&asked, 1, -1);
-  } while (ready < 0 && errno == EINTR);
+    if (!goes_on(context)) return false;
+    ready = ::poll(&asked, 1, context ? kWaitMilliseconds : -1);
+  } while (ready == 0 || (ready < 0 && errno == EINTR));
   return ready > 0;
 }
 
-bool write_all(int descriptor, std::span<const std::uint8_t> bytes) {
+bool wait_a_moment(const Context* context) {
+  ::poll(nullptr, 0, kWaitMilliseconds);
+  return goes_on(context);
+}
+
+bool write_all(int descriptor, std::span<const std::uint8_t> bytes, const Context* context) {
+  // A pipe that can be written takes PIPE_BUF bytes without blocking.
+  const bool may_block = context && !is_regular(descriptor);
+  const std::size_t most = may_block ? std::size_t{PIPE_BUF} : kWriteBytes;
   while (!bytes.empty()) {
-    const ssize_t written = ::write(descriptor, bytes.data(), std::min(bytes.size(), kWriteBytes));
+    if (may_block && !wait_until_ready(descriptor, POLLOUT, context)) return false;
+    const ssize_t written = ::write(descriptor, bytes.data(), std::min(bytes.size(), most));
     if (written >= 0) {
       bytes = bytes.subspan(static_cast<std::size_t>(written));
-    } else if (errno != EINTR && !(errno == EAGAIN && wait_until_ready(descriptor, POLLOUT))) {
+    } else if (errno != EINTR &&
+               !(errno == EAGAIN && wait_until_ready(descriptor, POLLOUT, context))) {
       return false;
     }
   }
   return true;
 }
 
-Status io_error(const std::string& path, const char* what, int error_number) {
+Status io_error(const std::string& path, const char* what, int error_number,
+                const Context* context) {
+  if (context && error_number == ECANCELED) return context->stop_status();
   return make_error(StatusCode::io,
                     std::string(what) + ": " + std::generic_category().message(error_number),
                     {path});

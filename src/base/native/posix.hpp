@@ -10,6 +10,8 @@
 
 namespace sfumato {
 
+struct Context;
+
 /// An open file descriptor that closes itself. Movable.
 class FileDescriptor {
  public:
@@ -46,14 +48,21 @@ class WriteSignalGuard {
   sigset_t previous_mask_;
 };
 
-/// Waits until a descriptor that does not block by itself (a pipe that another program set so) can
-/// be read (POLLIN) or written (POLLOUT). False: errno says why.
-bool wait_until_ready(int descriptor, short event);
+/// Waits until a descriptor can be read (POLLIN) or written (POLLOUT), and looks at `context`, if
+/// any, all the while. False: errno says why; ECANCELED: the context says to stop.
+bool wait_until_ready(int descriptor, short event, const Context* context = nullptr);
 
-/// Writes all bytes, over short writes and interruptions. False: errno says why.
-bool write_all(int descriptor, std::span<const std::uint8_t> bytes);
+/// Waits a moment before something is tried again. False, with ECANCELED: the context says to stop.
+bool wait_a_moment(const Context* context);
 
-/// An io error about `path`: "cannot be written: No space left on device".
-Status io_error(const std::string& path, const char* what, int error_number);
+/// Writes all bytes, over short writes and interruptions. What is no regular file is waited for as
+/// `wait_until_ready` does. False: errno says why.
+bool write_all(int descriptor, std::span<const std::uint8_t> bytes,
+               const Context* context = nullptr);
+
+/// An io error about `path`: "cannot be written: No space left on device". ECANCELED of the
+/// functions above: why `context` says to stop.
+Status io_error(const std::string& path, const char* what, int error_number,
+                const Context* context = nullptr);
 
 }  // namespace sfumato

@@ -7,8 +7,10 @@
 
 #include <algorithm>
 #include <atomic>
+#include <memory>
 #include <mutex>
 #include <new>
+#include <semaphore>
 #include <system_error>
 #include <thread>
 #include <vector>
@@ -20,22 +22,40 @@ namespace {
 
 /// Threads of the pool that have not come by then come later.
 constexpr double kStartSeconds = 0.005;
+constexpr double kStartSecondsPerThread = 0.001;
 
-/// How many of `wanted` threads, the calling one among them, the system lets this process have.
-/// oneTBB asks when it starts its threads, and ends the process where it is refused.
+/// The malloc of a new thread may take address space of its own. Not optimised away.
+void take_memory() {
+  std::unique_ptr<char> memory(new (std::nothrow) char);
+  if (memory) *static_cast<volatile char*>(memory.get()) = 0;
+}
+
+/// How many of `wanted` threads, the calling one among them, the system lets this process have, as
+/// far as they can be tried out: all of them, where it has room for some more, or half of what it
+/// gave. oneTBB asks when it starts its threads, and ends the process where it is refused; and the
+/// work needs memory, too.
 int allowed_threads(int wanted) {
+  if (wanted == 1) return 1;
+  const std::size_t tried = static_cast<std::size_t>(wanted) + static_cast<std::size_t>(wanted) / 8;
   std::mutex gate;
+  std::binary_semaphore runs(0);
   std::vector<std::jthread> others;
   const std::scoped_lock all_wait(gate);
   try {
-    others.reserve(static_cast<std::size_t>(wanted));
-    while (static_cast<int>(others.size()) + 1 < wanted) {
-      others.emplace_back([&gate] { const std::scoped_lock through(gate); });
+    others.reserve(tried);
+    while (others.size() < tried) {
+      others.emplace_back([&] {
+        take_memory();
+        runs.release();
+        const std::scoped_lock through(gate);
+      });
+      runs.acquire();
     }
+    return wanted;
   } catch (const std::system_error&) {  // as many as these
   } catch (const std::bad_alloc&) {
   }
-  return static_cast<int>(others.size()) + 1;
+  return std::min(wanted, 1 + static_cast<int>(others.size()) / 2);
 }
 
 /// Tasks that are waited for together.
@@ -95,10 +115,11 @@ class TbbExecutor final : public Executor {
   void start_threads() {
     const Stopwatch watch;
     const int wanted = thread_count();
+    const double most_seconds = kStartSeconds + kStartSecondsPerThread * wanted;
     std::atomic<int> started{0};
     run_everywhere(static_cast<std::size_t>(wanted), [&] {
       ++started;
-      while (started < wanted && watch.seconds() < kStartSeconds) std::this_thread::yield();
+      while (started < wanted && watch.seconds() < most_seconds) std::this_thread::yield();
     });
   }
 
