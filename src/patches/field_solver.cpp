@@ -259,9 +259,47 @@ Status FieldSolver::fill_unseen_nodes(Context& context) {
   return ok_status();
 }
 
-bool FieldSolver::sees_curves(std::uint32_t triangle) const {
-  const std::size_t centre = kNodes * triangle + 9;
-  return node_hit_[layout_.triangle_node[centre]] != 0;
+bool FieldSolver::sees_curves(std::uint32_t triangle, std::size_t place) const {
+  return node_hit_[layout_.triangle_node[kNodes * triangle + place]] != 0;
+}
+
+Status FieldSolver::look(Context& context, std::span<const Vec2> points,
+                         std::span<std::uint8_t> seen) const {
+  const auto channels = static_cast<std::size_t>(channel_count());
+  ScopedCharge charge;
+  Status status = charge.add(context, point_bytes(points.size()), "points at a border");
+  std::vector<float> values;
+  std::vector<std::uint8_t> hits;
+  if (status) status = resize_large(context, values, points.size() * channels);
+  if (status) status = resize_large(context, hits, points.size());
+  if (status) status = scene_.gatherer.gather(context, points, {}, values, hits);
+  for (std::size_t i = 0; status && i < points.size(); ++i) seen[i] &= hits[i];
+  return status;
+}
+
+Status FieldSolver::add_parts(Context& context, const BorderCuts& cuts) {
+  const auto channels = static_cast<std::size_t>(channel_count());
+  const std::uint32_t first = layout_.node_count();
+  const std::size_t nodes = first + cuts.point.size();
+  const std::size_t node_bytes = sizeof(Vec2) + 3 + sizeof(float) * channels;
+  Status status = layout_charge_.add(
+      context, cuts.node.size() * sizeof(std::uint32_t) + nodes * node_bytes, "patches");
+  if (status) status = append_large(context, std::span<const Vec2>(cuts.point), layout_.position);
+  // What was gathered last is known by now.
+  node_known_.assign(first, 1);
+  if (status) status = resize_large(context, node_known_, nodes, std::uint8_t{0});
+  if (status) status = resize_large(context, layout_.is_fixed, nodes, std::uint8_t{0});
+  if (status) status = resize_large(context, node_hit_, nodes, std::uint8_t{0});
+  if (status) status = resize_large(context, layout_.value, nodes * channels, 0.0f);
+  if (!status) return status;
+  for (std::size_t i = 0; i < cuts.node.size(); ++i) {
+    const std::int32_t node = cuts.node[i];
+    layout_.triangle_node.push_back(node < 0
+                                        ? first + static_cast<std::uint32_t>(-1 - node)
+                                        : layout_.triangle_node[kNodes * cuts.parent[i / kNodes] +
+                                                                static_cast<std::size_t>(node)]);
+  }
+  return context.check();
 }
 
 float FieldSolver::largest_value(std::uint32_t triangle, std::size_t first_channel) const {

@@ -8,6 +8,7 @@
 #include "base/status.hpp"
 #include "curves/attributes.hpp"
 #include "gather/gather.hpp"
+#include "patches/border.hpp"
 #include "patches/nodes.hpp"
 #include "patches/picture.hpp"
 #include "patches/seams.hpp"
@@ -53,6 +54,13 @@ class FieldSolver {
   void find_coarse(const Context& context, const mesh::TriangleMesh& mesh, double edge_per_radius,
                    std::span<std::uint8_t> coarse) const;
 
+  /// seen[i]: 0 where no curve is seen from points[i], else as it was. Errors: limit, cancelled.
+  Status look(Context& context, std::span<const Vec2> points, std::span<std::uint8_t> seen) const;
+
+  /// Adds the parts of triangles that were cut, after those of the mesh; their new nodes are left
+  /// to gather. Errors: limit (memory), cancelled.
+  Status add_parts(Context& context, const BorderCuts& cuts);
+
   /// Where a triangle lies across the border of what sees a curve, its nodes beyond the border have
   /// no value: in this triangle they take the mean of the others. Nodes of triangles that see
   /// nothing at all stay 0. Comes last, after the questions below were asked. Errors: limit
@@ -62,7 +70,8 @@ class FieldSolver {
   const FieldScene& scene() const { return scene_; }
   int channel_count() const { return scene_.attributes.channel_count(); }
   const NodeLayout& layout() const { return layout_; }
-  bool sees_curves(std::uint32_t triangle) const;
+  /// Whether a triangle's node (places as in PatchLayer) sees a curve.
+  bool sees_curves(std::uint32_t triangle, std::size_t place = 9) const;
   /// The largest value of the channels from `first_channel` on at the triangle's nodes.
   float largest_value(std::uint32_t triangle, std::size_t first_channel) const;
 

@@ -19,6 +19,9 @@ constexpr double kProbedEdgePerRadius = 1.5;
 /// A triangle that is nowhere more opaque than this shows in no pixel.
 constexpr float kInvisibleOpacity = 1.0f / 4096;
 
+/// Where the border of what is seen crosses an edge is found to this share of the smallest edge.
+constexpr double kBorderPerEdge = 1e-4;
+
 Status check_limits(const Limits& limits, const mesh::TriangleMesh& mesh) {
   if (mesh.triangle_count() <= limits.triangles) return ok_status();
   return limit_error(limits, &Limits::triangles, "triangles in one layer");
@@ -86,6 +89,7 @@ Result<PatchLayer> LayerSolver::solve() {
     if (stats_) stats_->nodes = nodes_before;
     status = gather(options_.gather, true);
   }
+  if (status) status = cut_at_border();
   if (!status) return status;
   Result<PatchLayer> layer = take_patches();
   if (context_.cancelled()) return context_.stop_status();
@@ -171,6 +175,64 @@ Status LayerSolver::make_smaller(const std::vector<std::uint32_t>& triangles) {
   return status;
 }
 
+/// Ends triangles where what is seen ends, and gathers the nodes of what is left of them.
+Status LayerSolver::cut_at_border() {
+  const Stopwatch watch;
+  const auto node_sees = [&](std::uint32_t t, std::size_t place) {
+    return color_.sees_curves(t, place) && (!opacity_ || opacity_->sees_curves(t, place));
+  };
+  const auto is_seam = [&](std::uint32_t h) { return is_curve(h); };
+  const auto look = [&](std::span<const Vec2> points, std::span<std::uint8_t> seen) {
+    std::ranges::fill(seen, std::uint8_t{1});
+    return for_each_field(
+        [&](const FieldSolver& field) { return field.look(context_, points, seen); });
+  };
+  Result<BorderCuts> cuts = patches::cut_at_border(context_, mesh_, {node_sees, is_seam, look},
+                                                   kBorderPerEdge * smallest_edge_);
+  if (!cuts) return cuts.status();
+  cuts_ = std::move(*cuts);
+  if (stats_) stats_->gather_seconds += watch.seconds();
+  if (cuts_.part_count() == 0) return ok_status();
+  Status status =
+      for_each_field([&](FieldSolver& field) { return field.add_parts(context_, cuts_); });
+  if (status) status = gather(options_.gather, false);
+  if (!status) return status;
+  add_to_mesh(cuts_);
+  return check_limits(context_.limits, mesh_);
+}
+
+void LayerSolver::add_to_mesh(const BorderCuts& cuts) {
+  mesh_.vertex_position.insert(mesh_.vertex_position.end(), cuts.vertex.begin(), cuts.vertex.end());
+  mesh_.triangle_vertex.insert(mesh_.triangle_vertex.end(), cuts.triangle_vertex.begin(),
+                               cuts.triangle_vertex.end());
+}
+
+/// Of the mesher's triangles.
+bool LayerSolver::is_curve(std::uint32_t half_edge) const {
+  return color_.layout().edge_is_curve[half_edge] ||
+         (opacity_ && opacity_->layout().edge_is_curve[half_edge]);
+}
+
+/// Per half-edge, parts included: 1 on curves and where nothing is kept beyond it.
+std::vector<std::uint8_t> LayerSolver::edges_of_curves(std::span<const std::uint8_t> keep) const {
+  const std::size_t whole = mesh_.half_edge_twin.size();
+  std::vector<std::uint8_t> marks(mesh_.triangle_vertex.size());
+  RarePoll<16384> poll(context_);
+  for (std::size_t i = 0; i < marks.size() && !poll.cancelled(); ++i) {
+    const std::int32_t edge = i < whole ? static_cast<std::int32_t>(i) : cuts_.edge[i - whole];
+    if (edge < 0) {
+      marks[i] = edge == BorderCuts::kBorder;
+      continue;
+    }
+    const std::int32_t twin = mesh_.half_edge_twin[edge];
+    const auto beyond = static_cast<std::size_t>(twin) / 3;
+    const bool is_end =
+        twin != mesh::kNone && !keep[beyond] && (cuts_.is_cut.empty() || !cuts_.is_cut[beyond]);
+    marks[i] = is_end || is_curve(static_cast<std::uint32_t>(edge));
+  }
+  return marks;
+}
+
 /// Per triangle the largest opacity at its nodes; empty where the layer is opaque.
 std::vector<float> LayerSolver::triangle_opacity() const {
   if (!opacity_ && !is_joint()) return {};
@@ -190,7 +252,9 @@ std::vector<std::uint8_t> LayerSolver::visible_triangles() const {
   std::vector<std::uint8_t> keep(mesh_.triangle_count());
   RarePoll<16384> poll(context_);
   for (std::uint32_t t = 0; t < mesh_.triangle_count() && !poll.cancelled(); ++t) {
-    keep[t] = color_.sees_curves(t) && (opacity.empty() || opacity[t] >= kInvisibleOpacity);
+    const bool is_cut = t < cuts_.is_cut.size() && cuts_.is_cut[t] != 0;
+    keep[t] =
+        !is_cut && color_.sees_curves(t) && (opacity.empty() || opacity[t] >= kInvisibleOpacity);
   }
   return keep;
 }
@@ -199,7 +263,7 @@ std::vector<std::uint8_t> LayerSolver::visible_triangles() const {
 /// a copy of the nodes.
 std::size_t LayerSolver::patch_bytes() const {
   constexpr std::size_t kMarks = sizeof(float) + 1;
-  constexpr std::size_t kTables = 3 * (sizeof(std::uint32_t) + 1);
+  constexpr std::size_t kTables = 3 * (sizeof(std::uint32_t) + 2);
   std::size_t bytes = (kMarks + kTables) * mesh_.triangle_count();
   if (is_joint()) {
     bytes += sizeof(std::uint32_t) * color_.layout().triangle_node.size() +
@@ -213,6 +277,7 @@ Result<PatchLayer> LayerSolver::take_patches() {
   Status status = charge.add(context_, patch_bytes(), "patches");
   if (!status) return status;
   const std::vector<std::uint8_t> keep = visible_triangles();
+  const std::vector<std::uint8_t> marks = edges_of_curves(keep);
   status = for_each_field([&](FieldSolver& field) { return field.fill_unseen_nodes(context_); });
   if (!status) return status;
   PatchLayer layer;
@@ -226,9 +291,7 @@ Result<PatchLayer> LayerSolver::take_patches() {
     if (!keep[t]) continue;
     for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
       layer.triangle_vertex.push_back(mesh_.triangle_vertex[h]);
-      const bool is_curve =
-          color_.layout().edge_is_curve[h] || (opacity_ && opacity_->layout().edge_is_curve[h]);
-      layer.edge_is_curve.push_back(is_curve);
+      layer.edge_is_curve.push_back(marks[h]);
     }
   }
   if (context_.cancelled()) return context_.stop_status();

@@ -7,6 +7,7 @@
 #include "base/context.hpp"
 #include "base/function_ref.hpp"
 #include "base/status.hpp"
+#include "patches/border.hpp"
 #include "patches/diffuse.hpp"
 #include "patches/field_solver.hpp"
 #include "patches/layer_scene.hpp"
@@ -38,8 +39,12 @@ class LayerSolver {
   Status gather(const gather::GatherOptions& options, bool all);
   Status find_misses(std::vector<std::uint32_t>& missed);
   Status make_smaller(const std::vector<std::uint32_t>& triangles);
+  Status cut_at_border();
+  void add_to_mesh(const BorderCuts& cuts);
+  bool is_curve(std::uint32_t half_edge) const;
   std::vector<float> triangle_opacity() const;
   std::vector<std::uint8_t> visible_triangles() const;
+  std::vector<std::uint8_t> edges_of_curves(std::span<const std::uint8_t> keep) const;
   /// Whether color_ holds the opacity too, as its fourth channel.
   bool is_joint() const;
   std::size_t patch_bytes() const;
@@ -63,6 +68,7 @@ class LayerSolver {
   std::optional<RoundWatch> watch_;
   mesh::TriangleMesh mesh_;
   std::vector<std::int32_t> previous_triangle_;  ///< as Mesher::patch_mesh gives it
+  BorderCuts cuts_;                              ///< their parts follow the mesher's triangles
 };
 
 }  // namespace sfumato::patches
