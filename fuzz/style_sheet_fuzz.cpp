@@ -1,7 +1,10 @@
-// Style sheets, colours, and what a sheet says of elements.
+// Style sheets, style attributes, colours, and what a sheet says of elements.
+#include <string>
 #include <string_view>
 
 #include "formats/css_color.hpp"
+#include "formats/css_media.hpp"
+#include "formats/css_value.hpp"
 #include "formats/svg/style_sheet.hpp"
 #include "fuzz.hpp"
 
@@ -9,28 +12,73 @@ using namespace sfumato;
 
 namespace {
 
+TextPoll no_poll;
+
 bool lies_in(std::string_view part, std::string_view whole) {
   return part.empty() ||
          (part.data() >= whole.data() && part.data() + part.size() <= whole.data() + whole.size());
+}
+
+/// The tokens follow each other, with nothing but comments between.
+void check_tokens(std::string_view text) {
+  CssTokenizer tokens(text, no_poll);
+  std::size_t at = 0;
+  for (;;) {
+    const CssToken token = tokens.next();
+    fuzz::require(lies_in(token.text, text) && lies_in(token.value, token.text) &&
+                      lies_in(token.unit, token.text),
+                  "a token from nowhere");
+    const auto begin = static_cast<std::size_t>(token.text.data() - text.data());
+    const std::string_view between = text.substr(at, begin - at);
+    fuzz::require(between.empty() || between.starts_with("/*"), "text is passed over");
+    at = begin + token.text.size();
+    fuzz::require(at == tokens.position(), "a token does not end where the next begins");
+    if (token.is(CssTokenType::end)) break;
+    fuzz::require(!token.text.empty(), "an empty token");
+    css_unescaped(token.value);
+  }
+  fuzz::require(at == text.size(), "a text that does not end");
+}
+
+void check_style(std::string_view text) {
+  CssStyle style;
+  CssTokenizer tokens(text, no_poll);
+  read_declarations(tokens, false, [&](const CssDeclaration& declaration) {
+    fuzz::require(lies_in(declaration.name, text) && lies_in(declaration.value, text),
+                  "a declaration from nowhere");
+    style.add(declaration, no_poll);
+  });
+  fuzz::require(tokens.position() == text.size(), "declarations that do not end");
+  for (std::size_t i = 0; i < kCssPropertyCount; ++i) {
+    const auto property = static_cast<CssProperty>(i);
+    fuzz::require(!style[property] || is_css_value(property, style[property]->value, no_poll),
+                  "a value that CSS drops");
+  }
+  css_media(text, no_poll);
 }
 
 }  // namespace
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text = fuzz::as_text({data, size});
+  check_tokens(text);
+  check_style(text);
   svg::StyleSheet sheet;
-  sheet.add(text, limits::kStyleValues);
-  fuzz::require(sheet.empty() == (sheet.value_count() == 0), "an empty sheet with values");
-  for (const char* property : {"fill", "opacity", "display"}) {
+  sheet.add(text, limits::kStyleValues, no_poll);
+  fuzz::require(sheet.empty() || sheet.value_count() > 0, "values without a count");
+  for (const CssProperty property :
+       {CssProperty::fill, CssProperty::opacity, CssProperty::display}) {
     for (const char* classes : {"", "a", " a  b ", "\ta\n"}) {
-      const auto value = sheet.find("path", "a", classes, property);
-      fuzz::require(!value || lies_in(*value, text), "a value from nowhere");
+      const auto setting = sheet.find("path", "a", classes, property);
+      fuzz::require(!setting || lies_in(setting->value, text), "a value from nowhere");
     }
   }
   // A second sheet is laid over the first.
   const std::size_t count = sheet.value_count();
-  sheet.add(text, limits::kStyleValues);
-  fuzz::require(sheet.value_count() == 2 * count, "the second reading of a sheet differs");
+  sheet.add(text, limits::kStyleValues, no_poll);
+  fuzz::require(count > limits::kStyleValues || sheet.value_count() == 2 * count ||
+                    sheet.value_count() > limits::kStyleValues,
+                "the second reading of a sheet differs");
   if (const Result<CssColor> color = parse_css_color(text)) {
     const auto is_share = [](float x) { return x >= 0 && x <= 1; };
     fuzz::require(is_share(color->color.r) && is_share(color->color.g) &&

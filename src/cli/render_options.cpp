@@ -2,6 +2,7 @@
 
 #include "cli/paths.hpp"
 #include "cli/values.hpp"
+#include "formats/css_color.hpp"
 
 namespace sfumato::cli {
 namespace {
@@ -32,6 +33,17 @@ bool set_max_error(const std::string& text, double& max_error) {
   const std::optional<double> value = text == "off" ? 0 : parse_positive(text);
   if (!value || *value > kLargestMaxError) return false;
   max_error = *value;
+  return true;
+}
+
+/// A colour as drawings have it; `none` and `transparent` are none.
+bool set_background(const std::string& text, RasterOptions& raster, RenderChoices& choices) {
+  const Result<CssColor> color = parse_css_color(text);
+  choices.transparent = text == "none" || (color && color->alpha == 0);
+  raster.background.reset();
+  if (choices.transparent) return true;
+  if (!color || color->alpha < 1) return false;
+  raster.background = color->color;
   return true;
 }
 
@@ -139,12 +151,11 @@ void add_mesh_options(CLI::App& app, RenderArguments& arguments) {
 void add_image_options(CLI::App& app, RenderArguments& arguments, RenderChoices& choices) {
   const char* group = "Image";
   RasterOptions& raster = arguments.raster;
-  add_value(app, "--background", {"#rgb, #rrggbb, a basic CSS colour name or none", "COLOR"},
+  add_value(app, "--background",
+            {"an opaque colour of CSS, as gold, #rrggbb or rgb(255 165 0), or none", "COLOR"},
             "Behind transparent parts; none: write an alpha channel [white]",
             [&raster, &choices](const std::string& text) {
-              choices.transparent = text == "none";
-              raster.background = parse_color(text);
-              return choices.transparent || raster.background.has_value();
+              return set_background(text, raster, choices);
             })
       ->group(group);
   add_choice(app, "--depth", {{"8", 8}, {"16", 16}}, "Bits per channel [8]", choices.depth)

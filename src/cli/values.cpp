@@ -12,31 +12,6 @@
 namespace sfumato::cli {
 namespace {
 
-struct NamedColor {
-  std::string_view name;
-  std::uint32_t code;  // 0xrrggbb
-};
-
-constexpr std::array<NamedColor, 17> kNamedColors{{
-    {"aqua", 0x00ffff},
-    {"black", 0x000000},
-    {"blue", 0x0000ff},
-    {"fuchsia", 0xff00ff},
-    {"gray", 0x808080},
-    {"green", 0x008000},
-    {"grey", 0x808080},
-    {"lime", 0x00ff00},
-    {"maroon", 0x800000},
-    {"navy", 0x000080},
-    {"olive", 0x808000},
-    {"purple", 0x800080},
-    {"red", 0xff0000},
-    {"silver", 0xc0c0c0},
-    {"teal", 0x008080},
-    {"white", 0xffffff},
-    {"yellow", 0xffff00},
-}};
-
 /// The whole of `text` as a number in `base_or_format`; empty where anything is left over.
 template <class Number, class Format>
 std::optional<Number> parse_all(std::string_view text, Format base_or_format) {
@@ -45,28 +20,6 @@ std::optional<Number> parse_all(std::string_view text, Format base_or_format) {
   const auto [stop, error] = std::from_chars(text.data(), end, value, base_or_format);
   if (error != std::errc{} || stop != end) return std::nullopt;
   return value;
-}
-
-Rgb color_from_code(std::uint32_t code) {
-  const auto channel = [code](int shift) {
-    return static_cast<float>((code >> shift) & 0xff) / 255.0f;
-  };
-  return {channel(16), channel(8), channel(0)};
-}
-
-std::optional<Rgb> parse_hexadecimal_color(std::string_view digits) {
-  std::string six(digits);
-  if (digits.size() == 3) {
-    six = {digits[0], digits[0], digits[1], digits[1], digits[2], digits[2]};
-  }
-  if (six.size() != 6) return std::nullopt;
-  const std::optional<std::uint32_t> code = parse_all<std::uint32_t>(six, 16);
-  if (!code) return std::nullopt;
-  return color_from_code(*code);
-}
-
-char to_lower(char c) {
-  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
 
 }  // namespace
@@ -128,16 +81,6 @@ std::optional<Box> parse_viewport(std::string_view text) {
   if (!(box.width() > 0 && box.height() > 0)) return std::nullopt;
   if (box.max.x > limits::kCoordinate || box.max.y > limits::kCoordinate) return std::nullopt;
   return box;
-}
-
-std::optional<Rgb> parse_color(std::string_view text) {
-  if (text.starts_with('#')) return parse_hexadecimal_color(text.substr(1));
-  const auto found = std::find_if(kNamedColors.begin(), kNamedColors.end(), [&](const auto& known) {
-    return std::equal(text.begin(), text.end(), known.name.begin(), known.name.end(),
-                      [](char a, char b) { return to_lower(a) == b; });
-  });
-  if (found == kNamedColors.end()) return std::nullopt;
-  return color_from_code(found->code);
 }
 
 }  // namespace sfumato::cli

@@ -5,7 +5,6 @@
 #include <string_view>
 
 #include "base/box.hpp"
-#include "base/color.hpp"
 
 /// Values of options from text. The whole text must be the value: no white space, no locale, no
 /// infinity, no NaN. Empty results where it is not.
@@ -30,8 +29,5 @@ std::optional<double> parse_fraction(std::string_view text);
 
 /// "x,y,width,height" in user units: within limits::kCoordinate, width and height above 0.
 std::optional<Box> parse_viewport(std::string_view text);
-
-/// "#rgb", "#rrggbb" or one of the sixteen basic colour names of CSS, in any case.
-std::optional<Rgb> parse_color(std::string_view text);
 
 }  // namespace sfumato::cli

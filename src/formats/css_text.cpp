@@ -1,27 +1,33 @@
 #include "formats/css_text.hpp"
 
 #include <algorithm>
+#include <cstddef>
 
 namespace sfumato {
 namespace {
 
-constexpr std::string_view kBlanks = " \t\r\n\f";
-constexpr std::string_view kImportant = "important";
+/// Of a run of blanks that is looked at whole: long ones are, many at a time.
+constexpr std::size_t kBlock = 64;
 
-std::string_view without_important(std::string_view value) {
-  const std::size_t mark = value.rfind('!');
-  if (mark == std::string_view::npos || css_trimmed(value.substr(mark + 1)) != kImportant) {
-    return value;
+bool are_blanks(std::string_view block) {
+  if (!is_css_blank(block.front()) || !is_css_blank(block.back())) return false;
+  int others = 0;
+  for (const char c : block) {
+    others += !((c == ' ') | (c == '\t') | (c == '\n') | (c == '\r') | (c == '\f'));
   }
-  return css_trimmed(value.substr(0, mark));
+  return others == 0;
 }
 
 }  // namespace
 
 std::string_view css_trimmed(std::string_view text) {
-  const std::size_t begin = text.find_first_not_of(kBlanks);
-  if (begin == std::string_view::npos) return {};
-  return text.substr(begin, text.find_last_not_of(kBlanks) - begin + 1);
+  while (text.size() >= kBlock && are_blanks(text.substr(0, kBlock))) text.remove_prefix(kBlock);
+  while (!text.empty() && is_css_blank(text.front())) text.remove_prefix(1);
+  while (text.size() >= kBlock && are_blanks(text.substr(text.size() - kBlock))) {
+    text.remove_suffix(kBlock);
+  }
+  while (!text.empty() && is_css_blank(text.back())) text.remove_suffix(1);
+  return text;
 }
 
 std::string css_lower(std::string_view text) {
@@ -30,49 +36,6 @@ std::string css_lower(std::string_view text) {
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   }
   return lower;
-}
-
-std::string_view take_until(std::string_view& text, char separator) {
-  std::size_t open = 0, i = 0;
-  char quote = 0;
-  for (; i < text.size(); ++i) {
-    const char c = text[i];
-    if (quote != 0) {
-      if (c == quote) quote = 0;
-    } else if (c == '"' || c == '\'') {
-      quote = c;
-    } else if (c == '(') {
-      ++open;
-    } else if (c == ')') {
-      open -= open > 0;
-    } else if (c == separator && open == 0) {
-      break;
-    }
-  }
-  const std::string_view taken = text.substr(0, i);
-  text.remove_prefix(std::min(i + 1, text.size()));
-  return taken;
-}
-
-std::optional<std::string_view> css_declaration(std::string_view declarations,
-                                                std::string_view property) {
-  std::optional<std::string_view> value;
-  if (declarations.find(property) == std::string_view::npos) return value;
-  while (!declarations.empty()) {
-    std::string_view rest = take_until(declarations, ';');
-    const std::string_view name = css_trimmed(take_until(rest, ':'));
-    if (name == property) value = without_important(css_trimmed(rest));
-  }
-  return value;
-}
-
-std::optional<std::string_view> css_url(std::string_view text) {
-  text = css_trimmed(text);
-  if (!text.starts_with("url(") || !text.ends_with(')')) return std::nullopt;
-  text = css_trimmed(text.substr(4, text.size() - 5));
-  const bool has_quotes = text.size() >= 2 && text.front() == text.back() &&
-                          (text.front() == '"' || text.front() == '\'');
-  return has_quotes ? css_trimmed(text.substr(1, text.size() - 2)) : text;
 }
 
 }  // namespace sfumato

@@ -9,6 +9,9 @@
 namespace sfumato {
 namespace {
 
+/// Digits beyond say nothing that a double could hold, and take time.
+constexpr std::size_t kLongestNumber = 4096;
+
 bool is_blank(char c) {
   return c == ' ' || c == '\t' || c == '\n' || c == '\r';
 }
@@ -86,7 +89,8 @@ std::optional<double> value_of(std::string_view decimal) {
 
 std::optional<double> parse_number(std::string_view text) {
   const std::string_view decimal = trimmed(text);
-  return is_decimal(decimal) ? value_of(decimal) : std::nullopt;
+  if (decimal.size() > kLongestNumber || !is_decimal(decimal)) return std::nullopt;
+  return value_of(decimal);
 }
 
 }  // namespace sfumato

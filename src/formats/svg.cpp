@@ -10,6 +10,7 @@
 #include "base/public_verb.hpp"
 #include "formats/css_color.hpp"
 #include "formats/css_text.hpp"
+#include "formats/css_value.hpp"
 #include "formats/suggestion.hpp"
 #include "formats/svg/input.hpp"
 #include "formats/svg/scene_reader.hpp"
@@ -92,8 +93,8 @@ Status read_interpolation(Input& input, Document& document) {
 /// sf:background. What a <rect> says counts only where this is absent.
 Status read_background(Input& input, Document& document) {
   const auto text = input.sf(input.root(), "background");
-  if (!text || css_trimmed(*text) == "none") return ok_status();
-  const Result<CssColor> color = parse_css_color(*text);
+  if (!text || css_keyword(*text, input.text_poll()) == "none") return ok_status();
+  const Result<CssColor> color = parse_css_color(*text, input.text_poll());
   if (!color) return input.in(input.root(), "sf:background", color.status());
   if (color->alpha < 1) {
     return input.error(

@@ -43,6 +43,15 @@ std::size_t count_attributes(std::string_view text) {
   return count;
 }
 
+/// Whether a glance tells that the text is UTF-8: it begins as XML does, and no XML declaration
+/// speaks of an encoding.
+bool is_plainly_utf8(std::string_view text) {
+  if (text.size() < 4 || text[0] != '<' || text[1] == '\0') return false;
+  const std::string_view declaration = text.substr(0, text.find("?>"));
+  return !text.starts_with("<?xml") || declaration.find("encoding") == std::string_view::npos ||
+         declaration.find("\"UTF-8\"") != std::string_view::npos;
+}
+
 /// Looks at every element; ends the walk at the first that passes a limit, and where work stops.
 class ShapeCheck : public pugi::xml_tree_walker {
  public:
@@ -89,7 +98,9 @@ Status XmlSource::check_size(Context& context) {
   if (text_.size() > limits.input_bytes) {
     return limit_error(limits, &Limits::input_bytes, "bytes of input", {file_});
   }
+  if (context.cancelled()) return context.stop_status();
   const TagCounts counts = count_tags(text_);
+  if (context.cancelled()) return context.stop_status();
   if (counts.elements > limits.xml_elements) {
     return limit_error(limits, &Limits::xml_elements, "XML elements", {file_});
   }
@@ -106,9 +117,25 @@ Status XmlSource::check_shape(const Context& context) {
   return walker.status;
 }
 
+/// pugixml would copy the text and parse it without a look at the flag between. What may have to
+/// be converted is left to it.
+Status XmlSource::copy_text(const Context& context) {
+  constexpr std::size_t kPart = std::size_t{8} << 20;
+  if (!is_plainly_utf8(text_)) return context.check();
+  copy_.reserve(text_.size());
+  while (copy_.size() < text_.size()) {
+    if (context.cancelled()) return context.stop_status();
+    copy_ += text_.substr(copy_.size(), kPart);
+  }
+  return context.check();
+}
+
 Status XmlSource::parse(Context& context) {
   if (Status status = check_size(context); !status) return status;
-  const pugi::xml_parse_result result = tree_.load_buffer(text_.data(), text_.size());
+  if (Status status = copy_text(context); !status) return status;
+  const pugi::xml_parse_result result = copy_.empty()
+                                            ? tree_.load_buffer(text_.data(), text_.size())
+                                            : tree_.load_buffer_inplace(copy_.data(), copy_.size());
   is_utf8_ = result.encoding == pugi::encoding_utf8;
   if (result.status == pugi::status_out_of_memory) {
     return make_error(StatusCode::out_of_memory, "no memory for the XML tree", {file_});
@@ -119,6 +146,7 @@ Status XmlSource::parse(Context& context) {
                       {file_});
   }
   if (!result) return syntax_error(result);
+  if (context.cancelled()) return context.stop_status();
   return check_shape(context);
 }
 

@@ -30,12 +30,14 @@ class XmlSource {
  private:
   SourcePlace place_at(std::size_t offset);
   Status check_size(Context& context);
+  Status copy_text(const Context& context);
   Status check_shape(const Context& context);
   Status syntax_error(const pugi::xml_parse_result& result);
 
   std::string_view text_;
   const std::string& file_;
   ScopedCharge charge_;
+  std::string copy_;  ///< the text of the tree, which is made in it; empty: the tree has its own
   pugi::xml_document tree_;
   bool is_utf8_ = true;
   // Places are mostly asked for in rising order: counting goes on from the last one.

@@ -66,6 +66,18 @@ TEST(Render, depth_16_and_no_background_choose_the_format) {
             PixelFormat::rgba16);
 }
 
+TEST(Render, background_is_any_opaque_colour_of_css_or_none_at_all) {
+  const std::string empty = "<curve_set image_width='8' image_height='8'></curve_set>";
+  const auto first = [&](const std::string& color) {
+    return pixel(rendered(empty, {"--quiet", "--background", color}), 3, 3);
+  };
+  EXPECT_EQ(first("skyblue"), first("#87ceeb"));
+  EXPECT_EQ(first("rgb(255 165 0)"), first("ORANGE"));
+  EXPECT_EQ(first("hsl(120deg 100% 50%)"), first("lime"));
+  EXPECT_EQ(first("transparent"), first("none"));
+  EXPECT_EQ(first("transparent")[3], 0);
+}
+
 TEST(Render, background_shows_where_no_curve_is) {
   const std::string empty = scene_xml(8, 8, "");
   EXPECT_EQ(pixel(rendered(empty, {"--quiet"}), 3, 3), (std::vector<int>{255, 255, 255}));

@@ -56,21 +56,5 @@ TEST(ParseViewport, refuses_what_has_no_area_or_not_four_numbers) {
   }
 }
 
-TEST(ParseColor, takes_codes_and_names_in_any_case) {
-  EXPECT_EQ(parse_color("#000"), (Rgb{0, 0, 0}));
-  EXPECT_EQ(parse_color("#f80"), (Rgb{1, 136 / 255.0f, 0}));
-  EXPECT_EQ(parse_color("#Ff8000"), (Rgb{1, 128 / 255.0f, 0}));
-  EXPECT_EQ(parse_color("white"), (Rgb{1, 1, 1}));
-  EXPECT_EQ(parse_color("Teal"), (Rgb{0, 128 / 255.0f, 128 / 255.0f}));
-  EXPECT_EQ(parse_color("GREY"), parse_color("gray"));
-}
-
-TEST(ParseColor, refuses_what_is_no_colour) {
-  for (const char* text : {"", "#", "#12", "#1234", "#12345", "#1234567", "#12g", "#-12345", "#+12",
-                           "whit", "whitee", "fff", "none"}) {
-    EXPECT_FALSE(parse_color(text)) << text;
-  }
-}
-
 }  // namespace
 }  // namespace sfumato::cli

@@ -76,7 +76,6 @@ TEST(CssColor, what_is_no_color_is_refused) {
                            "rgb(1,2)",
                            "rgb(1,2,3,4,5)",
                            "rgb(1,2,x)",
-                           "rgb(1,2,3",
                            "rgb(1,2,)",
                            "hsl(120)",
                            "hsl(a,b,c)",
@@ -92,6 +91,60 @@ TEST(CssColor, what_is_no_color_is_refused) {
                            "blacK!"}) {
     const bool is_blank_hex = std::string_view(text) == "#ffffff ";
     EXPECT_EQ(parse_css_color(text).ok(), is_blank_hex) << text;
+  }
+}
+
+TEST(CssColor, escapes_comments_and_case_are_those_of_css) {
+  expect_color("r\\65 d", 255, 0, 0);
+  expect_color("\\72 \\65 \\64 ", 255, 0, 0);
+  expect_color("red/* c */", 255, 0, 0);
+  expect_color("/**/ RED /* ; } */", 255, 0, 0);
+  expect_color("RGB(/* r */255,0,/**/0)", 255, 0, 0);
+  expect_color("rg\\62(255 0 0)", 255, 0, 0);
+  expect_color("#F\\30 0", 255, 0, 0);
+  expect_color("HSL(120DEG 100% 25%)", 0, 127.5, 0);
+  expect_color("\f\r\nred\t", 255, 0, 0);
+  expect_color("rgb(1e1 +2 .5e1)", 10, 2, 5);
+  expect_color("rgb(1+2+3)", 1, 2, 3);
+  expect_color("rgb(none 2 3)", 0, 2, 3);
+  expect_color("hsl(none none 40% / none)", 102, 102, 102, 0);
+  // What the end of the text leaves open is closed there.
+  expect_color("rgb(1,2,3", 1, 2, 3);
+  expect_color("rgb(1 2 3 / 20%/*", 1, 2, 3, 51);
+}
+
+TEST(CssColor, commas_and_blanks_are_not_mixed) {
+  for (const char* text : {"rgb(1 2, 3)",
+                           "rgb(1, 2 3)",
+                           "rgb(1 2 3, .5)",
+                           "rgb(1, 2, 3 / .5)",
+                           "rgb(1 2 3 .5)",
+                           "rgb(1, 2, 3,)",
+                           "rgb(,1,2,3)",
+                           "rgb(1 2 3 /)",
+                           "rgb(100%, 50, 0%)",
+                           "rgb(none, 1, 2)",
+                           "hsl(120, 100, 50)",
+                           "hsl(120%, 100%, 50%)",
+                           "hwb(120, 20%, 0%)",
+                           "rgb(1deg 2 3)",
+                           "rgb(1px 2 3)",
+                           "rgb(1. 2 3)",
+                           "rgb (1 2 3)",
+                           "rgb(calc(1) 2 3)",
+                           "r/**/ed",
+                           "re d",
+                           "red blue",
+                           "red;",
+                           "red!important",
+                           "#f00 #f00",
+                           "# f00",
+                           "#/**/f00",
+                           "'red'",
+                           "rgb(1 2 3))",
+                           "rgb[1 2 3]",
+                           "rgb(from red r g b)"}) {
+    EXPECT_FALSE(parse_css_color(text).ok()) << text;
   }
 }
 

@@ -291,7 +291,7 @@ TEST(SvgWarnings, tell_of_what_means_nothing) {
   EXPECT_EQ(warnings_of(svg("<g id='a'/><g id='a'/>" + kLayer))[0],
             "a.svg:2:12: the id \"a\" was given before; the first one counts");
   EXPECT_EQ(
-      warnings_of(svg("<g sf:diffuse='true' style='mix-blend-mode:scren'>" + kCurve + "</g>"))[0],
+      warnings_of(svg("<g sf:diffuse='true' mix-blend-mode='scren'>" + kCurve + "</g>"))[0],
       "a.svg:2:1: mix-blend-mode \"scren\" is not known; normal is used; did you mean screen?");
 }
 

@@ -56,19 +56,37 @@ void add_sheets(Family& family) {
   family.add("blocks_without_end", kDone, "", [] { return sheet(repeated("a{", kMillion)); });
   family.add("blocks_without_begin", kDone, "is not read",
              [] { return sheet(repeated("}", kMillion)); });
-  family.add("nested_at_rules", kDone, "is not read",
+  family.add("nested_at_rules", kDone, "",
              [] { return sheet(repeated("@media a{", 500'000) + repeated("}", 500'000)); });
   family.add("comments_a_million", kDone, "", [] { return sheet(repeated("/*a*/", kMillion)); });
   family.add("comment_without_end", kDone, "",
              [] { return sheet("/*" + repeated("a", kMillion)); });
   family.add("comment_openings_a_million", kDone, "is not read",
              [] { return sheet(repeated("/*", kMillion)); });
+  family.add("media_a_million", kDone, "",
+             [] { return sheet(repeated("@media screen{", 500'000)); });
+  family.add("media_queries_a_million", kDone, "is not read",
+             [] { return sheet("@media " + repeated("(a),", kMillion) + "b{}"); });
+  family.add("escapes_a_million", kDone, "is not read",
+             [] { return sheet("." + repeated("\\61 ", kMillion) + "{fill:red}"); });
+  family.add("classes_of_escapes", kDone, "",
+             [] { return sheet(numbered(".\\61", 99'000, "{fill:red}")); });
+  family.add("blocks_in_values", kDone, "",
+             [] { return sheet("a{" + repeated("b:c{}", kMillion)); });
+  family.add("blocks_as_values", kDone, "",
+             [] { return sheet("a{" + repeated("b:{}(", kMillion)); });
+  family.add("brackets_in_each_other", kDone, "",
+             [] { return sheet("a{b:" + repeated("([{", kMillion)); });
+  family.add("strings_that_break", kDone, "",
+             [] { return sheet("a{" + repeated("b:\"c\n", kMillion)); });
+  family.add("urls_that_break", kDone, "",
+             [] { return sheet("a{" + repeated("b:url(c d", kMillion)); });
   family.add("html_comments", kDone, "",
              [] { return sheet("<![CDATA[" + repeated("<!-- -->", kMillion) + "]]>"); });
   family.add("quotes_without_end", kDone, "", [] { return sheet(repeated("a{b:\"c}", 100'000)); });
   family.add("parentheses_without_end", kDone, "",
              [] { return sheet(repeated("a{b:(c;}", 100'000)); });
-  family.add("selectors_of_commas", kDone, "",
+  family.add("selectors_of_commas", kDone, "is not read",
              [] { return sheet(repeated(",", kMillion) + "{a:b}"); });
   family.add("selectors_not_simple", kDone, "is not read; expected simple selectors",
              sheet("a > b ~ c:nth-child(2n+1)::before [d] * {fill:red}"));
@@ -92,20 +110,28 @@ void add_attributes(Family& family) {
                         "<rect width='100%' height='100%'/>" + repeated("</g>", 200) + kLayer);
            })
       .message = "";
-  family.add("opacity_nan", kBadInput, "opacity of <g>", styled("opacity:nan"));
+  family.add("opacity_nan", kDone, "is left out", styled("opacity:nan"));
   family.add("opacity_huge", kDone, "", styled("opacity:1e300"));
   family.add("opacity_negative", kDone, "", styled("opacity:-1e300%"));
-  family.add("opacity_empty", kBadInput, "opacity of <g>", styled("opacity:"));
-  family.add("important_twice", kBadInput, "opacity of <g>",
-             styled("opacity:1 !important !important"));
-  family.add("blend_unknown", kDone, "is not known; normal is used", styled("mix-blend-mode:ad"));
+  family.add("opacity_empty", kDone, "is left out", styled("opacity:"));
+  family.add("important_twice", kDone, "", styled("opacity:1 !important !important"));
+  family.add("blend_unknown", kDone, "is left out", styled("mix-blend-mode:ad"));
   family.add("blend_of_100000_names", kDone, "more of other kinds", [] {
     std::string groups;
     for (int i = 0; i < 100'000; ++i) {
-      groups += "<g style='mix-blend-mode:a" + std::to_string(i) + "'/>";
+      groups += "<g mix-blend-mode='a" + std::to_string(i) + "'/>";
     }
     return svg(groups + kLayer);
   });
+  family.add("inherit_at_every_depth", kDone, "", [] {
+    return svg(repeated("<g opacity='inherit'>", 250) +
+               repeated("<g><g style='opacity:inherit;fill:inherit'/></g>", 100'000) +
+               repeated("</g>", 250) + kLayer);
+  });
+  family.add("style_of_importance", kDone, "",
+             [] { return styled(repeated("opacity:1!important;all:unset;", kMillion / 4)); });
+  family.add("colour_of_15_mb", kBadInput, "is no colour",
+             [] { return curve("sf:left='rgb(1,2," + repeated("1", 15 * kMillion) + ")'"); });
   family.add("transform_in_a_style", kDone, "a transform in style is not read",
              styled("transform:scale(1e300)"));
 }

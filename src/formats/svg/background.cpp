@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <string_view>
 
-#include "formats/css_color.hpp"
-#include "formats/css_text.hpp"
-#include "formats/number.hpp"
+#include "formats/css_value.hpp"
+#include "formats/svg/color.hpp"
 #include "formats/svg/shapes.hpp"
 
 namespace sfumato::svg {
@@ -14,15 +13,14 @@ namespace {
 /// Of the artboard's size: rectangles this much smaller still cover it.
 constexpr double kSlack = 1e-6;
 
-bool is_one(std::string_view text) {
-  const bool is_percentage = text.ends_with('%');
-  const auto number = parse_number(is_percentage ? text.substr(0, text.size() - 1) : text);
-  return number && *number >= (is_percentage ? 100 : 1);
+bool is_one(Input& input, Element rect, CssProperty property) {
+  const auto text = input.property(rect, property);
+  return !text || css_share(*text, input.text_poll()) == 1;
 }
 
-bool is_opaque(const Input& input, Element rect) {
-  return is_one(input.property(rect, "opacity").value_or("1")) &&
-         is_one(input.inherited_property(rect, "fill-opacity").value_or("1"));
+bool is_opaque(Input& input, Element rect) {
+  return is_one(input, rect, CssProperty::opacity) &&
+         is_one(input, rect, CssProperty::fill_opacity);
 }
 
 bool covers(const Box& rect, const Affine& map, const Box& artboard) {
@@ -43,11 +41,15 @@ Result<BackgroundRect> read_background_rect(Input& input, Element shape,
   const Result<Box> rect = read_rect(input, shape, artboard);
   if (!rect) return rect.status();
   if (!covers(*rect, artboard_from_user, artboard)) return BackgroundRect{};
-  const std::string_view fill = input.inherited_property(shape, "fill").value_or("black");
-  if (fill == "none") return BackgroundRect{true, std::nullopt};
-  if (css_url(fill) || !is_opaque(input, shape)) return BackgroundRect{};
-  const Result<CssColor> color = parse_css_color(fill);
-  if (!color) return input.in(shape, "fill", color.status());
+  const std::string_view fill = input.property(shape, CssProperty::fill).value_or("black");
+  CssTokenizer tokens(fill, input.text_poll());
+  const CssToken first = next_solid(tokens);
+  if (first.is(CssTokenType::ident) && css_is_name(first.value, "none")) {
+    return BackgroundRect{true, std::nullopt};
+  }
+  if (take_css_url(tokens, first) || !is_opaque(input, shape)) return BackgroundRect{};
+  const Result<CssColor> color = read_color(input, shape, CssProperty::fill);
+  if (!color) return color.status();
   if (color->alpha < 1) return BackgroundRect{};
   return BackgroundRect{true, color->color};
 }

@@ -9,6 +9,7 @@
 
 #include "base/limits.hpp"
 #include "formats/css_text.hpp"
+#include "formats/css_value.hpp"
 #include "formats/number.hpp"
 #include "formats/suggestion.hpp"
 
@@ -62,7 +63,7 @@ Status AttributeReader::check_length(const Found& found) {
 
 Status AttributeReader::read_colors(const Found& found, std::vector<WrittenStop<Rgb>>& stops) {
   if (Status status = check_length(found); !status) return status;
-  auto parsed = parse_color_stops(found.text);
+  auto parsed = parse_color_stops(found.text, input_.text_poll());
   if (!parsed) return input_.in(element_, found.name, parsed.status());
   stops = std::move(*parsed);
   return ok_status();
@@ -71,7 +72,7 @@ Status AttributeReader::read_colors(const Found& found, std::vector<WrittenStop<
 Status AttributeReader::read_numbers(const Found& found, double largest, const char* what,
                                      std::vector<WrittenStop<float>>& stops) {
   if (Status status = check_length(found); !status) return status;
-  auto parsed = parse_scalar_stops(found.text, largest, what);
+  auto parsed = parse_scalar_stops(found.text, largest, what, input_.text_poll());
   if (!parsed) return input_.in(element_, found.name, parsed.status());
   stops = std::move(*parsed);
   return ok_status();
@@ -97,17 +98,20 @@ Status AttributeReader::read_number(const char* name, const char* expected, bool
 template <class Value>
 Result<bool> read_whole(Input& input, Paints& paints, const PaintedShape& shape, const Found& found,
                         WrittenShader<Value>& shader) {
-  if (found.text == "none") {
+  // Most texts are told from "none" and an url by how they begin.
+  constexpr std::string_view kBeginnings = "nNuU\\/";
+  if (kBeginnings.find(found.text.substr(0, 1)) == std::string_view::npos) return false;
+  if (css_keyword(found.text, input.text_poll()) == "none") {
     shader.kind = ShaderKind::barrier;
     return true;
   }
-  const auto url = css_url(found.text);
+  const auto url = css_url(found.text, input.text_poll());
   if (!url) return false;
   if (!url->starts_with('#') || url->size() == 1) {
     return input.error(shape.element, found.name + " of " + tag(shape.element) + " is " +
                                           quoted(found.text) + "; expected url(#id)");
   }
-  const Result<std::uint32_t> index = paints.shader(shape, url->substr(1));
+  const Result<std::uint32_t> index = paints.shader(shape, std::string_view(*url).substr(1));
   if (!index) return index.status();
   shader.kind = ShaderKind::image_domain;
   shader.shader = *index;
@@ -187,7 +191,9 @@ Result<LocalAttributes> read_local_attributes(Input& input, Element shape) {
   const auto read_side_colors = [&](const char* name, std::vector<WrittenStop<Rgb>>& stops) {
     const auto found = reader.find(name);
     if (!found || !status) return;
-    const bool is_list = found->text != "none" && !css_url(found->text);
+    TextPoll& poll = input.text_poll();
+    const bool is_list =
+        css_keyword(found->text, poll) != "none" && !css_url(found->text, poll).has_value();
     status = is_list ? reader.read_colors(*found, stops) : no_color_list(input, shape, *found);
   };
   read_side_colors("left", attributes.left_color);

@@ -5,9 +5,10 @@
 #include <string_view>
 
 #include "base/limits.hpp"
-#include "formats/css_color.hpp"
+#include "formats/css_value.hpp"
 #include "formats/number.hpp"
 #include "formats/suggestion.hpp"
+#include "formats/svg/color.hpp"
 
 namespace sfumato::svg {
 namespace {
@@ -34,6 +35,7 @@ class GradientReader {
   Status read_stops();
   Status read_stop(Element element, GradientStop& stop);
   Status read_share(Element element, const char* name, std::string_view text, double& share);
+  Status bad_share(Element element, const char* name, std::string_view text);
   Status length(const char* name, Axis axis, double share_by_default, double& value);
   void make_solid();
 
@@ -143,15 +145,19 @@ Status GradientReader::read_stops() {
 Status GradientReader::read_stop(Element element, GradientStop& stop) {
   const std::string_view offset = input_.attribute(element, "offset").value_or("0");
   if (Status status = read_share(element, "offset", offset, stop.offset); !status) return status;
-  const std::string_view text = input_.property(element, "stop-color").value_or("black");
-  const Result<CssColor> color = parse_css_color(text);
-  if (!color) return input_.in(element, "stop-color", color.status());
-  double opacity = 1;
-  const std::string_view opacity_text = input_.property(element, "stop-opacity").value_or("1");
-  Status status = read_share(element, "stop-opacity", opacity_text, opacity);
+  const Result<CssColor> color = read_color(input_, element, CssProperty::stop_color);
+  if (!color) return color.status();
+  const std::string_view text = input_.property(element, CssProperty::stop_opacity).value_or("1");
+  const auto opacity = css_share(text, input_.text_poll());
+  if (!opacity) return bad_share(element, "stop-opacity", text);
   stop.color = color->color;
-  stop.alpha = color->alpha * static_cast<float>(opacity);
-  return status;
+  stop.alpha = color->alpha * static_cast<float>(*opacity);
+  return ok_status();
+}
+
+Status GradientReader::bad_share(Element element, const char* name, std::string_view text) {
+  return input_.error(element, std::string(name) + " of <stop> is " + quoted(text) +
+                                   "; expected a number from 0 to 1 or a percentage");
 }
 
 /// A number or a percentage, clamped to 0 to 1.
@@ -159,10 +165,7 @@ Status GradientReader::read_share(Element element, const char* name, std::string
                                   double& share) {
   const bool is_percentage = text.ends_with('%');
   const auto number = parse_number(is_percentage ? text.substr(0, text.size() - 1) : text);
-  if (!number) {
-    return input_.error(element, std::string(name) + " of <stop> is " + quoted(text) +
-                                     "; expected a number from 0 to 1 or a percentage");
-  }
+  if (!number) return bad_share(element, name, text);
   share = std::clamp(is_percentage ? *number / 100 : *number, 0.0, 1.0);
   return ok_status();
 }

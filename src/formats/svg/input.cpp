@@ -35,6 +35,7 @@ Status Input::parse() {
   if (status) status = resolve_namespaces(context_, xml_);
   if (status) status = index(root());
   if (status) status = sort_ids();
+  if (status) status = sort_styles();
   return status;
 }
 
@@ -48,9 +49,9 @@ Status Input::index(Element element) {
     if (Status status = charge(element, kGrowth * sizeof(IdElement), "ids"); !status) return status;
     ids_.push_back({id->data(), element});
   }
-  has_styles_ = has_styles_ || element.attribute("style");
+  if (Status status = read_style(element); !status) return status;
   if (std::strcmp(element.name(), "style") == 0) {
-    if (Status status = read_style_sheets(element); !status) return status;
+    if (Status status = read_style_sheet(element); !status) return status;
   }
   for (const Element child : element.children()) {
     if (child.type() != pugi::node_element) continue;
@@ -80,22 +81,6 @@ Status Input::sort_ids() {
   return ok_status();
 }
 
-Status Input::read_style_sheets(Element element) {
-  for (const pugi::xml_node text : element.children()) {
-    if (text.type() != pugi::node_pcdata && text.type() != pugi::node_cdata) continue;
-    const std::string_view sheet = text.value();
-    const std::string_view left_out = sheet_.add(sheet, limits().style_values);
-    if (sheet_.value_count() > limits().style_values) {
-      return over_limit(element, &Limits::style_values, "values in style sheets");
-    }
-    if (left_out.empty()) continue;
-    warn("/style sheet", element,
-         "the style rule " + quoted(left_out) +
-             " is not read; expected simple selectors: an element, .class or #id");
-  }
-  return ok_status();
-}
-
 std::optional<std::string_view> Input::attribute(Element element, const char* name) const {
   const pugi::xml_attribute found = element.attribute(name);
   return found ? std::optional<std::string_view>(found.value()) : std::nullopt;
@@ -113,29 +98,6 @@ bool Input::has_sf(Element element) const {
     if (found.name()[0] == ':') return true;
   }
   return false;
-}
-
-std::optional<std::string_view> Input::property(Element element, const char* name) const {
-  if (has_styles_) {
-    if (const auto style = attribute(element, "style")) {
-      if (const auto value = css_declaration(*style, name)) return value;
-    }
-  }
-  if (!sheet_.empty()) {
-    const auto value = sheet_.find(element.name(), element.attribute("id").value(),
-                                   element.attribute("class").value(), name);
-    if (value) return value;
-  }
-  const auto value = attribute(element, name);
-  return value ? std::optional(css_trimmed(*value)) : std::nullopt;
-}
-
-std::optional<std::string_view> Input::inherited_property(Element element, const char* name) const {
-  for (; element && element.type() == pugi::node_element; element = element.parent()) {
-    const auto value = property(element, name);
-    if (value && *value != "inherit") return value;
-  }
-  return std::nullopt;
 }
 
 Result<Element> Input::referred(Element element) {

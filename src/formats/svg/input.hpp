@@ -1,13 +1,17 @@
 #pragma once
 
+#include <array>
+#include <deque>
 #include <optional>
 #include <pugixml.hpp>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "base/context.hpp"
 #include "base/status.hpp"
+#include "formats/css_style.hpp"
 #include "formats/svg/style_sheet.hpp"
 #include "formats/warnings.hpp"
 #include "formats/xml_source.hpp"
@@ -21,7 +25,7 @@ using Element = pugi::xml_node;
 class Input {
  public:
   Input(Context& context, std::string_view text, const std::string& file)
-      : context_(context), poll_(context), xml_(text, file) {}
+      : context_(context), poll_(context), text_poll_(context), xml_(text, file) {}
 
   /// Errors: bad_input, limit, cancelled, out_of_memory.
   Status parse();
@@ -37,11 +41,24 @@ class Input {
   /// An attribute of Sfumato's namespace, without its prefix.
   std::optional<std::string_view> sf(Element element, const char* name) const;
   bool has_sf(Element element) const;
-  /// A property of the element itself: from style="", a style sheet, or its attribute; not
-  /// inherited.
-  std::optional<std::string_view> property(Element element, const char* name) const;
-  /// The same, or the next ancestor's.
-  std::optional<std::string_view> inherited_property(Element element, const char* name) const;
+  /// What an element says of a property.
+  struct Cascaded {
+    CssWideKeyword keyword = CssWideKeyword::none;  ///< never revert_layer
+    std::optional<std::string_view> value{};        ///< raw; nothing where there is a keyword
+  };
+
+  /// The winner among style="", the style sheets and the element's attribute, as CSS orders them.
+  /// What style="" and the sheets say is as CSS keeps it, an attribute is as it was written.
+  Cascaded cascaded(Element element, CssProperty property);
+  /// The element's value of a property, its parent's where CSS says so; nothing where it is
+  /// initial. Properties that are inherited go by the document's tree, through no <use>.
+  std::optional<std::string_view> property(Element element, CssProperty property);
+  /// A property that is one keyword, in lower case; empty where it is none.
+  std::string keyword(Element element, CssProperty property);
+  /// Whether style="" or a style sheet gives a property a value other than `none`.
+  bool is_styled(Element element, CssProperty property);
+  /// Of texts that are read by the tokens of CSS.
+  TextPoll& text_poll() { return text_poll_; }
 
   /// The element that href="" refers to. Errors: bad_input.
   Result<Element> referred(Element element);
@@ -72,13 +89,41 @@ class Input {
     Element element;
   };
 
+  /// A property in some style="".
+  struct Styled {
+    const void* element;
+    CssProperty property;
+    CssSetting setting;
+  };
+
+  /// What an element's own style="" says.
+  struct ElementStyle {
+    const void* element = nullptr;
+    std::span<const Styled> settings{};
+  };
+
+  /// What was last asked of the parents of elements.
+  struct Inherited {
+    const void* parent = nullptr;
+    std::optional<std::string_view> value{};
+  };
+
   Status index(Element element);
   Status sort_ids();
   static bool comes_before(const IdElement& a, const IdElement& b);
-  Status read_style_sheets(Element element);
+  Status read_style(Element element);
+  Status sort_styles();
+  static bool is_before(const Styled& a, const Styled& b);
+  Status read_style_sheet(Element element);
+  bool applies(Element style);
+  void warn_of_dropped(Element element, const std::optional<CssDeclaration>& dropped);
+  std::optional<CssSetting> styled(Element element, CssProperty property);
+  std::optional<CssSetting> in_sheet(Element element, CssProperty property) const;
+  CssWideKeyword wide_keyword(std::string_view value);
 
   Context& context_;
   RarePoll<256> poll_;
+  TextPoll text_poll_;
   XmlSource xml_;
   Warnings warnings_;
   ScopedCharge charge_;
@@ -87,7 +132,10 @@ class Input {
   std::size_t used_elements_ = 0;
   std::size_t used_bytes_ = 0;
   StyleSheet sheet_;
-  bool has_styles_ = false;  ///< some element has the attribute style: property() looks then
+  std::deque<std::string> sheet_texts_;  ///< of those that are in several pieces
+  std::vector<Styled> styles_;           ///< sorted by element and property
+  ElementStyle last_styled_;
+  std::array<Inherited, kCssPropertyCount> inherited_{};
 };
 
 /// "<path>", for messages.

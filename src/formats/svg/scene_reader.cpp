@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/limits.hpp"
+#include "formats/css_value.hpp"
 #include "formats/suggestion.hpp"
 #include "formats/svg/background.hpp"
 #include "formats/svg/paint_attributes.hpp"
@@ -91,12 +92,10 @@ void SceneReader::warn_of_unused() {
 Status SceneReader::visit(Element element, Place place) {
   if (Status status = count_visit(element, place); !status) return status;
   const std::string_view name = element.name();
-  if (paints_nothing(name) || input_.property(element, "display").value_or("") == "none") {
+  if (paints_nothing(name) || input_.keyword(element, CssProperty::display) == "none") {
     return ok_status();
   }
-  if (const auto visibility = input_.property(element, "visibility")) {
-    if (*visibility != "inherit") place.is_visible = *visibility == "visible";
-  }
+  place.is_visible = is_visible(element, place.is_visible);
   const Result<Affine> own = own_transform(element);
   if (!own) return own.status();
   place.frame_from_user = place.frame_from_user * *own;
@@ -108,6 +107,14 @@ Status SceneReader::visit(Element element, Place place) {
   if (Status status = check_map(element, place.frame_from_user); !status) return status;
   warn_of_effects(input_, element);
   return visit_known(element, place);
+}
+
+/// `visibility`, which is inherited through <use> too.
+bool SceneReader::is_visible(Element element, bool inherited) {
+  const Input::Cascaded visibility = input_.cascaded(element, CssProperty::visibility);
+  if (visibility.keyword == CssWideKeyword::initial) return true;
+  if (!visibility.value) return inherited;
+  return css_keyword(*visibility.value, input_.text_poll()) == "visible";
 }
 
 Status SceneReader::visit_known(Element element, const Place& place) {
@@ -137,9 +144,7 @@ Status SceneReader::check_map(Element element, const Affine& map) {
 }
 
 Result<Affine> SceneReader::own_transform(Element element) {
-  if (element.attribute("style") &&
-      std::string_view(element.attribute("style").value()).find("transform") !=
-          std::string_view::npos) {
+  if (input_.is_styled(element, CssProperty::transform)) {
     input_.warn("/style transform", element,
                 "a transform in style is not read; expected the attribute transform");
   }
@@ -218,7 +223,7 @@ Result<Affine> SceneReader::viewport_transform(Element element, Element use) {
     if (!parsed) return input_.in(element, "preserveAspectRatio", parsed.status());
     ratio = *parsed;
   }
-  if (input_.property(element, "overflow").value_or("hidden") != "visible") {
+  if (input_.keyword(element, CssProperty::overflow) != "visible") {
     input_.warn("/overflow", element,
                 tag(element) + " is not clipped to its viewport; expected overflow=\"visible\"");
   }

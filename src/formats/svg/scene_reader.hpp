@@ -66,6 +66,7 @@ class SceneReader {
   };
 
   Status visit(Element element, Place place);
+  bool is_visible(Element element, bool inherited);
   Status visit_known(Element element, const Place& place);
   void open_children(Element element, const Place& place, const std::optional<OpenGroup>& group);
   Status visit_open(std::size_t count);

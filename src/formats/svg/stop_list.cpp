@@ -1,81 +1,136 @@
 #include "formats/svg/stop_list.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <string>
 
 #include "base/limits.hpp"
 #include "formats/css_color.hpp"
-#include "formats/css_text.hpp"
 #include "formats/number.hpp"
+#include "formats/number_text.hpp"
 #include "formats/suggestion.hpp"
 
 namespace sfumato::svg {
 namespace {
 
+/// Offsets need no more; what is longer is none.
+constexpr std::size_t kLongestOffset = 64;
+
 Status bad(std::string message) {
   return make_error(StatusCode::bad_input, std::move(message));
 }
 
-/// Cuts at the first blank that is in no parentheses: what stands before and behind, trimmed.
-std::string_view take_token(std::string_view& text) {
-  std::size_t open = 0, i = 0;
-  for (; i < text.size(); ++i) {
-    if (text[i] == '(') ++open;
-    if (text[i] == ')') open -= open > 0;
-    if (open == 0 && is_css_blank(text[i])) break;
+/// What stands between two commas: values with blanks or comments between them.
+struct Item {
+  std::array<std::string_view, 3> part{};
+  std::size_t count = 0;  ///< of parts; of more than three the third holds the rest
+  bool has_comma = false;
+};
+
+Item take_item(CssTokenizer& tokens) {
+  Item item;
+  bool is_new = true;
+  for (;;) {
+    const CssToken token = tokens.next();
+    item.has_comma = token.is(CssTokenType::comma);
+    if (item.has_comma || token.is(CssTokenType::end)) return item;
+    if (token.is(CssTokenType::whitespace)) {
+      is_new = true;
+      continue;
+    }
+    skip_component(tokens, token);
+    const char* behind = tokens.text().data() + tokens.position();
+    std::string_view& last = item.part[std::max<std::size_t>(item.count, 1) - 1];
+    // A comment parts values as a blank does.
+    is_new |= item.count > 0 && last.data() + last.size() != token.text.data();
+    if (is_new && item.count < item.part.size()) {
+      item.part[item.count++] = {token.text.data(), behind};
+    } else {
+      last = {last.data(), behind};
+    }
+    is_new = false;
   }
-  const std::string_view token = text.substr(0, i);
-  text = css_trimmed(text.substr(i));
-  return token;
+}
+
+/// What an offset was probably meant to be.
+template <class ParseValue>
+std::string offset_hint(std::string_view text, std::string_view value, ParseValue is_value) {
+  const std::optional<double> number = parse_number(text);
+  if (number && *number >= 0 && *number <= 1) {
+    return "; did you mean " + rounded_number_text(100 * *number, 4) + "%?";
+  }
+  if (!is_value(text)) return {};
+  return "; did you mean " + quoted(std::string(value) + ", " + std::string(text)) + "?";
 }
 
 template <class Value>
-Status parse_offset(std::string_view text, WrittenStop<Value>& stop) {
+bool parse_offset(std::string_view text, WrittenStop<Value>& stop) {
   std::optional<double> number;
   if (text.starts_with('@')) {
     number = parse_number(text.substr(1));
     stop.unit = OffsetUnit::segment;
     stop.offset = number.value_or(0);
-    if (number && stop.offset >= 0 && stop.offset <= limits::kCoordinate) return ok_status();
-  } else if (text.ends_with('%')) {
-    number = parse_number(text.substr(0, text.size() - 1));
-    stop.unit = OffsetUnit::percent;
-    stop.offset = number.value_or(0) / 100;
-    if (number && stop.offset >= 0 && stop.offset <= 1) return ok_status();
+    return number && stop.offset >= 0 && stop.offset <= limits::kCoordinate;
   }
-  return bad("the offset " + quoted(text) +
-             " is none; expected 0% to 100% of the length, or @ and a segment like @2.5");
+  if (!text.ends_with('%')) return false;
+  number = parse_number(text.substr(0, text.size() - 1));
+  stop.unit = OffsetUnit::percent;
+  stop.offset = number.value_or(0) / 100;
+  return number && stop.offset >= 0 && stop.offset <= 1;
 }
 
 template <class Value, class ParseValue>
-Result<std::vector<WrittenStop<Value>>> parse_stops(std::string_view text, ParseValue parse_value) {
+Status parse_item(const Item& item, WrittenStop<Value>& stop, ParseValue parse_value) {
+  if (item.count == 0) return bad("a stop is missing beside a comma");
+  if (Status status = parse_value(item.part[0], stop.value); !status) return status;
+  if (item.count == 1) return ok_status();
+  const std::string_view offset = item.part[1];
+  if (offset.size() > kLongestOffset || !parse_offset(offset, stop)) {
+    const auto is_value = [&](std::string_view text) {
+      Value ignored{};
+      return text.size() <= kLongestOffset && parse_value(text, ignored).ok();
+    };
+    return bad("the offset " + quoted(offset) +
+               " is none; expected 0% to 100% of the length, or @ and a segment like @2.5" +
+               offset_hint(offset.substr(0, kLongestOffset), item.part[0], is_value));
+  }
+  if (item.count == 2) return ok_status();
+  return bad(quoted(item.part[2]) + " follows the offset " + quoted(offset) + "; expected a comma");
+}
+
+template <class Value, class ParseValue>
+Result<std::vector<WrittenStop<Value>>> parse_stops(std::string_view text, TextPoll& poll,
+                                                    ParseValue parse_value) {
   std::vector<WrittenStop<Value>> stops;
   stops.reserve(stop_bound(text));
-  text = css_trimmed(text);
-  if (text.empty()) return bad("is empty; expected a list of stops");
-  if (text.back() == ',') return bad("a stop is missing beside a comma");
-  while (!text.empty()) {
-    std::string_view item = css_trimmed(take_until(text, ','));
-    if (item.empty()) return bad("a stop is missing beside a comma");
-    WrittenStop<Value>& stop = stops.emplace_back();
-    if (Status status = parse_value(take_token(item), stop.value); !status) return status;
-    if (item.empty()) continue;
-    const std::string_view offset = take_token(item);
-    if (Status status = parse_offset(offset, stop); !status) return status;
-    if (!item.empty()) {
-      return bad(quoted(item) + " follows the offset " + quoted(offset) + "; expected a comma");
-    }
+  CssTokenizer tokens(text, poll);
+  for (bool goes_on = true; goes_on;) {
+    const Item item = take_item(tokens);
+    if (Status status = poll.status(); !status) return status;
+    goes_on = item.has_comma;
+    if (!goes_on && item.count == 0 && stops.empty())
+      return bad("is empty; expected a list of stops");
+    if (Status status = parse_item(item, stops.emplace_back(), parse_value); !status) return status;
   }
   return stops;
 }
 
-Status parse_opaque(std::string_view text, Rgb& color) {
-  if (text == "none" || text.starts_with("url(")) {
+/// Whether the text is what a side can be instead of a list.
+bool is_no_list(std::string_view text, TextPoll& poll) {
+  CssTokenizer tokens(text, poll);
+  const CssToken first = tokens.next();
+  if (first.is(CssTokenType::ident)) return css_is_name(first.value, "none");
+  return first.is(CssTokenType::url) || first.is(CssTokenType::bad_url) ||
+         (first.is(CssTokenType::function) && css_is_name(first.value, "url"));
+}
+
+Status parse_opaque(std::string_view text, TextPoll& poll, Rgb& color) {
+  const Result<CssColor> parsed = parse_css_color(text, poll);
+  if (!parsed && is_no_list(text, poll)) {
     return bad(quoted(text) + " is no stop; expected it alone, without other stops and offsets");
   }
-  const Result<CssColor> parsed = parse_css_color(text);
   if (!parsed) return parsed.status();
   if (parsed->alpha < 1) {
     return bad("the colour " + quoted(text) +
@@ -118,12 +173,14 @@ double piece_parameter(double segments, std::span<const std::uint32_t> segment_b
 
 }  // namespace
 
-Result<std::vector<WrittenStop<Rgb>>> parse_color_stops(std::string_view text) {
-  return parse_stops<Rgb>(text, parse_opaque);
+Result<std::vector<WrittenStop<Rgb>>> parse_color_stops(std::string_view text, TextPoll& poll) {
+  return parse_stops<Rgb>(text, poll, [&poll](std::string_view value, Rgb& color) {
+    return parse_opaque(value, poll, color);
+  });
 }
 
 Result<std::vector<WrittenStop<float>>> parse_scalar_stops(std::string_view text, double largest,
-                                                           std::string_view what) {
+                                                           std::string_view what, TextPoll& poll) {
   const auto parse_value = [largest, what](std::string_view token, float& value) {
     const std::optional<double> number = parse_number(token);
     if (!number || !(*number >= 0 && *number <= largest)) {
@@ -133,7 +190,7 @@ Result<std::vector<WrittenStop<float>>> parse_scalar_stops(std::string_view text
     value = static_cast<float>(*number);
     return ok_status();
   };
-  return parse_stops<float>(text, parse_value);
+  return parse_stops<float>(text, poll, parse_value);
 }
 
 std::size_t stop_bound(std::string_view text) {

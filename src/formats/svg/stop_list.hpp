@@ -7,6 +7,7 @@
 
 #include "base/status.hpp"
 #include "document/stops.hpp"
+#include "formats/css_tokenizer.hpp"
 
 namespace sfumato::svg {
 
@@ -26,12 +27,12 @@ struct WrittenStop {
 };
 
 /// `value [offset]? (, value [offset]?)*` with CSS colours. Colours that are not opaque are errors.
-/// Errors: bad_input, without a place.
-Result<std::vector<WrittenStop<Rgb>>> parse_color_stops(std::string_view text);
+/// Errors: bad_input, without a place; what the poll says.
+Result<std::vector<WrittenStop<Rgb>>> parse_color_stops(std::string_view text, TextPoll& poll);
 
 /// The same with numbers from 0 to `largest`. `what` names them in messages: "an opacity".
 Result<std::vector<WrittenStop<float>>> parse_scalar_stops(std::string_view text, double largest,
-                                                           std::string_view what);
+                                                           std::string_view what, TextPoll& poll);
 
 /// How many stops the text can hold.
 std::size_t stop_bound(std::string_view text);

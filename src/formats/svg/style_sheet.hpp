@@ -1,51 +1,61 @@
 #pragma once
 
 #include <cstddef>
+#include <deque>
 #include <map>
 #include <optional>
+#include <string>
 #include <string_view>
-#include <utility>
-#include <vector>
+
+#include "formats/css_selector.hpp"
+#include "formats/css_style.hpp"
 
 namespace sfumato::svg {
 
-/// The simple part of CSS: rules whose selectors are `*`, an element's name, `.class` or `#id`.
+/// The simple part of CSS: rules whose selectors are `*`, an element's name, `.class` or `#id`, at
+/// the top or in @media that a screen matches.
 class StyleSheet {
  public:
-  /// Adds the rules of a sheet; the text must outlive this. What is not simple is left out: the
-  /// first such selector or at-rule is returned. Beyond `most_values` none are added.
-  std::string_view add(std::string_view text, std::size_t most_values);
+  /// What a sheet has that sets nothing, the first of each kind.
+  struct Notes {
+    std::string_view left_out{};  ///< a selector or an at-rule that is not read
+    std::optional<CssDeclaration> dropped{};
+  };
+
+  /// Adds the rules of a sheet; the text must outlive this. Beyond `most_values` none are added.
+  Notes add(std::string_view text, std::size_t most_values, TextPoll& poll);
 
   bool empty() const { return values_.empty(); }
-  /// Values that the rules set, selector by selector; one more than the most where there were more.
+  /// Values that the rules set, selector by selector, whatever their property; more than the most
+  /// where there were more.
   std::size_t value_count() const { return count_; }
 
-  /// What the rules say of an element: the id's rule before the classes' before the name's.
-  std::optional<std::string_view> find(std::string_view name, std::string_view id,
-                                       std::string_view classes, std::string_view property) const;
+  /// What the rules say of an element: what is important before the rest, then the id's rule
+  /// before the classes' before the name's, then the later.
+  std::optional<CssSetting> find(std::string_view name, std::string_view id,
+                                 std::string_view classes, CssProperty property) const;
 
  private:
   struct Value {
-    std::string_view text;
+    CssSetting setting;
     std::size_t order = 0;  ///< later rules win
   };
 
   struct Key {
-    char kind;  ///< '#', '.', or 'e': an element's name or '*'
+    CssSelector::Kind kind;
+    CssProperty property;
     std::string_view name;
-    std::string_view property;
 
     bool operator<(const Key& other) const;
   };
 
-  /// A property and its value.
-  using Declaration = std::pair<std::string_view, std::string_view>;
+  class Reader;
 
-  void add_rule(std::string_view selector, const std::vector<Declaration>& declarations,
-                std::size_t most_values);
+  void add_rule(const CssSelector& selector, const CssStyle& style, std::size_t most_values);
   const Value* value_of(const Key& key) const;
 
   std::map<Key, Value> values_;
+  std::deque<std::string> names_;  ///< those that were written with escapes
   std::size_t count_ = 0;
 };
 

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "formats/css_color.hpp"
+#include "formats/svg/input.hpp"
+
+namespace sfumato::svg {
+
+/// A property that is a colour; black where the element has none. currentColor is the element's
+/// `color`. Errors: bad_input, cancelled.
+Result<CssColor> read_color(Input& input, Element element, CssProperty property);
+
+}  // namespace sfumato::svg

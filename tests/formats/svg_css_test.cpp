@@ -1,0 +1,196 @@
+// What styles say, as browsers have it.
+#include <gtest/gtest.h>
+
+#include "formats/svg_support.hpp"
+
+namespace sfumato::test {
+namespace {
+
+/// The colour of a gradient's only stop and its opacity: "#f00", "#f00 .5".
+std::string stop_of(const std::string& attributes, const std::string& head = "",
+                    std::size_t warnings = 0) {
+  const ReadDocument document = read(
+      svg(head + "<linearGradient id='a'><stop " + attributes +
+          "/></linearGradient><g sf:diffuse='true'><path d='M0 0h9v9' sf:left='url(#a)'/></g>"));
+  EXPECT_EQ(document.warnings.size(), warnings)
+      << attributes << head << (document.warnings.empty() ? "" : to_string(document.warnings[0]));
+  const GradientStop stop =
+      std::get<GradientFill>(document.document.shaders.at(0).paint).stops.at(0);
+  std::string text = "#";
+  for (const float channel : {stop.color.r, stop.color.g, stop.color.b}) {
+    text += "0123456789abcdef"[static_cast<int>(channel * 15 + .5f)];
+  }
+  return stop.alpha == 1 ? text : text + " " + std::to_string(stop.alpha).substr(1, 3);
+}
+
+std::string styled(const std::string& style) {
+  return stop_of("style=\"" + style + "\"");
+}
+
+/// Of a stop of the class k.
+std::string by_sheet(const std::string& sheet, const std::string& attributes = "",
+                     std::size_t warnings = 0) {
+  return stop_of("class='k' id='i' " + attributes, "<style>" + sheet + "</style>", warnings);
+}
+
+TEST(SvgCss, comments_and_case_change_nothing) {
+  EXPECT_EQ(styled("/* c */stop-color:red"), "#f00");
+  EXPECT_EQ(styled("stop-color:red/* c */"), "#f00");
+  EXPECT_EQ(styled("stop-color/**/:/**/red"), "#f00");
+  EXPECT_EQ(styled("Stop-Color:RED"), "#f00");
+  EXPECT_EQ(styled("stop-color:red !IMPORTANT"), "#f00");
+  EXPECT_EQ(styled("st\\6fp-color:r\\65 d"), "#f00");
+  EXPECT_EQ(styled("font-family:';stop-color:lime';stop-color:red"), "#f00");
+  EXPECT_EQ(styled("a:url(;stop-color:lime);stop-color:red"), "#f00");
+}
+
+TEST(SvgCss, sheets_know_comments_strings_escapes_and_markers) {
+  EXPECT_EQ(by_sheet(".k/* x */{stop-color:red}"), "#f00");
+  EXPECT_EQ(by_sheet(".j{font-family:\"}\"} .k{stop-color:red}"), "#f00");
+  EXPECT_EQ(by_sheet(".j{a:'{';b:url(});c:({[)}]})} .k{stop-color:red}"), "#f00");
+  EXPECT_EQ(by_sheet("<![CDATA[<!-- .k{stop-color:red} -->]]>"), "#f00");
+  EXPECT_EQ(by_sheet(".\\6b{stop-color:red}"), "#f00");
+  EXPECT_EQ(by_sheet(".K{stop-color:red}"), "#000") << "classes have a case";
+  EXPECT_EQ(by_sheet("STOP{stop-color:red}"), "#000") << "elements of XML have a case";
+  EXPECT_EQ(by_sheet(".k{stop-color:red"), "#f00");
+  EXPECT_EQ(by_sheet(".k{stop-<![CDATA[color:r]]>ed}"), "#f00") << "the texts are one";
+}
+
+TEST(SvgCss, importance_goes_before_the_style_attribute_and_that_before_order) {
+  const std::string lime = "style='stop-color:lime'";
+  EXPECT_EQ(by_sheet(".k{stop-color:red !important}", lime), "#f00");
+  EXPECT_EQ(by_sheet(".k{stop-color:red !important}", "style='stop-color:lime !important'"),
+            "#0f0");
+  EXPECT_EQ(by_sheet(".k{stop-color:red !important} .k{stop-color:lime}"), "#f00");
+  EXPECT_EQ(by_sheet("*{stop-color:red !important} #i{stop-color:lime}"), "#f00");
+  EXPECT_EQ(by_sheet("#i{stop-color:red !important} .k{stop-color:lime !important}"), "#f00");
+  EXPECT_EQ(by_sheet(".k{stop-color:lime} .k{stop-color:red}", "stop-color='blue'"), "#f00");
+  EXPECT_EQ(by_sheet("stop{stop-color:red} *{stop-color:lime}"), "#f00");
+  EXPECT_EQ(styled("stop-color:red !important;stop-color:lime"), "#f00");
+  EXPECT_EQ(styled("stop-color:red !important;stop-color:lime!important"), "#0f0");
+}
+
+TEST(SvgCss, what_css_drops_says_nothing) {
+  EXPECT_EQ(stop_of("style='stop-color:red;stop-color:reddish'", "", 1), "#f00");
+  EXPECT_EQ(stop_of("stop-color='red' style='stop-color:'", "", 1), "#f00");
+  EXPECT_EQ(styled("stop-color:red;stop-color lime;:blue;stop-color"), "#f00");
+  EXPECT_EQ(stop_of("style='stop-opacity:.5;stop-opacity:1px;stop-opacity:1 1'", "", 1),
+            "#000 .50");
+  EXPECT_EQ(by_sheet("1{} .k{stop-color:red}", "", 1), "#f00");
+  EXPECT_EQ(by_sheet(".k{stop-color:red} .k,,b{stop-color:lime}", "", 1), "#f00");
+  EXPECT_EQ(by_sheet(".k{stop-color:red} .k,a>b{stop-color:lime}", "", 1), "#0f0")
+      << "what is not read leaves the others";
+  EXPECT_EQ(by_sheet(".k{stop-color:red} .k{a{stop-color:lime}}"), "#f00");
+}
+
+TEST(SvgCss, a_dropped_value_is_told_with_what_was_meant) {
+  EXPECT_EQ(warnings_of(svg("<g style='mix-blend-mode:scren'/><g sf:diffuse='true'><path d='M0 "
+                            "0h9' sf:left='red'/></g>"))[0],
+            "a.svg:2:1: \"mix-blend-mode: scren\" is left out: its value is not understood; did "
+            "you mean screen?");
+}
+
+TEST(SvgCss, media_and_type_say_which_sheets_count) {
+  const auto by = [](const std::string& attributes, std::size_t warnings = 0) {
+    return stop_of("class='k'", "<style " + attributes + ">.k{stop-color:red}</style>", warnings);
+  };
+  for (const char* fits : {"", "media=''", "media='all'", "media='SCREEN'", "media='print,screen'",
+                           "type=''", "type='text/css'", "type='TEXT/CSS'"}) {
+    EXPECT_EQ(by(fits), "#f00") << fits;
+  }
+  EXPECT_EQ(by("media='print'"), "#000");
+  EXPECT_EQ(by("media='not screen'"), "#000");
+  EXPECT_EQ(by("media='(min-width: 1px)'", 1), "#000");
+  EXPECT_EQ(by("type='text/x-scss'", 1), "#000");
+  EXPECT_EQ(by("type='text/css;charset=utf-8'", 1), "#000");
+}
+
+TEST(SvgCss, at_rules_are_passed_over_but_for_media_of_a_screen) {
+  EXPECT_EQ(by_sheet("@charset 'utf-8';.k{stop-color:red}", "", 1), "#f00");
+  EXPECT_EQ(by_sheet("@import url(a;b);.k{stop-color:red}", "", 1), "#f00");
+  EXPECT_EQ(by_sheet("@font-face{font-family:'}'}.k{stop-color:red}", "", 1), "#f00");
+  EXPECT_EQ(by_sheet("@supports (a:b){.k{stop-color:lime}}.k{stop-color:red}", "", 1), "#f00");
+  EXPECT_EQ(by_sheet("@MEDIA screen{.j{}.k{stop-color:red}}"), "#f00");
+  EXPECT_EQ(by_sheet("@media all{@media screen{.k{stop-color:red}}}"), "#f00");
+  EXPECT_EQ(by_sheet("@media print{.k{stop-color:lime}} .k{stop-color:red}"), "#f00");
+  EXPECT_EQ(by_sheet(".k{stop-color:red} @media print{@media screen{.k{stop-color:lime}}}"),
+            "#f00");
+  EXPECT_EQ(by_sheet("@media screen{a} .k{stop-color:red}", "", 1), "#f00");
+  EXPECT_EQ(by_sheet(".k{stop-color:red;@media screen{stop-color:lime}}"), "#f00");
+}
+
+TEST(SvgCss, words_for_every_property_are_understood) {
+  EXPECT_EQ(stop_of("stop-color='red' style='stop-color:initial'"), "#000");
+  EXPECT_EQ(stop_of("stop-color='red' style='stop-color:UNSET'"), "#000");
+  EXPECT_EQ(stop_of("stop-color='red' style='stop-color:revert'"), "#000");
+  EXPECT_EQ(stop_of("stop-color='red' style='stop-color:revert-layer'"), "#f00");
+  EXPECT_EQ(stop_of("stop-color='red' style='all:initial'"), "#000");
+  EXPECT_EQ(stop_of("stop-color='red' style='all:red'"), "#f00");
+  EXPECT_EQ(stop_of("stop-color='inherit'"), "#000");
+  EXPECT_EQ(stop_of("stop-color='currentColor' color='red'"), "#f00");
+  EXPECT_EQ(stop_of("style='stop-color:CurrentColor'", "<style>svg{color:red}</style>"), "#f00");
+}
+
+float opacity_of(const std::string& group, const std::string& layer) {
+  const ReadDocument document = read(svg("<g " + group + "><g sf:diffuse='true' " + layer +
+                                         "><path d='M0 0h9' sf:left='red'/></g></g>"));
+  EXPECT_TRUE(document.warnings.empty()) << to_string(document.warnings[0]);
+  const auto* instance = std::get_if<LayerInstance>(&document.document.stack.at(0));
+  return instance ? instance->opacity : -1;
+}
+
+TEST(SvgCss, opacity_is_inherited_only_where_it_says_so) {
+  EXPECT_EQ(opacity_of("opacity='.5'", ""), .5f);
+  EXPECT_EQ(opacity_of("opacity='.5'", "opacity='inherit'"), .25f);
+  EXPECT_EQ(opacity_of("style='opacity:50%'", "style='opacity:INHERIT'"), .25f);
+  EXPECT_EQ(opacity_of("", "opacity='inherit'"), 1);
+  EXPECT_EQ(opacity_of("opacity='initial'", "opacity='.5' style='opacity:unset'"), 1);
+  EXPECT_EQ(opacity_of("", "style='/* note */ opacity:.25'"), .25f);
+}
+
+TEST(SvgCss, display_and_visibility_have_any_case) {
+  const auto layers = [](const std::string& attributes) {
+    return read(svg("<g " + attributes +
+                    "><g sf:diffuse='true'><path d='M0 0h9' sf:left='red'/></g></g>"))
+        .document.layers.size();
+  };
+  EXPECT_EQ(layers("style='DISPLAY:none'"), 0u);
+  EXPECT_EQ(layers("style='display:None'"), 0u);
+  EXPECT_EQ(layers("display='NONE'"), 0u);
+  EXPECT_EQ(layers("style='display:none;display:nonsense'"), 0u);
+  EXPECT_EQ(layers("style='display:none;display:inline flow-root'"), 1u);
+  EXPECT_EQ(layers("style='Visibility:HIDDEN'"), 0u);
+  EXPECT_EQ(layers("visibility='hidden' style='visibility:initial'"), 1u);
+}
+
+TEST(SvgCss, fill_of_the_background_is_inherited_as_css_says) {
+  const auto background = [](const std::string& group, const std::string& rect) {
+    return read(svg("<g " + group + "><rect width='100%' height='100%' " + rect + "/></g>"))
+        .document.background;
+  };
+  const Rgb red{1, 0, 0}, black{0, 0, 0};
+  EXPECT_EQ(background("fill='red'", ""), red);
+  EXPECT_EQ(background("style='fill:red'", "fill='inherit'"), red);
+  EXPECT_EQ(background("fill='red'", "style='fill:unset'"), red);
+  EXPECT_EQ(background("fill='red'", "style='fill:initial'"), black);
+  EXPECT_EQ(background("color='red'", "fill='currentColor'"), red);
+  EXPECT_EQ(background("", "style='FILL:/**/NONE'"), std::nullopt);
+}
+
+TEST(SvgCss, lists_of_stops_are_cut_by_the_same_tokens) {
+  const auto stops = [](const std::string& list) {
+    return curve_of("<path d='M0 0h9' sf:left=\"" + list + "\"/>").left.color.stops.stops;
+  };
+  EXPECT_EQ(stops("red/* , lime */ 30%,/**/RGB(0 0 255)"), stops("red 30%, blue"));
+  EXPECT_EQ(stops("r\\65 d/**/30%"), stops("red 30%"));
+  EXPECT_EQ(curve_of("<path d='M0 0h9' sf:left='NONE'/>").left.color.kind, ShaderKind::barrier);
+  EXPECT_EQ(status_of(svg_layer("<path d='M0 0h9' sf:left='red blue'/>")).message,
+            "sf:left of <path>: the offset \"blue\" is none; expected 0% to 100% of the length, or "
+            "@ and a segment like @2.5; did you mean \"red, blue\"?");
+  EXPECT_EQ(status_of(svg_layer("<path d='M0 0h9' sf:left='red 0.5'/>")).message,
+            "sf:left of <path>: the offset \"0.5\" is none; expected 0% to 100% of the length, or "
+            "@ and a segment like @2.5; did you mean 50%?");
+}
+
+}  // namespace
+}  // namespace sfumato::test
