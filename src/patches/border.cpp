@@ -156,7 +156,7 @@ void BorderCutter::add_edges(std::uint32_t triangle) {
 
 /// Looks at the ends of the edges of `fresh`, and leaves there the triangles that are mixed too.
 Status BorderCutter::look_at_edges(std::vector<std::uint32_t>& fresh) {
-  Status status = charge_.add(context_, kBytesPerCut * fresh.size(), "patches at a border");
+  Status status = cuts_.charge.add(context_, kBytesPerCut * fresh.size(), "patches at a border");
   if (!status) return status;
   const std::size_t first = edges_.size();
   for (std::uint32_t t : fresh) add_edges(t);

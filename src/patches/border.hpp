@@ -34,6 +34,7 @@ struct BorderCuts {
   std::vector<std::uint32_t> parent;  ///< per part: the triangle that was cut
   std::vector<std::int32_t> node;  ///< 10 per part: a place in the parent, or -1 - index in `point`
   std::vector<Vec2> point;         ///< where new nodes are gathered: inside, on the seen side
+  ScopedCharge charge;
 
   std::size_t part_count() const { return parent.size(); }
 };

@@ -91,6 +91,7 @@ void Compositor::paint_item(const PaintItem& item, std::size_t tile_index) {
 
 void Compositor::paint(std::size_t tile_index, const Tile& root) {
   levels_.assign(1, {root, root.rect()});
+  mixed_.start_tile();
   const int columns = list_.grid().columns();
   const int column = static_cast<int>(tile_index % static_cast<std::size_t>(columns));
   const int row = static_cast<int>(tile_index / static_cast<std::size_t>(columns));

@@ -184,6 +184,8 @@ void MixedPixels::add_triangle(Shader* shader, std::uint32_t triangle, const Til
       const Color4 difference = color - Color4::load(sum.first);
       (Color4::load(sum.rest) + Color4(area) * difference).store(sum.rest);
       sum.area += area;
+      sum.moment[0] += area * static_cast<float>(part.centroid.x);
+      sum.moment[1] += area * static_cast<float>(part.centroid.y);
     });
   }
 }
@@ -196,7 +198,8 @@ void MixedPixels::for_each_marked(const Tile& tile, const Visit& visit) const {
   }
 }
 
-void MixedPixels::write(const LayerView& layer, const Tile& tile) const {
+/// is_straight: onto what lies below, not by itself.
+void MixedPixels::write(const LayerView& layer, const Tile& tile, bool is_straight) {
   // A centre of which half the square is covered is one that the centre rule decides.
   constexpr float kLeastArea = 0.5f + 1e-6f;
   // More is all of a pixel, but for the rounding of the sum.
@@ -213,12 +216,18 @@ void MixedPixels::write(const LayerView& layer, const Tile& tile) const {
     const std::size_t at = offset(x, row);
     float* const target[4] = {tile.color[0] + at, tile.color[1] + at, tile.color[2] + at,
                               tile.alpha ? tile.alpha + at : nullptr};
-    for (int c = 0; c < 4 && target[c]; ++c) {
-      const float mean = sum.area > 0 ? sum.first[c] + sum.rest[c] / sum.area : 0;
+    PixelPart part{share, {sum.moment[0], sum.moment[1]}, {}};
+    for (int c = 0; c < 4; ++c)
+      part.color[c] = sum.area > 0 ? sum.first[c] + sum.rest[c] / sum.area : 0;
+    float out[4];
+    std::copy_n(part.color, 4, out);
+    if (share < 1) {
       // What overshoots is clamped later where it stands alone.
-      *target[c] =
-          share == 1 ? mean : share * std::clamp(mean, 0.0f, 1.0f) + (1 - share) * sum.below[c];
+      for (float& channel : part.color) channel = std::clamp(channel, 0.0f, 1.0f);
+      for (int c = 0; c < 4; ++c) out[c] = share * part.color[c];
+      if (is_straight) abutting_.paint(tile.x0 + x, tile.y0 + row, part, sum.below, out);
     }
+    for (int c = 0; c < 4 && target[c]; ++c) *target[c] = out[c];
   });
 }
 
@@ -227,7 +236,6 @@ void MixedPixels::add_triangles(Shader* shader, const TriangleList& triangles, c
   if (sum_.empty()) return;
   for (std::size_t i = 0; i < triangles.count; ++i)
     add_triangle(shader, triangles.triangle[i], tile);
-  write(shader->layer(), tile);
 }
 
 void MixedPixels::begin(const LayerView& layer, const TriangleList& triangles, const Tile& tile) {
@@ -243,12 +251,14 @@ void MixedPixels::begin(const LayerView& layer, const TriangleList& triangles, c
 void MixedPixels::paint(const LayerView& layer, const TriangleList& triangles, const Tile& tile) {
   OpaqueShader shader(layer);
   add_triangles(&shader, triangles, tile);
+  write(layer, tile, true);
 }
 
 void MixedPixels::paint(PointShader* shader, const TriangleList& triangles, const Tile& tile) {
   mark(shader->layer(), triangles, tile);
   number_pixels();
   add_triangles(shader, triangles, tile);
+  write(shader->layer(), tile, false);
 }
 
 }  // namespace sfumato::raster

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "raster/abutting.hpp"
 #include "raster/point_shader.hpp"
 #include "raster/tile.hpp"
 
@@ -20,6 +21,9 @@ namespace sfumato::raster {
 /// One object serves many tiles, one after another.
 class MixedPixels {
  public:
+  /// Comes before the first layer of a tile.
+  void start_tile() { abutting_.clear(); }
+
   /// Marks the mixed pixels of `tile` and keeps what they hold before the list is drawn.
   void begin(const LayerView& layer, const TriangleList& triangles, const Tile& tile);
 
@@ -38,13 +42,14 @@ class MixedPixels {
     float first[4] = {};  ///< the first triangle's colour
     float rest[4] = {};   ///< area times difference to it
     float area = 0;
+    float moment[2] = {};
     float below[4] = {};  ///< colour and alpha before the layer was painted
   };
 
  public:
   /// Memory of one object, should every pixel be mixed.
   static constexpr std::size_t kMostBytes =
-      std::size_t{kTileWidth} * kTileHeight * (sizeof(Sum) + 2);
+      std::size_t{kTileWidth} * kTileHeight * (sizeof(Sum) + 2) + AbuttingParts::kMostBytes;
 
  private:
   /// Pixels of the tile, from its upper left corner.
@@ -60,7 +65,7 @@ class MixedPixels {
   void add_triangles(Shader* shader, const TriangleList& triangles, const Tile& tile);
   template <class Shader>
   void add_triangle(Shader* shader, std::uint32_t triangle, const Tile& tile);
-  void write(const LayerView& layer, const Tile& tile) const;
+  void write(const LayerView& layer, const Tile& tile, bool is_straight);
 
   template <class Visit>
   void for_each_pixel(int row, int begin, int end, const Visit& visit) const;
@@ -70,6 +75,7 @@ class MixedPixels {
   std::uint64_t mask_[kTileHeight][kWordsPerRow];  ///< bit x % 64 of word x / 64 of a row
   std::uint32_t first_sum_[kTileHeight][kWordsPerRow];
   std::vector<Sum> sum_;  ///< of the marked pixels, row by row
+  AbuttingParts abutting_;
 };
 
 }  // namespace sfumato::raster

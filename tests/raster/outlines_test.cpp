@@ -194,6 +194,53 @@ TEST(RasterOutlines, frames_side_by_side_leave_no_seam) {
   }
 }
 
+/// The parts of kBox left and right of the line through two points on its upper and lower edge.
+Shape half(Vec2 top, Vec2 bottom, bool is_left) {
+  const double side = is_left ? -kSide : 2 * kSide;
+  std::vector<Vec2> rim{{side, -kSide}, top, bottom, {side, 2 * kSide}};
+  if (!is_left) std::reverse(rim.begin(), rim.end());
+  const Vec2 center = (rim[0] + rim[1] + rim[2] + rim[3]) / 4;
+  return {rim, center};
+}
+
+TEST(RasterOutlines, layers_that_abut_let_nothing_through) {
+  for (const double x : {13.0, 20.5, 31.7, 44.2}) {
+    const Vec2 top{x, -kSide}, bottom{x + 11, 2 * kSide};
+    Picture picture = picture_of(red_layer(half(top, bottom, true)));
+    picture.layers.push_back(shape_layer(half(top, bottom, false), [](int, Vec2) {
+      return Rgb{0.8f, 1, 0.1f};
+    }));
+    picture.stack.push_back(PatchInstance{1, {}, 1, BlendMode::normal});
+    for (int side : {64, 101, 300}) {
+      RasterOptions options = image_size(side, side, PixelFormat::rgba8);
+      const Image clear = rasterized(picture, options);
+      options.background = Rgb{0, 0, 1};
+      options.format = PixelFormat::rgb8;
+      const Image onto_blue = rasterized(picture, options);
+      for (int i = 0; i < side * side; ++i) {
+        ASSERT_EQ(channel(clear, i % side, i / side, 3), 255) << i;
+        for (int c = 0; c < 3; ++c)
+          ASSERT_EQ(channel(clear, i % side, i / side, c),
+                    channel(onto_blue, i % side, i / side, c));
+        ASSERT_NEAR(channel(clear, i % side, i / side, 2), 26, 1);
+      }
+    }
+  }
+}
+
+TEST(RasterOutlines, what_is_painted_between_layers_that_abut_hides_the_lower) {
+  const Vec2 top{20.5, -kSide}, bottom{31.5, 2 * kSide};
+  Picture picture = picture_of(red_layer(half(top, bottom, true)));
+  picture.layers.push_back(flat_layer({{-1, -1}, {65, 65}}, Rgb{0, 1, 0}));
+  picture.layers.push_back(shape_layer(half(top, bottom, false), [](int, Vec2) {
+    return Rgb{0, 0, 1};
+  }));
+  picture.stack.push_back(PatchInstance{1, {}, 1, BlendMode::normal});
+  picture.stack.push_back(PatchInstance{2, {}, 1, BlendMode::normal});
+  const Image image = rasterized(picture, image_size(90, 90, PixelFormat::rgba8));
+  for (int i = 0; i < 90 * 90; ++i) ASSERT_EQ(channel(image, i % 90, i / 90, 0), 0);
+}
+
 TEST(RasterOutlines, curves_inside_a_layer_let_nothing_through) {
   for (std::uint32_t seed = 1; seed <= 10; ++seed) {
     const RegionMesh mesh = jittered_grid(
