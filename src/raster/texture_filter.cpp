@@ -43,6 +43,7 @@ TextureTent make_tent(const Affine& level_from_image) {
   tent.run[0] = inverse_of(tent.across.x);
   tent.run[1] = inverse_of(tent.down.x);
   tent.area = large * small;
+  tent.shorter_side = small;
   tent.reach = {tent.area * (std::fabs(tent.across.y) + std::fabs(tent.down.y)),
                 tent.area * (std::fabs(tent.across.x) + std::fabs(tent.down.x))};
   return tent;
@@ -76,12 +77,13 @@ void evaluate_texture(const TexturePyramid& pyramid, const Affine& layer_from_im
   const TextureLevel* last = &pyramid.levels().back();
   Affine map = texture_from_image;
   TextureTent tent = make_tent(map);
-  while (level != last && !(tent.area <= kLargestFootprint)) {
+  while (level != last &&
+         !(tent.area <= kLargestFootprint && tent.shorter_side <= kMostTexelsAcross)) {
     map = level_from_image(*++level, texture_from_image);
     tent = make_tent(map);
   }
   // The last level is one texel, and all of it is seen.
-  if (level == last) tent = TextureTent{{1, 0}, {0, 1}, {1, 1}, {1, 0}, 1};
+  if (level == last) tent = TextureTent{{1, 0}, {0, 1}, {1, 1}, {1, 0}, 1, 1};
   kernels.minify(make_source(pyramid, *level), tent, {map, first, count}, row);
 }
 

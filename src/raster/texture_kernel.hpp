@@ -14,7 +14,7 @@ using FourTexels = Lanes<W, 16 / W>;
 using OneTexel = Lanes<4>;
 
 /// Longest row of texels under a tent whose area and height are in bounds.
-inline constexpr int kLongestRow = 64;
+inline constexpr int kLongestRow = 2 * static_cast<int>(kLargestFootprint) + 4;
 
 template <int W>
 SFUMATO_INLINE FourTexels<W> load_texels(const std::uint16_t* texels) {
@@ -169,6 +169,7 @@ SFUMATO_INLINE const std::uint16_t* row_of_texels(const TextureSource& source, i
   for (int i = 0; i < count; ++i) {
     __builtin_memcpy(copy + 4 * i, source.at(row, source.x.texel(column + i)), 8);
   }
+  __builtin_memset(copy + 4 * static_cast<std::ptrdiff_t>(count), 0, 8 * kTexelsReadPast);
   return copy;
 }
 
@@ -230,7 +231,7 @@ SFUMATO_INLINE OneTexel tent_mean(const TextureSource& source, const TextureTent
 template <int W>
 void minify_texture(const TextureSource& source, const TextureTent& tent, const TextureRow& points,
                     const ShaderRow& out) {
-  std::uint16_t copy[4 * (kLongestRow + kTexelsReadPast)] = {};
+  std::uint16_t copy[4 * (kLongestRow + kTexelsReadPast)];
   for (int i = 0; i < points.count; ++i) {
     const Vec2 p = points.map({points.first.x + i, points.first.y});
     float color[4];

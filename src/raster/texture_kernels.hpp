@@ -12,9 +12,15 @@ namespace sfumato::raster {
 /// Texels are read four at a time: this many may be read past the last of a row.
 inline constexpr std::size_t kTexelsReadPast = 3;
 
+/// A level is read where the shorter side of a pixel is at most this many of its texels: a tent
+/// over the texels of the next level, which are means of 2 × 2, weighs them by steps, and what that
+/// misses falls with the square of this. It is below 2 code values of 255 for black and white
+/// noise.
+inline constexpr double kMostTexelsAcross = 14;
+
 /// Largest area of a pixel in texels of the level that is read; at most 2 · 2 times as many texels
 /// and those cut at the tent's border are summed.
-inline constexpr double kLargestFootprint = 16;
+inline constexpr double kLargestFootprint = 512;
 
 /// One axis of a level: texels [0, count), and what stands beyond them.
 struct TextureAxis {
@@ -46,6 +52,7 @@ struct TextureTent {
   Vec2 reach;              ///< half of its bounds, texels
   double run[2] = {1, 1};  ///< 1 / across.x and 1 / down.x; 0 where those are next to nothing
   double area = 1;
+  double shorter_side = 1;
 };
 
 /// Points of a row: map(first + (i, 0)), 0 ≤ i < count, in texels of the level.

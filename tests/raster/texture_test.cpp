@@ -241,6 +241,52 @@ TEST(TextureFilter, minified_along_one_axis_it_stays_sharp_along_the_other) {
   EXPECT_NEAR(sample(pyramid, map, 1, 4)[0], 0, 1e-4);
 }
 
+/// The tent over the texels themselves, one by one; the texture repeats and map does not mirror.
+double tent_over_texels(const Texture& texture, const Affine& texture_from_image, Vec2 pixel) {
+  const Affine& map = texture_from_image;
+  const Affine image_from_texture = inverse(map);
+  const Vec2 middle = map(pixel);
+  const Vec2 reach{std::abs(map.a) + std::abs(map.c), std::abs(map.b) + std::abs(map.d)};
+  double sum = 0, total = 0;
+  for (double y = std::floor(middle.y - reach.y); y <= middle.y + reach.y; ++y) {
+    for (double x = std::floor(middle.x - reach.x); x <= middle.x + reach.x; ++x) {
+      const Vec2 d = image_from_texture({x + 0.5, y + 0.5}) - pixel;
+      const double weight = std::max(0.0, 1 - std::abs(d.x)) * std::max(0.0, 1 - std::abs(d.y));
+      const auto column =
+          static_cast<std::size_t>(x - texture.width * std::floor(x / texture.width));
+      const auto row =
+          static_cast<std::size_t>(y - texture.height * std::floor(y / texture.height));
+      sum += weight * texture.rgba[4 * (row * static_cast<std::size_t>(texture.width) + column)];
+      total += weight;
+    }
+  }
+  return sum / total;
+}
+
+TEST(TextureFilter, every_level_shows_what_the_texels_show) {
+  const auto black_and_white = [](int x, int y) {
+    const std::uint8_t v = noise(x, y)[0] < 128 ? 0 : 255;
+    return Texel{v, v, v, 255};
+  };
+  Texture texture = make_texture(256, 256, black_and_white);
+  texture.repeats = true;
+  const TexturePyramid pyramid = pyramid_of(texture);
+  for (const double ratio : {1.0, 3.0, 10.0}) {
+    for (double scale = 1.05; scale * ratio < 100; scale *= 1.23) {
+      for (const double angle : {0.0, 0.6}) {
+        const double c = std::cos(angle), s = std::sin(angle);
+        const Affine map{ratio * scale * c, ratio * scale * s, -scale * s, scale * c, 3.3, 7.7};
+        const std::vector<Sample> row = row_of(pyramid, map, 0, 1, 24);
+        for (int x = 0; x < 24; x += 3) {
+          const double exact = tent_over_texels(texture, map, {x + 0.5, 1.5});
+          EXPECT_NEAR(255 * row[static_cast<std::size_t>(x)][0], exact, 2)
+              << ratio << " " << scale << " " << angle << " at " << x;
+        }
+      }
+    }
+  }
+}
+
 TEST(TextureFilter, every_instruction_set_gives_the_same_bits) {
   Texture texture = make_texture(37, 21, noise);
   texture.rgba[3] = 7;

@@ -212,7 +212,7 @@ vec4 magnified(Level level, vec2 p) {
 /// A tent of two pixels' width, seen from a level: weight (1 - |across · d|) (1 - |down · d|).
 struct Tent {
   vec2 across, down;
-  float area;
+  float area, shorter_side;
 };
 
 /// Singular values and directions of the map's linear part; neither value below one texel.
@@ -229,7 +229,7 @@ Tent make_tent(vec2 row_x, vec2 row_y) {
   large = max(large, 1.0);
   vec2 minor = vec2(-major.y, major.x);
   return Tent(major * (source.x / large) - minor * (source.y / small),
-              major * (source.y / large) + minor * (source.x / small), large * small);
+              major * (source.y / large) + minor * (source.x / small), large * small, small);
 }
 
 /// Narrows `range` to the places i with |low + i step| < 1.
@@ -264,7 +264,8 @@ vec4 minified(Level level, Tent tent, vec2 p) {
 
 // As raster::evaluate_texture chooses, with room for rounding.
 const float kKeepsSize = 1.0 + 1e-5;
-const float kLargestFootprint = 16.0 * (1.0 + 1e-5);
+const float kMostTexelsAcross = 14.0 * (1.0 + 1e-5);
+const float kLargestFootprint = 512.0 * (1.0 + 1e-5);
 
 float largest_stretch(vec2 row_x, vec2 row_y) {
   float e = dot(row_x, row_x), g = dot(row_y, row_y), f = dot(row_x, row_y);
@@ -277,12 +278,13 @@ vec4 texture_sum(int at, int level_count, bool repeats, vec3 row[2], vec2 pixel)
   if (largest_stretch(row[0].xy, row[1].xy) <= kKeepsSize) return magnified(level, p);
   int i = 0;
   Tent tent = make_tent(row[0].xy, row[1].xy);
-  while (i + 1 < level_count && !(tent.area <= kLargestFootprint)) {
+  while (i + 1 < level_count &&
+         !(tent.area <= kLargestFootprint && tent.shorter_side <= kMostTexelsAcross)) {
     level = texture_level(at, ++i, repeats);
     tent = make_tent(level.scale.x * row[0].xy, level.scale.y * row[1].xy);
   }
   // The last level is one texel, and all of it is seen.
-  if (i + 1 == level_count) tent = Tent(vec2(1.0, 0.0), vec2(0.0, 1.0), 1.0);
+  if (i + 1 == level_count) tent = Tent(vec2(1.0, 0.0), vec2(0.0, 1.0), 1.0, 1.0);
   return minified(level, tent, level.scale * p);
 }
 
