@@ -18,7 +18,8 @@ struct RasterOptions {
   /// Behind what no layer covers; default the picture's own, else white, or in formats with alpha
   /// transparent.
   std::optional<Rgb> background{};
-  bool dither = false;        ///< ordered 8×8 dither, 8-bit formats only
+  /// 8-bit formats only: blue noise below a code value where colours change; what is even stays so.
+  bool dither = false;
   bool antialias = true;      ///< exact area coverage where curves cut pixels
   bool mesh_overlay = false;  ///< draw the triangulation's edges on top
 };

@@ -11,7 +11,7 @@ struct ImageTarget {
   std::uint8_t* bytes = nullptr;
   std::size_t row_bytes = 0;
   PixelFormat format = PixelFormat::rgb8;
-  bool dither = false;  ///< 8-bit formats only
+  bool dither = false;  ///< 8-bit formats only, what changes
 };
 
 /// The inner loops, compiled for one instruction set. All sets give the same bits.

@@ -14,18 +14,63 @@ Picture flat_picture(float shade) {
   }));
 }
 
+/// `low` at the left border, `high` at the right one, in code values.
+Picture ramp_picture(float low, float high) {
+  return make_picture(make_layer(jittered_grid({{0, 0}, {8, 8}}, 3, 1), [=](int, Vec2 p) {
+    const float shade = (low + (high - low) * static_cast<float>(p.x / 8)) / 255;
+    return Rgb{shade, shade, shade};
+  }));
+}
+
 TEST(RasterOutput, dither_keeps_the_mean) {
-  for (float value : {10.0f, 10.25f, 99.5f, 200.77f}) {
-    RasterOptions options = image_size(64, 64, PixelFormat::rgb8);
-    options.dither = true;
-    const Image image = rasterized(flat_picture(value / 255), options);
-    double sum = 0;
-    for (int i = 0; i < 64 * 64; ++i) {
-      const int pixel = channel(image, i % 64, i / 64, 1);
-      EXPECT_TRUE(pixel == std::floor(value) || pixel == std::floor(value) + 1);
-      sum += pixel;
+  RasterOptions options = image_size(256, 128, PixelFormat::rgb8);
+  options.dither = true;
+  for (const float slope : {2.0f, 8.0f, 60.0f}) {
+    const Image image = rasterized(ramp_picture(30, 30 + slope), options);
+    for (int x0 = 0; x0 < 256; x0 += 16) {
+      double sum = 0, expected = 0;
+      for (int x = x0; x < x0 + 16; ++x) {
+        const double exact = 30 + slope * (x + 0.5) / 256;
+        for (int y = 0; y < 128; ++y) {
+          const int pixel = channel(image, x, y, 1);
+          EXPECT_NEAR(pixel, exact, 1.001) << x;
+          sum += pixel;
+        }
+        expected += 128 * exact;
+      }
+      EXPECT_NEAR(sum / (16 * 128), expected / (16 * 128), 0.02) << slope << " at " << x0;
     }
-    EXPECT_NEAR(sum / (64 * 64), value, 1.0 / 128);
+  }
+}
+
+/// A step of the last bit is no slope, and 127.5 everywhere is a colour like any other.
+TEST(RasterOutput, dither_leaves_even_areas_even) {
+  RasterOptions options = image_size(70, 70, PixelFormat::rgb8);
+  for (float value : {10.0f, 10.25f, 99.5f, 127.5f, 200.77f}) {
+    options.dither = false;
+    const Image plain = rasterized(flat_picture(value / 255), options);
+    options.dither = true;
+    EXPECT_EQ(rasterized(flat_picture(value / 255), options).bytes, plain.bytes) << value;
+  }
+}
+
+/// Blue: of neighbours in a slow slope hardly any two are both above or below its mean.
+TEST(RasterOutput, dither_has_no_grain_and_no_pattern) {
+  RasterOptions options = image_size(256, 128, PixelFormat::rgb8);
+  options.dither = true;
+  const Image image = rasterized(ramp_picture(30.3f, 30.7f), options);
+  const auto is_up = [&](int x, int y) { return channel(image, x, y, 0) > 30; };
+  const auto share_alike = [&](int dx, int dy) {
+    int alike = 0;
+    for (int y = 0; y < 64; ++y)
+      for (int x = 0; x < 128; ++x) alike += is_up(x, y) == is_up(x + dx, y + dy);
+    return alike / (64.0 * 128);
+  };
+  EXPECT_LT(share_alike(1, 0), 0.46);
+  EXPECT_LT(share_alike(0, 1), 0.46);
+  for (int d : {8, 16, 32}) {
+    EXPECT_NEAR(share_alike(d, 0), 0.5, 0.06) << d;
+    EXPECT_NEAR(share_alike(0, d), 0.5, 0.06) << d;
   }
 }
 
