@@ -52,7 +52,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   } else {
     fuzz::require_honest(path.status());
   }
-  if (const Result<Affine> map = svg::parse_transform(text); !map) {
+  if (const Result<Affine> map = svg::parse_transform(context, text); !map) {
     fuzz::require_honest(map.status());
   }
   return 0;

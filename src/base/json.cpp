@@ -4,21 +4,24 @@
 #include <cmath>
 #include <cstdio>
 
+#include "base/utf8.hpp"
+
 namespace sfumato {
 namespace {
 
+/// Controls as escapes, so that a terminal can show it.
 std::string quoted(std::string_view text) {
   std::string out = "\"";
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
+  while (!text.empty()) {
+    const char32_t c = take_code_point(text);
     if (c == '"' || c == '\\') {
-      out += {'\\', c};
-    } else if (byte < 0x20) {
+      out += {'\\', static_cast<char>(c)};
+    } else if (is_control(c)) {
       char escape[8];
-      std::snprintf(escape, sizeof escape, "\\u%04x", byte);
+      std::snprintf(escape, sizeof escape, "\\u%04x", static_cast<unsigned>(c));
       out += escape;
     } else {
-      out += c;
+      append_utf8(out, c);
     }
   }
   return out + '"';

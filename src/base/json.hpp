@@ -8,7 +8,7 @@
 namespace sfumato {
 
 /// Writes one JSON value, compact. Keys and values in the caller's order; infinities and NaN become
-/// null. Text is taken as UTF-8.
+/// null. Bytes of text that are no UTF-8 become U+FFFD.
 class JsonWriter {
  public:
   JsonWriter& begin_object() { return open('{'); }

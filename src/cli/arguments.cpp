@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "base/utf8.hpp"
 #include "cli/document_commands.hpp"
 #include "cli/file_uses.hpp"
 #include "cli/option_helpers.hpp"
@@ -66,18 +67,13 @@ void settle(ConvertArguments& arguments) {
   arguments.outputs = {arguments.output};
 }
 
-/// The beginning of what is wrong, which quotes arguments; without control characters.
-std::string printable(const std::string& text) {
+/// The beginning of what is wrong, which quotes arguments; without controls.
+std::string shortened(const std::string& text) {
   constexpr std::size_t kMostBytes = 1000;
   std::size_t end = std::min(text.size(), kMostBytes);
   const auto continues = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; };
   while (end < text.size() && end > 0 && continues(text[end])) --end;
-  std::string shown = text.substr(0, end) + (end < text.size() ? "…" : "");
-  for (char& c : shown) {
-    const auto byte = static_cast<unsigned char>(c);
-    if ((byte < 0x20 && c != '\n') || byte == 0x7f) c = '?';
-  }
-  return shown;
+  return printable(text.substr(0, end), "\n") + (end < text.size() ? "…" : "");
 }
 
 NoCommand usage_error(const CLI::App& root, std::string what) {
@@ -87,7 +83,7 @@ NoCommand usage_error(const CLI::App& root, std::string what) {
     what = "\"" + root.remaining().front() +
            "\" given, expected render, info, convert, lint or compare";
   }
-  return {"sfumato: error: " + printable(what) + "\nTry '" + command + " --help'.\n", kBadUsage};
+  return {"sfumato: error: " + shortened(what) + "\nTry '" + command + " --help'.\n", kBadUsage};
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include "base/json.hpp"
 #include "base/native/tbb_executor.hpp"
+#include "base/utf8.hpp"
 #include "cli/commands.hpp"
 #include "cli/document_input.hpp"
 #include "cli/interrupt.hpp"
@@ -11,15 +12,6 @@
 
 namespace sfumato::cli {
 namespace {
-
-/// Control characters of ids become '?'.
-std::string printable(std::string text) {
-  for (char& c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte < 0x20 || byte == 0x7f) c = '?';
-  }
-  return text;
-}
 
 std::string counted(std::size_t count) {
   return count == 0 ? "no hints" : count == 1 ? "1 hint" : std::to_string(count) + " hints";

@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "base/native/file.hpp"
+#include "base/utf8.hpp"
 #include "cli/interrupt.hpp"
 
 namespace sfumato::cli {
@@ -44,11 +45,7 @@ std::string format_message(const Status& status, std::string_view severity) {
     text = text.substr(0, kMostMessageBytes / 2) + "…" +
            text.substr(text.size() - kMostMessageBytes / 2);
   }
-  for (char& c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte < 0x20 || byte == 0x7f) c = '?';
-  }
-  return text + '\n';
+  return printable(text) + '\n';
 }
 
 void report_error(const Status& status) {

@@ -23,7 +23,7 @@ enum ExitCode : int {
 int exit_code(const Status& status);
 
 /// "file:line:column: error: message" as compilers write it, or "sfumato: error: message" where no
-/// place is known. One line with its newline; control characters of the input become '?'.
+/// place is known. One line with its newline; controls (base/utf8.hpp) become '?'.
 std::string format_message(const Status& status, std::string_view severity);
 
 /// Writes a message to standard error. An error that says `cancelled` says only "interrupted".

@@ -77,10 +77,11 @@ void add_place_options(CLI::App& app, RenderArguments& arguments) {
   const char* group = "Part and size";
   const ValueText pixels{"a whole number of pixels, at least 1", "PIXELS"};
   SizeRequest& size = arguments.size;
-  add_value(app, "--viewport",
-            {"x,y,width,height in user units, width and height above 0", "X,Y,W,H"},
-            "The part to draw, in user units [the artboard]",
-            into(arguments.diffuse.viewport, parse_viewport))
+  add_value(
+      app, "--viewport",
+      {"x,y,width,height in user units, width and height above 0, no edge beyond 1e7", "X,Y,W,H"},
+      "The part to draw, in user units [the artboard]",
+      into(arguments.diffuse.viewport, parse_viewport))
       ->group(group);
   add_value(app, "--width", pixels, "Width; the height follows unless given",
             whole_into(size.width, 1, kLargestCount))

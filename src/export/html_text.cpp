@@ -1,5 +1,7 @@
 #include "export/html_text.hpp"
 
+#include "base/utf8.hpp"
+
 namespace sfumato::outputs {
 namespace {
 
@@ -26,7 +28,7 @@ std::string_view code_of(std::string_view line, bool* in_comment) {
 
 std::string escaped_html(std::string_view text) {
   std::string result;
-  for (char c : text) {
+  for (const char c : valid_utf8(text)) {
     switch (c) {
       case '&':
         result += "&amp;";

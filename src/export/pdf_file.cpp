@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/large_vector.hpp"
+#include "base/utf8.hpp"
 #include "export/deflate.hpp"
 
 namespace sfumato::outputs {
@@ -22,24 +23,6 @@ constexpr std::string_view kHeader = "%PDF-1.7\n%\xE2\xE3\xCF\xD3\n";
 void append_hex(unsigned unit, std::string* text) {
   constexpr char kDigit[] = "0123456789ABCDEF";
   for (int shift = 12; shift >= 0; shift -= 4) *text += kDigit[unit >> shift & 15];
-}
-
-/// The next code point of valid UTF-8; bytes that are none become U+FFFD.
-unsigned take_code_point(std::string_view* utf8) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>((*utf8)[i]); };
-  const unsigned lead = byte(0);
-  const std::size_t length = lead < 0x80 ? 1 : lead >= 0xF0 ? 4 : lead >= 0xE0 ? 3 : 2;
-  unsigned point = lead < 0x80 ? lead : lead & (0x7Fu >> length);
-  const bool is_lead = lead < 0x80 || (lead >= 0xC2 && lead < 0xF5);
-  for (std::size_t i = 1; i < length; ++i) {
-    if (!is_lead || i >= utf8->size() || (byte(i) & 0xC0) != 0x80) {
-      utf8->remove_prefix(1);
-      return 0xFFFD;
-    }
-    point = point << 6 | (byte(i) & 0x3F);
-  }
-  utf8->remove_prefix(length);
-  return point;
 }
 
 }  // namespace
@@ -79,7 +62,7 @@ std::string pdf_text(std::string_view utf8) {
   if (is_plain) return "(" + std::string(utf8) + ")";
   std::string text = "<FEFF";
   while (!utf8.empty()) {
-    const unsigned point = take_code_point(&utf8);
+    const auto point = static_cast<unsigned>(take_code_point(utf8));
     if (point >= 0x10000) {
       append_hex(0xD800 + ((point - 0x10000) >> 10), &text);
       append_hex(0xDC00 + ((point - 0x10000) & 0x3FF), &text);

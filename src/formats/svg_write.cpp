@@ -97,7 +97,10 @@ class UseOrder {
 class SvgWriter {
  public:
   SvgWriter(Context& context, const Document& document)
-      : context_(context), document_(document), use_count_(document.layers.size(), 0) {}
+      : context_(context),
+        document_(document),
+        writer_(context),
+        use_count_(document.layers.size(), 0) {}
 
   Result<std::string> write();
 
@@ -285,7 +288,7 @@ void SvgWriter::write_layer(std::uint32_t layer, const svg_write::Attributes& at
     svg_write::Attributes path;
     if (!curve.id.empty()) path.add("id", ids_.claim(curve.id));
     if (has_classes) path.add("class", "curve");
-    svg_write::add_curve(path, curve, shader_id_);
+    svg_write::add_curve(context_, path, curve, shader_id_);
     writer_.leaf("path", path);
   }
   writer_.close("g");
@@ -296,7 +299,7 @@ void SvgWriter::write_item(const LocalStroke& stroke) {
   svg_write::Attributes attributes;
   if (!stroke.curve.id.empty()) attributes.add("id", ids_.claim(stroke.curve.id));
   add_transform(attributes, stroke.artboard_from_stroke);
-  svg_write::add_local_curve(attributes, stroke.curve);
+  svg_write::add_local_curve(context_, attributes, stroke.curve);
   writer_.leaf("path", attributes);
 }
 

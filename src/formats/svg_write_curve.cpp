@@ -147,9 +147,10 @@ double mean_radius(const ScalarStops& list) {
 
 }  // namespace
 
-std::string path_data(std::span<const Vec2> control_points) {
+std::string path_data(const Context& context, std::span<const Vec2> control_points) {
   std::string text = "M";
-  for (std::size_t i = 0; i < control_points.size(); ++i) {
+  RarePoll<1024> poll(context);
+  for (std::size_t i = 0; i < control_points.size() && !poll.cancelled(); ++i) {
     if (i > 0) text += i == 1 ? "\nC" : "\n";
     text += number_text(control_points[i].x) + ' ' + number_text(control_points[i].y);
   }
@@ -165,8 +166,9 @@ std::string transform_text(const Affine& map) {
   return text + translation;
 }
 
-void add_curve(Attributes& attributes, const Curve& curve, std::span<const std::string> shader_id) {
-  attributes.add("d", path_data(curve.control_points));
+void add_curve(const Context& context, Attributes& attributes, const Curve& curve,
+               std::span<const std::string> shader_id) {
+  attributes.add("d", path_data(context, curve.control_points));
   add_shader(attributes, "sf:left", curve.left.color, shader_id);
   add_shader(attributes, "sf:right", curve.right.color, shader_id);
   if (curve.left.opacity == curve.right.opacity) {
@@ -185,8 +187,8 @@ void add_curve(Attributes& attributes, const Curve& curve, std::span<const std::
   add_preview(attributes, curve, shader_id);
 }
 
-void add_local_curve(Attributes& attributes, const LocalCurve& curve) {
-  attributes.add("d", path_data(curve.control_points));
+void add_local_curve(const Context& context, Attributes& attributes, const LocalCurve& curve) {
+  attributes.add("d", path_data(context, curve.control_points));
   add_stops(attributes, "sf:left", curve.left_color);
   add_stops(attributes, "sf:right", curve.right_color);
   add_radii(attributes, "sf:blur", curve.blur_radius);

@@ -16,9 +16,11 @@ void append_on_one_line(std::string& text, const std::string& value) {
 }
 
 /// Appends the value from column `indent` on, with as much on each line as fits.
-void append_broken(std::string& text, std::string_view value, std::size_t indent) {
+void append_broken(const Context& context, std::string& text, std::string_view value,
+                   std::size_t indent) {
+  RarePoll<4096> poll(context);
   std::size_t column = indent;
-  for (bool first = true;; first = false) {
+  for (bool first = true; !poll.cancelled(); first = false) {
     const std::size_t end = value.find('\n');
     const std::string_view part = value.substr(0, end);
     if (!first && column + 1 + part.size() > kColumns - kEndColumns) {
@@ -69,7 +71,7 @@ void ElementWriter::element(std::string_view name, const Attributes& attributes,
       append_on_one_line(text_, value);
       column += length + 1;
     } else {
-      append_broken(text_, value, column + key.size() + 2);
+      append_broken(context_, text_, value, column + key.size() + 2);
       column = kColumns;  // nothing beside the end of a broken value
     }
     text_ += '"';

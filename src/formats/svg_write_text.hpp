@@ -33,6 +33,9 @@ class Attributes {
 /// attributes go on below the first one, and values are broken where they may.
 class ElementWriter {
  public:
+  /// Long values are cut short where `context` says to stop: ask it.
+  explicit ElementWriter(const Context& context) : context_(context) {}
+
   void open(std::string_view name, const Attributes& attributes);
   void close(std::string_view name);
   /// <name>text</name>; the text holds nothing that XML would escape.
@@ -45,6 +48,7 @@ class ElementWriter {
  private:
   void element(std::string_view name, const Attributes& attributes, std::string_view end);
 
+  const Context& context_;
   std::string text_;
   std::size_t depth_ = 0;
 };

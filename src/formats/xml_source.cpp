@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <utility>
+#include <vector>
 
 #include "base/limits.hpp"
 
@@ -64,8 +65,10 @@ class ShapeCheck : public pugi::xml_tree_walker {
     // Text lies one deeper than the element that holds it.
     if (static_cast<std::size_t>(depth()) >= limits.xml_depth) {
       fail(node, limit_error(limits, &Limits::xml_depth, "elements within each other"));
-    } else if (has_more_attributes(node, limits.xml_attributes)) {
+    } else if (!collect_names(node, limits.xml_attributes)) {
       fail(node, limit_error(limits, &Limits::xml_attributes, "attributes of one element"));
+    } else {
+      check_duplicates(node);
     }
     return status.ok();
   }
@@ -74,12 +77,24 @@ class ShapeCheck : public pugi::xml_tree_walker {
   pugi::xml_node offender;
 
  private:
-  static bool has_more_attributes(pugi::xml_node node, std::size_t most) {
-    std::size_t count = 0;
+  /// False: there are more than `most`.
+  bool collect_names(pugi::xml_node node, std::size_t most) {
+    names_.clear();
     for (pugi::xml_attribute a = node.first_attribute(); a; a = a.next_attribute()) {
-      if (++count > most) return true;
+      if (names_.size() == most) return false;
+      if (poll_.cancelled()) status = context_.stop_status();
+      names_.push_back(a.name());
     }
-    return false;
+    if (names_.size() > 1) std::ranges::sort(names_);
+    return true;
+  }
+
+  void check_duplicates(pugi::xml_node node) {
+    const auto twice = std::ranges::adjacent_find(names_);
+    if (twice == names_.end()) return;
+    fail(node, make_error(StatusCode::bad_input, "not well-formed XML: the attribute \"" +
+                                                     std::string(twice->substr(0, 64)) +
+                                                     "\" is given twice"));
   }
 
   void fail(pugi::xml_node node, Status error) {
@@ -89,6 +104,7 @@ class ShapeCheck : public pugi::xml_tree_walker {
 
   const Context& context_;
   RarePoll<4096> poll_;
+  std::vector<std::string_view> names_;  ///< of the attributes of one node, sorted
 };
 
 }  // namespace

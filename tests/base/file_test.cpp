@@ -261,6 +261,16 @@ TEST_F(File, many_writers_of_one_name_leave_one_whole_file) {
   EXPECT_EQ(folder_.entry_count(), 1u);
 }
 
+TEST_F(File, names_of_the_temporary_that_folders_have_are_no_other_writer) {
+  for (int slot = 0; slot < 8; ++slot) {
+    std::filesystem::create_directory(folder_.file(".sfumato-a." + std::to_string(slot) + ".tmp"));
+  }
+  const Status status = write_file(folder_.file("a"), bytes_of("a"));
+  EXPECT_EQ(status.code, StatusCode::io);
+  EXPECT_EQ(status.message.find("processes"), std::string::npos) << status.message;
+  EXPECT_NE(status.message.find(".sfumato-a.0.tmp"), std::string::npos) << status.message;
+}
+
 TEST(StandardOutput, closed_reader_is_an_error_and_no_signal) {
   const int status = in_a_child([] {
     int ends[2];

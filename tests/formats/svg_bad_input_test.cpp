@@ -48,6 +48,13 @@ std::string textured(const std::string& href, const std::string& rest = "") {
 
 const BadInput kStructure[] = {
     {"not_svg", "<html/>", "1:1: the document is a <html>; expected <svg>"},
+    {"attribute_twice", svg("<g id='a' class='b' id='c'/>"),
+     "2:1: not well-formed XML: the attribute \"id\" is given twice"},
+    {"namespace_twice", svg("<g xmlns:a='x' xmlns:a='x'/>"),
+     "2:1: not well-formed XML: the attribute \"xmlns:a\" is given twice"},
+    {"attribute_by_two_prefixes",
+     svg("<g xmlns:a='urn:sfumato:1' a:diffuse='true' sf:diffuse='true'/>"),
+     "2:1: the attribute \"sf:diffuse\" is given twice, by two prefixes of urn:sfumato:1"},
     {"not_xml", "hello", " no XML element found"},
     {"no_size", "<svg/>", "1:1: <svg> has no size; expected viewBox, or width and height"},
     {"size_in_percent", "<svg width='100%' height='50'/>",

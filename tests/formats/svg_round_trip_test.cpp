@@ -309,6 +309,32 @@ TEST(SvgRoundTrip, gives_back_textures_and_gradients) {
   }
 }
 
+TEST(SvgRoundTrip, leaves_a_focus_where_it_was_moved_to) {
+  Mixer mixer(7);
+  for (int i = 0; i < 2000; ++i) {
+    const double reach = mixer.chance() ? 40 : 1e7;
+    const auto number = [&] { return std::to_string((2 * mixer.unit() - 1) * reach); };
+    const std::string radius = std::to_string(mixer.unit() * (mixer.chance() ? 1 : 30));
+    std::string text = R"(<svg xmlns="http://www.w3.org/2000/svg" xmlns:sf="urn:sfumato:1" )"
+                       R"(viewBox="0 0 9 9"><radialGradient id="g" gradientUnits=")";
+    text += mixer.chance() ? "userSpaceOnUse" : "objectBoundingBox";
+    text += "\" cx=\"" + number() + "\" cy=\"" + number() + "\" fx=\"" + number() + "\" fy=\"" +
+            number() + "\" r=\"" + radius +
+            R"("><stop offset="0" stop-color="red"/><stop offset="1"/></radialGradient>)"
+            R"(<g sf:diffuse="true"><path d="M0 0L9 7" sf:left="url(#g)"/></g></svg>)";
+    Context context;
+    const auto first = read_svg(context, text, "a.svg");
+    if (!first) continue;  // moved beyond the largest coordinate
+    const auto once = write_svg(context, first->document);
+    ASSERT_TRUE(once.ok());
+    const auto second = read_svg(context, *once, "b.svg");
+    ASSERT_TRUE(second.ok()) << to_string(second.status()) << *once;
+    const auto twice = write_svg(context, second->document);
+    ASSERT_TRUE(twice.ok());
+    ASSERT_EQ(*once, *twice);
+  }
+}
+
 TEST(SvgRoundTrip, gives_back_the_artboard_exactly) {
   for (std::uint64_t seed = 0; seed < 1000; ++seed) {
     Mixer mixer(seed);

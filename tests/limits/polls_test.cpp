@@ -70,6 +70,28 @@ TEST(Polls, readers_look_often) {
   }
 }
 
+std::string svg_of(const std::string& content) {
+  return R"(<svg xmlns="http://www.w3.org/2000/svg" xmlns:sf="urn:sfumato:1" viewBox="0 0 64 64">)"
+         R"(<g sf:diffuse="true">)" +
+         content + "</g></svg>";
+}
+
+TEST(Polls, long_values_are_read_and_written_with_looks) {
+  std::string transforms, points;
+  for (int i = 0; i < 1'000'000; ++i) transforms += "scale(1)";
+  for (int i = 0; i < 1'000'000; ++i) points += std::to_string(i % 64) + ' ';
+  const std::string transformed =
+      svg_of("<path d='M0 0L9 9' sf:left='red' transform='" + transforms + "'/>");
+  const std::string polygon = svg_of("<polygon sf:left='red' points='" + points + "'/>");
+  for (const std::string* text : {&transformed, &polygon}) {
+    expect_polls("reading", [&](Context& c) { return read_document(c, *text, "a.svg"); });
+  }
+  Context context;
+  const auto read = read_document(context, polygon, "a.svg");
+  ASSERT_TRUE(read.ok());
+  expect_polls("writing", [&](Context& c) { return write_svg(c, read->document); });
+}
+
 TEST(Polls, solving_looks_often) {
   const Document curves = many_curves(500);
   expect_polls("curves", [&](Context& c) { return diffuse(c, curves, {.max_error = 0}); });

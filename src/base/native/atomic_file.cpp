@@ -37,6 +37,11 @@ bool is_at(int descriptor, const std::string& path) {
          open_file.st_dev == named_file.st_dev && open_file.st_ino == named_file.st_ino;
 }
 
+bool is_regular_file(const std::string& path) {
+  struct stat status {};
+  return ::lstat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode);
+}
+
 void remove_if_abandoned(const std::string& path) {
   const FileDescriptor file(path, O_RDWR | O_NOFOLLOW | O_NONBLOCK);
   // Its writer may have put it in place, and another begun, since it was opened. Under the lock
@@ -69,7 +74,16 @@ Status AtomicFile::open(std::optional<unsigned> mode) {
     Status status = open_slot(slot, mode);
     if (!status || file_.is_open()) return status;
   }
-  return io_error(path_, "is being written by other processes", EBUSY);
+  for (int slot = 0; slot < kSlotCount; ++slot) {
+    if (is_regular_file(slot_path(slot))) {
+      return io_error(path_, "is being written by other processes", EBUSY);
+    }
+  }
+  return make_error(StatusCode::io,
+                    "cannot be written: what has the names that its temporary file may have, " +
+                        slot_path(0) + " to " + slot_path(kSlotCount - 1) +
+                        ", is no file and cannot be replaced",
+                    {path_});
 }
 
 /// Leaves file_ closed, without an error, where another process has this slot.

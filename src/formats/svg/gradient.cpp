@@ -16,6 +16,20 @@ namespace {
 /// A focus on the circle or beyond it is moved to this share of the radius.
 constexpr double kFocusShare = 0.999;
 
+/// Read again, what comes out stays where it is: it is inside in the numbers that are written.
+void keep_focus_inside(RadialGradient& shape) {
+  const Vec2 from_center = shape.focus - shape.center;
+  const double largest = kFocusShare * shape.radius;
+  if (length(from_center) <= largest) return;
+  double share = largest / length(from_center);
+  double step = 0x1p-53;
+  do {
+    shape.focus = shape.center + from_center * share;
+    share *= 1 - step;
+    step *= 2;
+  } while (length(shape.focus - shape.center) > largest);
+}
+
 class GradientReader {
  public:
   GradientReader(Input& input, Totals& totals, const PaintAttributes& attributes, bool in_box,
@@ -104,11 +118,7 @@ Status GradientReader::read_radial() {
   if (const Element bearer = attributes_.bearer("fr", true)) {
     input_.warn("/fr", bearer, "fr is ignored: the focus is a point");
   }
-  const Vec2 from_center = shape.focus - shape.center;
-  const double largest = kFocusShare * shape.radius;
-  if (sfumato::length(from_center) > largest) {
-    shape.focus = shape.center + from_center * (largest / sfumato::length(from_center));
-  }
+  keep_focus_inside(shape);
   fill_.shape = shape;
   if (shape.radius == 0) make_solid();
   return status;

@@ -1,5 +1,6 @@
 #include "formats/svg/namespaces.hpp"
 
+#include <algorithm>
 #include <map>
 #include <string>
 #include <string_view>
@@ -103,6 +104,7 @@ Space Resolver::element_space(std::string_view prefix) const {
 
 Status Resolver::resolve_attributes(pugi::xml_node element) {
   bool has_href = static_cast<bool>(element.attribute("href"));
+  std::vector<std::string_view> ours;
   for (pugi::xml_attribute attribute : element.attributes()) {
     const QualifiedName name = split(attribute.name());
     if (name.local.size() == std::string_view(attribute.name()).size()) continue;
@@ -112,6 +114,7 @@ Status Resolver::resolve_attributes(pugi::xml_node element) {
     if (space == Space::sfumato) {
       // No longer than it was: the tree takes no memory for it.
       attribute.set_name((":" + std::string(name.local)).c_str());
+      ours.push_back(attribute.name());
     } else if (space == Space::xlink && name.local == "href" && !has_href) {
       attribute.set_name("href");
       has_href = true;
@@ -119,7 +122,11 @@ Status Resolver::resolve_attributes(pugi::xml_node element) {
       attribute.set_name("-");  // ":left" as the file has it is not ours
     }
   }
-  return ok_status();
+  std::ranges::sort(ours);
+  const auto twice = std::ranges::adjacent_find(ours);
+  if (twice == ours.end()) return ok_status();
+  return error(element, "the attribute \"sf" + std::string(twice->substr(0, 64)) +
+                            "\" is given twice, by two prefixes of urn:sfumato:1");
 }
 
 Status Resolver::resolve_children(pugi::xml_node element) {

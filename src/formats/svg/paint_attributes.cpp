@@ -102,7 +102,7 @@ Result<double> PaintAttributes::length(const char* name, bool in_box, const Box&
 Result<Affine> PaintAttributes::transform(const char* name) const {
   const Element element = bearer(name);
   if (!element) return Affine{};
-  const Result<Affine> map = parse_transform(element.attribute(name).value());
+  const Result<Affine> map = parse_transform(input_->context(), element.attribute(name).value());
   if (!map) return input_->in(element, name, map.status());
   if (!is_usable(*map)) {
     return input_->error(element, std::string(name) + " of " + tag(element) +

@@ -196,7 +196,7 @@ Status PatternReader::read_image(Affine& content_from_texture) {
   const Result<AspectRatio> ratio = aspect_ratio(image_);
   if (!ratio) return ratio.status();
   const Result<Affine> transform =
-      parse_transform(input_.attribute(image_, "transform").value_or(""));
+      parse_transform(input_.context(), input_.attribute(image_, "transform").value_or(""));
   if (!transform) return input_.in(image_, "transform", transform.status());
   content_from_texture = *transform * fit({{0, 0}, texture_size()}, box, *ratio);
   return ok_status();

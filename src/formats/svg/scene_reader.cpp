@@ -148,7 +148,7 @@ Result<Affine> SceneReader::own_transform(Element element) {
     input_.warn("/style transform", element,
                 "a transform in style is not read; expected the attribute transform");
   }
-  Result<Affine> map = parse_transform(element.attribute("transform").value());
+  Result<Affine> map = parse_transform(input_.context(), element.attribute("transform").value());
   if (!map) return input_.in(element, "transform", map.status());
   return map;
 }

@@ -89,6 +89,7 @@ Result<Subpaths> ShapeReader::read_points(bool closed) {
   PathBuilder builder;
   bool first = true;
   for (scanner.skip_blanks(); !scanner.at_end(); scanner.skip_separator()) {
+    if (Status stopped = input_.check(); !stopped) return stopped;
     Vec2 point;
     Status status = scanner.take_number(point.x);
     scanner.skip_separator();

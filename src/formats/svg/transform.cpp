@@ -74,10 +74,12 @@ bool to_affine(std::string_view function, const Arguments& arguments, Affine& af
 
 }  // namespace
 
-Result<Affine> parse_transform(std::string_view text) {
+Result<Affine> parse_transform(const Context& context, std::string_view text) {
   Scanner scanner(text);
+  RarePoll<1024> poll(context);
   Affine product;
   for (scanner.skip_blanks(); !scanner.at_end(); scanner.skip_separator()) {
+    if (poll.cancelled()) return context.stop_status();
     const Scanner before = scanner;
     const std::string_view function = scanner.take_word();
     if (std::ranges::find(kFunctions, function) == kFunctions.end()) {

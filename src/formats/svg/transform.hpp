@@ -3,12 +3,13 @@
 #include <string_view>
 
 #include "base/affine.hpp"
+#include "base/context.hpp"
 #include "base/status.hpp"
 
 namespace sfumato::svg {
 
 /// Reads a transform attribute (SVG 1.1, section 7.6): matrix, translate, scale, rotate, skewX,
-/// skewY, from left to right; empty is the identity. Errors: bad_input, without a place.
-Result<Affine> parse_transform(std::string_view text);
+/// skewY, from left to right; empty is the identity. Errors: bad_input, without a place; cancelled.
+Result<Affine> parse_transform(const Context& context, std::string_view text);
 
 }  // namespace sfumato::svg
