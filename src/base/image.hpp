@@ -3,6 +3,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/limits.hpp"
+#include "base/status.hpp"
+
 namespace sfumato {
 
 enum class PixelFormat : std::uint8_t { rgb8, rgba8, rgb16, rgba16 };
@@ -26,5 +29,9 @@ struct Image {
     return static_cast<std::size_t>(width) * channel_count(format) * bytes_per_channel(format);
   }
 };
+
+/// Whether it has pixels, at most Limits::image_side on a side, a known format, and the bytes of
+/// all of them. Errors: bad_input, limit.
+Status validate(const Limits& limits, const Image& image);
 
 }  // namespace sfumato

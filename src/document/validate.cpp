@@ -7,9 +7,16 @@
 #include "base/limits.hpp"
 #include "base/public_verb.hpp"
 #include "document/document.hpp"
+#include "document/rules.hpp"
 
 namespace sfumato {
 namespace {
+
+using rules::inside;
+using rules::is_color;
+using rules::is_coordinate;
+using rules::is_share;
+using rules::is_usable;
 
 Status bad(std::string message) {
   return make_error(StatusCode::bad_input, std::move(message));
@@ -22,36 +29,8 @@ Status at_most(const Context& context, std::size_t count, std::size_t Limits::*l
                                            limit_text(context.limits, limit, what));
 }
 
-/// `status` with the place in the document put before its message.
-Status inside(const std::string& place, Status status) {
-  if (!status) status.message = place + ": " + status.message;
-  return status;
-}
-
-bool is_coordinate(double value) {
-  return std::abs(value) <= limits::kCoordinate;  // false for NaN
-}
-
-bool is_coordinate(Vec2 p) {
-  return is_coordinate(p.x) && is_coordinate(p.y);
-}
-
-bool is_share(double value) {
-  return value >= 0 && value <= 1;
-}
-
-bool is_color(const Rgb& color) {
-  return is_share(color.r) && is_share(color.g) && is_share(color.b);
-}
-
 bool is_length(float value) {
-  return value >= 0 && value <= limits::kCoordinate;
-}
-
-bool is_usable(const Affine& m) {
-  const double determinant = m.determinant();
-  return is_coordinate(m.a) && is_coordinate(m.b) && is_coordinate(m.c) && is_coordinate(m.d) &&
-         is_coordinate({m.e, m.f}) && std::isfinite(1 / determinant);
+  return value >= 0 && is_coordinate(value);
 }
 
 /// Sums that are held against limits over the whole document.
@@ -87,6 +66,7 @@ Status check_stops(const Context& context, const StopList<Value>& list, std::siz
       !status) {
     return status;
   }
+  if (list.space > StopSpace::parameter) return bad("stops in an unknown space");
   const double end = list.space == StopSpace::parameter ? static_cast<double>(piece_count) : 1;
   double last = 0;
   for (std::size_t i = 0; i < list.stops.size(); ++i) {
@@ -105,6 +85,7 @@ Status check_stops(const Context& context, const StopList<Value>& list, std::siz
 template <class Value, class IsValue>
 Status check_shader(const Context& context, const SideShader<Value>& shader,
                     std::size_t piece_count, std::size_t shader_count, IsValue is_value) {
+  if (shader.kind > ShaderKind::image_domain) return bad("an unknown kind of shader");
   const bool has_stops = !shader.stops.empty();
   if (has_stops != (shader.kind == ShaderKind::curve_domain)) {
     return bad(has_stops ? "stops on a side that takes none" : "no stops");
@@ -197,15 +178,6 @@ Status check_layers(const Context& context, const Document& document, Totals& to
   return ok_status();
 }
 
-Status check_instance(const LayerInstance& instance, std::size_t layer_count) {
-  if (instance.layer >= layer_count) {
-    return bad("there is no layer " + std::to_string(instance.layer));
-  }
-  if (!is_usable(instance.artboard_from_layer)) return bad("the transform cannot be inverted");
-  if (!is_share(instance.opacity)) return bad("the opacity is not within 0 to 1");
-  return ok_status();
-}
-
 Status check_stroke(const Context& context, const LocalStroke& stroke) {
   const LocalCurve& curve = stroke.curve;
   const std::size_t pieces =
@@ -231,58 +203,20 @@ Status check_stroke(const Context& context, const LocalStroke& stroke) {
   return ok_status();
 }
 
-/// Checks the items of the stack one after another.
-class StackChecker {
- public:
-  StackChecker(const Context& context, std::size_t layer_count, Totals& totals)
-      : context_(context), layer_count_(layer_count), totals_(totals) {}
-
-  Status operator()(const LayerInstance& instance) const {
-    return check_instance(instance, layer_count_);
-  }
-
-  Status operator()(const LocalStroke& stroke) {
-    const LocalCurve& curve = stroke.curve;
-    totals_.curves += 1;
-    totals_.control_points += curve.control_points.size();
-    totals_.stops += curve.left_color.stops.size() + curve.right_color.stops.size() +
-                     curve.blur_radius.stops.size() + curve.influence_radius.stops.size();
-    return check_stroke(context_, stroke);
-  }
-
-  Status operator()(const GroupBegin& group) {
-    if (!is_share(group.opacity)) return bad("the opacity is not within 0 to 1");
-    return at_most(context_, static_cast<std::size_t>(++open_groups_), &Limits::group_depth,
-                   "groups within each other");
-  }
-
-  Status operator()(const GroupEnd&) {
-    if (--open_groups_ < 0) return bad("a group ends that was not begun");
-    return ok_status();
-  }
-
-  int open_groups() const { return open_groups_; }
-
- private:
-  const Context& context_;
-  std::size_t layer_count_;
-  Totals& totals_;
-  int open_groups_ = 0;
-};
+void add(const LocalCurve& curve, Totals& totals) {
+  totals.curves += 1;
+  totals.control_points += curve.control_points.size();
+  totals.stops += curve.left_color.stops.size() + curve.right_color.stops.size() +
+                  curve.blur_radius.stops.size() + curve.influence_radius.stops.size();
+}
 
 Status check_stack(const Context& context, const Document& document, Totals& totals) {
-  if (Status status = at_most(context, document.stack.size(), &Limits::stack_items, "stack items");
-      !status) {
-    return status;
+  Status status = rules::check_stack(context, document.stack, document.layers.size());
+  if (!status) return status;
+  for (const StackItem& item : document.stack) {
+    if (const auto* stroke = std::get_if<LocalStroke>(&item)) add(stroke->curve, totals);
   }
-  StackChecker checker(context, document.layers.size(), totals);
-  for (std::size_t i = 0; i < document.stack.size(); ++i) {
-    if (context.cancelled()) return context.stop_status();
-    if (Status status = std::visit(checker, document.stack[i]); !status) {
-      return inside("stack item " + std::to_string(i), std::move(status));
-    }
-  }
-  return checker.open_groups() == 0 ? ok_status() : bad("a group has no end");
+  return status;
 }
 
 bool is_shape(const LinearGradient& shape) {
@@ -299,6 +233,7 @@ Status check_paint(const Context& context, const GradientFill& fill) {
     return bad("the gradient's shape is out of range");
   }
   if (!is_usable(fill.layer_from_gradient)) return bad("the transform cannot be inverted");
+  if (fill.spread > SpreadMethod::repeat) return bad("an unknown spread method");
   if (fill.stops.empty()) return bad("the gradient has no stops");
   if (Status status = at_most(context, fill.stops.size(), &Limits::stops_per_list, "stops");
       !status) {
@@ -356,14 +291,11 @@ Status check_shaders(const Context& context, const std::vector<Shader>& shaders)
 }
 
 Status check_document(const Context& context, const Document& document) {
-  const Box& artboard = document.artboard;
-  if (!is_coordinate(artboard.min) || !is_coordinate(artboard.max) || !(artboard.width() > 0) ||
-      !(artboard.height() > 0)) {
+  if (!rules::has_area(document.artboard)) {
     return bad("the artboard has no area or is out of range");
   }
-  if (document.background && !is_color(*document.background)) {
-    return bad("the background is not within 0 to 1");
-  }
+  if (Status status = rules::check_interpolation(document.interpolation); !status) return status;
+  if (Status status = rules::check_background(document.background); !status) return status;
   Totals totals;
   Status status = check_shaders(context, document.shaders);
   if (status) status = check_layers(context, document, totals);

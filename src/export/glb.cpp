@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/public_verb.hpp"
+#include "document/rules.hpp"
 #include "export/glb_file.hpp"
 #include "export/glb_layer.hpp"
 #include "export/page.hpp"
@@ -36,6 +37,7 @@ Status check(const Context& context, const Picture& picture, const GlbOptions& o
                       "dpi, size and error of a GLB must be positive numbers");
   }
   if (Status status = outputs::check_viewport(picture.viewport); !status) return status;
+  if (Status status = rules::check_background(options.background); !status) return status;
   return raster::check_picture(context, picture);
 }
 

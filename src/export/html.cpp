@@ -7,6 +7,7 @@
 
 #include "base/large_vector.hpp"
 #include "base/public_verb.hpp"
+#include "document/rules.hpp"
 #include "export/embedded.hpp"
 #include "export/html_text.hpp"
 #include "export/viewer_payload.hpp"
@@ -95,6 +96,7 @@ Result<std::vector<std::uint8_t>> write(Context& context, const Picture& picture
                                         const HtmlOptions& options, ExportNotes* notes) {
   if (!options.fallback.empty() && !is_media_type(options.fallback_type))
     return make_error(StatusCode::bad_input, "the fallback picture has no media type of an image");
+  if (Status status = rules::check_background(options.background); !status) return status;
   const auto payload = outputs::viewer_payload(context, picture, background_of(picture, options));
   if (!payload) return payload.status();
   ScopedCharge charge;

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "base/limits.hpp"
+#include "document/rules.hpp"
 
 namespace sfumato::outputs {
 
@@ -11,12 +11,7 @@ bool is_positive(double value) {
 }
 
 Status check_viewport(const Box& viewport) {
-  const auto is_place = [](Vec2 p) {
-    return std::fabs(p.x) <= limits::kCoordinate && std::fabs(p.y) <= limits::kCoordinate;
-  };
-  if (viewport.width() > 0 && viewport.height() > 0 && is_place(viewport.min) &&
-      is_place(viewport.max))
-    return ok_status();
+  if (rules::has_area(viewport)) return ok_status();
   return make_error(StatusCode::bad_input, "a picture with an empty viewport");
 }
 

@@ -9,6 +9,7 @@
 #include "base/large_vector.hpp"
 #include "base/limits.hpp"
 #include "base/public_verb.hpp"
+#include "document/rules.hpp"
 #include "export/page.hpp"
 #include "export/pixel_run.hpp"
 #include "export/svg_layer.hpp"
@@ -38,10 +39,15 @@ Status check(const Context& context, const Picture& picture, const SvgOptions& o
   if (!(pixels_per_unit(options) > 0) || !std::isfinite(pixels_per_unit(options))) {
     return make_error(StatusCode::bad_input, "scale or dpi of an SVG that is no positive number");
   }
-  if (!(options.max_error > 0)) {
-    return make_error(StatusCode::bad_input, "an error of an SVG's colours that is not above 0");
+  if (!(options.max_error > 0) || !std::isfinite(options.max_error)) {
+    return make_error(StatusCode::bad_input,
+                      "an error of an SVG's colours that is no positive number");
+  }
+  if (options.mode > SvgMode::vector) {
+    return make_error(StatusCode::bad_input, "an unknown mode of SVG");
   }
   if (Status status = outputs::check_viewport(picture.viewport); !status) return status;
+  if (Status status = rules::check_background(options.background); !status) return status;
   return raster::check_picture(context, picture);
 }
 

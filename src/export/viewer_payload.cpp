@@ -7,6 +7,7 @@
 #include <utility>
 #include <variant>
 
+#include "document/rules.hpp"
 #include "export/deflate.hpp"
 #include "export/viewer_field.hpp"
 #include "export/viewer_mesh.hpp"
@@ -32,12 +33,8 @@ void write_blending(float opacity, BlendMode blend, ByteWriter& out) {
   out.u8(static_cast<std::uint8_t>(blend));
 }
 
-bool is_shown(const Box& box) {
-  return is_finite(box.min) && is_finite(box.max) && box.width() > 0 && box.height() > 0;
-}
-
 Status check_size(const Limits& limits, const Picture& picture) {
-  if (!is_shown(picture.artboard) || !is_shown(picture.viewport))
+  if (!rules::has_area(picture.artboard) || !rules::has_area(picture.viewport))
     return make_error(StatusCode::bad_input, "the picture's artboard or viewport is empty");
   std::size_t triangles = 0;
   for (const PatchLayer& layer : picture.layers) triangles += layer.triangle_count();

@@ -137,6 +137,10 @@ Status failure(const Session& session) {
 }
 
 Result<std::vector<std::uint8_t>> encode(Context& context, const Image& image, int quality) {
+  if (Status status = validate(context.limits, image); !status) return status;
+  if (quality < 1 || quality > 100) {
+    return make_error(StatusCode::bad_input, "the quality of a JPEG must be from 1 to 100");
+  }
   if (image.format != PixelFormat::rgb8) {
     return make_error(StatusCode::bad_input, "JPEG holds 8 bits per channel and no alpha");
   }

@@ -12,7 +12,7 @@
 namespace sfumato {
 
 /// Encodes as PNG (sRGB chunk, no time stamp: the same image gives the same bytes for any thread
-/// count). Errors: limit, cancelled.
+/// count). Errors: bad_input (an image whose size and bytes disagree), limit, cancelled.
 Result<std::vector<std::uint8_t>> encode_png(Context& context, const Image& image);
 
 /// Decodes any PNG to rgb8, rgba8, rgb16 or rgba16. The header is checked before memory is taken.

@@ -235,19 +235,8 @@ Result<Bytes> Encoder::joined_parts() {
   return joined;
 }
 
-Status check(const Limits& limits, const Image& image) {
-  if (static_cast<std::size_t>(std::max(image.width, image.height)) > limits.image_side) {
-    return limit_error(limits, &Limits::image_side, "pixels on a side of the image");
-  }
-  if (image.width < 1 || image.height < 1 ||
-      image.bytes.size() != image.row_bytes() * static_cast<std::size_t>(image.height)) {
-    return make_error(StatusCode::internal, "the image's size and bytes disagree");
-  }
-  return ok_status();
-}
-
 Result<Bytes> encode(Context& context, const Image& image) {
-  if (Status status = check(context.limits, image); !status) return status;
+  if (Status status = validate(context.limits, image); !status) return status;
   return Encoder(context, image).encode();
 }
 

@@ -44,7 +44,11 @@ Status failure(const WebPPicture& picture) {
   }
 }
 
-Status check(const Image& image) {
+Status check(const Limits& limits, const Image& image, const WebpOptions& options) {
+  if (Status status = validate(limits, image); !status) return status;
+  if (!options.lossless && (options.quality < 1 || options.quality > 100)) {
+    return make_error(StatusCode::bad_input, "the quality of a WebP must be from 1 to 100");
+  }
   if (bytes_per_channel(image.format) != 1) {
     return make_error(StatusCode::bad_input, "WebP holds 8 bits per channel");
   }
@@ -66,7 +70,7 @@ WebPConfig configuration(const WebpOptions& options) {
 
 Result<std::vector<std::uint8_t>> encode(Context& context, const Image& image,
                                          const WebpOptions& options) {
-  Status status = check(image);
+  Status status = check(context.limits, image, options);
   ScopedCharge charge;
   const std::size_t pixel_count = static_cast<std::size_t>(image.width) * image.height;
   if (status) {

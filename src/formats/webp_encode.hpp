@@ -18,8 +18,9 @@ struct WebpOptions {
 inline constexpr int kWebpSide = 16'383;
 
 /// Encodes an rgb8 or rgba8 image as WebP. Lossless keeps every byte, also colours where alpha is
-/// 0. Errors: bad_input (16 bits per channel), limit (size, memory), out_of_memory, cancelled. Of
-/// memory that libwebp is refused it does not always tell (tests/allocation/README.md).
+/// 0. Errors: bad_input (16 bits per channel, bytes that are not the size's, another quality),
+/// limit (size, memory), out_of_memory, cancelled. Of memory that libwebp is refused it does not
+/// always tell (tests/allocation/README.md).
 Result<std::vector<std::uint8_t>> encode_webp(Context& context, const Image& image,
                                               const WebpOptions& options);
 

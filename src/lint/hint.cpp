@@ -1,6 +1,7 @@
 #include "lint/hint.hpp"
 
 #include <array>
+#include <vector>
 
 namespace sfumato {
 namespace {
@@ -29,10 +30,22 @@ void append(std::string& text, const char* what, std::uint32_t index, const std:
   if (!id.empty()) text += " \"" + id + '"';
 }
 
+/// Null where a hint of another document names what is not there.
+template <class T>
+const T* element(const std::vector<T>& list, std::uint32_t index) {
+  return index < list.size() ? &list[index] : nullptr;
+}
+
+template <class T>
+std::string id_of(const T* named) {
+  return named ? named->id : std::string();
+}
+
 }  // namespace
 
 std::string_view hint_name(HintKind kind) {
-  return kNames[static_cast<std::size_t>(kind)];
+  const auto index = static_cast<std::size_t>(kind);
+  return index < kNames.size() ? kNames[index] : "unknown";
 }
 
 bool is_note(HintKind kind) {
@@ -42,16 +55,21 @@ bool is_note(HintKind kind) {
 std::string place_text(const Document& document, const Hint& hint) {
   std::string text;
   if (hint.stack_item) {
-    const auto* stroke = std::get_if<LocalStroke>(&document.stack[*hint.stack_item]);
+    const StackItem* item = element(document.stack, *hint.stack_item);
+    const LocalStroke* stroke = item ? std::get_if<LocalStroke>(item) : nullptr;
     append(text, stroke ? "local curve at stack item " : "stack item ", *hint.stack_item,
            stroke ? stroke->curve.id : std::string());
   }
-  if (hint.layer) append(text, "layer ", *hint.layer, document.layers[*hint.layer].id);
+  const Layer* layer = hint.layer ? element(document.layers, *hint.layer) : nullptr;
+  if (hint.layer) append(text, "layer ", *hint.layer, id_of(layer));
   if (hint.curve) {
-    append(text, "curve ", *hint.curve, document.layers[*hint.layer].curves[*hint.curve].id);
+    append(text, "curve ", *hint.curve,
+           id_of(layer ? element(layer->curves, *hint.curve) : nullptr));
   }
   if (hint.side) text += *hint.side == CurveSide::left ? ", left side" : ", right side";
-  if (hint.shader) append(text, "shader ", *hint.shader, document.shaders[*hint.shader].id);
+  if (hint.shader) {
+    append(text, "shader ", *hint.shader, id_of(element(document.shaders, *hint.shader)));
+  }
   return text;
 }
 

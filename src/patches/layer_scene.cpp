@@ -175,6 +175,8 @@ Status validate(const DiffuseOptions& options) {
   if (!(std::isfinite(options.max_error) && options.max_error >= 0)) {
     return wrong("the maximum error must be 0 (off) or more code values");
   }
+  if (options.order > PatchOrder::cubic) return wrong("an unknown order of patches");
+  if (options.gather.method > gather::Method::rays) return wrong("an unknown method to gather by");
   if (options.gather.rays_per_node < 1 || options.gather.rays_per_node > limits::kRays) {
     return wrong("the number of rays must be from 1 to 4096");
   }

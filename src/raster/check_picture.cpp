@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/limits.hpp"
-#include "document/document.hpp"
+#include "document/rules.hpp"
 
 namespace sfumato::raster {
 namespace {
@@ -24,14 +24,6 @@ bool all_below(const std::vector<std::uint32_t>& indices, std::size_t bound) {
   return std::all_of(indices.begin(), indices.end(), [&](std::uint32_t i) { return i < bound; });
 }
 
-bool is_position(Vec2 p) {
-  return std::fabs(p.x) <= limits::kCoordinate && std::fabs(p.y) <= limits::kCoordinate;
-}
-
-bool is_share(float value) {
-  return value >= 0 && value <= 1;
-}
-
 /// own_channels: those that are no shader's weight.
 bool is_whole(const PatchField& field, int own_channels, const Picture& picture,
               const PatchLayer& layer) {
@@ -43,13 +35,18 @@ bool is_whole(const PatchField& field, int own_channels, const Picture& picture,
          all_below(field.shader, picture.shaders.size());
 }
 
+bool is_absent(const PatchField& field) {
+  return field.channel_count == 0 && field.shader.empty();
+}
+
 bool is_whole(const PatchLayer& layer, const Picture& picture) {
   const std::size_t corners = std::size_t{3} * layer.triangle_count();
   return layer.triangle_vertex.size() == corners && layer.edge_is_curve.size() == corners &&
          layer.order <= PatchOrder::cubic && is_whole(layer.color, 3, picture, layer) &&
-         (layer.opacity.channel_count == 0 || is_whole(layer.opacity, 1, picture, layer)) &&
+         (is_absent(layer.opacity) || is_whole(layer.opacity, 1, picture, layer)) &&
          all_below(layer.triangle_vertex, layer.vertex_position.size()) &&
-         std::all_of(layer.vertex_position.begin(), layer.vertex_position.end(), is_position);
+         std::all_of(layer.vertex_position.begin(), layer.vertex_position.end(),
+                     [](Vec2 p) { return rules::is_coordinate(p); });
 }
 
 Status check_layer(const Context& context, const PatchLayer& layer, const Picture& picture) {
@@ -63,42 +60,6 @@ Status check_layer(const Context& context, const PatchLayer& layer, const Pictur
   return ok_status();
 }
 
-bool can_blend(float opacity, BlendMode blend) {
-  return is_share(opacity) && blend <= BlendMode::luminosity;
-}
-
-/// One item of the stack; `depth` is the number of open groups.
-struct ItemCheck {
-  const Context& context;
-  const Picture& picture;
-  std::size_t* depth;
-
-  Status operator()(const PatchInstance& instance) const {
-    if (instance.layer >= picture.layers.size())
-      return bad("an instance of a layer that is not there");
-    if (!is_moderate(instance.artboard_from_layer))
-      return bad("an instance placed beyond all numbers");
-    if (!can_blend(instance.opacity, instance.blend))
-      return bad("an instance with an opacity outside 0 to 1 or an unknown blend mode");
-    return ok_status();
-  }
-  Status operator()(const LocalStroke& stroke) const {
-    if (!is_moderate(stroke.artboard_from_stroke)) return bad("a stroke placed beyond all numbers");
-    return validate(context, stroke);
-  }
-  Status operator()(const GroupBegin& group) const {
-    if (!can_blend(group.opacity, group.blend))
-      return bad("a group with an opacity outside 0 to 1 or an unknown blend mode");
-    if (++*depth <= context.limits.group_depth) return ok_status();
-    return limit_error(context.limits, &Limits::group_depth, "groups of the picture in each other");
-  }
-  Status operator()(const GroupEnd&) const {
-    if (*depth == 0) return bad("a group of the picture ends that did not begin");
-    --*depth;
-    return ok_status();
-  }
-};
-
 }  // namespace
 
 bool is_moderate(const Affine& m) {
@@ -108,22 +69,12 @@ bool is_moderate(const Affine& m) {
 }
 
 Status check_picture(const Context& context, const Picture& picture) {
-  if (picture.interpolation > InterpolationSpace::oklab)
-    return bad("a picture with an unknown interpolation space");
-  if (picture.stack.size() > context.limits.stack_items) {
-    return limit_error(context.limits, &Limits::stack_items, "items in the picture's stack");
-  }
+  if (Status status = rules::check_interpolation(picture.interpolation); !status) return status;
+  if (Status status = rules::check_background(picture.background); !status) return status;
   if (Status status = validate(context, picture.shaders); !status) return status;
   for (const PatchLayer& layer : picture.layers)
     if (Status status = check_layer(context, layer, picture); !status) return status;
-  std::size_t depth = 0;
-  for (const PictureItem& item : picture.stack) {
-    if (context.cancelled()) return context.stop_status();
-    if (Status status = std::visit(ItemCheck{context, picture, &depth}, item); !status) {
-      return status;
-    }
-  }
-  return depth == 0 ? ok_status() : bad("a group of the picture that does not end");
+  return rules::check_stack(context, picture.stack, picture.layers.size());
 }
 
 }  // namespace sfumato::raster

@@ -2,9 +2,11 @@
 
 #include <string>
 
+#include "document/rules.hpp"
+
 namespace sfumato::raster {
 
-Status check_size(const Limits& limits, const RasterOptions& options) {
+Status check_options(const Limits& limits, const RasterOptions& options) {
   const std::string size =
       std::to_string(options.width) + " x " + std::to_string(options.height) + " pixels";
   if (options.width < 1 || options.height < 1) {
@@ -15,7 +17,10 @@ Status check_size(const Limits& limits, const RasterOptions& options) {
                       "an image of " + size + "; the limit is " +
                           limit_text(limits, &Limits::image_side, "pixels on a side"));
   }
-  return ok_status();
+  if (options.format > PixelFormat::rgba16) {
+    return make_error(StatusCode::bad_input, "an unknown format of pixels");
+  }
+  return rules::check_background(options.background);
 }
 
 Backdrop choose_backdrop(const RasterOptions& options, const std::optional<Rgb>& document) {

@@ -8,8 +8,9 @@
 
 namespace sfumato::raster {
 
-/// Checks the size of the image against limits.hpp.
-Status check_size(const Limits& limits, const RasterOptions& options);
+/// Checks the size of the image against limits.hpp, its format and its background. Errors:
+/// bad_input, limit.
+Status check_options(const Limits& limits, const RasterOptions& options);
 
 /// What a pixel shows where nothing is painted.
 struct Backdrop {

@@ -162,7 +162,7 @@ Result<PaintList> make_list(Context& context, const Picture& picture,
 
 Result<Image> raster::paint_picture(Context& context, const Picture& picture,
                                     const RasterOptions& options, const FieldSource* source) {
-  Status status = raster::check_size(context.limits, options);
+  Status status = raster::check_options(context.limits, options);
   if (!status) return status;
   Scene scene;
   scene.options = &options;

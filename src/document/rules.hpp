@@ -1,0 +1,83 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "base/affine.hpp"
+#include "base/box.hpp"
+#include "base/color.hpp"
+#include "base/color_space.hpp"
+#include "base/context.hpp"
+#include "base/status.hpp"
+#include "document/document.hpp"
+
+/// What holds of the parts of documents wherever they stand: in a Document, in a Picture that took
+/// them over, in options. Each fact is stated here alone.
+namespace sfumato::rules {
+
+bool is_coordinate(double value);  ///< at most limits::kCoordinate in magnitude
+bool is_coordinate(Vec2 p);
+bool is_share(double value);  ///< 0 to 1
+bool is_color(const Rgb& color);
+/// Coordinates, width and height above 0.
+bool has_area(const Box& box);
+/// Coordinates, and there is an inverse.
+bool is_usable(const Affine& map);
+
+Status check_interpolation(InterpolationSpace space);
+Status check_background(const std::optional<Rgb>& background);
+Status check_compositing(float opacity, BlendMode blend);
+
+/// `status` with the place put before its message.
+Status inside(const std::string& place, Status status);
+
+/// Checks the items of a stack one after another: instances of layers, strokes, groups.
+class StackChecker {
+ public:
+  StackChecker(const Context& context, std::size_t layer_count)
+      : context_(context), layer_count_(layer_count) {}
+
+  /// A LayerInstance or a PatchInstance.
+  template <class Instance>
+  Status operator()(const Instance& instance) const {
+    return check_instance(instance.layer, instance.artboard_from_layer, instance.opacity,
+                          instance.blend);
+  }
+  Status operator()(const LocalStroke& stroke) const { return validate(context_, stroke); }
+  Status operator()(const GroupBegin& group);
+  Status operator()(const GroupEnd&);
+
+  /// After the last item.
+  Status finish() const;
+
+ private:
+  Status check_instance(std::size_t layer, const Affine& artboard_from_layer, float opacity,
+                        BlendMode blend) const;
+
+  const Context& context_;
+  std::size_t layer_count_;
+  std::size_t open_groups_ = 0;
+};
+
+/// Of more items than the limit of them.
+Status check_stack_size(const Context& context, std::size_t item_count);
+
+/// A whole stack, a document's or a picture's. Errors: bad_input, limit, cancelled.
+template <class Item>
+Status check_stack(const Context& context, const std::vector<Item>& stack,
+                   std::size_t layer_count) {
+  if (Status status = check_stack_size(context, stack.size()); !status) return status;
+  StackChecker checker(context, layer_count);
+  for (std::size_t i = 0; i < stack.size(); ++i) {
+    if (context.cancelled()) return context.stop_status();
+    if (Status status = std::visit(checker, stack[i]); !status) {
+      return inside("stack item " + std::to_string(i), std::move(status));
+    }
+  }
+  return checker.finish();
+}
+
+}  // namespace sfumato::rules

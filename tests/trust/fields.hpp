@@ -1,0 +1,190 @@
+#pragma once
+
+#include <tuple>
+
+#include "base/context.hpp"
+#include "base/image.hpp"
+#include "document/document.hpp"
+#include "export/eps.hpp"
+#include "export/glb.hpp"
+#include "export/html.hpp"
+#include "export/pdf.hpp"
+#include "export/svg.hpp"
+#include "formats/webp_encode.hpp"
+#include "lint/hint.hpp"
+#include "patches/diffuse.hpp"
+#include "patches/picture.hpp"
+#include "raster/rasterize.hpp"
+
+/// The fields of every public struct that a caller fills in. A field that is added to a struct must
+/// be added here: without it the number of names does not fit, and this does not compile.
+namespace sfumato::test {
+
+inline auto fields(Vec2& v) {
+  auto& [x, y] = v;
+  return std::tie(x, y);
+}
+inline auto fields(Rgb& v) {
+  auto& [r, g, b] = v;
+  return std::tie(r, g, b);
+}
+inline auto fields(Box& v) {
+  auto& [min, max] = v;
+  return std::tie(min, max);
+}
+inline auto fields(Affine& v) {
+  auto& [a, b, c, d, e, f] = v;
+  return std::tie(a, b, c, d, e, f);
+}
+template <class Value>
+auto fields(Stop<Value>& v) {
+  auto& [offset, value] = v;
+  return std::tie(offset, value);
+}
+template <class Value>
+auto fields(StopList<Value>& v) {
+  auto& [space, stops] = v;
+  return std::tie(space, stops);
+}
+template <class Value>
+auto fields(SideShader<Value>& v) {
+  auto& [kind, stops, shader] = v;
+  return std::tie(kind, stops, shader);
+}
+inline auto fields(Side& v) {
+  auto& [color, opacity, blur_radius] = v;
+  return std::tie(color, opacity, blur_radius);
+}
+inline auto fields(Curve& v) {
+  auto& [id, control_points, left, right, weight] = v;
+  return std::tie(id, control_points, left, right, weight);
+}
+inline auto fields(LocalCurve& v) {
+  auto& [id, control_points, left_color, right_color, blur_radius, influence_radius, alpha] = v;
+  return std::tie(id, control_points, left_color, right_color, blur_radius, influence_radius,
+                  alpha);
+}
+inline auto fields(GradientStop& v) {
+  auto& [offset, color, alpha] = v;
+  return std::tie(offset, color, alpha);
+}
+inline auto fields(LinearGradient& v) {
+  auto& [start, end] = v;
+  return std::tie(start, end);
+}
+inline auto fields(RadialGradient& v) {
+  auto& [center, focus, radius] = v;
+  return std::tie(center, focus, radius);
+}
+inline auto fields(GradientFill& v) {
+  auto& [shape, spread, layer_from_gradient, stops] = v;
+  return std::tie(shape, spread, layer_from_gradient, stops);
+}
+inline auto fields(Texture& v) {
+  auto& [width, height, rgba, layer_from_texture, repeats, period, file] = v;
+  return std::tie(width, height, rgba, layer_from_texture, repeats, period, file);
+}
+inline auto fields(Shader& v) {
+  auto& [id, paint] = v;
+  return std::tie(id, paint);
+}
+inline auto fields(Layer& v) {
+  auto& [id, curves] = v;
+  return std::tie(id, curves);
+}
+inline auto fields(LayerInstance& v) {
+  auto& [layer, artboard_from_layer, opacity, blend] = v;
+  return std::tie(layer, artboard_from_layer, opacity, blend);
+}
+inline auto fields(LocalStroke& v) {
+  auto& [curve, artboard_from_stroke] = v;
+  return std::tie(curve, artboard_from_stroke);
+}
+inline auto fields(GroupBegin& v) {
+  auto& [opacity, blend] = v;
+  return std::tie(opacity, blend);
+}
+inline auto fields(GroupEnd&) {
+  return std::tuple<>();
+}
+inline auto fields(Document& v) {
+  auto& [artboard, interpolation, background, shaders, layers, stack] = v;
+  return std::tie(artboard, interpolation, background, shaders, layers, stack);
+}
+inline auto fields(PatchField& v) {
+  auto& [channel_count, triangle_node, node_value, shader] = v;
+  return std::tie(channel_count, triangle_node, node_value, shader);
+}
+inline auto fields(PatchLayer& v) {
+  auto& [frame, order, vertex_position, triangle_vertex, edge_is_curve, color, opacity] = v;
+  return std::tie(frame, order, vertex_position, triangle_vertex, edge_is_curve, color, opacity);
+}
+inline auto fields(PatchInstance& v) {
+  auto& [layer, artboard_from_layer, opacity, blend] = v;
+  return std::tie(layer, artboard_from_layer, opacity, blend);
+}
+inline auto fields(Picture& v) {
+  auto& [artboard, viewport, interpolation, background, shaders, layers, stack] = v;
+  return std::tie(artboard, viewport, interpolation, background, shaders, layers, stack);
+}
+inline auto fields(gather::GatherOptions& v) {
+  auto& [method, rays_per_node, seed] = v;
+  return std::tie(method, rays_per_node, seed);
+}
+inline auto fields(DiffuseOptions& v) {
+  auto& [viewport, pixels_per_unit, tolerance, min_angle_deg, max_area_fraction, max_error, order,
+         gather, ignore_blur] = v;
+  return std::tie(viewport, pixels_per_unit, tolerance, min_angle_deg, max_area_fraction, max_error,
+                  order, gather, ignore_blur);
+}
+inline auto fields(RasterOptions& v) {
+  auto& [width, height, viewport, format, background, dither, antialias, mesh_overlay] = v;
+  return std::tie(width, height, viewport, format, background, dither, antialias, mesh_overlay);
+}
+inline auto fields(PdfOptions& v) {
+  auto& [page_width_pt, dpi, max_error, title] = v;
+  return std::tie(page_width_pt, dpi, max_error, title);
+}
+inline auto fields(EpsOptions& v) {
+  auto& [page_width_pt, dpi, max_error, title] = v;
+  return std::tie(page_width_pt, dpi, max_error, title);
+}
+inline auto fields(SvgOptions& v) {
+  auto& [mode, scale, dpi, background, max_error, force] = v;
+  return std::tie(mode, scale, dpi, background, max_error, force);
+}
+inline auto fields(GlbOptions& v) {
+  auto& [max_error, dpi, size, background] = v;
+  return std::tie(max_error, dpi, size, background);
+}
+inline auto fields(HtmlOptions& v) {
+  auto& [title, background, fallback, fallback_type] = v;
+  return std::tie(title, background, fallback, fallback_type);
+}
+inline auto fields(WebpOptions& v) {
+  auto& [lossless, quality] = v;
+  return std::tie(lossless, quality);
+}
+inline auto fields(Image& v) {
+  auto& [width, height, format, bytes] = v;
+  return std::tie(width, height, format, bytes);
+}
+inline auto fields(Hint& v) {
+  auto& [kind, layer, curve, side, stack_item, shader, message] = v;
+  return std::tie(kind, layer, curve, side, stack_item, shader, message);
+}
+inline auto fields(Deadline& v) {
+  auto& [at, seconds] = v;  // any time is one
+  static_cast<void>(at);
+  return std::tie(seconds);
+}
+inline auto fields(Context& v) {
+  auto& [executor, progress, budget, limits, cancel, deadline, simd, poll_watch, outer] = v;
+  // Pointers are the caller's; limits, budget and what is behind pointers have tests of their own.
+  static_cast<void>(executor), static_cast<void>(progress), static_cast<void>(budget);
+  static_cast<void>(limits), static_cast<void>(cancel), static_cast<void>(poll_watch);
+  static_cast<void>(outer);
+  return std::tie(deadline, simd);
+}
+
+}  // namespace sfumato::test

@@ -1,0 +1,403 @@
+// Every field of every public struct, given every wrong value, is an answer of every public verb:
+// no crash, no exception, no undefined behaviour (the sanitizers run this too).
+#include "trust/wrong_values.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <utility>
+
+#include "allocation/documents.hpp"
+#include "base/native/tbb_executor.hpp"
+#include "document/document.hpp"
+#include "export/eps.hpp"
+#include "export/glb.hpp"
+#include "export/html.hpp"
+#include "export/pdf.hpp"
+#include "export/svg.hpp"
+#include "formats/jpeg_encode.hpp"
+#include "formats/orzan.hpp"
+#include "formats/png.hpp"
+#include "formats/read_document.hpp"
+#include "formats/svg.hpp"
+#include "formats/svg_write.hpp"
+#include "formats/webp_encode.hpp"
+#include "gpu/render.hpp"
+#include "lint/lint.hpp"
+#include "patches/diffuse.hpp"
+#include "raster/check_picture.hpp"
+#include "raster/rasterize.hpp"
+#include "raster/render_pixels.hpp"
+
+namespace sfumato::test {
+namespace {
+
+/// What an attempt may cost. To pass either is an answer too.
+constexpr double kSeconds = 0.2;
+constexpr std::size_t kBytes = std::size_t{256} << 20;
+
+Context limited() {
+  return Context{.budget = Budget(kBytes), .deadline = Deadline::in(kSeconds)};
+}
+
+const RasterOptions kSmall{.width = 12, .height = 9};
+const SvgOptions kCoarseSvg{.mode = SvgMode::vector, .dpi = 24};
+
+/// Ok or an error that is the caller's to mend.
+StatusCode answer(const Status& status, const std::string& place) {
+  const bool is_honest =
+      status.ok() || status.code == StatusCode::bad_input || status.code == StatusCode::limit;
+  EXPECT_TRUE(is_honest) << place << ": " << int(status.code) << ' ' << status.message;
+  EXPECT_EQ(status.ok(), status.message.empty()) << place;
+  return status.code;
+}
+
+/// Of a verb in a Context of its own, which ends as it began.
+template <class Verb>
+StatusCode answer_of(const std::string& place, Verb verb) {
+  Context context = limited();
+  Status status;
+  {
+    const auto result = verb(context);
+    if constexpr (std::is_same_v<std::remove_const_t<decltype(result)>, Status>) {
+      status = result;
+    } else {
+      status = result.status();
+    }
+  }
+  EXPECT_EQ(context.budget.used(), 0u) << place;
+  return answer(status, place);
+}
+
+Document document_of_everything() {
+  Context context;
+  Result<ReadDocument> read = read_document(context, document_with_everything(), "all.svg");
+  EXPECT_TRUE(read.ok()) << to_string(read.status());
+  Document document = std::move(read->document);
+  document.background = Rgb{0.5f, 0.5f, 1};
+  return document;
+}
+
+Picture picture_of_everything() {
+  Context context;
+  Result<Picture> picture = diffuse(context, document_of_everything(), {.max_error = 0});
+  EXPECT_TRUE(picture.ok()) << to_string(picture.status());
+  return std::move(*picture);
+}
+
+void draw(const Document& document, const std::string& place) {
+  const StatusCode valid =
+      answer_of(place + ", validate", [&](Context& c) { return validate(c, document); });
+  const std::array codes{
+      answer_of(place + ", diffuse", [&](Context& c) { return diffuse(c, document, {}); }),
+      answer_of(place + ", lint", [&](Context& c) { return lint(c, document); }),
+      answer_of(place + ", pixels",
+                [&](Context& c) { return render_pixels(c, document, {}, kSmall); }),
+      answer_of(place + ", write", [&](Context& c) { return write_svg(c, document); })};
+  for (const StatusCode code : codes) {
+    if (valid != StatusCode::ok) {
+      EXPECT_EQ(code, valid) << place;
+    }
+  }
+}
+
+/// Every output of a picture.
+void show(const Picture& picture, const std::string& place) {
+  const StatusCode valid =
+      answer_of(place + ", check", [&](Context& c) { return raster::check_picture(c, picture); });
+  const StatusCode shown =
+      answer_of(place + ", rasterize", [&](Context& c) { return rasterize(c, picture, kSmall); });
+  if (shown == StatusCode::bad_input) {  // before a device is asked for
+    EXPECT_EQ(
+        answer_of(place + ", gpu", [&](Context& c) { return render_on_gpu(c, picture, kSmall); }),
+        shown);
+  }
+  const std::array codes{
+      shown,
+      answer_of(place + ", html", [&](Context& c) { return export_html(c, picture, {}); }),
+      answer_of(place + ", pdf", [&](Context& c) { return export_pdf(c, picture, {.dpi = 24}); }),
+      answer_of(place + ", eps", [&](Context& c) { return export_eps(c, picture, {.dpi = 24}); }),
+      answer_of(place + ", svg", [&](Context& c) { return export_svg(c, picture, kCoarseSvg); }),
+      answer_of(place + ", glb", [&](Context& c) { return export_glb(c, picture, {.dpi = 24}); })};
+  for (const StatusCode code : codes) {
+    if (valid != StatusCode::ok) {
+      EXPECT_EQ(code, valid) << place;
+    }
+  }
+}
+
+template <class Options, class Verb>
+void try_options(const std::string& name, Options options, Verb verb) {
+  try_wrong_values(options, name, [&](const std::string& place) {
+    answer_of(place, [&](Context& c) { return verb(c, options); });
+  });
+}
+
+TEST(WrongValues, of_documents_are_answered) {
+  Document document = document_of_everything();
+  draw(document, "as it was");
+  try_wrong_values(document, "document", [&](const std::string& place) { draw(document, place); });
+}
+
+TEST(WrongValues, of_pictures_are_answered) {
+  Picture picture = picture_of_everything();
+  show(picture, "as it was");
+  try_wrong_values(picture, "picture", [&](const std::string& place) { show(picture, place); });
+}
+
+TEST(WrongValues, of_layers_of_pictures_are_answered) {
+  Picture picture = picture_of_everything();
+  for (std::size_t i = 1; i + 1 < picture.layers.size(); ++i) {
+    try_wrong_values(picture.layers[i], "layer " + std::to_string(i),
+                     [&](const std::string& place) { show(picture, place); });
+  }
+}
+
+TEST(WrongValues, of_items_of_a_stack_are_answered) {
+  Document document = document_of_everything();
+  for (StackItem& item : document.stack) {
+    try_wrong_values(item, "item", [&](const std::string& place) { draw(document, place); });
+  }
+}
+
+TEST(WrongValues, of_what_documents_and_pictures_share_are_the_same_to_both) {
+  Document document = document_of_everything();
+  Context context;
+  const auto compare = [&](const std::string& place) {
+    Picture picture;
+    picture.interpolation = document.interpolation;
+    picture.background = document.background;
+    picture.shaders = document.shaders;
+    picture.layers.resize(document.layers.size());
+    for (const StackItem& item : document.stack) {
+      if (const auto* i = std::get_if<LayerInstance>(&item)) {
+        picture.stack.push_back(
+            PatchInstance{i->layer, i->artboard_from_layer, i->opacity, i->blend});
+      } else if (const auto* stroke = std::get_if<LocalStroke>(&item)) {
+        picture.stack.push_back(*stroke);
+      } else if (const auto* group = std::get_if<GroupBegin>(&item)) {
+        picture.stack.push_back(*group);
+      } else {
+        picture.stack.push_back(GroupEnd{});
+      }
+    }
+    const Status of_document = validate(context, document);
+    const Status of_picture = raster::check_picture(context, picture);
+    EXPECT_EQ(of_document.code, of_picture.code)
+        << place << ": " << of_document.message << "; " << of_picture.message;
+  };
+  try_wrong_values(document.interpolation, "interpolation", compare);
+  try_wrong_values(document.background, "background", compare);
+  for (StackItem& item : document.stack) try_wrong_values(item, "item", compare);
+  document.layers.clear();  // which refer to shaders
+  document.stack.clear();
+  try_wrong_values(document.shaders, "shaders", compare);
+}
+
+TEST(WrongValues, of_options_are_answered) {
+  const Document document = document_of_everything();
+  const Picture picture = picture_of_everything();
+  try_options("diffuse", DiffuseOptions{}, [&](Context& c, const DiffuseOptions& options) {
+    return diffuse(c, document, options);
+  });
+  try_options("pixels", DiffuseOptions{}, [&](Context& c, const DiffuseOptions& options) {
+    return render_pixels(c, document, options, kSmall);
+  });
+  try_options("pixels' raster", kSmall, [&](Context& c, const RasterOptions& options) {
+    return render_pixels(c, document, {}, options);
+  });
+  try_options("raster", kSmall, [&](Context& c, const RasterOptions& options) {
+    return rasterize(c, picture, options);
+  });
+  try_options("pdf", PdfOptions{}, [&](Context& c, const PdfOptions& options) {
+    return export_pdf(c, picture, options);
+  });
+  try_options("eps", EpsOptions{}, [&](Context& c, const EpsOptions& options) {
+    return export_eps(c, picture, options);
+  });
+  try_options("svg", SvgOptions{.mode = SvgMode::vector},
+              [&](Context& c, const SvgOptions& o) { return export_svg(c, picture, o); });
+  try_options("svg of pixels", SvgOptions{}, [&](Context& c, const SvgOptions& options) {
+    return export_svg(c, picture, options);
+  });
+  try_options("glb", GlbOptions{}, [&](Context& c, const GlbOptions& options) {
+    return export_glb(c, picture, options);
+  });
+  try_options(
+      "html", HtmlOptions{.fallback = {1, 2, 3}},
+      [&](Context& c, const HtmlOptions& options) { return export_html(c, picture, options); });
+}
+
+TEST(WrongValues, of_images_are_answered) {
+  Image image{3, 2, PixelFormat::rgb8, std::vector<std::uint8_t>(18, 7)};
+  const auto encode = [&](const std::string& place) {
+    answer_of(place + ", png", [&](Context& c) { return encode_png(c, image); });
+    answer_of(place + ", jpeg", [&](Context& c) { return encode_jpeg(c, image, 80); });
+    answer_of(place + ", webp", [&](Context& c) { return encode_webp(c, image, {}); });
+    answer_of(place + ", lossless",
+              [&](Context& c) { return encode_webp(c, image, {.lossless = true}); });
+  };
+  try_wrong_values(image, "image", encode);
+  image.width = image.height = 4000;
+  encode("too few bytes");
+  image = {3, 2, PixelFormat::rgb8, std::vector<std::uint8_t>(18, 7)};
+  int quality = 80;
+  try_wrong_values(quality, "quality", [&](const std::string& place) {
+    answer_of(place, [&](Context& c) { return encode_jpeg(c, image, quality); });
+  });
+  try_options("webp", WebpOptions{}, [&](Context& c, const WebpOptions& options) {
+    return encode_webp(c, image, options);
+  });
+}
+
+TEST(WrongValues, of_hints_have_words) {
+  const Document document = document_of_everything();
+  Hint hint{HintKind::leak, 0, 0, CurveSide::left, 0, 0, "words"};
+  try_wrong_values(hint, "hint", [&](const std::string&) {
+    static_cast<void>(place_text(document, hint));
+    static_cast<void>(hint_name(hint.kind));
+    static_cast<void>(is_note(hint.kind));
+  });
+}
+
+/// Every public verb that takes a Context; each on small, right things.
+class Verbs {
+ public:
+  /// In a Context that `change` has made wrong. Null: what each answers may be anything honest.
+  void run(const std::function<void(Context&)>& change, const std::string& place,
+           const StatusCode* expected = nullptr) {
+    const auto ask = [&](auto verb) {
+      Context context = limited();
+      change(context);
+      const auto result = verb(context);
+      Status status;
+      if constexpr (std::is_same_v<std::remove_const_t<decltype(result)>, Status>) {
+        status = result;
+      } else {
+        status = result.status();
+      }
+      if (expected) {
+        EXPECT_EQ(status.code, *expected) << place << ": " << status.message;
+      } else {
+        answer(status, place);
+      }
+      EXPECT_EQ(context.budget.used(), 0u) << place;
+    };
+    ask([&](Context& c) { return read_document(c, text_, "a"); });
+    ask([&](Context& c) { return read_svg(c, text_, "a"); });
+    ask([&](Context& c) { return read_orzan(c, small_documents()[9].text, "a"); });
+    ask([&](Context& c) { return validate(c, document_); });
+    ask([&](Context& c) { return write_svg(c, document_); });
+    ask([&](Context& c) { return lint(c, document_); });
+    ask([&](Context& c) { return diffuse(c, document_, {}); });
+    ask([&](Context& c) { return render_pixels(c, document_, {}, kSmall); });
+    ask([&](Context& c) { return rasterize(c, picture_, kSmall); });
+    if (expected) ask([&](Context& c) { return render_on_gpu(c, picture_, kSmall); });
+    ask([&](Context& c) { return export_html(c, picture_, {}); });
+    ask([&](Context& c) { return export_pdf(c, picture_, {}); });
+    ask([&](Context& c) { return export_eps(c, picture_, {}); });
+    ask([&](Context& c) { return export_svg(c, picture_, {.mode = SvgMode::vector}); });
+    ask([&](Context& c) { return export_glb(c, picture_, {}); });
+    ask([&](Context& c) { return encode_png(c, image_); });
+    ask([&](Context& c) { return encode_jpeg(c, image_, 80); });
+    ask([&](Context& c) { return encode_webp(c, image_, {}); });
+    ask([&](Context& c) { return decode_png(c, png_, "a"); });
+  }
+
+ private:
+  std::string text_ = document_with_everything();
+  Document document_ = document_of_everything();
+  Picture picture_ = picture_of_everything();
+  Image image_{3, 2, PixelFormat::rgb8, std::vector<std::uint8_t>(18, 7)};
+  std::vector<std::uint8_t> png_ = [] {
+    Context context;
+    const Image image{1, 1, PixelFormat::rgb8, {1, 2, 3}};
+    return *encode_png(context, image);
+  }();
+};
+
+const StatusCode kBadInput = StatusCode::bad_input;
+
+TEST(WrongValues, of_limits_are_answered) {
+  Verbs verbs;
+  for (const LimitName& known : limit_names()) {
+    for (const std::size_t low : {0, 1, 2}) {
+      verbs.run([&](Context& c) { c.limits.*(known.value) = low; }, std::string(known.name));
+    }
+    for (const std::size_t high : {known.highest + 1, std::numeric_limits<std::size_t>::max()}) {
+      verbs.run([&](Context& c) { c.limits.*(known.value) = high; }, std::string(known.name),
+                &kBadInput);
+    }
+  }
+}
+
+TEST(WrongValues, of_contexts_are_answered) {
+  Verbs verbs;
+  Context wrong;
+  wrong.deadline = Deadline::in(1);
+  try_wrong_values(wrong.deadline->seconds, "deadline", [&](const std::string& place) {
+    verbs.run([&](Context& c) { c.deadline = Deadline::in(wrong.deadline->seconds); }, place);
+  });
+  verbs.run([](Context& c) { c.deadline = Deadline::in(std::nan("")); }, "deadline", &kBadInput);
+  for (const int level : {3, 200, 255}) {
+    verbs.run([&](Context& c) { c.simd = SimdLevel(level); }, "simd", &kBadInput);
+  }
+  verbs.run([](Context& c) { c.outer = &c; }, "outer", &kBadInput);
+}
+
+TEST(WrongValues, of_budgets_are_answered) {
+  Verbs verbs;
+  for (const std::size_t bytes : {std::size_t{0}, std::size_t{1}, std::size_t{100'000}}) {
+    Context context{.budget = Budget(bytes)};
+    const auto read = read_document(context, document_with_everything(), "a");
+    answer(read.status(), "budget");
+    EXPECT_EQ(context.budget.used(), 0u);
+  }
+  Budget all(std::numeric_limits<std::size_t>::max());
+  EXPECT_TRUE(all.charge(std::numeric_limits<std::size_t>::max(), "all").ok());
+  EXPECT_FALSE(all.charge(1, "more").ok());
+}
+
+/// An executor that says it has a number of threads.
+class Boaster : public Executor {
+ public:
+  explicit Boaster(int threads) : threads_(threads) {}
+  int thread_count() const override { return threads_; }
+
+ private:
+  int threads_;
+};
+
+TEST(WrongValues, of_executors_are_answered) {
+  Verbs verbs;
+  for (const int threads : {-5, 0, 1'000'000'000}) {
+    Boaster boaster(threads);
+    verbs.run([&](Context& c) { c.executor = &boaster; }, "threads", &kBadInput);
+  }
+  EXPECT_LE(make_tbb_executor(100'000)->thread_count(), limits::kThreads);
+}
+
+TEST(WrongValues, more_shaders_than_a_layer_may_have_do_not_reach_the_rays) {
+  Document document;
+  document.artboard = {{0, 0}, {100, 100}};
+  document.layers.resize(1);
+  for (std::uint32_t i = 0; i < 1500; ++i) {
+    document.shaders.push_back({"", GradientFill{LinearGradient{}, {}, {}, {{0, {1, 0, 0}}}}});
+    const double y = i * 0.06;
+    Curve curve{.control_points = {{1, y}, {2, y}, {3, y}, {4, y}}};
+    curve.left.color = {ShaderKind::image_domain, {}, i};
+    document.layers[0].curves.push_back(curve);
+  }
+  document.stack = {LayerInstance{}};
+  DiffuseOptions options{.max_error = 0};
+  options.gather.method = gather::Method::rays;
+  for (const std::size_t limit : {64, 2000}) {
+    Context context;
+    context.limits.shaders_per_layer = limit;
+    EXPECT_EQ(diffuse(context, document, options).status().code,
+              limit == 64 ? StatusCode::limit : StatusCode::bad_input);
+  }
+}
+
+}  // namespace
+}  // namespace sfumato::test
