@@ -58,8 +58,8 @@ _sfumato() {
     render)
       options='--output --out-dir --format --allow-files --viewport --width --height --scale
         --detail --method --rays --seed --tolerance --no-blur --max-error --max-area
-        --min-angle --order --mesh-overlay --background --depth --dither --quality --lossless
-        --dpi --svg --force --title --device --no-antialias --threads --stats --quiet
+        --min-angle --order --mesh-overlay --background --depth --dither --no-dither --quality
+        --lossless --dpi --svg --force --title --device --no-antialias --threads --stats --quiet
         --max-memory --max-time --limit --help'
       ;;
     info)

@@ -51,10 +51,11 @@ struct RenderArguments : DocumentArguments {
   bool on_gpu = false;     ///< --device gpu
   /// As asked for, but for pixels_per_unit, which comes from the size.
   DiffuseOptions diffuse;
-  /// As asked for, but for width, height and viewport.
+  /// As asked for, but for width, height, viewport and the alpha channel.
   RasterOptions raster;
-  int threads = 0;    ///< 0: all cores
-  std::string stats;  ///< where the JSON goes; empty: nowhere
+  bool no_background = false;  ///< --background none: not even the drawing's own, always alpha
+  int threads = 0;             ///< 0: all cores
+  std::string stats;           ///< where the JSON goes; empty: nowhere
 };
 
 struct ConvertArguments : DocumentArguments {

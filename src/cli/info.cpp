@@ -30,6 +30,10 @@ std::string size_text(const Box& artboard) {
   return text;
 }
 
+Vec2 picture_size(const Document& document) {
+  return document.size_px.value_or(Vec2{document.artboard.width(), document.artboard.height()});
+}
+
 const char* interpolation_name(InterpolationSpace space) {
   constexpr const char* kNames[] = {"srgb", "linear", "oklab"};
   return kNames[static_cast<std::size_t>(space)];
@@ -60,6 +64,8 @@ std::string as_table(const std::string& name, const ReadDocument& read) {
   };
   row("format", format_name(read.format));
   row("artboard", size_text(read.document.artboard));
+  const Vec2 size = picture_size(read.document);
+  row("size", shortest(size.x) + " x " + shortest(size.y) + " px");
   row("background", background_text(read.document));
   row("interpolation", interpolation_name(read.document.interpolation));
   row("layers", std::to_string(facts.layers) + " (" + std::to_string(facts.instances) +
@@ -125,6 +131,8 @@ std::string as_json(const std::string& name, const ReadDocument& read) {
       .member("width", artboard.width())
       .member("height", artboard.height())
       .end_object();
+  const Vec2 size = picture_size(read.document);
+  json.key("size_px").begin_object().member("width", size.x).member("height", size.y).end_object();
   json.member("background", background_text(read.document))
       .member("interpolation", interpolation_name(read.document.interpolation));
   write_counts(json, facts);

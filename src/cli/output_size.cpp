@@ -16,24 +16,34 @@ std::string in_pixels(double length) {
   return text;
 }
 
-Vec2 scales(const SizeRequest& request, const Box& viewport) {
-  Vec2 scale{request.scale.value_or(1), request.scale.value_or(1)};
-  if (request.width) scale.x = scale.y = *request.width / viewport.width();
+Vec2 scales(const SizeRequest& request, const Box& viewport, Vec2 own_scale) {
+  Vec2 scale = request.scale ? Vec2{*request.scale, *request.scale} : own_scale;
+  const double aspect = own_scale.y / own_scale.x;
+  if (request.width) {
+    scale.x = *request.width / viewport.width();
+    scale.y = scale.x * aspect;
+  }
   if (request.height) scale.y = *request.height / viewport.height();
-  if (request.height && !request.width) scale.x = scale.y;
+  if (request.height && !request.width) scale.x = scale.y / aspect;
   return scale;
 }
 
 }  // namespace
 
-double output_scale(const SizeRequest& request, const Box& viewport) {
-  const Vec2 scale = scales(request, viewport);
+Vec2 own_scale(const Document& document) {
+  if (!document.size_px) return {1, 1};
+  return {document.size_px->x / document.artboard.width(),
+          document.size_px->y / document.artboard.height()};
+}
+
+double output_scale(const SizeRequest& request, const Box& viewport, Vec2 own_scale) {
+  const Vec2 scale = scales(request, viewport, own_scale);
   return std::max(scale.x, scale.y);
 }
 
 Result<OutputSize> output_size(const Limits& limits, const SizeRequest& request,
-                               const Box& viewport) {
-  const Vec2 scale = scales(request, viewport);
+                               const Box& viewport, Vec2 own_scale) {
+  const Vec2 scale = scales(request, viewport, own_scale);
   const double width = std::max(1.0, std::round(viewport.width() * scale.x));
   const double height = std::max(1.0, std::round(viewport.height() * scale.y));
   if (std::max(width, height) > static_cast<double>(limits.image_side)) {
@@ -42,8 +52,7 @@ Result<OutputSize> output_size(const Limits& limits, const SizeRequest& request,
                           " pixels, the limit is " +
                           limit_text(limits, &Limits::image_side, "pixels on a side"));
   }
-  return OutputSize{static_cast<int>(width), static_cast<int>(height),
-                    output_scale(request, viewport)};
+  return OutputSize{static_cast<int>(width), static_cast<int>(height), std::max(scale.x, scale.y)};
 }
 
 }  // namespace sfumato::cli

@@ -5,6 +5,8 @@
 #include "base/box.hpp"
 #include "base/limits.hpp"
 #include "base/status.hpp"
+#include "base/vec2.hpp"
+#include "document/document.hpp"
 
 namespace sfumato::cli {
 
@@ -21,13 +23,17 @@ struct OutputSize {
   double pixels_per_unit = 1;  ///< the larger of the two directions
 };
 
+/// Pixels per user unit at the document's own size.
+Vec2 own_scale(const Document& document);
+
 /// Pixels per user unit of what was asked for, the larger of the two directions.
-double output_scale(const SizeRequest& request, const Box& viewport);
+double output_scale(const SizeRequest& request, const Box& viewport, Vec2 own_scale = {1, 1});
 
 /// The size of the image that shows `viewport`. One of width and height alone sets the other by the
-/// viewport's aspect; both stretch the picture to them; neither: viewport × scale, default 1. Sizes
-/// are rounded to the nearest pixel, at least 1. Errors: limit (of an image's side).
+/// viewport's aspect; both stretch the picture to them; neither: viewport × scale, default
+/// own_scale. Sizes are rounded to the nearest pixel, at least 1. Errors: limit (of an image's
+/// side).
 Result<OutputSize> output_size(const Limits& limits, const SizeRequest& request,
-                               const Box& viewport);
+                               const Box& viewport, Vec2 own_scale = {1, 1});
 
 }  // namespace sfumato::cli

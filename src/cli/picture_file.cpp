@@ -1,6 +1,7 @@
 #include "cli/picture_file.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -23,7 +24,8 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// The longer side of the picture that a browser without WebGL 2 shows, pixels, and its quality.
+/// The longer side of the picture that a browser without WebGL 2 shows, pixels, and its quality. It
+/// fills the window as the drawing would, of whatever size that is.
 constexpr int kFallbackSide = 640;
 constexpr int kFallbackQuality = 80;
 
@@ -36,6 +38,7 @@ class PictureMaker {
   Result<Bytes> make(Document& document);
 
  private:
+  void choose_background(Document& document);
   Status choose_options(const Document& document);
   Result<Image> draw_pixels(const Document& document);
   Result<Image> draw_picture(const Picture& picture);
@@ -56,19 +59,30 @@ class PictureMaker {
   double scale_ = 1;  ///< output pixels per user unit
 };
 
+/// What was asked for goes before the drawing's own. Formats that know no alpha stand on white.
+void PictureMaker::choose_background(Document& document) {
+  if (arguments_.raster.background) document.background = arguments_.raster.background;
+  if (arguments_.no_background) document.background.reset();
+  const OutputKind kind = arguments_.output.kind;
+  const bool knows_no_alpha = kind == OutputKind::jpeg || kind == OutputKind::eps;
+  if (knows_no_alpha && !document.background) document.background = Rgb{1, 1, 1};
+}
+
 Status PictureMaker::choose_options(const Document& document) {
   const Box viewport = arguments_.diffuse.viewport.value_or(document.artboard);
-  scale_ = output_scale(arguments_.size, viewport);
+  const Vec2 own = own_scale(document);
+  scale_ = output_scale(arguments_.size, viewport, own);
   diffuse_ = arguments_.diffuse;
   diffuse_.viewport = viewport;
   if (!is_image(arguments_.output.kind)) {
     diffuse_.pixels_per_unit = scale_ * arguments_.output.detail;
     return ok_status();
   }
-  const Result<OutputSize> size = output_size(context_.limits, arguments_.size, viewport);
+  const Result<OutputSize> size = output_size(context_.limits, arguments_.size, viewport, own);
   if (!size) return size.status();
   diffuse_.pixels_per_unit = size->pixels_per_unit;
   raster_ = arguments_.raster;
+  if (!document.background) raster_.format = with_alpha(raster_.format);
   raster_.viewport = viewport;
   raster_.width = size->width;
   raster_.height = size->height;
@@ -129,6 +143,9 @@ Result<Bytes> PictureMaker::make_image(Document& document) {
     return status;
   }
   const Stopwatch watch;
+  if (!arguments_.no_background) {
+    if (Status status = drop_opaque_alpha(context_, **image); !status) return status;
+  }
   Result<Bytes> file = encode_image(context_, **image, arguments_.output);
   stats_.write_seconds = watch.seconds();
   return file;
@@ -143,10 +160,9 @@ std::string PictureMaker::title() const {
 Result<Bytes> PictureMaker::make_html(const Picture& picture, ExportNotes* notes) {
   RasterOptions small;
   const Box& viewport = picture.viewport;
-  const double shrink =
-      std::min(1.0, kFallbackSide / std::max(viewport.width(), viewport.height()));
-  small.width = std::max(1, static_cast<int>(viewport.width() * shrink));
-  small.height = std::max(1, static_cast<int>(viewport.height() * shrink));
+  const double scale = kFallbackSide / std::max(viewport.width(), viewport.height());
+  small.width = std::max(1, static_cast<int>(std::round(viewport.width() * scale)));
+  small.height = std::max(1, static_cast<int>(std::round(viewport.height() * scale)));
   const Result<Image> image = rasterize(context_, picture, small);
   if (!image) return image.status();
   Result<Bytes> fallback = encode_jpeg(context_, *image, kFallbackQuality);
@@ -200,7 +216,7 @@ Result<Bytes> PictureMaker::make_drawing(Document& document) {
 }
 
 Result<Bytes> PictureMaker::make(Document& document) {
-  if (arguments_.raster.background) document.background = arguments_.raster.background;
+  choose_background(document);
   Status status = choose_options(document);
   if (status) status = charge_.add(context_, bytes_of(document), "the document");
   if (!status) return status;

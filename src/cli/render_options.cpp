@@ -37,13 +37,13 @@ bool set_max_error(const std::string& text, double& max_error) {
 }
 
 /// A colour as drawings have it; `none` and `transparent` are none.
-bool set_background(const std::string& text, RasterOptions& raster, RenderChoices& choices) {
+bool set_background(const std::string& text, RenderArguments& arguments) {
   const Result<CssColor> color = parse_css_color(text);
-  choices.transparent = text == "none" || (color && color->alpha == 0);
-  raster.background.reset();
-  if (choices.transparent) return true;
+  arguments.no_background = text == "none" || (color && color->alpha == 0);
+  arguments.raster.background.reset();
+  if (arguments.no_background) return true;
   if (!color || color->alpha < 1) return false;
-  raster.background = color->color;
+  arguments.raster.background = color->color;
   return true;
 }
 
@@ -83,14 +83,16 @@ void add_place_options(CLI::App& app, RenderArguments& arguments) {
       "The part to draw, in user units [the artboard]",
       into(arguments.diffuse.viewport, parse_viewport))
       ->group(group);
-  add_value(app, "--width", pixels, "Width; the height follows unless given",
+  add_value(app, "--width", pixels, "Width; the height follows unless given [the drawing's]",
             whole_into(size.width, 1, kLargestCount))
       ->group(group);
-  add_value(app, "--height", pixels, "Height; the width follows unless given",
+  add_value(app, "--height", pixels, "Height; the width follows unless given [the drawing's]",
             whole_into(size.height, 1, kLargestCount))
       ->group(group);
-  add_value(app, "--scale", {"a number above 0", "NUMBER"}, "Instead: pixels per user unit [1]",
-            into(size.scale, parse_positive))
+  add_value(
+      app, "--scale", {"a number above 0", "NUMBER"},
+      "Instead: pixels per user unit [1, or what the drawing's\nown width and height make it]",
+      into(size.scale, parse_positive))
       ->group(group);
 }
 
@@ -123,12 +125,16 @@ void add_solution_options(CLI::App& app, RenderArguments& arguments, RenderChoic
   app.add_flag("--no-blur", diffuse.ignore_blur, "Draw every curve sharp")->group(group);
 }
 
-void add_mesh_options(CLI::App& app, RenderArguments& arguments) {
+void add_mesh_options(CLI::App& app, RenderArguments& arguments, RenderChoices& choices) {
   const char* group = "Mesh (no effect with --method pixels)";
   DiffuseOptions& diffuse = arguments.diffuse;
   add_value(app, "--max-error", {"a number above 0 and at most 255, or off", "E|off"},
-            "Refine where a patch misses by more, in code values of\n255; off: the plain mesh [1]",
-            [&diffuse](const std::string& text) { return set_max_error(text, diffuse.max_error); })
+            "Refine where a patch misses by more, in code values of\n255; off: the plain mesh [1; "
+            "with 16 bits 0.25]",
+            [&](const std::string& text) {
+              choices.sets_max_error = true;
+              return set_max_error(text, diffuse.max_error);
+            })
       ->group(group);
   add_value(app, "--max-area", {"a fraction above 0 and at most 1, as 0.04 or 4%", "FRACTION"},
             "Largest triangle, as a fraction of the artboard [4%]",
@@ -151,17 +157,25 @@ void add_mesh_options(CLI::App& app, RenderArguments& arguments) {
 
 void add_image_options(CLI::App& app, RenderArguments& arguments, RenderChoices& choices) {
   const char* group = "Image";
-  RasterOptions& raster = arguments.raster;
   add_value(app, "--background",
             {"an opaque colour of CSS, as gold, #rrggbb or rgb(255 165 0), or none", "COLOR"},
-            "Behind transparent parts; none: write an alpha channel [white]",
-            [&raster, &choices](const std::string& text) {
-              return set_background(text, raster, choices);
+            "Behind transparent parts; none: not even the drawing's\nown [the drawing's own, else "
+            "none; JPEG and EPS: white]",
+            [&arguments](const std::string& text) {
+              return set_background(text, arguments);
             })
       ->group(group);
   add_choice(app, "--depth", {{"8", 8}, {"16", 16}}, "Bits per channel [8]", choices.depth)
       ->group(group);
-  app.add_flag("--dither", raster.dither, "Ordered dither, for 8 bits")->group(group);
+  CLI::Option* dither = app.add_flag_callback(
+      "--dither", [&choices] { choices.dither = true; },
+      "Blue noise below a code value where colours change, for 8\nbits [with PNG and WebP]");
+  dither->group(group);
+  app.add_flag_callback(
+         "--no-dither", [&choices] { choices.dither = false; },
+         "Round to the nearest code value [with JPEG]")
+      ->excludes(dither)
+      ->group(group);
   add_value(app, "--quality", {"a whole number from 1 to 100", "N"}, "Of JPEG and WebP [90]",
             whole_into(choices.quality, 1, 100))
       ->group(group);
@@ -213,7 +227,7 @@ CLI::App* add_render(CLI::App& root, RenderArguments& arguments, RenderChoices& 
   add_files(*app, arguments, choices);
   add_place_options(*app, arguments);
   add_solution_options(*app, arguments, choices);
-  add_mesh_options(*app, arguments);
+  add_mesh_options(*app, arguments, choices);
   add_image_options(*app, arguments, choices);
   add_vector_options(*app, arguments, choices);
   add_running_options(*app, arguments, choices);

@@ -27,8 +27,9 @@ struct RenderChoices {
   RenderMethod method = RenderMethod::exact;
   RenderDevice device = RenderDevice::cpu;
   int depth = 8;
-  bool transparent = false;
   bool no_antialias = false;
+  std::optional<bool> dither;
+  bool sets_max_error = false;
 };
 
 CLI::App* add_render(CLI::App& root, RenderArguments& arguments, RenderChoices& choices);

@@ -7,6 +7,8 @@
 namespace sfumato::cli {
 namespace {
 
+constexpr double kMaxErrorOf16Bits = 0.25;
+
 /// Throws where `given` and what it needs are not there together.
 void expect(bool good, const char* option, const std::string& complaint) {
   if (!good) throw CLI::ValidationError(option, complaint);
@@ -62,7 +64,7 @@ void settle_kind(RenderArguments& arguments, const RenderChoices& choices) {
     expect(choices.method != RenderMethod::pixels, "--method pixels", complaint);
     expect(choices.device == RenderDevice::cpu, "--device gpu", complaint);
     expect(!arguments.raster.mesh_overlay, "--mesh-overlay", complaint);
-    expect(!arguments.raster.dither, "--dither", complaint);
+    expect(!choices.dither, choices.dither.value_or(true) ? "--dither" : "--no-dither", complaint);
     expect(!choices.no_antialias, "--no-antialias", complaint);
     expect(!(arguments.size.width && arguments.size.height), "--height",
            "expected without --width: only images are stretched");
@@ -85,14 +87,20 @@ void settle_image(RenderArguments& arguments, const RenderChoices& choices) {
   output.quality = choices.quality.value_or(output.quality);
   expect(choices.depth == 8 || output.kind == OutputKind::png, "--depth",
          "16 bits given, expected with PNG only");
-  expect(!choices.transparent || output.kind != OutputKind::jpeg, "--background",
+  expect(!arguments.no_background || output.kind != OutputKind::jpeg, "--background",
          "none given, but JPEG has no alpha channel");
-  expect(!arguments.raster.dither || choices.depth == 8, "--dither",
+  expect(!choices.dither || choices.depth == 8,
+         choices.dither.value_or(true) ? "--dither" : "--no-dither",
          "expected with --depth 8 only");
+  // A JPEG keeps too little of the noise to be worth its bytes.
+  const bool is_jpeg = output.kind == OutputKind::jpeg;
+  arguments.raster.dither = choices.depth == 8 && choices.dither.value_or(!is_jpeg);
+  // What is missed by a code value shows where there are 257 steps to one.
+  if (choices.depth == 16 && !choices.sets_max_error) {
+    arguments.diffuse.max_error = kMaxErrorOf16Bits;
+  }
   arguments.raster.antialias = !choices.no_antialias;
-  arguments.raster.format = choices.depth == 8
-                                ? (choices.transparent ? PixelFormat::rgba8 : PixelFormat::rgb8)
-                                : (choices.transparent ? PixelFormat::rgba16 : PixelFormat::rgb16);
+  arguments.raster.format = choices.depth == 8 ? PixelFormat::rgb8 : PixelFormat::rgb16;
 }
 
 }  // namespace

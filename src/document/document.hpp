@@ -12,6 +12,7 @@
 #include "base/color_space.hpp"
 #include "base/context.hpp"
 #include "base/status.hpp"
+#include "base/vec2.hpp"
 #include "document/curve.hpp"
 #include "document/shader.hpp"
 
@@ -70,6 +71,8 @@ using StackItem = std::variant<LayerInstance, LocalStroke, GroupBegin, GroupEnd>
 /// A picture as its author wrote it. Plain data; `validate` states the invariants.
 struct Document {
   Box artboard;  ///< user units, y down
+  /// Of the picture where nothing else is asked for; none: a pixel to a user unit.
+  std::optional<Vec2> size_px{};
   InterpolationSpace interpolation = InterpolationSpace::srgb;
   std::optional<Rgb> background;
   std::vector<Shader> shaders;

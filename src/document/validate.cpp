@@ -294,6 +294,10 @@ Status check_document(const Context& context, const Document& document) {
   if (!rules::has_area(document.artboard)) {
     return bad("the artboard has no area or is out of range");
   }
+  if (document.size_px &&
+      !(document.size_px->x > 0 && document.size_px->y > 0 && is_finite(*document.size_px))) {
+    return bad("the picture's size is not above 0");
+  }
   if (Status status = rules::check_interpolation(document.interpolation); !status) return status;
   if (Status status = rules::check_background(document.background); !status) return status;
   Totals totals;

@@ -13,6 +13,7 @@
 #include "formats/css_value.hpp"
 #include "formats/suggestion.hpp"
 #include "formats/svg/input.hpp"
+#include "formats/svg/picture_size.hpp"
 #include "formats/svg/scene_reader.hpp"
 #include "formats/svg/shapes.hpp"
 #include "formats/svg/view_box.hpp"
@@ -114,11 +115,14 @@ Result<ReadDocument> read(Input& input, const ResourceLoader* loader) {
   const Result<Box> artboard = read_artboard(input);
   if (!artboard) return artboard.status();
   document.artboard = *artboard;
+  svg::PictureFrame frame{*artboard, {}, {}};
+  if (input.attribute(input.root(), "viewBox")) frame = svg::read_picture_frame(input, *artboard);
   Status status = read_version(input);
   if (status) status = read_interpolation(input, document);
   if (status) status = read_background(input, document);
   if (status) status = svg::SceneReader(input, document, loader).read();
   if (!status) return status;
+  svg::show_in_frame(frame, document);
   if (document.stack.empty()) {
     input.warn("/no layers", input.root(),
                "the document has no layer and no local curve: the picture is empty");

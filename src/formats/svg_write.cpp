@@ -186,6 +186,10 @@ svg_write::Attributes SvgWriter::root_attributes() const {
   attributes.add("xmlns", "http://www.w3.org/2000/svg").add("xmlns:sf", "urn:sfumato:1");
   // Inkscape up to 1.2 follows no plain href.
   if (has_references()) attributes.add("xmlns:xlink", "http://www.w3.org/1999/xlink");
+  if (document_.size_px) {
+    attributes.add("width", number_text(document_.size_px->x));
+    attributes.add("height", number_text(document_.size_px->y));
+  }
   attributes.add("viewBox", number_text(artboard.min.x) + ' ' + number_text(artboard.min.y) + ' ' +
                                 number_text(length_between(artboard.min.x, artboard.max.x)) + ' ' +
                                 number_text(length_between(artboard.min.y, artboard.max.y)));

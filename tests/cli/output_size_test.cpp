@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "base/limits.hpp"
 
 namespace sfumato::cli {
@@ -15,6 +17,25 @@ TEST(OutputSize, is_one_pixel_per_unit_by_default) {
   EXPECT_EQ(size->width, 400);
   EXPECT_EQ(size->height, 300);
   EXPECT_EQ(size->pixels_per_unit, 1);
+}
+
+TEST(OutputSize, is_the_drawings_own_unless_asked_otherwise) {
+  Document document;
+  document.artboard = kWide;
+  EXPECT_EQ(own_scale(document), (Vec2{1, 1}));
+  document.size_px = Vec2{800, 900};
+  const Vec2 own = own_scale(document);
+  EXPECT_EQ(own, (Vec2{2, 3}));
+  const auto size = [&](const SizeRequest& request) {
+    const OutputSize found = *output_size(Limits{}, request, kWide, own);
+    return std::pair(found.width, found.height);
+  };
+  EXPECT_EQ(size({}), std::pair(800, 900));
+  EXPECT_EQ(size({.scale = 1}), std::pair(400, 300));
+  EXPECT_EQ(size({.width = 400}), std::pair(400, 450));
+  EXPECT_EQ(size({.height = 90}), std::pair(80, 90));
+  EXPECT_EQ(size({.width = 10, .height = 90}), std::pair(10, 90));
+  EXPECT_EQ(output_scale({}, kWide, own), 3);
 }
 
 TEST(OutputSize, scales_the_viewport_and_rounds_to_whole_pixels) {

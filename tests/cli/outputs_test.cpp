@@ -138,6 +138,7 @@ TEST(Outputs, options_that_an_output_has_no_place_for_are_named) {
       {"pdf", {"--method", "pixels"}, "images only"},
       {"svg", {"--mesh-overlay"}, "images only"},
       {"glb", {"--dither"}, "images only"},
+      {"glb", {"--no-dither"}, "images only"},
       {"html", {"--no-antialias"}, "images only"},
       {"pdf", {"--device", "gpu"}, "images only"},
       {"pdf", {"--width", "10", "--height", "10"}, "only images are stretched"},

@@ -80,19 +80,66 @@ TEST(Render, background_is_any_opaque_colour_of_css_or_none_at_all) {
 
 TEST(Render, background_shows_where_no_curve_is) {
   const std::string empty = scene_xml(8, 8, "");
-  EXPECT_EQ(pixel(rendered(empty, {"--quiet"}), 3, 3), (std::vector<int>{255, 255, 255}));
+  EXPECT_EQ(pixel(rendered(empty, {"--quiet"}), 3, 3), (std::vector<int>{0, 0, 0, 0}));
   EXPECT_EQ(pixel(rendered(empty, {"--quiet", "--background", "#204060"}), 3, 3),
             (std::vector<int>{0x20, 0x40, 0x60}));
   EXPECT_EQ(pixel(rendered(empty, {"--quiet", "--background", "none"}), 3, 3)[3], 0);
+}
+
+/// Red inside of a square, nothing outside, in a drawing of 8 × 8 units.
+std::string square_svg(const std::string& attributes, const std::string& before = "") {
+  return "<svg xmlns='http://www.w3.org/2000/svg' xmlns:sf='urn:sfumato:1' sf:version='1' "
+         "viewBox='0 0 8 8' " +
+         attributes + ">" + before +
+         "<g sf:diffuse='true'><rect x='2' y='2' width='4' height='4' sf:left='none' "
+         "sf:right='red'/></g></svg>";
+}
+
+TEST(Render, keeps_alpha_unless_a_background_is_asked_for_or_drawn) {
+  const std::string bare = square_svg("width='16' height='16'");
+  const std::string drawn =
+      square_svg("width='16' height='16'", "<rect width='8' height='8' fill='lime'/>");
+  const Image kept = rendered(bare);
+  ASSERT_EQ(kept.format, PixelFormat::rgba8);
+  ASSERT_EQ(kept.width, 16);
+  EXPECT_EQ(pixel(kept, 0, 0)[3], 0);
+  EXPECT_EQ(pixel(kept, 8, 8), (std::vector<int>{255, 0, 0, 255}));
+  EXPECT_EQ(pixel(rendered(bare, {"--background", "blue"}), 0, 0), (std::vector<int>{0, 0, 255}));
+  EXPECT_EQ(pixel(rendered(drawn), 0, 0), (std::vector<int>{0, 255, 0}));
+  EXPECT_EQ(pixel(rendered(drawn, {"--background", "blue"}), 0, 0), (std::vector<int>{0, 0, 255}));
+  const Image none = rendered(drawn, {"--background", "none"});
+  ASSERT_EQ(none.format, PixelFormat::rgba8);
+  EXPECT_EQ(pixel(none, 0, 0)[3], 0);
+  EXPECT_EQ(rendered(bare, {"--depth", "16"}).format, PixelFormat::rgba16);
+  EXPECT_EQ(rendered(bare, {"--viewport", "3,3,2,2"}).format, PixelFormat::rgb8);
+}
+
+TEST(Render, has_the_size_that_the_drawing_says) {
+  EXPECT_EQ(rendered(square_svg("width='32' height='24'")).width, 32);
+  EXPECT_EQ(rendered(square_svg("width='32' height='24'")).height, 24);
+  EXPECT_EQ(rendered(square_svg("width='1in'")).height, 96);
+  EXPECT_EQ(rendered(square_svg("width='1in'"), {"--scale", "2"}).width, 16);
+  EXPECT_EQ(
+      rendered(square_svg("width='20' height='40' preserveAspectRatio='none'"), {"--width", "10"})
+          .height,
+      20);
 }
 
 TEST(Render, overlay_order_blur_and_dither_options_are_taken) {
   const Image plain = rendered(two_curve_scene(), {"--scale", "4"});
   EXPECT_NE(rendered(two_curve_scene(), {"--scale", "4", "--mesh-overlay"}).bytes, plain.bytes);
   EXPECT_NE(rendered(two_curve_scene(), {"--scale", "4", "--no-antialias"}).bytes, plain.bytes);
-  EXPECT_NE(rendered(two_curve_scene(), {"--scale", "4", "--dither"}).bytes, plain.bytes);
+  EXPECT_NE(rendered(two_curve_scene(), {"--scale", "4", "--no-dither"}).bytes, plain.bytes);
+  EXPECT_EQ(rendered(two_curve_scene(), {"--scale", "4", "--dither"}).bytes, plain.bytes);
   EXPECT_NE(rendered(two_curve_scene(), {"--scale", "4", "--order", "linear"}).bytes, plain.bytes);
   EXPECT_EQ(rendered(two_curve_scene(), {"--scale", "4", "--no-blur"}).bytes, plain.bytes);
+}
+
+TEST(Render, sixteen_bits_are_solved_more_finely) {
+  const std::string scene = busy_scene(30);
+  const Image deep = rendered(scene, {"--depth", "16"});
+  EXPECT_EQ(rendered(scene, {"--depth", "16", "--max-error", "0.25"}).bytes, deep.bytes);
+  EXPECT_NE(rendered(scene, {"--depth", "16", "--max-error", "1"}).bytes, deep.bytes);
 }
 
 TEST(Render, gives_the_same_bytes_for_any_number_of_threads) {

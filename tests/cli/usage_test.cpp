@@ -110,7 +110,8 @@ TEST(Usage, options_that_do_not_go_together_are_refused) {
   const TemporaryFolder folder;
   const std::vector<std::vector<std::string>> cases = {
       {"--scale", "2", "--width", "10"},   {"--scale", "2", "--height", "10"},
-      {"--dither", "--depth", "16"},       {"--mesh-overlay", "--method", "pixels"},
+      {"--dither", "--depth", "16"},       {"--no-dither", "--depth", "16"},
+      {"--dither", "--no-dither"},         {"--mesh-overlay", "--method", "pixels"},
       {"--stats", folder.path("out.png")}, {"--width", "10", "--width", "20"},
   };
   for (const std::vector<std::string>& options : cases) {

@@ -100,6 +100,16 @@ const Fault kFaults[] = {
      "the artboard has no area or is out of range"},
     {"huge_artboard", [](Document& d) { d.artboard.max.x = 1e308; },
      "the artboard has no area or is out of range"},
+    {"size",
+     [](Document& d) {
+       d.size_px = Vec2{3, 0};
+     },
+     "the picture's size is not above 0"},
+    {"size_without_end",
+     [](Document& d) {
+       d.size_px = Vec2{3, INFINITY};
+     },
+     "the picture's size is not above 0"},
     {"background", [](Document& d) { d.background->g = 2; }, "the background is not within 0 to 1"},
     {"no_control_points", [](Document& d) { second_curve(d).control_points.clear(); },
      "layer 0 \"paper\": curve 1: 0 control points; expected 3n+1 (4, 7, 10, …)"},

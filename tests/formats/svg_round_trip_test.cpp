@@ -161,6 +161,10 @@ Document drawing(std::uint64_t seed) {
   Document document;
   document.artboard = {{0, 0}, {100 + mixer.unit(), 50}};
   document.interpolation = static_cast<InterpolationSpace>(mixer.below(3));
+  if (mixer.chance()) {
+    const double scale = 10 * mixer.unit() + 0.1;
+    document.size_px = Vec2{scale * document.artboard.width(), scale * document.artboard.height()};
+  }
   if (mixer.chance()) document.background = value(mixer, Rgb{});
   for (std::size_t i = mixer.below(4); i > 0; --i) {
     document.shaders.push_back(paint(mixer, document.shaders.size()));
@@ -262,6 +266,7 @@ TEST(SvgRoundTrip, gives_back_every_number_of_random_drawings) {
     ASSERT_TRUE(validate(Context{}, document).ok()) << validate(Context{}, document).message;
     const Document read = read_back(written(document));
     EXPECT_EQ(document.artboard, read.artboard);
+    EXPECT_EQ(document.size_px, read.size_px);
     EXPECT_EQ(document.interpolation, read.interpolation);
     EXPECT_EQ(document.background, read.background);
     expect_same_curves(document, read);

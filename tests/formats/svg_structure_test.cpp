@@ -48,11 +48,74 @@ Box artboard_of(const std::string& attributes) {
 }
 
 TEST(SvgArtboard, is_the_view_box) {
-  EXPECT_EQ(artboard_of("viewBox='-1,2 30 40' width='9' height='9'"), (Box{{-1, 2}, {29, 42}}));
+  EXPECT_EQ(artboard_of("viewBox='-1,2 30 40'"), (Box{{-1, 2}, {29, 42}}));
+  EXPECT_EQ(artboard_of("viewBox='-1,2 30 40' width='60' height='80'"), (Box{{-1, 2}, {29, 42}}));
 }
 
 TEST(SvgArtboard, without_a_view_box_is_the_size_in_pixels) {
   EXPECT_EQ(artboard_of("width='2in' height='3pc'"), (Box{{0, 0}, {192, 48}}));
+}
+
+std::optional<Vec2> size_of(const std::string& attributes) {
+  return read("<svg xmlns='http://www.w3.org/2000/svg' " + attributes + "/>").document.size_px;
+}
+
+TEST(SvgSize, is_of_width_and_height_beside_the_view_box) {
+  const std::string box = "viewBox='0 0 8 6' ";
+  EXPECT_EQ(size_of(box), std::nullopt);
+  EXPECT_EQ(size_of("width='80' height='60'"), std::nullopt);
+  EXPECT_EQ(size_of(box + "width='800' height='600'"), (Vec2{800, 600}));
+  EXPECT_EQ(size_of(box + "width='800px' height='450pt'"), (Vec2{800, 600}));
+  EXPECT_EQ(size_of(box + "width='2in' height='auto'"), (Vec2{192, 144}));
+  EXPECT_EQ(size_of(box + "height='25.4mm'"), (Vec2{128, 96}));
+  EXPECT_EQ(size_of(box + "width='100%' height='100%'"), std::nullopt);
+  EXPECT_EQ(size_of(box + "width='50%' height='50%'"), (Vec2{4, 3}));
+  EXPECT_EQ(size_of(box + "width='100%' height='60'"), (Vec2{80, 60}));
+  EXPECT_EQ(size_of(box + "width='50%'"), std::nullopt);
+}
+
+TEST(SvgSize, that_cannot_be_read_is_told_and_left_out) {
+  for (const char* side : {"3em", "-4", "0", "wide", "1e300"}) {
+    const ReadDocument read_document =
+        read("<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 8 6' height='60' width='" +
+             std::string(side) + "'/>");
+    EXPECT_EQ(read_document.document.size_px, (Vec2{80, 60})) << side;
+    ASSERT_FALSE(read_document.warnings.empty()) << side;
+    EXPECT_EQ(read_document.warnings[0].message, "width of <svg> is \"" + std::string(side) +
+                                                     "\"; expected a length above 0: the "
+                                                     "viewBox says the size");
+  }
+}
+
+TEST(SvgSize, of_another_aspect_shows_more_of_the_plane_or_less) {
+  const std::string square = "viewBox='0 0 8 6' width='400' height='400' ";
+  EXPECT_EQ(artboard_of(square), (Box{{0, -1}, {8, 7}}));
+  EXPECT_EQ(artboard_of(square + "preserveAspectRatio='xMaxYMin'"), (Box{{0, 0}, {8, 8}}));
+  EXPECT_EQ(artboard_of(square + "preserveAspectRatio='xMidYMax meet'"), (Box{{0, -2}, {8, 6}}));
+  EXPECT_EQ(artboard_of(square + "preserveAspectRatio='slice'"), (Box{{0, -1}, {8, 7}}));
+  EXPECT_EQ(artboard_of(square + "preserveAspectRatio='xMinYMid slice'"), (Box{{0, 0}, {6, 6}}));
+  EXPECT_EQ(artboard_of(square + "preserveAspectRatio='none'"), (Box{{0, 0}, {8, 8}}));
+  EXPECT_EQ(size_of(square), (Vec2{400, 400}));
+  // Millimetres and their viewBox: written for each other, though rounding tells them apart.
+  EXPECT_EQ(artboard_of("viewBox='0 0 210 297' width='210mm' height='297mm'"),
+            (Box{{0, 0}, {210, 297}}));
+}
+
+TEST(SvgSize, stretches_all_that_is_painted) {
+  const Document document =
+      read(
+          "<svg xmlns='http://www.w3.org/2000/svg' xmlns:sf='urn:sfumato:1' sf:version='1' "
+          "viewBox='0 1 8 6' width='800' height='1200' preserveAspectRatio='none'>"
+          "<rect y='1' width='100%' height='100%' fill='lime'/>" +
+          kLayer + "<g transform='translate(3 4)'>" + kStroke + "</g></svg>")
+          .document;
+  EXPECT_EQ(document.artboard, (Box{{0, 2}, {8, 14}}));
+  EXPECT_EQ(document.background, (Rgb{0, 1, 0}));
+  ASSERT_EQ(document.stack.size(), 2u);
+  EXPECT_EQ(std::get<LayerInstance>(document.stack[0]).artboard_from_layer,
+            (Affine{1, 0, 0, 2, 0, 0}));
+  EXPECT_EQ(std::get<LocalStroke>(document.stack[1]).artboard_from_stroke,
+            (Affine{1, 0, 0, 2, 3, 8}));
 }
 
 TEST(SvgSettings, interpolation_is_code_values_unless_said) {

@@ -100,6 +100,7 @@ export class Command {
       size[1],
       "--viewport",
       part.join(","),
+      "--no-dither",
       "--quiet",
     );
     return readFileSync(path);
@@ -176,13 +177,19 @@ export async function pictureOf(page) {
   return page.screenshot();
 }
 
+/** A channel of a decoded PNG as white paper shows it. */
+function onPaper(data, i) {
+  const alpha = data[i - (i % 4) + 3] / 255;
+  return Math.round(data[i] * alpha + 255 * (1 - alpha));
+}
+
 /** Mean, 99th percentile and maximum of the difference of two PNGs, code values. */
 export function difference(PNG, a, b) {
   const [first, second] = [a, b].map((bytes) => PNG.sync.read(bytes));
   check(first.width === second.width && first.height === second.height, "the sizes differ");
   const counts = new Array(256).fill(0);
   for (let i = 0; i < first.data.length; ++i) {
-    if (i % 4 < 3) counts[Math.abs(first.data[i] - second.data[i])] += 1;
+    if (i % 4 < 3) counts[Math.abs(onPaper(first.data, i) - onPaper(second.data, i))] += 1;
   }
   const total = (3 * first.data.length) / 4;
   let mean = 0,

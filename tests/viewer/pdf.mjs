@@ -92,7 +92,7 @@ export async function testPdf(tap, { command }) {
     await tap.test(`PDFium shows the PDF of ${name} as the rasterizer does`, async () => {
       const shown = await shownByPdfium(library, command.made(document, "pdf"));
       writeFileSync(command.file(`${name}.pdf.png`), shown);
-      compare([shown, readFileSync(command.made(document, "png"))], tested, "PDFium");
+      compare([shown, readFileSync(command.made(document, "png", "--no-dither"))], tested, "PDFium");
     });
   }
   library.destroy();
@@ -123,7 +123,7 @@ export async function testPdfInChromium(tap, { command, pages }) {
   const tested = SHOWN.find(({ document }) => document === "examples/apple.svg");
   await tap.test("Chromium shows the PDF of apple.svg as the rasterizer does", async () => {
     const pdf = command.made(tested.document, "pdf");
-    const expected = readFileSync(command.made(tested.document, "png"));
+    const expected = readFileSync(command.made(tested.document, "png", "--no-dither"));
     const { width, height } = PNG.sync.read(expected);
     const viewport = { width: width + 2 * BESIDE, height: height + 4 * ABOVE };
     const context = await pages.browser.newContext({ viewport });
