@@ -50,6 +50,18 @@ void add_sizes(Family& family) {
   const auto size = [](const std::string& width, const std::string& height) {
     return root("sf:version='1' width='" + width + "' height='" + height + "'");
   };
+  const auto beside = [](const std::string& size, const std::string& box) {
+    return root("sf:version='1' " + size + " viewBox='" + box + "'");
+  };
+  family.add("size_enormous_beside_a_view_box", kLimit, "the limit is 16384 pixels on a side",
+             beside("width='1e7' height='1e7'", "0 0 9 9"));
+  family.add("size_of_an_endless_aspect", kBadInput, "the artboard has no area or is out of range",
+             beside("width='1e7' height='1e-3'", "0 0 9 9"));
+  family.add("size_beside_a_vanishing_view_box", kBadInput,
+             "the artboard has no area or is out of range",
+             beside("width='9' height='9'", "0 0 1e-320 1e-320"));
+  family.add("size_that_is_none_beside_a_view_box", kDone, "",
+             beside("width='nan' height='9em' preserveAspectRatio='none of it'", "0 0 9 9"));
   family.add("no_size", kBadInput, "<svg> has no size", root("sf:version='1'"));
   family.add("width_alone", kBadInput, "<svg> has no size", root("width='9'"));
   family.add("size_of_nothing", kBadInput, "<svg> has no area", size("0", "0"));
