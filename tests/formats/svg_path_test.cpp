@@ -16,6 +16,18 @@ std::vector<Vec2> ends_of(const Curve& curve) {
   return ends;
 }
 
+/// The ends of the quarters of arcs.
+std::vector<Vec2> quarters_of(const Curve& curve) {
+  std::vector<Vec2> ends;
+  for (std::size_t i = 0; i < curve.control_points.size(); i += 12) {
+    ends.push_back(curve.control_points[i]);
+  }
+  return ends;
+}
+
+/// How far an arc may stray from its circle, in radii.
+constexpr double kExact = 1.001e-7;
+
 std::vector<Vec2> ends_of_path(const std::string& data) {
   return ends_of(curve_of_path(data));
 }
@@ -117,10 +129,21 @@ TEST(SvgPath, command_after_a_closed_subpath_begins_at_its_start) {
   expect_points(ends_of(curves[1]), {{1, 1}, {5, 5}});
 }
 
-TEST(SvgPath, quarter_arc_is_one_piece_on_the_circle) {
+TEST(SvgPath, quarter_arc_is_four_pieces_on_the_circle) {
   const Curve curve = curve_of_path("M10 0 A10 10 0 0 1 0 10");
-  EXPECT_EQ(curve.piece_count(), 1u);
-  EXPECT_LT(radius_error(curve, {0, 0}, 10), 0.003);
+  EXPECT_EQ(curve.piece_count(), 4u);
+  EXPECT_LT(radius_error(curve, {0, 0}, 10), kExact * 10);
+}
+
+TEST(SvgPath, short_arcs_take_fewer_pieces) {
+  // 1, 7 and 40 degrees of a circle of radius 100 around the origin.
+  for (const auto& [end, pieces] : {std::pair{"99.98476951563913 1.7452406437283512", 1u},
+                                    std::pair{"99.25461516413220 12.186934340514748", 1u},
+                                    std::pair{"76.60444431189780 64.27876096865393", 2u}}) {
+    const Curve curve = curve_of_path("M100 0 A100 100 0 0 1 " + std::string(end));
+    EXPECT_EQ(curve.piece_count(), pieces) << end;
+    EXPECT_LT(radius_error(curve, {0, 0}, 100), kExact * 100) << end;
+  }
 }
 
 TEST(SvgPath, the_four_arcs_between_two_points_are_told_apart) {
@@ -128,35 +151,35 @@ TEST(SvgPath, the_four_arcs_between_two_points_are_told_apart) {
   const auto arc = [](const char* flags) {
     return curve_of_path("M10 0 A10 10 0 " + std::string(flags) + " 0 10");
   };
-  EXPECT_LT(radius_error(arc("0 1"), far_center, 10), 0.003);
-  EXPECT_LT(radius_error(arc("1 0"), far_center, 10), 0.003);
-  EXPECT_LT(radius_error(arc("0 0"), near_center, 10), 0.003);
-  EXPECT_LT(radius_error(arc("1 1"), near_center, 10), 0.003);
-  EXPECT_EQ(arc("0 0").piece_count(), 1u);
-  EXPECT_EQ(arc("1 1").piece_count(), 4u);
+  EXPECT_LT(radius_error(arc("0 1"), far_center, 10), kExact * 10);
+  EXPECT_LT(radius_error(arc("1 0"), far_center, 10), kExact * 10);
+  EXPECT_LT(radius_error(arc("0 0"), near_center, 10), kExact * 10);
+  EXPECT_LT(radius_error(arc("1 1"), near_center, 10), kExact * 10);
+  EXPECT_EQ(arc("0 0").piece_count(), 4u);
+  EXPECT_EQ(arc("1 1").piece_count(), 16u);
 }
 
-TEST(SvgPath, half_arc_is_two_pieces_through_the_right_side) {
+TEST(SvgPath, half_arc_is_eight_pieces_through_the_right_side) {
   const Curve down = curve_of_path("M0 0 A5 5 0 0 1 0 10");
-  EXPECT_EQ(down.piece_count(), 2u);
-  expect_points({down.control_points[3]}, {{5, 5}});
-  expect_points({curve_of_path("M0 0 A5 5 0 0 0 0 10").control_points[3]}, {{-5, 5}});
+  EXPECT_EQ(down.piece_count(), 8u);
+  expect_points({down.control_points[12]}, {{5, 5}});
+  expect_points({curve_of_path("M0 0 A5 5 0 0 0 0 10").control_points[12]}, {{-5, 5}});
 }
 
 TEST(SvgPath, arc_whose_radii_are_too_small_is_scaled_up) {
   const Curve curve = curve_of_path("M0 0 A1 1 0 0 1 0 10");
-  EXPECT_LT(radius_error(curve, {0, 5}, 5), 0.003);
+  EXPECT_LT(radius_error(curve, {0, 5}, 5), kExact * 5);
 }
 
 TEST(SvgPath, turned_ellipse_passes_through_its_ends_and_axes) {
   // From one end of the long axis to one of the short axis of an ellipse turned by 30 degrees.
   const double c = std::sqrt(3.0) / 2, s = 0.5;
   const Curve curve = curve_of_path("M8.660254037844386 5 A10 4 30 0 1 -2 3.4641016151377544");
-  EXPECT_EQ(curve.piece_count(), 1u);
-  const Vec2 middle = point_at(curve, 0, 0.5);
+  EXPECT_EQ(curve.piece_count(), 4u);
+  const Vec2 middle = curve.control_points[6];
   const Vec2 on_axes{c * middle.x + s * middle.y, c * middle.y - s * middle.x};
-  EXPECT_NEAR(on_axes.x, 10 * std::sqrt(0.5), 0.003);
-  EXPECT_NEAR(on_axes.y, 4 * std::sqrt(0.5), 0.003);
+  EXPECT_NEAR(on_axes.x, 10 * std::sqrt(0.5), kExact * 10);
+  EXPECT_NEAR(on_axes.y, 4 * std::sqrt(0.5), kExact * 10);
 }
 
 TEST(SvgPath, arc_of_no_radius_is_a_line) {
@@ -165,7 +188,7 @@ TEST(SvgPath, arc_of_no_radius_is_a_line) {
 }
 
 TEST(SvgPath, flags_of_an_arc_need_no_blanks) {
-  expect_points(ends_of_path("M10 0a10 10 0 01-10 10"), {{10, 0}, {0, 10}});
+  expect_points(quarters_of(curve_of_path("M10 0a10 10 0 01-10 10")), {{10, 0}, {0, 10}});
 }
 
 TEST(SvgShapes, line_polyline_and_polygon) {
@@ -175,17 +198,17 @@ TEST(SvgShapes, line_polyline_and_polygon) {
                 {{0, 0}, {2, 0}, {2, 2}, {0, 0}});
 }
 
-TEST(SvgShapes, circle_runs_clockwise_in_quarters) {
+TEST(SvgShapes, circle_runs_clockwise_from_its_right_end) {
   const Curve curve = curve_of("<circle cx='20' cy='10' r='5'/>");
-  expect_points(ends_of(curve), {{25, 10}, {20, 15}, {15, 10}, {20, 5}, {25, 10}});
+  expect_points(quarters_of(curve), {{25, 10}, {20, 15}, {15, 10}, {20, 5}, {25, 10}});
   EXPECT_EQ(curve.control_points.front(), curve.control_points.back());
-  EXPECT_LT(radius_error(curve, {20, 10}, 5), 0.0015);
+  EXPECT_LT(radius_error(curve, {20, 10}, 5), kExact * 5);
 }
 
 TEST(SvgShapes, ellipse_takes_the_radius_that_is_left_out_from_the_other) {
-  expect_points(ends_of(curve_of("<ellipse cx='20' cy='10' rx='5' ry='2'/>")),
+  expect_points(quarters_of(curve_of("<ellipse cx='20' cy='10' rx='5' ry='2'/>")),
                 {{25, 10}, {20, 12}, {15, 10}, {20, 8}, {25, 10}});
-  expect_points(ends_of(curve_of("<ellipse cx='20' cy='10' rx='5'/>")),
+  expect_points(quarters_of(curve_of("<ellipse cx='20' cy='10' rx='5'/>")),
                 {{25, 10}, {20, 15}, {15, 10}, {20, 5}, {25, 10}});
 }
 
@@ -195,12 +218,19 @@ TEST(SvgShapes, rect_runs_clockwise_from_its_upper_left) {
 }
 
 TEST(SvgShapes, rounded_rect_has_arcs_at_its_corners) {
-  expect_points(ends_of(curve_of("<rect width='10' height='8' rx='2'/>")),
-                {{2, 0}, {8, 0}, {10, 2}, {10, 6}, {8, 8}, {2, 8}, {0, 6}, {0, 2}, {2, 0}});
+  const Curve curve = curve_of("<rect width='10' height='8' rx='2'/>");
+  ASSERT_EQ(curve.piece_count(), 20u);
+  std::vector<Vec2> ends;
+  // A side, then a corner of four pieces.
+  for (std::size_t side = 0; side < 4; ++side) {
+    ends.push_back(curve.control_points[15 * side]);
+    ends.push_back(curve.control_points[15 * side + 3]);
+  }
+  expect_points(ends, {{2, 0}, {8, 0}, {10, 2}, {10, 6}, {8, 8}, {2, 8}, {0, 6}, {0, 2}});
 }
 
 TEST(SvgShapes, radii_of_a_rect_are_at_most_half_of_it) {
-  expect_points(ends_of(curve_of("<rect width='10' height='8' rx='50' ry='50'/>")),
+  expect_points(quarters_of(curve_of("<rect width='10' height='8' rx='50' ry='50'/>")),
                 {{5, 0}, {10, 4}, {5, 8}, {0, 4}, {5, 0}});
 }
 

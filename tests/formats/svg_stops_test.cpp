@@ -72,15 +72,15 @@ TEST(SvgStops, stop_beyond_the_last_segment_is_moved_there_with_a_warning) {
 }
 
 TEST(SvgStops, an_arc_of_several_pieces_is_one_segment) {
-  // A line, then a half circle of two pieces.
+  // A line, then a half circle of eight pieces.
   const Curve curve = curve_of(
       "<path d='M0 0 H5 A5 5 0 0 1 5 10' sf:left='red @.5, lime @1, blue @1.75, white @2'/>");
-  ASSERT_EQ(curve.piece_count(), 3u);
+  ASSERT_EQ(curve.piece_count(), 9u);
   const auto& stops = curve.left.color.stops.stops;
   EXPECT_EQ(stops[0].offset, .5);
   EXPECT_EQ(stops[1].offset, 1);
-  EXPECT_EQ(stops[2].offset, 2.5);
-  EXPECT_EQ(stops[3].offset, 3);
+  EXPECT_EQ(stops[2].offset, 7);
+  EXPECT_EQ(stops[3].offset, 9);
 }
 
 TEST(SvgSides, absent_is_open_and_none_is_a_barrier) {

@@ -16,6 +16,10 @@ constexpr double kClosingShare = 1e-12;
 /// Of the sine or cosine of an arc's angle.
 constexpr double kTurnSlack = 1e-12;
 
+/// How far an arc's pieces stray from it, in radii, at most: no scale shows it, for pictures are
+/// solved in single precision. A quarter turn takes four pieces.
+constexpr double kArcError = 1e-7;
+
 /// Parameters in (0, 1) where one coordinate of a cubic stands still.
 void extend_by_extrema(const std::array<Vec2, 4>& p, double p0, double p1, double p2, double p3,
                        Box& box) {
@@ -47,9 +51,8 @@ Vec2 quarter_turn(Vec2 v, bool sweep) {
   return sweep ? Vec2{-v.y, v.x} : Vec2{v.y, -v.x};
 }
 
-/// The unit vectors between which the arc runs in equal parts of at most a quarter turn. Only
-/// square roots: the same bits everywhere.
-std::vector<Vec2> split_arc(const UnitArc& arc, bool sweep) {
+/// The unit vectors between which the arc runs in equal parts of at most a quarter turn.
+std::vector<Vec2> quarters_of(const UnitArc& arc, bool sweep) {
   const double turn = sweep ? cross(arc.from, arc.to) : -cross(arc.from, arc.to);
   const double cosine = dot(arc.from, arc.to);
   // Exact quarter and half turns are common: rounding must not give them a piece more.
@@ -60,6 +63,35 @@ std::vector<Vec2> split_arc(const UnitArc& arc, bool sweep) {
                                : normalized(quarter_turn(arc.to - arc.from, !sweep) - chord_middle);
   if (turn >= (cosine < 0 ? -kTurnSlack : 0)) return {arc.from, middle, arc.to};
   return {arc.from, normalized(arc.from + middle), middle, normalized(middle + arc.to), arc.to};
+}
+
+/// 4/3 of the tangent of a quarter of the angle between two unit vectors: the length of the handles
+/// of a cubic that follows their arc.
+double handle_length(Vec2 from, Vec2 to) {
+  const double half_tangent = std::abs(cross(from, to)) / (1 + dot(from, to));
+  return 4.0 / 3 * half_tangent / (1 + std::sqrt(1 + half_tangent * half_tangent));
+}
+
+/// How far that cubic strays from the arc, in radii: 2/27 sin⁶ of a quarter of the angle over its
+/// cosine's square.
+double arc_error(double handle) {
+  const double tangent = 0.75 * handle, square = tangent * tangent;
+  const double sine_squared = square / (1 + square);
+  return 2.0 / 27 * sine_squared * sine_squared * square;
+}
+
+/// The quarters, halved until cubics follow them. Only square roots: the same bits everywhere.
+std::vector<Vec2> split_arc(const UnitArc& arc, bool sweep) {
+  std::vector<Vec2> stations = quarters_of(arc, sweep);
+  while (arc_error(handle_length(stations[0], stations[1])) > kArcError) {
+    std::vector<Vec2> halved{stations[0]};
+    for (std::size_t i = 1; i < stations.size(); ++i) {
+      halved.push_back(normalized(stations[i - 1] + stations[i]));
+      halved.push_back(stations[i]);
+    }
+    stations = std::move(halved);
+  }
+  return stations;
 }
 
 }  // namespace
@@ -118,11 +150,7 @@ void PathBuilder::arc_to(Vec2 radii, double rotation_degrees, bool large, bool s
   const Vec2 center = distance * quarter_turn(along, large == sweep);
   const UnitArc arc{half - center, -1.0 * half - center};
   std::vector<Vec2> stations = split_arc({normalized(arc.from), normalized(arc.to)}, sweep);
-  const double cosine = dot(stations[0], stations[1]);
-  const double sine = std::abs(cross(stations[0], stations[1]));
-  const double half_tangent = sine / (1 + cosine);
-  // 4/3 of the tangent of a quarter of the angle.
-  const double handle = 4.0 / 3 * half_tangent / (1 + std::sqrt(1 + half_tangent * half_tangent));
+  const double handle = handle_length(stations[0], stations[1]);
   const Vec2 middle_user = 0.5 * (current_ + point);
   const auto to_user = [&](Vec2 unit) { return middle_user + user_from_unit(unit + center); };
   begin_segment();

@@ -16,7 +16,7 @@ namespace sfumato::svg {
 struct Subpath {
   std::vector<Vec2> control_points;  ///< 3 n + 1
   /// The first piece of each segment, then the number of pieces. A segment is what one command of a
-  /// path draws: one piece, or 1, 2 or 4 for an arc.
+  /// path draws: one piece, or 1, 2, 4, 8 or 16 for an arc.
   std::vector<std::uint32_t> segment_begin;
 };
 

@@ -10,7 +10,7 @@ namespace sfumato::svg {
 namespace {
 
 /// The pieces of a long arc.
-constexpr std::size_t kPiecesPerArc = 4;
+constexpr std::size_t kPiecesPerArc = 16;
 
 class PathReader {
  public:
