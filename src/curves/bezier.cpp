@@ -67,6 +67,25 @@ ChordDeviation chord_deviation(const Cubic& c) {
           largest_bulge(dot(along, first), dot(along, second))};
 }
 
+Vec2 mean_deviation(const Cubic& c) {
+  const Vec2 mean = 0.25 * (c[1] + c[2] - c[0] - c[3]);
+  const Vec2 across = left_of(c[3] - c[0]);
+  const double chord_squared = length_squared(across);
+  return chord_squared > 0 ? across * (dot(mean, across) / chord_squared) : mean;
+}
+
+double nearest_parameter(const Cubic& c, Vec2 point, double t) {
+  constexpr int kSteps = 4;
+  for (int i = 0; i < kSteps; ++i) {
+    const Vec2 off = point_at(c, t) - point, along = derivative_at(c, t);
+    const Vec2 bend = 6 * lerp(c[2] - 2 * c[1] + c[0], c[3] - 2 * c[2] + c[1], t);
+    const double slope = length_squared(along) + dot(off, bend);
+    if (!(slope > 0)) break;
+    t = std::clamp(t - dot(off, along) / slope, 0.0, 1.0);
+  }
+  return t;
+}
+
 double arc_length(const Cubic& cubic, double t0, double t1) {
   constexpr int kHalvings = 8;
   double coarse = quadrature(cubic, t0, t1);

@@ -34,6 +34,13 @@ struct ChordDeviation {
 
 ChordDeviation chord_deviation(const Cubic& cubic);
 
+/// The mean over t of C(t) − lerp(P0, P3, t), across the chord: how far the chord lies beside its
+/// arc.
+Vec2 mean_deviation(const Cubic& cubic);
+
+/// A parameter of the point nearest to `point`, by Newton's method from one that is close.
+double nearest_parameter(const Cubic& cubic, Vec2 point, double close_by);
+
 /// Length of the stretch from t0 to t1 (Gauss–Legendre on halves until it settles to 1e-9 of it).
 double arc_length(const Cubic& cubic, double t0, double t1);
 

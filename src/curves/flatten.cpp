@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 #include <utility>
 
 #include "curves/bezier.hpp"
+#include "curves/blur_slope.hpp"
+#include "curves/junctions.hpp"
+#include "curves/polyline_builder.hpp"
 #include "curves/stop_parameters.hpp"
 
 namespace sfumato::curves {
@@ -15,8 +17,21 @@ namespace {
 /// curve, where it changes slowly.
 constexpr double kAlongPerAcross = 4;
 
-/// No stretch is halved more often than this, whatever the control points say.
-constexpr int kMaxHalvings = 16;
+/// No stretch is cut more often than this, whatever the control points say.
+constexpr int kMaxCuts = 16;
+
+/// A chord in the middle of its arc strays by two thirds of what it would beside it, the first of a
+/// curve by 0.7.
+constexpr double kCentered = 1.4;
+
+/// Where a curve is blurred its chords may be so much beside it that colours are wrong by this,
+/// code values, but for a third that the middle takes off…
+constexpr double kBlurStray = 1.25;
+/// …if the tolerance need not be made finer by more than this.
+constexpr double kFinestBlur = 8;
+
+/// A vertex where the tangent turns by more than this, its sine, is a corner.
+constexpr double kCornerSine = 0.02;
 
 Box bounds(const Cubic& cubic) {
   Box box;
@@ -24,148 +39,224 @@ Box bounds(const Cubic& cubic) {
   return box;
 }
 
-constexpr std::size_t kBytesPerVertex = sizeof(Vec2) + 2 * sizeof(double) + sizeof(std::uint32_t);
-constexpr std::size_t kFirstVertices = 1024;
-
-class Flattener {
+/// The first step: the vertices that the shapes of the curves ask for, on the curves.
+class Divider {
  public:
-  Flattener(Context& context, const FlattenOptions& options, FlatCurves& flat)
-      : context_(context), poll_(context), options_(options), flat_(flat) {
+  Divider(const FlattenOptions& options, PolylineBuilder& out) : options_(options), out_(out) {
     if (options.focus) {
       const double margin = 0.1 * std::max(options.focus->width(), options.focus->height());
       focus_ = options.focus->grown_by(margin);
     }
   }
 
-  /// Not ok: nothing more is appended.
-  const Status& status() const { return status_; }
-
-  void add_curve(const Curve& curve, std::uint32_t index) {
-    curve_ = index;
-    collect_cuts(curve);
-    push(curve.control_points.front(), 0.0);
-    std::size_t next_cut = 0;
-    for (std::size_t i = 0; i < curve.piece_count() && status_.ok(); ++i) {
-      const Cubic cubic = piece(curve.control_points, i);
-      const double begin = static_cast<double>(i);
-      double from = 0;
-      while (next_cut < cuts_.size() && cuts_[next_cut] < begin + 1) {
-        const double cut = cuts_[next_cut++] - begin;
-        if (cut > from) add_stretch(cubic, begin, from, cut);
-        from = std::max(from, cut);
-      }
-      add_stretch(cubic, begin, from, 1);
+  void add_curve(const Curve& curve) {
+    const BlurSlope slope(curve, options_.sharp_radius);
+    out_.begin_curve();
+    out_.push(curve.control_points.front(), 0.0);
+    for (std::size_t i = 0; i < curve.piece_count() && out_.status().ok(); ++i) {
+      add_piece(piece(curve.control_points, i), static_cast<double>(i), slope);
     }
   }
 
  private:
+  /// Parts of t in [t0, t1] of a piece.
+  struct Part {
+    double t0, t1;
+    int cuts;
+  };
+
+  double tolerance_of(const Cubic& cubic, double slope) const {
+    if (options_.focus && !overlap(bounds(cubic), focus_)) return options_.outside_tolerance;
+    const double most = options_.tolerance;
+    return slope > 0 ? std::clamp(kBlurStray / slope, most / kFinestBlur, most) : most;
+  }
+
+  /// In how many parts a stretch is to be cut: 1 where it is flat.
+  int parts_of(const Cubic& cubic, const Part& part, double slope) const {
+    // A whole piece may stand between corners, which do not move.
+    const double centered = part.cuts > 0 ? kCentered : 1;
+    const double tolerance = centered * tolerance_of(cubic, slope);
+    const ChordDeviation deviation = chord_deviation(cubic);
+    const double stray = std::max(deviation.across, deviation.along / kAlongPerAcross);
+    if (stray <= tolerance || part.cuts == kMaxCuts) return 1;
+    // One of n equal parts strays n² times less.
+    const double of_parts = kCentered / centered * tolerance;
+    return stray > 4 * of_parts && stray <= 9 * of_parts ? 3 : 2;
+  }
+
+  /// Cuts the piece until each part is flat, left part first: the same points from either end.
+  void add_piece(const Cubic& cubic, double begin, const BlurSlope& slope) {
+    Part stack[2 * kMaxCuts + 1];
+    int depth = 0;
+    stack[depth++] = {0, 1, 0};
+    while (depth > 0 && out_.status().ok()) {
+      const Part part = stack[--depth];
+      const int parts = parts_of(subcurve(cubic, part.t0, part.t1), part,
+                                 slope.between(begin + part.t0, begin + part.t1));
+      if (parts == 1) {
+        out_.push(point_at(cubic, part.t1), begin + part.t1);
+        continue;
+      }
+      const double step = (part.t1 - part.t0) / parts;
+      double end = part.t1;
+      for (int i = parts - 1; i > 0; --i) {
+        stack[depth++] = {part.t0 + i * step, end, part.cuts + 1};
+        end = part.t0 + i * step;
+      }
+      stack[depth++] = {part.t0, end, part.cuts + 1};
+    }
+  }
+
+  const FlattenOptions& options_;
+  PolylineBuilder& out_;
+  Box focus_;  ///< with its margin; where there is one
+};
+
+/// The second step: the vertices of the first and the junctions, led to where chords lie in the
+/// middle of their arcs, and stops on the chords.
+class Finisher {
+ public:
+  Finisher(const FlatCurves& divided, const Junctions& junctions, double reach,
+           PolylineBuilder& out)
+      : divided_(divided), junctions_(junctions), reach_(reach), out_(out) {}
+
+  /// Call for all curves in their order.
+  void add_curve(const Curve& curve, std::uint32_t index) {
+    collect_knots(index);
+    collect_stretches(curve);
+    center_chords();
+    collect_stops(curve);
+    out_.begin_curve();
+    std::size_t next_stop = 0;
+    for (std::size_t k = 0; k < knots_.size() && out_.status().ok(); ++k) {
+      double share = 0;
+      while (next_stop < stops_.size() && stops_[next_stop] <= knots_[k].parameter) {
+        const double stop = stops_[next_stop++];
+        if (k > 0 && stop > knots_[k - 1].parameter && stop < knots_[k].parameter) {
+          out_.push(on_chord(k - 1, stop, share), stop);
+        }
+      }
+      out_.push(knots_[k].point, knots_[k].parameter);
+    }
+  }
+
+ private:
+  struct Knot {
+    double parameter;
+    Vec2 point;
+    bool pinned;
+  };
+
+  void collect_knots(std::uint32_t index) {
+    knots_.clear();
+    const auto& junction = junctions_.junction;
+    for (std::uint32_t v = divided_.curve_begin[index]; v < divided_.curve_begin[index + 1]; ++v) {
+      const double parameter = divided_.parameter[v];
+      for (; next_junction_ < junction.size() && junction[next_junction_].curve == index &&
+             junction[next_junction_].parameter < parameter;
+           ++next_junction_) {
+        const Junction& at = junction[next_junction_];
+        // Vertices of several curves may lie on each other.
+        if (length(at.point - knots_.back().point) <= reach_) continue;
+        knots_.push_back({at.parameter, at.point, true});
+      }
+      knots_.push_back({parameter, divided_.vertex[v], junctions_.pinned[v] != 0});
+    }
+  }
+
+  /// The stretch of curve from each knot to the next.
+  void collect_stretches(const Curve& curve) {
+    stretches_.clear();
+    for (std::size_t k = 0; k + 1 < knots_.size(); ++k) {
+      const double begin = std::floor(knots_[k].parameter);
+      stretches_.push_back(subcurve(piece(curve.control_points, static_cast<std::size_t>(begin)),
+                                    knots_[k].parameter - begin, knots_[k + 1].parameter - begin));
+    }
+  }
+
+  /// With every smooth knot moved by the mean of what its two chords lie inside their arcs, chords
+  /// of one depth lie in the middle.
+  void center_chords() {
+    const std::size_t last = knots_.size() - 1;
+    const bool closed = knots_.front().point == knots_.back().point;
+    if (closed && !knots_.front().pinned && !knots_.back().pinned) {
+      const Vec2 shift = shift_between(stretches_.back(), stretches_.front());
+      knots_.front().point = knots_.back().point = knots_.front().point + shift;
+    }
+    for (std::size_t k = 1; k < last; ++k) {
+      if (knots_[k].pinned) continue;
+      knots_[k].point = knots_[k].point + shift_between(stretches_[k - 1], stretches_[k]);
+    }
+  }
+
+  static Vec2 shift_between(const Cubic& before, const Cubic& after) {
+    const Vec2 in = before[3] - before[2], out = after[1] - after[0];
+    const double turn = std::fabs(cross(in, out)), ahead = dot(in, out);
+    // Not so where the curve stands still, either.
+    if (!(ahead > 0 && turn <= kCornerSine * ahead)) return {};
+    return 0.5 * (mean_deviation(before) + mean_deviation(after));
+  }
+
   template <class Value>
   void collect(std::span<const Vec2> control_points, const StopList<Value>& list) {
     const std::vector<double> parameters = stop_parameters(control_points, list);
-    cuts_.insert(cuts_.end(), parameters.begin(), parameters.end());
+    stops_.insert(stops_.end(), parameters.begin(), parameters.end());
   }
 
-  void collect_cuts(const Curve& curve) {
-    cuts_.clear();
+  void collect_stops(const Curve& curve) {
+    stops_.clear();
     for (const Side* side : {&curve.left, &curve.right}) {
       collect(curve.control_points, side->color.stops);
       collect(curve.control_points, side->opacity.stops);
       collect(curve.control_points, side->blur_radius);
     }
-    std::sort(cuts_.begin(), cuts_.end());
-    cuts_.erase(std::unique(cuts_.begin(), cuts_.end()), cuts_.end());
+    std::sort(stops_.begin(), stops_.end());
+    stops_.erase(std::unique(stops_.begin(), stops_.end()), stops_.end());
   }
 
-  bool flat_enough(const Cubic& cubic) const {
-    const bool in_focus = !focus_ || overlap(bounds(cubic), *focus_);
-    const double tolerance = in_focus ? options_.tolerance : options_.outside_tolerance;
-    const ChordDeviation deviation = chord_deviation(cubic);
-    return deviation.across <= tolerance && deviation.along <= kAlongPerAcross * tolerance;
+  /// The point of chord k nearest to the curve's at the parameter; `share` is how far along the
+  /// chord the last one lay, and then this one.
+  Vec2 on_chord(std::size_t k, double parameter, double& share) const {
+    const Knot &from = knots_[k], &to = knots_[k + 1];
+    const Vec2 chord = to.point - from.point;
+    const double chord_squared = length_squared(chord);
+    const double local = (parameter - from.parameter) / (to.parameter - from.parameter);
+    const double along = dot(point_at(stretches_[k], local) - from.point, chord);
+    const double wanted = chord_squared > 0 ? along / chord_squared : local;
+    share = std::clamp(wanted, share, 1.0);
+    return from.point + chord * share;
   }
 
-  /// Appends the stretch (t0, t1] of a piece: halves it until each part is flat, left part first.
-  void add_stretch(const Cubic& cubic, double begin, double t0, double t1) {
-    struct Part {
-      double t0, t1;
-      int halvings;
-    };
-    Part stack[kMaxHalvings + 1];
-    int depth = 0;
-    stack[depth++] = {t0, t1, 0};
-    while (depth > 0 && status_.ok()) {
-      const Part part = stack[--depth];
-      if (part.halvings == kMaxHalvings || flat_enough(subcurve(cubic, part.t0, part.t1))) {
-        push(point_at(cubic, part.t1), begin + part.t1);
-        continue;
-      }
-      const double middle = 0.5 * (part.t0 + part.t1);
-      stack[depth++] = {middle, part.t1, part.halvings + 1};
-      stack[depth++] = {part.t0, middle, part.halvings + 1};
-    }
-  }
-
-  void push(Vec2 point, double parameter) {
-    if (poll_.cancelled()) status_ = context_.stop_status();
-    if (flat_.vertex.size() == room_) make_room();
-    if (!status_.ok()) return;
-    const bool first = flat_.vertex.size() == flat_.curve_begin[curve_];
-    const double before = first ? 0.0 : flat_.arc_length.back();
-    const double step = first ? 0.0 : length(point - flat_.vertex.back());
-    flat_.vertex.push_back(point);
-    flat_.parameter.push_back(parameter);
-    flat_.arc_length.push_back(before + step);
-    flat_.vertex_curve.push_back(curve_);
-  }
-
-  /// Doubles the tables, charged before; old and new are there while one moves to the other.
-  void make_room() {
-    const std::size_t most = context_.limits.segments + 1;
-    if (room_ >= most) {
-      status_ = make_error(StatusCode::limit, "more than the limit of " +
-                                                  limit_text(context_.limits, &Limits::segments,
-                                                             "segments after flattening") +
-                                                  "; a larger tolerance makes fewer");
-      return;
-    }
-    const std::size_t larger = std::min(std::max(2 * room_, kFirstVertices), most);
-    ScopedCharge charge;
-    status_ = charge.add(context_, larger * kBytesPerVertex, "flattening");
-    if (!status_) return;
-    flat_.vertex.reserve(larger);
-    flat_.parameter.reserve(larger);
-    flat_.arc_length.reserve(larger);
-    flat_.vertex_curve.reserve(larger);
-    room_ = larger;
-    charge_ = std::move(charge);
-  }
-
-  Context& context_;
-  RarePoll<1024> poll_;
-  Status status_;
-  ScopedCharge charge_;
-  std::size_t room_ = 0;  ///< vertices that are charged
-  const FlattenOptions& options_;
-  FlatCurves& flat_;
-  std::optional<Box> focus_;
-  std::uint32_t curve_ = 0;
-  std::vector<double> cuts_;
+  const FlatCurves& divided_;
+  const Junctions& junctions_;
+  double reach_;
+  PolylineBuilder& out_;
+  std::size_t next_junction_ = 0;
+  std::vector<Knot> knots_;  ///< of the curve at hand, and what follows too
+  std::vector<Cubic> stretches_;
+  std::vector<double> stops_;
 };
 
 }  // namespace
 
 Result<FlatCurves> flatten(Context& context, std::span<const Curve> curves,
                            const FlattenOptions& options) {
-  FlatCurves flat;
-  flat.curve_begin.reserve(curves.size() + 1);
-  Flattener flattener(context, options, flat);
-  for (std::size_t i = 0; i < curves.size(); ++i) {
-    if (context.cancelled()) return context.stop_status();
-    flat.curve_begin.push_back(static_cast<std::uint32_t>(flat.vertex.size()));
-    flattener.add_curve(curves[i], static_cast<std::uint32_t>(i));
-    if (!flattener.status()) return flattener.status();
+  PolylineBuilder divided(context);
+  Divider divider(options, divided);
+  for (const Curve& curve : curves) divider.add_curve(curve);
+  divided.end_last_curve();
+  if (!divided.status()) return divided.status();
+  const Result<Junctions> junctions =
+      find_junctions(context, curves, divided.flat(), options.reach);
+  if (!junctions) return junctions.status();
+  PolylineBuilder finished(context);
+  Finisher finisher(divided.flat(), *junctions, options.reach, finished);
+  for (std::uint32_t i = 0; i < curves.size() && finished.status().ok(); ++i) {
+    finisher.add_curve(curves[i], i);
   }
-  flat.curve_begin.push_back(static_cast<std::uint32_t>(flat.vertex.size()));
-  return flat;
+  finished.end_last_curve();
+  if (!finished.status()) return finished.status();
+  return finished.take();
 }
 
 }  // namespace sfumato::curves

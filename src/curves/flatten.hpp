@@ -13,15 +13,24 @@
 namespace sfumato::curves {
 
 struct FlattenOptions {
-  double tolerance = 0.1;  ///< largest distance between chord and curve, user units, above 0
+  double tolerance = 0.1;  ///< distance between chord and curve, user units, above 0
   /// Outside this box (grown by a tenth) the coarser `outside_tolerance` is enough.
   std::optional<Box> focus{};
   double outside_tolerance = 0.1;
+  /// Curves that come this close to one another's vertices pass through them, user units; 0: only
+  /// those that meet them exactly.
+  double reach = 0;
+  /// Curves whose radius of blur is below this show as edges; others may be flattened finer, by the
+  /// errors in colour that show.
+  double sharp_radius = 0;
 };
 
 /// Curves as polylines that keep the curve parameter. Segment s joins vertex s and vertex s + 1;
 /// the last vertex of a curve begins no segment. Every stop of a stop list is a vertex, so that
-/// attributes are linear on each segment.
+/// attributes are linear on each segment; it lies on the chord that there is without it, so that
+/// curves of one shape have one polyline, whatever their stops. Chords lie in the middle of their
+/// arcs: at ends, corners and where other curves pass, vertices lie on the curve; elsewhere
+/// outside, by the mean that chords between points of the curve would lie inside.
 struct FlatCurves {
   std::vector<Vec2> vertex;        ///< layer frame
   std::vector<double> parameter;   ///< per vertex: Bézier piece + t

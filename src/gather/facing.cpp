@@ -52,8 +52,8 @@ Facing facing_side(const mesh::TriangleMesh& mesh, const curves::SegmentAttribut
     const curves::SegmentSide& side = *facing_it.side;
     if (side.kind == ShaderKind::open) continue;
     const double piece_reach = reach_to_side(mesh, attributes, piece, half_edge);
-    // Within a lattice step two passages are the same line, and the first counts.
-    if (!first && piece_reach < reach - mesh.lattice_step) continue;
+    // Within a lattice step two passages are the same line, and the last counts.
+    if (!first && piece_reach <= reach + mesh.lattice_step) continue;
     const auto& [start, end] = side.value;
     const auto& [blur_start, blur_end] = side.blur_radius;
     facing = {side.kind,

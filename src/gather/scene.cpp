@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "base/box.hpp"
+#include "base/spatial_order.hpp"
 #include "gather/blind.hpp"
-#include "gather/spatial_order.hpp"
 
 namespace sfumato::gather {
 namespace {

@@ -14,7 +14,7 @@ namespace sfumato::gather {
 
 /// What a ray meets at a constrained edge, seen from one side. Where several pieces lie on the edge
 /// it is the curve that was drawn last, of those whose facing side is not open; where that curve
-/// lies along itself, the passage that reached farthest to this side before the weld, the first of
+/// lies along itself, the passage that reached farthest to this side before the weld, the last of
 /// equals.
 struct Facing {
   ShaderKind kind = ShaderKind::open;

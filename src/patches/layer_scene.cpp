@@ -21,6 +21,9 @@ constexpr double kTolerancePx = 0.2;
 /// Below this radius antialiasing blurs as much, and a mesh as fine as that would be all triangles.
 constexpr double kSmallestRadiusPx = 0.75;
 
+/// Chords of a curve that is blurred by less than this are those of an edge.
+constexpr double kEdgeRadiusPx = 1;
+
 /// Lengths of the mesher are counted in pixels of an artboard that is this many pixels long.
 constexpr double kNominalSidePx = 1024;
 
@@ -54,7 +57,11 @@ class LayerUnits {
   double pixel() const { return 1 / (options_.pixels_per_unit * sight_.scale); }
 
   curves::FlattenOptions flatten_options() const {
+    const mesh::MeshOptions meshing = mesh_options();
     curves::FlattenOptions flatten;
+    flatten.reach = meshing.weld_px * meshing.unit_size;
+    flatten.sharp_radius =
+        options_.ignore_blur ? std::numeric_limits<double>::infinity() : kEdgeRadiusPx * pixel();
     if (options_.tolerance) {
       flatten.tolerance = *options_.tolerance / sight_.scale;
       flatten.outside_tolerance = flatten.tolerance;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "curves/bezier.hpp"
+#include "support/drawing.hpp"
 #include "support/scenes.hpp"
 
 namespace sfumato::curves {
@@ -90,6 +91,171 @@ TEST(Flatten, stops_in_arc_length_stand_at_their_length) {
   const bool found = std::any_of(flat.vertex.begin(), flat.vertex.end(),
                                  [](Vec2 p) { return std::fabs(p.x - 22.5) < 1e-5; });
   EXPECT_TRUE(found);
+}
+
+Curve with_stops(Curve curve, std::vector<double> offsets) {
+  curve.left.color.kind = ShaderKind::curve_domain;
+  for (double offset : offsets) curve.left.color.stops.stops.push_back({offset, {}});
+  return curve;
+}
+
+/// A chain of two pieces that bends both ways, smooth where they meet.
+Curve wave() {
+  return {
+      .control_points = {{0, 0}, {0, 60}, {70, 90}, {100, 40}, {130, -10}, {180, 0}, {200, 50}}};
+}
+
+Curve reversed(Curve curve) {
+  std::reverse(curve.control_points.begin(), curve.control_points.end());
+  return curve;
+}
+
+/// The stretch of one piece of a curve from t0 to t1.
+Curve stretch_of(const Curve& curve, std::size_t index, double t0, double t1) {
+  const Cubic part = subcurve(piece(curve.control_points, index), t0, t1);
+  return {.control_points = {part.begin(), part.end()}};
+}
+
+std::vector<Vec2> vertices_of(const FlatCurves& flat, std::uint32_t curve) {
+  return {flat.vertex.begin() + flat.curve_begin[curve],
+          flat.vertex.begin() + flat.curve_begin[curve + 1]};
+}
+
+double distance_to_polyline(Vec2 p, const std::vector<Vec2>& polyline) {
+  double least = 1e300;
+  for (std::size_t i = 0; i + 1 < polyline.size(); ++i) {
+    least = std::min(least, distance_to_segment(p, polyline[i], polyline[i + 1]));
+  }
+  return least;
+}
+
+/// How far the vertices of two polylines lie from the other one, at most, where that one runs.
+double distance_between(const std::vector<Vec2>& a, const std::vector<Vec2>& b) {
+  double most = 0;
+  for (Vec2 p : b) most = std::max(most, distance_to_polyline(p, a));
+  for (Vec2 p : a) {
+    const double t0 = length(p - b.front()), t1 = length(p - b.back());
+    const double d = distance_to_polyline(p, b);
+    // Vertices beyond the end of a shorter one are nearest to that end.
+    if (d < std::min(t0, t1)) most = std::max(most, d);
+  }
+  return most;
+}
+
+TEST(Flatten, a_stop_lies_on_the_chord_that_is_there_without_it) {
+  const std::vector<Vec2> plain = vertices_of(flattened({wave()}), 0);
+  const FlatCurves flat = flattened({with_stops(wave(), {0, 0.01, 0.3, 0.3, 1.234, 1.9, 2})});
+  EXPECT_EQ(flat.vertex.size(), plain.size() + 4);
+  for (Vec2 p : plain) EXPECT_EQ(std::ranges::count(flat.vertex, p), 1);
+  for (Vec2 p : flat.vertex) EXPECT_LT(distance_to_polyline(p, plain), 1e-12);
+}
+
+TEST(Flatten, stops_so_close_that_they_share_a_chord_keep_their_order) {
+  std::vector<double> offsets;
+  for (int i = 0; i <= 400; ++i) offsets.push_back(i / 200.0);
+  const FlatCurves flat = flattened({with_stops(wave(), offsets)}, {.tolerance = 5});
+  for (std::uint32_t v = 0; v + 1 < flat.vertex.size(); ++v) {
+    EXPECT_LT(flat.parameter[v], flat.parameter[v + 1]);
+    EXPECT_LE(flat.arc_length[v], flat.arc_length[v + 1]);
+  }
+}
+
+TEST(Flatten, equal_curves_have_one_polyline_whatever_their_stops_and_blur) {
+  Curve soft = with_stops(wave(), {0, 0.77, 2});
+  soft.right.color = soft.left.color;
+  soft.right.color.stops.stops[1].value = {1, 1, 1};
+  soft.right.blur_radius.stops = {{0, 1.0f}, {2, 9.0f}};
+  const FlatCurves flat = flattened({wave(), soft, reversed(wave())}, {.reach = 0.01});
+  for (std::uint32_t a = 0; a < 3; ++a) {
+    for (std::uint32_t b = 0; b < 3; ++b) {
+      EXPECT_LT(distance_between(vertices_of(flat, a), vertices_of(flat, b)), 1e-9) << a << b;
+    }
+  }
+}
+
+TEST(Flatten, a_stretch_of_a_curve_lies_on_its_chords) {
+  for (double tolerance : {2.0, 0.1, 0.002}) {
+    for (const auto& [t0, t1] : {std::pair{0.0, 1.0}, {0.1, 0.9}, {0.31, 0.47}, {0.5, 0.500001}}) {
+      const FlatCurves flat = flattened(
+          {wave(), stretch_of(wave(), 1, t0, t1), reversed(stretch_of(wave(), 1, t0, t1))},
+          {.tolerance = tolerance, .reach = 0.01});
+      for (std::uint32_t b : {1u, 2u}) {
+        EXPECT_LT(distance_between(vertices_of(flat, 0), vertices_of(flat, b)), 0.01)
+            << tolerance << " " << t0;
+      }
+    }
+  }
+}
+
+TEST(Flatten, copies_that_rounding_moved_have_chords_within_the_reach) {
+  Curve rounded = wave();
+  for (Vec2& p : rounded.control_points) p = p + Vec2{0.003, -0.004};
+  const FlatCurves flat = flattened({wave(), rounded}, {.tolerance = 0.5, .reach = 0.02});
+  EXPECT_LT(distance_between(vertices_of(flat, 0), vertices_of(flat, 1)), 0.02);
+}
+
+TEST(Flatten, a_curve_that_folds_back_has_one_polyline_for_both_passages) {
+  Curve folded = wave();
+  const Curve back = reversed(wave());
+  folded.control_points.insert(folded.control_points.end(), back.control_points.begin() + 1,
+                               back.control_points.end());
+  const FlatCurves flat = flattened({folded}, {.reach = 0.01});
+  const auto turn =
+      static_cast<std::size_t>(std::ranges::find(flat.parameter, 2.0) - flat.parameter.begin());
+  const std::vector<Vec2> out(flat.vertex.begin(), flat.vertex.begin() + turn + 1);
+  const std::vector<Vec2> home(flat.vertex.begin() + turn, flat.vertex.end());
+  EXPECT_LT(distance_between(out, home), 1e-9);
+}
+
+TEST(Flatten, an_end_that_touches_a_curve_touches_its_chords) {
+  for (double t : {0.02, 0.2, 0.5, 0.77}) {
+    const Vec2 on = point_at(piece(wave().control_points, 0), t);
+    const FlatCurves flat =
+        flattened({wave(), straight(on, {40, -60})}, {.tolerance = 0.5, .reach = 0.01});
+    EXPECT_LT(distance_to_polyline(on, vertices_of(flat, 0)), 0.01) << t;
+    EXPECT_EQ(vertices_of(flat, 1).front(), on);
+  }
+}
+
+TEST(Flatten, ends_and_corners_stay_where_they_are) {
+  Curve corner = arch();
+  for (Vec2 p : {Vec2{130, 30}, {160, 30}, {190, 0}}) corner.control_points.push_back(p);
+  const FlatCurves flat = flattened({corner}, {.tolerance = 1});
+  EXPECT_EQ(flat.vertex.front(), (Vec2{0, 0}));
+  EXPECT_EQ(std::ranges::count(flat.vertex, Vec2{100, 0}), 1);
+  EXPECT_EQ(flat.vertex.back(), (Vec2{190, 0}));
+}
+
+TEST(Flatten, a_circle_keeps_its_area) {
+  const Curve circle = test::circle_curve({50, 50}, 40);
+  for (double tolerance : {1.0, 0.1}) {
+    const FlatCurves flat = flattened({circle}, {.tolerance = tolerance});
+    EXPECT_EQ(flat.vertex.front(), flat.vertex.back());
+    double twice_area = 0, perimeter = 0;
+    for (std::size_t v = 0; v + 1 < flat.vertex.size(); ++v) {
+      twice_area += cross(flat.vertex[v] - Vec2{50, 50}, flat.vertex[v + 1] - Vec2{50, 50});
+      perimeter += length(flat.vertex[v + 1] - flat.vertex[v]);
+    }
+    // The mean of how far the chords lie inside; the cubics lie 2.7e-4 of the radius outside.
+    const double inside = (3.14159265 * 1600 - std::fabs(twice_area) / 2) / perimeter;
+    EXPECT_NEAR(inside, 0, 0.006 + 0.05 * tolerance);
+  }
+}
+
+TEST(Flatten, where_it_is_blurred_a_steep_curve_is_flattened_finer) {
+  Curve steep = with_stops(arch(), {0});
+  steep.right.color = {ShaderKind::curve_domain, {StopSpace::parameter, {{0, {1, 1, 1}}}}};
+  const std::size_t sharp = flattened({steep}).segment_count();
+  steep.left.blur_radius.stops = {{0, 2.0f}};
+  const std::size_t soft = flattened({steep}).segment_count();
+  EXPECT_GT(soft, sharp + sharp / 2);
+  steep.right.color.stops.stops[0].value = {0.01f, 0, 0};
+  EXPECT_EQ(flattened({steep}).segment_count(), sharp);
+}
+
+TEST(Flatten, curves_without_number_on_one_place_take_no_square_of_time) {
+  std::vector<Curve> curves(5'000, arch());
+  EXPECT_GT(flattened(curves, {.tolerance = 1, .reach = 0.01}).segment_count(), 20'000u);
 }
 
 TEST(Flatten, outside_the_focus_the_coarser_tolerance_is_enough) {

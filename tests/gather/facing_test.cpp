@@ -86,6 +86,26 @@ TEST(Facing, the_piece_drawn_last_wins) {
   EXPECT_EQ(diamond.facing(Diamond::kAbove).from, kBlue);
 }
 
+TEST(Facing, of_a_curve_that_folds_back_the_last_passage_wins) {
+  Diamond diamond;
+  diamond.add(color(kRed, kRed), color(kGreen, kGreen));
+  diamond.add(color(kBlue, kBlue), color(kWhite, kWhite), true);
+  diamond.attributes.curve.assign(4, 0);
+  EXPECT_EQ(diamond.facing(Diamond::kBelow).from, kBlue);
+  EXPECT_EQ(diamond.facing(Diamond::kAbove).from, kWhite);
+}
+
+TEST(Facing, of_passages_that_were_apart_the_outer_one_wins) {
+  Diamond diamond;
+  diamond.add(color(kRed, kRed), color(kGreen, kGreen));
+  diamond.add(color(kBlue, kBlue), color(kWhite, kWhite), true);
+  diamond.attributes.curve.assign(4, 0);
+  // Before the weld the first ran below the second.
+  for (Vec2* p : {&diamond.attributes.vertex[0], &diamond.attributes.vertex[1]}) p->y += 1.5;
+  EXPECT_EQ(diamond.facing(Diamond::kBelow).from, kGreen);
+  EXPECT_EQ(diamond.facing(Diamond::kAbove).from, kWhite);
+}
+
 TEST(Facing, an_open_side_leaves_the_edge_to_the_piece_below) {
   Diamond diamond;
   diamond.add(color(kRed, kRed), color(kWhite, kWhite), false, 2);

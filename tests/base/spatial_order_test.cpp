@@ -1,11 +1,11 @@
-#include "gather/spatial_order.hpp"
+#include "base/spatial_order.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <random>
 
-namespace sfumato::gather::test {
+namespace sfumato::test {
 namespace {
 
 TEST(SpatialOrder, every_point_stands_once) {
@@ -39,4 +39,4 @@ TEST(SpatialOrder, points_in_one_place_keep_their_order) {
 }
 
 }  // namespace
-}  // namespace sfumato::gather::test
+}  // namespace sfumato::test

@@ -1,11 +1,11 @@
-#include "gather/spatial_order.hpp"
+#include "base/spatial_order.hpp"
 
 #include <algorithm>
 #include <bit>
 
 #include "base/box.hpp"
 
-namespace sfumato::gather {
+namespace sfumato {
 namespace {
 
 /// Puts a 0 between the bits of x < 2^16.
@@ -42,4 +42,4 @@ std::vector<std::uint32_t> spatial_order(std::span<const Vec2> points) {
   return order;
 }
 
-}  // namespace sfumato::gather
+}  // namespace sfumato

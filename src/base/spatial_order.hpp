@@ -6,10 +6,10 @@
 
 #include "base/vec2.hpp"
 
-namespace sfumato::gather {
+namespace sfumato {
 
 /// Indices of the points in an order in which neighbours in the plane are mostly neighbours in the
 /// list: by the cells of a Z-order curve, within a cell as given. Cost: O(points).
 std::vector<std::uint32_t> spatial_order(std::span<const Vec2> points);
 
-}  // namespace sfumato::gather
+}  // namespace sfumato

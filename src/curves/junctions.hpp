@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/context.hpp"
+#include "base/status.hpp"
+#include "curves/flatten.hpp"
+
+namespace sfumato::curves {
+
+/// A vertex of one passage that lies on another, which is to pass through it too.
+struct Junction {
+  std::uint32_t curve = 0;  ///< the one to pass through it…
+  double parameter = 0;     ///< …here
+  Vec2 point;
+};
+
+struct Junctions {
+  std::vector<Junction> junction;    ///< by curve, then parameter
+  std::vector<std::uint8_t> pinned;  ///< per vertex of `flat`: 1 where it lies on another passage
+};
+
+/// Where vertices of `flat`, which lie on their curves, lie within `reach` of another curve or of
+/// another passage of their own. With every such vertex in both, what lies on one another has the
+/// same chords, however the curves are cut into pieces, and an end that touches a curve touches its
+/// chords. A vertex that is near hundreds of others may be missed.
+/// Errors: limit, cancelled. Cost: O(vertices log vertices).
+Result<Junctions> find_junctions(Context& context, std::span<const Curve> curves,
+                                 const FlatCurves& flat, double reach);
+
+}  // namespace sfumato::curves

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "base/context.hpp"
+#include "base/status.hpp"
+#include "curves/flatten.hpp"
+
+namespace sfumato::curves {
+
+/// Appends vertices to a FlatCurves, within the limit of segments and the memory budget.
+class PolylineBuilder {
+ public:
+  explicit PolylineBuilder(Context& context) : context_(context), poll_(context) {}
+
+  /// limit, cancelled: nothing more is appended.
+  const Status& status() const { return status_; }
+  Context& context() const { return context_; }
+
+  void begin_curve();
+  void push(Vec2 point, double parameter);
+  void end_last_curve();
+
+  const FlatCurves& flat() const { return flat_; }
+  /// Call once, last: what it holds is charged no longer.
+  FlatCurves take() { return std::move(flat_); }
+
+ private:
+  void make_room();
+
+  Context& context_;
+  RarePoll<1024> poll_;
+  Status status_;
+  ScopedCharge charge_;
+  std::size_t room_ = 0;  ///< vertices that are charged
+  FlatCurves flat_;
+};
+
+}  // namespace sfumato::curves
