@@ -12,6 +12,7 @@
 #include "formats/css_text.hpp"
 #include "formats/css_value.hpp"
 #include "formats/suggestion.hpp"
+#include "formats/svg/bare.hpp"
 #include "formats/svg/input.hpp"
 #include "formats/svg/picture_size.hpp"
 #include "formats/svg/scene_reader.hpp"
@@ -105,6 +106,15 @@ Status read_background(Input& input, Document& document) {
   return ok_status();
 }
 
+void warn_of_nothing(Input& input, const Document& document) {
+  std::string message = document.stack.empty()
+                            ? "the document has no layer and no local curve: the picture is empty"
+                            : "no curve of the document bears a colour: the picture is empty";
+  const std::string why = svg::why_empty(input);
+  if (!why.empty()) message += "; " + why;
+  input.warn("/no layers", input.root(), std::move(message));
+}
+
 Result<ReadDocument> read(Input& input, const ResourceLoader* loader) {
   if (Status status = input.parse(); !status) return status;
   if (std::string_view(input.root().name()) != "svg") {
@@ -123,10 +133,8 @@ Result<ReadDocument> read(Input& input, const ResourceLoader* loader) {
   if (status) status = svg::SceneReader(input, document, loader).read();
   if (!status) return status;
   svg::show_in_frame(frame, document);
-  if (document.stack.empty()) {
-    input.warn("/no layers", input.root(),
-               "the document has no layer and no local curve: the picture is empty");
-  }
+  if (document.stack.empty() || !svg::gives_color(document)) warn_of_nothing(input, document);
+  if (Status stopped = input.context().check(); !stopped) return stopped;
   if (Status valid = validate(input.context(), document); !valid) return valid;
   return ReadDocument{std::move(document), input.take_warnings(), DocumentFormat::svg};
 }

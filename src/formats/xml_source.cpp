@@ -170,7 +170,37 @@ Status XmlSource::syntax_error(const pugi::xml_parse_result& result) {
   const auto offset = static_cast<std::size_t>(std::max<std::ptrdiff_t>(result.offset, 0));
   const bool at_end = text_.find_first_not_of(" \t\r\n", offset + 1) == std::string_view::npos;
   std::string message = at_end ? "the XML is cut short: " : "not well-formed XML: ";
-  return make_error(StatusCode::bad_input, message + result.description(), place_at(offset));
+  message += result.description();
+  if (result.status == pugi::status_end_element_mismatch) message += open_element(offset);
+  return make_error(StatusCode::bad_input, std::move(message), place_at(offset));
+}
+
+/// ": <g> of line 3 is still open at </svg>", for an end tag that does not fit. Looks back through
+/// the tags before; what looks like a tag in a comment may mislead it.
+std::string XmlSource::open_element(std::size_t offset) {
+  constexpr std::size_t kMostBytes = std::size_t{1} << 20;
+  const auto name_at = [&](std::size_t at) {
+    const std::string_view name = text_.substr(at, 64);
+    return std::string(name.substr(0, name.find_first_of("/> \t\r\n")));
+  };
+  if (!is_utf8_) return {};
+  const std::size_t end_tag = text_.rfind("</", offset);
+  if (end_tag == std::string_view::npos) return {};
+  std::size_t closed = 0, end = end_tag;
+  while (end > 0 && end_tag - end < kMostBytes) {
+    const std::size_t begin = text_.rfind('<', end - 1);
+    if (begin == std::string_view::npos) break;
+    const std::string_view tag = text_.substr(begin, text_.substr(begin, end - begin).find('>'));
+    end = begin;
+    if (tag.starts_with("<!") || tag.starts_with("<?") || tag.ends_with('/')) continue;
+    if (tag.starts_with("</")) {
+      ++closed;
+    } else if (closed-- == 0) {
+      return ": <" + name_at(begin + 1) + "> of line " + std::to_string(place_at(begin).line) +
+             " is still open at </" + name_at(end_tag + 2) + ">";
+    }
+  }
+  return ": no element is open at </" + name_at(end_tag + 2) + ">";
 }
 
 SourcePlace XmlSource::place(pugi::xml_node node) {

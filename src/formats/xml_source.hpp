@@ -32,6 +32,7 @@ class XmlSource {
   Status check_size(Context& context);
   Status copy_text(const Context& context);
   Status check_shape(const Context& context);
+  std::string open_element(std::size_t offset);
   Status syntax_error(const pugi::xml_parse_result& result);
 
   std::string_view text_;

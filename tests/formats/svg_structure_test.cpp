@@ -343,10 +343,13 @@ TEST(SvgWarnings, are_one_for_each_kind_with_line_and_element) {
 }
 
 TEST(SvgWarnings, tell_of_what_means_nothing) {
-  EXPECT_EQ(warnings_of("<svg viewBox='0 0 9 9'/>"),
-            (std::vector<std::string>{
-                "a.svg:1:1: <svg> has no sf:version; it is read as version 1",
-                "a.svg:1:1: the document has no layer and no local curve: the picture is empty"}));
+  EXPECT_EQ(
+      warnings_of("<svg viewBox='0 0 9 9'/>"),
+      (std::vector<std::string>{
+          "a.svg:1:1: <svg> has no sf:version; it is read as version 1",
+          "a.svg:1:1: the document has no layer and no local curve: the picture is empty; nothing "
+          "in it is of Sfumato; expected curves with sf:left and sf:right in <g "
+          "sf:diffuse=\"true\"> (sfumato init --from makes them of an ordinary drawing)"}));
   EXPECT_EQ(warnings_of(svg_layer("<g opacity='.5'>" + kCurve + "</g>"))[0],
             "a.svg:3:1: opacity and mix-blend-mode of <g> mean nothing within a layer; expected "
             "them on the layer, or sf:opacity on its curves");

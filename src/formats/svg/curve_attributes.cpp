@@ -31,6 +31,7 @@ class AttributeReader {
   Status read_colors(const Found& found, std::vector<WrittenStop<Rgb>>& stops);
   Status read_numbers(const Found& found, double largest, const char* what,
                       std::vector<WrittenStop<float>>& stops);
+  Status read_lengths(const Found& found, const char* what, std::vector<WrittenStop<float>>& stops);
   Status read_number(const char* name, const char* expected, bool zero_allowed, double& number);
 
  private:
@@ -73,6 +74,15 @@ Status AttributeReader::read_numbers(const Found& found, double largest, const c
                                      std::vector<WrittenStop<float>>& stops) {
   if (Status status = check_length(found); !status) return status;
   auto parsed = parse_scalar_stops(found.text, largest, what, input_.text_poll());
+  if (!parsed) return input_.in(element_, found.name, parsed.status());
+  stops = std::move(*parsed);
+  return ok_status();
+}
+
+Status AttributeReader::read_lengths(const Found& found, const char* what,
+                                     std::vector<WrittenStop<float>>& stops) {
+  if (Status status = check_length(found); !status) return status;
+  auto parsed = parse_length_stops(found.text, what, input_.text_poll());
   if (!parsed) return input_.in(element_, found.name, parsed.status());
   stops = std::move(*parsed);
   return ok_status();
@@ -150,7 +160,7 @@ Status read_side(Input& input, Paints& paints, const PaintedShape& shape, const 
   }
   const auto found = reader.find(names.blur, "blur");
   if (!found) return ok_status();
-  return reader.read_numbers(*found, limits::kCoordinate, "blur radius", side.blur_radius);
+  return reader.read_lengths(*found, "blur radius", side.blur_radius);
 }
 
 Status no_color_list(Input& input, Element element, const Found& found) {
@@ -205,12 +215,11 @@ Result<LocalAttributes> read_local_attributes(Input& input, Element shape) {
   if (attributes.left_color.empty()) attributes.left_color = attributes.right_color;
   if (attributes.right_color.empty()) attributes.right_color = attributes.left_color;
   if (const auto found = reader.find("radius")) {
-    status = reader.read_numbers(*found, limits::kCoordinate, "radius of influence",
-                                 attributes.influence_radius);
+    status = reader.read_lengths(*found, "radius of influence", attributes.influence_radius);
   }
   const auto blur = reader.find("blur");
   if (status && blur) {
-    status = reader.read_numbers(*blur, limits::kCoordinate, "blur radius", attributes.blur_radius);
+    status = reader.read_lengths(*blur, "blur radius", attributes.blur_radius);
   }
   if (status) status = reader.read_number("alpha", "0 or more", true, attributes.alpha);
   if (!status) return status;

@@ -11,6 +11,7 @@
 #include "formats/css_value.hpp"
 #include "formats/suggestion.hpp"
 #include "formats/svg/background.hpp"
+#include "formats/svg/bare.hpp"
 #include "formats/svg/paint_attributes.hpp"
 #include "formats/svg/shapes.hpp"
 #include "formats/svg/transform.hpp"
@@ -287,6 +288,7 @@ Status SceneReader::visit_shape(Element element, const Place& place) {
                                        " with sf:radius is a local curve and stands in "
                                        "a layer; expected it before or after the layer");
     }
+    if (!input_.has_sf(element)) input_.warn("/bare", element, why_bare(input_, element));
     return curves_.read_curves(element, place.frame_from_user, id_for(element, place),
                                place.layer->curves);
   }

@@ -11,6 +11,7 @@
 #include "formats/number.hpp"
 #include "formats/number_text.hpp"
 #include "formats/suggestion.hpp"
+#include "formats/svg/length.hpp"
 
 namespace sfumato::svg {
 namespace {
@@ -20,6 +21,10 @@ constexpr std::size_t kLongestOffset = 64;
 
 Status bad(std::string message) {
   return make_error(StatusCode::bad_input, std::move(message));
+}
+
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
 }
 
 /// What stands between two commas: values with blanks or comments between them.
@@ -188,6 +193,24 @@ Result<std::vector<WrittenStop<float>>> parse_scalar_stops(std::string_view text
                  std::to_string(static_cast<long>(largest)));
     }
     value = static_cast<float>(*number);
+    return ok_status();
+  };
+  return parse_stops<float>(text, poll, parse_value);
+}
+
+Result<std::vector<WrittenStop<float>>> parse_length_stops(std::string_view text,
+                                                           std::string_view what, TextPoll& poll) {
+  const auto parse_value = [what](std::string_view token, float& value) {
+    static constexpr Box kNone{{0, 0}, {1, 1}};
+    const bool is_share = token.ends_with('%') || token.size() > kLongestOffset;
+    const Result<double> length = is_share ? bad({}) : parse_length(token, kNone, Axis::x);
+    if (!length || *length < 0) {
+      const bool has_unit = is_digit(token.front()) && !is_digit(token.back());
+      return bad(quoted(token) + " is no " + std::string(what) + "; expected a number from 0 to " +
+                 std::to_string(static_cast<long>(limits::kCoordinate)) +
+                 (has_unit ? ", perhaps with px, pt, pc, mm, cm or in" : ""));
+    }
+    value = static_cast<float>(*length);
     return ok_status();
   };
   return parse_stops<float>(text, poll, parse_value);

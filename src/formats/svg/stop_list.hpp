@@ -34,6 +34,10 @@ Result<std::vector<WrittenStop<Rgb>>> parse_color_stops(std::string_view text, T
 Result<std::vector<WrittenStop<float>>> parse_scalar_stops(std::string_view text, double largest,
                                                            std::string_view what, TextPoll& poll);
 
+/// The same with lengths of 0 or more, in user units.
+Result<std::vector<WrittenStop<float>>> parse_length_stops(std::string_view text,
+                                                           std::string_view what, TextPoll& poll);
+
 /// How many stops the text can hold.
 std::size_t stop_bound(std::string_view text);
 

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+
+#include "document/document.hpp"
+#include "formats/svg/input.hpp"
+
+namespace sfumato::svg {
+
+/// Why a shape in a layer, which bears no attribute of Sfumato, draws nothing, and what to write:
+/// attributes without their prefix, or in style="", are named.
+std::string why_bare(Input& input, Element shape);
+
+/// Whether any curve of the document gives a colour.
+bool gives_color(const Document& document);
+
+/// Why a document without a colour is an empty picture, and what to write: no attribute of Sfumato
+/// at all, a prefix that is bound to another address, or else that there is no layer.
+std::string why_empty(Input& input);
+
+}  // namespace sfumato::svg
