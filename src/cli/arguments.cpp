@@ -1,7 +1,9 @@
 #include "cli/arguments.hpp"
 
 #include <algorithm>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "base/utf8.hpp"
 #include "cli/document_commands.hpp"
@@ -9,6 +11,7 @@
 #include "cli/option_helpers.hpp"
 #include "cli/render_options.hpp"
 #include "cli/values.hpp"
+#include "formats/suggestion.hpp"
 
 namespace sfumato::cli {
 namespace {
@@ -76,14 +79,66 @@ std::string shortened(const std::string& text) {
   return printable(text.substr(0, end), "\n") + (end < text.size() ? "…" : "");
 }
 
+/// What other programs call by one letter.
+std::string meaning_elsewhere(std::string_view option) {
+  if (option.starts_with("-w")) return "; expected --width";
+  if (option.starts_with("-z") || option.starts_with("-s")) return "; expected --scale";
+  if (option.starts_with("-d")) return "; expected --dpi";
+  if (option.starts_with("-b")) return "; expected --background";
+  return {};
+}
+
+/// What an option was probably meant to be that the command does not have.
+std::string option_hint(const CLI::App& command) {
+  for (const std::string& argument : command.remaining()) {
+    if (!argument.starts_with('-') || argument.size() < 2) continue;
+    if (!argument.starts_with("--")) return meaning_elsewhere(argument);
+    const std::string name = argument.substr(2, argument.find('=') - 2);
+    std::vector<std::string_view> names;
+    for (const CLI::Option* option : command.get_options()) {
+      for (const std::string& known : option->get_lnames()) names.push_back(known);
+    }
+    const std::string_view best = nearest(name, names);
+    return best.empty() ? std::string() : "; did you mean --" + std::string(best) + "?";
+  }
+  return {};
+}
+
+std::string unknown_command(std::string_view given, const CLI::App& root) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : root.get_subcommands({})) names.push_back(command->get_name());
+  const std::vector<std::string_view> candidates(names.begin(), names.end());
+  std::string list;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    list += (i == 0 ? "" : i + 1 == names.size() ? " or " : ", ") + names[i];
+  }
+  return "\"" + std::string(given) + "\" given, expected " + list + did_you_mean(given, candidates);
+}
+
 NoCommand usage_error(const CLI::App& root, std::string what) {
   std::string command = "sfumato";
-  for (const CLI::App* chosen : root.get_subcommands()) command += ' ' + chosen->get_name();
+  for (const CLI::App* chosen : root.get_subcommands()) {
+    command += ' ' + chosen->get_name();
+    what += option_hint(*chosen);
+  }
   if (root.get_subcommands().empty() && root.remaining_size() > 0) {
-    what = "\"" + root.remaining().front() +
-           "\" given, expected render, info, convert, lint or compare";
+    what = unknown_command(root.remaining().front(), root);
   }
   return {"sfumato: error: " + shortened(what) + "\nTry '" + command + " --help'.\n", kBadUsage};
+}
+
+/// What is wrong with a call for help: no such command, or -h with a number as other programs have
+/// it for a height. Empty: nothing.
+std::string wrong_beside_help(const CLI::App& root, std::span<const char* const> arguments) {
+  for (std::size_t i = 1; i < arguments.size(); ++i) {
+    const std::string_view argument = arguments[i];
+    if (root.get_subcommands().empty() && !argument.starts_with('-')) {
+      return unknown_command(argument, root);
+    }
+    if (argument != "-h" || i + 1 == arguments.size()) continue;
+    if (parse_number(arguments[i + 1])) return "-h prints help; expected --height";
+  }
+  return {};
 }
 
 }  // namespace
@@ -125,7 +180,8 @@ Command parse_arguments(int argc, const char* const* argv) {
     }
     return NoCommand{root.help(), kBadUsage};
   } catch (const CLI::CallForHelp&) {
-    return NoCommand{root.help(), kDone};
+    const std::string wrong = wrong_beside_help(root, {argv, static_cast<std::size_t>(argc)});
+    return wrong.empty() ? NoCommand{root.help(), kDone} : usage_error(root, wrong);
   } catch (const CLI::CallForVersion& version) {
     return NoCommand{std::string(version.what()) + '\n', kDone};
   } catch (const CLI::ParseError& error) {

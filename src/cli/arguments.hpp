@@ -66,7 +66,9 @@ struct InfoArguments : DocumentArguments {
   bool json = false;
 };
 
+/// `input` is the one at hand.
 struct LintArguments : DocumentArguments {
+  std::vector<std::string> inputs;
   bool verbose = false;  ///< with notes, which ask for nothing
   bool strict = false;   ///< a hint is a failure
   bool json = false;

@@ -17,7 +17,7 @@ constexpr const char* kConvertFooter =
 constexpr const char* kLintFooter =
     "Examples:\n"
     "  sfumato lint lady_bug.svg\n"
-    "  sfumato lint --strict --quiet lady_bug.svg";
+    "  sfumato lint --strict --quiet *.svg";
 
 bool is_svg_name(const std::string& path) {
   constexpr std::string_view kExtension = ".svg";
@@ -61,7 +61,11 @@ CLI::App* add_convert(CLI::App& root, ConvertArguments& arguments) {
 CLI::App* add_lint(CLI::App& root, LintArguments& arguments) {
   CLI::App* app = root.add_subcommand("lint", "Hint at what a drawing has probably got wrong");
   app->footer(kLintFooter);
-  add_document(*app, arguments);
+  app->add_option("IN", arguments.inputs,
+                  "Diffusion curves (SVG or Orzan XML), one or more; '-':\nfrom stdin")
+      ->required()
+      ->type_name("");
+  add_allowed_folders(*app, arguments);
   app->add_flag("--strict", arguments.strict, "Exit with 1 where there is a hint");
   app->add_flag("--verbose", arguments.verbose, "With notes: which side of a loop is inside");
   app->add_flag("--json", arguments.json, "Print one JSON object");

@@ -62,16 +62,10 @@ std::string as_json(const std::string& name, const Document& document,
   return json.text() + '\n';
 }
 
-}  // namespace
-
-int lint(const LintArguments& arguments) {
+/// The hints of arguments.input; its exit code.
+int lint_one(Context& context, const LintArguments& arguments) {
   const std::string name = display_name(arguments.input);
-  const std::unique_ptr<Executor> executor = make_tbb_executor();
-  Context context{.executor = executor.get(),
-                  .budget = Budget(arguments.resources.memory_bytes),
-                  .limits = arguments.resources.limits,
-                  .deadline = deadline_of(arguments.resources)};
-  const CancelOnSignal cancel_on_signal(context.cancel);
+  context.deadline = deadline_of(arguments.resources);
   const Result<ReadDocument> read = read_drawing(context, arguments);
   if (!read) return fail(read.status());
   Result<std::vector<Hint>> hints = sfumato::lint(context, read->document);
@@ -83,6 +77,26 @@ int lint(const LintArguments& arguments) {
                                &context);
   if (!printed) return fail(printed);
   return arguments.strict && count_hints(*hints) > 0 ? kBadInput : kDone;
+}
+
+}  // namespace
+
+int lint(const LintArguments& arguments) {
+  const std::unique_ptr<Executor> executor = make_tbb_executor();
+  Context context{.executor = executor.get(),
+                  .budget = Budget(arguments.resources.memory_bytes),
+                  .limits = arguments.resources.limits};
+  const CancelOnSignal cancel_on_signal(context.cancel);
+  LintArguments one = arguments;
+  int exit_code = kDone;
+  for (const std::string& input : arguments.inputs) {
+    if (context.cancel.load()) break;
+    one.input = input;
+    const int code = lint_one(context, one);
+    // Of the first that failed; an interrupt goes before.
+    if (exit_code == kDone || code >= kSignalled) exit_code = code;
+  }
+  return exit_code;
 }
 
 }  // namespace sfumato::cli

@@ -76,6 +76,26 @@ void check_open(LayerUnderTest& test, std::uint32_t index, const Outline& outlin
                "equal ends (Z in a path)");
 }
 
+/// Colours that differ less are not told apart where they meet.
+constexpr float kSeam = 12 / 255.f;
+
+bool is_seam(const Rgb& a, const Rgb& b) {
+  return std::abs(a.r - b.r) > kSeam || std::abs(a.g - b.g) > kSeam || std::abs(a.b - b.b) > kSeam;
+}
+
+void check_seam(LayerUnderTest& test, std::uint32_t index, CurveSide which, const Side& side) {
+  if (side.color.kind != ShaderKind::curve_domain || side.color.stops.stops.size() < 2) return;
+  const Rgb &first = side.color.stops.stops.front().value,
+            &last = side.color.stops.stops.back().value;
+  if (!is_seam(first, last)) return;
+  const Vec2 at = test.curves()[index].control_points.front();
+  test.add(HintKind::seam, index,
+           "it is closed, but its colours begin with " + color_text(first) + " and end with " +
+               color_text(last) + ": a seam shows at " + rounded_number_text(at.x, 4) + ", " +
+               rounded_number_text(at.y, 4) + "; expected the first colour again at the end")
+      .side = which;
+}
+
 void check_closed(LayerUnderTest& test, std::uint32_t index, const Outline& outline) {
   if (std::abs(outline.doubled_area) <= kLeastAreaShare * outline.length * outline.length) return;
   const bool clockwise = outline.doubled_area > 0;
@@ -114,6 +134,8 @@ void check_curves(LayerUnderTest& test) {
     const bool closed = curve.control_points.front() == curve.control_points.back();
     if (closed) {
       check_closed(test, i, outlines[i]);
+      check_seam(test, i, CurveSide::left, curve.left);
+      check_seam(test, i, CurveSide::right, curve.right);
     } else {
       check_open(test, i, outlines[i]);
     }

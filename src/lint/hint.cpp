@@ -6,7 +6,7 @@
 namespace sfumato {
 namespace {
 
-constexpr std::array<std::string_view, 17> kNames{"open-loop",
+constexpr std::array<std::string_view, 19> kNames{"open-loop",
                                                   "closed-loop",
                                                   "inside-empty",
                                                   "no-attribute",
@@ -22,7 +22,9 @@ constexpr std::array<std::string_view, 17> kNames{"open-loop",
                                                   "invisible",
                                                   "instance-outside",
                                                   "one-stop-gradient",
-                                                  "large-texture"};
+                                                  "large-texture",
+                                                  "seam",
+                                                  "flood"};
 
 void append(std::string& text, const char* what, std::uint32_t index, const std::string& id) {
   if (!text.empty()) text += ", ";

@@ -27,7 +27,9 @@ enum class HintKind : std::uint8_t {
   invisible,
   instance_outside,
   one_stop_gradient,
-  large_texture
+  large_texture,
+  seam,
+  flood
 };
 
 /// "open-loop".

@@ -51,6 +51,22 @@ Box bounds_of(const std::vector<Curve>& curves) {
   return box;
 }
 
+bool is_one_sided(const Curve& curve) {
+  const bool is_closed = curve.control_points.front() == curve.control_points.back();
+  const bool left = lint_detail::has_value(curve.left.color);
+  const bool right = lint_detail::has_value(curve.right.color);
+  const SideShader<Rgb>& other = left ? curve.right.color : curve.left.color;
+  return is_closed && left != right && other.kind == ShaderKind::open;
+}
+
+/// Only closed curves with a colour on one side and nothing on the other, and no opacity.
+bool may_flood(const Layer& layer) {
+  return std::ranges::all_of(layer.curves, [](const Curve& curve) {
+    return is_one_sided(curve) && curve.left.opacity.kind == ShaderKind::open &&
+           curve.right.opacity.kind == ShaderKind::open;
+  });
+}
+
 class Linter {
  public:
   Linter(Context& context, const Document& document)
@@ -156,12 +172,20 @@ Status Linter::check_instances(LayerUnderTest& test) {
     const bool is_above = i > 0;  // over the background alone it is the ground of the picture
     const bool is_outside = !overlap(
         patches::bounds_of_mapped(instance->artboard_from_layer, bounds), document_.artboard);
-    const bool may_leak = is_above && !leak_told && instance->blend == BlendMode::normal;
+    const bool floods = !is_above && may_flood(document_.layers[test.layer]);
+    const bool may_leak =
+        (is_above || floods) && !leak_told && instance->blend == BlendMode::normal;
     if (!may_leak && !is_outside) continue;
     const Result<Cover> cover =
         lint_detail::cover_of(context_, test, instance->artboard_from_layer, may_leak);
     if (!cover) return cover.status();
-    if (may_leak && *cover == Cover::all) {
+    if (floods && *cover == Cover::all) {
+      leak_told = true;
+      test.add(HintKind::flood,
+               "its closed curves have a colour on one side and the other is open: the colour "
+               "passes through and floods the artboard; expected a colour there too, or none")
+          .stack_item = i;
+    } else if (may_leak && *cover == Cover::all) {
       leak_told = true;
       test.add(HintKind::leak,
                "its colours leak to infinity: they reach the artboard's border all around and "
