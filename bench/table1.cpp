@@ -115,6 +115,7 @@ std::vector<Vec2> pixel_centres(const Box& artboard) {
 DiffuseOptions sharp_options() {
   DiffuseOptions options;
   options.ignore_blur = true;
+  options.ends = gather::Ends::paper;
   return options;
 }
 

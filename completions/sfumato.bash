@@ -18,6 +18,7 @@ _sfumato() {
   done
   case $previous in
     --method) options='exact rays pixels' ;;
+    --ends) options='soft paper' ;;
     --order) options='linear quadratic cubic' ;;
     --depth) options='8 16' ;;
     --max-error | --max-time) options='off' ;;
@@ -57,7 +58,7 @@ _sfumato() {
   case $command in
     render)
       options='--output --out-dir --format --allow-files --viewport --width --height --scale
-        --detail --method --rays --seed --tolerance --no-blur --max-error --max-area
+        --detail --method --rays --seed --tolerance --ends --no-blur --max-error --max-area
         --min-angle --order --mesh-overlay --background --depth --dither --no-dither --quality
         --lossless --dpi --svg --force --title --device --no-antialias --threads --stats --quiet
         --max-memory --max-time --limit --help'

@@ -24,6 +24,7 @@ complete -c sfumato -n '__fish_seen_subcommand_from render' -l method -x -a 'exa
 complete -c sfumato -n '__fish_seen_subcommand_from render' -l rays -x -d 'Rays per node'
 complete -c sfumato -n '__fish_seen_subcommand_from render' -l seed -x -d 'Of the random rays'
 complete -c sfumato -n '__fish_seen_subcommand_from render' -l tolerance -x -d 'Largest distance between a curve and its chords'
+complete -c sfumato -n '__fish_seen_subcommand_from render' -l ends -x -a 'soft paper' -d 'Colours ahead of the ends of open curves'
 complete -c sfumato -n '__fish_seen_subcommand_from render' -l no-blur -d 'Draw every curve sharp'
 complete -c sfumato -n '__fish_seen_subcommand_from render' -l max-error -x -a 'off' -d 'Refine where a patch misses by more'
 complete -c sfumato -n '__fish_seen_subcommand_from render' -l max-area -x -d 'Largest triangle'

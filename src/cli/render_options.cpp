@@ -122,6 +122,11 @@ void add_solution_options(CLI::App& app, RenderArguments& arguments, RenderChoic
             "Largest distance between a curve and its chords\n[0.1 on an artboard of 512]",
             into(diffuse.tolerance, parse_positive))
       ->group(group);
+  add_choice(app, "--ends", {{"soft", gather::Ends::soft}, {"paper", gather::Ends::paper}},
+             "Ahead of an open curve's end: its colours turn into each\nother, or meet in the "
+             "paper's sliver [soft]",
+             diffuse.ends)
+      ->group(group);
   app.add_flag("--no-blur", diffuse.ignore_blur, "Draw every curve sharp")->group(group);
 }
 

@@ -48,13 +48,15 @@ struct alignas(64) SharesOfPacket {
 
 class ExactGather {
  public:
-  ExactGather(Context& context, const Scene& scene, const LocatedPoints& points,
-              const Packing& packing, std::span<float> out, std::span<std::uint8_t> hit)
+  ExactGather(Context& context, const Scene& scene, const FreeEnds& ends,
+              const LocatedPoints& points, const Packing& packing, std::span<float> out,
+              std::span<std::uint8_t> hit)
       : context_(context),
         kernel_(packet_kernel(context.simd)),
         scene_(scene.view()),
         base_channels_(scene.base_channels),
         channel_count_(static_cast<std::size_t>(scene.channel_count())),
+        ends_(ends),
         points_(points),
         packing_(packing),
         packets_per_poll_(std::clamp<std::size_t>(kTrianglesPerPoll / (scene.triangle.size() + 1),
@@ -121,14 +123,30 @@ class ExactGather {
   }
 
   void store(const Packet& packet, const PacketResult& result) {
+    const bool is_near_end = touches_end(packet);
     for_each_point(packet, [&](int lane, std::uint32_t point) {
-      float* out = out_.data() + point * channel_count_;
+      const std::span<float> value = out_.subspan(point * channel_count_, channel_count_);
+      float* out = value.data();
       for (int c = 0; c < base_channels_; ++c) *out++ = result.value[c][lane];
       for (int s = 0; s < scene_.shader_count; ++s) {
         *out++ = result.shader_share[s * kPacketLanes + lane];
       }
-      if (!hit_.empty()) hit_[point] = result.weight[lane] > 0;
+      bool is_hit = result.weight[lane] > 0;
+      if (is_near_end) {
+        const Vec2 at{points_.x[point], points_.y[point]};
+        is_hit |= ends_.add(at, result.weight[lane], value);
+      }
+      if (!hit_.empty()) hit_[point] = is_hit;
     });
+  }
+
+  bool touches_end(const Packet& packet) const {
+    if (ends_.empty()) return false;
+    Box box;
+    for_each_point(packet, [&](int, std::uint32_t point) {
+      box.extend({points_.x[point], points_.y[point]});
+    });
+    return ends_.touches(box);
   }
 
   template <class Body>
@@ -147,6 +165,7 @@ class ExactGather {
   SceneView scene_;
   int base_channels_;
   std::size_t channel_count_;
+  const FreeEnds& ends_;
   const LocatedPoints& points_;
   const Packing& packing_;
   std::size_t packets_per_poll_;
@@ -157,9 +176,10 @@ class ExactGather {
 
 }  // namespace
 
-Status gather_exact(Context& context, const Scene& scene, const LocatedPoints& points,
-                    const Packing& packing, std::span<float> out, std::span<std::uint8_t> hit) {
-  return ExactGather(context, scene, points, packing, out, hit).run();
+Status gather_exact(Context& context, const Scene& scene, const FreeEnds& ends,
+                    const LocatedPoints& points, const Packing& packing, std::span<float> out,
+                    std::span<std::uint8_t> hit) {
+  return ExactGather(context, scene, ends, points, packing, out, hit).run();
 }
 
 }  // namespace sfumato::gather

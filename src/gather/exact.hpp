@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <span>
 
+#include "gather/free_ends.hpp"
 #include "gather/locate.hpp"
 #include "gather/packing.hpp"
 #include "gather/scene.hpp"
@@ -11,7 +12,8 @@ namespace sfumato::gather {
 
 /// Z of eq. 2 at every point of a packing, in closed form over the exact visible set. `out` and
 /// `hit` as in Gatherer::gather. Errors: limit (memory), cancelled.
-Status gather_exact(Context& context, const Scene& scene, const LocatedPoints& points,
-                    const Packing& packing, std::span<float> out, std::span<std::uint8_t> hit);
+Status gather_exact(Context& context, const Scene& scene, const FreeEnds& ends,
+                    const LocatedPoints& points, const Packing& packing, std::span<float> out,
+                    std::span<std::uint8_t> hit);
 
 }  // namespace sfumato::gather

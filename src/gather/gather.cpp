@@ -13,6 +13,7 @@ namespace sfumato::gather {
 
 struct Gatherer::State {
   Scene scene;
+  FreeEnds ends;
   std::optional<Locator> locator;  ///< empty where the mesh has no triangle
 };
 
@@ -22,11 +23,17 @@ Gatherer& Gatherer::operator=(Gatherer&&) noexcept = default;
 Gatherer::~Gatherer() = default;
 
 Result<Gatherer> Gatherer::create(Context& context, const mesh::TriangleMesh& visibility,
-                                  const curves::SegmentAttributes& attributes) {
+                                  const curves::SegmentAttributes& attributes, Ends ends) {
   Result<Scene> scene = build_scene(context, visibility, attributes);
   if (!scene) return scene.status();
   auto state = std::make_unique<State>();
   state->scene = std::move(*scene);
+  if (ends == Ends::soft) {
+    Result<FreeEnds> found = FreeEnds::create(context, visibility, attributes, state->scene.origin,
+                                              state->scene.weight_unit);
+    if (!found) return found.status();
+    state->ends = std::move(*found);
+  }
   if (!state->scene.triangle.empty()) {
     Result<Locator> locator = Locator::create(context, state->scene);
     if (!locator) return locator.status();
@@ -46,7 +53,7 @@ Status Gatherer::gather(Context& context, std::span<const Vec2> points,
     return limit_error(context.limits, &Limits::nodes, "points to gather at");
   }
   if (options.method == Method::rays) {
-    return gather_rays(context, state_->scene, points, options, out, hit);
+    return gather_rays(context, state_->scene, state_->ends, points, options, out, hit);
   }
   if (!state_->locator) {
     std::fill(out.begin(), out.end(), 0.0f);
@@ -57,7 +64,7 @@ Status Gatherer::gather(Context& context, std::span<const Vec2> points,
   if (!located) return located.status();
   const Result<Packing> packing = pack(context, state_->scene, *located);
   if (!packing) return packing.status();
-  return gather_exact(context, state_->scene, *located, *packing, out, hit);
+  return gather_exact(context, state_->scene, state_->ends, *located, *packing, out, hit);
 }
 
 }  // namespace sfumato::gather

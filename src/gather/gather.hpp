@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "gather/free_ends.hpp"
 #include "gather/scene.hpp"
 
 namespace sfumato::gather {
@@ -24,9 +25,11 @@ struct GatherOptions {
 /// W_s / W for each of SegmentAttributes::shader.
 class Gatherer {
  public:
-  /// `visibility` is validated; it is read, not kept. Errors: limit, cancelled.
+  /// `visibility` is validated; it is read, not kept. `ends`: the terms of free ends, or none.
+  /// Errors: limit, cancelled.
   static Result<Gatherer> create(Context& context, const mesh::TriangleMesh& visibility,
-                                 const curves::SegmentAttributes& attributes);
+                                 const curves::SegmentAttributes& attributes,
+                                 Ends ends = Ends::paper);
 
   Gatherer(Gatherer&&) noexcept;
   Gatherer& operator=(Gatherer&&) noexcept;

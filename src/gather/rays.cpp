@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -76,6 +77,7 @@ class PointSums {
   }
 
   bool hit() const { return weight_ > 0; }
+  float weight() const { return weight_; }
 
   /// Writes Z_C / W and the shares W_s / W; 0 where nothing was hit.
   void store(float* out) const {
@@ -129,8 +131,8 @@ PointSums sample(const Scene& scene, const RayGrid& grid, float x, float y,
 
 }  // namespace
 
-Status gather_rays(Context& context, const Scene& scene, std::span<const Vec2> points,
-                   const GatherOptions& options, std::span<float> out,
+Status gather_rays(Context& context, const Scene& scene, const FreeEnds& ends,
+                   std::span<const Vec2> points, const GatherOptions& options, std::span<float> out,
                    std::span<std::uint8_t> hit) {
   if (options.rays_per_node < 1 || options.rays_per_node > limits::kRays) {
     return make_error(StatusCode::limit,
@@ -139,6 +141,8 @@ Status gather_rays(Context& context, const Scene& scene, std::span<const Vec2> p
   const Result<RayGrid> grid = RayGrid::create(context, scene);
   if (!grid) return grid.status();
   const auto channel_count = static_cast<std::size_t>(scene.channel_count());
+  const float per_ray =
+      static_cast<float>(2 * std::numbers::pi) / static_cast<float>(options.rays_per_node);
   return parallel_for(context, points.size(), kPointsPerTask,
                       [&](std::size_t begin, std::size_t end) {
                         std::vector<float> shares(scene.shader_count);
@@ -146,8 +150,10 @@ Status gather_rays(Context& context, const Scene& scene, std::span<const Vec2> p
                           const auto x = static_cast<float>(points[i].x - scene.origin.x);
                           const auto y = static_cast<float>(points[i].y - scene.origin.y);
                           const PointSums sums = sample(scene, *grid, x, y, options, shares);
-                          sums.store(out.data() + i * channel_count);
-                          if (!hit.empty()) hit[i] = sums.hit();
+                          const auto value = out.subspan(i * channel_count, channel_count);
+                          sums.store(value.data());
+                          const bool at_end = ends.add({x, y}, sums.weight() * per_ray, value);
+                          if (!hit.empty()) hit[i] = sums.hit() || at_end;
                         }
                       });
 }

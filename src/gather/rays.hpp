@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <span>
 
+#include "gather/free_ends.hpp"
 #include "gather/gather.hpp"
 #include "gather/scene.hpp"
 
@@ -11,7 +12,8 @@ namespace sfumato::gather {
 /// The paper's Monte Carlo gather: for every point `rays_per_node` jittered rays, one in each equal
 /// share of the circle, through a regular grid; Z = Σ w z / Σ w with w = k r⁻² at the first hit.
 /// Random numbers are a hash of (seed, point, ray). Errors: limit, cancelled.
-Status gather_rays(Context& context, const Scene& scene, std::span<const Vec2> points,
-                   const GatherOptions& options, std::span<float> out, std::span<std::uint8_t> hit);
+Status gather_rays(Context& context, const Scene& scene, const FreeEnds& ends,
+                   std::span<const Vec2> points, const GatherOptions& options, std::span<float> out,
+                   std::span<std::uint8_t> hit);
 
 }  // namespace sfumato::gather

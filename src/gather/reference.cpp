@@ -40,7 +40,7 @@ class ReferenceGather {
     sums_.shader_weight.resize(attributes.shader.size());
   }
 
-  ReferenceSums run(std::uint32_t triangle) {
+  ReferenceSums run(std::uint32_t triangle, std::span<const FreeEnd> ends) {
     for (std::uint32_t h = 3 * triangle; h < 3 * triangle + 3; ++h) {
       waiting_.push_back({h, seen(mesh_.origin(h)), seen(mesh_.target(h))});
     }
@@ -49,10 +49,28 @@ class ReferenceGather {
       waiting_.pop_back();
       follow(window);
     }
+    for (const FreeEnd& end : ends) add_end(end);
     return sums_;
   }
 
  private:
+  /// The term of docs/mathematics.md, by the angle itself.
+  void add_end(const FreeEnd& end) {
+    const Vec2 d = p_ - end.position;
+    const double r = length(d), x = r * r / (end.reach * end.reach);
+    if (!(r > 0 && x < 1)) return;
+    const double weight = 0.8 * end.weight / (r * r) * (1 - x) * (1 - x) / (1 + 25 * x);
+    const double angle = std::atan2(cross(end.direction, d), dot(end.direction, d));
+    const double radius = angle > 0 ? end.blur_positive : end.blur_negative;
+    const double front = front_share(r * std::fabs(std::sin(angle)), radius);
+    const double share = 0.5 + 0.5 * std::sin(angle / 2) * (2 * front - 1);
+    sums_.weight += weight;
+    for (std::size_t c = 0; c < 3; ++c) {
+      sums_.color[c] += weight * std::lerp(double{end.negative.channel[c]},
+                                           double{end.positive.channel[c]}, share);
+    }
+  }
+
   Vec2 seen(std::uint32_t vertex) const { return mesh_.vertex_position[vertex] - p_; }
 
   void follow(const Window& window) {
@@ -177,8 +195,8 @@ std::vector<double> ReferenceSums::shares() const {
 
 ReferenceSums gather_reference(const TriangleMesh& mesh,
                                const curves::SegmentAttributes& attributes, Vec2 p,
-                               std::uint32_t triangle) {
-  return ReferenceGather(mesh, attributes, p).run(triangle);
+                               std::uint32_t triangle, std::span<const FreeEnd> ends) {
+  return ReferenceGather(mesh, attributes, p).run(triangle, ends);
 }
 
 std::int32_t find_triangle(const TriangleMesh& mesh, Vec2 p) {

@@ -2,10 +2,12 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "base/vec2.hpp"
 #include "curves/attributes.hpp"
+#include "gather/free_ends.hpp"
 #include "mesh/triangle_mesh.hpp"
 
 namespace sfumato::gather {
@@ -33,10 +35,10 @@ ReferenceWeights reference_weights(Vec2 q1, Vec2 q2);
 
 /// The slow, readable gather: one point, double precision, straight on the mesh. It is what every
 /// fast path is compared with. Precondition: p lies in triangle `triangle`, not on a vertex.
-/// Cost: O(triangles that the windows cross).
+/// ends   their terms are added. Cost: O(triangles that the windows cross + ends).
 ReferenceSums gather_reference(const mesh::TriangleMesh& mesh,
                                const curves::SegmentAttributes& attributes, Vec2 p,
-                               std::uint32_t triangle);
+                               std::uint32_t triangle, std::span<const FreeEnd> ends = {});
 
 /// A triangle that p lies in (its edges included), or mesh::kNone. Cost: O(triangles).
 std::int32_t find_triangle(const mesh::TriangleMesh& mesh, Vec2 p);

@@ -141,6 +141,7 @@ class SceneBuilder {
     float largest = 0;
     for (const StopEdge& edge : scene_.stop) largest = std::max(largest, edge.weight);
     if (!(largest > 0)) return;
+    scene_.weight_unit = largest;
     for (std::size_t i = 0; i < scene_.stop.size(); ++i) {
       StopEdge& edge = scene_.stop[i];
       StopBlend& blend = scene_.blend[i];

@@ -48,6 +48,7 @@ struct Scene {
   std::vector<EdgeBeyond> edge_beyond;  ///< of half-edges that rays walk through
   std::vector<StopEdge> stop;
   std::vector<StopBlend> blend;  ///< per stop; empty where all sides are sharp and curve_domain
+  float weight_unit = 1;         ///< weights k are in units of it: the largest
   int base_channels = 3;         ///< as SegmentAttributes
   int shader_count = 0;
   std::vector<SceneTriangle> triangle;

@@ -24,6 +24,7 @@ struct DiffuseOptions {
   double max_error = 1;
   PatchOrder order = PatchOrder::cubic;
   gather::GatherOptions gather{};
+  gather::Ends ends = gather::Ends::soft;  ///< of open curves
   bool ignore_blur = false;
 };
 

@@ -134,7 +134,7 @@ bool is_thin(const mesh::TriangleMesh& mesh, const std::vector<std::uint8_t>& be
 Result<FieldScene> prepare_field(Context& context, const mesh::Mesher& mesher,
                                  const mesh::TriangleMesh& visibility,
                                  curves::SegmentAttributes attributes, ScopedCharge charge,
-                                 double smallest_radius) {
+                                 double smallest_radius, gather::Ends ends) {
   curves::remove_blur_below(attributes, smallest_radius);
   const std::vector<std::uint8_t> bears = bearing_constraints(visibility, attributes);
   ScopedCharge scratch;
@@ -148,7 +148,7 @@ Result<FieldScene> prepare_field(Context& context, const mesh::Mesher& mesher,
     if (!status) return status;
   }
   Result<gather::Gatherer> gatherer =
-      gather::Gatherer::create(context, is_thinned ? thinned : visibility, attributes);
+      gather::Gatherer::create(context, is_thinned ? thinned : visibility, attributes, ends);
   if (!gatherer) return gatherer.status();
   return FieldScene{std::move(attributes), std::move(charge), std::move(*gatherer)};
 }
@@ -184,6 +184,7 @@ Status validate(const DiffuseOptions& options) {
   }
   if (options.order > PatchOrder::cubic) return wrong("an unknown order of patches");
   if (options.gather.method > gather::Method::rays) return wrong("an unknown method to gather by");
+  if (options.ends > gather::Ends::paper) return wrong("ends must be soft or paper");
   if (options.gather.rays_per_node < 1 || options.gather.rays_per_node > limits::kRays) {
     return wrong("the number of rays must be from 1 to 4096");
   }
@@ -244,7 +245,7 @@ Result<LayerScene> prepare_layer(Context& context, const Document& document, std
   double smallest_radius = use == LayerUse::patches ? kSmallestRadiusPx * units.pixel() : 0;
   if (options.ignore_blur) smallest_radius = std::numeric_limits<double>::infinity();
   Result<FieldScene> color = prepare_field(context, *mesher, visibility, std::move(colors),
-                                           std::move(color_charge), smallest_radius);
+                                           std::move(color_charge), smallest_radius, options.ends);
   if (!color) return color.status();
   std::optional<FieldScene> opacity;
   if (!is_joint && std::ranges::any_of(curves, bears_opacity)) {
@@ -252,7 +253,7 @@ Result<LayerScene> prepare_layer(Context& context, const Document& document, std
     if (!status) return status;
     Result<FieldScene> field =
         prepare_field(context, *mesher, visibility, curves::sample_opacities(*flat, curves),
-                      std::move(opacity_charge), smallest_radius);
+                      std::move(opacity_charge), smallest_radius, options.ends);
     if (!field) return field.status();
     opacity.emplace(std::move(*field));
   }

@@ -75,6 +75,7 @@ class Reference : public testing::TestWithParam<const char*> {
 TEST_P(Reference, the_exact_gather_at_single_points_is_within_one_code_value) {
   Context context;
   DiffuseOptions options;
+  options.ends = gather::Ends::paper;
   options.tolerance = 0.02;
   Result<PointEvaluator> evaluator = PointEvaluator::create(context, document_, options);
   ASSERT_TRUE(evaluator.ok()) << evaluator.status().message;
@@ -94,7 +95,7 @@ TEST_P(Reference, the_exact_gather_at_single_points_is_within_one_code_value) {
 
 TEST_P(Reference, the_default_picture_misses_by_half_a_code_value_rms) {
   Context context;
-  Result<Picture> picture = diffuse(context, document_, {});
+  Result<Picture> picture = diffuse(context, document_, {.ends = gather::Ends::paper});
   ASSERT_TRUE(picture.ok()) << picture.status().message;
   RasterOptions raster;
   raster.width = static_cast<int>(document_.artboard.width());

@@ -66,6 +66,7 @@ class SceneOptions {
     if (chance(0.1)) diffuse.min_angle_deg = whole(0, 30);
     if (chance(0.1)) diffuse.tolerance = real(0.02, 2);
     diffuse.ignore_blur = chance(0.05);
+    if (chance(0.2)) diffuse.ends = gather::Ends::paper;
   }
 
   void choose_pixels(RasterOptions& raster) {

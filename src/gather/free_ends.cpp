@@ -1,0 +1,140 @@
+#include "gather/free_ends.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <utility>
+
+#include "gather/spatial_order.hpp"
+
+namespace sfumato::gather {
+namespace {
+
+constexpr std::uint32_t kEndsPerLeaf = 4;
+
+/// Beside a long straight curve its own weight is g(φ)/r², with g(90°) = π/4: near it, the term
+/// makes the turn from one side to the other nearly even.
+constexpr double kWeight = 0.8;
+
+/// The term bends down from c/r² at a fifth of the reach.
+constexpr double kKnee = 25;
+
+Box reach_box(const FreeEnd& end) {
+  return Box{end.position, end.position}.grown_by(end.reach);
+}
+
+/// β of eq. 8 at a distance from the line of the curve's last segment.
+double front_share(double distance, double radius) {
+  if (!(radius > distance)) return 1;
+  const double x = 0.5 + 0.5 * distance / radius;
+  return x * x * (3 - 2 * x);
+}
+
+/// The share τ of the positive side in z_e, at d from the end.
+double positive_share(const FreeEnd& end, Vec2 d) {
+  const double r = length(d);
+  const double across = cross(end.direction, d), ahead = dot(end.direction, d);
+  // sin(φ/2), each form where nothing cancels in it.
+  const double half_sine = ahead > 0 ? across / std::sqrt(2 * r * (r + ahead))
+                                     : std::copysign(std::sqrt(0.5 * (1 - ahead / r)), across);
+  const float radius = across > 0 ? end.blur_positive : end.blur_negative;
+  return 0.5 + 0.5 * half_sine * (2 * front_share(std::fabs(across), radius) - 1);
+}
+
+}  // namespace
+
+Result<FreeEnds> FreeEnds::create(Context& context, const mesh::TriangleMesh& mesh,
+                                  const curves::SegmentAttributes& attributes, Vec2 origin,
+                                  float weight_unit) {
+  Result<std::vector<FreeEnd>> found = find_free_ends(context, mesh, attributes);
+  if (!found) return found.status();
+  FreeEnds ends;
+  ends.base_channels_ = attributes.base_channels;
+  ends.end_ = std::move(*found);
+  for (FreeEnd& end : ends.end_) {
+    end.position = end.position - origin;
+    end.weight /= weight_unit;
+  }
+  if (Status status = ends.build_tree(context); !status) return status;
+  return ends;
+}
+
+Status FreeEnds::build_tree(Context& context) {
+  if (end_.empty()) return ok_status();
+  const auto count = static_cast<std::uint32_t>(end_.size());
+  leaf_count_ = std::bit_ceil((count + kEndsPerLeaf - 1) / kEndsPerLeaf);
+  // Twice the ends, while they are sorted.
+  Status status =
+      charge_.add(context, 2 * count * sizeof(FreeEnd) + 2 * std::size_t{leaf_count_} * sizeof(Box),
+                  "free ends of curves");
+  if (!status) return status;
+  std::vector<Vec2> position;
+  for (const FreeEnd& end : end_) position.push_back(end.position);
+  std::vector<FreeEnd> sorted;
+  sorted.reserve(count);
+  for (std::uint32_t i : spatial_order(position)) sorted.push_back(end_[i]);
+  end_ = std::move(sorted);
+  box_.resize(2 * std::size_t{leaf_count_});
+  for (std::uint32_t i = 0; i < count; ++i) {
+    Box& leaf = box_[leaf_count_ + i / kEndsPerLeaf];
+    leaf = united(leaf, reach_box(end_[i]));
+  }
+  for (std::uint32_t i = leaf_count_ - 1; i > 0; --i)
+    box_[i] = united(box_[2 * i], box_[2 * i + 1]);
+  return context.check();
+}
+
+/// Leaves that the box meets, in the order of their ends, until `visit` says false.
+template <class Visit>
+void FreeEnds::visit_leaves(const Box& box, Visit visit) const {
+  if (end_.empty()) return;
+  std::uint32_t stack[34];  // a node of each level of a tree of 2³² leaves, and its sibling
+  int size = 0;
+  stack[size++] = 1;
+  while (size > 0) {
+    const std::uint32_t node = stack[--size];
+    if (!overlap(box_[node], box)) continue;
+    if (node < leaf_count_) {
+      stack[size++] = 2 * node + 1;
+      stack[size++] = 2 * node;
+    } else if (!visit(node - leaf_count_)) {
+      return;
+    }
+  }
+}
+
+bool FreeEnds::touches(const Box& box) const {
+  bool found = false;
+  visit_leaves(box, [&](std::uint32_t) { return !(found = true); });
+  return found;
+}
+
+bool FreeEnds::add(Vec2 p, float weight, std::span<float> value) const {
+  double sum = weight;
+  bool any = false;
+  visit_leaves({p, p}, [&](std::uint32_t leaf) {
+    const std::size_t last =
+        std::min<std::size_t>(kEndsPerLeaf * (std::size_t{leaf} + 1), end_.size());
+    for (std::size_t i = std::size_t{kEndsPerLeaf} * leaf; i < last; ++i) {
+      const FreeEnd& end = end_[i];
+      const Vec2 d = p - end.position;
+      const double r_squared = length_squared(d);
+      const double x = r_squared / (end.reach * end.reach);
+      if (!(x < 1) || !(r_squared > 0)) continue;
+      const double more = kWeight * end.weight / r_squared * ((1 - x) * (1 - x) / (1 + kKnee * x));
+      sum += more;
+      const auto mixed = static_cast<float>(more / sum);
+      const auto turned = static_cast<float>(positive_share(end, d));
+      const auto z = lerp(end.negative, end.positive, turned);
+      for (std::size_t c = 0; c < value.size(); ++c) {
+        const bool is_base = c < static_cast<std::size_t>(base_channels_);
+        value[c] += mixed * ((is_base ? z.channel[c] : 0.0f) - value[c]);
+      }
+      any = true;
+    }
+    return true;
+  });
+  return any;
+}
+
+}  // namespace sfumato::gather

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/box.hpp"
+#include "base/context.hpp"
+#include "base/status.hpp"
+#include "curves/attributes.hpp"
+#include "mesh/triangle_mesh.hpp"
+
+namespace sfumato::gather {
+
+/// What is seen ahead of the free end of an open curve (docs/mathematics.md).
+enum class Ends : std::uint8_t {
+  soft,   ///< the two sides' colours turn into each other round the end
+  paper,  ///< the paper's integral alone: a sliver, ever thinner towards the end
+};
+
+/// Where a curve ends by itself, with two sides that differ.
+struct FreeEnd {
+  Vec2 position;     ///< layer frame
+  Vec2 direction;    ///< unit vector, out of the curve
+  double reach = 0;  ///< ρ: the term is 0 from here on, and nothing but the own curve is nearer
+  float weight = 1;  ///< k
+  /// Of the sides where cross(direction, p - position) is above 0, and below.
+  curves::FieldValue positive, negative;
+  float blur_positive = 0, blur_negative = 0;
+};
+
+/// The free ends of a field, in the order of their vertices. Those whose reach is below a lattice
+/// step are left out. Cost: O(triangles), and for each end the triangles within its reach, at most
+/// 1024: where they are more, the reach is what they cover. Errors: limit (memory), cancelled.
+Result<std::vector<FreeEnd>> find_free_ends(Context& context, const mesh::TriangleMesh& mesh,
+                                            const curves::SegmentAttributes& attributes);
+
+/// The terms of a field's free ends, in a tree of boxes.
+class FreeEnds {
+ public:
+  FreeEnds() = default;
+
+  /// origin       positions are relative to it
+  /// weight_unit  weights are in units of it
+  /// Errors       limit (memory), cancelled
+  static Result<FreeEnds> create(Context& context, const mesh::TriangleMesh& mesh,
+                                 const curves::SegmentAttributes& attributes, Vec2 origin,
+                                 float weight_unit);
+
+  bool empty() const { return end_.empty(); }
+
+  /// Whether any end may reach into the box.
+  bool touches(const Box& box) const;
+
+  /// Adds the terms of the ends that reach p to a value of weight W: base channels, then shares of
+  /// shaders. True where there were any.
+  bool add(Vec2 p, float weight, std::span<float> value) const;
+
+ private:
+  Status build_tree(Context& context);
+  template <class Visit>
+  void visit_leaves(const Box& box, Visit visit) const;
+
+  int base_channels_ = 3;
+  std::vector<FreeEnd> end_;  ///< neighbours are near each other
+  std::uint32_t leaf_count_ = 0;
+  std::vector<Box> box_;  ///< of node i, whose children are 2 i and 2 i + 1; the root is 1
+  ScopedCharge charge_;
+};
+
+}  // namespace sfumato::gather

@@ -1,0 +1,200 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "gather/free_ends.hpp"
+#include "gather/scene.hpp"
+
+namespace sfumato::gather {
+namespace {
+
+using mesh::TriangleMesh;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr std::uint32_t kNobody = 0xffffffff;
+
+/// An end's own curve stands in its way where it has turned back: where it is longer than this many
+/// times the straight way.
+constexpr double kTurnedBack = 1.2;
+
+/// Triangles that are looked at for the reach of one end: hostile meshes have all in each reach.
+constexpr int kMostTriangles = 1024;
+
+/// From the origin to the segment from a to b, or to its part between two fractions.
+double segment_distance(Vec2 a, Vec2 b, double from = 0, double to = 1) {
+  const Vec2 along = b - a;
+  return length(a + std::clamp(-dot(a, along) / length_squared(along), from, to) * along);
+}
+
+/// From the end, the origin, to what has turned back of its own curve's edge from a to b; `arc` is
+/// the curve's length from the end to a. (arc + u l)² > 1.44 |a + u (b - a)|² between two roots.
+double turned_back_distance(Vec2 a, Vec2 b, double arc) {
+  constexpr double q = kTurnedBack * kTurnedBack;
+  const Vec2 along = b - a;
+  const double l_squared = length_squared(along);
+  const double bend = (q - 1) * l_squared;
+  const double half_slope = arc * std::sqrt(l_squared) - q * dot(a, along);
+  const double start = arc * arc - q * length_squared(a);
+  const double root = half_slope * half_slope + bend * start;
+  if (!(root > 0)) return kInfinity;
+  const double from = std::max((half_slope - std::sqrt(root)) / bend, 0.0);
+  const double to = std::min((half_slope + std::sqrt(root)) / bend, 1.0);
+  return from <= to ? segment_distance(a, b, from, to) : kInfinity;
+}
+
+class EndSearch {
+ public:
+  EndSearch(Context& context, const TriangleMesh& mesh, const curves::SegmentAttributes& attributes)
+      : context_(context), poll_(context), mesh_(mesh), attributes_(attributes) {}
+
+  Result<std::vector<FreeEnd>> run() {
+    const std::size_t bytes = mesh_.vertex_position.size() * sizeof(Meeting) +
+                              mesh_.constraint.size() * sizeof(Edge) +
+                              mesh_.triangle_count() * sizeof(std::uint32_t);
+    ScopedCharge charge;
+    if (Status status = charge.add(context_, bytes, "free ends of curves"); !status) return status;
+    meeting_.resize(mesh_.vertex_position.size());
+    edge_.resize(mesh_.constraint.size());
+    seen_from_.resize(mesh_.triangle_count(), kNobody);
+    find_edges();
+    std::vector<FreeEnd> ends;
+    for (std::uint32_t v = 0; v < meeting_.size() && !poll_.cancelled(); ++v) {
+      if (meeting_[v].edges == 1) add_end(v, ends);
+    }
+    if (context_.cancelled()) return context_.stop_status();
+    return ends;
+  }
+
+ private:
+  /// The edges with curves that meet at a vertex.
+  struct Meeting {
+    std::uint32_t edges = 0;
+    std::uint32_t all = 0;  ///< their constraints, by exclusive or: of two, the other one
+  };
+
+  /// An edge with curves, as the end sees it whose curve was followed last.
+  struct Edge {
+    std::uint32_t half_edge = kNobody;
+    std::uint32_t end = kNobody;
+    bool origin_is_near = false;
+    double arc = 0;  ///< the curve's length from the end to the nearer vertex
+  };
+
+  Vec2 position(std::uint32_t v) const { return mesh_.vertex_position[v]; }
+
+  bool has_curves(std::uint32_t h) const {
+    const std::int32_t c = mesh_.half_edge_constraint[h];
+    return c != mesh::kNone && !mesh_.pieces(mesh_.constraint[static_cast<std::size_t>(c)]).empty();
+  }
+
+  void find_edges() {
+    for (std::uint32_t h = 0; h < mesh_.triangle_vertex.size() && !poll_.cancelled(); ++h) {
+      const auto c = static_cast<std::uint32_t>(mesh_.half_edge_constraint[h]);
+      if (!has_curves(h) || edge_[c].half_edge != kNobody) continue;
+      edge_[c].half_edge = h;
+      for (std::uint32_t v : {mesh_.origin(h), mesh_.target(h)}) {
+        ++meeting_[v].edges;
+        meeting_[v].all ^= c;
+      }
+    }
+  }
+
+  void add_end(std::uint32_t v, std::vector<FreeEnd>& ends) {
+    const std::uint32_t h = edge_[meeting_[v].all].half_edge;
+    const std::int32_t twin = mesh_.half_edge_twin[h];
+    if (twin == mesh::kNone) return;
+    const bool leaves = mesh_.origin(h) == v;
+    const auto out = leaves ? h : static_cast<std::uint32_t>(twin);
+    const auto in = leaves ? static_cast<std::uint32_t>(twin) : h;
+    const Facing negative = facing_side(mesh_, attributes_, out);
+    const Facing positive = facing_side(mesh_, attributes_, in);
+    if (negative.kind != ShaderKind::curve_domain || positive.kind != ShaderKind::curve_domain ||
+        negative.from == positive.to) {
+      return;
+    }
+    const double reach = find_reach(v, out, follow_curve(v));
+    if (reach < mesh_.lattice_step) return;
+    const Vec2 last = position(v) - position(mesh_.target(out));
+    ends.push_back({position(v), last / length(last), reach, negative.weight, positive.to,
+                    negative.from, positive.blur_to, negative.blur_from});
+  }
+
+  /// Marks the curve's edges up to a junction or its other end, and gives its length.
+  double follow_curve(std::uint32_t v) {
+    double arc = 0;
+    std::uint32_t at = v;
+    for (std::uint32_t c = meeting_[v].all; !poll_.cancelled();) {
+      Edge& edge = edge_[c];
+      edge.end = v;
+      edge.origin_is_near = mesh_.origin(edge.half_edge) == at;
+      edge.arc = arc;
+      const std::uint32_t next =
+          edge.origin_is_near ? mesh_.target(edge.half_edge) : mesh_.origin(edge.half_edge);
+      arc += length(position(next) - position(at));
+      at = next;
+      if (meeting_[at].edges != 2) break;
+      c ^= meeting_[at].all;
+    }
+    return arc;
+  }
+
+  /// ρ: triangles are visited from the end outwards, nearest first, until the nearest that is left
+  /// is farther than what was found.
+  double find_reach(std::uint32_t v, std::uint32_t half_edge, double reach) {
+    const auto farther = [](const Step& a, const Step& b) { return a.distance > b.distance; };
+    step_.assign(1, {0, half_edge / 3});
+    for (int visited = 0; !step_.empty() && !poll_.cancelled();) {
+      std::pop_heap(step_.begin(), step_.end(), farther);
+      const Step step = step_.back();
+      step_.pop_back();
+      if (!(step.distance < reach)) break;
+      if (seen_from_[step.triangle] == v) continue;
+      seen_from_[step.triangle] = v;
+      if (++visited > kMostTriangles) return step.distance;
+      for (std::uint32_t h = 3 * step.triangle; h < 3 * step.triangle + 3; ++h) {
+        if (has_curves(h)) reach = std::min(reach, curve_distance(v, h));
+        const std::int32_t twin = mesh_.half_edge_twin[h];
+        if (twin == mesh::kNone || seen_from_[static_cast<std::size_t>(twin) / 3] == v) continue;
+        const double distance = segment_distance(position(mesh_.origin(h)) - position(v),
+                                                 position(mesh_.target(h)) - position(v));
+        if (!(distance < reach)) continue;
+        step_.push_back({distance, static_cast<std::uint32_t>(twin) / 3});
+        std::push_heap(step_.begin(), step_.end(), farther);
+      }
+    }
+    return reach;
+  }
+
+  double curve_distance(std::uint32_t v, std::uint32_t h) const {
+    const Edge& edge = edge_[static_cast<std::size_t>(mesh_.half_edge_constraint[h])];
+    const Vec2 a = position(mesh_.origin(edge.half_edge)) - position(v);
+    const Vec2 b = position(mesh_.target(edge.half_edge)) - position(v);
+    if (edge.end != v) return segment_distance(a, b);
+    return edge.origin_is_near ? turned_back_distance(a, b, edge.arc)
+                               : turned_back_distance(b, a, edge.arc);
+  }
+
+  struct Step {
+    double distance;  ///< from the end to the edge that leads into the triangle
+    std::uint32_t triangle;
+  };
+
+  Context& context_;
+  RarePoll<4096> poll_;
+  const TriangleMesh& mesh_;
+  const curves::SegmentAttributes& attributes_;
+  std::vector<Meeting> meeting_;          ///< per vertex
+  std::vector<Edge> edge_;                ///< per constraint
+  std::vector<std::uint32_t> seen_from_;  ///< per triangle: the end that looked at it last
+  std::vector<Step> step_;                ///< a heap
+};
+
+}  // namespace
+
+Result<std::vector<FreeEnd>> find_free_ends(Context& context, const TriangleMesh& mesh,
+                                            const curves::SegmentAttributes& attributes) {
+  return EndSearch(context, mesh, attributes).run();
+}
+
+}  // namespace sfumato::gather
