@@ -25,6 +25,7 @@
 #include "formats/svg_write.hpp"
 #include "formats/webp_encode.hpp"
 #include "gpu/render.hpp"
+#include "import/import_svg.hpp"
 #include "lint/lint.hpp"
 #include "patches/diffuse.hpp"
 #include "patches/picture.hpp"

@@ -14,11 +14,32 @@ namespace {
 using Words = std::span<const std::string_view>;
 
 /// In the order of CssProperty, which is that of the names.
-constexpr std::array<const char*, kCssPropertyCount> kNames{
-    "clip-path",        "color",      "display",      "fill",           "fill-opacity",
-    "filter",           "isolation",  "mask",         "mix-blend-mode", "opacity",
-    "overflow",         "stop-color", "stop-opacity", "transform",      "transform-box",
-    "transform-origin", "visibility"};
+constexpr std::array<const char*, kCssPropertyCount> kNames{"clip-path",
+                                                            "color",
+                                                            "display",
+                                                            "fill",
+                                                            "fill-opacity",
+                                                            "fill-rule",
+                                                            "filter",
+                                                            "isolation",
+                                                            "mask",
+                                                            "mix-blend-mode",
+                                                            "opacity",
+                                                            "overflow",
+                                                            "stop-color",
+                                                            "stop-opacity",
+                                                            "stroke",
+                                                            "stroke-dasharray",
+                                                            "stroke-dashoffset",
+                                                            "stroke-linecap",
+                                                            "stroke-linejoin",
+                                                            "stroke-miterlimit",
+                                                            "stroke-opacity",
+                                                            "stroke-width",
+                                                            "transform",
+                                                            "transform-box",
+                                                            "transform-origin",
+                                                            "visibility"};
 
 /// In the order of CssWideKeyword, from `inherit`.
 constexpr std::array<std::string_view, 5> kWideKeywords{"inherit", "initial", "unset", "revert",
@@ -126,7 +147,9 @@ std::optional<CssProperty> css_property_of(std::string_view raw_name) {
 
 bool is_inherited(CssProperty property) {
   return property == CssProperty::color || property == CssProperty::fill ||
-         property == CssProperty::fill_opacity || property == CssProperty::visibility;
+         property == CssProperty::fill_opacity || property == CssProperty::fill_rule ||
+         property == CssProperty::visibility ||
+         (property >= CssProperty::stroke && property <= CssProperty::stroke_width);
 }
 
 CssWideKeyword css_wide_keyword(std::string_view value, TextPoll& poll) {
@@ -145,11 +168,13 @@ bool is_css_value(CssProperty property, std::string_view value, TextPoll& poll) 
     case CssProperty::opacity:
     case CssProperty::fill_opacity:
     case CssProperty::stop_opacity:
+    case CssProperty::stroke_opacity:
       return css_share(value, poll).has_value();
     case CssProperty::color:
     case CssProperty::stop_color:
       return is_color(value, poll);
     case CssProperty::fill:
+    case CssProperty::stroke:
       return is_paint(value, poll);
     case CssProperty::display:
     case CssProperty::isolation:
@@ -157,6 +182,14 @@ bool is_css_value(CssProperty property, std::string_view value, TextPoll& poll) 
     case CssProperty::overflow:
     case CssProperty::visibility:
       return is_words(value, words_of(property), most_words(property), poll);
+    case CssProperty::fill_rule:
+    case CssProperty::stroke_dasharray:
+    case CssProperty::stroke_dashoffset:
+    case CssProperty::stroke_linecap:
+    case CssProperty::stroke_linejoin:
+    case CssProperty::stroke_miterlimit:
+    case CssProperty::stroke_width:
+      break;  // who reads them tells what is wrong
     case CssProperty::clip_path:
     case CssProperty::filter:
     case CssProperty::mask:

@@ -17,6 +17,7 @@ enum class CssProperty : std::uint8_t {
   display,
   fill,
   fill_opacity,
+  fill_rule,
   filter,
   isolation,
   mask,
@@ -25,13 +26,21 @@ enum class CssProperty : std::uint8_t {
   overflow,
   stop_color,
   stop_opacity,
+  stroke,
+  stroke_dasharray,
+  stroke_dashoffset,
+  stroke_linecap,
+  stroke_linejoin,
+  stroke_miterlimit,
+  stroke_opacity,
+  stroke_width,
   transform,
   transform_box,
   transform_origin,
   visibility
 };
 
-inline constexpr std::size_t kCssPropertyCount = 17;
+inline constexpr std::size_t kCssPropertyCount = 26;
 
 /// "clip-path"; ends with a zero.
 const char* css_property_name(CssProperty property);

@@ -11,6 +11,7 @@
 #include "formats/css_color.hpp"
 #include "formats/css_text.hpp"
 #include "formats/css_value.hpp"
+#include "formats/plain_svg.hpp"
 #include "formats/suggestion.hpp"
 #include "formats/svg/bare.hpp"
 #include "formats/svg/input.hpp"
@@ -115,7 +116,8 @@ void warn_of_nothing(Input& input, const Document& document) {
   input.warn("/no layers", input.root(), std::move(message));
 }
 
-Result<ReadDocument> read(Input& input, const ResourceLoader* loader) {
+/// Parses and finds the artboard; the document is otherwise empty.
+Result<Document> begin(Input& input) {
   if (Status status = input.parse(); !status) return status;
   if (std::string_view(input.root().name()) != "svg") {
     return input.error(input.root(),
@@ -125,8 +127,17 @@ Result<ReadDocument> read(Input& input, const ResourceLoader* loader) {
   const Result<Box> artboard = read_artboard(input);
   if (!artboard) return artboard.status();
   document.artboard = *artboard;
-  svg::PictureFrame frame{*artboard, {}, {}};
-  if (input.attribute(input.root(), "viewBox")) frame = svg::read_picture_frame(input, *artboard);
+  return document;
+}
+
+Result<ReadDocument> read(Input& input, const ResourceLoader* loader) {
+  Result<Document> begun = begin(input);
+  if (!begun) return begun.status();
+  Document& document = *begun;
+  svg::PictureFrame frame{document.artboard, {}, {}};
+  if (input.attribute(input.root(), "viewBox")) {
+    frame = svg::read_picture_frame(input, document.artboard);
+  }
   Status status = read_version(input);
   if (status) status = read_interpolation(input, document);
   if (status) status = read_background(input, document);
@@ -139,21 +150,41 @@ Result<ReadDocument> read(Input& input, const ResourceLoader* loader) {
   return ReadDocument{std::move(document), input.take_warnings(), DocumentFormat::svg};
 }
 
-Result<ReadDocument> read_text(Context& context, std::string_view text, const std::string& file,
-                               const ResourceLoader* loader) {
+Result<PlainSvg> read_plain(Input& input, const ResourceLoader* loader) {
+  Result<Document> begun = begin(input);
+  if (!begun) return begun.status();
+  PlainSvg plain{std::move(*begun), {}, {}, {}};
+  Status status = read_interpolation(input, plain.document);
+  if (status) status = read_background(input, plain.document);
+  if (status) status = svg::SceneReader(input, plain.document, loader, &plain.shapes).read();
+  if (!status) return status;
+  plain.title = css_trimmed(input.root().child("title").child_value());
+  plain.warnings = input.take_warnings();
+  return plain;
+}
+
+/// What `read` makes of the text; a failure names the file.
+template <class Read>
+auto read_text(Context& context, std::string_view text, const std::string& file,
+               const ResourceLoader* loader, Read read_input) {
   Input input(context, text, file);
-  Result<ReadDocument> result = read(input, loader);
+  auto result = read_input(input, loader);
   if (result) return result;
   Status status = result.status();
   status.where.file = file;
-  return status;
+  return decltype(result)(status);
 }
 
 }  // namespace
 
 Result<ReadDocument> read_svg(Context& context, std::string_view text, const std::string& file,
                               const ResourceLoader* loader) {
-  return public_verb(context, [&] { return read_text(context, text, file, loader); });
+  return public_verb(context, [&] { return read_text(context, text, file, loader, read); });
+}
+
+Result<PlainSvg> read_plain_svg(Context& context, std::string_view text, const std::string& file,
+                                const ResourceLoader* loader) {
+  return public_verb(context, [&] { return read_text(context, text, file, loader, read_plain); });
 }
 
 }  // namespace sfumato

@@ -55,7 +55,7 @@ std::string shown(Element element) {
 Status SceneReader::read() {
   Status status = visit_group(input_.root(), {});
   if (status) status = visit_open(0);
-  if (status) warn_of_unused();
+  if (status && !plain_) warn_of_unused();
   document_.shaders = paints_.take();
   return status;
 }
@@ -308,6 +308,7 @@ Status SceneReader::read_background(Element element, const Place& place) {
           : Result<BackgroundRect>(BackgroundRect{});
   if (!rect) return rect.status();
   may_be_background_ = false;
+  if (plain_ && !rect->color) return visit_plain(element, place);
   if (!rect->covers) {
     input_.warn(element.name(), element,
                 tag(element) +

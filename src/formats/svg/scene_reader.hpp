@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "document/document.hpp"
+#include "formats/plain_svg.hpp"
 #include "formats/svg/compositing.hpp"
 #include "formats/svg/curve_reader.hpp"
 #include "formats/svg/input.hpp"
@@ -19,9 +20,12 @@ namespace sfumato::svg {
 class SceneReader {
  public:
   /// Fills document.layers, shaders, stack and, from a <rect>, background. The artboard is set.
-  SceneReader(Input& input, Document& document, const ResourceLoader* loader)
+  /// plain   null, or what takes the shapes of ordinary SVG, which are ignored without it
+  SceneReader(Input& input, Document& document, const ResourceLoader* loader,
+              std::vector<PlainShape>* plain = nullptr)
       : input_(input),
         document_(document),
+        plain_(plain),
         totals_(input),
         paints_(input, totals_, document.artboard, loader),
         curves_(input, totals_, paints_, document.artboard) {}
@@ -73,6 +77,9 @@ class SceneReader {
   Status visit_group(Element element, const Place& place);
   Status visit_nested_svg(Element element, Place place);
   Status visit_shape(Element element, const Place& place);
+  Status visit_plain(Element element, const Place& place);
+  Status read_plain(Element element, const Place& place);
+  Status add_plain(Element element, const Place& place, PlainShape shape);
   Status visit_use(Element element, Place place);
   Status visit_used(Element target, Element use, Place place);
   Status visit_symbol(Element symbol, const Place& place);
@@ -93,6 +100,7 @@ class SceneReader {
 
   Input& input_;
   Document& document_;
+  std::vector<PlainShape>* plain_;
   Totals totals_;
   Paints paints_;
   CurveReader curves_;

@@ -1,0 +1,135 @@
+#include "formats/svg/plain_style.hpp"
+
+#include <string>
+
+#include "formats/css_color.hpp"
+#include "formats/css_text.hpp"
+#include "formats/css_value.hpp"
+#include "formats/number.hpp"
+#include "formats/svg/length.hpp"
+
+namespace sfumato::svg {
+namespace {
+
+constexpr std::size_t kDashes = 64;  ///< of one list; more are left out
+
+}  // namespace
+
+std::string_view PlainStyle::property(CssProperty which, std::string_view initial) const {
+  const Input::Cascaded own = input_.cascaded(shape_, which);
+  if (own.value) return *own.value;
+  if (own.keyword == CssWideKeyword::initial) return initial;
+  for (std::size_t i = around_.size(); i-- > 0;) {
+    const Input::Cascaded outer = input_.cascaded(around_[i], which);
+    if (outer.value) return *outer.value;
+    if (outer.keyword == CssWideKeyword::initial) break;
+  }
+  return initial;
+}
+
+std::string PlainStyle::keyword(CssProperty which) const {
+  return css_keyword(property(which, ""), input_.text_poll()).value_or("");
+}
+
+float PlainStyle::opacity(CssProperty which) const {
+  return static_cast<float>(css_share(property(which, "1"), input_.text_poll()).value_or(1));
+}
+
+Result<std::optional<PlainPaint>> PlainStyle::color_paint(CssProperty which,
+                                                          std::string_view text) {
+  const std::string word = css_keyword(text, input_.text_poll()).value_or("");
+  if (css_trimmed(text).empty() || word == "none") return std::optional<PlainPaint>();
+  if (word == "currentcolor") text = property(CssProperty::color, "black");
+  const Result<CssColor> color = parse_css_color(text, input_.text_poll());
+  if (!color && !can_be_left_out(color.status())) return color.status();
+  if (!color) {
+    const std::string name = css_property_name(which);
+    input_.warn("/plain " + name, shape_,
+                name + " of " + tag(shape_) + " is left out: " + color.status().message);
+    return std::optional<PlainPaint>();
+  }
+  return std::optional(PlainPaint{color->color, 0, color->alpha});
+}
+
+Result<std::optional<PlainPaint>> PlainStyle::server_paint(CssProperty which, std::string_view url,
+                                                           std::string_view fallback,
+                                                           Paints& paints,
+                                                           const PaintedShape& shape) {
+  if (url.size() < 2 || url.front() != '#') return color_paint(which, fallback);
+  const Result<std::uint32_t> shader = paints.shader(shape, url.substr(1));
+  if (shader) return std::optional(PlainPaint{std::nullopt, *shader, 1});
+  if (!can_be_left_out(shader.status())) return shader.status();
+  if (!css_trimmed(fallback).empty()) return color_paint(which, fallback);
+  input_.warn("/plain paint", shape_,
+              std::string(css_property_name(which)) + " of " + tag(shape_) +
+                  " is left out: " + shader.status().message);
+  return std::optional<PlainPaint>();
+}
+
+Result<std::optional<PlainPaint>> PlainStyle::paint(CssProperty which, Paints& paints,
+                                                    const PaintedShape& shape) {
+  const bool is_fill = which == CssProperty::fill;
+  const std::string_view text = property(which, is_fill ? "black" : "none");
+  CssTokenizer tokens(text, input_.text_poll());
+  const CssToken first = next_solid(tokens);
+  const std::optional<std::string> url = take_css_url(tokens, first);
+  Result<std::optional<PlainPaint>> result =
+      url ? server_paint(which, *url, text.substr(tokens.position()), paints, shape)
+          : color_paint(which, text);
+  if (!result || !*result) return result;
+  (*result)->opacity *= opacity(is_fill ? CssProperty::fill_opacity : CssProperty::stroke_opacity);
+  if ((*result)->opacity <= 0) return std::optional<PlainPaint>();
+  return result;
+}
+
+Result<double> PlainStyle::length(CssProperty which, std::string_view text) const {
+  Result<double> value = parse_length(text, viewport_, Axis::diagonal);
+  return value ? value : input_.in(shape_, css_property_name(which), value.status());
+}
+
+Result<StrokeStyle> PlainStyle::stroke_style() const {
+  StrokeStyle style;
+  const Result<double> width =
+      length(CssProperty::stroke_width, property(CssProperty::stroke_width, "1"));
+  if (!width) return width.status();
+  style.width = *width;
+  const std::string cap = keyword(CssProperty::stroke_linecap);
+  const std::string join = keyword(CssProperty::stroke_linejoin);
+  if (cap == "round") style.cap = StrokeCap::round;
+  if (cap == "square") style.cap = StrokeCap::square;
+  if (join == "round") style.join = StrokeJoin::round;
+  if (join == "bevel") style.join = StrokeJoin::bevel;
+  const auto limit = parse_number(property(CssProperty::stroke_miterlimit, "4"));
+  if (limit && *limit >= 1) style.miter_limit = *limit;
+  if (Status status = read_dashes(style); !status) return status;
+  return style;
+}
+
+Status PlainStyle::read_dashes(StrokeStyle& style) const {
+  std::string_view text = property(CssProperty::stroke_dasharray, "none");
+  if (text == "none") return ok_status();
+  double sum = 0;
+  while (!text.empty() && style.dashes.size() < kDashes) {
+    const std::size_t end = std::min(text.find_first_of(", \t\n\r"), text.size());
+    if (end > 0) {
+      const Result<double> dash = length(CssProperty::stroke_dasharray, text.substr(0, end));
+      if (!dash) return dash.status();
+      if (*dash < 0) return ok_status();
+      style.dashes.push_back(*dash);
+      sum += *dash;
+    }
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  if (!(sum > 0)) style.dashes.clear();
+  const std::size_t count = style.dashes.size();
+  if (count % 2 == 1) {
+    for (std::size_t i = 0; i < count; ++i) style.dashes.push_back(style.dashes[i]);
+  }
+  const Result<double> offset =
+      length(CssProperty::stroke_dashoffset, property(CssProperty::stroke_dashoffset, "0"));
+  if (!offset) return offset.status();
+  style.dash_offset = *offset;
+  return ok_status();
+}
+
+}  // namespace sfumato::svg

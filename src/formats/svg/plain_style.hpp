@@ -1,0 +1,53 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "base/box.hpp"
+#include "formats/plain_svg.hpp"
+#include "formats/svg/input.hpp"
+#include "formats/svg/paints.hpp"
+
+namespace sfumato::svg {
+
+/// The properties of fills and strokes of one shape: its own, or those of what is drawn around it.
+class PlainStyle {
+ public:
+  /// around   elements that the shape is drawn in, the outermost first; a <use> stands before what
+  ///          it refers to
+  PlainStyle(Input& input, Element shape, std::span<const Element> around, const Box& viewport)
+      : input_(input), shape_(shape), around_(around), viewport_(viewport) {}
+
+  /// What `fill` or `stroke` paints; none where that is nothing. A paint that cannot be read is
+  /// the colour that is written behind it, or nothing, with a warning.
+  /// Errors: limit, cancelled, out_of_memory.
+  Result<std::optional<PlainPaint>> paint(CssProperty which, Paints& paints,
+                                          const PaintedShape& shape);
+  bool even_odd() const { return keyword(CssProperty::fill_rule) == "evenodd"; }
+  /// Errors: bad_input.
+  Result<StrokeStyle> stroke_style() const;
+
+ private:
+  std::string_view property(CssProperty which, std::string_view initial) const;
+  std::string keyword(CssProperty which) const;
+  Result<std::optional<PlainPaint>> color_paint(CssProperty which, std::string_view text);
+  Result<std::optional<PlainPaint>> server_paint(CssProperty which, std::string_view url,
+                                                 std::string_view fallback, Paints& paints,
+                                                 const PaintedShape& shape);
+  float opacity(CssProperty which) const;
+  Result<double> length(CssProperty which, std::string_view text) const;
+  Status read_dashes(StrokeStyle& style) const;
+
+  Input& input_;
+  Element shape_;
+  std::span<const Element> around_;
+  const Box& viewport_;
+};
+
+/// Whether the import goes on with a warning where this went wrong.
+inline bool can_be_left_out(const Status& status) {
+  return status.code == StatusCode::bad_input;
+}
+
+}  // namespace sfumato::svg

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <vector>
+
+#include "base/context.hpp"
+#include "base/status.hpp"
+#include "base/vec2.hpp"
+
+namespace sfumato::svg_import {
+
+/// Chains of cubic Béziers, 3 n + 1 control points each.
+using Contours = std::vector<std::vector<Vec2>>;
+
+/// The boundary of what contours fill: curves with the inside on their right (a loop runs clockwise
+/// around it, as seen on the screen), which cross nothing and meet only in their ends. Contours
+/// that are open are closed by a straight line; where contours overlap, what lies within the filled
+/// region is left out.
+///
+/// tolerance   how exactly crossings are looked for, in the contours' units
+/// Errors      limit, cancelled.
+Result<Contours> fill_boundary(const Context& context, Contours contours, bool even_odd,
+                               double tolerance);
+
+/// The chain as a polygon, within the tolerance.
+std::vector<Vec2> flattened(const std::vector<Vec2>& chain, double tolerance);
+
+}  // namespace sfumato::svg_import

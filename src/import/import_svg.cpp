@@ -1,0 +1,230 @@
+#include "import/import_svg.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "base/limits.hpp"
+#include "base/public_verb.hpp"
+#include "formats/gunzip.hpp"
+#include "formats/plain_svg.hpp"
+#include "import/boundary.hpp"
+#include "import/painted_layer.hpp"
+#include "import/stroke_outline.hpp"
+
+namespace sfumato {
+namespace {
+
+using svg_import::Contours;
+using svg_import::PaintedLayer;
+using svg_import::Region;
+
+/// Of the artboard's longer side: how exactly crossings and offsets are found.
+constexpr double kTolerance = 1.0 / 16384;
+
+SideShader<float> constant_opacity(float value) {
+  return {ShaderKind::curve_domain, {StopSpace::parameter, {{0, value}}}, 0};
+}
+
+class Importer {
+ public:
+  Importer(Context& context, PlainSvg plain)
+      : context_(context),
+        plain_(std::move(plain)),
+        tolerance_(kTolerance *
+                   std::max(plain_.document.artboard.width(), plain_.document.artboard.height())) {}
+
+  Status run();
+  ImportedSvg take() {
+    return {std::move(plain_.document), std::move(plain_.title), std::move(plain_.warnings)};
+  }
+
+ private:
+  /// What paints into a layer that is empty in the document.
+  struct Source {
+    const PlainShape* shape = nullptr;
+    bool is_stroke = false;
+  };
+
+  Status paint(const LayerInstance& instance, const Source& source);
+  Result<Contours> boundary_of(const Source& source) const;
+  Region region_of(const PlainShape& shape, const PlainPaint& paint);
+  std::optional<SideShader<float>> gradient_opacity(std::uint32_t shader);
+  void paint_region(const LayerInstance& instance, const Region& region);
+  void end_layer();
+  Status charge(const Contours& contours);
+  void forget_empty_groups();
+
+  Context& context_;
+  PlainSvg plain_;
+  double tolerance_;
+  std::vector<Layer> layers_;
+  std::vector<StackItem> stack_;
+  std::optional<PaintedLayer> open_;  ///< of the stack's last item
+  std::map<std::uint32_t, std::uint32_t> opacity_shader_;
+  ScopedCharge charge_;
+};
+
+Result<Contours> Importer::boundary_of(const Source& source) const {
+  const PlainShape& shape = *source.shape;
+  Contours contours = shape.subpaths;
+  if (source.is_stroke) {
+    const double scale = std::sqrt(std::abs(shape.artboard_from_user.determinant()));
+    Result<Contours> outline =
+        svg_import::stroke_outline(context_, contours, shape.style, tolerance_ / scale);
+    if (!outline) return outline;
+    contours = std::move(*outline);
+  }
+  for (std::vector<Vec2>& contour : contours) {
+    for (Vec2& point : contour) point = shape.artboard_from_user(point);
+  }
+  return svg_import::fill_boundary(context_, std::move(contours),
+                                   !source.is_stroke && shape.even_odd, tolerance_);
+}
+
+/// A paint of the alphas of a gradient's stops; none where all are 1.
+std::optional<SideShader<float>> Importer::gradient_opacity(std::uint32_t index) {
+  if (const auto known = opacity_shader_.find(index); known != opacity_shader_.end()) {
+    return SideShader<float>{ShaderKind::image_domain, {}, known->second};
+  }
+  std::vector<Shader>& shaders = plain_.document.shaders;
+  const auto* fill = std::get_if<GradientFill>(&shaders[index].paint);
+  const auto is_opaque = [](const GradientStop& stop) { return stop.alpha >= 1; };
+  if (!fill || std::ranges::all_of(fill->stops, is_opaque)) return std::nullopt;
+  GradientFill alphas = *fill;
+  for (GradientStop& stop : alphas.stops) stop.color = {1, 1, 1};
+  for (GradientStop& stop : std::get<GradientFill>(shaders[index].paint).stops) stop.alpha = 1;
+  const auto added = static_cast<std::uint32_t>(shaders.size());
+  opacity_shader_.emplace(index, added);
+  const std::string id = shaders[index].id.empty() ? "" : shaders[index].id + "-opacity";
+  shaders.push_back({id, std::move(alphas)});
+  return SideShader<float>{ShaderKind::image_domain, {}, added};
+}
+
+Region Importer::region_of(const PlainShape& shape, const PlainPaint& paint) {
+  Region region;
+  region.id = shape.id;
+  region.opacity = constant_opacity(1);
+  if (paint.color) {
+    region.color = {ShaderKind::curve_domain, {StopSpace::parameter, {{0, *paint.color}}}, 0};
+    return region;
+  }
+  region.color = {ShaderKind::image_domain, {}, paint.shader};
+  if (auto opacity = gradient_opacity(paint.shader)) {
+    region.opacity = *opacity;
+    region.is_opaque = false;
+  }
+  return region;
+}
+
+void Importer::end_layer() {
+  if (open_) layers_.back().curves = open_->take_curves();
+  open_.reset();
+}
+
+/// Into the open layer where that shows it as it is, else into a new one.
+void Importer::paint_region(const LayerInstance& instance, const Region& region) {
+  const bool is_plain = instance.opacity == 1 && instance.blend == BlendMode::normal;
+  if (open_ && is_plain && open_->try_add(context_, region)) return;
+  end_layer();
+  LayerInstance placed = instance;
+  placed.layer = static_cast<std::uint32_t>(layers_.size());
+  layers_.emplace_back();
+  stack_.emplace_back(placed);
+  PaintedLayer layer(tolerance_);
+  layer.add(region);
+  if (is_plain) {
+    open_.emplace(std::move(layer));
+  } else {
+    layers_.back().curves = layer.take_curves();
+  }
+}
+
+Status Importer::charge(const Contours& contours) {
+  std::size_t points = 0;
+  for (const auto& contour : contours) points += contour.size();
+  return charge_.add(context_, 4 * (points * sizeof(Vec2) + contours.size() * sizeof(Curve)),
+                     "the curves");
+}
+
+Status Importer::paint(const LayerInstance& instance, const Source& source) {
+  const Result<Contours> boundary = boundary_of(source);
+  if (!boundary) return boundary.status();
+  if (Status status = charge(*boundary); !status) return status;
+  if (boundary->empty()) return ok_status();
+  const PlainShape& shape = *source.shape;
+  Region region = region_of(shape, source.is_stroke ? *shape.stroke : *shape.fill);
+  if (source.is_stroke && shape.fill && !region.id.empty()) region.id += "-stroke";
+  region.boundary = std::move(*boundary);
+  paint_region(instance, region);
+  return ok_status();
+}
+
+/// A group whose shapes all turned out to fill nothing.
+void Importer::forget_empty_groups() {
+  while (stack_.size() >= 2 && std::holds_alternative<GroupEnd>(stack_.back()) &&
+         std::holds_alternative<GroupBegin>(stack_[stack_.size() - 2])) {
+    stack_.resize(stack_.size() - 2);
+  }
+}
+
+Status Importer::run() {
+  Document& document = plain_.document;
+  std::map<std::uint32_t, Source> source_of;
+  for (const PlainShape& shape : plain_.shapes) {
+    if (shape.fill) source_of[shape.fill_layer] = {&shape, false};
+    if (shape.stroke) source_of[shape.stroke_layer] = {&shape, true};
+  }
+  std::map<std::uint32_t, std::uint32_t> kept;  // layers of Sfumato's own attributes
+  for (const StackItem& item : document.stack) {
+    if (context_.cancelled()) return context_.stop_status();
+    const auto* instance = std::get_if<LayerInstance>(&item);
+    if (const auto found = instance ? source_of.find(instance->layer) : source_of.end();
+        found != source_of.end()) {
+      if (Status status = paint(*instance, found->second); !status) return status;
+      continue;
+    }
+    end_layer();
+    stack_.push_back(item);
+    forget_empty_groups();
+    if (!instance) continue;
+    const auto [entry, is_new] =
+        kept.emplace(instance->layer, static_cast<std::uint32_t>(layers_.size()));
+    if (is_new) layers_.push_back(std::move(document.layers[instance->layer]));
+    std::get<LayerInstance>(stack_.back()).layer = entry->second;
+  }
+  end_layer();
+  document.layers = std::move(layers_);
+  document.stack = std::move(stack_);
+  return validate(context_, document);
+}
+
+Result<ImportedSvg> import_text(Context& context, std::string_view text, const std::string& file,
+                                const ResourceLoader* loader) {
+  ScopedCharge charge;
+  std::string unpacked;
+  if (is_gzip(text)) {
+    Result<std::string> bytes = gunzip(context, text, charge);
+    if (!bytes) return bytes.status();
+    unpacked = std::move(*bytes);
+    text = unpacked;
+  }
+  Result<PlainSvg> plain = read_plain_svg(context, text, file, loader);
+  if (!plain) return plain.status();
+  Importer importer(context, std::move(*plain));
+  Status status = importer.run();
+  if (status) return importer.take();
+  if (status.where.file.empty()) status.where.file = file;
+  return status;
+}
+
+}  // namespace
+
+Result<ImportedSvg> import_svg(Context& context, std::string_view text, const std::string& file,
+                               const ResourceLoader* loader) {
+  return public_verb(context, [&] { return import_text(context, text, file, loader); });
+}
+
+}  // namespace sfumato

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/box.hpp"
+#include "base/context.hpp"
+#include "document/document.hpp"
+#include "import/boundary.hpp"
+#include "import/chord_crossings.hpp"
+
+namespace sfumato::svg_import {
+
+/// A region of one paint, artboard frame.
+struct Region {
+  std::string id;
+  Contours boundary;  ///< inside on the right
+  SideShader<Rgb> color;
+  SideShader<float> opacity;  ///< of its inside
+  bool is_opaque = true;
+};
+
+/// The curves of one layer while shapes are painted into it, each over those before.
+class PaintedLayer {
+ public:
+  explicit PaintedLayer(double tolerance) : tolerance_(tolerance) {}
+
+  /// Paints the region where one layer can show it as it is: it lies wholly on one opaque region of
+  /// the layer, in sight, or beside all of them; and covers none. False: nothing is changed.
+  bool try_add(const Context& context, const Region& region);
+  /// The first one.
+  void add(const Region& region);
+
+  std::vector<Curve> take_curves() { return std::move(curves_); }
+  std::size_t shader_count() const { return shaders_.size(); }
+
+ private:
+  struct Shape {
+    std::vector<Chord> chords;
+    Box box;
+    SideShader<Rgb> color;
+    bool is_opaque = true;
+  };
+
+  Shape shape_of(const Region& region) const;
+  bool keeps_apart(const Context& context, const Shape& a, const Shape& b);
+  const Shape* under(const Shape& shape) const;
+  void append(const Region& region, Shape shape, const Shape* under);
+  bool is_within(const Shape& shape, Vec2 point) const;
+  void note_shader(const SideShader<Rgb>& side);
+
+  double tolerance_;
+  std::vector<Shape> shapes_;
+  std::vector<Curve> curves_;
+  std::vector<std::uint32_t> shaders_;
+};
+
+}  // namespace sfumato::svg_import

@@ -1,0 +1,242 @@
+#include "import/stroke_outline.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "curves/bezier.hpp"
+
+namespace sfumato::svg_import {
+namespace {
+
+using curves::Cubic;
+
+constexpr int kDeepest = 7;                      ///< halvings of one piece
+constexpr double kStraight = 1e-4;               ///< sine of a turn that needs no join
+constexpr double kQuarter = 0.5522847498307936;  ///< control points of a quarter circle
+
+Vec2 second_derivative_at(const Cubic& c, double t) {
+  const Vec2 a = c[2] - 2 * c[1] + c[0], b = c[3] - 2 * c[2] + c[1];
+  return 6 * lerp(a, b, t);
+}
+
+/// The direction of walking at t; where the derivative is 0, that towards the next other point.
+Vec2 tangent_at(const Cubic& c, double t) {
+  const double scale = length(c[1] - c[0]) + length(c[2] - c[1]) + length(c[3] - c[2]);
+  Vec2 along = curves::derivative_at(c, t);
+  if (length(along) <= 1e-9 * scale) {
+    constexpr double kStep = 1e-3;
+    along = curves::point_at(c, std::min(t + kStep, 1.0)) -
+            curves::point_at(c, std::max(t - kStep, 0.0));
+  }
+  const double size = length(along);
+  return size > 0 ? along / size : Vec2{1, 0};
+}
+
+bool is_point(const Cubic& c) {
+  return c[0] == c[1] && c[0] == c[2] && c[0] == c[3];
+}
+
+/// One side of a stroke: at `radius` to the left of what is walked.
+class Side {
+ public:
+  Side(double radius, const StrokeStyle& style, double tolerance)
+      : radius_(radius), style_(style), tolerance_(tolerance) {}
+
+  void walk(const std::vector<Cubic>& pieces, bool is_closed);
+  /// From the left side of the end of `piece` round to its right side.
+  void cap(const Cubic& piece);
+  void finish() {
+    if (!points_.empty()) line_to(points_.front());
+  }
+  std::vector<Vec2> take() { return std::move(points_); }
+
+ private:
+  Vec2 normal(Vec2 tangent) const { return radius_ * left_of(tangent); }
+  void begin_at(Vec2 point) {
+    if (points_.empty()) points_.push_back(point);
+  }
+  void line_to(Vec2 point);
+  void quarter_to(Vec2 control1, Vec2 control2, Vec2 point);
+  void offset(const Cubic& piece, double t0, double t1, int depth);
+  void join(Vec2 corner, Vec2 before, Vec2 after);
+  void arc(Vec2 center, Vec2 from, Vec2 to);
+
+  double radius_;
+  const StrokeStyle& style_;
+  double tolerance_;
+  std::vector<Vec2> points_;
+};
+
+void Side::line_to(Vec2 point) {
+  const Vec2 from = points_.back();
+  if (from == point) return;
+  points_.insert(points_.end(), {lerp(from, point, 1.0 / 3), lerp(from, point, 2.0 / 3), point});
+}
+
+void Side::quarter_to(Vec2 control1, Vec2 control2, Vec2 point) {
+  points_.insert(points_.end(), {control1, control2, point});
+}
+
+/// The offset curve's derivative is C′ (1 + radius κ): a cubic with its points and derivatives at
+/// both ends misses it by O(length⁴).
+void Side::offset(const Cubic& piece, double t0, double t1, int depth) {
+  const auto derivative = [&](double t) {
+    const Vec2 along = curves::derivative_at(piece, t);
+    const double speed = length(along);
+    if (!(speed > 0)) return Vec2{};
+    const double curvature = cross(along, second_derivative_at(piece, t)) / (speed * speed * speed);
+    return along * (1 + radius_ * curvature);
+  };
+  const auto point = [&](double t) {
+    return curves::point_at(piece, t) + normal(tangent_at(piece, t));
+  };
+  const Vec2 from = point(t0), to = point(t1);
+  const Cubic fitted{from, from + derivative(t0) * ((t1 - t0) / 3),
+                     to - derivative(t1) * ((t1 - t0) / 3), to};
+  double error = 0;
+  for (const double share : {0.25, 0.5, 0.75}) {
+    error =
+        std::max(error, length(curves::point_at(fitted, share) - point(t0 + (t1 - t0) * share)));
+  }
+  if (!(error <= tolerance_) && depth < kDeepest) {
+    const double middle = (t0 + t1) / 2;
+    offset(piece, t0, middle, depth + 1);
+    offset(piece, middle, t1, depth + 1);
+    return;
+  }
+  line_to(from);
+  if (error <= tolerance_) {
+    quarter_to(fitted[1], fitted[2], to);
+  } else {
+    line_to(to);
+  }
+}
+
+/// Around `center`, clockwise on the screen, in steps of at most a quarter.
+void Side::arc(Vec2 center, Vec2 from, Vec2 to) {
+  Vec2 radius = from - center;
+  const Vec2 last = to - center;
+  for (int i = 0; i < 4; ++i) {
+    const Vec2 ahead{-radius.y, radius.x};
+    const double slack = -1e-9 * length_squared(last);
+    const bool is_last = dot(ahead, last) >= slack && dot(radius, last) >= slack;
+    if (!is_last) {
+      quarter_to(center + radius + kQuarter * ahead, center + ahead + kQuarter * radius,
+                 center + ahead);
+      radius = ahead;
+      continue;
+    }
+    const double square = length_squared(radius);
+    const double cosine = std::min(dot(radius, last) / square, 1.0);
+    const double half = std::sqrt((1 - cosine) / (1 + cosine));  // tan of half the angle
+    if (half > 0) {
+      // 4/3 tan of a quarter of the angle, from tan of its half.
+      const double k = 4.0 / 3 * half / (1 + std::sqrt(1 + half * half));
+      const Vec2 back{last.y, -last.x};
+      quarter_to(center + radius + k * ahead, to + k * back, to);
+    }
+    return;
+  }
+}
+
+void Side::join(Vec2 corner, Vec2 before, Vec2 after) {
+  const double turn = cross(before, after), straightness = dot(before, after);
+  const Vec2 to = corner + normal(after);
+  if (std::abs(turn) < kStraight && straightness > 0) return line_to(to);
+  const bool is_outer = turn > 0 || (std::abs(turn) < kStraight && straightness < 0);
+  if (!is_outer) {
+    line_to(corner);
+    return line_to(to);
+  }
+  if (style_.join == StrokeJoin::round) return arc(corner, points_.back(), to);
+  // The miter's length over the width is 1 / sin(half the inner angle), and that squared is:
+  const double ratio_squared = 2 / std::max(1 + straightness, 1e-12);
+  if (style_.join == StrokeJoin::miter &&
+      ratio_squared <= style_.miter_limit * style_.miter_limit) {
+    line_to(corner + (normal(before) + normal(after)) / (1 + straightness));
+  }
+  line_to(to);
+}
+
+void Side::walk(const std::vector<Cubic>& pieces, bool is_closed) {
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const Vec2 tangent = tangent_at(pieces[i], 0);
+    if (i > 0) join(pieces[i][0], tangent_at(pieces[i - 1], 1), tangent);
+    begin_at(pieces[i][0] + normal(tangent));
+    offset(pieces[i], 0, 1, 0);
+  }
+  if (!is_closed) return;
+  join(pieces.front()[0], tangent_at(pieces.back(), 1), tangent_at(pieces.front(), 0));
+  finish();
+}
+
+void Side::cap(const Cubic& piece) {
+  const Vec2 end = piece[3], tangent = tangent_at(piece, 1), side = normal(tangent);
+  if (style_.cap == StrokeCap::round) return arc(end, points_.back(), end - side);
+  if (style_.cap == StrokeCap::square) {
+    line_to(end + side + radius_ * tangent);
+    line_to(end - side + radius_ * tangent);
+  }
+  line_to(end - side);
+}
+
+std::vector<Cubic> reversed(const std::vector<Cubic>& pieces) {
+  std::vector<Cubic> result(pieces.rbegin(), pieces.rend());
+  for (Cubic& cubic : result) std::ranges::reverse(cubic);
+  return result;
+}
+
+void outline(const std::vector<Vec2>& subpath, const StrokeStyle& style, double tolerance,
+             Contours& contours) {
+  std::vector<Cubic> pieces;
+  for (std::size_t i = 0; 3 * i + 3 < subpath.size(); ++i) {
+    const Cubic cubic = curves::piece(subpath, i);
+    if (!is_point(cubic)) pieces.push_back(cubic);
+  }
+  if (pieces.empty()) {  // a dot, where caps make one
+    if (style.cap == StrokeCap::butt) return;
+    const Vec2 p = subpath.front();
+    const Vec2 step{style.width * 1e-6, 0};
+    pieces.push_back({p, p, p + step, p + step});
+  }
+  const bool is_closed = pieces.front()[0] == pieces.back()[3];
+  const std::vector<Cubic> back = reversed(pieces);
+  Side side(style.width / 2, style, tolerance);
+  side.walk(pieces, is_closed);
+  if (is_closed) {
+    contours.push_back(side.take());
+    Side other(style.width / 2, style, tolerance);
+    other.walk(back, true);
+    contours.push_back(other.take());
+    return;
+  }
+  side.cap(pieces.back());
+  Side other(style.width / 2, style, tolerance);
+  other.walk(back, false);
+  other.cap(back.back());
+  std::vector<Vec2> contour = side.take(), rest = other.take();
+  // The cap ends where the other side begins.
+  contour.back() = rest.front();
+  contour.insert(contour.end(), rest.begin() + 1, rest.end());
+  contour.back() = contour.front();
+  contours.push_back(std::move(contour));
+}
+
+}  // namespace
+
+Result<Contours> stroke_outline(const Context& context, const Contours& subpaths,
+                                const StrokeStyle& style, double tolerance) {
+  Result<Contours> dashes = style.dashes.empty() ? subpaths : dashed(context, subpaths, style);
+  if (!dashes) return dashes.status();
+  Contours contours;
+  for (const std::vector<Vec2>& subpath : *dashes) {
+    if (context.cancelled()) return context.stop_status();
+    outline(subpath, style, tolerance, contours);
+  }
+  std::erase_if(contours, [](const auto& contour) { return contour.size() < 4; });
+  return contours;
+}
+
+}  // namespace sfumato::svg_import

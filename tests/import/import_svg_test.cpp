@@ -1,0 +1,194 @@
+#include "import/import_svg.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <variant>
+
+#include "formats/svg_write.hpp"
+#include "import/boundary.hpp"
+#include "import/stroke_outline.hpp"
+
+namespace sfumato {
+namespace {
+
+std::string icon(const std::string& content) {
+  return "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" "
+         "viewBox=\"0 0 100 100\">" +
+         content + "</svg>";
+}
+
+ImportedSvg imported(const std::string& content) {
+  Context context;
+  auto result = import_svg(context, icon(content), "icon.svg");
+  EXPECT_TRUE(result) << (result ? "" : result.status().message);
+  return result ? std::move(*result) : ImportedSvg{};
+}
+
+Rgb color_of(const SideShader<Rgb>& side) {
+  return side.kind == ShaderKind::curve_domain ? side.stops.stops.front().value : Rgb{-1, -1, -1};
+}
+
+TEST(ImportSvg, a_filled_shape_is_a_curve_with_its_colour_inside_and_nothing_outside) {
+  const ImportedSvg made = imported(R"x(<circle id="dot" cx="50" cy="50" r="20" fill="#f00"/>)x");
+  ASSERT_EQ(made.document.layers.size(), 1u);
+  ASSERT_EQ(made.document.layers[0].curves.size(), 1u);
+  const Curve& curve = made.document.layers[0].curves[0];
+  EXPECT_EQ(curve.id, "dot");
+  EXPECT_EQ(color_of(curve.right.color), (Rgb{1, 0, 0}));
+  EXPECT_EQ(curve.right.opacity.stops.stops.front().value, 1);
+  EXPECT_EQ(curve.left.opacity.stops.stops.front().value, 0);
+}
+
+TEST(ImportSvg, a_shape_on_another_has_its_colour_outside) {
+  const ImportedSvg made = imported(
+      R"x(<rect x="10" y="10" width="80" height="80" fill="#00f"/><circle cx="50" cy="50" r="20" fill="#f00"/>)x");
+  ASSERT_EQ(made.document.layers.size(), 1u);
+  ASSERT_EQ(made.document.layers[0].curves.size(), 2u);
+  const Curve& circle = made.document.layers[0].curves[1];
+  EXPECT_EQ(color_of(circle.right.color), (Rgb{1, 0, 0}));
+  EXPECT_EQ(color_of(circle.left.color), (Rgb{0, 0, 1}));
+  EXPECT_EQ(circle.left.opacity.kind, ShaderKind::open);
+}
+
+TEST(ImportSvg, shapes_that_cross_have_layers_of_their_own) {
+  const ImportedSvg made = imported(
+      R"x(<rect x="10" y="10" width="50" height="50" fill="#00f"/><circle cx="60" cy="60" r="20" fill="#f00"/>)x");
+  EXPECT_EQ(made.document.layers.size(), 2u);
+}
+
+TEST(ImportSvg, a_rectangle_over_everything_is_the_background) {
+  const ImportedSvg made = imported(R"x(<rect width="100" height="100" fill="#0f0"/>)x");
+  EXPECT_EQ(made.document.background, (Rgb{0, 1, 0}));
+}
+
+TEST(ImportSvg, use_and_groups_inherit_as_they_are_drawn) {
+  const ImportedSvg made = imported(
+      R"x(<defs><circle id="c" cx="9" cy="9" r="5"/></defs><g fill="#f00" color="#00f"><use xlink:href="#c"/></g>)x"
+      R"x(<g color="#00f"><use xlink:href="#c" x="40" fill="currentColor"/></g>)x");
+  ASSERT_EQ(made.document.layers.size(), 1u);
+  ASSERT_EQ(made.document.layers[0].curves.size(), 2u);
+  EXPECT_EQ(color_of(made.document.layers[0].curves[0].right.color), (Rgb{1, 0, 0}));
+  EXPECT_EQ(color_of(made.document.layers[0].curves[1].right.color), (Rgb{0, 0, 1}));
+}
+
+TEST(ImportSvg, gradients_become_paints_and_their_alpha_opacity) {
+  const ImportedSvg made = imported(
+      R"x(<linearGradient id="g"><stop stop-color="#f00"/><stop offset="1" stop-color="#00f" stop-opacity="0"/></linearGradient>)x"
+      R"x(<circle cx="50" cy="50" r="20" fill="url(#g)"/>)x");
+  ASSERT_EQ(made.document.layers.size(), 1u);
+  const Curve& curve = made.document.layers[0].curves[0];
+  EXPECT_EQ(curve.right.color.kind, ShaderKind::image_domain);
+  EXPECT_EQ(curve.right.opacity.kind, ShaderKind::image_domain);
+  EXPECT_NE(curve.right.color.shader, curve.right.opacity.shader);
+}
+
+TEST(ImportSvg, opacity_of_a_shape_with_fill_and_stroke_is_that_of_a_group) {
+  const ImportedSvg made = imported(
+      R"x(<rect x="20" y="20" width="40" height="40" fill="#f00" stroke="#00f" stroke-width="4" opacity=".5"/>)x");
+  ASSERT_EQ(made.document.stack.size(), 4u);
+  EXPECT_EQ(std::get<GroupBegin>(made.document.stack[0]).opacity, 0.5F);
+}
+
+TEST(ImportSvg, what_cannot_be_brought_over_is_told_once_with_its_place) {
+  const ImportedSvg made = imported(
+      "<text>a</text><text>b</text><circle r=\"9\" cx=\"20\" cy=\"20\" filter=\"url(#f)\"/>"
+      "<path d=\"M0 0 L x\"/><rect width=\"9\" height=\"9\" fill=\"url(#nothing)\"/>");
+  EXPECT_EQ(made.warnings.size(), 4u);
+  for (const Status& warning : made.warnings) EXPECT_GT(warning.where.line, 0) << warning.message;
+  EXPECT_EQ(made.document.layers.size(), 1u);
+}
+
+TEST(ImportSvg, a_star_that_crosses_itself_is_filled_by_its_rule) {
+  const std::string star = R"x(d="M50 5 L78 90 L5 37 L95 37 L22 90 Z")x";
+  const ImportedSvg nonzero = imported("<path " + star + "/>");
+  const ImportedSvg even_odd = imported("<path fill-rule=\"evenodd\" " + star + "/>");
+  // An outline of ten corners; five tips around a hole.
+  ASSERT_EQ(nonzero.document.layers[0].curves.size(), 1u);
+  std::size_t pieces = 0;
+  for (const Curve& curve : even_odd.document.layers[0].curves) pieces += curve.piece_count();
+  EXPECT_EQ(pieces, 15u);
+}
+
+TEST(ImportSvg, what_it_makes_can_be_written) {
+  Context context;
+  const ImportedSvg made = imported(
+      R"x(<path id="a&lt;" d="M10 10 C90 10 10 90 90 90" fill="none" stroke="red" stroke-width="6" stroke-linecap="round" stroke-dasharray="9 12"/>)x");
+  EXPECT_TRUE(write_svg(context, made.document));
+}
+
+TEST(ImportSvg, limits_and_cancelling_hold) {
+  Context context;
+  context.cancel = true;
+  const auto cancelled = import_svg(context, icon("<circle r=\"9\"/>"), "icon.svg");
+  ASSERT_FALSE(cancelled);
+  EXPECT_EQ(cancelled.status().code, StatusCode::cancelled);
+  Context again;
+  const auto dashes = import_svg(
+      again, icon(R"x(<path d="M0 0 L1000000 0" stroke="red" stroke-dasharray=".0001"/>)x"),
+      "i.svg");
+  ASSERT_FALSE(dashes);
+  EXPECT_EQ(dashes.status().code, StatusCode::limit);
+}
+
+double area(const svg_import::Contours& contours) {
+  double sum = 0;
+  for (const auto& contour : contours) {
+    const auto polygon = svg_import::flattened(contour, 1e-4);
+    for (std::size_t i = 1; i < polygon.size(); ++i) sum += cross(polygon[i - 1], polygon[i]) / 2;
+  }
+  return sum;
+}
+
+double stroked_area(const svg_import::Contours& subpaths, const StrokeStyle& style) {
+  const Context context;
+  const auto outline = svg_import::stroke_outline(context, subpaths, style, 1e-3);
+  const auto boundary = svg_import::fill_boundary(context, *outline, false, 1e-3);
+  return area(*boundary);
+}
+
+const svg_import::Contours kLine{{{10, 10}, {20, 10}, {30, 10}, {40, 10}}};
+
+TEST(StrokeOutline, caps_have_their_areas) {
+  EXPECT_NEAR(stroked_area(kLine, {.width = 6}), 180, 1e-6);
+  EXPECT_NEAR(stroked_area(kLine, {.width = 6, .cap = StrokeCap::square}), 216, 1e-6);
+  EXPECT_NEAR(stroked_area(kLine, {.width = 6, .cap = StrokeCap::round}), 180 + 9 * 3.14159, 0.02);
+}
+
+TEST(StrokeOutline, dashes_leave_gaps) {
+  EXPECT_NEAR(stroked_area(kLine, {.width = 2, .dashes = {5, 5}}), 30, 1e-6);
+  EXPECT_NEAR(stroked_area(kLine, {.width = 2, .dashes = {5, 5}, .dash_offset = 5}), 30, 1e-6);
+}
+
+TEST(StrokeOutline, joins_have_their_areas) {
+  const svg_import::Contours corner{
+      {{0, 0}, {10, 0}, {20, 0}, {30, 0}, {30, 10}, {30, 20}, {30, 30}}};
+  const double arms = 2 * 30 * 4 - 4;  // the inner corner counts once
+  EXPECT_NEAR(stroked_area(corner, {.width = 4, .join = StrokeJoin::bevel}), arms + 2, 1e-3);
+  EXPECT_NEAR(stroked_area(corner, {.width = 4, .join = StrokeJoin::miter}), arms + 4, 1e-3);
+  EXPECT_NEAR(stroked_area(corner, {.width = 4, .join = StrokeJoin::round}), arms + 3.14159, 1e-2);
+}
+
+TEST(FillBoundary, overlapping_contours_are_one_region_with_its_inside_right) {
+  const Context context;
+  const auto square = [](double x, double y) {
+    std::vector<Vec2> points{{x, y}};
+    const std::vector<Vec2> corners{{x + 10, y}, {x + 10, y + 10}, {x, y + 10}, {x, y}};
+    for (const Vec2 to : corners) {
+      const Vec2 from = points.back();
+      points.insert(points.end(), {lerp(from, to, 1.0 / 3), lerp(from, to, 2.0 / 3), to});
+    }
+    return points;
+  };
+  auto reversed = square(5, 5);
+  std::ranges::reverse(reversed);
+  EXPECT_NEAR(area(*svg_import::fill_boundary(context, {square(0, 0), square(5, 5)}, false, 1e-3)),
+              175, 1e-9);
+  EXPECT_NEAR(area(*svg_import::fill_boundary(context, {square(0, 0), square(5, 5)}, true, 1e-3)),
+              150, 1e-9);
+  EXPECT_NEAR(area(*svg_import::fill_boundary(context, {square(0, 0), reversed}, false, 1e-3)), 150,
+              1e-9);
+}
+
+}  // namespace
+}  // namespace sfumato
