@@ -10,13 +10,14 @@ _sfumato() {
   local command='' word options
   for word in "${COMP_WORDS[@]:1:COMP_CWORD-1}"; do
     case $word in
-      render | info | convert | lint | compare)
+      render | info | convert | lint | compare | init | watch)
         command=$word
         break
         ;;
     esac
   done
   case $previous in
+    --template) options='shape sky sphere eye logo' ;;
     --method) options='exact rays pixels' ;;
     --ends) options='soft paper' ;;
     --order) options='linear quadratic cubic' ;;
@@ -38,12 +39,12 @@ _sfumato() {
       mapfile -t COMPREPLY < <(compgen -d -- "$current")
       return
       ;;
-    -o | --output | --stats)
+    -o | --output | --stats | --from)
       _sfumato_files "$1" "$current"
       return
       ;;
     --viewport | --width | --height | --scale | --rays | --seed | --tolerance | --max-area | \
-      --min-angle | --quality | --detail | --dpi | --title | --threads | --max-memory)
+      --min-angle | --quality | --port | --detail | --dpi | --title | --threads | --max-memory)
       return
       ;;
   esac
@@ -75,11 +76,19 @@ _sfumato() {
       options='--allow-files --strict --verbose --json --quiet
         --max-memory --max-time --limit --help'
       ;;
+    init)
+      options='--template --from --force --allow-files --quiet
+        --max-memory --max-time --limit --help'
+      ;;
+    watch)
+      options='--output --port --viewport --width --height --scale --threads --allow-files --quiet
+        --max-memory --max-time --limit --help'
+      ;;
     compare)
       options='--output --scale --json
         --max-memory --max-time --limit --help'
       ;;
-    *) options='render info convert lint compare --help --version' ;;
+    *) options='render info convert lint compare init watch --help --version' ;;
   esac
   mapfile -t COMPREPLY < <(compgen -W "$options" -- "$current")
 }

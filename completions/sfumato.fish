@@ -1,6 +1,6 @@
 # fish completion for sfumato
 
-set -l commands render info convert lint compare
+set -l commands render info convert lint compare init watch
 set -l limits input-bytes= unpack-ratio= xml-depth= xml-elements= xml-attributes= style-values= used-elements= used-bytes= id-bytes= curves= control-points= stops= stops-per-list= layers= shaders-per-layer= stack-items= group-depth= image-file-bytes= textures= texels= segments= triangles= nodes= image-side= viewer-triangles= viewer-stroke-segments= svg-triangles=
 
 complete -c sfumato -s h -l help -d 'Print the help'
@@ -10,6 +10,8 @@ complete -c sfumato -n "not __fish_seen_subcommand_from $commands" -f -a info -d
 complete -c sfumato -n "not __fish_seen_subcommand_from $commands" -f -a convert -d 'Write a file of diffusion curves as SVG'
 complete -c sfumato -n "not __fish_seen_subcommand_from $commands" -f -a lint -d 'Hint at what a drawing has probably got wrong'
 complete -c sfumato -n "not __fish_seen_subcommand_from $commands" -f -a compare -d 'Measure how two images of one size differ'
+complete -c sfumato -n "not __fish_seen_subcommand_from $commands" -f -a init -d 'Write a drawing to begin with'
+complete -c sfumato -n "not __fish_seen_subcommand_from $commands" -f -a watch -d 'Show a drawing, anew whenever it changes'
 
 complete -c sfumato -n '__fish_seen_subcommand_from render' -s o -l output -r -F -d 'The image'
 complete -c sfumato -n '__fish_seen_subcommand_from render' -l out-dir -x -a '(__fish_complete_directories)' -d 'Every picture into this folder'
@@ -79,3 +81,25 @@ complete -c sfumato -n '__fish_seen_subcommand_from compare' -l json -d 'Print o
 complete -c sfumato -n '__fish_seen_subcommand_from compare' -l max-memory -x -d 'Give up before taking more MiB'
 complete -c sfumato -n '__fish_seen_subcommand_from compare' -l max-time -x -a off -d 'Give up after these seconds'
 complete -c sfumato -n '__fish_seen_subcommand_from compare' -l limit -x -a "$limits" -d 'Set another limit on the input'
+
+complete -c sfumato -n '__fish_seen_subcommand_from init' -l template -x -a 'shape sky sphere eye logo' -d 'What to begin with'
+complete -c sfumato -n '__fish_seen_subcommand_from init' -l from -r -F -d 'Make curves of an ordinary SVG'
+complete -c sfumato -n '__fish_seen_subcommand_from init' -l force -d 'Replace an existing file'
+complete -c sfumato -n '__fish_seen_subcommand_from init' -l allow-files -x -a '(__fish_complete_directories)' -d 'Read textures from this folder too'
+complete -c sfumato -n '__fish_seen_subcommand_from init' -l quiet -d 'No warnings'
+complete -c sfumato -n '__fish_seen_subcommand_from init' -l max-memory -x -d 'Give up before taking more MiB'
+complete -c sfumato -n '__fish_seen_subcommand_from init' -l max-time -x -a off -d 'Give up after these seconds'
+complete -c sfumato -n '__fish_seen_subcommand_from init' -l limit -x -a "$limits" -d 'Set another limit on the input'
+
+complete -c sfumato -n '__fish_seen_subcommand_from watch' -s o -l output -r -F -d 'Also write the picture'
+complete -c sfumato -n '__fish_seen_subcommand_from watch' -l port -x -d 'Of the page on 127.0.0.1'
+complete -c sfumato -n '__fish_seen_subcommand_from watch' -l viewport -x -d 'The part to draw'
+complete -c sfumato -n '__fish_seen_subcommand_from watch' -l width -x -d 'Width in pixels'
+complete -c sfumato -n '__fish_seen_subcommand_from watch' -l height -x -d 'Height in pixels'
+complete -c sfumato -n '__fish_seen_subcommand_from watch' -l scale -x -d 'Pixels per user unit'
+complete -c sfumato -n '__fish_seen_subcommand_from watch' -l threads -x -d 'Threads'
+complete -c sfumato -n '__fish_seen_subcommand_from watch' -l allow-files -x -a '(__fish_complete_directories)' -d 'Read textures from this folder too'
+complete -c sfumato -n '__fish_seen_subcommand_from watch' -l quiet -d 'No warnings'
+complete -c sfumato -n '__fish_seen_subcommand_from watch' -l max-memory -x -d 'Give up before taking more MiB'
+complete -c sfumato -n '__fish_seen_subcommand_from watch' -l max-time -x -a off -d 'Give up after these seconds'
+complete -c sfumato -n '__fish_seen_subcommand_from watch' -l limit -x -a "$limits" -d 'Set another limit on the input'

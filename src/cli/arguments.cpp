@@ -10,6 +10,7 @@
 #include "cli/file_uses.hpp"
 #include "cli/option_helpers.hpp"
 #include "cli/render_options.hpp"
+#include "cli/start_commands.hpp"
 #include "cli/values.hpp"
 #include "formats/suggestion.hpp"
 
@@ -21,6 +22,8 @@ constexpr const char* kDescription =
 
 constexpr const char* kRootFooter =
     "Examples:\n"
+    "  sfumato init drawing.svg\n"
+    "  sfumato watch drawing.svg\n"
     "  sfumato render lady_bug.xml -o lady_bug.png\n"
     "  sfumato info lady_bug.xml\n"
     "  sfumato convert lady_bug.xml -o lady_bug.svg\n"
@@ -157,11 +160,16 @@ Command parse_arguments(int argc, const char* const* argv) {
   ConvertArguments convert;
   LintArguments lint;
   CompareArguments compare;
+  InitArguments init;
+  WatchArguments watch;
+  RenderChoices watch_choices;
   const CLI::App* render_app = add_render(root, render, choices);
   const CLI::App* info_app = add_info(root, info);
   const CLI::App* convert_app = add_convert(root, convert);
   const CLI::App* lint_app = add_lint(root, lint);
   const CLI::App* compare_app = add_compare(root, compare);
+  const CLI::App* init_app = add_init(root, init);
+  const CLI::App* watch_app = add_watch(root, watch, watch_choices);
   try {
     root.parse(argc, argv);
     if (render_app->parsed()) {
@@ -177,6 +185,14 @@ Command parse_arguments(int argc, const char* const* argv) {
     if (compare_app->parsed()) {
       settle(compare);
       return compare;
+    }
+    if (init_app->parsed()) {
+      settle(init);
+      return init;
+    }
+    if (watch_app->parsed()) {
+      settle(watch, watch_choices);
+      return watch;
     }
     return NoCommand{root.help(), kBadUsage};
   } catch (const CLI::CallForHelp&) {

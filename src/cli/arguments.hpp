@@ -74,6 +74,19 @@ struct LintArguments : DocumentArguments {
   bool json = false;
 };
 
+/// `input`: what curves are made of; empty: the template.
+struct InitArguments : DocumentArguments {
+  std::string output;
+  std::string template_name = "shape";
+  bool force = false;  ///< an existing file is replaced
+};
+
+struct WatchArguments : DocumentArguments {
+  int port = 0;                         ///< of 127.0.0.1; 0: any
+  RenderArguments page;                 ///< as PNG, for the page
+  std::optional<RenderArguments> file;  ///< what is written besides
+};
+
 struct CompareArguments {
   std::string first;
   std::string second;
@@ -91,7 +104,7 @@ struct NoCommand {
 };
 
 using Command = std::variant<NoCommand, RenderArguments, InfoArguments, ConvertArguments,
-                             LintArguments, CompareArguments>;
+                             LintArguments, CompareArguments, InitArguments, WatchArguments>;
 
 /// Reads the command line. Never prints, never exits.
 Command parse_arguments(int argc, const char* const* argv);

@@ -10,6 +10,8 @@ int info(const InfoArguments& arguments);
 int convert(const ConvertArguments& arguments);
 int lint(const LintArguments& arguments);
 int compare(const CompareArguments& arguments);
+int init(const InitArguments& arguments);
+int watch(const WatchArguments& arguments);
 
 /// The whole program: parses, runs, catches what other people's libraries throw.
 int run(int argc, const char* const* argv);

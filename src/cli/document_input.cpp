@@ -11,8 +11,9 @@ namespace {
 /// What a pipe gives is read into memory that doubles: old and new are there at once.
 constexpr std::size_t kBytesPerPipedByte = 3;
 
-/// The input, if the budget has room for it; who calls charges for it.
-Result<std::string> read_text(Context& context, const std::string& path) {
+}  // namespace
+
+Result<std::string> read_drawing_text(Context& context, const std::string& path) {
   const std::size_t most = context.limits.input_bytes, room = context.budget.room();
   const std::size_t readable = path == "-" ? room / kBytesPerPipedByte : room;
   Result<std::string> bytes = read_input(context, path, std::min(most, readable));
@@ -21,10 +22,8 @@ Result<std::string> read_text(Context& context, const std::string& path) {
   return limit_error(context.limits, &Limits::input_bytes, "bytes of input", bytes.status().where);
 }
 
-}  // namespace
-
 Result<ReadDocument> read_drawing(Context& context, const DocumentArguments& arguments) {
-  const Result<std::string> bytes = read_text(context, arguments.input);
+  const Result<std::string> bytes = read_drawing_text(context, arguments.input);
   if (!bytes) return bytes.status();
   ScopedCharge charge;
   if (Status status = charge.add(context, bytes->size(), "the input"); !status) return status;

@@ -73,29 +73,6 @@ void add_files(CLI::App& app, RenderArguments& arguments, RenderChoices& choices
   add_allowed_folders(app, arguments);
 }
 
-void add_place_options(CLI::App& app, RenderArguments& arguments) {
-  const char* group = "Part and size";
-  const ValueText pixels{"a whole number of pixels, at least 1", "PIXELS"};
-  SizeRequest& size = arguments.size;
-  add_value(
-      app, "--viewport",
-      {"x,y,width,height in user units, width and height above 0, no edge beyond 1e7", "X,Y,W,H"},
-      "The part to draw, in user units [the artboard]",
-      into(arguments.diffuse.viewport, parse_viewport))
-      ->group(group);
-  add_value(app, "--width", pixels, "Width; the height follows unless given [the drawing's]",
-            whole_into(size.width, 1, kLargestCount))
-      ->group(group);
-  add_value(app, "--height", pixels, "Height; the width follows unless given [the drawing's]",
-            whole_into(size.height, 1, kLargestCount))
-      ->group(group);
-  add_value(
-      app, "--scale", {"a number above 0", "NUMBER"},
-      "Instead: pixels per user unit [1, or what the drawing's\nown width and height make it]",
-      into(size.scale, parse_positive))
-      ->group(group);
-}
-
 void add_solution_options(CLI::App& app, RenderArguments& arguments, RenderChoices& choices) {
   const char* group = "Solution";
   DiffuseOptions& diffuse = arguments.diffuse;
@@ -225,6 +202,29 @@ void add_running_options(CLI::App& app, RenderArguments& arguments, RenderChoice
 }
 
 }  // namespace
+
+void add_place_options(CLI::App& app, RenderArguments& arguments) {
+  const char* group = "Part and size";
+  const ValueText pixels{"a whole number of pixels, at least 1", "PIXELS"};
+  SizeRequest& size = arguments.size;
+  add_value(
+      app, "--viewport",
+      {"x,y,width,height in user units, width and height above 0, no edge beyond 1e7", "X,Y,W,H"},
+      "The part to draw, in user units [the artboard]",
+      into(arguments.diffuse.viewport, parse_viewport))
+      ->group(group);
+  add_value(app, "--width", pixels, "Width; the height follows unless given [the drawing's]",
+            whole_into(size.width, 1, kLargestCount))
+      ->group(group);
+  add_value(app, "--height", pixels, "Height; the width follows unless given [the drawing's]",
+            whole_into(size.height, 1, kLargestCount))
+      ->group(group);
+  add_value(
+      app, "--scale", {"a number above 0", "NUMBER"},
+      "Instead: pixels per user unit [1, or what the drawing's\nown width and height make it]",
+      into(size.scale, parse_positive))
+      ->group(group);
+}
 
 CLI::App* add_render(CLI::App& root, RenderArguments& arguments, RenderChoices& choices) {
   CLI::App* app = root.add_subcommand("render", "Draw files of diffusion curves");

@@ -32,6 +32,9 @@ struct RenderChoices {
   bool sets_max_error = false;
 };
 
+/// --viewport, --width, --height and --scale.
+void add_place_options(CLI::App& app, RenderArguments& arguments);
+
 CLI::App* add_render(CLI::App& root, RenderArguments& arguments, RenderChoices& choices);
 
 /// Fills in what choices mean; throws CLI::ValidationError where options do not go together.

@@ -23,6 +23,8 @@ struct RunCommand {
   int operator()(const ConvertArguments& arguments) const { return convert(arguments); }
   int operator()(const LintArguments& arguments) const { return lint(arguments); }
   int operator()(const CompareArguments& arguments) const { return compare(arguments); }
+  int operator()(const InitArguments& arguments) const { return init(arguments); }
+  int operator()(const WatchArguments& arguments) const { return watch(arguments); }
 };
 
 int parse_and_run(int argc, const char* const* argv) {

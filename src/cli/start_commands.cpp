@@ -1,0 +1,118 @@
+#include "cli/start_commands.hpp"
+
+#include <algorithm>
+
+#include "cli/paths.hpp"
+#include "cli/templates.hpp"
+
+namespace sfumato::cli {
+namespace {
+
+constexpr const char* kInitFooter =
+    "Examples:\n"
+    "  sfumato init drawing.svg\n"
+    "  sfumato init sphere.svg --template sphere\n"
+    "  sfumato init drawing.svg --from icon.svg\n"
+    "  sfumato init - | sfumato render - -o picture.png";
+
+constexpr const char* kWatchFooter =
+    "Examples:\n"
+    "  sfumato watch drawing.svg\n"
+    "  sfumato watch drawing.svg --scale 2 -o drawing.png --port 8080\n"
+    "\n"
+    "The page's address is printed; only this machine can open it. Ctrl-C ends.";
+
+std::string template_list() {
+  std::string list;
+  for (const Template& known : templates()) {
+    list += (list.empty() ? "" : "|") + std::string(known.name);
+  }
+  return list;
+}
+
+bool is_template(const std::string& text) {
+  return std::ranges::find(templates(), text, &Template::name) != templates().end();
+}
+
+bool ends_in_svg(const std::string& path) {
+  return path == "-" || output_kind(path) == OutputKind::svg;
+}
+
+}  // namespace
+
+CLI::App* add_init(CLI::App& root, InitArguments& arguments) {
+  CLI::App* app = root.add_subcommand("init", "Write a drawing to begin with");
+  app->footer(kInitFooter);
+  app->add_option("OUT.svg", arguments.output, "The new drawing; '-': to stdout")
+      ->required()
+      ->type_name("");
+  add_value(*app, "--template", {"one of " + template_list(), template_list()},
+            "What to begin with [shape]", [&arguments](const std::string& text) {
+              arguments.template_name = text;
+              return is_template(text);
+            });
+  app->add_option("--from", arguments.input,
+                  "Instead: curves from the fills, strokes and gradients of\nan ordinary SVG; '-': "
+                  "from stdin")
+      ->type_name("IN.svg")
+      ->excludes("--template");
+  app->add_flag("--force", arguments.force, "Replace OUT.svg where there is one");
+  add_allowed_folders(*app, arguments);
+  app->add_flag("--quiet", arguments.quiet, "No warnings");
+  add_resources(*app, arguments.resources);
+  return app;
+}
+
+void settle(InitArguments& arguments) {
+  arguments.outputs = {arguments.output};
+  if (!ends_in_svg(arguments.output)) {
+    throw CLI::ValidationError("OUT.svg", "\"" + arguments.output +
+                                              "\" given, expected a file name that ends in .svg, "
+                                              "or -");
+  }
+}
+
+CLI::App* add_watch(CLI::App& root, WatchArguments& arguments, RenderChoices& choices) {
+  CLI::App* app = root.add_subcommand("watch", "Show a drawing, anew whenever it changes");
+  app->footer(kWatchFooter);
+  app->add_option("IN", arguments.input, "Diffusion curves (SVG or Orzan XML)")
+      ->required()
+      ->type_name("");
+  add_value(*app, "-o,--output", {"a file name that ends in " + known_extensions(), "OUT"},
+            "Also write the picture, at each change",
+            [&output = choices.output](const std::string& text) {
+              output = text;
+              return output_kind(text).has_value();
+            });
+  add_value(*app, "--port", {"a whole number from 0 to 65535", "N"},
+            "Of the page on 127.0.0.1; 0: any that is free [0]",
+            whole_into(arguments.port, 0, 65535));
+  add_allowed_folders(*app, arguments);
+  add_place_options(*app, arguments.page);
+  add_value(*app, "--threads",
+            {"a whole number from 1 to " + std::to_string(limits::kThreads), "N"},
+            "Threads [all cores]", whole_into(arguments.page.threads, 1, limits::kThreads));
+  app->add_flag("--quiet", arguments.quiet, "No warnings, only the address and errors");
+  add_resources(*app, arguments.resources);
+  return app;
+}
+
+void settle(WatchArguments& arguments, const RenderChoices& choices) {
+  if (arguments.input == "-") {
+    throw CLI::ValidationError("IN", "stdin cannot be watched, expected a file name");
+  }
+  if (!choices.output.empty()) arguments.outputs = {choices.output};
+  RenderArguments& page = arguments.page;
+  static_cast<DocumentArguments&>(page) = arguments;
+  RenderChoices shown = choices;
+  shown.inputs = {arguments.input};
+  if (!choices.output.empty()) {
+    RenderArguments file = page;
+    settle(file, shown);
+    arguments.file = std::move(file);
+  }
+  shown.output = "-";
+  settle(page, shown);
+}
+
+}  // namespace sfumato::cli

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "cli/arguments.hpp"
+#include "cli/option_helpers.hpp"
+#include "cli/render_options.hpp"
+
+/// The options of the commands that a drawing begins with.
+namespace sfumato::cli {
+
+CLI::App* add_init(CLI::App& root, InitArguments& arguments);
+CLI::App* add_watch(CLI::App& root, WatchArguments& arguments, RenderChoices& choices);
+
+/// Throw CLI::ValidationError where options do not go together.
+void settle(InitArguments& arguments);
+void settle(WatchArguments& arguments, const RenderChoices& choices);
+
+}  // namespace sfumato::cli

@@ -1,0 +1,174 @@
+#include <cstdio>
+#include <filesystem>
+#include <set>
+#include <utility>
+
+#include "base/native/file.hpp"
+#include "base/native/tbb_executor.hpp"
+#include "base/stopwatch.hpp"
+#include "cli/commands.hpp"
+#include "cli/document_input.hpp"
+#include "cli/file_watch.hpp"
+#include "cli/folder_loader.hpp"
+#include "cli/interrupt.hpp"
+#include "cli/paths.hpp"
+#include "cli/picture_file.hpp"
+#include "cli/watch_server.hpp"
+
+namespace sfumato::cli {
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr milliseconds kNap{500};   ///< between looks at signals
+constexpr milliseconds kQuiet{40};  ///< without a change: who writes is done
+constexpr int kMostQuiets = 25;     ///< then it is drawn although changes go on
+
+/// Notes the files that a drawing names, also those that are not there.
+class NotingLoader final : public ResourceLoader {
+ public:
+  NotingLoader(const ResourceLoader& loader, const std::string& document,
+               std::set<std::string>& files)
+      : loader_(loader), folder_(std::filesystem::path(document).parent_path()), files_(files) {}
+
+  Result<std::vector<std::uint8_t>> load(std::string_view href) const override {
+    files_.insert((folder_ / std::filesystem::path(href)).string());
+    return loader_.load(href);
+  }
+
+ private:
+  const ResourceLoader& loader_;
+  std::filesystem::path folder_;
+  std::set<std::string>& files_;
+};
+
+class Watching {
+ public:
+  Watching(Context& context, const WatchArguments& arguments, WatchServer& server)
+      : context_(context), arguments_(arguments), server_(server) {}
+
+  void run();
+
+ private:
+  Status draw();
+  Result<ReadDocument> read();
+  Status make(Document& document);
+  void update();
+  void settle_down();
+  bool interrupted() const { return context_.cancel.load(); }
+
+  Context& context_;
+  const WatchArguments& arguments_;
+  WatchServer& server_;
+  FileWatch files_;
+  std::set<std::string> named_;  ///< by the newest drawing
+  WatchState state_;
+};
+
+Result<ReadDocument> Watching::read() {
+  const Result<std::string> bytes = read_drawing_text(context_, arguments_.input);
+  if (!bytes) return bytes.status();
+  ScopedCharge charge;
+  if (Status status = charge.add(context_, bytes->size(), "the input"); !status) return status;
+  const FolderLoader loader(arguments_, context_);
+  const NotingLoader noting(loader, arguments_.input, named_);
+  return read_document(context_, *bytes, display_name(arguments_.input), &noting);
+}
+
+Status Watching::make(Document& document) {
+  RenderStats stats;
+  Document copy = document;
+  auto picture = make_picture_file(context_, copy, arguments_.page, stats);
+  if (!picture) return picture.status();
+  state_.picture = std::move(*picture);
+  ++state_.picture_version;
+  if (!arguments_.file) return ok_status();
+  const std::string& output = arguments_.file->jobs.front().output;
+  if (arguments_.file->output.kind == OutputKind::png) return write_file(output, state_.picture);
+  const auto file = make_picture_file(context_, document, *arguments_.file, stats);
+  return file ? write_file(output, *file) : file.status();
+}
+
+Status Watching::draw() {
+  named_.clear();
+  state_.messages.clear();
+  Result<ReadDocument> read_result = read();
+  if (!read_result) return read_result.status();
+  for (const Status& warning : read_result->warnings) {
+    if (!arguments_.quiet) report_warning(warning);
+    state_.messages.push_back(format_message(warning, "warning"));
+  }
+  return make(read_result->document);
+}
+
+/// Draws, and tells what came of it.
+void Watching::update() {
+  const Stopwatch watch;
+  context_.deadline = deadline_of(arguments_.resources);
+  files_.look();
+  Status status = draw();
+  if (interrupted()) return;
+  if (!status && status.where.file.empty()) status.where.file = display_name(arguments_.input);
+  state_.failed = !status;
+  if (!status) {
+    report_error(status);
+    state_.messages.insert(state_.messages.begin(), format_message(status, "error"));
+  } else {
+    state_.seconds = watch.seconds();
+    if (!arguments_.quiet) {
+      const Status note =
+          make_error(StatusCode::bad_input,
+                     "drawn in " + std::to_string(static_cast<int>(state_.seconds * 1000)) + " ms",
+                     {display_name(arguments_.input), 0, 0});
+      std::fputs(format_message(note, "note").c_str(), stderr);
+    }
+  }
+  for (std::string& message : state_.messages) {
+    while (message.ends_with('\n')) message.pop_back();
+  }
+  std::vector<std::string> files{arguments_.input};
+  files.insert(files.end(), named_.begin(), named_.end());
+  files_.set_files(std::move(files));
+  server_.publish(state_);
+}
+
+/// Waits until nothing changes for a moment: editors write in several steps.
+void Watching::settle_down() {
+  for (int i = 0; i < kMostQuiets && !interrupted(); ++i) {
+    files_.look();
+    if (!files_.wait(kQuiet)) return;
+  }
+}
+
+void Watching::run() {
+  state_.name = display_name(arguments_.input);
+  files_.set_files({arguments_.input});
+  update();
+  while (!interrupted()) {
+    if (!files_.wait(kNap)) continue;
+    settle_down();
+    if (!interrupted()) update();
+  }
+}
+
+}  // namespace
+
+int watch(const WatchArguments& arguments) {
+  if (arguments.file) {
+    const Status writable = check_output(arguments.file->jobs.front().output);
+    if (!writable) return fail(writable);
+  }
+  Result<std::unique_ptr<WatchServer>> server = WatchServer::start(arguments.port);
+  if (!server) return fail(server.status());
+  const std::unique_ptr<Executor> executor = make_tbb_executor(arguments.page.threads);
+  Context context{.executor = executor.get(),
+                  .budget = Budget(arguments.resources.memory_bytes),
+                  .limits = arguments.resources.limits};
+  const CancelOnSignal cancel_on_signal(context.cancel);
+  const Status printed = print("http://127.0.0.1:" + std::to_string((*server)->port()) + "/\n");
+  if (!printed) return fail(printed);
+  Watching(context, arguments, **server).run();
+  return fail(context.stop_status());
+}
+
+}  // namespace sfumato::cli

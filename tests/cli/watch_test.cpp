@@ -1,0 +1,221 @@
+#include <arpa/inet.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <thread>
+
+#include "cli/run_command.hpp"
+
+namespace sfumato::test {
+namespace {
+
+constexpr int kMostSeconds = 60;  ///< that anything may take on a busy machine
+
+std::string drawing(const std::string& color) {
+  return "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:sf=\"urn:sfumato:1\" "
+         "viewBox=\"0 0 16 16\" sf:version=\"1\"><g sf:diffuse=\"true\"><circle cx=\"8\" cy=\"8\" "
+         "r=\"5\" sf:left=\"white\" sf:right=\"" +
+         color + "\"/></g></svg>";
+}
+
+void write(const std::string& path, const std::string& content) {
+  std::ofstream(path, std::ios::binary) << content;
+}
+
+/// `sfumato watch` with a pipe for its standard output.
+class Watch {
+ public:
+  explicit Watch(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), {SFUMATO_BINARY, "watch"});
+    int ends[2];
+    EXPECT_EQ(pipe(ends), 0);
+    id_ = fork();
+    if (id_ == 0) {
+      dup2(ends[1], STDOUT_FILENO);
+      std::vector<char*> words;
+      for (std::string& word : arguments) words.push_back(word.data());
+      words.push_back(nullptr);
+      execv(words[0], words.data());
+      _exit(127);
+    }
+    close(ends[1]);
+    char c = 0;
+    while (read(ends[0], &c, 1) == 1 && c != '\n') address_ += c;
+    close(ends[0]);
+    port_ = std::atoi(address_.substr(address_.rfind(':') + 1).c_str());
+  }
+  ~Watch() {
+    if (id_ > 0) stop(SIGKILL);
+  }
+
+  int stop(int signal_number) {
+    kill(id_, signal_number);
+    int status = 0;
+    waitpid(id_, &status, 0);
+    id_ = 0;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  }
+
+  int port() const { return port_; }
+  const std::string& address() const { return address_; }
+
+  std::string ask(const std::string& request) const {
+    const int fd = socket(AF_INET, SOCK_STREAM, 0);
+    timeval most{kMostSeconds, 0};
+    setsockopt(fd, SOL_SOCKET, SO_RCVTIMEO, &most, sizeof(most));
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_port = htons(static_cast<std::uint16_t>(port_));
+    inet_pton(AF_INET, "127.0.0.1", &address.sin_addr);
+    std::string answer;
+    if (connect(fd, reinterpret_cast<sockaddr*>(&address), sizeof(address)) == 0) {
+      EXPECT_GT(send(fd, request.data(), request.size(), MSG_NOSIGNAL), 0);
+      char bytes[4096];
+      for (ssize_t count = 0; (count = recv(fd, bytes, sizeof(bytes), 0)) > 0;) {
+        answer.append(bytes, static_cast<std::size_t>(count));
+      }
+    }
+    close(fd);
+    return answer;
+  }
+
+  std::string get(const std::string& path, std::string host = {}) const {
+    if (host.empty()) host = "127.0.0.1:" + std::to_string(port_);
+    return ask("GET " + path + " HTTP/1.1\r\nHost: " + host + "\r\nConnection: close\r\n\r\n");
+  }
+
+  /// The state once it holds `text`; asks for each newer one as the page does.
+  std::string wait_for(const std::string& text) const {
+    std::string version = "0", state;
+    for (int i = 0; i < 50; ++i) {
+      state = get("/state?after=" + version);
+      if (state.find(text) != std::string::npos) return state;
+      const std::size_t at = state.find("\"version\":");
+      if (at == std::string::npos) break;
+      version = state.substr(at + 10, state.find(',', at) - at - 10);
+    }
+    ADD_FAILURE() << "no " << text << " in " << state;
+    return state;
+  }
+
+  std::string picture() const {
+    const std::string answer = get("/picture.png");
+    const std::size_t body = answer.find("\r\n\r\n");
+    return body == std::string::npos ? std::string() : answer.substr(body + 4);
+  }
+
+ private:
+  pid_t id_ = 0;
+  int port_ = 0;
+  std::string address_;
+};
+
+TEST(Watch, serves_a_page_and_the_newest_picture_to_many) {
+  const TemporaryFolder folder;
+  const std::string file = folder.add("a.svg", drawing("red"));
+  Watch watch({file});
+  EXPECT_NE(watch.get("/").find("sfumato watch"), std::string::npos);
+  EXPECT_NE(watch.get("/").find("default-src 'none'"), std::string::npos);
+  watch.wait_for("\"picture\":1");
+  const std::string before = watch.picture();
+  EXPECT_EQ(before.substr(1, 3), "PNG");
+  std::string second_client;
+  std::thread other([&] { second_client = watch.wait_for("\"picture\":2"); });
+  write(file, drawing("blue"));
+  watch.wait_for("\"picture\":2");
+  other.join();
+  EXPECT_NE(second_client.find("\"picture\":2"), std::string::npos);
+  EXPECT_NE(watch.picture(), before);
+  EXPECT_EQ(watch.stop(SIGTERM), 143);
+}
+
+TEST(Watch, follows_files_that_are_replaced_by_renaming) {
+  const TemporaryFolder folder;
+  const std::string file = folder.add("a.svg", drawing("red"));
+  const std::string picture = folder.path("a.png");
+  Watch watch({file, "-o", picture});
+  watch.wait_for("\"picture\":1");
+  const std::string before = read_whole(picture);
+  for (int i = 2; i < 5; ++i) {
+    const std::string next = folder.add("next.svg", drawing("#00000" + std::to_string(i)));
+    std::filesystem::rename(next, file);
+    watch.wait_for("\"picture\":" + std::to_string(i));
+  }
+  EXPECT_NE(read_whole(picture), before);
+  EXPECT_EQ(watch.stop(SIGINT), 130);
+}
+
+TEST(Watch, keeps_the_last_good_picture_and_shows_what_is_wrong) {
+  const TemporaryFolder folder;
+  const std::string file = folder.add("a.svg", drawing("red"));
+  Watch watch({file});
+  watch.wait_for("\"picture\":1");
+  const std::string before = watch.picture();
+  write(file, drawing("nonsense"));
+  const std::string state = watch.wait_for("\"failed\":true");
+  EXPECT_NE(state.find("nonsense"), std::string::npos) << state;
+  EXPECT_EQ(watch.picture(), before);
+  std::filesystem::remove(file);
+  write(file, drawing("blue"));
+  watch.wait_for("\"picture\":2");
+}
+
+TEST(Watch, draws_anew_when_a_texture_changes) {
+  const TemporaryFolder folder;
+  const std::string texture =
+      "<pattern id=\"t\" patternUnits=\"userSpaceOnUse\" width=\"4\" "
+      "height=\"4\"><image href=\"t.png\" width=\"4\" height=\"4\"/></pattern>";
+  std::string text = drawing("url(#t)");
+  text.insert(text.find("<g "), texture);
+  const std::string file = folder.add("a.svg", text);
+  Watch watch({file});
+  watch.wait_for("\"failed\":true");  // it is not there yet
+  const CommandResult made =
+      run_sfumato({"render", "-", "-o", folder.path("t.png"), "--width", "4"}, drawing("red"));
+  EXPECT_EQ(made.exit_code, 0) << made.err;
+  watch.wait_for("\"picture\":1");
+}
+
+TEST(Watch, answers_this_machine_by_name_alone_and_has_no_files) {
+  const TemporaryFolder folder;
+  Watch watch({folder.add("a.svg", drawing("red"))});
+  EXPECT_NE(watch.get("/", "evil.example").find(" 403 "), std::string::npos);
+  EXPECT_NE(watch.get("/", "127.0.0.1").find(" 403 "), std::string::npos);
+  EXPECT_NE(watch.get("/", "localhost:" + std::to_string(watch.port())).find(" 200 "),
+            std::string::npos);
+  for (const char* path : {"/a.svg", "/../a.svg", "/%2e%2e/a.svg", "//etc/passwd", "/watch.css/"}) {
+    EXPECT_NE(watch.get(path).find(" 404 "), std::string::npos) << path;
+  }
+  const std::string port = std::to_string(watch.port());
+  EXPECT_EQ(watch
+                .ask("POST / HTTP/1.1\r\nHost: 127.0.0.1:" + port +
+                     "\r\nConnection: close\r\nContent-Length: 0\r\n\r\n")
+                .find(" 200 "),
+            std::string::npos);
+  EXPECT_EQ(watch.stop(SIGTERM), 143);
+}
+
+TEST(Watch, a_port_that_is_taken_is_told) {
+  const TemporaryFolder folder;
+  const std::string file = folder.add("a.svg", drawing("red"));
+  Watch watch({file});
+  const CommandResult second = run_sfumato({"watch", file, "--port", std::to_string(watch.port())});
+  EXPECT_EQ(second.exit_code, 3);
+  EXPECT_NE(second.err.find("--port"), std::string::npos) << second.err;
+}
+
+TEST(Watch, bad_usage_is_told) {
+  EXPECT_EQ(run_sfumato({"watch", "-"}).exit_code, 2);
+  EXPECT_EQ(run_sfumato({"watch", "a.svg", "--port", "70000"}).exit_code, 2);
+}
+
+}  // namespace
+}  // namespace sfumato::test
