@@ -58,7 +58,8 @@ constexpr std::string_view kSphere =
   </g>
   <g sf:diffuse="true">
     <circle cx="230" cy="152" r="104" sf:left="#7a1420" sf:left-opacity="0" sf:right-opacity="1"
-            sf:right="#9c1d28, #4f0d1c 9%, #8c2a33 24%, #b3202c 40%, #e8463c 62%, #c22a30 84%, #9c1d28"/>
+            sf:right="#9c1d28, #4f0d1c 9%, #8c2a33 24%, #b3202c 40%, #e8463c 62%,
+                      #c22a30 84%, #9c1d28"/>
     <path d="M160 118 C172 84 206 66 240 70 C232 92 196 104 160 118 Z"
           sf:left="#ef6a58" sf:right="#fff1e6" sf:left-blur="26" sf:right-blur="14"/>
   </g>
@@ -80,7 +81,8 @@ constexpr std::string_view kEye =
   <g sf:diffuse="true">
     <circle cx="246" cy="160" r="66" sf:left="#173b4a" sf:left-opacity="0" sf:right-opacity="1"
             sf:right="#123443, #2d7f86 25%, #1d5563 50%, #0b2230 75%, #123443" sf:blur="3"/>
-    <circle cx="246" cy="160" r="30" sf:left="#6fc3ae, #b9e0b4 25%, #5aa79f 50%, #2b6f78 75%, #6fc3ae"
+    <circle cx="246" cy="160" r="30" sf:left="#6fc3ae, #b9e0b4 25%, #5aa79f 50%,
+                      #2b6f78 75%, #6fc3ae"
             sf:right="#060a10" sf:left-blur="16" sf:right-blur="2"/>
   </g>
   <g sf:diffuse="true">

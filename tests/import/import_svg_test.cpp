@@ -42,7 +42,8 @@ TEST(ImportSvg, a_filled_shape_is_a_curve_with_its_colour_inside_and_nothing_out
 
 TEST(ImportSvg, a_shape_on_another_has_its_colour_outside) {
   const ImportedSvg made = imported(
-      R"x(<rect x="10" y="10" width="80" height="80" fill="#00f"/><circle cx="50" cy="50" r="20" fill="#f00"/>)x");
+      R"x(<rect x="10" y="10" width="80" height="80" fill="#00f"/><circle cx="50" cy="50")x"
+      R"x( r="20" fill="#f00"/>)x");
   ASSERT_EQ(made.document.layers.size(), 1u);
   ASSERT_EQ(made.document.layers[0].curves.size(), 2u);
   const Curve& circle = made.document.layers[0].curves[1];
@@ -53,7 +54,8 @@ TEST(ImportSvg, a_shape_on_another_has_its_colour_outside) {
 
 TEST(ImportSvg, shapes_that_cross_have_layers_of_their_own) {
   const ImportedSvg made = imported(
-      R"x(<rect x="10" y="10" width="50" height="50" fill="#00f"/><circle cx="60" cy="60" r="20" fill="#f00"/>)x");
+      R"x(<rect x="10" y="10" width="50" height="50" fill="#00f"/><circle cx="60" cy="60")x"
+      R"x( r="20" fill="#f00"/>)x");
   EXPECT_EQ(made.document.layers.size(), 2u);
 }
 
@@ -64,7 +66,8 @@ TEST(ImportSvg, a_rectangle_over_everything_is_the_background) {
 
 TEST(ImportSvg, use_and_groups_inherit_as_they_are_drawn) {
   const ImportedSvg made = imported(
-      R"x(<defs><circle id="c" cx="9" cy="9" r="5"/></defs><g fill="#f00" color="#00f"><use xlink:href="#c"/></g>)x"
+      R"x(<defs><circle id="c" cx="9" cy="9" r="5"/></defs><g fill="#f00" color="#00f"><use)x"
+      R"x( xlink:href="#c"/></g>)x"
       R"x(<g color="#00f"><use xlink:href="#c" x="40" fill="currentColor"/></g>)x");
   ASSERT_EQ(made.document.layers.size(), 1u);
   ASSERT_EQ(made.document.layers[0].curves.size(), 2u);
@@ -73,9 +76,10 @@ TEST(ImportSvg, use_and_groups_inherit_as_they_are_drawn) {
 }
 
 TEST(ImportSvg, gradients_become_paints_and_their_alpha_opacity) {
-  const ImportedSvg made = imported(
-      R"x(<linearGradient id="g"><stop stop-color="#f00"/><stop offset="1" stop-color="#00f" stop-opacity="0"/></linearGradient>)x"
-      R"x(<circle cx="50" cy="50" r="20" fill="url(#g)"/>)x");
+  const ImportedSvg made =
+      imported(R"x(<linearGradient id="g"><stop stop-color="#f00"/><stop offset="1")x"
+               R"x( stop-color="#00f" stop-opacity="0"/></linearGradient>)x"
+               R"x(<circle cx="50" cy="50" r="20" fill="url(#g)"/>)x");
   ASSERT_EQ(made.document.layers.size(), 1u);
   const Curve& curve = made.document.layers[0].curves[0];
   EXPECT_EQ(curve.right.color.kind, ShaderKind::image_domain);
@@ -84,8 +88,9 @@ TEST(ImportSvg, gradients_become_paints_and_their_alpha_opacity) {
 }
 
 TEST(ImportSvg, opacity_of_a_shape_with_fill_and_stroke_is_that_of_a_group) {
-  const ImportedSvg made = imported(
-      R"x(<rect x="20" y="20" width="40" height="40" fill="#f00" stroke="#00f" stroke-width="4" opacity=".5"/>)x");
+  const ImportedSvg made =
+      imported(R"x(<rect x="20" y="20" width="40" height="40" fill="#f00" stroke="#00f")x"
+               R"x( stroke-width="4" opacity=".5"/>)x");
   ASSERT_EQ(made.document.stack.size(), 4u);
   EXPECT_EQ(std::get<GroupBegin>(made.document.stack[0]).opacity, 0.5F);
 }
@@ -112,8 +117,9 @@ TEST(ImportSvg, a_star_that_crosses_itself_is_filled_by_its_rule) {
 
 TEST(ImportSvg, what_it_makes_can_be_written) {
   Context context;
-  const ImportedSvg made = imported(
-      R"x(<path id="a&lt;" d="M10 10 C90 10 10 90 90 90" fill="none" stroke="red" stroke-width="6" stroke-linecap="round" stroke-dasharray="9 12"/>)x");
+  const ImportedSvg made =
+      imported(R"x(<path id="a&lt;" d="M10 10 C90 10 10 90 90 90" fill="none" stroke="red")x"
+               R"x( stroke-width="6" stroke-linecap="round" stroke-dasharray="9 12"/>)x");
   EXPECT_TRUE(write_svg(context, made.document));
 }
 
