@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "gather/spatial_order.hpp"
+#include "base/spatial_order.hpp"
 
 namespace sfumato::gather {
 namespace {
