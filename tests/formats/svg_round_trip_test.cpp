@@ -326,7 +326,7 @@ TEST(SvgRoundTrip, leaves_a_focus_where_it_was_moved_to) {
     text += "\" cx=\"" + number() + "\" cy=\"" + number() + "\" fx=\"" + number() + "\" fy=\"" +
             number() + "\" r=\"" + radius +
             R"("><stop offset="0" stop-color="red"/><stop offset="1"/></radialGradient>)"
-            R"(<g sf:diffuse="true"><path d="M0 0L9 7" sf:left="url(#g)"/></g></svg>)";
+            R"-(<g sf:diffuse="true"><path d="M0 0L9 7" sf:left="url(#g)"/></g></svg>)-";
     Context context;
     const auto first = read_svg(context, text, "a.svg");
     if (!first) continue;  // moved beyond the largest coordinate

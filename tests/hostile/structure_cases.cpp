@@ -50,8 +50,8 @@ void add_sizes(Family& family) {
   const auto size = [](const std::string& width, const std::string& height) {
     return root("sf:version='1' width='" + width + "' height='" + height + "'");
   };
-  const auto beside = [](const std::string& size, const std::string& box) {
-    return root("sf:version='1' " + size + " viewBox='" + box + "'");
+  const auto beside = [](const std::string& given, const std::string& box) {
+    return root("sf:version='1' " + given + " viewBox='" + box + "'");
   };
   family.add("size_enormous_beside_a_view_box", kLimit, "the limit is 16384 pixels on a side",
              beside("width='1e7' height='1e7'", "0 0 9 9"));

@@ -97,8 +97,8 @@ INSTANTIATE_TEST_SUITE_P(
                     "bug-selfoverlap", "closed0", "coincident1", "cross0", "gradlin0", "gradrad0",
                     "instance0", "layers0", "linear0", "local0", "oklab0", "opacity0", "opblur0",
                     "open0", "stops0", "texture0", "touch0", "urlop0", "weight0", "within0"),
-    [](const auto& info) {
-      std::string name = info.param;
+    [](const auto& one) {
+      std::string name = one.param;
       std::ranges::replace(name, '-', '_');
       return name;
     });

@@ -108,8 +108,8 @@ inline auto fields(GroupEnd&) {
   return std::tuple<>();
 }
 inline auto fields(Document& v) {
-  auto& [artboard, interpolation, background, shaders, layers, stack] = v;
-  return std::tie(artboard, interpolation, background, shaders, layers, stack);
+  auto& [artboard, size_px, interpolation, background, shaders, layers, stack] = v;
+  return std::tie(artboard, size_px, interpolation, background, shaders, layers, stack);
 }
 inline auto fields(PatchField& v) {
   auto& [channel_count, triangle_node, node_value, shader] = v;
@@ -133,9 +133,9 @@ inline auto fields(gather::GatherOptions& v) {
 }
 inline auto fields(DiffuseOptions& v) {
   auto& [viewport, pixels_per_unit, tolerance, min_angle_deg, max_area_fraction, max_error, order,
-         gather, ignore_blur] = v;
+         gather, ends, ignore_blur] = v;
   return std::tie(viewport, pixels_per_unit, tolerance, min_angle_deg, max_area_fraction, max_error,
-                  order, gather, ignore_blur);
+                  order, gather, ends, ignore_blur);
 }
 inline auto fields(RasterOptions& v) {
   auto& [width, height, viewport, format, background, dither, antialias, mesh_overlay] = v;
