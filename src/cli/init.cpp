@@ -78,7 +78,7 @@ Status check_new(const InitArguments& arguments) {
     return make_error(StatusCode::io, "the new drawing would replace what it is made of",
                       {arguments.output, 0, 0});
   }
-  if (there && !arguments.force) {
+  if (there && there->name.empty() && !arguments.force) {
     return make_error(StatusCode::io, "is there already; expected a new name, or --force",
                       {arguments.output, 0, 0});
   }

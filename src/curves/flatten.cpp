@@ -13,6 +13,9 @@
 namespace sfumato::curves {
 namespace {
 
+/// A stretch that lies this much less beside its chord than its neighbour is straight beside it.
+constexpr double kStraight = 1.0 / 16;
+
 /// A chord may slip along its curve by more than it strays across: that moves a colour along the
 /// curve, where it changes slowly.
 constexpr double kAlongPerAcross = 4;
@@ -194,7 +197,11 @@ class Finisher {
     const double turn = std::fabs(cross(in, out)), ahead = dot(in, out);
     // Not so where the curve stands still, either.
     if (!(ahead > 0 && turn <= kCornerSine * ahead)) return {};
-    return 0.5 * (mean_deviation(before) + mean_deviation(after));
+    const Vec2 shift_in = mean_deviation(before), shift_out = mean_deviation(after);
+    const auto [least, most] = std::minmax({length_squared(shift_in), length_squared(shift_out)});
+    // A straight edge stays where it is: of a frame on pixel borders no pixel beyond is to be cut.
+    if (least < kStraight * kStraight * most) return {};
+    return 0.5 * (shift_in + shift_out);
   }
 
   template <class Value>

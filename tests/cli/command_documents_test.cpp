@@ -11,7 +11,8 @@ namespace {
 
 using Names = std::set<std::string>;
 
-constexpr const char* kCommands[] = {"render", "info", "convert", "lint", "compare"};
+constexpr const char* kCommands[] = {"render",  "info", "convert", "lint",
+                                     "compare", "init", "watch"};
 
 std::string file_text(const std::string& path) {
   const std::string text = read_whole(SFUMATO_SOURCE_DIR "/" + path);

@@ -226,6 +226,26 @@ TEST(Flatten, ends_and_corners_stay_where_they_are) {
   EXPECT_EQ(flat.vertex.back(), (Vec2{190, 0}));
 }
 
+TEST(Flatten, a_straight_edge_beside_an_arc_stays_where_it_is) {
+  const Curve corner{.control_points = {{0, 0},
+                                        {30, 0},
+                                        {60, 0},
+                                        {90, 0},
+                                        {100, 0},
+                                        {110, 10},
+                                        {110, 20},
+                                        {110, 40},
+                                        {110, 60},
+                                        {110, 80}}};
+  const FlatCurves flat = flattened({corner});
+  ASSERT_GT(flat.vertex.size(), 4u);
+  for (std::size_t v = 0; v < flat.vertex.size(); ++v) {
+    const bool is_before = flat.parameter[v] <= 1, is_after = flat.parameter[v] >= 2;
+    EXPECT_TRUE(!is_before || flat.vertex[v].y == 0) << v;
+    EXPECT_TRUE(!is_after || flat.vertex[v].x == 110) << v;
+  }
+}
+
 TEST(Flatten, a_circle_keeps_its_area) {
   const Curve circle = test::circle_curve({50, 50}, 40);
   for (double tolerance : {1.0, 0.1}) {

@@ -54,7 +54,8 @@ const BadInput kBadInputs[] = {
     {"truncated_between_tags", kHead + " <curve>\n",
      "a.xml:2:9: the XML is cut short: Start-end tags mismatch"},
     {"mismatched_tags", kHead + " <curve></carve>\n</curve_set>",
-     "a.xml:2:11: not well-formed XML: Start-end tags mismatch"},
+     "a.xml:2:11: not well-formed XML: Start-end tags mismatch: <curve> of line 2 is still open at "
+     "</carve>"},
     {"other_document", "\n  <svg/>",
      "a.xml:2:3: the document is a <svg>; expected <curve_set> or <scene>"},
     {"no_canvas", "<curve_set image_height='3'/>",
@@ -172,12 +173,12 @@ TEST(OrzanLimits, memory_is_charged_before_it_is_taken) {
   EXPECT_EQ(context.budget.used(), 0u);
 }
 
-TEST(OrzanLimits, two_hundred_thousand_attributes_are_no_trouble) {
+TEST(OrzanLimits, attributes_by_the_thousand_are_no_trouble) {
   std::string attributes;
-  for (int i = 0; i < 200'000; ++i) attributes += " a" + std::to_string(i) + "='1'";
+  for (int i = 0; i < 16'000; ++i) attributes += " a" + std::to_string(i) + "='1'";
   const std::string xml = "<curve_set image_width='3' image_height='2'" + attributes + "/>";
   EXPECT_EQ(status_of(xml).code, StatusCode::limit);
-  EXPECT_TRUE(status_of(xml, {.xml_attributes = 300'000}).ok());
+  EXPECT_TRUE(status_of(xml, {.xml_attributes = 16'384}).ok());
 }
 
 }  // namespace

@@ -142,11 +142,11 @@ TEST(Png, writing_stays_within_the_memory_budget) {
   EXPECT_EQ(context.budget.used(), 0u);
 }
 
-TEST(Png, image_whose_bytes_do_not_match_its_size_is_our_mistake) {
+TEST(Png, image_whose_bytes_do_not_match_its_size_is_refused) {
   Image image = blank_image(3, 3, PixelFormat::rgb8);
   image.bytes.pop_back();
   Context context;
-  EXPECT_EQ(encode_png(context, image).status().code, StatusCode::internal);
+  EXPECT_EQ(encode_png(context, image).status().code, StatusCode::bad_input);
 }
 
 }  // namespace

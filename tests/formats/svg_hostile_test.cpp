@@ -148,11 +148,14 @@ TEST(SvgHostile, style_sheet_that_multiplies_is_refused) {
             "(--limit style-values=N sets another)");
 }
 
-TEST(SvgHostile, attributes_by_the_hundred_thousand_are_no_trouble) {
-  for (const char* attribute : {" sf:diffuse='true'", " xlink:href='#a'", " :left='#a'"}) {
-    const std::string text = svg("<g" + repeated(attribute, 200'000) + "/>");
+TEST(SvgHostile, attributes_by_the_thousand_are_no_trouble) {
+  for (const char* prefix : {" data-a", " xlink:href", " :left"}) {
+    std::string attributes;
+    for (int i = 0; i < 16'000; ++i) attributes += prefix + std::to_string(i) + "='true'";
+    const std::string text = svg("<g" + attributes + "/>");
     EXPECT_EQ(status_of(text).code, StatusCode::limit);
-    EXPECT_TRUE(status_of(text, nullptr, {.xml_attributes = 200'000}).ok());
+    const Status raised = status_of(text, nullptr, {.xml_attributes = 16'384});
+    EXPECT_TRUE(raised.ok()) << to_string(raised);
   }
 }
 

@@ -105,8 +105,8 @@ TEST(SvgTransform, what_is_flattened_to_nothing_is_left_out_with_a_warning) {
 }
 
 TEST(SvgTransform, transform_in_style_and_transform_origin_are_told) {
-  const auto warnings = warnings_of(
-      svg_layer("<path style='transform:scale(2)' transform-origin='3 3' d='M1 2 L3 4'/>"));
+  const auto warnings = warnings_of(svg_layer(
+      "<path sf:left='red' style='transform:scale(2)' transform-origin='3 3' d='M1 2 L3 4'/>"));
   ASSERT_EQ(warnings.size(), 2u);
   EXPECT_EQ(warnings[0],
             "a.svg:3:1: a transform in style is not read; expected the attribute transform");

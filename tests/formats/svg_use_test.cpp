@@ -109,7 +109,7 @@ TEST(SvgUse, of_a_symbol_fits_its_view_box) {
 TEST(SvgUse, of_a_symbol_that_would_be_clipped_is_told) {
   const auto warnings =
       warnings_of(svg("<symbol id='s' viewBox='0 0 10 10'><g sf:diffuse='true'>"
-                      "<path d='M1 2 h9'/></g></symbol><use href='#s'/>"));
+                      "<path sf:left='red' d='M1 2 h9'/></g></symbol><use href='#s'/>"));
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_EQ(warnings[0],
             "a.svg:2:1: <symbol> is not clipped to its viewport; expected "

@@ -142,7 +142,7 @@ TEST(FreeEnds, the_reach_is_the_distance_of_the_nearest_other_curve) {
 
 TEST(FreeEnds, a_finely_cut_curve_hides_no_other_and_stands_in_its_own_way_where_it_turns_back) {
   Line fine = two_sided({});
-  for (int i = 0; i <= 1600; ++i) fine.points.push_back({100 + i / 16.0, 256});
+  for (int i = 0; i <= 200; ++i) fine.points.push_back({100 + i / 2.0, 256});
   fine.left.assign(fine.points.size(), kWhite);
   fine.right.assign(fine.points.size(), kBlack);
   const std::vector<FreeEnd> fine_ends =

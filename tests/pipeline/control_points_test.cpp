@@ -65,6 +65,7 @@ TEST_P(ControlPoints, are_those_of_brute_force) {
   document.background.reset();
   DiffuseOptions diffuse_options;
   diffuse_options.tolerance = 0.002;
+  diffuse_options.ends = gather::Ends::paper;
   RasterOptions options;
   options.width = static_cast<int>(document.artboard.width());
   options.height = static_cast<int>(document.artboard.height());

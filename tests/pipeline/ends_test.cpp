@@ -30,7 +30,23 @@ struct End {
   Vec2 position, direction;
 };
 
-/// The ends of open curves inside the artboard.
+/// Whether a curve other than `own` comes within `distance` of the point.
+bool is_near_another(const Layer& layer, const Curve& own, Vec2 point, double distance) {
+  constexpr int kSamples = 256;
+  for (const Curve& curve : layer.curves) {
+    if (&curve == &own) continue;
+    for (std::size_t i = 0; i < curve.piece_count(); ++i) {
+      const curves::Cubic cubic = curves::piece(curve.control_points, i);
+      for (int k = 0; k <= kSamples; ++k) {
+        const Vec2 sample = curves::point_at(cubic, static_cast<double>(k) / kSamples);
+        if (length(sample - point) < distance) return true;
+      }
+    }
+  }
+  return false;
+}
+
+/// The ends of open curves inside the artboard with nothing else within the arcs of `tick`.
 std::vector<End> ends_of(const Document& document) {
   std::vector<End> ends;
   for (const Curve& curve : document.layers[0].curves) {
@@ -40,6 +56,7 @@ std::vector<End> ends_of(const Document& document) {
          {End{p.front(), p.front() - p[1]}, End{p.back(), p.back() - p.end()[-2]}}) {
       const Box inside = document.artboard.grown_by(-1);
       if (!inside.contains(end.position) || !(length(end.direction) > 0)) continue;
+      if (is_near_another(document.layers[0], curve, end.position, 17)) continue;
       ends.push_back({end.position, end.direction / length(end.direction)});
     }
   }
@@ -103,7 +120,8 @@ std::vector<std::uint8_t> drawn(const Document& document, gather::Ends ends) {
   Context context;
   const Result<Picture> picture = diffuse(context, document, {.ends = ends});
   EXPECT_TRUE(picture.ok());
-  const Result<Image> image = rasterize(context, *picture, {.width = 100, .height = 100});
+  const Result<Image> image =
+      rasterize(context, *picture, {.width = 100, .height = 100, .format = PixelFormat::rgba8});
   EXPECT_TRUE(image.ok());
   return image->bytes;
 }

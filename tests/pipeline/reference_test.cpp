@@ -87,7 +87,7 @@ TEST_P(Reference, the_exact_gather_at_single_points_is_within_one_code_value) {
   for (std::size_t i = 0; i < points_.size(); ++i) {
     EXPECT_EQ(hit[i], 1);
     for (int c = 0; c < 3; ++c) {
-      EXPECT_NEAR(std::round(255 * rgb[3 * i + c]), points_[i].code_value[c], 1.0)
+      EXPECT_NEAR(255 * rgb[3 * i + c], points_[i].code_value[c], 1.0)
           << "at " << points_[i].position.x << ", " << points_[i].position.y;
     }
   }
