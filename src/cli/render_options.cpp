@@ -143,9 +143,7 @@ void add_image_options(CLI::App& app, RenderArguments& arguments, RenderChoices&
             {"an opaque colour of CSS, as gold, #rrggbb or rgb(255 165 0), or none", "COLOR"},
             "Behind transparent parts; none: not even the drawing's\nown [the drawing's own, else "
             "none; JPEG and EPS: white]",
-            [&arguments](const std::string& text) {
-              return set_background(text, arguments);
-            })
+            [&arguments](const std::string& text) { return set_background(text, arguments); })
       ->group(group);
   add_choice(app, "--depth", {{"8", 8}, {"16", 16}}, "Bits per channel [8]", choices.depth)
       ->group(group);

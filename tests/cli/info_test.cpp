@@ -42,17 +42,17 @@ TEST(Info, prints_a_table) {
 TEST(Info, prints_json) {
   const CommandResult result = run_sfumato({"info", "--json", "-"}, two_curve_scene());
   EXPECT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_EQ(
-      result.out,
-      R"({"file":"<stdin>","format":"Orzan XML",)"
-      R"("artboard":{"x":0,"y":0,"width":64,"height":48},"size_px":{"width":64,"height":48},)"
-      R"("background":"none","interpolation":"srgb","layers":1,"instances":1,"groups":0,"curves":2,)"
-      R"("open_curves":1,"closed_curves":1,"color_curves":2,"opacity_curves":0,)"
-      R"("both_curves":0,"barrier_curves":0,"bare_curves":0,"blurred_curves":0,)"
-      R"("weighted_curves":0,"leaving_curves":0,"local_curves":0,"bezier_pieces":4,)"
-      R"("control_points":14,"color_stops":4,"opacity_stops":0,"linear_gradients":0,)"
-      R"("radial_gradients":0,"textures":[],"warnings":0})"
-      "\n");
+  EXPECT_EQ(result.out,
+            R"({"file":"<stdin>","format":"Orzan XML",)"
+            R"("artboard":{"x":0,"y":0,"width":64,"height":48},"size_px":{"width":64,"height":48},)"
+            R"("background":"none","interpolation":"srgb","layers":1,"instances":1,"groups":0,)"
+            R"("curves":2,)"
+            R"("open_curves":1,"closed_curves":1,"color_curves":2,"opacity_curves":0,)"
+            R"("both_curves":0,"barrier_curves":0,"bare_curves":0,"blurred_curves":0,)"
+            R"("weighted_curves":0,"leaving_curves":0,"local_curves":0,"bezier_pieces":4,)"
+            R"("control_points":14,"color_stops":4,"opacity_stops":0,"linear_gradients":0,)"
+            R"("radial_gradients":0,"textures":[],"warnings":0})"
+            "\n");
 }
 
 TEST(Info, shows_what_an_svg_document_has) {

@@ -242,8 +242,8 @@ TEST(SvgShapes, lengths_have_units_and_percentages) {
 }
 
 TEST(SvgShapes, what_has_no_length_is_left_out_with_a_warning) {
-  const std::vector<std::string> warnings =
-      warnings_of(svg_layer("<path sf:left='red' d='M1 1 M2 2 L2 2 M3 3 h1'/>\n<circle sf:left='red' r='0'/>"));
+  const std::vector<std::string> warnings = warnings_of(
+      svg_layer("<path sf:left='red' d='M1 1 M2 2 L2 2 M3 3 h1'/>\n<circle sf:left='red' r='0'/>"));
   EXPECT_EQ(curves_of("<path d='M1 1 M2 2 L2 2 M3 3 h1'/>").size(), 1u);
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_EQ(warnings[0],
