@@ -10,7 +10,7 @@ namespace sfumato {
 namespace {
 
 /// Digits beyond say nothing that a double could hold, and take time.
-constexpr std::size_t kLongestNumber = 4096;
+constexpr std::size_t kLongestNumber = std::size_t{1} << 20;
 
 bool is_blank(char c) {
   return c == ' ' || c == '\t' || c == '\n' || c == '\r';

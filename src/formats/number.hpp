@@ -7,7 +7,7 @@ namespace sfumato {
 
 /// Reads a decimal number: sign, digits, point, exponent, with blanks around it. The locale plays
 /// no part and the result is correctly rounded; what is too small becomes 0. Nothing where the text
-/// is anything else, longer than 4096 characters, or too large for a double: never NaN or infinity.
+/// is anything else, longer than 2^20 characters, or too large for a double: never NaN or infinity.
 std::optional<double> parse_number(std::string_view text);
 
 }  // namespace sfumato

@@ -42,8 +42,8 @@ void add_references(Family& family) {
   family.add("url_of_nothing", kBadInput, "expected url(#id)", curve("sf:left='url()'"));
   family.add("url_of_a_hash", kBadInput, "expected url(#id)", curve("sf:left='url(#)'"));
   family.add("url_of_a_file", kBadInput, "expected url(#id)", curve("sf:left='url(a.svg#b)'"));
-  family.add("url_without_end", kBadInput, "sf:left", curve("sf:left='url(#p'"));
-  family.add("url_of_a_megabyte", kBadInput, "but no element has that id",
+  family.add("url_without_end", kBadInput, "no element has that id", curve("sf:left='url(#p'"));
+  family.add("url_of_a_megabyte", kBadInput, "sf:left of <path>",
              [] { return curve("sf:left='url(#" + repeated("x", kMillion) + ")'"); });
   family.add("url_of_a_group", kBadInput, "which is a <g>", painted("<g id='p'/>"));
   family.add("url_of_its_own_curve", kBadInput, "which is a <path>",

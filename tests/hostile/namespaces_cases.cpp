@@ -35,7 +35,7 @@ void add_cases(Family& family) {
   family.add("attribute_of_colons", kDone, "", svg("<g :='1' ::='1' a:='1' :left='1'/>" + kLayer));
   family.add("attribute_of_a_bare_prefix", kBadInput,
              "there is no attribute sf:", svg("<g sf:='1'/>" + kLayer));
-  family.add("two_prefixes_of_ours", kDone, "",
+  family.add("two_prefixes_of_ours", kBadInput, "given twice",
              svg("<g xmlns:q='urn:sfumato:1' q:diffuse='true' sf:diffuse='true'><path d='M9 9h9' "
                  "sf:left='red' q:left='blue'/></g>"));
   family.add("declarations_200000_on_one_element", kLimit,

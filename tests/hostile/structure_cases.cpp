@@ -61,7 +61,7 @@ void add_sizes(Family& family) {
              "the artboard has no area or is out of range",
              beside("width='9' height='9'", "0 0 1e-320 1e-320"));
   family.add("size_that_is_none_beside_a_view_box", kDone, "",
-             beside("width='nan' height='9em' preserveAspectRatio='none of it'", "0 0 9 9"));
+             beside("width='none' height='9em' preserveAspectRatio='none of it'", "0 0 9 9"));
   family.add("no_size", kBadInput, "<svg> has no size", root("sf:version='1'"));
   family.add("width_alone", kBadInput, "<svg> has no size", root("width='9'"));
   family.add("size_of_nothing", kBadInput, "<svg> has no area", size("0", "0"));
