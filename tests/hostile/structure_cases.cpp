@@ -60,7 +60,7 @@ void add_sizes(Family& family) {
   family.add("size_beside_a_vanishing_view_box", kBadInput,
              "the artboard has no area or is out of range",
              beside("width='9' height='9'", "0 0 1e-320 1e-320"));
-  family.add("size_that_is_none_beside_a_view_box", kDone, "",
+  family.add("size_that_is_none_beside_a_view_box", kDone, "the viewBox says the size",
              beside("width='none' height='9em' preserveAspectRatio='none of it'", "0 0 9 9"));
   family.add("no_size", kBadInput, "<svg> has no size", root("sf:version='1'"));
   family.add("width_alone", kBadInput, "<svg> has no size", root("width='9'"));

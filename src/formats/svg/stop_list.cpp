@@ -16,8 +16,8 @@
 namespace sfumato::svg {
 namespace {
 
-/// Offsets need no more; what is longer is none.
-constexpr std::size_t kLongestOffset = 64;
+/// As much of a faulty offset is looked at for a hint.
+constexpr std::size_t kLongestHint = 64;
 
 Status bad(std::string message) {
   return make_error(StatusCode::bad_input, std::move(message));
@@ -92,14 +92,14 @@ Status parse_item(const Item& item, WrittenStop<Value>& stop, ParseValue parse_v
   if (Status status = parse_value(item.part[0], stop.value); !status) return status;
   if (item.count == 1) return ok_status();
   const std::string_view offset = item.part[1];
-  if (offset.size() > kLongestOffset || !parse_offset(offset, stop)) {
+  if (!parse_offset(offset, stop)) {
     const auto is_value = [&](std::string_view text) {
       Value ignored{};
-      return text.size() <= kLongestOffset && parse_value(text, ignored).ok();
+      return text.size() <= kLongestHint && parse_value(text, ignored).ok();
     };
     return bad("the offset " + quoted(offset) +
                " is none; expected 0% to 100% of the length, or @ and a segment like @2.5" +
-               offset_hint(offset.substr(0, kLongestOffset), item.part[0], is_value));
+               offset_hint(offset.substr(0, kLongestHint), item.part[0], is_value));
   }
   if (item.count == 2) return ok_status();
   return bad(quoted(item.part[2]) + " follows the offset " + quoted(offset) + "; expected a comma");
@@ -202,7 +202,7 @@ Result<std::vector<WrittenStop<float>>> parse_length_stops(std::string_view text
                                                            std::string_view what, TextPoll& poll) {
   const auto parse_value = [what](std::string_view token, float& value) {
     static constexpr Box kNone{{0, 0}, {1, 1}};
-    const bool is_share = token.ends_with('%') || token.size() > kLongestOffset;
+    const bool is_share = token.ends_with('%');
     const Result<double> length = is_share ? bad({}) : parse_length(token, kNone, Axis::x);
     if (!length || *length < 0) {
       const bool has_unit = is_digit(token.front()) && !is_digit(token.back());
