@@ -1,7 +1,6 @@
 #include "formats/svg/compositing.hpp"
 
 #include <algorithm>
-#include <array>
 #include <string_view>
 
 #include "formats/blend_names.hpp"
@@ -11,8 +10,9 @@
 namespace sfumato::svg {
 namespace {
 
-constexpr std::array kIgnoredEffects{CssProperty::clip_path, CssProperty::mask, CssProperty::filter,
-                                     CssProperty::transform_origin, CssProperty::transform_box};
+constexpr CssProperty kIgnoredEffects[] = {CssProperty::clip_path, CssProperty::mask,
+                                           CssProperty::filter, CssProperty::transform_origin,
+                                           CssProperty::transform_box};
 
 }  // namespace
 
