@@ -19,8 +19,8 @@ void check(const svg::Subpath& subpath) {
   fuzz::require(subpath.segment_begin.back() == (points - 1) / 3,
                 "the last segment ends elsewhere");
   for (std::size_t i = 1; i < subpath.segment_begin.size(); ++i) {
-    const auto pieces = static_cast<int>(subpath.segment_begin[i] - subpath.segment_begin[i - 1]);
-    fuzz::require(pieces >= 1 && pieces <= 4, "a segment of no piece or more than four");
+    const std::uint32_t pieces = subpath.segment_begin[i] - subpath.segment_begin[i - 1];
+    fuzz::require(pieces >= 1 && pieces <= svg::kMaxPieces, "a segment of no piece or of too many");
   }
 }
 

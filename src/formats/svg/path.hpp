@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string_view>
 #include <vector>
@@ -12,11 +13,14 @@
 
 namespace sfumato::svg {
 
+/// The pieces of a long arc: no segment has more.
+inline constexpr std::size_t kMaxPieces = 16;
+
 /// One subpath as a chain of cubic Béziers, in the user space of its shape.
 struct Subpath {
   std::vector<Vec2> control_points;  ///< 3 n + 1
   /// The first piece of each segment, then the number of pieces. A segment is what one command of a
-  /// path draws: one piece, or 1, 2, 4, 8 or 16 for an arc.
+  /// path draws: one piece, or for an arc a power of two.
   std::vector<std::uint32_t> segment_begin;
 };
 

@@ -9,9 +9,6 @@
 namespace sfumato::svg {
 namespace {
 
-/// The pieces of a long arc.
-constexpr std::size_t kPiecesPerArc = 16;
-
 class PathReader {
  public:
   PathReader(Context& context, std::string_view text)
@@ -204,8 +201,8 @@ std::size_t control_point_bound(const Limits& limits, std::string_view text) {
     letters += (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
     in_digits = is_digit;
   }
-  const std::size_t pieces = kPiecesPerArc * numbers / 5 + numbers + letters;
-  return std::min(3 * pieces + 1, limits.control_points + 3 * kPiecesPerArc + 1);
+  const std::size_t pieces = kMaxPieces * numbers / 5 + numbers + letters;
+  return std::min(3 * pieces + 1, limits.control_points + 3 * kMaxPieces + 1);
 }
 
 }  // namespace sfumato::svg
