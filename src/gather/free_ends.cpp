@@ -30,7 +30,7 @@ double front_share(double distance, double radius) {
   return x * x * (3 - 2 * x);
 }
 
-/// The share τ of the positive side in z_e, at d from the end.
+/// The share τ of the positive side in z_e, at d from the end, unbent.
 double positive_share(const FreeEnd& end, Vec2 d) {
   const double r = length(d);
   const double across = cross(end.direction, d), ahead = dot(end.direction, d);
@@ -42,6 +42,12 @@ double positive_share(const FreeEnd& end, Vec2 d) {
 }
 
 }  // namespace
+
+Vec2 FreeEnd::unbent(Vec2 d) const {
+  const double sine = bend * length(d);
+  const double cosine = std::sqrt(std::max(0.0, 1 - sine * sine));
+  return {cosine * d.x + sine * d.y, cosine * d.y - sine * d.x};
+}
 
 Result<FreeEnds> FreeEnds::create(Context& context, const mesh::TriangleMesh& mesh,
                                   const curves::SegmentAttributes& attributes, Vec2 origin,
@@ -124,7 +130,7 @@ bool FreeEnds::add(Vec2 p, float weight, std::span<float> value) const {
       const double more = kWeight * end.weight / r_squared * ((1 - x) * (1 - x) / (1 + kKnee * x));
       sum += more;
       const auto mixed = static_cast<float>(more / sum);
-      const auto turned = static_cast<float>(positive_share(end, d));
+      const auto turned = static_cast<float>(positive_share(end, end.unbent(d)));
       const auto z = lerp(end.negative, end.positive, turned);
       for (std::size_t c = 0; c < value.size(); ++c) {
         const bool is_base = c < static_cast<std::size_t>(base_channels_);

@@ -22,11 +22,16 @@ enum class Ends : std::uint8_t {
 struct FreeEnd {
   Vec2 position;     ///< layer frame
   Vec2 direction;    ///< unit vector, out of the curve
+  double bend = 0;   ///< sin of the angle by which the curve, r away, has left its line, over r
   double reach = 0;  ///< ρ: the term is 0 from here on, and nothing but the own curve is nearer
   float weight = 1;  ///< k
-  /// Of the sides where cross(direction, p - position) is above 0, and below.
+  /// Of the sides where cross(direction, unbent(p - position)) is above 0, and below.
   curves::FieldValue positive, negative;
   float blur_positive = 0, blur_negative = 0;
+
+  /// d from the end, turned about it so that the curve lies on its line: an arc of a circle that is
+  /// 1 / (2 bend) in radius does exactly.
+  Vec2 unbent(Vec2 d) const;
 };
 
 /// The free ends of a field, in the order of their vertices. Those whose reach is below a lattice

@@ -18,6 +18,11 @@ constexpr std::uint32_t kNobody = 0xffffffff;
 /// times the straight way.
 constexpr double kTurnedBack = 1.2;
 
+/// The own curve is looked at in so many places within a reach, at even distances from the end…
+constexpr int kPlaces = 16;
+/// …and may lie so much beside the arc that stands for it there, over its distance.
+constexpr double kBesideArc = 0.15;
+
 /// Triangles that are looked at for the reach of one end: hostile meshes have all in each reach.
 constexpr int kMostTriangles = 1024;
 
@@ -41,6 +46,13 @@ double turned_back_distance(Vec2 a, Vec2 b, double arc) {
   const double from = std::max((half_slope - std::sqrt(root)) / bend, 0.0);
   const double to = std::min((half_slope + std::sqrt(root)) / bend, 1.0);
   return from <= to ? segment_distance(a, b, from, to) : kInfinity;
+}
+
+/// Which part of the way from a along a vector leaves the circle round the origin.
+double crossing(Vec2 a, Vec2 along, double radius) {
+  const double l_squared = length_squared(along), ahead = dot(a, along);
+  const double inside = radius * radius - length_squared(a);
+  return (std::sqrt(std::max(0.0, ahead * ahead + l_squared * inside)) - ahead) / l_squared;
 }
 
 class EndSearch {
@@ -113,11 +125,54 @@ class EndSearch {
         negative.from == positive.to) {
       return;
     }
-    const double reach = find_reach(v, out, follow_curve(v));
-    if (reach < mesh_.lattice_step) return;
     const Vec2 last = position(v) - position(mesh_.target(out));
-    ends.push_back({position(v), last / length(last), reach, negative.weight, positive.to,
-                    negative.from, positive.blur_to, negative.blur_from});
+    FreeEnd end{.position = position(v),
+                .direction = last / length(last),
+                .reach = find_reach(v, out, follow_curve(v)),
+                .weight = negative.weight,
+                .positive = positive.to,
+                .negative = negative.from,
+                .blur_positive = positive.blur_to,
+                .blur_negative = negative.blur_from};
+    bend(v, end);
+    if (end.reach >= mesh_.lattice_step) ends.push_back(end);
+  }
+
+  /// Finds the arc that follows the own curve, by where the curve is half the reach away; where it
+  /// does not follow it far enough, the reach is made less.
+  void bend(std::uint32_t v, FreeEnd& end) {
+    const std::vector<Vec2> places = own_places(v, end.reach);
+    std::size_t count = places.size();
+    for (; count > 0; --count) {
+      const Vec2 middle = places[(count - 1) / 2];
+      end.bend = cross(middle, end.direction) / length_squared(middle);
+      const auto lies_beside = [&](Vec2 q) {
+        return std::fabs(cross(end.direction, end.unbent(q))) > kBesideArc * length(q);
+      };
+      if (std::none_of(places.begin(), places.begin() + std::ptrdiff_t(count), lies_beside)) break;
+    }
+    if (count < places.size()) end.reach *= static_cast<double>(count) / kPlaces;
+  }
+
+  /// Where the own curve is first 1/16, 2/16… of the reach away from the end, relative to it.
+  std::vector<Vec2> own_places(std::uint32_t v, double reach) {
+    std::vector<Vec2> places;
+    std::uint32_t at = v;
+    for (std::uint32_t c = meeting_[v].all; places.size() < kPlaces && !poll_.cancelled();) {
+      const Edge& edge = edge_[c];
+      const Vec2 a = position(at) - position(v);
+      at = edge.origin_is_near ? mesh_.target(edge.half_edge) : mesh_.origin(edge.half_edge);
+      const Vec2 along = position(at) - position(v) - a;
+      while (places.size() < kPlaces) {
+        const double distance = reach * static_cast<double>(places.size() + 1) / kPlaces;
+        const double share = crossing(a, along, distance);
+        if (!(share <= 1)) break;
+        places.push_back(a + share * along);
+      }
+      if (meeting_[at].edges != 2) break;
+      c ^= meeting_[at].all;
+    }
+    return places;
   }
 
   /// Marks the curve's edges up to a junction or its other end, and gives its length.

@@ -60,7 +60,8 @@ class ReferenceGather {
     const double r = length(d), x = r * r / (end.reach * end.reach);
     if (!(r > 0 && x < 1)) return;
     const double weight = 0.8 * end.weight / (r * r) * (1 - x) * (1 - x) / (1 + 25 * x);
-    const double angle = std::atan2(cross(end.direction, d), dot(end.direction, d));
+    const double off_line = std::atan2(cross(end.direction, d), dot(end.direction, d));
+    const double angle = std::remainder(off_line - std::asin(end.bend * r), 2 * std::numbers::pi);
     const double radius = angle > 0 ? end.blur_positive : end.blur_negative;
     const double front = front_share(r * std::fabs(std::sin(angle)), radius);
     const double share = 0.5 + 0.5 * std::sin(angle / 2) * (2 * front - 1);

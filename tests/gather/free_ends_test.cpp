@@ -158,6 +158,53 @@ TEST(FreeEnds, a_finely_cut_curve_hides_no_other_and_stands_in_its_own_way_where
   EXPECT_NEAR(at(hook, {100, 100}), 30, 1e-9);
 }
 
+/// Arcs of a circle, and one that turns the other way in its second half.
+std::vector<Line> bent_curves() {
+  Line arc = two_sided({}), wave = two_sided({});
+  for (int i = 0; i <= 200; ++i) {
+    const double turn = 1.9 * i / 200;
+    arc.points.push_back({60 + 150 * std::sin(turn), 330 - 150 * std::cos(turn)});
+    wave.points.push_back({20.0 + 2 * i, 440 + 40 * std::sin(std::numbers::pi * i / 100)});
+  }
+  for (Line* line : {&arc, &wave}) {
+    line->left.assign(line->points.size(), kWhite);
+    line->right.assign(line->points.size(), kBlack);
+  }
+  return {arc, wave};
+}
+
+TEST(FreeEnds, beside_a_bent_curve_no_colour_steps_across_the_line_of_its_end) {
+  const Drawing drawing = draw(bent_curves());
+  const std::vector<FreeEnd> ends = ends_of(drawing);
+  ASSERT_EQ(ends.size(), 4u);
+  Context context;
+  for (const FreeEnd& end : ends) {
+    EXPECT_NE(end.bend, 0);
+    for (double share = 0.05; share < 1; share += 0.05) {
+      std::vector<Vec2> round;
+      constexpr int kSteps = 4000;
+      for (int i = 0; i < kSteps; ++i) {
+        const double angle = 2 * std::numbers::pi * i / kSteps;
+        round.push_back(end.position +
+                        share * end.reach * Vec2{std::cos(angle), std::sin(angle)});
+      }
+      std::erase_if(round, [](Vec2 p) { return p.x < 1 || p.x > 511 || p.y < 1 || p.y > 511; });
+      const Gathered gathered = soft_at(context, drawing, round);
+      const std::size_t channels = gathered.value.size() / round.size();
+      const auto step = [&](std::size_t i) {
+        const bool is_far = length(round[i] - round[i - 1]) > 0.01 * share * end.reach ||
+                            distance_to_lines(drawing.lines, round[i]) < 0.02 * share * end.reach;
+        return is_far ? 0.0f
+                      : std::fabs(gathered.value[i * channels] - gathered.value[(i - 1) * channels]);
+      };
+      for (std::size_t i = 3; i < round.size(); ++i) {
+        EXPECT_LE(step(i - 1), std::max(step(i - 2), step(i)) + 0.5f / 255)
+            << end.position.x << ", " << share << " of " << end.reach << ", " << i;
+      }
+    }
+  }
+}
+
 TEST(FreeEnds, the_packets_agree_with_the_reference_also_blurred_weighted_and_with_shaders) {
   for (std::uint32_t seed = 50; seed < 53; ++seed) {
     for (bool blends : {false, true}) {
