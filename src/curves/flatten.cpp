@@ -33,6 +33,11 @@ constexpr double kBlurStray = 1.25;
 /// …if the tolerance need not be made finer by more than this.
 constexpr double kFinestBlur = 8;
 
+/// What lies far outside of what is looked at shows there by its direction alone: chords may stray
+/// by this share of their distance. Colours change by less than 0.25 code values there, where many
+/// stops lie in a line of sight, too.
+constexpr double kStrayPerDistance = 1.0 / 16384;
+
 /// A vertex where the tangent turns by more than this, its sine, is a corner.
 constexpr double kCornerSine = 0.02;
 
@@ -40,6 +45,12 @@ Box bounds(const Cubic& cubic) {
   Box box;
   for (Vec2 p : cubic) box.extend(p);
   return box;
+}
+
+/// From one box to the other; 0 where they meet.
+double distance(const Box& a, const Box& b) {
+  return length({std::max({0.0, a.min.x - b.max.x, b.min.x - a.max.x}),
+                 std::max({0.0, a.min.y - b.max.y, b.min.y - a.max.y})});
 }
 
 /// The first step: the vertices that the shapes of the curves ask for, on the curves.
@@ -69,8 +80,13 @@ class Divider {
   };
 
   double tolerance_of(const Cubic& cubic, double slope) const {
-    if (options_.focus && !overlap(bounds(cubic), focus_)) return options_.outside_tolerance;
-    const double most = options_.tolerance;
+    double most = options_.tolerance;
+    if (options_.focus) {
+      const Box box = bounds(cubic);
+      const double far = kStrayPerDistance * distance(box, *options_.focus);
+      if (!overlap(box, focus_)) return std::max(options_.outside_tolerance, far);
+      most = std::max(most, far);
+    }
     return slope > 0 ? std::clamp(kBlurStray / slope, most / kFinestBlur, most) : most;
   }
 

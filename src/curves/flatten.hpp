@@ -14,7 +14,9 @@ namespace sfumato::curves {
 
 struct FlattenOptions {
   double tolerance = 0.1;  ///< distance between chord and curve, user units, above 0
-  /// Outside this box (grown by a tenth) the coarser `outside_tolerance` is enough.
+  /// Outside this box (grown by a tenth) the coarser `outside_tolerance` is enough, and where
+  /// it is more, 1/16384 of the distance: it changes colours in the box by less than 0.25 code
+  /// values.
   std::optional<Box> focus{};
   double outside_tolerance = 0.1;
   /// Curves that come this close to one another's vertices pass through them, user units; 0: only

@@ -278,6 +278,24 @@ TEST(Flatten, curves_without_number_on_one_place_take_no_square_of_time) {
   EXPECT_GT(flattened(curves, {.tolerance = 1, .reach = 0.01}).segment_count(), 20'000u);
 }
 
+TEST(Flatten, far_outside_the_focus_chords_stray_by_a_share_of_their_distance) {
+  Curve far = arch();
+  for (Vec2& p : far.control_points) p.x += 20;
+  for (const double side : {1.0, 1e-3, 1e-7, 1e-300}) {
+    const double tolerance = side / 5120;
+    const FlatCurves flat = flattened({far}, {.tolerance = tolerance,
+                                              .focus = Box{{0, 0}, {side, side}},
+                                              .outside_tolerance = tolerance});
+    EXPECT_LT(flat.segment_count(), 200u) << side;
+    for (std::uint32_t v = 0; v + 1 < flat.vertex.size(); ++v) {
+      const double middle = 0.5 * (flat.parameter[v] + flat.parameter[v + 1]);
+      const Vec2 p = point_at(piece(far.control_points, 0), std::min(middle, 1.0));
+      EXPECT_LE(distance_to_segment(p, flat.vertex[v], flat.vertex[v + 1]),
+                std::max(tolerance, length(p) / 16384));
+    }
+  }
+}
+
 TEST(Flatten, outside_the_focus_the_coarser_tolerance_is_enough) {
   Curve far = arch();
   for (Vec2& p : far.control_points) p.x += 1000;

@@ -164,10 +164,36 @@ void add_extent(Family& family) {
   });
 }
 
+/// A circle in a layer under a transform, of which the artboard shows next to nothing.
+std::string seen_closely(const std::string& view_box, const std::string& transform,
+                         const std::string& circle) {
+  return "<svg xmlns='http://www.w3.org/2000/svg' xmlns:sf='urn:sfumato:1' sf:version='1' "
+         "viewBox='" +
+         view_box + "'><g sf:diffuse='true' transform='" + transform + "'><circle " + circle +
+         " sf:left='red' sf:right='blue'/></g></svg>";
+}
+
+void add_outside(Family& family) {
+  const auto add = [&](const char* name, const std::string& document) {
+    family.add(name, kDone, "", document).also({"--width", "24"});
+  };
+  const std::string circle = "cx='20' cy='44' r='31'";
+  add("circle_on_an_artboard_of_1e-3", seen_closely("0 0 1e-3 1e-3", "scale(1)", circle));
+  add("circle_on_an_artboard_of_1e-7", seen_closely("0 0 1e-7 1e-7", "scale(1)", circle));
+  family.add("circle_on_an_artboard_of_1e-300", kBadInput, "a viewport too small",
+             seen_closely("0 0 1e-300 1e-300", "scale(1)", circle));
+  add("circle_stretched_60100_times",
+      seen_closely("0 0 64 64", "scale(2.3,60100)", "cx='-17' cy='16' r='16'"));
+  add("circle_beside_a_narrow_view",
+      seen_closely("0 0 64 64", "scale(1090,.015)", "cx='14.8' cy='73.9' r='64'"));
+  add("circle_enlarged_2e6_times", seen_closely("0 0 64 64", "scale(2e6)", circle));
+}
+
 void add_cases(Family& family) {
   add_degenerate(family);
   add_crossing(family);
   add_extent(family);
+  add_outside(family);
 }
 
 const Register kGeometry("geometry", add_cases);
