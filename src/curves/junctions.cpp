@@ -1,8 +1,10 @@
 #include "curves/junctions.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <tuple>
+#include <utility>
 
 #include "base/box.hpp"
 #include "base/spatial_order.hpp"
@@ -17,6 +19,10 @@ constexpr int kPatience = 200;
 
 constexpr std::uint32_t kLeafSegments = 4;
 
+constexpr std::size_t kFirstJunctions = 1024;
+
+constexpr std::uint32_t kNobody = 0xffffffff;
+
 Cubic piece_of(const Curve& curve, double parameter_of_start) {
   const auto last = static_cast<double>(curve.piece_count() - 1);
   return piece(curve.control_points,
@@ -26,10 +32,13 @@ Cubic piece_of(const Curve& curve, double parameter_of_start) {
 /// All segments of the polylines, in a binary tree of the boxes of their stretches of curve.
 class SegmentTree {
  public:
-  SegmentTree(const FlatCurves& flat, std::span<const Curve> curves, double reach) {
+  /// Incomplete where the context is cancelled.
+  SegmentTree(const Context& context, const FlatCurves& flat, std::span<const Curve> curves,
+              double reach) {
+    RarePoll<4096> poll(context);
     std::vector<Vec2> middle;
     std::vector<std::uint32_t> segment;
-    for (std::uint32_t v = 0; v < flat.vertex.size(); ++v) {
+    for (std::uint32_t v = 0; v < flat.vertex.size() && !poll.cancelled(); ++v) {
       if (!flat.begins_segment(v)) continue;
       segment.push_back(v);
       middle.push_back(lerp(flat.vertex[v], flat.vertex[v + 1], 0.5));
@@ -38,11 +47,11 @@ class SegmentTree {
     leaf_count_ = (static_cast<std::uint32_t>(segment_.size()) + kLeafSegments - 1) / kLeafSegments;
     while (first_leaf_ < leaf_count_) first_leaf_ *= 2;
     box_.resize(std::size_t{2} * first_leaf_);
-    for (std::size_t i = 0; i < segment_.size(); ++i) {
+    for (std::size_t i = 0; i < segment_.size() && !poll.cancelled(); ++i) {
       Box& leaf = box_[first_leaf_ + i / kLeafSegments];
       leaf = united(leaf, stretch_box(flat, curves, segment_[i]).grown_by(reach));
     }
-    for (std::uint32_t node = first_leaf_ - 1; node > 0; --node) {
+    for (std::uint32_t node = first_leaf_ - 1; node > 0 && !poll.cancelled(); --node) {
       box_[node] = united(box_[std::size_t{2} * node], box_[std::size_t{2} * node + 1]);
     }
   }
@@ -89,11 +98,57 @@ class SegmentTree {
   std::vector<Box> box_;  ///< of node n, whose children are 2 n and 2 n + 1
 };
 
+/// Vertices that lie on each other: each knows the first of its place.
+class Places {
+ public:
+  Places(const Context& context, std::span<const Vec2> vertex)
+      : first_(vertex.size()), table_(table_size(vertex.size()), kNobody) {
+    RarePoll<4096> poll(context);
+    for (std::uint32_t v = 0; v < vertex.size() && !poll.cancelled(); ++v) {
+      std::size_t slot = hash(vertex[v]) & (table_.size() - 1);
+      while (table_[slot] != kNobody && !(vertex[table_[slot]] == vertex[v])) {
+        slot = (slot + 1) & (table_.size() - 1);
+      }
+      if (table_[slot] == kNobody) table_[slot] = v;
+      first_[v] = table_[slot];
+    }
+  }
+
+  static std::size_t bytes(std::size_t vertices) {
+    return (vertices + table_size(vertices)) * sizeof(std::uint32_t);
+  }
+
+  std::uint32_t first(std::uint32_t v) const { return first_[v]; }
+
+ private:
+  static std::size_t table_size(std::size_t vertices) { return std::bit_ceil(2 * vertices + 1); }
+
+  static std::size_t hash(Vec2 p) {
+    // With 0 added both zeros are one.
+    std::uint64_t mixed = std::bit_cast<std::uint64_t>(p.x + 0.0) * 0x9e3779b97f4a7c15u;
+    mixed = (std::rotl(mixed, 31) ^ std::bit_cast<std::uint64_t>(p.y + 0.0)) * 0xbf58476d1ce4e5b9u;
+    return static_cast<std::size_t>(mixed ^ mixed >> 29);
+  }
+
+  std::vector<std::uint32_t> first_;
+  std::vector<std::uint32_t> table_;
+};
+
 class JunctionFinder {
  public:
-  JunctionFinder(std::span<const Curve> curves, const FlatCurves& flat, double reach)
-      : curves_(curves), flat_(flat), reach_squared_(reach * reach) {
+  JunctionFinder(Context& context, std::span<const Curve> curves, const FlatCurves& flat,
+                 double reach)
+      : context_(context), curves_(curves), flat_(flat), reach_squared_(reach * reach) {
     found_.pinned.assign(flat.vertex.size(), 0);
+  }
+
+  /// limit: no more junctions are noted.
+  const Status& status() const { return status_; }
+
+  /// Notes that v lies on `first`, which is looked at for both.
+  void meet(std::uint32_t v, std::uint32_t first) {
+    // The joint of a closed curve is one vertex, not two that meet.
+    if (!is_own_end(v, first)) found_.pinned[first] = 1;
   }
 
   /// Notes where vertex v lies on segment s, of which it is no end.
@@ -115,19 +170,46 @@ class JunctionFinder {
     const double parameter = begin + t;
     if (!(parameter > from && parameter < to) || !near(p, point_at(cubic, t))) return;
     found_.pinned[v] = 1;
-    found_.junction.push_back({flat_.vertex_curve[s], parameter, p});
+    note({flat_.vertex_curve[s], parameter, p});
   }
 
-  Junctions take() {
-    std::sort(found_.junction.begin(), found_.junction.end(),
-              [](const Junction& a, const Junction& b) {
-                return std::tie(a.curve, a.parameter, a.point.x, a.point.y) <
-                       std::tie(b.curve, b.parameter, b.point.x, b.point.y);
-              });
+  /// Call once, last.
+  Result<Junctions> take(const Places& places) {
+    for (std::uint32_t v = 0; v < found_.pinned.size(); ++v) {
+      found_.pinned[v] = found_.pinned[places.first(v)];
+    }
+    std::vector<std::size_t> next(curves_.size() + 1, 0);
+    for (const Junction& at : found_.junction) ++next[at.curve + 1];
+    for (std::size_t c = 1; c < next.size(); ++c) next[c] += next[c - 1];
+    std::vector<Junction> sorted(found_.junction.size());
+    for (const Junction& at : found_.junction) sorted[next[at.curve]++] = at;
+    RarePoll<16> poll(context_);
+    std::size_t begin = 0;
+    for (std::size_t c = 0; c < curves_.size(); begin = next[c++]) {
+      if (poll.cancelled()) return context_.stop_status();
+      std::sort(sorted.data() + begin, sorted.data() + next[c],
+                [](const Junction& a, const Junction& b) {
+                  return std::tie(a.parameter, a.point.x, a.point.y) <
+                         std::tie(b.parameter, b.point.x, b.point.y);
+                });
+    }
+    found_.junction = std::move(sorted);
     return std::move(found_);
   }
 
  private:
+  /// Twice the junctions, while they are sorted.
+  void note(const Junction& junction) {
+    if (found_.junction.size() == room_ && status_.ok()) {
+      const std::size_t larger = std::max(2 * room_, kFirstJunctions);
+      status_ = charge_.add(context_, 2 * (larger - room_) * sizeof(Junction), "flattening");
+      if (!status_) return;
+      found_.junction.reserve(larger);
+      room_ = larger;
+    }
+    if (status_.ok()) found_.junction.push_back(junction);
+  }
+
   static double lerp_parameter(double from, double to, double share) {
     return from + (to - from) * share;
   }
@@ -142,9 +224,13 @@ class JunctionFinder {
     return low == flat_.curve_begin[curve] && high + 1 == flat_.curve_begin[curve + 1];
   }
 
+  Context& context_;
   std::span<const Curve> curves_;
   const FlatCurves& flat_;
   double reach_squared_;
+  Status status_;
+  ScopedCharge charge_;
+  std::size_t room_ = 0;  ///< junctions that are charged
   Junctions found_;
 };
 
@@ -153,16 +239,24 @@ class JunctionFinder {
 Result<Junctions> find_junctions(Context& context, std::span<const Curve> curves,
                                  const FlatCurves& flat, double reach) {
   ScopedCharge charge;
-  const std::size_t bytes = SegmentTree::bytes(flat.vertex.size());
+  const std::size_t vertices = flat.vertex.size();
+  const std::size_t bytes = SegmentTree::bytes(vertices) + Places::bytes(vertices);
   if (Status status = charge.add(context, bytes, "flattening"); !status) return status;
-  const SegmentTree tree(flat, curves, reach);
-  JunctionFinder finder(curves, flat, reach);
+  const SegmentTree tree(context, flat, curves, reach);
+  const Places places(context, flat.vertex);
+  if (context.cancelled()) return context.stop_status();
+  JunctionFinder finder(context, curves, flat, reach);
   RarePoll<1024> poll(context);
-  for (std::uint32_t v = 0; v < flat.vertex.size(); ++v) {
+  for (std::uint32_t v = 0; v < vertices && finder.status().ok(); ++v) {
     if (poll.cancelled()) return context.stop_status();
-    tree.visit(flat.vertex[v], [&](std::uint32_t s) { finder.look(v, s); });
+    if (places.first(v) != v) {
+      finder.meet(v, places.first(v));
+    } else {
+      tree.visit(flat.vertex[v], [&](std::uint32_t s) { finder.look(v, s); });
+    }
   }
-  return finder.take();
+  if (!finder.status()) return finder.status();
+  return finder.take(places);
 }
 
 }  // namespace sfumato::curves
