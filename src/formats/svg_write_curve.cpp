@@ -139,6 +139,9 @@ void add_preview(Attributes& attributes, const Curve& curve,
   }
 }
 
+/// Two numbers of seventeen digits, points, signs, and what is between them.
+constexpr std::size_t kBytesPerPoint = 40;
+
 double mean_radius(const ScalarStops& list) {
   double sum = 0;
   for (const Stop<float>& stop : list.stops) sum += static_cast<double>(stop.value);
@@ -149,6 +152,8 @@ double mean_radius(const ScalarStops& list) {
 
 std::string path_data(const Context& context, std::span<const Vec2> control_points) {
   std::string text = "M";
+  // To move tens of megabytes to a larger place takes longer than the flag may go without a look.
+  text.reserve(kBytesPerPoint * control_points.size());
   RarePoll<1024> poll(context);
   for (std::size_t i = 0; i < control_points.size() && !poll.cancelled(); ++i) {
     if (i > 0) text += i == 1 ? "\nC" : "\n";

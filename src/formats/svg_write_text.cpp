@@ -19,6 +19,8 @@ void append_on_one_line(std::string& text, const std::string& value) {
 void append_broken(const Context& context, std::string& text, std::string_view value,
                    std::size_t indent) {
   RarePoll<4096> poll(context);
+  // Once, before the value is there to be moved too; half as much again for the indents.
+  text.reserve(text.size() + value.size() + value.size() / 2);
   std::size_t column = indent;
   for (bool first = true; !poll.cancelled(); first = false) {
     const std::size_t end = value.find('\n');
