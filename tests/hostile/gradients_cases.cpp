@@ -79,7 +79,7 @@ void add_stops(Family& family) {
   family.add("offset_huge", kDone, "",
              linear("", "<stop offset='1e300'/><stop offset='-1e300%'/>"));
   family
-      .add("bounds_of_20000_curves_times_400_stops", kLimit, "memory limit of 64 MiB",
+      .add("bounds_of_20000_curves_times_400_stops", kLimit, "memory limit of 128 MiB",
            [] {
              std::string curves;
              for (int i = 0; i < 30'000; ++i) {
@@ -88,7 +88,7 @@ void add_stops(Family& family) {
              return svg("<g sf:diffuse='true'>" + curves + "</g><linearGradient id='p'>" +
                         repeated("<stop/>", 400) + "</linearGradient>");
            })
-      .also({"--max-memory", "64"});
+      .also({"--max-memory", "128"});
   family.add("bounds_of_65_curves", kLimit, "more than the limit of 64 paints in one layer", [] {
     std::string curves;
     for (int i = 0; i < 65; ++i) {

@@ -33,12 +33,13 @@ void keep_focus_inside(RadialGradient& shape) {
 class GradientReader {
  public:
   GradientReader(Input& input, Totals& totals, const PaintAttributes& attributes, bool in_box,
-                 const Box& viewport)
+                 const Box& viewport, GradientStops& last)
       : input_(input),
         totals_(totals),
         attributes_(attributes),
         in_box_(in_box),
-        viewport_(viewport) {}
+        viewport_(viewport),
+        last_(last) {}
 
   Result<GradientFill> read();
 
@@ -58,6 +59,7 @@ class GradientReader {
   const PaintAttributes& attributes_;
   bool in_box_;
   const Box& viewport_;
+  GradientStops& last_;
   GradientFill fill_;
 };
 
@@ -135,6 +137,10 @@ Status GradientReader::read_stops() {
   if (!parent) {
     return input_.error(attributes_.paint(), "the gradient has no stops; expected one at least");
   }
+  if (parent == last_.parent) {
+    fill_.stops = last_.stops;
+    return totals_.add_stops(parent, fill_.stops.size(), sizeof(GradientStop));
+  }
   double largest = 0;
   for (const Element element : parent.children("stop")) {
     if (fill_.stops.size() == input_.limits().stops_per_list) {
@@ -149,6 +155,7 @@ Status GradientReader::read_stops() {
     if (!status) return status;
     stop.offset = largest = std::max(largest, stop.offset);
   }
+  last_ = {parent, fill_.stops};
   return ok_status();
 }
 
@@ -201,9 +208,10 @@ Result<GradientFrame> read_gradient_frame(Input& input, const PaintAttributes& a
 }
 
 Result<GradientFill> read_gradient(Input& input, Totals& totals, const PaintAttributes& attributes,
-                                   const GradientFrame& frame, const Box& viewport) {
+                                   const GradientFrame& frame, const Box& viewport,
+                                   GradientStops& last) {
   Result<GradientFill> fill =
-      GradientReader(input, totals, attributes, frame.in_box, viewport).read();
+      GradientReader(input, totals, attributes, frame.in_box, viewport, last).read();
   if (fill) fill->layer_from_gradient = frame.layer_from_gradient;
   return fill;
 }

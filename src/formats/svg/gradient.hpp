@@ -18,7 +18,9 @@ Result<GradientFrame> read_gradient_frame(Input& input, const PaintAttributes& a
 
 /// Reads a linearGradient or radialGradient (SVG 1.1, chapter 13). What SVG paints in the last
 /// stop's colour, gradients of no length, has that one stop. Errors: bad_input, limit.
+/// last   taken over where it is the same gradient's, else replaced
 Result<GradientFill> read_gradient(Input& input, Totals& totals, const PaintAttributes& attributes,
-                                   const GradientFrame& frame, const Box& viewport);
+                                   const GradientFrame& frame, const Box& viewport,
+                                   GradientStops& last);
 
 }  // namespace sfumato::svg

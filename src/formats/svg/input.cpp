@@ -21,6 +21,9 @@ constexpr std::size_t kGrowth = 2;
 /// Elements up to this length are as cheap as any, and their number has a limit of its own.
 constexpr std::size_t kFreeBytes = 256;
 
+/// So many children are counted sooner than it is looked up how many there are.
+constexpr int kFewChildren = 16;
+
 /// A class is looked up for each property.
 constexpr std::size_t kClassWeight = 16;
 
@@ -150,6 +153,24 @@ Status Input::charge_reading(Element element, std::string_view what) {
   return charge_text(element);
 }
 
+/// One for each child that is no element.
+std::size_t Input::bytes_between_children(Element element) {
+  std::size_t bytes = 0;
+  int few = 0;
+  for (auto child = element.first_child(); child; child = child.next_sibling()) {
+    if (++few > kFewChildren) break;
+    bytes += child.type() != pugi::node_element;
+  }
+  if (few <= kFewChildren) return bytes;
+  const auto [counted, is_new] = counted_children_.try_emplace(element.hash_value(), 0);
+  if (is_new) {
+    for (const pugi::xml_node child : element.children()) {
+      counted->second += child.type() != pugi::node_element;
+    }
+  }
+  return counted->second;
+}
+
 Status Input::charge_text(Element element) {
   std::size_t bytes = std::strlen(element.name());
   for (auto attribute = element.first_attribute(); attribute;
@@ -157,7 +178,7 @@ Status Input::charge_text(Element element) {
     const std::size_t weight = std::strcmp(attribute.name(), "class") == 0 ? kClassWeight : 1;
     bytes += std::strlen(attribute.name()) + weight * std::strlen(attribute.value()) + 1;
   }
-  for (const pugi::xml_node child : element.children()) bytes += child.type() != pugi::node_element;
+  bytes += bytes_between_children(element);
   if (bytes <= kFreeBytes) return ok_status();
   used_bytes_ += bytes - kFreeBytes;
   if (used_bytes_ <= limits().used_bytes) return ok_status();

@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "base/context.hpp"
@@ -108,6 +109,7 @@ class Input {
     std::optional<std::string_view> value{};
   };
 
+  std::size_t bytes_between_children(Element element);
   Status index(Element element);
   Status sort_ids();
   static bool comes_before(const IdElement& a, const IdElement& b);
@@ -131,6 +133,8 @@ class Input {
   std::vector<IdElement> ids_;
   std::size_t used_elements_ = 0;
   std::size_t used_bytes_ = 0;
+  /// Of elements with many children, by their place in memory: a paint is read for each curve.
+  std::unordered_map<std::size_t, std::size_t> counted_children_;
   StyleSheet sheet_;
   std::deque<std::string> sheet_texts_;  ///< of those that are in several pieces
   std::vector<Styled> styles_;           ///< sorted by element and property

@@ -46,7 +46,8 @@ Result<std::uint32_t> Paints::gradient(const PaintedShape& shape, Element paint)
   if (!frame) return frame.status();
   const Key key = key_of(paint.internal_object(), frame->layer_from_gradient, {});
   if (const auto known = known_.find(key); known != known_.end()) return known->second;
-  Result<GradientFill> fill = read_gradient(input_, totals_, *attributes, *frame, viewport_);
+  Result<GradientFill> fill =
+      read_gradient(input_, totals_, *attributes, *frame, viewport_, last_stops_);
   if (!fill) return fill.status();
   return add(key, paint, {{}, std::move(*fill)});
 }

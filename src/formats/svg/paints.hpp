@@ -24,6 +24,12 @@ struct PaintedShape {
   Box bounds;  ///< user space; what objectBoundingBox means
 };
 
+/// The stops of the gradient that was read last: boxes of many shapes make one gradient many.
+struct GradientStops {
+  Element parent;  ///< none yet: null
+  std::vector<GradientStop> stops{};
+};
+
 /// Turns paint servers into shaders of the document. One shader serves all that use the same paint
 /// in the same place.
 class Paints {
@@ -56,6 +62,7 @@ class Paints {
   std::vector<Shader> shaders_;
   std::map<Key, std::uint32_t> known_;
   std::unordered_set<const void*> used_;
+  GradientStops last_stops_;
 };
 
 }  // namespace sfumato::svg
