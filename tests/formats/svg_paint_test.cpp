@@ -155,6 +155,25 @@ TEST(SvgPaints, the_same_paint_at_another_place_is_another_shader) {
   EXPECT_EQ(painted(linear("gradientUnits='userSpaceOnUse'"), curves).shaders.size(), 2u);
 }
 
+TEST(SvgPaints, the_boxes_of_curves_between_two_gradients_have_each_their_own_stops) {
+  const std::string solid = "<linearGradient id='q' x1='0' x2='0' href='#r'/>";
+  const std::string other =
+      "<linearGradient id='r'><stop stop-color='#fff'/><stop offset='.5'/></linearGradient>";
+  const auto curve = [](int end, const char* id) {
+    return "<path d='M0 0L" + std::to_string(end) + " 9' sf:left='url(#" + id + ")'/>";
+  };
+  const Document document =
+      painted(linear("") + solid + other, curve(10, "p") + curve(20, "p") + curve(30, "q") +
+                                              curve(40, "r") + curve(50, "p") + curve(60, "r"));
+  std::vector<double> last_offsets;
+  for (const Shader& shader : document.shaders) {
+    last_offsets.push_back(std::get<GradientFill>(shader.paint).stops.back().offset);
+  }
+  EXPECT_EQ(last_offsets, (std::vector<double>{1, 1, 0.5, 0.5, 1, 0.5}));
+  EXPECT_EQ(std::get<GradientFill>(document.shaders[2].paint).stops.size(), 1u);
+  EXPECT_EQ(std::get<GradientFill>(document.shaders[3].paint).stops.size(), 2u);
+}
+
 TEST(SvgPaints, huge_gradient_is_read_once_for_many_curves) {
   std::string stops, curves;
   for (int i = 0; i < 10'000; ++i) stops += "<stop/>";
