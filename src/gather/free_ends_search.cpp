@@ -129,6 +129,7 @@ class EndSearch {
     FreeEnd end{.position = position(v),
                 .direction = last / length(last),
                 .reach = find_reach(v, out, follow_curve(v)),
+                .nearest = nearest_,
                 .weight = negative.weight,
                 .positive = positive.to,
                 .negative = negative.from,
@@ -151,7 +152,9 @@ class EndSearch {
       };
       if (std::none_of(places.begin(), places.begin() + std::ptrdiff_t(count), lies_beside)) break;
     }
-    if (count < places.size()) end.reach *= static_cast<double>(count) / kPlaces;
+    if (count == places.size()) return;
+    end.reach *= static_cast<double>(count) / kPlaces;
+    end.nearest = mesh::kNone;
   }
 
   /// Where the own curve is first 1/16, 2/16… of the reach away from the end, relative to it.
@@ -195,10 +198,11 @@ class EndSearch {
   }
 
   /// ρ: triangles are visited from the end outwards, nearest first, until the nearest that is left
-  /// is farther than what was found.
+  /// is farther than what was found. Sets nearest_.
   double find_reach(std::uint32_t v, std::uint32_t half_edge, double reach) {
     const auto farther = [](const Step& a, const Step& b) { return a.distance > b.distance; };
     step_.assign(1, {0, half_edge / 3});
+    nearest_ = mesh::kNone;
     for (int visited = 0; !step_.empty() && !poll_.cancelled();) {
       std::pop_heap(step_.begin(), step_.end(), farther);
       const Step step = step_.back();
@@ -206,9 +210,12 @@ class EndSearch {
       if (!(step.distance < reach)) break;
       if (seen_from_[step.triangle] == v) continue;
       seen_from_[step.triangle] = v;
-      if (++visited > kMostTriangles) return step.distance;
+      if (++visited > kMostTriangles) {
+        nearest_ = mesh::kNone;
+        return step.distance;
+      }
       for (std::uint32_t h = 3 * step.triangle; h < 3 * step.triangle + 3; ++h) {
-        if (has_curves(h)) reach = std::min(reach, curve_distance(v, h));
+        if (has_curves(h)) shorten(reach, v, h);
         const std::int32_t twin = mesh_.half_edge_twin[h];
         if (twin == mesh::kNone || seen_from_[static_cast<std::size_t>(twin) / 3] == v) continue;
         const double distance = segment_distance(position(mesh_.origin(h)) - position(v),
@@ -219,6 +226,13 @@ class EndSearch {
       }
     }
     return reach;
+  }
+
+  void shorten(double& reach, std::uint32_t v, std::uint32_t h) {
+    const double distance = curve_distance(v, h);
+    if (!(distance < reach)) return;
+    reach = distance;
+    nearest_ = mesh_.half_edge_constraint[h];
   }
 
   double curve_distance(std::uint32_t v, std::uint32_t h) const {
@@ -243,6 +257,7 @@ class EndSearch {
   std::vector<Edge> edge_;                ///< per constraint
   std::vector<std::uint32_t> seen_from_;  ///< per triangle: the end that looked at it last
   std::vector<Step> step_;                ///< a heap
+  std::int32_t nearest_ = mesh::kNone;    ///< the constraint that limits the reach asked for last
 };
 
 }  // namespace

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "base/context.hpp"
+#include "base/status.hpp"
 #include "lint/layer_under_test.hpp"
 
 namespace sfumato::lint_detail {
@@ -9,5 +11,9 @@ void check_curves(LayerUnderTest& test);
 
 /// Hints on curves that lie on one another, and on sides that no ray from the artboard reaches.
 void check_visibility(LayerUnderTest& test);
+
+/// Hints on curves that cross with colours that do not fit, and on ends that stop shortly before
+/// another curve. Of many in a layer the first are told one by one. Errors: limit, cancelled.
+Status check_meetings(Context& context, LayerUnderTest& test);
 
 }  // namespace sfumato::lint_detail

@@ -6,7 +6,7 @@
 namespace sfumato {
 namespace {
 
-constexpr std::array<std::string_view, 19> kNames{"open-loop",
+constexpr std::array<std::string_view, 22> kNames{"open-loop",
                                                   "closed-loop",
                                                   "inside-empty",
                                                   "no-attribute",
@@ -24,7 +24,10 @@ constexpr std::array<std::string_view, 19> kNames{"open-loop",
                                                   "one-stop-gradient",
                                                   "large-texture",
                                                   "seam",
-                                                  "flood"};
+                                                  "flood",
+                                                  "crossing",
+                                                  "gap",
+                                                  "overshoot"};
 
 void append(std::string& text, const char* what, std::uint32_t index, const std::string& id) {
   if (!text.empty()) text += ", ";

@@ -29,7 +29,10 @@ enum class HintKind : std::uint8_t {
   one_stop_gradient,
   large_texture,
   seam,
-  flood
+  flood,
+  crossing,
+  gap,
+  overshoot
 };
 
 /// "open-loop".

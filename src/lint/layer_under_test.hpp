@@ -16,6 +16,7 @@ struct LayerUnderTest {
   std::uint32_t layer;
   const patches::LayerSight& sight;
   const patches::LayerScene& scene;
+  const mesh::TriangleMesh& mesh;  ///< scene.mesher's visibility mesh
   std::vector<Hint>& hints;
 
   const std::vector<Curve>& curves() const { return document.layers[layer].curves; }

@@ -131,9 +131,12 @@ Status Linter::check_layer(std::uint32_t layer) {
   const Result<patches::LayerScene> scene =
       patches::prepare_layer(context_, document_, layer, sight, options, nullptr);
   if (!scene) return scene.status();
-  LayerUnderTest test{context_, document_, layer, sight, *scene, hints_};
+  const mesh::TriangleMesh mesh = scene->mesher.visibility_mesh(context_);
+  if (context_.cancelled()) return context_.stop_status();
+  LayerUnderTest test{context_, document_, layer, sight, *scene, mesh, hints_};
   lint_detail::check_curves(test);
   lint_detail::check_visibility(test);
+  if (Status status = lint_detail::check_meetings(context_, test); !status) return status;
   if (context_.cancelled()) return context_.stop_status();
   check_attributes(layer);
   return check_instances(test);

@@ -153,9 +153,8 @@ void add_unseen(LayerUnderTest& test, std::uint32_t curve, CurveSide side, const
 void check_visibility(LayerUnderTest& test) {
   const std::vector<bool> hidden = check_duplicates(test);
   const std::vector<Curve>& curves = test.curves();
-  const mesh::TriangleMesh mesh = test.scene.mesher.visibility_mesh(test.context);
+  const mesh::TriangleMesh& mesh = test.mesh;
   const Box& sight = test.sight.viewport;
-  if (test.context.cancelled()) return;
   const Reach color(test.context, mesh, test.scene.color.attributes, sight, curves.size());
   std::optional<Reach> opacity;
   if (test.scene.opacity) {

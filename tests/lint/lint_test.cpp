@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "lint/hints.hpp"
 #include "support/drawing.hpp"
 
 namespace sfumato {
@@ -11,32 +12,17 @@ namespace {
 
 using test::circle_curve;
 using test::colored;
+using test::count;
+using test::hints_of;
 using test::kBlue;
 using test::kRed;
+using test::of_kind;
 using test::one_color;
 using test::one_layer;
 using test::one_opacity;
 using test::straight_curve;
 
 constexpr Vec2 kMiddle{50, 50};
-
-std::vector<Hint> hints_of(const Document& document) {
-  Context context;
-  Result<std::vector<Hint>> hints = lint(context, document);
-  EXPECT_TRUE(hints.ok()) << hints.status().message;
-  return hints ? *hints : std::vector<Hint>();
-}
-
-std::vector<Hint> of_kind(const std::vector<Hint>& hints, HintKind kind) {
-  std::vector<Hint> found;
-  std::ranges::copy_if(hints, std::back_inserter(found),
-                       [kind](const Hint& hint) { return hint.kind == kind; });
-  return found;
-}
-
-std::size_t count(const Document& document, HintKind kind) {
-  return of_kind(hints_of(document), kind).size();
-}
 
 /// All hints that are no notes, for messages.
 std::string listed(const Document& document) {
@@ -360,10 +346,10 @@ TEST(Lint, gives_back_what_is_wrong_with_an_invalid_document) {
 }
 
 TEST(Lint, every_kind_has_a_name) {
-  for (int i = 0; i <= static_cast<int>(HintKind::large_texture); ++i) {
+  for (int i = 0; i <= static_cast<int>(HintKind::overshoot); ++i) {
     EXPECT_FALSE(hint_name(static_cast<HintKind>(i)).empty());
   }
-  EXPECT_EQ(hint_name(HintKind::large_texture), "large-texture");
+  EXPECT_EQ(hint_name(HintKind::overshoot), "overshoot");
 }
 
 }  // namespace

@@ -1,0 +1,268 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/color_space.hpp"
+#include "formats/number_text.hpp"
+#include "gather/free_ends.hpp"
+#include "gather/scene.hpp"
+#include "lint/curve_hints.hpp"
+
+namespace sfumato::lint_detail {
+namespace {
+
+using mesh::TriangleMesh;
+
+/// Up to so many hints of a kind in a layer are told one by one, more as one: curves that a program
+/// traced have hundreds.
+constexpr std::size_t kMostOfAKind = 5;
+
+/// An end that stops at most so far before another curve, or beyond it, was meant to meet it:
+/// pixels of an artboard that is 512 long.
+constexpr double kMissPx = 4;
+constexpr double kArtboardPx = 512;
+
+/// A curve is longer than what sticks out of it by so many times.
+constexpr double kSpurs = 8;
+
+/// What lies within 45° of the way that an end points is ahead of it: a cosine.
+constexpr double kAhead = 0.7071;
+
+/// Where two colours differ less, what leaks passes for shading: measured on drawings whose lines
+/// stop short on purpose.
+constexpr float kLeak = 96 / 255.f;
+
+/// Two colours that face each other at a crossing and differ less are one tone.
+constexpr float kClash = 48 / 255.f;
+
+std::string point_text(Vec2 p) {
+  return rounded_number_text(p.x, 4) + ", " + rounded_number_text(p.y, 4);
+}
+
+bool is_closed(const Curve& curve) {
+  return curve.control_points.front() == curve.control_points.back();
+}
+
+/// The longer side of the control points' box.
+double extent_of(const Curve& curve) {
+  Box box;
+  for (const Vec2 p : curve.control_points) box.extend(p);
+  return std::max(box.width(), box.height());
+}
+
+/// On its segment from a to b the point that is nearest to p.
+Vec2 nearest_point(Vec2 p, Vec2 a, Vec2 b) {
+  const Vec2 along = b - a;
+  return lerp(a, b, std::clamp(dot(p - a, along) / length_squared(along), 0.0, 1.0));
+}
+
+class MeetingCheck {
+ public:
+  MeetingCheck(Context& context, LayerUnderTest& test)
+      : context_(context),
+        poll_(context),
+        test_(test),
+        mesh_(test.mesh),
+        attributes_(test.scene.color.attributes) {}
+
+  Status run() {
+    const std::size_t bytes = mesh_.vertex_position.size() * sizeof(Meeting);
+    ScopedCharge charge;
+    if (Status status = charge.add(context_, bytes, "meetings of curves"); !status) return status;
+    find_meetings();
+    check_crossings();
+    return check_ends();
+  }
+
+ private:
+  /// The edges with curves at a vertex.
+  struct Meeting {
+    std::uint32_t edges = 0;
+    std::uint32_t half_edge = 0;  ///< one of them, out of the vertex
+  };
+
+  /// A curve on its way out of a vertex: the one that was drawn last where several lie on an edge.
+  struct Strand {
+    std::uint32_t half_edge = 0;
+    std::uint32_t curve = 0;
+  };
+  using Cross = std::array<Strand, 4>;
+
+  Vec2 position(std::uint32_t v) const { return mesh_.vertex_position[v]; }
+
+  bool has_curves(std::uint32_t h) const {
+    const std::int32_t c = mesh_.half_edge_constraint[h];
+    return c != mesh::kNone && !mesh_.pieces(mesh_.constraint[static_cast<std::size_t>(c)]).empty();
+  }
+
+  std::uint32_t curve_on(std::int32_t constraint) const {
+    const auto& edge = mesh_.constraint[static_cast<std::size_t>(constraint)];
+    return attributes_.curve[mesh_.pieces(edge).back().segment];
+  }
+
+  void find_meetings() {
+    meeting_.resize(mesh_.vertex_position.size());
+    for (std::uint32_t h = 0; h < mesh_.triangle_vertex.size() && !poll_.cancelled(); ++h) {
+      if (!has_curves(h)) continue;
+      Meeting& meeting = meeting_[mesh_.origin(h)];
+      ++meeting.edges;
+      meeting.half_edge = h;
+    }
+  }
+
+  /// Hints of one kind, told or counted.
+  struct Finds {
+    HintKind kind;
+    std::string more;  ///< of many, after their number
+    std::vector<Hint> hints{};
+    std::size_t count = 0;
+  };
+
+  void add(Finds& finds, std::uint32_t curve, std::string message) {
+    if (++finds.count > kMostOfAKind) return;
+    finds.hints.push_back(
+        {.kind = finds.kind, .layer = test_.layer, .curve = curve, .message = std::move(message)});
+  }
+
+  void tell(const Finds& finds) {
+    if (finds.count <= kMostOfAKind) {
+      test_.hints.insert(test_.hints.end(), finds.hints.begin(), finds.hints.end());
+      return;
+    }
+    test_.add(finds.kind, std::to_string(finds.count) + finds.more + "; curve " +
+                              std::to_string(*finds.hints[0].curve) + ": " +
+                              finds.hints[0].message);
+  }
+
+  void check_crossings() {
+    Finds crossings{HintKind::crossing, " crossings whose colours do not fit"};
+    for (std::uint32_t v = 0; v < meeting_.size() && !poll_.cancelled(); ++v) {
+      if (meeting_[v].edges != 4) continue;
+      const std::optional<Cross> cross = cross_at(meeting_[v].half_edge);
+      if (cross && is_outline_crossed(*cross) && clashes(*cross)) add_crossing(crossings, *cross);
+    }
+    tell(crossings);
+  }
+
+  /// The strands round the vertex that the half-edge leaves, if they are four.
+  std::optional<Cross> cross_at(std::uint32_t half_edge) const {
+    Cross cross;
+    std::size_t count = 0;
+    std::uint32_t h = half_edge;
+    do {
+      if (has_curves(h)) {
+        if (count == cross.size()) return std::nullopt;
+        cross[count++] = {h, curve_on(mesh_.half_edge_constraint[h])};
+      }
+      const std::int32_t twin = mesh_.half_edge_twin[TriangleMesh::previous(h)];
+      if (twin == mesh::kNone) return std::nullopt;
+      h = static_cast<std::uint32_t>(twin);
+    } while (h != half_edge);
+    return count == cross.size() ? std::optional(cross) : std::nullopt;
+  }
+
+  /// Whether two curves pass through each other of which one at least encloses something.
+  bool is_outline_crossed(const Cross& cross) const {
+    if (cross[0].curve != cross[2].curve || cross[1].curve != cross[3].curve) return false;
+    if (cross[0].curve == cross[1].curve) return false;
+    return is_closed(test_.curves()[cross[0].curve]) || is_closed(test_.curves()[cross[1].curve]);
+  }
+
+  /// Whether in one of the four corners two colours face each other that differ.
+  bool clashes(const Cross& cross) const {
+    for (std::size_t i = 0; i < cross.size(); ++i) {
+      const std::uint32_t next = cross[(i + 1) % cross.size()].half_edge;
+      const gather::Facing one = gather::facing_side(mesh_, attributes_, cross[i].half_edge);
+      const gather::Facing other = gather::facing_side(
+          mesh_, attributes_, static_cast<std::uint32_t>(mesh_.half_edge_twin[next]));
+      if (one.kind != ShaderKind::curve_domain || other.kind != ShaderKind::curve_domain) continue;
+      if (differ(one.from, other.to, kClash)) return true;
+    }
+    return false;
+  }
+
+  bool differ(const curves::FieldValue& a, const curves::FieldValue& b, float by) const {
+    const auto code = [&](const curves::FieldValue& value) {
+      return to_srgb(attributes_.space, {value.channel[0], value.channel[1], value.channel[2]});
+    };
+    const Rgb one = code(a), other = code(b);
+    return std::abs(one.r - other.r) > by || std::abs(one.g - other.g) > by ||
+           std::abs(one.b - other.b) > by;
+  }
+
+  void add_crossing(Finds& crossings, const Cross& cross) {
+    const auto [first, second] = std::minmax(cross[0].curve, cross[1].curve);
+    const Vec2 at = position(mesh_.origin(cross[0].half_edge));
+    add(crossings, second,
+        "it crosses curve " + std::to_string(first) + " at " + point_text(at) +
+            ", and their colours do not fit there: those of one leak into what the other encloses; "
+            "expected curves that do not cross, or a layer for each");
+  }
+
+  Status check_ends() {
+    const Result<std::vector<gather::FreeEnd>> ends =
+        gather::find_free_ends(context_, mesh_, attributes_);
+    if (!ends) return ends.status();
+    const Box& artboard = test_.document.artboard;
+    const double miss = kMissPx / kArtboardPx * std::max(artboard.width(), artboard.height());
+    Finds gaps{HintKind::gap, " ends that stop shortly before another curve"};
+    Finds overshoots{HintKind::overshoot, " ends that stick out beyond another curve"};
+    std::uint32_t v = 0;
+    for (const gather::FreeEnd& end : *ends) {
+      if (poll_.cancelled()) break;
+      if (end.reach * test_.sight.scale >= miss) continue;
+      if (!differ(end.positive, end.negative, kLeak)) continue;
+      while (!(position(v) == end.position)) ++v;  // ends are in the order of their vertices
+      const std::uint32_t own = curve_on(mesh_.half_edge_constraint[meeting_[v].half_edge]);
+      if (end.nearest == mesh::kNone) {
+        add_overshoot(overshoots, own, end);
+      } else if (is_ahead(end)) {
+        add_gap(gaps, own, end);
+      }
+    }
+    tell(gaps);
+    tell(overshoots);
+    return context_.check();
+  }
+
+  bool is_ahead(const gather::FreeEnd& end) const {
+    const auto& edge = mesh_.constraint[static_cast<std::size_t>(end.nearest)];
+    const Vec2 way =
+        nearest_point(end.position, position(edge.from), position(edge.to)) - end.position;
+    return dot(way, end.direction) >= kAhead * end.reach;
+  }
+
+  void add_gap(Finds& gaps, std::uint32_t own, const gather::FreeEnd& end) {
+    const std::uint32_t other = curve_on(end.nearest);
+    add(gaps, own,
+        "its end at " + point_text(end.position) + " stops " + rounded_number_text(end.reach, 2) +
+            " units before " +
+            (own == other ? "the curve itself" : "curve " + std::to_string(other)) +
+            ": its two colours leak through the gap; expected an end that meets it, or one farther "
+            "away");
+  }
+
+  /// The reach is the way back to where the curve meets another, or to its other end.
+  void add_overshoot(Finds& overshoots, std::uint32_t own, const gather::FreeEnd& end) {
+    if (extent_of(test_.curves()[own]) < kSpurs * end.reach) return;
+    add(overshoots, own,
+        "its end at " + point_text(end.position) + " lies " + rounded_number_text(end.reach, 2) +
+            " units beyond a curve that it crosses: its colours leak there; expected an end on "
+            "that curve");
+  }
+
+  Context& context_;
+  RarePoll<4096> poll_;
+  LayerUnderTest& test_;
+  const TriangleMesh& mesh_;
+  const curves::SegmentAttributes& attributes_;
+  std::vector<Meeting> meeting_;  ///< per vertex
+};
+
+}  // namespace
+
+Status check_meetings(Context& context, LayerUnderTest& test) {
+  return MeetingCheck(context, test).run();
+}
+
+}  // namespace sfumato::lint_detail
