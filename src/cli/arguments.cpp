@@ -91,18 +91,27 @@ std::string meaning_elsewhere(std::string_view option) {
   return {};
 }
 
-/// What an option was probably meant to be that the command does not have.
-std::string option_hint(const CLI::App& command) {
+/// What an option was probably meant to be: the nearest name, or the first that it begins.
+std::string option_hint(const CLI::App& command, std::string_view name) {
+  std::vector<std::string_view> names;
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& known : option->get_lnames()) names.push_back(known);
+  }
+  std::string_view best = nearest(name, names);
+  const auto begun = std::ranges::find_if(
+      names, [name](std::string_view known) { return known.starts_with(name); });
+  if (best.empty() && !name.empty() && begun != names.end()) best = *begun;
+  return best.empty() ? std::string() : "; did you mean --" + std::string(best) + "?";
+}
+
+/// What is wrong with the first option that the command does not have; empty: it has all.
+std::string unknown_option(const CLI::App& command) {
   for (const std::string& argument : command.remaining()) {
     if (!argument.starts_with('-') || argument.size() < 2) continue;
-    if (!argument.starts_with("--")) return meaning_elsewhere(argument);
-    const std::string name = argument.substr(2, argument.find('=') - 2);
-    std::vector<std::string_view> names;
-    for (const CLI::Option* option : command.get_options()) {
-      for (const std::string& known : option->get_lnames()) names.push_back(known);
-    }
-    const std::string_view best = nearest(name, names);
-    return best.empty() ? std::string() : "; did you mean --" + std::string(best) + "?";
+    const std::string option = argument.substr(0, argument.find('='));
+    return sfumato::quoted(option) + " is no option of " + command.get_name() +
+           (option.starts_with("--") ? option_hint(command, std::string_view(option).substr(2))
+                                     : meaning_elsewhere(option));
   }
   return {};
 }
@@ -115,14 +124,16 @@ std::string unknown_command(std::string_view given, const CLI::App& root) {
   for (std::size_t i = 0; i < names.size(); ++i) {
     list += (i == 0 ? "" : i + 1 == names.size() ? " or " : ", ") + names[i];
   }
-  return "\"" + std::string(given) + "\" given, expected " + list + did_you_mean(given, candidates);
+  const std::string hint = given.starts_with("--") ? option_hint(root, given.substr(2))
+                                                   : did_you_mean(given, candidates);
+  return "\"" + std::string(given) + "\" given, expected " + list + hint;
 }
 
 NoCommand usage_error(const CLI::App& root, std::string what) {
   std::string command = "sfumato";
   for (const CLI::App* chosen : root.get_subcommands()) {
     command += ' ' + chosen->get_name();
-    what += option_hint(*chosen);
+    if (std::string unknown = unknown_option(*chosen); !unknown.empty()) what = std::move(unknown);
   }
   if (root.get_subcommands().empty() && root.remaining_size() > 0) {
     what = unknown_command(root.remaining().front(), root);

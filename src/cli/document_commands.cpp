@@ -68,7 +68,7 @@ CLI::App* add_lint(CLI::App& root, LintArguments& arguments) {
   add_allowed_folders(*app, arguments);
   app->add_flag("--strict", arguments.strict, "Exit with 1 where there is a hint");
   app->add_flag("--verbose", arguments.verbose, "With notes: which side of a loop is inside");
-  app->add_flag("--json", arguments.json, "Print one JSON object");
+  app->add_flag("--json", arguments.json, "Print one JSON object for each drawing");
   app->add_flag("--quiet", arguments.quiet, "No warnings of the reader");
   add_resources(*app, arguments.resources);
   return app;

@@ -3,7 +3,6 @@
 
 #include "base/json.hpp"
 #include "base/native/tbb_executor.hpp"
-#include "base/utf8.hpp"
 #include "cli/commands.hpp"
 #include "cli/document_facts.hpp"
 #include "cli/document_input.hpp"
@@ -54,7 +53,7 @@ std::string textures_text(const DocumentFacts& facts) {
 
 std::string as_table(const std::string& name, const ReadDocument& read) {
   const DocumentFacts facts = count_facts(read.document);
-  std::string table = printable(name) + '\n';
+  std::string table = output_line(name);
   const auto row = [&table](std::string label, const std::string& content) {
     label.resize(24, ' ');
     table += "  " + label + content + '\n';

@@ -7,34 +7,19 @@
 #include "cli/interrupt.hpp"
 #include "cli/paths.hpp"
 #include "cli/templates.hpp"
+#include "export/html_text.hpp"
 #include "formats/svg_write.hpp"
 #include "import/import_svg.hpp"
 
 namespace sfumato::cli {
 namespace {
 
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    if (c == '&') {
-      result += "&amp;";
-    } else if (c == '<') {
-      result += "&lt;";
-    } else if (c == '>') {
-      result += "&gt;";
-    } else {
-      result += c;
-    }
-  }
-  return result;
-}
-
 /// The <title> as the first of what stands in <svg>.
 std::string with_title(std::string svg, std::string_view title) {
   if (title.empty()) return svg;
   const std::size_t end = svg.find('>', svg.find("<svg"));
   if (end == std::string::npos) return svg;
-  return svg.insert(end + 1, "\n  <title>" + escaped(title) + "</title>");
+  return svg.insert(end + 1, "\n  <title>" + outputs::escaped_html(title) + "</title>");
 }
 
 Result<std::string> imported(Context& context, const InitArguments& arguments) {

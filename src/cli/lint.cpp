@@ -4,7 +4,6 @@
 
 #include "base/json.hpp"
 #include "base/native/tbb_executor.hpp"
-#include "base/utf8.hpp"
 #include "cli/commands.hpp"
 #include "cli/document_input.hpp"
 #include "cli/interrupt.hpp"
@@ -26,11 +25,11 @@ std::string as_text(const std::string& name, const Document& document,
                     const std::vector<Hint>& hints) {
   std::string text;
   for (const Hint& hint : hints) {
-    text += printable(name + ": " + (is_note(hint.kind) ? "note: " : "hint: ") +
-                      place_text(document, hint) + ": " + hint.message) +
-            " [" + std::string(hint_name(hint.kind)) + "]\n";
+    text += output_line(name + ": " + (is_note(hint.kind) ? "note: " : "hint: ") +
+                        place_text(document, hint) + ": " + hint.message + " [" +
+                        std::string(hint_name(hint.kind)) + "]");
   }
-  return text + printable(name) + ": " + counted(count_hints(hints)) + '\n';
+  return text + output_line(name + ": " + counted(count_hints(hints)));
 }
 
 void write_place(JsonWriter& json, const Document& document, const Hint& hint) {

@@ -45,6 +45,10 @@ std::string format_message(const Status& status, std::string_view severity) {
     text = text.substr(0, kMostMessageBytes / 2) + "…" +
            text.substr(text.size() - kMostMessageBytes / 2);
   }
+  return output_line(text);
+}
+
+std::string output_line(std::string_view text) {
   return printable(text) + '\n';
 }
 

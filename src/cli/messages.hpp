@@ -26,6 +26,9 @@ int exit_code(const Status& status);
 /// place is known. One line with its newline; controls (base/utf8.hpp) become '?'.
 std::string format_message(const Status& status, std::string_view severity);
 
+/// A line of output: without controls (base/utf8.hpp: they become '?'), with its newline.
+std::string output_line(std::string_view text);
+
 /// Writes a message to standard error. An error that says `cancelled` says only "interrupted".
 void report_error(const Status& status);
 void report_warning(const Status& status);

@@ -9,6 +9,7 @@
 #include "base/json.hpp"
 #include "cli/option_helpers.hpp"
 #include "cli/values.hpp"
+#include "formats/suggestion.hpp"
 
 namespace sfumato::cli {
 namespace {
@@ -24,12 +25,15 @@ bool set_seconds(const std::string& text, std::optional<double>& seconds) {
   return seconds && *seconds <= kLargestSeconds;
 }
 
-std::string names() {
+/// All names, and which of them was probably meant.
+std::string expected_names(std::string_view given) {
   std::string list;
+  std::vector<std::string_view> names;
   for (const LimitName& known : limit_names()) {
     list += (list.empty() ? "" : ", ") + std::string(known.name);
+    names.push_back(known.name);
   }
-  return list;
+  return list + did_you_mean(given, names);
 }
 
 /// What is wrong with "NAME=VALUE"; empty: nothing, and the limit is set.
@@ -37,7 +41,7 @@ std::string complaint_about(std::string_view text, Limits& limits) {
   const std::size_t equals = std::min(text.find('='), text.size());
   const std::string_view name = text.substr(0, equals);
   const auto known = std::ranges::find(limit_names(), name, &LimitName::name);
-  if (known == limit_names().end()) return "NAME=VALUE, NAME one of " + names();
+  if (known == limit_names().end()) return "NAME=VALUE, NAME one of " + expected_names(name);
   const std::string_view digits = text.substr(std::min(equals + 1, text.size()));
   const std::optional<std::uint64_t> value = parse_count(digits, known->highest);
   if (!value) {

@@ -171,23 +171,44 @@ Status XmlSource::syntax_error(const pugi::xml_parse_result& result) {
   const bool at_end = text_.find_first_not_of(" \t\r\n", offset + 1) == std::string_view::npos;
   std::string message = at_end ? "the XML is cut short: " : "not well-formed XML: ";
   message += result.description();
-  if (result.status == pugi::status_end_element_mismatch) message += open_element(offset);
+  if (is_utf8_) message += element_at(result.status, offset, at_end);
   return make_error(StatusCode::bad_input, std::move(message), place_at(offset));
 }
 
-/// ": <g> of line 3 is still open at </svg>", for an end tag that does not fit. Looks back through
-/// the tags before; what looks like a tag in a comment may mislead it.
-std::string XmlSource::open_element(std::size_t offset) {
-  constexpr std::size_t kMostBytes = std::size_t{1} << 20;
-  const auto name_at = [&](std::size_t at) {
-    const std::string_view name = text_.substr(at, 64);
-    return std::string(name.substr(0, name.find_first_of("/> \t\r\n")));
+/// Which element a syntax error is about, after a colon or " of "; nothing for what is none.
+std::string XmlSource::element_at(pugi::xml_parse_status status, std::size_t offset, bool at_end) {
+  const auto named = [&](std::size_t tag) {
+    const std::string_view name = text_.substr(tag, 64);
+    return '<' + std::string(name.substr(1, name.find_first_of("/> \t\r\n", 2) - 1)) + '>';
   };
-  if (!is_utf8_) return {};
-  const std::size_t end_tag = text_.rfind("</", offset);
-  if (end_tag == std::string_view::npos) return {};
-  std::size_t closed = 0, end = end_tag;
-  while (end > 0 && end_tag - end < kMostBytes) {
+  std::size_t tag = text_.rfind('<', offset);
+  // A start tag that ends with the next tag's '<' is wrong there.
+  if (tag == offset && tag > 0) tag = text_.rfind('<', tag - 1);
+  if (tag == std::string_view::npos) return {};
+  switch (status) {
+    case pugi::status_bad_attribute:
+    case pugi::status_bad_start_element:
+    case pugi::status_bad_end_element:
+      return " of " + named(tag);
+    case pugi::status_end_element_mismatch:
+      break;
+    default:
+      return {};
+  }
+  const std::string_view told = text_.substr(tag, offset + 1 - tag);
+  const bool is_cut_short = at_end && !(told.starts_with("</") && told.find('>') == told.npos);
+  const std::string behind = is_cut_short ? " is not closed" : " is still open at " + named(tag);
+  const std::size_t open = open_tag(is_cut_short ? text_.size() : tag);
+  if (open == std::string_view::npos) return ": no element is open at " + named(tag);
+  return ": " + named(open) + " of line " + std::to_string(place_at(open).line) + behind;
+}
+
+/// Where the tag begins of the innermost element that is open at `end`; npos: none is found. Looks
+/// back through the tags before; what looks like a tag in a comment may mislead it.
+std::size_t XmlSource::open_tag(std::size_t end) const {
+  constexpr std::size_t kMostBytes = std::size_t{1} << 20;
+  const std::size_t least = end > kMostBytes ? end - kMostBytes : 0;
+  for (std::size_t closed = 0; end > least;) {
     const std::size_t begin = text_.rfind('<', end - 1);
     if (begin == std::string_view::npos) break;
     const std::string_view tag = text_.substr(begin, text_.substr(begin, end - begin).find('>'));
@@ -196,11 +217,10 @@ std::string XmlSource::open_element(std::size_t offset) {
     if (tag.starts_with("</")) {
       ++closed;
     } else if (closed-- == 0) {
-      return ": <" + name_at(begin + 1) + "> of line " + std::to_string(place_at(begin).line) +
-             " is still open at </" + name_at(end_tag + 2) + ">";
+      return begin;
     }
   }
-  return ": no element is open at </" + name_at(end_tag + 2) + ">";
+  return std::string_view::npos;
 }
 
 SourcePlace XmlSource::place(pugi::xml_node node) {

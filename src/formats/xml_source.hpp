@@ -32,7 +32,8 @@ class XmlSource {
   Status check_size(Context& context);
   Status copy_text(const Context& context);
   Status check_shape(const Context& context);
-  std::string open_element(std::size_t offset);
+  std::string element_at(pugi::xml_parse_status status, std::size_t offset, bool at_end);
+  std::size_t open_tag(std::size_t end) const;
   Status syntax_error(const pugi::xml_parse_result& result);
 
   std::string_view text_;

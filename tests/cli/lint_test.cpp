@@ -56,6 +56,18 @@ TEST(Lint, tells_notes_only_where_they_are_asked_for) {
             "on the right [closed-loop]\n<stdin>: no hints\n");
 }
 
+TEST(Lint, takes_many_files) {
+  const TemporaryFolder folder;
+  const std::string sound = folder.add("sound.xml", two_curve_scene());
+  const std::string doubled = folder.add("doubled.xml", doubled_scene());
+  const std::string missing = folder.path("missing.xml");
+  const CommandResult result = run_sfumato({"lint", sound, missing, doubled});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_EQ(result.out, sound + ": no hints\n" + doubled + ": hint: layer 0 \"curves\", curve 2: " +
+                            kMessage + " [duplicate]\n" + doubled + ": 1 hint\n");
+  EXPECT_NE(result.err.find("missing.xml: error: "), std::string::npos) << result.err;
+}
+
 TEST(Lint, fails_on_what_cannot_be_read) {
   EXPECT_EQ(run_sfumato({"lint"}).exit_code, 2);
   EXPECT_EQ(run_sfumato({"lint", "-"}, "<curve_set/>").exit_code, 1);

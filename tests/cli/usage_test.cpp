@@ -144,6 +144,28 @@ TEST(Usage, unknown_options_and_missing_operands_are_named) {
                "\"paint\" given, expected render, info, convert, lint, compare, init or watch"));
 }
 
+TEST(Usage, mistyped_options_get_a_suggestion_in_every_command) {
+  const auto message = [](std::vector<std::string> arguments) {
+    const CommandResult result = run_sfumato(std::move(arguments));
+    EXPECT_EQ(result.exit_code, 2) << result.err;
+    return result.err.substr(0, result.err.find('\n'));
+  };
+  for (const std::string command :
+       {"render", "info", "convert", "lint", "compare", "init", "watch"}) {
+    EXPECT_EQ(
+        message({command, "--max-tmie", "3"}),
+        "sfumato: error: \"--max-tmie\" is no option of " + command + "; did you mean --max-time?");
+    EXPECT_EQ(message({command, "a.svg", "--ful"}),
+              "sfumato: error: \"--ful\" is no option of " + command);
+  }
+  EXPECT_EQ(message({"render", "a.svg", "--out=b.png"}),
+            "sfumato: error: \"--out\" is no option of render; did you mean --output?");
+  EXPECT_EQ(message({"render", "a.svg", "-w", "9"}),
+            "sfumato: error: \"-w\" is no option of render; expected --width");
+  EXPECT_TRUE(message({"--hlep"}).ends_with("; did you mean --help?"));
+  EXPECT_TRUE(message({"lint", "a.svg", "--limit", "curvs=3"}).ends_with("; did you mean curves?"));
+}
+
 TEST(Usage, unknown_extensions_list_the_known_ones) {
   const TemporaryFolder folder;
   for (const char* name : {"out.gif", "out", "out.png.xml", ".png"}) {

@@ -137,7 +137,7 @@ const BadInput kAttributes[] = {
      "offsets"},
     {"offset", with("sf:left='red 5'"),
      "3:1: sf:left of <path>: the offset \"5\" is none; expected 0% to 100% of the length, or @ "
-     "and a segment like @2.5"},
+     "and a segment like @2.5; did you mean 5%?"},
     {"offset_nan", with("sf:left='red @nan'"),
      "3:1: sf:left of <path>: the offset \"@nan\" is none; expected 0% to 100% of the length, or "
      "@ and a segment like @2.5"},

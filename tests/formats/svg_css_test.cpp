@@ -190,6 +190,8 @@ TEST(SvgCss, lists_of_stops_are_cut_by_the_same_tokens) {
   EXPECT_EQ(status_of(svg_layer("<path d='M0 0h9' sf:left='red 0.5'/>")).message,
             "sf:left of <path>: the offset \"0.5\" is none; expected 0% to 100% of the length, or "
             "@ and a segment like @2.5; did you mean 50%?");
+  EXPECT_TRUE(status_of(svg_layer("<path d='M0 0h9' sf:left='red 50, lime'/>"))
+                  .message.ends_with("; did you mean 50%?"));
 }
 
 }  // namespace

@@ -62,10 +62,19 @@ TEST(SvgStops, radii_are_lengths) {
   EXPECT_FALSE(status_of(svg_layer("<path d='M0 0h9' sf:left='red' sf:blur='-1px'/>")).ok());
 }
 
-TEST(SvgXml, end_tag_that_does_not_fit_is_named_with_the_element_that_is_open) {
-  EXPECT_NE(status_of("<svg>\n<g>\n<a/><b></b>\n</svg>")
-                .message.find(": <g> of line 2 is still open at </svg>"),
-            std::string::npos);
+TEST(SvgXml, syntax_errors_name_the_element) {
+  const auto ends_with = [](const std::string& text, const std::string& end) {
+    const std::string message = status_of(text).message;
+    EXPECT_TRUE(message.ends_with(end)) << message;
+  };
+  ends_with("<svg>\n<g>\n<a/><b></b>\n</svg>", ": <g> of line 2 is still open at </svg>");
+  ends_with("<svg>\n</g></svg>", ": <svg> of line 1 is still open at </g>");
+  ends_with("<svg>\n<g></g>\n<path>", ": <path> of line 3 is not closed");
+  ends_with("<svg>\n<g></g>\n", ": <svg> of line 1 is not closed");
+  ends_with("<svg>\n<path d=3/></svg>", "element attribute of <path>");
+  ends_with("<svg>\n<path d='3'id='4'/></svg>", "element attribute of <path>");
+  ends_with("<svg>\n<path d='3' </svg>", "start element tag of <path>");
+  ends_with("<svg>\n<g></g x='3'></svg>", "end element tag of </g>");
 }
 
 }  // namespace

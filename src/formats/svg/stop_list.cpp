@@ -63,8 +63,9 @@ Item take_item(CssTokenizer& tokens) {
 template <class ParseValue>
 std::string offset_hint(std::string_view text, std::string_view value, ParseValue is_value) {
   const std::optional<double> number = parse_number(text);
-  if (number && *number >= 0 && *number <= 1) {
-    return "; did you mean " + rounded_number_text(100 * *number, 4) + "%?";
+  if (number && *number >= 0 && *number <= 100) {
+    const double percent = *number <= 1 ? 100 * *number : *number;
+    return "; did you mean " + rounded_number_text(percent, 4) + "%?";
   }
   if (!is_value(text)) return {};
   return "; did you mean " + quoted(std::string(value) + ", " + std::string(text)) + "?";
