@@ -117,33 +117,38 @@ void warn_of_nothing(Input& input, const Document& document) {
 }
 
 /// Parses and finds the artboard; the document is otherwise empty.
-Result<Document> begin(Input& input) {
+/// A document without content, and how it is shown.
+struct Begun {
+  Document document;
+  svg::PictureFrame frame;
+};
+
+Result<Begun> begin(Input& input) {
   if (Status status = input.parse(); !status) return status;
   if (std::string_view(input.root().name()) != "svg") {
     return input.error(input.root(),
                        "the document is a " + svg::tag(input.root()) + "; expected <svg>");
   }
-  Document document;
   const Result<Box> artboard = read_artboard(input);
   if (!artboard) return artboard.status();
-  document.artboard = *artboard;
-  return document;
+  Begun begun{{}, {*artboard, {}, {}}};
+  begun.document.artboard = *artboard;
+  if (input.attribute(input.root(), "viewBox")) {
+    begun.frame = svg::read_picture_frame(input, *artboard);
+  }
+  return begun;
 }
 
 Result<ReadDocument> read(Input& input, const ResourceLoader* loader) {
-  Result<Document> begun = begin(input);
+  Result<Begun> begun = begin(input);
   if (!begun) return begun.status();
-  Document& document = *begun;
-  svg::PictureFrame frame{document.artboard, {}, {}};
-  if (input.attribute(input.root(), "viewBox")) {
-    frame = svg::read_picture_frame(input, document.artboard);
-  }
+  Document& document = begun->document;
   Status status = read_version(input);
   if (status) status = read_interpolation(input, document);
   if (status) status = read_background(input, document);
   if (status) status = svg::SceneReader(input, document, loader).read();
   if (!status) return status;
-  svg::show_in_frame(frame, document);
+  svg::show_in_frame(begun->frame, document);
   if (document.stack.empty() || !svg::gives_color(document)) warn_of_nothing(input, document);
   if (Status stopped = input.context().check(); !stopped) return stopped;
   if (Status valid = validate(input.context(), document); !valid) return valid;
@@ -151,13 +156,14 @@ Result<ReadDocument> read(Input& input, const ResourceLoader* loader) {
 }
 
 Result<PlainSvg> read_plain(Input& input, const ResourceLoader* loader) {
-  Result<Document> begun = begin(input);
+  Result<Begun> begun = begin(input);
   if (!begun) return begun.status();
-  PlainSvg plain{std::move(*begun), {}, {}, {}};
+  PlainSvg plain{std::move(begun->document), {}, {}, {}};
   Status status = read_interpolation(input, plain.document);
   if (status) status = read_background(input, plain.document);
   if (status) status = svg::SceneReader(input, plain.document, loader, &plain.shapes).read();
   if (!status) return status;
+  svg::show_in_frame(begun->frame, plain.document);
   plain.title = css_trimmed(input.root().child("title").child_value());
   plain.warnings = input.take_warnings();
   return plain;

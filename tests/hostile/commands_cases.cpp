@@ -25,7 +25,8 @@ void add_calls(Family& family) {
   for (const char* command : {"render", "info", "convert", "lint", "compare"}) {
     const std::string name = command;
     family.add_call(name + "_alone", kBadUsage, "sfumato " + name, {command});
-    family.add_call(name + "_unknown_option", kBadUsage, "is no option of", {command, "--nonsense"});
+    family.add_call(name + "_unknown_option", kBadUsage, "is no option of",
+                    {command, "--nonsense"});
     family
         .add_call(
             name + "_empty_operand",

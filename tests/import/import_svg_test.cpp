@@ -18,11 +18,15 @@ std::string icon(const std::string& content) {
          content + "</svg>";
 }
 
-ImportedSvg imported(const std::string& content) {
+ImportedSvg imported_text(const std::string& text) {
   Context context;
-  auto result = import_svg(context, icon(content), "icon.svg");
+  auto result = import_svg(context, text, "icon.svg");
   EXPECT_TRUE(result) << (result ? "" : result.status().message);
   return result ? std::move(*result) : ImportedSvg{};
+}
+
+ImportedSvg imported(const std::string& content) {
+  return imported_text(icon(content));
 }
 
 Rgb color_of(const SideShader<Rgb>& side) {
@@ -62,6 +66,29 @@ TEST(ImportSvg, shapes_that_cross_have_layers_of_their_own) {
 TEST(ImportSvg, a_rectangle_over_everything_is_the_background) {
   const ImportedSvg made = imported(R"x(<rect width="100" height="100" fill="#0f0"/>)x");
   EXPECT_EQ(made.document.background, (Rgb{0, 1, 0}));
+}
+
+/// A square that fills a viewBox of 100 × 100, with more attributes of <svg>.
+ImportedSvg framed(const std::string& attributes) {
+  return imported_text("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 100 100\" " +
+                       attributes + "><circle cx=\"50\" cy=\"50\" r=\"40\" fill=\"#f00\"/></svg>");
+}
+
+TEST(ImportSvg, width_and_height_are_kept) {
+  EXPECT_EQ(framed("").document.size_px, std::nullopt);
+  const ImportedSvg large = framed("width=\"400\" height=\"400\"");
+  EXPECT_EQ(large.document.size_px, (Vec2{400, 400}));
+  EXPECT_EQ(large.document.artboard, (Box{{0, 0}, {100, 100}}));
+  const ImportedSvg wide = framed("width=\"400\" height=\"200\"");
+  EXPECT_EQ(wide.document.size_px, (Vec2{400, 200}));
+  EXPECT_EQ(wide.document.artboard, (Box{{-50, 0}, {150, 100}}));
+  const ImportedSvg stretched = framed("width=\"400\" height=\"200\" preserveAspectRatio=\"none\"");
+  EXPECT_EQ(stretched.document.size_px, (Vec2{400, 200}));
+  const Box& board = stretched.document.artboard;
+  const Affine& map = std::get<LayerInstance>(stretched.document.stack.at(0)).artboard_from_layer;
+  EXPECT_EQ(map({0, 0}), board.min);
+  EXPECT_EQ(map({100, 100}), board.max);
+  EXPECT_EQ(board.width(), 2 * board.height());
 }
 
 TEST(ImportSvg, use_and_groups_inherit_as_they_are_drawn) {
