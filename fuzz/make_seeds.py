@@ -69,6 +69,25 @@ DOCUMENTS = [
     'f:version="1"><s:g f:diffuse="true"><s:path d="M1,1 2,3" f:left="red"/></s:g></s:svg>',
 ]
 
+ICONS = [
+    svg('<title>i</title><rect x="8" y="8" width="48" height="48" rx="9" fill="#246"/>'
+        '<path d="M20 32L30 42L46 22" fill="none" stroke="#fff" stroke-width="5" '
+        'stroke-linecap="round" stroke-linejoin="round"/>'),
+    svg('<path fill-rule="evenodd" d="M5 5h50v50h-50zM15 15h30v30h-30zM30 0L60 60L0 20L60 20L0 60z" '
+        'fill="red" stroke="#0008" stroke-width="3" stroke-dasharray="5 2 1" '
+        'stroke-dashoffset="-3" stroke-linejoin="bevel" stroke-linecap="square"/>'),
+    svg('<linearGradient id="a"><stop stop-color="red" stop-opacity=".3"/><stop offset="1"/>'
+        '</linearGradient><radialGradient id="b" href="#a" fx=".2" spreadMethod="reflect"/>'
+        '<g opacity=".5" style="mix-blend-mode:screen"><circle cx="20" cy="20" r="15" '
+        'fill="url(#a)"/><circle cx="30" cy="25" r="15" fill="url(#b)" stroke="url(#a)" '
+        'stroke-width="4" stroke-miterlimit="1"/></g>', ' width="100" height="20" '
+        'preserveAspectRatio="none"'),
+    svg('<symbol id="s" viewBox="0 0 4 4"><path d="M0 0C9 9-5 9 4 0Q2 2 0 4A3 2 20 1 0 4 4z"/>'
+        '</symbol><use href="#s" width="40" height="30" fill="gold"/><use href="#s" x="9" y="20" '
+        'width="30" height="40" style="fill:tan;stroke:navy;stroke-width:.1" '
+        'transform="rotate(30) skewX(20)"/>'),
+]
+
 CURVE_SETS = [
     '<curve_set image_width="64" image_height="48" nb_curves="1"><curve nb_control_points="4">'
     '<control_points_set><control_point x="1" y="2"/><control_point x="9" y="20"/>'
@@ -173,6 +192,7 @@ def seeds():
     orzan = [text.encode() for text in CURVE_SETS]
     yield 'orzan', orzan + [text for text in documents if b'curve_set' in text]
     yield 'svg', documents + orzan + [gzip.compress(text, 9, mtime=0) for text in documents[:3]]
+    yield 'import', [text.encode() for text in ICONS] + documents
     yield 'stop_list', [text.encode() for text in STOP_LISTS]
     yield 'path_data', [text.encode() for text in PATHS]
     yield 'style_sheet', [text.encode() for text in SHEETS]

@@ -14,6 +14,8 @@ namespace {
 
 constexpr int kMostChords = 64;  ///< of one Bézier piece
 constexpr std::size_t kChords = 2'000'000;
+/// Chords that the stretches are held against, all together.
+constexpr std::size_t kLooks = 200'000'000;
 constexpr double kShortest = 1e-7;  ///< stretch, in the contour's parameter
 
 using curves::Cubic;
@@ -172,10 +174,13 @@ bool Boundary::is_inside(Vec2 point) const {
 /// Asked beside the longest chord of the stretch.
 int Boundary::side_of(std::size_t contour, double begin, double end) const {
   Vec2 from, to;
-  for (std::size_t i = first_chord_[contour]; i < first_chord_[contour + 1]; ++i) {
-    const Chord& chord = chords_[i];
+  const auto all = std::span(chords_).subspan(first_chord_[contour],
+                                              first_chord_[contour + 1] - first_chord_[contour]);
+  const auto first =
+      std::ranges::partition_point(all, [begin](const Chord& chord) { return chord.end <= begin; });
+  for (const Chord& chord : std::span(first, all.end())) {
+    if (chord.begin >= end) break;
     const double low = std::max(begin, chord.begin), high = std::min(end, chord.end);
-    if (low >= high) continue;
     const double span = chord.end - chord.begin;
     const Vec2 a = lerp(chord.from, chord.to, (low - chord.begin) / span);
     const Vec2 b = lerp(chord.from, chord.to, (high - chord.begin) / span);
@@ -207,6 +212,7 @@ void Boundary::keep(std::size_t contour, const Cut& begin, const Cut& end, int s
 }
 
 Status Boundary::take_stretches() {
+  std::size_t looks = 0;
   for (std::size_t c = 0; c < contours_.size(); ++c) {
     const std::vector<Cut>& cuts = cuts_[c];
     std::size_t begin = 0;
@@ -215,6 +221,9 @@ Status Boundary::take_stretches() {
       if (context_.cancelled()) return context_.stop_status();
       // Of no length: has no sides, and the chain goes on.
       if (cuts[i].parameter - cuts[i - 1].parameter < kShortest && i > 1) continue;
+      if ((looks += 2 * chords_.size()) > kLooks) {
+        return make_error(StatusCode::limit, "the shape crosses itself too often");
+      }
       const int next = side_of(c, cuts[i - 1].parameter, cuts[i].parameter);
       if (i > 1 && next == side) continue;
       if (side != 0) keep(c, cuts[begin], cuts[i - 1], side);

@@ -1,0 +1,44 @@
+// Ordinary SVG made into diffusion curves, as `sfumato init --from` does.
+#include <string>
+
+#include "document/document.hpp"
+#include "formats/read_document.hpp"
+#include "formats/svg_write.hpp"
+#include "fuzz.hpp"
+#include "import/import_svg.hpp"
+
+using namespace sfumato;
+
+namespace {
+
+/// What was made is valid, and is a drawing when it is written.
+void check(Context& context, const ImportedSvg& made) {
+  fuzz::require_ok(validate(context, made.document), "a document that is not valid");
+  fuzz::require(made.warnings.size() <= limits::kWarnings + 1, "too many warnings");
+  const Result<std::string> text = write_svg(context, made.document);
+  if (!text) {
+    fuzz::require_honest(text.status());
+    return;
+  }
+  const Result<ReadDocument> again = read_document(context, *text, "made.svg");
+  if (!again) fuzz::require_honest(again.status());
+  if (!again && again.status().code == StatusCode::bad_input) {
+    fuzz::require_ok(again.status(), "a drawing that cannot be read");
+  }
+}
+
+}  // namespace
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  Context context{.budget = Budget(fuzz::kBudgetBytes)};
+  {
+    const Result<ImportedSvg> made = import_svg(context, fuzz::as_text({data, size}), "fuzz.svg");
+    if (made) {
+      check(context, *made);
+    } else {
+      fuzz::require_honest(made.status());
+    }
+  }
+  fuzz::require(context.budget.used() == 0, "the import keeps what it charged");
+  return 0;
+}
