@@ -35,11 +35,11 @@ const std::string_view kStyle =
 * { box-sizing: border-box; }
 body { margin: 0; height: 100vh; display: flex; flex-direction: column;
   font: 14px/1.4 system-ui, sans-serif; }
-header { display: flex; gap: 1em; align-items: center; padding: .4em .8em;
+header { display: flex; flex-wrap: wrap; gap: .3em 1em; align-items: center; padding: .4em .8em;
   border-bottom: 1px solid var(--line); }
-#status { flex: 1; opacity: .75; }
+#status { flex: 1 1 auto; opacity: .75; }
 .failed #status { color: var(--bad); opacity: 1; font-weight: 600; }
-.tools { display: flex; gap: .3em; align-items: center; }
+.tools { display: flex; gap: .3em; align-items: center; margin-left: auto; }
 button { font: inherit; min-width: 2.2em; }
 #zoom { min-width: 4em; text-align: right; font-variant-numeric: tabular-nums; }
 #stage { flex: 1; overflow: auto; display: flex; min-height: 0; outline-offset: -2px; }
