@@ -26,7 +26,7 @@ constexpr std::string_view kScripts[] = {"affine.js",   "bytes.js",   "mesh.js",
                                          "gl.js",       "paints.js",  "segments.js", "payload.js",
                                          "layers.js",   "strokes.js", "targets.js",  "painter.js",
                                          "renderer.js", "view.js",    "motion.js",   "input.js",
-                                         "controls.js", "viewer.js",  "main.js"};
+                                         "controls.js", "paper.js",   "viewer.js",   "main.js"};
 
 constexpr std::string_view kShaders[] = {"common.glsl",         "paint.glsl",   "patch.vert",
                                          "patch.frag",          "screen.vert",  "composite.frag",

@@ -5,6 +5,7 @@ import { rmSync } from "node:fs";
 import { chromium } from "playwright-core";
 import { PNG } from "pngjs";
 import { Command, Pages, Tap, pathOf } from "./harness.mjs";
+import { testFramesAndPaper } from "./frames.mjs";
 import { testInteraction } from "./interaction.mjs";
 import { testGlb, testSvg } from "./outputs.mjs";
 import { testPayload } from "./payload.mjs";
@@ -71,6 +72,7 @@ await tap.test("Chromium starts, and all tests come to their end", async () => {
     await testPictures(tap, tools);
     await testInteraction(tap, tools);
     await testRobustness(tap, tools);
+    await testFramesAndPaper(tap, tools);
     await testSvg(tap, tools);
     await testPdfInChromium(tap, tools);
   });

@@ -26,6 +26,16 @@ class Controls {
     this.full = element("full", HTMLButtonElement);
     this.dialog = element("keys-dialog", HTMLDialogElement);
     this.fallback = document.getElementById("fallback");
+    this.note = element("still", HTMLParagraphElement);
+    this.live = element("live", HTMLButtonElement);
+    /** Whether the picture stands in a text, without tools of its own. */
+    this.isEmbedded = false;
+    this.followAddress();
+    /** Whether the page stands in another one, which scrolls. */
+    this.isFramed = window.parent !== window;
+    document.documentElement.classList.toggle("framed", this.isFramed);
+    /** Whether the still picture stands over the canvas. */
+    this.isStill = false;
     this.full.hidden = !document.fullscreenEnabled;
     this.message.hidden = false;
     this.message.textContent = "Unpacking the picture …";
@@ -47,12 +57,51 @@ class Controls {
     });
   }
 
-  /** The picture is drawn: the canvas takes the place of what stood there. */
-  showCanvas() {
+  /** "#embed" leaves the buttons out. @returns {boolean} whether that has changed */
+  followAddress() {
+    const before = this.isEmbedded;
+    this.isEmbedded = EMBEDDED.test(location.hash);
+    document.documentElement.classList.toggle("embedded", this.isEmbedded);
+    return before !== this.isEmbedded;
+  }
+
+  /** The canvas may be drawn on; the still picture, if any, covers it until that is done. */
+  openCanvas() {
     this.canvas.hidden = false;
     this.tools.hidden = false;
     this.message.hidden = true;
-    if (this.fallback) this.fallback.hidden = true;
+    this.setStill(true);
+  }
+
+  /**
+   * The still picture over the canvas, which still takes pointers and keys, or the canvas alone.
+   * @param {boolean} isStill
+   */
+  setStill(isStill) {
+    this.isStill = isStill && this.fallback !== null;
+    document.documentElement.classList.toggle("still", this.isStill);
+    this.note.hidden = true;
+    if (this.fallback) this.fallback.hidden = !this.isStill;
+  }
+
+  /**
+   * Where the still picture lies: left, top, width, height.
+   * @param {number[]} box CSS pixels of the window
+   */
+  placeStill(box) {
+    if (!this.fallback) return;
+    const [left, top, width, height] = box.map((length) => `${length}px`);
+    Object.assign(this.fallback.style, { left, top, width, height });
+  }
+
+  /**
+   * The still picture is there to stay; a button leads back to drawing.
+   * @param {() => void} goOn
+   */
+  keepStill(goOn) {
+    this.setStill(true);
+    this.note.hidden = false;
+    this.live.onclick = goOn;
   }
 
   /**
@@ -65,7 +114,10 @@ class Controls {
     this.message.hidden = false;
     this.message.textContent = text;
     this.message.classList.toggle("alone", this.fallback === null);
-    if (this.fallback) this.fallback.hidden = false;
+    this.setStill(false);
+    if (!this.fallback) return;
+    this.fallback.hidden = false;
+    this.fallback.removeAttribute("style");
   }
 
   /** @param {number} zoom */

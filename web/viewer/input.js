@@ -21,15 +21,24 @@ const DOUBLE_TAP_ZOOM = 2;
  * @property {() => void} showHelp
  */
 
+/**
+ * What is for the picture, and not for the page around it.
+ * @typedef {object} Claims
+ * @property {() => boolean} wheel a wheel without Ctrl
+ * @property {() => boolean} finger a finger by itself
+ */
+
 /** Drag, pinch and taps on the canvas. */
 class PointerInput {
   /**
    * @param {HTMLCanvasElement} canvas
    * @param {Commands} commands
+   * @param {Claims} claims
    */
-  constructor(canvas, commands) {
+  constructor(canvas, commands, claims) {
     this.canvas = canvas;
     this.commands = commands;
+    this.claims = claims;
     /** @type {Map<number, number[]>} */
     this.down = new Map();
     this.travelled = 0;
@@ -80,6 +89,7 @@ class PointerInput {
     const dx = after.x - before.x,
       dy = after.y - before.y;
     this.travelled += Math.hypot(dx, dy) + Math.abs(after.spread - before.spread);
+    if (event.pointerType === "touch" && this.down.size < 2 && !this.claims.finger()) return;
     this.commands.move(dx, dy, false);
     if (before.spread > 0 && after.spread > 0) {
       this.commands.zoom(after.spread / before.spread, after.x, after.y, false);
@@ -110,12 +120,14 @@ class PointerInput {
 
   /** @param {WheelEvent} event */
   wheel(event) {
+    // What is not taken scrolls the page around the frame.
+    if (!event.ctrlKey && !event.metaKey && !this.claims.wheel()) return;
     event.preventDefault();
     const unit = [1, 18, 400][event.deltaMode] ?? 1;
     const delta = (event.deltaY || event.deltaX) * unit;
-    // A pinch on a touch pad comes as a wheel with Ctrl, in small steps.
-    const speed = event.ctrlKey ? 0.01 : 0.002;
-    const factor = Math.exp(-Math.max(-300, Math.min(300, delta)) * speed);
+    // A pinch on a touch pad comes as a wheel with Ctrl, in small steps; a wheel's are large.
+    const [speed, most] = event.ctrlKey ? [0.01, 25] : [0.002, 300];
+    const factor = Math.exp(-Math.max(-most, Math.min(most, delta)) * speed);
     const [x, y] = this.at(event);
     this.commands.zoom(factor, x, y, !event.ctrlKey);
   }

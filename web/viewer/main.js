@@ -43,12 +43,15 @@ function commandsOf(viewer, controls) {
 function followAddress(viewer) {
   const obey = () => {
     const state = stateOfHash(location.hash);
+    const isOther = viewer.controls.followAddress();
     if (state) viewer.show(state, false);
+    else if (isOther && viewer.isFitted) viewer.fit(false);
   };
   obey();
   window.addEventListener("hashchange", obey);
   viewer.onSettled = (state) => {
-    const hash = viewer.isFitted ? "" : hashOfState(state);
+    const view = viewer.isFitted ? "" : hashOfState(state);
+    const hash = viewer.controls.isEmbedded ? `#embed${view.replace("#", ",")}` : view;
     if (hash === location.hash) return;
     // Pages in a frame without an address of their own may not.
     try {
@@ -67,7 +70,11 @@ async function openViewer(controls) {
   viewer.onError = (error) => controls.say(inWords(error));
   await viewer.start();
   const commands = commandsOf(viewer, controls);
-  new PointerInput(controls.canvas, commands);
+  new PointerInput(controls.canvas, commands, {
+    // In a frame a wheel is the page's, until somebody has begun to work with the picture.
+    wheel: () => !controls.isEmbedded && (!controls.isFramed || document.hasFocus()),
+    finger: () => !controls.isEmbedded,
+  });
   listenToKeys(commands);
   controls.connect(commands);
   followAddress(viewer);
@@ -104,6 +111,12 @@ function main() {
     get page() {
       return viewer ? [...viewer.picture.viewport] : null;
     },
+    /** Whether the still picture stands there, since frames took too long. */
+    get still() {
+      return viewer?.isStill ?? false;
+    },
+    /** From now on frames are drawn however long they take. */
+    goLive: () => viewer?.goLive(),
     /** Frames drawn since the beginning. */
     get frames() {
       return viewer?.frames ?? 0;

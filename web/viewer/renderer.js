@@ -62,6 +62,7 @@ class Renderer {
 
   /** From now on the GPU is busy until it is done with what was asked for. */
   markWork() {
+    if (this.fence) this.gl.deleteSync(this.fence);
     this.fence = this.gl.fenceSync(this.gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
     this.gl.flush();
   }

@@ -18,9 +18,13 @@ const CLOSEST_PAGE = 2 ** 21;
 const FARTHEST_PAGE = 16;
 
 class View {
-  /** @param {number[]} page the part of the artboard that is shown */
-  constructor(page) {
+  /**
+   * @param {number[]} page the part of the artboard that is shown
+   * @param {() => boolean} hasTools whether room is left for the buttons
+   */
+  constructor(page, hasTools) {
     this.page = page;
+    this.hasTools = hasTools;
     this.width = 1;
     this.height = 1;
     this.ratio = 1;
@@ -36,7 +40,7 @@ class View {
   /** The state that shows all of the page. @returns {ViewState} */
   fitted() {
     const [x0, y0, x1, y1] = this.page;
-    const small = this.width < 240 || this.height < 240;
+    const small = !this.hasTools() || this.width < 240 || this.height < 240;
     const margin = small ? 0 : FIT_MARGIN,
       tools = small ? 0 : FIT_TOOLS;
     const width = Math.max(1, this.width - 2 * margin);
@@ -95,6 +99,18 @@ class View {
     return this.limited({ x: x - dx / zoom, y: y - dy / zoom, zoom });
   }
 
+  /** Where the page lies in the window: left, top, width, height, CSS pixels. */
+  pageBox() {
+    const [x0, y0, x1, y1] = this.page;
+    const { x, y, zoom } = this.state;
+    return [
+      this.width / 2 + (x0 - x) * zoom,
+      this.height / 2 + (y0 - y) * zoom,
+      (x1 - x0) * zoom,
+      (y1 - y0) * zoom,
+    ];
+  }
+
   /**
    * @param {number[]} size of the canvas, device pixels
    * @returns {Affine}
@@ -112,13 +128,16 @@ class View {
   }
 }
 
+/** How an address ends that has the viewer stand in a text: no buttons. */
+const EMBEDDED = /^#embed(,|$)/;
+
 /**
- * "#x,y,zoom" as a state, or null where it is none.
+ * "#x,y,zoom" or "#embed,x,y,zoom" as a state, or null where it is none.
  * @param {string} hash
  * @returns {ViewState | null}
  */
 function stateOfHash(hash) {
-  const numbers = hash.replace(/^#/, "").split(",").map(Number);
+  const numbers = hash.replace(EMBEDDED, "").replace(/^#/, "").split(",").map(Number);
   const isState = numbers.length === 3 && numbers.every(Number.isFinite) && numbers[2] > 0;
   return isState ? { x: numbers[0], y: numbers[1], zoom: numbers[2] } : null;
 }

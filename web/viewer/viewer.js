@@ -3,6 +3,11 @@
 /** Time after which a lost context is spoken of, milliseconds. */
 const PATIENCE = 1000;
 
+/** Longer than this a frame must not take, milliseconds: then the picture stands still. */
+const SLOWEST_FRAME = 1000;
+/** Frames that were too slow, one after another, before it does; the first compiles shaders. */
+const SLOW_FRAMES = 2;
+
 class Viewer {
   /**
    * @param {Picture} picture
@@ -12,7 +17,7 @@ class Viewer {
     this.picture = picture;
     this.controls = controls;
     this.canvas = controls.canvas;
-    this.view = new View(picture.viewport);
+    this.view = new View(picture.viewport, () => !controls.isEmbedded);
     this.motion = new Motion(this.view);
     this.mesh = false;
     /** Frames that were shown, and those of them that were made finer. */
@@ -20,6 +25,13 @@ class Viewer {
     this.size = [1, 1];
     this.isDirty = true;
     this.isScheduled = false;
+    /** Whether it is drawn however long a frame takes. */
+    this.isLive = controls.fallback === null;
+    /** Whether the still picture stands there, since frames took too long. */
+    this.isStill = false;
+    this.slowFrames = 0;
+    /** When the GPU was last given work; null: that work is done. @type {number | null} */
+    this.workSince = null;
     /** Whether the whole page is to stay in the window when its size changes. */
     this.isFitted = true;
     /** @type {Renderer | null} */
@@ -51,11 +63,15 @@ class Viewer {
     this.build();
     this.canvas.addEventListener("webglcontextlost", (event) => this.lose(event));
     this.canvas.addEventListener("webglcontextrestored", () => this.attempt(() => this.restore()));
-    this.controls.showCanvas();
+    this.controls.openCanvas();
     this.watchSize();
     window
       .matchMedia("(prefers-color-scheme: dark)")
       .addEventListener("change", () => this.change());
+    // A frame that waited while nobody looked was not slow.
+    document.addEventListener("visibilitychange", () => (this.workSince = null));
+    window.addEventListener("beforeprint", () => this.attempt(() => this.print()));
+    window.addEventListener("afterprint", takeFromPaper);
   }
 
   build() {
@@ -76,7 +92,8 @@ class Viewer {
   }
 
   restore() {
-    this.controls.showCanvas();
+    this.workSince = null;
+    this.controls.openCanvas();
     this.build();
   }
 
@@ -176,20 +193,54 @@ class Viewer {
   tick(now) {
     const { renderer, motion } = this;
     if (!renderer) return;
-    // What the GPU has not done yet would only pile up.
-    if (renderer.isBusy) return this.schedule();
     if (motion.isMoving) {
       motion.step(now);
       this.isDirty = true;
     }
-    if (this.isDirty) {
+    if (this.controls.isStill) this.controls.placeStill(this.view.pageBox());
+    // What the GPU has not done yet would only pile up.
+    if (renderer.isBusy) return this.schedule();
+    this.measure(now);
+    if (this.isStill) {
+      this.controls.showZoom(this.view.state.zoom);
+    } else if (this.isDirty) {
       this.drawFrame(renderer);
     } else if (renderer.canRefine) {
+      this.workSince = performance.now();
       renderer.refine(this.frame());
       if (!renderer.canRefine) this.frames += 1;
     }
-    if (motion.isMoving || renderer.canRefine) this.schedule();
+    if (motion.isMoving || this.workSince !== null) this.schedule();
     else this.settle();
+  }
+
+  /**
+   * The GPU is done: what it has drawn is shown, or the still picture where that took too long.
+   * @param {number} now milliseconds
+   */
+  measure(now) {
+    if (this.workSince === null) return;
+    const isSlow = now - this.workSince > SLOWEST_FRAME;
+    this.workSince = null;
+    this.slowFrames = isSlow ? this.slowFrames + 1 : 0;
+    this.isStill = !this.isLive && this.slowFrames >= SLOW_FRAMES;
+    if (this.isStill) this.controls.keepStill(() => this.goLive());
+    else if (this.controls.isStill) this.controls.setStill(false);
+  }
+
+  /** From now on it is drawn, however slowly. */
+  goLive() {
+    this.isLive = true;
+    if (this.isStill) this.controls.setStill(true);
+    this.isStill = false;
+    this.change();
+  }
+
+  /** Paper gets the page as fine as it gets, or the still picture where drawing takes too long. */
+  print() {
+    if (!this.renderer || this.isStill) return;
+    layOnPaper(this.renderer, this.canvas, this.frame());
+    this.change();
   }
 
   /** @param {Renderer} renderer */
@@ -198,6 +249,7 @@ class Viewer {
     const [width, height] = this.size;
     if (this.canvas.width !== width) this.canvas.width = width;
     if (this.canvas.height !== height) this.canvas.height = height;
+    this.workSince = performance.now();
     renderer.draw(this.frame());
     this.frames += 1;
     this.controls.showZoom(this.view.state.zoom);

@@ -1,0 +1,35 @@
+// What is printed: the whole page of the picture, whatever part of it the window shows.
+
+/** Longer side of the page on paper, pixels. */
+const PAPER_SIDE = 2400;
+
+/**
+ * Draws the page and puts it beside the canvas as an image that paper alone shows. What the canvas
+ * held is gone afterwards.
+ * @param {Renderer} renderer
+ * @param {HTMLCanvasElement} canvas the renderer's
+ * @param {Frame} shown in the window
+ */
+function layOnPaper(renderer, canvas, shown) {
+  const [x0, y0, x1, y1] = renderer.picture.viewport;
+  const side = Math.min(PAPER_SIDE, renderer.abilities.largestSide);
+  const zoom = side / (Math.max(x1 - x0, y1 - y0) || 1);
+  const size = [x1 - x0, y1 - y0].map((length) => Math.max(1, Math.round(length * zoom)));
+  [canvas.width, canvas.height] = size;
+  const pixelFromArtboard = [zoom, 0, 0, zoom, -x0 * zoom, -y0 * zoom];
+  const frame = { ...shown, size, pixelFromArtboard, desk: [1, 1, 1], lineScale: 1 };
+  renderer.draw(frame);
+  while (renderer.canRefine) renderer.refine(frame);
+  // Chromium prints a canvas that was drawn in this event up to 6 % too small; an image whose bytes
+  // stand in its address is there at once.
+  const paper = document.createElement("img");
+  paper.id = "paper";
+  paper.alt = canvas.getAttribute("aria-label") ?? "";
+  paper.src = canvas.toDataURL();
+  takeFromPaper();
+  canvas.after(paper);
+}
+
+function takeFromPaper() {
+  document.getElementById("paper")?.remove();
+}
