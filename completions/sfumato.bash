@@ -25,6 +25,7 @@ _sfumato() {
     --max-error | --max-time) options='off' ;;
     --format) options='png jpg webp html pdf eps svg glb' ;;
     --svg) options='image vector' ;;
+    --pdf-flatten) options='auto always never' ;;
     --device) options='cpu gpu' ;;
     --background) options='none white black' ;;
     --limit)
@@ -61,7 +62,8 @@ _sfumato() {
       options='--output --out-dir --format --allow-files --viewport --width --height --scale
         --detail --method --rays --seed --tolerance --ends --no-blur --max-error --max-area
         --min-angle --order --mesh-overlay --background --depth --dither --no-dither --quality
-        --lossless --dpi --svg --force --title --device --no-antialias --threads --stats --quiet
+        --lossless --dpi --svg --force --pdf-flatten --title --device --no-antialias --threads
+        --stats --quiet
         --max-memory --max-time --limit --help'
       ;;
     info)

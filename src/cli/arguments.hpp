@@ -12,6 +12,7 @@
 #include "cli/paths.hpp"
 #include "cli/render_jobs.hpp"
 #include "cli/resources.hpp"
+#include "export/pdf.hpp"
 #include "export/svg.hpp"
 #include "patches/diffuse.hpp"
 #include "raster/rasterize.hpp"
@@ -37,7 +38,8 @@ struct OutputOptions {
   std::optional<double> dpi{};  ///< of what stands as pixels; none: as the format has it
   SvgMode svg = SvgMode::image;
   bool force = false;  ///< a vector SVG of any size
-  std::string title;   ///< empty: the name of the drawing
+  PdfFlatten pdf_flatten = PdfFlatten::automatic;
+  std::string title;  ///< empty: the name of the drawing
 };
 
 /// `input` is of the job at hand.

@@ -178,7 +178,7 @@ Result<Bytes> PictureMaker::export_picture(const Picture& picture, ExportNotes* 
     case OutputKind::html:
       return make_html(picture, notes);
     case OutputKind::pdf: {
-      PdfOptions options{.title = title()};
+      PdfOptions options{.title = title(), .flatten = output.pdf_flatten};
       options.dpi = output.dpi.value_or(options.dpi);
       options.page_width_pt = 0.75 * scale_ * picture.viewport.width();
       return export_pdf(context_, picture, options, notes);

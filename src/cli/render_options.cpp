@@ -179,6 +179,13 @@ void add_vector_options(CLI::App& app, RenderArguments& arguments, RenderChoices
              "image: one PNG in an SVG; vector: triangles of gradients\n[image]", choices.svg)
       ->group(group);
   app.add_flag("--force", output.force, "A vector SVG however large it is")->group(group);
+  add_choice(app, "--pdf-flatten",
+             {{"auto", PdfFlatten::automatic},
+              {"always", PdfFlatten::always},
+              {"never", PdfFlatten::never}},
+             "Layers of a PDF as pixels; auto: those that take some\nprograms minutes [auto]",
+             output.pdf_flatten)
+      ->group(group);
   app.add_option("--title", output.title, "Of HTML, PDF and EPS [the drawing's file name]")
       ->type_name("TEXT")
       ->group(group);

@@ -100,6 +100,10 @@ Status MeshWriter::write(Context& context) {
 Box decode_box(const std::vector<Vec2>& positions) {
   Box box;
   for (Vec2 p : positions) box.extend(p);
+  return decode_box(box);
+}
+
+Box decode_box(Box box) {
   // A side of no length would be divided by.
   const double least = 1e-9 * std::max({std::fabs(box.min.x), std::fabs(box.min.y), 1.0});
   if (!(box.width() > least)) box.max.x = box.min.x + least;

@@ -12,6 +12,8 @@ namespace sfumato::outputs {
 
 /// The rectangle that coordinates of a mesh are fractions of: it holds every vertex.
 Box decode_box(const std::vector<Vec2>& positions);
+/// The same for what a box holds: sides of no length become short.
+Box decode_box(Box box);
 
 /// Facets as the data of a shading of type 4 (ISO 32000-1, 8.7.4.5.5), which PDF and PostScript
 /// share: a byte of flag, 24 bits for each coordinate, a byte for each channel. Facets that follow

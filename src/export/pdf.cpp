@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <numeric>
 #include <optional>
 #include <string_view>
 #include <tuple>
@@ -25,8 +27,21 @@ using Resource = PdfContent::Resource;
 /// Of a page, in its own units; larger pages have larger units.
 constexpr double kMostPageUnits = 14400;
 
+/// Poppler's Splash takes 0.4 to 1 ms for a patch (34,000 of blur.svg 13 s): more of them are too
+/// many…
+constexpr double kManyPatches = 50'000;
+/// …and so few a matter of seconds.
+constexpr double kFewPatches = 10'000;
+
 bool is_composited(float opacity, BlendMode blend) {
   return opacity < 1 || blend != BlendMode::normal;
+}
+
+/// What an instance of a layer paints: its colours, its opacity, and a mask for each shader.
+double painted_patches(const PatchLayer& layer) {
+  const std::size_t meshes = 1 + (layer.opacity.channel_count > 0 ? 1 : 0) +
+                             layer.color.shader.size() + layer.opacity.shader.size();
+  return 1.0 * layer.triangle_count() * static_cast<double>(meshes);
 }
 
 /// Writes a picture's stack, bottom first.
@@ -50,6 +65,7 @@ class PdfWriter {
 
  private:
   void add_layers();
+  void choose_pixels(const std::vector<double>& patches, std::vector<PdfLayerOptions>* layers);
   void paint_strokes();
   void add_state(float opacity, BlendMode blend, std::string* operators);
   void paint_background();
@@ -77,19 +93,43 @@ class PdfWriter {
 /// Layers that are painted, each for its largest instance.
 void PdfWriter::add_layers() {
   std::vector<PdfLayerOptions> layers(picture_.layers.size());
-  for (PdfLayerOptions& layer : layers) layer = {options_.max_error / 255, 0, options_.dpi, false};
+  std::vector<double> patches(picture_.layers.size(), 0.0);  // that are painted, all instances'
+  for (PdfLayerOptions& layer : layers) {
+    layer = {options_.max_error / 255, 0, options_.dpi, false,
+             options_.flatten == PdfFlatten::always};
+  }
   for (const PictureItem& item : picture_.stack) {
     const PatchInstance* instance = std::get_if<PatchInstance>(&item);
     if (!instance) continue;
     PdfLayerOptions& layer = layers[instance->layer];
     const double scale = std::sqrt(std::fabs(instance->artboard_from_layer.determinant()));
     layer.points_per_unit = std::max(layer.points_per_unit, scale * points_per_unit_);
+    patches[instance->layer] += painted_patches(picture_.layers[instance->layer]);
     layer.is_group = layer.is_group || is_composited(instance->opacity, instance->blend);
   }
+  if (options_.flatten == PdfFlatten::automatic) choose_pixels(patches, &layers);
   for (std::uint32_t i = 0; i < layers.size(); ++i) {
     const bool is_seen = layers[i].points_per_unit > 0 && std::isfinite(layers[i].points_per_unit);
     layer_.push_back(is_seen ? add_layer(context_, &file_, picture_, i, layers[i], notes_) : 0);
   }
+}
+
+/// Where there are many patches, makes the layers that paint most of them pixels until few are
+/// left.
+void PdfWriter::choose_pixels(const std::vector<double>& patches,
+                              std::vector<PdfLayerOptions>* layers) {
+  double rest = std::accumulate(patches.begin(), patches.end(), 0.0);
+  if (rest <= kManyPatches) return;
+  std::vector<std::size_t> order(patches.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, std::greater(), [&](std::size_t i) { return patches[i]; });
+  std::size_t count = 0;
+  for (; rest > kFewPatches && count < order.size(); ++count) {
+    (*layers)[order[count]].as_pixels = true;
+    rest -= patches[order[count]];
+  }
+  notes_->lost.push_back(std::to_string(count) + (count == 1 ? " layer is" : " layers are") +
+                         " stored as pixels: as triangles they would take some programs minutes");
 }
 
 /// Appends "/R12 gs " where an item is not just painted over the rest.
@@ -198,6 +238,8 @@ Status check(const Context& context, const Picture& picture, const PdfOptions& o
     return make_error(StatusCode::bad_input, "a page width that is no positive number");
   if (!is_positive(options.dpi) || !is_positive(options.max_error))
     return make_error(StatusCode::bad_input, "a resolution or error that is no positive number");
+  if (options.flatten > PdfFlatten::never)
+    return make_error(StatusCode::bad_input, "an unknown way to flatten a PDF");
   return raster::check_picture(context, picture);
 }
 

@@ -36,6 +36,13 @@ Result<std::string> clip_to(const Context& context,
   return path + "W n";
 }
 
+/// What the triangles cover: vertices that none has may lie far away.
+Box triangles_box(const PatchLayer& layer) {
+  Box box;
+  for (std::uint32_t vertex : layer.triangle_vertex) box.extend(layer.vertex_position[vertex]);
+  return box;
+}
+
 /// Writes one layer.
 class LayerWriter {
  public:
@@ -48,7 +55,7 @@ class LayerWriter {
         index_(index),
         options_(options),
         notes_(notes),
-        mesh_box_(decode_box(layer_.vertex_position)),
+        mesh_box_(decode_box(triangles_box(layer_))),
         box_(mesh_box_.grown_by(band_width())) {}
 
   PdfRef write();
@@ -200,7 +207,7 @@ PdfRef LayerWriter::write() {
     return 0;
   }
   edges_ = std::move(*edges);
-  if (is_mixed_elsewhere()) {
+  if (options_.as_pixels || is_mixed_elsewhere()) {
     paint_pixels(&content);
     return content.make_form(file_, box_, options_.is_group);
   }

@@ -14,7 +14,8 @@ struct PdfLayerOptions {
   double max_error = 0.5 / 255;
   double points_per_unit = 0.75;  ///< of the instance that shows the layer largest
   double dpi = 300;
-  bool is_group = false;  ///< some instance composites it as one
+  bool is_group = false;   ///< some instance composites it as one
+  bool as_pixels = false;  ///< stored as one image
 };
 
 /// A layer as a form XObject in its own frame; 0 where it shows nothing, or after an error, which

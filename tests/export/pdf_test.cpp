@@ -55,6 +55,40 @@ TEST(Pdf, pages_beyond_200_inches_have_a_larger_unit) {
   EXPECT_NE(text.find("/UserUnit 2 "), std::string::npos);
 }
 
+TEST(Pdf, vertices_that_no_triangle_has_do_not_widen_a_layer) {
+  Picture picture = flat_picture();
+  const Bytes before = exported(picture);
+  picture.layers[0].vertex_position.push_back({1e6, -1e6});
+  EXPECT_EQ(exported(picture), before);
+}
+
+TEST(Pdf, layers_are_pixels_where_that_is_asked_for) {
+  for (PdfFlatten flatten : {PdfFlatten::always, PdfFlatten::automatic, PdfFlatten::never}) {
+    Context context;
+    ExportNotes notes;
+    const auto bytes = export_pdf(context, flat_picture(), {.flatten = flatten}, &notes);
+    ASSERT_TRUE(bytes.ok()) << to_string(bytes.status());
+    const bool has_image = text_of(*bytes).find("/Subtype /Image") != std::string::npos;
+    EXPECT_EQ(has_image, flatten == PdfFlatten::always);
+    EXPECT_EQ(notes.triangle_count == 0, flatten == PdfFlatten::always);
+    EXPECT_TRUE(notes.lost.empty());
+  }
+}
+
+TEST(Pdf, layers_that_programs_would_take_minutes_for_are_pixels_and_it_is_told) {
+  Picture picture = flat_picture();
+  const std::size_t patches = picture.layers[0].triangle_count();
+  for (bool is_dear : {false, true}) {
+    picture.stack.resize(50'000 / patches + (is_dear ? 1 : 0), PatchInstance{});
+    Context context;
+    ExportNotes notes;
+    const auto bytes = export_pdf(context, picture, {}, &notes);
+    ASSERT_TRUE(bytes.ok()) << to_string(bytes.status());
+    EXPECT_EQ(notes.triangle_count == 0, is_dear);
+    EXPECT_EQ(notes.lost.size(), is_dear ? 1u : 0u);
+  }
+}
+
 TEST(Pdf, a_layer_painted_often_is_stored_once) {
   Picture picture = flat_picture();
   const std::size_t once = exported(picture).size();

@@ -110,13 +110,20 @@ TEST(PdfInViewers, local_curves) {
 }
 
 TEST(PdfInViewers, the_fish) {
-  if (!test::has_program(kMuPdf.program)) GTEST_SKIP() << "no mutool here";
+  SKIP_WITHOUT_PROGRAMS();
+  if (const auto document = test::example("fish.svg"))
+    expect_shown_everywhere(*document, {{2.1, 25}, {0.7, 8}, {2, 25}, {1.3, 19}});
+}
+
+/// Its hundred fishes as triangles take several minutes there.
+TEST(PdfInViewers, the_fish_is_open_in_splash_within_20_seconds) {
+  if (!test::has_program(kSplash.program) || !test::has_program("prlimit"))
+    GTEST_SKIP() << "no pdftoppm or prlimit here";
   const auto document = test::example("fish.svg");
   if (!document) return;
-  const Picture picture = test::solved(*document);
-  const Bytes pdf = exported(picture);
-  expect_valid(pdf);
-  expect_shown(picture, pdf, kMuPdf, {2.6, 40});
+  // Processor time: other programs' work does not count.
+  EXPECT_TRUE(test::shown_by(exported(test::solved(*document)), "in.pdf",
+                             "prlimit --cpu=20 " + kSplash.command));
 }
 
 /// Opacity by a gradient ends at the circle, and so does the gradient's image.

@@ -142,8 +142,8 @@ inline auto fields(RasterOptions& v) {
   return std::tie(width, height, viewport, format, background, dither, antialias, mesh_overlay);
 }
 inline auto fields(PdfOptions& v) {
-  auto& [page_width_pt, dpi, max_error, title] = v;
-  return std::tie(page_width_pt, dpi, max_error, title);
+  auto& [page_width_pt, dpi, max_error, title, flatten] = v;
+  return std::tie(page_width_pt, dpi, max_error, title, flatten);
 }
 inline auto fields(EpsOptions& v) {
   auto& [page_width_pt, dpi, max_error, title] = v;

@@ -12,7 +12,14 @@ import { Skip, check, difference, rangeOf, shortName } from "./harness.mjs";
 const SHOWN = [
   { document: "../shared/scenes/lady_bug.xml", mean: 0.8, percentile: 6, square: 9 },
   { document: "examples/apple.svg", mean: 2, percentile: 16, square: 9 },
-  { document: "examples/fish.svg", mean: 2.6, percentile: 35, square: 10 },
+  {
+    document: "examples/fish.svg",
+    // PDFium places images at whole pixels, which a small fish is off by.
+    options: ["--pdf-flatten", "never"],
+    mean: 2.6,
+    percentile: 35,
+    square: 10,
+  },
   { document: "examples/blur.svg", mean: 2.2, percentile: 20, square: 15 },
   { document: "examples/textures.svg", mean: 7, percentile: 80, square: 10 },
 ];
@@ -87,10 +94,10 @@ function compare(files, { document, mean, percentile, square }, program) {
 export async function testPdf(tap, { command }) {
   const library = await PDFiumLibrary.init();
   for (const tested of SHOWN) {
-    const { document } = tested;
+    const { document, options = [] } = tested;
     const name = shortName(document);
     await tap.test(`PDFium shows the PDF of ${name} as the rasterizer does`, async () => {
-      const shown = await shownByPdfium(library, command.made(document, "pdf"));
+      const shown = await shownByPdfium(library, command.made(document, "pdf", ...options));
       writeFileSync(command.file(`${name}.pdf.png`), shown);
       compare([shown, readFileSync(command.made(document, "png", "--no-dither"))], tested, "PDFium");
     });
