@@ -1,6 +1,7 @@
 #include "curves/attributes.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "curves/stop_parameters.hpp"
 
@@ -160,10 +161,19 @@ SegmentAttributes sample_colors_and_opacities(const FlatCurves& flat, std::span<
   return both;
 }
 
-void remove_blur_below(SegmentAttributes& attributes, double radius) {
+void remove_blur(SegmentAttributes& attributes) {
+  for (auto* sides : {&attributes.left, &attributes.right}) {
+    for (SegmentSide& side : *sides) side.blur_radius = {};
+  }
+}
+
+void set_fine_blur(SegmentAttributes& attributes, double radius) {
+  // Where a radius grows beyond it, the segment's end is there but for rounding.
+  const double most = radius * (1 + 1e-4);
   for (auto* sides : {&attributes.left, &attributes.right}) {
     for (SegmentSide& side : *sides) {
-      if (std::max(side.blur_radius.start, side.blur_radius.end) < radius) side.blur_radius = {};
+      if (std::max(side.blur_radius.start, side.blur_radius.end) > most) continue;
+      side.fine_radius = std::exchange(side.blur_radius, {});
     }
   }
 }

@@ -45,6 +45,7 @@ struct SegmentSide {
   std::uint32_t shader = 0;            ///< index into SegmentAttributes::shader
   SegmentValues<FieldValue> value{};   ///< of curve_domain
   SegmentValues<float> blur_radius{};  ///< user units; 0: sharp
+  SegmentValues<float> fine_radius{};  ///< of a blur that is too fine for a mesh; else 0
 };
 
 /// One attribute on every segment of `flat` (index = segment = its first vertex; the entries of
@@ -84,7 +85,10 @@ bool opacity_goes_with_color(std::span<const Curve> curves);
 SegmentAttributes sample_colors_and_opacities(const FlatCurves& flat, std::span<const Curve> curves,
                                               InterpolationSpace space);
 
-/// Makes the sides of segments sharp on which no radius reaches `radius`; infinity: all.
-void remove_blur_below(SegmentAttributes& attributes, double radius);
+/// Makes all sides sharp.
+void remove_blur(SegmentAttributes& attributes);
+
+/// Makes the radii of segments that do not exceed `radius` fine ones.
+void set_fine_blur(SegmentAttributes& attributes, double radius);
 
 }  // namespace sfumato::curves

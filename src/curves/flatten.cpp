@@ -131,13 +131,29 @@ class Divider {
   Box focus_;  ///< with its margin; where there is one
 };
 
+/// A list with stops where the value passes `value`.
+ScalarStops split_at(const ScalarStops& list, double value) {
+  ScalarStops split{list.space, {}};
+  for (const auto& stop : list.stops) {
+    if (!split.stops.empty()) {
+      const auto& before = split.stops.back();
+      const double share = (value - before.value) / (double{stop.value} - before.value);
+      if (share > 0 && share < 1) {
+        split.stops.push_back({lerp(before.offset, stop.offset, share), static_cast<float>(value)});
+      }
+    }
+    split.stops.push_back(stop);
+  }
+  return split;
+}
+
 /// The second step: the vertices of the first and the junctions, led to where chords lie in the
 /// middle of their arcs, and stops on the chords.
 class Finisher {
  public:
-  Finisher(const FlatCurves& divided, const Junctions& junctions, double reach,
+  Finisher(const FlatCurves& divided, const Junctions& junctions, const FlattenOptions& options,
            PolylineBuilder& out)
-      : divided_(divided), junctions_(junctions), reach_(reach), out_(out) {}
+      : divided_(divided), junctions_(junctions), options_(options), out_(out) {}
 
   /// Call for all curves in their order.
   void add_curve(const Curve& curve, std::uint32_t index) {
@@ -176,7 +192,7 @@ class Finisher {
            ++next_junction_) {
         const Junction& at = junction[next_junction_];
         // Vertices of several curves may lie on each other.
-        if (length(at.point - knots_.back().point) <= reach_) continue;
+        if (length(at.point - knots_.back().point) <= options_.reach) continue;
         knots_.push_back({at.parameter, at.point, true});
       }
       knots_.push_back({parameter, divided_.vertex[v], junctions_.pinned[v] != 0});
@@ -231,7 +247,7 @@ class Finisher {
     for (const Side* side : {&curve.left, &curve.right}) {
       collect(curve.control_points, side->color.stops);
       collect(curve.control_points, side->opacity.stops);
-      collect(curve.control_points, side->blur_radius);
+      collect(curve.control_points, split_at(side->blur_radius, options_.split_radius));
     }
     std::sort(stops_.begin(), stops_.end());
     stops_.erase(std::unique(stops_.begin(), stops_.end()), stops_.end());
@@ -252,7 +268,7 @@ class Finisher {
 
   const FlatCurves& divided_;
   const Junctions& junctions_;
-  double reach_;
+  const FlattenOptions& options_;
   PolylineBuilder& out_;
   std::size_t next_junction_ = 0;
   std::vector<Knot> knots_;  ///< of the curve at hand, and what follows too
@@ -273,7 +289,7 @@ Result<FlatCurves> flatten(Context& context, std::span<const Curve> curves,
       find_junctions(context, curves, divided.flat(), options.reach);
   if (!junctions) return junctions.status();
   PolylineBuilder finished(context);
-  Finisher finisher(divided.flat(), *junctions, options.reach, finished);
+  Finisher finisher(divided.flat(), *junctions, options, finished);
   for (std::uint32_t i = 0; i < curves.size() && finished.status().ok(); ++i) {
     finisher.add_curve(curves[i], i);
   }

@@ -25,6 +25,8 @@ struct FlattenOptions {
   /// Curves whose radius of blur is below this show as edges; others may be flattened finer, by the
   /// errors in colour that show.
   double sharp_radius = 0;
+  /// A radius of blur that grows beyond this has a vertex there; 0: none.
+  double split_radius = 0;
 };
 
 /// Curves as polylines that keep the curve parameter. Segment s joins vertex s and vertex s + 1;

@@ -37,6 +37,7 @@ Status copy_layer(Context& context, const PatchLayer& layer, ScopedCharge* charg
   status = copy_large(context, layer.vertex_position, copy.vertex_position);
   if (status) status = copy_large(context, layer.triangle_vertex, copy.triangle_vertex);
   if (status) status = copy_large(context, layer.edge_is_curve, copy.edge_is_curve);
+  if (status) status = copy_large(context, layer.soft_edge, copy.soft_edge);
   if (status) status = copy_field(context, layer.color, copy.color);
   return status ? copy_field(context, layer.opacity, copy.opacity) : status;
 }

@@ -56,13 +56,16 @@ Facing facing_side(const mesh::TriangleMesh& mesh, const curves::SegmentAttribut
     if (!first && piece_reach <= reach + mesh.lattice_step) continue;
     const auto& [start, end] = side.value;
     const auto& [blur_start, blur_end] = side.blur_radius;
+    const auto& [fine_start, fine_end] = side.fine_radius;
     facing = {side.kind,
               side.shader,
               lerp(start, end, facing_it.u_origin),
               lerp(start, end, facing_it.u_target),
               attributes.weight[piece.segment],
               lerp(blur_start, blur_end, facing_it.u_origin),
-              lerp(blur_start, blur_end, facing_it.u_target)};
+              lerp(blur_start, blur_end, facing_it.u_target),
+              lerp(fine_start, fine_end, facing_it.u_origin),
+              lerp(fine_start, fine_end, facing_it.u_target)};
     owner = attributes.curve[piece.segment];
     reach = piece_reach;
   }
@@ -76,6 +79,7 @@ Facing back_side(const mesh::TriangleMesh& mesh, const curves::SegmentAttributes
   Facing back = facing_side(mesh, attributes, static_cast<std::uint32_t>(twin));
   std::swap(back.from, back.to);
   std::swap(back.blur_from, back.blur_to);
+  std::swap(back.fine_from, back.fine_to);
   return back;
 }
 

@@ -24,6 +24,8 @@ struct Facing {
   float weight = 1;
   float blur_from = 0;  ///< blur radius at the origin, user units; 0: sharp
   float blur_to = 0;
+  float fine_from = 0;  ///< SegmentSide::fine_radius
+  float fine_to = 0;
 
   bool has_value() const {
     return kind == ShaderKind::curve_domain || kind == ShaderKind::image_domain;

@@ -1,6 +1,10 @@
 #include "gpu/layer_tables.hpp"
 
+#include <algorithm>
+#include <bit>
 #include <utility>
+
+#include "raster/bends.hpp"
 
 namespace sfumato::gpu {
 namespace {
@@ -50,6 +54,29 @@ class Uploader {
     for (std::size_t i = 0; i < is_curve.size(); ++i)
       if (is_curve[i] != 0) slot.push_back(static_cast<std::uint32_t>(i));
     return indices(kIndexTable, slot, table);
+  }
+
+  Status soft_edges(const std::vector<SoftEdge>& edges, LayerTables* tables) {
+    if (edges.empty()) return ok_status();
+    tables->soft_edge_count = static_cast<std::uint32_t>(edges.size());
+    Status status = make(kIndexTable, 3 * edges.size(), &tables->soft_edge.emplace());
+    if (status) status = make(kColorTable, edges.size(), &tables->soft_reach.emplace());
+    if (!status) return status;
+    tables->soft_edge->fill<std::uint32_t>(
+        [&](std::size_t first, std::size_t count, std::uint32_t* out) {
+          for (std::size_t i = first; i < first + count; ++i) {
+            const SoftEdge& edge = edges[i / 3];
+            const std::uint32_t number[3] = {edge.front, edge.back,
+                                             std::bit_cast<std::uint32_t>(edge.contrast)};
+            *out++ = number[i % 3];
+          }
+        });
+    tables->soft_reach->fill<float>([&](std::size_t first, std::size_t count, float* out) {
+      for (std::size_t i = first; i < first + count; ++i)
+        for (const Vec2& reach : edges[i].reach)
+          for (double x : {reach.x, reach.y}) *out++ = static_cast<float>(x);
+    });
+    return status;
   }
 
   /// `own` channels that are no weights: 3 or 1.
@@ -110,6 +137,10 @@ Result<LayerTables> upload_layer(Context& context, const Device& device, const P
   if (status) {
     status = uploader.slots(layer.edge_is_curve, &tables.edge_slot, &tables.curve_edge_count);
   }
+  if (status) {
+    status = uploader.indices(kFlagTable, raster::bent_triangles(layer), &tables.is_bent);
+  }
+  if (status) status = uploader.soft_edges(layer.soft_edge, &tables);
   if (status && with_overlay)
     status = uploader.indices(kFlagTable, layer.edge_is_curve, &tables.edge_is_curve.emplace());
   if (!status) return status;

@@ -24,6 +24,10 @@ struct LayerTables {
   std::optional<FieldTables> opacity;
   Table edge_slot;  ///< edges that are curves
   std::uint32_t curve_edge_count = 0;
+  Table is_bent;                    ///< a flag to a triangle
+  std::optional<Table> soft_edge;   ///< three numbers each; none where no edge is soft
+  std::optional<Table> soft_reach;  ///< a texel each
+  std::uint32_t soft_edge_count = 0;
   std::optional<Table> edge_is_curve;
 };
 

@@ -17,7 +17,9 @@ constexpr std::size_t kMostPaints = 2 * limits::kShadersPerLayer;
 
 constexpr unsigned kWithOpacity = 1;
 constexpr unsigned kWithPaints = 2;
+constexpr unsigned kCenters = 0;
 constexpr unsigned kWithAreas = 4;
+constexpr unsigned kWithStrips = 8;
 
 unsigned variant_of(const PatchLayer& layer) {
   const bool has_paints = !layer.color.shader.empty() || !layer.opacity.shader.empty();
@@ -63,13 +65,14 @@ Status Painter::make_patch_programs() {
   for (const SceneItem& item : scene_.items()) {
     if (item.kind != SceneItem::Kind::instance) continue;
     const unsigned variant = variant_of(scene_.picture().layers[item.index]);
-    for (unsigned areas : {0u, kWithAreas}) {
-      std::optional<Program>& slot = programs_.patch[variant | areas];
-      if (slot || (areas && !settings_.antialias)) continue;
+    for (unsigned kind : {kCenters, kWithAreas, kWithStrips}) {
+      std::optional<Program>& slot = programs_.patch[variant | kind];
+      if (slot || (kind && !settings_.antialias)) continue;
       std::vector<std::string_view> defines;
       if (variant & kWithOpacity) defines.push_back("WITH_OPACITY");
       if (variant & kWithPaints) defines.push_back("WITH_PAINTS");
-      if (areas) defines.push_back("WITH_AREAS");
+      if (kind == kWithAreas) defines.push_back("WITH_AREAS");
+      if (kind == kWithStrips) defines.push_back("WITH_STRIPS");
       Result<Program> program = Program::create(gl_, "patch.vert", "patch.frag", defines);
       if (!program) return program.status();
       slot.emplace(std::move(*program));
@@ -87,7 +90,9 @@ Status Painter::make_programs() {
     if (program) *slot = std::move(*program);
     status = program.status();
   };
-  make(&programs_.edges, "edges.vert", "edges.frag", {});
+  make(&programs_.mark_edges, "edges.vert", "edges.frag", {});
+  make(&programs_.mark_small, "patch.vert", "patch.frag", {"WITH_AREAS", "WITH_MARKS"});
+  make(&programs_.mark_strips, "patch.vert", "patch.frag", {"WITH_STRIPS", "WITH_MARKS"});
   make(&programs_.stroke, "stroke.vert", "stroke.frag", {});
   make(&programs_.stroke_resolve, "screen.vert", "stroke_resolve.frag", {});
   make(&programs_.over, "screen.vert", "composite.frag", {"WITHOUT_BACKDROP"});
@@ -187,14 +192,16 @@ void Painter::bind_layer(const Program& program, const SceneItem& item) const {
               static_cast<double>(settings_.tile_height));
 }
 
-/// All triangles, onto the target that was begun.
-void Painter::draw_patches(const SceneItem& item, bool with_areas) const {
+/// All triangles, or the strips of all soft edges, onto the target that was begun.
+void Painter::draw_patches(const SceneItem& item, unsigned kind) const {
   const PatchLayer& layer = scene_.picture().layers[item.index];
   const LayerTables& tables = scene_.layer(item.index);
-  const unsigned variant = variant_of(layer) | (with_areas ? kWithAreas : 0);
+  const unsigned variant = variant_of(layer) | kind;
   const Program& program = *programs_.patch[variant];
   program.use();
   bind_layer(program, item);
+  if (kind == kWithStrips) bind_strips(program, item);
+  if (kind == kWithAreas) program.bind("is_bent", 12, tables.is_bent.name());
   program.bind("triangle_node", 2, tables.color.node.name());
   program.bind("node_color", 3, tables.color.value.name());
   if (tables.opacity) {
@@ -209,28 +216,54 @@ void Painter::draw_patches(const SceneItem& item, bool with_areas) const {
   program.set("interpolation", static_cast<int>(scene_.picture().interpolation));
   program.set("opacity", 1.0f);
   if (variant & kWithPaints) bind_paints(program, item);
-  const std::uint32_t vertices = (with_areas ? 6 : 3) * layer.triangle_count();
+  const std::uint32_t vertices = kind == kWithStrips  ? 6 * tables.soft_edge_count
+                                 : kind == kWithAreas ? 6 * layer.triangle_count()
+                                                      : 3 * layer.triangle_count();
   gl_.DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(vertices));
+}
+
+void Painter::bind_strips(const Program& program, const SceneItem& item) const {
+  const LayerTables& tables = scene_.layer(item.index);
+  program.bind("soft_edge", 10, tables.soft_edge->name());
+  program.bind("soft_reach", 11, tables.soft_reach->name());
+  program.set("turn", item.image_from_layer.determinant() < 0 ? -1.0f : 1.0f);
+}
+
+/// Makes 0 what edges, strips and small triangles touch, where the stencil is written.
+void Painter::mark_pixels(const SceneItem& item) const {
+  const LayerTables& tables = scene_.layer(item.index);
+  programs_.mark_edges.use();
+  bind_layer(programs_.mark_edges, item);
+  programs_.mark_edges.bind("edge_slot", 2, tables.edge_slot.name());
+  gl_.DrawArraysInstanced(GL_TRIANGLES, 0, 6, static_cast<GLsizei>(tables.curve_edge_count));
+  programs_.mark_small.use();
+  bind_layer(programs_.mark_small, item);
+  programs_.mark_small.set("first_triangle", 0);
+  programs_.mark_small.bind("is_bent", 12, tables.is_bent.name());
+  const std::uint32_t triangles = scene_.picture().layers[item.index].triangle_count();
+  gl_.DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(6 * triangles));
+  if (tables.soft_edge_count == 0) return;
+  programs_.mark_strips.use();
+  bind_layer(programs_.mark_strips, item);
+  bind_strips(programs_.mark_strips, item);
+  gl_.DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(6 * tables.soft_edge_count));
 }
 
 /// Marks the pixels that the layer's curves cut, and sums up there what lies in them; alpha is
 /// negative elsewhere.
 void Painter::paint_edges(const SceneItem& item, const PixelRect& rect) const {
-  const LayerTables& tables = scene_.layer(item.index);
   sums_.begin(rect);
   sums_.clear(0, 0, 0, -1);
   gl_.Enable(GL_STENCIL_TEST);
   gl_.StencilFunc(GL_ALWAYS, 1, 1);
   gl_.StencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
-  programs_.edges.use();
-  bind_layer(programs_.edges, item);
-  programs_.edges.bind("edge_slot", 2, tables.edge_slot.name());
-  gl_.DrawArraysInstanced(GL_TRIANGLES, 0, 6, static_cast<GLsizei>(tables.curve_edge_count));
+  mark_pixels(item);
   gl_.StencilFunc(GL_EQUAL, 1, 1);
   gl_.StencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
   gl_.Enable(GL_BLEND);
   gl_.BlendFunc(GL_ONE, GL_ONE);
-  draw_patches(item, true);
+  draw_patches(item, kWithAreas);
+  if (scene_.layer(item.index).soft_edge_count > 0) draw_patches(item, kWithStrips);
   gl_.Disable(GL_BLEND);
   gl_.Disable(GL_STENCIL_TEST);
 }
@@ -240,7 +273,7 @@ void Painter::paint_instance(const SceneItem& item, const PixelRect& rect) {
   if (settings_.antialias) paint_edges(item, rect);
   layer_.begin(rect);
   layer_.clear();
-  draw_patches(item, false);
+  draw_patches(item, kCenters);
   composite(layer_.texture(), settings_.antialias, item, rect);
 }
 

@@ -37,9 +37,9 @@ class Painter {
  private:
   /// Names of web/viewer/shaders.
   struct Programs {
-    std::array<std::optional<Program>, 8> patch;  ///< by the bits of a variant
-    Program edges, stroke, stroke_resolve, over, over_with_edges, blend, blend_with_edges, overlay,
-        present;
+    std::array<std::optional<Program>, 12> patch;  ///< by the bits of a variant
+    Program mark_edges, mark_small, mark_strips, stroke, stroke_resolve, over, over_with_edges,
+        blend, blend_with_edges, overlay, present;
   };
 
   Painter(Context& context, const Device& device, const Scene& scene,
@@ -52,8 +52,10 @@ class Painter {
   void paint_item(const SceneItem& item);
   void paint_instance(const SceneItem& item, const raster::PixelRect& rect);
   void paint_edges(const SceneItem& item, const raster::PixelRect& rect) const;
-  void draw_patches(const SceneItem& item, bool with_areas) const;
+  void mark_pixels(const SceneItem& item) const;
+  void draw_patches(const SceneItem& item, unsigned kind) const;
   void bind_layer(const Program& program, const SceneItem& item) const;
+  void bind_strips(const Program& program, const SceneItem& item) const;
   void bind_paints(const Program& program, const SceneItem& item) const;
   void paint_stroke(const SceneItem& item, const raster::PixelRect& rect) const;
   void composite(GLuint source, bool is_layer, const SceneItem& item,

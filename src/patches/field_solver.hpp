@@ -67,6 +67,11 @@ class FieldSolver {
   /// (memory), cancelled.
   Status fill_unseen_nodes(Context& context);
 
+  /// What the sides of curves show on a mesh. Incomplete where the context is cancelled.
+  Seams seams(const Context& context, const mesh::TriangleMesh& mesh) const {
+    return {context, mesh, scene_.attributes};
+  }
+
   const FieldScene& scene() const { return scene_; }
   int channel_count() const { return scene_.attributes.channel_count(); }
   const NodeLayout& layout() const { return layout_; }

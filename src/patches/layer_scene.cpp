@@ -18,7 +18,7 @@ constexpr double kTolerancePerSide = 0.1 / 512;
 /// …and inside the viewport by at most this many pixels, so that no facet shows at any zoom.
 constexpr double kTolerancePx = 0.2;
 
-/// Below this radius antialiasing blurs as much, and a mesh as fine as that would be all triangles.
+/// A mesh as fine as a smaller radius would be all triangles: antialiasing shows those blurs.
 constexpr double kSmallestRadiusPx = 0.75;
 
 /// Chords of a curve that is blurred by less than this are those of an edge.
@@ -56,12 +56,16 @@ class LayerUnits {
 
   double pixel() const { return 1 / (options_.pixels_per_unit * sight_.scale); }
 
+  /// Of the blurs that a mesh shows.
+  double smallest_radius() const { return kSmallestRadiusPx * pixel(); }
+
   curves::FlattenOptions flatten_options() const {
     const mesh::MeshOptions meshing = mesh_options();
     curves::FlattenOptions flatten;
     flatten.reach = meshing.weld_px * meshing.unit_size;
     flatten.sharp_radius =
         options_.ignore_blur ? std::numeric_limits<double>::infinity() : kEdgeRadiusPx * pixel();
+    flatten.split_radius = smallest_radius();
     if (options_.tolerance) {
       flatten.tolerance = *options_.tolerance / sight_.scale;
       flatten.outside_tolerance = flatten.tolerance;
@@ -134,8 +138,7 @@ bool is_thin(const mesh::TriangleMesh& mesh, const std::vector<std::uint8_t>& be
 Result<FieldScene> prepare_field(Context& context, const mesh::Mesher& mesher,
                                  const mesh::TriangleMesh& visibility,
                                  curves::SegmentAttributes attributes, ScopedCharge charge,
-                                 double smallest_radius, gather::Ends ends) {
-  curves::remove_blur_below(attributes, smallest_radius);
+                                 gather::Ends ends) {
   const std::vector<std::uint8_t> bears = bearing_constraints(visibility, attributes);
   ScopedCharge scratch;
   mesh::TriangleMesh thinned;
@@ -242,18 +245,22 @@ Result<LayerScene> prepare_layer(Context& context, const Document& document, std
   const double mesh_seconds = mesh_watch.seconds();
 
   const Stopwatch gather_watch;
-  double smallest_radius = use == LayerUse::patches ? kSmallestRadiusPx * units.pixel() : 0;
-  if (options.ignore_blur) smallest_radius = std::numeric_limits<double>::infinity();
+  const auto drop_blur = [&](curves::SegmentAttributes& attributes) {
+    if (options.ignore_blur) curves::remove_blur(attributes);
+    if (use == LayerUse::patches) curves::set_fine_blur(attributes, units.smallest_radius());
+  };
+  drop_blur(colors);
   Result<FieldScene> color = prepare_field(context, *mesher, visibility, std::move(colors),
-                                           std::move(color_charge), smallest_radius, options.ends);
+                                           std::move(color_charge), options.ends);
   if (!color) return color.status();
   std::optional<FieldScene> opacity;
   if (!is_joint && std::ranges::any_of(curves, bears_opacity)) {
     status = opacity_charge.add(context, curves::attribute_bytes(*flat), "attributes");
     if (!status) return status;
-    Result<FieldScene> field =
-        prepare_field(context, *mesher, visibility, curves::sample_opacities(*flat, curves),
-                      std::move(opacity_charge), smallest_radius, options.ends);
+    curves::SegmentAttributes opacities = curves::sample_opacities(*flat, curves);
+    drop_blur(opacities);
+    Result<FieldScene> field = prepare_field(context, *mesher, visibility, std::move(opacities),
+                                             std::move(opacity_charge), options.ends);
     if (!field) return field.status();
     opacity.emplace(std::move(*field));
   }

@@ -31,7 +31,7 @@ struct LayerSight {
 LayerSight sight_of_layer(const Document& document, std::uint32_t layer, const Box& viewport);
 
 /// What a layer is prepared for: single points, exactly; or patches, where one field may hold
-/// colour and opacity if the same curves bear both, and radii too small to be seen are dropped.
+/// colour and opacity if the same curves bear both, and radii below a mesh's reach are fine ones.
 enum class LayerUse : std::uint8_t { points, patches };
 
 /// Adds to `stats` if not null. Errors: limit (an instance shows more of its layer than coordinates

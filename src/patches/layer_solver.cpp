@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/stopwatch.hpp"
+#include "patches/soft_edges.hpp"
 
 namespace sfumato::patches {
 namespace {
@@ -35,12 +36,18 @@ std::vector<std::uint32_t> indices_of(const std::vector<std::uint8_t>& chosen) {
   return indices;
 }
 
-bool any_blur(const FieldScene& field) {
-  const auto is_blurred = [](const curves::SegmentSide& side) {
-    return side.blur_radius.start > 0 || side.blur_radius.end > 0;
+using Radius = curves::SegmentValues<float> curves::SegmentSide::*;
+
+bool any_blur(const FieldScene& field, Radius radius) {
+  const auto is_blurred = [&](const curves::SegmentSide& side) {
+    return (side.*radius).start > 0 || (side.*radius).end > 0;
   };
   return std::ranges::any_of(field.attributes.left, is_blurred) ||
          std::ranges::any_of(field.attributes.right, is_blurred);
+}
+
+bool any_blur(const LayerScene& scene, Radius radius) {
+  return any_blur(scene.color, radius) || (scene.opacity && any_blur(*scene.opacity, radius));
 }
 
 }  // namespace
@@ -49,10 +56,11 @@ LayerSolver::LayerSolver(Context& context, LayerScene scene, const DiffuseOption
                          DiffuseStats* stats, std::optional<RoundWatch> watch)
     : context_(context),
       mesher_(std::move(scene.mesher)),
+      is_blurred_(any_blur(scene, &curves::SegmentSide::blur_radius)),
+      is_finely_blurred_(any_blur(scene, &curves::SegmentSide::fine_radius)),
       color_(std::move(scene.color)),
       frame_(scene.frame),
       smallest_edge_(scene.smallest_edge),
-      is_blurred_(any_blur(color_.scene()) || (scene.opacity && any_blur(*scene.opacity))),
       options_(options),
       stats_(stats),
       watch_(watch) {
@@ -233,6 +241,33 @@ std::vector<std::uint8_t> LayerSolver::edges_of_curves(std::span<const std::uint
   return marks;
 }
 
+/// Adds the triangles beside them to those to keep: a blur mixes the colours of what is
+/// transparent, too.
+std::vector<SoftEdge> LayerSolver::soft_edges(std::span<std::uint8_t> keep) const {
+  if (!is_finely_blurred_) return {};
+  const Seams color = color_.seams(context_, mesh_);
+  const std::optional<Seams> opacity =
+      opacity_ ? std::optional(opacity_->seams(context_, mesh_)) : std::nullopt;
+  const auto is_seam = [&](std::uint32_t h) { return is_curve(h); };
+  const auto fine_radius = [&](std::uint32_t h, float u) {
+    const float radius = color.fine_radius(h, u);
+    return opacity ? std::max(radius, opacity->fine_radius(h, u)) : radius;
+  };
+  RarePoll<16384> poll(context_);
+  for (std::uint32_t h = 0; h < mesh_.half_edge_twin.size() && !poll.cancelled(); ++h) {
+    if (mesh_.half_edge_constraint[h] == mesh::kNone || keep[h / 3] || is_cut(h / 3)) continue;
+    const bool is_soft = fine_radius(h, 0) > 0 || fine_radius(h, 1) > 0;
+    keep[h / 3] = is_soft && color_.sees_curves(h / 3);
+  }
+  const auto is_meshed = [&](std::uint32_t h) {
+    const auto is_blurred = [&](const Seams& seams) {
+      return seams.blur_radius(h, 0) > 0 || seams.blur_radius(h, 1) > 0;
+    };
+    return is_blurred(color) || (opacity && is_blurred(*opacity));
+  };
+  return find_soft_edges(context_, mesh_, {is_seam, fine_radius, is_meshed}, keep);
+}
+
 /// Per triangle the largest opacity at its nodes; empty where the layer is opaque.
 std::vector<float> LayerSolver::triangle_opacity() const {
   if (!opacity_ && !is_joint()) return {};
@@ -252,9 +287,8 @@ std::vector<std::uint8_t> LayerSolver::visible_triangles() const {
   std::vector<std::uint8_t> keep(mesh_.triangle_count());
   RarePoll<16384> poll(context_);
   for (std::uint32_t t = 0; t < mesh_.triangle_count() && !poll.cancelled(); ++t) {
-    const bool is_cut = t < cuts_.is_cut.size() && cuts_.is_cut[t] != 0;
     keep[t] =
-        !is_cut && color_.sees_curves(t) && (opacity.empty() || opacity[t] >= kInvisibleOpacity);
+        !is_cut(t) && color_.sees_curves(t) && (opacity.empty() || opacity[t] >= kInvisibleOpacity);
   }
   return keep;
 }
@@ -269,6 +303,10 @@ std::size_t LayerSolver::patch_bytes() const {
     bytes += sizeof(std::uint32_t) * color_.layout().triangle_node.size() +
              sizeof(float) * color_.layout().node_count();
   }
+  if (is_finely_blurred_) {
+    constexpr std::size_t kSide = 2 * sizeof(SoftEdge) + 2 * sizeof(gather::Facing);
+    bytes += 2 * kSide * mesh_.constraint.size() + mesh_.vertex_position.size();
+  }
   return bytes;
 }
 
@@ -276,11 +314,12 @@ Result<PatchLayer> LayerSolver::take_patches() {
   ScopedCharge charge;
   Status status = charge.add(context_, patch_bytes(), "patches");
   if (!status) return status;
-  const std::vector<std::uint8_t> keep = visible_triangles();
+  std::vector<std::uint8_t> keep = visible_triangles();
+  PatchLayer layer;
+  layer.soft_edge = soft_edges(keep);
   const std::vector<std::uint8_t> marks = edges_of_curves(keep);
   status = for_each_field([&](FieldSolver& field) { return field.fill_unseen_nodes(context_); });
   if (!status) return status;
-  PatchLayer layer;
   RarePoll<16384> poll(context_);
   layer.frame = frame_;
   layer.order = options_.order;

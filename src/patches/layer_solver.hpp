@@ -42,6 +42,10 @@ class LayerSolver {
   Status cut_at_border();
   void add_to_mesh(const BorderCuts& cuts);
   bool is_curve(std::uint32_t half_edge) const;
+  bool is_cut(std::uint32_t triangle) const {
+    return triangle < cuts_.is_cut.size() && cuts_.is_cut[triangle] != 0;
+  }
+  std::vector<SoftEdge> soft_edges(std::span<std::uint8_t> keep) const;
   std::vector<float> triangle_opacity() const;
   std::vector<std::uint8_t> visible_triangles() const;
   std::vector<std::uint8_t> edges_of_curves(std::span<const std::uint8_t> keep) const;
@@ -58,11 +62,12 @@ class LayerSolver {
 
   Context& context_;
   mesh::Mesher mesher_;
+  bool is_blurred_;
+  bool is_finely_blurred_;
   FieldSolver color_;
   std::optional<FieldSolver> opacity_;
   Box frame_;
   double smallest_edge_;
-  bool is_blurred_;
   const DiffuseOptions& options_;
   DiffuseStats* stats_;
   std::optional<RoundWatch> watch_;

@@ -13,7 +13,8 @@ std::size_t bytes_of(const PatchField& field) {
 std::size_t bytes_of(const PatchLayer& layer) {
   return layer.vertex_position.capacity() * sizeof(Vec2) +
          layer.triangle_vertex.capacity() * sizeof(std::uint32_t) + layer.edge_is_curve.capacity() +
-         bytes_of(layer.color) + bytes_of(layer.opacity);
+         layer.soft_edge.capacity() * sizeof(SoftEdge) + bytes_of(layer.color) +
+         bytes_of(layer.opacity);
 }
 
 std::size_t bytes_of(const Picture& picture) {

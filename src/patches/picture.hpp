@@ -29,6 +29,22 @@ struct PatchField {
   std::vector<std::uint32_t> shader;
 };
 
+/// One side of an edge that is blurred too finely for triangles: they show it sharp, and an output
+/// in pixels averages the blur of eq. 8 over them. At distance r from the edge the side shows a
+/// share (1 - β(r/R)) of what lies across; R, where that ends, grows along the edge.
+struct SoftEdge {
+  static constexpr std::uint32_t kNone = 0xffffffff;
+
+  std::uint32_t front = kNone;  ///< the edge in the side's triangle t: 3 t + k; none: transparent
+  std::uint32_t back = kNone;   ///< the same edge in the triangle across
+  /// From the ends of `front`, origin first, to where the blur ends, layer frame: of length R on a
+  /// straight curve, and to the common corner of the blurs of two edges at a corner.
+  Vec2 reach[2];
+  /// What lies across is front + contrast (back - front): 2 where the triangle across shows, on the
+  /// edge, the mean of both sides, since its own blur is one of the mesh; else 1.
+  float contrast = 1;
+};
+
 /// One solved layer: triangular patches over shared nodes (paper eq. 6 and 10).
 ///
 /// The colour at a point is color's channels 0 to 2, in the space of Picture::interpolation, plus
@@ -41,6 +57,7 @@ struct PatchLayer {
   std::vector<std::uint32_t> triangle_vertex;  ///< 3 per triangle, cross(01, 02) > 0
   /// 3 per triangle, edge k from corner k to corner (k+1)%3: 1 where the picture may jump, or ends.
   std::vector<std::uint8_t> edge_is_curve;
+  std::vector<SoftEdge> soft_edge;  ///< in the order of soft_edge_triangle
   PatchField color{3, {}, {}, {}};  ///< 3 channels and one for each of its shaders
   PatchField opacity;               ///< 1 channel and one for each of its shaders; none: opaque
 
@@ -48,6 +65,11 @@ struct PatchLayer {
     return static_cast<std::uint32_t>(triangle_vertex.size() / 3);
   }
 };
+
+/// The triangle that a soft edge is painted with: that of its side, if there is one.
+inline std::uint32_t soft_edge_triangle(const SoftEdge& edge) {
+  return (edge.front != SoftEdge::kNone ? edge.front : edge.back) / 3;
+}
 
 /// A solved layer painted at one place of the stacking order.
 struct PatchInstance {

@@ -62,6 +62,11 @@ float Seams::blur_radius(std::uint32_t half_edge, float u) const {
   return lerp(facing(half_edge).blur_from, facing(half_edge).blur_to, u);
 }
 
+float Seams::fine_radius(std::uint32_t half_edge, float u) const {
+  if (!has_value(half_edge) || !back(half_edge).has_value()) return 0;
+  return lerp(facing(half_edge).fine_from, facing(half_edge).fine_to, u);
+}
+
 SeamValue Seams::value(std::uint32_t half_edge, float u) const {
   const float front_share = blur_radius(half_edge, u) > 0 ? 0.5f : 1.0f;
   SeamValue value;

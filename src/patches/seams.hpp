@@ -44,6 +44,9 @@ class Seams {
   /// The blur radius at fraction u; 0 where there is nothing to blur with.
   float blur_radius(std::uint32_t half_edge, float u) const;
 
+  /// That of a blur that is too fine for the mesh, likewise.
+  float fine_radius(std::uint32_t half_edge, float u) const;
+
  private:
   std::size_t index(std::uint32_t half_edge) const {
     const auto constraint = static_cast<std::uint32_t>(mesh_.half_edge_constraint[half_edge]);

@@ -39,10 +39,27 @@ bool is_absent(const PatchField& field) {
   return field.channel_count == 0 && field.shader.empty();
 }
 
+bool is_soft_edge(const SoftEdge& edge, std::size_t corners) {
+  const auto is_side = [&](std::uint32_t slot) {
+    return slot == SoftEdge::kNone || slot < corners;
+  };
+  return is_side(edge.front) && is_side(edge.back) &&
+         !(edge.front == SoftEdge::kNone && edge.back == SoftEdge::kNone) &&
+         rules::is_coordinate(edge.reach[0]) && rules::is_coordinate(edge.reach[1]) &&
+         edge.contrast >= 0 && edge.contrast <= 2;
+}
+
+bool are_soft_edges(const PatchLayer& layer, std::size_t corners) {
+  return std::ranges::all_of(layer.soft_edge,
+                             [&](const SoftEdge& edge) { return is_soft_edge(edge, corners); }) &&
+         std::ranges::is_sorted(layer.soft_edge, {}, soft_edge_triangle);
+}
+
 bool is_whole(const PatchLayer& layer, const Picture& picture) {
   const std::size_t corners = std::size_t{3} * layer.triangle_count();
   return layer.triangle_vertex.size() == corners && layer.edge_is_curve.size() == corners &&
-         layer.order <= PatchOrder::cubic && is_whole(layer.color, 3, picture, layer) &&
+         are_soft_edges(layer, corners) && layer.order <= PatchOrder::cubic &&
+         is_whole(layer.color, 3, picture, layer) &&
          (is_absent(layer.opacity) || is_whole(layer.opacity, 1, picture, layer)) &&
          all_below(layer.triangle_vertex, layer.vertex_position.size()) &&
          std::all_of(layer.vertex_position.begin(), layer.vertex_position.end(),

@@ -48,8 +48,11 @@ void Compositor::paint_straight(const PaintItem& item, const TriangleList& trian
 }
 
 void Compositor::paint_shaded(const PaintItem& item, const TriangleList& triangles) {
-  const PixelRect rect = pixels_of(item.layer, triangles, levels_.back().tile.rect());
+  const PixelRect whole = levels_.back().tile.rect();
+  PixelRect rect = pixels_of(item.layer, triangles, whole);
   if (rect.empty()) return;
+  // Blurs fall on what is transparent, where a layer has no triangles.
+  if (item.layer.soft_edge_count > 0) rect = intersection(grown(rect, list_.margin_px()), whole);
   const ShadingInput input{list_.space(), &list_.shaders(), item.layer_from_image};
   const Tile source = layer_painter_->paint(item.layer, input, triangles, rect);
   kernels_.blend(source, item.opacity, item.blend, target(rect));

@@ -1,6 +1,7 @@
 #include "raster/coverage.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -27,9 +28,9 @@ Corners corners_of(const LayerView& layer, std::uint32_t triangle) {
   return corners;
 }
 
-ClipTriangle clip_of(const LayerView& layer, const Corners& c) {
-  return layer.mirrored ? clip_triangle(c.vec(0), c.vec(2), c.vec(1))
-                        : clip_triangle(c.vec(0), c.vec(1), c.vec(2));
+ClipTriangle clip_of(const LayerView& layer, const Vec2 (&corner)[3], double scale) {
+  const Vec2 a = corner[0] * scale, b = corner[1] * scale, c = corner[2] * scale;
+  return layer.mirrored ? clip_triangle(a, c, b) : clip_triangle(a, b, c);
 }
 
 /// Shades what is painted straight into a tile: opaque, in code values.
@@ -42,6 +43,8 @@ class OpaqueShader {
     patch_ = patch_polynomial(ColorChannels(layer_), layer_.order, triangle, frame);
   }
   Color4 at(const PatchPoint& p, Vec2) const { return patch_color(patch_, p) + color4(0, 0, 0, 1); }
+  Color4 value(const PatchPoint& p, Vec2 center) const { return at(p, center); }
+  Color4 shown(const Color4& value) const { return value; }
 
  private:
   const LayerView& layer_;
@@ -79,9 +82,36 @@ std::size_t offset(int x, int row) {
   return static_cast<std::size_t>(row) * kTileStride + static_cast<std::size_t>(x);
 }
 
-}  // namespace
+/// Triangles with no longer edge, pixels, may hold colours that bend within a pixel: those of a
+/// blur, which are as fine as its radius.
+constexpr double kSmallTrianglePx = 3;
 
-void MixedPixels::mark_edge(Vec2 a, Vec2 b, const Tile& tile) {
+bool is_small(const LayerView& layer, std::uint32_t triangle, const Vec2 (&corner)[3]) {
+  if (!layer.is_bent || !layer.is_bent[triangle]) return false;
+  for (int k = 0; k < 3; ++k)
+    if (length_squared(corner[(k + 1) % 3] - corner[k]) > kSmallTrianglePx * kSmallTrianglePx)
+      return false;
+  return true;
+}
+
+std::span<const SoftEdge> soft_edges_of(const LayerView& layer, std::uint32_t triangle) {
+  const std::uint8_t* is_curve = layer.edge_is_curve + std::size_t{3} * triangle;
+  if (layer.soft_edge_count == 0 || !(is_curve[0] | is_curve[1] | is_curve[2])) return {};
+  const std::span<const SoftEdge> all(layer.soft_edge, layer.soft_edge_count);
+  const auto [first, last] = std::ranges::equal_range(all, triangle, {}, soft_edge_triangle);
+  return {first, last};
+}
+
+/// Of all strips of a soft edge.
+std::array<Vec2, 4> outline(const SoftStrip& strip) {
+  constexpr double kReach = kStripReach[kStrips - 1];
+  return {strip.end[0], strip.end[1], strip.end[1] + strip.reach[1] * kReach,
+          strip.end[0] + strip.reach[0] * kReach};
+}
+
+/// visit(row, begin, end) for the pixels of the tile, from its corner, that an edge passes through.
+template <class Visit>
+void for_each_row(Vec2 a, Vec2 b, const Tile& tile, const Visit& visit) {
   if (a.y > b.y) std::swap(a, b);
   const double x_low = std::min(a.x, b.x);
   const double x_high = std::max(a.x, b.x);
@@ -100,11 +130,48 @@ void MixedPixels::mark_edge(Vec2 a, Vec2 b, const Tile& tile) {
     if (right < tile.x0 || left > last_x + 1) continue;
     const int begin = clamped_floor(left, tile.x0, last_x) - tile.x0;
     const int end = clamped_floor(right, tile.x0, last_x) - tile.x0 + 1;
-    for (int word = begin / 64; word <= (end - 1) / 64; ++word) {
-      mask_[y - tile.y0][word] |=
-          bit_range(std::max(begin - 64 * word, 0), std::min(end - 64 * word, 64));
-    }
+    visit(y - tile.y0, begin, end);
   }
+}
+
+Box box_of(std::span<const Vec2> points) {
+  Box box;
+  for (Vec2 p : points) box.extend(p);
+  return box;
+}
+
+/// The part of a pixel's quarter that lies in a triangle of `doubled` size, as one of the pixel.
+Coverage quarter_coverage(const ClipTriangle& doubled, int x, int y, int quarter) {
+  const Vec2 corner{1.0 * (quarter & 1), 1.0 * (quarter >> 1)};
+  const Coverage part = pixel_coverage(doubled, 2 * x + (quarter & 1), 2 * y + (quarter >> 1));
+  return {0.25 * part.area, 0.5 * (corner + part.centroid)};
+}
+
+}  // namespace
+
+void MixedPixels::mark_row(int row, int begin, int end) {
+  for (int word = begin / 64; word <= (end - 1) / 64; ++word)
+    mask_[row][word] |= bit_range(std::max(begin - 64 * word, 0), std::min(end - 64 * word, 64));
+}
+
+void MixedPixels::mark_edge(Vec2 a, Vec2 b, const Tile& tile) {
+  for_each_row(a, b, tile, [&](int row, int begin, int end) { mark_row(row, begin, end); });
+}
+
+/// What the corners' convex hull touches.
+void MixedPixels::mark_convex(std::span<const Vec2> corners, const Tile& tile) {
+  int first[kTileHeight], last[kTileHeight];
+  std::fill_n(first, kTileHeight, kTileWidth);
+  std::fill_n(last, kTileHeight, 0);
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    for_each_row(corners[i], corners[(i + 1) % corners.size()], tile,
+                 [&](int row, int begin, int end) {
+                   first[row] = std::min(first[row], begin);
+                   last[row] = std::max(last[row], end);
+                 });
+  }
+  for (int row = 0; row < tile.height; ++row)
+    if (first[row] < last[row]) mark_row(row, first[row], last[row]);
 }
 
 void MixedPixels::mark(const LayerView& layer, const TriangleList& triangles, const Tile& tile) {
@@ -112,10 +179,15 @@ void MixedPixels::mark(const LayerView& layer, const TriangleList& triangles, co
   for (std::size_t i = 0; i < triangles.count; ++i) {
     const std::uint32_t t = triangles.triangle[i];
     const std::uint8_t* is_curve = layer.edge_is_curve + std::size_t{3} * t;
-    if (!(is_curve[0] | is_curve[1] | is_curve[2])) continue;
+    const bool may_be_small = layer.is_bent && layer.is_bent[t];
+    if (!may_be_small && !(is_curve[0] | is_curve[1] | is_curve[2])) continue;
     const Corners corners = corners_of(layer, t);
+    const Vec2 corner[3] = {corners.vec(0), corners.vec(1), corners.vec(2)};
+    if (is_small(layer, t, corner)) mark_convex(corner, tile);
     for (int k = 0; k < 3; ++k)
-      if (is_curve[k]) mark_edge(corners.vec(k), corners.vec((k + 1) % 3), tile);
+      if (is_curve[k]) mark_edge(corner[k], corner[(k + 1) % 3], tile);
+    for (const SoftEdge& edge : soft_edges_of(layer, t))
+      mark_convex(outline(soft_strip(layer, edge)), tile);
   }
 }
 
@@ -155,39 +227,115 @@ bool MixedPixels::any_marked(const PixelRange& range) const {
   return false;
 }
 
+MixedPixels::PixelRange MixedPixels::pixels_in(const Box& box, const Tile& tile) {
+  const int last_x = tile.width - 1, last_y = tile.height - 1;
+  return {clamped_floor(box.min.x - tile.x0, 0, last_x),
+          clamped_floor(box.max.x - tile.x0, 0, last_x) + 1,
+          clamped_floor(box.min.y - tile.y0, 0, last_y),
+          clamped_floor(box.max.y - tile.y0, 0, last_y) + 1};
+}
+
+void MixedPixels::Sum::add(const Coverage& part, const Color4& color) {
+  const float part_area = static_cast<float>(part.area);
+  if (area == 0) color.store(first);
+  const Color4 difference = color - Color4::load(first);
+  (Color4::load(rest) + Color4(part_area) * difference).store(rest);
+  area += part_area;
+  moment[0] += part_area * static_cast<float>(part.centroid.x);
+  moment[1] += part_area * static_cast<float>(part.centroid.y);
+}
+
 template <class Shader>
 void MixedPixels::add_triangle(Shader* shader, std::uint32_t triangle, const Tile& tile) {
   const Corners corners = corners_of(shader->layer(), triangle);
-  Box box;
-  for (int k = 0; k < 3; ++k) box.extend(corners.vec(k));
-  const int last_x = tile.width - 1, last_y = tile.height - 1;
-  const PixelRange range{clamped_floor(box.min.x - tile.x0, 0, last_x),
-                         clamped_floor(box.max.x - tile.x0, 0, last_x) + 1,
-                         clamped_floor(box.min.y - tile.y0, 0, last_y),
-                         clamped_floor(box.max.y - tile.y0, 0, last_y) + 1};
+  const Vec2 corner[3] = {corners.vec(0), corners.vec(1), corners.vec(2)};
+  const PixelRange range = pixels_in(box_of(corner), tile);
   if (!any_marked(range)) return;
-  const ClipTriangle clip = clip_of(shader->layer(), corners);
+  const bool small = is_small(shader->layer(), triangle, corner);
+  const ClipTriangle clip = clip_of(shader->layer(), corner, small ? 2 : 1);
   const TriangleFrame frame = triangle_frame(corners.at, shader->layer().mirrored);
   shader->begin_triangle(triangle, frame);
+  const auto add = [&](const Coverage& part, int x, int y, std::uint32_t index) {
+    if (!(part.area > 0)) return;
+    const Vec2 p{x + part.centroid.x, y + part.centroid.y};
+    // Shaders are filtered over the pixel's square already: they are asked at its centre.
+    sum_[index].add(part, shader->at(patch_point(frame, p.x, p.y), {x + 0.5, y + 0.5}));
+  };
   for (int row = range.first_row; row < range.end_row; ++row) {
     for_each_pixel(row, range.begin, range.end, [&](int column, std::uint32_t index) {
-      const int x = tile.x0 + column;
-      const int y = tile.y0 + row;
-      const Coverage part = pixel_coverage(clip, x, y);
-      if (!(part.area > 0)) return;
-      const Vec2 p{x + part.centroid.x, y + part.centroid.y};
-      // Shaders are filtered over the pixel's square already: they are asked at its centre.
-      const Color4 color = shader->at(patch_point(frame, p.x, p.y), {x + 0.5, y + 0.5});
-      Sum& sum = sum_[index];
-      const float area = static_cast<float>(part.area);
-      if (sum.area == 0) color.store(sum.first);
-      const Color4 difference = color - Color4::load(sum.first);
-      (Color4::load(sum.rest) + Color4(area) * difference).store(sum.rest);
-      sum.area += area;
-      sum.moment[0] += area * static_cast<float>(part.centroid.x);
-      sum.moment[1] += area * static_cast<float>(part.centroid.y);
+      const int x = tile.x0 + column, y = tile.y0 + row;
+      if (!small) return add(pixel_coverage(clip, x, y), x, y, index);
+      for (int quarter = 0; quarter < 4; ++quarter)
+        add(quarter_coverage(clip, x, y, quarter), x, y, index);
     });
   }
+}
+
+/// Reads what a triangle at the edge shows there, in the pixels of its blur; nothing, of the other
+/// side's colour, where there is no triangle.
+template <class Shader>
+void MixedPixels::read_side(Shader* shader, const SoftStrip& strip, std::uint32_t slot, int side) {
+  if (slot == SoftEdge::kNone) {
+    for (BlurredPixel& pixel : blurred_)
+      pixel.side[side] = pixel.side[1 - side] * color4(1, 1, 1, 0);
+    return;
+  }
+  const Corners corners = corners_of(shader->layer(), slot / 3);
+  const TriangleFrame frame = triangle_frame(corners.at, shader->layer().mirrored);
+  shader->begin_triangle(slot / 3, frame);
+  for (BlurredPixel& pixel : blurred_) {
+    const Vec2 p = lerp(strip.end[0], strip.end[1], double{pixel.part.along});
+    pixel.side[side] = shader->value(patch_point(frame, p.x, p.y), {pixel.x + 0.5, pixel.y + 0.5});
+  }
+}
+
+template <class Shader>
+void MixedPixels::add_blur(Shader* shader, const SoftEdge& edge, const Tile& tile) {
+  const SoftStrip strip = soft_strip(shader->layer(), edge);
+  const PixelRange range = pixels_in(box_of(outline(strip)), tile);
+  for (int row = range.first_row; row < range.end_row; ++row) {
+    for_each_pixel(row, range.begin, range.end, [&](int column, std::uint32_t index) {
+      const int x = tile.x0 + column, y = tile.y0 + row;
+      const StripPart part = strip_part(strip, x, y);
+      if (part.empty()) return;
+      blurred_.push_back({index, x, y, part, {}});
+      if (blurred_.size() == kMostBlurred) blur_pixels(shader, strip, edge);
+    });
+  }
+  blur_pixels(shader, strip, edge);
+}
+
+/// Adds what an edge's blur changes in the pixels that were collected.
+template <class Shader>
+void MixedPixels::blur_pixels(Shader* shader, const SoftStrip& strip, const SoftEdge& edge) {
+  if (blurred_.empty()) return;
+  const bool front_first = edge.front != SoftEdge::kNone;
+  read_side(shader, strip, front_first ? edge.front : edge.back, front_first ? 1 : 0);
+  read_side(shader, strip, front_first ? edge.back : edge.front, front_first ? 0 : 1);
+  for (const BlurredPixel& pixel : blurred_) {
+    const Color4 across = Color4(edge.contrast) * (pixel.side[0] - pixel.side[1]);
+    // The share of what lies across falls by an eighth from strip to strip.
+    const auto shown = [&](int strips_left) {
+      return shader->shown(pixel.side[1] + Color4(0.125f * strips_left) * across);
+    };
+    Color4 sum = Color4::load(sum_[pixel.sum].blur);
+    Color4 inner = shown(kStrips);
+    for (int i = 0; i < kStrips; ++i) {
+      const Color4 outer = shown(kStrips - 1 - i);
+      sum = sum + Color4(pixel.part.area[i]) * (inner - outer);
+      inner = outer;
+    }
+    sum.store(sum_[pixel.sum].blur);
+  }
+  blurred_.clear();
+}
+
+template <class Shader>
+void MixedPixels::add_blurs(Shader* shader, const TriangleList& triangles, const Tile& tile) {
+  if (shader->layer().soft_edge_count == 0) return;
+  for (std::size_t i = 0; i < triangles.count; ++i)
+    for (const SoftEdge& edge : soft_edges_of(shader->layer(), triangles.triangle[i]))
+      add_blur(shader, edge, tile);
 }
 
 /// visit(x, row, index of its sum) for every marked pixel.
@@ -227,7 +375,11 @@ void MixedPixels::write(const LayerView& layer, const Tile& tile, bool is_straig
       for (int c = 0; c < 4; ++c) out[c] = share * part.color[c];
       if (is_straight) abutting_.paint(tile.x0 + x, tile.y0 + row, part, sum.below, out);
     }
-    for (int c = 0; c < 4 && target[c]; ++c) *target[c] = out[c];
+    if (is_straight) {
+      for (int c = 0; c < 4 && target[c]; ++c) *target[c] = out[c] + sum.blur[c];
+    } else {
+      for (int c = 0; c < 4; ++c) *target[c] = std::clamp(out[c] + sum.blur[c], 0.0f, 1.0f);
+    }
   });
 }
 
@@ -236,6 +388,7 @@ void MixedPixels::add_triangles(Shader* shader, const TriangleList& triangles, c
   if (sum_.empty()) return;
   for (std::size_t i = 0; i < triangles.count; ++i)
     add_triangle(shader, triangles.triangle[i], tile);
+  add_blurs(shader, triangles, tile);
 }
 
 void MixedPixels::begin(const LayerView& layer, const TriangleList& triangles, const Tile& tile) {

@@ -1,18 +1,24 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "raster/abutting.hpp"
+#include "raster/clip.hpp"
 #include "raster/point_shader.hpp"
+#include "raster/soft_strip.hpp"
 #include "raster/tile.hpp"
 
 namespace sfumato::raster {
 
-/// The antialiasing of one tile: pixels that a curve passes through get, instead of the value at
-/// their centre, the mean of the patches in them, each weighted by its exact area and read at the
-/// centroid of its part (exact for colours that are linear in the pixel). Sums run in the order of
-/// the triangles, from the first colour on, so that one colour stays exactly itself.
+/// The antialiasing of one tile: pixels that a curve or its fine blur passes through get, instead
+/// of the value at their centre, the mean of the patches in them, each weighted by its exact area
+/// and read at the centroid of its part (exact for colours that are linear in the pixel). So do
+/// pixels of triangles so small that colours may bend within a pixel; these are read in each
+/// quarter of the pixel. Sums run in the order of the triangles, from the first colour on, so that
+/// one colour stays exactly itself. What fine blurs change (raster/soft_strip.hpp) is added at the
+/// end.
 ///
 /// Through the area that no triangle covers, what lies below shows. But the frame of a layer
 /// without opacity is no outline: a pixel that it cuts is covered by all or by nothing, as most of
@@ -44,12 +50,27 @@ class MixedPixels {
     float area = 0;
     float moment[2] = {};
     float below[4] = {};  ///< colour and alpha before the layer was painted
+    float blur[4] = {};   ///< what fine blurs change
+
+    void add(const Coverage& part, const Color4& color);
+  };
+
+  /// Pixels whose blur is found at a time.
+  static constexpr std::size_t kMostBlurred = 256;
+
+  /// Of the soft edge at hand, in one pixel.
+  struct BlurredPixel {
+    std::uint32_t sum;
+    int x, y;
+    StripPart part;
+    Color4 side[2];  ///< the shader's values across, and on the side
   };
 
  public:
   /// Memory of one object, should every pixel be mixed.
   static constexpr std::size_t kMostBytes =
-      std::size_t{kTileWidth} * kTileHeight * (sizeof(Sum) + 2) + AbuttingParts::kMostBytes;
+      std::size_t{kTileWidth} * kTileHeight * (sizeof(Sum) + 2) +
+      kMostBlurred * sizeof(BlurredPixel) + AbuttingParts::kMostBytes;
 
  private:
   /// Pixels of the tile, from its upper left corner.
@@ -57,14 +78,25 @@ class MixedPixels {
     int begin, end, first_row, end_row;
   };
 
+  void mark_row(int row, int begin, int end);
   void mark_edge(Vec2 a, Vec2 b, const Tile& tile);
+  void mark_convex(std::span<const Vec2> corners, const Tile& tile);
   void mark(const LayerView& layer, const TriangleList& triangles, const Tile& tile);
   void number_pixels();
+  static PixelRange pixels_in(const Box& box, const Tile& tile);
   bool any_marked(const PixelRange& range) const;
   template <class Shader>
   void add_triangles(Shader* shader, const TriangleList& triangles, const Tile& tile);
   template <class Shader>
   void add_triangle(Shader* shader, std::uint32_t triangle, const Tile& tile);
+  template <class Shader>
+  void add_blurs(Shader* shader, const TriangleList& triangles, const Tile& tile);
+  template <class Shader>
+  void add_blur(Shader* shader, const SoftEdge& edge, const Tile& tile);
+  template <class Shader>
+  void blur_pixels(Shader* shader, const SoftStrip& strip, const SoftEdge& edge);
+  template <class Shader>
+  void read_side(Shader* shader, const SoftStrip& strip, std::uint32_t slot, int side);
   void write(const LayerView& layer, const Tile& tile, bool is_straight);
 
   template <class Visit>
@@ -75,6 +107,7 @@ class MixedPixels {
   std::uint64_t mask_[kTileHeight][kWordsPerRow];  ///< bit x % 64 of word x / 64 of a row
   std::uint32_t first_sum_[kTileHeight][kWordsPerRow];
   std::vector<Sum> sum_;  ///< of the marked pixels, row by row
+  std::vector<BlurredPixel> blurred_;
   AbuttingParts abutting_;
 };
 

@@ -36,6 +36,8 @@ LayerView view_instance(const Picture& picture, const PatchInstance& instance,
   view.vertex_position = layer.vertex_position.data();
   view.triangle_vertex = layer.triangle_vertex.data();
   view.edge_is_curve = layer.edge_is_curve.data();
+  view.soft_edge = layer.soft_edge.data();
+  view.soft_edge_count = layer.soft_edge.size();
   view.color = view_field(layer.color);
   view.opacity = view_field(layer.opacity);
   view.frame = layer.frame;

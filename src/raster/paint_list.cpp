@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "raster/bends.hpp"
 #include "raster/layer_view.hpp"
 
 namespace sfumato::raster {
@@ -92,6 +93,7 @@ Status PaintList::Builder::add(const PatchInstance& instance) {
     return ok_status();
   PaintItem item;
   item.layer = view_instance(picture_, instance, image_from_artboard_);
+  item.layer.is_bent = list_.layers_[instance.layer].is_bent.data();
   // A map onto a line paints nothing.
   if (!std::isfinite(1 / item.layer.image_from_layer.determinant())) return ok_status();
   const Box bounds =
@@ -198,8 +200,14 @@ Status PaintList::Builder::build() {
   list_.space_ = picture_.interpolation;
   if (status = make_strokes(); !status) return status;
   list_.layers_.resize(picture_.layers.size());
-  for (std::size_t i = 0; i < picture_.layers.size(); ++i)
-    for (Vec2 p : picture_.layers[i].vertex_position) list_.layers_[i].bounds.extend(p);
+  for (std::size_t i = 0; i < picture_.layers.size(); ++i) {
+    const PatchLayer& layer = picture_.layers[i];
+    for (Vec2 p : layer.vertex_position) list_.layers_[i].bounds.extend(p);
+    status = list_.charge_.add(context_, layer.triangle_count(), "marks of triangles");
+    if (!status) return status;
+    list_.layers_[i].is_bent = bent_triangles(layer);
+    if (context_.cancelled()) return context_.stop_status();
+  }
   list_.items_.reserve(picture_.stack.size());
   for (const PictureItem& item : picture_.stack) {
     if (context_.cancelled()) return context_.stop_status();

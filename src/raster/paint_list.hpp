@@ -49,6 +49,8 @@ class PaintList {
                                   const Affine& image_from_artboard, const TileGrid& grid,
                                   double margin_px);
 
+  double margin_px() const { return margin_px_; }
+
   /// Indices of the items that touch a row of tiles, bottom first.
   std::span<const std::uint32_t> row(int tile_row) const;
   const PaintItem& item(std::uint32_t index) const { return items_[index]; }
@@ -66,7 +68,8 @@ class PaintList {
 
  private:
   struct LayerPlace {
-    Box bounds;  ///< layer frame
+    Box bounds;                         ///< layer frame
+    std::vector<std::uint8_t> is_bent;  ///< per triangle, raster/bends.hpp
     std::optional<TriangleBlocks> blocks;
   };
   class Builder;

@@ -45,7 +45,7 @@ void PointShader::add_shader(const FieldView& field, int channel, float weight, 
   value[2] += weight * sample.color.b;
 }
 
-Color4 PointShader::at(const PatchPoint& point, Vec2 pixel_center) const {
+Color4 PointShader::value(const PatchPoint& point, Vec2 pixel_center) const {
   float value[4];
   patch_color(patch_, point).store(value);
   if (layer_.opacity.channel_count == 0) value[3] = 1;
@@ -57,6 +57,10 @@ Color4 PointShader::at(const PatchPoint& point, Vec2 pixel_center) const {
       add_shader(*weights.field, weights.first_channel + i, weight[i], pixel_center, value);
     }
   }
+  return Color4::load(value);
+}
+
+Color4 PointShader::shown(const Color4& value) const {
   const Rgb3<1> code =
       clamped_srgb<1>(input_.space, {Lanes<1>(value[0]), Lanes<1>(value[1]), Lanes<1>(value[2])});
   const Color4 alpha = clamped_unit(Color4(value[3]));

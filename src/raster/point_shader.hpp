@@ -31,7 +31,13 @@ class PointShader {
 
   /// At a point of the triangle, which stands for a part of a pixel, with the image-domain shaders
   /// as that pixel has them, in pixels of the image.
-  Color4 at(const PatchPoint& point, Vec2 pixel_center) const;
+  Color4 at(const PatchPoint& point, Vec2 pixel_center) const {
+    return shown(value(point, pixel_center));
+  }
+
+  /// The colour in the space of interpolation, and the opacity: what a blur mixes.
+  Color4 value(const PatchPoint& point, Vec2 pixel_center) const;
+  Color4 shown(const Color4& value) const;
 
  private:
   /// Four weights over the triangle.

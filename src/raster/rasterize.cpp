@@ -15,6 +15,7 @@
 #include "raster/overlay.hpp"
 #include "raster/paint_list.hpp"
 #include "raster/paint_picture.hpp"
+#include "raster/soft_strip.hpp"
 #include "raster/span_kernels.hpp"
 
 namespace sfumato {
@@ -153,7 +154,10 @@ Result<PaintList> make_list(Context& context, const Picture& picture,
   if (Status status = raster::check_picture(context, picture); !status) return status;
   const Result<Affine> image_from_artboard = raster::image_from_artboard(picture, options);
   if (!image_from_artboard) return image_from_artboard.status();
-  const double margin_px = options.mesh_overlay ? raster::kOverlayReachPx + 1 : 0;
+  double margin_px = options.mesh_overlay ? raster::kOverlayReachPx + 1 : 0;
+  if (options.antialias) {
+    margin_px = std::max(margin_px, raster::strip_margin_px(picture, *image_from_artboard));
+  }
   return PaintList::create(context, picture, *image_from_artboard,
                            TileGrid{options.width, options.height}, margin_px);
 }

@@ -42,6 +42,9 @@ struct LayerView {
   const Vec2* vertex_position = nullptr;
   const std::uint32_t* triangle_vertex = nullptr;
   const std::uint8_t* edge_is_curve = nullptr;
+  const std::uint8_t* is_bent = nullptr;  ///< per triangle, raster/bends.hpp; null: none is known
+  const SoftEdge* soft_edge = nullptr;
+  std::size_t soft_edge_count = 0;
   FieldView color;
   FieldView opacity;
   PatchOrder order = PatchOrder::cubic;
@@ -60,6 +63,12 @@ struct PixelRect {
 
 inline PixelRect intersection(const PixelRect& a, const PixelRect& b) {
   return {std::max(a.x0, b.x0), std::max(a.y0, b.y0), std::min(a.x1, b.x1), std::min(a.y1, b.y1)};
+}
+
+/// By at least `margin` pixels on each side.
+inline PixelRect grown(const PixelRect& rect, double margin) {
+  const int by = static_cast<int>(margin) + 1;
+  return {rect.x0 - by, rect.y0 - by, rect.x1 + by, rect.y1 + by};
 }
 
 /// The smallest that holds both; an empty one holds nothing.

@@ -21,13 +21,16 @@ void expect_program(std::string_view vertex, std::string_view fragment,
 
 TEST(Shaders, every_program_and_variant_links) {
   SFUMATO_NEEDS_GPU();
-  for (int variant = 0; variant < 8; ++variant) {
+  for (int variant = 0; variant < 12; ++variant) {
     std::vector<std::string_view> defines;
     if (variant & 1) defines.push_back("WITH_OPACITY");
     if (variant & 2) defines.push_back("WITH_PAINTS");
     if (variant & 4) defines.push_back("WITH_AREAS");
+    if (variant & 8) defines.push_back("WITH_STRIPS");
     expect_program("patch.vert", "patch.frag", defines);
   }
+  expect_program("patch.vert", "patch.frag", {"WITH_AREAS", "WITH_MARKS"});
+  expect_program("patch.vert", "patch.frag", {"WITH_STRIPS", "WITH_MARKS"});
   expect_program("edges.vert", "edges.frag", {});
   expect_program("stroke.vert", "stroke.frag", {});
   expect_program("screen.vert", "stroke_resolve.frag", {});

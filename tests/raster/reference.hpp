@@ -8,20 +8,23 @@
 #include "base/box.hpp"
 #include "patches/patch.hpp"
 #include "patches/picture.hpp"
+#include "raster/bends.hpp"
 
 /// The rasterizer as one would explain it: pixel by pixel, triangle by triangle, in double
-/// precision, nothing shared with the fast path.
+/// precision, nothing shared with the fast path but which triangles are bent.
 namespace sfumato::test {
 
 struct ReferencePixel {
   std::array<double, 3> color{};
   bool covered = false;
   bool mixed = false;       ///< a curve passes through the pixel
+  bool small = false;       ///< may bend within a pixel
   double covered_area = 0;  ///< of all triangles in the pixel
   int centers = 0;          ///< triangles that hold the pixel's centre in their inside
 };
 
 struct ReferenceTriangle {
+  bool small = false;          ///< may bend within a pixel
   std::array<Vec2, 3> corner;  ///< pixels, clockwise on the screen
   std::array<bool, 3> curve;   ///< edge k from corner k to corner k + 1
   std::array<std::array<double, 3>, kNodesPerTriangle> node;
@@ -52,6 +55,7 @@ inline std::vector<ReferenceTriangle> reference_triangles(const Picture& picture
   const PatchLayer& layer = picture.layers[std::get<PatchInstance>(picture.stack[0]).layer];
   const Affine& artboard_from_layer = std::get<PatchInstance>(picture.stack[0]).artboard_from_layer;
   std::vector<ReferenceTriangle> triangles(layer.triangle_count());
+  const std::vector<std::uint8_t> is_bent = raster::bent_triangles(layer);
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     triangles[t].order = layer.order;
     for (int k = 0; k < 3; ++k) {
@@ -59,6 +63,11 @@ inline std::vector<ReferenceTriangle> reference_triangles(const Picture& picture
       triangles[t].corner[k] = {(p.x - viewport.min.x) * (width / viewport.width()),
                                 (p.y - viewport.min.y) * (height / viewport.height())};
       triangles[t].curve[k] = layer.edge_is_curve[3 * t + k] != 0;
+    }
+    triangles[t].small = is_bent[t] != 0;
+    for (int k = 0; k < 3; ++k) {
+      const Vec2 edge = triangles[t].corner[(k + 1) % 3] - triangles[t].corner[k];
+      triangles[t].small &= length(edge) <= 3;
     }
     for (int i = 0; i < kNodesPerTriangle; ++i)
       for (int c = 0; c < 3; ++c)
@@ -80,12 +89,17 @@ inline std::vector<Vec2> cut_polygon(const std::vector<Vec2>& polygon, Vec2 norm
   return kept;
 }
 
-inline std::vector<Vec2> part_in_pixel(const ReferenceTriangle& triangle, int x, int y) {
+inline std::vector<Vec2> part_in_square(const ReferenceTriangle& triangle, double x, double y,
+                                        double side) {
   std::vector<Vec2> polygon(triangle.corner.begin(), triangle.corner.end());
   polygon = cut_polygon(polygon, {-1, 0}, -x);
-  polygon = cut_polygon(polygon, {1, 0}, x + 1);
+  polygon = cut_polygon(polygon, {1, 0}, x + side);
   polygon = cut_polygon(polygon, {0, -1}, -y);
-  return cut_polygon(polygon, {0, 1}, y + 1);
+  return cut_polygon(polygon, {0, 1}, y + side);
+}
+
+inline std::vector<Vec2> part_in_pixel(const ReferenceTriangle& triangle, int x, int y) {
+  return part_in_square(triangle, x, y, 1);
 }
 
 inline bool segment_meets_pixel(Vec2 a, Vec2 b, int x, int y) {
@@ -110,18 +124,24 @@ inline ReferencePixel reference_pixel(const std::vector<ReferenceTriangle>& tria
       pixel.mixed |= triangle.curve[k] &&
                      segment_meets_pixel(triangle.corner[k], triangle.corner[(k + 1) % 3], x, y);
     }
-    const std::vector<Vec2> part = part_in_pixel(triangle, x, y);
-    double area = 0;
-    Vec2 moment;
-    for (std::size_t i = 2; i < part.size(); ++i) {
-      const double piece = cross(part[i - 1] - part[0], part[i] - part[0]) / 2;
-      area += piece;
-      moment = moment + (part[0] + part[i - 1] + part[i]) * (piece / 3);
-    }
-    if (area > 0) {
+    // Small triangles in each quarter of the pixel.
+    const int squares = triangle.small ? 2 : 1;
+    for (int square = 0; square < squares * squares; ++square) {
+      const double side = 1.0 / squares;
+      const std::vector<Vec2> part = part_in_square(triangle, x + side * (square % squares),
+                                                    y + side * (square / squares), side);
+      double area = 0;
+      Vec2 moment;
+      for (std::size_t i = 2; i < part.size(); ++i) {
+        const double piece = cross(part[i - 1] - part[0], part[i] - part[0]) / 2;
+        area += piece;
+        moment = moment + (part[0] + part[i - 1] + part[i]) * (piece / 3);
+      }
+      if (!(area > 0)) continue;
       const auto color = triangle.color(moment / area);
       for (int c = 0; c < 3; ++c) mean[c] += area * color[c];
       pixel.covered_area += area;
+      pixel.mixed |= triangle.small;
     }
     const Vec2 center{x + 0.5, y + 0.5};
     if (!triangle.holds(center)) continue;

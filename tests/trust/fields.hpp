@@ -115,9 +115,15 @@ inline auto fields(PatchField& v) {
   auto& [channel_count, triangle_node, node_value, shader] = v;
   return std::tie(channel_count, triangle_node, node_value, shader);
 }
+inline auto fields(SoftEdge& v) {
+  auto& [front, back, reach, contrast] = v;
+  return std::tie(front, back, reach[0], reach[1], contrast);
+}
 inline auto fields(PatchLayer& v) {
-  auto& [frame, order, vertex_position, triangle_vertex, edge_is_curve, color, opacity] = v;
-  return std::tie(frame, order, vertex_position, triangle_vertex, edge_is_curve, color, opacity);
+  auto& [frame, order, vertex_position, triangle_vertex, edge_is_curve, soft_edge, color, opacity] =
+      v;
+  return std::tie(frame, order, vertex_position, triangle_vertex, edge_is_curve, soft_edge, color,
+                  opacity);
 }
 inline auto fields(PatchInstance& v) {
   auto& [layer, artboard_from_layer, opacity, blend] = v;

@@ -21,6 +21,16 @@ vec2 mapped(vec3 row[2], vec2 p) {
   return vec2(dot(row[0], vec3(p, 1.0)), dot(row[1], vec3(p, 1.0)));
 }
 
+// Where the strips of a blur end, in radii from the edge; the most that a radius is, pixels: as
+// raster/soft_strip.hpp has them.
+const float kStripReach[4] = float[4](0.08373, 0.25630, 0.44840, 0.71157);
+const float kMostReach = 64.0;
+
+/// Whether what bends in a triangle may bend within a pixel: as raster::MixedPixels has it.
+bool is_small(vec2 a, vec2 b, vec2 c) {
+  return max(dot(b - a, b - a), max(dot(c - b, c - b), dot(a - c, a - c))) <= 9.0;
+}
+
 // Spaces of interpolation.
 const int kLinearLight = 1;
 const int kOklab = 2;

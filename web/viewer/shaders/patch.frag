@@ -2,17 +2,38 @@
 // (eq. 6) where the layer has them.
 //
 // WITH_AREAS: the value at the centroid of what the triangle covers of the pixel, times its area.
+// WITH_STRIPS: what a fine blur changes, as raster::MixedPixels::add_blur has it.
+// WITH_MARKS: 0 where either is not 0.
 uniform int patch_order;
 uniform int interpolation;
 uniform float opacity;
 
+#ifdef WITH_STRIPS
+flat in vec4 strip_edge;
+flat in vec4 strip_reach;
+flat in int strip;
+uniform usampler2D soft_edge;
+uniform usampler2D triangle_node;
+uniform sampler2D node_color;
+#ifdef WITH_OPACITY
+uniform usampler2D triangle_opacity_node;
+uniform sampler2D node_opacity;
+#endif
+#elif !defined(WITH_MARKS)
 flat in vec4 node[10];
 #ifdef WITH_PAINTS
 flat in int triangle;
+uniform usampler2D triangle_node;
+#ifdef WITH_OPACITY
+uniform usampler2D triangle_opacity_node;
 #endif
-#ifdef WITH_AREAS
+#endif
+#endif
+#ifdef WITH_STRIPS
+#elif defined(WITH_AREAS)
 flat in vec4 corners;
 flat in vec2 last_corner;
+flat in int small;
 #else
 centroid in vec2 weight;
 #endif
@@ -50,17 +71,16 @@ void patch_basis(vec2 weight, out float basis[10]) {
 }
 
 #ifdef WITH_PAINTS
-uniform usampler2D triangle_node;
 uniform sampler2D color_weight;
 #ifdef WITH_OPACITY
-uniform usampler2D triangle_opacity_node;
 uniform sampler2D opacity_weight;
 #endif
 uniform ivec2 paint_count;
 uniform float paint_step;
 
 /// Four weights, of a field with `groups` times four of them.
-vec4 paint_weights(usampler2D nodes, sampler2D values, int groups, int group, float basis[10]) {
+vec4 paint_weights(usampler2D nodes, sampler2D values, int triangle, int groups, int group,
+                   float basis[10]) {
   vec4 first = table_value(values, groups * table_index(nodes, 10 * triangle) + group);
   vec4 sum = first;
   for (int i = 1; i < 10; ++i) {
@@ -70,12 +90,13 @@ vec4 paint_weights(usampler2D nodes, sampler2D values, int groups, int group, fl
   return sum;
 }
 
-void add_paints(float basis[10], inout vec4 value) {
+void add_paints(int triangle, float basis[10], inout vec4 value) {
   vec2 pixel = floor(gl_FragCoord.xy / paint_step) + 0.5;
   int groups = (paint_count.x + 3) / 4;
   vec4 weights;
   for (int i = 0; i < paint_count.x; ++i) {
-    if ((i & 3) == 0) weights = paint_weights(triangle_node, color_weight, groups, i >> 2, basis);
+    if ((i & 3) == 0)
+      weights = paint_weights(triangle_node, color_weight, triangle, groups, i >> 2, basis);
     if (weights[i & 3] == 0.0) continue;
     value.rgb += weights[i & 3] * from_code(interpolation, paint_color(i, pixel).rgb);
   }
@@ -83,7 +104,8 @@ void add_paints(float basis[10], inout vec4 value) {
   groups = (paint_count.y + 3) / 4;
   for (int i = 0; i < paint_count.y; ++i) {
     if ((i & 3) == 0)
-      weights = paint_weights(triangle_opacity_node, opacity_weight, groups, i >> 2, basis);
+      weights = paint_weights(triangle_opacity_node, opacity_weight, triangle, groups, i >> 2,
+                              basis);
     if (weights[i & 3] == 0.0) continue;
     vec4 color = paint_color(paint_count.x + i, pixel);
     value.a += weights[i & 3] * color.a * dot(color.rgb, vec3(0.2126, 0.7152, 0.0722));
@@ -92,6 +114,13 @@ void add_paints(float basis[10], inout vec4 value) {
 }
 #endif
 
+/// A colour of the space of interpolation, and an opacity, as they are painted.
+vec4 shown(vec4 value) {
+  float alpha = opacity * clamp(value.a, 0.0, 1.0);
+  return vec4(alpha * clamped_code(interpolation, value.rgb), alpha);
+}
+
+#if !defined(WITH_STRIPS) && !defined(WITH_MARKS)
 vec4 patch_value(vec2 weight) {
   float basis[10];
   patch_basis(weight, basis);
@@ -99,13 +128,13 @@ vec4 patch_value(vec2 weight) {
   vec4 value = node[0];
   for (int i = 1; i < 10; ++i) value += basis[i] * (node[i] - node[0]);
 #ifdef WITH_PAINTS
-  add_paints(basis, value);
+  add_paints(triangle, basis, value);
 #endif
-  float alpha = opacity * clamp(value.a, 0.0, 1.0);
-  return vec4(alpha * clamped_code(interpolation, value.rgb), alpha);
+  return shown(value);
 }
+#endif
 
-#ifdef WITH_AREAS
+#if defined(WITH_AREAS) || defined(WITH_STRIPS)
 float cross_product(vec2 a, vec2 b) {
   return a.x * b.y - a.y * b.x;
 }
@@ -133,21 +162,111 @@ vec3 edge_integral(vec2 a, vec2 b) {
   return piece_integral(p, m) + piece_integral(m, n) + piece_integral(n, q);
 }
 
-// Smaller parts of a pixel change nothing, and have no centroid. They are not discarded, so that the
-// test of the stencil may come first.
+// Smaller parts of a pixel change nothing, and have no centroid. They are not discarded, so that
+// the test of the stencil may come first.
 const float kLeastPart = 1e-5;
 
+#ifdef WITH_STRIPS
+uniform float turn;
+
+vec4 node_value(int slot) {
+  float alpha = 1.0;
+#ifdef WITH_OPACITY
+  alpha = table_value(node_opacity, table_index(triangle_opacity_node, slot)).r;
+#endif
+  return vec4(table_value(node_color, table_index(triangle_node, slot)).rgb, alpha);
+}
+
+/// What a triangle shows on its edge 3 t + k, a share of the way along it.
+vec4 edge_value(int slot, float along) {
+  int t = slot / 3, k = slot % 3;
+  vec3 corner_weight = vec3(0.0);
+  corner_weight[k] = 1.0 - along;
+  corner_weight[(k + 1) % 3] = along;
+  float basis[10];
+  patch_basis(corner_weight.yz, basis);
+  vec4 first = node_value(10 * t), value = first;
+  for (int i = 1; i < 10; ++i) value += basis[i] * (node_value(10 * t + i) - first);
+#ifdef WITH_PAINTS
+  add_paints(t, basis, value);
+#endif
+  return value;
+}
+
+void add_strips(vec4 areas, float along) {
+  const uint kNoTriangle = 0xffffffffu;
+  uint front = texelFetch(soft_edge, table_texel(3 * strip), 0).r;
+  uint back = texelFetch(soft_edge, table_texel(3 * strip + 1), 0).r;
+  float contrast = uintBitsToFloat(texelFetch(soft_edge, table_texel(3 * strip + 2), 0).r);
+  vec4 side, across;
+  if (front != kNoTriangle) side = edge_value(int(front), along);
+  if (back != kNoTriangle) across = edge_value(int(back), 1.0 - along);
+  if (front == kNoTriangle) side = vec4(across.rgb, 0.0);
+  if (back == kNoTriangle) across = vec4(side.rgb, 0.0);
+  across = contrast * (across - side);
+  vec4 inner = shown(side + 0.5 * across);
+  fragment = vec4(0.0);
+  for (int i = 0; i < 4; ++i) {
+    vec4 outer = shown(side + 0.125 * float(3 - i) * across);
+    fragment += areas[i] * (inner - outer);
+    inner = outer;
+  }
+}
+
+void main() {
+  vec2 from = strip_edge.xy - gl_FragCoord.xy, to = strip_edge.zw - gl_FragCoord.xy;
+  vec3 edge = edge_integral(from, to), sum;
+  vec4 areas;
+  for (int i = 0; i < 4; ++i) {
+    vec2 far_from = from + kStripReach[i] * strip_reach.xy;
+    vec2 far_to = to + kStripReach[i] * strip_reach.zw;
+    sum = edge + edge_integral(to, far_to) + edge_integral(far_to, far_from) +
+          edge_integral(far_from, from);
+    areas[i] = turn * sum.x;
+  }
+#ifdef WITH_MARKS
+  if (abs(sum.x) < kLeastPart) discard;
+  fragment = vec4(0.0);
+#else
+  fragment = vec4(0.0);
+  if (abs(sum.x) < kLeastPart) return;
+  vec2 along = to - from;
+  add_strips(areas, clamp(dot(sum.yz / sum.x - from, along) / dot(along, along), 0.0, 1.0));
+#endif
+}
+#elif defined(WITH_MARKS)
 void main() {
   vec2 a = corners.xy - gl_FragCoord.xy, b = corners.zw - gl_FragCoord.xy;
   vec2 c = last_corner - gl_FragCoord.xy;
   vec3 sum = edge_integral(a, b) + edge_integral(b, c) + edge_integral(c, a);
+  if (abs(sum.x) < kLeastPart) discard;
+  fragment = vec4(0.0);
+}
+#else
+/// What the triangle shows in a square of the pixel about `place`, times the area.
+vec4 part_value(vec2 a, vec2 b, vec2 c, vec2 place, float size) {
+  vec2 at_a = (a - place) / size, at_b = (b - place) / size, at_c = (c - place) / size;
+  vec3 sum = edge_integral(at_a, at_b) + edge_integral(at_b, at_c) + edge_integral(at_c, at_a);
   if (abs(sum.x) < kLeastPart) sum = vec3(0.0);
-  vec2 p = sum.x == 0.0 ? a : clamp(sum.yz / sum.x, -0.5, 0.5);
+  vec2 p = sum.x == 0.0 ? a : place + size * clamp(sum.yz / sum.x, -0.5, 0.5);
   float twice_area = cross_product(b - a, c - a);
   vec2 weight = vec2(cross_product(p - a, c - a), cross_product(b - a, p - a)) /
                 (twice_area == 0.0 ? 1.0 : twice_area);
-  fragment = abs(sum.x) * patch_value(clamp(weight, 0.0, 1.0));
+  return size * size * abs(sum.x) * patch_value(clamp(weight, 0.0, 1.0));
 }
+
+void main() {
+  vec2 a = corners.xy - gl_FragCoord.xy, b = corners.zw - gl_FragCoord.xy;
+  vec2 c = last_corner - gl_FragCoord.xy;
+  if (small == 0) {
+    fragment = part_value(a, b, c, vec2(0.0), 1.0);
+    return;
+  }
+  fragment = vec4(0.0);
+  for (int i = 0; i < 4; ++i)
+    fragment += part_value(a, b, c, vec2(i & 1, i >> 1) * 0.5 - 0.25, 0.5);
+}
+#endif
 #else
 void main() {
   fragment = patch_value(weight);

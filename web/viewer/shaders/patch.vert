@@ -2,6 +2,8 @@
 // as they are: the last vertex of a triangle is the one whose flat values count.
 //
 // WITH_AREAS: two triangles over all pixels that a triangle touches, six vertices to it.
+// WITH_STRIPS: the same over the pixels that the strips of a soft edge touch.
+// WITH_MARKS: only small triangles.
 uniform usampler2D triangle_vertex;
 uniform sampler2D vertex_position;
 uniform usampler2D triangle_node;
@@ -11,12 +13,24 @@ uniform usampler2D triangle_opacity_node;
 uniform sampler2D node_opacity;
 #endif
 uniform int first_triangle;
-#ifdef WITH_AREAS
+#ifdef WITH_STRIPS
+uniform usampler2D soft_edge;
+uniform sampler2D soft_reach;
 uniform vec3 pixel_from_layer[2];
 uniform vec2 target_size;
 
+flat out vec4 strip_edge;
+flat out vec4 strip_reach;
+flat out int strip;
+#elif defined(WITH_AREAS)
+uniform vec3 pixel_from_layer[2];
+uniform vec2 target_size;
+
+uniform usampler2D is_bent;
+
 flat out vec4 corners;
 flat out vec2 last_corner;
+flat out int small;
 #else
 uniform vec3 clip_from_layer[2];
 
@@ -24,6 +38,7 @@ uniform vec3 clip_from_layer[2];
 centroid out vec2 weight;
 #endif
 
+#if !defined(WITH_STRIPS) && !defined(WITH_MARKS)
 flat out vec4 node[10];
 #ifdef WITH_PAINTS
 flat out int triangle;
@@ -37,10 +52,6 @@ vec4 node_value(int slot) {
   return vec4(table_value(node_color, table_index(triangle_node, slot)).rgb, opacity);
 }
 
-vec2 corner_position(int t, int corner) {
-  return table_value(vertex_position, table_index(triangle_vertex, 3 * t + corner)).rg;
-}
-
 void send_nodes(int t, bool is_last) {
   for (int i = 0; i < 10; ++i) node[i] = is_last ? node_value(10 * t + i) : vec4(0.0);
 #ifdef WITH_PAINTS
@@ -48,7 +59,46 @@ void send_nodes(int t, bool is_last) {
 #endif
 }
 
-#ifdef WITH_AREAS
+#endif
+
+vec2 corner_position(int t, int corner) {
+  return table_value(vertex_position, table_index(triangle_vertex, 3 * t + corner)).rg;
+}
+
+/// Corner `corner` of two triangles over all pixels between two points.
+vec4 box_corner(vec2 low, vec2 high, vec2 size, int corner) {
+  bool right = corner == 1 || corner == 3 || corner == 4;
+  bool below = corner == 2 || corner == 4 || corner == 5;
+  vec2 p = vec2(right ? ceil(high.x) : floor(low.x), below ? ceil(high.y) : floor(low.y));
+  return vec4(2.0 * p / size - 1.0, 0.0, 1.0);
+}
+
+#ifdef WITH_STRIPS
+const uint kNoTriangle = 0xffffffffu;
+
+vec2 slot_pixel(int slot) {
+  return mapped(pixel_from_layer, corner_position(slot / 3, slot % 3));
+}
+
+vec2 reach_px(vec2 reach) {
+  vec2 px = vec2(dot(pixel_from_layer[0].xy, reach), dot(pixel_from_layer[1].xy, reach));
+  return px * min(1.0, kMostReach / max(length(px), 1e-6));
+}
+
+void main() {
+  strip = gl_VertexID / 6;
+  uint front = texelFetch(soft_edge, table_texel(3 * strip), 0).r;
+  bool has_front = front != kNoTriangle;
+  int slot = has_front ? int(front) : table_index(soft_edge, 3 * strip + 1);
+  vec2 a = slot_pixel(slot), b = slot_pixel(3 * (slot / 3) + (slot + 1) % 3);
+  vec4 reach = table_value(soft_reach, strip);
+  strip_edge = has_front ? vec4(a, b) : vec4(b, a);
+  strip_reach = vec4(reach_px(reach.xy), reach_px(reach.zw));
+  vec4 far = strip_edge + kStripReach[3] * strip_reach;
+  vec2 low = min(min(a, b), min(far.xy, far.zw)), high = max(max(a, b), max(far.xy, far.zw));
+  gl_Position = box_corner(low, high, target_size, gl_VertexID % 6);
+}
+#elif defined(WITH_AREAS)
 void main() {
   int t = first_triangle + gl_VertexID / 6, corner = gl_VertexID % 6;
   vec2 a = mapped(pixel_from_layer, corner_position(t, 0));
@@ -56,12 +106,13 @@ void main() {
   vec2 c = mapped(pixel_from_layer, corner_position(t, 2));
   corners = vec4(a, b);
   last_corner = c;
-  vec2 low = floor(min(a, min(b, c))), high = ceil(max(a, max(b, c)));
-  bool right = corner == 1 || corner == 3 || corner == 4;
-  bool below = corner == 2 || corner == 4 || corner == 5;
-  vec2 p = vec2(right ? high.x : low.x, below ? high.y : low.y);
-  gl_Position = vec4(2.0 * p / target_size - 1.0, 0.0, 1.0);
+  small = int(table_index(is_bent, t) != 0 && is_small(a, b, c));
+#ifdef WITH_MARKS
+  if (small == 0) a = b = c = vec2(-1.0);
+#else
   send_nodes(t, corner % 3 == 2);
+#endif
+  gl_Position = box_corner(min(a, min(b, c)), max(a, max(b, c)), target_size, corner);
 }
 #else
 void main() {

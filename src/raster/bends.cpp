@@ -1,0 +1,42 @@
+#include "raster/bends.hpp"
+
+#include <array>
+#include <cmath>
+
+namespace sfumato::raster {
+namespace {
+
+/// A parabola that strays so much in the middle of an edge has a mean over a third of it that is
+/// wrong by a code value.
+constexpr float kStraight = 7.0f / 255;
+
+bool bends(const PatchField& field, std::size_t triangle) {
+  const auto channels = static_cast<std::size_t>(field.channel_count);
+  std::array<const float*, 10> node;
+  for (std::size_t i = 0; i < 10; ++i)
+    node[i] = field.node_value.data() + channels * field.triangle_node[10 * triangle + i];
+  for (std::size_t c = 0; c < channels; ++c) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const float from = node[k][c], to = node[(k + 1) % 3][c];
+      const float near = node[3 + 2 * k][c], far = node[4 + 2 * k][c];
+      const float step = (to - from) / 3;
+      if (std::fabs(near - from - step) > kStraight || std::fabs(to - step - far) > kStraight)
+        return true;
+    }
+    const float mean = (node[0][c] + node[1][c] + node[2][c]) / 3;
+    if (std::fabs(node[9][c] - mean) > kStraight) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> bent_triangles(const PatchLayer& layer) {
+  std::vector<std::uint8_t> bent(layer.triangle_count());
+  for (std::size_t t = 0; t < bent.size(); ++t) {
+    bent[t] = bends(layer.color, t) || (layer.opacity.channel_count > 0 && bends(layer.opacity, t));
+  }
+  return bent;
+}
+
+}  // namespace sfumato::raster
