@@ -126,7 +126,8 @@ void exact(benchmark::State& state) {
   std::vector<float> out(p->points.size() * 3);
   for (auto _ : state) {
     benchmark::DoNotOptimize(
-        gather::gather_exact(context, p->scene, gather::FreeEnds(), *located, *packing, out, {}).ok());
+        gather::gather_exact(context, p->scene, gather::FreeEnds(), *located, *packing, out, {})
+            .ok());
   }
   count_points(state, p->points.size());
 }
@@ -139,7 +140,8 @@ void rays_64(benchmark::State& state) {
   const gather::GatherOptions options{.method = gather::Method::rays};
   for (auto _ : state) {
     benchmark::DoNotOptimize(
-        gather::gather_rays(context, p->scene, gather::FreeEnds(), p->points, options, out, {}).ok());
+        gather::gather_rays(context, p->scene, gather::FreeEnds(), p->points, options, out, {})
+            .ok());
   }
   count_points(state, p->points.size());
 }
