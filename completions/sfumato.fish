@@ -40,6 +40,7 @@ complete -c sfumato -n '__fish_seen_subcommand_from render' -l no-dither -d 'Rou
 complete -c sfumato -n '__fish_seen_subcommand_from render' -l quality -x -d 'Of JPEG and WebP'
 complete -c sfumato -n '__fish_seen_subcommand_from render' -l lossless -d 'WebP that keeps every pixel'
 complete -c sfumato -n '__fish_seen_subcommand_from render' -l dpi -x -d 'Of what stands as pixels'
+complete -c sfumato -n '__fish_seen_subcommand_from render' -l pdf-flatten -x -a 'auto always never' -d 'Layers of a PDF as pixels'
 complete -c sfumato -n '__fish_seen_subcommand_from render' -l svg -x -a 'image vector' -d 'How an SVG is made'
 complete -c sfumato -n '__fish_seen_subcommand_from render' -l force -d 'A vector SVG of any size'
 complete -c sfumato -n '__fish_seen_subcommand_from render' -l title -x -d 'Of HTML, PDF and EPS'

@@ -185,8 +185,7 @@ TEST(FreeEnds, beside_a_bent_curve_no_colour_steps_across_the_line_of_its_end) {
       constexpr int kSteps = 4000;
       for (int i = 0; i < kSteps; ++i) {
         const double angle = 2 * std::numbers::pi * i / kSteps;
-        round.push_back(end.position +
-                        share * end.reach * Vec2{std::cos(angle), std::sin(angle)});
+        round.push_back(end.position + share * end.reach * Vec2{std::cos(angle), std::sin(angle)});
       }
       std::erase_if(round, [](Vec2 p) { return p.x < 1 || p.x > 511 || p.y < 1 || p.y > 511; });
       const Gathered gathered = soft_at(context, drawing, round);
@@ -194,8 +193,9 @@ TEST(FreeEnds, beside_a_bent_curve_no_colour_steps_across_the_line_of_its_end) {
       const auto step = [&](std::size_t i) {
         const bool is_far = length(round[i] - round[i - 1]) > 0.01 * share * end.reach ||
                             distance_to_lines(drawing.lines, round[i]) < 0.02 * share * end.reach;
-        return is_far ? 0.0f
-                      : std::fabs(gathered.value[i * channels] - gathered.value[(i - 1) * channels]);
+        return is_far
+                   ? 0.0f
+                   : std::fabs(gathered.value[i * channels] - gathered.value[(i - 1) * channels]);
       };
       for (std::size_t i = 3; i < round.size(); ++i) {
         EXPECT_LE(step(i - 1), std::max(step(i - 2), step(i)) + 0.5f / 255)
