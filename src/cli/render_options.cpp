@@ -96,7 +96,8 @@ void add_solution_options(CLI::App& app, RenderArguments& arguments, RenderChoic
             })
       ->group(group);
   add_value(app, "--tolerance", {"a number of user units above 0", "UNITS"},
-            "Largest distance between a curve and its chords\n[0.1 on an artboard of 512]",
+            "Largest distance between a curve and its chords\n"
+            "[0.04 pixels, at most 0.05 on an artboard of 512]",
             into(diffuse.tolerance, parse_positive))
       ->group(group);
   add_choice(app, "--ends", {{"soft", gather::Ends::soft}, {"paper", gather::Ends::paper}},

@@ -29,7 +29,7 @@ constexpr double kCentered = 1.4;
 
 /// Where a curve is blurred its chords may be so much beside it that colours are wrong by this,
 /// code values, but for a third that the middle takes off…
-constexpr double kBlurStray = 1.25;
+constexpr double kBlurStray = 1.6;
 /// …if the tolerance need not be made finer by more than this.
 constexpr double kFinestBlur = 8;
 

@@ -13,10 +13,10 @@ namespace sfumato {
 
 /// How a document becomes a picture. Lengths in user units of the artboard.
 struct DiffuseOptions {
-  std::optional<Box> viewport{};  ///< default: the artboard
-  double pixels_per_unit = 1;     ///< of the nominal output: how fine refinement may go
-  std::optional<double>
-      tolerance{};  ///< flattening; default 0.1 / 512 of the artboard's longer side
+  std::optional<Box> viewport{};      ///< default: the artboard
+  double pixels_per_unit = 1;         ///< of the nominal output: how fine refinement may go
+  std::optional<double> tolerance{};  ///< flattening; default 0.04 pixels, at most 0.05 / 512 of
+                                      ///< the artboard's longer side
   double min_angle_deg = 22;
   double max_area_fraction = 0.04;  ///< of the artboard's area
   /// Largest tolerated miss of a patch in code values of 255; 0: the paper's mesh, made finer at

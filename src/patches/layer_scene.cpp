@@ -14,15 +14,15 @@ namespace sfumato::patches {
 namespace {
 
 /// Chords stray from their curve by at most this, as a fraction of the artboard's longer side…
-constexpr double kTolerancePerSide = 0.1 / 512;
+constexpr double kTolerancePerSide = 0.05 / 512;
 /// …and inside the viewport by at most this many pixels, so that no facet shows at any zoom.
-constexpr double kTolerancePx = 0.2;
+constexpr double kTolerancePx = 0.04;
 
 /// A mesh as fine as a smaller radius would be all triangles: antialiasing shows those blurs.
 constexpr double kSmallestRadiusPx = 0.75;
 
 /// Chords of a curve that is blurred by less than this are those of an edge.
-constexpr double kEdgeRadiusPx = 1;
+constexpr double kEdgeRadiusPx = 0.25;
 
 /// Lengths of the mesher are counted in pixels of an artboard that is this many pixels long.
 constexpr double kNominalSidePx = 1024;

@@ -168,11 +168,14 @@ TEST(Fields, small_radii_do_not_alias) {
   }
 }
 
-TEST(Fields, radii_below_a_pixel_are_sharp) {
+TEST(Fields, radii_below_a_pixel_make_no_mesh_of_their_own) {
   const Curve circle = colored(circle_curve({50, 50}, 30), test::kWhite, test::kBlack);
   const Picture sharp = diffused(one_layer({circle}));
-  const Picture tiny = diffused(one_layer({blurred(circle, 0.5f)}));
+  const Picture tiny = diffused(one_layer({blurred(circle, 0.2f)}));
   EXPECT_EQ(tiny.layers[0].triangle_count(), sharp.layers[0].triangle_count());
+  // Its chords are finer: their errors show.
+  const Picture fine = diffused(one_layer({blurred(circle, 0.5f)}));
+  EXPECT_LT(fine.layers[0].triangle_count(), 2 * sharp.layers[0].triangle_count());
   // Closer by, they are seen.
   const DiffuseOptions enlarged{.viewport = Box{{75, 45}, {85, 55}}, .pixels_per_unit = 10};
   EXPECT_GT(diffused(one_layer({blurred(circle, 0.5f)}), enlarged).layers[0].triangle_count(),

@@ -3,14 +3,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <filesystem>
+#include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
+#include "base/native/tbb_executor.hpp"
 #include "formats/read_document.hpp"
 #include "patches/diffuse.hpp"
 #include "raster/rasterize.hpp"
+#include "raster/render_pixels.hpp"
+#include "support/sanitizers.hpp"
 #include "support/scenes.hpp"
 
 namespace sfumato {
@@ -136,6 +142,42 @@ TEST_P(Example, reads_without_warnings_and_renders) {
   const Image image = drawn(document);
   ASSERT_EQ(image.width, 256);
   EXPECT_GT(color_count(image), 1000u);
+}
+
+/// At the drawing's own size, pixel by pixel.
+Image drawn_exactly(const Document& document, std::optional<double> tolerance) {
+  const std::unique_ptr<Executor> executor = make_tbb_executor(2);
+  Context context{.executor = executor.get()};
+  RasterOptions raster;
+  raster.width = static_cast<int>(std::lround(document.artboard.width()));
+  raster.height = static_cast<int>(std::lround(document.artboard.height()));
+  raster.format = PixelFormat::rgb16;
+  DiffuseOptions options;
+  options.tolerance = tolerance;
+  Result<Image> image = render_pixels(context, document, options, raster);
+  EXPECT_TRUE(image.ok()) << image.status().message;
+  return image ? std::move(*image) : Image{};
+}
+
+TEST_P(Example, shows_chords_finer_than_the_default_in_a_pixel_of_a_thousand_only) {
+  if (SFUMATO_HAS_SANITIZER) GTEST_SKIP() << "minutes under sanitizers";
+  const Document document = example(GetParam());
+  const Image fine = drawn_exactly(document, 0.02), plain = drawn_exactly(document, {});
+  ASSERT_EQ(fine.bytes.size(), plain.bytes.size());
+  const auto channel = [](const Image& image, std::size_t i) {
+    std::uint16_t value;
+    std::memcpy(&value, image.bytes.data() + 2 * i, 2);
+    return int{value};
+  };
+  const std::size_t pixels = fine.bytes.size() / 6;
+  std::size_t off = 0;
+  for (std::size_t i = 0; i < pixels; ++i) {
+    const auto differs = [&](std::size_t c) {
+      return std::abs(channel(fine, c) - channel(plain, c)) > 257;
+    };
+    off += differs(3 * i) || differs(3 * i + 1) || differs(3 * i + 2);
+  }
+  EXPECT_LE(1000 * off, pixels) << off << " of " << pixels;
 }
 
 INSTANTIATE_TEST_SUITE_P(Examples, Example, testing::ValuesIn(example_names()),
