@@ -24,7 +24,8 @@ struct FreeEnd {
   Vec2 direction;    ///< unit vector, out of the curve
   double bend = 0;   ///< sin of the angle by which the curve, r away, has left its line, over r
   double reach = 0;  ///< ρ: the term is 0 from here on, and nothing but the own curve is nearer
-  /// The constraint at ρ; kNone: ρ is what the own curve allows.
+  /// The constraint at ρ; kNone: ρ is the curve's length to a junction or its other end. The end's
+  /// own one where its curve does not follow an arc any farther, or no more was looked at.
   std::int32_t nearest = mesh::kNone;
   float weight = 1;  ///< k
   /// Of the sides where cross(direction, unbent(p - position)) is above 0, and below.

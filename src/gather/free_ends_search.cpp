@@ -154,7 +154,7 @@ class EndSearch {
     }
     if (count == places.size()) return;
     end.reach *= static_cast<double>(count) / kPlaces;
-    end.nearest = mesh::kNone;
+    end.nearest = static_cast<std::int32_t>(meeting_[v].all);
   }
 
   /// Where the own curve is first 1/16, 2/16… of the reach away from the end, relative to it.
@@ -211,7 +211,7 @@ class EndSearch {
       if (seen_from_[step.triangle] == v) continue;
       seen_from_[step.triangle] = v;
       if (++visited > kMostTriangles) {
-        nearest_ = mesh::kNone;
+        nearest_ = mesh_.half_edge_constraint[half_edge];
         return step.distance;
       }
       for (std::uint32_t h = 3 * step.triangle; h < 3 * step.triangle + 3; ++h) {

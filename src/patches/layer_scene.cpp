@@ -13,10 +13,18 @@
 namespace sfumato::patches {
 namespace {
 
-/// Chords stray from their curve by at most this, as a fraction of the artboard's longer side…
-constexpr double kTolerancePerSide = 0.05 / 512;
-/// …and inside the viewport by at most this many pixels, so that no facet shows at any zoom.
-constexpr double kTolerancePx = 0.04;
+struct Tolerance {
+  /// Chords stray from their curve by at most this, as a fraction of the artboard's longer side…
+  double per_side;
+  /// …and inside the viewport by at most this many pixels, so that no facet shows at any zoom.
+  double px;
+};
+
+/// One pixel of a thousand shows that chords are not the curve.
+constexpr Tolerance kTolerance{0.05 / 512, 0.04};
+
+/// Of the paper's mesh, which is the one without a bound on the error.
+constexpr Tolerance kPaperTolerance{0.1 / 512, 0.2};
 
 /// A mesh as fine as a smaller radius would be all triangles: antialiasing shows those blurs.
 constexpr double kSmallestRadiusPx = 0.75;
@@ -71,8 +79,9 @@ class LayerUnits {
       flatten.outside_tolerance = flatten.tolerance;
       return flatten;
     }
-    flatten.outside_tolerance = kTolerancePerSide * artboard_side_;
-    flatten.tolerance = std::min(flatten.outside_tolerance, kTolerancePx * pixel());
+    const Tolerance& tolerance = options_.max_error > 0 ? kTolerance : kPaperTolerance;
+    flatten.outside_tolerance = tolerance.per_side * artboard_side_;
+    flatten.tolerance = std::min(flatten.outside_tolerance, tolerance.px * pixel());
     flatten.focus = sight_.viewport;
     return flatten;
   }

@@ -257,6 +257,15 @@ TEST(LintOvershoot, an_end_that_sticks_out_beyond_a_curve) {
       << "a short curve that begins there";
 }
 
+TEST(LintOvershoot, not_of_an_end_behind_a_corner_of_its_own) {
+  Curve hook = line({10, 50}, {50, 50});
+  const Curve tip = line({50, 50}, {50.2, 50.4});
+  hook.control_points.insert(hook.control_points.end(), tip.control_points.begin() + 1,
+                             tip.control_points.end());
+  EXPECT_EQ(count(one_layer({hook}), HintKind::overshoot), 0u);
+  EXPECT_EQ(count(one_layer({hook}), HintKind::gap), 0u);
+}
+
 TEST(LintGap, many_are_told_as_one) {
   std::vector<Curve> curves{line({50, 0}, {50, 100})};
   for (int i = 0; i < 40; ++i) {
