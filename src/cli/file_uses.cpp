@@ -51,6 +51,16 @@ std::optional<FileIdentity> file_identity(const std::string& path, FileUse use) 
   return ::stat(path.c_str(), &facts) == 0 ? regular_file(facts) : future_file(path);
 }
 
+FilesByIdentity written_files(const std::vector<std::string>& outputs) {
+  FilesByIdentity files;
+  for (const std::string& output : outputs) {
+    if (auto identity = file_identity(output, FileUse::writes)) {
+      files.emplace(std::move(*identity), output);
+    }
+  }
+  return files;
+}
+
 std::string in_quotes(const std::string& path) {
   return '"' + path + '"';
 }

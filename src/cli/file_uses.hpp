@@ -2,6 +2,7 @@
 
 #include <compare>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,6 +26,10 @@ enum class FileUse : std::uint8_t { reads, writes };
 /// Of a path as the command takes it: "-" is a standard stream. Nothing for what is no regular file
 /// (a pipe, /dev/null): writing there replaces nothing.
 std::optional<FileIdentity> file_identity(const std::string& path, FileUse use);
+
+/// The files of a call by what they are; with how the call names them.
+using FilesByIdentity = std::map<FileIdentity, std::string>;
+FilesByIdentity written_files(const std::vector<std::string>& outputs);
 
 /// A file that a call reads: "the drawing".
 struct InputFile {

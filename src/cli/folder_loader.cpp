@@ -24,11 +24,13 @@ bool is_below(const fs::path& file, const fs::path& folder) {
 
 }  // namespace
 
+fs::path folder_of(const std::string& document) {
+  const fs::path folder = document == "-" ? fs::path() : fs::path(document).parent_path();
+  return folder.empty() ? fs::path(".") : folder;
+}
+
 FolderLoader::FolderLoader(const DocumentArguments& arguments, Context& context)
-    : arguments_(arguments),
-      context_(context),
-      folder_(arguments.input == "-" ? fs::path() : fs::path(arguments.input).parent_path()) {
-  if (folder_.empty()) folder_ = ".";
+    : arguments_(arguments), context_(context), folder_(folder_of(arguments.input)) {
   std::error_code error;
   const fs::path own = fs::canonical(folder_, error);
   if (!error) granted_.push_back(own);
@@ -50,13 +52,7 @@ Status FolderLoader::check_place(const fs::path& file) const {
 }
 
 Status FolderLoader::check_use(const std::string& path) const {
-  if (!outputs_) {
-    outputs_.emplace();
-    for (const std::string& output : arguments_.outputs) {
-      const auto identity = file_identity(output, FileUse::writes);
-      if (identity) outputs_->emplace(*identity, output);
-    }
-  }
+  if (!outputs_) outputs_ = written_files(arguments_.outputs);
   const auto identity = file_identity(path, FileUse::reads);
   const auto output = identity ? outputs_->find(*identity) : outputs_->end();
   if (output == outputs_->end()) return ok_status();

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,6 +11,9 @@
 #include "formats/read_document.hpp"
 
 namespace sfumato::cli {
+
+/// The folder that the names in a document go by: its own, of standard input the current one.
+std::filesystem::path folder_of(const std::string& document);
 
 /// Reads the files that a document names relative to its own folder, or by an absolute path. A file
 /// is read only where it lies in the document's folder or in one that the user allows, or below
@@ -32,7 +34,7 @@ class FolderLoader final : public ResourceLoader {
   const DocumentArguments& arguments_;
   Context& context_;
   /// That the call writes, as they are when the first file is asked for.
-  mutable std::optional<std::map<FileIdentity, std::string>> outputs_;
+  mutable std::optional<FilesByIdentity> outputs_;
   std::filesystem::path folder_;                ///< of the document, as it was given
   std::vector<std::filesystem::path> granted_;  ///< without symbolic links; the document's first
 };

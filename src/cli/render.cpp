@@ -15,6 +15,7 @@
 #include "cli/picture_file.hpp"
 #include "cli/progress_bar.hpp"
 #include "cli/stats.hpp"
+#include "cli/texture_uses.hpp"
 
 namespace sfumato::cli {
 namespace {
@@ -110,8 +111,6 @@ Status prepare_outputs(const RenderArguments& arguments) {
 }  // namespace
 
 int render(const RenderArguments& arguments) {
-  const Status writable = prepare_outputs(arguments);
-  if (!writable) return fail(writable);
   const std::unique_ptr<Executor> executor = make_tbb_executor(arguments.threads);
   std::optional<ProgressBar> progress;
   if (!arguments.quiet && isatty(STDERR_FILENO) != 0) progress.emplace(stderr, kProgressDelay);
@@ -120,6 +119,14 @@ int render(const RenderArguments& arguments) {
                   .budget = Budget(arguments.resources.memory_bytes),
                   .limits = arguments.resources.limits};
   const CancelOnSignal cancel_on_signal(context.cancel);
+  const std::string complaint = complaint_about_textures(context, arguments);
+  if (context.cancel.load()) return fail(context.stop_status());
+  if (!complaint.empty()) {
+    report_error(make_error(StatusCode::bad_input, complaint));
+    return kBadUsage;
+  }
+  const Status writable = prepare_outputs(arguments);
+  if (!writable) return fail(writable);
   return Rendering(context, arguments, progress ? &*progress : nullptr).run();
 }
 

@@ -134,5 +134,49 @@ TEST_F(FileUses, no_output_replaces_a_texture) {
   EXPECT_TRUE(read_whole(path("tile.png")) == tile);
 }
 
+TEST_F(FileUses, no_picture_replaces_a_texture_of_another_drawing) {
+  ASSERT_EQ(run_sfumato({"render", drawing_, "-o", path("tile.png"), "--width", "8"}).exit_code, 0);
+  const std::string tile = read_whole(path("tile.png"));
+  const std::string textured = folder_.add("textured.svg", kTextured);
+  const std::string tile_drawing = folder_.add("tile.svg", two_curve_scene());
+  // Whichever comes first, and although a drawing between is none.
+  const std::string bad = folder_.add("bad.svg", "<svg");
+  const Names in_some_order[] = {{tile_drawing, bad, textured}, {textured, bad, tile_drawing}};
+  for (const Names& drawings : in_some_order) {
+    Names call{"render", "--out-dir", folder_.path("")};
+    call.insert(call.end(), drawings.begin(), drawings.end());
+    const CommandResult result = run_sfumato(call);
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_NE(result.err.find("--out-dir: the picture "), std::string::npos) << result.err;
+    EXPECT_NE(result.err.find("tile.png\" would replace the texture \"tile.png\" of \"" + textured),
+              std::string::npos)
+        << result.err;
+    EXPECT_TRUE(read_whole(path("tile.png")) == tile);
+    EXPECT_FALSE(fs::exists(path("textured.png")));
+  }
+  expect_refused({"render", drawing_, textured, "--out-dir", path("o"), "--stats",
+                  link("tile.png", "soft.json")},
+                 "--stats");
+  EXPECT_FALSE(fs::exists(path("o")));
+  EXPECT_TRUE(read_whole(path("tile.png")) == tile);
+}
+
+TEST_F(FileUses, no_picture_becomes_a_texture_that_is_not_there_yet) {
+  const std::string textured = folder_.add("textured.svg", kTextured);
+  const std::string tile_drawing = folder_.add("tile.svg", two_curve_scene());
+  expect_refused({"render", tile_drawing, textured, "--out-dir", folder_.path("")}, "--out-dir");
+  EXPECT_FALSE(fs::exists(path("tile.png")));
+}
+
+TEST_F(FileUses, pictures_in_another_folder_leave_textures_alone) {
+  ASSERT_EQ(run_sfumato({"render", drawing_, "-o", path("tile.png"), "--width", "8"}).exit_code, 0);
+  const std::string textured = folder_.add("textured.svg", kTextured);
+  const std::string tile_drawing = folder_.add("tile.svg", two_curve_scene());
+  const CommandResult result =
+      run_sfumato({"render", tile_drawing, textured, "--out-dir", path("o")});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_TRUE(fs::exists(path("o/tile.png")) && fs::exists(path("o/textured.png")));
+}
+
 }  // namespace
 }  // namespace sfumato::test

@@ -23,7 +23,17 @@ std::string scheme_of(std::string_view href) {
   return css_lower(href.substr(0, colon));
 }
 
+bool is_elsewhere(std::string_view href) {
+  return !scheme_of(href).empty() || href.starts_with("//");
+}
+
 }  // namespace
+
+std::optional<std::string> file_name_in(std::string_view href) {
+  if (href.empty() || href.starts_with('#') || is_elsewhere(href)) return std::nullopt;
+  const std::vector<std::uint8_t> name = decode_percent(href);
+  return std::string(name.begin(), name.end());
+}
 
 Result<const TextureFile*> TextureFiles::find(Element image) {
   const auto known = file_of_image_.find(image.internal_object());
@@ -53,8 +63,7 @@ Result<const TextureFile*> TextureFiles::read(Element image) {
 }
 
 Result<std::vector<std::uint8_t>> TextureFiles::load(Element image, std::string_view href) {
-  const std::string scheme = scheme_of(href);
-  if (scheme == "data") {
+  if (scheme_of(href) == "data") {
     ScopedCharge charge;
     Status status = charge.add(input_.context(), 2 * href.size(), "a data: URI");
     if (!status) return input_.placed(image, std::move(status));
@@ -62,18 +71,17 @@ Result<std::vector<std::uint8_t>> TextureFiles::load(Element image, std::string_
     if (!bytes) return input_.in(image, "href", bytes.status());
     return bytes;
   }
-  if (!scheme.empty() || href.starts_with("//")) {
+  if (is_elsewhere(href)) {
     return input_.error(image, quoted(href) +
                                    " is not read: nothing is fetched; expected a file "
                                    "beside the document, or a data: URI");
   }
-  if (href.empty() || href.starts_with('#') || loader_ == nullptr) {
+  const std::optional<std::string> name = file_name_in(href);
+  if (!name || loader_ == nullptr) {
     return input_.error(image, quoted(href) + " cannot be read; expected " +
                                    (loader_ ? "a PNG or JPEG file" : "a data: URI"));
   }
-  const std::vector<std::uint8_t> name = decode_percent(href);
-  Result<std::vector<std::uint8_t>> bytes =
-      loader_->load({reinterpret_cast<const char*>(name.data()), name.size()});
+  Result<std::vector<std::uint8_t>> bytes = loader_->load(*name);
   if (bytes) return bytes;
   return input_.placed(
       image, make_error(bytes.status().code, quoted(href) + ": " + bytes.status().message));

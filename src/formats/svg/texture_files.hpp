@@ -2,6 +2,8 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -15,6 +17,10 @@ struct TextureFile {
   RgbaImage image;
   std::vector<std::uint8_t> file;  ///< as it was loaded
 };
+
+/// The file that an <image>'s href names, percent signs decoded; nothing for what is no file beside
+/// the document: a data: URI, another scheme or host, a fragment.
+std::optional<std::string> file_name_in(std::string_view href);
 
 /// The images that a document refers to, each loaded and decoded once.
 class TextureFiles {

@@ -1,0 +1,73 @@
+#include "cli/texture_uses.hpp"
+
+#include <filesystem>
+#include <system_error>
+
+#include "cli/document_input.hpp"
+#include "cli/file_uses.hpp"
+#include "cli/folder_loader.hpp"
+#include "cli/paths.hpp"
+#include "formats/texture_names.hpp"
+
+namespace sfumato::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+class TextureUses {
+ public:
+  TextureUses(Context& context, const RenderArguments& arguments)
+      : context_(context), arguments_(arguments), outputs_(written_files(arguments.outputs)) {}
+
+  void look_at(const std::string& drawing);
+  const std::string& complaint() const { return complaint_; }
+
+ private:
+  void look_at_texture(const std::string& drawing, const std::string& name);
+
+  Context& context_;
+  const RenderArguments& arguments_;
+  const FilesByIdentity outputs_;
+  std::string complaint_;
+};
+
+void TextureUses::look_at_texture(const std::string& drawing, const std::string& name) {
+  if (!complaint_.empty() || name.find('\0') != std::string::npos) return;
+  std::error_code error;
+  const fs::path path = fs::weakly_canonical(folder_of(drawing) / fs::path(name), error);
+  if (error) return;
+  const auto identity = file_identity(path.string(), FileUse::reads);
+  const auto output = identity ? outputs_.find(*identity) : outputs_.end();
+  if (output == outputs_.end()) return;
+  const bool is_stats = output->second == arguments_.stats;
+  complaint_ = std::string(is_stats ? "--stats" : "--out-dir") + ": " +
+               (is_stats ? "the figures " : "the picture ") + in_quotes(output->second) +
+               " would replace the texture " + in_quotes(name) + " of " + in_quotes(drawing);
+}
+
+void TextureUses::look_at(const std::string& drawing) {
+  std::error_code error;
+  if (!fs::is_regular_file(drawing, error)) return;
+  context_.deadline = deadline_of(arguments_.resources);
+  const Result<std::string> bytes = read_drawing_text(context_, drawing);
+  ScopedCharge charge;
+  if (!bytes || !charge.add(context_, bytes->size(), "the input")) return;
+  // What is wrong with the drawing is said when it is drawn.
+  [[maybe_unused]] const Status visited =
+      visit_texture_names(context_, *bytes, display_name(drawing),
+                          [&](const std::string& name) { look_at_texture(drawing, name); });
+}
+
+}  // namespace
+
+std::string complaint_about_textures(Context& context, const RenderArguments& arguments) {
+  if (!arguments.many) return {};
+  TextureUses uses(context, arguments);
+  for (const RenderJob& job : arguments.jobs) {
+    uses.look_at(job.input);
+    if (!uses.complaint().empty() || context.cancel.load()) break;
+  }
+  return uses.complaint();
+}
+
+}  // namespace sfumato::cli

@@ -1,0 +1,60 @@
+#include "formats/texture_names.hpp"
+
+#include <optional>
+
+#include "base/public_verb.hpp"
+#include "formats/css_text.hpp"
+#include "formats/gunzip.hpp"
+#include "formats/svg/namespaces.hpp"
+#include "formats/svg/texture_files.hpp"
+#include "formats/xml_source.hpp"
+
+namespace sfumato {
+namespace {
+
+class NameWalker final : public pugi::xml_tree_walker {
+ public:
+  NameWalker(const Context& context, const std::function<void(const std::string&)>& visit)
+      : poll_(context), visit_(visit) {}
+
+  bool for_each(pugi::xml_node& node) override {
+    using namespace std::string_view_literals;
+    if (node.name() == "image"sv && node.parent().name() == "pattern"sv) {
+      const auto name = svg::file_name_in(css_trimmed(node.attribute("href").value()));
+      if (name) visit_(*name);
+    }
+    return !poll_.cancelled();
+  }
+
+ private:
+  RarePoll<256> poll_;  // a visit may ask the file system
+  const std::function<void(const std::string&)>& visit_;
+};
+
+Status visit_in_text(Context& context, std::string_view text, const std::string& file,
+                     const std::function<void(const std::string&)>& visit) {
+  XmlSource xml(text, file);
+  Status status = xml.parse(context);
+  if (status) status = svg::resolve_namespaces(context, xml);
+  if (!status) return status;
+  NameWalker walker(context, visit);
+  xml.root().traverse(walker);
+  return context.check();
+}
+
+Status visit_in_bytes(Context& context, std::string_view bytes, const std::string& file,
+                      const std::function<void(const std::string&)>& visit) {
+  if (!is_gzip(bytes)) return visit_in_text(context, bytes, file, visit);
+  ScopedCharge charge;
+  const Result<std::string> text = gunzip(context, bytes, charge);
+  return text ? visit_in_text(context, *text, file, visit) : text.status();
+}
+
+}  // namespace
+
+Status visit_texture_names(Context& context, std::string_view bytes, const std::string& file,
+                           const std::function<void(const std::string& name)>& visit) {
+  return public_verb(context, [&] { return visit_in_bytes(context, bytes, file, visit); });
+}
+
+}  // namespace sfumato
