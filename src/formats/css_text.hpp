@@ -7,7 +7,8 @@ namespace sfumato {
 
 /// A blank of CSS or XML.
 inline bool is_css_blank(char c) {
-  return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f';
+  // A sum: of alternatives GCC makes a table of bits, which no vector instruction looks up.
+  return ((c == ' ') + (c == '\t') + (c == '\n') + (c == '\r') + (c == '\f')) != 0;
 }
 
 /// Without the blanks of CSS and XML on both ends.

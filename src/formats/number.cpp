@@ -6,6 +6,8 @@
 #include <string>
 #include <system_error>
 
+#include "formats/character_run.hpp"
+
 namespace sfumato {
 namespace {
 
@@ -13,7 +15,8 @@ namespace {
 constexpr std::size_t kLongestNumber = std::size_t{1} << 20;
 
 bool is_blank(char c) {
-  return c == ' ' || c == '\t' || c == '\n' || c == '\r';
+  // A sum, as in is_css_blank.
+  return ((c == ' ') + (c == '\t') + (c == '\n') + (c == '\r')) != 0;
 }
 
 bool is_digit(char c) {
@@ -21,9 +24,8 @@ bool is_digit(char c) {
 }
 
 std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
-  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
-  return text;
+  text.remove_prefix(run_end(text, 0, is_blank));
+  return text.substr(0, run_begin(text, is_blank));
 }
 
 std::size_t skip_digits(std::string_view text, std::size_t i) {

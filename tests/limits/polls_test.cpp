@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "base/limits.hpp"
 #include "export/glb.hpp"
 #include "export/html.hpp"
 #include "export/pdf.hpp"
@@ -90,6 +91,25 @@ TEST(Polls, long_values_are_read_and_written_with_looks) {
   const auto read = read_document(context, polygon, "a.svg");
   ASSERT_TRUE(read.ok());
   expect_polls("writing", [&](Context& c) { return write_svg(c, read->document); });
+}
+
+TEST(Polls, blanks_and_digits_up_to_the_largest_input_are_read_with_looks) {
+  const std::size_t most = limits::kInputBytes - 400;
+  const std::string blanks(most, ' ');
+  std::string numbers;
+  for (int i = 0; i < 62; ++i) numbers += "0." + std::string((1 << 20) - 3, '1') + ' ';
+  const std::string shapes[] = {
+      "<path sf:left='red' d='M0 0L9 " + blanks + "9'/>",
+      "<path sf:left='red' d='M0 0L" + numbers + "'/>",
+      "<polygon sf:left='red' points='0 0 9 9 9 0" + blanks + "'/>",
+      "<path d='M0 0L9 9' sf:left='red' transform='" + blanks + "scale(1)'/>",
+      "<rect sf:left='red' width='3' height='3' x='" + blanks + "1'/>",
+      "<path d='M0 0L9 9' sf:left='red' sf:opacity='" + blanks + "1'/>",
+  };
+  for (const std::string& shape : shapes) {
+    const std::string text = svg_of(shape);
+    expect_polls(shape.substr(0, 48), [&](Context& c) { return read_document(c, text, "a.svg"); });
+  }
 }
 
 TEST(Polls, solving_looks_often) {

@@ -45,6 +45,7 @@ std::optional<Found> AttributeReader::find(const char* name, const char* for_bot
   for (const char* candidate : {name, for_both}) {
     if (candidate == nullptr) continue;
     if (const auto text = input_.sf(element_, candidate)) {
+      input_.text_poll().go_on(text->size());  // who reads what is found asks for the answer
       return Found{std::string("sf:") + candidate, css_trimmed(*text)};
     }
   }

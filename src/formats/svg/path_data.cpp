@@ -1,13 +1,30 @@
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
 
 #include "base/limits.hpp"
+#include "formats/css_tokenizer.hpp"
 #include "formats/svg/path.hpp"
 #include "formats/svg/scanner.hpp"
 
 namespace sfumato::svg {
 namespace {
+
+/// Fits a byte.
+constexpr std::size_t kCountedAtOnce = 255;
+
+bool is_digit(char c) {
+  return (c >= '0') & (c <= '9');
+}
+
+bool is_letter(char c) {
+  return ((c >= 'A') & (c <= 'Z')) | ((c >= 'a') & (c <= 'z'));
+}
+
+bool begins_number(char before, char c) {
+  return (is_digit(c) & !is_digit(before)) | (c == '.');
+}
 
 class PathReader {
  public:
@@ -28,7 +45,7 @@ class PathReader {
   bool next_is_number() const;
 
   Context& context_;
-  RarePoll<1024> poll_;
+  TextPoll poll_;
   Scanner scanner_;
   PathBuilder builder_;
   char command_ = 0;  ///< in upper case
@@ -40,13 +57,14 @@ class PathReader {
 
 bool PathReader::next_is_number() const {
   const char c = scanner_.peek();
-  return (c >= '0' && c <= '9') || c == '.' || c == '-' || c == '+';
+  return is_digit(c) || c == '.' || c == '-' || c == '+';
 }
 
 Result<std::vector<Subpath>> PathReader::read() {
   scanner_.skip_blanks();
   if (scanner_.rest() == "none") return std::vector<Subpath>();
   while (!scanner_.at_end()) {
+    const std::size_t begin = scanner_.position();
     if (Status status = take_command(); !status) return status;
     if (Status status = draw(); !status) return status;
     if (builder_.control_point_count() > context_.limits.control_points) {
@@ -55,8 +73,8 @@ Result<std::vector<Subpath>> PathReader::read() {
     if (builder_.subpath_count() > context_.limits.curves) {
       return limit_error(context_.limits, &Limits::curves, "curves");
     }
-    if (poll_.cancelled()) return context_.stop_status();
     scanner_.skip_blanks();
+    if (!poll_.go_on(scanner_.position() - begin)) return context_.stop_status();
   }
   return builder_.take();
 }
@@ -194,12 +212,21 @@ Result<std::vector<Subpath>> parse_path(Context& context, std::string_view text)
 std::size_t control_point_bound(const Limits& limits, std::string_view text) {
   // A piece takes a number or a closing letter at least; an arc's flags may stand in one number.
   std::size_t numbers = 0, letters = 0;
-  bool in_digits = false;
-  for (const char c : text) {
-    const bool is_digit = c >= '0' && c <= '9';
-    numbers += (is_digit && !in_digits) || c == '.';
-    letters += (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
-    in_digits = is_digit;
+  char last = ' ';
+  // Counts that fit a byte are added sixteen or more at a time.
+  for (std::size_t begin = 0; begin < text.size(); begin += kCountedAtOnce) {
+    const std::string_view block = text.substr(begin, kCountedAtOnce);
+    std::uint8_t block_numbers = begins_number(last, block.front()), block_letters = 0;
+    for (std::size_t i = 1; i < block.size(); ++i) {
+      block_numbers =
+          static_cast<std::uint8_t>(block_numbers + begins_number(block[i - 1], block[i]));
+    }
+    for (const char c : block) {
+      block_letters = static_cast<std::uint8_t>(block_letters + is_letter(c));
+    }
+    numbers += block_numbers;
+    letters += block_letters;
+    last = block.back();
   }
   const std::size_t pieces = kMaxPieces * numbers / 5 + numbers + letters;
   return std::min(3 * pieces + 1, limits.control_points + 3 * kMaxPieces + 1);

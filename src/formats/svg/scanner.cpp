@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/limits.hpp"
+#include "formats/character_run.hpp"
 #include "formats/css_text.hpp"
 #include "formats/number.hpp"
 #include "formats/suggestion.hpp"
@@ -14,11 +15,11 @@ namespace {
 constexpr std::size_t kShownBytes = 12;
 
 bool is_digit(char c) {
-  return c >= '0' && c <= '9';
+  return (c >= '0') & (c <= '9');
 }
 
-bool is_letter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+bool is_in_word(char c) {
+  return ((c >= 'a') & (c <= 'z')) | ((c >= 'A') & (c <= 'Z')) | is_digit(c);
 }
 
 std::size_t count_characters(std::string_view text) {
@@ -37,7 +38,7 @@ std::string_view shown(std::string_view rest) {
 }  // namespace
 
 void Scanner::skip_blanks() {
-  while (!at_end() && is_css_blank(text_[at_])) ++at_;
+  at_ = run_end(text_, at_, is_css_blank);
 }
 
 void Scanner::skip_separator() {
@@ -53,7 +54,7 @@ bool Scanner::take(char c) {
 
 std::string_view Scanner::take_word() {
   const std::size_t begin = at_;
-  while (!at_end() && (is_letter(text_[at_]) || is_digit(text_[at_]))) ++at_;
+  at_ = run_end(text_, at_, is_in_word);
   return text_.substr(begin, at_ - begin);
 }
 
@@ -65,10 +66,7 @@ Status Scanner::take_flag(bool& flag) {
 
 /// Where the number that stands here ends; here where there is none.
 std::size_t Scanner::number_end() const {
-  const auto skip_digits = [this](std::size_t i) {
-    while (i < text_.size() && is_digit(text_[i])) ++i;
-    return i;
-  };
+  const auto skip_digits = [this](std::size_t i) { return run_end(text_, i, is_digit); };
   const auto skip_sign = [this](std::size_t i) {
     return i < text_.size() && (text_[i] == '+' || text_[i] == '-') ? i + 1 : i;
   };

@@ -18,6 +18,8 @@ class Scanner {
   bool at_end() const { return at_ == text_.size(); }
   /// The next character; 0 at the end.
   char peek() const { return at_end() ? '\0' : text_[at_]; }
+  /// Bytes that were taken.
+  std::size_t position() const { return at_; }
   std::string_view rest() const { return text_.substr(at_); }
   void skip_blanks();
   /// Blanks with at most one comma among them.

@@ -69,7 +69,9 @@ Status ShapeReader::charge_bound(std::string_view text, ScopedCharge& charge) {
   Status status = charge.add(input_.context(),
                              kGrowth * control_point_bound(input_.limits(), text) * sizeof(Vec2),
                              "control points");
-  return status ? status : input_.placed(element_, status);
+  if (!status) return input_.placed(element_, status);
+  // A long text has been looked through once by now.
+  return text.size() < TextPoll::kBytes ? ok_status() : input_.context().check();
 }
 
 Result<Subpaths> ShapeReader::read_path() {
@@ -89,12 +91,13 @@ Result<Subpaths> ShapeReader::read_points(bool closed) {
   PathBuilder builder;
   bool first = true;
   for (scanner.skip_blanks(); !scanner.at_end(); scanner.skip_separator()) {
-    if (Status stopped = input_.check(); !stopped) return stopped;
+    const std::size_t begin = scanner.position();
     Vec2 point;
     Status status = scanner.take_number(point.x);
     scanner.skip_separator();
     if (status) status = scanner.take_number(point.y);
     if (!status) return input_.in(element_, "points", status);
+    if (!input_.text_poll().go_on(scanner.position() - begin)) return input_.text_poll().status();
     if (std::exchange(first, false)) {
       builder.move_to(point);
     } else {

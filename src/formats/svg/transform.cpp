@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "formats/css_tokenizer.hpp"
 #include "formats/suggestion.hpp"
 #include "formats/svg/angle.hpp"
 #include "formats/svg/scanner.hpp"
@@ -76,10 +77,9 @@ bool to_affine(std::string_view function, const Arguments& arguments, Affine& af
 
 Result<Affine> parse_transform(const Context& context, std::string_view text) {
   Scanner scanner(text);
-  RarePoll<1024> poll(context);
+  TextPoll poll(context);
   Affine product;
   for (scanner.skip_blanks(); !scanner.at_end(); scanner.skip_separator()) {
-    if (poll.cancelled()) return context.stop_status();
     const Scanner before = scanner;
     const std::string_view function = scanner.take_word();
     if (std::ranges::find(kFunctions, function) == kFunctions.end()) {
@@ -93,6 +93,7 @@ Result<Affine> parse_transform(const Context& context, std::string_view text) {
       return before.error("another number of arguments than " + std::to_string(arguments.count));
     }
     product = product * affine;
+    if (!poll.go_on(scanner.position() - before.position())) return context.stop_status();
   }
   const double magnitude = std::abs(product.a) + std::abs(product.b) + std::abs(product.c) +
                            std::abs(product.d) + std::abs(product.e) + std::abs(product.f);
