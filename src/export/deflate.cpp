@@ -10,9 +10,11 @@ namespace {
 
 constexpr int kLevel = 9;
 
-/// Bytes taken in or given out at once; between them the cancel flag is looked at.
-constexpr std::size_t kPiece = std::size_t{256} << 10;
-constexpr std::size_t kBytesPerPoll = std::size_t{64} << 10;
+/// Bytes given out at once.
+constexpr std::size_t kPiece = std::size_t{64} << 10;
+/// Taken in at once; between them the cancel flag is looked at. Where bytes
+/// have few values, the best level looks at thousands of places before each: microseconds.
+constexpr std::size_t kBytesPerPoll = std::size_t{4} << 10;
 
 /// A deflater that ends with its scope.
 class Deflater {

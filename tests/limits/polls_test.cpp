@@ -1,8 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <string>
+#include <vector>
 
 #include "base/limits.hpp"
+#include "export/deflate.hpp"
 #include "export/glb.hpp"
 #include "export/html.hpp"
 #include "export/pdf.hpp"
@@ -170,6 +173,16 @@ TEST(Polls, exporters_look_often) {
   });
   expect_polls("SVG of curves", [&](Context& c) { return write_svg(c, document); });
   expect_polls("lint", [&](Context& c) { return lint(c, document); });
+}
+
+TEST(Polls, packing_bytes_of_two_values_looks_often) {
+  std::vector<std::uint8_t> bytes(std::size_t{1} << 17);
+  std::uint32_t noise = 1;
+  for (std::uint8_t& byte : bytes) {
+    noise = noise * 1'664'525 + 1'013'904'223;
+    byte = noise >> 24 & 1;
+  }
+  expect_polls("deflate", [&](Context& c) { return outputs::deflated(c, bytes); });
 }
 
 TEST(Polls, exporters_of_large_textures_look_often) {
