@@ -48,6 +48,62 @@ TEST(Convert, normalises_svg_and_writes_the_same_bytes_again) {
   EXPECT_EQ(twice.out, once.out);
 }
 
+/// One drawing, whose names of XML are written in several ways.
+constexpr const char* kPlainNames = R"(<svg xmlns="http://www.w3.org/2000/svg"
+  xmlns:sf="urn:sfumato:1" viewBox="0 0 64 48" sf:version="1">
+  <g id="layer" sf:diffuse="true">
+    <path id="a" d="M1 2h30" sf:left="gold, red 40%" sf:right="blue" sf:blur="3"/>
+    <path id="b" d="M1 9h30" sf:left="lime" sf:opacity="0.5"/></g></svg>)";
+
+constexpr const char* kTwoPrefixesOfOneAddress = R"(<svg xmlns="http://www.w3.org/2000/svg"
+  xmlns:p="urn:sfumato:1" xmlns:q="urn:sfumato:1" xmlns:x="urn:x" xmlns:y="urn:x"
+  viewBox="0 0 64 48" q:version="1" x:left="1" y:right="2">
+  <x:note y:sf="3">text</x:note>
+  <g id="layer" p:diffuse="true" x:diffuse="false">
+    <path id="a" d="M1 2h30" p:left="gold, red 40%" q:right="blue" p:blur="3" y:blur="9"/>
+    <path id="b" d="M1 9h30" q:left="lime" q:opacity="0.5"/><y:path d="M0 0h1"/></g></svg>)";
+
+constexpr const char* kPrefixesThatAreBoundAgain = R"(<svg xmlns="http://www.w3.org/2000/svg"
+  xmlns:sf="urn:other" xmlns:d="urn:sfumato:1" viewBox="0 0 64 48" d:version="1" sf:version="7">
+  <g id="layer" d:diffuse="true" sf:difuse="no">
+    <path id="a" d="M1 2h30" d:left="gold, red 40%" d:right="blue" d:blur="3" sf:left="pink"/>
+    <path id="b" xmlns:sf="urn:sfumato:1" xmlns:d="urn:other" d="M1 9h30" sf:left="lime"
+      sf:opacity="0.5" d:right="pink"/>
+    <d:g xmlns:d="urn:other"><path d="M0 0h1"/></d:g></g></svg>)";
+
+constexpr const char* kForeignDefault = R"(<s:svg xmlns="urn:other"
+  xmlns:s="http://www.w3.org/2000/svg" xmlns:sf="urn:sfumato:1" viewBox="0 0 64 48"
+  sf:version="1"><g sf:diffuse="true"><path d="M0 0h9" sf:left="pink"/></g>
+  <s:g id="layer" sf:diffuse="true"><path d="M0 0h9" sf:left="pink"/>
+    <s:path id="a" d="M1 2h30" sf:left="gold, red 40%" sf:right="blue" sf:blur="3"/>
+    <path xmlns="http://www.w3.org/2000/svg" id="b" d="M1 9h30" sf:left="lime"
+      sf:opacity="0.5"/></s:g></s:svg>)";
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t found = 0;
+  for (std::size_t i = text.find(part); i != text.npos; i = text.find(part, i + 1)) ++found;
+  return found;
+}
+
+TEST(Convert, keeps_what_is_of_sfumato_among_foreign_namespaces_and_nothing_else) {
+  const std::string expected = run_sfumato({"convert", "-", "-o", "-"}, kPlainNames).out;
+  ASSERT_EQ(count(expected, "<path"), 2u) << expected;
+  // Every prefix that is used is declared, and once.
+  EXPECT_EQ(count(expected, "xmlns=\"http://www.w3.org/2000/svg\""), 1u);
+  EXPECT_EQ(count(expected, "xmlns:"), 1u);
+  EXPECT_EQ(count(expected, "xmlns:sf=\"urn:sfumato:1\""), 1u);
+  for (const char* drawing :
+       {kTwoPrefixesOfOneAddress, kPrefixesThatAreBoundAgain, kForeignDefault}) {
+    const CommandResult once = run_sfumato({"convert", "-", "-o", "-"}, drawing);
+    EXPECT_EQ(once.exit_code, 0) << drawing << once.err;
+    EXPECT_EQ(once.out, expected) << drawing;
+    EXPECT_EQ(once.err, "") << drawing;
+    const CommandResult twice = run_sfumato({"convert", "-", "-o", "-"}, once.out);
+    EXPECT_EQ(twice.exit_code, 0) << twice.err;
+    EXPECT_EQ(twice.out, once.out);
+  }
+}
+
 TEST(Convert, gives_an_svg_that_renders_to_the_same_bytes) {
   const std::string svg = run_sfumato({"convert", "-", "-o", "-"}, two_curve_scene()).out;
   const CommandResult original = run_sfumato({"render", "-", "-o", "-"}, two_curve_scene());
