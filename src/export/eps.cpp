@@ -135,7 +135,7 @@ Status EpsWriter::add_layer(std::uint32_t index, double scale) {
   if (!mesh) return mesh.status();
   notes_->triangle_count += mesh->facet_vertex.size() / 3;
   ScopedCharge charge;
-  const Box box = decode_box(layer.vertex_position);
+  const Box box = decode_box(triangles_box(layer));
   const auto bytes = mesh_bytes(context_, *mesh, box, &charge);
   if (!bytes) return bytes.status();
   if (Status status = add_data("D" + number, *bytes); !status) return status;

@@ -97,6 +97,13 @@ Status MeshWriter::write(Context& context) {
 
 }  // namespace
 
+Box triangles_box(const PatchLayer& layer) {
+  Box box;
+  for (const std::uint32_t vertex : layer.triangle_vertex)
+    box.extend(layer.vertex_position[vertex]);
+  return box;
+}
+
 Box decode_box(const std::vector<Vec2>& positions) {
   Box box;
   for (Vec2 p : positions) box.extend(p);

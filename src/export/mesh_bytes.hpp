@@ -10,6 +10,9 @@
 
 namespace sfumato::outputs {
 
+/// What the triangles of a layer cover: vertices that none has may lie far away.
+Box triangles_box(const PatchLayer& layer);
+
 /// The rectangle that coordinates of a mesh are fractions of: it holds every vertex.
 Box decode_box(const std::vector<Vec2>& positions);
 /// The same for what a box holds: sides of no length become short.

@@ -36,13 +36,6 @@ Result<std::string> clip_to(const Context& context,
   return path + "W n";
 }
 
-/// What the triangles cover: vertices that none has may lie far away.
-Box triangles_box(const PatchLayer& layer) {
-  Box box;
-  for (std::uint32_t vertex : layer.triangle_vertex) box.extend(layer.vertex_position[vertex]);
-  return box;
-}
-
 /// Writes one layer.
 class LayerWriter {
  public:

@@ -51,6 +51,13 @@ void expect_shown(const Picture& picture, double mean, int p99) {
   EXPECT_LE(found.p99, p99);
 }
 
+TEST(Eps, vertices_that_no_triangle_has_do_not_widen_a_layer) {
+  Picture picture = two_flags();
+  const Bytes before = exported(picture);
+  picture.layers[0].vertex_position.push_back({1e6, -1e6});
+  EXPECT_TRUE(exported(picture) == before);
+}
+
 TEST(Eps, the_box_is_the_viewport_in_points) {
   const std::string text = text_of(exported(two_flags()));
   EXPECT_EQ(text.substr(0, 24), "%!PS-Adobe-3.0 EPSF-3.0\n");
