@@ -1,9 +1,11 @@
 #include "cli/option_helpers.hpp"
 
 #include <filesystem>
+#include <string_view>
 #include <system_error>
 
 #include "cli/paths.hpp"
+#include "formats/suggestion.hpp"
 
 namespace sfumato::cli {
 namespace {
@@ -16,6 +18,11 @@ std::string complaint_about_folder(const std::string& path) {
 }
 
 }  // namespace
+
+std::string word_hint(const std::string& text, const std::vector<std::string>& words) {
+  const std::vector<std::string_view> candidates(words.begin(), words.end());
+  return did_you_mean(text, candidates);
+}
 
 CLI::Option* add_png_output(CLI::App& app, std::string& output, const std::string& help) {
   return add_value(app, "-o,--output", {"a file name that ends in .png, or -", "OUT.png"}, help,

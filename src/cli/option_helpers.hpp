@@ -18,16 +18,21 @@ namespace sfumato::cli {
 struct ValueText {
   std::string expected;
   std::string placeholder;
+  std::vector<std::string> words{};  ///< all that it takes, where these are a few words
 };
+
+/// "; did you mean X?" where the text is nearly one of the words; else nothing.
+std::string word_hint(const std::string& text, const std::vector<std::string>& words);
 
 /// A long option, perhaps after a short one. `set(text)` returns false where the text is no value.
 template <class Set>
 CLI::Option* add_value(CLI::App& app, const std::string& name, const ValueText& value_text,
                        const std::string& help, Set set) {
   const std::string label = name.substr(name.find("--"));
-  const auto read = [set, label, expected = value_text.expected](const std::string& text) {
+  const auto read = [set, label, value_text](const std::string& text) {
     if (!set(text)) {
-      throw CLI::ValidationError(label, "\"" + text + "\" given, expected " + expected);
+      throw CLI::ValidationError(label, "\"" + text + "\" given, expected " + value_text.expected +
+                                            word_hint(text, value_text.words));
     }
   };
   return app.add_option_function<std::string>(name, read, help)->type_name(value_text.placeholder);
@@ -81,7 +86,11 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, Choices<Value> c
                         const std::string& help, Target& target) {
   const std::vector<std::pair<std::string, Value>> known(choices.begin(), choices.end());
   std::string list;
-  for (const auto& [word, value] : known) list += (list.empty() ? "" : "|") + word;
+  std::vector<std::string> words;
+  for (const auto& [word, value] : known) {
+    list += (list.empty() ? "" : "|") + word;
+    words.push_back(word);
+  }
   const auto set = [known, &target](const std::string& text) {
     for (const auto& [word, value] : known) {
       if (word != text) continue;
@@ -90,7 +99,7 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, Choices<Value> c
     }
     return false;
   };
-  return add_value(app, name, {"one of " + list, list}, help, set);
+  return add_value(app, name, {"one of " + list, list, words}, help, set);
 }
 
 }  // namespace sfumato::cli

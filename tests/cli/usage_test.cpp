@@ -162,6 +162,13 @@ TEST(Usage, mistyped_options_get_a_suggestion_in_every_command) {
             "sfumato: error: \"--out\" is no option of render; did you mean --output?");
   EXPECT_EQ(message({"render", "a.svg", "-w", "9"}),
             "sfumato: error: \"-w\" is no option of render; expected --width");
+  EXPECT_EQ(message({"render", "a.svg", "-o", "b.png", "--method", "exat"}),
+            "sfumato: error: --method: \"exat\" given, expected one of exact|rays|pixels; did you "
+            "mean exact?");
+  EXPECT_TRUE(message({"render", "a.svg", "-o", "b.svg", "--svg", "vectr"})
+                  .ends_with("; did you mean vector?"));
+  EXPECT_TRUE(message({"render", "a.svg", "-o", "b.png", "--ends", "sharp"})
+                  .ends_with("expected one of soft|paper"));
   EXPECT_TRUE(message({"--hlep"}).ends_with("; did you mean --help?"));
   EXPECT_TRUE(message({"lint", "a.svg", "--limit", "curvs=3"}).ends_with("; did you mean curves?"));
 }

@@ -135,6 +135,14 @@ const BadInput kAttributes[] = {
     {"none_in_list", with("sf:left='none, red'"),
      "3:1: sf:left of <path>: \"none\" is no stop; expected it alone, without other stops and "
      "offsets"},
+    {"opacity_of_percent", with("sf:left='red' sf:opacity='50%'"),
+     "3:1: sf:opacity of <path>: \"50%\" is no opacity; expected a number from 0 to 1; did you "
+     "mean 0.5?"},
+    {"opacity_of_percent_in_list", with("sf:left='red' sf:left-opacity='1, 12.5% 30%'"),
+     "3:1: sf:left-opacity of <path>: \"12.5%\" is no opacity; expected a number from 0 to 1; did "
+     "you mean 0.125?"},
+    {"opacity_beyond", with("sf:left='red' sf:opacity='101%'"),
+     "3:1: sf:opacity of <path>: \"101%\" is no opacity; expected a number from 0 to 1"},
     {"offset", with("sf:left='red 5'"),
      "3:1: sf:left of <path>: the offset \"5\" is none; expected 0% to 100% of the length, or @ "
      "and a segment like @2.5; did you mean 5%?"},

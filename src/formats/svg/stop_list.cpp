@@ -71,6 +71,15 @@ std::string offset_hint(std::string_view text, std::string_view value, ParseValu
   return "; did you mean " + quoted(std::string(value) + ", " + std::string(text)) + "?";
 }
 
+/// What a percentage was meant to be where a number up to `largest` is expected.
+std::string share_hint(std::string_view text, double largest) {
+  text = text.substr(0, kLongestHint);
+  if (!text.ends_with('%')) return {};
+  const std::optional<double> percent = parse_number(text.substr(0, text.size() - 1));
+  if (!percent || !(*percent >= 0 && *percent / 100 <= largest)) return {};
+  return "; did you mean " + rounded_number_text(*percent / 100, 6) + "?";
+}
+
 template <class Value>
 bool parse_offset(std::string_view text, WrittenStop<Value>& stop) {
   std::optional<double> number;
@@ -191,7 +200,7 @@ Result<std::vector<WrittenStop<float>>> parse_scalar_stops(std::string_view text
     const std::optional<double> number = parse_number(token);
     if (!number || !(*number >= 0 && *number <= largest)) {
       return bad(quoted(token) + " is no " + std::string(what) + "; expected a number from 0 to " +
-                 std::to_string(static_cast<long>(largest)));
+                 std::to_string(static_cast<long>(largest)) + share_hint(token, largest));
     }
     value = static_cast<float>(*number);
     return ok_status();
