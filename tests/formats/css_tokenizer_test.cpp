@@ -9,6 +9,7 @@
 #include "formats/css_declarations.hpp"
 #include "formats/css_media.hpp"
 #include "formats/css_selector.hpp"
+#include "formats/each_text.hpp"
 
 namespace sfumato {
 namespace {
@@ -90,9 +91,7 @@ TEST(CssTokenizer, escapes_name_characters) {
   EXPECT_EQ(css_unescaped("\\72\r\n\\65\t\\64\f"), "red") << "one blank ends each";
   EXPECT_EQ(css_unescaped("\\g\\-\\@"), "g-@");
   EXPECT_EQ(css_unescaped("\\e9 \\20ac\\1f600"), "\xC3\xA9\xE2\x82\xAC\xF0\x9F\x98\x80");
-  for (const char* none : {"\\0", "\\d800", "\\110000", "\\ffffff"}) {
-    EXPECT_EQ(css_unescaped(none), "\xEF\xBF\xBD") << none;
-  }
+  test::expect_of_each({"\\0", "\\d800", "\\110000", "\\ffffff"}, css_unescaped, "\xEF\xBF\xBD");
   EXPECT_EQ(types_of("\\\na"), "d_i") << "a newline is not escaped outside of strings";
   EXPECT_TRUE(css_is_name("IMP\\6fRTANT", "important"));
   EXPECT_FALSE(css_is_name("importan", "important"));
@@ -163,19 +162,17 @@ char media_of(std::string_view text) {
 }
 
 TEST(CssMedia, screen_and_all_match_and_other_media_do_not) {
-  for (const char* text : {"", " ", "/**/", "all", "SCREEN", "only screen", "print, screen",
-                           "not print", "not all, all", "scr\\65 en", "(a), all", "1, screen"}) {
-    EXPECT_EQ(media_of(text), '+') << text;
-  }
-  for (const char* text : {"print", "tty", "not screen", "not all", "only", "not", "and", "or",
-                           "screen print", "screen,print)", "\"screen\"", "print and (a)", ",",
-                           "all or (a)", "[screen]", "not not print"}) {
-    EXPECT_EQ(media_of(text), text == std::string_view("screen,print)") ? '+' : '-') << text;
-  }
-  for (const char* text : {"(min-width: 1px)", "screen and (color)", "not (a)", "print, (a)",
-                           "not screen and (color)"}) {
-    EXPECT_EQ(media_of(text), '?') << text;
-  }
+  test::expect_of_each(
+      {"", " ", "/**/", "all", "SCREEN", "only screen", "print, screen", "not print",
+       "not all, all", "scr\\65 en", "(a), all", "1, screen", "screen,print)"},
+      media_of, '+');
+  test::expect_of_each(
+      {"print", "tty", "not screen", "not all", "only", "not", "and", "or", "screen print",
+       "\"screen\"", "print and (a)", ",", "all or (a)", "[screen]", "not not print"},
+      media_of, '-');
+  test::expect_of_each(
+      {"(min-width: 1px)", "screen and (color)", "not (a)", "print, (a)", "not screen and (color)"},
+      media_of, '?');
 }
 
 TEST(CssSelector, tells_simple_ones_from_others_and_from_wrong_ones) {

@@ -1,6 +1,7 @@
 // What styles say, as browsers have it.
 #include <gtest/gtest.h>
 
+#include "formats/each_text.hpp"
 #include "formats/svg_support.hpp"
 
 namespace sfumato::test {
@@ -33,26 +34,30 @@ std::string by_sheet(const std::string& sheet, const std::string& attributes = "
   return stop_of("class='k' id='i' " + attributes, "<style>" + sheet + "</style>", warnings);
 }
 
+std::string sheet_alone(const std::string& sheet) {
+  return by_sheet(sheet);
+}
+
+std::string sheet_with_warning(const std::string& sheet) {
+  return by_sheet(sheet, "", 1);
+}
+
 TEST(SvgCss, comments_and_case_change_nothing) {
-  EXPECT_EQ(styled("/* c */stop-color:red"), "#f00");
-  EXPECT_EQ(styled("stop-color:red/* c */"), "#f00");
-  EXPECT_EQ(styled("stop-color/**/:/**/red"), "#f00");
-  EXPECT_EQ(styled("Stop-Color:RED"), "#f00");
-  EXPECT_EQ(styled("stop-color:red !IMPORTANT"), "#f00");
-  EXPECT_EQ(styled("st\\6fp-color:r\\65 d"), "#f00");
-  EXPECT_EQ(styled("font-family:';stop-color:lime';stop-color:red"), "#f00");
-  EXPECT_EQ(styled("a:url(;stop-color:lime);stop-color:red"), "#f00");
+  expect_of_each(
+      {"/* c */stop-color:red", "stop-color:red/* c */", "stop-color/**/:/**/red", "Stop-Color:RED",
+       "stop-color:red !IMPORTANT", "st\\6fp-color:r\\65 d",
+       "font-family:';stop-color:lime';stop-color:red", "a:url(;stop-color:lime);stop-color:red"},
+      styled, "#f00");
 }
 
 TEST(SvgCss, sheets_know_comments_strings_escapes_and_markers) {
-  EXPECT_EQ(by_sheet(".k/* x */{stop-color:red}"), "#f00");
-  EXPECT_EQ(by_sheet(".j{font-family:\"}\"} .k{stop-color:red}"), "#f00");
-  EXPECT_EQ(by_sheet(".j{a:'{';b:url(});c:({[)}]})} .k{stop-color:red}"), "#f00");
-  EXPECT_EQ(by_sheet("<![CDATA[<!-- .k{stop-color:red} -->]]>"), "#f00");
-  EXPECT_EQ(by_sheet(".\\6b{stop-color:red}"), "#f00");
+  expect_of_each(
+      {".k/* x */{stop-color:red}", ".j{font-family:\"}\"} .k{stop-color:red}",
+       ".j{a:'{';b:url(});c:({[)}]})} .k{stop-color:red}",
+       "<![CDATA[<!-- .k{stop-color:red} -->]]>", ".\\6b{stop-color:red}", ".k{stop-color:red"},
+      sheet_alone, "#f00");
   EXPECT_EQ(by_sheet(".K{stop-color:red}"), "#000") << "classes have a case";
   EXPECT_EQ(by_sheet("STOP{stop-color:red}"), "#000") << "elements of XML have a case";
-  EXPECT_EQ(by_sheet(".k{stop-color:red"), "#f00");
   EXPECT_EQ(by_sheet(".k{stop-<![CDATA[color:r]]>ed}"), "#f00") << "the texts are one";
 }
 
@@ -61,11 +66,12 @@ TEST(SvgCss, importance_goes_before_the_style_attribute_and_that_before_order) {
   EXPECT_EQ(by_sheet(".k{stop-color:red !important}", lime), "#f00");
   EXPECT_EQ(by_sheet(".k{stop-color:red !important}", "style='stop-color:lime !important'"),
             "#0f0");
-  EXPECT_EQ(by_sheet(".k{stop-color:red !important} .k{stop-color:lime}"), "#f00");
-  EXPECT_EQ(by_sheet("*{stop-color:red !important} #i{stop-color:lime}"), "#f00");
-  EXPECT_EQ(by_sheet("#i{stop-color:red !important} .k{stop-color:lime !important}"), "#f00");
+  expect_of_each({".k{stop-color:red !important} .k{stop-color:lime}",
+                  "*{stop-color:red !important} #i{stop-color:lime}",
+                  "#i{stop-color:red !important} .k{stop-color:lime !important}",
+                  "stop{stop-color:red} *{stop-color:lime}"},
+                 sheet_alone, "#f00");
   EXPECT_EQ(by_sheet(".k{stop-color:lime} .k{stop-color:red}", "stop-color='blue'"), "#f00");
-  EXPECT_EQ(by_sheet("stop{stop-color:red} *{stop-color:lime}"), "#f00");
   EXPECT_EQ(styled("stop-color:red !important;stop-color:lime"), "#f00");
   EXPECT_EQ(styled("stop-color:red !important;stop-color:lime!important"), "#0f0");
 }
@@ -91,42 +97,42 @@ TEST(SvgCss, a_dropped_value_is_told_with_what_was_meant) {
 }
 
 TEST(SvgCss, media_and_type_say_which_sheets_count) {
-  const auto by = [](const std::string& attributes, std::size_t warnings = 0) {
+  std::size_t warnings = 0;
+  const auto by = [&warnings](const std::string& attributes) {
     return stop_of("class='k'", "<style " + attributes + ">.k{stop-color:red}</style>", warnings);
   };
-  for (const char* fits : {"", "media=''", "media='all'", "media='SCREEN'", "media='print,screen'",
-                           "type=''", "type='text/css'", "type='TEXT/CSS'"}) {
-    EXPECT_EQ(by(fits), "#f00") << fits;
-  }
-  EXPECT_EQ(by("media='print'"), "#000");
-  EXPECT_EQ(by("media='not screen'"), "#000");
-  EXPECT_EQ(by("media='(min-width: 1px)'", 1), "#000");
-  EXPECT_EQ(by("type='text/x-scss'", 1), "#000");
-  EXPECT_EQ(by("type='text/css;charset=utf-8'", 1), "#000");
+  expect_of_each({"", "media=''", "media='all'", "media='SCREEN'", "media='print,screen'",
+                  "type=''", "type='text/css'", "type='TEXT/CSS'"},
+                 by, "#f00");
+  expect_of_each({"media='print'", "media='not screen'"}, by, "#000");
+  warnings = 1;
+  expect_of_each(
+      {"media='(min-width: 1px)'", "type='text/x-scss'", "type='text/css;charset=utf-8'"}, by,
+      "#000");
 }
 
 TEST(SvgCss, at_rules_are_passed_over_but_for_media_of_a_screen) {
-  EXPECT_EQ(by_sheet("@charset 'utf-8';.k{stop-color:red}", "", 1), "#f00");
-  EXPECT_EQ(by_sheet("@import url(a;b);.k{stop-color:red}", "", 1), "#f00");
-  EXPECT_EQ(by_sheet("@font-face{font-family:'}'}.k{stop-color:red}", "", 1), "#f00");
-  EXPECT_EQ(by_sheet("@supports (a:b){.k{stop-color:lime}}.k{stop-color:red}", "", 1), "#f00");
-  EXPECT_EQ(by_sheet("@MEDIA screen{.j{}.k{stop-color:red}}"), "#f00");
-  EXPECT_EQ(by_sheet("@media all{@media screen{.k{stop-color:red}}}"), "#f00");
-  EXPECT_EQ(by_sheet("@media print{.k{stop-color:lime}} .k{stop-color:red}"), "#f00");
-  EXPECT_EQ(by_sheet(".k{stop-color:red} @media print{@media screen{.k{stop-color:lime}}}"),
-            "#f00");
-  EXPECT_EQ(by_sheet("@media screen{a} .k{stop-color:red}", "", 1), "#f00");
-  EXPECT_EQ(by_sheet(".k{stop-color:red;@media screen{stop-color:lime}}"), "#f00");
+  expect_of_each({"@charset 'utf-8';.k{stop-color:red}", "@import url(a;b);.k{stop-color:red}",
+                  "@font-face{font-family:'}'}.k{stop-color:red}",
+                  "@supports (a:b){.k{stop-color:lime}}.k{stop-color:red}",
+                  "@media screen{a} .k{stop-color:red}"},
+                 sheet_with_warning, "#f00");
+  expect_of_each(
+      {"@MEDIA screen{.j{}.k{stop-color:red}}", "@media all{@media screen{.k{stop-color:red}}}",
+       "@media print{.k{stop-color:lime}} .k{stop-color:red}",
+       ".k{stop-color:red} @media print{@media screen{.k{stop-color:lime}}}",
+       ".k{stop-color:red;@media screen{stop-color:lime}}"},
+      sheet_alone, "#f00");
 }
 
 TEST(SvgCss, words_for_every_property_are_understood) {
-  EXPECT_EQ(stop_of("stop-color='red' style='stop-color:initial'"), "#000");
-  EXPECT_EQ(stop_of("stop-color='red' style='stop-color:UNSET'"), "#000");
-  EXPECT_EQ(stop_of("stop-color='red' style='stop-color:revert'"), "#000");
+  expect_of_each(
+      {"stop-color='red' style='stop-color:initial'", "stop-color='red' style='stop-color:UNSET'",
+       "stop-color='red' style='stop-color:revert'", "stop-color='red' style='all:initial'",
+       "stop-color='inherit'"},
+      [](const std::string& attributes) { return stop_of(attributes); }, "#000");
   EXPECT_EQ(stop_of("stop-color='red' style='stop-color:revert-layer'"), "#f00");
-  EXPECT_EQ(stop_of("stop-color='red' style='all:initial'"), "#000");
   EXPECT_EQ(stop_of("stop-color='red' style='all:red'"), "#f00");
-  EXPECT_EQ(stop_of("stop-color='inherit'"), "#000");
   EXPECT_EQ(stop_of("stop-color='currentColor' color='red'"), "#f00");
   EXPECT_EQ(stop_of("style='stop-color:CurrentColor'", "<style>svg{color:red}</style>"), "#f00");
 }
@@ -154,10 +160,9 @@ TEST(SvgCss, display_and_visibility_have_any_case) {
                     "><g sf:diffuse='true'><path d='M0 0h9' sf:left='red'/></g></g>"))
         .document.layers.size();
   };
-  EXPECT_EQ(layers("style='DISPLAY:none'"), 0u);
-  EXPECT_EQ(layers("style='display:None'"), 0u);
-  EXPECT_EQ(layers("display='NONE'"), 0u);
-  EXPECT_EQ(layers("style='display:none;display:nonsense'"), 0u);
+  expect_of_each({"style='DISPLAY:none'", "style='display:None'", "display='NONE'",
+                  "style='display:none;display:nonsense'"},
+                 layers, 0u);
   EXPECT_EQ(layers("style='display:none;display:inline flow-root'"), 1u);
   EXPECT_EQ(layers("style='Visibility:HIDDEN'"), 0u);
   EXPECT_EQ(layers("visibility='hidden' style='visibility:initial'"), 1u);
