@@ -86,12 +86,24 @@ std::size_t offset(int x, int row) {
 /// blur, which are as fine as its radius.
 constexpr double kSmallTrianglePx = 3;
 
-bool is_small(const LayerView& layer, std::uint32_t triangle, const Vec2 (&corner)[3]) {
-  if (!layer.is_bent || !layer.is_bent[triangle]) return false;
+/// Of these, those with no longer edge are not parted by a pixel's quarters.
+constexpr double kWholeTrianglePx = 0.6;
+
+double longest_edge_squared(const Vec2 (&corner)[3]) {
+  double longest = 0;
   for (int k = 0; k < 3; ++k)
-    if (length_squared(corner[(k + 1) % 3] - corner[k]) > kSmallTrianglePx * kSmallTrianglePx)
-      return false;
-  return true;
+    longest = std::max(longest, length_squared(corner[(k + 1) % 3] - corner[k]));
+  return longest;
+}
+
+bool is_small(const LayerView& layer, std::uint32_t triangle, const Vec2 (&corner)[3]) {
+  return layer.is_bent && layer.is_bent[triangle] &&
+         longest_edge_squared(corner) <= kSmallTrianglePx * kSmallTrianglePx;
+}
+
+bool is_read_in_quarters(const LayerView& layer, std::uint32_t triangle, const Vec2 (&corner)[3]) {
+  return is_small(layer, triangle, corner) &&
+         longest_edge_squared(corner) > kWholeTrianglePx * kWholeTrianglePx;
 }
 
 std::span<const SoftEdge> soft_edges_of(const LayerView& layer, std::uint32_t triangle) {
@@ -251,8 +263,8 @@ void MixedPixels::add_triangle(Shader* shader, std::uint32_t triangle, const Til
   const Vec2 corner[3] = {corners.vec(0), corners.vec(1), corners.vec(2)};
   const PixelRange range = pixels_in(box_of(corner), tile);
   if (!any_marked(range)) return;
-  const bool small = is_small(shader->layer(), triangle, corner);
-  const ClipTriangle clip = clip_of(shader->layer(), corner, small ? 2 : 1);
+  const bool in_quarters = is_read_in_quarters(shader->layer(), triangle, corner);
+  const ClipTriangle clip = clip_of(shader->layer(), corner, in_quarters ? 2 : 1);
   const TriangleFrame frame = triangle_frame(corners.at, shader->layer().mirrored);
   shader->begin_triangle(triangle, frame);
   const auto add = [&](const Coverage& part, int x, int y, std::uint32_t index) {
@@ -264,7 +276,7 @@ void MixedPixels::add_triangle(Shader* shader, std::uint32_t triangle, const Til
   for (int row = range.first_row; row < range.end_row; ++row) {
     for_each_pixel(row, range.begin, range.end, [&](int column, std::uint32_t index) {
       const int x = tile.x0 + column, y = tile.y0 + row;
-      if (!small) return add(pixel_coverage(clip, x, y), x, y, index);
+      if (!in_quarters) return add(pixel_coverage(clip, x, y), x, y, index);
       for (int quarter = 0; quarter < 4; ++quarter)
         add(quarter_coverage(clip, x, y, quarter), x, y, index);
     });

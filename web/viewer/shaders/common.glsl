@@ -26,9 +26,18 @@ vec2 mapped(vec3 row[2], vec2 p) {
 const float kStripReach[4] = float[4](0.08373, 0.25630, 0.44840, 0.71157);
 const float kMostReach = 64.0;
 
+float longest_edge_squared(vec2 a, vec2 b, vec2 c) {
+  return max(dot(b - a, b - a), max(dot(c - b, c - b), dot(a - c, a - c)));
+}
+
 /// Whether what bends in a triangle may bend within a pixel: as raster::MixedPixels has it.
 bool is_small(vec2 a, vec2 b, vec2 c) {
-  return max(dot(b - a, b - a), max(dot(c - b, c - b), dot(a - c, a - c))) <= 9.0;
+  return longest_edge_squared(a, b, c) <= 9.0;
+}
+
+/// Whether a small triangle is parted by a pixel's quarters, likewise.
+bool is_read_in_quarters(vec2 a, vec2 b, vec2 c) {
+  return is_small(a, b, c) && longest_edge_squared(a, b, c) > 0.36;
 }
 
 // Spaces of interpolation.

@@ -33,7 +33,7 @@ uniform usampler2D triangle_opacity_node;
 #elif defined(WITH_AREAS)
 flat in vec4 corners;
 flat in vec2 last_corner;
-flat in int small;
+flat in int in_quarters;
 #else
 centroid in vec2 weight;
 #endif
@@ -258,7 +258,7 @@ vec4 part_value(vec2 a, vec2 b, vec2 c, vec2 place, float size) {
 void main() {
   vec2 a = corners.xy - gl_FragCoord.xy, b = corners.zw - gl_FragCoord.xy;
   vec2 c = last_corner - gl_FragCoord.xy;
-  if (small == 0) {
+  if (in_quarters == 0) {
     fragment = part_value(a, b, c, vec2(0.0), 1.0);
     return;
   }

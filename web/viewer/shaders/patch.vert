@@ -30,7 +30,7 @@ uniform usampler2D is_bent;
 
 flat out vec4 corners;
 flat out vec2 last_corner;
-flat out int small;
+flat out int in_quarters;
 #else
 uniform vec3 clip_from_layer[2];
 
@@ -106,10 +106,11 @@ void main() {
   vec2 c = mapped(pixel_from_layer, corner_position(t, 2));
   corners = vec4(a, b);
   last_corner = c;
-  small = int(table_index(is_bent, t) != 0 && is_small(a, b, c));
+  bool bends = table_index(is_bent, t) != 0;
 #ifdef WITH_MARKS
-  if (small == 0) a = b = c = vec2(-1.0);
+  if (!(bends && is_small(a, b, c))) a = b = c = vec2(-1.0);
 #else
+  in_quarters = int(bends && is_read_in_quarters(a, b, c));
   send_nodes(t, corner % 3 == 2);
 #endif
   gl_Position = box_corner(min(a, min(b, c)), max(a, max(b, c)), target_size, corner);
