@@ -23,7 +23,7 @@ bool is_letter(char c) {
 }
 
 bool begins_number(char before, char c) {
-  return (is_digit(c) & !is_digit(before)) | (c == '.');
+  return (is_digit(c) > is_digit(before)) | (c == '.');
 }
 
 class PathReader {
