@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <functional>
+#include <memory>
 #include <numbers>
 #include <random>
 
@@ -36,6 +37,7 @@ Vec2 corner(const mesh::TriangleMesh& mesh, std::uint32_t t, std::size_t k) {
 
 /// The triangles that are kept of a mesh, and their area.
 struct Kept {
+  std::unique_ptr<Context> context = std::make_unique<Context>();  ///< the cuts are charged to it
   BorderCuts cuts;
   double area = 0;
   double least_part = 1;  ///< area
@@ -54,10 +56,9 @@ Kept kept(const mesh::TriangleMesh& mesh, const Predicate& seen) {
     for (std::size_t i = 0; i < points.size(); ++i) out[i] = seen(points[i]);
     return ok_status();
   };
-  Context context;
-  Result<BorderCuts> cuts = cut_at_border(context, mesh, {node_sees, is_seam, look}, 1e-6);
-  EXPECT_TRUE(cuts.ok());
   Kept result;
+  Result<BorderCuts> cuts = cut_at_border(*result.context, mesh, {node_sees, is_seam, look}, 1e-6);
+  EXPECT_TRUE(cuts.ok());
   result.cuts = std::move(*cuts);
   for (std::uint32_t t = 0; t < mesh.triangle_count(); ++t) {
     const bool is_cut = !result.cuts.is_cut.empty() && result.cuts.is_cut[t];
