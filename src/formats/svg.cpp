@@ -116,13 +116,13 @@ void warn_of_nothing(Input& input, const Document& document) {
   input.warn("/no layers", input.root(), std::move(message));
 }
 
-/// Parses and finds the artboard; the document is otherwise empty.
 /// A document without content, and how it is shown.
 struct Begun {
   Document document;
   svg::PictureFrame frame;
 };
 
+/// Parses, and finds the artboard and its frame.
 Result<Begun> begin(Input& input) {
   if (Status status = input.parse(); !status) return status;
   if (std::string_view(input.root().name()) != "svg") {

@@ -31,9 +31,10 @@ bool bends(const PatchField& field, std::size_t triangle) {
 
 }  // namespace
 
-std::vector<std::uint8_t> bent_triangles(const PatchLayer& layer) {
+std::vector<std::uint8_t> bent_triangles(const Context& context, const PatchLayer& layer) {
   std::vector<std::uint8_t> bent(layer.triangle_count());
-  for (std::size_t t = 0; t < bent.size(); ++t) {
+  RarePoll<16384> poll(context);
+  for (std::size_t t = 0; t < bent.size() && !poll.cancelled(); ++t) {
     bent[t] = bends(layer.color, t) || (layer.opacity.channel_count > 0 && bends(layer.opacity, t));
   }
   return bent;

@@ -205,7 +205,7 @@ Status PaintList::Builder::build() {
     for (Vec2 p : layer.vertex_position) list_.layers_[i].bounds.extend(p);
     status = list_.charge_.add(context_, layer.triangle_count(), "marks of triangles");
     if (!status) return status;
-    list_.layers_[i].is_bent = bent_triangles(layer);
+    list_.layers_[i].is_bent = bent_triangles(context_, layer);
     if (context_.cancelled()) return context_.stop_status();
   }
   list_.items_.reserve(picture_.stack.size());
