@@ -115,10 +115,9 @@ Status MeshWriter::append(Context& context, int channel, std::string& text) {
   if (Status status = append_small(context, channel, text); !status) return status;
   std::vector<Vec2> outline;
   std::string path;
+  RarePoll<kFacetsPerCheck> poll(context);
   for (std::uint32_t facet = 0; facet < count; ++facet) {
-    if (facet % kFacetsPerCheck == 0 && context.cancelled()) {
-      return context.stop_status();
-    }
+    if (poll.cancelled()) return context.stop_status();
     outline.clear();
     for (const Vec2 p : mesh_.outlines.of(facet)) outline.push_back(mesh_.grid_from_layer(p));
     path.clear();

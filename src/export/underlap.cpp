@@ -9,7 +9,7 @@ namespace {
 /// Points of an outline for each facet, at most on average: 3 corners, 2 points for an edge that
 /// has a later neighbour (half of them), and 6 spokes for a corner (one for 2 facets).
 constexpr std::size_t kPointsPerFacet = 10;
-constexpr std::size_t kFacetsPerCheck = 4096;
+constexpr std::uint32_t kFacetsPerCheck = 4096;
 /// A corner of a grown facet moves by so many margins at most: sharp ones would go far.
 constexpr double kFarthestCorner = 3;
 
@@ -189,10 +189,9 @@ Result<FacetOutlines> underlapped(Context& context, const FacetMesh& mesh, const
   outlines.point.reserve(count * kPointsPerFacet);
   outlines.first.reserve(count + 1);
   Outliner outliner(mesh, links, reach, &outlines.point);
+  RarePoll<kFacetsPerCheck> poll(context);
   for (std::uint32_t facet = 0; facet < count; ++facet) {
-    if (facet % kFacetsPerCheck == 0 && context.cancelled()) {
-      return context.stop_status();
-    }
+    if (poll.cancelled()) return context.stop_status();
     outlines.first.push_back(static_cast<std::uint32_t>(outlines.point.size()));
     outliner.add(facet);
   }

@@ -51,8 +51,9 @@ class FieldWriter {
 
  private:
   Status for_each_triangle(Context& context, void (FieldWriter::*body)(std::uint32_t)) {
+    RarePoll<4096> poll(context);
     for (std::uint32_t t = 0; t < mesh_.triangle_count(); ++t) {
-      if (t % 4096 == 0 && context.cancelled()) return context.stop_status();
+      if (poll.cancelled()) return context.stop_status();
       (this->*body)(t);
     }
     return ok_status();

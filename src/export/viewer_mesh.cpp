@@ -120,8 +120,9 @@ class Walker {
   }
 
   Status follow_gates() {
-    for (std::size_t step = 0; !gates_.empty(); ++step) {
-      if (step % 4096 == 0 && context_.cancelled()) return context_.stop_status();
+    RarePoll<4096> poll(context_);
+    while (!gates_.empty()) {
+      if (poll.cancelled()) return context_.stop_status();
       const Gate gate = gates_.back();
       gates_.pop_back();
       if (last_on_edge_[gate.edge] != gate.half_edge) continue;

@@ -70,6 +70,7 @@ class EndSearch {
     edge_.resize(mesh_.constraint.size());
     seen_from_.resize(mesh_.triangle_count(), kNobody);
     find_edges();
+    if (context_.cancelled()) return context_.stop_status();
     std::vector<FreeEnd> ends;
     for (std::uint32_t v = 0; v < meeting_.size() && !poll_.cancelled(); ++v) {
       if (meeting_[v].edges == 1) add_end(v, ends);
@@ -95,15 +96,10 @@ class EndSearch {
 
   Vec2 position(std::uint32_t v) const { return mesh_.vertex_position[v]; }
 
-  bool has_curves(std::uint32_t h) const {
-    const std::int32_t c = mesh_.half_edge_constraint[h];
-    return c != mesh::kNone && !mesh_.pieces(mesh_.constraint[static_cast<std::size_t>(c)]).empty();
-  }
-
   void find_edges() {
     for (std::uint32_t h = 0; h < mesh_.triangle_vertex.size() && !poll_.cancelled(); ++h) {
       const auto c = static_cast<std::uint32_t>(mesh_.half_edge_constraint[h]);
-      if (!has_curves(h) || edge_[c].half_edge != kNobody) continue;
+      if (!mesh_.has_curves(h) || edge_[c].half_edge != kNobody) continue;
       edge_[c].half_edge = h;
       for (std::uint32_t v : {mesh_.origin(h), mesh_.target(h)}) {
         ++meeting_[v].edges;
@@ -215,7 +211,7 @@ class EndSearch {
         return step.distance;
       }
       for (std::uint32_t h = 3 * step.triangle; h < 3 * step.triangle + 3; ++h) {
-        if (has_curves(h)) shorten(reach, v, h);
+        if (mesh_.has_curves(h)) shorten(reach, v, h);
         const std::int32_t twin = mesh_.half_edge_twin[h];
         if (twin == mesh::kNone || seen_from_[static_cast<std::size_t>(twin) / 3] == v) continue;
         const double distance = segment_distance(position(mesh_.origin(h)) - position(v),

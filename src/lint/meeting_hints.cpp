@@ -70,6 +70,7 @@ class MeetingCheck {
     ScopedCharge charge;
     if (Status status = charge.add(context_, bytes, "meetings of curves"); !status) return status;
     find_meetings();
+    if (context_.cancelled()) return context_.stop_status();
     check_crossings();
     return check_ends();
   }
@@ -90,11 +91,6 @@ class MeetingCheck {
 
   Vec2 position(std::uint32_t v) const { return mesh_.vertex_position[v]; }
 
-  bool has_curves(std::uint32_t h) const {
-    const std::int32_t c = mesh_.half_edge_constraint[h];
-    return c != mesh::kNone && !mesh_.pieces(mesh_.constraint[static_cast<std::size_t>(c)]).empty();
-  }
-
   std::uint32_t curve_on(std::int32_t constraint) const {
     const auto& edge = mesh_.constraint[static_cast<std::size_t>(constraint)];
     return attributes_.curve[mesh_.pieces(edge).back().segment];
@@ -103,7 +99,7 @@ class MeetingCheck {
   void find_meetings() {
     meeting_.resize(mesh_.vertex_position.size());
     for (std::uint32_t h = 0; h < mesh_.triangle_vertex.size() && !poll_.cancelled(); ++h) {
-      if (!has_curves(h)) continue;
+      if (!mesh_.has_curves(h)) continue;
       Meeting& meeting = meeting_[mesh_.origin(h)];
       ++meeting.edges;
       meeting.half_edge = h;
@@ -150,7 +146,7 @@ class MeetingCheck {
     std::size_t count = 0;
     std::uint32_t h = half_edge;
     do {
-      if (has_curves(h)) {
+      if (mesh_.has_curves(h)) {
         if (count == cross.size()) return std::nullopt;
         cross[count++] = {h, curve_on(mesh_.half_edge_constraint[h])};
       }

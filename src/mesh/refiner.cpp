@@ -317,11 +317,10 @@ Status Refiner::run(Context& context) {
   mesh_.tracking = true;
   split_queued_subsegments();
   Bad bad;
-  for (std::uint32_t step = 1; status_.ok() && next_bad(bad); ++step) {
+  RarePoll<kStepsPerCancelCheck> poll(context);
+  while (status_.ok() && next_bad(bad)) {
     if (mesh_.triangle[triangle_of(bad.shortest_edge)].stamp != bad.stamp) continue;
-    if (step % kStepsPerCancelCheck == 0 && context.cancelled()) {
-      status_ = context.stop_status();
-    }
+    if (poll.cancelled()) status_ = context.stop_status();
     refine_triangle(bad);
   }
   mesh_.tracking = false;
@@ -426,9 +425,9 @@ Status Refiner::refine_targets(Context& context, std::span<const Target> targets
   context_ = &context;
   status_ = ok_status();
   mesh_.tracking = true;
-  std::uint32_t step = 0;
+  RarePoll<kStepsPerCancelCheck> poll(context);
   for (const Target& target : targets) {
-    if (++step % kStepsPerCancelCheck == 0 && context.cancelled()) break;
+    if (poll.cancelled()) break;
     shrink(target, smallest_edge * smallest_edge);
     if (!status_.ok()) return status_;
   }

@@ -50,6 +50,11 @@ struct TriangleMesh {
   std::span<const SegmentPiece> pieces(const Constraint& c) const {
     return {piece.data() + c.piece_begin, piece.data() + c.piece_end};
   }
+  /// Whether a curve lies on the half-edge: the frame and the edges between triangles are none.
+  bool has_curves(std::uint32_t h) const {
+    const std::int32_t c = half_edge_constraint[h];
+    return c != kNone && !pieces(constraint[static_cast<std::size_t>(c)]).empty();
+  }
 };
 
 /// What a mesh takes in memory.

@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <bit>
+#include <map>
+#include <set>
 #include <string>
 
 #include "allocation/documents.hpp"
@@ -19,35 +22,72 @@
 #include "patches/diffuse.hpp"
 #include "raster/rasterize.hpp"
 #include "raster/render_pixels.hpp"
-#include "support/poll_recorder.hpp"
 
 /// Whichever look at the cancel flag is the first to see it, the answer is that it was cancelled:
 /// what is half done is never taken for a result.
 namespace sfumato::test {
 namespace {
 
-constexpr std::uint64_t kRuns = 100;
+/// One that cancels at a poll, and looks at every turn of loops of short turns.
+class CancelAt : public PollWatch {
+ public:
+  CancelAt(std::uint64_t poll, std::atomic<bool>& cancel) : left_(poll), cancel_(cancel) {}
+  bool wants_every_turn() const override { return true; }
+  void polled() override {
+    if (--left_ == 0) cancel_.store(true);
+  }
 
-/// Runs `work` to its end, then again and again, cancelled at each of its polls, or, where there
-/// are more than kRuns, at so many of them, evenly spread.
+ private:
+  std::uint64_t left_;
+  std::atomic<bool>& cancel_;
+};
+
+/// Tells the places in the code that look at the flag, and which polls were theirs.
+class PollPlaces : public PollWatch {
+ public:
+  bool wants_every_turn() const override { return true; }
+  void polled() override {
+    Place& place = places_[__builtin_return_address(0)];
+    ++polls_;
+    ++place.polls;
+    if (std::has_single_bit(place.polls)) chosen_.insert(polls_);
+    place.last = polls_;
+  }
+
+  /// Of each place the first poll, the second, the fourth and so on, and the last.
+  std::set<std::uint64_t> chosen() const {
+    std::set<std::uint64_t> polls = chosen_;
+    for (const auto& [address, place] : places_) polls.insert(place.last);
+    return polls;
+  }
+
+ private:
+  struct Place {
+    std::uint64_t polls = 0, last = 0;
+  };
+  std::map<const void*, Place> places_;
+  std::set<std::uint64_t> chosen_;
+  std::uint64_t polls_ = 0;
+};
+
+/// Runs `work` to its end, then again and again, cancelled at chosen polls of every place in the
+/// code that looks at the flag.
 template <class Work>
 void expect_cancelled_at_every_poll(const std::string& name, const Work& work) {
   Context context;
-  PollRecorder all;
-  context.poll_watch = &all;
+  PollPlaces places;
+  context.poll_watch = &places;
   const auto whole = work(context);
   ASSERT_TRUE(whole.ok()) << name << ": " << to_string(whole.status());
-  ASSERT_GT(all.polls(), 0u) << name << " never looks";
-  for (std::uint64_t k = 1; k <= all.polls(); k += 1 + all.polls() / kRuns) {
+  const std::set<std::uint64_t> chosen = places.chosen();
+  ASSERT_FALSE(chosen.empty()) << name << " never looks";
+  for (const std::uint64_t k : chosen) {
     Context cancelled;
-    PollRecorder until;
-    until.cancel_at = k;
-    until.cancel = &cancelled.cancel;
-    cancelled.poll_watch = &until;
+    CancelAt watch(k, cancelled.cancel);
+    cancelled.poll_watch = &watch;
     {
       const auto result = work(cancelled);
-      ASSERT_EQ(result.status().code, StatusCode::cancelled)
-          << name << ", poll " << k << " of " << all.polls();
+      ASSERT_EQ(result.status().code, StatusCode::cancelled) << name << ", poll " << k;
     }
     ASSERT_EQ(cancelled.budget.used(), 0u) << name << ", poll " << k;
   }
