@@ -18,6 +18,10 @@ constexpr std::size_t kBytesPerSeam = 2 * sizeof(gather::Facing) + 2 * 6 * 64;
 /// The most probes of one triangle (patches/probes.hpp).
 constexpr std::size_t kMostProbes = 6;
 
+/// A patch whose cubic part is less than this share of the error that is tolerated is not probed:
+/// measured on four scenes, 99% of patches are off by less than three times their cubic part.
+constexpr float kSurelyGood = 0.2f;
+
 /// About five nodes to a triangle.
 std::size_t layout_bytes_per_triangle(int channel_count) {
   return 10 * sizeof(std::uint32_t) +
@@ -141,12 +145,16 @@ Status FieldSolver::find_misses(Context& context, const mesh::TriangleMesh& mesh
                                 PatchOrder order, std::span<const float> color_weight,
                                 std::span<std::uint8_t> misses) const {
   const auto channels = static_cast<std::size_t>(layout_.channel_count);
-  const auto new_triangles = static_cast<std::size_t>(std::ranges::count(is_new, 1));
   ScopedCharge charge;
-  Status status =
-      charge.add(context, point_bytes(kMostProbes * new_triangles), "probes of patches");
+  Status status = charge.add(context, is_new.size(), "probes of patches");
+  std::vector<std::uint8_t> is_asked;
+  if (status) status = resize_large(context, is_asked, is_new.size());
+  if (status) status = find_doubtful(context, is_new, max_error, order, color_weight, is_asked);
   if (!status) return status;
-  const ProbeSet probes = place_probes(context, mesh, layout_, is_new);
+  const auto asked = static_cast<std::size_t>(std::ranges::count(is_asked, 1));
+  status = charge.add(context, point_bytes(kMostProbes * asked), "probes of patches");
+  if (!status) return status;
+  const ProbeSet probes = place_probes(context, mesh, layout_, is_asked);
   if (context.cancelled()) return context.stop_status();
   std::vector<float> exact;
   status = resize_large(context, exact, probes.position.size() * channels);
@@ -160,13 +168,9 @@ Status FieldSolver::find_misses(Context& context, const mesh::TriangleMesh& mesh
     float* const exact_value = exact.data() + channels * i;
     show_as_code_values(value.data());
     show_as_code_values(exact_value);
+    for (std::size_t c = 0; c < channels; ++c) value[c] = std::fabs(value[c] - exact_value[c]);
     const float weight = color_weight.empty() ? 1 : color_weight[probes.half_edge[i] / 3];
-    float worst = 0;
-    for (std::size_t c = 0; c < channels; ++c) {
-      const float miss = std::fabs(value[c] - exact_value[c]);
-      worst = std::max(worst, is_opacity(c) ? miss : weight * miss);
-    }
-    if (worst <= max_error) continue;
+    if (worst_miss(value, weight) <= max_error) continue;
     misses[probes.half_edge[i] / 3] = 1;
     const std::int32_t twin = mesh.half_edge_twin[probes.half_edge[i]];
     if (probes.place[i] == 3 && twin != mesh::kNone) misses[twin / 3] = 1;
@@ -174,16 +178,51 @@ Status FieldSolver::find_misses(Context& context, const mesh::TriangleMesh& mesh
   return ok_status();
 }
 
+Status FieldSolver::find_doubtful(const Context& context, std::span<const std::uint8_t> is_new,
+                                  float max_error, PatchOrder order,
+                                  std::span<const float> color_weight,
+                                  std::span<std::uint8_t> doubtful) const {
+  // In other spaces the differences are no code values.
+  const bool foretells = order == PatchOrder::cubic && has_code_values();
+  std::vector<float> part(static_cast<std::size_t>(layout_.channel_count));
+  RarePoll<4096> poll(context);
+  for (std::uint32_t t = 0; t < is_new.size(); ++t) {
+    if (poll.cancelled()) return context.stop_status();
+    doubtful[t] = is_new[t];
+    if (!is_new[t] || !foretells || !all_nodes_hit(t)) continue;
+    cubic_part(layout_, t, part.data());
+    const float weight = color_weight.empty() ? 1 : color_weight[t];
+    if (worst_miss(part, weight) < kSurelyGood * max_error) doubtful[t] = 0;
+  }
+  return ok_status();
+}
+
+bool FieldSolver::all_nodes_hit(std::uint32_t t) const {
+  const std::uint32_t* node = layout_.triangle_node.data() + std::size_t{kNodes} * t;
+  return std::all_of(node, node + kNodes, [&](std::uint32_t n) { return node_hit_[n] != 0; });
+}
+
+float FieldSolver::worst_miss(std::span<const float> miss, float color_weight) const {
+  float worst = 0;
+  for (std::size_t c = 0; c < miss.size(); ++c) {
+    worst = std::max(worst, is_opacity(c) ? miss[c] : color_weight * miss[c]);
+  }
+  return worst;
+}
+
 bool FieldSolver::is_opacity(std::size_t channel) const {
   const int base_channels = scene_.attributes.base_channels;
   return base_channels == 1 || (base_channels > 3 && channel == kOpacityChannel);
 }
 
+bool FieldSolver::has_code_values() const {
+  return scene_.attributes.space == InterpolationSpace::srgb || scene_.attributes.base_channels < 3;
+}
+
 /// What is tolerated is counted in code values, whatever space the colours are in.
 void FieldSolver::show_as_code_values(float* value) const {
-  const InterpolationSpace space = scene_.attributes.space;
-  if (space == InterpolationSpace::srgb || scene_.attributes.base_channels < 3) return;
-  const Rgb code = to_srgb(space, {value[0], value[1], value[2]});
+  if (has_code_values()) return;
+  const Rgb code = to_srgb(scene_.attributes.space, {value[0], value[1], value[2]});
   value[0] = code.r, value[1] = code.g, value[2] = code.b;
 }
 

@@ -84,6 +84,13 @@ class FieldSolver {
   PatchField take(std::span<const std::uint8_t> keep);
 
  private:
+  /// Of the new triangles those whose patches are to be held against the exact gather.
+  Status find_doubtful(const Context& context, std::span<const std::uint8_t> is_new,
+                       float max_error, PatchOrder order, std::span<const float> color_weight,
+                       std::span<std::uint8_t> doubtful) const;
+  bool all_nodes_hit(std::uint32_t triangle) const;
+  /// The largest of a value's misses, one a channel, where those of colours count color_weight.
+  float worst_miss(std::span<const float> miss, float color_weight) const;
   bool is_opacity(std::size_t channel) const;
   void carry_over(const Context& context, const NodeLayout& old_layout,
                   const std::vector<std::uint8_t>& old_hit,
@@ -95,6 +102,7 @@ class FieldSolver {
   std::size_t count_to_gather(bool all) const;
   /// The memory of `count` points and their values.
   std::size_t point_bytes(std::size_t count) const;
+  bool has_code_values() const;
   void show_as_code_values(float* value) const;
 
   FieldScene scene_;

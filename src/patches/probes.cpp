@@ -1,6 +1,8 @@
 #include "patches/probes.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "patches/patch.hpp"
 
@@ -31,6 +33,10 @@ constexpr BasisTable make_basis(PatchOrder order) {
   return table;
 }
 
+const std::uint32_t* nodes_of(const NodeLayout& layout, std::uint32_t t) {
+  return layout.triangle_node.data() + std::size_t{kNodesPerTriangle} * t;
+}
+
 int kind_of(const ProbeSet& probes, std::size_t i) {
   if (probes.place[i] < kInnerProbes) return probes.place[i];
   return kInnerProbes + static_cast<int>(probes.half_edge[i] % 3);
@@ -47,7 +53,7 @@ Vec2 point(const mesh::TriangleMesh& mesh, std::uint32_t t, int kind) {
 }  // namespace
 
 ProbeSet place_probes(const Context& context, const mesh::TriangleMesh& mesh,
-                      const NodeLayout& layout, std::span<const std::uint8_t> is_new) {
+                      const NodeLayout& layout, std::span<const std::uint8_t> is_asked) {
   ProbeSet probes;
   const auto add = [&](std::uint32_t half_edge, int place) {
     const int kind = place < kInnerProbes ? place : kInnerProbes + static_cast<int>(half_edge % 3);
@@ -57,12 +63,13 @@ ProbeSet place_probes(const Context& context, const mesh::TriangleMesh& mesh,
   };
   RarePoll<4096> poll(context);
   for (std::uint32_t t = 0; t < mesh.triangle_count() && !poll.cancelled(); ++t) {
-    if (!is_new[t]) continue;
+    if (!is_asked[t]) continue;
     for (int place = 0; place < kInnerProbes; ++place) add(3 * t, place);
     for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
       if (layout.edge_is_curve[h]) continue;
       const std::int32_t twin = mesh.half_edge_twin[h];
-      const bool other_asks = twin != mesh::kNone && is_new[static_cast<std::uint32_t>(twin) / 3] &&
+      const bool other_asks = twin != mesh::kNone &&
+                              is_asked[static_cast<std::uint32_t>(twin) / 3] &&
                               static_cast<std::uint32_t>(twin) < h;
       if (!other_asks) add(h, kInnerProbes);
     }
@@ -76,8 +83,7 @@ void patch_value_at_probe(const ProbeSet& probes, std::size_t i, const NodeLayou
                                                     make_basis(PatchOrder::quadratic),
                                                     make_basis(PatchOrder::cubic)};
   const auto& basis = kBasis[static_cast<std::size_t>(order)][kind_of(probes, i)];
-  const std::uint32_t* node =
-      layout.triangle_node.data() + std::size_t{kNodesPerTriangle} * (probes.half_edge[i] / 3);
+  const std::uint32_t* node = nodes_of(layout, probes.half_edge[i] / 3);
   const auto channel_count = static_cast<std::size_t>(layout.channel_count);
   for (std::size_t channel = 0; channel < channel_count; ++channel) {
     double sum = 0;
@@ -85,6 +91,34 @@ void patch_value_at_probe(const ProbeSet& probes, std::size_t i, const NodeLayou
       sum += basis[n] * layout.value[channel_count * node[n] + channel];
     }
     value[channel] = static_cast<float>(sum);
+  }
+}
+
+// Cubic less quadratic (eq. 18 - 17) is 0 for whatever is quadratic. What is left of ten values are
+// four numbers: an edge's cubic term t, with opposite signs seen from its ends, and the part of the
+// centre that edges and corners do not foretell. At the inner probe near corner k the difference is
+// centre / 2 + (t of the edge that leaves k - t of the edge that enters k) / 8.
+void cubic_part(const NodeLayout& layout, std::uint32_t t, float* part) {
+  const auto channel_count = static_cast<std::size_t>(layout.channel_count);
+  const std::uint32_t* node = nodes_of(layout, t);
+  for (std::size_t channel = 0; channel < channel_count; ++channel) {
+    const auto value = [&](std::size_t n) {
+      return layout.value[channel_count * node[n] + channel];
+    };
+    float corners = 0, edges = 0;
+    std::array<float, 3> term;
+    for (std::size_t k = 0; k < term.size(); ++k) {
+      const float from = value(k), near = value(3 + 2 * k), far = value(4 + 2 * k);
+      corners += from;
+      edges += near + far;
+      term[k] = value((k + 1) % 3) - from + 3 * (near - far);
+    }
+    const float centre = 0.5f * (value(9) - 0.25f * edges + corners / 6);
+    part[channel] = 0;
+    for (std::size_t k = 0; k < term.size(); ++k) {
+      const float difference = centre + 0.125f * (term[k] - term[(k + 2) % 3]);
+      part[channel] = std::max(part[channel], std::fabs(difference));
+    }
   }
 }
 

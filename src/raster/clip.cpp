@@ -14,24 +14,28 @@ constexpr Coverage kWholePixel{1, {0.5, 0.5}};
 constexpr int kMostCorners = 13;
 
 struct Polygon {
-  Vec2 corner[kMostCorners];
+  double x[kMostCorners], y[kMostCorners];  // only `count` of them are ever written
   int count = 0;
 
-  void add(Vec2 p) { corner[count++] = p; }
+  Vec2 corner(int i) const { return {x[i], y[i]}; }
+  void add(Vec2 p) {
+    x[count] = p.x;
+    y[count++] = p.y;
+  }
 };
 
 /// Keeps what lies in the half-plane; `origin` is the frame of the polygon.
 void cut(const HalfPlane& plane, Vec2 origin, const Polygon& in, Polygon* out) {
   const Vec2 base = origin - plane.point;
   double distance[kMostCorners];
-  for (int i = 0; i < in.count; ++i) distance[i] = dot(plane.normal, in.corner[i] + base);
+  for (int i = 0; i < in.count; ++i) distance[i] = dot(plane.normal, in.corner(i) + base);
   out->count = 0;
   for (int i = 0; i < in.count; ++i) {
     const int next = i + 1 < in.count ? i + 1 : 0;
-    if (distance[i] > 0) out->add(in.corner[i]);
+    if (distance[i] > 0) out->add(in.corner(i));
     if ((distance[i] > 0) == (distance[next] > 0)) continue;
     const double t = distance[i] / (distance[i] - distance[next]);
-    out->add(lerp(in.corner[i], in.corner[next], t));
+    out->add(lerp(in.corner(i), in.corner(next), t));
   }
 }
 
@@ -39,14 +43,14 @@ void cut(const HalfPlane& plane, Vec2 origin, const Polygon& in, Polygon* out) {
 Coverage measure(const Polygon& polygon) {
   Coverage sum;
   for (int i = 2; i < polygon.count; ++i) {
-    const Vec2 a = polygon.corner[i - 1] - polygon.corner[0];
-    const Vec2 b = polygon.corner[i] - polygon.corner[0];
+    const Vec2 a = polygon.corner(i - 1) - polygon.corner(0);
+    const Vec2 b = polygon.corner(i) - polygon.corner(0);
     const double area = 0.5 * cross(a, b);
     sum.area += area;
     sum.centroid = sum.centroid + (a + b) * area;
   }
   if (!(sum.area > 0)) return {};
-  sum.centroid = polygon.corner[0] + sum.centroid / (3 * sum.area);
+  sum.centroid = polygon.corner(0) + sum.centroid / (3 * sum.area);
   return sum;
 }
 
@@ -92,12 +96,6 @@ bool inside_pixel(const ClipTriangle& triangle, Vec2 origin) {
   return true;
 }
 
-Coverage whole_triangle(const ClipTriangle& triangle, Vec2 origin) {
-  Polygon polygon;
-  for (const Vec2& p : triangle.corner) polygon.add(p - origin);
-  return measure(polygon);
-}
-
 }  // namespace
 
 ClipTriangle clip_triangle(Vec2 corner0, Vec2 corner1, Vec2 corner2) {
@@ -109,6 +107,14 @@ ClipTriangle clip_triangle(Vec2 corner0, Vec2 corner1, Vec2 corner2) {
                         0.5 * (std::fabs(normal.x) + std::fabs(normal.y))};
   }
   return triangle;
+}
+
+Coverage whole_coverage(Vec2 corner0, Vec2 corner1, Vec2 corner2, int x, int y) {
+  const Vec2 a = corner1 - corner0, b = corner2 - corner0;
+  const double area = 0.5 * cross(a, b);
+  if (!(area > 0)) return {};
+  const Vec2 origin{static_cast<double>(x), static_cast<double>(y)};
+  return {area, corner0 - origin + (a + b) / 3};
 }
 
 Coverage pixel_coverage(const ClipTriangle& triangle, int x, int y) {
@@ -125,7 +131,10 @@ Coverage pixel_coverage(const ClipTriangle& triangle, int x, int y) {
   }
   if (cutting_count == 0) return kWholePixel;
   if (cutting_count == 1) return cut_pixel(cutting[0]->normal, cutting_distance);
-  if (cutting_count == 3 && inside_pixel(triangle, origin)) return whole_triangle(triangle, origin);
+  if (cutting_count == 3 && inside_pixel(triangle, origin)) {
+    const auto& corner = triangle.corner;
+    return whole_coverage(corner[0], corner[1], corner[2], x, y);
+  }
   Polygon polygon[2];
   for (const Vec2& p : {Vec2{0, 0}, Vec2{1, 0}, Vec2{1, 1}, Vec2{0, 1}}) polygon[0].add(p);
   for (int i = 0; i < cutting_count; ++i)

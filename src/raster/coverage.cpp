@@ -42,6 +42,11 @@ class OpaqueShader {
   void begin_triangle(std::uint32_t triangle, const TriangleFrame& frame) {
     patch_ = patch_polynomial(ColorChannels(layer_), layer_.order, triangle, frame);
   }
+  bool has_centers() const { return layer_.order == PatchOrder::cubic; }
+  Color4 at_center(std::uint32_t triangle) const {
+    const std::size_t slot = std::size_t{10} * triangle + kCenterNode;
+    return ColorChannels(layer_).at(slot) + color4(0, 0, 0, 1);
+  }
   Color4 at(const PatchPoint& p, Vec2) const { return patch_color(patch_, p) + color4(0, 0, 0, 1); }
   Color4 value(const PatchPoint& p, Vec2 center) const { return at(p, center); }
   Color4 shown(const Color4& value) const { return value; }
@@ -106,12 +111,38 @@ bool is_read_in_quarters(const LayerView& layer, std::uint32_t triangle, const V
          longest_edge_squared(corner) > kWholeTrianglePx * kWholeTrianglePx;
 }
 
-std::span<const SoftEdge> soft_edges_of(const LayerView& layer, std::uint32_t triangle) {
-  const std::uint8_t* is_curve = layer.edge_is_curve + std::size_t{3} * triangle;
-  if (layer.soft_edge_count == 0 || !(is_curve[0] | is_curve[1] | is_curve[2])) return {};
-  const std::span<const SoftEdge> all(layer.soft_edge, layer.soft_edge_count);
-  const auto [first, last] = std::ranges::equal_range(all, triangle, {}, soft_edge_triangle);
-  return {first, last};
+/// Finds the soft edges of triangles that are asked for in increasing order.
+class SoftEdgeSearch {
+ public:
+  explicit SoftEdgeSearch(const LayerView& layer)
+      : is_curve_(layer.edge_is_curve), rest_(layer.soft_edge, layer.soft_edge_count) {}
+
+  std::span<const SoftEdge> of(std::uint32_t triangle) {
+    const std::uint8_t* is_curve = is_curve_ + std::size_t{3} * triangle;
+    if (rest_.empty() || !(is_curve[0] | is_curve[1] | is_curve[2])) return {};
+    skip_before(triangle);
+    std::size_t count = 0;
+    while (count < rest_.size() && soft_edge_triangle(rest_[count]) == triangle) ++count;
+    return rest_.first(count);
+  }
+
+ private:
+  /// In steps that double: it is near, or far where a tile shows little of a layer.
+  void skip_before(std::uint32_t triangle) {
+    std::size_t reach = 1;
+    while (reach < rest_.size() && soft_edge_triangle(rest_[reach - 1]) < triangle) reach *= 2;
+    const auto near = rest_.first(std::min(reach, rest_.size()));
+    const auto found = std::ranges::lower_bound(near, triangle, {}, soft_edge_triangle);
+    rest_ = rest_.subspan(static_cast<std::size_t>(found - near.begin()));
+  }
+
+  const std::uint8_t* is_curve_;
+  std::span<const SoftEdge> rest_;
+};
+
+/// Whether the box lies in a pixel of the image.
+bool is_in_pixel(const Box& box, int x, int y) {
+  return box.min.x >= x && box.max.x <= x + 1 && box.min.y >= y && box.max.y <= y + 1;
 }
 
 /// Of all strips of a soft edge.
@@ -152,6 +183,11 @@ Box box_of(std::span<const Vec2> points) {
   return box;
 }
 
+bool touches_quarter(const Box& box, int x, int y, int quarter) {
+  const double left = x + 0.5 * (quarter & 1), top = y + 0.5 * (quarter >> 1);
+  return box.min.x < left + 0.5 && box.max.x > left && box.min.y < top + 0.5 && box.max.y > top;
+}
+
 /// The part of a pixel's quarter that lies in a triangle of `doubled` size, as one of the pixel.
 Coverage quarter_coverage(const ClipTriangle& doubled, int x, int y, int quarter) {
   const Vec2 corner{1.0 * (quarter & 1), 1.0 * (quarter >> 1)};
@@ -172,9 +208,13 @@ void MixedPixels::mark_edge(Vec2 a, Vec2 b, const Tile& tile) {
 
 /// What the corners' convex hull touches.
 void MixedPixels::mark_convex(std::span<const Vec2> corners, const Tile& tile) {
+  const Box box = box_of(corners);
+  const PixelRange range = pixels_in(box, tile);
+  if (is_in_pixel(box, tile.x0 + range.begin, tile.y0 + range.first_row))
+    return mark_row(range.first_row, range.begin, range.begin + 1);
   int first[kTileHeight], last[kTileHeight];
-  std::fill_n(first, kTileHeight, kTileWidth);
-  std::fill_n(last, kTileHeight, 0);
+  for (int row = range.first_row; row < range.end_row; ++row)
+    first[row] = kTileWidth, last[row] = 0;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     for_each_row(corners[i], corners[(i + 1) % corners.size()], tile,
                  [&](int row, int begin, int end) {
@@ -182,12 +222,13 @@ void MixedPixels::mark_convex(std::span<const Vec2> corners, const Tile& tile) {
                    last[row] = std::max(last[row], end);
                  });
   }
-  for (int row = 0; row < tile.height; ++row)
+  for (int row = range.first_row; row < range.end_row; ++row)
     if (first[row] < last[row]) mark_row(row, first[row], last[row]);
 }
 
 void MixedPixels::mark(const LayerView& layer, const TriangleList& triangles, const Tile& tile) {
   std::memset(mask_, 0, sizeof(mask_));
+  SoftEdgeSearch soft_edges(layer);
   for (std::size_t i = 0; i < triangles.count; ++i) {
     const std::uint32_t t = triangles.triangle[i];
     const std::uint8_t* is_curve = layer.edge_is_curve + std::size_t{3} * t;
@@ -198,7 +239,7 @@ void MixedPixels::mark(const LayerView& layer, const TriangleList& triangles, co
     if (is_small(layer, t, corner)) mark_convex(corner, tile);
     for (int k = 0; k < 3; ++k)
       if (is_curve[k]) mark_edge(corner[k], corner[(k + 1) % 3], tile);
-    for (const SoftEdge& edge : soft_edges_of(layer, t))
+    for (const SoftEdge& edge : soft_edges.of(t))
       mark_convex(outline(soft_strip(layer, edge)), tile);
   }
 }
@@ -257,13 +298,33 @@ void MixedPixels::Sum::add(const Coverage& part, const Color4& color) {
   moment[1] += part_area * static_cast<float>(part.centroid.y);
 }
 
+/// One that lies in the pixel at the range's beginning.
+template <class Shader>
+void MixedPixels::add_whole_triangle(const Shader& shader, std::uint32_t triangle,
+                                     const Vec2 (&corner)[3], const PixelRange& range,
+                                     const Tile& tile) {
+  const bool mirrored = shader.layer().mirrored;
+  const Coverage part =
+      whole_coverage(corner[0], corner[mirrored ? 2 : 1], corner[mirrored ? 1 : 2],
+                     tile.x0 + range.begin, tile.y0 + range.first_row);
+  if (!(part.area > 0)) return;
+  const auto add = [&](int, std::uint32_t index) {
+    sum_[index].add(part, shader.at_center(triangle));
+  };
+  for_each_pixel(range.first_row, range.begin, range.begin + 1, add);
+}
+
 template <class Shader>
 void MixedPixels::add_triangle(Shader* shader, std::uint32_t triangle, const Tile& tile) {
   const Corners corners = corners_of(shader->layer(), triangle);
   const Vec2 corner[3] = {corners.vec(0), corners.vec(1), corners.vec(2)};
-  const PixelRange range = pixels_in(box_of(corner), tile);
+  const Box box = box_of(corner);
+  const PixelRange range = pixels_in(box, tile);
   if (!any_marked(range)) return;
   const bool in_quarters = is_read_in_quarters(shader->layer(), triangle, corner);
+  if (!in_quarters && shader->has_centers() &&
+      is_in_pixel(box, tile.x0 + range.begin, tile.y0 + range.first_row))
+    return add_whole_triangle(*shader, triangle, corner, range, tile);
   const ClipTriangle clip = clip_of(shader->layer(), corner, in_quarters ? 2 : 1);
   const TriangleFrame frame = triangle_frame(corners.at, shader->layer().mirrored);
   shader->begin_triangle(triangle, frame);
@@ -278,7 +339,8 @@ void MixedPixels::add_triangle(Shader* shader, std::uint32_t triangle, const Til
       const int x = tile.x0 + column, y = tile.y0 + row;
       if (!in_quarters) return add(pixel_coverage(clip, x, y), x, y, index);
       for (int quarter = 0; quarter < 4; ++quarter)
-        add(quarter_coverage(clip, x, y, quarter), x, y, index);
+        if (touches_quarter(box, x, y, quarter))
+          add(quarter_coverage(clip, x, y, quarter), x, y, index);
     });
   }
 }
@@ -345,9 +407,9 @@ void MixedPixels::blur_pixels(Shader* shader, const SoftStrip& strip, const Soft
 template <class Shader>
 void MixedPixels::add_blurs(Shader* shader, const TriangleList& triangles, const Tile& tile) {
   if (shader->layer().soft_edge_count == 0) return;
+  SoftEdgeSearch soft_edges(shader->layer());
   for (std::size_t i = 0; i < triangles.count; ++i)
-    for (const SoftEdge& edge : soft_edges_of(shader->layer(), triangles.triangle[i]))
-      add_blur(shader, edge, tile);
+    for (const SoftEdge& edge : soft_edges.of(triangles.triangle[i])) add_blur(shader, edge, tile);
 }
 
 /// visit(x, row, index of its sum) for every marked pixel.

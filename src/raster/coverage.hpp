@@ -88,6 +88,9 @@ class MixedPixels {
   template <class Shader>
   void add_triangles(Shader* shader, const TriangleList& triangles, const Tile& tile);
   template <class Shader>
+  void add_whole_triangle(const Shader& shader, std::uint32_t triangle, const Vec2 (&corner)[3],
+                          const PixelRange& range, const Tile& tile);
+  template <class Shader>
   void add_triangle(Shader* shader, std::uint32_t triangle, const Tile& tile);
   template <class Shader>
   void add_blurs(Shader* shader, const TriangleList& triangles, const Tile& tile);

@@ -10,6 +10,9 @@ namespace sfumato::raster::inline SFUMATO_ISA {
 /// Up to four channels: red, green, blue and opacity, or the weights of four shaders.
 using Color4 = Lanes<4>;
 
+/// Of a triangle's ten nodes the one at its centroid.
+inline constexpr int kCenterNode = 9;
+
 /// node_order[3 top + middle]: the ten nodes of a triangle as top, middle, bottom, then tm, mt, mb,
 /// bm, bt, tb (ij lies a third of the way from i to j), then the centre.
 struct NodeOrderTable {
@@ -35,7 +38,7 @@ constexpr NodeOrderTable make_node_order() {
                              edge_node(b, m),
                              edge_node(b, t),
                              edge_node(t, b),
-                             9};
+                             kCenterNode};
       for (int i = 0; i < 10; ++i) table.node[3 * t + m][i] = static_cast<std::uint8_t>(order[i]);
     }
   }

@@ -45,6 +45,12 @@ void PointShader::add_shader(const FieldView& field, int channel, float weight, 
   value[2] += weight * sample.color.b;
 }
 
+Color4 PointShader::at_center(std::uint32_t triangle) const {
+  const std::size_t slot = std::size_t{10} * triangle + kCenterNode;
+  if (layer_.opacity.channel_count > 0) return shown(ColorOpacityChannels(layer_).at(slot));
+  return shown(ColorChannels(layer_).at(slot) + color4(0, 0, 0, 1));
+}
+
 Color4 PointShader::value(const PatchPoint& point, Vec2 pixel_center) const {
   float value[4];
   patch_color(patch_, point).store(value);

@@ -29,6 +29,14 @@ class PointShader {
 
   void begin_triangle(std::uint32_t triangle, const TriangleFrame& frame);
 
+  /// Whether a triangle's value at its centroid is that of its centre node.
+  bool has_centers() const {
+    return layer_.order == PatchOrder::cubic && layer_.color.shader_count == 0 &&
+           layer_.opacity.shader_count == 0;
+  }
+  /// At the centroid of a triangle, which need not be begun. Precondition: has_centers().
+  Color4 at_center(std::uint32_t triangle) const;
+
   /// At a point of the triangle, which stands for a part of a pixel, with the image-domain shaders
   /// as that pixel has them, in pixels of the image.
   Color4 at(const PatchPoint& point, Vec2 pixel_center) const {

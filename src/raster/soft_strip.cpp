@@ -50,7 +50,10 @@ Vec2 in_square(Vec2 p) {
 /// a polygon's edges this is the integral over its part of the square.
 Moments edge_integral(Vec2 a, Vec2 b) {
   Moments sum;
-  if (a.y == b.y || (a.x <= 0 && b.x <= 0)) return sum;
+  const bool is_beside = (a.y <= 0 && b.y <= 0) || (a.y >= 1 && b.y >= 1);
+  if (is_beside || a.y == b.y || (a.x <= 0 && b.x <= 0)) return sum;
+  const Vec2 from = in_square(a), to = in_square(b);
+  if ((from == a && to == b) || (a.x >= 1 && b.x >= 1)) return line_integral(from, to);
   double rows[2], columns[2];
   square_range(a.y, b.y - a.y, rows);
   const Vec2 p = lerp(a, b, rows[0]), q = lerp(a, b, rows[1]);
