@@ -11,9 +11,11 @@ namespace {
 constexpr double kLeastDifference = 2.0 / 255;
 /// Bands take less than half of a triangle, so that those of two curves do not meet.
 constexpr double kMostOfHeight = 0.6;
-/// How wide what lies under a band is, of its width: programs that paint every pixel that a mesh
-/// touches must not show it beyond.
-constexpr double kUnderShare = 0.4;
+/// How wide what lies under a band is, of its width. Splash rounds a mesh's vertices to pixels and
+/// paints all between them, both ends included: up to two pixels more, which the band must cover.
+constexpr double kUnderShare = 2.0 / 7;
+/// Bands narrower than this, of their width, would show what lies under them elsewhere too.
+constexpr double kLeastShare = 4.0 / 7;
 /// How far a band reaches around a curve's vertex, of its width, for the same reason.
 constexpr double kCornerShare = 2;
 constexpr int kMostColumns = 8;
@@ -39,9 +41,9 @@ class BandBuilder {
     bands->under.channel_count = bands->over.channel_count = channel_count_of(source);
   }
 
-  /// What reaches beyond curves first: bands of other curves must not be under it.
+  /// What reaches beyond curves before the bands of other curves, and over the ground of others.
   Status build(Context& context) {
-    for (Part part : {Part::beyond, Part::band}) {
+    for (Part part : {Part::ground, Part::beyond, Part::band}) {
       for (std::uint32_t side : edges_.side) {
         if (context.cancelled()) return context.stop_status();
         paint(side, part);
@@ -51,7 +53,7 @@ class BandBuilder {
   }
 
  private:
-  enum class Part { beyond, band };
+  enum class Part { ground, beyond, band };
 
   FacetPatch patch(std::uint32_t half_edge) const {
     return {layer_, space_, source_, half_edge / 3, kColumnError};
@@ -68,7 +70,9 @@ class BandBuilder {
   void carry_under(std::uint32_t from, std::uint32_t into);
   void carry_outside(std::uint32_t from, FacetMesh* mesh);
   void carry_nothing(std::uint32_t into);
+  void paint_strip(std::uint32_t side, double width, FacetMesh* mesh);
   void paint_band(std::uint32_t side);
+  void paint_end(std::uint32_t side, Part part);
   int columns(std::uint32_t half_edge) const;
   std::uint32_t add(Vec2 at, const Value& value, FacetMesh* mesh) const;
   template <class Corner>
@@ -160,10 +164,10 @@ void BandBuilder::carry_strip(std::uint32_t from, std::uint32_t into, double wid
   });
 }
 
-/// The same under the band that comes over it, and narrower: only where that is as wide as it
-/// should be, for what it does not cover shows.
+/// The same under the band that comes over it, and narrower: only where that is wide enough, for
+/// what it does not cover shows.
 void BandBuilder::carry_under(std::uint32_t from, std::uint32_t into) {
-  if (inwards(into, width_) >= kMostOfHeight) return;
+  if (inwards(into, kLeastShare * width_) >= kMostOfHeight) return;
   carry_strip(from, into, kUnderShare * width_, &bands_->under);
 }
 
@@ -218,15 +222,21 @@ void BandBuilder::for_each_between(std::uint32_t side, const Visit& visit) const
   }
 }
 
-/// The colours of a side next to its edge, and the path that clips them.
-void BandBuilder::paint_band(std::uint32_t side) {
+/// The colours of a side next to its edge.
+void BandBuilder::paint_strip(std::uint32_t side, double width, FacetMesh* mesh) {
   const FacetPatch source = patch(side);
-  const double share = inwards(side, width_);
-  FacetMesh* mesh = &bands_->over;
+  const double share = inwards(side, width);
   add_columns(columns(side), mesh, [&](double t, bool is_inner) {
     const double depth = is_inner ? share : 0;
     return add(inner(side, t, depth), source.shown(along(side, t, depth)), mesh);
   });
+}
+
+/// The same as a band, with its corners, and the path that clips it.
+void BandBuilder::paint_band(std::uint32_t side) {
+  FacetMesh* mesh = &bands_->over;
+  paint_strip(side, width_, mesh);
+  const double share = inwards(side, width_);
   bands_->clip.push_back(
       {inner(side, 0, 0), inner(side, 1, 0), inner(side, 1, share), inner(side, 0, share)});
   for_each_between(side, [&](std::uint32_t leaving) {
@@ -246,17 +256,20 @@ void BandBuilder::paint_band(std::uint32_t side) {
   });
 }
 
+/// An edge that has no other side.
+void BandBuilder::paint_end(std::uint32_t side, Part part) {
+  if (layer_.opacity.channel_count == 0 || part == Part::ground) return;
+  if (!is_mask()) return part == Part::beyond ? carry_outside(side, &bands_->under) : void();
+  if (part == Part::band) return paint_band(side);
+  carry_nothing(side);
+  carry_outside(side, &bands_->over);
+}
+
 void BandBuilder::paint(std::uint32_t side, Part part) {
   const std::uint32_t across = edges_.twin[side];
-  if (across == kNoHalfEdge) {
-    if (layer_.opacity.channel_count == 0) return;
-    if (!is_mask()) return part == Part::beyond ? carry_outside(side, &bands_->under) : void();
-    if (part == Part::band) return paint_band(side);
-    carry_nothing(side);
-    return carry_outside(side, &bands_->over);
-  }
+  if (across == kNoHalfEdge) return paint_end(side, part);
   if (!is_mask() && is_seen(side) != is_seen(across)) {
-    if (part == Part::band) return;
+    if (part != Part::beyond) return;
     return is_seen(side) ? carry(side, across, width_, &bands_->under)
                          : carry(across, side, width_, &bands_->under);
   }
@@ -269,6 +282,8 @@ void BandBuilder::paint(std::uint32_t side, Part part) {
   }
   if (difference < kLeastDifference) return;
   if (part == Part::band) return paint_band(side);
+  // Where the other side's triangles come over the curve, its colours are put back on this side.
+  if (part == Part::ground) return paint_strip(across, kUnderShare * width_, &bands_->under);
   carry_under(across, side);
   carry(side, across, width_, &bands_->over);
 }
@@ -279,8 +294,8 @@ Result<CurveBands> make_curve_bands(Context& context, const PatchLayer& layer,
                                     InterpolationSpace space, const FacetSource& source,
                                     const CurveEdges& edges, double width) {
   CurveBands bands;
-  // Three strips of columns for every edge, and corners between them.
-  const std::size_t bytes = edges.side.size() * (3 * (2 * kMostColumns + 8) * 40 + 6 * 64);
+  // Four strips of columns for every edge, and corners between them.
+  const std::size_t bytes = edges.side.size() * (4 * (2 * kMostColumns + 8) * 40 + 6 * 64);
   Status status = bands.charge.add(context, bytes, "bands along curves");
   if (!status) return status;
   status = BandBuilder(layer, space, source, edges, width, &bands).build(context);

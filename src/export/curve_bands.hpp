@@ -8,10 +8,10 @@
 
 namespace sfumato::outputs {
 
-/// What antialiases the curves of a layer in viewers that antialias clip paths alone: along each
-/// curve, over the mesh, first `under`, which carries the colours of one side a little into the
-/// other; then, within the path of `clip`, `over`: the colours of that other side, which reach
-/// beyond the curve. The clip ends at the curve, so that pixels there are a mixture of both.
+/// What antialiases the curves of a layer in viewers that antialias paths alone: along each curve,
+/// over the mesh, first `under`, which has the colours of one side there and carries them a little
+/// into the other; then, within the path of `clip`, `over`: the colours of that other side, which
+/// reach beyond the curve. The clip ends at the curve, so that pixels there are a mixture of both.
 struct CurveBands {
   FacetMesh under, over;
   std::vector<std::array<Vec2, 4>> clip;  ///< quadrangles, all turning as triangles do

@@ -1,5 +1,6 @@
 #include "export/pdf_layer.hpp"
 
+#include <string_view>
 #include <utility>
 
 #include "export/curve_bands.hpp"
@@ -16,16 +17,16 @@ using Resource = PdfContent::Resource;
 
 /// How far the first painting of a mesh is moved, points.
 constexpr double kShift = 0.09;
-/// Of the bands along curves, points: two pixels of a screen.
-constexpr double kBandWidth = 1.25;
+/// Of the bands along curves, points: more than two pixels of a screen.
+constexpr double kBandWidth = 1.75;
 
 /// Of a quadrangle: eight numbers and its operators.
 constexpr std::size_t kQuadrangleBytes = 128;
 
-/// Operators that begin a part that is clipped to the union of quadrangles. Errors: cancelled.
-Result<std::string> clip_to(const Context& context,
-                            const std::vector<std::array<Vec2, 4>>& quadrangles) {
-  std::string path = "q ";
+/// Operators that fill the union of quadrangles with white. Errors: cancelled.
+Result<std::string> white_fill(const Context& context,
+                               const std::vector<std::array<Vec2, 4>>& quadrangles) {
+  std::string path = "1 g ";
   RarePoll<1024> poll(context);
   for (const auto& corner : quadrangles) {
     if (poll.cancelled()) return context.stop_status();
@@ -33,7 +34,7 @@ Result<std::string> clip_to(const Context& context,
     for (std::size_t k = 0; k < 4; ++k)
       path += pdf_number(corner[k].x) + " " + pdf_number(corner[k].y) + operators[k];
   }
-  return path + "W n";
+  return path + "f";
 }
 
 /// Writes one layer.
@@ -66,6 +67,7 @@ class LayerWriter {
   void paint_facets(const FacetSource& source, PdfContent* content);
   void paint_bands(const FacetSource& source, PdfContent* content);
   void paint_once(const FacetMesh& mesh, PdfContent* content);
+  void paint_clipped(const FacetMesh& mesh, std::string_view white, PdfContent* content);
   double band_width() const { return kBandWidth / options_.points_per_unit; }
   void paint_field(bool is_opacity, PdfContent* content);
   Paint add_shader(bool is_opacity, std::uint32_t shader);
@@ -101,7 +103,7 @@ void LayerWriter::paint_facets(const FacetSource& source, PdfContent* content) {
 }
 
 /// Antialiases the curves: over the mesh one side's colours, a little into the other, and over
-/// these the other's, clipped along the curve.
+/// these the other's, masked along the curve.
 void LayerWriter::paint_bands(const FacetSource& source, PdfContent* content) {
   if (!file_->status()) return;
   const Result<CurveBands> bands =
@@ -112,11 +114,24 @@ void LayerWriter::paint_bands(const FacetSource& source, PdfContent* content) {
   // The text here, and in the content, which doubles.
   Status status = charge_.add(context_, 4 * kQuadrangleBytes * bands->clip.size(), "a PDF's text");
   if (!status) return file_->fail(std::move(status));
-  const Result<std::string> clip = clip_to(context_, bands->clip);
-  if (!clip) return file_->fail(clip.status());
-  content->add(*clip);
-  paint_once(bands->over, content);
-  content->add("Q");
+  const Result<std::string> white = white_fill(context_, bands->clip);
+  if (!white) return file_->fail(white.status());
+  paint_clipped(bands->over, *white, content);
+}
+
+/// Where a path is white, by a soft mask: a filled path is antialiased in all programs, a clip path
+/// not in Splash and Ghostscript.
+void LayerWriter::paint_clipped(const FacetMesh& mesh, std::string_view white,
+                                PdfContent* content) {
+  const Box box = decode_box(mesh.vertex_position);
+  PdfContent mask, clipped;
+  mask.add(white);
+  const PdfRef state = add_mask(file_, mask.make_mask_form(file_, box));
+  paint_once(mesh, &clipped);
+  const PdfRef form = mesh.channel_count == 1 ? clipped.make_mask_form(file_, box)
+                                              : clipped.make_form(file_, box, true);
+  content->add("q " + content->name(Resource::graphics_state, state) + " gs " +
+               content->name(Resource::form, form) + " Do Q");
 }
 
 void LayerWriter::paint_once(const FacetMesh& mesh, PdfContent* content) {

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
 #include <set>
+#include <tuple>
 
 #include "export/pdf.hpp"
 #include "export/support.hpp"
@@ -106,21 +108,31 @@ TEST(CurveBands, colours_reach_beyond_where_opacity_ends_and_only_the_mask_is_cl
   EXPECT_GE(mask->clip.size(), 16u);
 }
 
-/// The mean difference to our raster in a viewer that antialiases clip paths.
+/// The mean difference to our raster in viewers that antialias no mesh.
 TEST(CurveBands, a_curve_between_two_colours_is_antialiased) {
-  if (!test::has_program("mutool")) GTEST_SKIP() << "no mutool here";
   const Picture picture = test::make_picture(
       test::make_layer(test::cut_box(kBox, {14, 64}, {47, 0}),
                        [](int region, Vec2) { return region == 0 ? test::kBlack : test::kWhite; }));
   Context context;
   const auto pdf = export_pdf(context, picture, {});
   ASSERT_TRUE(pdf.ok());
-  const auto shown = test::shown_by(*pdf, "in.pdf", "mutool draw -q -r 96 -o OUT IN");
-  ASSERT_TRUE(shown);
-  const auto found =
-      test::difference(*shown, test::reference(picture, shown->width, shown->height));
-  // Aliased, the 64 pixels of the edge would miss by 64 on average: 1 in all.
-  EXPECT_LT(found.mean, 0.35);
+  // Aliased, the edge misses by 3.0 in the mean of the page in Splash and Ghostscript.
+  const std::tuple<const char*, const char*, double> viewers[] = {
+      {"mutool", "mutool draw -q -r 96 -o OUT IN", 0.35},
+      {"pdftocairo", "pdftocairo -r 96 -png -singlefile IN OUT && mv OUT.png OUT", 0.1},
+      {"pdftoppm", "pdftoppm -r 96 -png -singlefile IN OUT && mv OUT.png OUT", 0.5},
+      {"gs", "gs -q -dSAFER -dBATCH -dNOPAUSE -sDEVICE=png16m -dGraphicsAlphaBits=4 -r96 -o OUT IN",
+       1}};
+  for (const auto& [program, command, limit] : viewers) {
+    if (!test::has_program(program)) continue;
+    SCOPED_TRACE(program);
+    const auto shown = test::shown_by(*pdf, "in.pdf", command);
+    ASSERT_TRUE(shown);
+    const auto found =
+        test::difference(*shown, test::reference(picture, shown->width, shown->height));
+    std::printf("%-10s mean %.2f\n", program, found.mean);
+    EXPECT_LT(found.mean, limit);
+  }
 }
 
 /// Pixels that are unlike every pixel of `reference` around them.

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdlib>
 #include <fstream>
+#include <numeric>
 #include <sstream>
 
 #include "formats/png.hpp"
@@ -146,6 +147,8 @@ ImageDifference difference(const Image& a, const Image& b) {
   ImageDifference found{sum / static_cast<double>(a.bytes.size()), 0};
   std::size_t below = count[0];
   while (100 * below < 99 * a.bytes.size()) below += count[static_cast<std::size_t>(++found.p99)];
+  const std::size_t far = std::accumulate(count.begin() + 65, count.end(), std::size_t{0});
+  found.far_percent = 100.0 * static_cast<double>(far) / static_cast<double>(a.bytes.size());
   return found;
 }
 

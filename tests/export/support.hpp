@@ -43,6 +43,7 @@ Image reference(const Picture& picture, int width, int height);
 struct ImageDifference {
   double mean = 0;
   int p99 = 255;
+  double far_percent = 100;  ///< of the channels, that differ by more than 64: half a sharp edge
 };
 ImageDifference difference(const Image& a, const Image& b);
 
