@@ -70,6 +70,7 @@ class BandBuilder {
   void carry_under(std::uint32_t from, std::uint32_t into);
   void carry_outside(std::uint32_t from, FacetMesh* mesh);
   void carry_nothing(std::uint32_t into);
+  void paint_nothing(std::uint32_t beside);
   void paint_strip(std::uint32_t side, double width, FacetMesh* mesh);
   void paint_band(std::uint32_t side);
   void paint_end(std::uint32_t side, Part part);
@@ -82,6 +83,7 @@ class BandBuilder {
   double reach(std::uint32_t leaving, double width) const;
   void carry_corner(std::uint32_t leaving, double width, const Value& value, FacetMesh* mesh);
   Vec2 inner(std::uint32_t half_edge, double t, double share) const;
+  Vec2 outer(std::uint32_t half_edge, double t, double distance) const;
 
   const PatchLayer& layer_;
   InterpolationSpace space_;
@@ -114,6 +116,11 @@ double BandBuilder::inwards(std::uint32_t half_edge, double width) const {
 Vec2 BandBuilder::inner(std::uint32_t half_edge, double t, double share) const {
   const Vec2 on_edge = lerp(position(half_edge), position(next_half_edge(half_edge)), t);
   return lerp(on_edge, position(last_half_edge(half_edge)), share);
+}
+
+Vec2 BandBuilder::outer(std::uint32_t half_edge, double t, double distance) const {
+  const Vec2 a = position(half_edge), b = position(next_half_edge(half_edge));
+  return lerp(a, b, t) + left_of(b - a) * (distance / length(b - a));
 }
 
 std::uint32_t BandBuilder::add(Vec2 at, const Value& value, FacetMesh* mesh) const {
@@ -174,10 +181,8 @@ void BandBuilder::carry_under(std::uint32_t from, std::uint32_t into) {
 /// The same where no triangle is.
 void BandBuilder::carry_outside(std::uint32_t from, FacetMesh* mesh) {
   const FacetPatch source = patch(from);
-  const Vec2 a = position(from), b = position(next_half_edge(from));
-  const Vec2 out = left_of(b - a) * (width_ / length(b - a));
-  add_columns(columns(from), mesh, [&](double t, bool is_inner) {
-    return add(lerp(a, b, t) + (is_inner ? out : Vec2{}), source.shown(along(from, t, 0)), mesh);
+  add_columns(columns(from), mesh, [&](double t, bool is_outer) {
+    return add(outer(from, t, is_outer ? width_ : 0), source.shown(along(from, t, 0)), mesh);
   });
 }
 
@@ -187,6 +192,14 @@ void BandBuilder::carry_nothing(std::uint32_t into) {
   FacetMesh* mesh = &bands_->under;
   add_columns(1, mesh, [&](double t, bool is_inner) {
     return add(inner(into, t, is_inner ? share : 0), Value{}, mesh);
+  });
+}
+
+/// An opacity of 0 where no triangle is.
+void BandBuilder::paint_nothing(std::uint32_t beside) {
+  FacetMesh* mesh = &bands_->under;
+  add_columns(1, mesh, [&](double t, bool is_outer) {
+    return add(outer(beside, t, is_outer ? kUnderShare * width_ : 0), Value{}, mesh);
   });
 }
 
@@ -258,9 +271,10 @@ void BandBuilder::paint_band(std::uint32_t side) {
 
 /// An edge that has no other side.
 void BandBuilder::paint_end(std::uint32_t side, Part part) {
-  if (layer_.opacity.channel_count == 0 || part == Part::ground) return;
+  if (layer_.opacity.channel_count == 0) return;
   if (!is_mask()) return part == Part::beyond ? carry_outside(side, &bands_->under) : void();
   if (part == Part::band) return paint_band(side);
+  if (part == Part::ground) return paint_nothing(side);
   carry_nothing(side);
   carry_outside(side, &bands_->over);
 }

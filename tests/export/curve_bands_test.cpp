@@ -108,6 +108,28 @@ TEST(CurveBands, colours_reach_beyond_where_opacity_ends_and_only_the_mask_is_cl
   EXPECT_GE(mask->clip.size(), 16u);
 }
 
+TEST(CurveBands, beyond_the_end_of_an_opaque_mesh_lies_an_opacity_of_0) {
+  const test::RegionMesh mesh = island();
+  PatchLayer layer = test::make_layer(mesh, color_of);
+  test::set_opacity(
+      mesh, [](int, Vec2) { return 1.0f; }, &layer);
+  const CurveEdges grid = edges_of(layer);
+  for (std::size_t h = 0; h < grid.twin.size(); ++h)
+    layer.edge_is_curve[h] = grid.twin[h] == kNoHalfEdge ? 1 : 0;
+  Context context;
+  const CurveEdges edges = edges_of(layer);
+  const auto mask = make_curve_bands(context, layer, InterpolationSpace::srgb,
+                                     {FacetSource::Kind::opacity, 0, {}}, edges, 1);
+  ASSERT_TRUE(mask.ok());
+  int outside = 0;
+  for (std::size_t v = 0; v < mask->under.vertex_position.size(); ++v) {
+    EXPECT_EQ(mask->under.vertex_value[v], 0);
+    outside += kBox.contains(mask->under.vertex_position[v]) ? 0 : 1;
+  }
+  // Two corners or more of a strip along each of the edges.
+  EXPECT_GE(outside, 2 * static_cast<int>(edges.side.size()));
+}
+
 /// The mean difference to our raster in viewers that antialias no mesh.
 TEST(CurveBands, a_curve_between_two_colours_is_antialiased) {
   const Picture picture = test::make_picture(

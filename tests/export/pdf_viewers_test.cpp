@@ -101,7 +101,7 @@ TEST(PdfInViewers, the_apple) {
 TEST(PdfInViewers, blurred_curves_and_clipped_frames) {
   SKIP_WITHOUT_PROGRAMS();
   if (const auto document = test::example("blur.svg"))
-    expect_shown_everywhere(*document, {{3.6, 70}, {1, 14}, {1.8, 22}, {1.4, 12}});
+    expect_shown_everywhere(*document, {{3.5, 65}, {1, 14, 0.01}, {1.5, 19, 0.05}, {0.8, 7, 0.05}});
 }
 
 TEST(PdfInViewers, textures) {
