@@ -102,6 +102,28 @@ TEST(CommandDocuments, the_session_in_the_manual_runs) {
   EXPECT_TRUE(std::regex_search(result.out, std::regex("maximum +0\\.0000\n"))) << result.out;
 }
 
+TEST(CommandDocuments, the_drawing_of_the_readme_has_no_hints) {
+  const std::string drawing = section(file_text("README.md"), "```xml\n", "```");
+  const CommandResult result = run_sfumato({"lint", "--strict", "-"}, drawing);
+  EXPECT_EQ(result.exit_code, 0) << result.out << result.err;
+}
+
+/// All but what installs, and what goes on until it is interrupted.
+TEST(CommandDocuments, the_commands_of_the_readme_run_in_an_empty_folder) {
+  const TemporaryFolder folder;
+  std::string session = section(file_text("README.md"), "```sh\n", "```");
+  session = std::regex_replace(session, std::regex("make demo|build/sfumato watch"), "true");
+  session = std::regex_replace(session, std::regex("build/sfumato"), SFUMATO_BINARY);
+  const std::string script = "cd \"$1\"\n" + session;
+  const CommandResult result = run_command({"/bin/bash", "-ec", script, "bash", folder.path("")});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(result.err, "");
+  for (const char* name :
+       {"drawing.svg", "picture.png", "picture.html", "picture.pdf", "pictures/drawing.webp"}) {
+    EXPECT_FALSE(read_whole(folder.path(name)).empty()) << name;
+  }
+}
+
 TEST(CommandDocuments, the_man_page_names_every_option) {
   const std::string document =
       std::regex_replace(file_text("docs/man/sfumato.1"), std::regex("\\\\-"), "-");
