@@ -31,12 +31,13 @@ const std::string_view kHtml = R"page(<!doctype html>
 )page";
 
 const std::string_view kStyle =
-    R"page(:root { color-scheme: light dark; --line: #8884; --bad: #c0392b; }
+    R"page(:root { color-scheme: light dark; --line: #8884; --bad: light-dark(#b3261e, #ff8a7a); }
 * { box-sizing: border-box; }
 body { margin: 0; height: 100vh; display: flex; flex-direction: column;
   font: 14px/1.4 system-ui, sans-serif; }
 header { display: flex; flex-wrap: wrap; gap: .3em 1em; align-items: center; padding: .4em .8em;
   border-bottom: 1px solid var(--line); }
+#name { overflow-wrap: anywhere; }
 #status { flex: 1 1 auto; opacity: .75; }
 .failed #status { color: var(--bad); opacity: 1; font-weight: 600; }
 .tools { display: flex; gap: .3em; align-items: center; margin-left: auto; }
@@ -89,7 +90,8 @@ element('smaller').onclick = () => zoomTo(shownZoom() / 1.25);
 element('larger').onclick = () => zoomTo(shownZoom() * 1.25);
 element('fit').onclick = () => zoomTo(0);
 element('real').onclick = () => zoomTo(1 / devicePixelRatio);
-addEventListener('resize', layOut);
+// The window, the words above and the messages below change the stage's size.
+new ResizeObserver(layOut).observe(stage);
 addEventListener('keydown', (event) => {
   if (event.ctrlKey || event.metaKey || event.altKey) return;
   const id = { '+': 'larger', '=': 'larger', '-': 'smaller', '0': 'fit', '1': 'real' }[event.key];
@@ -103,9 +105,9 @@ stage.addEventListener('wheel', (event) => {
          event.clientY - box.top);
 }, { passive: false });
 
-async function showPicture(version) {
+async function showPicture(name) {
   const next = new Image();
-  next.src = `picture.png?version=${version}`;
+  next.src = `picture.png?${name}`;
   await next.decode();
   const { scrollLeft, scrollTop } = stage;
   picture.src = next.src;
@@ -119,7 +121,7 @@ function showState(state) {
   document.body.classList.toggle('failed', state.failed);
   element('name').textContent = state.name;
   element('status').textContent = state.failed
-    ? (state.picture ? 'not drawn: the last good picture is shown' : 'not drawn')
+    ? (state.picture || picture.src ? 'not drawn: the last good picture is shown' : 'not drawn')
     : `drawn in ${state.seconds.toFixed(2)} s`;
   const messages = element('messages');
   messages.textContent = state.messages.join('\n');
@@ -127,20 +129,20 @@ function showState(state) {
 }
 
 async function follow() {
-  let version = 0, shown = 0;
+  let version = 0, shown = '';
   for (;;) {
     try {
       const answer = await fetch(`state?after=${version}`, { cache: 'no-store' });
       if (!answer.ok) throw new Error(answer.statusText);
       const state = await answer.json();
-      // A server that has begun anew counts from 1 again.
-      if (state.version < version) shown = 0;
       version = state.version;
       if (version === 0) continue;
       showState(state);
-      if (state.picture && state.picture !== shown) {
-        await showPicture(state.picture);
-        shown = state.picture;
+      // A command that was started anew counts its pictures from 1 again.
+      const name = `${state.run}-${state.picture}`;
+      if (state.picture && name !== shown) {
+        await showPicture(name);
+        shown = name;
       }
     } catch {
       element('status').textContent = 'sfumato watch does not answer';

@@ -10,9 +10,11 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <charconv>
+#include <chrono>
 #include <csignal>
 #include <mutex>
 #include <string_view>
@@ -56,6 +58,13 @@ void reply(evhttp_request* request, int code, const char* type, std::string_view
   add_headers(request, type);
   evbuffer_add(evhttp_request_get_output_buffer(request), body.data(), body.size());
   evhttp_send_reply(request, code, nullptr, nullptr);
+}
+
+/// A number that no other run of the command has: a page may outlive the one that it came from.
+std::uint64_t number_of_run() {
+  const auto time = std::chrono::system_clock::now().time_since_epoch();
+  return static_cast<std::uint64_t>(
+      std::chrono::duration_cast<std::chrono::milliseconds>(time).count());
 }
 
 /// The number after "?after="; 0 where there is none.
@@ -105,7 +114,8 @@ class WatchServer::Loop {
   std::vector<evhttp_request*> waiting_;  ///< of the loop's thread
   std::mutex mutex_;
   WatchState state_;
-  std::uint64_t version_ = 0;
+  const std::uint64_t run_ = number_of_run();
+  std::uint64_t version_ = 0;  ///< of the state; counts from run_, 0: nothing was published
   std::thread thread_;
 };
 
@@ -175,7 +185,7 @@ void WatchServer::Loop::publish(WatchState state) {
   {
     const std::scoped_lock lock(mutex_);
     state_ = std::move(state);
-    ++version_;
+    version_ = std::max(version_, run_) + 1;
   }
   ring('p');
 }
@@ -246,7 +256,7 @@ void WatchServer::Loop::forget(evhttp_connection* connection) {
 std::string WatchServer::Loop::state_json() {
   const std::scoped_lock lock(mutex_);
   JsonWriter json;
-  json.begin_object().member("version", version_).member("name", state_.name);
+  json.begin_object().member("run", run_).member("version", version_).member("name", state_.name);
   json.member("picture", state_.picture.empty() ? 0 : state_.picture_version);
   json.key("failed").truth(state_.failed).member("seconds", state_.seconds);
   json.key("messages").begin_array();

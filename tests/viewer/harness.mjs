@@ -118,17 +118,31 @@ export class Pages {
 
   /**
    * Opens a file, hands the page to `body`, and fails where the page complains.
-   * options: size, ratio, touch, before (a script that runs first), broken (no picture expected),
-   * isSlow (the page may show the still picture).
+   * options: those of `visit`, broken (no picture expected), isSlow (the page may show the still
+   * picture).
    */
-  async open(path, options, body) {
+  async open(path, { broken = false, isSlow = false, ...options }, body) {
+    await this.visit(`file://${path}`, options, async (page) => {
+      if (!broken) await page.evaluate(() => window.sfumatoViewer.ready);
+      // Drivers in software on busy machines are slow; that is a test of its own.
+      if (!broken && !isSlow) await page.evaluate(() => window.sfumatoViewer.goLive());
+      await body(page);
+    });
+  }
+
+  /**
+   * Opens an address, hands the page to `body`, and fails where the page complains or asks for
+   * anything of another server.
+   * options: size, ratio, touch, before (a script that runs first), harmless (complaints that are
+   * expected), and what Playwright has for contexts.
+   */
+  async visit(address, options, body) {
     const {
       size = [320, 240],
       ratio = 1,
       touch = false,
       before,
-      broken = false,
-      isSlow = false,
+      harmless = HARMLESS,
       ...rest
     } = options;
     const context = await this.browser.newContext({
@@ -141,19 +155,19 @@ export class Pages {
     const page = await context.newPage();
     page.on("pageerror", (error) => complaints.push(String(error)));
     page.on("console", (message) => {
-      if (["error", "warning"].includes(message.type()) && !HARMLESS.test(message.text())) {
+      if (["error", "warning"].includes(message.type()) && !harmless.test(message.text())) {
         complaints.push(message.text());
       }
     });
     page.on("request", (request) => {
-      if (!/^(file|data|blob):/.test(request.url())) complaints.push(`asked for ${request.url()}`);
+      const isOwn = /^http:/.test(address) && request.url().startsWith(address);
+      if (!isOwn && !/^(file|data|blob):/.test(request.url())) {
+        complaints.push(`asked for ${request.url()}`);
+      }
     });
     try {
       if (before) await page.addInitScript(before);
-      await page.goto(`file://${path}`);
-      if (!broken) await page.evaluate(() => window.sfumatoViewer.ready);
-      // Drivers in software on busy machines are slow; that is a test of its own.
-      if (!broken && !isSlow) await page.evaluate(() => window.sfumatoViewer.goLive());
+      await page.goto(address);
       await body(page);
       check(complaints.length === 0, `the page complained: ${complaints.join(" | ")}`);
     } finally {

@@ -1,4 +1,5 @@
-// Tests of the HTML viewer, SVG, GLB and PDF in Chromium and programs from npm, printed as TAP:
+// Tests of the HTML viewer, SVG, GLB, PDF and the page of `sfumato watch` in Chromium and programs
+// from npm, printed as TAP:
 // node run.mjs SFUMATO DUMP_PICTURE OUT_FOLDER
 import { execFileSync } from "node:child_process";
 import { rmSync } from "node:fs";
@@ -12,6 +13,7 @@ import { testPayload } from "./payload.mjs";
 import { testPdf, testPdfInChromium } from "./pdf.mjs";
 import { testOtherDriver, testPictures } from "./pictures.mjs";
 import { testRobustness } from "./robustness.mjs";
+import { testWatch } from "./watch.mjs";
 
 const [program, dump, folder] = process.argv.slice(2);
 rmSync(folder, { recursive: true, force: true });
@@ -75,6 +77,7 @@ await tap.test("Chromium starts, and all tests come to their end", async () => {
     await testFramesAndPaper(tap, tools);
     await testSvg(tap, tools);
     await testPdfInChromium(tap, tools);
+    await testWatch(tap, tools);
   });
   await withBrowser(other, (tools) => testOtherDriver(tap, tools));
 });
