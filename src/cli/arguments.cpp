@@ -43,7 +43,8 @@ CLI::App* add_compare(CLI::App& root, CompareArguments& arguments) {
   app->footer(kCompareFooter);
   app->add_option("A", arguments.first, "A PNG; '-': from stdin")->required()->type_name("");
   app->add_option("B", arguments.second, "A PNG; '-': from stdin")->required()->type_name("");
-  add_png_output(*app, arguments.output, "A picture of the differences, scaled");
+  add_output(*app, arguments.output, {.only = OutputKind::png}, "OUT.png",
+             "A picture of the differences, scaled");
   add_value(*app, "--scale", {"a number above 0", "NUMBER"},
             "Factor of the differences in the picture [128]", into(arguments.scale, parse_positive))
       ->needs(app->get_option("--output"));

@@ -19,17 +19,6 @@ constexpr const char* kLintFooter =
     "  sfumato lint lady_bug.svg\n"
     "  sfumato lint --strict --quiet *.svg";
 
-bool is_svg_name(const std::string& path) {
-  constexpr std::string_view kExtension = ".svg";
-  if (path.size() <= kExtension.size()) return path == "-";
-  for (std::size_t i = 0; i < kExtension.size(); ++i) {
-    char c = path[path.size() - kExtension.size() + i];
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    if (c != kExtension[i]) return false;
-  }
-  return true;
-}
-
 }  // namespace
 
 CLI::App* add_info(CLI::App& root, InfoArguments& arguments) {
@@ -46,12 +35,8 @@ CLI::App* add_convert(CLI::App& root, ConvertArguments& arguments) {
   CLI::App* app = root.add_subcommand("convert", "Write a file of diffusion curves as SVG");
   app->footer(kConvertFooter);
   add_document(*app, arguments);
-  add_value(*app, "-o,--output", {"a file name that ends in .svg, or -", "OUT.svg"},
-            "The SVG document; '-': to stdout",
-            [&output = arguments.output](const std::string& text) {
-              output = text;
-              return is_svg_name(text);
-            })
+  add_output(*app, arguments.output, {.only = OutputKind::svg}, "OUT.svg",
+             "The SVG document; '-': to stdout")
       ->required();
   app->add_flag("--quiet", arguments.quiet, "No warnings");
   add_resources(*app, arguments.resources);

@@ -4,7 +4,6 @@
 #include <string_view>
 #include <system_error>
 
-#include "cli/paths.hpp"
 #include "formats/suggestion.hpp"
 
 namespace sfumato::cli {
@@ -19,17 +18,26 @@ std::string complaint_about_folder(const std::string& path) {
 
 }  // namespace
 
+ValueText one_of(std::vector<std::string> words, std::string placeholder) {
+  std::string list;
+  for (const std::string& word : words) list += (list.empty() ? "" : "|") + word;
+  if (placeholder.empty()) placeholder = list;
+  return {"one of " + list, std::move(placeholder), std::move(words)};
+}
+
 std::string word_hint(const std::string& text, const std::vector<std::string>& words) {
   const std::vector<std::string_view> candidates(words.begin(), words.end());
   return did_you_mean(text, candidates);
 }
 
-CLI::Option* add_png_output(CLI::App& app, std::string& output, const std::string& help) {
-  return add_value(app, "-o,--output", {"a file name that ends in .png, or -", "OUT.png"}, help,
-                   [&output](const std::string& text) {
-                     output = text;
-                     return text == "-" || output_kind(text) == OutputKind::png;
-                   });
+CLI::Option* add_output(CLI::App& app, std::string& output, const OutputNames& names,
+                        const std::string& placeholder, const std::string& help) {
+  const auto read = [&output, names](const std::string& name) {
+    const std::string complaint = complaint_about_output(name, names);
+    if (!complaint.empty()) throw CLI::ValidationError("--output", complaint);
+    output = name;
+  };
+  return app.add_option_function<std::string>("-o,--output", read, help)->type_name(placeholder);
 }
 
 void add_document(CLI::App& app, DocumentArguments& arguments) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "cli/arguments.hpp"
+#include "cli/paths.hpp"
 #include "cli/values.hpp"
 
 /// Options whose values our own parsers read, so that each failure says what was expected.
@@ -20,6 +21,9 @@ struct ValueText {
   std::string placeholder;
   std::vector<std::string> words{};  ///< all that it takes, where these are a few words
 };
+
+/// One of these words; without a placeholder the help lists them.
+ValueText one_of(std::vector<std::string> words, std::string placeholder = {});
 
 /// "; did you mean X?" where the text is nearly one of the words; else nothing.
 std::string word_hint(const std::string& text, const std::vector<std::string>& words);
@@ -58,8 +62,9 @@ auto whole_into(Target& target, std::uint64_t lowest, std::uint64_t highest) {
   };
 }
 
-/// The option -o of a PNG.
-CLI::Option* add_png_output(CLI::App& app, std::string& output, const std::string& help);
+/// The option -o.
+CLI::Option* add_output(CLI::App& app, std::string& output, const OutputNames& names,
+                        const std::string& placeholder, const std::string& help);
 
 /// The document IN and --allow-files, which says where its textures may lie.
 void add_document(CLI::App& app, DocumentArguments& arguments);
@@ -85,12 +90,8 @@ template <class Target, class Value = typename ChoiceOf<Target>::Type>
 CLI::Option* add_choice(CLI::App& app, const std::string& name, Choices<Value> choices,
                         const std::string& help, Target& target) {
   const std::vector<std::pair<std::string, Value>> known(choices.begin(), choices.end());
-  std::string list;
   std::vector<std::string> words;
-  for (const auto& [word, value] : known) {
-    list += (list.empty() ? "" : "|") + word;
-    words.push_back(word);
-  }
+  for (const auto& [word, value] : known) words.push_back(word);
   const auto set = [known, &target](const std::string& text) {
     for (const auto& [word, value] : known) {
       if (word != text) continue;
@@ -99,7 +100,7 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, Choices<Value> c
     }
     return false;
   };
-  return add_value(app, name, {"one of " + list, list, words}, help, set);
+  return add_value(app, name, one_of(std::move(words)), help, set);
 }
 
 }  // namespace sfumato::cli

@@ -8,8 +8,10 @@
 #include <cstring>
 #include <filesystem>
 #include <string_view>
+#include <utility>
 
 #include "base/native/file.hpp"
+#include "formats/suggestion.hpp"
 
 namespace sfumato::cli {
 namespace {
@@ -28,6 +30,38 @@ constexpr std::array kKnownOutputs{
     KnownOutput{"eps", OutputKind::eps},   KnownOutput{"svg", OutputKind::svg},
     KnownOutput{"glb", OutputKind::glb}};
 
+std::string lower_case(std::string_view text) {
+  std::string lower(text);
+  for (char& c : lower) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return lower;
+}
+
+/// Without its dot; empty: there is none.
+std::string extension_of(const std::string& path) {
+  const std::string extension = fs::path(path).extension().string();
+  return extension.empty() ? extension : extension.substr(1);
+}
+
+std::vector<std::string_view> extensions_of(const OutputNames& names) {
+  std::vector<std::string_view> extensions;
+  for (const KnownOutput& known : kKnownOutputs) {
+    if (!names.only || known.kind == *names.only) extensions.push_back(known.extension);
+  }
+  return extensions;
+}
+
+/// "a file name that ends in .svg, or -".
+std::string expected_name(const OutputNames& names) {
+  std::string text = "a file name that ends in ";
+  const char* before = "";
+  for (const std::string_view extension : extensions_of(names)) {
+    text.append(std::exchange(before, ", ")).append(".").append(extension);
+  }
+  return names.takes_dash ? text + ", or -" : text;
+}
+
 Status cannot_write(const std::string& path, const std::string& why) {
   return make_error(StatusCode::io, "cannot be written: " + why, {path});
 }
@@ -35,10 +69,7 @@ Status cannot_write(const std::string& path, const std::string& why) {
 }  // namespace
 
 std::optional<OutputKind> kind_of_extension(std::string_view extension) {
-  std::string lower(extension);
-  for (char& c : lower) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
+  const std::string lower = lower_case(extension);
   for (const KnownOutput& known : kKnownOutputs) {
     if (known.extension == lower) return known.kind;
   }
@@ -46,18 +77,24 @@ std::optional<OutputKind> kind_of_extension(std::string_view extension) {
 }
 
 std::optional<OutputKind> output_kind(const std::string& path) {
-  const std::string extension = fs::path(path).extension().string();
-  if (extension.empty()) return std::nullopt;
-  return kind_of_extension(std::string_view(extension).substr(1));
+  return kind_of_extension(extension_of(path));
 }
 
-std::string known_extensions() {
-  std::string list;
-  for (const KnownOutput& known : kKnownOutputs) {
-    if (!list.empty()) list += ", ";
-    list += '.' + std::string(known.extension);
+std::vector<std::string> known_extensions() {
+  const std::vector<std::string_view> extensions = extensions_of({});
+  return {extensions.begin(), extensions.end()};
+}
+
+std::string complaint_about_output(const std::string& name, const OutputNames& names) {
+  if (name == "-" && names.takes_dash) return {};
+  const std::optional<OutputKind> kind = output_kind(name);
+  if (kind && (!names.only || kind == names.only)) return {};
+  const std::string_view meant = nearest(lower_case(extension_of(name)), extensions_of(names));
+  std::string text = "\"" + name + "\" given, expected " + expected_name(names);
+  if (!meant.empty()) {
+    text += "; did you mean " + fs::path(name).replace_extension(meant).string() + "?";
   }
-  return list;
+  return text;
 }
 
 Status check_output(const std::string& path) {

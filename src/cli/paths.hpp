@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/context.hpp"
 #include "base/status.hpp"
@@ -25,8 +26,17 @@ std::optional<OutputKind> output_kind(const std::string& path);
 /// The same of an extension without its dot: "png".
 std::optional<OutputKind> kind_of_extension(std::string_view extension);
 
-/// The extensions that output_kind knows, for messages: ".png, .jpg".
-std::string known_extensions();
+/// The extensions that output_kind knows, without their dots.
+std::vector<std::string> known_extensions();
+
+/// What names of an output may end in.
+struct OutputNames {
+  std::optional<OutputKind> only{};  ///< empty: any kind
+  bool takes_dash = true;            ///< for standard output
+};
+
+/// What is wrong with the name of an output, and what it was probably meant to be; empty: nothing.
+std::string complaint_about_output(const std::string& name, const OutputNames& names);
 
 /// Fails early where `path` can certainly not be written: its folder is missing or not writable, or
 /// it is a folder itself. Writes nothing. Errors: io.

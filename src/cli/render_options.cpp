@@ -52,19 +52,14 @@ void add_files(CLI::App& app, RenderArguments& arguments, RenderChoices& choices
                  "Diffusion curves (SVG or Orzan XML); '-': from stdin;\nseveral with --out-dir")
       ->required()
       ->type_name("");
-  add_value(app, "-o,--output",
-            {"a file name that ends in " + known_extensions() + ", or -", "OUT"},
-            "The picture, made as its extension says; '-': to\nstdout, as --format says",
-            [&output = choices.output](const std::string& text) {
-              output = text;
-              return text == "-" || output_kind(text).has_value();
-            });
+  add_output(app, choices.output, {}, "OUT",
+             "The picture, made as its extension says; '-': to\nstdout, as --format says");
   app.add_option("--out-dir", choices.output_folder,
                  "Instead: every picture into this folder, named as its\ndrawing; made where it "
                  "is not there")
       ->type_name("DIR")
       ->excludes("--output");
-  add_value(app, "--format", {"one of " + known_extensions() + ", without the dot", "EXTENSION"},
+  add_value(app, "--format", one_of(known_extensions(), "EXTENSION"),
             "What --out-dir and '-o -' write [png]", [&choices](const std::string& text) {
               choices.extension = text;
               choices.format = kind_of_extension(text);

@@ -22,20 +22,14 @@ constexpr const char* kWatchFooter =
     "\n"
     "The page's address is printed; only this machine can open it. Ctrl-C ends.";
 
-std::string template_list() {
-  std::string list;
-  for (const Template& known : templates()) {
-    list += (list.empty() ? "" : "|") + std::string(known.name);
-  }
-  return list;
+std::vector<std::string> template_names() {
+  std::vector<std::string> names;
+  for (const Template& known : templates()) names.emplace_back(known.name);
+  return names;
 }
 
 bool is_template(const std::string& text) {
   return std::ranges::find(templates(), text, &Template::name) != templates().end();
-}
-
-bool ends_in_svg(const std::string& path) {
-  return path == "-" || output_kind(path) == OutputKind::svg;
 }
 
 }  // namespace
@@ -46,8 +40,8 @@ CLI::App* add_init(CLI::App& root, InitArguments& arguments) {
   app->add_option("OUT.svg", arguments.output, "The new drawing; '-': to stdout")
       ->required()
       ->type_name("");
-  add_value(*app, "--template", {"one of " + template_list(), template_list()},
-            "What to begin with [shape]", [&arguments](const std::string& text) {
+  add_value(*app, "--template", one_of(template_names()), "What to begin with [shape]",
+            [&arguments](const std::string& text) {
               arguments.template_name = text;
               return is_template(text);
             });
@@ -65,11 +59,8 @@ CLI::App* add_init(CLI::App& root, InitArguments& arguments) {
 
 void settle(InitArguments& arguments) {
   arguments.outputs = {arguments.output};
-  if (!ends_in_svg(arguments.output)) {
-    throw CLI::ValidationError("OUT.svg", "\"" + arguments.output +
-                                              "\" given, expected a file name that ends in .svg, "
-                                              "or -");
-  }
+  const std::string complaint = complaint_about_output(arguments.output, {.only = OutputKind::svg});
+  if (!complaint.empty()) throw CLI::ValidationError("OUT.svg", complaint);
 }
 
 CLI::App* add_watch(CLI::App& root, WatchArguments& arguments, RenderChoices& choices) {
@@ -78,12 +69,8 @@ CLI::App* add_watch(CLI::App& root, WatchArguments& arguments, RenderChoices& ch
   app->add_option("IN", arguments.input, "Diffusion curves (SVG or Orzan XML)")
       ->required()
       ->type_name("");
-  add_value(*app, "-o,--output", {"a file name that ends in " + known_extensions(), "OUT"},
-            "Also write the picture, at each change",
-            [&output = choices.output](const std::string& text) {
-              output = text;
-              return output_kind(text).has_value();
-            });
+  add_output(*app, choices.output, {.takes_dash = false}, "OUT",
+             "Also write the picture, at each change");
   add_value(*app, "--port", {"a whole number from 0 to 65535", "N"},
             "Of the page on 127.0.0.1; 0: any that is free [0]",
             whole_into(arguments.port, 0, 65535));

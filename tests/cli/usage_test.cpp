@@ -173,6 +173,35 @@ TEST(Usage, mistyped_options_get_a_suggestion_in_every_command) {
   EXPECT_TRUE(message({"lint", "a.svg", "--limit", "curvs=3"}).ends_with("; did you mean curves?"));
 }
 
+TEST(Usage, mistyped_extensions_get_a_suggestion_in_every_command) {
+  const auto message = [](std::vector<std::string> arguments) {
+    const CommandResult result = run_sfumato(std::move(arguments));
+    EXPECT_EQ(result.exit_code, 2) << result.err;
+    return result.err.substr(0, result.err.find('\n'));
+  };
+  for (const std::string command : {"render", "watch"}) {
+    EXPECT_TRUE(message({command, "a.svg", "-o", "b.pgn"}).ends_with("; did you mean b.png?"));
+    EXPECT_TRUE(
+        message({command, "a.svg", "-o", "c/b.d.HMTL"}).ends_with("; did you mean c/b.d.html?"));
+    EXPECT_TRUE(message({command, "a.svg", "-o", "b.jepg"}).ends_with("; did you mean b.jpg?"));
+  }
+  EXPECT_TRUE(message({"render", "a.svg", "-o", "b.tiff"}).ends_with(".glb, or -"));
+  EXPECT_TRUE(message({"watch", "a.svg", "-o", "b"}).ends_with(".svg, .glb"));
+  EXPECT_EQ(
+      message({"convert", "a.xml", "-o", "b.svgz"}),
+      "sfumato: error: --output: \"b.svgz\" given, expected a file name that ends in .svg, or "
+      "-; did you mean b.svg?");
+  EXPECT_TRUE(message({"convert", "a.xml", "-o", "b.pgn"}).ends_with(".svg, or -"));
+  EXPECT_TRUE(message({"init", "b.sgv"}).ends_with("; did you mean b.svg?"));
+  EXPECT_TRUE(
+      message({"init", "b.svg", "--template", "spere"}).ends_with("; did you mean sphere?"));
+  EXPECT_TRUE(
+      message({"compare", "a.png", "b.png", "-o", "c.npg"}).ends_with("; did you mean c.png?"));
+  EXPECT_EQ(message({"render", "a.svg", "-o", "-", "--format", "ppng"}),
+            "sfumato: error: --format: \"ppng\" given, expected one of "
+            "png|jpg|jpeg|webp|html|pdf|eps|svg|glb; did you mean png?");
+}
+
 TEST(Usage, unknown_extensions_list_the_known_ones) {
   const TemporaryFolder folder;
   for (const char* name : {"out.gif", "out", "out.png.xml", ".png"}) {
