@@ -45,18 +45,17 @@ std::vector<Vec2> sample_points(const Box& artboard, const Affine& artboard_from
 }
 
 /// How many of the points (in the layer's frame) are painted.
-Result<std::size_t> count_painted(Context& context, const LayerUnderTest& test,
-                                  std::span<const Vec2> points) {
+Result<std::size_t> count_painted(const LayerUnderTest& test, std::span<const Vec2> points) {
   const gather::Gatherer& color = test.scene.color.gatherer;
   std::vector<float> values(points.size() * static_cast<std::size_t>(color.channel_count()));
   std::vector<std::uint8_t> hit(points.size());
-  Status status = color.gather(context, points, {}, values, hit);
+  Status status = color.gather(test.context, points, {}, values, hit);
   if (!status) return status;
   if (test.scene.opacity) {
     const gather::Gatherer& opacity = test.scene.opacity->gatherer;
     const auto channels = static_cast<std::size_t>(opacity.channel_count());
     std::vector<float> shares(points.size() * channels);
-    status = opacity.gather(context, points, {}, shares);
+    status = opacity.gather(test.context, points, {}, shares);
     if (!status) return status;
     for (std::size_t i = 0; i < points.size(); ++i) {
       float largest = 0;
@@ -71,13 +70,13 @@ Result<std::size_t> count_painted(Context& context, const LayerUnderTest& test,
 
 }  // namespace
 
-Result<Cover> cover_of(Context& context, const LayerUnderTest& test,
-                       const Affine& artboard_from_layer, bool all_matters) {
+Result<Cover> cover_of(const LayerUnderTest& test, const Affine& artboard_from_layer,
+                       bool all_matters) {
   const std::vector<Vec2> points = sample_points(test.document.artboard, artboard_from_layer);
   const std::span<const Vec2> all(points);
   std::size_t painted = 0, seen = 0;
   for (const std::span<const Vec2> part : {all.first(kFirstPoints), all.subspan(kFirstPoints)}) {
-    const Result<std::size_t> count = count_painted(context, test, part);
+    const Result<std::size_t> count = count_painted(test, part);
     if (!count) return count.status();
     painted += *count;
     seen += part.size();

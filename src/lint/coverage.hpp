@@ -2,7 +2,6 @@
 
 #include <vector>
 
-#include "base/context.hpp"
 #include "base/status.hpp"
 #include "lint/layer_under_test.hpp"
 
@@ -16,7 +15,7 @@ enum class Cover : std::uint8_t { none, some, all };
 /// A point is painted where a ray from it meets a colour, and the layer's opacity there is at least
 /// half a code value or comes from a shader. Where it does not matter whether all are, `some` may
 /// stand for `all`, and is found sooner. Errors: limit, cancelled.
-Result<Cover> cover_of(Context& context, const LayerUnderTest& test,
-                       const Affine& artboard_from_layer, bool all_matters);
+Result<Cover> cover_of(const LayerUnderTest& test, const Affine& artboard_from_layer,
+                       bool all_matters);
 
 }  // namespace sfumato::lint_detail

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "base/context.hpp"
 #include "base/status.hpp"
 #include "lint/layer_under_test.hpp"
 
@@ -14,6 +13,6 @@ void check_visibility(LayerUnderTest& test);
 
 /// Hints on curves that cross with colours that do not fit, and on ends that stop shortly before
 /// another curve. Of many in a layer the first are told one by one. Errors: limit, cancelled.
-Status check_meetings(Context& context, LayerUnderTest& test);
+Status check_meetings(LayerUnderTest& test);
 
 }  // namespace sfumato::lint_detail

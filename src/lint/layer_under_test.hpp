@@ -11,7 +11,7 @@ namespace sfumato::lint_detail {
 
 /// A layer that is painted, with what drawing it begins with. The hints go to `hints`.
 struct LayerUnderTest {
-  const Context& context;  ///< where it is cancelled the hints are incomplete
+  Context& context;  ///< where it is cancelled the hints are incomplete
   const Document& document;
   std::uint32_t layer;
   const patches::LayerSight& sight;

@@ -136,7 +136,7 @@ Status Linter::check_layer(std::uint32_t layer) {
   LayerUnderTest test{context_, document_, layer, sight, *scene, mesh, hints_};
   lint_detail::check_curves(test);
   lint_detail::check_visibility(test);
-  if (Status status = lint_detail::check_meetings(context_, test); !status) return status;
+  if (Status status = lint_detail::check_meetings(test); !status) return status;
   if (context_.cancelled()) return context_.stop_status();
   check_attributes(layer);
   return check_instances(test);
@@ -180,7 +180,7 @@ Status Linter::check_instances(LayerUnderTest& test) {
         (is_above || floods) && !leak_told && instance->blend == BlendMode::normal;
     if (!may_leak && !is_outside) continue;
     const Result<Cover> cover =
-        lint_detail::cover_of(context_, test, instance->artboard_from_layer, may_leak);
+        lint_detail::cover_of(test, instance->artboard_from_layer, may_leak);
     if (!cover) return cover.status();
     if (floods && *cover == Cover::all) {
       leak_told = true;

@@ -58,9 +58,9 @@ Vec2 nearest_point(Vec2 p, Vec2 a, Vec2 b) {
 
 class MeetingCheck {
  public:
-  MeetingCheck(Context& context, LayerUnderTest& test)
-      : context_(context),
-        poll_(context),
+  explicit MeetingCheck(LayerUnderTest& test)
+      : context_(test.context),
+        poll_(test.context),
         test_(test),
         mesh_(test.mesh),
         attributes_(test.scene.color.attributes) {}
@@ -257,8 +257,8 @@ class MeetingCheck {
 
 }  // namespace
 
-Status check_meetings(Context& context, LayerUnderTest& test) {
-  return MeetingCheck(context, test).run();
+Status check_meetings(LayerUnderTest& test) {
+  return MeetingCheck(test).run();
 }
 
 }  // namespace sfumato::lint_detail
