@@ -4,6 +4,7 @@
 #include <array>
 
 #include "formats/css_text.hpp"
+#include "formats/number.hpp"
 
 namespace sfumato {
 namespace {
@@ -14,10 +15,6 @@ using enum CssTokenType;
 constexpr std::size_t kMostBrackets = 1000;
 
 constexpr std::string_view kReplacement = "\xEF\xBF\xBD";
-
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
 
 bool is_hex(char c) {
   return is_digit(c) || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F');

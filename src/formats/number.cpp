@@ -19,10 +19,6 @@ bool is_blank(char c) {
   return ((c == ' ') + (c == '\t') + (c == '\n') + (c == '\r')) != 0;
 }
 
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
-
 std::string_view trimmed(std::string_view text) {
   text.remove_prefix(run_end(text, 0, is_blank));
   return text.substr(0, run_begin(text, is_blank));

@@ -5,6 +5,7 @@
 
 #include "base/limits.hpp"
 #include "formats/css_tokenizer.hpp"
+#include "formats/number.hpp"
 #include "formats/svg/path.hpp"
 #include "formats/svg/scanner.hpp"
 
@@ -13,10 +14,6 @@ namespace {
 
 /// Fits a byte.
 constexpr std::size_t kCountedAtOnce = 255;
-
-bool is_digit(char c) {
-  return (c >= '0') & (c <= '9');
-}
 
 bool is_letter(char c) {
   return ((c >= 'A') & (c <= 'Z')) | ((c >= 'a') & (c <= 'z'));

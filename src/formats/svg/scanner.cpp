@@ -14,10 +14,6 @@ namespace {
 /// Of what follows a mistake.
 constexpr std::size_t kShownBytes = 12;
 
-bool is_digit(char c) {
-  return (c >= '0') & (c <= '9');
-}
-
 bool is_in_word(char c) {
   return ((c >= 'a') & (c <= 'z')) | ((c >= 'A') & (c <= 'Z')) | is_digit(c);
 }

@@ -23,10 +23,6 @@ Status bad(std::string message) {
   return make_error(StatusCode::bad_input, std::move(message));
 }
 
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
-
 /// What stands between two commas: values with blanks or comments between them.
 struct Item {
   std::array<std::string_view, 3> part{};
