@@ -9,10 +9,9 @@ namespace sfumato::lint_detail {
 namespace {
 
 /// A gap below both is taken for a loop that was meant to be closed: a share of the curve's length,
-/// and pixels of an artboard that is 512 long.
+/// and artboard_pixel.
 constexpr double kGapShare = 0.01;
 constexpr double kGapPx = 4;
-constexpr double kArtboardPx = 512;
 
 /// A loop whose area is a smaller share of its squared length has no inside worth the name.
 constexpr double kLeastAreaShare = 1e-6;
@@ -67,8 +66,7 @@ std::vector<Outline> measure(const LayerUnderTest& test) {
 void check_open(LayerUnderTest& test, std::uint32_t index, const Outline& outline) {
   const std::vector<Vec2>& points = test.curves()[index].control_points;
   const double gap = length(points.back() - points.front());
-  const Box& artboard = test.document.artboard;
-  const double pixel = std::max(artboard.width(), artboard.height()) / kArtboardPx;
+  const double pixel = artboard_pixel(test.document);
   if (gap >= kGapShare * outline.length || gap * test.sight.scale >= kGapPx * pixel) return;
   test.add(HintKind::open_loop, index,
            "its ends are " + rounded_number_text(gap, 2) +

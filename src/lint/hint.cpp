@@ -6,7 +6,7 @@
 namespace sfumato {
 namespace {
 
-constexpr std::array<std::string_view, 22> kNames{"open-loop",
+constexpr std::array<std::string_view, 24> kNames{"open-loop",
                                                   "closed-loop",
                                                   "inside-empty",
                                                   "no-attribute",
@@ -27,7 +27,9 @@ constexpr std::array<std::string_view, 22> kNames{"open-loop",
                                                   "flood",
                                                   "crossing",
                                                   "gap",
-                                                  "overshoot"};
+                                                  "overshoot",
+                                                  "stroke-radius",
+                                                  "stroke-blur"};
 
 void append(std::string& text, const char* what, std::uint32_t index, const std::string& id) {
   if (!text.empty()) text += ", ";

@@ -32,7 +32,9 @@ enum class HintKind : std::uint8_t {
   flood,
   crossing,
   gap,
-  overshoot
+  overshoot,
+  stroke_radius,
+  stroke_blur
 };
 
 /// "open-loop".

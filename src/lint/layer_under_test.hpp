@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -8,6 +9,17 @@
 #include "patches/layer_scene.hpp"
 
 namespace sfumato::lint_detail {
+
+inline double longer_side(const Box& box) {
+  return std::max(box.width(), box.height());
+}
+
+/// A pixel of an artboard that is 512 long, in its units: for this the curves are flattened and
+/// meshed, and against it hints measure what is small.
+inline double artboard_pixel(const Document& document) {
+  constexpr double kArtboardPx = 512;
+  return longer_side(document.artboard) / kArtboardPx;
+}
 
 /// A layer that is painted, with what drawing it begins with. The hints go to `hints`.
 struct LayerUnderTest {

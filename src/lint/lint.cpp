@@ -7,6 +7,7 @@
 #include "formats/number_text.hpp"
 #include "lint/coverage.hpp"
 #include "lint/curve_hints.hpp"
+#include "lint/stroke_hints.hpp"
 #include "patches/layer_view.hpp"
 
 namespace sfumato {
@@ -15,16 +16,9 @@ namespace {
 using lint_detail::Cover;
 using lint_detail::LayerUnderTest;
 
-/// Pixels of the artboard's longer side for which the curves are flattened and meshed.
-constexpr double kMeshPx = 512;
-
 /// A picture this long that still shows less than a pixel for two texels needs no such texture.
 constexpr double kLargestPicturePx = 4096;
 constexpr double kTexelsPerPixel = 2;
-
-double longer_side(const Box& box) {
-  return std::max(box.width(), box.height());
-}
 
 template <class Value>
 void note_shader(const SideShader<Value>& shader, std::vector<bool>& used) {
@@ -84,7 +78,6 @@ class Linter {
   Status check_instances(LayerUnderTest& test);
   void check_stack();
   void check_stack_item(std::uint32_t i);
-  void check_stroke(std::uint32_t i, const LocalStroke& stroke);
   void check_shader(std::uint32_t i);
 
   Hint& add_to_stack(HintKind kind, std::uint32_t item, std::string message) {
@@ -107,6 +100,7 @@ Result<std::vector<Hint>> Linter::run() {
     if (Status status = check_layer(i); !status) return status;
   }
   check_stack();
+  if (context_.cancelled()) return context_.stop_status();
   for (std::uint32_t i = 0; i < document_.shaders.size(); ++i) check_shader(i);
   return std::move(hints_);
 }
@@ -127,7 +121,7 @@ Status Linter::check_layer(std::uint32_t layer) {
     return ok_status();
   }
   DiffuseOptions options;
-  options.pixels_per_unit = kMeshPx / longer_side(document_.artboard);
+  options.pixels_per_unit = 1 / lint_detail::artboard_pixel(document_);
   const Result<patches::LayerScene> scene =
       patches::prepare_layer(context_, document_, layer, sight, options, nullptr);
   if (!scene) return scene.status();
@@ -204,7 +198,10 @@ Status Linter::check_instances(LayerUnderTest& test) {
 }
 
 void Linter::check_stack() {
-  for (std::uint32_t i = 0; i < document_.stack.size(); ++i) check_stack_item(i);
+  RarePoll<16> poll(context_);  // a local curve may have many stops
+  for (std::uint32_t i = 0; i < document_.stack.size() && !poll.cancelled(); ++i) {
+    check_stack_item(i);
+  }
 }
 
 void Linter::check_stack_item(std::uint32_t i) {
@@ -217,28 +214,8 @@ void Linter::check_stack_item(std::uint32_t i) {
   } else if (const auto* group = std::get_if<GroupBegin>(&item)) {
     if (group->opacity == 0) add_to_stack(HintKind::invisible, i, message);
   } else if (const auto* stroke = std::get_if<LocalStroke>(&item)) {
-    check_stroke(i, *stroke);
+    lint_detail::check_stroke(document_, i, *stroke, hints_);
   }
-}
-
-void Linter::check_stroke(std::uint32_t i, const LocalStroke& stroke) {
-  const LocalCurve& curve = stroke.curve;
-  if (curve.alpha == 0) {
-    add_to_stack(HintKind::invisible, i, "its alpha is 0: nothing of it shows");
-  }
-  if (curve.left_color.empty() && curve.right_color.empty()) {
-    add_to_stack(HintKind::no_attribute, i, "it bears no colour: it draws nothing");
-  }
-  Box box;
-  for (const Vec2 p : curve.control_points) box.extend(p);
-  float radius = 0;
-  for (const Stop<float>& stop : curve.influence_radius.stops) {
-    radius = std::max(radius, stop.value);
-  }
-  const Box reach =
-      patches::bounds_of_mapped(stroke.artboard_from_stroke, box.grown_by(double{radius}));
-  if (overlap(reach, document_.artboard)) return;
-  add_to_stack(HintKind::outside, i, "it lies outside the artboard: nothing of it shows");
 }
 
 void Linter::check_shader(std::uint32_t i) {
@@ -256,7 +233,7 @@ void Linter::check_shader(std::uint32_t i) {
   const auto& texture = std::get<Texture>(shader.paint);
   const double texel = std::sqrt(std::abs(texture.layer_from_texture.determinant())) *
                        shader_scale_[i];  // artboard units
-  const double pixel = longer_side(document_.artboard) / kLargestPicturePx;
+  const double pixel = lint_detail::longer_side(document_.artboard) / kLargestPicturePx;
   if (shader_scale_[i] == 0 || texel * kTexelsPerPixel > pixel) return;
   add_to_shader(HintKind::large_texture, i,
                 "each pixel of a picture of 4096 pixels shows " +

@@ -17,10 +17,9 @@ using mesh::TriangleMesh;
 /// traced have hundreds.
 constexpr std::size_t kMostOfAKind = 5;
 
-/// An end that stops at most so far before another curve, or beyond it, was meant to meet it:
-/// pixels of an artboard that is 512 long.
+/// An end that stops at most so far before another curve, or beyond it, was meant to meet it: a
+/// multiple of artboard_pixel.
 constexpr double kMissPx = 4;
-constexpr double kArtboardPx = 512;
 
 /// A curve is longer than what sticks out of it by so many times.
 constexpr double kSpurs = 8;
@@ -199,8 +198,7 @@ class MeetingCheck {
     const Result<std::vector<gather::FreeEnd>> ends =
         gather::find_free_ends(context_, mesh_, attributes_);
     if (!ends) return ends.status();
-    const Box& artboard = test_.document.artboard;
-    const double miss = kMissPx / kArtboardPx * std::max(artboard.width(), artboard.height());
+    const double miss = kMissPx * artboard_pixel(test_.document);
     Finds gaps{HintKind::gap, " ends that stop shortly before another curve"};
     Finds overshoots{HintKind::overshoot, " ends that stick out beyond another curve"};
     std::uint32_t v = 0;

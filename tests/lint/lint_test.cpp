@@ -310,6 +310,55 @@ TEST(Lint, finds_what_is_invisible) {
   EXPECT_EQ(place_text(document, found[0]), "stack item 1, layer 0 \"layer\"");
 }
 
+/// A stroke of two colours over a sound drawing of 100 × 100 units.
+Document with_stroke(float radius, float blur, Rgb right) {
+  Document document = one_layer({colored(circle_curve(kMiddle, 30), kRed, kBlue)});
+  LocalStroke stroke = stroke_at({20, 20}, {40, 20});
+  stroke.curve.right_color = {StopSpace::parameter, {{0, right}}};
+  stroke.curve.influence_radius = one_radius(radius);
+  stroke.curve.blur_radius = one_radius(blur);
+  document.stack.push_back(stroke);
+  return document;
+}
+
+TEST(Lint, finds_local_curves_too_thin_to_be_seen) {
+  // A pixel of 512 is 0.195 units.
+  EXPECT_EQ(count(with_stroke(0.03f, 0, kRed), HintKind::stroke_radius), 0u);
+  Document thin = with_stroke(0.01f, 0, kRed);
+  const std::vector<Hint> found = of_kind(hints_of(thin), HintKind::stroke_radius);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(place_text(thin, found[0]), "local curve at stack item 1");
+  EXPECT_NE(found[0].message.find("nowhere above 0.01 units"), std::string::npos)
+      << found[0].message;
+  std::get<LocalStroke>(thin.stack[1]).artboard_from_stroke = {4, 0, 0, 4, 0, 0};
+  EXPECT_EQ(count(thin, HintKind::stroke_radius), 0u) << "enlarged";
+}
+
+TEST(Lint, finds_local_curves_that_cover_the_whole_picture) {
+  EXPECT_EQ(count(with_stroke(140, 0, kRed), HintKind::stroke_radius), 0u);
+  Document wide = with_stroke(150, 0, kRed);
+  EXPECT_EQ(count(wide, HintKind::stroke_radius), 1u);
+  std::get<LocalStroke>(wide.stack[1]).curve.influence_radius.stops.push_back({1, 20});
+  EXPECT_EQ(count(wide, HintKind::stroke_radius), 0u) << "at one end only";
+}
+
+TEST(Lint, finds_a_blur_of_a_local_curve_that_mixes_nothing) {
+  EXPECT_EQ(count(with_stroke(5, 2, kRed), HintKind::stroke_blur), 1u);
+  EXPECT_EQ(count(with_stroke(5, 0, kRed), HintKind::stroke_blur), 0u);
+  EXPECT_EQ(count(with_stroke(5, 2, kBlue), HintKind::stroke_blur), 0u);
+}
+
+TEST(Lint, finds_a_blur_of_a_local_curve_that_is_wider_than_its_radius) {
+  EXPECT_EQ(count(with_stroke(5, 5, kBlue), HintKind::stroke_blur), 0u);
+  Document wide = with_stroke(5, 6, kBlue);
+  const std::vector<Hint> found = of_kind(hints_of(wide), HintKind::stroke_blur);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_NE(found[0].message.find("its blur of 6 is wider than its radius of 5"), std::string::npos)
+      << found[0].message;
+  std::get<LocalStroke>(wide.stack[1]).curve.blur_radius.stops.push_back({1, 0});
+  EXPECT_EQ(count(wide, HintKind::stroke_blur), 0u) << "at one end only";
+}
+
 TEST(Lint, finds_an_instance_outside_the_artboard) {
   Document document = one_layer({disc(kMiddle, 20)});
   document.stack.push_back(LayerInstance{0, {1, 0, 0, 1, 200, 0}, 1, BlendMode::normal});
@@ -346,10 +395,10 @@ TEST(Lint, gives_back_what_is_wrong_with_an_invalid_document) {
 }
 
 TEST(Lint, every_kind_has_a_name) {
-  for (int i = 0; i <= static_cast<int>(HintKind::overshoot); ++i) {
+  for (int i = 0; i <= static_cast<int>(HintKind::stroke_blur); ++i) {
     EXPECT_FALSE(hint_name(static_cast<HintKind>(i)).empty());
   }
-  EXPECT_EQ(hint_name(HintKind::overshoot), "overshoot");
+  EXPECT_EQ(hint_name(HintKind::stroke_blur), "stroke-blur");
 }
 
 }  // namespace

@@ -1,0 +1,106 @@
+#include "lint/stroke_hints.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "formats/number_text.hpp"
+#include "lint/layer_under_test.hpp"
+#include "patches/layer_view.hpp"
+
+namespace sfumato::lint_detail {
+namespace {
+
+/// A stroke thinner than a pixel is as much fainter: below this hardly anything of it shows.
+constexpr double kFaintPx = 0.1;
+
+float largest(const ScalarStops& stops) {
+  float value = 0;
+  for (const Stop<float>& stop : stops.stops) value = std::max(value, stop.value);
+  return value;
+}
+
+float smallest(const ScalarStops& stops) {
+  const auto least = std::ranges::min_element(stops.stops, {}, &Stop<float>::value);
+  return least == stops.stops.end() ? 0 : least->value;
+}
+
+class StrokeCheck {
+ public:
+  StrokeCheck(const Document& document, std::uint32_t item, const LocalStroke& stroke,
+              std::vector<Hint>& hints)
+      : document_(document), item_(item), stroke_(stroke), curve_(stroke.curve), hints_(hints) {}
+
+  void run() {
+    if (curve_.alpha == 0) add(HintKind::invisible, "its alpha is 0: nothing of it shows");
+    if (curve_.left_color.empty() && curve_.right_color.empty()) {
+      add(HintKind::no_attribute, "it bears no colour: it draws nothing");
+    } else {
+      check_blur();
+    }
+    check_radius();
+    check_place();
+  }
+
+ private:
+  void add(HintKind kind, std::string message) {
+    hints_.push_back({.kind = kind, .stack_item = item_, .message = std::move(message)});
+  }
+
+  /// A blur mixes the two colours across the curve; it does not soften the stroke's border.
+  void check_blur() {
+    const float blur = smallest(curve_.blur_radius);
+    if (largest(curve_.blur_radius) == 0) return;
+    if (curve_.left_color == curve_.right_color) {
+      add(HintKind::stroke_blur,
+          "its blur does nothing: it would mix the colours of the two sides, and these are the "
+          "same; the stroke's border is soft as far as sf:radius reaches");
+    } else if (blur > largest(curve_.influence_radius)) {
+      add(HintKind::stroke_blur,
+          "its blur of " + rounded_number_text(blur, 4) + " is wider than its radius of " +
+              rounded_number_text(largest(curve_.influence_radius), 4) +
+              ": neither of its two colours shows unmixed; expected a blur below sf:radius");
+    }
+  }
+
+  void check_radius() {
+    const double scale = std::sqrt(std::abs(stroke_.artboard_from_stroke.determinant()));
+    const double most = largest(curve_.influence_radius) * scale;
+    const double least = smallest(curve_.influence_radius) * scale;
+    const Box& artboard = document_.artboard;
+    if (most < kFaintPx * artboard_pixel(document_)) {
+      add(HintKind::stroke_radius, "its radius is nowhere above " + rounded_number_text(most, 2) +
+                                       " units of the artboard: it is too thin to be seen");
+    } else if (least > std::hypot(artboard.width(), artboard.height())) {
+      add(HintKind::stroke_radius,
+          "its radius is nowhere below " + rounded_number_text(least, 4) +
+              " units of the artboard, which is smaller: it covers the whole picture; expected a "
+              "radius as wide as the stroke");
+    }
+  }
+
+  void check_place() {
+    Box box;
+    for (const Vec2 p : curve_.control_points) box.extend(p);
+    const double radius = largest(curve_.influence_radius);
+    const Box reach = patches::bounds_of_mapped(stroke_.artboard_from_stroke, box.grown_by(radius));
+    if (overlap(reach, document_.artboard)) return;
+    add(HintKind::outside, "it lies outside the artboard: nothing of it shows");
+  }
+
+  const Document& document_;
+  std::uint32_t item_;
+  const LocalStroke& stroke_;
+  const LocalCurve& curve_;
+  std::vector<Hint>& hints_;
+};
+
+}  // namespace
+
+void check_stroke(const Document& document, std::uint32_t item, const LocalStroke& stroke,
+                  std::vector<Hint>& hints) {
+  StrokeCheck(document, item, stroke, hints).run();
+}
+
+}  // namespace sfumato::lint_detail
