@@ -1,0 +1,219 @@
+// Drawings with many free ends, from the document to pixels: moved, mirrored, turned, enlarged; and
+// very many.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <random>
+#include <utility>
+#include <vector>
+
+#include "base/native/tbb_executor.hpp"
+#include "base/stopwatch.hpp"
+#include "patches/diffuse.hpp"
+#include "raster/rasterize.hpp"
+#include "raster/render_pixels.hpp"
+#include "support/drawing.hpp"
+#include "support/sanitizers.hpp"
+
+namespace sfumato::test {
+namespace {
+
+constexpr int kWidth = 96, kHeight = 64;
+
+/// One bent curve to each square of `cell` units, clear of its neighbours, both ends free; every
+/// fourth is blurred.
+Document strokes(int width, int height, int cell) {
+  std::mt19937 random(7);
+  const auto share = [&] { return static_cast<double>(random() % 4096) / 4096; };
+  const auto color = [&] {
+    return Rgb{static_cast<float>(share()), static_cast<float>(share()),
+               static_cast<float>(share())};
+  };
+  std::vector<Curve> curves;
+  for (int y = 0; y < height; y += cell) {
+    for (int x = 0; x < width; x += cell) {
+      const auto point = [&](double left) {
+        return Vec2{x + cell * (left + 0.2 * share()), y + cell * (0.1 + 0.8 * share())};
+      };
+      Curve curve;
+      for (const double left : {0.1, 0.3, 0.5, 0.7}) curve.control_points.push_back(point(left));
+      curve = colored(std::move(curve), color(), color());
+      const bool is_blurred = curves.size() % 4 == 3;
+      curves.push_back(is_blurred ? blurred(std::move(curve), static_cast<float>(cell) / 8)
+                                  : std::move(curve));
+    }
+  }
+  return one_layer(std::move(curves), {{0, 0}, {1.0 * width, 1.0 * height}});
+}
+
+/// mirrored: the map swaps the sides. scale: of radii.
+template <class Map>
+Document mapped(Document document, Map map, bool mirrored = false, float scale = 1) {
+  const Vec2 a = map(document.artboard.min), b = map(document.artboard.max);
+  document.artboard = {};
+  document.artboard.extend(a);
+  document.artboard.extend(b);
+  for (Curve& curve : document.layers[0].curves) {
+    for (Vec2& p : curve.control_points) p = map(p);
+    if (mirrored) std::swap(curve.left, curve.right);
+    for (Side* side : {&curve.left, &curve.right}) {
+      for (Stop<float>& stop : side->blur_radius.stops) stop.value *= scale;
+    }
+  }
+  return document;
+}
+
+enum class Way { patches, pixels };
+
+Image drawn(const Document& document, Way way, int width = kWidth, int height = kHeight) {
+  Context context;
+  RasterOptions size;
+  size.width = width;
+  size.height = height;
+  DiffuseOptions options;
+  options.ends = gather::Ends::soft;
+  options.pixels_per_unit = width / document.artboard.width();
+  if (way == Way::pixels) {
+    Result<Image> image = render_pixels(context, document, options, size);
+    EXPECT_TRUE(image.ok()) << image.status().message;
+    return image ? std::move(*image) : Image{};
+  }
+  const Result<Picture> picture = diffuse(context, document, options);
+  EXPECT_TRUE(picture.ok()) << picture.status().message;
+  if (!picture) return {};
+  Result<Image> image = rasterize(context, *picture, size);
+  EXPECT_TRUE(image.ok()) << image.status().message;
+  return image ? std::move(*image) : Image{};
+}
+
+struct Miss {
+  int largest = 0;
+  double mean = 0;
+};
+
+/// Of `other`, whose pixel at place(x, y) shows what (x, y) of `image` does. Code values.
+template <class Place>
+Miss miss_of(const Image& image, const Image& other, Place place) {
+  Miss miss;
+  const std::size_t channels = image.bytes.size() / (std::size_t{kWidth} * kHeight);
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = 0; x < kWidth; ++x) {
+      const auto [u, v] = place(x, y);
+      for (std::size_t c = 0; c < channels; ++c) {
+        const int here = image.bytes[channels * static_cast<std::size_t>(y * kWidth + x) + c];
+        const int there = other.bytes[channels * static_cast<std::size_t>(v * other.width + u) + c];
+        miss.largest = std::max(miss.largest, std::abs(here - there));
+        miss.mean += std::abs(here - there) / static_cast<double>(image.bytes.size());
+      }
+    }
+  }
+  return miss;
+}
+
+/// The most that a picture may differ, drawn pixel by pixel and from patches.
+struct Bounds {
+  Miss pixels, patches;
+};
+
+/// The same numbers but for the last bits.
+constexpr Bounds kSame{{1, 0.01}, {1, 0.01}};
+
+/// Other meshes, each refined to an error of one code value (with paper's ends 22 and 0.13).
+constexpr Bounds kOtherMesh{{1, 0.01}, {8, 0.15}};
+
+template <class Place>
+void expect_same(const Document& changed, const Bounds& bounds, Place place, int width = kWidth,
+                 int height = kHeight) {
+  const Document document = strokes(kWidth, kHeight, 16);
+  for (const Way way : {Way::pixels, Way::patches}) {
+    const Miss miss = miss_of(drawn(document, way), drawn(changed, way, width, height), place);
+    const Miss& most = way == Way::pixels ? bounds.pixels : bounds.patches;
+    EXPECT_LE(miss.largest, most.largest);
+    EXPECT_LE(miss.mean, most.mean);
+  }
+}
+
+using Pixel = std::pair<int, int>;
+
+TEST(EndsMetamorphic, a_mirrored_drawing_is_the_mirrored_picture) {
+  const auto mirror = [](Vec2 p) { return Vec2{kWidth - p.x, p.y}; };
+  expect_same(mapped(strokes(kWidth, kHeight, 16), mirror, true), kOtherMesh, [](int x, int y) {
+    return Pixel{kWidth - 1 - x, y};
+  });
+}
+
+TEST(EndsMetamorphic, a_turned_drawing_is_the_turned_picture) {
+  const auto turn = [](Vec2 p) { return Vec2{kHeight - p.y, p.x}; };
+  expect_same(
+      mapped(strokes(kWidth, kHeight, 16), turn), kOtherMesh,
+      [](int x, int y) {
+        return Pixel{kHeight - 1 - y, x};
+      },
+      kHeight, kWidth);
+}
+
+TEST(EndsMetamorphic, a_moved_drawing_is_the_same_picture) {
+  const auto move = [](Vec2 p) { return p + Vec2{4096, -1023}; };
+  expect_same(mapped(strokes(kWidth, kHeight, 16), move), kSame, [](int x, int y) {
+    return Pixel{x, y};
+  });
+}
+
+TEST(EndsMetamorphic, a_drawing_of_twice_the_size_is_the_same_picture) {
+  const auto grow = [](Vec2 p) { return 2 * p; };
+  expect_same(mapped(strokes(kWidth, kHeight, 16), grow, false, 2), kSame, [](int x, int y) {
+    return Pixel{x, y};
+  });
+}
+
+/// Sanitizers are slow, and what they show needs no more.
+constexpr int kManyWidth = SFUMATO_HAS_SANITIZER ? 200 : 632;
+
+/// Draws the upper left corner of a drawing; every curve is in the layer.
+Status draw_corner(Context& context, const Document& document, gather::Ends ends) {
+  DiffuseOptions options;
+  options.ends = ends;
+  options.viewport = Box{{0, 0}, {64, 64}};
+  const Result<Picture> picture = diffuse(context, document, options);
+  if (!picture) return picture.status();
+  return rasterize(context, *picture, {.width = 64, .height = 64}).status();
+}
+
+TEST(ManyEnds, a_hundred_thousand_hardly_take_longer_than_with_paper) {
+  const Document document = strokes(kManyWidth, kManyWidth / 2, 2);
+  const auto pool = make_tbb_executor(2);
+  Context context{.executor = pool.get(), .budget = Budget(std::size_t{512} << 20)};
+  const Stopwatch watch;
+  Status status = draw_corner(context, document, gather::Ends::paper);
+  const double without = watch.seconds();
+  EXPECT_TRUE(status.ok()) << status.message;
+  status = draw_corner(context, document, gather::Ends::soft);
+  const double many = watch.seconds() - without;
+  EXPECT_TRUE(status.ok()) << status.message;
+  EXPECT_LE(many, 3 * without + 1) << "a fifth more was measured; machines are busy";
+}
+
+TEST(ManyEnds, too_little_memory_for_them_is_an_answer) {
+  const Document document = strokes(kManyWidth, kManyWidth / 2, 2);
+  for (int mib = 1; mib <= 64; mib *= 4) {
+    Context context{.budget = Budget(static_cast<std::size_t>(mib) << 20)};
+    const Status status = draw_corner(context, document, gather::Ends::soft);
+    EXPECT_TRUE(status.ok() || status.code == StatusCode::limit) << status.message;
+    EXPECT_EQ(context.budget.used(), 0u);
+  }
+}
+
+TEST(ManyEnds, ten_thousand_in_one_picture_are_mixtures_of_its_colours) {
+  const Document document = strokes(200, 100, 2);
+  const auto pool = make_tbb_executor(2);
+  Context context{.executor = pool.get()};
+  const Result<Picture> picture = diffuse(context, document, {.max_error = 0});
+  ASSERT_TRUE(picture.ok()) << picture.status().message;
+  for (const float value : picture->layers[0].color.node_value) {
+    ASSERT_TRUE(value >= -1e-5f && value <= 1 + 1e-5f) << value;
+  }
+}
+
+}  // namespace
+}  // namespace sfumato::test
