@@ -167,6 +167,8 @@ const BadInput kAttributes[] = {
     {"negative_radius", svg("<path d='M0 0 h9' sf:left='red' sf:radius='-2'/>"),
      "2:1: sf:radius of <path>: \"-2\" is no radius of influence; expected a number from 0 to "
      "10000000"},
+    {"alpha_in_percent", svg("<path d='M0 0 h9' sf:left='red' sf:radius='2' sf:alpha='80%'/>"),
+     "2:1: sf:alpha of <path> is \"80%\"; expected 0 or more; did you mean 0.8?"},
     {"alpha", svg("<path d='M0 0 h9' sf:left='red' sf:radius='2' sf:alpha='-1'/>"),
      "2:1: sf:alpha of <path> is \"-1\"; expected 0 or more"},
     {"local_curve_without_colour", svg("<path d='M0 0 h9' sf:radius='2'/>"),

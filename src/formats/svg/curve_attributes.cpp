@@ -98,8 +98,10 @@ Status AttributeReader::read_number(const char* name, const char* expected, bool
   const bool in_range = value && std::abs(*value) <= limits::kCoordinate &&
                         (*value > 0 || (zero_allowed && *value == 0));
   if (!in_range) {
+    const std::string hint =
+        zero_allowed ? share_hint(found->text, limits::kCoordinate) : std::string();
     return input_.error(element_, found->name + " of " + tag(element_) + " is " +
-                                      quoted(found->text) + "; expected " + expected);
+                                      quoted(found->text) + "; expected " + expected + hint);
   }
   number = *value;
   return ok_status();

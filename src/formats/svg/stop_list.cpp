@@ -67,15 +67,6 @@ std::string offset_hint(std::string_view text, std::string_view value, ParseValu
   return "; did you mean " + quoted(std::string(value) + ", " + std::string(text)) + "?";
 }
 
-/// What a percentage was meant to be where a number up to `largest` is expected.
-std::string share_hint(std::string_view text, double largest) {
-  text = text.substr(0, kLongestHint);
-  if (!text.ends_with('%')) return {};
-  const std::optional<double> percent = parse_number(text.substr(0, text.size() - 1));
-  if (!percent || !(*percent >= 0 && *percent / 100 <= largest)) return {};
-  return "; did you mean " + rounded_number_text(*percent / 100, 6) + "?";
-}
-
 template <class Value>
 bool parse_offset(std::string_view text, WrittenStop<Value>& stop) {
   std::optional<double> number;
@@ -183,6 +174,14 @@ double piece_parameter(double segments, std::span<const std::uint32_t> segment_b
 }
 
 }  // namespace
+
+std::string share_hint(std::string_view text, double largest) {
+  text = text.substr(0, kLongestHint);
+  if (!text.ends_with('%')) return {};
+  const std::optional<double> percent = parse_number(text.substr(0, text.size() - 1));
+  if (!percent || !(*percent >= 0 && *percent / 100 <= largest)) return {};
+  return "; did you mean " + rounded_number_text(*percent / 100, 6) + "?";
+}
 
 Result<std::vector<WrittenStop<Rgb>>> parse_color_stops(std::string_view text, TextPoll& poll) {
   return parse_stops<Rgb>(text, poll, [&poll](std::string_view value, Rgb& color) {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -37,6 +38,9 @@ Result<std::vector<WrittenStop<float>>> parse_scalar_stops(std::string_view text
 /// The same with lengths of 0 or more, in user units.
 Result<std::vector<WrittenStop<float>>> parse_length_stops(std::string_view text,
                                                            std::string_view what, TextPoll& poll);
+
+/// "; did you mean 0.4?" of 40% where a number up to `largest` is expected; else nothing.
+std::string share_hint(std::string_view text, double largest);
 
 /// How many stops the text can hold.
 std::size_t stop_bound(std::string_view text);
