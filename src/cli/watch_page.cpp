@@ -43,6 +43,7 @@ header { display: flex; flex-wrap: wrap; gap: .3em 1em; align-items: center; pad
 .tools { display: flex; gap: .3em; align-items: center; margin-left: auto; }
 button { font: inherit; min-width: 2.2em; }
 #zoom { min-width: 4em; text-align: right; font-variant-numeric: tabular-nums; }
+#stage.fits { overflow: hidden; }
 #stage { flex: 1; overflow: auto; display: flex; min-height: 0; outline-offset: -2px; }
 #picture { margin: auto; flex: none; display: block;
   background: repeating-conic-gradient(#bbb 0 25%, #eee 0 50%) 0 0 / 16px 16px; }
@@ -67,6 +68,7 @@ function shownZoom() {
 
 function layOut() {
   const scale = shownZoom();
+  stage.classList.toggle('fits', zoom === 0);
   picture.style.width = `${picture.naturalWidth * scale}px`;
   picture.style.height = `${picture.naturalHeight * scale}px`;
   picture.style.imageRendering = scale * devicePixelRatio > 3 ? 'pixelated' : 'auto';

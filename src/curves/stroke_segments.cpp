@@ -301,6 +301,11 @@ std::size_t working_bytes(const LocalCurve& curve) {
 
 }  // namespace
 
+bool is_two_sided(const LocalCurve& curve) {
+  return !curve.left_color.empty() && !curve.right_color.empty() &&
+         !(curve.left_color == curve.right_color);
+}
+
 Result<StrokeSegments> stroke_segments(Context& context, const LocalCurve& curve,
                                        const StrokeOptions& options) {
   ScopedCharge working;

@@ -48,6 +48,9 @@ struct StrokeSegments {
   ScopedCharge charge;
 };
 
+/// Whether the sides of a local curve differ: a side without colours takes the other's.
+bool is_two_sided(const LocalCurve& curve);
+
 /// Cuts a local curve into segments: at every stop, and until nodes are close enough and turn
 /// little from one to the next. Where one side has no colours it takes the other's.
 ///

@@ -9,14 +9,14 @@ namespace sfumato::outputs {
 namespace {
 
 constexpr double kLeastDifference = 2.0 / 255;
-/// Bands take less than half of a triangle, so that those of two curves do not meet.
+/// Of a triangle's height: bands take no more, so that those of two curves hardly meet.
 constexpr double kMostOfHeight = 0.6;
 /// How wide what lies under a band is, of its width. Splash rounds a mesh's vertices to pixels and
 /// paints all between them, both ends included: up to two pixels more, which the band must cover.
 constexpr double kUnderShare = 2.0 / 7;
 /// Bands narrower than this, of their width, would show what lies under them elsewhere too.
 constexpr double kLeastShare = 4.0 / 7;
-/// How far a band reaches around a curve's vertex, of its width, for the same reason.
+/// How far a band reaches around a curve's vertex, of its width: it must cover what lies under it.
 constexpr double kCornerShare = 2;
 constexpr int kMostColumns = 8;
 /// What may be missed along a column; it shows in pixels that a curve cuts.
@@ -222,7 +222,7 @@ void BandBuilder::carry_corner(std::uint32_t leaving, double width, const Value&
 
 /// Visits the triangles at the end of an edge up to the next curve, on its side, by their
 /// half-edges that leave the common vertex. Those that lie on either have bands of their own, and
-/// PDFium adds up coverage where parts of a clip path overlap.
+/// PDFium adds up coverage where parts of a path overlap.
 template <class Visit>
 void BandBuilder::for_each_between(std::uint32_t side, const Visit& visit) const {
   std::uint32_t leaving = next_half_edge(side);
@@ -296,7 +296,8 @@ void BandBuilder::paint(std::uint32_t side, Part part) {
   }
   if (difference < kLeastDifference) return;
   if (part == Part::band) return paint_band(side);
-  // Where the other side's triangles come over the curve, its colours are put back on this side.
+  // Splash lets this side's triangles come over the curve: the other side's colours are painted
+  // there again.
   if (part == Part::ground) return paint_strip(across, kUnderShare * width_, &bands_->under);
   carry_under(across, side);
   carry(side, across, width_, &bands_->over);

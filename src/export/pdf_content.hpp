@@ -26,7 +26,7 @@ class PdfContent {
 
   /// The same as a form XObject; is_group: a transparency group by itself.
   PdfRef make_form(PdfFile* file, const Box& bounds, bool is_group) const;
-  /// As a group whose luminosity is a mask.
+  /// As a group in grey: its luminosity may be a mask.
   PdfRef make_mask_form(PdfFile* file, const Box& bounds) const;
 
  private:

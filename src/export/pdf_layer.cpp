@@ -66,7 +66,7 @@ class LayerWriter {
   double pixels_per_unit() const { return options_.points_per_unit * options_.dpi / 72; }
   void paint_facets(const FacetSource& source, PdfContent* content);
   void paint_bands(const FacetSource& source, PdfContent* content);
-  void paint_once(const FacetMesh& mesh, PdfContent* content);
+  void paint_once(const FacetMesh& mesh, const Box& box, PdfContent* content);
   void paint_clipped(const FacetMesh& mesh, std::string_view white, PdfContent* content);
   double band_width() const { return kBandWidth / options_.points_per_unit; }
   void paint_field(bool is_opacity, PdfContent* content);
@@ -75,7 +75,6 @@ class LayerWriter {
   Box box_of_weight(const PatchField& field, std::size_t channel) const;
 
   Context& context_;
-  ScopedCharge charge_;
   PdfFile* file_;
   const Picture& picture_;
   const PatchLayer& layer_;
@@ -109,10 +108,11 @@ void LayerWriter::paint_bands(const FacetSource& source, PdfContent* content) {
   const Result<CurveBands> bands =
       make_curve_bands(context_, layer_, picture_.interpolation, source, edges_, band_width());
   if (!bands) return file_->fail(bands.status());
-  paint_once(bands->under, content);
+  paint_once(bands->under, decode_box(bands->under.vertex_position), content);
   if (bands->clip.empty()) return;
-  // The text here, and in the content, which doubles.
-  Status status = charge_.add(context_, 4 * kQuadrangleBytes * bands->clip.size(), "a PDF's text");
+  // The text here, and in the mask, which doubles.
+  ScopedCharge charge;
+  Status status = charge.add(context_, 4 * kQuadrangleBytes * bands->clip.size(), "a PDF's text");
   if (!status) return file_->fail(std::move(status));
   const Result<std::string> white = white_fill(context_, bands->clip);
   if (!white) return file_->fail(white.status());
@@ -127,16 +127,16 @@ void LayerWriter::paint_clipped(const FacetMesh& mesh, std::string_view white,
   PdfContent mask, clipped;
   mask.add(white);
   const PdfRef state = add_mask(file_, mask.make_mask_form(file_, box));
-  paint_once(mesh, &clipped);
+  paint_once(mesh, box, &clipped);
   const PdfRef form = mesh.channel_count == 1 ? clipped.make_mask_form(file_, box)
                                               : clipped.make_form(file_, box, true);
   content->add("q " + content->name(Resource::graphics_state, state) + " gs " +
                content->name(Resource::form, form) + " Do Q");
 }
 
-void LayerWriter::paint_once(const FacetMesh& mesh, PdfContent* content) {
+void LayerWriter::paint_once(const FacetMesh& mesh, const Box& box, PdfContent* content) {
   notes_->triangle_count += mesh.facet_vertex.size() / 3;
-  const PdfRef ref = add_mesh(context_, file_, mesh, decode_box(mesh.vertex_position));
+  const PdfRef ref = add_mesh(context_, file_, mesh, box);
   if (ref != 0) content->add(content->name(Resource::shading, ref) + " sh");
 }
 

@@ -120,9 +120,8 @@ class Walker {
   }
 
   Status follow_gates() {
-    RarePoll<4096> poll(context_);
     while (!gates_.empty()) {
-      if (poll.cancelled()) return context_.stop_status();
+      if (poll_.cancelled()) return context_.stop_status();
       const Gate gate = gates_.back();
       gates_.pop_back();
       if (last_on_edge_[gate.edge] != gate.half_edge) continue;
@@ -158,6 +157,7 @@ class Walker {
   }
 
   Context& context_;
+  RarePoll<4096> poll_{context_};  ///< of all parts of the mesh together
   const PatchLayer& layer_;
   ViewerMesh& mesh_;
   std::vector<std::uint32_t> edge_;           ///< of the layer's half-edges

@@ -23,11 +23,6 @@ constexpr double kSmallestRadius = 1.0 / 8192;
 constexpr int kAttributeBits = 10;
 constexpr int kCoefficientBits = 5;
 
-bool is_two_sided(const LocalCurve& curve) {
-  return !curve.left_color.empty() && !curve.right_color.empty() &&
-         !(curve.left_color == curve.right_color);
-}
-
 /// To the nearest number whose last `bits` bits are 0.
 float rounded(float value, int bits) {
   const std::uint32_t half = 1u << (bits - 1), code = std::bit_cast<std::uint32_t>(value);
@@ -134,7 +129,7 @@ Status write_stroke(Context& context, const LocalStroke& stroke, InterpolationSp
   const Vec2 origin = count > 0 ? segments.segment.front().start : Vec2{};
   for (double value : {m.a, m.b, m.c, m.d, m.e, m.f, origin.x, origin.y}) out.f64(value);
   out.f32(static_cast<float>(curve.alpha));
-  out.u8(is_two_sided(curve) ? 1 : 0);
+  out.u8(curves::is_two_sided(curve) ? 1 : 0);
   out.varint(count);
   write_segments(segments, origin, out);
   return ok_status();

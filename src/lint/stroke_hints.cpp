@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "curves/stroke_segments.hpp"
 #include "formats/number_text.hpp"
 #include "lint/layer_under_test.hpp"
 #include "patches/layer_view.hpp"
@@ -52,7 +53,7 @@ class StrokeCheck {
   void check_blur() {
     const float blur = smallest(curve_.blur_radius);
     if (largest(curve_.blur_radius) == 0) return;
-    if (curve_.left_color == curve_.right_color) {
+    if (!curves::is_two_sided(curve_)) {
       add(HintKind::stroke_blur,
           "its blur does nothing: it would mix the colours of the two sides, and these are the "
           "same; the stroke's border is soft as far as sf:radius reaches");
@@ -69,10 +70,11 @@ class StrokeCheck {
     const double most = largest(curve_.influence_radius) * scale;
     const double least = smallest(curve_.influence_radius) * scale;
     const Box& artboard = document_.artboard;
-    if (most < kFaintPx * artboard_pixel(document_)) {
+    // What is thinner than a pixel is fainter, and alpha above 1 takes that back.
+    if (most * curve_.alpha < kFaintPx * artboard_pixel(document_)) {
       add(HintKind::stroke_radius, "its radius is nowhere above " + rounded_number_text(most, 2) +
                                        " units of the artboard: it is too thin to be seen");
-    } else if (least > std::hypot(artboard.width(), artboard.height())) {
+    } else if (least > std::hypot(artboard.width(), artboard.height()) && meets_artboard(0)) {
       add(HintKind::stroke_radius,
           "its radius is nowhere below " + rounded_number_text(least, 4) +
               " units of the artboard, which is smaller: it covers the whole picture; expected a "
@@ -80,12 +82,17 @@ class StrokeCheck {
     }
   }
 
-  void check_place() {
+  /// The curve's box, with so much around it.
+  bool meets_artboard(double margin) const {
     Box box;
     for (const Vec2 p : curve_.control_points) box.extend(p);
-    const double radius = largest(curve_.influence_radius);
-    const Box reach = patches::bounds_of_mapped(stroke_.artboard_from_stroke, box.grown_by(radius));
-    if (overlap(reach, document_.artboard)) return;
+    const Box grown = box.grown_by(margin);
+    return overlap(patches::bounds_of_mapped(stroke_.artboard_from_stroke, grown),
+                   document_.artboard);
+  }
+
+  void check_place() {
+    if (meets_artboard(largest(curve_.influence_radius))) return;
     add(HintKind::outside, "it lies outside the artboard: nothing of it shows");
   }
 

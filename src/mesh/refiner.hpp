@@ -43,8 +43,8 @@ class Refiner {
   /// min_angle_deg  0 to 33
   /// doubled_area   largest 2 · area in steps², or infinity
   /// weld           steps
-  /// small_edge     steps: a triangle with no longer edge is not refined for its angles, nor is a
-  ///                chord that is no longer cut because of a point near it
+  /// small_edge     steps: a triangle none of whose edges is longer is not refined for its angles,
+  ///                nor is a chord that is not longer cut because of a point near it
   void set_quality(double min_angle_deg, double doubled_area, double weld, double small_edge);
 
   /// Refines all triangles inside. Errors: limit, cancelled.

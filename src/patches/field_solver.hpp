@@ -88,7 +88,6 @@ class FieldSolver {
   Status find_doubtful(const Context& context, std::span<const std::uint8_t> is_new,
                        float max_error, PatchOrder order, std::span<const float> color_weight,
                        std::span<std::uint8_t> doubtful) const;
-  bool all_nodes_hit(std::uint32_t triangle) const;
   /// The largest of a value's misses, one a channel, where those of colours count color_weight.
   float worst_miss(std::span<const float> miss, float color_weight) const;
   bool is_opacity(std::size_t channel) const;

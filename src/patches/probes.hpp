@@ -22,10 +22,9 @@ struct ProbeSet {
 ProbeSet place_probes(const Context& context, const mesh::TriangleMesh& mesh,
                       const NodeLayout& layout, std::span<const std::uint8_t> is_asked);
 
-/// What makes triangle t's patch cubic: per channel by how much it differs from its own quadratic
-/// (eq. 17), the largest of the three inner probes. It foretells how far the patch is off, for 99%
-/// of patches within a factor of three. Writes layout.channel_count floats.
-void cubic_part(const NodeLayout& layout, std::uint32_t t, float* part);
+/// Foretells by how much triangle t's cubic patch is off at its probes at the most, from its nodes
+/// alone; for 99% of patches less than that. Writes layout.channel_count floats.
+void foretell_miss(const NodeLayout& layout, std::uint32_t t, float* miss);
 
 /// The patch's value at probe i, layout.channel_count floats.
 void patch_value_at_probe(const ProbeSet& probes, std::size_t i, const NodeLayout& layout,

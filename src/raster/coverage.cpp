@@ -87,11 +87,11 @@ std::size_t offset(int x, int row) {
   return static_cast<std::size_t>(row) * kTileStride + static_cast<std::size_t>(x);
 }
 
-/// Triangles with no longer edge, pixels, may hold colours that bend within a pixel: those of a
-/// blur, which are as fine as its radius.
+/// Triangles none of whose edges is longer, pixels, may hold colours that bend within a pixel:
+/// those of a blur, which are as fine as its radius.
 constexpr double kSmallTrianglePx = 3;
 
-/// Of these, those with no longer edge are not parted by a pixel's quarters.
+/// Of these, those none of whose edges is longer than this are not parted by a pixel's quarters.
 constexpr double kWholeTrianglePx = 0.6;
 
 double longest_edge_squared(const Vec2 (&corner)[3]) {

@@ -18,13 +18,8 @@ constexpr double kSharpBlur = 5;
 /// Radius below which a stroke is drawn fainter instead of thinner, pixels.
 constexpr double kSmallestRadius = 1;
 
-bool same_sides(const LocalCurve& curve) {
-  return curve.left_color.empty() || curve.right_color.empty() ||
-         curve.left_color == curve.right_color;
-}
-
 double nodes_per_radius(const LocalCurve& curve, double scale) {
-  if (same_sides(curve)) return kNodesOneSided;
+  if (!curves::is_two_sided(curve)) return kNodesOneSided;
   bool sharp = curve.blur_radius.empty();
   for (const auto& stop : curve.blur_radius.stops) sharp |= stop.value * scale < kSharpBlur;
   return sharp ? kNodesSharp : kNodesTwoSided;
@@ -45,7 +40,7 @@ StrokeFrame make_frame(const LocalCurve& curve, const Affine& image_from_frame,
   frame.reach_per_radius[1] = static_cast<float>(length({image_from_frame.b, image_from_frame.d}));
   frame.smallest_radius = kSmallestRadius;
   frame.alpha = static_cast<float>(curve.alpha);
-  frame.two_sided = !same_sides(curve);
+  frame.two_sided = curves::is_two_sided(curve);
   frame.interpolation = space;
   return frame;
 }

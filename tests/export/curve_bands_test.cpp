@@ -145,8 +145,10 @@ TEST(CurveBands, a_curve_between_two_colours_is_antialiased) {
       {"pdftoppm", "pdftoppm -r 96 -png -singlefile IN OUT && mv OUT.png OUT", 0.5},
       {"gs", "gs -q -dSAFER -dBATCH -dNOPAUSE -sDEVICE=png16m -dGraphicsAlphaBits=4 -r96 -o OUT IN",
        1}};
+  int shows = 0;
   for (const auto& [program, command, limit] : viewers) {
     if (!test::has_program(program)) continue;
+    ++shows;
     SCOPED_TRACE(program);
     const auto shown = test::shown_by(*pdf, "in.pdf", command);
     ASSERT_TRUE(shown);
@@ -155,6 +157,7 @@ TEST(CurveBands, a_curve_between_two_colours_is_antialiased) {
     std::printf("%-10s mean %.2f\n", program, found.mean);
     EXPECT_LT(found.mean, limit);
   }
+  if (shows == 0) GTEST_SKIP() << "none of the programs is here";
 }
 
 /// Pixels that are unlike every pixel of `reference` around them.

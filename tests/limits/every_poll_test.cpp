@@ -54,14 +54,18 @@ class PollPlaces : public PollWatch {
     place.last = polls_;
   }
 
-  /// Of each place the first poll, the second, the fourth and so on, and the last.
+  /// Of each place the first poll, the second, the fourth and so on, and the last; and some evenly
+  /// spread, since builds that are not optimised have one place for all.
   std::set<std::uint64_t> chosen() const {
     std::set<std::uint64_t> polls = chosen_;
     for (const auto& [address, place] : places_) polls.insert(place.last);
+    for (std::uint64_t i = 1; i <= kSpread; ++i) polls.insert(1 + (polls_ - 1) * i / kSpread);
     return polls;
   }
 
  private:
+  static constexpr std::uint64_t kSpread = 20;
+
   struct Place {
     std::uint64_t polls = 0, last = 0;
   };

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "base/native/tbb_executor.hpp"
-#include "base/stopwatch.hpp"
 #include "patches/diffuse.hpp"
 #include "raster/rasterize.hpp"
 #include "raster/render_pixels.hpp"
@@ -180,18 +179,12 @@ Status draw_corner(Context& context, const Document& document, gather::Ends ends
   return rasterize(context, *picture, {.width = 64, .height = 64}).status();
 }
 
-TEST(ManyEnds, a_hundred_thousand_hardly_take_longer_than_with_paper) {
+TEST(ManyEnds, a_hundred_thousand_are_drawn_within_512_mib) {
   const Document document = strokes(kManyWidth, kManyWidth / 2, 2);
   const auto pool = make_tbb_executor(2);
   Context context{.executor = pool.get(), .budget = Budget(std::size_t{512} << 20)};
-  const Stopwatch watch;
-  Status status = draw_corner(context, document, gather::Ends::paper);
-  const double without = watch.seconds();
+  const Status status = draw_corner(context, document, gather::Ends::soft);
   EXPECT_TRUE(status.ok()) << status.message;
-  status = draw_corner(context, document, gather::Ends::soft);
-  const double many = watch.seconds() - without;
-  EXPECT_TRUE(status.ok()) << status.message;
-  EXPECT_LE(many, 3 * without + 1) << "a fifth more was measured; machines are busy";
 }
 
 TEST(ManyEnds, too_little_memory_for_them_is_an_answer) {
@@ -200,6 +193,7 @@ TEST(ManyEnds, too_little_memory_for_them_is_an_answer) {
     Context context{.budget = Budget(static_cast<std::size_t>(mib) << 20)};
     const Status status = draw_corner(context, document, gather::Ends::soft);
     EXPECT_TRUE(status.ok() || status.code == StatusCode::limit) << status.message;
+    EXPECT_TRUE(mib > 1 || !status.ok());
     EXPECT_EQ(context.budget.used(), 0u);
   }
 }
