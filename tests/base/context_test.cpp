@@ -101,7 +101,7 @@ TEST(Result, without_value_or_error_is_internal) {
   EXPECT_FALSE(nothing.ok());
   EXPECT_EQ(nothing.status().code, StatusCode::internal);
 #else
-  EXPECT_DEATH(Result<int>(ok_status()), "status");
+  EXPECT_DEATH(static_cast<void>(Result<int>{ok_status()}), "status");
 #endif
 }
 
