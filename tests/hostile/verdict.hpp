@@ -5,12 +5,14 @@
 
 #include "hostile/case.hpp"
 #include "hostile/sandbox.hpp"
+#include "support/sanitizers.hpp"
 
 namespace sfumato::hostile {
 
 /// What every case has to stay below, whatever it is about: processor time of all threads together
 /// (that of one thread is the wall clock's, without what waits for others) and resident memory.
-constexpr double kMostSeconds = 2;
+/// Sanitizers take two to four times as long.
+constexpr double kMostSeconds = SFUMATO_HAS_SANITIZER ? 8 : 2;
 constexpr std::size_t kMostBytes = std::size_t{256} << 20;
 
 /// What is wrong with how a case ended, in one line; "" where nothing is.
