@@ -30,11 +30,12 @@ stage() {
   "$verdict" "$name" | tee -a "$stages"
 }
 
-# unit_tests FOLDER: runs the tests of a build folder, in parallel on all cores. The tests themselves
+# unit_tests FOLDER [OPTION...]: runs the tests of a build folder, in parallel on all cores; the
+# options are ctest's. The tests themselves
 # are counted from ctest's report there; the exit code says whether there is one.
 unit_tests() {
   local log=$1/ctest.log
-  ctest --test-dir "$1" --parallel "$(nproc)" --output-on-failure --output-junit ctest.xml \
+  ctest --test-dir "$1" "${@:2}" --parallel "$(nproc)" --output-on-failure --output-junit ctest.xml \
     --no-tests=error </dev/null >"$log" 2>&1
   grep -vE '^ *(Start +[0-9]+:|[0-9]+/[0-9]+ Test +#[0-9]+:.* Passed +)' "$log"
   [[ -s $1/ctest.xml ]]
