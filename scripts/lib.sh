@@ -31,8 +31,8 @@ stage() {
 }
 
 # unit_tests FOLDER [OPTION...]: runs the tests of a build folder, in parallel on all cores; the
-# options are ctest's. The tests themselves
-# are counted from ctest's report there; the exit code says whether there is one.
+# options are ctest's. The tests themselves are counted from ctest's report there; the exit code says
+# whether there is one.
 unit_tests() {
   local log=$1/ctest.log
   ctest --test-dir "$1" "${@:2}" --parallel "$(nproc)" --output-on-failure --output-junit ctest.xml \

@@ -18,11 +18,11 @@ std::string complaint_about_folder(const std::string& path) {
 
 }  // namespace
 
-ValueText one_of(std::vector<std::string> words, std::string placeholder) {
+ValueText one_of(std::vector<std::string> words, std::string value_name) {
   std::string list;
   for (const std::string& word : words) list += (list.empty() ? "" : "|") + word;
-  if (placeholder.empty()) placeholder = list;
-  return {"one of " + list, std::move(placeholder), std::move(words)};
+  if (value_name.empty()) value_name = list;
+  return {"one of " + list, std::move(value_name), std::move(words)};
 }
 
 std::string word_hint(const std::string& text, const std::vector<std::string>& words) {
@@ -31,13 +31,13 @@ std::string word_hint(const std::string& text, const std::vector<std::string>& w
 }
 
 CLI::Option* add_output(CLI::App& app, std::string& output, const OutputNames& names,
-                        const std::string& placeholder, const std::string& help) {
+                        const std::string& value_name, const std::string& help) {
   const auto read = [&output, names](const std::string& name) {
     const std::string complaint = complaint_about_output(name, names);
     if (!complaint.empty()) throw CLI::ValidationError("--output", complaint);
     output = name;
   };
-  return app.add_option_function<std::string>("-o,--output", read, help)->type_name(placeholder);
+  return app.add_option_function<std::string>("-o,--output", read, help)->type_name(value_name);
 }
 
 void add_document(CLI::App& app, DocumentArguments& arguments) {

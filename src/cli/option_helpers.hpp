@@ -18,12 +18,12 @@ namespace sfumato::cli {
 /// What an option takes, in words, and how the help writes it.
 struct ValueText {
   std::string expected;
-  std::string placeholder;
+  std::string value_name;
   std::vector<std::string> words{};  ///< all that it takes, where these are a few words
 };
 
-/// One of these words; without a placeholder the help lists them.
-ValueText one_of(std::vector<std::string> words, std::string placeholder = {});
+/// One of these words; the help writes value_name for it, or, where that is empty, all of them.
+ValueText one_of(std::vector<std::string> words, std::string value_name = {});
 
 /// "; did you mean X?" where the text is nearly one of the words; else nothing.
 std::string word_hint(const std::string& text, const std::vector<std::string>& words);
@@ -39,7 +39,7 @@ CLI::Option* add_value(CLI::App& app, const std::string& name, const ValueText& 
                                             word_hint(text, value_text.words));
     }
   };
-  return app.add_option_function<std::string>(name, read, help)->type_name(value_text.placeholder);
+  return app.add_option_function<std::string>(name, read, help)->type_name(value_text.value_name);
 }
 
 /// Sets `target` from what `parse` makes of the text; false where that is nothing.
@@ -62,9 +62,9 @@ auto whole_into(Target& target, std::uint64_t lowest, std::uint64_t highest) {
   };
 }
 
-/// The option -o.
+/// The option -o, whose value the help writes as value_name.
 CLI::Option* add_output(CLI::App& app, std::string& output, const OutputNames& names,
-                        const std::string& placeholder, const std::string& help);
+                        const std::string& value_name, const std::string& help);
 
 /// The document IN and --allow-files, which says where its textures may lie.
 void add_document(CLI::App& app, DocumentArguments& arguments);
