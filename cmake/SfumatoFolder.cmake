@@ -29,9 +29,9 @@ endif()
 # the headers named, are read once for the target.
 function(sfumato_precompile target)
   if(SFUMATO_PRECOMPILE)
-    target_precompile_headers(${target} PRIVATE <algorithm> <array> <cmath> <cstdint> <filesystem>
-                              <functional> <map> <memory> <optional> <span> <string> <string_view>
-                              <variant> <vector> ${ARGN})
+    target_precompile_headers(${target} PRIVATE <algorithm> <array> <cmath> <cstdint> <functional> <map>
+                              <memory> <optional> <span> <string> <string_view> <variant> <vector>
+                              ${ARGN})
   endif()
 endfunction()
 
