@@ -21,22 +21,32 @@ passed() { echo "ok - $1"; }
 failed() { echo "not ok - $1"; }
 skipped() { echo "ok - $1 # SKIP $2"; }
 
+# timed COMMAND...: runs it and says how long it took.
+timed() {
+  local began=$SECONDS status=0
+  "$@" || status=$?
+  echo "# $((SECONDS - began)) s"
+  return "$status"
+}
+
 # stage NAME COMMAND...: one check that passes or fails as a whole, noted in the file $stages.
 stage() {
   local name=$1 verdict=failed
   shift
   echo "== $name"
-  if "$@"; then verdict=passed; fi
+  if timed "$@"; then verdict=passed; fi
   "$verdict" "$name" | tee -a "$stages"
 }
 
-# unit_tests FOLDER [OPTION...]: runs the tests of a build folder, in parallel on all cores; the
-# options are ctest's. The tests themselves are counted from ctest's report there; the exit code says
-# whether there is one.
+# unit_tests FOLDER [OPTION...]: runs the tests of a build folder, in parallel on all cores, and names
+# the ten slowest; the options are ctest's. The tests themselves are counted from ctest's report
+# there; the exit code says whether there is one.
 unit_tests() {
   local log=$1/ctest.log
   ctest --test-dir "$1" "${@:2}" --parallel "$(nproc)" --output-on-failure --output-junit ctest.xml \
     --no-tests=error </dev/null >"$log" 2>&1
   grep -vE '^ *(Start +[0-9]+:|[0-9]+/[0-9]+ Test +#[0-9]+:.* Passed +)' "$log"
+  sed -nE 's/^ *[0-9]+\/[0-9]+ Test +#[0-9]+: ([^ ]+) .* ([0-9.]+) sec.*/# \2 s \1/p' "$log" |
+    sort -k 2nr | head -n 10
   [[ -s $1/ctest.xml ]]
 }

@@ -11,11 +11,12 @@
 #include "mesh/is_valid.hpp"
 #include "mesh/mesh_facts.hpp"
 #include "mesh/mesher.hpp"
+#include "support/sanitizers.hpp"
 
 namespace sfumato::mesh::test {
 namespace {
 
-constexpr int kSeeds = 40;
+constexpr int kSeeds = SFUMATO_HAS_SANITIZER ? 8 : 40;
 
 MeshOptions fuzz_options() {
   MeshOptions options;

@@ -15,14 +15,15 @@
 #include "raster/rasterize.hpp"
 #include "raster/render_pixels.hpp"
 #include "support/random_document.hpp"
+#include "support/sanitizers.hpp"
 
 // Documents of everything that the format knows, from the document to pixels and to SVG and back.
 namespace sfumato::test {
 namespace {
 
-constexpr std::uint64_t kSeeds = 60;
+constexpr std::uint64_t kSeeds = SFUMATO_HAS_SANITIZER ? 6 : 60;
 /// For what solves a document several times.
-constexpr std::uint64_t kFewSeeds = 20;
+constexpr std::uint64_t kFewSeeds = SFUMATO_HAS_SANITIZER ? 4 : 20;
 
 RasterOptions one_pixel_a_unit(const Document& document, PixelFormat format) {
   RasterOptions options;
