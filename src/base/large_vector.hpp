@@ -70,6 +70,17 @@ Status reserve_large(const Context& context, std::vector<Item>& items, std::size
   return ok_status();
 }
 
+/// resize_large for what grows again and again: where room is lacking there is room for `most`
+/// then.
+template <class Item>
+Status grow_large(const Context& context, std::vector<Item>& items, std::size_t count,
+                  std::size_t most, const Item& value = Item()) {
+  if (count > items.capacity()) {
+    if (Status status = reserve_large(context, items, most); !status) return status;
+  }
+  return resize_large(context, items, count, value);
+}
+
 /// Sorts by `less`, not stably: runs, and then these merged by twos into a second vector, which is
 /// charged. Errors: limit (memory), cancelled; the order is unspecified then.
 template <class Item, class Less>

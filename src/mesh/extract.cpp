@@ -1,6 +1,6 @@
 #include "mesh/extract.hpp"
 
-#include <numeric>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -9,124 +9,92 @@
 namespace sfumato::mesh {
 namespace {
 
-/// Adds the constraint of edge e, which lies on a chord, with what the chord carries there.
-void add_constraint(const Triangulation& mesh, const ChordStore& chords,
-                    const std::vector<VertexOrigin>& origins, const Numbering& numbering,
-                    HalfEdge e, TriangleMesh& out) {
-  const std::int32_t index = mesh.chord[e];
-  const Chord& chord = chords[index];
+/// Says what lies on edge e, which is on a chord: constraint `index` with as many pieces as that.
+void set_constraint(const ExtractSource& source, HalfEdge e, std::int32_t index,
+                    TriangleMesh& out) {
+  const Triangulation& mesh = source.mesh;
+  const std::int32_t chord_index = mesh.chord[e];
+  const Chord& chord = source.chords[chord_index];
   Vertex from = mesh.origin(e), to = mesh.target(e);
   const Point a = mesh.point[chord.from], b = mesh.point[chord.to];
   if (dot_from(a, b, mesh.point[from]) > dot_from(a, b, mesh.point[to])) std::swap(from, to);
-  const double at_from = fraction_at(chord, index, from, origins[from]);
-  const double at_to = fraction_at(chord, index, to, origins[to]);
-  const auto piece_begin = static_cast<std::uint32_t>(out.piece.size());
-  const Owner* owner = chords.begin(chord);
+  const double at_from = fraction_at(chord, chord_index, from, source.origins[from]);
+  const double at_to = fraction_at(chord, chord_index, to, source.origins[to]);
+  Constraint& constraint = out.constraint[index];
+  constraint.from = static_cast<std::uint32_t>(source.numbering.vertex[from]);
+  constraint.to = static_cast<std::uint32_t>(source.numbering.vertex[to]);
+  SegmentPiece* const piece = out.piece.data() + constraint.piece_begin;
+  const Owner* owner = source.chords.begin(chord);
   for (std::int32_t i = 0; i < chord.load.count; ++i) {
     const double u0 = owner[i].u_from, u1 = owner[i].u_to;
-    out.piece.push_back({owner[i].segment, static_cast<float>(u0 * (1 - at_from) + u1 * at_from),
-                         static_cast<float>(u0 * (1 - at_to) + u1 * at_to)});
-  }
-  out.constraint.push_back({static_cast<std::uint32_t>(numbering.vertex[from]),
-                            static_cast<std::uint32_t>(numbering.vertex[to]), piece_begin,
-                            static_cast<std::uint32_t>(out.piece.size())});
-}
-
-/// Numbers the triangles inside and their vertices from neighbour to neighbour: refinement left
-/// them in an order that jumps about, and what follows reads them again and again.
-void number_depth_first(const Context& context, const Triangulation& mesh, Numbering& numbering) {
-  const auto wanted = [&](std::int32_t t) {
-    return mesh.triangle[t].inside && numbering.triangle[t] == kNone;
-  };
-  std::vector<std::int32_t> stack;
-  RarePoll<16384> poll(context);
-  for (std::size_t seed = 0; seed < mesh.triangle.size(); ++seed) {
-    stack.assign(1, static_cast<std::int32_t>(seed));
-    while (!stack.empty()) {
-      if (poll.cancelled()) return;
-      const std::int32_t t = stack.back();
-      stack.pop_back();
-      if (!wanted(t)) continue;
-      numbering.triangle[t] = static_cast<std::int32_t>(numbering.triangle_count++);
-      for (int k = 0; k < 3; ++k) {
-        std::int32_t& vertex = numbering.vertex[mesh.triangle[t].vertex[k]];
-        if (vertex == kNone) vertex = static_cast<std::int32_t>(numbering.vertex_count++);
-        const HalfEdge across = mesh.triangle[t].across[k] >> 1;
-        if (across >= 0 && wanted(triangle_of(across))) stack.push_back(triangle_of(across));
-      }
-    }
+    piece[i] = {owner[i].segment, static_cast<float>(u0 * (1 - at_from) + u1 * at_from),
+                static_cast<float>(u0 * (1 - at_to) + u1 * at_to)};
   }
 }
 
-}  // namespace
-
-Numbering number_everything(const Triangulation& mesh) {
-  Numbering numbering;
-  numbering.triangle.resize(mesh.triangle.size());
-  numbering.vertex.resize(mesh.point.size());
-  std::iota(numbering.triangle.begin(), numbering.triangle.end(), 0);
-  std::iota(numbering.vertex.begin(), numbering.vertex.end(), 0);
-  numbering.triangle_count = static_cast<std::uint32_t>(mesh.triangle.size());
-  numbering.vertex_count = static_cast<std::uint32_t>(mesh.point.size());
-  return numbering;
+std::uint32_t piece_count(const ExtractSource& source, HalfEdge e) {
+  return static_cast<std::uint32_t>(source.chords[source.mesh.chord[e]].load.count);
 }
 
-void number_inside(const Context& context, const Triangulation& mesh, Numbering& numbering) {
-  const std::size_t known = numbering.triangle.size(), known_vertices = numbering.vertex.size();
-  if (!resize_large(context, numbering.triangle, mesh.triangle.size(), std::int32_t{kNone}) ||
-      !resize_large(context, numbering.vertex, mesh.point.size(), std::int32_t{kNone})) {
-    return;
-  }
-  RarePoll<65536> poll(context);
-  if (known == 0) return number_depth_first(context, mesh, numbering);
-  // All later triangles and vertices come from refinement, which works inside and on the frame.
-  for (std::size_t t = known; t < mesh.triangle.size() && !poll.cancelled(); ++t) {
-    if (mesh.triangle[t].inside) {
-      numbering.triangle[t] = static_cast<std::int32_t>(numbering.triangle_count++);
-    }
-  }
-  for (std::size_t v = known_vertices; v < mesh.point.size(); ++v) {
-    numbering.vertex[v] = static_cast<std::int32_t>(numbering.vertex_count++);
+/// The index of a new constraint with what lies on edge e.
+std::int32_t add_constraint(const ExtractSource& source, HalfEdge e, TriangleMesh& out) {
+  const auto index = static_cast<std::int32_t>(out.constraint.size());
+  const auto begin = static_cast<std::uint32_t>(out.piece.size());
+  const std::uint32_t end = begin + piece_count(source, e);
+  out.piece.resize(end);
+  out.constraint.push_back({0, 0, begin, end});
+  set_constraint(source, e, index, out);
+  return index;
+}
+
+/// Corners and neighbours of one slot, whose number is `number`.
+void copy_triangle(const Triangle& t, std::int32_t number, const std::int32_t* vertex_number,
+                   const std::int32_t* triangle_number, std::uint32_t* corner, std::int32_t* twin) {
+  const std::int32_t first = 3 * number;
+  for (int k = 0; k < 3; ++k) {
+    corner[first + k] = static_cast<std::uint32_t>(vertex_number[t.vertex[k]]);
+    const HalfEdge f = t.across[k] >> 1;
+    const std::int32_t other = f < 0 ? kNone : triangle_number[triangle_of(f)];
+    twin[first + k] = other == kNone ? kNone : 3 * other + corner_of(f);
   }
 }
 
-namespace {
-
-/// Corners and neighbours. Pointers, since stores to one vector could move another's data for all
-/// that the compiler knows.
-void copy_triangles(const Context& context, const Triangulation& mesh, const Numbering& numbering,
-                    TriangleMesh& out) {
-  const std::int32_t* const vertex_number = numbering.vertex.data();
-  const std::int32_t* const triangle_number = numbering.triangle.data();
+/// Corners and neighbours of all. Pointers, since stores to one vector could move another's data
+/// for all that the compiler knows.
+void copy_triangles(const Context& context, const ExtractSource& from, TriangleMesh& out) {
+  const std::int32_t* const vertex_number = from.numbering.vertex.data();
+  const std::int32_t* const triangle_number = from.numbering.triangle.data();
   std::uint32_t* const corner = out.triangle_vertex.data();
   std::int32_t* const twin = out.half_edge_twin.data();
   RarePoll<65536> poll(context);
-  for (std::size_t slot = 0; slot < mesh.triangle.size() && !poll.cancelled(); ++slot) {
+  for (std::size_t slot = 0; slot < from.mesh.triangle.size() && !poll.cancelled(); ++slot) {
     if (triangle_number[slot] == kNone) continue;
-    const std::int32_t first = 3 * triangle_number[slot];
-    const Triangle t = mesh.triangle[slot];
-    for (int k = 0; k < 3; ++k) {
-      corner[first + k] = static_cast<std::uint32_t>(vertex_number[t.vertex[k]]);
-      const HalfEdge f = t.across[k] >> 1;
-      const std::int32_t other = f < 0 ? kNone : triangle_number[triangle_of(f)];
-      twin[first + k] = other == kNone ? kNone : 3 * other + corner_of(f);
-    }
+    const Triangle t = from.mesh.triangle[slot];
+    copy_triangle(t, triangle_number[slot], vertex_number, triangle_number, corner, twin);
   }
+}
+
+/// Whether a chord lies on some edge of the triangle; the hull counts as one.
+bool has_wall(const Triangle& t) {
+  return ((t.across[0] | t.across[1] | t.across[2]) & 1) != 0;
+}
+
+bool is_constrained(const Triangle& t, int k) {
+  return (t.across[k] & 1) && t.across[k] != kHull;
 }
 
 /// Calls visit(e, h) for every constrained edge, once: its half-edge e of the triangulation, which
 /// is h in `out`.
 template <class Visit>
-void for_each_constraint(const Context& context, const Triangulation& mesh,
-                         const Numbering& numbering, const TriangleMesh& out, Visit visit) {
+void for_each_constraint(const Context& context, const ExtractSource& from, const TriangleMesh& out,
+                         Visit visit) {
   RarePoll<65536> poll(context);
-  for (std::size_t slot = 0; slot < mesh.triangle.size() && !poll.cancelled(); ++slot) {
-    const Triangle& t = mesh.triangle[slot];
-    if (!((t.across[0] | t.across[1] | t.across[2]) & 1)) continue;
-    if (numbering.triangle[slot] == kNone) continue;
+  for (std::size_t slot = 0; slot < from.mesh.triangle.size() && !poll.cancelled(); ++slot) {
+    const Triangle& t = from.mesh.triangle[slot];
+    if (!has_wall(t) || from.numbering.triangle[slot] == kNone) continue;
     for (int k = 0; k < 3; ++k) {
-      if (!(t.across[k] & 1) || t.across[k] == kHull) continue;
-      const std::int32_t h = 3 * numbering.triangle[slot] + k;
+      if (!is_constrained(t, k)) continue;
+      const std::int32_t h = 3 * from.numbering.triangle[slot] + k;
       const std::int32_t twin = out.half_edge_twin[h];
       if (twin != kNone && twin < h) continue;
       visit(static_cast<HalfEdge>(4 * slot) + k, h);
@@ -134,43 +102,176 @@ void for_each_constraint(const Context& context, const Triangulation& mesh,
   }
 }
 
+void put_constraint(std::int32_t constraint, std::int32_t half_edge, TriangleMesh& out) {
+  out.half_edge_constraint[half_edge] = constraint;
+  const std::int32_t twin = out.half_edge_twin[half_edge];
+  if (twin != kNone) out.half_edge_constraint[twin] = constraint;
+}
+
 }  // namespace
 
-TriangleMesh extract(const Context& context, const Triangulation& mesh, const ChordStore& chords,
-                     const std::vector<VertexOrigin>& origins, const Lattice& lattice,
-                     const Numbering& numbering) {
+TriangleMesh extract(const Context& context, const ExtractSource& from) {
   TriangleMesh out;
-  out.lattice_step = lattice.step;
-  out.vertex_position.resize(numbering.vertex_count);
+  out.lattice_step = from.lattice.step;
+  out.vertex_position.resize(from.numbering.vertex_count);
   RarePoll<65536> poll(context);
-  for (std::size_t v = 0; v < mesh.point.size() && !poll.cancelled(); ++v) {
-    if (numbering.vertex[v] == kNone) continue;
-    out.vertex_position[numbering.vertex[v]] = lattice.position(mesh.point[v]);
+  for (std::size_t v = 0; v < from.mesh.point.size() && !poll.cancelled(); ++v) {
+    if (from.numbering.vertex[v] == kNone) continue;
+    out.vertex_position[from.numbering.vertex[v]] = from.lattice.position(from.mesh.point[v]);
   }
   if (context.cancelled()) return {};
-  const std::size_t half_edges = std::size_t{3} * numbering.triangle_count;
+  const std::size_t half_edges = std::size_t{3} * from.numbering.triangle_count;
   if (!resize_large(context, out.triangle_vertex, half_edges) ||
       !resize_large(context, out.half_edge_twin, half_edges) ||
       !resize_large(context, out.half_edge_constraint, half_edges, std::int32_t{kNone})) {
     return {};
   }
-  copy_triangles(context, mesh, numbering, out);
+  copy_triangles(context, from, out);
   if (context.cancelled()) return {};
   std::size_t constraints = 0, pieces = 0;
-  for_each_constraint(context, mesh, numbering, out, [&](HalfEdge e, std::int32_t) {
+  for_each_constraint(context, from, out, [&](HalfEdge e, std::int32_t) {
     constraints += 1;
-    pieces += static_cast<std::size_t>(chords[mesh.chord[e]].load.count);
+    pieces += piece_count(from, e);
   });
   out.constraint.reserve(constraints);
   out.piece.reserve(pieces);
-  for_each_constraint(context, mesh, numbering, out, [&](HalfEdge e, std::int32_t h) {
-    const auto constraint = static_cast<std::int32_t>(out.constraint.size());
-    add_constraint(mesh, chords, origins, numbering, e, out);
-    out.half_edge_constraint[h] = constraint;
-    const std::int32_t twin = out.half_edge_twin[h];
-    if (twin != kNone) out.half_edge_constraint[twin] = constraint;
+  for_each_constraint(context, from, out, [&](HalfEdge e, std::int32_t h) {
+    put_constraint(add_constraint(from, e, out), h, out);
   });
   return out;
+}
+
+namespace {
+
+/// Constraints whose edges are gone, by their number of pieces. Edges on chords are only ever cut,
+/// so that each of these finds a new edge in the same update.
+class FreedConstraints {
+ public:
+  void add(const TriangleMesh& mesh, std::int32_t index) {
+    const Constraint& constraint = mesh.constraint[index];
+    by_piece_count_[constraint.piece_end - constraint.piece_begin].push_back(index);
+  }
+
+  /// kNone where none is left.
+  std::int32_t take(std::uint32_t pieces) {
+    const auto place = by_piece_count_.find(pieces);
+    if (place == by_piece_count_.end() || place->second.empty()) return kNone;
+    const std::int32_t index = place->second.back();
+    place->second.pop_back();
+    return index;
+  }
+
+ private:
+  std::map<std::uint32_t, std::vector<std::int32_t>> by_piece_count_;
+};
+
+/// Brings a TriangleMesh up to date: see update_extract.
+class MeshUpdate {
+ public:
+  MeshUpdate(const Context& context, const ExtractSource& from,
+             std::span<const std::int32_t> changed, TriangleMesh& out)
+      : context_(context), poll_(context), from_(from), changed_(changed), out_(out) {}
+
+  Status run() {
+    free_constraints();
+    Status status = grow_tables();
+    if (status) copy_changed();
+    if (status) place_constraints();
+    return status ? context_.check() : status;
+  }
+
+ private:
+  /// The half-edges of `out` of a slot are this and the two after it.
+  std::int32_t first_half_edge(std::int32_t slot) const {
+    return 3 * from_.numbering.triangle[slot];
+  }
+
+  /// Takes their constraints from the triangles that changed. One is free once both its half-edges
+  /// are without it; the neighbour that did not change keeps it.
+  void free_constraints() {
+    const auto half_edges = static_cast<std::int32_t>(out_.triangle_vertex.size());
+    for (const std::int32_t slot : changed_) {
+      if (poll_.cancelled()) return;
+      const std::int32_t first = first_half_edge(slot);
+      if (first >= half_edges) continue;
+      for (std::int32_t h = first; h < first + 3; ++h) {
+        const std::int32_t constraint = std::exchange(out_.half_edge_constraint[h], kNone);
+        if (constraint == kNone) continue;
+        const std::int32_t twin = out_.half_edge_twin[h];
+        if (twin == kNone || out_.half_edge_constraint[twin] == kNone) freed_.add(out_, constraint);
+      }
+    }
+  }
+
+  /// The triangulation has charged for as many vertices and triangles as it has room for.
+  Status grow_tables() {
+    const Triangulation& mesh = from_.mesh;
+    const std::size_t vertices = out_.vertex_position.size();
+    const std::size_t half_edges = std::size_t{3} * from_.numbering.triangle_count;
+    const std::size_t most = 3 * mesh.triangle.capacity();
+    Status status = grow_large(context_, out_.vertex_position, from_.numbering.vertex_count,
+                               mesh.point.capacity());
+    if (status) status = grow_large(context_, out_.triangle_vertex, half_edges, most);
+    for (std::vector<std::int32_t>* table : {&out_.half_edge_twin, &out_.half_edge_constraint})
+      if (status) status = grow_large(context_, *table, half_edges, most, std::int32_t{kNone});
+    if (!status) return status;
+    // The newest vertices have the highest numbers, in their own order.
+    const std::size_t first = mesh.point.size() - (out_.vertex_position.size() - vertices);
+    for (std::size_t v = first; v < mesh.point.size() && !poll_.cancelled(); ++v) {
+      out_.vertex_position[from_.numbering.vertex[v]] = from_.lattice.position(mesh.point[v]);
+    }
+    return status;
+  }
+
+  void copy_changed() {
+    std::int32_t* const twin = out_.half_edge_twin.data();
+    for (const std::int32_t slot : changed_) {
+      if (poll_.cancelled()) return;
+      copy_triangle(from_.mesh.triangle[slot], from_.numbering.triangle[slot],
+                    from_.numbering.vertex.data(), from_.numbering.triangle.data(),
+                    out_.triangle_vertex.data(), twin);
+      const std::int32_t first = first_half_edge(slot);
+      for (std::int32_t h = first; h < first + 3; ++h)
+        if (twin[h] != kNone) twin[twin[h]] = h;
+    }
+  }
+
+  void place_constraints() {
+    for (const std::int32_t slot : changed_) {
+      if (poll_.cancelled()) return;
+      const Triangle& t = from_.mesh.triangle[slot];
+      if (!has_wall(t)) continue;
+      for (int k = 0; k < 3; ++k) {
+        const std::int32_t h = first_half_edge(slot) + k;
+        if (!is_constrained(t, k) || out_.half_edge_constraint[h] != kNone) continue;
+        const std::int32_t twin = out_.half_edge_twin[h];
+        std::int32_t constraint = twin == kNone ? kNone : out_.half_edge_constraint[twin];
+        if (constraint == kNone) constraint = place_constraint(4 * slot + k);
+        put_constraint(constraint, h, out_);
+      }
+    }
+  }
+
+  std::int32_t place_constraint(HalfEdge e) {
+    const std::int32_t freed = freed_.take(piece_count(from_, e));
+    if (freed == kNone) return add_constraint(from_, e, out_);
+    set_constraint(from_, e, freed, out_);
+    return freed;
+  }
+
+  const Context& context_;
+  RarePoll<16384> poll_;
+  const ExtractSource& from_;
+  std::span<const std::int32_t> changed_;
+  TriangleMesh& out_;
+  FreedConstraints freed_;
+};
+
+}  // namespace
+
+Status update_extract(const Context& context, const ExtractSource& from,
+                      std::span<const std::int32_t> changed, TriangleMesh& out) {
+  return MeshUpdate(context, from, changed, out).run();
 }
 
 }  // namespace sfumato::mesh

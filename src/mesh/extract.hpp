@@ -1,34 +1,38 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
+#include "base/status.hpp"
 #include "mesh/chords.hpp"
 #include "mesh/lattice.hpp"
+#include "mesh/numbering.hpp"
 #include "mesh/refiner.hpp"
 #include "mesh/triangulation.hpp"
 
 namespace sfumato::mesh {
 
-/// Which triangles and vertices leave, and under which numbers: kNone stays.
-struct Numbering {
-  std::vector<std::int32_t> triangle;  ///< per slot of the triangulation
-  std::vector<std::int32_t> vertex;    ///< per vertex of the triangulation
-  std::uint32_t triangle_count = 0;
-  std::uint32_t vertex_count = 0;
+/// What a TriangleMesh is made from.
+struct ExtractSource {
+  const Triangulation& mesh;
+  const ChordStore& chords;
+  const std::vector<VertexOrigin>& origins;
+  const Lattice& lattice;
+  const Numbering& numbering;
 };
 
-/// All triangles and vertices, in their own order.
-Numbering number_everything(const Triangulation& mesh);
-
-/// Triangles inside the frame and their vertices: at first from neighbour to neighbour, later ones
-/// in their own order. Vertices that `numbering` has already keep their numbers; more are appended.
-/// Triangles do too, since slots are never freed.
-void number_inside(const Context& context, const Triangulation& mesh, Numbering& numbering);
-
 /// The numbered part of a triangulation as flat arrays. Cost: O(slots + pieces).
-TriangleMesh extract(const Context& context, const Triangulation& mesh, const ChordStore& chords,
-                     const std::vector<VertexOrigin>& origins, const Lattice& lattice,
-                     const Numbering& numbering);
+TriangleMesh extract(const Context& context, const ExtractSource& from);
+
+/// Brings `out`, which `extract` made, up to date in place. Numbers of triangles, vertices and
+/// constraints that are still there stay; beside the numbers of its constraints it is what
+/// `extract` would make.
+///
+/// changed   the slots that changed since then, new ones among them; all are numbered
+/// Errors    cancelled; `out` is good for nothing then
+/// Cost      O(changed + new vertices), and now and then that of moving to more room
+Status update_extract(const Context& context, const ExtractSource& from,
+                      std::span<const std::int32_t> changed, TriangleMesh& out);
 
 }  // namespace sfumato::mesh

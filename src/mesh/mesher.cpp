@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <span>
 #include <string>
@@ -26,6 +27,8 @@ struct Mesher::State {
   Refiner refiner{mesh, chords, charge};
   Numbering numbering;                   ///< of the last patch_mesh
   std::vector<Refiner::Target> patched;  ///< per triangle of the last patch_mesh: slot and stamp
+
+  ExtractSource source() const { return {mesh, chords, refiner.origins(), lattice, numbering}; }
 };
 
 namespace {
@@ -191,8 +194,8 @@ Result<Mesher> Mesher::build(Context& context, const curves::FlatCurves& flat,
 
 TriangleMesh Mesher::visibility_mesh(const Context& context) const {
   const State& s = *state_;
-  return extract(context, s.mesh, s.chords, s.refiner.origins(), s.lattice,
-                 number_everything(s.mesh));
+  const Numbering numbering = number_everything(s.mesh);
+  return extract(context, {s.mesh, s.chords, s.refiner.origins(), s.lattice, numbering});
 }
 
 Result<TriangleMesh> Mesher::thinned_mesh(Context& context, const TriangleMesh& visibility,
@@ -221,7 +224,8 @@ Result<TriangleMesh> Mesher::thinned_mesh(Context& context, const TriangleMesh& 
   if (status) status = seal(context, chords);
   if (!status) return status;
   const std::vector<VertexOrigin> origins(mesh.point.size());
-  TriangleMesh out = extract(context, mesh, chords, origins, lattice, number_everything(mesh));
+  const Numbering numbering = number_everything(mesh);
+  TriangleMesh out = extract(context, {mesh, chords, origins, lattice, numbering});
   if (context.cancelled()) return context.stop_status();
   restore_pieces(visibility, kept.constraint, out);
   return out;
@@ -243,32 +247,42 @@ Status Mesher::refine_triangles(Context& context, std::span<const std::uint32_t>
   return s.refiner.refine_targets(context, targets, smallest_edge / s.lattice.step);
 }
 
-TriangleMesh Mesher::patch_mesh(const Context& context,
-                                std::vector<std::int32_t>* previous_triangle) {
+TriangleMesh Mesher::patch_mesh(const Context& context) {
   State& s = *state_;
+  s.mesh.take_changed([](std::int32_t) {});
   number_inside(context, s.mesh, s.numbering);
-  if (context.cancelled()) return {};
-  std::vector<Refiner::Target> now;
+  if (!resize_large(context, s.patched, s.numbering.triangle_count)) return {};
   RarePoll<65536> poll(context);
-  if (!resize_large(context, now, s.numbering.triangle_count)) return {};
   for (std::size_t slot = 0; slot < s.mesh.triangle.size(); ++slot) {
     if (poll.cancelled()) return {};
     const std::int32_t t = s.numbering.triangle[slot];
-    if (t != kNone) now[t] = {static_cast<std::int32_t>(slot), s.mesh.triangle[slot].stamp};
+    if (t != kNone) s.patched[t] = {static_cast<std::int32_t>(slot), s.mesh.triangle[slot].stamp};
   }
-  if (previous_triangle) {
-    // Slots are never freed nor reordered: an unchanged triangle keeps its number.
-    previous_triangle->clear();
-    if (!resize_large(context, *previous_triangle, now.size(), std::int32_t{kNone})) return {};
-    for (std::size_t t = 0; t < std::min(now.size(), s.patched.size()); ++t) {
-      if (poll.cancelled()) return {};
-      if (now[t].stamp == s.patched[t].stamp) {
-        (*previous_triangle)[t] = static_cast<std::int32_t>(t);
-      }
-    }
+  return extract(context, s.source());
+}
+
+Status Mesher::update_patch_mesh(Context& context, TriangleMesh& mesh,
+                                 std::vector<std::uint32_t>& changed) {
+  State& s = *state_;
+  number_inside(context, s.mesh, s.numbering);
+  Status status = resize_large(context, s.patched, s.numbering.triangle_count);
+  changed.clear();
+  if (status) status = reserve_large(context, changed, s.mesh.changed.size());
+  if (!status) return status;
+  RarePoll<65536> poll(context);
+  s.mesh.take_changed([&](std::int32_t slot) {
+    if (poll.cancelled()) return;
+    const std::int32_t t = s.numbering.triangle[slot];
+    s.patched[t] = {slot, s.mesh.triangle[slot].stamp};
+    changed.push_back(static_cast<std::uint32_t>(t));
+  });
+  status = sort_large(context, changed, std::less<>());
+  std::vector<std::int32_t> slots;
+  if (status) status = resize_large(context, slots, changed.size());
+  for (std::size_t i = 0; i < slots.size() && !poll.cancelled(); ++i) {
+    slots[i] = s.patched[changed[i]].triangle;
   }
-  s.patched = std::move(now);
-  return extract(context, s.mesh, s.chords, s.refiner.origins(), s.lattice, s.numbering);
+  return status ? update_extract(context, s.source(), slots, mesh) : status;
 }
 
 }  // namespace sfumato::mesh

@@ -63,11 +63,17 @@ class Mesher {
   Status refine_triangles(Context& context, std::span<const std::uint32_t> triangles,
                           double smallest_edge);
 
-  /// The triangles inside the frame. Vertices keep their indices from one call to the next;
-  /// `previous_triangle[t]` is the index that triangle t had in the call before if it is unchanged
-  /// since (same corners, same slots), else kNone. May be null.
-  TriangleMesh patch_mesh(const Context& context,
-                          std::vector<std::int32_t>* previous_triangle = nullptr);
+  /// The triangles inside the frame. Triangles and vertices keep their indices from one call to the
+  /// next, and to update_patch_mesh.
+  TriangleMesh patch_mesh(const Context& context);
+
+  /// Brings `mesh`, which is the last patch_mesh, up to date in place; beside the order of its
+  /// constraints it is what patch_mesh would give now.
+  /// changed   out: the triangles that are not what they were, new ones among them, ascending
+  /// Errors    limit (memory), cancelled; `mesh` is good for nothing then
+  /// Cost      O(changed · log)
+  Status update_patch_mesh(Context& context, TriangleMesh& mesh,
+                           std::vector<std::uint32_t>& changed);
 
  private:
   struct State;

@@ -10,8 +10,8 @@ namespace sfumato::mesh {
 namespace {
 
 /// What one triangle and one vertex take: the records, the chord slots, the refinement queue, the
-/// numbers under which they leave, what is remembered of the patch mesh before, and the copy that
-/// leaves as a TriangleMesh.
+/// numbers under which they leave, what is remembered of them since then, lists of what changed,
+/// and the copy that leaves as a TriangleMesh.
 constexpr std::size_t kBytesPerTriangle =
     sizeof(Triangle) + 4 * sizeof(std::int32_t) + 16 + 24 + 36;
 constexpr std::size_t kBytesPerVertex = sizeof(Point) + sizeof(HalfEdge) + 8 + 20;
@@ -48,6 +48,7 @@ Status Triangulation::grow(Context& context, ScopedCharge& charge, std::size_t v
   status = reserve_large(context, point, vertices);
   if (status) status = reserve_large(context, spoke, vertices);
   if (status) status = reserve_large(context, triangle, triangles);
+  if (status) status = reserve_large(context, changed, triangle.capacity());
   if (status) status = reserve_large(context, chord, 4 * triangle.capacity());
   if (status) status = resize_large(context, chord, 4 * triangle.capacity());
   return status;

@@ -37,9 +37,11 @@ struct alignas(32) Triangle {
   std::int32_t stamp;  ///< counts the changes of this slot
   std::int32_t across[3];
   std::int16_t inside;  ///< 1 where the triangle lies inside the frame
-  std::int16_t listed;  ///< 1 where it stands in `touched`
+  std::int16_t listed;  ///< kTouched and kChanged, where it stands in these lists
 };
 inline constexpr std::int32_t kHull = -1;
+inline constexpr std::int16_t kTouched = 1;
+inline constexpr std::int16_t kChanged = 2;
 
 enum class Place : std::uint8_t { inside, on_edge, on_vertex, blocked };
 
@@ -66,6 +68,7 @@ struct Triangulation {
   std::vector<Triangle> triangle;
   std::vector<std::int32_t> chord;    ///< per half-edge: meaningful where it is constrained
   std::vector<std::int32_t> touched;  ///< triangles inside that changed while `tracking`
+  std::vector<std::int32_t> changed;  ///< the same, for who asks more rarely
   bool tracking = false;
   std::int32_t width = 0;
   std::int32_t height = 0;
@@ -126,10 +129,20 @@ struct Triangulation {
   template <class Visit>
   void take_touched(Visit visit) {
     for (const std::int32_t t : touched) {
-      triangle[t].listed = 0;
+      triangle[t].listed &= ~kTouched;
       visit(t);
     }
     touched.clear();
+  }
+
+  /// The same for `changed`.
+  template <class Visit>
+  void take_changed(Visit visit) {
+    for (const std::int32_t t : changed) {
+      triangle[t].listed &= ~kChanged;
+      visit(t);
+    }
+    changed.clear();
   }
 
   /// Room for one more insertion; `grow` charges for it and makes it.
@@ -158,9 +171,10 @@ struct Triangulation {
   void touch(std::int32_t t) {
     Triangle& now = triangle[t];
     ++now.stamp;
-    if (!tracking || now.listed || !now.inside) return;
-    now.listed = 1;
-    touched.push_back(t);
+    if (!tracking || now.listed == (kTouched | kChanged) || !now.inside) return;
+    if (!(now.listed & kTouched)) touched.push_back(t);
+    if (!(now.listed & kChanged)) changed.push_back(t);
+    now.listed = kTouched | kChanged;
   }
 
   std::vector<std::int32_t> dead_;

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 #include "base/large_vector.hpp"
+#include "patches/layout_order.hpp"
 #include "patches/patch.hpp"
 #include "patches/probes.hpp"
 
@@ -12,8 +15,11 @@ namespace {
 
 constexpr std::size_t kNodes = kNodesPerTriangle;
 
-/// Both sides of an edge on a curve, and six nodes with a fixed value, in a table that doubles.
-constexpr std::size_t kBytesPerSeam = 2 * sizeof(gather::Facing) + 2 * 6 * 64;
+/// Both sides of an edge on a curve.
+constexpr std::size_t kBytesPerSeam = 2 * sizeof(gather::Facing);
+
+/// Six nodes with a fixed value on each, while nodes are laid out, in a table that doubles.
+constexpr std::size_t kFixedBytesPerSeam = 2 * 6 * 64;
 
 /// The most probes of one triangle (patches/probes.hpp).
 constexpr std::size_t kMostProbes = 6;
@@ -22,11 +28,6 @@ constexpr std::size_t kMostProbes = 6;
 std::size_t layout_bytes_per_triangle(int channel_count) {
   return 10 * sizeof(std::uint32_t) +
          5 * (28 + sizeof(float) * static_cast<std::size_t>(channel_count)) + 64;
-}
-
-/// What a side of a curve shows, and nodes that take their values from it.
-std::size_t seam_bytes(const mesh::TriangleMesh& mesh) {
-  return mesh.constraint.size() * kBytesPerSeam;
 }
 
 double longest_edge(const mesh::TriangleMesh& mesh, std::uint32_t t) {
@@ -40,63 +41,85 @@ double longest_edge(const mesh::TriangleMesh& mesh, std::uint32_t t) {
 
 }  // namespace
 
-Status FieldSolver::follow(Context& context, const mesh::TriangleMesh& mesh,
-                           std::span<const std::int32_t> previous_triangle) {
-  ScopedCharge charge;
-  Status status = charge.add(
-      context, mesh.triangle_count() * layout_bytes_per_triangle(channel_count()), "patches");
-  ScopedCharge seam_charge;
-  if (status) status = seam_charge.add(context, seam_bytes(mesh), "patches along curves");
-  if (!status) return status;
-  const NodeLayout old_layout = std::move(layout_);
-  const std::vector<std::uint8_t> old_hit = std::move(node_hit_);
-  const Seams seams(context, mesh, scene_.attributes);
-  if (context.cancelled()) return context.stop_status();
-  layout_ = lay_out_nodes(context, mesh, scene_.attributes, seams);
-  if (context.cancelled()) return context.stop_status();
-  node_known_ = layout_.is_fixed;
-  node_hit_.clear();
-  status = resize_large(context, node_hit_, layout_.node_count(), std::uint8_t{1});
-  if (!status) return status;
-  if (!old_layout.triangle_node.empty()) {
-    carry_over(context, old_layout, old_hit, previous_triangle);
-  }
-  layout_charge_ = std::move(charge);
+/// Charges for the layout of so many triangles at the most so far.
+Status FieldSolver::charge_layout(Context& context, std::size_t triangles) {
+  if (triangles <= triangles_charged_) return ok_status();
+  const std::size_t more = triangles - triangles_charged_;
+  Status status =
+      layout_charge_.add(context, more * layout_bytes_per_triangle(channel_count()), "patches");
+  if (status) triangles_charged_ = triangles;
+  return status;
+}
+
+Status FieldSolver::charge_seams(Context& context, const mesh::TriangleMesh& mesh) {
+  // Tables that grow have room for a quarter more.
+  const std::size_t bytes =
+      (kBytesPerSeam * mesh.constraint.size() + mesh.half_edge_twin.size()) / 4 * 5;
+  Status status =
+      seam_charge_.add(context, bytes - std::min(bytes, seams_charged_), "patches along curves");
+  if (status) seams_charged_ = std::max(bytes, seams_charged_);
+  return status;
+}
+
+Status FieldSolver::start(Context& context, const mesh::TriangleMesh& mesh) {
+  if (Status status = charge_seams(context, mesh); !status) return status;
+  seams_.emplace(context, mesh, scene_.attributes);
   return context.check();
 }
 
-/// Takes the values of triangles that stayed from the layout before.
-void FieldSolver::carry_over(const Context& context, const NodeLayout& old_layout,
-                             const std::vector<std::uint8_t>& old_hit,
-                             std::span<const std::int32_t> previous_triangle) {
-  RarePoll<4096> poll(context);
-  const auto channels = static_cast<std::size_t>(layout_.channel_count);
-  for (std::size_t t = 0; t < previous_triangle.size(); ++t) {
-    if (poll.cancelled()) return;
-    if (previous_triangle[t] == mesh::kNone) continue;
-    const auto p = static_cast<std::size_t>(previous_triangle[t]);
-    for (std::size_t i = 0; i < kNodes; ++i) {
-      const std::uint32_t node = layout_.triangle_node[kNodes * t + i];
-      if (node_known_[node]) continue;
-      const std::uint32_t old = old_layout.triangle_node[kNodes * p + i];
-      std::copy_n(old_layout.value.data() + channels * old, channels,
-                  layout_.value.data() + channels * node);
-      node_hit_[node] = old_hit[old];
-      node_known_[node] = 1;
-    }
-  }
+Status FieldSolver::lay_out(Context& context, const mesh::TriangleMesh& mesh) {
+  ScopedCharge charge;
+  Status status =
+      charge.add(context, kFixedBytesPerSeam * mesh.constraint.size(), "patches along curves");
+  if (status) status = charge_layout(context, mesh.triangle_count());
+  if (!status) return status;
+  layout_ = lay_out_nodes(context, mesh, scene_.attributes, *seams_);
+  if (context.cancelled()) return context.stop_status();
+  to_gather_ = free_nodes(context);
+  return resize_large(context, node_hit_, layout_.node_count(), std::uint8_t{1});
 }
 
-bool FieldSolver::is_to_gather(std::uint32_t node, bool all) const {
-  return !layout_.is_fixed[node] && (all || !node_known_[node]);
+Status FieldSolver::follow(Context& context, const mesh::TriangleMesh& mesh,
+                           std::span<const std::uint32_t> changed) {
+  if (Status status = charge_seams(context, mesh); !status) return status;
+  seams_->update(context, scene_.attributes, changed);
+  if (context.cancelled()) return context.stop_status();
+  if (layout_.triangle_node.empty()) return ok_status();
+  ScopedCharge charge;
+  const std::size_t seams = std::min(mesh.constraint.size(), 6 * changed.size());
+  Status status = charge.add(context, kFixedBytesPerSeam * seams, "patches along curves");
+  // Nodes that go are used again only in the next update.
+  if (status) status = charge_layout(context, mesh.triangle_count() + changed.size());
+  if (status) {
+    status = update_layout(context, mesh, scene_.attributes, *seams_, changed, layout_, history_);
+  }
+  if (status) status = resize_large(context, node_hit_, layout_.node_count(), std::uint8_t{1});
+  if (!status) return status;
+  to_gather_.swap(history_.fresh);
+  for (const std::uint32_t node : history_.unused) node_hit_[node] = 1;
+  return ok_status();
 }
 
-std::size_t FieldSolver::count_to_gather(bool all) const {
-  std::size_t count = 0;
-  for (std::uint32_t node = 0; node < layout_.node_count(); ++node) {
-    count += is_to_gather(node, all);
+Status FieldSolver::put_in_order(Context& context, const mesh::TriangleMesh& mesh) {
+  if (history_.updates == 0) return ok_status();
+  history_ = {};
+  ScopedCharge charge;
+  Status status = charge.add(context, point_bytes(layout_.node_count()), "patches");
+  if (!status) return status;
+  const Result<std::vector<std::uint32_t>> order = patches::put_in_order(context, mesh, layout_);
+  if (!order) return order.status();
+  node_hit_ = reordered(context, *order, node_hit_);
+  return context.check();
+}
+
+std::vector<std::uint32_t> FieldSolver::free_nodes(const Context& context) const {
+  std::vector<std::uint32_t> nodes;
+  nodes.reserve(layout_.node_count());
+  RarePoll<65536> poll(context);
+  for (std::uint32_t node = 0; node < layout_.node_count() && !poll.cancelled(); ++node) {
+    if (!layout_.is_fixed[node]) nodes.push_back(node);
   }
-  return count;
+  return nodes;
 }
 
 std::size_t FieldSolver::point_bytes(std::size_t count) const {
@@ -106,20 +129,18 @@ std::size_t FieldSolver::point_bytes(std::size_t count) const {
 
 Result<std::size_t> FieldSolver::gather(Context& context, const gather::GatherOptions& options,
                                         bool all) {
-  const std::size_t count = count_to_gather(all);
+  const std::vector<std::uint32_t> nodes = all ? free_nodes(context) : std::move(to_gather_);
+  to_gather_.clear();
+  const std::size_t count = nodes.size();
   const auto channels = static_cast<std::size_t>(layout_.channel_count);
   ScopedCharge charge;
   Status status = charge.add(context, point_bytes(count), "nodes to gather");
   if (!status) return status;
-  std::vector<std::uint32_t> nodes;
   std::vector<Vec2> points;
-  nodes.reserve(count);
   points.reserve(count);
   RarePoll<65536> poll(context);
-  for (std::uint32_t node = 0; node < layout_.node_count(); ++node) {
+  for (const std::uint32_t node : nodes) {
     if (poll.cancelled()) return context.stop_status();
-    if (!is_to_gather(node, all)) continue;
-    nodes.push_back(node);
     points.push_back(layout_.position[node]);
   }
   std::vector<float> values;
@@ -137,26 +158,27 @@ Result<std::size_t> FieldSolver::gather(Context& context, const gather::GatherOp
 }
 
 Status FieldSolver::find_misses(Context& context, const mesh::TriangleMesh& mesh,
-                                std::span<const std::uint8_t> is_new, float max_error,
-                                PatchOrder order, std::span<const float> color_weight,
+                                std::span<const std::uint32_t> triangles, float max_error,
+                                PatchOrder order, FunctionRef<float(std::uint32_t)> color_weight,
                                 std::span<std::uint8_t> misses) const {
   const auto channels = static_cast<std::size_t>(layout_.channel_count);
   ScopedCharge charge;
-  Status status = charge.add(context, is_new.size(), "probes of patches");
-  std::vector<std::uint8_t> is_asked;
-  if (status) status = resize_large(context, is_asked, is_new.size());
-  if (status) status = find_doubtful(context, is_new, max_error, order, color_weight, is_asked);
+  Status status =
+      charge.add(context, mesh.triangle_count() + sizeof(std::uint32_t) * triangles.size(),
+                 "probes of patches");
   if (!status) return status;
-  const auto asked = static_cast<std::size_t>(std::ranges::count(is_asked, 1));
-  status = charge.add(context, point_bytes(kMostProbes * asked), "probes of patches");
+  const std::vector<std::uint32_t> asked =
+      find_doubtful(context, triangles, max_error, order, color_weight);
+  status = charge.add(context, point_bytes(kMostProbes * asked.size()), "probes of patches");
   if (!status) return status;
-  const ProbeSet probes = place_probes(context, mesh, layout_, is_asked);
+  const ProbeSet probes = place_probes(context, mesh, layout_, asked);
   if (context.cancelled()) return context.stop_status();
   std::vector<float> exact;
   status = resize_large(context, exact, probes.position.size() * channels);
   if (status) status = scene_.gatherer.gather(context, probes.position, {}, exact);
   if (!status) return status;
   std::vector<float> value(channels);
+  float weight = 1;  // of the triangle, whose probes begin with that of place 0
   RarePoll<4096> poll(context);
   for (std::size_t i = 0; i < probes.position.size(); ++i) {
     if (poll.cancelled()) return context.stop_status();
@@ -165,34 +187,34 @@ Status FieldSolver::find_misses(Context& context, const mesh::TriangleMesh& mesh
     show_as_code_values(value.data());
     show_as_code_values(exact_value);
     for (std::size_t c = 0; c < channels; ++c) value[c] = std::fabs(value[c] - exact_value[c]);
-    const float weight = color_weight.empty() ? 1 : color_weight[probes.half_edge[i] / 3];
+    const std::uint32_t t = probes.half_edge[i] / 3;
+    if (probes.place[i] == 0) weight = color_weight(t);
     if (worst_miss(value, weight) <= max_error) continue;
-    misses[probes.half_edge[i] / 3] = 1;
+    misses[t] = 1;
     const std::int32_t twin = mesh.half_edge_twin[probes.half_edge[i]];
     if (probes.place[i] == 3 && twin != mesh::kNone) misses[twin / 3] = 1;
   }
   return ok_status();
 }
 
-Status FieldSolver::find_doubtful(const Context& context, std::span<const std::uint8_t> is_new,
-                                  float max_error, PatchOrder order,
-                                  std::span<const float> color_weight,
-                                  std::span<std::uint8_t> doubtful) const {
+std::vector<std::uint32_t> FieldSolver::find_doubtful(
+    const Context& context, std::span<const std::uint32_t> triangles, float max_error,
+    PatchOrder order, FunctionRef<float(std::uint32_t)> color_weight) const {
   // In other spaces differences are no code values; and between nodes that all see a curve there
   // may be a place that sees none.
   const bool foretells = order == PatchOrder::cubic && has_code_values() &&
                          std::ranges::find(node_hit_, 0) == node_hit_.end();
+  if (!foretells) return {triangles.begin(), triangles.end()};
+  std::vector<std::uint32_t> doubtful;
+  doubtful.reserve(triangles.size());
   std::vector<float> miss(static_cast<std::size_t>(layout_.channel_count));
   RarePoll<4096> poll(context);
-  for (std::uint32_t t = 0; t < is_new.size(); ++t) {
-    if (poll.cancelled()) return context.stop_status();
-    doubtful[t] = is_new[t];
-    if (!is_new[t] || !foretells) continue;
+  for (const std::uint32_t t : triangles) {
+    if (poll.cancelled()) break;
     foretell_miss(layout_, t, miss.data());
-    const float weight = color_weight.empty() ? 1 : color_weight[t];
-    if (worst_miss(miss, weight) <= max_error) doubtful[t] = 0;
+    if (!(worst_miss(miss, color_weight(t)) <= max_error)) doubtful.push_back(t);
   }
-  return ok_status();
+  return doubtful;
 }
 
 float FieldSolver::worst_miss(std::span<const float> miss, float color_weight) const {
@@ -221,8 +243,7 @@ void FieldSolver::show_as_code_values(float* value) const {
 
 void FieldSolver::find_coarse(const Context& context, const mesh::TriangleMesh& mesh,
                               double edge_per_radius, std::span<std::uint8_t> coarse) const {
-  const Seams seams(context, mesh, scene_.attributes);
-  if (context.cancelled()) return;
+  const Seams& seams = *seams_;
   RarePoll<16384> poll(context);
   // Per vertex the smallest radius of the curves that end or pass there; 0: no blurred curve.
   std::vector<float> vertex_radius(mesh.vertex_position.size(), 0);
@@ -317,13 +338,12 @@ Status FieldSolver::add_parts(Context& context, const BorderCuts& cuts) {
   Status status = layout_charge_.add(
       context, cuts.node.size() * sizeof(std::uint32_t) + nodes * node_bytes, "patches");
   if (status) status = append_large(context, std::span<const Vec2>(cuts.point), layout_.position);
-  // What was gathered last is known by now.
-  node_known_.assign(first, 1);
-  if (status) status = resize_large(context, node_known_, nodes, std::uint8_t{0});
   if (status) status = resize_large(context, layout_.is_fixed, nodes, std::uint8_t{0});
   if (status) status = resize_large(context, node_hit_, nodes, std::uint8_t{0});
   if (status) status = resize_large(context, layout_.value, nodes * channels, 0.0f);
+  if (status) status = resize_large(context, to_gather_, cuts.point.size());
   if (!status) return status;
+  std::iota(to_gather_.begin(), to_gather_.end(), first);
   for (std::size_t i = 0; i < cuts.node.size(); ++i) {
     const std::int32_t node = cuts.node[i];
     layout_.triangle_node.push_back(node < 0

@@ -1,14 +1,17 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "base/context.hpp"
+#include "base/function_ref.hpp"
 #include "base/status.hpp"
 #include "curves/attributes.hpp"
 #include "gather/gather.hpp"
 #include "patches/border.hpp"
+#include "patches/layout_update.hpp"
 #include "patches/nodes.hpp"
 #include "patches/picture.hpp"
 #include "patches/seams.hpp"
@@ -31,23 +34,35 @@ class FieldSolver {
  public:
   explicit FieldSolver(FieldScene scene) : scene_(std::move(scene)) {}
 
-  /// Lays out the nodes of `mesh` and carries known values over from triangles that stayed.
-  /// previous_triangle   as Mesher::patch_mesh gives it
-  /// Errors              limit
+  /// Begins with a mesh, which must outlive this: what curves show on it. Errors: limit (memory),
+  /// cancelled.
+  Status start(Context& context, const mesh::TriangleMesh& mesh);
+
+  /// Lays out the nodes; all free ones are left to gather. Errors: limit (memory), cancelled.
+  Status lay_out(Context& context, const mesh::TriangleMesh& mesh);
+
+  /// Follows the mesh, of which the triangles of `changed` (ascending, new ones among them) are not
+  /// what they were. If the nodes are laid out, they are updated: free nodes of other triangles
+  /// keep their values, the rest is left to gather.
+  /// Errors   limit (memory), cancelled: nothing else can be asked then
   Status follow(Context& context, const mesh::TriangleMesh& mesh,
-                std::span<const std::int32_t> previous_triangle);
+                std::span<const std::uint32_t> changed);
+
+  /// Numbers the nodes as lay_out would do it now. Comes after the last `follow`, and once.
+  Status put_in_order(Context& context, const mesh::TriangleMesh& mesh);
 
   /// Gathers the free nodes whose value is not known yet, or all of them, and says how many.
   /// Errors: limit, cancelled.
   Result<std::size_t> gather(Context& context, const gather::GatherOptions& options, bool all);
 
-  /// Sets misses[t] for new triangles (is_new) whose patch misses the exact gather by more than
-  /// max_error (of code values from 0 to 1, or of a share of a shader), and for their neighbours
-  /// where the miss lies on the common edge.
-  /// color_weight   per triangle: what a miss of a colour counts there; empty: 1
+  /// Sets misses[t] for those of some triangles (ascending) whose patch misses the exact gather by
+  /// more than max_error (of code values from 0 to 1, or of a share of a shader), and for their
+  /// neighbours where the miss lies on the common edge.
+  /// color_weight   what a miss of a colour counts in a triangle
   Status find_misses(Context& context, const mesh::TriangleMesh& mesh,
-                     std::span<const std::uint8_t> is_new, float max_error, PatchOrder order,
-                     std::span<const float> color_weight, std::span<std::uint8_t> misses) const;
+                     std::span<const std::uint32_t> triangles, float max_error, PatchOrder order,
+                     FunctionRef<float(std::uint32_t triangle)> color_weight,
+                     std::span<std::uint8_t> misses) const;
 
   /// Sets coarse[t] for triangles at a blurred curve whose longest edge is longer than
   /// edge_per_radius times the blur radius there: their nodes could not tell its transition.
@@ -67,10 +82,8 @@ class FieldSolver {
   /// (memory), cancelled.
   Status fill_unseen_nodes(Context& context);
 
-  /// What the sides of curves show on a mesh. Incomplete where the context is cancelled.
-  Seams seams(const Context& context, const mesh::TriangleMesh& mesh) const {
-    return {context, mesh, scene_.attributes};
-  }
+  /// What the sides of curves show on the mesh.
+  const Seams& seams() const { return *seams_; }
 
   const FieldScene& scene() const { return scene_; }
   int channel_count() const { return scene_.attributes.channel_count(); }
@@ -84,30 +97,34 @@ class FieldSolver {
   PatchField take(std::span<const std::uint8_t> keep);
 
  private:
-  /// Of the new triangles those whose patches are to be held against the exact gather.
-  Status find_doubtful(const Context& context, std::span<const std::uint8_t> is_new,
-                       float max_error, PatchOrder order, std::span<const float> color_weight,
-                       std::span<std::uint8_t> doubtful) const;
+  /// Of some triangles those whose patches are to be held against the exact gather.
+  std::vector<std::uint32_t> find_doubtful(const Context& context,
+                                           std::span<const std::uint32_t> triangles,
+                                           float max_error, PatchOrder order,
+                                           FunctionRef<float(std::uint32_t)> color_weight) const;
   /// The largest of a value's misses, one a channel, where those of colours count color_weight.
   float worst_miss(std::span<const float> miss, float color_weight) const;
   bool is_opacity(std::size_t channel) const;
-  void carry_over(const Context& context, const NodeLayout& old_layout,
-                  const std::vector<std::uint8_t>& old_hit,
-                  std::span<const std::int32_t> previous_triangle);
   /// Whether some of a triangle's nodes see a curve, and some do not.
   bool sees_some(const std::uint32_t* node) const;
   Status make_room_for_means(Context& context);
-  bool is_to_gather(std::uint32_t node, bool all) const;
-  std::size_t count_to_gather(bool all) const;
+  Status charge_layout(Context& context, std::size_t triangles);
+  Status charge_seams(Context& context, const mesh::TriangleMesh& mesh);
+  std::vector<std::uint32_t> free_nodes(const Context& context) const;
   /// The memory of `count` points and their values.
   std::size_t point_bytes(std::size_t count) const;
   bool has_code_values() const;
   void show_as_code_values(float* value) const;
 
   FieldScene scene_;
+  std::optional<Seams> seams_;
+  ScopedCharge seam_charge_;
+  std::size_t seams_charged_ = 0;  ///< bytes
   NodeLayout layout_;
   ScopedCharge layout_charge_;
-  std::vector<std::uint8_t> node_known_;  ///< value gathered in an earlier round, or fixed
+  std::size_t triangles_charged_ = 0;
+  LayoutHistory history_;
+  std::vector<std::uint32_t> to_gather_;  ///< free nodes whose value is not known
   std::vector<std::uint8_t> node_hit_;    ///< 0 where a free node sees no curve
 };
 

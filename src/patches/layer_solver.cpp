@@ -1,6 +1,7 @@
 #include "patches/layer_solver.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "base/stopwatch.hpp"
@@ -90,9 +91,9 @@ Result<PatchLayer> LayerSolver::solve() {
     status = find_misses(missed);
     if (!status || missed.empty()) break;
     status = make_smaller(missed);
-    if (status) status = take_mesh();
-    if (status) status = lay_out();
+    if (status) status = update_mesh();
   }
+  if (status) status = put_in_order();
   if (status && refines && !exact) {
     if (stats_) stats_->nodes = nodes_before;
     status = gather(options_.gather, true);
@@ -104,20 +105,46 @@ Result<PatchLayer> LayerSolver::solve() {
   return layer;
 }
 
-/// Takes the mesher's present mesh.
+/// Takes the mesher's first mesh.
 Status LayerSolver::take_mesh() {
   const Stopwatch watch;
-  mesh_ = {};  // the mesher charges for one
-  mesh_ = mesher_.patch_mesh(context_, &previous_triangle_);
+  mesh_ = mesher_.patch_mesh(context_);
+  Status status = context_.check();
+  if (status) status = check_limits(context_.limits, mesh_);
+  if (status)
+    status = for_each_field([&](FieldSolver& field) { return field.start(context_, mesh_); });
   if (stats_) stats_->triangulation_seconds += watch.seconds();
-  if (context_.cancelled()) return context_.stop_status();
-  return check_limits(context_.limits, mesh_);
+  return status;
 }
 
+/// Follows the mesher, and the fields that.
+Status LayerSolver::update_mesh() {
+  const Stopwatch watch;
+  Status status = mesher_.update_patch_mesh(context_, mesh_, changed_);
+  if (status) status = check_limits(context_.limits, mesh_);
+  if (status) {
+    status =
+        for_each_field([&](FieldSolver& field) { return field.follow(context_, mesh_, changed_); });
+  }
+  if (stats_) stats_->triangulation_seconds += watch.seconds();
+  return status;
+}
+
+/// All triangles are new then.
 Status LayerSolver::lay_out() {
   const Stopwatch watch;
-  Status status = for_each_field(
-      [&](FieldSolver& field) { return field.follow(context_, mesh_, previous_triangle_); });
+  Status status =
+      for_each_field([&](FieldSolver& field) { return field.lay_out(context_, mesh_); });
+  changed_.resize(mesh_.triangle_count());
+  std::iota(changed_.begin(), changed_.end(), 0u);
+  if (stats_) stats_->triangulation_seconds += watch.seconds();
+  return status;
+}
+
+Status LayerSolver::put_in_order() {
+  const Stopwatch watch;
+  Status status =
+      for_each_field([&](FieldSolver& field) { return field.put_in_order(context_, mesh_); });
   if (stats_) stats_->triangulation_seconds += watch.seconds();
   return status;
 }
@@ -136,12 +163,10 @@ Status LayerSolver::follow_blur() {
     if (triangles.empty()) break;
     const std::uint32_t before = mesh_.triangle_count();
     if (status) status = make_smaller(triangles);
-    if (status) status = take_mesh();
+    if (status) status = update_mesh();
     if (!status) return status;
     if (mesh_.triangle_count() == before) break;
   }
-  // No triangle has nodes yet that could be kept.
-  previous_triangle_.assign(mesh_.triangle_count(), mesh::kNone);
   return ok_status();
 }
 
@@ -161,15 +186,11 @@ Status LayerSolver::gather(const gather::GatherOptions& options, bool all) {
 /// Triangles new in this round whose patches miss by more than max_error.
 Status LayerSolver::find_misses(std::vector<std::uint32_t>& missed) {
   const Stopwatch watch;
-  std::vector<std::uint8_t> is_new(mesh_.triangle_count());
-  for (std::uint32_t t = 0; t < mesh_.triangle_count(); ++t) {
-    is_new[t] = previous_triangle_[t] == mesh::kNone;
-  }
   std::vector<std::uint8_t> misses(mesh_.triangle_count(), 0);
   const auto limit = static_cast<float>(options_.max_error / 255);
-  const std::vector<float> opacity = triangle_opacity();
+  const auto opacity = [&](std::uint32_t t) { return largest_opacity(t); };
   Status status = for_each_field([&](const FieldSolver& field) {
-    return field.find_misses(context_, mesh_, is_new, limit, options_.order, opacity, misses);
+    return field.find_misses(context_, mesh_, changed_, limit, options_.order, opacity, misses);
   });
   missed = indices_of(misses);
   if (stats_) stats_->gather_seconds += watch.seconds();
@@ -245,9 +266,8 @@ std::vector<std::uint8_t> LayerSolver::edges_of_curves(std::span<const std::uint
 /// transparent, too.
 std::vector<SoftEdge> LayerSolver::soft_edges(std::span<std::uint8_t> keep) const {
   if (!is_finely_blurred_) return {};
-  const Seams color = color_.seams(context_, mesh_);
-  const std::optional<Seams> opacity =
-      opacity_ ? std::optional(opacity_->seams(context_, mesh_)) : std::nullopt;
+  const Seams& color = color_.seams();
+  const Seams* const opacity = opacity_ ? &opacity_->seams() : nullptr;
   const auto is_seam = [&](std::uint32_t h) { return is_curve(h); };
   const auto fine_radius = [&](std::uint32_t h, float u) {
     const float radius = color.fine_radius(h, u);
@@ -268,27 +288,19 @@ std::vector<SoftEdge> LayerSolver::soft_edges(std::span<std::uint8_t> keep) cons
   return find_soft_edges(context_, mesh_, {is_seam, fine_radius, is_meshed}, keep);
 }
 
-/// Per triangle the largest opacity at its nodes; empty where the layer is opaque.
-std::vector<float> LayerSolver::triangle_opacity() const {
-  if (!opacity_ && !is_joint()) return {};
-  std::vector<float> opacity(mesh_.triangle_count());
-  RarePoll<16384> poll(context_);
-  for (std::uint32_t t = 0; t < mesh_.triangle_count() && !poll.cancelled(); ++t) {
-    opacity[t] =
-        opacity_ ? opacity_->largest_value(t, 0) : color_.largest_value(t, kOpacityChannel);
-  }
-  return opacity;
+/// At the triangle's nodes; 1 where the layer is opaque.
+float LayerSolver::largest_opacity(std::uint32_t triangle) const {
+  if (opacity_) return opacity_->largest_value(triangle, 0);
+  return is_joint() ? color_.largest_value(triangle, kOpacityChannel) : 1;
 }
 
 /// A region from which no curve is seen has no colour, and one without opacity shows nothing: both
 /// need no triangles.
 std::vector<std::uint8_t> LayerSolver::visible_triangles() const {
-  const std::vector<float> opacity = triangle_opacity();
   std::vector<std::uint8_t> keep(mesh_.triangle_count());
   RarePoll<16384> poll(context_);
   for (std::uint32_t t = 0; t < mesh_.triangle_count() && !poll.cancelled(); ++t) {
-    keep[t] =
-        !is_cut(t) && color_.sees_curves(t) && (opacity.empty() || opacity[t] >= kInvisibleOpacity);
+    keep[t] = !is_cut(t) && color_.sees_curves(t) && largest_opacity(t) >= kInvisibleOpacity;
   }
   return keep;
 }
@@ -304,8 +316,7 @@ std::size_t LayerSolver::patch_bytes() const {
              sizeof(float) * color_.layout().node_count();
   }
   if (is_finely_blurred_) {
-    constexpr std::size_t kSide = 2 * sizeof(SoftEdge) + 2 * sizeof(gather::Facing);
-    bytes += 2 * kSide * mesh_.constraint.size() + mesh_.vertex_position.size();
+    bytes += 4 * sizeof(SoftEdge) * mesh_.constraint.size() + mesh_.vertex_position.size();
   }
   return bytes;
 }

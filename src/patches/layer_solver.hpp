@@ -22,9 +22,10 @@ using RoundWatch = FunctionRef<void(const mesh::TriangleMesh& mesh, const FieldS
 
 /// Solves one layer: patch mesh, node values of colour and opacity, error-driven refinement.
 ///
-/// A round lays out the nodes of the present mesh, keeps the values of triangles that did not
-/// change, gathers the rest, and compares the new patches with the exact gather at probe points;
-/// triangles that miss by more than `max_error` are made smaller for the next round.
+/// A round gathers the nodes that are new and compares the new patches with the exact gather at
+/// probe points; triangles that miss by more than `max_error` are made smaller for the next round,
+/// and mesh and nodes follow where they changed. At the end the nodes are numbered as if they had
+/// been laid out on that mesh.
 class LayerSolver {
  public:
   LayerSolver(Context& context, LayerScene scene, const DiffuseOptions& options,
@@ -34,7 +35,9 @@ class LayerSolver {
 
  private:
   Status take_mesh();
+  Status update_mesh();
   Status lay_out();
+  Status put_in_order();
   Status follow_blur();
   Status gather(const gather::GatherOptions& options, bool all);
   Status find_misses(std::vector<std::uint32_t>& missed);
@@ -46,7 +49,7 @@ class LayerSolver {
     return triangle < cuts_.is_cut.size() && cuts_.is_cut[triangle] != 0;
   }
   std::vector<SoftEdge> soft_edges(std::span<std::uint8_t> keep) const;
-  std::vector<float> triangle_opacity() const;
+  float largest_opacity(std::uint32_t triangle) const;
   std::vector<std::uint8_t> visible_triangles() const;
   std::vector<std::uint8_t> edges_of_curves(std::span<const std::uint8_t> keep) const;
   /// Whether color_ holds the opacity too, as its fourth channel.
@@ -72,8 +75,8 @@ class LayerSolver {
   DiffuseStats* stats_;
   std::optional<RoundWatch> watch_;
   mesh::TriangleMesh mesh_;
-  std::vector<std::int32_t> previous_triangle_;  ///< as Mesher::patch_mesh gives it
-  BorderCuts cuts_;                              ///< their parts follow the mesher's triangles
+  std::vector<std::uint32_t> changed_;  ///< triangles that are new in this round, ascending
+  BorderCuts cuts_;                     ///< their parts follow the mesher's triangles
 };
 
 }  // namespace sfumato::patches

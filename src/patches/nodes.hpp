@@ -9,6 +9,9 @@
 
 namespace sfumato::patches {
 
+/// No node stands there yet.
+inline constexpr std::uint32_t kNoNode = 0xffffffff;
+
 /// The evaluation nodes of one attribute on a patch mesh (paper section 4, Fig. 3 and 4): which
 /// node stands at each of a triangle's ten places, and what is known of its value before anything
 /// is gathered.
@@ -28,7 +31,8 @@ struct NodeLayout {
 };
 
 /// Lays out the nodes in the order of the triangles, so that neighbours in the list are neighbours
-/// in the plane. `seams` is made of the same mesh and attributes. Cost O(triangles).
+/// in the plane. `seams` is made of the same mesh and attributes. Incomplete where the context is
+/// cancelled. Cost O(triangles). What follows a mesh that changes: patches/layout_update.hpp.
 NodeLayout lay_out_nodes(const Context& context, const mesh::TriangleMesh& mesh,
                          const curves::SegmentAttributes& attributes, const Seams& seams);
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/large_vector.hpp"
 #include "patches/patch.hpp"
 
 namespace sfumato::patches {
@@ -61,8 +62,10 @@ Vec2 point(const mesh::TriangleMesh& mesh, std::uint32_t t, int kind) {
 }  // namespace
 
 ProbeSet place_probes(const Context& context, const mesh::TriangleMesh& mesh,
-                      const NodeLayout& layout, std::span<const std::uint8_t> is_asked) {
+                      const NodeLayout& layout, std::span<const std::uint32_t> triangles) {
   ProbeSet probes;
+  std::vector<std::uint8_t> is_asked;
+  if (!resize_large(context, is_asked, mesh.triangle_count())) return probes;
   const auto add = [&](std::uint32_t half_edge, int place) {
     const int kind = place < kInnerProbes ? place : kInnerProbes + static_cast<int>(half_edge % 3);
     probes.position.push_back(point(mesh, half_edge / 3, kind));
@@ -70,8 +73,9 @@ ProbeSet place_probes(const Context& context, const mesh::TriangleMesh& mesh,
     probes.place.push_back(static_cast<std::uint8_t>(place));
   };
   RarePoll<4096> poll(context);
-  for (std::uint32_t t = 0; t < mesh.triangle_count() && !poll.cancelled(); ++t) {
-    if (!is_asked[t]) continue;
+  for (const std::uint32_t t : triangles) is_asked[t] = 1;
+  for (const std::uint32_t t : triangles) {
+    if (poll.cancelled()) return probes;
     for (int place = 0; place < kInnerProbes; ++place) add(3 * t, place);
     for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
       if (layout.edge_is_curve[h]) continue;

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+
+#include "base/large_vector.hpp"
 
 namespace sfumato::patches {
 namespace {
@@ -43,18 +46,37 @@ bool same_value(const SeamValue& a, const SeamValue& b) {
 
 Seams::Seams(const Context& context, const mesh::TriangleMesh& mesh,
              const curves::SegmentAttributes& attributes)
-    : mesh_(mesh),
-      facing_(2 * mesh.constraint.size()),
-      is_seam_(mesh.half_edge_constraint.size(), 0) {
-  const auto half_edge_count = static_cast<std::uint32_t>(mesh.half_edge_constraint.size());
-  RarePoll<16384> poll(context);
-  for (std::uint32_t h = 0; h < half_edge_count && !poll.cancelled(); ++h) {
-    if (mesh.half_edge_constraint[h] == mesh::kNone) continue;
-    facing_[index(h)] = gather::facing_side(mesh, attributes, h);
-    if (facing_[index(h)].kind == ShaderKind::open) continue;
-    is_seam_[h] = 1;
-    if (const std::int32_t twin = mesh.half_edge_twin[h]; twin != mesh::kNone) is_seam_[twin] = 1;
+    : mesh_(mesh) {
+  std::vector<std::uint32_t> all(mesh.triangle_count());
+  std::iota(all.begin(), all.end(), 0u);
+  update(context, attributes, all);
+}
+
+void Seams::update(const Context& context, const curves::SegmentAttributes& attributes,
+                   std::span<const std::uint32_t> changed) {
+  const std::size_t facings = 2 * mesh_.constraint.size();
+  const std::size_t half_edges = mesh_.half_edge_constraint.size();
+  if (!grow_large(context, facing_, facings, facings / 4 * 5) ||
+      !grow_large(context, is_seam_, half_edges, half_edges / 4 * 5)) {
+    return;
   }
+  RarePoll<16384> poll(context);
+  const auto for_each_half_edge = [&](auto visit) {
+    for (const std::uint32_t t : changed) {
+      if (poll.cancelled()) return;
+      for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) visit(h);
+    }
+  };
+  for_each_half_edge([&](std::uint32_t h) {
+    is_seam_[h] = 0;
+    if (mesh_.half_edge_constraint[h] == mesh::kNone) return;
+    facing_[index(h)] = gather::facing_side(mesh_, attributes, h);
+    if (mesh_.half_edge_twin[h] == mesh::kNone) facing_[index(h) ^ 1] = {};
+  });
+  for_each_half_edge([&](std::uint32_t h) {
+    if (mesh_.half_edge_constraint[h] == mesh::kNone) return;
+    is_seam_[h] = facing(h).kind != ShaderKind::open || back(h).kind != ShaderKind::open;
+  });
 }
 
 float Seams::blur_radius(std::uint32_t half_edge, float u) const {

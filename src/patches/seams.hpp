@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "gather/scene.hpp"
@@ -22,9 +23,14 @@ bool same_value(const SeamValue& a, const SeamValue& b);
 /// Where the picture may jump: the constrained edges with a side that is not open.
 class Seams {
  public:
-  /// Incomplete where the context is cancelled.
+  /// Of a mesh that outlives this. Incomplete where the context is cancelled.
   Seams(const Context& context, const mesh::TriangleMesh& mesh,
         const curves::SegmentAttributes& attributes);
+
+  /// Follows the mesh, of which these triangles changed, new ones among them: only those of their
+  /// edges that lie on curves are looked at. Incomplete where the context is cancelled.
+  void update(const Context& context, const curves::SegmentAttributes& attributes,
+              std::span<const std::uint32_t> changed);
 
   /// True for both half-edges of an edge that stops rays on either side.
   bool is_seam(std::uint32_t half_edge) const { return is_seam_[half_edge] != 0; }

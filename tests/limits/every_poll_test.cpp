@@ -22,25 +22,12 @@
 #include "patches/diffuse.hpp"
 #include "raster/rasterize.hpp"
 #include "raster/render_pixels.hpp"
+#include "support/cancel_at.hpp"
 
 /// Whichever look at the cancel flag is the first to see it, the answer is that it was cancelled:
 /// what is half done is never taken for a result.
 namespace sfumato::test {
 namespace {
-
-/// One that cancels at a poll, and looks at every turn of loops of short turns.
-class CancelAt : public PollWatch {
- public:
-  CancelAt(std::uint64_t poll, std::atomic<bool>& cancel) : left_(poll), cancel_(cancel) {}
-  bool wants_every_turn() const override { return true; }
-  void polled() override {
-    if (--left_ == 0) cancel_.store(true);
-  }
-
- private:
-  std::uint64_t left_;
-  std::atomic<bool>& cancel_;
-};
 
 /// Tells the places in the code that look at the flag, and which polls were theirs.
 class PollPlaces : public PollWatch {

@@ -144,55 +144,10 @@ TEST_F(Refinement, triangles_larger_than_the_small_edge_keep_the_minimum_angle) 
   }
 }
 
-TEST_F(Refinement, listed_triangles_become_smaller_and_others_stay) {
-  MeshOptions options = options_100();
-  options.max_area = 40;
-  Mesher mesher = refined(crossing_lines(), options);
-  const TriangleMesh before = mesher.patch_mesh({});
-  std::vector<std::uint32_t> near_corner;
-  for (std::uint32_t t = 0; t < before.triangle_count(); ++t) {
-    const Vec2 p = before.vertex_position[before.origin(3 * t)];
-    if (p.x < 25 && p.y < 25) near_corner.push_back(t);
-  }
-  ASSERT_GT(near_corner.size(), 5u);
-  ASSERT_TRUE(mesher.refine_triangles(context_, near_corner, 0.5).ok());
-  std::vector<std::int32_t> previous;
-  const TriangleMesh after = mesher.patch_mesh({}, &previous);
-  EXPECT_TRUE(is_valid(after).ok());
-  ASSERT_EQ(previous.size(), after.triangle_count());
-  std::vector<std::uint8_t> kept(before.triangle_count(), 0);
-  for (std::uint32_t t = 0; t < after.triangle_count(); ++t) {
-    if (previous[t] == kNone) continue;
-    kept[previous[t]] = 1;
-    for (std::uint32_t k = 0; k < 3; ++k) {
-      const auto old = 3 * static_cast<std::uint32_t>(previous[t]) + k;
-      EXPECT_EQ(after.triangle_vertex[3 * t + k], before.triangle_vertex[old]);
-    }
-  }
-  for (std::size_t v = 0; v < before.vertex_position.size(); ++v) {
-    EXPECT_EQ(after.vertex_position[v], before.vertex_position[v]);
-  }
-  for (const std::uint32_t t : near_corner) EXPECT_FALSE(kept[t]) << "triangle " << t;
-  const auto kept_count = static_cast<std::size_t>(std::count(kept.begin(), kept.end(), 1));
-  EXPECT_GT(kept_count, before.triangle_count() / 2);
-}
-
 TEST_F(Refinement, nothing_changes_between_two_extractions) {
   Mesher mesher = refined(crossing_lines(), options_100());
   const TriangleMesh first = mesher.patch_mesh({});
-  std::vector<std::int32_t> previous;
-  const TriangleMesh second = mesher.patch_mesh({}, &previous);
-  EXPECT_EQ(mesh_hash(first), mesh_hash(second));
-  for (std::uint32_t t = 0; t < previous.size(); ++t) {
-    EXPECT_EQ(previous[t], static_cast<std::int32_t>(t));
-  }
-}
-
-TEST_F(Refinement, the_first_extraction_has_no_predecessor) {
-  Mesher mesher = refined(crossing_lines(), options_100());
-  std::vector<std::int32_t> previous;
-  const TriangleMesh patch = mesher.patch_mesh({}, &previous);
-  EXPECT_EQ(previous, std::vector<std::int32_t>(patch.triangle_count(), kNone));
+  EXPECT_EQ(mesh_hash(first), mesh_hash(mesher.patch_mesh({})));
 }
 
 TEST_F(Refinement, triangles_below_the_smallest_edge_are_left_alone) {

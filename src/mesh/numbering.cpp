@@ -1,0 +1,68 @@
+#include "mesh/numbering.hpp"
+
+#include <numeric>
+
+#include "base/large_vector.hpp"
+
+namespace sfumato::mesh {
+namespace {
+
+/// Numbers the triangles inside and their vertices from neighbour to neighbour: refinement left
+/// them in an order that jumps about, and what follows reads them again and again.
+void number_depth_first(const Context& context, const Triangulation& mesh, Numbering& numbering) {
+  const auto wanted = [&](std::int32_t t) {
+    return mesh.triangle[t].inside && numbering.triangle[t] == kNone;
+  };
+  std::vector<std::int32_t> stack;
+  RarePoll<16384> poll(context);
+  for (std::size_t seed = 0; seed < mesh.triangle.size(); ++seed) {
+    stack.assign(1, static_cast<std::int32_t>(seed));
+    while (!stack.empty()) {
+      if (poll.cancelled()) return;
+      const std::int32_t t = stack.back();
+      stack.pop_back();
+      if (!wanted(t)) continue;
+      numbering.triangle[t] = static_cast<std::int32_t>(numbering.triangle_count++);
+      for (int k = 0; k < 3; ++k) {
+        std::int32_t& vertex = numbering.vertex[mesh.triangle[t].vertex[k]];
+        if (vertex == kNone) vertex = static_cast<std::int32_t>(numbering.vertex_count++);
+        const HalfEdge across = mesh.triangle[t].across[k] >> 1;
+        if (across >= 0 && wanted(triangle_of(across))) stack.push_back(triangle_of(across));
+      }
+    }
+  }
+}
+
+}  // namespace
+
+Numbering number_everything(const Triangulation& mesh) {
+  Numbering numbering;
+  numbering.triangle.resize(mesh.triangle.size());
+  numbering.vertex.resize(mesh.point.size());
+  std::iota(numbering.triangle.begin(), numbering.triangle.end(), 0);
+  std::iota(numbering.vertex.begin(), numbering.vertex.end(), 0);
+  numbering.triangle_count = static_cast<std::uint32_t>(mesh.triangle.size());
+  numbering.vertex_count = static_cast<std::uint32_t>(mesh.point.size());
+  return numbering;
+}
+
+void number_inside(const Context& context, const Triangulation& mesh, Numbering& numbering) {
+  const std::size_t known = numbering.triangle.size(), known_vertices = numbering.vertex.size();
+  if (!resize_large(context, numbering.triangle, mesh.triangle.size(), std::int32_t{kNone}) ||
+      !resize_large(context, numbering.vertex, mesh.point.size(), std::int32_t{kNone})) {
+    return;
+  }
+  RarePoll<65536> poll(context);
+  if (known == 0) return number_depth_first(context, mesh, numbering);
+  // All later triangles and vertices come from refinement, which works inside and on the frame.
+  for (std::size_t t = known; t < mesh.triangle.size() && !poll.cancelled(); ++t) {
+    if (mesh.triangle[t].inside) {
+      numbering.triangle[t] = static_cast<std::int32_t>(numbering.triangle_count++);
+    }
+  }
+  for (std::size_t v = known_vertices; v < mesh.point.size(); ++v) {
+    numbering.vertex[v] = static_cast<std::int32_t>(numbering.vertex_count++);
+  }
+}
+
+}  // namespace sfumato::mesh

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "mesh/triangle_mesh.hpp"
+
+namespace sfumato::patches {
+
+/// The spoke after h around h's origin, in the direction of positive turns; kNone at the hull.
+inline std::int32_t next_spoke(const mesh::TriangleMesh& mesh, std::uint32_t h) {
+  return mesh.half_edge_twin[mesh::TriangleMesh::previous(h)];
+}
+
+/// The one before it, likewise.
+inline std::int32_t previous_spoke(const mesh::TriangleMesh& mesh, std::uint32_t h) {
+  const std::int32_t twin = mesh.half_edge_twin[h];
+  if (twin == mesh::kNone) return mesh::kNone;
+  return static_cast<std::int32_t>(mesh::TriangleMesh::next(static_cast<std::uint32_t>(twin)));
+}
+
+/// The triangles around a vertex: spoke i, a half-edge that begins there, is of triangle
+/// spoke[i] / 3.
+struct Fan {
+  std::vector<std::uint32_t> spoke;  ///< in the direction of positive turns
+  bool is_closed = false;            ///< all round; else from hull to hull
+
+  /// The fan of h's origin. It begins at the hull where it is open; else at the last seam that is
+  /// met on the way back round the vertex from h, or behind h where there is none.
+  template <class IsSeam>
+  void collect(const mesh::TriangleMesh& mesh, std::uint32_t h, IsSeam is_seam) {
+    const auto start = static_cast<std::int32_t>(h);
+    std::int32_t first = start, seam = mesh::kNone;
+    is_closed = false;
+    for (std::int32_t i = start; i != mesh::kNone && !is_closed;) {
+      first = i;
+      if (is_seam(static_cast<std::uint32_t>(i))) seam = i;
+      i = previous_spoke(mesh, static_cast<std::uint32_t>(i));
+      is_closed = i == start;
+    }
+    if (is_closed && seam != mesh::kNone) first = seam;
+    spoke.clear();
+    std::int32_t i = first;
+    do {
+      spoke.push_back(static_cast<std::uint32_t>(i));
+      i = next_spoke(mesh, static_cast<std::uint32_t>(i));
+    } while (i != mesh::kNone && i != first);
+  }
+};
+
+}  // namespace sfumato::patches
