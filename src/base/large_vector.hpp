@@ -76,7 +76,8 @@ template <class Item>
 Status grow_large(const Context& context, std::vector<Item>& items, std::size_t count,
                   std::size_t most, const Item& value = Item()) {
   if (count > items.capacity()) {
-    if (Status status = reserve_large(context, items, most); !status) return status;
+    Status status = reserve_large(context, items, std::max(count, most));
+    if (!status) return status;
   }
   return resize_large(context, items, count, value);
 }

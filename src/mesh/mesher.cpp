@@ -265,7 +265,8 @@ Status Mesher::update_patch_mesh(Context& context, TriangleMesh& mesh,
                                  std::vector<std::uint32_t>& changed) {
   State& s = *state_;
   number_inside(context, s.mesh, s.numbering);
-  Status status = resize_large(context, s.patched, s.numbering.triangle_count);
+  Status status =
+      grow_large(context, s.patched, s.numbering.triangle_count, s.mesh.triangle.capacity());
   changed.clear();
   if (status) status = reserve_large(context, changed, s.mesh.changed.size());
   if (!status) return status;

@@ -48,8 +48,10 @@ Numbering number_everything(const Triangulation& mesh) {
 
 void number_inside(const Context& context, const Triangulation& mesh, Numbering& numbering) {
   const std::size_t known = numbering.triangle.size(), known_vertices = numbering.vertex.size();
-  if (!resize_large(context, numbering.triangle, mesh.triangle.size(), std::int32_t{kNone}) ||
-      !resize_large(context, numbering.vertex, mesh.point.size(), std::int32_t{kNone})) {
+  if (!grow_large(context, numbering.triangle, mesh.triangle.size(), mesh.triangle.capacity(),
+                  std::int32_t{kNone}) ||
+      !grow_large(context, numbering.vertex, mesh.point.size(), mesh.point.capacity(),
+                  std::int32_t{kNone})) {
     return;
   }
   RarePoll<65536> poll(context);

@@ -53,8 +53,9 @@ Status FieldSolver::charge_layout(Context& context, std::size_t triangles) {
 
 Status FieldSolver::charge_seams(Context& context, const mesh::TriangleMesh& mesh) {
   // Tables that grow have room for a quarter more.
-  const std::size_t bytes =
-      (kBytesPerSeam * mesh.constraint.size() + mesh.half_edge_twin.size()) / 4 * 5;
+  const std::size_t bytes = (kBytesPerSeam * mesh.constraint.size() + mesh.half_edge_twin.size() +
+                             sizeof(float) * mesh.vertex_position.size()) /
+                            4 * 5;
   Status status =
       seam_charge_.add(context, bytes - std::min(bytes, seams_charged_), "patches along curves");
   if (status) seams_charged_ = std::max(bytes, seams_charged_);
@@ -93,7 +94,10 @@ Status FieldSolver::follow(Context& context, const mesh::TriangleMesh& mesh,
   if (status) {
     status = update_layout(context, mesh, scene_.attributes, *seams_, changed, layout_, history_);
   }
-  if (status) status = resize_large(context, node_hit_, layout_.node_count(), std::uint8_t{1});
+  if (status) {
+    status = grow_large(context, node_hit_, layout_.node_count(), layout_.position.capacity(),
+                        std::uint8_t{1});
+  }
   if (!status) return status;
   to_gather_.swap(history_.fresh);
   for (const std::uint32_t node : history_.unused) node_hit_[node] = 1;
@@ -151,7 +155,8 @@ Result<std::size_t> FieldSolver::gather(Context& context, const gather::GatherOp
   if (!status) return status;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     if (poll.cancelled()) return context.stop_status();
-    std::copy_n(values.data() + channels * i, channels, layout_.value.data() + channels * nodes[i]);
+    float* const value = layout_.value.data() + channels * nodes[i];
+    for (std::size_t c = 0; c < channels; ++c) value[c] = values[channels * i + c];
     node_hit_[nodes[i]] = hits[i];
   }
   return nodes.size();
@@ -178,7 +183,6 @@ Status FieldSolver::find_misses(Context& context, const mesh::TriangleMesh& mesh
   if (status) status = scene_.gatherer.gather(context, probes.position, {}, exact);
   if (!status) return status;
   std::vector<float> value(channels);
-  float weight = 1;  // of the triangle, whose probes begin with that of place 0
   RarePoll<4096> poll(context);
   for (std::size_t i = 0; i < probes.position.size(); ++i) {
     if (poll.cancelled()) return context.stop_status();
@@ -188,8 +192,7 @@ Status FieldSolver::find_misses(Context& context, const mesh::TriangleMesh& mesh
     show_as_code_values(exact_value);
     for (std::size_t c = 0; c < channels; ++c) value[c] = std::fabs(value[c] - exact_value[c]);
     const std::uint32_t t = probes.half_edge[i] / 3;
-    if (probes.place[i] == 0) weight = color_weight(t);
-    if (worst_miss(value, weight) <= max_error) continue;
+    if (!is_more(value, max_error, t, color_weight)) continue;
     misses[t] = 1;
     const std::int32_t twin = mesh.half_edge_twin[probes.half_edge[i]];
     if (probes.place[i] == 3 && twin != mesh::kNone) misses[twin / 3] = 1;
@@ -202,8 +205,8 @@ std::vector<std::uint32_t> FieldSolver::find_doubtful(
     PatchOrder order, FunctionRef<float(std::uint32_t)> color_weight) const {
   // In other spaces differences are no code values; and between nodes that all see a curve there
   // may be a place that sees none.
-  const bool foretells = order == PatchOrder::cubic && has_code_values() &&
-                         std::ranges::find(node_hit_, 0) == node_hit_.end();
+  const bool foretells =
+      order == PatchOrder::cubic && has_code_values() && sees_curves_everywhere();
   if (!foretells) return {triangles.begin(), triangles.end()};
   std::vector<std::uint32_t> doubtful;
   doubtful.reserve(triangles.size());
@@ -212,17 +215,20 @@ std::vector<std::uint32_t> FieldSolver::find_doubtful(
   for (const std::uint32_t t : triangles) {
     if (poll.cancelled()) break;
     foretell_miss(layout_, t, miss.data());
-    if (!(worst_miss(miss, color_weight(t)) <= max_error)) doubtful.push_back(t);
+    if (is_more(miss, max_error, t, color_weight)) doubtful.push_back(t);
   }
   return doubtful;
 }
 
-float FieldSolver::worst_miss(std::span<const float> miss, float color_weight) const {
-  float worst = 0;
-  for (std::size_t c = 0; c < miss.size(); ++c) {
-    worst = std::max(worst, is_opacity(c) ? miss[c] : color_weight * miss[c]);
-  }
-  return worst;
+bool FieldSolver::is_more(std::span<const float> miss, float max_error, std::uint32_t triangle,
+                          FunctionRef<float(std::uint32_t)> color_weight) const {
+  const auto is_below = [&](float weight) {
+    for (std::size_t c = 0; c < miss.size(); ++c) {
+      if (!((is_opacity(c) ? miss[c] : weight * miss[c]) <= max_error)) return false;
+    }
+    return true;
+  };
+  return !is_below(1) && !is_below(color_weight(triangle));
 }
 
 bool FieldSolver::is_opacity(std::size_t channel) const {
@@ -241,30 +247,37 @@ void FieldSolver::show_as_code_values(float* value) const {
   value[0] = code.r, value[1] = code.g, value[2] = code.b;
 }
 
-void FieldSolver::find_coarse(const Context& context, const mesh::TriangleMesh& mesh,
-                              double edge_per_radius, std::span<std::uint8_t> coarse) const {
-  const Seams& seams = *seams_;
-  RarePoll<16384> poll(context);
-  // Per vertex the smallest radius of the curves that end or pass there; 0: no blurred curve.
-  std::vector<float> vertex_radius(mesh.vertex_position.size(), 0);
+Status FieldSolver::find_coarse(Context& context, const mesh::TriangleMesh& mesh,
+                                std::span<const std::uint32_t> triangles, double edge_per_radius,
+                                std::span<std::uint8_t> coarse) {
+  // Per vertex the smallest radius of the curves that end or pass there; 0: no blurred curve. Cuts
+  // change no more of it than its last bit.
+  const std::size_t vertices = mesh.vertex_position.size();
+  Status status = grow_large(context, vertex_radius_, vertices, vertices / 4 * 5);
+  if (!status) return status;
   const auto lower = [&](std::uint32_t vertex, float radius) {
-    float& known = vertex_radius[vertex];
-    known = known > 0 ? std::min(known, radius) : radius;
+    float& known = vertex_radius_[vertex];
+    if (radius > 0) known = known > 0 ? std::min(known, radius) : radius;
   };
-  const auto half_edge_count = static_cast<std::uint32_t>(mesh.triangle_vertex.size());
-  for (std::uint32_t h = 0; h < half_edge_count && !poll.cancelled(); ++h) {
-    if (!seams.is_seam(h)) continue;
-    if (const float r = seams.blur_radius(h, 0); r > 0) lower(mesh.origin(h), r);
-    if (const float r = seams.blur_radius(h, 1); r > 0) lower(mesh.target(h), r);
+  RarePoll<16384> poll(context);
+  for (const std::uint32_t t : triangles) {
+    if (poll.cancelled()) return context.stop_status();
+    for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
+      if (!seams_->is_seam(h)) continue;
+      lower(mesh.origin(h), seams_->blur_radius(h, 0));
+      lower(mesh.target(h), seams_->blur_radius(h, 1));
+    }
   }
-  for (std::uint32_t t = 0; t < mesh.triangle_count() && !poll.cancelled(); ++t) {
+  for (const std::uint32_t t : triangles) {
+    if (poll.cancelled()) return context.stop_status();
     double radius = 0;
     for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
-      const double r = vertex_radius[mesh.origin(h)];
+      const double r = vertex_radius_[mesh.origin(h)];
       if (r > 0) radius = radius > 0 ? std::min(radius, r) : r;
     }
     if (radius > 0 && longest_edge(mesh, t) > edge_per_radius * radius) coarse[t] = 1;
   }
+  return ok_status();
 }
 
 bool FieldSolver::sees_some(const std::uint32_t* node) const {
@@ -288,6 +301,7 @@ Status FieldSolver::make_room_for_means(Context& context) {
 }
 
 Status FieldSolver::fill_unseen_nodes(Context& context) {
+  if (sees_curves_everywhere()) return ok_status();
   if (Status status = make_room_for_means(context); !status) return status;
   RarePoll<16384> poll(context);
   const auto channels = static_cast<std::size_t>(layout_.channel_count);
@@ -310,6 +324,10 @@ Status FieldSolver::fill_unseen_nodes(Context& context) {
     }
   }
   return ok_status();
+}
+
+bool FieldSolver::sees_curves_everywhere() const {
+  return std::ranges::find(node_hit_, 0) == node_hit_.end();
 }
 
 bool FieldSolver::sees_curves(std::uint32_t triangle, std::size_t place) const {
@@ -354,15 +372,16 @@ Status FieldSolver::add_parts(Context& context, const BorderCuts& cuts) {
   return context.check();
 }
 
-float FieldSolver::largest_value(std::uint32_t triangle, std::size_t first_channel) const {
+float FieldSolver::largest_value(std::uint32_t triangle, std::size_t first_channel,
+                                 float enough) const {
   const auto channels = static_cast<std::size_t>(layout_.channel_count);
   float largest = 0;
-  for (std::size_t i = 0; i < kNodes; ++i) {
+  for (std::size_t i = 0; i < kNodes && largest < enough; ++i) {
     const float* value =
         layout_.value.data() + channels * layout_.triangle_node[kNodes * triangle + i];
     for (std::size_t c = first_channel; c < channels; ++c) largest = std::max(largest, value[c]);
   }
-  return largest;
+  return std::min(largest, enough);
 }
 
 PatchField split_channel(PatchField& field, int channel) {

@@ -58,16 +58,19 @@ class FieldSolver {
   /// Sets misses[t] for those of some triangles (ascending) whose patch misses the exact gather by
   /// more than max_error (of code values from 0 to 1, or of a share of a shader), and for their
   /// neighbours where the miss lies on the common edge.
-  /// color_weight   what a miss of a colour counts in a triangle
+  /// color_weight   what a miss of a colour counts in a triangle, at most 1
   Status find_misses(Context& context, const mesh::TriangleMesh& mesh,
                      std::span<const std::uint32_t> triangles, float max_error, PatchOrder order,
                      FunctionRef<float(std::uint32_t triangle)> color_weight,
                      std::span<std::uint8_t> misses) const;
 
-  /// Sets coarse[t] for triangles at a blurred curve whose longest edge is longer than
-  /// edge_per_radius times the blur radius there: their nodes could not tell its transition.
-  void find_coarse(const Context& context, const mesh::TriangleMesh& mesh, double edge_per_radius,
-                   std::span<std::uint8_t> coarse) const;
+  /// Sets coarse[t] for those of some triangles at a blurred curve whose longest edge is longer
+  /// than edge_per_radius times the blur radius there: their nodes could not tell its transition.
+  /// triangles   all at first, then those that changed
+  /// Errors      limit (memory), cancelled
+  Status find_coarse(Context& context, const mesh::TriangleMesh& mesh,
+                     std::span<const std::uint32_t> triangles, double edge_per_radius,
+                     std::span<std::uint8_t> coarse);
 
   /// seen[i]: 0 where no curve is seen from points[i], else as it was. Errors: limit, cancelled.
   Status look(Context& context, std::span<const Vec2> points, std::span<std::uint8_t> seen) const;
@@ -90,8 +93,10 @@ class FieldSolver {
   const NodeLayout& layout() const { return layout_; }
   /// Whether a triangle's node (places as in PatchLayer) sees a curve.
   bool sees_curves(std::uint32_t triangle, std::size_t place = 9) const;
-  /// The largest value of the channels from `first_channel` on at the triangle's nodes.
-  float largest_value(std::uint32_t triangle, std::size_t first_channel) const;
+  bool sees_curves_everywhere() const;
+  /// The largest value of the channels from `first_channel` on at the triangle's nodes, or `enough`
+  /// where it is at least that.
+  float largest_value(std::uint32_t triangle, std::size_t first_channel, float enough) const;
 
   /// The field of the triangles with keep[t], in their order. Leaves nothing behind.
   PatchField take(std::span<const std::uint8_t> keep);
@@ -102,8 +107,10 @@ class FieldSolver {
                                            std::span<const std::uint32_t> triangles,
                                            float max_error, PatchOrder order,
                                            FunctionRef<float(std::uint32_t)> color_weight) const;
-  /// The largest of a value's misses, one a channel, where those of colours count color_weight.
-  float worst_miss(std::span<const float> miss, float color_weight) const;
+  /// Whether one of a value's misses, one a channel, is more than max_error where those of colours
+  /// count color_weight, which is asked only if it matters.
+  bool is_more(std::span<const float> miss, float max_error, std::uint32_t triangle,
+               FunctionRef<float(std::uint32_t)> color_weight) const;
   bool is_opacity(std::size_t channel) const;
   /// Whether some of a triangle's nodes see a curve, and some do not.
   bool sees_some(const std::uint32_t* node) const;
@@ -118,6 +125,7 @@ class FieldSolver {
 
   FieldScene scene_;
   std::optional<Seams> seams_;
+  std::vector<float> vertex_radius_;  ///< of find_coarse
   ScopedCharge seam_charge_;
   std::size_t seams_charged_ = 0;  ///< bytes
   NodeLayout layout_;

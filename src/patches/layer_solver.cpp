@@ -135,8 +135,7 @@ Status LayerSolver::lay_out() {
   const Stopwatch watch;
   Status status =
       for_each_field([&](FieldSolver& field) { return field.lay_out(context_, mesh_); });
-  changed_.resize(mesh_.triangle_count());
-  std::iota(changed_.begin(), changed_.end(), 0u);
+  list_all_triangles();
   if (stats_) stats_->triangulation_seconds += watch.seconds();
   return status;
 }
@@ -149,14 +148,22 @@ Status LayerSolver::put_in_order() {
   return status;
 }
 
+/// As those that changed.
+void LayerSolver::list_all_triangles() {
+  changed_.resize(mesh_.triangle_count());
+  std::iota(changed_.begin(), changed_.end(), 0u);
+}
+
 /// Makes the mesh at blurred curves as fine as their radii, before anything is gathered.
 Status LayerSolver::follow_blur() {
   const double edge_per_radius = options_.max_error > 0 ? kProbedEdgePerRadius : kEdgePerRadius;
+  std::vector<std::uint8_t> coarse;
+  list_all_triangles();
   for (int round = 0; round < kMaxRounds; ++round) {
-    std::vector<std::uint8_t> coarse(mesh_.triangle_count(), 0);
-    Status status = for_each_field([&](const FieldSolver& field) {
-      field.find_coarse(context_, mesh_, edge_per_radius, coarse);
-      return context_.check();
+    coarse.resize(mesh_.triangle_count());
+    for (const std::uint32_t t : changed_) coarse[t] = 0;
+    Status status = for_each_field([&](FieldSolver& field) {
+      return field.find_coarse(context_, mesh_, changed_, edge_per_radius, coarse);
     });
     if (!status) return status;
     const std::vector<std::uint32_t> triangles = indices_of(coarse);
@@ -188,7 +195,7 @@ Status LayerSolver::find_misses(std::vector<std::uint32_t>& missed) {
   const Stopwatch watch;
   std::vector<std::uint8_t> misses(mesh_.triangle_count(), 0);
   const auto limit = static_cast<float>(options_.max_error / 255);
-  const auto opacity = [&](std::uint32_t t) { return largest_opacity(t); };
+  const auto opacity = [&](std::uint32_t t) { return largest_opacity(t, 1); };
   Status status = for_each_field([&](const FieldSolver& field) {
     return field.find_misses(context_, mesh_, changed_, limit, options_.order, opacity, misses);
   });
@@ -207,6 +214,12 @@ Status LayerSolver::make_smaller(const std::vector<std::uint32_t>& triangles) {
 /// Ends triangles where what is seen ends, and gathers the nodes of what is left of them.
 Status LayerSolver::cut_at_border() {
   const Stopwatch watch;
+  bool has_border = false;
+  Status status = for_each_field([&](const FieldSolver& field) {
+    has_border |= !field.sees_curves_everywhere();
+    return ok_status();
+  });
+  if (!has_border) return status;
   const auto node_sees = [&](std::uint32_t t, std::size_t place) {
     return color_.sees_curves(t, place) && (!opacity_ || opacity_->sees_curves(t, place));
   };
@@ -222,8 +235,7 @@ Status LayerSolver::cut_at_border() {
   cuts_ = std::move(*cuts);
   if (stats_) stats_->gather_seconds += watch.seconds();
   if (cuts_.part_count() == 0) return ok_status();
-  Status status =
-      for_each_field([&](FieldSolver& field) { return field.add_parts(context_, cuts_); });
+  status = for_each_field([&](FieldSolver& field) { return field.add_parts(context_, cuts_); });
   if (status) status = gather(options_.gather, false);
   if (!status) return status;
   add_to_mesh(cuts_);
@@ -288,10 +300,10 @@ std::vector<SoftEdge> LayerSolver::soft_edges(std::span<std::uint8_t> keep) cons
   return find_soft_edges(context_, mesh_, {is_seam, fine_radius, is_meshed}, keep);
 }
 
-/// At the triangle's nodes; 1 where the layer is opaque.
-float LayerSolver::largest_opacity(std::uint32_t triangle) const {
-  if (opacity_) return opacity_->largest_value(triangle, 0);
-  return is_joint() ? color_.largest_value(triangle, kOpacityChannel) : 1;
+/// At the triangle's nodes, or `enough` where it is at least that; 1 where the layer is opaque.
+float LayerSolver::largest_opacity(std::uint32_t triangle, float enough) const {
+  if (opacity_) return opacity_->largest_value(triangle, 0, enough);
+  return is_joint() ? color_.largest_value(triangle, kOpacityChannel, enough) : 1;
 }
 
 /// A region from which no curve is seen has no colour, and one without opacity shows nothing: both
@@ -300,7 +312,8 @@ std::vector<std::uint8_t> LayerSolver::visible_triangles() const {
   std::vector<std::uint8_t> keep(mesh_.triangle_count());
   RarePoll<16384> poll(context_);
   for (std::uint32_t t = 0; t < mesh_.triangle_count() && !poll.cancelled(); ++t) {
-    keep[t] = !is_cut(t) && color_.sees_curves(t) && largest_opacity(t) >= kInvisibleOpacity;
+    keep[t] = !is_cut(t) && color_.sees_curves(t) &&
+              largest_opacity(t, kInvisibleOpacity) >= kInvisibleOpacity;
   }
   return keep;
 }

@@ -38,6 +38,7 @@ class LayerSolver {
   Status update_mesh();
   Status lay_out();
   Status put_in_order();
+  void list_all_triangles();
   Status follow_blur();
   Status gather(const gather::GatherOptions& options, bool all);
   Status find_misses(std::vector<std::uint32_t>& missed);
@@ -49,7 +50,7 @@ class LayerSolver {
     return triangle < cuts_.is_cut.size() && cuts_.is_cut[triangle] != 0;
   }
   std::vector<SoftEdge> soft_edges(std::span<std::uint8_t> keep) const;
-  float largest_opacity(std::uint32_t triangle) const;
+  float largest_opacity(std::uint32_t triangle, float enough) const;
   std::vector<std::uint8_t> visible_triangles() const;
   std::vector<std::uint8_t> edges_of_curves(std::span<const std::uint8_t> keep) const;
   /// Whether color_ holds the opacity too, as its fourth channel.

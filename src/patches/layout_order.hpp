@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -24,12 +25,16 @@ std::vector<Item> reordered(const Context& context, const std::vector<std::uint3
                             const std::vector<Item>& values, std::size_t width = 1) {
   std::vector<Item> moved;
   if (!resize_large(context, moved, width * order.size())) return moved;
-  RarePoll<65536> poll(context);
-  Item* to = moved.data();
-  for (const std::uint32_t i : order) {
-    if (poll.cancelled()) break;
-    for (const Item* from = values.data() + width * i; from != values.data() + width * (i + 1);)
-      *to++ = *from++;
+  constexpr std::size_t kValuesPerLook = 65536;
+  for (std::size_t begin = 0; begin < order.size(); begin += kValuesPerLook) {
+    if (context.cancelled()) break;
+    const std::size_t end = std::min(order.size(), begin + kValuesPerLook);
+    if (width == 1) {
+      for (std::size_t i = begin; i < end; ++i) moved[i] = values[order[i]];
+    } else {
+      for (std::size_t i = begin; i < end; ++i)
+        for (std::size_t k = 0; k < width; ++k) moved[width * i + k] = values[width * order[i] + k];
+    }
   }
   return moved;
 }

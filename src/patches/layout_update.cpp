@@ -159,11 +159,12 @@ class LayoutUpdate {
   Status begin() {
     ++history_.updates;
     history_.fresh.clear();
-    const std::size_t triangles = mesh_.triangle_count();
-    Status status = resize_large(context_, layout_.triangle_node, 10 * triangles, kNoNode);
-    if (status) status = resize_large(context_, layout_.edge_is_curve, 3 * triangles);
-    if (status) status = resize_large(context_, history_.is_changed, triangles);
-    if (status) status = resize_large(context_, history_.vertex_seen, mesh_.vertex_position.size());
+    const std::size_t triangles = mesh_.triangle_count(), most = triangles / 4 * 5;
+    const std::size_t vertices = mesh_.vertex_position.size();
+    Status status = grow_large(context_, layout_.triangle_node, 10 * triangles, 10 * most, kNoNode);
+    if (status) status = grow_large(context_, layout_.edge_is_curve, 3 * triangles, 3 * most);
+    if (status) status = grow_large(context_, history_.is_changed, triangles, most);
+    if (status) status = grow_large(context_, history_.vertex_seen, vertices, vertices / 4 * 5);
     if (status) status = resize_large(context_, history_.node_seen, layout_.node_count());
     return status ? table_.make_room(context_, changed_.size()) : status;
   }

@@ -131,7 +131,8 @@ void foretell_miss(const NodeLayout& layout, std::uint32_t t, float* miss) {
       const float difference = center + 0.125f * (term[k] - term[(k + 2) % 3]);
       cubic_part = std::max(cubic_part, std::fabs(difference));
     }
-    const auto [low, high] = std::ranges::minmax(value);
+    float low = value[0], high = value[0];
+    for (const float v : value) low = std::min(low, v), high = std::max(high, v);
     miss[channel] = std::max(kMissPerCubicPart * cubic_part, kMissPerRange * (high - low));
   }
 }
