@@ -12,22 +12,22 @@
 
 namespace sfumato {
 
+template <class Item>
+Status reserve_large(const Context& context, std::vector<Item>& items, std::size_t count);
+
 /// Makes room for `count` items and sets them, part by part: to touch memory for the first time
 /// takes 0.3 s a GiB. Charged before by who calls. Errors: cancelled; `items` is shorter then.
 template <class Item>
 Status resize_large(const Context& context, std::vector<Item>& items, std::size_t count,
                     const Item& value = Item()) {
   constexpr std::size_t kItems = (std::size_t{8} << 20) / sizeof(Item);
-  items.reserve(count);
+  if (Status status = reserve_large(context, items, count); !status) return status;
   while (items.size() < count) {
     if (context.cancelled()) return context.stop_status();
     items.resize(std::min(count, items.size() + kItems), value);
   }
   return ok_status();
 }
-
-template <class Item>
-Status reserve_large(const Context& context, std::vector<Item>& items, std::size_t count);
 
 /// Appends a copy of `from` in the same way. Where room is lacking it doubles at least.
 template <class Item>

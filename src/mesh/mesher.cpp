@@ -25,8 +25,8 @@ struct Mesher::State {
   Triangulation mesh;
   ChordStore chords;
   Refiner refiner{mesh, chords, charge};
-  Numbering numbering;                   ///< of the last patch_mesh
-  std::vector<Refiner::Target> patched;  ///< per triangle of the last patch_mesh: slot and stamp
+  Numbering numbering;                   ///< of the patch mesh, as it was made or updated last
+  std::vector<Refiner::Target> patched;  ///< per triangle of it: slot and stamp
 
   ExtractSource source() const { return {mesh, chords, refiner.origins(), lattice, numbering}; }
 };
@@ -250,7 +250,7 @@ Status Mesher::refine_triangles(Context& context, std::span<const std::uint32_t>
 TriangleMesh Mesher::patch_mesh(const Context& context) {
   State& s = *state_;
   s.mesh.take_changed([](std::int32_t) {});
-  number_inside(context, s.mesh, s.numbering);
+  if (!number_inside(context, s.mesh, s.numbering)) return {};
   if (!resize_large(context, s.patched, s.numbering.triangle_count)) return {};
   RarePoll<65536> poll(context);
   for (std::size_t slot = 0; slot < s.mesh.triangle.size(); ++slot) {
@@ -264,9 +264,10 @@ TriangleMesh Mesher::patch_mesh(const Context& context) {
 Status Mesher::update_patch_mesh(Context& context, TriangleMesh& mesh,
                                  std::vector<std::uint32_t>& changed) {
   State& s = *state_;
-  number_inside(context, s.mesh, s.numbering);
-  Status status =
-      grow_large(context, s.patched, s.numbering.triangle_count, s.mesh.triangle.capacity());
+  Status status = number_inside(context, s.mesh, s.numbering);
+  if (status) {
+    status = grow_large(context, s.patched, s.numbering.triangle_count, s.mesh.triangle.capacity());
+  }
   changed.clear();
   if (status) status = reserve_large(context, changed, s.mesh.changed.size());
   if (!status) return status;
@@ -283,6 +284,7 @@ Status Mesher::update_patch_mesh(Context& context, TriangleMesh& mesh,
   for (std::size_t i = 0; i < slots.size() && !poll.cancelled(); ++i) {
     slots[i] = s.patched[changed[i]].triangle;
   }
+  if (status) status = context.check();
   return status ? update_extract(context, s.source(), slots, mesh) : status;
 }
 

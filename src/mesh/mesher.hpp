@@ -56,7 +56,7 @@ class Mesher {
   /// Angle and area refinement inside the frame. Errors: limit, cancelled; the mesh stays valid.
   Status refine(Context& context);
 
-  /// Makes every triangle of `triangles` (indices of the last patch_mesh) smaller, then restores
+  /// Makes every triangle of `triangles` (indices of the patch mesh) smaller, then restores
   /// the angle bound. Triangles with no edge longer than `smallest_edge` are left alone. A round
   /// with all triangles listed doubles their number. Errors: limit, cancelled; the mesh stays
   /// valid.

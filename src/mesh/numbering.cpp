@@ -46,16 +46,20 @@ Numbering number_everything(const Triangulation& mesh) {
   return numbering;
 }
 
-void number_inside(const Context& context, const Triangulation& mesh, Numbering& numbering) {
+Status number_inside(const Context& context, const Triangulation& mesh, Numbering& numbering) {
   const std::size_t known = numbering.triangle.size(), known_vertices = numbering.vertex.size();
-  if (!grow_large(context, numbering.triangle, mesh.triangle.size(), mesh.triangle.capacity(),
-                  std::int32_t{kNone}) ||
-      !grow_large(context, numbering.vertex, mesh.point.size(), mesh.point.capacity(),
-                  std::int32_t{kNone})) {
-    return;
+  Status status = grow_large(context, numbering.triangle, mesh.triangle.size(),
+                             mesh.triangle.capacity(), std::int32_t{kNone});
+  if (status) {
+    status = grow_large(context, numbering.vertex, mesh.point.size(), mesh.point.capacity(),
+                        std::int32_t{kNone});
   }
+  if (!status) return status;
   RarePoll<65536> poll(context);
-  if (known == 0) return number_depth_first(context, mesh, numbering);
+  if (known == 0) {
+    number_depth_first(context, mesh, numbering);
+    return context.check();
+  }
   // All later triangles and vertices come from refinement, which works inside and on the frame.
   for (std::size_t t = known; t < mesh.triangle.size() && !poll.cancelled(); ++t) {
     if (mesh.triangle[t].inside) {
@@ -65,6 +69,7 @@ void number_inside(const Context& context, const Triangulation& mesh, Numbering&
   for (std::size_t v = known_vertices; v < mesh.point.size(); ++v) {
     numbering.vertex[v] = static_cast<std::int32_t>(numbering.vertex_count++);
   }
+  return context.check();
 }
 
 }  // namespace sfumato::mesh

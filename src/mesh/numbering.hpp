@@ -21,7 +21,8 @@ Numbering number_everything(const Triangulation& mesh);
 
 /// Triangles inside the frame and their vertices: at first from neighbour to neighbour, later ones
 /// in their own order. Vertices that `numbering` has already keep their numbers; more are appended.
-/// Triangles do too, since slots are never freed.
-void number_inside(const Context& context, const Triangulation& mesh, Numbering& numbering);
+/// Triangles do too, since slots are never freed. Error: cancelled; the numbering is good for
+/// nothing then.
+Status number_inside(const Context& context, const Triangulation& mesh, Numbering& numbering);
 
 }  // namespace sfumato::mesh

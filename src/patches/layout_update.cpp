@@ -80,15 +80,20 @@ class KeptNodes {
     history_.fresh.reserve(5 * changed_triangles);
     // About five nodes to a triangle; more room at a time than that, since to move takes long.
     const std::size_t nodes = layout_.position.size(), least = nodes + 6 * changed_triangles;
-    if (least <= layout_.position.capacity()) return ok_status();
-    const std::size_t count = std::max(least, nodes / 4 * 5);
-    Status status = reserve_large(context, layout_.position, count);
-    if (status) status = reserve_large(context, layout_.is_fixed, count);
-    if (status) status = reserve_large(context, layout_.value, channels * count);
-    return status ? reserve_large(context, history_.node_seen, count) : status;
+    const std::size_t most = std::max(least, nodes / 4 * 5);
+    Status status = make_room(context, layout_.position, least, most);
+    if (status) status = make_room(context, layout_.is_fixed, least, most);
+    if (status) status = make_room(context, layout_.value, channels * least, channels * most);
+    return status ? make_room(context, history_.node_seen, least, most) : status;
   }
 
  private:
+  template <class Item>
+  static Status make_room(const Context& context, std::vector<Item>& table, std::size_t least,
+                          std::size_t most) {
+    return table.capacity() < least ? reserve_large(context, table, most) : ok_status();
+  }
+
   bool is_met(std::uint32_t node) const { return history_.node_seen[node] == history_.updates; }
 
   std::uint32_t new_node() {

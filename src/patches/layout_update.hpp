@@ -20,8 +20,9 @@ struct LayoutHistory {
 
 /// Lays out the nodes of the triangles that changed, and anew those at their corners: curves there
 /// have shorter edges now, which moves the last bits of what they give. What an unchanged triangle
-/// has keeps its number and, where it is free, its value. Beside the numbers of nodes the layout is
-/// what lay_out_nodes would make; layout_order tells its numbers.
+/// has keeps its number and, where it is free, its value (but for values of two curves that were
+/// the same within rounding and are so no more). Beside the numbers of nodes, those that no
+/// triangle has and the values of free ones the layout is what lay_out_nodes would make.
 ///
 /// Refinement keeps this simple. Curves are only cut, so that the sectors at a vertex stay, and so
 /// does what has a value there. And what a triangle shares with others depends on its neighbours

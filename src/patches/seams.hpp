@@ -27,8 +27,8 @@ class Seams {
   Seams(const Context& context, const mesh::TriangleMesh& mesh,
         const curves::SegmentAttributes& attributes);
 
-  /// Follows the mesh, of which these triangles changed, new ones among them: only those of their
-  /// edges that lie on curves are looked at. Incomplete where the context is cancelled.
+  /// Follows the mesh, of which these triangles changed, new ones among them. Incomplete where the
+  /// context is cancelled.
   void update(const Context& context, const curves::SegmentAttributes& attributes,
               std::span<const std::uint32_t> changed);
 

@@ -122,6 +122,8 @@ TEST(Polls, solving_looks_often) {
   const DiffuseOptions fine{.max_area_fraction = 2e-4, .max_error = 0};
   const Document few = many_curves(10);
   expect_polls("triangles", [&](Context& c) { return diffuse(c, few, fine); });
+  const DiffuseOptions in_rounds{.max_area_fraction = 2e-5};
+  expect_polls("rounds", [&](Context& c) { return diffuse(c, few, in_rounds); });
 }
 
 TEST(Polls, one_node_that_sees_thousands_of_colours_looks_often) {

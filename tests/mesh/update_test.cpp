@@ -126,5 +126,22 @@ TEST(MeshUpdate, whichever_look_sees_the_flag_the_answer_is_cancelled) {
   EXPECT_GT(polls, 50u);
 }
 
+/// The flag is set before, or at whichever look.
+TEST(MeshUpdate, a_mesh_may_be_cancelled_while_it_is_made) {
+  bool is_done = false;
+  for (std::uint64_t k = 0; !is_done; k += 1 + k) {
+    Context context, cancelled;
+    Mesher mesher = refined(context, fuzz_scene(FuzzKind::near_copies, 5), fuzz_options());
+    CancelAt watch(k, cancelled.cancel);
+    cancelled.poll_watch = &watch;
+    cancelled.cancel = k == 0;
+    const TriangleMesh mesh = mesher.patch_mesh(cancelled);
+    is_done = !cancelled.cancel;
+    if (is_done || k == 0) {
+      EXPECT_EQ(mesh.triangle_count() != 0, is_done);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace sfumato::mesh::test

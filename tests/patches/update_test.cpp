@@ -108,6 +108,30 @@ class Followers {
     }
   }
 
+  /// Free nodes that only triangles have which changed have what is seen from where they are; the
+  /// packets of points in which they are gathered move the last bits.
+  void expect_new_values_of_the_gather() {
+    std::vector<std::uint8_t> is_changed(mesh_.triangle_count(), 0);
+    for (const std::uint32_t t : changed_) is_changed[t] = 1;
+    for (const FieldSolver& field : fields_) {
+      const NodeLayout& layout = field.layout();
+      const auto channels = static_cast<std::size_t>(layout.channel_count);
+      std::vector<std::uint8_t> is_old(layout.node_count(), 0);
+      for (std::size_t i = 0; i < layout.triangle_node.size(); ++i)
+        is_old[layout.triangle_node[i]] |= !is_changed[i / 10];
+      std::vector<float> values(channels * layout.node_count());
+      std::vector<std::uint8_t> hits(layout.node_count());
+      ASSERT_TRUE(field.scene().gatherer.gather(context_, layout.position, {}, values, hits).ok());
+      for (std::uint32_t i = 0; i < layout.triangle_node.size(); ++i) {
+        const std::uint32_t node = layout.triangle_node[i];
+        if (layout.is_fixed[node] || is_old[node]) continue;
+        ASSERT_EQ(field.sees_curves(i / 10, i % 10), hits[node] != 0) << "node " << node;
+        for (std::size_t c = 0; c < channels; ++c)
+          ASSERT_NEAR(layout.value[channels * node + c], values[channels * node + c], 1e-3f);
+      }
+    }
+  }
+
   std::vector<NodeLayout> layouts() const {
     std::vector<NodeLayout> layouts;
     for (const FieldSolver& field : fields_) layouts.push_back(field.layout());
@@ -146,6 +170,7 @@ TEST(LayoutUpdate, after_every_round_it_is_the_layout_of_the_mesh_as_it_is) {
         ASSERT_TRUE(followers.follow(context).ok());
         ASSERT_NO_FATAL_FAILURE(followers.expect_to_keep_values(before));
         ASSERT_NO_FATAL_FAILURE(followers.expect_as_laid_out_anew());
+        ASSERT_NO_FATAL_FAILURE(followers.expect_new_values_of_the_gather());
       }
     }
   }
