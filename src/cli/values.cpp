@@ -73,7 +73,9 @@ std::optional<Box> parse_viewport(std::string_view text) {
     const std::size_t comma = text.find(',');
     if ((comma == std::string_view::npos) != (i == 3)) return std::nullopt;
     const std::optional<double> value = parse_number(text.substr(0, comma));
-    if (!value || std::abs(*value) > limits::kCoordinate) return std::nullopt;
+    // A size may reach from one end to the other.
+    const double most = (i < 2 ? 1 : 2) * limits::kCoordinate;
+    if (!value || std::abs(*value) > most) return std::nullopt;
     number[i] = *value;
     text.remove_prefix(i == 3 ? text.size() : comma + 1);
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "curves/bezier.hpp"
@@ -56,12 +57,7 @@ double distance(const Box& a, const Box& b) {
 /// The first step: the vertices that the shapes of the curves ask for, on the curves.
 class Divider {
  public:
-  Divider(const FlattenOptions& options, PolylineBuilder& out) : options_(options), out_(out) {
-    if (options.focus) {
-      const double margin = 0.1 * std::max(options.focus->width(), options.focus->height());
-      focus_ = options.focus->grown_by(margin);
-    }
-  }
+  Divider(const FlattenOptions& options, PolylineBuilder& out) : options_(options), out_(out) {}
 
   void add_curve(const Curve& curve) {
     const BlurSlope slope(curve, options_.sharp_radius);
@@ -81,13 +77,20 @@ class Divider {
 
   double tolerance_of(const Cubic& cubic, double slope) const {
     double most = options_.tolerance;
-    if (options_.focus) {
+    bool is_seen = true;
+    if (!options_.focuses.empty()) {
       const Box box = bounds(cubic);
-      const double far = kStrayPerDistance * distance(box, *options_.focus);
-      if (!overlap(box, focus_)) return std::max(options_.outside_tolerance, far);
-      most = std::max(most, far);
+      most = std::numeric_limits<double>::infinity();
+      is_seen = false;
+      for (const FlattenFocus& focus : options_.focuses) {
+        const double margin = 0.1 * std::max(focus.box.width(), focus.box.height());
+        const bool is_near = overlap(box, focus.box.grown_by(margin));
+        const double near = is_near ? focus.tolerance : focus.outside_tolerance;
+        most = std::min(most, std::max(near, kStrayPerDistance * distance(box, focus.box)));
+        is_seen = is_seen || is_near;
+      }
     }
-    return slope > 0 ? std::clamp(kBlurStray / slope, most / kFinestBlur, most) : most;
+    return is_seen && slope > 0 ? std::clamp(kBlurStray / slope, most / kFinestBlur, most) : most;
   }
 
   /// In how many parts a stretch is to be cut: 1 where it is flat.
@@ -128,7 +131,6 @@ class Divider {
 
   const FlattenOptions& options_;
   PolylineBuilder& out_;
-  Box focus_;  ///< with its margin; where there is one
 };
 
 /// A list with stops where the value passes `value`.

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -12,13 +11,18 @@
 
 namespace sfumato::curves {
 
-struct FlattenOptions {
-  double tolerance = 0.1;  ///< distance between chord and curve, user units, above 0
-  /// Outside this box (grown by a tenth) the coarser `outside_tolerance` is enough, and where
-  /// it is more, 1/16384 of the distance: it changes colours in the box by less than 0.25 code
-  /// values.
-  std::optional<Box> focus{};
+/// Distances between chord and curve, user units, above 0, where something looks at a box. Outside
+/// of it (grown by a tenth) the coarser `outside_tolerance` is enough, and where it is more,
+/// 1/16384 of the distance: it changes colours in the box by less than 0.25 code values.
+struct FlattenFocus {
+  Box box;
+  double tolerance = 0.1;
   double outside_tolerance = 0.1;
+};
+
+struct FlattenOptions {
+  double tolerance = 0.1;               ///< as FlattenFocus has it, where nothing looks
+  std::vector<FlattenFocus> focuses{};  ///< what the finest of them asks for counts
   /// Curves that come this close to one another's vertices pass through them, user units; 0: only
   /// those that meet them exactly.
   double reach = 0;

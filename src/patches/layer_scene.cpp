@@ -49,6 +49,14 @@ double longer_side(const Box& box) {
   return std::max(box.width(), box.height());
 }
 
+Box within_coordinates(const Box& box) {
+  const auto clamped = [](Vec2 p) {
+    return Vec2{std::clamp(p.x, -limits::kCoordinate, limits::kCoordinate),
+                std::clamp(p.y, -limits::kCoordinate, limits::kCoordinate)};
+  };
+  return {clamped(box.min), clamped(box.max)};
+}
+
 /// Lengths and areas of the artboard as they are in a layer's frame.
 class LayerUnits {
  public:
@@ -76,21 +84,22 @@ class LayerUnits {
     flatten.split_radius = smallest_radius();
     if (options_.tolerance) {
       flatten.tolerance = *options_.tolerance / sight_.scale;
-      flatten.outside_tolerance = flatten.tolerance;
       return flatten;
     }
     const Tolerance& tolerance = options_.max_error > 0 ? kTolerance : kPaperTolerance;
-    flatten.outside_tolerance = tolerance.per_side * artboard_side_;
-    flatten.tolerance = std::min(flatten.outside_tolerance, tolerance.px * pixel());
-    flatten.focus = sight_.viewport;
+    for (const LayerView& view : sight_.views) {
+      const double outside = tolerance.per_side * artboard_side_ * (sight_.scale / view.scale);
+      const double inside = tolerance.px / (options_.pixels_per_unit * view.scale);
+      flatten.focuses.push_back({view.window, std::min(outside, inside), outside});
+    }
     return flatten;
   }
 
   mesh::MeshOptions mesh_options() const {
     mesh::MeshOptions mesh;
     mesh.unit_size = std::min(artboard_side_ / kNominalSidePx, pixel());
-    // Beyond the viewport by more than the weld can move the frame.
-    mesh.frame = sight_.viewport.grown_by(2 * mesh.unit_size);
+    // Beyond the viewport by more than the weld can move the frame, where there are coordinates.
+    mesh.frame = within_coordinates(sight_.viewport.grown_by(2 * mesh.unit_size));
     // The weld moves curves: it must not undo a finer tolerance that was asked for.
     if (options_.tolerance) {
       const double tolerance = *options_.tolerance / sight_.scale;
@@ -116,6 +125,15 @@ double largest_scale(const Affine& m) {
   const double determinant = m.determinant();
   const double rest = std::sqrt(std::max(0.0, squares * squares - 4 * determinant * determinant));
   return std::sqrt(0.5 * (squares + rest));
+}
+
+/// Unites the view with those of about its scale.
+void add_view(const LayerView& view, std::vector<LayerView>& views) {
+  const auto same = std::ranges::find(views, std::ilogb(view.scale),
+                                      [](const LayerView& v) { return std::ilogb(v.scale); });
+  if (same == views.end()) return views.push_back(view);
+  same->window = united(same->window, view.window);
+  same->scale = std::max(same->scale, view.scale);
 }
 
 bool bears_opacity(const Curve& curve) {
@@ -165,15 +183,16 @@ Result<FieldScene> prepare_field(Context& context, const mesh::Mesher& mesher,
   return FieldScene{std::move(attributes), std::move(charge), std::move(*gatherer)};
 }
 
-/// What the frame of a layer may hold: its triangles' vertices are coordinates like any others.
-Status check_frame(const Box& frame, const Layer& layer) {
-  const double reach = std::max({-frame.min.x, -frame.min.y, frame.max.x, frame.max.y});
+/// What may be looked at: the triangles' vertices are coordinates like any others.
+Status check_sight(const LayerSight& sight, const Layer& layer) {
+  const Box& seen = sight.viewport;
+  const double reach = std::max({-seen.min.x, -seen.min.y, seen.max.x, seen.max.y});
   if (reach <= limits::kCoordinate) return ok_status();
   const std::string name = layer.id.empty() ? "a layer" : "layer \"" + layer.id + '"';
   return make_error(StatusCode::limit,
                     "the picture shows coordinates of " + name + " beyond the limit of " +
                         std::to_string(static_cast<std::int64_t>(limits::kCoordinate)) +
-                        ": a transform shrinks it too far");
+                        ": a transform or the viewport reaches too far");
 }
 
 }  // namespace
@@ -216,8 +235,10 @@ LayerSight sight_of_layer(const Document& document, std::uint32_t layer, const B
     const auto* instance = std::get_if<LayerInstance>(&item);
     if (!instance || instance->layer != layer) continue;
     const Affine& map = instance->artboard_from_layer;
-    sight.viewport = united(sight.viewport, bounds_of_mapped(inverse(map), viewport));
-    scale = std::max(scale, largest_scale(map));
+    const LayerView view{bounds_of_mapped(inverse(map), viewport), largest_scale(map)};
+    sight.viewport = united(sight.viewport, view.window);
+    scale = std::max(scale, view.scale);
+    if (view.scale > 0) add_view(view, sight.views);
   }
   if (scale > 0) sight.scale = scale;
   return sight;
@@ -230,7 +251,7 @@ Result<LayerScene> prepare_layer(Context& context, const Document& document, std
   const std::vector<Curve>& curves = document.layers[layer].curves;
   const LayerUnits units(document.artboard, sight, options);
   const mesh::MeshOptions meshing = units.mesh_options();
-  if (Status status = check_frame(meshing.frame, document.layers[layer]); !status) return status;
+  if (Status status = check_sight(sight, document.layers[layer]); !status) return status;
   Result<curves::FlatCurves> flat = curves::flatten(context, curves, units.flatten_options());
   if (!flat) return flat.status();
   const bool is_joint = use == LayerUse::patches && curves::opacity_goes_with_color(curves);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "base/context.hpp"
 #include "base/status.hpp"
@@ -21,10 +22,17 @@ struct LayerScene {
   double smallest_edge;  ///< a triangle with no longer edge shows on no pixel, layer units
 };
 
+/// How some instances look at a layer.
+struct LayerView {
+  Box window;    ///< the part of the layer frame that they bring into the viewport
+  double scale;  ///< artboard units to a layer unit, of the one that enlarges it most
+};
+
 /// How a layer is looked at.
 struct LayerSight {
   Box viewport;      ///< the part of the layer frame that any instance brings into the viewport
   double scale = 1;  ///< artboard units to a layer unit, of the instance that enlarges it most
+  std::vector<LayerView> views{};  ///< of the instances whose scales have one power of two
 };
 
 /// Empty viewport: no instance shows any of the layer.

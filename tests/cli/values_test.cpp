@@ -47,6 +47,7 @@ TEST(ParseViewport, takes_a_corner_and_a_size) {
   const std::optional<Box> box = parse_viewport("-10,5.5,20,30");
   ASSERT_TRUE(box);
   EXPECT_EQ(*box, (Box{{-10, 5.5}, {10, 35.5}}));
+  EXPECT_TRUE(parse_viewport("-1e7,-1e7,2e7,2e7")) << "all that there is";
 }
 
 TEST(ParseViewport, refuses_what_has_no_area_or_not_four_numbers) {

@@ -283,9 +283,8 @@ TEST(Flatten, far_outside_the_focus_chords_stray_by_a_share_of_their_distance) {
   for (Vec2& p : far.control_points) p.x += 20;
   for (const double side : {1.0, 1e-3, 1e-7, 1e-300}) {
     const double tolerance = side / 5120;
-    const FlatCurves flat = flattened({far}, {.tolerance = tolerance,
-                                              .focus = Box{{0, 0}, {side, side}},
-                                              .outside_tolerance = tolerance});
+    const FlatCurves flat =
+        flattened({far}, {.focuses = {{Box{{0, 0}, {side, side}}, tolerance, tolerance}}});
     EXPECT_LT(flat.segment_count(), 200u) << side;
     for (std::uint32_t v = 0; v + 1 < flat.vertex.size(); ++v) {
       const double middle = 0.5 * (flat.parameter[v] + flat.parameter[v + 1]);
@@ -299,11 +298,24 @@ TEST(Flatten, far_outside_the_focus_chords_stray_by_a_share_of_their_distance) {
 TEST(Flatten, outside_the_focus_the_coarser_tolerance_is_enough) {
   Curve far = arch();
   for (Vec2& p : far.control_points) p.x += 1000;
-  const FlattenOptions options{
-      .tolerance = 0.001, .focus = Box{{0, 0}, {100, 100}}, .outside_tolerance = 0.5};
+  const FlattenOptions options{.focuses = {{Box{{0, 0}, {100, 100}}, 0.001, 0.5}}};
   const FlatCurves flat = flattened({arch(), far}, options);
   EXPECT_GT(flat.curve_begin[1] - flat.curve_begin[0],
             4 * (flat.curve_begin[2] - flat.curve_begin[1]));
+}
+
+TEST(Flatten, of_many_focuses_the_finest_counts_where_it_looks) {
+  const Box near{{0, 0}, {20, 20}};
+  const auto count = [&](const FlattenOptions& options) {
+    return flattened({arch()}, options).segment_count();
+  };
+  const std::size_t coarse = count({.focuses = {{near, 0.1, 0.1}}});
+  const std::size_t fine = count({.focuses = {{near, 1e-4, 1e-4}}});
+  ASSERT_GT(fine, 4 * coarse);
+  EXPECT_EQ(count({.focuses = {{near, 0.1, 0.1}, {near, 1e-4, 1e-4}}}), fine);
+  // One that looks at a place far away hardly asks for more, however fine it is.
+  const Box far{{1e4, 1e4}, {1e4 + 1e-6, 1e4 + 1e-6}};
+  EXPECT_EQ(count({.focuses = {{near, 0.1, 0.1}, {far, 1e-12, 1e-12}}}), coarse);
 }
 
 TEST(Flatten, a_piece_of_no_length_is_harmless) {

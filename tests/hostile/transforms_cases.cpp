@@ -37,7 +37,7 @@ void add_cases(Family& family) {
   family.add("flat_in_one_direction", kDone, "is flattened to nothing", transformed("scale(1 0)"));
   family.add("flat_curve", kDone, "is flattened to nothing",
              curve_transformed("matrix(1 1 1 1 0 0)"));
-  family.add("nearly_flat", kLimit, "a transform shrinks it too far",
+  family.add("nearly_flat", kLimit, "a transform or the viewport reaches too far",
              transformed("matrix(1 1 1 1.0000001 0 0)"));
   family.add("nearly_flat_curve", kDone, "", curve_transformed("matrix(1 1 1 1.0000001 0 0)"));
   family.add("skew_of_90_degrees", kBadInput, "transform", transformed("skewX(90)"));
@@ -49,7 +49,8 @@ void add_cases(Family& family) {
   family.add("large", kDone, "", transformed("scale(1e6)"));
   family.add("large_curve", kBadInput, "reaches farther than 10000000",
              curve_transformed("scale(1e6)"));
-  family.add("small", kLimit, "a transform shrinks it too far", transformed("scale(1e-6)"));
+  family.add("small", kLimit, "a transform or the viewport reaches too far",
+             transformed("scale(1e-6)"));
   family.add("small_curve", kDone, "", curve_transformed("scale(1e-6)"));
   family.add("products_that_overflow", kBadInput, "the product is too large",
              transformed(repeated("scale(1e7)", 50)));

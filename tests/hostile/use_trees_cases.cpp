@@ -45,6 +45,19 @@ void add_circles(Family& family) {
       .message = "in.svg:2";
 }
 
+/// One layer that is seen whole and, a hundred thousand times larger, at a place of its own.
+std::string at_two_scales(const std::string& place) {
+  return svg(
+      "<defs><g id='l' sf:diffuse='true'><circle r='30' sf:left='red' sf:right='blue'/></g>"
+      "</defs><use href='#l'/><use href='#l' transform='scale(1e5) " +
+      place + "'/>");
+}
+
+void add_scales(Family& family) {
+  family.add("of_two_scales", kDone, "", at_two_scales(""));
+  family.add("of_two_scales_at_an_edge", kDone, "", at_two_scales("translate(-18 -24)"));
+}
+
 void add_trees(Family& family) {
   family.add("layers_1e9", kLimit, "more than the limit of 200000 layers, local curves and groups",
              [] { return svg(laughs(9, kLayer) + "<use href='#g9'/>"); });
@@ -172,6 +185,7 @@ void add_odd(Family& family) {
 
 void add_cases(Family& family) {
   add_circles(family);
+  add_scales(family);
   add_trees(family);
   add_costly(family);
   add_odd(family);

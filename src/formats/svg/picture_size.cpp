@@ -27,9 +27,10 @@ SideLength read_side(Input& input, const char* name, const Box& view_box, Axis a
   if (!text || css_lower(css_trimmed(*text)) == "auto") return {};
   const Result<double> length = parse_length(*text, view_box, axis);
   if (length && *length > 0) return {*length, css_trimmed(*text).ends_with('%')};
+  const std::string wrong = length ? " is " + quoted(*text) + "; expected a length above 0"
+                                   : ": " + length.status().message;
   input.warn(std::string("/svg ") + name, input.root(),
-             std::string(name) + " of <svg> is " + quoted(*text) +
-                 "; expected a length above 0: the viewBox says the size");
+             std::string(name) + " of <svg>" + wrong + ": the viewBox says the size");
   return {};
 }
 
