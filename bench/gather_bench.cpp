@@ -43,8 +43,7 @@ std::unique_ptr<Prepared> prepare(benchmark::State& state, const std::string& na
   const std::vector<Curve>& curves = document->layers[0].curves;
   const double side = std::max(document->artboard.width(), document->artboard.height());
   const double tolerance = side * 0.1 / 512;
-  Result<curves::FlatCurves> flat = curves::flatten(
-      context, curves, {.tolerance = tolerance});
+  Result<curves::FlatCurves> flat = curves::flatten(context, curves, {.tolerance = tolerance});
   mesh::MeshOptions options;
   options.frame = document->artboard;
   options.unit_size = side / 1024;

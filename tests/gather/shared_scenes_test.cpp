@@ -20,8 +20,8 @@ class SharedScene : public testing::TestWithParam<const char*> {
     Context context;
     const double side = std::max(document->artboard.width(), document->artboard.height());
     const std::vector<Curve>& curves = document->layers[0].curves;
-    Result<curves::FlatCurves> flat = curves::flatten(
-        context, curves, {.tolerance = side * 0.1 / 512});
+    Result<curves::FlatCurves> flat =
+        curves::flatten(context, curves, {.tolerance = side * 0.1 / 512});
     ASSERT_TRUE(flat.ok());
     mesh::MeshOptions options;
     options.frame = document->artboard;
