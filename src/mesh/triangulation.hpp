@@ -128,21 +128,13 @@ struct Triangulation {
   /// Calls visit(t) for what stands in `touched` and empties it.
   template <class Visit>
   void take_touched(Visit visit) {
-    for (const std::int32_t t : touched) {
-      triangle[t].listed &= ~kTouched;
-      visit(t);
-    }
-    touched.clear();
+    take(touched, kTouched, visit);
   }
 
   /// The same for `changed`.
   template <class Visit>
   void take_changed(Visit visit) {
-    for (const std::int32_t t : changed) {
-      triangle[t].listed &= ~kChanged;
-      visit(t);
-    }
-    changed.clear();
+    take(changed, kChanged, visit);
   }
 
   /// Room for one more insertion; `grow` charges for it and makes it.
@@ -156,6 +148,15 @@ struct Triangulation {
   std::int32_t last = 0;  ///< a triangle near the last place worked at
 
  private:
+  template <class Visit>
+  void take(std::vector<std::int32_t>& list, std::int16_t bit, Visit visit) {
+    for (const std::int32_t t : list) {
+      triangle[t].listed &= ~bit;
+      visit(t);
+    }
+    list.clear();
+  }
+
   Vertex add_vertex(Point p) {
     point.push_back(p);
     spoke.push_back(kNone);

@@ -32,7 +32,7 @@ struct LayerView {
 struct LayerSight {
   Box viewport;      ///< the part of the layer frame that any instance brings into the viewport
   double scale = 1;  ///< artboard units to a layer unit, of the instance that enlarges it most
-  std::vector<LayerView> views{};  ///< of the instances whose scales have one power of two
+  std::vector<LayerView> views{};  ///< instances whose scales share a power of two are one
 };
 
 /// Empty viewport: no instance shows any of the layer.
