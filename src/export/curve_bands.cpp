@@ -271,8 +271,7 @@ void BandBuilder::paint_band(std::uint32_t side) {
 
 /// An edge that has no other side.
 void BandBuilder::paint_end(std::uint32_t side, Part part) {
-  if (layer_.opacity.channel_count == 0) return;
-  if (!is_mask()) return part == Part::beyond ? carry_outside(side, &bands_->under) : void();
+  if (!is_mask()) return;  // make_end_band
   if (part == Part::band) return paint_band(side);
   if (part == Part::ground) return paint_nothing(side);
   carry_nothing(side);

@@ -23,7 +23,7 @@ struct CurveBands {
 ///
 /// Where just one side of a curve has opacity, `under` carries its colours into the other, which
 /// nobody sees, and nothing is clipped: the mask alone is antialiased. Beyond the last triangle,
-/// opacities are 0.
+/// opacities are 0; where the mesh ends, colours are carried on by make_end_band.
 /// Errors: limit (memory), cancelled.
 Result<CurveBands> make_curve_bands(Context& context, const PatchLayer& layer,
                                     InterpolationSpace space, const FacetSource& source,

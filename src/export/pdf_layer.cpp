@@ -1,9 +1,12 @@
 #include "export/pdf_layer.hpp"
 
+#include <cmath>
 #include <string_view>
 #include <utility>
 
 #include "export/curve_bands.hpp"
+#include "export/end_bands.hpp"
+#include "export/facet_patch.hpp"
 #include "export/mesh_bytes.hpp"
 #include "export/pdf_content.hpp"
 #include "export/pdf_paint.hpp"
@@ -20,19 +23,45 @@ constexpr double kShift = 0.09;
 /// Of the bands along curves, points: more than two pixels of a screen.
 constexpr double kBandWidth = 1.75;
 
-/// Of a quadrangle: eight numbers and its operators.
-constexpr std::size_t kQuadrangleBytes = 128;
+/// How far colours go on beyond a layer's last curve, points: a pixel that the curve cuts has its
+/// centre in there, and a narrow gap keeps the colours of both its sides.
+constexpr double kBeyondWidth = 1;
 
-/// Operators that fill the union of quadrangles with white. Errors: cancelled.
-Result<std::string> white_fill(const Context& context,
-                               const std::vector<std::array<Vec2, 4>>& quadrangles) {
+/// Of a point of a path: two numbers and an operator.
+constexpr std::size_t kPointBytes = 32;
+
+/// How exactly points of paths are written, points of the page.
+constexpr double kPathStep = 0.002;
+
+/// A power of ten of steps, each kPathStep or less, to a unit.
+double steps_per_unit(double points_per_unit) {
+  return std::pow(10, std::ceil(std::log10(points_per_unit / kPathStep)));
+}
+
+/// Operators that fill the union of closed lines, which all turn alike but around holes, with
+/// white. Errors: limit, cancelled.
+template <class Lines>
+Result<std::string> white_fill(Context& context, const Lines& lines, double steps_per_unit,
+                               ScopedCharge* charge) {
+  const auto number = [&](double value) {
+    const double steps = value * steps_per_unit;
+    return pdf_number(std::isfinite(steps) ? std::round(steps) / steps_per_unit : value);
+  };
+  std::size_t points = 0;
+  for (const auto& line : lines) points += line.size();
+  // The text here, and in the mask, which doubles.
+  Status status = charge->add(context, 4 * kPointBytes * points, "a PDF's text");
+  if (!status) return status;
   std::string path = "1 g ";
-  RarePoll<1024> poll(context);
-  for (const auto& corner : quadrangles) {
-    if (poll.cancelled()) return context.stop_status();
-    const char* operators[] = {" m ", " l ", " l ", " l h\n"};
-    for (std::size_t k = 0; k < 4; ++k)
-      path += pdf_number(corner[k].x) + " " + pdf_number(corner[k].y) + operators[k];
+  RarePoll<4096> poll(context);
+  for (const auto& line : lines) {
+    const char* operation = " m ";
+    for (const Vec2 point : line) {
+      if (poll.cancelled()) return context.stop_status();
+      path += number(point.x) + " " + number(point.y) + operation;
+      operation = " l ";
+    }
+    path += "h\n";
   }
   return path + "f";
 }
@@ -63,15 +92,20 @@ class LayerWriter {
   };
 
   bool is_mixed_elsewhere() const;
+  bool has_opacity() const { return layer_.opacity.channel_count > 0; }
+  /// Whether a path is the mask.
+  bool is_outlined() const { return !has_opacity() && has_ends(edges_); }
   double pixels_per_unit() const { return options_.points_per_unit * options_.dpi / 72; }
   void paint_facets(const FacetSource& source, PdfContent* content);
+  void paint_beyond(const FacetSource& source, PdfContent* content);
   void paint_bands(const FacetSource& source, PdfContent* content);
-  void paint_once(const FacetMesh& mesh, const Box& box, PdfContent* content);
+  void paint_once(const FacetMesh& mesh, PdfContent* content);
   void paint_clipped(const FacetMesh& mesh, std::string_view white, PdfContent* content);
   double band_width() const { return kBandWidth / options_.points_per_unit; }
   void paint_field(bool is_opacity, PdfContent* content);
   Paint add_shader(bool is_opacity, std::uint32_t shader);
   void paint_pixels(PdfContent* content);
+  void fill_outline(PdfContent* mask);
   Box box_of_weight(const PatchField& field, std::size_t channel) const;
 
   Context& context_;
@@ -96,9 +130,19 @@ void LayerWriter::paint_facets(const FacetSource& source, PdfContent* content) {
                                              options_.max_error, 1 / pixels_per_unit());
   if (!mesh) return file_->fail(mesh.status());
   notes_->triangle_count += mesh->facet_vertex.size() / 3;
+  if (reads_color(source)) paint_beyond(source, content);
   paint_mesh(add_mesh(context_, file_, *mesh, mesh_box_), kShift / options_.points_per_unit,
              content);
   paint_bands(source, content);
+}
+
+/// Below the mesh its colours, carried on where it ends: the mask cuts them.
+void LayerWriter::paint_beyond(const FacetSource& source, PdfContent* content) {
+  if (!has_ends(edges_)) return;
+  const Result<FacetMesh> band = make_end_band(context_, layer_, picture_.interpolation, source,
+                                               edges_, kBeyondWidth / options_.points_per_unit);
+  if (!band) return file_->fail(band.status());
+  paint_once(*band, content);
 }
 
 /// Antialiases the curves: over the mesh one side's colours, a little into the other, and over
@@ -108,13 +152,11 @@ void LayerWriter::paint_bands(const FacetSource& source, PdfContent* content) {
   const Result<CurveBands> bands =
       make_curve_bands(context_, layer_, picture_.interpolation, source, edges_, band_width());
   if (!bands) return file_->fail(bands.status());
-  paint_once(bands->under, decode_box(bands->under.vertex_position), content);
+  paint_once(bands->under, content);
   if (bands->clip.empty()) return;
-  // The text here, and in the mask, which doubles.
   ScopedCharge charge;
-  Status status = charge.add(context_, 4 * kQuadrangleBytes * bands->clip.size(), "a PDF's text");
-  if (!status) return file_->fail(std::move(status));
-  const Result<std::string> white = white_fill(context_, bands->clip);
+  const Result<std::string> white =
+      white_fill(context_, bands->clip, steps_per_unit(options_.points_per_unit), &charge);
   if (!white) return file_->fail(white.status());
   paint_clipped(bands->over, *white, content);
 }
@@ -127,16 +169,16 @@ void LayerWriter::paint_clipped(const FacetMesh& mesh, std::string_view white,
   PdfContent mask, clipped;
   mask.add(white);
   const PdfRef state = add_mask(file_, mask.make_mask_form(file_, box));
-  paint_once(mesh, box, &clipped);
+  paint_once(mesh, &clipped);
   const PdfRef form = mesh.channel_count == 1 ? clipped.make_mask_form(file_, box)
                                               : clipped.make_form(file_, box, true);
   content->add("q " + content->name(Resource::graphics_state, state) + " gs " +
                content->name(Resource::form, form) + " Do Q");
 }
 
-void LayerWriter::paint_once(const FacetMesh& mesh, const Box& box, PdfContent* content) {
+void LayerWriter::paint_once(const FacetMesh& mesh, PdfContent* content) {
   notes_->triangle_count += mesh.facet_vertex.size() / 3;
-  const PdfRef ref = add_mesh(context_, file_, mesh, box);
+  const PdfRef ref = add_mesh(context_, file_, mesh, decode_box(mesh.vertex_position));
   if (ref != 0) content->add(content->name(Resource::shading, ref) + " sh");
 }
 
@@ -158,8 +200,9 @@ LayerWriter::Paint LayerWriter::add_shader(bool is_opacity, std::uint32_t shader
   Paint paint;
   paint.box = box_of_weight(field, (is_opacity ? 1u : 3u) + shader);
   if (!(paint.box.width() > 0 && paint.box.height() > 0)) return paint;
-  // Bands carry weights across curves; without the paint there, opacity would show at its ends.
-  if (is_opacity) paint.box = paint.box.grown_by(band_width());
+  // Bands carry weights across curves and beyond them; without the paint there, opacity would show
+  // at its ends, and the mean colour at those of an outline.
+  if (is_opacity || is_outlined()) paint.box = paint.box.grown_by(band_width());
   const Result<PixelPart> part = shader_pixels(context_, picture_.shaders[field.shader[shader]],
                                                is_opacity, paint.box, pixels_per_unit());
   if (!part) {
@@ -206,6 +249,17 @@ void LayerWriter::paint_pixels(PdfContent* content) {
   paint_image(add_image(context_, file_, part->image), mesh_box_, content);
 }
 
+/// The mask of a layer without opacity: white as far as it goes.
+void LayerWriter::fill_outline(PdfContent* mask) {
+  const Result<LayerOutline> outline = outline_of_ends(context_, layer_, edges_, band_width());
+  if (!outline) return file_->fail(outline.status());
+  ScopedCharge charge;
+  const Result<std::string> white =
+      white_fill(context_, outline->loop, steps_per_unit(options_.points_per_unit), &charge);
+  if (!white) return file_->fail(white.status());
+  mask->add(*white);
+}
+
 PdfRef LayerWriter::write() {
   if (layer_.triangle_count() == 0) return 0;
   PdfContent content;
@@ -220,10 +274,14 @@ PdfRef LayerWriter::write() {
     return content.make_form(file_, box_, options_.is_group);
   }
   paint_field(false, &content);
-  if (layer_.opacity.channel_count == 0)
+  if (!has_opacity() && !is_outlined())
     return content.make_form(file_, box_, options_.is_group || !layer_.color.shader.empty());
   PdfContent mask, masked;
-  paint_field(true, &mask);
+  if (has_opacity()) {
+    paint_field(true, &mask);
+  } else {
+    fill_outline(&mask);
+  }
   // The mask is applied to a group: applied to a shading, it would be to each of its triangles.
   const PdfRef colors = content.make_form(file_, box_, true);
   const PdfRef state = add_mask(file_, mask.make_mask_form(file_, box_));

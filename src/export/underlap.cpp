@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "export/end_loops.hpp"
+
 namespace sfumato::outputs {
 namespace {
 
@@ -167,15 +169,6 @@ Status mark_near_end(const Context& context, const FacetLinks& links, std::vecto
   return ok_status();
 }
 
-bool on_one_side(Vec2 a, Vec2 b, const Box& frame) {
-  const double near = 2e-6 * std::max(frame.width(), frame.height());
-  const auto both = [&](double x, double y, double side) {
-    return std::fabs(x - side) <= near && std::fabs(y - side) <= near;
-  };
-  return both(a.x, b.x, frame.min.x) || both(a.x, b.x, frame.max.x) ||
-         both(a.y, b.y, frame.min.y) || both(a.y, b.y, frame.max.y);
-}
-
 }  // namespace
 
 Result<FacetOutlines> underlapped(Context& context, const FacetMesh& mesh, const FacetLinks& links,
@@ -232,24 +225,15 @@ Result<std::vector<SmallFacet>> small_facets(const Context& context, const Facet
 Result<Silhouette> silhouette(const Context& context, const FacetMesh& mesh,
                               const FacetLinks& links, const Box& frame) {
   Silhouette result;
-  RarePoll<kFacetsPerCheck> poll(context);
   const auto start = [&](std::uint32_t edge) {
     return mesh.vertex_position[mesh.facet_vertex[edge]];
   };
-  std::vector<bool> is_done(links.twin.size());
-  for (std::uint32_t first = 0; first < links.twin.size(); ++first) {
-    if (poll.cancelled()) return context.stop_status();
-    if (links.twin[first] != kNoEdge || is_done[first]) continue;
-    std::vector<Vec2>& loop = result.loops.emplace_back();
-    for (std::uint32_t edge = first; !is_done[edge];) {
-      if (poll.cancelled()) return context.stop_status();
-      is_done[edge] = true;
-      loop.push_back(start(edge));
-      result.is_frame &= on_one_side(start(edge), start(next_edge(edge)), frame);
-      edge = next_edge(edge);
-      while (links.twin[edge] != kNoEdge) edge = next_edge(links.twin[edge]);
-    }
-  }
+  Status status = for_each_end_loop(context, links.twin, [&](std::uint32_t edge, bool is_first) {
+    if (is_first) result.loops.emplace_back();
+    result.loops.back().push_back(start(edge));
+    result.is_frame &= is_on_frame(start(edge), start(next_half_edge(edge)), frame);
+  });
+  if (!status) return status;
   return result;
 }
 
