@@ -26,6 +26,7 @@ constexpr std::array<const char*, kCssPropertyCount> kNames{"clip-path",
                                                             "mix-blend-mode",
                                                             "opacity",
                                                             "overflow",
+                                                            "paint-order",
                                                             "stop-color",
                                                             "stop-opacity",
                                                             "stroke",
@@ -148,7 +149,7 @@ std::optional<CssProperty> css_property_of(std::string_view raw_name) {
 bool is_inherited(CssProperty property) {
   return property == CssProperty::color || property == CssProperty::fill ||
          property == CssProperty::fill_opacity || property == CssProperty::fill_rule ||
-         property == CssProperty::visibility ||
+         property == CssProperty::paint_order || property == CssProperty::visibility ||
          (property >= CssProperty::stroke && property <= CssProperty::stroke_width);
 }
 
@@ -182,6 +183,8 @@ bool is_css_value(CssProperty property, std::string_view value, TextPoll& poll) 
     case CssProperty::overflow:
     case CssProperty::visibility:
       return is_words(value, words_of(property), most_words(property), poll);
+    case CssProperty::paint_order:
+      return css_paint_order(value, poll).has_value();
     case CssProperty::fill_rule:
     case CssProperty::stroke_dasharray:
     case CssProperty::stroke_dashoffset:

@@ -24,6 +24,7 @@ enum class CssProperty : std::uint8_t {
   mix_blend_mode,
   opacity,
   overflow,
+  paint_order,
   stop_color,
   stop_opacity,
   stroke,
@@ -40,7 +41,7 @@ enum class CssProperty : std::uint8_t {
   visibility
 };
 
-inline constexpr std::size_t kCssPropertyCount = 26;
+inline constexpr std::size_t kCssPropertyCount = 27;
 
 /// "clip-path"; ends with a zero.
 const char* css_property_name(CssProperty property);

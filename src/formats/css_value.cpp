@@ -1,6 +1,7 @@
 #include "formats/css_value.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "formats/css_text.hpp"
 #include "formats/number.hpp"
@@ -52,6 +53,25 @@ std::optional<double> css_share(std::string_view text, TextPoll& poll) {
   const auto value = css_number(*token);
   if (!value) return std::nullopt;
   return std::clamp(token->is(percentage) ? *value / 100 : *value, 0.0, 1.0);
+}
+
+std::optional<PaintOrder> css_paint_order(std::string_view text, TextPoll& poll) {
+  if (css_keyword(text, poll) == "normal") return PaintOrder::fill_first;
+  // Each at most once; those that are left out follow in this order.
+  constexpr std::array<std::string_view, 3> kParts{"fill", "stroke", "markers"};
+  std::array<std::size_t, kParts.size()> place{};  // from 1; 0: left out
+  CssTokenizer tokens(text, poll);
+  std::size_t count = 0;
+  for (CssToken token = next_solid(tokens); !token.is(end); token = next_solid(tokens)) {
+    const auto is_token = [&](std::string_view part) { return css_is_name(token.value, part); };
+    const auto part =
+        static_cast<std::size_t>(std::ranges::find_if(kParts, is_token) - kParts.begin());
+    if (!token.is(ident) || part == kParts.size() || place[part] > 0) return std::nullopt;
+    place[part] = ++count;
+  }
+  if (count == 0) return std::nullopt;
+  const bool stroke_first = place[1] > 0 && (place[0] == 0 || place[1] < place[0]);
+  return stroke_first ? PaintOrder::stroke_first : PaintOrder::fill_first;
 }
 
 std::optional<std::string> take_css_url(CssTokenizer& tokens, const CssToken& first) {

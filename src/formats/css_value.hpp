@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -22,6 +23,11 @@ std::optional<std::string> css_keyword(std::string_view text, TextPoll& poll);
 
 /// A value that is one number or percentage, 100% as 1, clamped to 0 to 1; else nothing.
 std::optional<double> css_share(std::string_view text, TextPoll& poll);
+
+/// A value of `paint-order`: whether the stroke is painted below the fill; nothing where it is
+/// none.
+enum class PaintOrder : std::uint8_t { fill_first, stroke_first };
+std::optional<PaintOrder> css_paint_order(std::string_view text, TextPoll& poll);
 
 /// Takes url(…), with quotes or without, whose first token was taken: what it holds. Nothing where
 /// it is none, broken, or longer than any reference within a document.

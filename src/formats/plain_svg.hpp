@@ -42,6 +42,7 @@ struct PlainShape {
   std::uint32_t fill_layer = 0;  ///< empty in the document, for the fill's curves
   std::optional<PlainPaint> stroke{};
   std::uint32_t stroke_layer = 0;
+  bool stroke_first = false;  ///< it is painted below the fill
   StrokeStyle style{};
 };
 

@@ -10,6 +10,8 @@ namespace sfumato::svg_import {
 namespace {
 
 constexpr std::size_t kDashes = 20'000;
+/// Of a subpath's length: by so much a sum of dashes misses its end by rounding; a dash is a dot.
+constexpr double kSlack = 1e-9;
 
 /// The stretch of a chain between two parameters.
 std::vector<Vec2> stretch(const std::vector<Vec2>& chain, double begin, double end) {
@@ -27,17 +29,43 @@ std::vector<Vec2> stretch(const std::vector<Vec2>& chain, double begin, double e
   return points;
 }
 
+/// Whether a dash lies on the beginning of a subpath whose first dash begins at `at` <= 0.
+bool begins_with_dash(const StrokeStyle& style, double at) {
+  for (std::size_t i = 0; i < style.dashes.size() && at <= 0; ++i) {
+    const double end = at + style.dashes[i];
+    if (end > 0 || (end == 0 && at == 0)) return i % 2 == 0;
+    at = end;
+  }
+  return false;
+}
+
+std::vector<Vec2> dot_at(const std::vector<Vec2>& chain, double parameter,
+                         const StrokeStyle& style) {
+  const std::size_t last = (chain.size() - 1) / 3 - 1;
+  const std::size_t i = std::min(static_cast<std::size_t>(parameter), last);
+  const curves::Cubic cubic = curves::piece(chain, i);
+  const double t = parameter - static_cast<double>(i);
+  return dot(curves::point_at(cubic, t), tangent_at(cubic, t), style);
+}
+
 Status dash_one(const std::vector<Vec2>& chain, const StrokeStyle& style, Contours& dashes) {
   const std::vector<double> lengths = curves::cumulative_length(chain);
   const double total = lengths.back();
   const double period = std::accumulate(style.dashes.begin(), style.dashes.end(), 0.0);
-  if (!(total > 0)) return ok_status();
   double at = -std::fmod(style.dash_offset, period);
   if (at > 0) at -= period;
-  for (std::size_t i = 0; at < total; i = (i + 1) % style.dashes.size()) {
+  if (!(total > 0)) {
+    if (begins_with_dash(style, at)) dashes.push_back(chain);
+    return ok_status();
+  }
+  // A dot on the end of a closed subpath is that on its beginning.
+  const double last_dot =
+      chain.front() == chain.back() ? total * (1 - kSlack) : total * (1 + kSlack);
+  for (std::size_t i = 0; at < std::max(total, last_dot); i = (i + 1) % style.dashes.size()) {
     const double end = std::min(at + style.dashes[i], total), begin = std::max(at, 0.0);
+    const bool is_dot = style.dashes[i] <= kSlack * total && at >= 0 && at <= last_dot;
     at += style.dashes[i];
-    if (i % 2 == 1 || end <= begin) {
+    if (i % 2 == 1 || (end - begin <= kSlack * total && !is_dot)) {
       if (!(at + period > at)) break;
       continue;
     }
@@ -47,7 +75,8 @@ Status dash_one(const std::vector<Vec2>& chain, const StrokeStyle& style, Contou
     const auto parameter = [&](double distance) {
       return curves::parameter_at_fraction(chain, lengths, distance / total);
     };
-    std::vector<Vec2> points = stretch(chain, parameter(begin), parameter(end));
+    std::vector<Vec2> points = is_dot ? dot_at(chain, parameter(begin), style)
+                                      : stretch(chain, parameter(begin), parameter(end));
     if (points.size() >= 4) dashes.push_back(std::move(points));
   }
   return ok_status();

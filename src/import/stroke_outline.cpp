@@ -21,19 +21,6 @@ Vec2 second_derivative_at(const Cubic& c, double t) {
   return 6 * lerp(a, b, t);
 }
 
-/// The direction of walking at t; where the derivative is 0, that towards the next other point.
-Vec2 tangent_at(const Cubic& c, double t) {
-  const double scale = length(c[1] - c[0]) + length(c[2] - c[1]) + length(c[3] - c[2]);
-  Vec2 along = curves::derivative_at(c, t);
-  if (length(along) <= 1e-9 * scale) {
-    constexpr double kStep = 1e-3;
-    along = curves::point_at(c, std::min(t + kStep, 1.0)) -
-            curves::point_at(c, std::max(t - kStep, 0.0));
-  }
-  const double size = length(along);
-  return size > 0 ? along / size : Vec2{1, 0};
-}
-
 bool is_point(const Cubic& c) {
   return c[0] == c[1] && c[0] == c[2] && c[0] == c[3];
 }
@@ -197,9 +184,7 @@ void outline(const std::vector<Vec2>& subpath, const StrokeStyle& style, double 
   }
   if (pieces.empty()) {  // a dot, where caps make one
     if (style.cap == StrokeCap::butt) return;
-    const Vec2 p = subpath.front();
-    const Vec2 step{style.width * 1e-6, 0};
-    pieces.push_back({p, p, p + step, p + step});
+    pieces.push_back(curves::piece(dot(subpath.front(), {1, 0}, style), 0));
   }
   const bool is_closed = pieces.front()[0] == pieces.back()[3];
   const std::vector<Cubic> back = reversed(pieces);
@@ -225,6 +210,23 @@ void outline(const std::vector<Vec2>& subpath, const StrokeStyle& style, double 
 }
 
 }  // namespace
+
+Vec2 tangent_at(const curves::Cubic& c, double t) {
+  const double scale = length(c[1] - c[0]) + length(c[2] - c[1]) + length(c[3] - c[2]);
+  Vec2 along = curves::derivative_at(c, t);
+  if (length(along) <= 1e-9 * scale) {
+    constexpr double kStep = 1e-3;
+    along = curves::point_at(c, std::min(t + kStep, 1.0)) -
+            curves::point_at(c, std::max(t - kStep, 0.0));
+  }
+  const double size = length(along);
+  return size > 0 ? along / size : Vec2{1, 0};
+}
+
+std::vector<Vec2> dot(Vec2 point, Vec2 direction, const StrokeStyle& style) {
+  const Vec2 end = point + style.width * 1e-6 * direction;
+  return {point, lerp(point, end, 1.0 / 3), lerp(point, end, 2.0 / 3), end};
+}
 
 Result<Contours> stroke_outline(const Context& context, const Contours& subpaths,
                                 const StrokeStyle& style, double tolerance) {

@@ -2,6 +2,7 @@
 
 #include "base/context.hpp"
 #include "base/status.hpp"
+#include "curves/bezier.hpp"
 #include "formats/plain_svg.hpp"
 #include "import/boundary.hpp"
 
@@ -14,7 +15,16 @@ namespace sfumato::svg_import {
 Result<Contours> stroke_outline(const Context& context, const Contours& subpaths,
                                 const StrokeStyle& style, double tolerance);
 
-/// The parts of the subpaths that dashes leave. Errors: limit, cancelled.
+/// A subpath so short that its caps are all that is seen of it: a disk, or a square that stands
+/// along `direction`, a unit vector.
+std::vector<Vec2> dot(Vec2 point, Vec2 direction, const StrokeStyle& style);
+
+/// The direction of walking at t, a unit vector; where the derivative is 0, that towards the next
+/// other point.
+Vec2 tangent_at(const curves::Cubic& cubic, double t);
+
+/// The parts of the subpaths that dashes leave; a dash of no length is a dot.
+/// Errors: limit, cancelled.
 Result<Contours> dashed(const Context& context, const Contours& subpaths, const StrokeStyle& style);
 
 }  // namespace sfumato::svg_import

@@ -123,6 +123,18 @@ TEST(SvgPath, each_subpath_is_a_curve) {
   expect_points(ends_of(curves[2]), {{6, 6}, {7, 6}});
 }
 
+TEST(SvgPath, a_subpath_of_no_length_is_left_out_with_a_warning) {
+  for (const std::string dot : {"M9 9z", "M9 9h0", "M9 9h0z", "M9 9zz"}) {
+    for (const std::string& path : {dot, "M1 1 H3 V3 Z" + dot, dot + "M1 1 H3 V3 Z"}) {
+      const ReadDocument document = read(svg("<g sf:diffuse='true'><path sf:left='red' d='" + path +
+                                             "'/><path sf:left='red' d='M1 1H3'/></g>"));
+      EXPECT_EQ(document.document.layers.at(0).curves.size(), path == dot ? 1u : 2u) << path;
+      ASSERT_EQ(document.warnings.size(), 1u) << path;
+      EXPECT_NE(document.warnings[0].message.find("no length"), std::string::npos) << path;
+    }
+  }
+}
+
 TEST(SvgPath, command_after_a_closed_subpath_begins_at_its_start) {
   const auto curves = curves_of("<path d='M1 1 H3 V3 Z L5 5'/>");
   ASSERT_EQ(curves.size(), 2u);

@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 #include <variant>
 
+#include "formats/each_text.hpp"
 #include "formats/svg_write.hpp"
 #include "import/boundary.hpp"
 #include "import/stroke_outline.hpp"
@@ -122,6 +125,102 @@ TEST(ImportSvg, opacity_of_a_shape_with_fill_and_stroke_is_that_of_a_group) {
   EXPECT_EQ(std::get<GroupBegin>(made.document.stack[0]).opacity, 0.5F);
 }
 
+/// The colours of the layers, bottom first, of a shape that is red and has a blue stroke.
+std::string painted(const std::string& attributes, const std::string& around = "") {
+  const ImportedSvg made =
+      imported("<g " + around + "><rect x='20' y='20' width='40' height='40' fill='#f00'" +
+               " stroke='#00f' stroke-width='4' " + attributes + "/></g>");
+  std::string colors;
+  for (const StackItem& item : made.document.stack) {
+    const auto* instance = std::get_if<LayerInstance>(&item);
+    if (!instance) continue;
+    const Curve& curve = made.document.layers[instance->layer].curves.at(0);
+    colors += color_of(curve.right.color) == Rgb{1, 0, 0} ? "fill " : "stroke ";
+  }
+  return colors + std::to_string(made.warnings.size());
+}
+
+TEST(ImportSvg, paint_order_says_whether_the_stroke_lies_below_the_fill) {
+  const auto by_attribute = [](const std::string& order) {
+    return painted("paint-order='" + order + "'");
+  };
+  const auto by_style = [](const std::string& order) {
+    return painted("style='paint-order:" + order + "'");
+  };
+  const auto inherited = [](const std::string& order) {
+    return painted("", "paint-order='" + order + "'");
+  };
+  const std::initializer_list<std::string> below{"stroke", "stroke fill markers", "markers stroke",
+                                                 " Stroke  MARKERS", "stroke/**/fill"};
+  const std::initializer_list<std::string> above{"normal", "fill", "fill stroke", "markers",
+                                                 "markers fill stroke"};
+  for (const auto& of :
+       {std::function(by_attribute), std::function(by_style), std::function(inherited)}) {
+    test::expect_of_each(below, of, "stroke fill 0");
+    test::expect_of_each(above, of, "fill stroke 0");
+  }
+  EXPECT_EQ(painted("paint-order='normal'", "paint-order='stroke'"), "fill stroke 0");
+  EXPECT_EQ(painted("style='paint-order:inherit'", "style='paint-order:stroke'"), "stroke fill 0");
+  EXPECT_EQ(painted("opacity='.5' paint-order='stroke'"), "stroke fill 0");
+  // What is no order is told, and changes nothing.
+  test::expect_of_each({"stroke stroke", "stroke normal", "stroke,fill", "stoke", "1"},
+                       by_attribute, "fill stroke 1");
+  test::expect_of_each({"stroke stroke", "stroke normal", "stroke,fill", "stoke", "1"}, by_style,
+                       "fill stroke 1");
+}
+
+/// The box of the only curve that a stroke of width 10 makes; empty where it makes none.
+Box stroked(const std::string& shape) {
+  const ImportedSvg made =
+      imported("<g fill='none' stroke='#000' stroke-width='10'>" + shape + "</g>");
+  EXPECT_LE(made.document.layers.size(), 1u) << shape;
+  Box box;
+  for (const Layer& layer : made.document.layers) {
+    EXPECT_EQ(layer.curves.size(), 1u) << shape;
+    for (const Vec2 point : layer.curves.at(0).control_points) box.extend(point);
+  }
+  return box;
+}
+
+/// Where a stroked dot reaches: left, top, right and bottom, in thousandths.
+std::string dot_of(const std::string& shape) {
+  const Box box = stroked(shape);
+  if (box.empty()) return "nothing";
+  std::string text;
+  for (const double value : {box.min.x, box.min.y, box.max.x, box.max.y}) {
+    text += std::to_string(std::lround(value * 1000)) + ' ';
+  }
+  return text;
+}
+
+TEST(ImportSvg, a_subpath_of_no_length_is_a_dot_where_caps_make_one) {
+  const std::initializer_list<std::string> shapes{"<path d='M20 50z'",
+                                                  "<path d='M20 50h0'",
+                                                  "<path d='M20 50l0 0'",
+                                                  "<path d='M20 50h0z'",
+                                                  "<path d='M20 50c0 0 0 0 0 0zz'",
+                                                  "<path d='M20 50a5 5 0 0 1 0 0'",
+                                                  "<path d='M9 9M20 50zM8 8'",
+                                                  "<line x1='20' y1='50' x2='20' y2='50'",
+                                                  "<polygon points='20,50'",
+                                                  "<polyline points='20,50 20,50'",
+                                                  "<path stroke-dasharray='3 4' d='M20 50z'"};
+  const auto capped = [](const std::string& cap) {
+    return [cap](const std::string& shape) {
+      return dot_of(shape + " stroke-linecap='" + cap + "'/>");
+    };
+  };
+  test::expect_of_each(shapes, capped("round"), "15000 45000 25000 55000 ");
+  test::expect_of_each(shapes, capped("square"), "15000 45000 25000 55000 ");
+  test::expect_of_each(shapes, capped("butt"), "nothing");
+  test::expect_of_each({"<path d='M20 50'", "<path d='M20 50M20 50'", "<polyline points='20,50'",
+                        "<path stroke-dasharray='3 4' stroke-dashoffset='4' d='M20 50z'"},
+                       capped("round"), "nothing");
+  // Half of the square's diagonal.
+  EXPECT_EQ(dot_of("<path d='M50 50z' stroke-linecap='square' transform='rotate(45 50 50)'/>"),
+            "42929 42929 57071 57071 ");
+}
+
 TEST(ImportSvg, what_cannot_be_brought_over_is_told_once_with_its_place) {
   const ImportedSvg made = imported(
       "<text>a</text><text>b</text><circle r=\"9\" cx=\"20\" cy=\"20\" filter=\"url(#f)\"/>"
@@ -191,6 +290,29 @@ TEST(StrokeOutline, caps_have_their_areas) {
 TEST(StrokeOutline, dashes_leave_gaps) {
   EXPECT_NEAR(stroked_area(kLine, {.width = 2, .dashes = {5, 5}}), 30, 1e-6);
   EXPECT_NEAR(stroked_area(kLine, {.width = 2, .dashes = {5, 5}, .dash_offset = 5}), 30, 1e-6);
+}
+
+TEST(StrokeOutline, dashes_of_no_length_are_dots) {
+  const double disk = 3.14159;
+  const auto dotted = [](StrokeCap cap, double offset = 0) {
+    return stroked_area(kLine, {.width = 2, .cap = cap, .dashes = {0, 10}, .dash_offset = offset});
+  };
+  EXPECT_NEAR(dotted(StrokeCap::round), 4 * disk, 0.01);
+  EXPECT_NEAR(dotted(StrokeCap::square), 16, 1e-3);
+  EXPECT_NEAR(dotted(StrokeCap::butt), 0, 1e-3);
+  EXPECT_NEAR(dotted(StrokeCap::round, 5), 3 * disk, 0.01);
+  EXPECT_NEAR(stroked_area(kLine, {.width = 2, .cap = StrokeCap::square, .dashes = {4, 5, 0, 6}}),
+              2 * (6 * 2 + 2 * 2), 1e-3);
+}
+
+TEST(StrokeOutline, squares_of_dots_stand_along_the_curve) {
+  const svg_import::Contours slanted{{{100, 100}, {110, 110}, {120, 120}, {130, 130}}};
+  const Context context;
+  const StrokeStyle style{.width = 2, .cap = StrokeCap::square, .dashes = {0, 100}};
+  const auto outline = svg_import::stroke_outline(context, slanted, style, 1e-3);
+  Box box;
+  for (const Vec2 point : outline->at(0)) box.extend(point);
+  EXPECT_NEAR(box.width(), 2 * std::sqrt(2), 1e-4);
 }
 
 TEST(StrokeOutline, joins_have_their_areas) {

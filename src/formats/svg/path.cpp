@@ -99,9 +99,11 @@ std::vector<Vec2> split_arc(const UnitArc& arc, bool sweep) {
 void PathBuilder::move_to(Vec2 point) {
   finish_subpath();
   current_ = begin_ = point;
+  is_moved_ = true;
 }
 
 void PathBuilder::begin_segment() {
+  is_moved_ = false;
   if (open_.control_points.empty()) {
     open_.control_points.push_back(current_);
     ++control_point_count_;
@@ -163,6 +165,7 @@ void PathBuilder::arc_to(Vec2 radii, double rotation_degrees, bool large, bool s
 }
 
 void PathBuilder::close() {
+  if (is_moved_) line_to(begin_);
   if (!open_.control_points.empty()) {
     const double extent = std::max(
         {std::abs(begin_.x), std::abs(begin_.y), std::abs(current_.x), std::abs(current_.y)});

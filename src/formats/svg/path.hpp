@@ -33,6 +33,7 @@ class PathBuilder {
   void cubic_to(Vec2 control1, Vec2 control2, Vec2 point);
   /// SVG 1.1, appendix F.6: from the current point to `point` on an ellipse.
   void arc_to(Vec2 radii, double rotation_degrees, bool large, bool sweep, Vec2 point);
+  /// Right after move_to: a subpath of no length, which caps make a dot of (SVG 2, 9.5).
   void close();
 
   Vec2 current() const { return current_; }
@@ -53,6 +54,7 @@ class PathBuilder {
   Subpath open_;
   Vec2 current_;
   Vec2 begin_;
+  bool is_moved_ = false;  ///< nothing was drawn since move_to
   std::size_t control_point_count_ = 0;
 };
 

@@ -26,6 +26,7 @@ Status SceneReader::read_plain(Element element, const Place& place) {
   shape.id = id_for(element, place);
   shape.artboard_from_user = place.frame_from_user;
   shape.even_odd = style.even_odd();
+  shape.stroke_first = style.stroke_first();
   const PaintedShape painted{element, place.frame_from_user, bounds(*subpaths)};
   auto fill = style.paint(CssProperty::fill, paints_, painted);
   if (!fill) return fill.status();
@@ -61,8 +62,10 @@ Status SceneReader::add_plain(Element element, const Place& place, PlainShape sh
     document_.stack.emplace_back(LayerInstance{layer, {}, paint->opacity, BlendMode::normal});
     return ok_status();
   };
-  Status status = add_layer(shape.fill, shape.fill_layer);
-  if (status) status = add_layer(shape.stroke, shape.stroke_layer);
+  Status status = ok_status();
+  if (shape.stroke_first) status = add_layer(shape.stroke, shape.stroke_layer);
+  if (status) status = add_layer(shape.fill, shape.fill_layer);
+  if (status && !shape.stroke_first) status = add_layer(shape.stroke, shape.stroke_layer);
   if (status) status = input_.charge(element, 2 * sizeof(PlainShape), "shapes");
   if (!status) return status;
   plain_->push_back(std::move(shape));

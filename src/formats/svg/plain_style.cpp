@@ -6,6 +6,7 @@
 #include "formats/css_text.hpp"
 #include "formats/css_value.hpp"
 #include "formats/number.hpp"
+#include "formats/suggestion.hpp"
 #include "formats/svg/length.hpp"
 
 namespace sfumato::svg {
@@ -29,6 +30,17 @@ std::string_view PlainStyle::property(CssProperty which, std::string_view initia
 
 std::string PlainStyle::keyword(CssProperty which) const {
   return css_keyword(property(which, ""), input_.text_poll()).value_or("");
+}
+
+bool PlainStyle::stroke_first() const {
+  const std::string_view text = property(CssProperty::paint_order, "normal");
+  const std::optional<PaintOrder> order = css_paint_order(text, input_.text_poll());
+  if (!order) {
+    input_.warn("/plain paint-order", shape_,
+                "paint-order of " + tag(shape_) + " is " + quoted(text.substr(0, 64)) +
+                    "; expected normal, or fill, stroke and markers in an order; normal is used");
+  }
+  return order == PaintOrder::stroke_first;
 }
 
 float PlainStyle::opacity(CssProperty which) const {

@@ -25,6 +25,7 @@ class PlainStyle {
   Result<std::optional<PlainPaint>> paint(CssProperty which, Paints& paints,
                                           const PaintedShape& shape);
   bool even_odd() const { return keyword(CssProperty::fill_rule) == "evenodd"; }
+  bool stroke_first() const;
   /// Errors: bad_input.
   Result<StrokeStyle> stroke_style() const;
 
