@@ -3,20 +3,20 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <span>
+#include <tuple>
 #include <utility>
 
+#include "base/large_vector.hpp"
 #include "curves/bezier.hpp"
-#include "import/chord_crossings.hpp"
+#include "import/arrangement.hpp"
+#include "import/chords.hpp"
 
 namespace sfumato::svg_import {
 namespace {
 
 constexpr int kMostChords = 64;  ///< of one Bézier piece
 constexpr std::size_t kChords = 2'000'000;
-/// Chords that the stretches are held against, all together.
-constexpr std::size_t kLooks = 200'000'000;
-constexpr double kShortest = 1e-7;  ///< stretch, in the contour's parameter
+constexpr double kParallel = 1e-9;  ///< sine of an angle
 
 using curves::Cubic;
 
@@ -36,21 +36,12 @@ void close(std::vector<Vec2>& chain, double tolerance) {
   chain.insert(chain.end(), {lerp(end, begin, 1.0 / 3), lerp(end, begin, 2.0 / 3), begin});
 }
 
-/// A place where a contour is cut, and the point there, which all that are cut there share.
-struct Cut {
-  double parameter = 0;
-  Vec2 point;
-};
-
-/// A stretch of a contour between two cuts.
-struct Stretch {
-  std::vector<Vec2> points;
-  bool is_boundary = false;
-};
+/// A stretch of a contour between two parameters; backwards where end < begin.
+using Run = Source;
 
 class Boundary {
  public:
-  Boundary(const Context& context, Contours contours, bool even_odd, double tolerance)
+  Boundary(Context& context, Contours contours, bool even_odd, double tolerance)
       : context_(context),
         contours_(std::move(contours)),
         even_odd_(even_odd),
@@ -60,41 +51,35 @@ class Boundary {
 
  private:
   Status flatten();
-  Status cut_at_crossings();
-  void refine(Crossing& crossing, double& first, double& second) const;
-  Status take_stretches();
-  /// 1: inside on the right; −1: on the left; 0: no boundary.
-  int side_of(std::size_t contour, double begin, double end) const;
-  bool is_inside(Vec2 point) const;
-  void keep(std::size_t contour, const Cut& begin, const Cut& end, int side);
-  Contours linked() const;
+  Status link();
+  Vec2 join(Run& before, Run& after) const;
+  bool refine(Run& before, Run& after, Vec2& point) const;
+  void keep(std::vector<Run> runs);
   bool is_sliver(const std::vector<Vec2>& loop) const;
-  Cubic piece_of(std::size_t contour, double parameter, double& t) const;
+  Vec2 point_of(std::uint32_t contour, double parameter) const;
+  Cubic piece_of(const Run& run, double parameter, double& base) const;
 
-  const Context& context_;
+  Context& context_;
   Contours contours_;
   bool even_odd_;
   double tolerance_;
   std::vector<Chord> chords_;
-  std::vector<std::size_t> first_chord_;  ///< per contour, then their number
-  std::vector<std::vector<Cut>> cuts_;
-  Contours kept_;
+  Contours loops_;
 };
 
 Status Boundary::flatten() {
   for (std::size_t c = 0; c < contours_.size(); ++c) {
     close(contours_[c], tolerance_);
-    first_chord_.push_back(chords_.size());
     for (std::size_t i = 0; 3 * i + 3 < contours_[c].size(); ++i) {
       const Cubic cubic = curves::piece(contours_[c], i);
       const int count = chord_count(cubic, tolerance_);
+      const auto base = static_cast<double>(i);
+      Vec2 from = cubic[0];
       for (int k = 0; k < count; ++k) {
         const double t0 = double{1} * k / count, t1 = double{1} * (k + 1) / count;
-        const Vec2 from = curves::point_at(cubic, t0), to = curves::point_at(cubic, t1);
-        const auto base = static_cast<double>(i);
-        if (!(from == to)) {
-          chords_.push_back({from, to, base + t0, base + t1, static_cast<std::uint32_t>(c)});
-        }
+        const Vec2 to = k + 1 < count ? curves::point_at(cubic, t1) : cubic[3];
+        chords_.push_back({from, to, base + t0, base + t1, static_cast<std::uint32_t>(c)});
+        from = to;
       }
       if (chords_.size() > kChords) {
         return make_error(StatusCode::limit, "a shape of the drawing is too long");
@@ -102,137 +87,89 @@ Status Boundary::flatten() {
       if (context_.cancelled()) return context_.stop_status();
     }
   }
-  first_chord_.push_back(chords_.size());
   return ok_status();
 }
 
-Cubic Boundary::piece_of(std::size_t contour, double parameter, double& t) const {
-  const std::vector<Vec2>& chain = contours_[contour];
-  const std::size_t count = (chain.size() - 1) / 3;
-  const auto i = std::min(static_cast<std::size_t>(parameter), count - 1);
-  t = parameter - static_cast<double>(i);
-  return curves::piece(chain, i);
+Vec2 Boundary::point_of(std::uint32_t contour, double parameter) const {
+  double base = 0;
+  const Cubic cubic = piece_of({contour, parameter, parameter}, parameter, base);
+  return curves::point_at(cubic, parameter - base);
 }
 
-/// From the crossing of two chords to that of their curves, by Newton's method; where it leads
-/// away from the chords they stand.
-void Boundary::refine(Crossing& crossing, double& first, double& second) const {
-  const Chord& a = chords_[crossing.first];
-  const Chord& b = chords_[crossing.second];
-  first = a.begin + (a.end - a.begin) * crossing.at_first;
-  second = b.begin + (b.end - b.begin) * crossing.at_second;
-  double s = 0, u = 0;
-  const Cubic on_a = piece_of(a.contour, (a.begin + a.end) / 2, s);
-  const Cubic on_b = piece_of(b.contour, (b.begin + b.end) / 2, u);
-  const double base_a = (a.begin + a.end) / 2 - s, base_b = (b.begin + b.end) / 2 - u;
-  s = first - base_a;
-  u = second - base_b;
-  for (int step = 0; step < 4; ++step) {
+/// The piece with a parameter; that which the run has a part of, where two meet.
+Cubic Boundary::piece_of(const Run& run, double parameter, double& base) const {
+  const std::vector<Vec2>& chain = contours_[run.contour];
+  const auto last = static_cast<double>((chain.size() - 1) / 3 - 1);
+  base = std::min(std::floor(parameter), last);
+  if (base == parameter && std::max(run.begin, run.end) <= parameter && base > 0) base -= 1;
+  return curves::piece(chain, static_cast<std::size_t>(base));
+}
+
+/// Moves two ends that meet to where their curves cross, by Newton's method, where that is near.
+bool Boundary::refine(Run& before, Run& after, Vec2& point) const {
+  double base_a = 0, base_b = 0;
+  const Cubic on_a = piece_of(before, before.end, base_a);
+  const Cubic on_b = piece_of(after, after.begin, base_b);
+  double s = before.end - base_a, u = after.begin - base_b;
+  const Vec2 begin = curves::point_at(on_a, s);
+  for (int step = 0; step < 5; ++step) {
     const Vec2 gap = curves::point_at(on_b, u) - curves::point_at(on_a, s);
     const Vec2 along_a = curves::derivative_at(on_a, s), along_b = curves::derivative_at(on_b, u);
     const double denominator = cross(along_a, along_b);
-    if (denominator == 0) return;
+    if (!(std::abs(denominator) > kParallel * length(along_a) * length(along_b))) return false;
     s += cross(gap, along_b) / denominator;
     u += cross(gap, along_a) / denominator;
-    const double span_a = a.end - a.begin, span_b = b.end - b.begin;
-    const bool strays = !(std::abs(base_a + s - first) <= span_a && s >= 0 && s <= 1) ||
-                        !(std::abs(base_b + u - second) <= span_b && u >= 0 && u <= 1);
-    if (strays) return;
+    if (!(s >= 0 && s <= 1 && u >= 0 && u <= 1)) return false;
   }
-  first = base_a + s;
-  second = base_b + u;
+  point = curves::point_at(on_a, s);
+  if (!(length(point - begin) <= 4 * tolerance_)) return false;
+  s += base_a;
+  u += base_b;
+  // No run turns round.
+  if ((s - before.begin) * (before.end - before.begin) <= 0) return false;
+  if ((after.end - u) * (after.end - after.begin) <= 0) return false;
+  before.end = s;
+  after.begin = u;
+  return true;
 }
 
-Status Boundary::cut_at_crossings() {
-  Result<std::vector<Crossing>> crossings = find_crossings(context_, chords_);
-  if (!crossings) return crossings.status();
-  cuts_.resize(contours_.size());
-  for (Crossing& crossing : *crossings) {
-    double first = 0, second = 0, t = 0;
-    refine(crossing, first, second);
-    const std::uint32_t a = chords_[crossing.first].contour, b = chords_[crossing.second].contour;
-    const Cubic on_a = piece_of(a, first, t);
-    const Vec2 point = curves::point_at(on_a, t);
-    cuts_[a].push_back({first, point});
-    cuts_[b].push_back({second, point});
-  }
-  for (std::size_t c = 0; c < contours_.size(); ++c) {
-    std::vector<Cut>& cuts = cuts_[c];
-    const auto end = static_cast<double>((contours_[c].size() - 1) / 3);
-    cuts.push_back({0, contours_[c].front()});
-    cuts.push_back({end, contours_[c].front()});
-    std::ranges::stable_sort(cuts, {}, &Cut::parameter);
-  }
-  return ok_status();
+/// Where one run ends and the next begins.
+Vec2 Boundary::join(Run& before, Run& after) const {
+  const auto is_corner = [](double parameter) { return parameter == std::floor(parameter); };
+  const Vec2 end = point_of(before.contour, before.end);
+  if (is_corner(before.end)) return end;
+  const Vec2 begin = point_of(after.contour, after.begin);
+  if (length(end - begin) > 8 * tolerance_)
+    if (is_corner(after.begin)) return begin;
+  Vec2 point = lerp(end, begin, 0.5);
+  refine(before, after, point);
+  return point;
 }
 
-bool Boundary::is_inside(Vec2 point) const {
-  const int number = winding_number(chords_, point);
-  return even_odd_ ? number % 2 != 0 : number != 0;
-}
-
-/// Asked beside the longest chord of the stretch.
-int Boundary::side_of(std::size_t contour, double begin, double end) const {
-  Vec2 from, to;
-  const auto all = std::span(chords_).subspan(first_chord_[contour],
-                                              first_chord_[contour + 1] - first_chord_[contour]);
-  const auto first =
-      std::ranges::partition_point(all, [begin](const Chord& chord) { return chord.end <= begin; });
-  for (const Chord& chord : std::span(first, all.end())) {
-    if (chord.begin >= end) break;
-    const double low = std::max(begin, chord.begin), high = std::min(end, chord.end);
-    const double span = chord.end - chord.begin;
-    const Vec2 a = lerp(chord.from, chord.to, (low - chord.begin) / span);
-    const Vec2 b = lerp(chord.from, chord.to, (high - chord.begin) / span);
-    if (length_squared(b - a) > length_squared(to - from)) from = a, to = b;
+/// A loop: its runs one after another.
+void Boundary::keep(std::vector<Run> runs) {
+  Run &first = runs.front(), &last = runs.back();
+  if (runs.size() > 1 && last.contour == first.contour && last.end == first.begin &&
+      (last.begin < last.end) == (first.begin < first.end)) {
+    first.begin = last.begin;
+    runs.pop_back();
   }
-  const double size = length(to - from);
-  if (!(size > 0)) return 0;
-  const Vec2 left = left_of(to - from) / size * std::min(tolerance_ / 64, size / 4);
-  const Vec2 middle = lerp(from, to, 0.4871);  // no place that symmetry leads others to
-  return (is_inside(middle - left) ? 1 : 0) - (is_inside(middle + left) ? 1 : 0);
-}
-
-/// The stretch, with its inside on the right.
-void Boundary::keep(std::size_t contour, const Cut& begin, const Cut& end, int side) {
-  std::vector<Vec2> points{begin.point};
-  double low = begin.parameter;
-  while (low < end.parameter) {
-    const double high = std::min(end.parameter, std::floor(low) + 1);
-    double t = 0;
-    const Cubic cubic = piece_of(contour, (low + high) / 2, t);
-    const double base = (low + high) / 2 - t;
-    const Cubic part = curves::subcurve(cubic, low - base, high - base);
-    points.insert(points.end(), part.begin() + 1, part.end());
-    low = high;
+  std::vector<Vec2> joints(runs.size());  // where each begins
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    joints[(i + 1) % runs.size()] = join(runs[i], runs[(i + 1) % runs.size()]);
   }
-  points.back() = end.point;
-  if (side < 0) std::ranges::reverse(points);
-  kept_.push_back(std::move(points));
-}
-
-Status Boundary::take_stretches() {
-  std::size_t looks = 0;
-  for (std::size_t c = 0; c < contours_.size(); ++c) {
-    const std::vector<Cut>& cuts = cuts_[c];
-    std::size_t begin = 0;
-    int side = 0;
-    for (std::size_t i = 1; i < cuts.size(); ++i) {
-      if (context_.cancelled()) return context_.stop_status();
-      // Of no length: has no sides, and the chain goes on.
-      if (cuts[i].parameter - cuts[i - 1].parameter < kShortest && i > 1) continue;
-      if ((looks += 2 * chords_.size()) > kLooks) {
-        return make_error(StatusCode::limit, "the shape crosses itself too often");
-      }
-      const int next = side_of(c, cuts[i - 1].parameter, cuts[i].parameter);
-      if (i > 1 && next == side) continue;
-      if (side != 0) keep(c, cuts[begin], cuts[i - 1], side);
-      begin = i - 1;
-      side = next;
-    }
-    if (side != 0) keep(c, cuts[begin], cuts.back(), side);
+  std::vector<Vec2> loop{joints[0]};
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const auto& [contour, begin, end] = runs[i];
+    std::vector<Vec2> points =
+        stretch(contours_[contour], std::min(begin, end), std::max(begin, end));
+    if (points.empty()) continue;
+    if (end < begin) std::ranges::reverse(points);
+    loop.insert(loop.end(), points.begin() + 1, points.end());
+    loop.back() = joints[(i + 1) % runs.size()];
   }
-  return ok_status();
+  loop.back() = loop.front();
+  if (loop.size() >= 4 && !is_sliver(loop)) loops_.push_back(std::move(loop));
 }
 
 /// A loop so thin that nobody sees it: what is left where contours nearly touch.
@@ -246,49 +183,78 @@ bool Boundary::is_sliver(const std::vector<Vec2>& loop) const {
   return std::abs(area) <= 2 * tolerance_ * around;
 }
 
-/// Stretches one after another where one ends in the other's beginning.
-Contours Boundary::linked() const {
-  std::multimap<std::pair<double, double>, std::size_t> begins;
-  const auto key = [](Vec2 p) { return std::pair(p.x, p.y); };
-  for (std::size_t i = 0; i < kept_.size(); ++i) begins.emplace(key(kept_[i].front()), i);
-  const auto take = [&](Vec2 point, std::size_t& index) {
-    const auto found = begins.find(key(point));
-    if (found == begins.end()) return false;
-    index = found->second;
-    begins.erase(found);
-    return true;
+bool goes_on_from(const Source& before, const Source& after) {
+  return before.contour == after.contour && before.end == after.begin &&
+         (before.begin < before.end) == (after.begin < after.end);
+}
+
+/// Of the contours that an edge lies on, that which the loop has followed so far.
+const Source& source_after(const BoundaryEdge& edge, const std::vector<Run>& runs) {
+  const auto goes_on = [&](const Source& source) {
+    return !runs.empty() && goes_on_from(runs.back(), source);
   };
-  Contours loops;
-  std::vector<bool> is_taken(kept_.size(), false);
-  for (std::size_t i = 0; i < kept_.size(); ++i) {
-    if (is_taken[i]) continue;
-    const auto [low, high] = begins.equal_range(key(kept_[i].front()));
-    begins.erase(std::find_if(low, high, [i](const auto& entry) { return entry.second == i; }));
-    is_taken[i] = true;
-    std::vector<Vec2> loop = kept_[i];
-    std::size_t next = 0;
-    while (!(loop.back() == loop.front()) && take(loop.back(), next)) {
-      is_taken[next] = true;
-      loop.insert(loop.end(), kept_[next].begin() + 1, kept_[next].end());
-    }
-    const bool is_loop = length(loop.back() - loop.front()) <= tolerance_;
-    if (is_loop) loop.back() = loop.front();
-    if (!is_loop || !is_sliver(loop)) loops.push_back(std::move(loop));
+  const auto found = std::ranges::find_if(edge.sources, goes_on);
+  return found == edge.sources.end() ? edge.sources.front() : *found;
+}
+
+void go_on(std::vector<Run>& runs, const Source& source) {
+  if (!runs.empty() && goes_on_from(runs.back(), source)) {
+    runs.back().end = source.end;
+  } else {
+    runs.push_back(source);
   }
-  return loops;
+}
+
+/// Edges one after another where one ends in the other's beginning: every end has its beginning.
+Status Boundary::link() {
+  Result<std::vector<BoundaryEdge>> found =
+      boundary_edges(context_, chords_, even_odd_, tolerance_ / 64);
+  if (!found) return found.status();
+  std::vector<BoundaryEdge>& edges = *found;
+  const auto place = [](const BoundaryEdge& edge) {
+    const Source& source = edge.sources.front();
+    return std::tuple(source.contour, std::min(source.begin, source.end), edge.from, edge.to);
+  };
+  const Status sorted =
+      sort_large(context_, edges,
+                 [&](const BoundaryEdge& a, const BoundaryEdge& b) { return place(a) < place(b); });
+  if (!sorted) return sorted;
+  std::multimap<LatticePoint, std::size_t> begins;
+  for (std::size_t i = 0; i < edges.size(); ++i) begins.emplace(edges[i].from, i);
+  std::vector<bool> is_taken(edges.size(), false);
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    if (is_taken[i]) continue;
+    if (context_.cancelled()) return context_.stop_status();
+    std::vector<Run> runs;
+    for (std::size_t at = i; !is_taken[at];) {
+      is_taken[at] = true;
+      go_on(runs, source_after(edges[at], runs));
+      if (edges[at].to == edges[i].from) break;
+      const auto [low, high] = begins.equal_range(edges[at].to);
+      auto next = std::find_if(low, high, [&](const auto& entry) {
+        return !is_taken[entry.second] &&
+               goes_on_from(runs.back(), source_after(edges[entry.second], runs));
+      });
+      if (next == high) {
+        next = std::find_if(low, high, [&](const auto& entry) { return !is_taken[entry.second]; });
+      }
+      if (next != high) at = next->second;
+    }
+    keep(std::move(runs));
+  }
+  return ok_status();
 }
 
 Result<Contours> Boundary::find() {
   Status status = flatten();
-  if (status) status = cut_at_crossings();
-  if (status) status = take_stretches();
+  if (status) status = link();
   if (!status) return status;
-  return linked();
+  return std::move(loops_);
 }
 
 }  // namespace
 
-Result<Contours> fill_boundary(const Context& context, Contours contours, bool even_odd,
+Result<Contours> fill_boundary(Context& context, Contours contours, bool even_odd,
                                double tolerance) {
   return Boundary(context, std::move(contours), even_odd, tolerance).find();
 }

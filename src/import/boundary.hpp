@@ -18,7 +18,7 @@ using Contours = std::vector<std::vector<Vec2>>;
 ///
 /// tolerance   how exactly crossings are looked for, in the contours' units
 /// Errors      limit, cancelled.
-Result<Contours> fill_boundary(const Context& context, Contours contours, bool even_odd,
+Result<Contours> fill_boundary(Context& context, Contours contours, bool even_odd,
                                double tolerance);
 
 /// The chain as a polygon, within the tolerance.

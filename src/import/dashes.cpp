@@ -4,6 +4,7 @@
 
 #include "curves/bezier.hpp"
 #include "curves/stop_parameters.hpp"
+#include "import/chords.hpp"
 #include "import/stroke_outline.hpp"
 
 namespace sfumato::svg_import {
@@ -12,22 +13,6 @@ namespace {
 constexpr std::size_t kDashes = 20'000;
 /// Of a subpath's length: by so much a sum of dashes misses its end by rounding; a dash is a dot.
 constexpr double kSlack = 1e-9;
-
-/// The stretch of a chain between two parameters.
-std::vector<Vec2> stretch(const std::vector<Vec2>& chain, double begin, double end) {
-  std::vector<Vec2> points;
-  const std::size_t count = (chain.size() - 1) / 3;
-  for (double low = begin; low < end;) {
-    const auto i = std::min(static_cast<std::size_t>(low), count - 1);
-    const auto base = static_cast<double>(i);
-    const double high = std::min(end, base + 1);
-    const curves::Cubic part = curves::subcurve(curves::piece(chain, i), low - base, high - base);
-    if (points.empty()) points.push_back(part[0]);
-    points.insert(points.end(), part.begin() + 1, part.end());
-    low = high;
-  }
-  return points;
-}
 
 /// Whether a dash lies on the beginning of a subpath whose first dash begins at `at` <= 0.
 bool begins_with_dash(const StrokeStyle& style, double at) {

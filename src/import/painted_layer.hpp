@@ -9,7 +9,7 @@
 #include "base/context.hpp"
 #include "document/document.hpp"
 #include "import/boundary.hpp"
-#include "import/chord_crossings.hpp"
+#include "import/chords.hpp"
 
 namespace sfumato::svg_import {
 

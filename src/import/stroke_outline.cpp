@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 #include <utility>
 
 #include "curves/bezier.hpp"
@@ -12,7 +13,11 @@ namespace {
 
 using curves::Cubic;
 
-constexpr int kDeepest = 7;                      ///< halvings of one piece
+constexpr int kDeepest = 7;       ///< halvings of one piece
+constexpr int kDeepestTurn = 24;  ///< where it turns back, in a cusp or nearly
+/// Of the tolerance: what is shorter is no piece. That is 1/256 of a pixel of 1024, below which
+/// cairo sees nothing either, and Skia nothing below 1/4096.
+constexpr double kShortest = 1.0 / 16;
 constexpr double kStraight = 1e-4;               ///< sine of a turn that needs no join
 constexpr double kQuarter = 0.5522847498307936;  ///< control points of a quarter circle
 
@@ -21,8 +26,39 @@ Vec2 second_derivative_at(const Cubic& c, double t) {
   return 6 * lerp(a, b, t);
 }
 
-bool is_point(const Cubic& c) {
-  return c[0] == c[1] && c[0] == c[2] && c[0] == c[3];
+/// Whether all of a piece lies nearer to a point than this.
+bool is_near(const Cubic& c, Vec2 point, double distance) {
+  return std::ranges::all_of(c, [&](Vec2 control) { return length(control - point) <= distance; });
+}
+
+/// The pieces of a subpath, without pieces and handles that nobody sees: their directions are of
+/// rounding's making, and would make joins and caps. What is left follows one another.
+std::vector<Cubic> pieces_of(const std::vector<Vec2>& subpath, double shortest) {
+  std::vector<Cubic> pieces;
+  Vec2 end = subpath.front();
+  for (std::size_t i = 0; 3 * i + 3 < subpath.size(); ++i) {
+    Cubic cubic = curves::piece(subpath, i);
+    if (is_near(cubic, end, shortest)) continue;
+    cubic[0] = end;
+    end = cubic[3];
+    if (length(cubic[1] - cubic[0]) <= shortest) cubic[1] = cubic[0];
+    if (length(cubic[3] - cubic[2]) <= shortest) cubic[2] = cubic[3];
+    pieces.push_back(cubic);
+  }
+  if (!pieces.empty() && length(subpath.back() - end) <= shortest) {
+    pieces.back()[3] = subpath.back();
+  }
+  return pieces;
+}
+
+bool is_straight(Vec2 before, Vec2 after) {
+  return std::abs(cross(before, after)) < kStraight && dot(before, after) > 0;
+}
+
+/// Whether the left side of a way that turns is the outer one; where it turns back both are.
+bool is_outer(Vec2 before, Vec2 after) {
+  const double turn = cross(before, after);
+  return turn > 0 || (std::abs(turn) < kStraight && dot(before, after) < 0);
 }
 
 /// One side of a stroke: at `radius` to the left of what is walked.
@@ -47,6 +83,7 @@ class Side {
   void line_to(Vec2 point);
   void quarter_to(Vec2 control1, Vec2 control2, Vec2 point);
   void offset(const Cubic& piece, double t0, double t1, int depth);
+  void sweep(Vec2 center, Vec2 before, Vec2 after);
   void join(Vec2 corner, Vec2 before, Vec2 after);
   void arc(Vec2 center, Vec2 from, Vec2 to);
 
@@ -87,7 +124,8 @@ void Side::offset(const Cubic& piece, double t0, double t1, int depth) {
     error =
         std::max(error, length(curves::point_at(fitted, share) - point(t0 + (t1 - t0) * share)));
   }
-  if (!(error <= tolerance_) && depth < kDeepest) {
+  const bool turns_back = dot(tangent_at(piece, t0), tangent_at(piece, t1)) < 0;
+  if (!(error <= tolerance_) && depth < (turns_back ? kDeepestTurn : kDeepest)) {
     const double middle = (t0 + t1) / 2;
     offset(piece, t0, middle, depth + 1);
     offset(piece, middle, t1, depth + 1);
@@ -97,8 +135,18 @@ void Side::offset(const Cubic& piece, double t0, double t1, int depth) {
   if (error <= tolerance_) {
     quarter_to(fitted[1], fitted[2], to);
   } else {
-    line_to(to);
+    sweep(curves::point_at(piece, t1), tangent_at(piece, t0), tangent_at(piece, t1));
   }
+}
+
+/// Where a curve turns at once, in a cusp or nearly, its side is an arc, as next to a cusp.
+void Side::sweep(Vec2 center, Vec2 before, Vec2 after) {
+  const Vec2 to = center + normal(after);
+  if (is_outer(before, after)) {
+    line_to(center + normal(before));
+    arc(center, points_.back(), to);
+  }
+  line_to(to);
 }
 
 /// Around `center`, clockwise on the screen, in steps of at most a quarter.
@@ -129,11 +177,10 @@ void Side::arc(Vec2 center, Vec2 from, Vec2 to) {
 }
 
 void Side::join(Vec2 corner, Vec2 before, Vec2 after) {
-  const double turn = cross(before, after), straightness = dot(before, after);
+  const double straightness = dot(before, after);
   const Vec2 to = corner + normal(after);
-  if (std::abs(turn) < kStraight && straightness > 0) return line_to(to);
-  const bool is_outer = turn > 0 || (std::abs(turn) < kStraight && straightness < 0);
-  if (!is_outer) {
+  if (is_straight(before, after)) return line_to(to);
+  if (!is_outer(before, after)) {
     line_to(corner);
     return line_to(to);
   }
@@ -177,14 +224,13 @@ std::vector<Cubic> reversed(const std::vector<Cubic>& pieces) {
 
 void outline(const std::vector<Vec2>& subpath, const StrokeStyle& style, double tolerance,
              Contours& contours) {
-  std::vector<Cubic> pieces;
-  for (std::size_t i = 0; 3 * i + 3 < subpath.size(); ++i) {
-    const Cubic cubic = curves::piece(subpath, i);
-    if (!is_point(cubic)) pieces.push_back(cubic);
-  }
+  std::vector<Cubic> pieces = pieces_of(subpath, kShortest * tolerance);
   if (pieces.empty()) {  // a dot, where caps make one
     if (style.cap == StrokeCap::butt) return;
-    pieces.push_back(curves::piece(dot(subpath.front(), {1, 0}, style), 0));
+    const Vec2 along = subpath.back() - subpath.front();
+    const double size = length(along);
+    const Vec2 direction = size > 0 ? along / size : Vec2{1, 0};
+    pieces.push_back(curves::piece(dot(subpath.front(), direction, style), 0));
   }
   const bool is_closed = pieces.front()[0] == pieces.back()[3];
   const std::vector<Cubic> back = reversed(pieces);
@@ -214,11 +260,14 @@ void outline(const std::vector<Vec2>& subpath, const StrokeStyle& style, double 
 Vec2 tangent_at(const curves::Cubic& c, double t) {
   const double scale = length(c[1] - c[0]) + length(c[2] - c[1]) + length(c[3] - c[2]);
   Vec2 along = curves::derivative_at(c, t);
-  if (length(along) <= 1e-9 * scale) {
+  const auto vanishes = [&] { return length(along) <= 1e-9 * scale; };
+  if (vanishes() && t > 0 && t < 1) {
     constexpr double kStep = 1e-3;
     along = curves::point_at(c, std::min(t + kStep, 1.0)) -
             curves::point_at(c, std::max(t - kStep, 0.0));
   }
+  if (vanishes()) along = t < 0.5 ? c[2] - c[0] : c[3] - c[1];
+  if (vanishes()) along = c[3] - c[0];
   const double size = length(along);
   return size > 0 ? along / size : Vec2{1, 0};
 }
@@ -233,8 +282,12 @@ Result<Contours> stroke_outline(const Context& context, const Contours& subpaths
   Result<Contours> dashes = style.dashes.empty() ? subpaths : dashed(context, subpaths, style);
   if (!dashes) return dashes.status();
   Contours contours;
+  std::set<std::pair<double, double>> dots;
   for (const std::vector<Vec2>& subpath : *dashes) {
     if (context.cancelled()) return context.stop_status();
+    const Vec2 first = subpath.front();
+    const bool is_dot = std::ranges::all_of(subpath, [&](Vec2 p) { return p == first; });
+    if (is_dot && !dots.emplace(first.x, first.y).second) continue;  // there is one here
     outline(subpath, style, tolerance, contours);
   }
   std::erase_if(contours, [](const auto& contour) { return contour.size() < 4; });

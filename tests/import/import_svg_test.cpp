@@ -273,7 +273,7 @@ double area(const svg_import::Contours& contours) {
 }
 
 double stroked_area(const svg_import::Contours& subpaths, const StrokeStyle& style) {
-  const Context context;
+  Context context;
   const auto outline = svg_import::stroke_outline(context, subpaths, style, 1e-3);
   const auto boundary = svg_import::fill_boundary(context, *outline, false, 1e-3);
   return area(*boundary);
@@ -307,7 +307,7 @@ TEST(StrokeOutline, dashes_of_no_length_are_dots) {
 
 TEST(StrokeOutline, squares_of_dots_stand_along_the_curve) {
   const svg_import::Contours slanted{{{100, 100}, {110, 110}, {120, 120}, {130, 130}}};
-  const Context context;
+  Context context;
   const StrokeStyle style{.width = 2, .cap = StrokeCap::square, .dashes = {0, 100}};
   const auto outline = svg_import::stroke_outline(context, slanted, style, 1e-3);
   Box box;
@@ -325,7 +325,7 @@ TEST(StrokeOutline, joins_have_their_areas) {
 }
 
 TEST(FillBoundary, overlapping_contours_are_one_region_with_its_inside_right) {
-  const Context context;
+  Context context;
   const auto square = [](double x, double y) {
     std::vector<Vec2> points{{x, y}};
     const std::vector<Vec2> corners{{x + 10, y}, {x + 10, y + 10}, {x, y + 10}, {x, y}};

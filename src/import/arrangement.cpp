@@ -1,0 +1,395 @@
+#include "import/arrangement.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numeric>
+#include <optional>
+#include <span>
+#include <tuple>
+#include <utility>
+
+#include "base/box.hpp"
+#include "base/large_vector.hpp"
+
+namespace sfumato::svg_import {
+namespace {
+
+constexpr std::size_t kPairs = 200'000'000;  ///< looked at: about a second
+constexpr std::size_t kPieces = 2'000'000;
+constexpr std::size_t kLooks = 1'000'000'000;  ///< edges that winding numbers are counted over
+constexpr int kRounds = 64;                    ///< two or three are usual
+constexpr double kLatticeSize = 536'870'912;   // 2^29: products of differences fit 64 bits
+
+/// A part of a chord, on the lattice.
+struct Piece {
+  LatticePoint from;
+  LatticePoint to;
+  Source source;
+  double since = 0;  ///< source.begin, or where chords before it began that the lattice swallowed
+};
+
+/// A piece is to be cut at a point.
+struct Cut {
+  std::uint32_t piece = 0;
+  LatticePoint point;
+};
+
+/// Twice the area of a triangle; above 0: c lies right of the way from a to b, on the screen.
+std::int64_t turn(LatticePoint a, LatticePoint b, LatticePoint c) {
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+/// Whether a piece runs through the square of a lattice point, between its ends.
+bool passes(const Piece& piece, LatticePoint p) {
+  const auto& [a, b, source, since] = piece;
+  if (p == a || p == b) return false;
+  const std::int64_t x = b.x - a.x, y = b.y - a.y;
+  const std::int64_t along = (p.x - a.x) * x + (p.y - a.y) * y;
+  return along > 0 && along < x * x + y * y &&
+         2 * std::abs(turn(a, b, p)) <= std::abs(x) + std::abs(y);
+}
+
+/// Of a point on the line of a piece: whether it lies between the ends.
+bool is_between(const Piece& piece, LatticePoint p) {
+  return turn(piece.from, piece.to, p) == 0 && passes(piece, p);
+}
+
+/// The lattice point next to where two pieces cross; none where they do not, or only in an end.
+std::optional<LatticePoint> crossing_of(const Piece& a, const Piece& b) {
+  const std::int64_t from_b = turn(a.from, a.to, b.from), to_b = turn(a.from, a.to, b.to);
+  const std::int64_t from_a = turn(b.from, b.to, a.from), to_a = turn(b.from, b.to, a.to);
+  const bool parts_b = (from_b < 0 && to_b > 0) || (from_b > 0 && to_b < 0);
+  const bool parts_a = (from_a < 0 && to_a > 0) || (from_a > 0 && to_a < 0);
+  if (!parts_a || !parts_b) return std::nullopt;
+  const double share =
+      static_cast<double>(from_a) / (static_cast<double>(from_a) - static_cast<double>(to_a));
+  return LatticePoint{a.from.y + std::llround(share * static_cast<double>(a.to.y - a.from.y)),
+                      a.from.x + std::llround(share * static_cast<double>(a.to.x - a.from.x))};
+}
+
+std::int64_t lowest_x(const Piece& piece) {
+  return std::min(piece.from.x, piece.to.x);
+}
+std::int64_t highest_x(const Piece& piece) {
+  return std::max(piece.from.x, piece.to.x);
+}
+
+bool boxes_overlap_in_y(const Piece& a, const Piece& b) {
+  return std::min(a.from.y, a.to.y) <= std::max(b.from.y, b.to.y) &&
+         std::min(b.from.y, b.to.y) <= std::max(a.from.y, a.to.y);
+}
+
+/// The way round an edge is kept: downwards, or to the right.
+struct Edge {
+  LatticePoint upper;
+  LatticePoint lower;
+  int net = 0;  ///< pieces that run from upper to lower, less those that run back
+  std::size_t first_piece = 0;
+  std::size_t piece_end = 0;
+  std::optional<int> right_winding{};
+};
+
+LatticePoint far_end(const Edge& edge, LatticePoint vertex) {
+  return edge.upper == vertex ? edge.lower : edge.upper;
+}
+
+class Arrangement {
+ public:
+  Arrangement(Context& context, bool even_odd) : context_(context), even_odd_(even_odd) {}
+
+  Status round_to_lattice(const std::vector<Chord>& chords, double step);
+  Status cut_where_they_meet();
+  Status merge();
+  Status count_windings();
+  std::vector<BoundaryEdge> boundary() const;
+
+ private:
+  Status find_crossings(std::vector<LatticePoint>& crossings, bool& touch);
+  Status find_cuts(std::vector<LatticePoint> points, std::vector<Cut>& cuts);
+  Status count(std::size_t pairs, std::size_t found);
+  Status apply(std::vector<Cut>& cuts);
+  Status charge(std::size_t pieces);
+  int winding_beside(const Edge& edge) const;
+  std::vector<std::size_t> edges_around(LatticePoint vertex) const;
+  void spread_winding(LatticePoint vertex, std::size_t known, std::vector<std::size_t>& reached);
+  bool is_inside(int winding) const { return even_odd_ ? winding % 2 != 0 : winding != 0; }
+
+  Context& context_;
+  ScopedCharge charge_;
+  bool even_odd_;
+  std::vector<Piece> pieces_;
+  std::vector<Edge> edges_;
+  std::vector<std::pair<LatticePoint, std::size_t>> edge_at_;  ///< both ends of each, sorted
+  std::size_t pairs_ = 0;
+};
+
+Status Arrangement::round_to_lattice(const std::vector<Chord>& chords, double step) {
+  Box box;
+  for (const Chord& chord : chords) box.extend(chord.from);
+  if (box.empty()) return ok_status();
+  if (Status status = charge(chords.size()); !status) return status;
+  step = std::max(step, std::max(box.width(), box.height()) / kLatticeSize);
+  const auto rounded = [&](Vec2 p) {
+    const Vec2 at = (p - box.min) / step;
+    return LatticePoint{std::llround(at.y), std::llround(at.x)};
+  };
+  double since = 0;
+  for (const Chord& chord : chords) {
+    if (chord.begin == 0) since = 0;
+    const LatticePoint from = rounded(chord.from), to = rounded(chord.to);
+    if (from == to) continue;
+    pieces_.push_back({from, to, {chord.contour, chord.begin, chord.end}, since});
+    since = chord.end;
+  }
+  return ok_status();
+}
+
+/// Where pieces cross. `touch`: whether any have more in common than ends.
+Status Arrangement::find_crossings(std::vector<LatticePoint>& crossings, bool& touch) {
+  std::vector<std::uint32_t> order(pieces_.size()), active;
+  std::iota(order.begin(), order.end(), 0u);
+  const auto place = [&](std::uint32_t i) { return std::pair(lowest_x(pieces_[i]), i); };
+  Status sorted = sort_large(context_, order, [&](auto a, auto b) { return place(a) < place(b); });
+  if (!sorted) return sorted;
+  for (const std::uint32_t i : order) {
+    if (context_.cancelled()) return context_.stop_status();
+    const Piece& piece = pieces_[i];
+    const std::int64_t x = lowest_x(piece);
+    std::erase_if(active, [&](std::uint32_t k) { return highest_x(pieces_[k]) < x; });
+    if (Status status = count(active.size(), crossings.size()); !status) return status;
+    for (const std::uint32_t k : active) {
+      const Piece& other = pieces_[k];
+      if (!boxes_overlap_in_y(piece, other)) continue;
+      if (const auto point = crossing_of(piece, other)) crossings.push_back(*point);
+      touch = touch || is_between(piece, other.from) || is_between(piece, other.to) ||
+              is_between(other, piece.from) || is_between(other, piece.to);
+    }
+    active.push_back(i);
+  }
+  touch = touch || !crossings.empty();
+  return ok_status();
+}
+
+Status Arrangement::count(std::size_t pairs, std::size_t found) {
+  pairs_ += pairs;
+  if (pairs_ <= kPairs && pieces_.size() + found <= kPieces) return ok_status();
+  return make_error(StatusCode::limit, "the shape crosses itself too often");
+}
+
+/// Leads every piece through the points whose squares it passes: the ends of pieces, and `points`.
+Status Arrangement::find_cuts(std::vector<LatticePoint> points, std::vector<Cut>& cuts) {
+  for (const Piece& piece : pieces_) {
+    points.push_back(piece.from);
+    points.push_back(piece.to);
+  }
+  const auto by_x = [](LatticePoint p) { return std::pair(p.x, p.y); };
+  Status sorted = sort_large(context_, points, [&](auto a, auto b) { return by_x(a) < by_x(b); });
+  if (!sorted) return sorted;
+  const auto repeated = std::ranges::unique(points);
+  points.erase(repeated.begin(), repeated.end());
+  const auto x_of = [](LatticePoint p) { return p.x; };
+  for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
+    if (context_.cancelled()) return context_.stop_status();
+    const auto low = std::ranges::lower_bound(points, lowest_x(pieces_[i]) - 1, {}, x_of);
+    const auto high = std::ranges::upper_bound(points, highest_x(pieces_[i]) + 1, {}, x_of);
+    const auto size = static_cast<std::size_t>(high - low);
+    if (Status status = count(size, cuts.size()); !status) return status;
+    for (const LatticePoint point : std::span(low, high)) {
+      if (passes(pieces_[i], point)) cuts.push_back({i, point});
+    }
+  }
+  return ok_status();
+}
+
+/// Of pieces, and of what is made of each.
+Status Arrangement::charge(std::size_t pieces) {
+  return charge_.add(context_, pieces * (2 * sizeof(Piece) + sizeof(Cut) + 2 * sizeof(Edge)),
+                     "the boundary of a shape");
+}
+
+/// Cuts pieces, in the order in which their contour passes the points. The cuts are sorted.
+Status Arrangement::apply(std::vector<Cut>& cuts) {
+  const auto share_of = [&](const Cut& cut) {
+    const Piece& piece = pieces_[cut.piece];
+    const auto x = static_cast<double>(piece.to.x - piece.from.x);
+    const auto y = static_cast<double>(piece.to.y - piece.from.y);
+    const double along = static_cast<double>(cut.point.x - piece.from.x) * x +
+                         static_cast<double>(cut.point.y - piece.from.y) * y;
+    return std::clamp(along / (x * x + y * y), 0.0, 1.0);
+  };
+  const auto place = [&](const Cut& cut) {
+    return std::tuple(cut.piece, share_of(cut), cut.point);
+  };
+  Status status =
+      sort_large(context_, cuts, [&](const Cut& a, const Cut& b) { return place(a) < place(b); });
+  if (status) status = charge(cuts.size());
+  if (!status) return status;
+  std::vector<Piece> result;
+  result.reserve(pieces_.size() + cuts.size());
+  auto cut = cuts.begin();
+  for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
+    Piece rest = pieces_[i];
+    const Source whole = rest.source;
+    for (; cut != cuts.end() && cut->piece == i; ++cut) {
+      if (cut->point == rest.from || cut->point == rest.to) continue;
+      const double parameter = whole.begin + (whole.end - whole.begin) * share_of(*cut);
+      rest.source.end = parameter;
+      result.push_back({rest.from, cut->point, rest.source, rest.since});
+      rest.from = cut->point;
+      rest.source = {whole.contour, parameter, whole.end};
+      rest.since = parameter;
+    }
+    result.push_back(rest);
+  }
+  pieces_ = std::move(result);
+  return ok_status();
+}
+
+/// Snap rounding (Hobby 1999). What it leaves is planar but where a crossing falls between two
+/// squares; then again.
+Status Arrangement::cut_where_they_meet() {
+  for (int round = 0; round < kRounds; ++round) {
+    std::vector<LatticePoint> crossings;
+    bool touch = false;
+    if (Status status = find_crossings(crossings, touch); !status) return status;
+    if (!touch) break;
+    std::vector<Cut> cuts;
+    if (Status status = find_cuts(std::move(crossings), cuts); !status) return status;
+    if (Status status = apply(cuts); !status) return status;
+  }
+  return ok_status();
+}
+
+/// Makes one edge of the pieces between the same two points; none where they cancel each other.
+Status Arrangement::merge() {
+  const auto ends = [](const Piece& piece) { return std::minmax(piece.from, piece.to); };
+  const auto place = [&](const Piece& piece) {
+    const auto [upper, lower] = ends(piece);
+    return std::tuple(LatticePoint(upper), LatticePoint(lower), piece.source.contour,
+                      piece.source.begin);
+  };
+  Status status = sort_large(context_, pieces_,
+                             [&](const Piece& a, const Piece& b) { return place(a) < place(b); });
+  if (!status) return status;
+  for (std::size_t i = 0; i < pieces_.size();) {
+    const LatticePoint upper = ends(pieces_[i]).first, lower = ends(pieces_[i]).second;
+    Edge edge{upper, lower, 0, i, i};
+    for (; i < pieces_.size() && ends(pieces_[i]) == std::minmax(upper, lower); ++i) {
+      edge.net += pieces_[i].from == upper ? 1 : -1;
+    }
+    edge.piece_end = i;
+    if (edge.net != 0) edges_.push_back(edge);
+  }
+  for (std::size_t i = 0; i < edges_.size(); ++i) {
+    edge_at_.emplace_back(edges_[i].upper, i);
+    edge_at_.emplace_back(edges_[i].lower, i);
+  }
+  return sort_large(context_, edge_at_, std::less<>());
+}
+
+/// Of what lies on the edge's right. A ray runs to the right from the edge's middle, a little
+/// lower: it crosses what passes that height, and not the edge.
+int Arrangement::winding_beside(const Edge& edge) const {
+  const LatticePoint twice{edge.upper.y + edge.lower.y, edge.upper.x + edge.lower.x};
+  int number = 0;
+  for (const Edge& other : edges_) {
+    if (&other == &edge || !(2 * other.upper.y <= twice.y && 2 * other.lower.y > twice.y)) continue;
+    const std::int64_t side = (other.lower.x - other.upper.x) * (twice.y - 2 * other.upper.y) -
+                              (other.lower.y - other.upper.y) * (twice.x - 2 * other.upper.x);
+    if (side > 0) number += other.net;
+  }
+  return edge.upper.y == edge.lower.y ? number : number + edge.net;
+}
+
+/// The edges at a vertex, clockwise on the screen.
+std::vector<std::size_t> Arrangement::edges_around(LatticePoint vertex) const {
+  const auto of_vertex = [](const auto& entry) { return entry.first; };
+  std::vector<std::size_t> around;
+  for (const auto& [at, edge] : std::ranges::equal_range(edge_at_, vertex, {}, of_vertex)) {
+    around.push_back(edge);
+  }
+  // Those that lead down from the vertex first, which canonical edges do from their upper end.
+  std::ranges::sort(around, [&](std::size_t a, std::size_t b) {
+    const bool a_leads_on = edges_[a].upper == vertex, b_leads_on = edges_[b].upper == vertex;
+    if (a_leads_on != b_leads_on) return a_leads_on;
+    return turn(vertex, far_end(edges_[a], vertex), far_end(edges_[b], vertex)) > 0;
+  });
+  return around;
+}
+
+/// Round a vertex from an edge whose winding is known to those where it is not.
+void Arrangement::spread_winding(LatticePoint vertex, std::size_t known,
+                                 std::vector<std::size_t>& reached) {
+  const std::vector<std::size_t> around = edges_around(vertex);
+  const std::size_t first =
+      static_cast<std::size_t>(std::ranges::find(around, known) - around.begin());
+  const Edge& begin = edges_[known];
+  int winding = *begin.right_winding - (begin.upper == vertex ? 0 : begin.net);
+  for (std::size_t i = 1; i < around.size(); ++i) {
+    const std::size_t index = around[(first + i) % around.size()];
+    Edge& edge = edges_[index];
+    const bool leads_on = edge.upper == vertex;
+    const int beyond = winding + (leads_on ? edge.net : -edge.net);
+    if (!edge.right_winding) {
+      edge.right_winding = leads_on ? beyond : winding;
+      reached.push_back(index);
+    }
+    winding = beyond;
+  }
+}
+
+/// Counted once for all edges that hang together, and carried on round their vertices.
+Status Arrangement::count_windings() {
+  std::size_t looks = 0;
+  for (std::size_t i = 0; i < edges_.size(); ++i) {
+    if (edges_[i].right_winding) continue;
+    if (context_.cancelled()) return context_.stop_status();
+    if ((looks += edges_.size()) > kLooks) {
+      return make_error(StatusCode::limit, "the shape crosses itself too often");
+    }
+    edges_[i].right_winding = winding_beside(edges_[i]);
+    for (std::vector<std::size_t> reached{i}; !reached.empty();) {
+      const std::size_t at = reached.back();
+      reached.pop_back();
+      if (context_.cancelled()) return context_.stop_status();
+      spread_winding(edges_[at].upper, at, reached);
+      spread_winding(edges_[at].lower, at, reached);
+    }
+  }
+  return ok_status();
+}
+
+std::vector<BoundaryEdge> Arrangement::boundary() const {
+  std::vector<BoundaryEdge> result;
+  for (const Edge& edge : edges_) {
+    const bool right = is_inside(*edge.right_winding);
+    const bool left = is_inside(*edge.right_winding - edge.net);
+    if (left == right) continue;
+    BoundaryEdge& added = result.emplace_back();
+    added.from = right ? edge.upper : edge.lower;
+    added.to = right ? edge.lower : edge.upper;
+    for (std::size_t i = edge.first_piece; i < edge.piece_end; ++i) {
+      Source source = pieces_[i].source;
+      source.begin = pieces_[i].since;
+      if (pieces_[i].from != added.from) std::swap(source.begin, source.end);
+      added.sources.push_back(source);
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+Result<std::vector<BoundaryEdge>> boundary_edges(Context& context, const std::vector<Chord>& chords,
+                                                 bool even_odd, double step) {
+  Arrangement arrangement(context, even_odd);
+  Status status = arrangement.round_to_lattice(chords, step);
+  if (status) status = arrangement.cut_where_they_meet();
+  if (status) status = arrangement.merge();
+  if (status) status = arrangement.count_windings();
+  if (!status) return status;
+  return arrangement.boundary();
+}
+
+}  // namespace sfumato::svg_import

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <vector>
+
+#include "base/context.hpp"
+#include "base/status.hpp"
+#include "import/chords.hpp"
+
+namespace sfumato::svg_import {
+
+/// A point of an integer lattice, 0 to 2^29 in both directions.
+struct LatticePoint {
+  std::int64_t y = 0;  ///< first: points are in order from above
+  std::int64_t x = 0;
+
+  auto operator<=>(const LatticePoint&) const = default;
+};
+
+/// Where an edge runs along a contour; backwards where end < begin.
+struct Source {
+  std::uint32_t contour = 0;
+  double begin = 0;  ///< parameters of the contour
+  double end = 0;
+};
+
+/// An edge of the boundary of what chords fill, with the inside on its right.
+struct BoundaryEdge {
+  LatticePoint from;
+  LatticePoint to;
+  std::vector<Source> sources;  ///< one at least; more where contours coincide
+};
+
+/// The boundary of what closed chains of chords fill. The chords are rounded to a lattice of the
+/// given step (wider where the chords reach farther than 2^29 steps) and cut where they meet, in
+/// integers: so every vertex is the end of as many edges as it is the beginning of, however nearly
+/// the chords coincide.
+///
+/// step     of the lattice, in the chords' units, above 0
+/// Errors   limit (memory, too many pairs that lie near each other), cancelled.
+/// Cost     O(n log n), the pairs whose boxes overlap across x, and edges × parts that do not
+/// touch.
+Result<std::vector<BoundaryEdge>> boundary_edges(Context& context, const std::vector<Chord>& chords,
+                                                 bool even_odd, double step);
+
+}  // namespace sfumato::svg_import

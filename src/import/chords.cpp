@@ -1,0 +1,36 @@
+#include "import/chords.hpp"
+
+#include <algorithm>
+
+#include "curves/bezier.hpp"
+
+namespace sfumato::svg_import {
+
+int winding_number(const std::vector<Chord>& chords, Vec2 point) {
+  int number = 0;
+  for (const Chord& chord : chords) {
+    const bool from_above = chord.from.y <= point.y, to_above = chord.to.y <= point.y;
+    if (from_above == to_above) continue;
+    const double side = cross(chord.to - chord.from, point - chord.from);
+    if (from_above && side > 0) ++number;
+    if (to_above && side < 0) --number;
+  }
+  return number;
+}
+
+std::vector<Vec2> stretch(const std::vector<Vec2>& chain, double begin, double end) {
+  std::vector<Vec2> points;
+  const std::size_t count = (chain.size() - 1) / 3;
+  for (double low = begin; low < end;) {
+    const auto i = std::min(static_cast<std::size_t>(low), count - 1);
+    const auto base = static_cast<double>(i);
+    const double high = std::min(end, base + 1);
+    const curves::Cubic part = curves::subcurve(curves::piece(chain, i), low - base, high - base);
+    if (points.empty()) points.push_back(part[0]);
+    points.insert(points.end(), part.begin() + 1, part.end());
+    low = high;
+  }
+  return points;
+}
+
+}  // namespace sfumato::svg_import
