@@ -179,6 +179,14 @@ inline auto fields(Hint& v) {
   auto& [kind, layer, curve, side, stack_item, shader, message] = v;
   return std::tie(kind, layer, curve, side, stack_item, shader, message);
 }
+inline auto fields(SourcePlace& v) {
+  auto& [file, line, column] = v;
+  return std::tie(file, line, column);
+}
+inline auto fields(Status& v) {
+  auto& [code, message, where] = v;
+  return std::tie(code, message, where);
+}
 inline auto fields(Deadline& v) {
   auto& [at, seconds] = v;  // any time is one
   static_cast<void>(at);

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "allocation/documents.hpp"
+#include "base/native/file.hpp"
 #include "base/native/tbb_executor.hpp"
 #include "document/document.hpp"
 #include "export/eps.hpp"
@@ -23,6 +24,7 @@
 #include "formats/svg_write.hpp"
 #include "formats/webp_encode.hpp"
 #include "gpu/render.hpp"
+#include "import/import_svg.hpp"
 #include "lint/lint.hpp"
 #include "patches/diffuse.hpp"
 #include "raster/check_picture.hpp"
@@ -88,6 +90,9 @@ Picture picture_of_everything() {
 void draw(const Document& document, const std::string& place) {
   const StatusCode valid =
       answer_of(place + ", validate", [&](Context& c) { return validate(c, document); });
+  answer_of(place + ", shaders", [&](Context& c) { return validate(c, document.shaders); });
+  answer_of(place + ", frame", [&](Context& c) { return picture_frame(c, document, {}); });
+  static_cast<void>(bytes_of(document));
   const std::array codes{
       answer_of(place + ", diffuse", [&](Context& c) { return diffuse(c, document, {}); }),
       answer_of(place + ", lint", [&](Context& c) { return lint(c, document); }),
@@ -105,6 +110,7 @@ void draw(const Document& document, const std::string& place) {
 void show(const Picture& picture, const std::string& place) {
   const StatusCode valid =
       answer_of(place + ", check", [&](Context& c) { return raster::check_picture(c, picture); });
+  static_cast<void>(bytes_of(picture));
   const StatusCode shown =
       answer_of(place + ", rasterize", [&](Context& c) { return rasterize(c, picture, kSmall); });
   if (shown == StatusCode::bad_input) {  // before a device is asked for
@@ -156,7 +162,12 @@ TEST(WrongValues, of_layers_of_pictures_are_answered) {
 TEST(WrongValues, of_items_of_a_stack_are_answered) {
   Document document = document_of_everything();
   for (StackItem& item : document.stack) {
-    try_wrong_values(item, "item", [&](const std::string& place) { draw(document, place); });
+    try_wrong_values(item, "item", [&](const std::string& place) {
+      draw(document, place);
+      if (const auto* stroke = std::get_if<LocalStroke>(&item)) {
+        answer_of(place, [&](Context& c) { return validate(c, *stroke); });
+      }
+    });
   }
 }
 
@@ -231,6 +242,7 @@ TEST(WrongValues, of_options_are_answered) {
 TEST(WrongValues, of_images_are_answered) {
   Image image{3, 2, PixelFormat::rgb8, std::vector<std::uint8_t>(18, 7)};
   const auto encode = [&](const std::string& place) {
+    answer_of(place + ", validate", [&](Context& c) { return validate(c.limits, image); });
     answer_of(place + ", png", [&](Context& c) { return encode_png(c, image); });
     answer_of(place + ", jpeg", [&](Context& c) { return encode_jpeg(c, image, 80); });
     answer_of(place + ", webp", [&](Context& c) { return encode_webp(c, image, {}); });
@@ -248,6 +260,34 @@ TEST(WrongValues, of_images_are_answered) {
   try_options("webp", WebpOptions{}, [&](Context& c, const WebpOptions& options) {
     return encode_webp(c, image, options);
   });
+}
+
+TEST(WrongValues, of_names_and_texts_are_answered) {
+  const std::string text = document_with_everything();
+  const std::vector<std::uint8_t> bytes(text.begin(), text.end());
+  const auto read = [&](const std::string& file, const std::string& drawing) {
+    const std::string place = "a name of " + std::to_string(file.size());
+    answer_of(place, [&](Context& c) { return read_document(c, drawing, file); });
+    answer_of(place, [&](Context& c) { return read_svg(c, drawing, file); });
+    answer_of(place, [&](Context& c) { return import_svg(c, drawing, file); });
+    answer_of(place, [&](Context& c) { return read_orzan(c, drawing, file); });
+    answer_of(place, [&](Context& c) { return decode_png(c, bytes, file); });
+    answer_of(place, [&](Context& c) { return decode_png_with_alpha(c, bytes, file); });
+  };
+  for (const std::string& wrong : wrong::strings()) {
+    read(wrong, text);
+    read("a.svg", wrong);
+    for (const std::size_t most : {std::size_t{0}, std::numeric_limits<std::size_t>::max()}) {
+      EXPECT_EQ(read_file(wrong, most).status().code, StatusCode::io);
+      EXPECT_EQ(read_bytes(wrong, most).status().code, StatusCode::io);
+    }
+  }
+}
+
+TEST(WrongValues, of_statuses_have_words) {
+  Status status = make_error(StatusCode::io, "words", {"file", 1, 1});
+  try_wrong_values(status, "status",
+                   [&](const std::string&) { static_cast<void>(to_string(status)); });
 }
 
 TEST(WrongValues, of_hints_have_words) {
@@ -285,6 +325,7 @@ class Verbs {
     };
     ask([&](Context& c) { return read_document(c, text_, "a"); });
     ask([&](Context& c) { return read_svg(c, text_, "a"); });
+    ask([&](Context& c) { return import_svg(c, text_, "a"); });
     ask([&](Context& c) { return read_orzan(c, small_documents()[9].text, "a"); });
     ask([&](Context& c) { return validate(c, document_); });
     ask([&](Context& c) { return write_svg(c, document_); });
@@ -302,6 +343,9 @@ class Verbs {
     ask([&](Context& c) { return encode_jpeg(c, image_, 80); });
     ask([&](Context& c) { return encode_webp(c, image_, {}); });
     ask([&](Context& c) { return decode_png(c, png_, "a"); });
+    ask([&](Context& c) { return decode_png_with_alpha(c, png_, "a"); });
+    ask([&](Context& c) { return picture_frame(c, document_, document_.artboard); });
+    ask([&](Context& c) { return validate(c, document_.shaders); });
   }
 
  private:
