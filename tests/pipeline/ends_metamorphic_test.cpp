@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <random>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -65,11 +66,13 @@ Document mapped(Document document, Map map, bool mirrored = false, float scale =
 
 enum class Way { patches, pixels };
 
-Image drawn(const Document& document, Way way, int width = kWidth, int height = kHeight) {
+Image drawn(const Document& document, Way way, int width = kWidth, int height = kHeight,
+            bool antialias = true) {
   Context context;
   RasterOptions size;
   size.width = width;
   size.height = height;
+  size.antialias = antialias;
   DiffuseOptions options;
   options.ends = gather::Ends::soft;
   options.pixels_per_unit = width / document.artboard.width();
@@ -164,6 +167,74 @@ TEST(EndsMetamorphic, a_drawing_of_twice_the_size_is_the_same_picture) {
   expect_same(mapped(strokes(kWidth, kHeight, 16), grow, false, 2), kSame, [](int x, int y) {
     return Pixel{x, y};
   });
+}
+
+/// Every curve walked from its other end.
+Document turned_round(Document document) {
+  for (Curve& curve : document.layers[0].curves) {
+    std::ranges::reverse(curve.control_points);
+    std::swap(curve.left, curve.right);
+    const auto end = static_cast<double>(curve.piece_count());
+    const auto turn = [end](auto& list) {
+      for (auto& stop : list.stops) stop.offset = end - stop.offset;
+      std::ranges::reverse(list.stops);
+    };
+    for (Side* side : {&curve.left, &curve.right}) {
+      turn(side->color.stops);
+      turn(side->blur_radius);
+    }
+  }
+  return document;
+}
+
+TEST(EndsMetamorphic, curves_walked_from_their_other_ends_are_the_same_picture) {
+  expect_same(turned_round(strokes(kWidth, kHeight, 16)), kOtherMesh, [](int x, int y) {
+    return Pixel{x, y};
+  });
+}
+
+/// Two curves whose ends face each other across a gap, in pixels; bent: each turns away from it.
+Document facing(double gap, double bend, float radius) {
+  const Vec2 middle{48.3, 31.7}, along{0.96, 0.28}, across{-0.28, 0.96};
+  const auto arm = [&](double side) {
+    Curve curve;
+    for (const double at : {0.0, 10.0, 20.0, 30.0}) {
+      curve.control_points.push_back(middle + side * (gap / 2 + at) * along +
+                                     bend * at * at / 60 * across);
+    }
+    return curve;
+  };
+  const Rgb red{1, 0, 0}, blue{0, 0, 1}, green{0, 1, 0}, white{1, 1, 1};
+  Curve first = colored(arm(-1), red, blue), second = colored(arm(1), green, white);
+  if (radius > 0) first = blurred(std::move(first), radius);
+  return one_layer({first, second}, {{0, 0}, {1.0 * kWidth, 1.0 * kHeight}});
+}
+
+void expect_miss(const Miss& miss, const Miss& most, const std::string& name) {
+  EXPECT_LE(miss.largest, most.largest) << name;
+  EXPECT_LE(miss.mean, most.mean) << name;
+}
+
+TEST(EndsMetamorphic, ends_that_face_each_other_are_as_drawn_pixel_by_pixel) {
+  const auto same = [](int x, int y) { return Pixel{x, y}; };
+  // At pixels' centres, as `pixels` draws: no curve is antialiased.
+  const auto centers = [](const Document& document, Way way) {
+    return drawn(document, way, kWidth, kHeight, false);
+  };
+  for (const double gap : {0.3, 2.0}) {
+    for (const double bend : {0.0, 0.5, 1.5}) {
+      for (const float radius : {0.0F, 3.0F}) {
+        const std::string name = std::to_string(gap) + " apart, bent " + std::to_string(bend) +
+                                 ", blurred " + std::to_string(radius);
+        const Document document = facing(gap, bend, radius), other = turned_round(document);
+        const Image pixels = centers(document, Way::pixels);
+        const Image patches = centers(document, Way::patches);
+        expect_miss(miss_of(patches, pixels, same), {8, 0.1}, name);
+        expect_miss(miss_of(centers(other, Way::pixels), pixels, same), kSame.pixels, name);
+        expect_miss(miss_of(centers(other, Way::patches), patches, same), kSame.patches, name);
+      }
+    }
+  }
 }
 
 /// Sanitizers are slow, and what they show needs no more.
