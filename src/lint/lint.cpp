@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "base/public_verb.hpp"
 #include "formats/number_text.hpp"
@@ -37,7 +38,7 @@ std::vector<bool> shaders_of(const Layer& layer, std::size_t shader_count) {
   return used;
 }
 
-Box bounds_of(const std::vector<Curve>& curves) {
+Box bounds_of(std::span<const Curve> curves) {
   Box box;
   for (const Curve& curve : curves) {
     for (const Vec2 p : curve.control_points) box.extend(p);
@@ -53,12 +54,28 @@ bool is_one_sided(const Curve& curve) {
   return is_closed && left != right && other.kind == ShaderKind::open;
 }
 
-/// Only closed curves with a colour on one side and nothing on the other, and no opacity.
-bool may_flood(const Layer& layer) {
-  return std::ranges::all_of(layer.curves, [](const Curve& curve) {
-    return is_one_sided(curve) && curve.left.opacity.kind == ShaderKind::open &&
-           curve.right.opacity.kind == ShaderKind::open;
-  });
+/// Closed curves with a colour on one side and nothing on the other, and besides them only what
+/// bears no colour or lies within the largest of them; no opacity. One round all that is seen is a
+/// frame.
+bool may_flood(const Layer& layer, const Box& sight) {
+  Box largest;
+  for (const Curve& curve : layer.curves) {
+    const Box box = bounds_of({&curve, 1});
+    const bool is_larger =
+        largest.empty() || box.width() * box.height() > largest.width() * largest.height();
+    if (is_one_sided(curve) && is_larger) largest = box;
+  }
+  const bool is_frame = largest.contains(sight.min) && largest.contains(sight.max);
+  return !largest.empty() && !is_frame &&
+         std::ranges::all_of(layer.curves, [&](const Curve& curve) {
+           if (curve.left.opacity.kind != ShaderKind::open) return false;
+           if (curve.right.opacity.kind != ShaderKind::open) return false;
+           const bool has_color = lint_detail::has_value(curve.left.color) ||
+                                  lint_detail::has_value(curve.right.color);
+           const Box box = bounds_of({&curve, 1});
+           const bool is_within = largest.contains(box.min) && largest.contains(box.max);
+           return is_one_sided(curve) || !has_color || is_within;
+         });
 }
 
 class Linter {
@@ -169,7 +186,7 @@ Status Linter::check_instances(LayerUnderTest& test) {
     const bool is_above = i > 0;  // over the background alone it is the ground of the picture
     const bool is_outside = !overlap(
         patches::bounds_of_mapped(instance->artboard_from_layer, bounds), document_.artboard);
-    const bool floods = !is_above && may_flood(document_.layers[test.layer]);
+    const bool floods = !is_above && may_flood(document_.layers[test.layer], test.sight.viewport);
     const bool may_leak =
         (is_above || floods) && !leak_told && instance->blend == BlendMode::normal;
     if (!may_leak && !is_outside) continue;
@@ -179,7 +196,7 @@ Status Linter::check_instances(LayerUnderTest& test) {
     if (floods && *cover == Cover::all) {
       leak_told = true;
       test.add(HintKind::flood,
-               "its closed curves have a colour on one side and the other is open: the colour "
+               "closed curves have a colour on one side and the other is open: the colour "
                "passes through and floods the artboard; expected a colour there too, or none")
           .stack_item = i;
     } else if (may_leak && *cover == Cover::all) {

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 
 #include "base/color_space.hpp"
 #include "formats/number_text.hpp"
@@ -16,6 +17,10 @@ using mesh::TriangleMesh;
 /// Up to so many hints of a kind in a layer are told one by one, more as one: curves that a program
 /// traced have hundreds.
 constexpr std::size_t kMostOfAKind = 5;
+
+/// Crossings of curves with themselves that are looked at in a layer: each costs a look at the
+/// mesh.
+constexpr int kMostLooks = 64;
 
 /// An end that stops at most so far before another curve, or beyond it, was meant to meet it: a
 /// multiple of artboard_pixel.
@@ -134,7 +139,9 @@ class MeetingCheck {
     for (std::uint32_t v = 0; v < meeting_.size() && !poll_.cancelled(); ++v) {
       if (meeting_[v].edges != 4) continue;
       const std::optional<Cross> cross = cross_at(meeting_[v].half_edge);
-      if (cross && is_outline_crossed(*cross) && clashes(*cross)) add_crossing(crossings, *cross);
+      if (!cross) continue;
+      if (is_outline_crossed(*cross) && clashes(*cross)) add_crossing(crossings, *cross);
+      if (is_eight(*cross)) add_eight(crossings, *cross);
     }
     tell(crossings);
   }
@@ -176,6 +183,50 @@ class MeetingCheck {
     return false;
   }
 
+  /// Whether a closed curve crosses itself so that both its sides face the outside, as those of an
+  /// eight do, and these are not the same. In a star they face the outside on one side alone.
+  bool is_eight(const Cross& cross) {
+    const std::uint32_t curve = cross[0].curve;
+    const auto is_other = [curve](const Strand& strand) { return strand.curve != curve; };
+    if (std::ranges::any_of(cross, is_other) || !is_closed(test_.curves()[curve])) return false;
+    if (eights_.contains(curve)) return false;
+    for (std::size_t i = 0; i < cross.size(); ++i) {
+      const std::uint32_t here = cross[i].half_edge;
+      const std::uint32_t next = cross[(i + 1) % cross.size()].half_edge;
+      const gather::Facing one = gather::facing_side(mesh_, attributes_, here);
+      const gather::Facing other = gather::facing_side(
+          mesh_, attributes_, static_cast<std::uint32_t>(mesh_.half_edge_twin[next]));
+      const bool one_is_open = one.kind == ShaderKind::open;
+      const bool leaks = one_is_open != (other.kind == ShaderKind::open);
+      const bool clash = one.kind == ShaderKind::curve_domain &&
+                         other.kind == ShaderKind::curve_domain &&
+                         differ(one.from, other.to, kClash);
+      if ((leaks || clash) && looks_left_ > 0 && is_outside(here / 3, curve)) return true;
+    }
+    return false;
+  }
+
+  /// Whether a ray from the triangle's middle crosses the curve an even number of times.
+  bool is_outside(std::uint32_t triangle, std::uint32_t curve) {
+    --looks_left_;
+    Vec2 middle;
+    for (std::size_t k = 0; k < 3; ++k) {
+      middle = middle + position(mesh_.triangle_vertex[3 * std::size_t{triangle} + k]) / 3;
+    }
+    bool outside = true;
+    for (std::uint32_t h = 0; h < mesh_.triangle_vertex.size() && !poll_.cancelled(); ++h) {
+      const std::int32_t twin = mesh_.half_edge_twin[h];
+      const bool is_second = twin != mesh::kNone && static_cast<std::uint32_t>(twin) < h;
+      if (is_second || !mesh_.has_curves(h)) continue;
+      if (curve_on(mesh_.half_edge_constraint[h]) != curve) continue;
+      const Vec2 a = position(mesh_.origin(h)), b = position(mesh_.origin(TriangleMesh::next(h)));
+      if ((a.y <= middle.y) == (b.y <= middle.y)) continue;
+      const Vec2 upper = a.y < b.y ? a : b, lower = a.y < b.y ? b : a;
+      if (cross(lower - upper, middle - upper) > 0) outside = !outside;
+    }
+    return outside;
+  }
+
   bool differ(const curves::FieldValue& a, const curves::FieldValue& b, float by) const {
     const auto code = [&](const curves::FieldValue& value) {
       return to_srgb(attributes_.space, {value.channel[0], value.channel[1], value.channel[2]});
@@ -192,6 +243,15 @@ class MeetingCheck {
         "it crosses curve " + std::to_string(first) + " at " + point_text(at) +
             ", and their colours do not fit there: those of one leak into what the other encloses; "
             "expected curves that do not cross, or a layer for each");
+  }
+
+  void add_eight(Finds& crossings, const Cross& cross) {
+    const std::uint32_t curve = cross[0].curve;
+    eights_.insert(curve);
+    add(crossings, curve,
+        "it crosses itself at " + point_text(position(mesh_.origin(cross[0].half_edge))) +
+            ", so that both its sides lie outside: what colours the inside of one loop leaks from "
+            "the other; expected a closed curve for each loop");
   }
 
   Status check_ends() {
@@ -250,7 +310,9 @@ class MeetingCheck {
   LayerUnderTest& test_;
   const TriangleMesh& mesh_;
   const curves::SegmentAttributes& attributes_;
-  std::vector<Meeting> meeting_;  ///< per vertex
+  std::vector<Meeting> meeting_;    ///< per vertex
+  std::set<std::uint32_t> eights_;  ///< curves that were told of
+  int looks_left_ = kMostLooks;
 };
 
 }  // namespace

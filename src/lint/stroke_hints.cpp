@@ -13,8 +13,9 @@
 namespace sfumato::lint_detail {
 namespace {
 
-/// A stroke thinner than a pixel is as much fainter: below this hardly anything of it shows.
-constexpr double kFaintPx = 0.1;
+/// A stroke thinner than a pixel is as much fainter: with this radius, white on black, it changes
+/// pixels by two code values.
+constexpr double kFaintPx = 2.0 / 255;
 
 float largest(const ScalarStops& stops) {
   float value = 0;

@@ -127,6 +127,27 @@ TEST(LintFlood, not_where_something_else_ends_the_colour) {
   EXPECT_EQ(count(one_layer({disc}), HintKind::flood), 0u);
 }
 
+TEST(LintFlood, with_shapes_within_the_one_that_is_open) {
+  Curve face = circle_curve(kMiddle, 30);
+  face.right.color = one_color(kRed);
+  const Curve eye = colored(circle_curve({45, 45}, 5), kRed, kBlack);
+  const Curve mouth = colored(straight_curve({40, 62}, {60, 62}), kRed, kBlack);
+  const auto floods = [](const Document& document) { return count(document, HintKind::flood); };
+  EXPECT_EQ(floods(one_layer({face, eye})), 1u);
+  EXPECT_EQ(floods(one_layer({eye, mouth, face})), 1u);
+  // Another shape like it, and a guide that bears nothing.
+  Curve ball = circle_curve({10, 10}, 5);
+  ball.right.color = one_color(kGreen);
+  EXPECT_EQ(floods(one_layer({ball, face, straight_curve({0, 95}, {99, 95})})), 1u);
+  // What lies beside it and has colours outside is a ground.
+  EXPECT_EQ(floods(one_layer({face, colored(circle_curve({10, 10}, 5), kRed, kBlack)})), 0u);
+  Curve frame = circle_curve(kMiddle, 200);
+  frame.right.color = one_color(kGreen);
+  EXPECT_EQ(floods(one_layer({frame, eye, mouth})), 0u);
+  face.left.color = one_color(kBlue);
+  EXPECT_EQ(floods(one_layer({face, eye})), 0u);
+}
+
 TEST(LintFlood, above_something_it_is_a_leak) {
   Curve disc = circle_curve(kMiddle, 30);
   disc.right.color = one_color(kRed);
@@ -137,6 +158,60 @@ TEST(LintFlood, above_something_it_is_a_leak) {
   document.stack.push_back(instance);
   EXPECT_EQ(count(document, HintKind::flood), 0u);
   EXPECT_EQ(count(document, HintKind::leak), 1u);
+}
+
+/// A closed curve of two loops side by side that crosses itself in the middle.
+Curve eight() {
+  return {.control_points = {{50, 50},
+                             {80, 10},
+                             {95, 30},
+                             {95, 50},
+                             {95, 70},
+                             {80, 90},
+                             {50, 50},
+                             {20, 10},
+                             {5, 30},
+                             {5, 50},
+                             {5, 70},
+                             {20, 90},
+                             {50, 50}}};
+}
+
+/// Corners of a star, or of another polygon.
+Curve polygon(const std::vector<Vec2>& corners) {
+  Curve curve{.control_points = {corners.front()}};
+  for (std::size_t i = 1; i <= corners.size(); ++i) {
+    const Vec2 from = corners[i - 1], to = corners[i % corners.size()];
+    for (const double share : {1.0 / 3, 2.0 / 3, 1.0}) {
+      curve.control_points.push_back(share == 1.0 ? to : lerp(from, to, share));
+    }
+  }
+  return curve;
+}
+
+TEST(LintCrossing, an_eight_whose_sides_both_lie_outside) {
+  const auto crossings = [](const Curve& curve) {
+    return of_kind(hints_of(one_layer({curve})), HintKind::crossing);
+  };
+  Curve one_sided = eight();
+  one_sided.left.color = one_color(kRed);
+  const auto found = crossings(one_sided);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_NE(found[0].message.find("crosses itself at 50, 50"), std::string::npos)
+      << found[0].message;
+  EXPECT_EQ(crossings(colored(eight(), kRed, kBlue)).size(), 1u);
+  EXPECT_EQ(crossings(colored(eight(), kRed, kRed)).size(), 0u);
+  EXPECT_EQ(crossings(eight()).size(), 0u);
+  Curve bow = polygon({{10, 10}, {90, 91}, {90, 10}, {10, 91}});
+  bow.right.color = one_color(kRed);
+  EXPECT_EQ(crossings(bow).size(), 1u);
+}
+
+TEST(LintCrossing, not_a_star_nor_a_loop_within) {
+  Curve star = polygon({{50, 5}, {78, 90}, {5, 37}, {95, 37}, {22, 90}});
+  star.right.color = one_color(kRed);
+  EXPECT_EQ(count(one_layer({star}), HintKind::crossing), 0u);
+  EXPECT_EQ(count(one_layer({colored(star, kRed, kBlue)}), HintKind::crossing), 0u);
 }
 
 TEST(LintCrossing, a_shape_that_passes_through_another) {

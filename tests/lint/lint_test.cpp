@@ -323,12 +323,12 @@ Document with_stroke(float radius, float blur, Rgb right) {
 
 TEST(Lint, finds_local_curves_too_thin_to_be_seen) {
   // A pixel of 512 is 0.195 units.
-  EXPECT_EQ(count(with_stroke(0.03f, 0, kRed), HintKind::stroke_radius), 0u);
-  Document thin = with_stroke(0.01f, 0, kRed);
+  EXPECT_EQ(count(with_stroke(0.002f, 0, kRed), HintKind::stroke_radius), 0u);
+  Document thin = with_stroke(0.001f, 0, kRed);
   const std::vector<Hint> found = of_kind(hints_of(thin), HintKind::stroke_radius);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(place_text(thin, found[0]), "local curve at stack item 1");
-  EXPECT_NE(found[0].message.find("nowhere above 0.01 units"), std::string::npos)
+  EXPECT_NE(found[0].message.find("nowhere above 0.001 units"), std::string::npos)
       << found[0].message;
   std::get<LocalStroke>(thin.stack[1]).artboard_from_stroke = {4, 0, 0, 4, 0, 0};
   EXPECT_EQ(count(thin, HintKind::stroke_radius), 0u) << "enlarged";

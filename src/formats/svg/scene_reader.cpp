@@ -81,9 +81,10 @@ void SceneReader::warn_of_unused() {
   const auto warn = [this](Element first, std::size_t count, const char* kind) {
     if (count == 0) return;
     const std::string others = count == 1 ? "" : " (and " + std::to_string(count - 1) + " more)";
-    input_.warn(std::string("/unused ") + kind, first,
-                std::string("the ") + kind + " " + shown(first) + others +
-                    " is drawn nowhere; it is left out");
+    const std::string name = first.attribute("id").empty() ? "without an id" : shown(first);
+    input_.warn(
+        std::string("/unused ") + kind, first,
+        std::string("the ") + kind + " " + name + others + " is drawn nowhere; it is left out");
   };
   warn(unused.first_layer, unused.layers, "layer");
   warn(unused.first_paint, unused.paints, "paint");
