@@ -38,11 +38,13 @@ bool touches(const Box& box, Vec2 a, Vec2 b) {
   return clip(a.x, b.x - a.x, box.min.x, box.max.x) && clip(a.y, b.y - a.y, box.min.y, box.max.y);
 }
 
-/// A curve outside that runs along a whole side of the artboard, or round it, is there on purpose.
+/// A curve outside that runs along most of a side of the artboard, or round it, is there on
+/// purpose.
 bool is_frame(const Outline& outline, const Box& sight) {
   const Box& box = outline.box;
-  return (box.min.x <= sight.min.x && box.max.x >= sight.max.x) ||
-         (box.min.y <= sight.min.y && box.max.y >= sight.max.y);
+  const double x = std::min(box.max.x, sight.max.x) - std::max(box.min.x, sight.min.x);
+  const double y = std::min(box.max.y, sight.max.y) - std::max(box.min.y, sight.min.y);
+  return x >= sight.width() / 2 || y >= sight.height() / 2;
 }
 
 std::vector<Outline> measure(const LayerUnderTest& test) {
