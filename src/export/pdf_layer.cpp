@@ -56,8 +56,9 @@ Result<std::string> white_fill(Context& context, const Lines& lines, double step
   RarePoll<4096> poll(context);
   for (const auto& line : lines) {
     const char* operation = " m ";
-    for (const Vec2 point : line) {
+    for (const Vec2& point : line) {
       if (poll.cancelled()) return context.stop_status();
+      if (&point != &line.front() && point == *(&point - 1)) continue;
       path += number(point.x) + " " + number(point.y) + operation;
       operation = " l ";
     }
@@ -169,7 +170,9 @@ void LayerWriter::paint_clipped(const FacetMesh& mesh, std::string_view white,
   PdfContent mask, clipped;
   mask.add(white);
   const PdfRef state = add_mask(file_, mask.make_mask_form(file_, box));
-  paint_once(mesh, &clipped);
+  // Twice, as the mesh: what lies below has another colour, and would show in pixels left out.
+  notes_->triangle_count += mesh.facet_vertex.size() / 3;
+  paint_mesh(add_mesh(context_, file_, mesh, box), kShift / options_.points_per_unit, &clipped);
   const PdfRef form = mesh.channel_count == 1 ? clipped.make_mask_form(file_, box)
                                               : clipped.make_form(file_, box, true);
   content->add("q " + content->name(Resource::graphics_state, state) + " gs " +
