@@ -19,7 +19,10 @@ constexpr std::size_t kPairs = 200'000'000;  ///< looked at: about a second
 constexpr std::size_t kPieces = 2'000'000;
 constexpr std::size_t kLooks = 1'000'000'000;  ///< edges that winding numbers are counted over
 constexpr int kRounds = 64;                    ///< two or three are usual
-constexpr double kLatticeSize = 536'870'912;   // 2^29: products of differences fit 64 bits
+constexpr const char* kWhat = "the boundary of a shape";
+/// A piece is led through every vertex nearer than this, lattice steps: more than the tolerance.
+constexpr std::int64_t kNear = 66;
+constexpr double kLatticeSize = 536'870'912;  // 2^29: products of differences fit 64 bits
 
 /// A part of a chord, on the lattice.
 struct Piece {
@@ -40,19 +43,20 @@ std::int64_t turn(LatticePoint a, LatticePoint b, LatticePoint c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-/// Whether a piece runs through the square of a lattice point, between its ends.
-bool passes(const Piece& piece, LatticePoint p) {
-  const auto& [a, b, source, since] = piece;
-  if (p == a || p == b) return false;
-  const std::int64_t x = b.x - a.x, y = b.y - a.y;
-  const std::int64_t along = (p.x - a.x) * x + (p.y - a.y) * y;
-  return along > 0 && along < x * x + y * y &&
-         2 * std::abs(turn(a, b, p)) <= std::abs(x) + std::abs(y);
+std::int64_t square_of_distance(LatticePoint a, LatticePoint b) {
+  return (b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y);
 }
 
-/// Of a point on the line of a piece: whether it lies between the ends.
-bool is_between(const Piece& piece, LatticePoint p) {
-  return turn(piece.from, piece.to, p) == 0 && passes(piece, p);
+/// Whether a piece passes near a lattice point, between its ends, so that it is to be led through
+/// it. Both parts are shorter than the piece then: leading on ends.
+bool passes(const Piece& piece, LatticePoint p) {
+  const LatticePoint a = piece.from, b = piece.to;
+  const std::int64_t square = square_of_distance(a, b);
+  const std::int64_t along = (p.x - a.x) * (b.x - a.x) + (p.y - a.y) * (b.y - a.y);
+  if (!(along > 0 && along < square)) return false;
+  if (square_of_distance(a, p) >= square || square_of_distance(p, b) >= square) return false;
+  const auto off = static_cast<double>(turn(a, b, p));
+  return off * off <= static_cast<double>(kNear * kNear) * static_cast<double>(square);
 }
 
 /// The lattice point next to where two pieces cross; none where they do not, or only in an end.
@@ -68,16 +72,25 @@ std::optional<LatticePoint> crossing_of(const Piece& a, const Piece& b) {
                       a.from.x + std::llround(share * static_cast<double>(a.to.x - a.from.x))};
 }
 
-std::int64_t lowest_x(const Piece& piece) {
-  return std::min(piece.from.x, piece.to.x);
+/// What a sweep goes along; `across` is the other coordinate.
+enum class Sweep { along_x, along_y };
+
+Sweep across(Sweep sweep) {
+  return sweep == Sweep::along_x ? Sweep::along_y : Sweep::along_x;
 }
-std::int64_t highest_x(const Piece& piece) {
-  return std::max(piece.from.x, piece.to.x);
+std::int64_t place(LatticePoint p, Sweep sweep) {
+  return sweep == Sweep::along_x ? p.x : p.y;
+}
+std::int64_t lowest(const Piece& piece, Sweep sweep) {
+  return std::min(place(piece.from, sweep), place(piece.to, sweep));
+}
+std::int64_t highest(const Piece& piece, Sweep sweep) {
+  return std::max(place(piece.from, sweep), place(piece.to, sweep));
 }
 
-bool boxes_overlap_in_y(const Piece& a, const Piece& b) {
-  return std::min(a.from.y, a.to.y) <= std::max(b.from.y, b.to.y) &&
-         std::min(b.from.y, b.to.y) <= std::max(a.from.y, a.to.y);
+bool are_near(const Piece& a, const Piece& b, Sweep sweep) {
+  return lowest(a, sweep) <= highest(b, sweep) + kNear &&
+         lowest(b, sweep) <= highest(a, sweep) + kNear;
 }
 
 /// The way round an edge is kept: downwards, or to the right.
@@ -102,7 +115,7 @@ class Arrangement {
   Status cut_where_they_meet();
   Status merge();
   Status count_windings();
-  std::vector<BoundaryEdge> boundary() const;
+  Result<std::vector<BoundaryEdge>> boundary(ScopedCharge& charge) const;
 
  private:
   Status find_crossings(std::vector<LatticePoint>& crossings, bool& touch);
@@ -111,7 +124,7 @@ class Arrangement {
   Status apply(std::vector<Cut>& cuts);
   Status charge(std::size_t pieces);
   int winding_beside(const Edge& edge) const;
-  std::vector<std::size_t> edges_around(LatticePoint vertex) const;
+  std::vector<std::size_t> edges_around(LatticePoint vertex);
   void spread_winding(LatticePoint vertex, std::size_t known, std::vector<std::size_t>& reached);
   bool is_inside(int winding) const { return even_odd_ ? winding % 2 != 0 : winding != 0; }
 
@@ -121,6 +134,8 @@ class Arrangement {
   std::vector<Piece> pieces_;
   std::vector<Edge> edges_;
   std::vector<std::pair<LatticePoint, std::size_t>> edge_at_;  ///< both ends of each, sorted
+  std::vector<bool> is_done_;  ///< per entry of edge_at_ that is the first of its vertex
+  Sweep sweep_ = Sweep::along_x;
   std::size_t pairs_ = 0;
 };
 
@@ -130,6 +145,7 @@ Status Arrangement::round_to_lattice(const std::vector<Chord>& chords, double st
   if (box.empty()) return ok_status();
   if (Status status = charge(chords.size()); !status) return status;
   step = std::max(step, std::max(box.width(), box.height()) / kLatticeSize);
+  sweep_ = box.width() >= box.height() ? Sweep::along_x : Sweep::along_y;
   const auto rounded = [&](Vec2 p) {
     const Vec2 at = (p - box.min) / step;
     return LatticePoint{std::llround(at.y), std::llround(at.x)};
@@ -145,25 +161,27 @@ Status Arrangement::round_to_lattice(const std::vector<Chord>& chords, double st
   return ok_status();
 }
 
-/// Where pieces cross. `touch`: whether any have more in common than ends.
+/// Where pieces cross. `touch`: whether any cross, or pass an end of another.
 Status Arrangement::find_crossings(std::vector<LatticePoint>& crossings, bool& touch) {
   std::vector<std::uint32_t> order(pieces_.size()), active;
   std::iota(order.begin(), order.end(), 0u);
-  const auto place = [&](std::uint32_t i) { return std::pair(lowest_x(pieces_[i]), i); };
-  Status sorted = sort_large(context_, order, [&](auto a, auto b) { return place(a) < place(b); });
+  const auto key = [&](std::uint32_t i) { return std::pair(lowest(pieces_[i], sweep_), i); };
+  Status sorted = sort_large(context_, order, [&](auto a, auto b) { return key(a) < key(b); });
   if (!sorted) return sorted;
+  const auto pass = [](const Piece& a, const Piece& b) {
+    return passes(a, b.from) || passes(a, b.to);
+  };
   for (const std::uint32_t i : order) {
     if (context_.cancelled()) return context_.stop_status();
     const Piece& piece = pieces_[i];
-    const std::int64_t x = lowest_x(piece);
-    std::erase_if(active, [&](std::uint32_t k) { return highest_x(pieces_[k]) < x; });
+    const std::int64_t begin = lowest(piece, sweep_) - kNear;
+    std::erase_if(active, [&](std::uint32_t k) { return highest(pieces_[k], sweep_) < begin; });
     if (Status status = count(active.size(), crossings.size()); !status) return status;
     for (const std::uint32_t k : active) {
       const Piece& other = pieces_[k];
-      if (!boxes_overlap_in_y(piece, other)) continue;
+      if (!are_near(piece, other, across(sweep_))) continue;
       if (const auto point = crossing_of(piece, other)) crossings.push_back(*point);
-      touch = touch || is_between(piece, other.from) || is_between(piece, other.to) ||
-              is_between(other, piece.from) || is_between(other, piece.to);
+      touch = touch || pass(piece, other) || pass(other, piece);
     }
     active.push_back(i);
   }
@@ -177,22 +195,24 @@ Status Arrangement::count(std::size_t pairs, std::size_t found) {
   return make_error(StatusCode::limit, "the shape crosses itself too often");
 }
 
-/// Leads every piece through the points whose squares it passes: the ends of pieces, and `points`.
+/// Leads every piece through the points that it passes: the ends of pieces, and `points`.
 Status Arrangement::find_cuts(std::vector<LatticePoint> points, std::vector<Cut>& cuts) {
   for (const Piece& piece : pieces_) {
     points.push_back(piece.from);
     points.push_back(piece.to);
   }
-  const auto by_x = [](LatticePoint p) { return std::pair(p.x, p.y); };
-  Status sorted = sort_large(context_, points, [&](auto a, auto b) { return by_x(a) < by_x(b); });
+  const auto key = [&](LatticePoint p) { return std::pair(place(p, sweep_), p); };
+  Status sorted = sort_large(context_, points, [&](auto a, auto b) { return key(a) < key(b); });
   if (!sorted) return sorted;
   const auto repeated = std::ranges::unique(points);
   points.erase(repeated.begin(), repeated.end());
-  const auto x_of = [](LatticePoint p) { return p.x; };
+  const auto place_of = [&](LatticePoint p) { return place(p, sweep_); };
   for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
     if (context_.cancelled()) return context_.stop_status();
-    const auto low = std::ranges::lower_bound(points, lowest_x(pieces_[i]) - 1, {}, x_of);
-    const auto high = std::ranges::upper_bound(points, highest_x(pieces_[i]) + 1, {}, x_of);
+    const std::int64_t begin = lowest(pieces_[i], sweep_) - kNear;
+    const std::int64_t end = highest(pieces_[i], sweep_) + kNear;
+    const auto low = std::ranges::lower_bound(points, begin, {}, place_of);
+    const auto high = std::ranges::upper_bound(points, end, {}, place_of);
     const auto size = static_cast<std::size_t>(high - low);
     if (Status status = count(size, cuts.size()); !status) return status;
     for (const LatticePoint point : std::span(low, high)) {
@@ -205,7 +225,7 @@ Status Arrangement::find_cuts(std::vector<LatticePoint> points, std::vector<Cut>
 /// Of pieces, and of what is made of each.
 Status Arrangement::charge(std::size_t pieces) {
   return charge_.add(context_, pieces * (2 * sizeof(Piece) + sizeof(Cut) + 2 * sizeof(Edge)),
-                     "the boundary of a shape");
+                     kWhat);
 }
 
 /// Cuts pieces, in the order in which their contour passes the points. The cuts are sorted.
@@ -232,7 +252,7 @@ Status Arrangement::apply(std::vector<Cut>& cuts) {
     Piece rest = pieces_[i];
     const Source whole = rest.source;
     for (; cut != cuts.end() && cut->piece == i; ++cut) {
-      if (cut->point == rest.from || cut->point == rest.to) continue;
+      if (!passes(rest, cut->point)) continue;  // not any more: the next round sees it
       const double parameter = whole.begin + (whole.end - whole.begin) * share_of(*cut);
       rest.source.end = parameter;
       result.push_back({rest.from, cut->point, rest.source, rest.since});
@@ -246,19 +266,21 @@ Status Arrangement::apply(std::vector<Cut>& cuts) {
   return ok_status();
 }
 
-/// Snap rounding (Hobby 1999). What it leaves is planar but where a crossing falls between two
-/// squares; then again.
+/// Snap rounding (Hobby 1999), with a wider reach: contours nearer to each other than the tolerance
+/// become one there, since what lies between them shows nothing but would need colours. Again and
+/// again, until nothing passes anything.
 Status Arrangement::cut_where_they_meet() {
   for (int round = 0; round < kRounds; ++round) {
     std::vector<LatticePoint> crossings;
     bool touch = false;
     if (Status status = find_crossings(crossings, touch); !status) return status;
-    if (!touch) break;
+    if (!touch) return ok_status();
     std::vector<Cut> cuts;
     if (Status status = find_cuts(std::move(crossings), cuts); !status) return status;
+    if (cuts.empty()) return ok_status();  // they cross in their ends, but for rounding
     if (Status status = apply(cuts); !status) return status;
   }
-  return ok_status();
+  return make_error(StatusCode::limit, "the shape crosses itself too often");
 }
 
 /// Makes one edge of the pieces between the same two points; none where they cancel each other.
@@ -272,7 +294,9 @@ Status Arrangement::merge() {
   Status status = sort_large(context_, pieces_,
                              [&](const Piece& a, const Piece& b) { return place(a) < place(b); });
   if (!status) return status;
+  RarePoll<1024> poll(context_);
   for (std::size_t i = 0; i < pieces_.size();) {
+    if (poll.cancelled()) return context_.stop_status();
     const LatticePoint upper = ends(pieces_[i]).first, lower = ends(pieces_[i]).second;
     Edge edge{upper, lower, 0, i, i};
     for (; i < pieces_.size() && ends(pieces_[i]) == std::minmax(upper, lower); ++i) {
@@ -282,9 +306,11 @@ Status Arrangement::merge() {
     if (edge.net != 0) edges_.push_back(edge);
   }
   for (std::size_t i = 0; i < edges_.size(); ++i) {
+    if (poll.cancelled()) return context_.stop_status();
     edge_at_.emplace_back(edges_[i].upper, i);
     edge_at_.emplace_back(edges_[i].lower, i);
   }
+  is_done_.resize(edge_at_.size());
   return sort_large(context_, edge_at_, std::less<>());
 }
 
@@ -302,13 +328,15 @@ int Arrangement::winding_beside(const Edge& edge) const {
   return edge.upper.y == edge.lower.y ? number : number + edge.net;
 }
 
-/// The edges at a vertex, clockwise on the screen.
-std::vector<std::size_t> Arrangement::edges_around(LatticePoint vertex) const {
+/// The edges at a vertex, clockwise on the screen; nothing where that was asked before.
+std::vector<std::size_t> Arrangement::edges_around(LatticePoint vertex) {
   const auto of_vertex = [](const auto& entry) { return entry.first; };
+  const auto entries = std::ranges::equal_range(edge_at_, vertex, {}, of_vertex);
+  const auto first = static_cast<std::size_t>(entries.begin() - edge_at_.begin());
   std::vector<std::size_t> around;
-  for (const auto& [at, edge] : std::ranges::equal_range(edge_at_, vertex, {}, of_vertex)) {
-    around.push_back(edge);
-  }
+  if (is_done_[first]) return around;
+  is_done_[first] = true;
+  for (const auto& [at, edge] : entries) around.push_back(edge);
   // Those that lead down from the vertex first, which canonical edges do from their upper end.
   std::ranges::sort(around, [&](std::size_t a, std::size_t b) {
     const bool a_leads_on = edges_[a].upper == vertex, b_leads_on = edges_[b].upper == vertex;
@@ -318,10 +346,11 @@ std::vector<std::size_t> Arrangement::edges_around(LatticePoint vertex) const {
   return around;
 }
 
-/// Round a vertex from an edge whose winding is known to those where it is not.
+/// Round a vertex from an edge whose winding is known to those where it is not; once for each.
 void Arrangement::spread_winding(LatticePoint vertex, std::size_t known,
                                  std::vector<std::size_t>& reached) {
   const std::vector<std::size_t> around = edges_around(vertex);
+  if (around.empty()) return;
   const std::size_t first =
       static_cast<std::size_t>(std::ranges::find(around, known) - around.begin());
   const Edge& begin = edges_[known];
@@ -360,9 +389,13 @@ Status Arrangement::count_windings() {
   return ok_status();
 }
 
-std::vector<BoundaryEdge> Arrangement::boundary() const {
+Result<std::vector<BoundaryEdge>> Arrangement::boundary(ScopedCharge& charge) const {
+  const std::size_t bytes = edges_.size() * sizeof(BoundaryEdge) + pieces_.size() * sizeof(Source);
+  if (Status status = charge.add(context_, 2 * bytes, kWhat); !status) return status;
   std::vector<BoundaryEdge> result;
+  RarePoll<1024> poll(context_);
   for (const Edge& edge : edges_) {
+    if (poll.cancelled()) return context_.stop_status();
     const bool right = is_inside(*edge.right_winding);
     const bool left = is_inside(*edge.right_winding - edge.net);
     if (left == right) continue;
@@ -382,14 +415,14 @@ std::vector<BoundaryEdge> Arrangement::boundary() const {
 }  // namespace
 
 Result<std::vector<BoundaryEdge>> boundary_edges(Context& context, const std::vector<Chord>& chords,
-                                                 bool even_odd, double step) {
+                                                 bool even_odd, double step, ScopedCharge& charge) {
   Arrangement arrangement(context, even_odd);
   Status status = arrangement.round_to_lattice(chords, step);
   if (status) status = arrangement.cut_where_they_meet();
   if (status) status = arrangement.merge();
   if (status) status = arrangement.count_windings();
   if (!status) return status;
-  return arrangement.boundary();
+  return arrangement.boundary(charge);
 }
 
 }  // namespace sfumato::svg_import

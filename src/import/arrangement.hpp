@@ -33,15 +33,16 @@ struct BoundaryEdge {
 };
 
 /// The boundary of what closed chains of chords fill. The chords are rounded to a lattice of the
-/// given step (wider where the chords reach farther than 2^29 steps) and cut where they meet, in
-/// integers: so every vertex is the end of as many edges as it is the beginning of, however nearly
-/// the chords coincide.
+/// given step (wider where the chords reach farther than 2^29 steps), cut where they meet, and led
+/// through what they pass within 66 steps, in integers: so every vertex is the end of as many edges
+/// as it is the beginning of, and chords that run nearer to each other than that become one.
 ///
 /// step     of the lattice, in the chords' units, above 0
+/// charge   gets the memory of the edges
 /// Errors   limit (memory, too many pairs that lie near each other), cancelled.
-/// Cost     O(n log n), the pairs whose boxes overlap across x, and edges × parts that do not
-/// touch.
+/// Cost     O(n log n), the pairs whose boxes overlap along the longer side of what all chords
+///          cover, and edges × parts that do not touch.
 Result<std::vector<BoundaryEdge>> boundary_edges(Context& context, const std::vector<Chord>& chords,
-                                                 bool even_odd, double step);
+                                                 bool even_odd, double step, ScopedCharge& charge);
 
 }  // namespace sfumato::svg_import

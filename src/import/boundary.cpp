@@ -16,6 +16,7 @@ namespace {
 
 constexpr int kMostChords = 64;  ///< of one Bézier piece
 constexpr std::size_t kChords = 2'000'000;
+constexpr std::size_t kFirstChords = 256;
 constexpr double kParallel = 1e-9;  ///< sine of an angle
 
 using curves::Cubic;
@@ -51,6 +52,7 @@ class Boundary {
 
  private:
   Status flatten();
+  Status charge_chords();
   Status link();
   Vec2 join(Run& before, Run& after) const;
   bool refine(Run& before, Run& after, Vec2& point) const;
@@ -64,6 +66,8 @@ class Boundary {
   bool even_odd_;
   double tolerance_;
   std::vector<Chord> chords_;
+  std::size_t charged_ = 0;  ///< chords, twice: their edges become loops
+  ScopedCharge charge_;
   Contours loops_;
 };
 
@@ -85,9 +89,18 @@ Status Boundary::flatten() {
         return make_error(StatusCode::limit, "a shape of the drawing is too long");
       }
       if (context_.cancelled()) return context_.stop_status();
+      if (Status status = charge_chords(); !status) return status;
     }
   }
   return ok_status();
+}
+
+/// In steps that double.
+Status Boundary::charge_chords() {
+  if (chords_.size() <= charged_) return ok_status();
+  const std::size_t more = std::max(charged_, kFirstChords);
+  charged_ += more;
+  return charge_.add(context_, 2 * more * sizeof(Chord), "the boundary of a shape");
 }
 
 Vec2 Boundary::point_of(std::uint32_t contour, double parameter) const {
@@ -208,7 +221,7 @@ void go_on(std::vector<Run>& runs, const Source& source) {
 /// Edges one after another where one ends in the other's beginning: every end has its beginning.
 Status Boundary::link() {
   Result<std::vector<BoundaryEdge>> found =
-      boundary_edges(context_, chords_, even_odd_, tolerance_ / 64);
+      boundary_edges(context_, chords_, even_odd_, tolerance_ / 64, charge_);
   if (!found) return found.status();
   std::vector<BoundaryEdge>& edges = *found;
   const auto place = [](const BoundaryEdge& edge) {
@@ -220,17 +233,22 @@ Status Boundary::link() {
                  [&](const BoundaryEdge& a, const BoundaryEdge& b) { return place(a) < place(b); });
   if (!sorted) return sorted;
   std::multimap<LatticePoint, std::size_t> begins;
-  for (std::size_t i = 0; i < edges.size(); ++i) begins.emplace(edges[i].from, i);
+  RarePoll<256> poll(context_);
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    if (poll.cancelled()) return context_.stop_status();
+    begins.emplace(edges[i].from, i);
+  }
   std::vector<bool> is_taken(edges.size(), false);
   for (std::size_t i = 0; i < edges.size(); ++i) {
     if (is_taken[i]) continue;
-    if (context_.cancelled()) return context_.stop_status();
     std::vector<Run> runs;
     for (std::size_t at = i; !is_taken[at];) {
+      if (poll.cancelled()) return context_.stop_status();
       is_taken[at] = true;
       go_on(runs, source_after(edges[at], runs));
       if (edges[at].to == edges[i].from) break;
-      const auto [low, high] = begins.equal_range(edges[at].to);
+      auto [low, high] = begins.equal_range(edges[at].to);
+      while (low != high && is_taken[low->second]) low = begins.erase(low);
       auto next = std::find_if(low, high, [&](const auto& entry) {
         return !is_taken[entry.second] &&
                goes_on_from(runs.back(), source_after(edges[entry.second], runs));

@@ -14,7 +14,8 @@ using Contours = std::vector<std::vector<Vec2>>;
 /// The boundary of what contours fill: curves with the inside on their right (a loop runs clockwise
 /// around it, as seen on the screen), which cross nothing and meet only in their ends. Contours
 /// that are open are closed by a straight line; where contours overlap, what lies within the filled
-/// region is left out.
+/// region is left out, and so is what is thinner than the tolerance: slits between contours, parts
+/// that reach out from them.
 ///
 /// tolerance   how exactly crossings are looked for, in the contours' units
 /// Errors      limit, cancelled.
