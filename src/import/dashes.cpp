@@ -14,6 +14,10 @@ constexpr std::size_t kDashes = 20'000;
 /// Of a subpath's length: by so much a sum of dashes misses its end by rounding; a dash is a dot.
 constexpr double kSlack = 1e-9;
 
+Status too_many() {
+  return make_error(StatusCode::limit, "more than 20000 dashes in one stroke");
+}
+
 /// Whether a dash lies on the beginning of a subpath whose first dash begins at `at` <= 0.
 bool begins_with_dash(const StrokeStyle& style, double at) {
   for (std::size_t i = 0; i < style.dashes.size() && at <= 0; ++i) {
@@ -33,20 +37,30 @@ std::vector<Vec2> dot_at(const std::vector<Vec2>& chain, double parameter,
   return dot(curves::point_at(cubic, t), tangent_at(cubic, t), style);
 }
 
-Status dash_one(const std::vector<Vec2>& chain, const StrokeStyle& style, Contours& dashes) {
-  const std::vector<double> lengths = curves::cumulative_length(chain);
+/// As curves::cumulative_length, which does not look at the cancel flag; too short where stopped.
+std::vector<double> cumulative_length(PointMeter& meter, const std::vector<Vec2>& chain) {
+  std::vector<double> lengths{0};
+  for (std::size_t i = 0; 3 * i + 3 < chain.size() && meter.take(1); ++i) {
+    lengths.push_back(lengths.back() + curves::arc_length(curves::piece(chain, i), 0, 1));
+  }
+  return lengths;
+}
+
+void dash_one(PointMeter& meter, const std::vector<Vec2>& chain, const std::vector<double>& lengths,
+              const StrokeStyle& style, Contours& dashes) {
   const double total = lengths.back();
   const double period = std::accumulate(style.dashes.begin(), style.dashes.end(), 0.0);
   double at = -std::fmod(style.dash_offset, period);
   if (at > 0) at -= period;
   if (!(total > 0)) {
-    if (begins_with_dash(style, at)) dashes.push_back(chain);
-    return ok_status();
+    if (begins_with_dash(style, at) && meter.take(chain.size())) dashes.push_back(chain);
+    return;
   }
   // A dot on the end of a closed subpath is that on its beginning.
   const double last_dot =
       chain.front() == chain.back() ? total * (1 - kSlack) : total * (1 + kSlack);
-  for (std::size_t i = 0; at < std::max(total, last_dot); i = (i + 1) % style.dashes.size()) {
+  for (std::size_t i = 0; at < std::max(total, last_dot) && meter.take(0);
+       i = (i + 1) % style.dashes.size()) {
     const double end = std::min(at + style.dashes[i], total), begin = std::max(at, 0.0);
     const bool is_dot = style.dashes[i] <= kSlack * total && at >= 0 && at <= last_dot;
     at += style.dashes[i];
@@ -54,32 +68,29 @@ Status dash_one(const std::vector<Vec2>& chain, const StrokeStyle& style, Contou
       if (!(at + period > at)) break;
       continue;
     }
-    if (dashes.size() >= kDashes) {
-      return make_error(StatusCode::limit, "more than 20000 dashes in one stroke");
-    }
+    if (dashes.size() >= kDashes) return meter.stop(too_many());
     const auto parameter = [&](double distance) {
       return curves::parameter_at_fraction(chain, lengths, distance / total);
     };
     std::vector<Vec2> points = is_dot ? dot_at(chain, parameter(begin), style)
                                       : stretch(chain, parameter(begin), parameter(end));
+    // Two searches along the curve, each of a millisecond where it turns back in cusps.
+    if (!meter.look() || !meter.take(points.size())) return;
     if (points.size() >= 4) dashes.push_back(std::move(points));
   }
-  return ok_status();
 }
 
 }  // namespace
 
-Result<Contours> dashed(const Context& context, const Contours& subpaths,
-                        const StrokeStyle& style) {
+Result<Contours> dashed(PointMeter& meter, const Contours& subpaths, const StrokeStyle& style) {
   Contours dashes;
-  // A dash costs a search along the curve: what would be far too many is refused at once.
   const double period = std::accumulate(style.dashes.begin(), style.dashes.end(), 0.0);
   for (const std::vector<Vec2>& chain : subpaths) {
-    if (context.cancelled()) return context.stop_status();
-    if (curves::cumulative_length(chain).back() / period > kDashes) {
-      return make_error(StatusCode::limit, "more than 20000 dashes in one stroke");
-    }
-    if (Status status = dash_one(chain, style, dashes); !status) return status;
+    const std::vector<double> lengths = cumulative_length(meter, chain);
+    // A dash costs a search along the curve: what would be far too many is refused at once.
+    if (!meter.stopped() && lengths.back() / period > kDashes) meter.stop(too_many());
+    dash_one(meter, chain, lengths, style, dashes);
+    if (meter.stopped()) return meter.status();
   }
   return dashes;
 }

@@ -70,10 +70,11 @@ class Importer {
 Result<Contours> Importer::boundary_of(const Source& source) const {
   const PlainShape& shape = *source.shape;
   Contours contours = shape.subpaths;
+  ScopedCharge outline_charge;
   if (source.is_stroke) {
     const double scale = std::sqrt(std::abs(shape.artboard_from_user.determinant()));
-    Result<Contours> outline =
-        svg_import::stroke_outline(context_, contours, shape.style, tolerance_ / scale);
+    Result<Contours> outline = svg_import::stroke_outline(context_, contours, shape.style,
+                                                          tolerance_ / scale, &outline_charge);
     if (!outline) return outline;
     contours = std::move(*outline);
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <utility>
 
@@ -18,6 +19,8 @@ constexpr int kDeepestTurn = 24;  ///< where it turns back, in a cusp or nearly
 /// Of the tolerance: what is shorter is no piece. That is 1/256 of a pixel of 1024, below which
 /// cairo sees nothing either, and Skia nothing below 1/4096.
 constexpr double kShortest = 1.0 / 16;
+/// Of the largest coordinate: no offset is found more exactly.
+constexpr double kRounding = 64 * std::numeric_limits<double>::epsilon();
 constexpr double kStraight = 1e-4;               ///< sine of a turn that needs no join
 constexpr double kQuarter = 0.5522847498307936;  ///< control points of a quarter circle
 
@@ -64,22 +67,16 @@ bool is_outer(Vec2 before, Vec2 after) {
 /// One side of a stroke: at `radius` to the left of what is walked.
 class Side {
  public:
-  Side(double radius, const StrokeStyle& style, double tolerance)
-      : radius_(radius), style_(style), tolerance_(tolerance) {}
+  Side(const StrokeStyle& style, double tolerance, PointMeter& meter)
+      : radius_(style.width / 2), style_(style), tolerance_(tolerance), meter_(meter) {}
 
   void walk(const std::vector<Cubic>& pieces, bool is_closed);
   /// From the left side of the end of `piece` round to its right side.
   void cap(const Cubic& piece);
-  void finish() {
-    if (!points_.empty()) line_to(points_.front());
-  }
   std::vector<Vec2> take() { return std::move(points_); }
 
  private:
   Vec2 normal(Vec2 tangent) const { return radius_ * left_of(tangent); }
-  void begin_at(Vec2 point) {
-    if (points_.empty()) points_.push_back(point);
-  }
   void line_to(Vec2 point);
   void quarter_to(Vec2 control1, Vec2 control2, Vec2 point);
   void offset(const Cubic& piece, double t0, double t1, int depth);
@@ -90,22 +87,25 @@ class Side {
   double radius_;
   const StrokeStyle& style_;
   double tolerance_;
+  PointMeter& meter_;
   std::vector<Vec2> points_;
 };
 
 void Side::line_to(Vec2 point) {
   const Vec2 from = points_.back();
-  if (from == point) return;
+  if (from == point || !meter_.take(3)) return;
   points_.insert(points_.end(), {lerp(from, point, 1.0 / 3), lerp(from, point, 2.0 / 3), point});
 }
 
 void Side::quarter_to(Vec2 control1, Vec2 control2, Vec2 point) {
+  if (!meter_.take(3)) return;
   points_.insert(points_.end(), {control1, control2, point});
 }
 
 /// The offset curve's derivative is C′ (1 + radius κ): a cubic with its points and derivatives at
 /// both ends misses it by O(length⁴).
 void Side::offset(const Cubic& piece, double t0, double t1, int depth) {
+  if (meter_.stopped()) return;
   const auto derivative = [&](double t) {
     const Vec2 along = curves::derivative_at(piece, t);
     const double speed = length(along);
@@ -195,15 +195,14 @@ void Side::join(Vec2 corner, Vec2 before, Vec2 after) {
 }
 
 void Side::walk(const std::vector<Cubic>& pieces, bool is_closed) {
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
-    const Vec2 tangent = tangent_at(pieces[i], 0);
-    if (i > 0) join(pieces[i][0], tangent_at(pieces[i - 1], 1), tangent);
-    begin_at(pieces[i][0] + normal(tangent));
+  points_ = {pieces.front()[0] + normal(tangent_at(pieces.front(), 0))};
+  for (std::size_t i = 0; i < pieces.size() && !meter_.stopped(); ++i) {
+    if (i > 0) join(pieces[i][0], tangent_at(pieces[i - 1], 1), tangent_at(pieces[i], 0));
     offset(pieces[i], 0, 1, 0);
   }
   if (!is_closed) return;
   join(pieces.front()[0], tangent_at(pieces.back(), 1), tangent_at(pieces.front(), 0));
-  finish();
+  line_to(points_.front());
 }
 
 void Side::cap(const Cubic& piece) {
@@ -222,8 +221,9 @@ std::vector<Cubic> reversed(const std::vector<Cubic>& pieces) {
   return result;
 }
 
-void outline(const std::vector<Vec2>& subpath, const StrokeStyle& style, double tolerance,
-             Contours& contours) {
+void outline(PointMeter& meter, const std::vector<Vec2>& subpath, const StrokeStyle& style,
+             double tolerance, Contours& contours) {
+  if (!meter.take(2 * subpath.size())) return;  // the pieces, there and back
   std::vector<Cubic> pieces = pieces_of(subpath, kShortest * tolerance);
   if (pieces.empty()) {  // a dot, where caps make one
     if (style.cap == StrokeCap::butt) return;
@@ -234,17 +234,17 @@ void outline(const std::vector<Vec2>& subpath, const StrokeStyle& style, double 
   }
   const bool is_closed = pieces.front()[0] == pieces.back()[3];
   const std::vector<Cubic> back = reversed(pieces);
-  Side side(style.width / 2, style, tolerance);
+  Side side(style, tolerance, meter);
   side.walk(pieces, is_closed);
   if (is_closed) {
     contours.push_back(side.take());
-    Side other(style.width / 2, style, tolerance);
+    Side other(style, tolerance, meter);
     other.walk(back, true);
     contours.push_back(other.take());
     return;
   }
   side.cap(pieces.back());
-  Side other(style.width / 2, style, tolerance);
+  Side other(style, tolerance, meter);
   other.walk(back, false);
   other.cap(back.back());
   std::vector<Vec2> contour = side.take(), rest = other.take();
@@ -253,6 +253,15 @@ void outline(const std::vector<Vec2>& subpath, const StrokeStyle& style, double 
   contour.insert(contour.end(), rest.begin() + 1, rest.end());
   contour.back() = contour.front();
   contours.push_back(std::move(contour));
+}
+
+/// The largest coordinate of a stroke, or nearly.
+double reach(const Contours& subpaths, const StrokeStyle& style) {
+  double largest = style.width;
+  for (const std::vector<Vec2>& subpath : subpaths) {
+    for (const Vec2 p : subpath) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
+  }
+  return largest;
 }
 
 }  // namespace
@@ -277,10 +286,13 @@ std::vector<Vec2> dot(Vec2 point, Vec2 direction, const StrokeStyle& style) {
   return {point, lerp(point, end, 1.0 / 3), lerp(point, end, 2.0 / 3), end};
 }
 
-Result<Contours> stroke_outline(const Context& context, const Contours& subpaths,
-                                const StrokeStyle& style, double tolerance) {
-  Result<Contours> dashes = style.dashes.empty() ? subpaths : dashed(context, subpaths, style);
+Result<Contours> stroke_outline(Context& context, const Contours& subpaths,
+                                const StrokeStyle& style, double tolerance, ScopedCharge* charge) {
+  ScopedCharge own_charge;
+  PointMeter meter(context, charge ? *charge : own_charge);
+  Result<Contours> dashes = style.dashes.empty() ? subpaths : dashed(meter, subpaths, style);
   if (!dashes) return dashes.status();
+  tolerance = std::max(tolerance, kRounding * reach(subpaths, style));
   Contours contours;
   std::set<std::pair<double, double>> dots;
   for (const std::vector<Vec2>& subpath : *dashes) {
@@ -288,7 +300,8 @@ Result<Contours> stroke_outline(const Context& context, const Contours& subpaths
     const Vec2 first = subpath.front();
     const bool is_dot = std::ranges::all_of(subpath, [&](Vec2 p) { return p == first; });
     if (is_dot && !dots.emplace(first.x, first.y).second) continue;  // there is one here
-    outline(subpath, style, tolerance, contours);
+    outline(meter, subpath, style, tolerance, contours);
+    if (meter.stopped()) return meter.status();
   }
   std::erase_if(contours, [](const auto& contour) { return contour.size() < 4; });
   return contours;

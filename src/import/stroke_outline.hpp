@@ -5,15 +5,20 @@
 #include "curves/bezier.hpp"
 #include "formats/plain_svg.hpp"
 #include "import/boundary.hpp"
+#include "import/point_meter.hpp"
 
 namespace sfumato::svg_import {
 
 /// The outline of stroked subpaths (SVG 2, 13.5: caps, joins, miter limit, dashes): contours that
 /// fill the stroke by the rule "nonzero", where they overlap too. Offsets of curves keep to the
 /// tolerance. A subpath that ends where it began is closed.
-/// Errors: limit (too many dashes), cancelled.
-Result<Contours> stroke_outline(const Context& context, const Contours& subpaths,
-                                const StrokeStyle& style, double tolerance);
+///
+/// tolerance   in the subpaths' units; held above what rounding does to their coordinates
+/// charge      takes the memory of the contours, for as long as they live; null: it is given back
+/// Errors      limit (memory, too many dashes or points), cancelled.
+Result<Contours> stroke_outline(Context& context, const Contours& subpaths,
+                                const StrokeStyle& style, double tolerance,
+                                ScopedCharge* charge = nullptr);
 
 /// A subpath so short that its caps are all that is seen of it: a disk, or a square that stands
 /// along `direction`, a unit vector.
@@ -25,6 +30,6 @@ Vec2 tangent_at(const curves::Cubic& cubic, double t);
 
 /// The parts of the subpaths that dashes leave; a dash of no length is a dot.
 /// Errors: limit, cancelled.
-Result<Contours> dashed(const Context& context, const Contours& subpaths, const StrokeStyle& style);
+Result<Contours> dashed(PointMeter& meter, const Contours& subpaths, const StrokeStyle& style);
 
 }  // namespace sfumato::svg_import

@@ -15,8 +15,8 @@ std::string shape(const std::string& data, const std::string& attributes = "") {
   return icon("<path d='" + data + "' " + attributes + "/>");
 }
 
-void add(Family& family, std::string name, int exit_code, std::string message, Bytes document) {
-  family
+Case& add(Family& family, std::string name, int exit_code, std::string message, Bytes document) {
+  return family
       .add_call(std::move(name), exit_code, std::move(message),
                 {"init", "out.svg", "--from", "in.svg"})
       .with("in.svg", std::move(document));
@@ -67,6 +67,30 @@ void add_strokes(Family& family) {
       [] { return shape(repeated("M5 5z", 20'000), "stroke='red' stroke-linecap='round'"); });
 }
 
+/// Strokes whose outlines are far longer than what is stroked.
+void add_long_strokes(Family& family) {
+  const std::string stroke = "fill='none' stroke='red' ";
+  const auto far_away = [=] {
+    return "<svg xmlns='http://www.w3.org/2000/svg' viewBox='9999990 9999990 1e-6 1e-6'><path d='"
+           "M9999990 9999990c" +
+           repeated("1 0-1 1 0 0 ", 60'000) + "' " + stroke + "/></svg>";
+  };
+  add(family, "curls_far_away", kLimit, "too long", far_away);
+  add(family, "curls_far_away_in_little_memory", kLimit, "memory limit of 64 MiB", far_away)
+      .also({"--max-memory", "64"});
+  add(family, "curls_far_away_in_little_time", kLimit, "time limit of 0.5 s", far_away)
+      .also({"--max-time", ".5"});
+  const auto curls = [=] { return shape("M9 9c" + repeated("9 0-9 9 0 0 ", 100'000), stroke); };
+  add(family, "curls", kLimit, "too long", curls);
+  add(family, "curls_in_little_time", kLimit, "time limit of 0.2 s", curls)
+      .also({"--max-time", ".2"});
+  const auto dashed_curls = [=] {
+    return shape("M9 9c" + repeated("9 0-9 9 0 0 ", 5'000), stroke + "stroke-dasharray='2'");
+  };
+  add(family, "dashes_of_curls_in_little_time", kLimit, "time limit of 0.3 s", dashed_curls)
+      .also({"--max-time", ".3"});
+}
+
 void add_many(Family& family) {
   add(family, "circles_in_one_place", kLimit, "2000 layers",
       [] { return icon(repeated("<circle cx='50' cy='50' r='30' fill='red'/>", 2'000)); });
@@ -97,6 +121,7 @@ void add_many(Family& family) {
 void add_cases(Family& family) {
   add_broken(family);
   add_strokes(family);
+  add_long_strokes(family);
   add_many(family);
 }
 
