@@ -14,8 +14,8 @@ namespace {
 
 using curves::Cubic;
 
-constexpr int kDeepest = 7;       ///< halvings of one piece
-constexpr int kDeepestTurn = 24;  ///< where it turns back, in a cusp or nearly
+constexpr int kDeepest = 24;  ///< halvings of one piece: so many only at a cusp, or nearly
+constexpr int kBisections = 40;
 /// Of the tolerance: what is shorter is no piece. That is 1/256 of a pixel of 1024, below which
 /// cairo sees nothing either, and Skia nothing below 1/4096.
 constexpr double kShortest = 1.0 / 16;
@@ -65,10 +65,20 @@ bool is_outer(Vec2 before, Vec2 after) {
 }
 
 /// One side of a stroke: at `radius` to the left of what is walked.
+///
+/// Where the way bends to the left more sharply than that, the side runs back, and what it sweeps
+/// between the centres of the bend and itself it goes round the wrong way: a fold. The side then
+/// goes by the centres, and the fold is a contour of its own, the right way round. So nothing that
+/// the normals of the way sweep is taken away from the rest.
 class Side {
  public:
-  Side(const StrokeStyle& style, double tolerance, PointMeter& meter)
-      : radius_(style.width / 2), style_(style), tolerance_(tolerance), meter_(meter) {}
+  /// folds   where the contours of folds are added
+  Side(const StrokeStyle& style, double tolerance, PointMeter& meter, Contours& folds)
+      : radius_(style.width / 2),
+        style_(style),
+        tolerance_(tolerance),
+        meter_(meter),
+        folds_(folds) {}
 
   void walk(const std::vector<Cubic>& pieces, bool is_closed);
   /// From the left side of the end of `piece` round to its right side.
@@ -79,8 +89,24 @@ class Side {
   Vec2 normal(Vec2 tangent) const { return radius_ * left_of(tangent); }
   void line_to(Vec2 point);
   void quarter_to(Vec2 control1, Vec2 control2, Vec2 point);
+  Vec2 offset_point(const Cubic& piece, double t) const {
+    return curves::point_at(piece, t) + normal(tangent_at(piece, t));
+  }
+  Vec2 offset_derivative(const Cubic& piece, double t) const;
+  Cubic fitted(const Cubic& piece, double t0, double t1) const;
+  double error_of(const Cubic& fit, const Cubic& piece, double t0, double t1) const;
+  bool runs_back(const Cubic& piece, double t) const {
+    return dot(offset_derivative(piece, t), tangent_at(piece, t)) < 0;
+  }
+  bool turns_twice(const Cubic& piece, double t0, double t1) const;
   void offset(const Cubic& piece, double t0, double t1, int depth);
-  void sweep(Vec2 center, Vec2 before, Vec2 after);
+  void part(const Cubic& piece, double t0, double t1);
+  void sweep(const Cubic& piece, double t0, double t1);
+  Vec2 center_of_bend(const Cubic& piece, double t0, double t1) const;
+  double neck(Vec2 center, const Cubic& piece, double t0, double t1) const;
+  void begin_fold();
+  void fold(const Cubic& piece, double t0, double t1, int depth);
+  void end_fold();
   void join(Vec2 corner, Vec2 before, Vec2 after);
   void arc(Vec2 center, Vec2 from, Vec2 to);
 
@@ -88,7 +114,10 @@ class Side {
   const StrokeStyle& style_;
   double tolerance_;
   PointMeter& meter_;
+  Contours& folds_;
   std::vector<Vec2> points_;
+  std::vector<Vec2> centers_;   ///< of the parts of a fold that has begun
+  std::size_t fold_begin_ = 0;  ///< where it begins in points_
 };
 
 void Side::line_to(Vec2 point) {
@@ -102,51 +131,143 @@ void Side::quarter_to(Vec2 control1, Vec2 control2, Vec2 point) {
   points_.insert(points_.end(), {control1, control2, point});
 }
 
-/// The offset curve's derivative is C′ (1 + radius κ): a cubic with its points and derivatives at
-/// both ends misses it by O(length⁴).
-void Side::offset(const Cubic& piece, double t0, double t1, int depth) {
-  if (meter_.stopped()) return;
-  const auto derivative = [&](double t) {
-    const Vec2 along = curves::derivative_at(piece, t);
-    const double speed = length(along);
-    if (!(speed > 0)) return Vec2{};
-    const double curvature = cross(along, second_derivative_at(piece, t)) / (speed * speed * speed);
-    return along * (1 + radius_ * curvature);
-  };
-  const auto point = [&](double t) {
-    return curves::point_at(piece, t) + normal(tangent_at(piece, t));
-  };
-  const Vec2 from = point(t0), to = point(t1);
-  const Cubic fitted{from, from + derivative(t0) * ((t1 - t0) / 3),
-                     to - derivative(t1) * ((t1 - t0) / 3), to};
+/// C′ (1 + radius κ), below 0 along C′ where the offset runs back.
+Vec2 Side::offset_derivative(const Cubic& piece, double t) const {
+  const Vec2 along = curves::derivative_at(piece, t);
+  const double speed = length(along);
+  if (!(speed > 0)) return Vec2{};
+  const double curvature = cross(along, second_derivative_at(piece, t)) / (speed * speed * speed);
+  return along * (1 + radius_ * curvature);
+}
+
+/// A cubic with the offset's points and derivatives at both ends misses it by O(length⁴).
+Cubic Side::fitted(const Cubic& piece, double t0, double t1) const {
+  const Vec2 from = offset_point(piece, t0), to = offset_point(piece, t1);
+  return {from, from + offset_derivative(piece, t0) * ((t1 - t0) / 3),
+          to - offset_derivative(piece, t1) * ((t1 - t0) / 3), to};
+}
+
+double Side::error_of(const Cubic& fit, const Cubic& piece, double t0, double t1) const {
   double error = 0;
   for (const double share : {0.25, 0.5, 0.75}) {
-    error =
-        std::max(error, length(curves::point_at(fitted, share) - point(t0 + (t1 - t0) * share)));
+    const Vec2 miss = curves::point_at(fit, share) - offset_point(piece, t0 + (t1 - t0) * share);
+    error = std::max(error, length(miss));
   }
-  const bool turns_back = dot(tangent_at(piece, t0), tangent_at(piece, t1)) < 0;
-  if (!(error <= tolerance_) && depth < (turns_back ? kDeepestTurn : kDeepest)) {
+  return error;
+}
+
+/// Whether the offset turns round and round again between the ends.
+bool Side::turns_twice(const Cubic& piece, double t0, double t1) const {
+  const bool back = runs_back(piece, t0);
+  return back == runs_back(piece, t1) && (runs_back(piece, t0 + (t1 - t0) * 0.25) != back ||
+                                          runs_back(piece, t0 + (t1 - t0) * 0.5) != back ||
+                                          runs_back(piece, t0 + (t1 - t0) * 0.75) != back);
+}
+
+void Side::offset(const Cubic& piece, double t0, double t1, int depth) {
+  if (meter_.stopped()) return;
+  const bool fits = error_of(fitted(piece, t0, t1), piece, t0, t1) <= tolerance_;
+  if ((!fits || turns_twice(piece, t0, t1)) && depth < kDeepest) {
     const double middle = (t0 + t1) / 2;
     offset(piece, t0, middle, depth + 1);
     offset(piece, middle, t1, depth + 1);
     return;
   }
-  line_to(from);
-  if (error <= tolerance_) {
-    quarter_to(fitted[1], fitted[2], to);
+  if (!fits) return sweep(piece, t0, t1);
+  const bool begins_back = runs_back(piece, t0);
+  if (begins_back == runs_back(piece, t1)) return part(piece, t0, t1);
+  double low = t0, high = t1;
+  for (int i = 0; i < kBisections; ++i) {
+    const double middle = (low + high) / 2;
+    (runs_back(piece, middle) == begins_back ? low : high) = middle;
+  }
+  part(piece, t0, high);
+  part(piece, high, t1);
+}
+
+/// Of the offset, all of which runs on or all back.
+void Side::part(const Cubic& piece, double t0, double t1) {
+  const Cubic fit = fitted(piece, t0, t1);
+  line_to(fit[0]);
+  if (dot(fit[3] - fit[0], tangent_at(piece, (t0 + t1) / 2)) < 0) {
+    begin_fold();
+    fold(piece, t0, t1, 0);
   } else {
-    sweep(curves::point_at(piece, t1), tangent_at(piece, t0), tangent_at(piece, t1));
+    end_fold();
+  }
+  quarter_to(fit[1], fit[2], fit[3]);
+}
+
+/// Where the normals at both ends of a part cross: so the parts of a fold share their normals.
+Vec2 Side::center_of_bend(const Cubic& piece, double t0, double t1) const {
+  const Vec2 from = curves::point_at(piece, t0), to = curves::point_at(piece, t1);
+  const Vec2 before = left_of(tangent_at(piece, t0)), after = left_of(tangent_at(piece, t1));
+  const double sine = cross(before, after);
+  const double away = sine != 0 ? cross(to - from, after) / sine : radius_;
+  return from + before * std::clamp(away, 0.0, radius_);
+}
+
+/// How far beside a centre the normals between pass it: so wide is what neither the side nor the
+/// fold holds.
+double Side::neck(Vec2 center, const Cubic& piece, double t0, double t1) const {
+  double widest = 0;
+  for (const double share : {0.25, 0.5, 0.75}) {
+    const double t = t0 + (t1 - t0) * share;
+    const Vec2 along = tangent_at(piece, t);
+    widest = std::max(widest, std::abs(dot(center - curves::point_at(piece, t), along)));
+  }
+  return widest;
+}
+
+/// The part of the offset that begins here runs back.
+void Side::begin_fold() {
+  if (centers_.empty()) fold_begin_ = points_.size() - 1;
+}
+
+void Side::fold(const Cubic& piece, double t0, double t1, int depth) {
+  if (meter_.stopped()) return;
+  const Vec2 center = center_of_bend(piece, t0, t1);
+  if (neck(center, piece, t0, t1) > tolerance_ / 2 && depth < kDeepest) {
+    const double middle = (t0 + t1) / 2;
+    fold(piece, t0, middle, depth + 1);
+    fold(piece, middle, t1, depth + 1);
+  } else if (meter_.take(3)) {
+    centers_.push_back(center);
   }
 }
 
+void Side::end_fold() {
+  if (centers_.empty()) return;
+  const auto begin = static_cast<std::ptrdiff_t>(fold_begin_);
+  std::vector<Vec2> contour(points_.begin() + begin, points_.end());
+  std::ranges::reverse(contour);
+  points_.resize(fold_begin_ + 1);
+  for (const Vec2 center : centers_) line_to(center);
+  line_to(contour.front());
+  contour.insert(contour.end(), points_.begin() + begin + 1, points_.end());
+  folds_.push_back(std::move(contour));
+  centers_.clear();
+}
+
 /// Where a curve turns at once, in a cusp or nearly, its side is an arc, as next to a cusp.
-void Side::sweep(Vec2 center, Vec2 before, Vec2 after) {
-  const Vec2 to = center + normal(after);
+void Side::sweep(const Cubic& piece, double t0, double t1) {
+  const Vec2 before = tangent_at(piece, t0), after = tangent_at(piece, t1);
+  const Vec2 center = curves::point_at(piece, t1);
+  const Vec2 from = center + normal(before), to = center + normal(after);
+  line_to(offset_point(piece, t0));
   if (is_outer(before, after)) {
-    line_to(center + normal(before));
-    arc(center, points_.back(), to);
+    end_fold();
+    line_to(from);
+    arc(center, from, to);
+    return line_to(to);
   }
-  line_to(to);
+  begin_fold();
+  centers_.push_back(center);
+  line_to(from);
+  const auto begin = static_cast<std::ptrdiff_t>(points_.size()) - 1;
+  points_.back() = to;
+  arc(center, to, from);
+  std::reverse(points_.begin() + begin, points_.end());
 }
 
 /// Around `center`, clockwise on the screen, in steps of at most a quarter.
@@ -199,6 +320,7 @@ void Side::walk(const std::vector<Cubic>& pieces, bool is_closed) {
   for (std::size_t i = 0; i < pieces.size() && !meter_.stopped(); ++i) {
     if (i > 0) join(pieces[i][0], tangent_at(pieces[i - 1], 1), tangent_at(pieces[i], 0));
     offset(pieces[i], 0, 1, 0);
+    end_fold();
   }
   if (!is_closed) return;
   join(pieces.front()[0], tangent_at(pieces.back(), 1), tangent_at(pieces.front(), 0));
@@ -234,17 +356,17 @@ void outline(PointMeter& meter, const std::vector<Vec2>& subpath, const StrokeSt
   }
   const bool is_closed = pieces.front()[0] == pieces.back()[3];
   const std::vector<Cubic> back = reversed(pieces);
-  Side side(style, tolerance, meter);
+  Side side(style, tolerance, meter, contours);
   side.walk(pieces, is_closed);
   if (is_closed) {
     contours.push_back(side.take());
-    Side other(style, tolerance, meter);
+    Side other(style, tolerance, meter, contours);
     other.walk(back, true);
     contours.push_back(other.take());
     return;
   }
   side.cap(pieces.back());
-  Side other(style, tolerance, meter);
+  Side other(style, tolerance, meter, contours);
   other.walk(back, false);
   other.cap(back.back());
   std::vector<Vec2> contour = side.take(), rest = other.take();

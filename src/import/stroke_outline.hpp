@@ -10,8 +10,10 @@
 namespace sfumato::svg_import {
 
 /// The outline of stroked subpaths (SVG 2, 13.5: caps, joins, miter limit, dashes): contours that
-/// fill the stroke by the rule "nonzero", where they overlap too. Offsets of curves keep to the
-/// tolerance. A subpath that ends where it began is closed.
+/// fill the stroke by the rule "nonzero". None goes round what it fills the wrong way, so that
+/// nothing is lost where they overlap, nor where a stroke is wider than its bends. Offsets of
+/// curves and the envelopes of their normals keep to the tolerance. A subpath that ends where it
+/// began is closed.
 ///
 /// tolerance   in the subpaths' units; held above what rounding does to their coordinates
 /// charge      takes the memory of the contours, for as long as they live; null: it is given back

@@ -1,6 +1,14 @@
 // Outlines of strokes: what they cost, and what they hold where a stroke is wide.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <random>
+
+#include "base/box.hpp"
+#include "curves/bezier.hpp"
+#include "import/chords.hpp"
 #include "import/stroke_outline.hpp"
 #include "support/poll_recorder.hpp"
 
@@ -60,6 +68,103 @@ TEST(StrokeOutline, far_from_the_origin_is_as_exact_as_its_coordinates) {
   const auto outline = svg_import::stroke_outline(context, {path}, {.width = 2}, 1e-12);
   ASSERT_TRUE(outline);
   EXPECT_LT(outline->at(0).size(), 3000u);
+}
+
+std::vector<svg_import::Chord> chords_of(const Contours& contours) {
+  std::vector<svg_import::Chord> chords;
+  for (const auto& contour : contours) {
+    EXPECT_EQ(contour.front(), contour.back());
+    const std::vector<Vec2> polygon = svg_import::flattened(contour, kTolerance / 8);
+    for (std::size_t i = 1; i < polygon.size(); ++i) {
+      chords.push_back({polygon[i - 1], polygon[i]});
+    }
+  }
+  return chords;
+}
+
+double distance(const std::vector<Vec2>& polygon, Vec2 p) {
+  double least = std::numeric_limits<double>::max();
+  for (std::size_t i = 1; i < polygon.size(); ++i) {
+    const Vec2 along = polygon[i] - polygon[i - 1], to = p - polygon[i - 1];
+    const double size = length_squared(along);
+    const double t = size > 0 ? std::clamp(dot(to, along) / size, 0.0, 1.0) : 0;
+    least = std::min(least, length(to - along * t));
+  }
+  return least;
+}
+
+/// Curves with bends of every sharpness: some nearly end in a cusp, some lie nearly on a line.
+std::vector<Vec2> random_cubic(std::mt19937& random) {
+  const auto share = [&] { return static_cast<double>(random()) / 4294967296.0; };
+  std::vector<Vec2> path;
+  for (int i = 0; i < 4; ++i) path.push_back({30 + 40 * share(), 30 + 40 * share()});
+  const double kind = share();
+  if (kind < 0.2) {  // C' vanishes in the middle where both handles cross to each other's ends
+    const Vec2 nearly{share() * share() * 0.5, share() * share() * 0.5};
+    path[1] = path[0] + (path[3] - path[0]) + Vec2{0, 20};
+    path[2] = path[0] + Vec2{0, 20} + nearly;
+  } else if (kind < 0.3) {
+    path[share() < 0.5 ? 1 : 2] = path[share() < 0.5 ? 0 : 3];
+  } else if (kind < 0.4) {
+    path[3] = path[0];
+  }
+  return path;
+}
+
+/// Whether a point lies inside, or nearly: the normals' envelope, which bounds what they sweep, is
+/// found nearly within the tolerance.
+bool is_inside(const std::vector<svg_import::Chord>& chords, Vec2 p, Vec2 across) {
+  return std::ranges::any_of(std::array{0, -1, 1}, [&](int step) {
+    return svg_import::winding_number(chords, p + 2 * step * kTolerance * across) != 0;
+  });
+}
+
+/// Within half the width along a normal lies the stroke; farther than that from the path does not.
+void expect_what_normals_sweep(const std::vector<Vec2>& path, const StrokeStyle& style,
+                               const std::string& name) {
+  Context context;
+  const auto outline = svg_import::stroke_outline(context, {path}, style, kTolerance);
+  ASSERT_TRUE(outline) << name;
+  const std::vector<svg_import::Chord> chords = chords_of(*outline);
+  const double clearly = style.width / 2 - 4 * kTolerance;
+  const curves::Cubic cubic = curves::piece(path, 0);
+  for (int i = 1; i < 100; ++i) {
+    const double t = i / 100.0 + 1e-4;
+    for (const double away : {-1.0, -0.8, -0.5, -0.2, 0.2, 0.5, 0.8, 1.0}) {
+      const Vec2 along = svg_import::tangent_at(cubic, t);
+      const Vec2 p = curves::point_at(cubic, t) + left_of(along) * (away * clearly);
+      ASSERT_TRUE(is_inside(chords, p, along)) << name << " at " << t << ", " << away;
+    }
+  }
+  const std::vector<Vec2> axis = svg_import::flattened(path, kTolerance / 4);
+  Box box;
+  for (const Vec2 p : path) box.extend(p);
+  box = box.grown_by(style.width);
+  for (int i = 0; i < 40 * 40; ++i) {
+    const Vec2 p{box.min.x + box.width() * (i % 40 + 0.4871) / 40,
+                 box.min.y + box.height() * (i / 40 + 0.5129) / 40};
+    const double away = distance(axis, p);
+    const bool is_round = style.cap == StrokeCap::round && style.join == StrokeJoin::round;
+    if (away > style.width / 2 + 4 * kTolerance) {
+      ASSERT_EQ(svg_import::winding_number(chords, p), 0)
+          << name << " far at " << p.x << ' ' << p.y;
+    } else if (is_round && away < clearly) {
+      ASSERT_NE(svg_import::winding_number(chords, p), 0) << name << " at " << p.x << ' ' << p.y;
+    }
+  }
+}
+
+TEST(StrokeOutline, wider_than_its_bends_holds_what_its_normals_sweep) {
+  for (std::uint32_t seed = 0; seed < 180; ++seed) {
+    std::mt19937 random(seed);
+    const std::vector<Vec2> path = random_cubic(random);
+    for (const double width : {1.0, 8.0, 30.0, 80.0}) {
+      const std::string name = "seed " + std::to_string(seed) + ", width " + std::to_string(width);
+      expect_what_normals_sweep(path, {.width = width, .join = StrokeJoin::bevel}, name);
+      expect_what_normals_sweep(
+          path, {.width = width, .cap = StrokeCap::round, .join = StrokeJoin::round}, name);
+    }
+  }
 }
 
 }  // namespace
