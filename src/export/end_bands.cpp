@@ -18,6 +18,10 @@ constexpr double kSmallTurn = 0.35;
 /// it by less than shows.
 constexpr double kCurveError = 0.02;
 constexpr int kMostSkipped = 7;
+/// How far a band reaches under the mesh, of its width. It has fewer vertices along the curve than
+/// the mesh, and Splash rounds those of both to pixels: between them pixels would stay free. Where
+/// a part is narrower than this, the mask ends what reaches beyond it.
+constexpr double kUnderMesh = 0.5;
 
 using Value = FacetPatch::Value;
 
@@ -27,7 +31,8 @@ bool is_near(const Value& a, const Value& b) {
   return true;
 }
 
-/// Strips from one column to the next, each from a point of a curve outwards.
+/// Strips from one column to the next, each outwards through a point of a curve, from under the
+/// mesh.
 class EndBand {
  public:
   EndBand(const PatchLayer& layer, InterpolationSpace space, const FacetSource& source,
@@ -146,12 +151,13 @@ std::uint32_t EndBand::add_vertex(Vec2 at, const Value& value) {
 /// Facets from the last column to the one that is held, which becomes the last.
 void EndBand::write_held() {
   const bool is_corner = has_last_ && last_.at == held_.at;
-  held_.low = is_corner ? last_.low : add_vertex(held_.at, held_.value);
+  held_.low = add_vertex(held_.at - held_.outwards * (kUnderMesh * width_), held_.value);
   held_.high = add_vertex(held_.at + held_.outwards * width_, held_.value);
   const auto add_facet = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
     for (std::uint32_t vertex : {a, b, c}) mesh_.facet_vertex.push_back(vertex);
   };
   if (is_corner) {
+    // Its first side leads through the corner itself.
     add_facet(last_.low, last_.high, held_.high);
   } else if (has_last_) {
     add_facet(last_.low, last_.high, held_.low);

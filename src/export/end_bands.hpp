@@ -12,8 +12,8 @@ namespace sfumato::outputs {
 /// Whether the layer has such curves.
 bool has_ends(const CurveEdges& edges);
 
-/// The colours at these curves, `width` wide beyond them (layer frame): what to paint before the
-/// mesh, under which it may reach a little. Errors: limit (memory), cancelled.
+/// The colours at these curves, `width` wide beyond them (layer frame) and half as wide under the
+/// mesh: what to paint before it. Errors: limit (memory), cancelled.
 Result<FacetMesh> make_end_band(Context& context, const PatchLayer& layer, InterpolationSpace space,
                                 const FacetSource& source, const CurveEdges& edges, double width);
 
