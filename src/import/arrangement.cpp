@@ -125,7 +125,7 @@ class Arrangement {
   Status apply(std::vector<Cut>& cuts);
   Status charge(std::size_t pieces);
   int winding_beside(const Edge& edge) const;
-  std::vector<std::size_t> edges_around(LatticePoint vertex);
+  std::vector<std::size_t> take_edges_around(LatticePoint vertex);
   void spread_winding(LatticePoint vertex, std::size_t known, std::vector<std::size_t>& reached);
   bool is_inside(int winding) const { return even_odd_ ? winding % 2 != 0 : winding != 0; }
 
@@ -335,7 +335,7 @@ int Arrangement::winding_beside(const Edge& edge) const {
 }
 
 /// The edges at a vertex, clockwise on the screen; nothing where that was asked before.
-std::vector<std::size_t> Arrangement::edges_around(LatticePoint vertex) {
+std::vector<std::size_t> Arrangement::take_edges_around(LatticePoint vertex) {
   const auto of_vertex = [](const auto& entry) { return entry.first; };
   const auto entries = std::ranges::equal_range(edge_at_, vertex, {}, of_vertex);
   const auto first = static_cast<std::size_t>(entries.begin() - edge_at_.begin());
@@ -355,7 +355,7 @@ std::vector<std::size_t> Arrangement::edges_around(LatticePoint vertex) {
 /// Round a vertex from an edge whose winding is known to those where it is not; once for each.
 void Arrangement::spread_winding(LatticePoint vertex, std::size_t known,
                                  std::vector<std::size_t>& reached) {
-  const std::vector<std::size_t> around = edges_around(vertex);
+  const std::vector<std::size_t> around = take_edges_around(vertex);
   if (around.empty()) return;
   const std::size_t first =
       static_cast<std::size_t>(std::ranges::find(around, known) - around.begin());
