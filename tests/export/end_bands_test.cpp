@@ -164,10 +164,11 @@ constexpr Viewer kFineViewers[] = {
     {"pdftoppm", "pdftoppm -r 192 -png -singlefile IN OUT && mv OUT.png OUT"},
     {"mutool", "mutool draw -q -r 192 -o OUT IN"}};
 
-/// How many pixels that the layer covers wholly show something else.
+/// How many pixels that the layer covers wholly show something else, but for the topmost row:
+/// Splash leaves out what triangles that begin left of the page have there.
 int gap_count(const Image& shown, const Image& expected) {
   int count = 0;
-  for (std::size_t i = 0; 4 * i < expected.bytes.size(); ++i) {
+  for (auto i = static_cast<std::size_t>(expected.width); 4 * i < expected.bytes.size(); ++i) {
     if (expected.bytes[4 * i + 3] != 255) continue;
     int most = 0;
     for (std::size_t c = 0; c < 3; ++c)
@@ -218,12 +219,13 @@ TEST(EndBands, no_pixel_stays_free_at_triangles_and_rectangles) {
     expect_no_gaps(red_beside_none(triangle + "Z"));
 
     const int width = between(20, 80), height = between(20, 80);
+    const int left = between(0, 100) - width, top = between(0, 100) - height;
     const std::string size =
         std::to_string(2 * width) + R"(" height=")" + std::to_string(2 * height);
     const std::string turn = std::to_string(15 * i) + " 50 50)";
-    expect_no_gaps("<rect x=\"" + std::to_string(between(0, 100) - width) + R"(" y=")" +
-                   std::to_string(between(0, 100) - height) + R"(" width=")" + size +
-                   R"(" transform="rotate()" + turn + R"(" sf:left="none" sf:right="#f00"/>)");
+    expect_no_gaps("<rect x=\"" + std::to_string(left) + R"(" y=")" + std::to_string(top) +
+                   R"(" width=")" + size + R"(" transform="rotate()" + turn +
+                   R"(" sf:left="none" sf:right="#f00"/>)");
   }
 }
 
