@@ -3,12 +3,12 @@
 
 #include "base/json.hpp"
 #include "base/native/tbb_executor.hpp"
+#include "base/number_text.hpp"
 #include "cli/commands.hpp"
 #include "cli/document_facts.hpp"
 #include "cli/document_input.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/paths.hpp"
-#include "formats/number_text.hpp"
 
 namespace sfumato::cli {
 namespace {

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "formats/number_text.hpp"
-#include "formats/svg_write_curve.hpp"
+#include "base/number_text.hpp"
 
 namespace sfumato::outputs {
 namespace {
@@ -93,7 +92,7 @@ void append_color(std::string& text, int r, int g, int b) {
 
 std::string transform_attribute(const Affine& map) {
   if (map == Affine{}) return {};
-  return " transform=\"" + svg_write::transform_text(map) + '"';
+  return " transform=\"" + transform_text(map) + '"';
 }
 
 }  // namespace sfumato::outputs

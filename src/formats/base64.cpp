@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "formats/css_text.hpp"
+#include "base/ascii.hpp"
 
 namespace sfumato {
 namespace {
@@ -120,7 +120,7 @@ std::vector<std::uint8_t> decode_percent(std::string_view text) {
 Result<std::vector<std::uint8_t>> decode_data_uri(std::string_view uri) {
   const std::size_t comma = uri.find(',');
   if (comma == std::string_view::npos) return bad("the data: URI has no comma before its data");
-  const std::string header = css_lower(css_trimmed(uri.substr(0, comma)));
+  const std::string header = ascii_lower(ascii_trimmed(uri.substr(0, comma)));
   const std::string_view data = uri.substr(comma + 1);
   if (!header.ends_with(";base64")) return decode_percent(data);
   if (data.find('%') == std::string_view::npos) return decode_base64(data);

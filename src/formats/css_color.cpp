@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/ascii.hpp"
 #include "formats/css_color_names.hpp"
-#include "formats/css_text.hpp"
 #include "formats/css_value.hpp"
 #include "formats/suggestion.hpp"
 
@@ -187,7 +187,7 @@ std::optional<CssColor> from_function(CssTokenizer& tokens, std::string_view nam
 std::optional<CssColor> take_color(CssTokenizer& tokens, const CssToken& first) {
   if (first.is(function)) return from_function(tokens, first.value);
   if (first.value.size() > kLongestName) return std::nullopt;
-  const std::string name = css_lower(css_unescaped(first.value));
+  const std::string name = ascii_lower(css_unescaped(first.value));
   if (first.is(hash)) return from_hex(name);
   return first.is(ident) ? from_name(name) : std::nullopt;
 }
@@ -219,9 +219,9 @@ Result<CssColor> parse_css_color(std::string_view text, TextPoll& poll) {
     return make_error(StatusCode::bad_input,
                       "currentColor depends on where it stands; expected the colour itself");
   }
-  const std::string_view written = css_trimmed(text);
+  const std::string_view written = ascii_trimmed(text);
   const bool is_name = first.is(ident) && first.text == written && written.size() <= kLongestName;
-  return no_color(written, is_name ? did_you_mean_color(css_lower(written)) : std::string());
+  return no_color(written, is_name ? did_you_mean_color(ascii_lower(written)) : std::string());
 }
 
 Result<CssColor> parse_css_color(std::string_view text) {

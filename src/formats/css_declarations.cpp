@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "formats/css_text.hpp"
+#include "base/ascii.hpp"
 #include "formats/css_value.hpp"
 
 namespace sfumato {
@@ -85,7 +85,7 @@ bool DeclarationReader::take_value(CssDeclaration& declaration, bool is_custom) 
   if (tail.seen == 1) return false;
   declaration.is_important = tail.seen == 2;
   const std::size_t value_end = declaration.is_important ? tail.value_end : stop;
-  declaration.value = css_trimmed(tokens_.text().substr(begin, value_end - begin));
+  declaration.value = ascii_trimmed(tokens_.text().substr(begin, value_end - begin));
   return true;
 }
 

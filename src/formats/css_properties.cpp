@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <span>
 
-#include "formats/blend_names.hpp"
+#include "document/blend_names.hpp"
 #include "formats/css_color.hpp"
 #include "formats/css_value.hpp"
 #include "formats/suggestion.hpp"

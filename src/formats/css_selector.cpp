@@ -1,6 +1,6 @@
 #include "formats/css_selector.hpp"
 
-#include "formats/css_text.hpp"
+#include "base/ascii.hpp"
 
 namespace sfumato {
 namespace {
@@ -121,7 +121,7 @@ CssSelector SelectorReader::read() {
     if (token.is(end) || token.is(comma)) {
       const bool is_valid = is_valid_ && !needs_compound_;
       return {is_valid ? kind_ : Kind::invalid, name_,
-              css_trimmed(tokens_.text().substr(begin, before - begin)), token.is(end)};
+              ascii_trimmed(tokens_.text().substr(begin, before - begin)), token.is(end)};
     }
     take(token);
   }

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 
-#include "formats/css_text.hpp"
-#include "formats/number.hpp"
+#include "base/ascii.hpp"
+#include "base/number.hpp"
 
 namespace sfumato {
 namespace {
@@ -70,7 +70,7 @@ std::size_t escape_end(std::string_view text, std::size_t at) {
   while (i < text.size() && i < at + 7 && is_hex(text[i])) ++i;
   if (i == at + 1) return std::min(i + 1, text.size());
   if (const std::size_t newline = newline_length(text, i)) return i + newline;
-  return i < text.size() && is_css_blank(text[i]) ? i + 1 : i;
+  return i < text.size() && is_ascii_blank(text[i]) ? i + 1 : i;
 }
 
 /// The bracket that ends what a token opens; 0 where it opens nothing.
@@ -233,7 +233,7 @@ CssToken CssTokenizer::take_ident_like() {
   ++at_;
   if (!css_is_name(name, "url")) return {function, since(begin), name};
   const std::size_t inside = at_;
-  skip_while(is_css_blank);
+  skip_while(is_ascii_blank);
   if (peek() != '"' && peek() != '\'') return take_url(begin);
   at_ = inside;
   return {function, since(begin), name};
@@ -248,7 +248,7 @@ CssToken CssTokenizer::take_url(std::size_t begin) {
              (static_cast<unsigned char>(c) > 0x20);
     });
     const std::string_view held = since(inside);
-    skip_while(is_css_blank);
+    skip_while(is_ascii_blank);
     if (at_ >= text_.size()) return {url, since(begin), held};
     if (text_[at_] == ')') {
       ++at_;
@@ -290,9 +290,9 @@ CssToken CssTokenizer::next() {
   skip_comments();
   if (at_ >= text_.size()) return {end, text_.substr(text_.size())};
   const char c = text_[at_];
-  if (is_css_blank(c)) {
+  if (is_ascii_blank(c)) {
     const std::size_t begin = at_;
-    skip_while(is_css_blank);
+    skip_while(is_ascii_blank);
     return {whitespace, since(begin)};
   }
   if (c == '"' || c == '\'') return take_string();
@@ -341,7 +341,7 @@ bool css_is_name(std::string_view raw, std::string_view lower) {
   constexpr std::size_t kLongestEscape = 9;
   if (raw.size() < lower.size() || raw.size() > kLongestEscape * lower.size()) return false;
   if (raw.find('\\') == std::string_view::npos) return false;
-  return css_lower(css_unescaped(raw)) == lower;
+  return ascii_lower(css_unescaped(raw)) == lower;
 }
 
 void skip_component(CssTokenizer& tokens, const CssToken& first) {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 
-#include "formats/css_text.hpp"
-#include "formats/number.hpp"
+#include "base/ascii.hpp"
+#include "base/number.hpp"
 
 namespace sfumato {
 namespace {
@@ -44,7 +44,7 @@ std::optional<double> css_number(const CssToken& token) {
 std::optional<std::string> css_keyword(std::string_view text, TextPoll& poll) {
   const auto token = css_only_token(text, poll);
   if (!token || !token->is(ident) || token->value.size() > kLongestKeyword) return std::nullopt;
-  return css_lower(css_unescaped(token->value));
+  return ascii_lower(css_unescaped(token->value));
 }
 
 std::optional<double> css_share(std::string_view text, TextPoll& poll) {

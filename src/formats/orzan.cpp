@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "base/limits.hpp"
+#include "base/number.hpp"
 #include "base/public_verb.hpp"
-#include "formats/number.hpp"
 #include "formats/warnings.hpp"
 #include "formats/xml_source.hpp"
 

@@ -5,7 +5,7 @@
 
 #include "base/context.hpp"
 #include "base/status.hpp"
-#include "formats/read_document.hpp"
+#include "formats/reading.hpp"
 
 namespace sfumato {
 

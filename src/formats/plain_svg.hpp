@@ -9,7 +9,7 @@
 #include "base/context.hpp"
 #include "base/status.hpp"
 #include "document/document.hpp"
-#include "formats/read_document.hpp"
+#include "formats/reading.hpp"
 
 namespace sfumato {
 

@@ -6,10 +6,10 @@
 #include <tuple>
 #include <utility>
 
+#include "base/ascii.hpp"
 #include "base/limits.hpp"
 #include "base/public_verb.hpp"
 #include "formats/css_color.hpp"
-#include "formats/css_text.hpp"
 #include "formats/css_value.hpp"
 #include "formats/plain_svg.hpp"
 #include "formats/suggestion.hpp"
@@ -56,7 +56,7 @@ Result<Box> read_artboard(Input& input) {
   for (const auto& [name, axis, value] :
        {std::tuple("width", Axis::x, &size.x), std::tuple("height", Axis::y, &size.y)}) {
     const std::string_view text = root.attribute(name).value();
-    if (css_trimmed(text).ends_with('%')) {
+    if (ascii_trimmed(text).ends_with('%')) {
       return input.error(root, std::string(name) + " of <svg> is " + quoted(text) +
                                    ", a share of nothing known; expected a viewBox");
     }
@@ -76,7 +76,7 @@ Status read_version(Input& input) {
     input.warn("/version", input.root(), "<svg> has no sf:version; it is read as version 1");
     return ok_status();
   }
-  if (css_trimmed(*version) == kVersion) return ok_status();
+  if (ascii_trimmed(*version) == kVersion) return ok_status();
   return input.error(input.root(), "sf:version is " + quoted(*version) +
                                        "; expected 1, the version that is read here");
 }
@@ -84,7 +84,7 @@ Status read_version(Input& input) {
 Status read_interpolation(Input& input, Document& document) {
   const auto text = input.sf(input.root(), "interpolation");
   if (!text) return ok_status();
-  const auto found = std::ranges::find(kSpaces, css_trimmed(*text));
+  const auto found = std::ranges::find(kSpaces, ascii_trimmed(*text));
   if (found == kSpaces.end()) {
     return input.error(input.root(),
                        "sf:interpolation is " + quoted(*text) + "; expected srgb, linear or oklab");
@@ -164,7 +164,7 @@ Result<PlainSvg> read_plain(Input& input, const ResourceLoader* loader) {
   if (status) status = svg::SceneReader(input, plain.document, loader, &plain.shapes).read();
   if (!status) return status;
   svg::show_in_frame(begun->frame, plain.document);
-  plain.title = css_trimmed(input.root().child("title").child_value());
+  plain.title = ascii_trimmed(input.root().child("title").child_value());
   plain.warnings = input.take_warnings();
   return plain;
 }

@@ -5,9 +5,9 @@
 #include <variant>
 
 #include "base/limits.hpp"
+#include "base/number_text.hpp"
 #include "base/public_verb.hpp"
-#include "formats/blend_names.hpp"
-#include "formats/number_text.hpp"
+#include "document/blend_names.hpp"
 #include "formats/svg_write_curve.hpp"
 #include "formats/svg_write_ids.hpp"
 #include "formats/svg_write_shader.hpp"
@@ -258,7 +258,7 @@ void add_compositing(svg_write::Attributes& attributes, float opacity, BlendMode
 }
 
 void add_transform(svg_write::Attributes& attributes, const Affine& map) {
-  if (!(map == Affine{})) attributes.add("transform", svg_write::transform_text(map));
+  if (!(map == Affine{})) attributes.add("transform", transform_text(map));
 }
 
 void SvgWriter::write_item(const LayerInstance& instance) {

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "formats/number_text.hpp"
+#include "base/number_text.hpp"
 
 namespace sfumato::svg_write {
 namespace {
@@ -161,14 +161,6 @@ std::string path_data(const Context& context, std::span<const Vec2> control_poin
   }
   if (control_points.front() == control_points.back()) text += "\nZ";
   return text;
-}
-
-std::string transform_text(const Affine& map) {
-  const std::string translation = number_text(map.e) + ' ' + number_text(map.f) + ')';
-  if (map == Affine{1, 0, 0, 1, map.e, map.f}) return "translate(" + translation;
-  std::string text = "matrix(";
-  for (const double entry : {map.a, map.b, map.c, map.d}) text += number_text(entry) + ' ';
-  return text + translation;
 }
 
 void add_curve(const Context& context, Attributes& attributes, const Curve& curve,

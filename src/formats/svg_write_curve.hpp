@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "base/affine.hpp"
 #include "document/curve.hpp"
 #include "document/document.hpp"
 #include "formats/svg_write_text.hpp"
@@ -15,9 +14,6 @@ namespace sfumato::svg_write {
 /// Path data of cubics in absolute coordinates; a chain that ends where it begins is closed.
 /// Precondition: 3 n + 1 points, n ≥ 1. Cut short where work is to stop: ask the context.
 std::string path_data(const Context& context, std::span<const Vec2> control_points);
-
-/// "translate(x y)" or "matrix(a b c d e f)".
-std::string transform_text(const Affine& map);
 
 /// Adds what the curve bears, and a stroke and a fill for other programs.
 /// shader_id: per Document::shaders.

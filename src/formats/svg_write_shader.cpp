@@ -1,7 +1,7 @@
 #include "formats/svg_write_shader.hpp"
 
+#include "base/number_text.hpp"
 #include "formats/data_uri_write.hpp"
-#include "formats/number_text.hpp"
 #include "formats/svg_write_curve.hpp"
 
 namespace sfumato::svg_write {

@@ -2,8 +2,8 @@
 
 #include <optional>
 
+#include "base/ascii.hpp"
 #include "base/public_verb.hpp"
-#include "formats/css_text.hpp"
 #include "formats/gunzip.hpp"
 #include "formats/svg/namespaces.hpp"
 #include "formats/svg/texture_files.hpp"
@@ -20,7 +20,7 @@ class NameWalker final : public pugi::xml_tree_walker {
   bool for_each(pugi::xml_node& node) override {
     using namespace std::string_view_literals;
     if (node.name() == "image"sv && node.parent().name() == "pattern"sv) {
-      const auto name = svg::file_name_in(css_trimmed(node.attribute("href").value()));
+      const auto name = svg::file_name_in(ascii_trimmed(node.attribute("href").value()));
       if (name) visit_(*name);
     }
     return !poll_.cancelled();

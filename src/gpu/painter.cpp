@@ -8,8 +8,6 @@
 namespace sfumato::gpu {
 namespace {
 
-using raster::PixelRect;
-
 constexpr int kSegmentInstances = 16;
 
 constexpr GLuint kPaintViewBinding = 0;

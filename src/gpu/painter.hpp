@@ -32,7 +32,7 @@ class Painter {
 
   /// The pixels of `tile`: four floats each, code values not premultiplied and alpha, row by row.
   /// Errors: cancelled, internal (OpenGL's).
-  Status paint(const raster::PixelRect& tile, float* rgba);
+  Status paint(const PixelRect& tile, float* rgba);
 
  private:
   /// Names of web/viewer/shaders.
@@ -50,23 +50,22 @@ class Painter {
   Status make_targets();
 
   void paint_item(const SceneItem& item);
-  void paint_instance(const SceneItem& item, const raster::PixelRect& rect);
-  void paint_edges(const SceneItem& item, const raster::PixelRect& rect) const;
+  void paint_instance(const SceneItem& item, const PixelRect& rect);
+  void paint_edges(const SceneItem& item, const PixelRect& rect) const;
   void mark_pixels(const SceneItem& item) const;
   void draw_patches(const SceneItem& item, unsigned kind) const;
   void bind_layer(const Program& program, const SceneItem& item) const;
   void bind_strips(const Program& program, const SceneItem& item) const;
   void bind_paints(const Program& program, const SceneItem& item) const;
-  void paint_stroke(const SceneItem& item, const raster::PixelRect& rect) const;
-  void composite(GLuint source, bool is_layer, const SceneItem& item,
-                 const raster::PixelRect& rect);
+  void paint_stroke(const SceneItem& item, const PixelRect& rect) const;
+  void composite(GLuint source, bool is_layer, const SceneItem& item, const PixelRect& rect);
   void paint_overlay() const;
   void read(float* rgba) const;
 
   bool is_opaque(const SceneItem& item) const;
   Affine frame_from_tile(const SceneItem& item) const;
   Affine tile_from_image() const;
-  raster::PixelRect in_tile(const raster::PixelRect& rect) const;
+  PixelRect in_tile(const PixelRect& rect) const;
 
   Context& context_;
   const Gl& gl_;
@@ -78,7 +77,7 @@ class Painter {
   std::vector<Target> levels_;  ///< the tile, then open groups
   Target layer_, sums_, spare_, ink_, result_;
   std::size_t level_ = 0;
-  raster::PixelRect tile_;
+  PixelRect tile_;
 };
 
 }  // namespace sfumato::gpu

@@ -18,8 +18,6 @@
 namespace sfumato {
 namespace {
 
-using raster::PixelRect;
-
 /// Side of what is painted at once, pixels of the image.
 constexpr int kTileSide = 1024;
 

@@ -11,8 +11,6 @@
 namespace sfumato::gpu {
 namespace {
 
-using raster::PixelRect;
-
 constexpr std::size_t kSegmentTexels = 7;
 
 /// docs/gpu.md, "stroke".
@@ -96,7 +94,7 @@ class Scene::Builder {
 void Scene::Builder::add_item(const SceneItem& item) {
   if (!open_groups_.empty()) {
     PixelRect& group = scene_.items_[open_groups_.back()].rect;
-    group = raster::united(group, item.rect);
+    group = united(group, item.rect);
   }
   scene_.items_.push_back(item);
 }

@@ -17,7 +17,7 @@ struct SceneItem {
   Kind kind = Kind::instance;
   BlendMode blend = BlendMode::normal;  ///< of a group at its end
   float opacity = 1;
-  raster::PixelRect rect;   ///< that it may touch; of a group: that what stands in it may touch
+  PixelRect rect;           ///< that it may touch; of a group: that what stands in it may touch
   std::uint32_t index = 0;  ///< layer, or stroke
   Affine image_from_layer;
 };
@@ -42,7 +42,7 @@ class Scene {
   /// The picture was checked and must outlive this.
   /// Errors: limit, cancelled. Cost: O(picture); what lies outside the image is left out.
   static Result<Scene> create(Context& context, const Device& device, const Picture& picture,
-                              const Affine& image_from_artboard, const raster::PixelRect& image,
+                              const Affine& image_from_artboard, const PixelRect& image,
                               bool with_overlay);
 
   const Picture& picture() const { return *picture_; }

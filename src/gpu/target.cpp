@@ -42,7 +42,7 @@ Status Target::attach(const Device& device, GLenum format, bool with_stencil) {
                                                  " cannot draw to images of the kind needed");
 }
 
-void Target::begin(const raster::PixelRect& rect) const {
+void Target::begin(const PixelRect& rect) const {
   gl_->BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
   gl_->Viewport(0, 0, width_, height_);
   gl_->Scissor(rect.x0, rect.y0, rect.x1 - rect.x0, rect.y1 - rect.y0);
@@ -53,7 +53,7 @@ void Target::clear(float r, float g, float b, float a) const {
   gl_->Clear(GL_COLOR_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
 }
 
-void Target::copy_to(const Target& target, const raster::PixelRect& rect) const {
+void Target::copy_to(const Target& target, const PixelRect& rect) const {
   gl_->BindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_.name());
   gl_->BindFramebuffer(GL_DRAW_FRAMEBUFFER, target.framebuffer_.name());
   gl_->Scissor(rect.x0, rect.y0, rect.x1 - rect.x0, rect.y1 - rect.y0);

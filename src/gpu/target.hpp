@@ -16,11 +16,11 @@ class Target {
                                std::size_t bytes, int width, int height, bool with_stencil = false);
 
   /// Draws go here from now on, and only to the pixels of `rect`.
-  void begin(const raster::PixelRect& rect) const;
+  void begin(const PixelRect& rect) const;
   /// Colour, and the stencil to 0.
   void clear(float r = 0, float g = 0, float b = 0, float a = 0) const;
   /// Copies the pixels of `rect` to the same place of another target.
-  void copy_to(const Target& target, const raster::PixelRect& rect) const;
+  void copy_to(const Target& target, const PixelRect& rect) const;
 
   GLuint texture() const { return texture_.name(); }
   int width() const { return width_; }

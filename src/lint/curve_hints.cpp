@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "formats/number_text.hpp"
+#include "base/number_text.hpp"
 
 namespace sfumato::lint_detail {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <span>
 
+#include "base/number_text.hpp"
 #include "base/public_verb.hpp"
-#include "formats/number_text.hpp"
 #include "lint/coverage.hpp"
 #include "lint/curve_hints.hpp"
 #include "lint/stroke_hints.hpp"

@@ -4,7 +4,7 @@
 #include <set>
 
 #include "base/color_space.hpp"
-#include "formats/number_text.hpp"
+#include "base/number_text.hpp"
 #include "gather/free_ends.hpp"
 #include "gather/scene.hpp"
 #include "lint/curve_hints.hpp"

@@ -5,8 +5,8 @@
 #include <string>
 #include <utility>
 
+#include "base/number_text.hpp"
 #include "curves/stroke_segments.hpp"
-#include "formats/number_text.hpp"
 #include "lint/layer_under_test.hpp"
 #include "patches/layer_view.hpp"
 

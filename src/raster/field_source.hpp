@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "base/affine.hpp"
-#include "raster/tile.hpp"
+#include "base/pixel_rect.hpp"
 
 namespace sfumato::raster {
 

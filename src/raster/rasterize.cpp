@@ -75,7 +75,7 @@ class TilePainter {
 
 /// The tile with nothing but the backdrop in it.
 Tile TilePainter::begin(std::size_t tile_index) {
-  const raster::PixelRect rect = raster::tile_rect(scene_.list.grid(), tile_index);
+  const PixelRect rect = raster::tile_rect(scene_.list.grid(), tile_index);
   Tile tile{rect.x0, rect.y0, rect.x1 - rect.x0, rect.y1 - rect.y0, {}, nullptr};
   float* plane = planes_.get();
   const Rgb& backdrop = scene_.backdrop.color;

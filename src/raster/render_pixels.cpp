@@ -21,7 +21,7 @@ constexpr int kSquare = 4;
 
 /// Calls visit(x, y) for the pixels of a rectangle, square by square.
 template <class Visit>
-void for_each_in_squares(const raster::PixelRect& rect, Visit visit) {
+void for_each_in_squares(const PixelRect& rect, Visit visit) {
   for (int square_y = rect.y0; square_y < rect.y1; square_y += kSquare) {
     for (int square_x = rect.x0; square_x < rect.x1; square_x += kSquare) {
       for (int y = square_y; y < std::min(square_y + kSquare, rect.y1); ++y) {
@@ -38,7 +38,7 @@ class ExactFields final : public raster::FieldSource {
   ExactFields(Context& context, const PointEvaluator& evaluator)
       : context_(context), evaluator_(evaluator) {}
 
-  void read(std::uint32_t layer, const Affine& layer_from_image, const raster::PixelRect& rect,
+  void read(std::uint32_t layer, const Affine& layer_from_image, const PixelRect& rect,
             raster::FieldPixels* out) const override {
     std::vector<Vec2> points;
     std::vector<std::size_t> pixel;  // per point: its index in `out`

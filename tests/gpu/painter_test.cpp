@@ -39,7 +39,7 @@ double worst_difference(bool single_precision) {
   Context context;
   const auto device = Device::create();
   const Result<Affine> map = raster::image_from_artboard(picture, options);
-  const raster::PixelRect whole{0, 0, kWidth, kHeight};
+  const PixelRect whole{0, 0, kWidth, kHeight};
   const Result<Scene> scene = Scene::create(context, **device, picture, *map, whole, false);
   EXPECT_TRUE(scene.ok()) << to_string(scene.status());
   PaintSettings settings;

@@ -8,7 +8,7 @@
 #include <random>
 
 #include "base/box.hpp"
-#include "formats/number_text.hpp"
+#include "base/number_text.hpp"
 #include "import/boundary.hpp"
 #include "import/chords.hpp"
 #include "import/stroke_outline.hpp"

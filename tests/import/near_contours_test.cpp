@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "formats/number_text.hpp"
+#include "base/number_text.hpp"
 #include "import/import_svg.hpp"
 #include "patches/diffuse.hpp"
 #include "raster/rasterize.hpp"

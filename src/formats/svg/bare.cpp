@@ -5,8 +5,8 @@
 #include <optional>
 #include <string_view>
 
+#include "base/ascii.hpp"
 #include "formats/css_declarations.hpp"
-#include "formats/css_text.hpp"
 #include "formats/suggestion.hpp"
 #include "formats/svg/vocabulary.hpp"
 
@@ -60,7 +60,7 @@ std::string wrong_address(Element element) {
     const std::string_view prefix = name.substr(6), address = attribute.value();
     if (address == "urn:sfumato:1") continue;
     const bool is_meant = prefix == "sf" || prefix == "sfumato" ||
-                          css_lower(address.substr(0, 256)).find("sfumato") != std::string::npos;
+                          ascii_lower(address.substr(0, 256)).find("sfumato") != std::string::npos;
     if (!is_meant) continue;
     return "the prefix " + std::string(prefix.substr(0, 64)) + " is bound to " + quoted(address) +
            "; expected xmlns:" + std::string(prefix.substr(0, 64)) + "=\"urn:sfumato:1\"";

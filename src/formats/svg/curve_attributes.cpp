@@ -7,10 +7,10 @@
 #include <string_view>
 #include <utility>
 
+#include "base/ascii.hpp"
 #include "base/limits.hpp"
-#include "formats/css_text.hpp"
+#include "base/number.hpp"
 #include "formats/css_value.hpp"
-#include "formats/number.hpp"
 #include "formats/suggestion.hpp"
 
 namespace sfumato::svg {
@@ -46,7 +46,7 @@ std::optional<Found> AttributeReader::find(const char* name, const char* for_bot
     if (candidate == nullptr) continue;
     if (const auto text = input_.sf(element_, candidate)) {
       input_.text_poll().go_on(text->size());  // who reads what is found asks for the answer
-      return Found{std::string("sf:") + candidate, css_trimmed(*text)};
+      return Found{std::string("sf:") + candidate, ascii_trimmed(*text)};
     }
   }
   return std::nullopt;

@@ -5,8 +5,8 @@
 #include <string_view>
 
 #include "base/limits.hpp"
+#include "base/number.hpp"
 #include "formats/css_value.hpp"
-#include "formats/number.hpp"
 #include "formats/suggestion.hpp"
 #include "formats/svg/color.hpp"
 

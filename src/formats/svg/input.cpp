@@ -5,9 +5,9 @@
 #include <functional>
 #include <utility>
 
+#include "base/ascii.hpp"
 #include "base/large_vector.hpp"
 #include "base/limits.hpp"
-#include "formats/css_text.hpp"
 #include "formats/suggestion.hpp"
 #include "formats/svg/namespaces.hpp"
 #include "formats/svg/vocabulary.hpp"
@@ -106,7 +106,7 @@ bool Input::has_sf(Element element) const {
 Result<Element> Input::referred(Element element) {
   const auto href = attribute(element, "href");
   if (!href) return error(element, tag(element) + " has no href");
-  const std::string_view reference = css_trimmed(*href);
+  const std::string_view reference = ascii_trimmed(*href);
   if (!reference.starts_with('#') || reference.size() == 1) {
     return error(element, "href of " + tag(element) + " is " + quoted(reference) +
                               "; expected # and the id of an element of this document");

@@ -3,10 +3,10 @@
 #include <functional>
 #include <utility>
 
+#include "base/ascii.hpp"
 #include "base/large_vector.hpp"
 #include "base/limits.hpp"
 #include "formats/css_media.hpp"
-#include "formats/css_text.hpp"
 #include "formats/css_value.hpp"
 #include "formats/suggestion.hpp"
 #include "formats/svg/input.hpp"
@@ -64,7 +64,7 @@ void Input::warn_of_dropped(Element element, const std::optional<CssDeclaration>
 /// Whether a <style> is a sheet of CSS for a screen.
 bool Input::applies(Element style) {
   const std::string_view type = style.attribute("type").value();
-  if (!type.empty() && css_lower(type.substr(0, 64)) != "text/css") {
+  if (!type.empty() && ascii_lower(type.substr(0, 64)) != "text/css") {
     warn("/style type", style,
          "the <style> is of type " + quoted(type) + " and is left out; expected text/css");
     return false;
@@ -155,7 +155,7 @@ Input::Cascaded Input::cascaded(Element element, CssProperty property) {
     std::swap(candidates[0], candidates[1]);
   }
   if (const auto written = attribute(element, css_property_name(property))) {
-    candidates[2] = css_trimmed(*written);
+    candidates[2] = ascii_trimmed(*written);
   }
   for (const auto& candidate : candidates) {
     if (!candidate) continue;

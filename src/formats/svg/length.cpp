@@ -4,8 +4,8 @@
 #include <cmath>
 #include <string>
 
+#include "base/ascii.hpp"
 #include "base/limits.hpp"
-#include "formats/css_text.hpp"
 #include "formats/suggestion.hpp"
 #include "formats/svg/scanner.hpp"
 
@@ -40,10 +40,10 @@ double extent(const Box& viewport, Axis axis) {
 }
 
 Result<double> parse_length(std::string_view text, const Box& viewport, Axis axis) {
-  Scanner scanner(css_trimmed(text));
+  Scanner scanner(ascii_trimmed(text));
   double number = 0;
   if (Status status = scanner.take_number(number); !status) return status;
-  const std::string unit_name = css_lower(scanner.rest());
+  const std::string unit_name = ascii_lower(scanner.rest());
   if (unit_name == "%") return number / 100 * extent(viewport, axis);
   for (const Unit& unit : kUnits) {
     if (unit.name != unit_name) continue;

@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "base/ascii.hpp"
 #include "base/limits.hpp"
-#include "formats/css_text.hpp"
 #include "formats/suggestion.hpp"
 #include "formats/svg/transform.hpp"
 
@@ -76,7 +76,7 @@ Element PaintAttributes::bearer(const char* name, bool same_kind) const {
 std::optional<std::string_view> PaintAttributes::text(const char* name) const {
   const Element element = bearer(name);
   if (!element) return std::nullopt;
-  return css_trimmed(element.attribute(name).value());
+  return ascii_trimmed(element.attribute(name).value());
 }
 
 Result<bool> PaintAttributes::in_bounding_box(const char* name, bool by_default) const {

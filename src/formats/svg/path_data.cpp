@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "base/limits.hpp"
+#include "base/number.hpp"
 #include "formats/css_tokenizer.hpp"
-#include "formats/number.hpp"
 #include "formats/svg/path.hpp"
 #include "formats/svg/scanner.hpp"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <variant>
 
-#include "formats/css_text.hpp"
+#include "base/ascii.hpp"
 #include "formats/suggestion.hpp"
 #include "formats/svg/length.hpp"
 #include "formats/svg/view_box.hpp"
@@ -24,9 +24,9 @@ struct SideLength {
 
 SideLength read_side(Input& input, const char* name, const Box& view_box, Axis axis) {
   const auto text = input.attribute(input.root(), name);
-  if (!text || css_lower(css_trimmed(*text)) == "auto") return {};
+  if (!text || ascii_lower(ascii_trimmed(*text)) == "auto") return {};
   const Result<double> length = parse_length(*text, view_box, axis);
-  if (length && *length > 0) return {*length, css_trimmed(*text).ends_with('%')};
+  if (length && *length > 0) return {*length, ascii_trimmed(*text).ends_with('%')};
   const std::string wrong = length ? " is " + quoted(*text) + "; expected a length above 0"
                                    : ": " + length.status().message;
   input.warn(std::string("/svg ") + name, input.root(),

@@ -2,10 +2,10 @@
 
 #include <string>
 
+#include "base/ascii.hpp"
+#include "base/number.hpp"
 #include "formats/css_color.hpp"
-#include "formats/css_text.hpp"
 #include "formats/css_value.hpp"
-#include "formats/number.hpp"
 #include "formats/suggestion.hpp"
 #include "formats/svg/length.hpp"
 
@@ -50,7 +50,7 @@ float PlainStyle::opacity(CssProperty which) const {
 Result<std::optional<PlainPaint>> PlainStyle::color_paint(CssProperty which,
                                                           std::string_view text) {
   const std::string word = css_keyword(text, input_.text_poll()).value_or("");
-  if (css_trimmed(text).empty() || word == "none") return std::optional<PlainPaint>();
+  if (ascii_trimmed(text).empty() || word == "none") return std::optional<PlainPaint>();
   if (word == "currentcolor") text = property(CssProperty::color, "black");
   const Result<CssColor> color = parse_css_color(text, input_.text_poll());
   if (!color && !can_be_left_out(color.status())) return color.status();
@@ -71,7 +71,7 @@ Result<std::optional<PlainPaint>> PlainStyle::server_paint(CssProperty which, st
   const Result<std::uint32_t> shader = paints.shader(shape, url.substr(1));
   if (shader) return std::optional(PlainPaint{std::nullopt, *shader, 1});
   if (!can_be_left_out(shader.status())) return shader.status();
-  if (!css_trimmed(fallback).empty()) return color_paint(which, fallback);
+  if (!ascii_trimmed(fallback).empty()) return color_paint(which, fallback);
   input_.warn("/plain paint", shape_,
               std::string(css_property_name(which)) + " of " + tag(shape_) +
                   " is left out: " + shader.status().message);

@@ -2,10 +2,10 @@
 
 #include <cmath>
 
+#include "base/ascii.hpp"
+#include "base/character_run.hpp"
 #include "base/limits.hpp"
-#include "formats/character_run.hpp"
-#include "formats/css_text.hpp"
-#include "formats/number.hpp"
+#include "base/number.hpp"
 #include "formats/suggestion.hpp"
 
 namespace sfumato::svg {
@@ -34,7 +34,7 @@ std::string_view shown(std::string_view rest) {
 }  // namespace
 
 void Scanner::skip_blanks() {
-  at_ = run_end(text_, at_, is_css_blank);
+  at_ = run_end(text_, at_, is_ascii_blank);
 }
 
 void Scanner::skip_separator() {

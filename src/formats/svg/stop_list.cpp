@@ -7,9 +7,9 @@
 #include <string>
 
 #include "base/limits.hpp"
+#include "base/number.hpp"
+#include "base/number_text.hpp"
 #include "formats/css_color.hpp"
-#include "formats/number.hpp"
-#include "formats/number_text.hpp"
 #include "formats/suggestion.hpp"
 #include "formats/svg/length.hpp"
 

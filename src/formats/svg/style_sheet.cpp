@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/ascii.hpp"
 #include "formats/css_media.hpp"
-#include "formats/css_text.hpp"
 #include "formats/css_value.hpp"
 
 namespace sfumato::svg {
@@ -65,7 +65,7 @@ class StyleSheet::Reader {
   void add(std::string_view selectors, const CssStyle& style);
   void skip_block() { skip_component(tokens_, {open_curly}); }
   void leave_out(std::string_view what) {
-    if (notes_.left_out.empty()) notes_.left_out = css_trimmed(what);
+    if (notes_.left_out.empty()) notes_.left_out = ascii_trimmed(what);
   }
 
   StyleSheet& sheet_;
@@ -186,8 +186,8 @@ std::optional<CssSetting> StyleSheet::find(std::string_view name, std::string_vi
   };
   if (!id.empty()) consider(value_of({Kind::id, property, id}));
   const Value* of_classes = nullptr;
-  while (!(classes = css_trimmed(classes)).empty()) {
-    const auto end_of_class = std::ranges::find_if(classes, is_css_blank);
+  while (!(classes = ascii_trimmed(classes)).empty()) {
+    const auto end_of_class = std::ranges::find_if(classes, is_ascii_blank);
     const auto length = static_cast<std::size_t>(end_of_class - classes.begin());
     const Value* value = value_of({Kind::of_class, property, classes.substr(0, length)});
     classes.remove_prefix(length);

@@ -3,9 +3,9 @@
 #include <string>
 #include <utility>
 
+#include "base/ascii.hpp"
 #include "base/limits.hpp"
 #include "formats/base64.hpp"
-#include "formats/css_text.hpp"
 #include "formats/suggestion.hpp"
 
 namespace sfumato::svg {
@@ -20,7 +20,7 @@ std::string shown(std::string_view href) {
 std::string scheme_of(std::string_view href) {
   const std::size_t colon = href.find(':');
   if (colon == std::string_view::npos || href.find_first_of("/?#") < colon) return {};
-  return css_lower(href.substr(0, colon));
+  return ascii_lower(href.substr(0, colon));
 }
 
 bool is_elsewhere(std::string_view href) {
@@ -46,7 +46,7 @@ Result<const TextureFile*> TextureFiles::find(Element image) {
 Result<const TextureFile*> TextureFiles::read(Element image) {
   const auto attribute = input_.attribute(image, "href");
   if (!attribute) return input_.error(image, "<image> has no href");
-  const std::string_view href = css_trimmed(*attribute);
+  const std::string_view href = ascii_trimmed(*attribute);
   if (const auto known = files_.find(href); known != files_.end()) return &known->second;
   Result<std::vector<std::uint8_t>> bytes = load(image, href);
   if (!bytes) return bytes.status();

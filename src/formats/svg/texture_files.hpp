@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "formats/image_file.hpp"
-#include "formats/read_document.hpp"
+#include "formats/reading.hpp"
 #include "formats/svg/input.hpp"
 
 namespace sfumato::svg {

@@ -4,7 +4,7 @@
 #include <array>
 #include <string>
 
-#include "formats/css_text.hpp"
+#include "base/ascii.hpp"
 #include "formats/suggestion.hpp"
 #include "formats/svg/scanner.hpp"
 
@@ -45,11 +45,11 @@ Result<Box> parse_view_box(std::string_view text) {
 }
 
 Result<AspectRatio> parse_aspect_ratio(std::string_view text) {
-  const std::string lower = css_lower(css_trimmed(text));
+  const std::string lower = ascii_lower(ascii_trimmed(text));
   std::string_view rest = lower;
-  if (rest.starts_with("defer ")) rest = css_trimmed(rest.substr(6));
+  if (rest.starts_with("defer ")) rest = ascii_trimmed(rest.substr(6));
   const std::string_view align = rest.substr(0, std::min(rest.find(' '), rest.size()));
-  const std::string_view how = css_trimmed(rest.substr(align.size()));
+  const std::string_view how = ascii_trimmed(rest.substr(align.size()));
   if (align == "none") return AspectRatio{AspectRatio::Fit::stretch, 0, 0};
   if (align.size() != 8 || align[0] != 'x' || align[4] != 'y') return bad_ratio(text);
   AspectRatio ratio{AspectRatio::Fit::meet, alignment(align.substr(1, 3)),

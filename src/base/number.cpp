@@ -1,4 +1,4 @@
-#include "formats/number.hpp"
+#include "base/number.hpp"
 
 #include <charconv>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <string>
 #include <system_error>
 
-#include "formats/character_run.hpp"
+#include "base/character_run.hpp"
 
 namespace sfumato {
 namespace {
@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t kLongestNumber = std::size_t{1} << 20;
 
 bool is_blank(char c) {
-  // A sum, as in is_css_blank.
+  // A sum, as in is_ascii_blank.
   return ((c == ' ') + (c == '\t') + (c == '\n') + (c == '\r')) != 0;
 }
 

@@ -2,10 +2,11 @@
 
 #include <string>
 
+#include "base/affine.hpp"
 #include "base/color.hpp"
 
-/// Numbers and colours as text: the shortest decimals that read back as the same value, whatever
-/// the locale. Values are finite.
+/// Numbers, colours and maps as text: the shortest decimals that read back as the same value,
+/// whatever the locale. Values are finite.
 namespace sfumato {
 
 /// "0.1", "-12", "1e-7"; zero has no sign.
@@ -24,5 +25,8 @@ std::string percent_text(double fraction);
 /// "#rrggbb" where every channel is k / 255 to the bit, else "rgb(r% g% b%)" with
 /// float(double(r) / 100) == color.r, and so on.
 std::string color_text(const Rgb& color);
+
+/// "translate(x y)" or "matrix(a b c d e f)", as SVG and CSS have it.
+std::string transform_text(const Affine& map);
 
 }  // namespace sfumato

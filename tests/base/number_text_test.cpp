@@ -1,4 +1,4 @@
-#include "formats/number_text.hpp"
+#include "base/number_text.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "formats/number.hpp"
+#include "base/number.hpp"
 
 namespace sfumato {
 namespace {

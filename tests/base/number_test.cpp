@@ -1,4 +1,4 @@
-#include "formats/number.hpp"
+#include "base/number.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "formats/number_text.hpp"
+#include "base/number_text.hpp"
 
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
 
-#include "formats/number.hpp"
+#include "base/number.hpp"
 
 namespace sfumato {
 namespace {
@@ -112,6 +112,14 @@ std::string color_text(const Rgb& color) {
     hexadecimal += {kHexDigits[code / 16], kHexDigits[code % 16]};
   }
   return hexadecimal;
+}
+
+std::string transform_text(const Affine& map) {
+  const std::string translation = number_text(map.e) + ' ' + number_text(map.f) + ')';
+  if (map == Affine{1, 0, 0, 1, map.e, map.f}) return "translate(" + translation;
+  std::string text = "matrix(";
+  for (const double entry : {map.a, map.b, map.c, map.d}) text += number_text(entry) + ' ';
+  return text + translation;
 }
 
 }  // namespace sfumato

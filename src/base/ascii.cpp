@@ -1,0 +1,20 @@
+#include "base/ascii.hpp"
+
+#include "base/character_run.hpp"
+
+namespace sfumato {
+
+std::string_view ascii_trimmed(std::string_view text) {
+  text.remove_prefix(run_end(text, 0, is_ascii_blank));
+  return text.substr(0, run_begin(text, is_ascii_blank));
+}
+
+std::string ascii_lower(std::string_view text) {
+  std::string lower(text);
+  for (char& c : lower) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return lower;
+}
+
+}  // namespace sfumato
