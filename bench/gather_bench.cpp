@@ -13,8 +13,8 @@
 #include "gather/packing.hpp"
 #include "gather/rays.hpp"
 #include "mesh/mesher.hpp"
-#include "patches/nodes.hpp"
 #include "scenes.hpp"
+#include "solve/nodes.hpp"
 
 // Colours at the free nodes of the paper's mesh (no error-driven refinement), step by step. Times
 // are of one thread but for `gather_all`; time_per_point is what docs/benchmarks.md tells.

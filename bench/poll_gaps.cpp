@@ -7,22 +7,22 @@
 #include <utility>
 #include <vector>
 
-#include "export/eps.hpp"
-#include "export/glb.hpp"
-#include "export/html.hpp"
-#include "export/pdf.hpp"
-#include "export/svg.hpp"
-#include "formats/image_file.hpp"
-#include "formats/jpeg_encode.hpp"
-#include "formats/png.hpp"
+#include "codecs/image_file.hpp"
+#include "codecs/jpeg_encode.hpp"
+#include "codecs/png.hpp"
+#include "codecs/webp_encode.hpp"
+#include "export/eps/eps.hpp"
+#include "export/glb/glb.hpp"
+#include "export/html/html.hpp"
+#include "export/pdf/pdf.hpp"
+#include "export/svg/svg.hpp"
 #include "formats/read_document.hpp"
-#include "formats/svg_write.hpp"
-#include "formats/webp_encode.hpp"
+#include "formats/svg/svg_write.hpp"
 #include "limits/large_inputs.hpp"
 #include "lint/lint.hpp"
 #include "raster/rasterize.hpp"
-#include "raster/render_pixels.hpp"
 #include "scenes.hpp"
+#include "solve/render_pixels.hpp"
 #include "support/poll_recorder.hpp"
 
 // How long work goes without a look at the cancel flag: the longest gap of each stage, in CPU time

@@ -1,14 +1,14 @@
 #include <benchmark/benchmark.h>
 
 #include "base/native/tbb_executor.hpp"
+#include "codecs/png.hpp"
 #include "curves/attributes.hpp"
 #include "curves/flatten.hpp"
-#include "formats/png.hpp"
 #include "mesh/mesher.hpp"
-#include "patches/diffuse.hpp"
-#include "patches/nodes.hpp"
 #include "raster/rasterize.hpp"
 #include "scenes.hpp"
+#include "solve/diffuse.hpp"
+#include "solve/nodes.hpp"
 
 // The stages that have no benchmark of their own, and the whole way from a document to a PNG.
 namespace sfumato {

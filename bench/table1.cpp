@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "base/stopwatch.hpp"
-#include "patches/point_evaluator.hpp"
+#include "solve/point_evaluator.hpp"
 
 namespace sfumato {
 namespace {

@@ -1,5 +1,5 @@
 # sfumato_embed(TARGET FOLDER FILE...): compiles text files of FOLDER into TARGET, as
-# embedded_file() of src/export/embedded.hpp, by the names given here.
+# embedded_file() of src/display/embedded.hpp, by the names given here.
 function(sfumato_embed target folder)
   set(generated ${CMAKE_CURRENT_BINARY_DIR}/embed_${target}.cpp)
   set(paths)

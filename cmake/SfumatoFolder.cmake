@@ -45,7 +45,7 @@ function(sfumato_folder name)
     # No operating system and no other instruction set there; pictures and gzip are the browser's
     # own affair.
     list(FILTER sources EXCLUDE REGEX "/native/|_avx(2|512)\\.cpp$")
-    list(FILTER sources EXCLUDE REGEX "/formats/(png|jpeg|webp|image_file|gunzip)")
+    list(FILTER sources EXCLUDE REGEX "/codecs/(png|jpeg|webp|image_file|gunzip|deflate)")
   else()
     list(FILTER sources EXCLUDE REGEX "_wasm\\.cpp$")
   endif()
@@ -59,7 +59,7 @@ function(sfumato_folder name)
   target_include_directories(sfumato_${name} PUBLIC ${PROJECT_SOURCE_DIR}/src)
   target_link_libraries(sfumato_${name} PUBLIC sfumato_flags)
   sfumato_precompile(sfumato_${name})
-  if(SFUMATO_SANITIZE MATCHES "fuzzer" AND NOT name MATCHES "^(base|document|formats)$")
+  if(SFUMATO_SANITIZE MATCHES "fuzzer" AND NOT name MATCHES "^(base|document|codecs|formats)$")
     # A fuzzer that is told what was compared guesses words of a grammar. Kernels would only spend
     # half of their time on it.
     target_compile_options(sfumato_${name} PRIVATE -fno-sanitize-coverage=trace-cmp)

@@ -3,7 +3,8 @@
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
-set(library_folders base document formats curves import mesh gather patches raster export gpu lint)
+set(library_folders base document codecs curves formats picture import mesh gather raster solve display
+    export gpu lint)
 add_library(sfumato_library STATIC)
 add_library(sfumato::sfumato ALIAS sfumato_library)
 set_target_properties(sfumato_library PROPERTIES

@@ -5,13 +5,13 @@
 
 #include "document/document.hpp"
 #include "drawn_document.hpp"
-#include "export/eps.hpp"
-#include "export/glb.hpp"
-#include "export/html.hpp"
-#include "export/pdf.hpp"
-#include "export/svg.hpp"
+#include "export/eps/eps.hpp"
+#include "export/glb/glb.hpp"
+#include "export/html/html.hpp"
+#include "export/pdf/pdf.hpp"
+#include "export/svg/svg.hpp"
 #include "fuzz.hpp"
-#include "patches/diffuse.hpp"
+#include "solve/diffuse.hpp"
 
 using namespace sfumato;
 

@@ -3,7 +3,7 @@
 
 #include "document/document.hpp"
 #include "formats/read_document.hpp"
-#include "formats/svg_write.hpp"
+#include "formats/svg/svg_write.hpp"
 #include "fuzz.hpp"
 #include "import/import_svg.hpp"
 

@@ -1,6 +1,6 @@
 // JPEG files: baseline, progressive, arithmetic; gray, YCbCr, CMYK.
-#include "formats/image_file.hpp"
-#include "formats/jpeg_decode.hpp"
+#include "codecs/image_file.hpp"
+#include "codecs/jpeg_decode.hpp"
 #include "fuzz.hpp"
 
 using namespace sfumato;

@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <vector>
 
+#include "codecs/png.hpp"
 #include "document/document.hpp"
 #include "drawn_document.hpp"
-#include "formats/png.hpp"
 #include "fuzz.hpp"
 #include "lint/lint.hpp"
-#include "patches/diffuse.hpp"
 #include "raster/rasterize.hpp"
-#include "raster/render_pixels.hpp"
+#include "solve/diffuse.hpp"
+#include "solve/render_pixels.hpp"
 
 using namespace sfumato;
 

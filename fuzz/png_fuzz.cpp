@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "formats/image_file.hpp"
-#include "formats/png.hpp"
+#include "codecs/image_file.hpp"
+#include "codecs/png.hpp"
 #include "fuzz.hpp"
 
 using namespace sfumato;

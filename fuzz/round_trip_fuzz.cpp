@@ -6,8 +6,8 @@
 
 #include "document/document.hpp"
 #include "drawn_document.hpp"
-#include "formats/svg.hpp"
-#include "formats/svg_write.hpp"
+#include "formats/svg/svg.hpp"
+#include "formats/svg/svg_write.hpp"
 #include "fuzz.hpp"
 
 using namespace sfumato;

@@ -2,10 +2,10 @@
 #include <string>
 #include <string_view>
 
-#include "formats/css_color.hpp"
-#include "formats/css_media.hpp"
-#include "formats/css_value.hpp"
-#include "formats/svg/style_sheet.hpp"
+#include "formats/css/css_color.hpp"
+#include "formats/css/css_media.hpp"
+#include "formats/css/css_value.hpp"
+#include "formats/css/style_sheet.hpp"
 #include "fuzz.hpp"
 
 using namespace sfumato;

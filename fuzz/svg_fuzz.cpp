@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "codecs/png.hpp"
 #include "document/document.hpp"
-#include "formats/png.hpp"
 #include "formats/read_document.hpp"
 #include "fuzz.hpp"
 

@@ -41,7 +41,7 @@ FNR == 1 {
   lines = 0
   is_table = FILENAME ~ /folder-order\.txt$/
   folder = folder_of(FILENAME)
-  core = folder ~ /^(base|document|curves|mesh|gather|patches|raster)$/ &&
+  core = folder ~ /^(base|document|curves|picture|mesh|gather|raster|solve)$/ &&
          FILENAME !~ /^src\/base\/native\//
   if (!is_table && folder != "" && !(folder in is_folder)) {
     complain("src/" folder " is not in scripts/folder-order.txt")

@@ -16,7 +16,7 @@ inline Status out_of_memory() {
 /// body holds is released on the way, and charges with it. WebAssembly is built without exceptions:
 /// there a failed allocation is a trap.
 ///
-/// No frame of C may lie between this and an allocation of the body: see formats/jpeg_encode.cpp.
+/// No frame of C may lie between this and an allocation of the body: see codecs/jpeg_encode.cpp.
 template <class Body>
 auto no_throw(Body&& body) -> decltype(body()) {
 #if defined(__cpp_exceptions)

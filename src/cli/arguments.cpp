@@ -12,7 +12,7 @@
 #include "cli/render_options.hpp"
 #include "cli/start_commands.hpp"
 #include "cli/values.hpp"
-#include "formats/suggestion.hpp"
+#include "formats/text/suggestion.hpp"
 
 namespace sfumato::cli {
 namespace {

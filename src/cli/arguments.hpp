@@ -12,10 +12,10 @@
 #include "cli/paths.hpp"
 #include "cli/render_jobs.hpp"
 #include "cli/resources.hpp"
-#include "export/pdf.hpp"
-#include "export/svg.hpp"
-#include "patches/diffuse.hpp"
+#include "export/pdf/pdf.hpp"
+#include "export/svg/svg.hpp"
 #include "raster/rasterize.hpp"
+#include "solve/diffuse.hpp"
 
 namespace sfumato::cli {
 

@@ -9,7 +9,7 @@
 #include "cli/difference.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/paths.hpp"
-#include "formats/png.hpp"
+#include "codecs/png.hpp"
 
 namespace sfumato::cli {
 namespace {

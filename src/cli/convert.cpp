@@ -6,7 +6,7 @@
 #include "cli/document_input.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/paths.hpp"
-#include "formats/svg_write.hpp"
+#include "formats/svg/svg_write.hpp"
 
 namespace sfumato::cli {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "formats/jpeg_encode.hpp"
-#include "formats/png.hpp"
-#include "formats/webp_encode.hpp"
+#include "codecs/jpeg_encode.hpp"
+#include "codecs/png.hpp"
+#include "codecs/webp_encode.hpp"
 
 namespace sfumato::cli {
 namespace {

@@ -7,8 +7,8 @@
 #include "cli/interrupt.hpp"
 #include "cli/paths.hpp"
 #include "cli/templates.hpp"
-#include "export/html_text.hpp"
-#include "formats/svg_write.hpp"
+#include "export/html/html_text.hpp"
+#include "formats/svg/svg_write.hpp"
 #include "import/import_svg.hpp"
 
 namespace sfumato::cli {

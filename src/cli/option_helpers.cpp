@@ -4,7 +4,7 @@
 #include <string_view>
 #include <system_error>
 
-#include "formats/suggestion.hpp"
+#include "formats/text/suggestion.hpp"
 
 namespace sfumato::cli {
 namespace {

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "base/native/file.hpp"
-#include "formats/suggestion.hpp"
+#include "formats/text/suggestion.hpp"
 
 namespace sfumato::cli {
 namespace {

@@ -9,15 +9,15 @@
 #include "base/stopwatch.hpp"
 #include "cli/image_output.hpp"
 #include "cli/messages.hpp"
-#include "export/eps.hpp"
-#include "export/glb.hpp"
-#include "export/html.hpp"
-#include "export/pdf.hpp"
-#include "export/svg.hpp"
-#include "formats/jpeg_encode.hpp"
-#include "formats/png.hpp"
+#include "codecs/jpeg_encode.hpp"
+#include "codecs/png.hpp"
+#include "export/eps/eps.hpp"
+#include "export/glb/glb.hpp"
+#include "export/html/html.hpp"
+#include "export/pdf/pdf.hpp"
+#include "export/svg/svg.hpp"
 #include "gpu/render.hpp"
-#include "raster/render_pixels.hpp"
+#include "solve/render_pixels.hpp"
 
 namespace sfumato::cli {
 namespace {

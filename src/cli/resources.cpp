@@ -9,7 +9,7 @@
 #include "base/json.hpp"
 #include "cli/option_helpers.hpp"
 #include "cli/values.hpp"
-#include "formats/suggestion.hpp"
+#include "formats/text/suggestion.hpp"
 
 namespace sfumato::cli {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "patches/diffuse.hpp"
+#include "solve/diffuse.hpp"
 
 namespace sfumato::cli {
 

@@ -5,7 +5,7 @@
 
 #include "base/context.hpp"
 #include "base/status.hpp"
-#include "patches/picture.hpp"
+#include "picture/picture.hpp"
 
 /// Copies of parts of a picture, for a picture of these alone: charged before they are made, and
 /// made piece by piece.

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <utility>
 
+#include "codecs/png.hpp"
 #include "export/picture_copy.hpp"
 #include "export/pixel_part.hpp"
-#include "formats/png.hpp"
 #include "raster/rasterize.hpp"
 
 namespace sfumato::outputs {

@@ -6,7 +6,7 @@
 
 #include "base/context.hpp"
 #include "base/status.hpp"
-#include "patches/picture.hpp"
+#include "picture/picture.hpp"
 
 namespace sfumato::outputs {
 

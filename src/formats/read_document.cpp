@@ -6,10 +6,10 @@
 
 #include "base/limits.hpp"
 #include "base/public_verb.hpp"
-#include "formats/gunzip.hpp"
-#include "formats/orzan.hpp"
-#include "formats/svg.hpp"
-#include "formats/xml_source.hpp"
+#include "codecs/gunzip.hpp"
+#include "formats/orzan/orzan.hpp"
+#include "formats/svg/svg.hpp"
+#include "formats/text/xml_source.hpp"
 
 namespace sfumato {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "base/context.hpp"
 #include "base/status.hpp"
-#include "formats/reading.hpp"
+#include "formats/text/reading.hpp"
 
 namespace sfumato {
 

@@ -4,10 +4,10 @@
 
 #include "base/ascii.hpp"
 #include "base/public_verb.hpp"
-#include "formats/gunzip.hpp"
+#include "codecs/gunzip.hpp"
 #include "formats/svg/namespaces.hpp"
 #include "formats/svg/texture_files.hpp"
-#include "formats/xml_source.hpp"
+#include "formats/text/xml_source.hpp"
 
 namespace sfumato {
 namespace {

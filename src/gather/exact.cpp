@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "gather/gather.hpp"
-#include "gather/kernel_entry.hpp"
+#include "gather/kernels/kernel_entry.hpp"
 
 namespace sfumato::gather {
 namespace {

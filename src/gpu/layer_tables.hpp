@@ -4,7 +4,7 @@
 
 #include "base/box.hpp"
 #include "gpu/table.hpp"
-#include "patches/picture.hpp"
+#include "picture/picture.hpp"
 
 namespace sfumato::gpu {
 

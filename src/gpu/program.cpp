@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-#include "export/embedded.hpp"
+#include "display/embedded.hpp"
 
 namespace sfumato::gpu {
 namespace {

@@ -10,10 +10,10 @@
 #include "gpu/device.hpp"
 #include "gpu/painter.hpp"
 #include "gpu/scene.hpp"
-#include "raster/check_picture.hpp"
+#include "picture/check_picture.hpp"
+#include "raster/kernels/span_kernels.hpp"
 #include "raster/layer_view.hpp"
 #include "raster/options.hpp"
-#include "raster/span_kernels.hpp"
 
 namespace sfumato {
 namespace {

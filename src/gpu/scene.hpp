@@ -3,9 +3,9 @@
 #include <optional>
 #include <vector>
 
-#include "export/paint_table.hpp"
+#include "display/paint_table.hpp"
 #include "gpu/layer_tables.hpp"
-#include "raster/local_stroke_kernels.hpp"
+#include "raster/kernels/local_stroke_kernels.hpp"
 #include "raster/tile.hpp"
 
 namespace sfumato::gpu {

@@ -8,8 +8,8 @@
 
 #include "base/limits.hpp"
 #include "base/public_verb.hpp"
-#include "formats/gunzip.hpp"
-#include "formats/plain_svg.hpp"
+#include "codecs/gunzip.hpp"
+#include "formats/svg/plain_svg.hpp"
 #include "import/boundary.hpp"
 #include "import/painted_layer.hpp"
 #include "import/stroke_outline.hpp"

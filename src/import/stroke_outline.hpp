@@ -3,7 +3,7 @@
 #include "base/context.hpp"
 #include "base/status.hpp"
 #include "curves/bezier.hpp"
-#include "formats/plain_svg.hpp"
+#include "formats/svg/plain_svg.hpp"
 #include "import/boundary.hpp"
 #include "import/point_meter.hpp"
 

@@ -6,7 +6,7 @@
 
 #include "document/document.hpp"
 #include "lint/hint.hpp"
-#include "patches/layer_scene.hpp"
+#include "solve/layer_scene.hpp"
 
 namespace sfumato::lint_detail {
 

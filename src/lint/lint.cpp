@@ -9,7 +9,7 @@
 #include "lint/coverage.hpp"
 #include "lint/curve_hints.hpp"
 #include "lint/stroke_hints.hpp"
-#include "patches/layer_view.hpp"
+#include "solve/layer_view.hpp"
 
 namespace sfumato {
 namespace {

@@ -8,7 +8,7 @@
 #include "base/number_text.hpp"
 #include "curves/stroke_segments.hpp"
 #include "lint/layer_under_test.hpp"
-#include "patches/layer_view.hpp"
+#include "solve/layer_view.hpp"
 
 namespace sfumato::lint_detail {
 namespace {

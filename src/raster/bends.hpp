@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "base/context.hpp"
-#include "patches/picture.hpp"
+#include "picture/picture.hpp"
 
 namespace sfumato::raster {
 

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "raster/coverage.hpp"
+#include "raster/kernels/span_kernels.hpp"
 #include "raster/layer_painter.hpp"
 #include "raster/paint_list.hpp"
-#include "raster/span_kernels.hpp"
 
 namespace sfumato::raster {
 

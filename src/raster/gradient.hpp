@@ -7,7 +7,7 @@
 #include "base/context.hpp"
 #include "base/status.hpp"
 #include "document/shader.hpp"
-#include "raster/image_shader_row.hpp"
+#include "raster/kernels/image_shader_row.hpp"
 
 namespace sfumato::raster {
 

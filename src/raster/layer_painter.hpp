@@ -3,10 +3,10 @@
 #include <memory>
 #include <vector>
 
+#include "picture/field_source.hpp"
 #include "raster/coverage.hpp"
-#include "raster/field_source.hpp"
+#include "raster/kernels/span_kernels.hpp"
 #include "raster/point_shader.hpp"
-#include "raster/span_kernels.hpp"
 #include "raster/tile.hpp"
 
 namespace sfumato::raster {

@@ -1,6 +1,6 @@
 #include "raster/layer_view.hpp"
 
-#include "raster/check_picture.hpp"
+#include "picture/check_picture.hpp"
 
 namespace sfumato::raster {
 namespace {

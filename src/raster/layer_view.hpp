@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/status.hpp"
-#include "patches/picture.hpp"
+#include "picture/picture.hpp"
 #include "raster/rasterize.hpp"
 #include "raster/tile.hpp"
 

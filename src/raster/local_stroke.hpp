@@ -9,7 +9,7 @@
 #include "base/status.hpp"
 #include "curves/stroke_segments.hpp"
 #include "document/document.hpp"
-#include "raster/local_stroke_kernels.hpp"
+#include "raster/kernels/local_stroke_kernels.hpp"
 #include "raster/local_stroke_tree.hpp"
 
 namespace sfumato::raster {

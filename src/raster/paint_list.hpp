@@ -6,7 +6,7 @@
 
 #include "base/context.hpp"
 #include "base/status.hpp"
-#include "patches/picture.hpp"
+#include "picture/picture.hpp"
 #include "raster/local_stroke.hpp"
 #include "raster/shader_set.hpp"
 #include "raster/tile_bins.hpp"

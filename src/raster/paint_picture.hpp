@@ -3,8 +3,8 @@
 #include "base/context.hpp"
 #include "base/image.hpp"
 #include "base/status.hpp"
-#include "patches/picture.hpp"
-#include "raster/field_source.hpp"
+#include "picture/field_source.hpp"
+#include "picture/picture.hpp"
 #include "raster/rasterize.hpp"
 
 namespace sfumato::raster {

@@ -1,6 +1,6 @@
 #include "raster/point_shader.hpp"
 
-#include "raster/color_space_kernel.hpp"
+#include "raster/kernels/color_space_kernel.hpp"
 
 namespace sfumato::raster {
 

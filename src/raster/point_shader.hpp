@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "raster/patch_polynomial.hpp"
+#include "raster/kernels/patch_polynomial.hpp"
 #include "raster/shader_set.hpp"
 
 namespace sfumato::raster {

@@ -8,15 +8,15 @@
 
 #include "base/large_vector.hpp"
 #include "base/public_verb.hpp"
-#include "raster/check_picture.hpp"
+#include "picture/check_picture.hpp"
 #include "raster/compositor.hpp"
+#include "raster/kernels/span_kernels.hpp"
 #include "raster/layer_view.hpp"
 #include "raster/options.hpp"
 #include "raster/overlay.hpp"
 #include "raster/paint_list.hpp"
 #include "raster/paint_picture.hpp"
 #include "raster/soft_strip.hpp"
-#include "raster/span_kernels.hpp"
 
 namespace sfumato {
 namespace {

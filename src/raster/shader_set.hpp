@@ -5,7 +5,7 @@
 
 #include "base/context.hpp"
 #include "base/status.hpp"
-#include "patches/picture.hpp"
+#include "picture/picture.hpp"
 #include "raster/image_shader.hpp"
 
 namespace sfumato::raster {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "raster/texture_kernels.hpp"
+#include "raster/kernels/texture_kernels.hpp"
 
 namespace sfumato::raster {
 namespace {

@@ -2,7 +2,7 @@
 
 #include "base/affine.hpp"
 #include "base/vec2.hpp"
-#include "raster/image_shader_row.hpp"
+#include "raster/kernels/image_shader_row.hpp"
 #include "raster/texture_pyramid.hpp"
 
 namespace sfumato::raster {

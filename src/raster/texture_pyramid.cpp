@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "base/large_vector.hpp"
-#include "raster/texture_kernels.hpp"
+#include "raster/kernels/texture_kernels.hpp"
 
 namespace sfumato::raster {
 namespace {

@@ -9,7 +9,7 @@
 #include "base/image.hpp"
 #include "base/pixel_rect.hpp"
 #include "base/vec2.hpp"
-#include "patches/picture.hpp"
+#include "picture/picture.hpp"
 
 /// What the parts of the rasterizer hand to one another: plain data that kernels of every
 /// instruction set read alike.

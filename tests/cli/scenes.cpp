@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "formats/png.hpp"
+#include "codecs/png.hpp"
 
 namespace sfumato::test {
 namespace {

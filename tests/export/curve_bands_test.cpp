@@ -1,4 +1,4 @@
-#include "export/curve_bands.hpp"
+#include "export/facets/curve_bands.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,9 +8,9 @@
 #include <string>
 #include <tuple>
 
-#include "export/pdf.hpp"
+#include "export/pdf/pdf.hpp"
 #include "export/support.hpp"
-#include "formats/svg.hpp"
+#include "formats/svg/svg.hpp"
 #include "raster/pictures.hpp"
 #include "support/drawing.hpp"
 #include "support/scenes.hpp"

@@ -1,4 +1,4 @@
-#include "export/deflate.hpp"
+#include "codecs/deflate.hpp"
 
 #include <gtest/gtest.h>
 #include <zlib.h>

@@ -1,4 +1,4 @@
-#include "export/eps.hpp"
+#include "export/eps/eps.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "export/facets.hpp"
+#include "export/facets/facets.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,9 +8,9 @@
 #include <random>
 
 #include "base/native/tbb_executor.hpp"
-#include "export/facet_patch.hpp"
-#include "patches/diffuse.hpp"
+#include "export/facets/facet_patch.hpp"
 #include "raster/pictures.hpp"
+#include "solve/diffuse.hpp"
 #include "support/drawing.hpp"
 #include "support/scenes.hpp"
 

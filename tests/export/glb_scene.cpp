@@ -11,7 +11,7 @@
 
 #include "base/color_space.hpp"
 #include "base/context.hpp"
-#include "formats/png.hpp"
+#include "codecs/png.hpp"
 
 namespace sfumato::test {
 namespace {

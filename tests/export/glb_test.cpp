@@ -1,5 +1,5 @@
 // GLB by its own rules, and as an engine shows it (export/glb_scene.hpp).
-#include "export/glb.hpp"
+#include "export/glb/glb.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <limits>
 #include <string>
 
-#include "export/facet_patch.hpp"
+#include "export/facets/facet_patch.hpp"
 #include "export/glb_scene.hpp"
 #include "export/support.hpp"
 #include "raster/pictures.hpp"

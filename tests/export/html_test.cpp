@@ -1,13 +1,13 @@
 // The HTML file as a text; what it shows is tested in a browser (tests/viewer).
-#include "export/html.hpp"
+#include "export/html/html.hpp"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 #include <string>
 
-#include "export/embedded.hpp"
-#include "export/html_text.hpp"
+#include "display/embedded.hpp"
+#include "export/html/html_text.hpp"
 
 namespace sfumato {
 namespace {

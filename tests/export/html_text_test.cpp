@@ -1,4 +1,4 @@
-#include "export/html_text.hpp"
+#include "export/html/html_text.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "export/paint_table.hpp"
+#include "display/paint_table.hpp"
 
 #include <gtest/gtest.h>
 

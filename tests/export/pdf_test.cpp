@@ -1,4 +1,4 @@
-#include "export/pdf.hpp"
+#include "export/pdf/pdf.hpp"
 
 #include <gtest/gtest.h>
 

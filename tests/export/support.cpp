@@ -10,10 +10,10 @@
 #include <numeric>
 #include <sstream>
 
-#include "formats/png.hpp"
+#include "codecs/png.hpp"
 #include "formats/read_document.hpp"
-#include "patches/diffuse.hpp"
 #include "raster/rasterize.hpp"
+#include "solve/diffuse.hpp"
 #include "support/scenes.hpp"
 #include "support/temporary_folder.hpp"
 

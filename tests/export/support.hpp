@@ -7,7 +7,7 @@
 
 #include "base/image.hpp"
 #include "document/document.hpp"
-#include "patches/picture.hpp"
+#include "picture/picture.hpp"
 
 /// What the tests of exporters share: documents, and the programs that show files.
 namespace sfumato::test {

@@ -1,5 +1,5 @@
 // SVG as a text, and as other programs show it.
-#include "export/svg.hpp"
+#include "export/svg/svg.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,9 +9,9 @@
 #include <string>
 
 #include "base/limits.hpp"
+#include "codecs/base64.hpp"
+#include "codecs/png.hpp"
 #include "export/support.hpp"
-#include "formats/base64.hpp"
-#include "formats/png.hpp"
 #include "raster/pictures.hpp"
 #include "support/drawing.hpp"
 #include "support/scenes.hpp"

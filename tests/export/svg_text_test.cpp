@@ -1,4 +1,4 @@
-#include "export/svg_text.hpp"
+#include "export/svg/svg_text.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "export/underlap.hpp"
+#include "export/facets/underlap.hpp"
 
 #include <gtest/gtest.h>
 

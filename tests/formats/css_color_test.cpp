@@ -1,9 +1,9 @@
 // Colours as CSS writes them.
-#include "formats/css_color.hpp"
+#include "formats/css/css_color.hpp"
 
 #include <gtest/gtest.h>
 
-#include "formats/css_color_names.hpp"
+#include "formats/css/css_color_names.hpp"
 
 namespace sfumato {
 namespace {

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <memory>
 
-#include "formats/jpeg_decode.hpp"
-#include "formats/jpeg_encode.hpp"
-#include "formats/webp_encode.hpp"
+#include "codecs/jpeg_decode.hpp"
+#include "codecs/jpeg_encode.hpp"
+#include "codecs/webp_encode.hpp"
 
 namespace sfumato {
 namespace {

@@ -1,8 +1,8 @@
-#include "formats/image_file.hpp"
+#include "codecs/image_file.hpp"
 
 #include <gtest/gtest.h>
 
-#include "formats/png.hpp"
+#include "codecs/png.hpp"
 
 namespace sfumato {
 namespace {

@@ -9,7 +9,7 @@
 
 #include <cstdlib>
 
-#include "formats/png.hpp"
+#include "codecs/png.hpp"
 
 namespace sfumato::test {
 

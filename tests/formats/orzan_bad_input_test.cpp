@@ -4,7 +4,7 @@
 #include <string>
 
 #include "base/limits.hpp"
-#include "formats/orzan.hpp"
+#include "formats/orzan/orzan.hpp"
 
 namespace sfumato {
 namespace {

@@ -1,5 +1,5 @@
 // Orzan's XML on small files of our own: what is read, and what is overlooked.
-#include "formats/orzan.hpp"
+#include "formats/orzan/orzan.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "base/limits.hpp"
-#include "formats/png.hpp"
+#include "codecs/png.hpp"
 
 namespace sfumato {
 namespace {

@@ -1,4 +1,4 @@
-#include "formats/png.hpp"
+#include "codecs/png.hpp"
 
 #include <gtest/gtest.h>
 

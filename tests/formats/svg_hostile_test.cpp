@@ -4,7 +4,7 @@
 #include <new>
 
 #include "base/limits.hpp"
-#include "formats/image_file.hpp"
+#include "codecs/image_file.hpp"
 #include "formats/image_files.hpp"
 #include "formats/svg_support.hpp"
 

@@ -3,9 +3,9 @@
 
 #include <cstring>
 
-#include "formats/image_file.hpp"
+#include "codecs/image_file.hpp"
+#include "codecs/png.hpp"
 #include "formats/image_files.hpp"
-#include "formats/png.hpp"
 #include "formats/svg_support.hpp"
 
 namespace sfumato::test {

@@ -1,10 +1,10 @@
-#include "formats/svg_write.hpp"
+#include "formats/svg/svg_write.hpp"
 
 #include <gtest/gtest.h>
 
 #include "base/limits.hpp"
-#include "formats/data_uri_write.hpp"
-#include "formats/svg_write_ids.hpp"
+#include "codecs/data_uri_write.hpp"
+#include "formats/svg/svg_write_ids.hpp"
 #include "support/drawing.hpp"
 
 namespace sfumato {

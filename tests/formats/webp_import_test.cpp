@@ -1,4 +1,4 @@
-#include "formats/webp_import.hpp"
+#include "codecs/webp_import.hpp"
 
 #include <gtest/gtest.h>
 

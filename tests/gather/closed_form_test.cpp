@@ -1,4 +1,4 @@
-#include "gather/closed_form.hpp"
+#include "gather/kernels/closed_form.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "base/native/tbb_executor.hpp"
-#include "gather/kernel.hpp"
-#include "gather/kernel_entry.hpp"
+#include "gather/kernels/kernel.hpp"
+#include "gather/kernels/kernel_entry.hpp"
 #include "gather/reference.hpp"
 #include "gather/scenes.hpp"
 

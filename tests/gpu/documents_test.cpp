@@ -12,7 +12,7 @@
 
 #include "base/native/tbb_executor.hpp"
 #include "formats/read_document.hpp"
-#include "patches/diffuse.hpp"
+#include "solve/diffuse.hpp"
 #include "support.hpp"
 #include "support/folder_files.hpp"
 #include "support/random_document.hpp"

@@ -10,7 +10,7 @@
 
 #include <algorithm>
 
-#include "formats/base64.hpp"
+#include "codecs/base64.hpp"
 #include "hostile/packer.hpp"
 
 namespace sfumato::hostile {

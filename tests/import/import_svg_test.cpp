@@ -8,7 +8,7 @@
 #include <variant>
 
 #include "formats/each_text.hpp"
-#include "formats/svg_write.hpp"
+#include "formats/svg/svg_write.hpp"
 #include "import/boundary.hpp"
 #include "import/stroke_outline.hpp"
 

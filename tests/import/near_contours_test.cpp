@@ -7,8 +7,8 @@
 
 #include "base/number_text.hpp"
 #include "import/import_svg.hpp"
-#include "patches/diffuse.hpp"
 #include "raster/rasterize.hpp"
+#include "solve/diffuse.hpp"
 
 namespace sfumato {
 namespace {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "formats/read_document.hpp"
-#include "raster/render_pixels.hpp"
+#include "solve/render_pixels.hpp"
 #include "support/scenes.hpp"
 
 namespace sfumato {

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "base/native/tbb_executor.hpp"
-#include "patches/diffuse.hpp"
 #include "raster/rasterize.hpp"
-#include "raster/render_pixels.hpp"
+#include "solve/diffuse.hpp"
+#include "solve/render_pixels.hpp"
 #include "support/drawing.hpp"
 #include "support/sanitizers.hpp"
 

@@ -9,9 +9,9 @@
 
 #include "curves/bezier.hpp"
 #include "formats/read_document.hpp"
-#include "patches/diffuse.hpp"
-#include "patches/point_evaluator.hpp"
 #include "raster/rasterize.hpp"
+#include "solve/diffuse.hpp"
+#include "solve/point_evaluator.hpp"
 #include "support/drawing.hpp"
 #include "support/scenes.hpp"
 

@@ -13,9 +13,9 @@
 
 #include "base/native/tbb_executor.hpp"
 #include "formats/read_document.hpp"
-#include "patches/diffuse.hpp"
 #include "raster/rasterize.hpp"
-#include "raster/render_pixels.hpp"
+#include "solve/diffuse.hpp"
+#include "solve/render_pixels.hpp"
 #include "support/sanitizers.hpp"
 #include "support/scenes.hpp"
 

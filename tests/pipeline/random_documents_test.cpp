@@ -8,12 +8,12 @@
 #include <vector>
 
 #include "base/native/tbb_executor.hpp"
-#include "formats/svg.hpp"
-#include "formats/svg_write.hpp"
-#include "patches/diffuse.hpp"
+#include "formats/svg/svg.hpp"
+#include "formats/svg/svg_write.hpp"
 #include "pipeline/agreement.hpp"
 #include "raster/rasterize.hpp"
-#include "raster/render_pixels.hpp"
+#include "solve/diffuse.hpp"
+#include "solve/render_pixels.hpp"
 #include "support/random_document.hpp"
 #include "support/sanitizers.hpp"
 

@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "patches/diffuse.hpp"
-#include "patches/point_evaluator.hpp"
 #include "raster/rasterize.hpp"
+#include "solve/diffuse.hpp"
+#include "solve/point_evaluator.hpp"
 #include "support/scenes.hpp"
 
 namespace sfumato {

@@ -1,4 +1,4 @@
-#include "raster/color_space_kernel.hpp"
+#include "raster/kernels/color_space_kernel.hpp"
 
 #include <gtest/gtest.h>
 

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "patches/patch.hpp"
-#include "patches/picture.hpp"
+#include "picture/patch.hpp"
+#include "picture/picture.hpp"
 
 /// Small pictures for the tests of the rasterizer.
 namespace sfumato::test {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "base/box.hpp"
-#include "patches/patch.hpp"
-#include "patches/picture.hpp"
+#include "picture/patch.hpp"
+#include "picture/picture.hpp"
 #include "raster/bends.hpp"
 
 /// The rasterizer as one would explain it: pixel by pixel, triangle by triangle, in double

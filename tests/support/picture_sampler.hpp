@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "patches/patch.hpp"
-#include "patches/picture.hpp"
+#include "picture/patch.hpp"
+#include "picture/picture.hpp"
 
 namespace sfumato::test {
 

@@ -8,14 +8,14 @@
 #include <vector>
 
 #include "base/native/tbb_executor.hpp"
-#include "formats/jpeg_encode.hpp"
-#include "formats/png.hpp"
+#include "codecs/jpeg_encode.hpp"
+#include "codecs/png.hpp"
+#include "codecs/webp_encode.hpp"
 #include "formats/read_document.hpp"
-#include "formats/svg_write.hpp"
-#include "formats/webp_encode.hpp"
+#include "formats/svg/svg_write.hpp"
 #include "lint/lint.hpp"
-#include "patches/diffuse.hpp"
 #include "raster/rasterize.hpp"
+#include "solve/diffuse.hpp"
 #include "support/random_document.hpp"
 
 namespace sfumato::test {

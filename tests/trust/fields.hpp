@@ -4,17 +4,17 @@
 
 #include "base/context.hpp"
 #include "base/image.hpp"
+#include "codecs/webp_encode.hpp"
 #include "document/document.hpp"
-#include "export/eps.hpp"
-#include "export/glb.hpp"
-#include "export/html.hpp"
-#include "export/pdf.hpp"
-#include "export/svg.hpp"
-#include "formats/webp_encode.hpp"
+#include "export/eps/eps.hpp"
+#include "export/glb/glb.hpp"
+#include "export/html/html.hpp"
+#include "export/pdf/pdf.hpp"
+#include "export/svg/svg.hpp"
 #include "lint/hint.hpp"
-#include "patches/diffuse.hpp"
-#include "patches/picture.hpp"
+#include "picture/picture.hpp"
 #include "raster/rasterize.hpp"
+#include "solve/diffuse.hpp"
 
 /// The fields of every public struct that a caller fills in. A field that is added to a struct must
 /// be added here: without it the number of names does not fit, and this does not compile.

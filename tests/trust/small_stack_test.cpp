@@ -7,12 +7,12 @@
 #include <string>
 
 #include "base/native/tbb_executor.hpp"
-#include "export/pdf.hpp"
-#include "formats/png.hpp"
+#include "codecs/png.hpp"
+#include "export/pdf/pdf.hpp"
 #include "formats/read_document.hpp"
-#include "formats/svg_write.hpp"
-#include "patches/diffuse.hpp"
+#include "formats/svg/svg_write.hpp"
 #include "raster/rasterize.hpp"
+#include "solve/diffuse.hpp"
 #include "support/random_document.hpp"
 #include "support/sanitizers.hpp"
 

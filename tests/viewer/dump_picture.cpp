@@ -6,8 +6,8 @@
 #include <sfumato/sfumato.hpp>
 #include <vector>
 
-#include "export/viewer_mesh.hpp"
-#include "export/viewer_payload.hpp"
+#include "export/html/viewer_mesh.hpp"
+#include "export/html/viewer_payload.hpp"
 
 namespace {
 

@@ -1,4 +1,4 @@
-// The nodes of a layer's field, as src/export/viewer_field.cpp writes them: corners first, then
+// The nodes of a layer's field, as src/export/html/viewer_field.cpp writes them: corners first, then
 // edges, then centres. Values are whole numbers of steps until the end.
 
 const NO_NODE = 0xffffffff;

@@ -1,4 +1,4 @@
-// The triangles of a layer, from the codes that src/export/viewer_mesh.cpp writes: the walk over
+// The triangles of a layer, from the codes that src/export/html/viewer_mesh.cpp writes: the walk over
 // them is the same here and there.
 
 const NO_MATE = 0xffffffff;

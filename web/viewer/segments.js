@@ -1,4 +1,4 @@
-// The segments of local curves, as src/export/viewer_stroke.cpp writes them, and the nodes that
+// The segments of local curves, as src/export/html/viewer_stroke.cpp writes them, and the nodes that
 // they get for a zoom.
 
 /**

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "formats/read_document.hpp"
-#include "patches/diffuse.hpp"
+#include "solve/diffuse.hpp"
 
 /// The library for JavaScript: plain functions over the module's memory. One picture at a time;
 /// `sfumato_diffuse` replaces what the call before left. Pointers are valid until the next call;

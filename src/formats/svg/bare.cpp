@@ -6,9 +6,9 @@
 #include <string_view>
 
 #include "base/ascii.hpp"
-#include "formats/css_declarations.hpp"
-#include "formats/suggestion.hpp"
+#include "formats/css/css_declarations.hpp"
 #include "formats/svg/vocabulary.hpp"
+#include "formats/text/suggestion.hpp"
 
 namespace sfumato::svg {
 namespace {

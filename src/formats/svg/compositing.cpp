@@ -4,8 +4,8 @@
 #include <string_view>
 
 #include "document/blend_names.hpp"
-#include "formats/css_value.hpp"
-#include "formats/suggestion.hpp"
+#include "formats/css/css_value.hpp"
+#include "formats/text/suggestion.hpp"
 
 namespace sfumato::svg {
 namespace {

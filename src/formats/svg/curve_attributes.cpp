@@ -10,8 +10,8 @@
 #include "base/ascii.hpp"
 #include "base/limits.hpp"
 #include "base/number.hpp"
-#include "formats/css_value.hpp"
-#include "formats/suggestion.hpp"
+#include "formats/css/css_value.hpp"
+#include "formats/text/suggestion.hpp"
 
 namespace sfumato::svg {
 namespace {

@@ -6,9 +6,9 @@
 
 #include "base/limits.hpp"
 #include "base/number.hpp"
-#include "formats/css_value.hpp"
-#include "formats/suggestion.hpp"
+#include "formats/css/css_value.hpp"
 #include "formats/svg/color.hpp"
+#include "formats/text/suggestion.hpp"
 
 namespace sfumato::svg {
 namespace {

@@ -8,9 +8,9 @@
 #include "base/ascii.hpp"
 #include "base/large_vector.hpp"
 #include "base/limits.hpp"
-#include "formats/suggestion.hpp"
 #include "formats/svg/namespaces.hpp"
 #include "formats/svg/vocabulary.hpp"
+#include "formats/text/suggestion.hpp"
 
 namespace sfumato::svg {
 namespace {

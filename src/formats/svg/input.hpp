@@ -12,10 +12,10 @@
 
 #include "base/context.hpp"
 #include "base/status.hpp"
-#include "formats/css_style.hpp"
-#include "formats/svg/style_sheet.hpp"
-#include "formats/warnings.hpp"
-#include "formats/xml_source.hpp"
+#include "formats/css/css_style.hpp"
+#include "formats/css/style_sheet.hpp"
+#include "formats/text/warnings.hpp"
+#include "formats/text/xml_source.hpp"
 
 namespace sfumato::svg {
 

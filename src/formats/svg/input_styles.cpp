@@ -6,10 +6,10 @@
 #include "base/ascii.hpp"
 #include "base/large_vector.hpp"
 #include "base/limits.hpp"
-#include "formats/css_media.hpp"
-#include "formats/css_value.hpp"
-#include "formats/suggestion.hpp"
+#include "formats/css/css_media.hpp"
+#include "formats/css/css_value.hpp"
 #include "formats/svg/input.hpp"
+#include "formats/text/suggestion.hpp"
 
 namespace sfumato::svg {
 namespace {

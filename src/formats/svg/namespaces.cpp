@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "formats/suggestion.hpp"
+#include "formats/text/suggestion.hpp"
 
 namespace sfumato::svg {
 namespace {

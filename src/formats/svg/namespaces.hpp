@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/status.hpp"
-#include "formats/xml_source.hpp"
+#include "formats/text/xml_source.hpp"
 
 namespace sfumato::svg {
 

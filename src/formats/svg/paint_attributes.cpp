@@ -6,8 +6,8 @@
 
 #include "base/ascii.hpp"
 #include "base/limits.hpp"
-#include "formats/suggestion.hpp"
 #include "formats/svg/transform.hpp"
+#include "formats/text/suggestion.hpp"
 
 namespace sfumato::svg {
 namespace {

@@ -10,10 +10,10 @@
 #include "base/affine.hpp"
 #include "base/box.hpp"
 #include "document/shader.hpp"
-#include "formats/reading.hpp"
 #include "formats/svg/input.hpp"
 #include "formats/svg/texture_files.hpp"
 #include "formats/svg/totals.hpp"
+#include "formats/text/reading.hpp"
 
 namespace sfumato::svg {
 

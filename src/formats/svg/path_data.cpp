@@ -5,7 +5,7 @@
 
 #include "base/limits.hpp"
 #include "base/number.hpp"
-#include "formats/css_tokenizer.hpp"
+#include "formats/css/css_tokenizer.hpp"
 #include "formats/svg/path.hpp"
 #include "formats/svg/scanner.hpp"
 

@@ -6,9 +6,9 @@
 #include <variant>
 
 #include "base/ascii.hpp"
-#include "formats/suggestion.hpp"
 #include "formats/svg/length.hpp"
 #include "formats/svg/view_box.hpp"
+#include "formats/text/suggestion.hpp"
 
 namespace sfumato::svg {
 namespace {

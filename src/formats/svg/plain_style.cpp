@@ -4,10 +4,10 @@
 
 #include "base/ascii.hpp"
 #include "base/number.hpp"
-#include "formats/css_color.hpp"
-#include "formats/css_value.hpp"
-#include "formats/suggestion.hpp"
+#include "formats/css/css_color.hpp"
+#include "formats/css/css_value.hpp"
 #include "formats/svg/length.hpp"
+#include "formats/text/suggestion.hpp"
 
 namespace sfumato::svg {
 namespace {

@@ -5,9 +5,9 @@
 #include <string_view>
 
 #include "base/box.hpp"
-#include "formats/plain_svg.hpp"
 #include "formats/svg/input.hpp"
 #include "formats/svg/paints.hpp"
+#include "formats/svg/plain_svg.hpp"
 
 namespace sfumato::svg {
 

@@ -6,7 +6,7 @@
 #include "base/character_run.hpp"
 #include "base/limits.hpp"
 #include "base/number.hpp"
-#include "formats/suggestion.hpp"
+#include "formats/text/suggestion.hpp"
 
 namespace sfumato::svg {
 namespace {

@@ -8,8 +8,7 @@
 #include <utility>
 
 #include "base/limits.hpp"
-#include "formats/css_value.hpp"
-#include "formats/suggestion.hpp"
+#include "formats/css/css_value.hpp"
 #include "formats/svg/background.hpp"
 #include "formats/svg/bare.hpp"
 #include "formats/svg/paint_attributes.hpp"
@@ -17,6 +16,7 @@
 #include "formats/svg/transform.hpp"
 #include "formats/svg/view_box.hpp"
 #include "formats/svg/vocabulary.hpp"
+#include "formats/text/suggestion.hpp"
 
 namespace sfumato::svg {
 namespace {

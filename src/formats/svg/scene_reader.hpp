@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "document/document.hpp"
-#include "formats/plain_svg.hpp"
 #include "formats/svg/compositing.hpp"
 #include "formats/svg/curve_reader.hpp"
 #include "formats/svg/input.hpp"
 #include "formats/svg/paints.hpp"
+#include "formats/svg/plain_svg.hpp"
 #include "formats/svg/totals.hpp"
 
 namespace sfumato::svg {

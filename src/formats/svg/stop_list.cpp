@@ -9,9 +9,9 @@
 #include "base/limits.hpp"
 #include "base/number.hpp"
 #include "base/number_text.hpp"
-#include "formats/css_color.hpp"
-#include "formats/suggestion.hpp"
+#include "formats/css/css_color.hpp"
 #include "formats/svg/length.hpp"
+#include "formats/text/suggestion.hpp"
 
 namespace sfumato::svg {
 namespace {

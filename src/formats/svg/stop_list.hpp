@@ -8,7 +8,7 @@
 
 #include "base/status.hpp"
 #include "document/stops.hpp"
-#include "formats/css_tokenizer.hpp"
+#include "formats/css/css_tokenizer.hpp"
 
 namespace sfumato::svg {
 

@@ -5,8 +5,8 @@
 
 #include "base/ascii.hpp"
 #include "base/limits.hpp"
-#include "formats/base64.hpp"
-#include "formats/suggestion.hpp"
+#include "codecs/base64.hpp"
+#include "formats/text/suggestion.hpp"
 
 namespace sfumato::svg {
 namespace {

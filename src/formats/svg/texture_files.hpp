@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
-#include "formats/image_file.hpp"
-#include "formats/reading.hpp"
+#include "codecs/image_file.hpp"
 #include "formats/svg/input.hpp"
+#include "formats/text/reading.hpp"
 
 namespace sfumato::svg {
 

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <string>
 
-#include "formats/css_tokenizer.hpp"
-#include "formats/suggestion.hpp"
+#include "formats/css/css_tokenizer.hpp"
 #include "formats/svg/angle.hpp"
 #include "formats/svg/scanner.hpp"
+#include "formats/text/suggestion.hpp"
 
 namespace sfumato::svg {
 namespace {

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "base/ascii.hpp"
-#include "formats/suggestion.hpp"
 #include "formats/svg/scanner.hpp"
+#include "formats/text/suggestion.hpp"
 
 namespace sfumato::svg {
 namespace {

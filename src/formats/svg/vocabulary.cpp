@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "formats/suggestion.hpp"
+#include "formats/text/suggestion.hpp"
 
 namespace sfumato::svg {
 namespace {

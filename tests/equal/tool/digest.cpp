@@ -4,16 +4,16 @@
 #include <cstdio>
 #include <utility>
 
-#include "export/eps.hpp"
-#include "export/glb.hpp"
-#include "export/html.hpp"
-#include "export/pdf.hpp"
-#include "export/svg.hpp"
-#include "formats/jpeg_encode.hpp"
-#include "formats/png.hpp"
-#include "formats/svg_write.hpp"
-#include "formats/webp_encode.hpp"
-#include "raster/render_pixels.hpp"
+#include "codecs/jpeg_encode.hpp"
+#include "codecs/png.hpp"
+#include "codecs/webp_encode.hpp"
+#include "export/eps/eps.hpp"
+#include "export/glb/glb.hpp"
+#include "export/html/html.hpp"
+#include "export/pdf/pdf.hpp"
+#include "export/svg/svg.hpp"
+#include "formats/svg/svg_write.hpp"
+#include "solve/render_pixels.hpp"
 
 namespace sfumato::test {
 namespace {

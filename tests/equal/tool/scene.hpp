@@ -6,8 +6,8 @@
 #include "base/context.hpp"
 #include "base/status.hpp"
 #include "document/document.hpp"
-#include "patches/diffuse.hpp"
 #include "raster/rasterize.hpp"
+#include "solve/diffuse.hpp"
 
 namespace sfumato::test {
 

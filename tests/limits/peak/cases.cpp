@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "base/context.hpp"
-#include "formats/jpeg_encode.hpp"
-#include "formats/png.hpp"
+#include "codecs/jpeg_encode.hpp"
+#include "codecs/png.hpp"
 #include "limits/large_inputs.hpp"
 #include "support/gzip.hpp"
 

@@ -1,5 +1,5 @@
 // The nodes of a local curve's segments, sixteen instances to a segment, each a quad as large as
-// the node's reach. curves::StrokeSegment and raster/local_stroke_kernel.hpp are its model.
+// the node's reach. curves::StrokeSegment and raster/kernels/local_stroke_kernel.hpp are its model.
 uniform sampler2D stroke_segment;
 uniform int first_segment;
 uniform vec3 pixel_from_frame[2];

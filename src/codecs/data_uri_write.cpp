@@ -1,0 +1,66 @@
+#include "codecs/data_uri_write.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "base/large_vector.hpp"
+#include "codecs/base64.hpp"
+#include "codecs/png.hpp"
+
+namespace sfumato {
+namespace {
+
+constexpr std::array<std::uint8_t, 8> kPngMagic{0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
+constexpr std::array<std::uint8_t, 3> kJpegMagic{0xff, 0xd8, 0xff};
+
+bool starts_with(std::span<const std::uint8_t> bytes, std::span<const std::uint8_t> start) {
+  return bytes.size() >= start.size() && std::equal(start.begin(), start.end(), bytes.begin());
+}
+
+}  // namespace
+
+Result<std::vector<std::uint8_t>> texture_png(Context& context, const Texture& texture) {
+#if defined(__wasm__)
+  static_cast<void>(context);
+  static_cast<void>(texture);
+  return make_error(
+      StatusCode::bad_input,
+      "a texture that came from no file cannot be saved here; expected a PNG or JPEG");
+#else
+  ScopedCharge charge;
+  Status status = charge.add(context, texture.rgba.size(), "a texture to be saved");
+  if (!status) return status;
+  Image image{texture.width, texture.height, PixelFormat::rgba8, {}};
+  status = copy_large(context, texture.rgba, image.bytes);
+  if (!status) return status;
+  return encode_png(context, image);
+#endif
+}
+
+std::string_view image_media_type(std::span<const std::uint8_t> file) {
+  if (starts_with(file, kPngMagic)) return "image/png";
+  if (starts_with(file, kJpegMagic)) return "image/jpeg";
+  return {};
+}
+
+Status append_data_uri(const Context& context, std::string_view media_type,
+                       std::span<const std::uint8_t> bytes, std::string& text) {
+  text.append("data:").append(media_type).append(";base64,");
+  return append_base64(context, bytes, text);
+}
+
+Result<std::string> data_uri(Context& context, const Texture& texture) {
+  std::string text;
+  Status status;
+  if (const std::string_view type = image_media_type(texture.file); !type.empty()) {
+    status = append_data_uri(context, type, texture.file, text);
+  } else {
+    const auto png = texture_png(context, texture);
+    if (!png) return png.status();
+    status = append_data_uri(context, "image/png", *png, text);
+  }
+  if (!status) return status;
+  return text;
+}
+
+}  // namespace sfumato

@@ -1,0 +1,113 @@
+#include "codecs/gunzip.hpp"
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+#include "base/limits.hpp"
+
+namespace sfumato {
+namespace {
+
+/// zlib's code for gzip with the largest window.
+constexpr int kGzipWindow = 15 + 16;
+
+constexpr std::size_t kFirstBytes = std::size_t{64} << 10;
+constexpr std::size_t kBytesPerPoll = std::size_t{1} << 20;
+
+/// An inflater that ends with its scope.
+class Inflater {
+ public:
+  explicit Inflater(std::string_view bytes) {
+    // zlib's interface is older than const.
+    stream_.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
+    stream_.avail_in = static_cast<uInt>(bytes.size());
+    ready_ = inflateInit2(&stream_, kGzipWindow) == Z_OK;
+  }
+  Inflater(const Inflater&) = delete;
+  Inflater& operator=(const Inflater&) = delete;
+  ~Inflater() {
+    if (ready_) inflateEnd(&stream_);
+  }
+
+  bool ready() const { return ready_; }
+
+  /// Whether another gzip stream follows the one that has ended; goes on with it.
+  bool next_member() {
+    const std::string_view rest(reinterpret_cast<const char*>(stream_.next_in), stream_.avail_in);
+    return is_gzip(rest) && inflateReset(&stream_) == Z_OK;
+  }
+
+  /// Fills `room`; returns zlib's code and how much was written.
+  int fill(char* room, std::size_t size, std::size_t& written) {
+    stream_.next_out = reinterpret_cast<Bytef*>(room);
+    stream_.avail_out = static_cast<uInt>(size);
+    const int code = inflate(&stream_, Z_NO_FLUSH);
+    written = size - stream_.avail_out;
+    return code;
+  }
+
+ private:
+  z_stream stream_{};
+  bool ready_ = false;
+};
+
+/// Both texts are there while one moves to the other.
+Status grow(Context& context, std::string& text, std::size_t size, ScopedCharge& charge) {
+  ScopedCharge larger;
+  if (Status status = larger.add(context, size, "unpacked gzip"); !status) return status;
+  text.resize(size);
+  charge = std::move(larger);
+  return ok_status();
+}
+
+Status too_long(const Limits& limits, std::size_t most) {
+  if (most == limits.input_bytes) {
+    return make_error(StatusCode::limit, "unpacks to more than the limit of " +
+                                             limit_text(limits, &Limits::input_bytes, "bytes"));
+  }
+  return make_error(StatusCode::limit,
+                    "unpacks to " + std::to_string(most) +
+                        " bytes and more: more than the limit of " +
+                        limit_text(limits, &Limits::unpack_ratio, "bytes of each packed byte"));
+}
+
+}  // namespace
+
+bool is_gzip(std::string_view bytes) {
+  return bytes.starts_with("\x1f\x8b");
+}
+
+Result<std::string> gunzip(Context& context, std::string_view bytes, ScopedCharge& charge) {
+  Inflater inflater(bytes);
+  if (!inflater.ready()) return make_error(StatusCode::out_of_memory, "no memory to unpack gzip");
+  const Limits& limits = context.limits;
+  const std::size_t expected = limits.unpack_ratio * bytes.size() + limits::kUnpackedSlack;
+  const std::size_t most = std::min(limits.input_bytes, expected);
+  std::string text;
+  std::size_t size = 0;
+  for (int code = Z_OK; code != Z_STREAM_END;) {
+    if (context.cancelled()) return context.stop_status();
+    if (size > most) break;
+    if (size == text.size()) {
+      const std::size_t next = std::clamp(2 * size, kFirstBytes, most + 1);
+      if (Status status = grow(context, text, next, charge); !status) return status;
+    }
+    std::size_t written = 0;
+    const std::size_t room = std::min(text.size() - size, kBytesPerPoll);
+    code = inflater.fill(&text[size], room, written);
+    size += written;
+    if (code == Z_STREAM_END && inflater.next_member()) code = Z_OK;
+    if (code != Z_OK && code != Z_STREAM_END) {
+      return make_error(StatusCode::bad_input, code == Z_BUF_ERROR ? "the gzip data are cut short"
+                                                                   : "the gzip data are damaged");
+    }
+  }
+  if (size > most) return too_long(limits, most);
+  text.resize(size);
+  return text;
+}
+
+}  // namespace sfumato

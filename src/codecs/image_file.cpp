@@ -1,0 +1,95 @@
+#include "codecs/image_file.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstring>
+#include <string>
+#include <utility>
+
+#include "base/image.hpp"
+#include "base/limits.hpp"
+#include "codecs/jpeg_decode.hpp"
+#include "codecs/png.hpp"
+
+namespace sfumato {
+namespace {
+
+constexpr std::array<std::uint8_t, 8> kPngSignature{0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
+constexpr std::array<std::uint8_t, 3> kJpegSignature{0xFF, 0xD8, 0xFF};
+
+/// Where the header's width and height stand, big end first.
+constexpr std::size_t kPngWidthAt = 16;
+constexpr std::size_t kPngHeightAt = 20;
+
+template <std::size_t N>
+bool starts_with(std::span<const std::uint8_t> bytes, const std::array<std::uint8_t, N>& begin) {
+  return bytes.size() >= N && std::memcmp(bytes.data(), begin.data(), N) == 0;
+}
+
+std::uint64_t number_at(std::span<const std::uint8_t> bytes, std::size_t at) {
+  if (bytes.size() < at + 4) return 0;
+  return std::uint64_t{bytes[at]} << 24 | std::uint64_t{bytes[at + 1]} << 16 |
+         std::uint64_t{bytes[at + 2]} << 8 | bytes[at + 3];
+}
+
+/// 16 bits to 8, rounded.
+std::uint8_t rounded(const std::uint8_t* big_or_little) {
+  std::uint16_t value = 0;
+  std::memcpy(&value, big_or_little, sizeof(value));
+  return static_cast<std::uint8_t>((value * 255u + 32767u) / 65535u);
+}
+
+/// In place: the bytes of a pixel end up before those of the next.
+Status halve_depth(const Context& context, Image& image) {
+  RarePoll<65536> poll(context);
+  const std::size_t count = image.bytes.size() / 2;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (poll.cancelled()) return context.stop_status();
+    image.bytes[i] = rounded(&image.bytes[2 * i]);
+  }
+  image.bytes.resize(count);
+  image.bytes.shrink_to_fit();
+  return ok_status();
+}
+
+Result<RgbaImage> from_png(Context& context, std::span<const std::uint8_t> bytes) {
+  Status sized = check_image_size(context.limits, number_at(bytes, kPngWidthAt),
+                                  number_at(bytes, kPngHeightAt));
+  if (!sized) return sized;
+  Result<Image> image = decode_png_with_alpha(context, bytes, {});
+  if (!image) return image.status();
+  ScopedCharge charge;  // of an image of 16 bits beside one of 8
+  if (image->format == PixelFormat::rgba16) {
+    const std::size_t both = image->bytes.size() / 2 * 3;
+    Status status = charge.add(context, both, "a PNG image of 16 bits");
+    if (status) status = halve_depth(context, *image);
+    if (!status) return status;
+  }
+  return RgbaImage{image->width, image->height, std::move(image->bytes)};
+}
+
+}  // namespace
+
+Status check_image_size(const Limits& limits, std::uint64_t width, std::uint64_t height) {
+  const std::string size =
+      "an image of " + std::to_string(width) + " × " + std::to_string(height) + " pixels";
+  if (std::max(width, height) > limits.image_side) {
+    return make_error(
+        StatusCode::limit,
+        size + "; the limit is " + limit_text(limits, &Limits::image_side, "pixels on a side"));
+  }
+  if (width * height > limits.texels) {
+    return make_error(StatusCode::limit,
+                      size + "; the limit is " + limit_text(limits, &Limits::texels, "texels"));
+  }
+  return ok_status();
+}
+
+Result<RgbaImage> decode_image(Context& context, std::span<const std::uint8_t> bytes) {
+  if (starts_with(bytes, kPngSignature)) return from_png(context, bytes);
+  if (starts_with(bytes, kJpegSignature)) return decode_jpeg(context, bytes);
+  return make_error(StatusCode::bad_input, "the image is neither a PNG nor a JPEG");
+}
+
+}  // namespace sfumato

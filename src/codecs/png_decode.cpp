@@ -1,0 +1,203 @@
+#include <spng.h>
+
+#include <cstring>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "base/large_vector.hpp"
+#include "base/limits.hpp"
+#include "base/public_verb.hpp"
+#include "codecs/png.hpp"
+
+namespace sfumato {
+namespace {
+
+/// Deflate never packs more tightly: 258 bytes in two bits.
+constexpr std::uint64_t kMaxDeflateRatio = 1032;
+
+/// Of texts, profiles and other things that are not pixels.
+constexpr std::size_t kOtherChunkBytes = std::size_t{16} << 20;
+
+constexpr std::size_t kSignatureBytes = 8;
+/// Length, type and CRC of a chunk.
+constexpr std::size_t kChunkFrameBytes = 12;
+
+struct ContextDeleter {
+  void operator()(spng_ctx* context) const { spng_ctx_free(context); }
+};
+using SpngContext = std::unique_ptr<spng_ctx, ContextDeleter>;
+
+class Decoder {
+ public:
+  /// wants_alpha: the image has it in any case.
+  Decoder(Context& context, std::span<const std::uint8_t> bytes, const std::string& file,
+          bool wants_alpha)
+      : context_(context),
+        bytes_(bytes),
+        file_(file),
+        wants_alpha_(wants_alpha),
+        png_(spng_ctx_new(0)) {}
+
+  Result<Image> decode();
+
+ private:
+  Status read_header();
+  Status check_header();
+  Status charge(std::size_t size);
+  Status decode_rows(int spng_format, int flags, Image& image);
+  Result<Image> decode_as(int spng_format, PixelFormat format);
+  Status error(StatusCode code, std::string message) const;
+  /// The status of one call of the library.
+  Status status_of(int error_code) const;
+
+  Context& context_;
+  std::span<const std::uint8_t> bytes_;
+  const std::string& file_;
+  bool wants_alpha_;
+  SpngContext png_;
+  spng_ihdr header_{};
+  bool has_alpha_ = false;
+  ScopedCharge charge_;
+};
+
+/// Whether the chunks lead to an IEND chunk: the library reads no farther than it needs pixels.
+bool is_whole(std::span<const std::uint8_t> png) {
+  std::size_t at = kSignatureBytes;
+  while (at + kChunkFrameBytes <= png.size()) {
+    const std::size_t length = std::size_t{png[at]} << 24 | std::size_t{png[at + 1]} << 16 |
+                               std::size_t{png[at + 2]} << 8 | png[at + 3];
+    if (length > png.size() - at - kChunkFrameBytes) return false;
+    if (std::memcmp(&png[at + 4], "IEND", 4) == 0) return true;
+    at += length + kChunkFrameBytes;
+  }
+  return false;
+}
+
+Image without_alpha16(const Image& from) {
+  Image to{from.width, from.height, PixelFormat::rgb16, {}};
+  const std::size_t pixel_count = from.bytes.size() / 8;
+  to.bytes.resize(6 * pixel_count);
+  for (std::size_t i = 0; i < pixel_count; ++i) {
+    std::memcpy(&to.bytes[6 * i], &from.bytes[8 * i], 6);
+  }
+  return to;
+}
+
+Status Decoder::error(StatusCode code, std::string message) const {
+  return make_error(code, std::move(message), {file_});
+}
+
+Status Decoder::status_of(int error_code) const {
+  if (error_code == SPNG_OK) return ok_status();
+  if (error_code == SPNG_EMEM || error_code == SPNG_EZLIB_INIT) {
+    return error(StatusCode::out_of_memory, "no memory to read the PNG image");
+  }
+  if (error_code == SPNG_ESIGNATURE) return error(StatusCode::bad_input, "is not a PNG image");
+  return error(StatusCode::bad_input,
+               std::string("the PNG image is damaged: ") + spng_strerror(error_code));
+}
+
+Status Decoder::read_header() {
+  if (!png_) return status_of(SPNG_EMEM);
+  Status status = status_of(spng_set_crc_action(png_.get(), SPNG_CRC_ERROR, SPNG_CRC_ERROR));
+  if (status) {
+    status = status_of(spng_set_chunk_limits(png_.get(), kOtherChunkBytes, kOtherChunkBytes));
+  }
+  if (status) status = status_of(spng_set_png_buffer(png_.get(), bytes_.data(), bytes_.size()));
+  if (status) status = status_of(spng_get_ihdr(png_.get(), &header_));
+  return status ? check_header() : status;
+}
+
+Status Decoder::check_header() {
+  if (std::max(header_.width, header_.height) > context_.limits.image_side) {
+    return error(StatusCode::limit,
+                 "an image of " + std::to_string(header_.width) + " × " +
+                     std::to_string(header_.height) + " pixels; the limit is " +
+                     limit_text(context_.limits, &Limits::image_side, "pixels on a side"));
+  }
+  const bool has_three_channels = header_.color_type == SPNG_COLOR_TYPE_TRUECOLOR ||
+                                  header_.color_type == SPNG_COLOR_TYPE_TRUECOLOR_ALPHA;
+  const std::uint64_t bits = std::uint64_t{header_.width} * header_.height * header_.bit_depth *
+                             (has_three_channels ? 3 : 1);
+  if (bits / 8 > kMaxDeflateRatio * bytes_.size()) {
+    return error(StatusCode::bad_input, "the PNG image is damaged: too few bytes for " +
+                                            std::to_string(header_.width) + " × " +
+                                            std::to_string(header_.height) + " pixels");
+  }
+  return ok_status();
+}
+
+Result<Image> Decoder::decode() {
+  if (Status status = read_header(); !status) return status;
+  spng_trns transparency{};
+  const int has_transparency = spng_get_trns(png_.get(), &transparency);
+  if (has_transparency != SPNG_ECHUNKAVAIL) {
+    if (Status status = status_of(has_transparency); !status) return status;
+  }
+  has_alpha_ = header_.color_type == SPNG_COLOR_TYPE_GRAYSCALE_ALPHA ||
+               header_.color_type == SPNG_COLOR_TYPE_TRUECOLOR_ALPHA || has_transparency == SPNG_OK;
+  if (header_.bit_depth < 16) {
+    return has_alpha_ || wants_alpha_ ? decode_as(SPNG_FMT_RGBA8, PixelFormat::rgba8)
+                                      : decode_as(SPNG_FMT_RGB8, PixelFormat::rgb8);
+  }
+  if (has_alpha_ || wants_alpha_) return decode_as(SPNG_FMT_RGBA16, PixelFormat::rgba16);
+  if (header_.color_type == SPNG_COLOR_TYPE_TRUECOLOR) {
+    return decode_as(SPNG_FMT_PNG, PixelFormat::rgb16);
+  }
+  // The library makes no gray image rgb16.
+  Result<Image> image = decode_as(SPNG_FMT_RGBA16, PixelFormat::rgba16);
+  if (!image) return image;
+  if (Status status = charge(image->bytes.size()); !status) return status;
+  return without_alpha16(*image);
+}
+
+Status Decoder::charge(std::size_t size) {
+  Status status = charge_.add(context_, size, "a PNG image");
+  if (!status) status.where.file = file_;
+  return status;
+}
+
+/// Row by row, so that it can be cancelled; interlaced images come row by row in seven passes.
+Status Decoder::decode_rows(int spng_format, int flags, Image& image) {
+  int code =
+      spng_decode_image(png_.get(), nullptr, 0, spng_format, flags | SPNG_DECODE_PROGRESSIVE);
+  while (code == SPNG_OK) {
+    if (context_.cancelled()) return context_.stop_status();
+    spng_row_info row{};
+    code = spng_get_row_info(png_.get(), &row);
+    if (code != SPNG_OK) break;
+    code = spng_decode_row(png_.get(), &image.bytes[row.row_num * image.row_bytes()],
+                           image.row_bytes());
+  }
+  return status_of(code == SPNG_EOI ? SPNG_OK : code);
+}
+
+Result<Image> Decoder::decode_as(int spng_format, PixelFormat format) {
+  Image image{static_cast<int>(header_.width), static_cast<int>(header_.height), format, {}};
+  const std::size_t size = image.row_bytes() * header_.height;
+  if (Status status = charge(size); !status) return status;
+  if (Status status = resize_large(context_, image.bytes, size); !status) return status;
+  const int flags = has_alpha_ ? SPNG_DECODE_TRNS : 0;
+  Status status = decode_rows(spng_format, flags, image);
+  if (status) status = status_of(spng_decode_chunks(png_.get()));
+  if (!status) return status;
+  if (!is_whole(bytes_)) {
+    return error(StatusCode::bad_input, "the PNG image is damaged: it has no end");
+  }
+  return image;
+}
+
+}  // namespace
+
+Result<Image> decode_png(Context& context, std::span<const std::uint8_t> bytes,
+                         const std::string& file) {
+  return public_verb(context, [&] { return Decoder(context, bytes, file, false).decode(); });
+}
+
+Result<Image> decode_png_with_alpha(Context& context, std::span<const std::uint8_t> bytes,
+                                    const std::string& file) {
+  return public_verb(context, [&] { return Decoder(context, bytes, file, true).decode(); });
+}
+
+}  // namespace sfumato

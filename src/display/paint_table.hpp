@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "base/affine.hpp"
+#include "base/context.hpp"
+#include "base/status.hpp"
+#include "picture/picture.hpp"
+
+namespace sfumato::outputs {
+
+/// The gradients and textures of a picture as the shaders of web/viewer/shaders read them
+/// (docs/gpu.md, "The table of paints").
+struct PaintTable {
+  std::vector<float> values;               ///< four to a texel of `paint_table`
+  std::size_t texel_count = 0;             ///< of `paint_texels`
+  std::vector<std::uint16_t> texels;       ///< four to a texel; empty unless kept
+  std::vector<std::uint32_t> first_value;  ///< per shader of the picture: its first texel
+  std::vector<Affine> paint_from_layer;    ///< per shader
+  ScopedCharge charge;
+};
+
+/// Whether a table has the texels of its textures, or says only how many there are: the viewer of a
+/// page makes them from the textures' files.
+enum class PaintTexels : bool { counted, kept };
+
+/// Takes the shaders that a layer names; others have no values.
+///
+/// Precondition: the picture's tables fit (raster::check_picture).
+/// Errors: limit (memory), cancelled. Cost: O(stops + texels).
+Result<PaintTable> make_paint_table(Context& context, const Picture& picture, PaintTexels texels);
+
+}  // namespace sfumato::outputs

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/box.hpp"
+#include "base/context.hpp"
+#include "base/status.hpp"
+#include "export/facets/half_edge.hpp"
+
+namespace sfumato::outputs {
+
+/// The half-edge without another side that goes on where one ends, around what the mesh covers.
+///
+/// twin   per half-edge the one across; kNoHalfEdge: none
+inline std::uint32_t next_at_end(std::span<const std::uint32_t> twin, std::uint32_t half_edge) {
+  std::uint32_t next = next_half_edge(half_edge);
+  while (twin[next] != kNoHalfEdge) next = next_half_edge(twin[next]);
+  return next;
+}
+
+/// Whether two points lie on one side of a rectangle, nearly.
+inline bool is_on_frame(Vec2 a, Vec2 b, const Box& frame) {
+  const double near = 2e-6 * std::max(frame.width(), frame.height());
+  const auto both = [&](double x, double y, double side) {
+    return std::fabs(x - side) <= near && std::fabs(y - side) <= near;
+  };
+  return both(a.x, b.x, frame.min.x) || both(a.x, b.x, frame.max.x) ||
+         both(a.y, b.y, frame.min.y) || both(a.y, b.y, frame.max.y);
+}
+
+/// Calls visit(half_edge, is_first) for all half-edges without another side: the closed lines
+/// around what a mesh covers, one after another, which turn as triangles do around the mesh and the
+/// other way around its holes. Cost: O(half-edges). Error: cancelled.
+template <class Visit>
+Status for_each_end_loop(const Context& context, std::span<const std::uint32_t> twin,
+                         const Visit& visit) {
+  RarePoll<4096> poll(context);
+  std::vector<bool> is_done(twin.size());
+  for (std::uint32_t first = 0; first < twin.size(); ++first) {
+    if (poll.cancelled()) return context.stop_status();
+    if (twin[first] != kNoHalfEdge || is_done[first]) continue;
+    for (std::uint32_t edge = first; !is_done[edge]; edge = next_at_end(twin, edge)) {
+      if (poll.cancelled()) return context.stop_status();
+      is_done[edge] = true;
+      visit(edge, edge == first);
+    }
+  }
+  return ok_status();
+}
+
+}  // namespace sfumato::outputs

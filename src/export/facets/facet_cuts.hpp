@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "base/context.hpp"
+#include "base/status.hpp"
+#include "export/facets/facet_tree.hpp"
+#include "export/facets/facets.hpp"
+
+namespace sfumato::outputs {
+
+/// An edge of one patch, or of two whose four nodes on it are the same.
+struct FacetEdge {
+  std::uint64_t steps = 0;      ///< EdgeCuts::steps, from its vertex with the lower index
+  std::uint32_t half_edge = 0;  ///< 3 triangle + side of the first patch that has it
+};
+
+/// How the edges of a layer's patches are cut.
+struct FacetCuts {
+  std::vector<std::uint32_t> edge_of;  ///< per triangle and side: index into `edge`
+  std::vector<FacetEdge> edge;
+  ScopedCharge charge;
+
+  std::array<EdgeCuts, 3> of(const PatchLayer& layer, std::uint32_t triangle) const;
+};
+
+/// Whether side k of a triangle runs from its vertex with the lower index; half_edge: 3 triangle +
+/// k.
+bool is_low_first(const PatchLayer& layer, std::uint32_t half_edge);
+
+/// Every edge as fine as `max_error` asks for and `smallest_side` allows, by its own nodes alone,
+/// so that neighbours agree; edges between the same two vertices, the two sides of a curve, are cut
+/// where any of them asks for it. Errors: limit, cancelled.
+Result<FacetCuts> find_cuts(Context& context, const PatchLayer& layer, InterpolationSpace space,
+                            const FacetSource& source, double max_error, double smallest_side);
+
+}  // namespace sfumato::outputs

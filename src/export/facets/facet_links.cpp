@@ -1,0 +1,92 @@
+#include "export/facets/facet_links.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <tuple>
+
+#include "base/large_vector.hpp"
+
+namespace sfumato::outputs {
+namespace {
+
+constexpr std::uint32_t kTurnsPerPoll = 65'536;
+
+/// One number for all vertices at one position.
+Result<std::vector<std::uint32_t>> number_positions(Context& context, const FacetMesh& mesh) {
+  const std::vector<Vec2>& position = mesh.vertex_position;
+  std::vector<std::uint32_t> order(position.size()), number;
+  std::iota(order.begin(), order.end(), 0u);
+  const auto key = [&](std::uint32_t v) { return std::tuple(position[v].x, position[v].y, v); };
+  Status status = resize_large(context, number, position.size());
+  if (status) {
+    status = sort_large(context, order,
+                        [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
+  }
+  if (!status) return status;
+  RarePoll<kTurnsPerPoll> poll(context);
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    if (poll.cancelled()) return context.stop_status();
+    const bool is_new = i == 0 || !(position[order[i]] == position[order[i - 1]]);
+    number[order[i]] = is_new ? order[i] : number[order[i - 1]];
+  }
+  return number;
+}
+
+struct Edge {
+  std::uint32_t low, high;  ///< numbers of the ends
+  std::uint32_t index;
+  bool rises;  ///< from low to high
+};
+
+/// Pairs the edges of [begin, end), which lie on each other.
+void pair_up(const Edge* begin, const Edge* end, std::vector<std::uint32_t>* twin) {
+  const Edge* falling = begin;
+  for (const Edge* rising = begin; rising != end; ++rising) {
+    if (!rising->rises) continue;
+    falling = std::find_if(falling, end, [](const Edge& edge) { return !edge.rises; });
+    if (falling == end) return;
+    (*twin)[rising->index] = falling->index;
+    (*twin)[falling->index] = rising->index;
+    ++falling;
+  }
+}
+
+}  // namespace
+
+Result<FacetLinks> link_facets(Context& context, const FacetMesh& mesh) {
+  const std::size_t count = mesh.facet_vertex.size();
+  ScopedCharge charge;
+  Status status = charge.add(context, count * (sizeof(Edge) + 4) + mesh.vertex_position.size() * 8,
+                             "the edges of facets");
+  if (!status) return status;
+  const Result<std::vector<std::uint32_t>> numbered = number_positions(context, mesh);
+  if (!numbered) return numbered.status();
+  const std::vector<std::uint32_t>& number = *numbered;
+  std::vector<Edge> edges;
+  status = resize_large(context, edges, count);
+  if (!status) return status;
+  RarePoll<kTurnsPerPoll> poll(context);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    if (poll.cancelled()) return context.stop_status();
+    const std::uint32_t a = number[mesh.facet_vertex[i]],
+                        b = number[mesh.facet_vertex[next_edge(i)]];
+    edges[i] = {std::min(a, b), std::max(a, b), i, a < b};
+  }
+  status = sort_large(context, edges, [](const Edge& a, const Edge& b) {
+    return std::tie(a.low, a.high, a.index) < std::tie(b.low, b.high, b.index);
+  });
+  FacetLinks links;
+  if (status) status = resize_large(context, links.twin, count, std::uint32_t{kNoEdge});
+  if (!status) return status;
+  for (std::size_t begin = 0, end; begin < count; begin = end) {
+    if (poll.cancelled()) return context.stop_status();
+    const auto same = [&](std::size_t i) {
+      return edges[i].low == edges[begin].low && edges[i].high == edges[begin].high;
+    };
+    for (end = begin + 1; end < count && same(end);) ++end;
+    pair_up(edges.data() + begin, edges.data() + end, &links.twin);
+  }
+  return links;
+}
+
+}  // namespace sfumato::outputs

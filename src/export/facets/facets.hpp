@@ -1,0 +1,66 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "base/context.hpp"
+#include "base/status.hpp"
+#include "picture/picture.hpp"
+
+namespace sfumato::outputs {
+
+/// What a facet mesh carries: the colour of a layer in sRGB code values (3 channels) or its opacity
+/// (1 channel), both without what shaders add.
+///
+/// `light` is for programs that interpolate linear light: colour and opacity at once (4 channels,
+/// of which the layer's colour field must have no others), cut so that their error, in code values
+/// too, is bounded.
+///
+/// For composition by source-over (docs/pdf.md): `base` is what the curves give over their share of
+/// it all, and `mask` the weight of a shader over the share that the shaders after it leave.
+struct FacetSource {
+  enum class Kind : std::uint8_t {
+    color,
+    opacity,
+    light,
+    color_base,
+    opacity_base,
+    color_mask,
+    opacity_mask
+  };
+  Kind kind = Kind::color;
+  std::uint32_t shader = 0;  ///< of a mask: index into PatchField::shader
+  /// Of a base: roughly what each of the field's shaders shows, code values. Where a shader has all
+  /// of the share, that stands below it, in case it leaves a gap. Empty, or as many as shaders.
+  std::vector<Rgb> shown{};
+};
+
+/// Triangles with linear interpolation (Gouraud) that show a field of a layer within a bounded
+/// error. Facets of one patch are consecutive and patches keep their order.
+struct FacetMesh {
+  int channel_count = 3;
+  std::vector<Vec2> vertex_position;             ///< layer frame
+  std::vector<float> vertex_value;               ///< channel_count per vertex, 0 to 1
+  std::vector<std::uint32_t> facet_vertex;       ///< 3 per facet, cross(01, 02) > 0
+  std::vector<std::uint32_t> patch_first_facet;  ///< triangle_count + 1
+  ScopedCharge charge;
+};
+
+/// Layer → facets. Sides that bend are halved until they are straight enough (docs/mathematics.md,
+/// "Facets"). Neighbours cut the edge between them alike, so that there are no T-junctions; where
+/// they share its nodes they share its vertices too, and elsewhere positions are the same bits.
+///
+/// layer, source  of a picture that check_picture() passes; the field has channels
+/// max_error      above 0: largest difference to the patch, values of both cut to [0, 1]. Colours
+///                of linear and OKLab pictures are converted to code values, and the bound holds
+///                there. A patch that needs more than 64 cuts misses it. What base and mask may
+///                miss counts by the share that shows it.
+/// smallest_side  patches are not cut into shorter sides, layer frame: the bound gives way
+/// Errors: limit (memory), cancelled. Cost: about 1 µs a facet on one thread; the same bytes for
+/// any thread count.
+Result<FacetMesh> make_facets(Context& context, const PatchLayer& layer, InterpolationSpace space,
+                              const FacetSource& source, double max_error,
+                              double smallest_side = 0);
+
+}  // namespace sfumato::outputs

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "base/box.hpp"
+#include "base/context.hpp"
+#include "base/status.hpp"
+#include "export/facets/facets.hpp"
+
+namespace sfumato::outputs {
+
+/// What the triangles of a layer cover: vertices that none has may lie far away.
+Box triangles_box(const PatchLayer& layer);
+
+/// The rectangle that coordinates of a mesh are fractions of: it holds every vertex.
+Box decode_box(const std::vector<Vec2>& positions);
+/// The same for what a box holds: sides of no length become short.
+Box decode_box(Box box);
+
+/// Facets as the data of a shading of type 4 (ISO 32000-1, 8.7.4.5.5), which PDF and PostScript
+/// share: a byte of flag, 24 bits for each coordinate, a byte for each channel. Facets that follow
+/// one another across a side are strips. `box` is not empty.
+/// Error: limit (memory, charged to `charge`).
+Result<std::vector<std::uint8_t>> mesh_bytes(Context& context, const FacetMesh& mesh,
+                                             const Box& box, ScopedCharge* charge);
+
+}  // namespace sfumato::outputs

@@ -1,0 +1,180 @@
+#include "export/glb/glb_layer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "base/color_space.hpp"
+#include "base/large_vector.hpp"
+#include "export/facets/facets.hpp"
+
+namespace sfumato::outputs {
+namespace {
+
+constexpr std::size_t kGrain = 4096;
+constexpr std::uint32_t kTurnsPerPoll = 65'536;
+
+/// The node pairs, of colour and of opacity, that the corners and edges of patches use.
+struct NodePairs {
+  std::vector<std::uint32_t> triangle_node;  ///< 10 per triangle
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> node;
+};
+
+Result<NodePairs> pair_nodes(Context& context, const PatchField& color, const PatchField& opacity) {
+  const std::size_t slots = color.triangle_node.size();
+  const auto key = [&](std::uint32_t slot) {
+    return std::pair(color.triangle_node[slot], opacity.triangle_node[slot]);
+  };
+  std::vector<std::uint32_t> order(slots);
+  std::iota(order.begin(), order.end(), 0u);
+  NodePairs pairs;
+  Status status =
+      sort_large(context, order, [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
+  if (status) status = resize_large(context, pairs.triangle_node, slots);
+  if (!status) return status;
+  RarePoll<kTurnsPerPoll> poll(context);
+  for (const std::uint32_t slot : order) {
+    if (poll.cancelled()) return context.stop_status();
+    if (pairs.node.empty() || pairs.node.back() != key(slot)) pairs.node.push_back(key(slot));
+    pairs.triangle_node[slot] = static_cast<std::uint32_t>(pairs.node.size() - 1);
+  }
+  return pairs;
+}
+
+/// Colour and opacity as one field of four channels.
+Result<PatchField> joined(Context& context, const PatchField& color, const PatchField& opacity) {
+  const auto channels = static_cast<std::size_t>(color.channel_count);
+  PatchField both{4, {}, {}, {}};
+  const auto add = [&](std::size_t color_node, float alpha) {
+    const float* value = color.node_value.data() + channels * color_node;
+    both.node_value.insert(both.node_value.end(), {value[0], value[1], value[2], alpha});
+  };
+  RarePoll<kTurnsPerPoll> poll(context);
+  if (opacity.channel_count == 0) {
+    Status status = copy_large(context, color.triangle_node, both.triangle_node);
+    if (!status) return status;
+    both.node_value.reserve(color.node_value.size() / channels * 4);
+    for (std::size_t i = 0; i * channels < color.node_value.size(); ++i) {
+      if (poll.cancelled()) return context.stop_status();
+      add(i, 1);
+    }
+    return both;
+  }
+  Result<NodePairs> pairs = pair_nodes(context, color, opacity);
+  if (!pairs) return pairs.status();
+  both.triangle_node = std::move(pairs->triangle_node);
+  both.node_value.reserve(4 * pairs->node.size());
+  const auto stride = static_cast<std::size_t>(opacity.channel_count);
+  for (const auto& [c, o] : pairs->node) {
+    if (poll.cancelled()) return context.stop_status();
+    add(c, opacity.node_value[stride * o]);
+  }
+  return both;
+}
+
+/// What facets of light are made from.
+Result<PatchLayer> light_layer(Context& context, const PatchLayer& layer) {
+  PatchLayer light;
+  light.frame = layer.frame;
+  light.order = layer.order;
+  Status status = copy_large(context, layer.vertex_position, light.vertex_position);
+  if (status) status = copy_large(context, layer.triangle_vertex, light.triangle_vertex);
+  if (!status) return status;
+  Result<PatchField> color = joined(context, layer.color, layer.opacity);
+  if (!color) return color.status();
+  light.color = std::move(*color);
+  return light;
+}
+
+/// Bytes of it at most, and of what is needed meanwhile.
+std::size_t light_bytes(const PatchLayer& layer) {
+  const std::size_t slots = layer.color.triangle_node.size();
+  const std::size_t nodes =
+      layer.opacity.channel_count > 0
+          ? slots
+          : layer.color.node_value.size() / static_cast<std::size_t>(layer.color.channel_count);
+  return layer.vertex_position.size() * sizeof(Vec2) + layer.triangle_vertex.size() * 4 +
+         slots * 8 + nodes * (16 + 8);
+}
+
+std::uint16_t share_of_16_bits(double value) {
+  return static_cast<std::uint16_t>(std::lround(65535 * std::clamp(value, 0.0, 1.0)));
+}
+
+void add_vertex(GlbMesh& mesh, Vec2 p, Vec2 origin) {
+  mesh.position.push_back(static_cast<float>(p.x - origin.x));
+  mesh.position.push_back(static_cast<float>(origin.y - p.y));
+  mesh.position.push_back(0);
+}
+
+/// Two triangles; corners from the upper left one on, clockwise on the screen.
+GlbMesh box_mesh(const Box& box, Vec2 origin) {
+  GlbMesh mesh;
+  for (const Vec2 p : {box.min, Vec2{box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}}) {
+    add_vertex(mesh, p, origin);
+  }
+  mesh.index = {0, 2, 1, 0, 3, 2};
+  return mesh;
+}
+
+}  // namespace
+
+Result<GlbMesh> make_glb_layer(Context& context, const PatchLayer& layer, InterpolationSpace space,
+                               Vec2 origin, double max_error, double smallest_side) {
+  GlbMesh mesh;
+  if (layer.triangle_count() == 0) return mesh;
+  ScopedCharge copy;
+  Status status = copy.add(context, light_bytes(layer), "colours and opacity of a layer");
+  if (!status) return status;
+  const Result<PatchLayer> light = light_layer(context, layer);
+  if (!light) return light.status();
+  const FacetSource source{FacetSource::Kind::light, 0};
+  const auto facets = make_facets(context, *light, space, source, max_error, smallest_side);
+  if (!facets) return facets.status();
+  const std::size_t vertices = facets->vertex_position.size();
+  status = mesh.charge.add(context, vertices * 20 + facets->facet_vertex.size() * 4, "a GLB mesh");
+  if (!status) return status;
+  RarePoll<kTurnsPerPoll> poll(context);
+  mesh.position.reserve(3 * vertices);
+  for (const Vec2 p : facets->vertex_position) {
+    if (poll.cancelled()) return context.stop_status();
+    add_vertex(mesh, p, origin);
+  }
+  status = resize_large(context, mesh.color, 4 * vertices);
+  if (!status) return status;
+  status = parallel_for(context, vertices, kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = 4 * begin; i < 4 * end; ++i) {
+      const double value = facets->vertex_value[i];
+      mesh.color[i] = share_of_16_bits(i % 4 == 3 ? value : linear_from_code(value));
+    }
+  });
+  if (!status) return status;
+  // Turned over with the y axis, they run the other way.
+  mesh.index.reserve(facets->facet_vertex.size());
+  for (std::size_t i = 0; i < facets->facet_vertex.size(); i += 3) {
+    if (poll.cancelled()) return context.stop_status();
+    const std::uint32_t* corner = facets->facet_vertex.data() + i;
+    mesh.index.insert(mesh.index.end(), {corner[0], corner[2], corner[1]});
+  }
+  return mesh;
+}
+
+GlbMesh make_glb_box(const Box& box, Vec2 origin, const Rgb& color) {
+  GlbMesh mesh = box_mesh(box, origin);
+  for (int corner = 0; corner < 4; ++corner) {
+    for (const float channel : {color.r, color.g, color.b}) {
+      mesh.color.push_back(share_of_16_bits(linear_from_code(channel)));
+    }
+    mesh.color.push_back(65535);
+  }
+  return mesh;
+}
+
+GlbMesh make_glb_picture(const Box& box, Vec2 origin) {
+  GlbMesh mesh = box_mesh(box, origin);
+  mesh.texture = {0, 0, 1, 0, 1, 1, 0, 1};
+  return mesh;
+}
+
+}  // namespace sfumato::outputs

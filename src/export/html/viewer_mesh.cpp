@@ -1,0 +1,238 @@
+#include "export/html/viewer_mesh.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "base/large_vector.hpp"
+
+namespace sfumato::outputs {
+namespace {
+
+constexpr std::uint32_t kUnseen = std::numeric_limits<std::uint32_t>::max();
+
+/// Triangles on one edge that are looked at to find the next: more than two are no triangulation.
+constexpr std::size_t kTrianglesOnEdge = 4;
+
+/// Cells of the grid along an axis.
+constexpr double kGridCells = (1 << 22) - 1;
+
+constexpr std::size_t kTriangleBytes = 160;
+
+/// Walks over the triangles and numbers them. A gate is a half-edge whose other side was not
+/// looked at yet.
+class Walker {
+ public:
+  Walker(Context& context, const PatchLayer& layer, ViewerMesh& mesh)
+      : context_(context),
+        layer_(layer),
+        mesh_(mesh),
+        edge_(layer.triangle_vertex.size()),
+        is_placed_(layer.triangle_count(), false),
+        vertex_number_(layer.vertex_position.size(), kUnseen) {}
+
+  Status run() {
+    if (Status status = find_edges(); !status) return status;
+    for (std::uint32_t t = 0; t < layer_.triangle_count(); ++t) {
+      if (is_placed_[t]) continue;
+      for (std::uint32_t k = 0; k < 3; ++k) {
+        const std::uint32_t vertex = layer_.triangle_vertex[3 * t + k];
+        write(vertex_code(vertex));
+        see(vertex, kNoMate);
+      }
+      place(t, 0);
+      if (Status status = follow_gates(); !status) return status;
+    }
+    mesh_.codes = codes_.take();
+    return ok_status();
+  }
+
+ private:
+  /// Half-edges on one edge get one number, and are found by it.
+  Status find_edges() {
+    struct Key {
+      std::uint32_t low, high, half_edge;
+      bool operator<(const Key& other) const {
+        return std::pair(low, high) != std::pair(other.low, other.high)
+                   ? std::pair(low, high) < std::pair(other.low, other.high)
+                   : half_edge < other.half_edge;
+      }
+    };
+    std::vector<Key> keys(edge_.size());
+    for (std::uint32_t h = 0; h < keys.size(); ++h) {
+      const std::uint32_t a = start(h), b = end(h);
+      keys[h] = {std::min(a, b), std::max(a, b), h};
+    }
+    Status status = sort_large(context_, keys, [](const Key& a, const Key& b) { return a < b; });
+    if (!status) return status;
+    RarePoll<65536> poll(context_);
+    half_edge_.resize(keys.size());
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+      if (poll.cancelled()) return context_.stop_status();
+      const bool is_new =
+          i == 0 || keys[i].low != keys[i - 1].low || keys[i].high != keys[i - 1].high;
+      if (is_new) first_half_edge_.push_back(i);
+      half_edge_[i] = keys[i].half_edge;
+      edge_[keys[i].half_edge] = static_cast<std::uint32_t>(first_half_edge_.size() - 1);
+    }
+    last_on_edge_.assign(first_half_edge_.size(), kNoMate);
+    first_half_edge_.push_back(keys.size());
+    return ok_status();
+  }
+
+  /// Of the layer's half-edges.
+  std::uint32_t start(std::uint32_t h) const { return layer_.triangle_vertex[h]; }
+  std::uint32_t end(std::uint32_t h) const {
+    return layer_.triangle_vertex[h % 3 == 2 ? h - 2 : h + 1];
+  }
+
+  /// 0 for a vertex that was not seen, else how many numbers ago it was.
+  std::uint32_t vertex_code(std::uint32_t vertex) const {
+    const std::uint32_t number = vertex_number_[vertex];
+    return number == kUnseen ? 0 : static_cast<std::uint32_t>(mesh_.vertex.size()) - number;
+  }
+
+  void see(std::uint32_t vertex, std::uint32_t across) {
+    if (vertex_number_[vertex] != kUnseen) return;
+    vertex_number_[vertex] = static_cast<std::uint32_t>(mesh_.vertex.size());
+    mesh_.vertex.push_back(vertex);
+    mesh_.apex.push_back(across);
+  }
+
+  void write(std::uint32_t code) { codes_.varint(code); }
+
+  /// Half-edge k of the triangle that is placed comes from the layer's.
+  void place(std::uint32_t t, std::uint32_t first_corner) {
+    const std::uint32_t base = 3 * mesh_.triangle_count();
+    mesh_.triangle.push_back(t);
+    mesh_.first_corner.push_back(static_cast<std::uint8_t>(first_corner));
+    is_placed_[t] = true;
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const std::uint32_t h = 3 * t + (first_corner + k) % 3;
+      mesh_.corner_vertex.push_back(vertex_number_[start(h)]);
+      mesh_.mate.push_back(std::exchange(last_on_edge_[edge_[h]], base + k));
+    }
+    for (std::uint32_t k = 3; k-- > 0;) {
+      if (mesh_.mate[base + k] != kNoMate) continue;
+      gates_.push_back({base + k, edge_[3 * t + (first_corner + k) % 3]});
+    }
+  }
+
+  Status follow_gates() {
+    while (!gates_.empty()) {
+      if (poll_.cancelled()) return context_.stop_status();
+      const Gate gate = gates_.back();
+      gates_.pop_back();
+      if (last_on_edge_[gate.edge] != gate.half_edge) continue;
+      const std::uint32_t next = across(gate);
+      if (next == kNoMate) {
+        write(0);
+        continue;
+      }
+      const std::uint32_t apex = start(next - next % 3 + (next + 2) % 3);
+      write(vertex_code(apex) + 1);
+      see(apex, gate.half_edge);
+      place(next / 3, next % 3);
+    }
+    return ok_status();
+  }
+
+  struct Gate {
+    std::uint32_t half_edge;  ///< of the new order
+    std::uint32_t edge;
+  };
+
+  /// The layer's half-edge on the other side, of a triangle that has no place yet.
+  std::uint32_t across(const Gate& gate) const {
+    const std::uint32_t k = gate.half_edge % 3;
+    const std::uint32_t from = mesh_.vertex[mesh_.corner_vertex[gate.half_edge - k + (k + 1) % 3]];
+    const std::size_t first = first_half_edge_[gate.edge];
+    const std::size_t last = std::min(first_half_edge_[gate.edge + 1], first + kTrianglesOnEdge);
+    for (std::size_t i = first; i < last; ++i) {
+      const std::uint32_t h = half_edge_[i];
+      if (!is_placed_[h / 3] && start(h) == from) return h;
+    }
+    return kNoMate;
+  }
+
+  Context& context_;
+  RarePoll<4096> poll_{context_};  ///< of all parts of the mesh together
+  const PatchLayer& layer_;
+  ViewerMesh& mesh_;
+  std::vector<std::uint32_t> edge_;           ///< of the layer's half-edges
+  std::vector<std::uint32_t> half_edge_;      ///< of the layer, by edge
+  std::vector<std::size_t> first_half_edge_;  ///< edges + 1 offsets into half_edge_
+  std::vector<std::uint32_t> last_on_edge_;   ///< half-edge of the new order
+  std::vector<bool> is_placed_;
+  std::vector<std::uint32_t> vertex_number_;
+  std::vector<Gate> gates_;
+  ByteWriter codes_;
+};
+
+struct GridPoint {
+  std::int32_t x = 0, y = 0;
+};
+
+/// Where a vertex is expected: opposite to the triangle that it was seen from.
+GridPoint predicted(const ViewerMesh& mesh, const std::vector<GridPoint>& known,
+                    std::uint32_t vertex) {
+  const std::uint32_t across = mesh.apex[vertex];
+  if (across == kNoMate) return vertex > 0 ? known[vertex - 1] : GridPoint{};
+  const std::uint32_t base = across - across % 3, k = across % 3;
+  const auto corner = [&](std::uint32_t i) { return known[mesh.corner_vertex[base + i % 3]]; };
+  const GridPoint a = corner(k), b = corner(k + 1), c = corner(k + 2);
+  return {a.x + b.x - c.x, a.y + b.y - c.y};
+}
+
+void write_positions(const PatchLayer& layer, const ViewerMesh& mesh, ByteWriter& out) {
+  Box bounds;
+  for (std::uint32_t v : mesh.vertex) bounds.extend(layer.vertex_position[v]);
+  if (mesh.vertex.empty()) bounds = {{0, 0}, {0, 0}};
+  const auto step_of = [](double extent) { return extent > 0 ? extent / kGridCells : 1; };
+  const Vec2 step{step_of(bounds.width()), step_of(bounds.height())};
+  for (double value : {bounds.min.x, bounds.min.y, step.x, step.y}) out.f64(value);
+  std::vector<GridPoint> grid(mesh.vertex.size());
+  std::vector<std::uint32_t> miss_x(grid.size()), miss_y(grid.size());
+  for (std::uint32_t i = 0; i < grid.size(); ++i) {
+    const Vec2 p = layer.vertex_position[mesh.vertex[i]] - bounds.min;
+    grid[i] = {static_cast<std::int32_t>(std::lround(p.x / step.x)),
+               static_cast<std::int32_t>(std::lround(p.y / step.y))};
+    const GridPoint guess = predicted(mesh, grid, i);
+    miss_x[i] = zigzag(grid[i].x - guess.x);
+    miss_y[i] = zigzag(grid[i].y - guess.y);
+  }
+  constexpr int kBytes = 4;
+  out.planes(miss_x, kBytes);
+  out.planes(miss_y, kBytes);
+}
+
+}  // namespace
+
+Result<ViewerMesh> order_for_viewer(Context& context, const PatchLayer& layer) {
+  ViewerMesh mesh;
+  const std::size_t bytes = kTriangleBytes * layer.triangle_count() +
+                            layer.vertex_position.size() * (4 * sizeof(std::uint32_t));
+  if (Status status = mesh.charge.add(context, bytes, "the viewer's triangles"); !status)
+    return status;
+  if (Status status = Walker(context, layer, mesh).run(); !status) return status;
+  return mesh;
+}
+
+void write_mesh(const PatchLayer& layer, const ViewerMesh& mesh, ByteWriter& out) {
+  out.varint(mesh.triangle_count());
+  out.varint(mesh.vertex.size());
+  out.counted(mesh.codes);
+  write_positions(layer, mesh, out);
+  for (std::uint32_t t = 0; t < mesh.triangle_count(); ++t) {
+    std::uint8_t curves = 0;
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const std::uint32_t corner = (mesh.first_corner[t] + k) % 3;
+      const bool is_curve = layer.edge_is_curve[3 * mesh.triangle[t] + corner] != 0;
+      curves = static_cast<std::uint8_t>(curves | (is_curve ? 1 << k : 0));
+    }
+    out.u8(curves);
+  }
+}
+
+}  // namespace sfumato::outputs

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "base/context.hpp"
+#include "base/status.hpp"
+#include "export/html/viewer_bytes.hpp"
+#include "picture/picture.hpp"
+
+namespace sfumato::outputs {
+
+/// No half-edge.
+inline constexpr std::uint32_t kNoMate = std::numeric_limits<std::uint32_t>::max();
+
+/// The triangles of a layer in the order in which the viewer gets them: each beside one that came
+/// before, as far as there is one, so that most of a triangle is known when it comes. Half-edge
+/// 3t + k runs from corner k of triangle t to the next.
+struct ViewerMesh {
+  std::vector<std::uint32_t> triangle;       ///< of the layer
+  std::vector<std::uint8_t> first_corner;    ///< the layer's corner that is corner 0 here
+  std::vector<std::uint32_t> corner_vertex;  ///< 3 per triangle, numbered as they appear
+  std::vector<std::uint32_t> vertex;         ///< of the layer; those of no triangle are left out
+  std::vector<std::uint32_t> mate;  ///< per half-edge: the last one before it on its edge, kNoMate
+  std::vector<std::uint8_t> codes;  ///< varints: which vertices the triangles have
+  std::vector<std::uint32_t> apex;  ///< per vertex: the half-edge that it was seen across, kNoMate
+  ScopedCharge charge;
+
+  std::uint32_t triangle_count() const { return static_cast<std::uint32_t>(triangle.size()); }
+};
+
+/// Errors: limit (memory), cancelled. Cost: O(n log n); 160 bytes a triangle.
+Result<ViewerMesh> order_for_viewer(Context& context, const PatchLayer& layer);
+
+/// Positions on a grid over the layer's bounds, 22 bits on each axis, then topology and curve
+/// edges.
+void write_mesh(const PatchLayer& layer, const ViewerMesh& mesh, ByteWriter& out);
+
+}  // namespace sfumato::outputs

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "base/context.hpp"
+#include "base/status.hpp"
+#include "export/html/viewer_bytes.hpp"
+#include "picture/picture.hpp"
+
+namespace sfumato::outputs {
+
+/// The table of paints (docs/gpu.md) and the files of the textures that layers use: the viewer
+/// makes the texels from these. A texture that came from no PNG or JPEG is encoded as PNG. Errors:
+/// limit (memory), cancelled. Cost: O(stops + texels).
+Status write_paints(Context& context, const Picture& picture, ByteWriter& out);
+
+}  // namespace sfumato::outputs

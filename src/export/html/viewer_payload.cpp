@@ -1,0 +1,154 @@
+#include "export/html/viewer_payload.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+
+#include "codecs/deflate.hpp"
+#include "document/rules.hpp"
+#include "export/html/viewer_field.hpp"
+#include "export/html/viewer_mesh.hpp"
+#include "export/html/viewer_paints.hpp"
+#include "export/html/viewer_stroke.hpp"
+#include "picture/check_picture.hpp"
+
+namespace sfumato::outputs {
+namespace {
+
+constexpr std::string_view kMagic = "SFUMATO";
+constexpr std::uint8_t kVersion = 1;
+
+/// Kinds of items of the stack, as the viewer numbers them.
+enum class ItemKind : std::uint8_t { instance, stroke, group_begin, group_end };
+
+void write_box(const Box& box, ByteWriter& out) {
+  for (double value : {box.min.x, box.min.y, box.max.x, box.max.y}) out.f64(value);
+}
+
+void write_blending(float opacity, BlendMode blend, ByteWriter& out) {
+  out.f32(opacity);
+  out.u8(static_cast<std::uint8_t>(blend));
+}
+
+Status check_size(const Limits& limits, const Picture& picture) {
+  if (!rules::has_area(picture.artboard) || !rules::has_area(picture.viewport))
+    return make_error(StatusCode::bad_input, "the picture's artboard or viewport is empty");
+  std::size_t triangles = 0;
+  for (const PatchLayer& layer : picture.layers) triangles += layer.triangle_count();
+  if (triangles <= limits.viewer_triangles) return ok_status();
+  return make_error(StatusCode::limit,
+                    std::to_string(triangles) + " triangles, the viewer takes " +
+                        limit_text(limits, &Limits::viewer_triangles, "triangles") +
+                        "; a larger --max-error, a smaller --scale or --viewport makes fewer");
+}
+
+class PayloadWriter {
+ public:
+  PayloadWriter(Context& context, const Picture& picture) : context_(context), picture_(picture) {}
+
+  Status run(const Rgb& background) {
+    out_.raw({reinterpret_cast<const std::uint8_t*>(kMagic.data()), kMagic.size()});
+    out_.u8(kVersion);
+    write_box(picture_.artboard, out_);
+    write_box(picture_.viewport, out_);
+    out_.u8(static_cast<std::uint8_t>(picture_.interpolation));
+    for (float value : {background.r, background.g, background.b}) out_.f32(value);
+    if (Status status = charge_textures(); !status) return status;
+    if (Status status = write_paints(context_, picture_, out_); !status) return status;
+    out_.varint(picture_.layers.size());
+    for (const PatchLayer& layer : picture_.layers)
+      if (Status status = write_layer(layer); !status) return status;
+    out_.varint(picture_.stack.size());
+    for (const PictureItem& item : picture_.stack) {
+      Status status = std::visit([this](const auto& x) { return write_item(x); }, item);
+      if (!status) return status;
+    }
+    return ok_status();
+  }
+
+  std::vector<std::uint8_t> take() { return out_.take(); }
+
+ private:
+  /// Their files, or their texels as PNG.
+  Status charge_textures() {
+    std::size_t bytes = 0;
+    for (const Shader& shader : picture_.shaders) {
+      if (const auto* texture = std::get_if<Texture>(&shader.paint))
+        bytes += 2 * texture->rgba.size() + texture->file.size();
+    }
+    return charge_.add(context_, bytes, "the files of textures");
+  }
+
+  Status write_layer(const PatchLayer& layer) {
+    Result<ViewerMesh> mesh = order_for_viewer(context_, layer);
+    if (!mesh) return mesh.status();
+    // What the writer grows by, at most.
+    const std::size_t channels = static_cast<std::size_t>(layer.color.channel_count) +
+                                 static_cast<std::size_t>(layer.opacity.channel_count);
+    const std::size_t bytes = layer.triangle_count() * (60 + 60 * channels);
+    if (Status status = charge_.add(context_, bytes, "the viewer's payload"); !status)
+      return status;
+    out_.u8(static_cast<std::uint8_t>(layer.order));
+    write_mesh(layer, *mesh, out_);
+    write_shaders(layer.color, out_);
+    Status status =
+        write_field(context_, layer.color, *mesh, viewer_step(picture_.interpolation), out_);
+    if (!status) return status;
+    out_.u8(layer.opacity.channel_count > 0 ? 1 : 0);
+    if (layer.opacity.channel_count == 0) return ok_status();
+    write_shaders(layer.opacity, out_);
+    return write_field(context_, layer.opacity, *mesh, viewer_step(InterpolationSpace::srgb), out_);
+  }
+
+  static void write_shaders(const PatchField& field, ByteWriter& out) {
+    out.varint(field.shader.size());
+    for (std::uint32_t shader : field.shader) out.varint(shader);
+  }
+
+  void write_kind(ItemKind kind) { out_.u8(static_cast<std::uint8_t>(kind)); }
+
+  Status write_item(const PatchInstance& instance) {
+    write_kind(ItemKind::instance);
+    out_.varint(instance.layer);
+    const Affine& m = instance.artboard_from_layer;
+    for (double value : {m.a, m.b, m.c, m.d, m.e, m.f}) out_.f64(value);
+    write_blending(instance.opacity, instance.blend, out_);
+    return ok_status();
+  }
+  Status write_item(const LocalStroke& stroke) {
+    write_kind(ItemKind::stroke);
+    return write_stroke(context_, stroke, picture_.interpolation, picture_.viewport,
+                        &segment_count_, out_);
+  }
+  Status write_item(const GroupBegin& group) {
+    write_kind(ItemKind::group_begin);
+    write_blending(group.opacity, group.blend, out_);
+    return ok_status();
+  }
+  Status write_item(const GroupEnd&) {
+    write_kind(ItemKind::group_end);
+    return ok_status();
+  }
+
+  Context& context_;
+  const Picture& picture_;
+  ByteWriter out_;
+  std::size_t segment_count_ = 0;
+  ScopedCharge charge_;
+};
+
+}  // namespace
+
+Result<std::vector<std::uint8_t>> viewer_payload(Context& context, const Picture& picture,
+                                                 const Rgb& background) {
+  if (Status status = raster::check_picture(context, picture); !status) return status;
+  if (Status status = check_size(context.limits, picture); !status) return status;
+  PayloadWriter writer(context, picture);
+  if (Status status = writer.run(background); !status) return status;
+  return deflated(context, writer.take());
+}
+
+}  // namespace sfumato::outputs

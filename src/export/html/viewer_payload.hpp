@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "base/color.hpp"
+#include "base/context.hpp"
+#include "base/status.hpp"
+#include "picture/picture.hpp"
+
+namespace sfumato::outputs {
+
+/// A picture as the bytes that the HTML viewer reads (docs/viewer.md, "Payload"), deflated (zlib).
+/// Positions are off by at most 2⁻²³ of the layer's extent, node values by a quarter of an 8-bit
+/// step.
+///
+/// Errors: bad_input (a picture whose tables do not fit), limit (kViewerTriangles,
+/// kViewerStrokeSegments, memory), cancelled. Cost: about 1 µs a triangle.
+Result<std::vector<std::uint8_t>> viewer_payload(Context& context, const Picture& picture,
+                                                 const Rgb& background);
+
+}  // namespace sfumato::outputs

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstddef>
+
+#include "base/box.hpp"
+#include "base/context.hpp"
+#include "document/document.hpp"
+#include "export/html/viewer_bytes.hpp"
+
+namespace sfumato::outputs {
+
+/// A local curve as the segments of which the viewer makes nodes at any zoom (docs/viewer.md,
+/// "Strokes"). What reaches nothing of `viewport`, artboard units, is left out.
+///
+/// segment_count  of the strokes written so far, and then of this one too.
+/// Errors: limit (segments, memory), cancelled. Cost: O(segments).
+Status write_stroke(Context& context, const LocalStroke& stroke, InterpolationSpace space,
+                    const Box& viewport, std::size_t* segment_count, ByteWriter& out);
+
+}  // namespace sfumato::outputs

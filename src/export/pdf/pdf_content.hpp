@@ -1,0 +1,39 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "export/pdf/pdf_file.hpp"
+
+namespace sfumato::outputs {
+
+/// A content stream while it is written, with the resources that it names: object 12 is /R12.
+class PdfContent {
+ public:
+  enum class Resource { graphics_state, shading, form };
+
+  /// Operators, one line.
+  void add(std::string_view operators);
+  /// "/R12" for an object, which becomes one of the stream's resources.
+  std::string name(Resource kind, PdfRef ref);
+
+  bool empty() const { return text_.empty(); }
+  const std::string& text() const { return text_; }
+  /// "/Resources << ... >>".
+  std::string resources() const;
+
+  /// The same as a form XObject; is_group: a transparency group by itself.
+  PdfRef make_form(PdfFile* file, const Box& bounds, bool is_group) const;
+  /// As a group in grey: its luminosity may be a mask.
+  PdfRef make_mask_form(PdfFile* file, const Box& bounds) const;
+
+ private:
+  PdfRef make_form_with(PdfFile* file, const Box& bounds, std::string_view group) const;
+
+  std::string text_;
+  std::array<std::vector<PdfRef>, 3> used_;  ///< by Resource
+};
+
+}  // namespace sfumato::outputs

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+
+#include "base/context.hpp"
+#include "export/export_notes.hpp"
+#include "export/pdf/pdf_file.hpp"
+#include "picture/picture.hpp"
+
+namespace sfumato::outputs {
+
+/// How a layer is written.
+struct PdfLayerOptions {
+  double max_error = 0.5 / 255;
+  double points_per_unit = 0.75;  ///< of the instance that shows the layer largest
+  double dpi = 300;
+  bool is_group = false;   ///< some instance composites it as one
+  bool as_pixels = false;  ///< stored as one image
+};
+
+/// A layer as a form XObject in its own frame; 0 where it shows nothing, or after an error, which
+/// the file then has. Its facets are added to `notes`.
+PdfRef add_layer(Context& context, PdfFile* file, const Picture& picture, std::uint32_t layer,
+                 const PdfLayerOptions& options, ExportNotes* notes);
+
+}  // namespace sfumato::outputs

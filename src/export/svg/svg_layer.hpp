@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "export/facets/facets.hpp"
+#include "export/svg/svg_mesh.hpp"
+
+namespace sfumato::outputs {
+
+/// A layer as a mesh for SVG: what append_layer writes.
+struct SvgLayer {
+  FacetMesh color;
+  FacetMesh opacity;  ///< empty: opaque
+  Affine layer_from_grid;
+  Box box;           ///< of the facets
+  Box frame;         ///< of the layer: where the mesh ends there, the picture does
+  double pixel = 1;  ///< of the smallest instance, layer frame
+  UnderlapReach reach;
+
+  std::uint64_t facet_count() const {
+    return (color.facet_vertex.size() + opacity.facet_vertex.size()) / 3;
+  }
+};
+
+/// What of a layer's instances its mesh depends on.
+struct SvgScale {
+  double max_error = 0;  ///< of 1
+  double pixel = 1;      ///< of a picture of nominal size, user units
+  double smallest = 1;   ///< user units to a unit of the layer
+  double largest = 1;
+};
+
+/// Facets of a layer. Errors: limit (memory), cancelled.
+Result<SvgLayer> make_svg_layer(Context& context, const PatchLayer& layer, InterpolationSpace space,
+                                const SvgScale& scale);
+
+/// <g id="ID">: the layer in its own frame (docs/outputs.md, "SVG of triangles"), after what it
+/// refers to. Memory: a charge of what it adds to the text. Errors: limit (memory), cancelled.
+Status append_layer(Context& context, const SvgLayer& layer, const std::string& id, SvgIds& ids,
+                    std::string& text);
+
+/// Bytes of text at most that a layer takes, roughly.
+std::size_t text_bytes(const SvgLayer& layer);
+
+}  // namespace sfumato::outputs

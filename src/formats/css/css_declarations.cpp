@@ -1,0 +1,123 @@
+#include "formats/css/css_declarations.hpp"
+
+#include <cstdint>
+
+#include "base/ascii.hpp"
+#include "formats/css/css_value.hpp"
+
+namespace sfumato {
+namespace {
+
+using enum CssTokenType;
+
+/// The end of a value where "!important" may stand.
+struct Tail {
+  std::size_t value_end = 0;  ///< of what stands before the '!'
+  std::uint8_t seen = 0;      ///< 1: '!', 2: "! important" and nothing behind
+};
+
+class DeclarationReader {
+ public:
+  DeclarationReader(CssTokenizer& tokens, bool in_block) : tokens_(tokens), in_block_(in_block) {}
+
+  bool read(FunctionRef<void(const CssDeclaration&)> sink);
+
+ private:
+  bool ends(const CssToken& token) const {
+    return token.is(end) || (in_block_ && token.is(close_curly));
+  }
+  bool take_declaration(const CssToken& name, CssDeclaration& declaration);
+  bool take_value(CssDeclaration& declaration, bool is_custom);
+  void skip_rule();
+
+  CssTokenizer& tokens_;
+  bool in_block_;
+};
+
+/// Passes over a rule in the block: up to the end of its braces, or where these are missing to the
+/// semicolon. What ends the block is left.
+void DeclarationReader::skip_rule() {
+  for (;;) {
+    const std::size_t before = tokens_.position();
+    const CssToken token = tokens_.next();
+    if (ends(token)) return tokens_.rewind(before);
+    skip_component(tokens_, token);
+    if (token.is(semicolon) || token.is(open_curly)) return;
+  }
+}
+
+/// The value up to its semicolon, which is taken, or to the end of the block. False where CSS has
+/// none here, and then somewhere in it.
+bool DeclarationReader::take_value(CssDeclaration& declaration, bool is_custom) {
+  const std::size_t begin = tokens_.position();
+  std::size_t stop = begin;
+  Tail tail;
+  bool has_block = false, has_other = false;
+  for (;;) {
+    const std::size_t before = tokens_.position();
+    const CssToken token = tokens_.next();
+    if (ends(token) || token.is(semicolon)) {
+      if (!token.is(semicolon)) tokens_.rewind(before);
+      break;
+    }
+    stop = before;
+    if (token.is(whitespace)) continue;
+    const bool is_broken = token.is(bad_string) || token.is(bad_url) || token.is(close_paren) ||
+                           token.is(close_square) || token.is(close_curly);
+    if (is_broken) return false;
+    // A brace begins a rule's block, if the value is not just that.
+    if (token.is(open_curly) && !is_custom && has_other) return false;
+    if (has_block && !is_custom && !token.is_delim('!') && tail.seen == 0) return false;
+    skip_component(tokens_, token);
+    stop = tokens_.position();
+    if (token.is_delim('!')) {
+      if (tail.seen > 0) return false;
+      tail = {before, 1};
+    } else if (tail.seen == 1 && token.is(ident) && css_is_name(token.value, "important")) {
+      tail.seen = 2;
+    } else if (tail.seen > 0) {
+      return false;
+    } else {
+      has_block |= token.is(open_curly);
+      has_other |= !token.is(open_curly);
+    }
+  }
+  if (tail.seen == 1) return false;
+  declaration.is_important = tail.seen == 2;
+  const std::size_t value_end = declaration.is_important ? tail.value_end : stop;
+  declaration.value = ascii_trimmed(tokens_.text().substr(begin, value_end - begin));
+  return true;
+}
+
+bool DeclarationReader::take_declaration(const CssToken& name, CssDeclaration& declaration) {
+  if (!name.is(ident) || !next_solid(tokens_).is(colon)) return false;
+  declaration.name = name.value;
+  return take_value(declaration, name.value.starts_with("--"));
+}
+
+bool DeclarationReader::read(FunctionRef<void(const CssDeclaration&)> sink) {
+  bool passed_over = false;
+  for (;;) {
+    const std::size_t before = tokens_.position();
+    const CssToken token = next_solid(tokens_);
+    if (ends(token)) return passed_over;
+    if (token.is(semicolon)) continue;
+    CssDeclaration declaration;
+    if (take_declaration(token, declaration)) {
+      sink(declaration);
+      continue;
+    }
+    passed_over = true;
+    tokens_.rewind(before);
+    skip_rule();
+  }
+}
+
+}  // namespace
+
+bool read_declarations(CssTokenizer& tokens, bool in_block,
+                       FunctionRef<void(const CssDeclaration&)> sink) {
+  return DeclarationReader(tokens, in_block).read(sink);
+}
+
+}  // namespace sfumato

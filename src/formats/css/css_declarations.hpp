@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+#include "base/function_ref.hpp"
+#include "formats/css/css_tokenizer.hpp"
+
+namespace sfumato {
+
+/// "name: value" or "name: value !important" as it was written.
+struct CssDeclaration {
+  std::string_view name{};   ///< raw: css_is_name(), css_unescaped()
+  std::string_view value{};  ///< raw, trimmed, without the importance; perhaps empty
+  bool is_important = false;
+};
+
+/// What stands between the braces of a rule, or in a style attribute: CSS Syntax 3, "consume a
+/// block's contents". Rules within are passed over. Tells `sink` each declaration in its turn;
+/// whether the name and the value mean anything is the caller's to say.
+///
+/// in_block    the text goes on behind the block: a '}' ends it, and is taken
+/// Returns     whether anything was passed over that is no declaration.
+/// Cost        linear in the text.
+bool read_declarations(CssTokenizer& tokens, bool in_block,
+                       FunctionRef<void(const CssDeclaration&)> sink);
+
+}  // namespace sfumato

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "formats/css/css_tokenizer.hpp"
+
+namespace sfumato {
+
+/// What one selector of a list is.
+struct CssSelector {
+  enum class Kind : std::uint8_t {
+    any,       ///< *
+    element,   ///< name
+    of_class,  ///< .name
+    id,        ///< #name
+    other,     ///< CSS has such, but it is none of these
+    invalid    ///< CSS drops the rule
+  };
+
+  Kind kind = Kind::invalid;
+  std::string_view name{};  ///< raw: css_unescaped()
+  std::string_view text{};  ///< all of it
+  bool is_last = false;
+};
+
+/// Takes the next selector of a list, up to its comma or the end of the text.
+CssSelector take_selector(CssTokenizer& tokens);
+
+}  // namespace sfumato

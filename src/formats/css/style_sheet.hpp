@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstddef>
+#include <deque>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "formats/css/css_selector.hpp"
+#include "formats/css/css_style.hpp"
+
+namespace sfumato::svg {
+
+/// The simple part of CSS: rules whose selectors are `*`, an element's name, `.class` or `#id`, at
+/// the top or in @media that a screen matches.
+class StyleSheet {
+ public:
+  /// What a sheet has that sets nothing, the first of each kind.
+  struct Notes {
+    std::string_view left_out{};  ///< a selector or an at-rule that is not read
+    std::optional<CssDeclaration> dropped{};
+  };
+
+  /// Adds the rules of a sheet; the text must outlive this. Beyond `most_values` none are added.
+  Notes add(std::string_view text, std::size_t most_values, TextPoll& poll);
+
+  bool empty() const { return values_.empty(); }
+  /// Values that the rules set, selector by selector, whatever their property; more than the most
+  /// where there were more.
+  std::size_t value_count() const { return count_; }
+
+  /// What the rules say of an element: what is important before the rest, then the id's rule
+  /// before the classes' before the name's, then the later.
+  std::optional<CssSetting> find(std::string_view name, std::string_view id,
+                                 std::string_view classes, CssProperty property) const;
+
+ private:
+  struct Value {
+    CssSetting setting;
+    std::size_t order = 0;  ///< later rules win
+  };
+
+  struct Key {
+    CssSelector::Kind kind;
+    CssProperty property;
+    std::string_view name;
+
+    bool operator<(const Key& other) const;
+  };
+
+  class Reader;
+
+  void add_rule(const CssSelector& selector, const CssStyle& style, std::size_t most_values);
+  const Value* value_of(const Key& key) const;
+
+  std::map<Key, Value> values_;
+  std::deque<std::string> names_;  ///< those that were written with escapes
+  std::size_t count_ = 0;
+};
+
+}  // namespace sfumato::svg

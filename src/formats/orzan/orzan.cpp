@@ -1,0 +1,383 @@
+#include "formats/orzan/orzan.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+#include "base/limits.hpp"
+#include "base/number.hpp"
+#include "base/public_verb.hpp"
+#include "formats/text/warnings.hpp"
+#include "formats/text/xml_source.hpp"
+
+namespace sfumato {
+namespace {
+
+// FORMAT.md, "Other inputs": across the curve our transition then has the slope of a Gaussian of
+// standard deviation 1.
+const double kRadiusOfSigma = 3 * std::sqrt(2 * std::numbers::pi) / 4;
+
+/// globalID counts tenths of a piece.
+constexpr double kIdsPerPiece = 10;
+
+/// How a file names things. Orzan's own files hold the picture transposed, as matrix indices and in
+/// the byte order of a bitmap. `scene` files mean what they say, but their left is our right.
+struct Dialect {
+  const char* right_coordinate;  ///< attribute that grows to the right
+  const char* down_coordinate;
+  const char* red;
+  const char* blue;
+  bool sides_swapped;
+};
+
+constexpr Dialect kOrzan{"y", "x", "B", "R", false};
+constexpr Dialect kScene{"x", "y", "R", "B", true};
+
+class OrzanReader {
+ public:
+  OrzanReader(Context& context, XmlSource& xml) : context_(context), xml_(xml) {}
+
+  Result<ReadDocument> read();
+
+ private:
+  Status read_canvas(pugi::xml_node root);
+  Status read_curve_sets(pugi::xml_node root);
+  Status reserve_curves(pugi::xml_node root, std::size_t count);
+  Status read_curve_set(pugi::xml_node set);
+  Status read_curve(pugi::xml_node element, Curve& curve);
+  Status read_curve_part(pugi::xml_node part, Curve& curve);
+  Status read_control_points(pugi::xml_node curve_element, Curve& curve);
+  Status read_colors(pugi::xml_node set, const char* name, Side& side);
+  Status read_color(pugi::xml_node element, Stop<Rgb>& stop);
+  Status read_channel(pugi::xml_node element, const char* name, float& channel);
+  Status read_blur(pugi::xml_node set, Curve& curve);
+  Status read_weight(pugi::xml_node set, Curve& curve);
+
+  /// Calls read_one(element, stop) for each child of that name and appends the stops.
+  template <class Value, class ReadOne>
+  Status read_stops(pugi::xml_node set, const char* name, StopList<Value>& list, ReadOne read_one);
+  template <class Value>
+  void finish_stops(StopList<Value>& list, std::size_t piece_count);
+  /// Counts the children of that name and warns of others.
+  std::size_t count_children(pugi::xml_node set, const char* name);
+
+  Status number_in(pugi::xml_node element, const char* name, double& value);
+  Status coordinate_in(pugi::xml_node element, const char* name, double& value);
+  Status error_at(pugi::xml_node element, std::string message);
+  void ignore(pugi::xml_node element);
+  void warn(std::string_view kind, pugi::xml_node element, std::string message);
+
+  Context& context_;
+  RarePoll<64> poll_{context_};
+  XmlSource& xml_;
+  Dialect dialect_ = kOrzan;
+  Document document_;
+  Warnings warnings_;
+  ScopedCharge charge_;
+  std::size_t control_point_count_ = 0;
+  std::size_t stop_count_ = 0;
+};
+
+std::string tag(pugi::xml_node element) {
+  return "<" + std::string(element.name()).substr(0, 64) + ">";
+}
+
+Result<ReadDocument> OrzanReader::read() {
+  const pugi::xml_node root = xml_.root();
+  const std::string_view name = root.name();
+  if (name != "curve_set" && name != "scene") {
+    return error_at(root, "the document is a " + tag(root) + "; expected <curve_set> or <scene>");
+  }
+  dialect_ = name == "scene" ? kScene : kOrzan;
+  if (Status status = read_canvas(root); !status) return status;
+  document_.layers.push_back({"curves", {}});
+  document_.stack.push_back(LayerInstance{});
+  if (Status status = read_curve_sets(root); !status) return status;
+  if (document_.layers.front().curves.empty()) {
+    warn("/no curves", root, "the document has no curves: the picture is empty");
+  }
+  if (Status status = validate(context_, document_); !status) return status;
+  return ReadDocument{std::move(document_), warnings_.take(), DocumentFormat::orzan};
+}
+
+Status OrzanReader::read_canvas(pugi::xml_node root) {
+  Vec2 size;
+  if (Status status = coordinate_in(root, "image_width", size.x); !status) return status;
+  if (Status status = coordinate_in(root, "image_height", size.y); !status) return status;
+  if (!(size.x > 0 && size.y > 0)) {
+    return error_at(root, "the canvas has no area; expected image_width and image_height above 0");
+  }
+  document_.artboard = {{0, 0}, size};
+  return ok_status();
+}
+
+Status OrzanReader::read_curve_sets(pugi::xml_node root) {
+  std::vector<pugi::xml_node> sets;
+  if (std::string_view(root.name()) == "curve_set") {
+    sets.push_back(root);
+  } else {
+    for (const pugi::xml_node child : root.children()) {
+      if (child.type() != pugi::node_element) continue;
+      if (std::string_view(child.name()) == "curve_set") {
+        sets.push_back(child);
+      } else {
+        ignore(child);
+      }
+    }
+  }
+  std::size_t curve_count = 0;
+  for (const pugi::xml_node set : sets) {
+    for ([[maybe_unused]] const pugi::xml_node curve : set.children("curve")) ++curve_count;
+  }
+  if (Status status = reserve_curves(root, curve_count); !status) return status;
+  for (const pugi::xml_node set : sets) {
+    if (Status status = read_curve_set(set); !status) return status;
+  }
+  return ok_status();
+}
+
+Status OrzanReader::reserve_curves(pugi::xml_node root, std::size_t count) {
+  if (count > context_.limits.curves) {
+    return limit_error(context_.limits, &Limits::curves, "curves", xml_.place(root));
+  }
+  if (Status status = charge_.add(context_, count * sizeof(Curve), "the curves"); !status) {
+    return status;
+  }
+  document_.layers.front().curves.reserve(count);
+  return ok_status();
+}
+
+Status OrzanReader::read_curve_set(pugi::xml_node set) {
+  std::vector<Curve>& curves = document_.layers.front().curves;
+  for (const pugi::xml_node child : set.children()) {
+    if (child.type() != pugi::node_element) continue;
+    if (poll_.cancelled()) return context_.stop_status();
+    if (std::string_view(child.name()) != "curve") {
+      ignore(child);
+    } else if (Status status = read_curve(child, curves.emplace_back()); !status) {
+      return status;
+    }
+  }
+  return ok_status();
+}
+
+Status OrzanReader::read_curve(pugi::xml_node element, Curve& curve) {
+  if (Status status = read_control_points(element, curve); !status) return status;
+  for (const pugi::xml_node part : element.children()) {
+    if (part.type() != pugi::node_element) continue;
+    if (Status status = read_curve_part(part, curve); !status) return status;
+  }
+  finish_stops(curve.left.color.stops, curve.piece_count());
+  finish_stops(curve.right.color.stops, curve.piece_count());
+  finish_stops(curve.left.blur_radius, curve.piece_count());
+  const auto is_sharp = [](const Stop<float>& stop) { return stop.value == 0; };
+  if (std::ranges::all_of(curve.left.blur_radius.stops, is_sharp)) curve.left.blur_radius = {};
+  curve.right.blur_radius = curve.left.blur_radius;
+  if (dialect_.sides_swapped) std::swap(curve.left, curve.right);
+  return ok_status();
+}
+
+Status OrzanReader::read_curve_part(pugi::xml_node part, Curve& curve) {
+  const std::string_view name = part.name();
+  if (name == "control_points_set") return ok_status();
+  if (name == "left_colors_set") return read_colors(part, "left_color", curve.left);
+  if (name == "right_colors_set") return read_colors(part, "right_color", curve.right);
+  if (name == "blur_points_set") return read_blur(part, curve);
+  if (name == "weight_set") return read_weight(part, curve);
+  ignore(part);
+  return ok_status();
+}
+
+Status OrzanReader::read_control_points(pugi::xml_node curve_element, Curve& curve) {
+  const pugi::xml_node set = curve_element.child("control_points_set");
+  const std::size_t count = count_children(set, "control_point");
+  if (count < 4 || count % 3 != 1) {
+    return error_at(set ? set : curve_element,
+                    "the curve has " + std::to_string(count) +
+                        " control points; expected 3n+1 of them (4, 7, 10, …)");
+  }
+  control_point_count_ += count;
+  if (control_point_count_ > context_.limits.control_points) {
+    return limit_error(context_.limits, &Limits::control_points, "control points", xml_.place(set));
+  }
+  if (Status status = charge_.add(context_, count * sizeof(Vec2), "control points"); !status) {
+    return status;
+  }
+  curve.control_points.reserve(count);
+  for (const pugi::xml_node element : set.children("control_point")) {
+    Vec2& point = curve.control_points.emplace_back();
+    Status status = coordinate_in(element, dialect_.right_coordinate, point.x);
+    if (status) status = coordinate_in(element, dialect_.down_coordinate, point.y);
+    if (!status) return status;
+  }
+  return ok_status();
+}
+
+std::size_t OrzanReader::count_children(pugi::xml_node set, const char* name) {
+  std::size_t count = 0;
+  for (const pugi::xml_node child : set.children()) {
+    if (child.type() != pugi::node_element) continue;
+    if (std::string_view(child.name()) == name) {
+      ++count;
+    } else {
+      ignore(child);
+    }
+  }
+  return count;
+}
+
+template <class Value, class ReadOne>
+Status OrzanReader::read_stops(pugi::xml_node set, const char* name, StopList<Value>& list,
+                               ReadOne read_one) {
+  const std::size_t count = count_children(set, name);
+  stop_count_ += count;
+  if (stop_count_ > context_.limits.stops) {
+    return limit_error(context_.limits, &Limits::stops, "stops", xml_.place(set));
+  }
+  if (list.stops.size() + count > context_.limits.stops_per_list) {
+    return limit_error(context_.limits, &Limits::stops_per_list, "stops in one list",
+                       xml_.place(set));
+  }
+  // Blur serves both sides: twice the stops.
+  if (Status status = charge_.add(context_, 2 * count * sizeof(Stop<Value>), "stops"); !status) {
+    return status;
+  }
+  list.stops.reserve(list.stops.size() + count);
+  for (const pugi::xml_node element : set.children(name)) {
+    Stop<Value>& stop = list.stops.emplace_back();
+    Status status = number_in(element, "globalID", stop.offset);
+    if (status) status = read_one(element, stop);
+    if (!status) return status;
+  }
+  return ok_status();
+}
+
+/// Sorts stably, then turns globalIDs into parameters, clamped to the curve.
+template <class Value>
+void OrzanReader::finish_stops(StopList<Value>& list, std::size_t piece_count) {
+  std::ranges::stable_sort(list.stops, {}, &Stop<Value>::offset);
+  for (Stop<Value>& stop : list.stops) {
+    stop.offset = std::clamp(stop.offset / kIdsPerPiece, 0.0, static_cast<double>(piece_count));
+  }
+}
+
+Status OrzanReader::read_colors(pugi::xml_node set, const char* name, Side& side) {
+  // A Neumann side lets nothing through and has no colour of its own.
+  if (std::string_view(set.attribute("boundary").value()) == "Neumann") {
+    side.color = {ShaderKind::barrier, {}, 0};
+    return ok_status();
+  }
+  const auto read_one = [this](pugi::xml_node element, Stop<Rgb>& stop) {
+    return read_color(element, stop);
+  };
+  Status status = read_stops(set, name, side.color.stops, read_one);
+  if (!side.color.stops.empty()) side.color.kind = ShaderKind::curve_domain;
+  return status;
+}
+
+Status OrzanReader::read_color(pugi::xml_node element, Stop<Rgb>& stop) {
+  Status status = read_channel(element, dialect_.red, stop.value.r);
+  if (status) status = read_channel(element, "G", stop.value.g);
+  if (status) status = read_channel(element, dialect_.blue, stop.value.b);
+  return status;
+}
+
+Status OrzanReader::read_channel(pugi::xml_node element, const char* name, float& channel) {
+  double code_value = 0;
+  if (Status status = number_in(element, name, code_value); !status) return status;
+  if (code_value < 0 || code_value > 255) {
+    warn("/colour", element, "colours outside 0 to 255 are clamped to that range");
+    code_value = std::clamp(code_value, 0.0, 255.0);
+  }
+  channel = static_cast<float>(code_value / 255);
+  return ok_status();
+}
+
+Status OrzanReader::read_blur(pugi::xml_node set, Curve& curve) {
+  const auto read_one = [this](pugi::xml_node element, Stop<float>& stop) {
+    double sigma = 0;
+    if (Status status = coordinate_in(element, "value", sigma); !status) return status;
+    if (sigma < 0) {
+      warn("/blur", element, "a best_scale below 0 is read as 0");
+      sigma = 0;
+    }
+    stop.value = static_cast<float>(std::min(kRadiusOfSigma * sigma, limits::kCoordinate));
+    return ok_status();
+  };
+  return read_stops(set, "best_scale", curve.left.blur_radius, read_one);
+}
+
+/// The curve's weight where it is constant; else a warning and 1.
+Status OrzanReader::read_weight(pugi::xml_node set, Curve& curve) {
+  std::optional<double> constant;
+  for (const pugi::xml_node element : set.children("weight")) {
+    double weight = 0;
+    if (Status status = coordinate_in(element, "w", weight); !status) return status;
+    if (!constant) constant = weight;
+    if (weight != *constant || !(weight > 0)) {
+      warn("/weight", element,
+           "a weight that varies along the curve or is not above 0 is ignored: 1 is used");
+      return ok_status();
+    }
+  }
+  curve.weight = constant.value_or(1);
+  return ok_status();
+}
+
+/// Any finite number.
+Status OrzanReader::number_in(pugi::xml_node element, const char* name, double& value) {
+  const pugi::xml_attribute attribute = element.attribute(name);
+  if (!attribute) return error_at(element, tag(element) + " has no attribute " + name);
+  const std::optional<double> number = parse_number(attribute.value());
+  if (!number) {
+    return error_at(element, std::string(name) + " of " + tag(element) + " is \"" +
+                                 std::string(attribute.value()).substr(0, 64) +
+                                 "\"; expected a finite number");
+  }
+  value = *number;
+  return ok_status();
+}
+
+Status OrzanReader::coordinate_in(pugi::xml_node element, const char* name, double& value) {
+  if (Status status = number_in(element, name, value); !status) return status;
+  if (std::abs(value) <= limits::kCoordinate) return ok_status();
+  return error_at(element, std::string(name) + " of " + tag(element) + " is " +
+                               std::string(element.attribute(name).value()).substr(0, 64) +
+                               "; expected a magnitude of at most " +
+                               std::to_string(static_cast<long>(limits::kCoordinate)));
+}
+
+Status OrzanReader::error_at(pugi::xml_node element, std::string message) {
+  return make_error(StatusCode::bad_input, std::move(message), xml_.place(element));
+}
+
+void OrzanReader::ignore(pugi::xml_node element) {
+  warn(element.name(), element, tag(element) + " is not read; such elements are ignored");
+}
+
+/// Kinds that are not element names start with a slash.
+void OrzanReader::warn(std::string_view kind, pugi::xml_node element, std::string message) {
+  if (warnings_.is_new(kind)) warnings_.add(std::move(message), xml_.place(element));
+}
+
+Result<ReadDocument> read(Context& context, std::string_view xml, const std::string& file) {
+  XmlSource source(xml, file);
+  Status status = source.parse(context);
+  if (status) {
+    Result<ReadDocument> result = OrzanReader(context, source).read();
+    if (result) return result;
+    status = result.status();
+  }
+  status.where.file = file;
+  return status;
+}
+
+}  // namespace
+
+Result<ReadDocument> read_orzan(Context& context, std::string_view xml, const std::string& file) {
+  return public_verb(context, [&] { return read(context, xml, file); });
+}
+
+}  // namespace sfumato

@@ -1,0 +1,336 @@
+#include "formats/svg/svg_write.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
+#include "base/limits.hpp"
+#include "base/number_text.hpp"
+#include "base/public_verb.hpp"
+#include "document/blend_names.hpp"
+#include "formats/svg/svg_write_curve.hpp"
+#include "formats/svg/svg_write_ids.hpp"
+#include "formats/svg/svg_write_shader.hpp"
+#include "formats/svg/svg_write_text.hpp"
+
+namespace sfumato {
+namespace {
+
+/// A sheet that is true of everything keeps svgo from renaming ids, which it does without looking
+/// into attributes of other namespaces, and from dropping fills that nobody sees.
+constexpr const char* kStyle = "*{stroke-linejoin:round}";
+
+/// Bytes of text at most: of a point, a stop, an element with its other attributes.
+constexpr std::size_t kPointBytes = 64;
+constexpr std::size_t kStopBytes = 128;
+constexpr std::size_t kElementBytes = 1024;
+
+/// An upper bound of the text's size, without ids.
+std::size_t estimated_bytes(const Document& document) {
+  std::size_t points = 0, stops = 0, image_bytes = 0;
+  std::size_t elements = document.stack.size() + document.layers.size() + 8;
+  const auto count_side = [&stops](const Side& side) {
+    stops += side.color.stops.stops.size() + side.opacity.stops.stops.size() +
+             side.blur_radius.stops.size();
+  };
+  for (const Layer& layer : document.layers) {
+    elements += layer.curves.size();
+    for (const Curve& curve : layer.curves) {
+      points += curve.control_points.size();
+      count_side(curve.left);
+      count_side(curve.right);
+    }
+  }
+  for (const StackItem& item : document.stack) {
+    const auto* stroke = std::get_if<LocalStroke>(&item);
+    if (!stroke) continue;
+    points += stroke->curve.control_points.size();
+    stops += stroke->curve.left_color.stops.size() + stroke->curve.right_color.stops.size() +
+             stroke->curve.blur_radius.stops.size() + stroke->curve.influence_radius.stops.size();
+  }
+  for (const Shader& shader : document.shaders) {
+    ++elements;
+    if (const auto* fill = std::get_if<GradientFill>(&shader.paint)) stops += fill->stops.size();
+    if (const auto* texture = std::get_if<Texture>(&shader.paint)) {
+      image_bytes += texture->file.empty() ? texture->rgba.size() : texture->file.size();
+    }
+  }
+  return points * kPointBytes + stops * kStopBytes + elements * kElementBytes + image_bytes / 3 * 4;
+}
+
+/// A length with start + length == end where there is one: that is how a reader gets `end` back.
+double length_between(double start, double end) {
+  const double length = end - start;
+  for (const double candidate :
+       {length, std::nextafter(length, 0.0), std::nextafter(length, 2 * length)}) {
+    if (start + candidate == end) return candidate;
+  }
+  return length;
+}
+
+/// Which shader stands where in <defs>: in the order of first use, then those that nothing uses.
+class UseOrder {
+ public:
+  explicit UseOrder(std::size_t count) : seen_(count, false) {}
+
+  void note(std::size_t index) {
+    if (seen_[index]) return;
+    seen_[index] = true;
+    order_.push_back(static_cast<std::uint32_t>(index));
+  }
+
+  template <class Value>
+  void note_shader(const SideShader<Value>& side) {
+    if (side.kind == ShaderKind::image_domain) note(side.shader);
+  }
+
+  std::vector<std::uint32_t> complete() {
+    for (std::size_t i = 0; i < seen_.size(); ++i) note(i);
+    return std::move(order_);
+  }
+
+ private:
+  std::vector<bool> seen_;
+  std::vector<std::uint32_t> order_;
+};
+
+class SvgWriter {
+ public:
+  SvgWriter(Context& context, const Document& document)
+      : context_(context),
+        document_(document),
+        writer_(context),
+        use_count_(document.layers.size(), 0) {}
+
+  Result<std::string> write();
+
+ private:
+  void order_and_name();
+  svg_write::Attributes root_attributes() const;
+  Status write_defs();
+  void write_background();
+  Status write_stack();
+  void write_item(const LayerInstance& instance);
+  void write_item(const LocalStroke& stroke);
+  void write_item(const GroupBegin& group);
+  void write_item(const GroupEnd&);
+  void write_layer(std::uint32_t layer, const svg_write::Attributes& attributes);
+  /// What the text is so far, against what can be read back.
+  Status check_progress() const;
+
+  bool has_references() const;
+  bool is_in_place(std::uint32_t layer) const { return use_count_[layer] == 1; }
+
+  Context& context_;
+  const Document& document_;
+  svg_write::ElementWriter writer_;
+  svg_write::IdPool ids_;
+  std::vector<std::uint32_t> use_count_;    ///< per layer
+  std::vector<std::uint32_t> layer_order_;  ///< layers as they stand in the text
+  std::vector<std::uint32_t> shader_order_;
+  std::vector<std::string> layer_id_;  ///< empty: written without
+  std::vector<std::string> shader_id_;
+  std::string stroke_width_;
+};
+
+Result<std::string> SvgWriter::write() {
+  order_and_name();
+  writer_.open("svg", root_attributes());
+  writer_.text_element("style", kStyle);
+  Status status = write_defs();
+  if (!status) return status;
+  write_background();
+  status = write_stack();
+  if (!status) return status;
+  writer_.close("svg");
+  return writer_.take();
+}
+
+void SvgWriter::order_and_name() {
+  UseOrder layers(document_.layers.size());
+  for (const StackItem& item : document_.stack) {
+    const auto* instance = std::get_if<LayerInstance>(&item);
+    if (!instance) continue;
+    ++use_count_[instance->layer];
+    layers.note(instance->layer);
+  }
+  layer_order_ = layers.complete();
+  UseOrder shaders(document_.shaders.size());
+  for (const std::uint32_t layer : layer_order_) {
+    for (const Curve& curve : document_.layers[layer].curves) {
+      shaders.note_shader(curve.left.color);
+      shaders.note_shader(curve.right.color);
+      shaders.note_shader(curve.left.opacity);
+      shaders.note_shader(curve.right.opacity);
+    }
+  }
+  shader_order_ = shaders.complete();
+  shader_id_.resize(document_.shaders.size());
+  for (const std::uint32_t i : shader_order_) {
+    const Shader& shader = document_.shaders[i];
+    shader_id_[i] = ids_.claim_or_make(shader.id, svg_write::kind_of(shader));
+  }
+  layer_id_.resize(document_.layers.size());
+  for (const std::uint32_t i : layer_order_) {
+    const std::string& id = document_.layers[i].id;
+    if (!id.empty() || !is_in_place(i)) layer_id_[i] = ids_.claim_or_make(id, "layer");
+  }
+  // About a pixel where the picture is shown at 512.
+  const Box& artboard = document_.artboard;
+  stroke_width_ = rounded_number_text(std::max(artboard.width(), artboard.height()) / 512, 2);
+}
+
+svg_write::Attributes SvgWriter::root_attributes() const {
+  const Box& artboard = document_.artboard;
+  svg_write::Attributes attributes;
+  attributes.add("xmlns", "http://www.w3.org/2000/svg").add("xmlns:sf", "urn:sfumato:1");
+  // Inkscape up to 1.2 follows no plain href.
+  if (has_references()) attributes.add("xmlns:xlink", "http://www.w3.org/1999/xlink");
+  if (document_.size_px) {
+    attributes.add("width", number_text(document_.size_px->x));
+    attributes.add("height", number_text(document_.size_px->y));
+  }
+  attributes.add("viewBox", number_text(artboard.min.x) + ' ' + number_text(artboard.min.y) + ' ' +
+                                number_text(length_between(artboard.min.x, artboard.max.x)) + ' ' +
+                                number_text(length_between(artboard.min.y, artboard.max.y)));
+  attributes.add("sf:version", "1");
+  if (document_.interpolation == InterpolationSpace::linear) {
+    attributes.add("sf:interpolation", "linear");
+  } else if (document_.interpolation == InterpolationSpace::oklab) {
+    attributes.add("sf:interpolation", "oklab");
+  }
+  return attributes;
+}
+
+/// Whether there is a <use> or an <image>.
+bool SvgWriter::has_references() const {
+  const auto is_texture = [](const Shader& shader) {
+    return std::holds_alternative<Texture>(shader.paint);
+  };
+  return std::ranges::any_of(use_count_, [](std::uint32_t count) { return count > 1; }) ||
+         std::ranges::any_of(document_.shaders, is_texture);
+}
+
+Status SvgWriter::write_defs() {
+  const bool all_in_place = std::ranges::all_of(use_count_, [](auto count) { return count == 1; });
+  if (document_.shaders.empty() && all_in_place) return ok_status();
+  writer_.open("defs", {});
+  for (const std::uint32_t i : shader_order_) {
+    Status status = svg_write::write_shader(context_, writer_, document_.shaders[i], shader_id_[i]);
+    if (status) status = check_progress();
+    if (!status) return status;
+  }
+  for (const std::uint32_t i : layer_order_) {
+    if (!is_in_place(i)) write_layer(i, {});
+    if (Status status = check_progress(); !status) return status;
+  }
+  writer_.close("defs");
+  return ok_status();
+}
+
+void SvgWriter::write_background() {
+  if (!document_.background) return;
+  svg_write::Attributes attributes;
+  attributes.add("x", number_text(document_.artboard.min.x));
+  attributes.add("y", number_text(document_.artboard.min.y));
+  // In percent: svgo makes a path of a rectangle in numbers, and a path is no background.
+  attributes.add("width", "100%").add("height", "100%");
+  writer_.leaf("rect", attributes.add("fill", color_text(*document_.background)));
+}
+
+Status SvgWriter::write_stack() {
+  for (const StackItem& item : document_.stack) {
+    std::visit([this](const auto& content) { write_item(content); }, item);
+    if (Status status = check_progress(); !status) return status;
+  }
+  return ok_status();
+}
+
+Status SvgWriter::check_progress() const {
+  if (context_.cancelled()) return context_.stop_status();
+  return svg_write::check_length(context_, writer_.text().size());
+}
+
+void add_compositing(svg_write::Attributes& attributes, float opacity, BlendMode blend) {
+  if (opacity != 1) attributes.add("opacity", number_text(opacity));
+  if (blend == BlendMode::normal) return;
+  attributes.add("style", "mix-blend-mode:" + std::string(blend_name(blend)));
+}
+
+void add_transform(svg_write::Attributes& attributes, const Affine& map) {
+  if (!(map == Affine{})) attributes.add("transform", transform_text(map));
+}
+
+void SvgWriter::write_item(const LayerInstance& instance) {
+  svg_write::Attributes attributes;
+  const bool in_place = is_in_place(instance.layer);
+  if (!in_place) attributes.add("xlink:href", '#' + layer_id_[instance.layer]);
+  add_transform(attributes, instance.artboard_from_layer);
+  add_compositing(attributes, instance.opacity, instance.blend);
+  if (in_place) {
+    write_layer(instance.layer, attributes);
+  } else {
+    writer_.leaf("use", attributes);
+  }
+}
+
+/// `attributes`: those of the place where the layer is painted.
+void SvgWriter::write_layer(std::uint32_t layer, const svg_write::Attributes& attributes) {
+  const std::vector<Curve>& curves = document_.layers[layer].curves;
+  // svgo merges a group with its only child, unless both have a class.
+  const bool has_classes = curves.size() == 1;
+  svg_write::Attributes all;
+  if (!layer_id_[layer].empty()) all.add("id", layer_id_[layer]);
+  if (has_classes) all.add("class", "layer");
+  all.add("sf:diffuse", "true");
+  for (const auto& [name, value] : attributes.list()) all.add(name, value);
+  all.add("fill", "none").add("stroke-width", stroke_width_);
+  writer_.open("g", all);
+  RarePoll<64> poll(context_);
+  for (const Curve& curve : curves) {
+    if (poll.cancelled()) return;
+    svg_write::Attributes path;
+    if (!curve.id.empty()) path.add("id", ids_.claim(curve.id));
+    if (has_classes) path.add("class", "curve");
+    svg_write::add_curve(context_, path, curve, shader_id_);
+    writer_.leaf("path", path);
+  }
+  writer_.close("g");
+}
+
+void SvgWriter::write_item(const LocalStroke& stroke) {
+  if (stroke.curve.left_color.empty() && stroke.curve.right_color.empty()) return;
+  svg_write::Attributes attributes;
+  if (!stroke.curve.id.empty()) attributes.add("id", ids_.claim(stroke.curve.id));
+  add_transform(attributes, stroke.artboard_from_stroke);
+  svg_write::add_local_curve(context_, attributes, stroke.curve);
+  writer_.leaf("path", attributes);
+}
+
+void SvgWriter::write_item(const GroupBegin& group) {
+  svg_write::Attributes attributes;
+  add_compositing(attributes, group.opacity, group.blend);
+  if (attributes.list().empty()) attributes.add("style", "isolation:isolate");
+  writer_.open("g", attributes);
+}
+
+void SvgWriter::write_item(const GroupEnd&) {
+  writer_.close("g");
+}
+
+Result<std::string> write(Context& context, const Document& document) {
+  if (Status status = validate(context, document); !status) return status;
+  ScopedCharge charge;
+  // The text grows by doubling: as it moves, both copies are there.
+  const std::size_t bytes = std::min(estimated_bytes(document), 2 * context.limits.input_bytes);
+  if (Status status = charge.add(context, 2 * bytes, "the document as SVG"); !status) return status;
+  return SvgWriter(context, document).write();
+}
+
+}  // namespace
+
+Result<std::string> write_svg(Context& context, const Document& document) {
+  return public_verb(context, [&] { return write(context, document); });
+}
+
+}  // namespace sfumato

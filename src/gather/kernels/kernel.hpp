@@ -1,0 +1,210 @@
+#pragma once
+
+#include "gather/kernels/integrator.hpp"
+#include "gather/kernels/window.hpp"
+#include "gather/scene_layout.hpp"
+
+/// The exact gather of a packet (triangular expansion): windows of directions are
+/// walked outward through the visibility mesh, narrowed at every edge that rays pass, integrated at
+/// every edge that stops them. One text for all widths; F = Lanes<W, 16 / W>.
+///
+/// Every lane's arithmetic depends on that lane and on decisions over the whole packet alone; hence
+/// the same bits for every W.
+namespace sfumato::gather::inline SFUMATO_ISA {
+
+template <int W, int kChannels, bool kBlends>
+class PacketWalk {
+ public:
+  static constexpr int K = kPacketLanes / W;
+  using F = Lanes<W, K>;
+
+  PacketWalk(const SceneView& scene, const PacketStack& stack)
+      : scene_(scene), stack_(reinterpret_cast<Waiting*>(stack.slot)), capacity_(stack.capacity) {}
+
+  /// False where the stack is too small; nothing is stored then.
+  bool run(const PacketInput& packet, PacketResult& out) {
+    px_ = F::load(packet.x);
+    py_ = F::load(packet.y);
+    integrator_.begin(scene_, packet, out.shader_share);
+    steps_left_ = scene_.step_limit;
+    size_ = 0;
+    if (packet.triangle_count == 1) {
+      start_in_one_triangle(packet);
+    } else {
+      start_in_tree(packet);
+    }
+    while (size_ > 0) {
+      const Waiting& top = stack_[--size_];
+      const Window<F> window = top.window;
+      if (!walk(window, top.edge)) return false;
+    }
+    integrator_.end(out);
+    return true;
+  }
+
+ private:
+  struct Waiting {
+    Window<F> window;
+    EdgeCode edge;
+  };
+  static_assert(sizeof(Waiting) <= sizeof(StackSlot));
+
+  SFUMATO_INLINE void push(const Window<F>& window, EdgeCode edge) {
+    stack_[size_].window = window;
+    stack_[size_].edge = edge;
+    ++size_;
+  }
+
+  /// Follows one window until nothing of it is left; what parts from it waits on the stack.
+  SFUMATO_INLINE bool walk(Window<F> window, EdgeCode edge) {
+    for (;;) {
+      if (--steps_left_ < 0) return true;
+      const EdgeBeyond& beyond = scene_.edge_beyond[edge];
+      // At every second step: the question costs as much as the step.
+      if (steps_left_ % 2 != 0) window.lanes &= ~negligible(window, beyond);
+      const Split<F> split(window, {F(beyond.apex_x) - px_, F(beyond.apex_y) - py_});
+      bool goes_right = split.right != 0;
+      bool goes_left = split.left != 0;
+      if (beyond.right < 0 && goes_right) {
+        if (is_stop(beyond.right)) integrator_.add(scene_, beyond.right, split.right_of(window));
+        goes_right = false;
+      }
+      if (beyond.left < 0 && goes_left) {
+        if (is_stop(beyond.left)) integrator_.add(scene_, beyond.left, split.left_of(window));
+        goes_left = false;
+      }
+      if (goes_right && goes_left) {
+        if (size_ == capacity_) return false;
+        push(split.left_of(window), beyond.left);
+      }
+      if (goes_right) {
+        window = split.right_of(window);
+        edge = beyond.right;
+      } else if (goes_left) {
+        window = split.left_of(window);
+        edge = beyond.left;
+      } else {
+        return true;
+      }
+    }
+  }
+
+  // Behind an edge at distance d nothing is nearer than d: a window of angle D weighs at most D/d²
+  // (weights k are at most 1). tan D stands for D, and below 90° is greater; above, cos D is
+  // negative and nothing is dropped.
+  SFUMATO_INLINE LaneBits negligible(const Window<F>& w, const EdgeBeyond& beyond) const {
+    const F d = F(beyond.normal_x) * px_ + (F(beyond.normal_y) * py_ + F(beyond.offset));
+    const F sine = w.right.x * w.left.y - w.right.y * w.left.x;
+    const F cosine = w.right.x * w.left.x + w.right.y * w.left.y;
+    return mask_bits(abs(sine) < integrator_.negligible_weight() * (d * d) * cosine);
+  }
+
+  /// A window that leaves the packet's triangles.
+  void start(const Window<F>& window, EdgeCode edge) {
+    if (edge == kBorder || window.lanes == 0) return;
+    if (is_stop(edge)) {
+      integrator_.add(scene_, edge, window);
+    } else {
+      push(window, edge);
+    }
+  }
+
+  SFUMATO_INLINE Direction<F> corner(const SceneTriangle& t, int k) const {
+    return {F(t.x[k]) - px_, F(t.y[k]) - py_};
+  }
+
+  /// The windows of a triangle's own points through its edge k. Their signs are not asked: a point
+  /// may lie on the edge, which it sees under 180 degrees.
+  SFUMATO_INLINE Window<F> own_window(const PacketTriangle& member, const SceneTriangle& t,
+                                      int k) const {
+    const LaneBits lanes = (1u << member.lane_end) - (1u << member.lane_begin);
+    return {corner(t, k), corner(t, (k + 1) % 3), lanes, lanes, lanes};
+  }
+
+  void start_in_one_triangle(const PacketInput& packet) {
+    const SceneTriangle& t = scene_.triangle[packet.triangle[0].triangle];
+    for (int k = 0; k < 3; ++k) start(own_window(packet.triangle[0], t, k), t.edge[k]);
+  }
+
+  /// The windows of all lanes that leave `member` through its edge k: its own points', and those
+  /// that came in through the two other edges. Lanes differ, so they are one window.
+  Window<F> leaving(const PacketTriangle& member, const Window<F> (&entering)[3], int k) const {
+    const SceneTriangle& t = scene_.triangle[member.triangle];
+    const int next = (k + 1) % 3, previous = (k + 2) % 3;
+    Window<F> out = own_window(member, t, k);
+    // Seen through edge f, the apex is corner f + 2, the right edge is f + 1, the left f + 2.
+    if (entering[previous].lanes) {
+      const Split<F> split(entering[previous], corner(t, next));
+      merge(out, split.right_of(entering[previous]));
+    }
+    if (entering[next].lanes) {
+      const Split<F> split(entering[next], corner(t, k));
+      merge(out, split.left_of(entering[next]));
+    }
+    return out;
+  }
+
+  SFUMATO_INLINE static void merge(Window<F>& out, const Window<F>& in) {
+    const auto lanes = F::Mask::from_bits(in.lanes);
+    out.right = select(lanes, in.right, out.right);
+    out.left = select(lanes, in.left, out.left);
+    out.lanes = out.lanes | in.lanes;
+    out.whole_right = out.whole_right | (in.whole_right & in.lanes);
+    out.whole_left = out.whole_left | (in.whole_left & in.lanes);
+  }
+
+  /// Windows pass through the edges of the tree, first towards the root, then away from it; what
+  /// leaves by other edges starts the walk.
+  void start_in_tree(const PacketInput& packet) {
+    const PacketTriangle* member = packet.triangle;
+    Window<F> entering[kPacketTriangles][3];
+    unsigned tree_edges[kPacketTriangles] = {};
+    for (int i = 0; i < packet.triangle_count; ++i) {
+      for (Window<F>& window : entering[i]) window.lanes = 0;
+    }
+    for (int i = packet.triangle_count - 1; i > 0; --i) {
+      const int parent = member[i].parent;
+      tree_edges[i] |= 1u << member[i].own_edge;
+      tree_edges[parent] |= 1u << member[i].parent_edge;
+      entering[parent][member[i].parent_edge] = leaving(member[i], entering[i], member[i].own_edge);
+    }
+    for (int i = 0; i < packet.triangle_count; ++i) {
+      if (i > 0) {
+        const int parent = member[i].parent;
+        entering[i][member[i].own_edge] =
+            leaving(member[parent], entering[parent], member[i].parent_edge);
+      }
+      const SceneTriangle& t = scene_.triangle[member[i].triangle];
+      for (int k = 0; k < 3; ++k) {
+        if (!(tree_edges[i] >> k & 1)) start(leaving(member[i], entering[i], k), t.edge[k]);
+      }
+    }
+  }
+
+  const SceneView& scene_;
+  Waiting* stack_;
+  int capacity_;
+  int size_ = 0;
+  std::int64_t steps_left_ = 0;
+  F px_, py_;
+  Integrator<W, kChannels, kBlends> integrator_;
+};
+
+template <int W, int kChannels, bool kBlends>
+bool walk_packets(const SceneView& scene, const PacketBatch& batch, const PacketStack& stack) {
+  PacketWalk<W, kChannels, kBlends> walk(scene, stack);
+  for (int i = 0; i < batch.count; ++i) {
+    if (!walk.run(batch.packet[i], batch.result[i])) return false;
+  }
+  return true;
+}
+
+/// A batch of packets with W lanes to a register. False: the stack is too small.
+template <int W>
+bool gather_packets(const SceneView& scene, const PacketBatch& batch, const PacketStack& stack) {
+  if (scene.blend) return walk_packets<W, kValueChannels, true>(scene, batch, stack);
+  if (scene.base_channels > 3) return walk_packets<W, 4, false>(scene, batch, stack);
+  return walk_packets<W, 3, false>(scene, batch, stack);
+}
+
+}  // namespace sfumato::gather::inline SFUMATO_ISA

@@ -1,0 +1,98 @@
+#include "picture/check_picture.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/limits.hpp"
+#include "document/rules.hpp"
+
+namespace sfumato::raster {
+namespace {
+
+/// Pixels per unit, and pixels from the image to the artboard's origin. Beyond, squares of pixel
+/// coordinates could overflow.
+constexpr double kLargestScale = 1e100;
+
+Status bad(std::string message) {
+  return make_error(StatusCode::bad_input, std::move(message));
+}
+
+bool all_below(const std::vector<std::uint32_t>& indices, std::size_t bound) {
+  return std::all_of(indices.begin(), indices.end(), [&](std::uint32_t i) { return i < bound; });
+}
+
+/// own_channels: those that are no shader's weight.
+bool is_whole(const PatchField& field, int own_channels, const Picture& picture,
+              const PatchLayer& layer) {
+  const std::size_t channels = static_cast<std::size_t>(own_channels) + field.shader.size();
+  if (field.channel_count < 0 || static_cast<std::size_t>(field.channel_count) != channels)
+    return false;
+  return field.triangle_node.size() == std::size_t{10} * layer.triangle_count() &&
+         field.node_value.size() % channels == 0 &&
+         all_below(field.triangle_node, field.node_value.size() / channels) &&
+         all_below(field.shader, picture.shaders.size());
+}
+
+bool is_absent(const PatchField& field) {
+  return field.channel_count == 0 && field.shader.empty();
+}
+
+bool is_soft_edge(const SoftEdge& edge, std::size_t corners) {
+  const auto is_side = [&](std::uint32_t slot) {
+    return slot == SoftEdge::kNone || slot < corners;
+  };
+  return is_side(edge.front) && is_side(edge.back) &&
+         !(edge.front == SoftEdge::kNone && edge.back == SoftEdge::kNone) &&
+         rules::is_coordinate(edge.reach[0]) && rules::is_coordinate(edge.reach[1]) &&
+         edge.contrast >= 0 && edge.contrast <= 2;
+}
+
+bool are_soft_edges(const PatchLayer& layer, std::size_t corners) {
+  return std::ranges::all_of(layer.soft_edge,
+                             [&](const SoftEdge& edge) { return is_soft_edge(edge, corners); }) &&
+         std::ranges::is_sorted(layer.soft_edge, {}, soft_edge_triangle);
+}
+
+bool is_whole(const PatchLayer& layer, const Picture& picture) {
+  const std::size_t corners = std::size_t{3} * layer.triangle_count();
+  return layer.triangle_vertex.size() == corners && layer.edge_is_curve.size() == corners &&
+         are_soft_edges(layer, corners) && layer.order <= PatchOrder::cubic &&
+         is_whole(layer.color, 3, picture, layer) &&
+         (is_absent(layer.opacity) || is_whole(layer.opacity, 1, picture, layer)) &&
+         all_below(layer.triangle_vertex, layer.vertex_position.size()) &&
+         std::all_of(layer.vertex_position.begin(), layer.vertex_position.end(),
+                     [](Vec2 p) { return rules::is_coordinate(p); });
+}
+
+Status check_layer(const Context& context, const PatchLayer& layer, const Picture& picture) {
+  const std::size_t shaders = std::max(layer.color.shader.size(), layer.opacity.shader.size());
+  if (shaders > context.limits.shaders_per_layer) {
+    return limit_error(context.limits, &Limits::shaders_per_layer,
+                       "shaders in a layer of the picture");
+  }
+  if (context.cancelled()) return context.stop_status();
+  if (!is_whole(layer, picture)) return bad("a layer of the picture whose tables do not fit");
+  return ok_status();
+}
+
+}  // namespace
+
+bool is_moderate(const Affine& m) {
+  const double entries[] = {m.a, m.b, m.c, m.d, m.e, m.f};
+  return std::all_of(std::begin(entries), std::end(entries),
+                     [](double entry) { return std::fabs(entry) <= kLargestScale; });
+}
+
+Status check_picture(const Context& context, const Picture& picture) {
+  if (Status status = rules::check_interpolation(picture.interpolation); !status) return status;
+  if (Status status = rules::check_background(picture.background); !status) return status;
+  if (Status status = validate(context, picture.shaders); !status) return status;
+  for (const PatchLayer& layer : picture.layers)
+    if (Status status = check_layer(context, layer, picture); !status) return status;
+  return rules::check_stack(context, picture.stack, picture.layers.size());
+}
+
+}  // namespace sfumato::raster

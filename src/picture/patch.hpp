@@ -1,0 +1,69 @@
+#pragma once
+
+#include <array>
+
+#include "picture/picture.hpp"
+
+namespace sfumato {
+
+inline constexpr int kNodesPerTriangle = 10;
+
+/// Barycentric coordinates of the ten nodes, in the order of PatchLayer: per node the weights of
+/// corners 0, 1, 2.
+inline constexpr std::array<std::array<double, 3>, kNodesPerTriangle> kNodeBarycentric{{
+    {1, 0, 0},
+    {0, 1, 0},
+    {0, 0, 1},
+    {2.0 / 3, 1.0 / 3, 0},
+    {1.0 / 3, 2.0 / 3, 0},
+    {0, 2.0 / 3, 1.0 / 3},
+    {0, 1.0 / 3, 2.0 / 3},
+    {1.0 / 3, 0, 2.0 / 3},
+    {2.0 / 3, 0, 1.0 / 3},
+    {1.0 / 3, 1.0 / 3, 1.0 / 3},
+}};
+
+using PatchBasis = std::array<double, kNodesPerTriangle>;
+
+namespace patches {
+
+/// Eq. 18.
+constexpr PatchBasis cubic_basis(double w, double u, double v) {
+  return {0.5 * w * (3 * w - 1) * (3 * w - 2), 0.5 * u * (3 * u - 1) * (3 * u - 2),
+          0.5 * v * (3 * v - 1) * (3 * v - 2), 4.5 * w * u * (3 * w - 1),
+          4.5 * w * u * (3 * u - 1),           4.5 * u * v * (3 * u - 1),
+          4.5 * u * v * (3 * v - 1),           4.5 * v * w * (3 * v - 1),
+          4.5 * v * w * (3 * w - 1),           27 * w * u * v};
+}
+
+/// Eq. 17, each edge centre read from the cubic through the edge's four nodes:
+/// (−Zi + 9 Zij + 9 Zji − Zj) / 16.
+constexpr PatchBasis quadratic_basis(double w, double u, double v) {
+  PatchBasis basis{w * (2 * w - 1), u * (2 * u - 1), v * (2 * v - 1), 0, 0, 0, 0, 0, 0, 0};
+  const double edge[3] = {4 * w * u, 4 * u * v, 4 * v * w};
+  for (int k = 0; k < 3; ++k) {
+    basis[k] -= edge[k] / 16;
+    basis[(k + 1) % 3] -= edge[k] / 16;
+    basis[3 + 2 * k] += 9 * edge[k] / 16;
+    basis[4 + 2 * k] += 9 * edge[k] / 16;
+  }
+  return basis;
+}
+
+}  // namespace patches
+
+/// The ten basis values at barycentric (w, u, v) of corners 0, 1, 2: eq. 18 (cubic), eq. 17
+/// (quadratic, its edge centres taken from the cubic), or barycentric (linear). They sum to 1.
+constexpr PatchBasis patch_basis(PatchOrder order, double w, double u, double v) {
+  switch (order) {
+    case PatchOrder::linear:
+      return {w, u, v, 0, 0, 0, 0, 0, 0, 0};
+    case PatchOrder::quadratic:
+      return patches::quadratic_basis(w, u, v);
+    case PatchOrder::cubic:
+      break;
+  }
+  return patches::cubic_basis(w, u, v);
+}
+
+}  // namespace sfumato

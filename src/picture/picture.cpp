@@ -1,0 +1,29 @@
+#include "picture/picture.hpp"
+
+namespace sfumato {
+namespace {
+
+std::size_t bytes_of(const PatchField& field) {
+  return field.triangle_node.capacity() * sizeof(std::uint32_t) +
+         field.node_value.capacity() * sizeof(float);
+}
+
+}  // namespace
+
+std::size_t bytes_of(const PatchLayer& layer) {
+  return layer.vertex_position.capacity() * sizeof(Vec2) +
+         layer.triangle_vertex.capacity() * sizeof(std::uint32_t) + layer.edge_is_curve.capacity() +
+         layer.soft_edge.capacity() * sizeof(SoftEdge) + bytes_of(layer.color) +
+         bytes_of(layer.opacity);
+}
+
+std::size_t bytes_of(const Picture& picture) {
+  std::size_t bytes = bytes_of(picture.shaders) + picture.stack.capacity() * sizeof(PictureItem);
+  for (const PatchLayer& layer : picture.layers) bytes += bytes_of(layer);
+  for (const PictureItem& item : picture.stack) {
+    if (const auto* stroke = std::get_if<LocalStroke>(&item)) bytes += bytes_of(stroke->curve);
+  }
+  return bytes;
+}
+
+}  // namespace sfumato

@@ -1,0 +1,7 @@
+#include "raster/kernels/local_stroke_kernel.hpp"
+
+namespace sfumato::raster {
+
+const StrokeKernels kStrokeKernelsBase{add_stroke_segments<4, 1>, finish_stroke<4>};
+
+}  // namespace sfumato::raster

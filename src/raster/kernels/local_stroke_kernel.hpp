@@ -1,0 +1,215 @@
+#pragma once
+
+#include "base/lanes.hpp"
+#include "raster/kernels/color_space_kernel.hpp"
+#include "raster/kernels/local_stroke_kernels.hpp"
+
+/// Eq. 12–16 at the pixels of a block, by the midpoint rule over the nodes of the stroke's
+/// segments. Compiled for every instruction set.
+namespace sfumato::raster::inline SFUMATO_ISA {
+
+/// The nodes of one segment, relative to the block's centre, frame of the segments.
+struct StrokeNodes {
+  float x[curves::kStrokeNodes], y[curves::kStrokeNodes];
+  float inverse_radius_squared[curves::kStrokeNodes];                      ///< Q⁻²
+  float weight[curves::kStrokeNodes];                                      ///< ds / Q; 0: no node
+  float tangent_x[curves::kStrokeNodes], tangent_y[curves::kStrokeNodes];  ///< unit
+  float blur_squared[curves::kStrokeNodes];                            ///< R² widened by the pixel
+  float turn[curves::kStrokeNodes];                                    ///< see `beta`
+  float base[3][curves::kStrokeNodes];                                 ///< the right side's colour
+  float difference[3][curves::kStrokeNodes];                           ///< left minus right
+  float image_x[curves::kStrokeNodes], image_y[curves::kStrokeNodes];  ///< pixels from the centre
+  float reach_x[curves::kStrokeNodes], reach_y[curves::kStrokeNodes];  ///< pixels
+};
+
+/// A node and the rows of the block that it reaches.
+struct NodeRows {
+  int node, first, last;
+};
+
+// A blur of variance v, however it came about, is made by one of radius sqrt(5 v): smoothstep's
+// derivative over ±R has variance R²/5. A pixel's square adds its extent² / 12 across the curve;
+// what a node stands for adds (half its range of r⊥)² / 3, or a hard side would switch node by
+// node.
+inline constexpr float kPixelVariance = 5.0f / 12;
+inline constexpr float kRangeVariance = 5.0f / 3;
+
+template <class F>
+SFUMATO_INLINE F between(const F& u, float start, float end) {
+  return F(start) + u * F(end - start);
+}
+
+template <class F>
+SFUMATO_INLINE void make_colors(const curves::StrokeSegment& s, const F& u, int k,
+                                StrokeNodes& nodes) {
+  const float right[3][2] = {{s.right.start.r, s.right.end.r},
+                             {s.right.start.g, s.right.end.g},
+                             {s.right.start.b, s.right.end.b}};
+  const float left[3][2] = {{s.left.start.r, s.left.end.r},
+                            {s.left.start.g, s.left.end.g},
+                            {s.left.start.b, s.left.end.b}};
+  for (int c = 0; c < 3; ++c) {
+    const F base = between(u, right[c][0], right[c][1]);
+    base.store(nodes.base[c] + k);
+    (between(u, left[c][0], left[c][1]) - base).store(nodes.difference[c] + k);
+  }
+}
+
+/// Nodes k, k + 1, …, as many as F has lanes.
+template <class F>
+SFUMATO_INLINE void make_nodes(const StrokeFrame& frame, const curves::StrokeSegment& s,
+                               Vec2 center, int k, StrokeNodes& nodes) {
+  float steps[curves::kStrokeNodes];
+  for (int i = 0; i < curves::kStrokeNodes; ++i) steps[i] = static_cast<float>(i) + 0.5f;
+  const F step = F::load(steps + k), count(static_cast<float>(s.node_count));
+  const F u = step / count;
+  F position[2], speed[2], bend[2];
+  const float start[2] = {static_cast<float>(s.start.x - center.x),
+                          static_cast<float>(s.start.y - center.y)};
+  for (int axis = 0; axis < 2; ++axis) {
+    const F c1(s.coefficient[0][axis]), c2(s.coefficient[1][axis]), c3(s.coefficient[2][axis]);
+    position[axis] = F(start[axis]) + u * (c1 + u * (c2 + u * c3));
+    speed[axis] = c1 + u * (F(2) * c2 + F(3) * u * c3);
+    bend[axis] = F(2) * c2 + F(6) * u * c3;
+  }
+  const F squared = max(speed[0] * speed[0] + speed[1] * speed[1], F(1e-30f));
+  const F length = sqrt(squared), inverse_length = F(1) / length;
+  const F tangent_x = speed[0] * inverse_length, tangent_y = speed[1] * inverse_length;
+  const F influence = between(u, s.influence_radius.start, s.influence_radius.end);
+  const F radius = max(influence, F(frame.smallest_radius));
+  const F inverse_squared = F(1) / (radius * radius);
+  const F arc = length * F(s.length_per_speed);
+  // A stroke thinner than a pixel is drawn that wide and as much fainter.
+  const F weight = arc * influence * inverse_squared;
+  const auto& m = frame.image_from_frame;
+  const auto& j = frame.frame_from_image;
+  position[0].store(nodes.x + k);
+  position[1].store(nodes.y + k);
+  inverse_squared.store(nodes.inverse_radius_squared + k);
+  zero_unless(step < count, weight).store(nodes.weight + k);
+  (F(m[0][0]) * position[0] + F(m[0][1]) * position[1]).store(nodes.image_x + k);
+  (F(m[1][0]) * position[0] + F(m[1][1]) * position[1]).store(nodes.image_y + k);
+  (radius * F(frame.reach_per_radius[0])).store(nodes.reach_x + k);
+  (radius * F(frame.reach_per_radius[1])).store(nodes.reach_y + k);
+  make_colors(s, u, k, nodes);
+  if (!frame.two_sided) return;
+  tangent_x.store(nodes.tangent_x + k);
+  tangent_y.store(nodes.tangent_y + k);
+  // The normal's components along the pixel's edges.
+  const F edge_x = tangent_y * F(j[0][0]) - tangent_x * F(j[1][0]);
+  const F edge_y = tangent_y * F(j[0][1]) - tangent_x * F(j[1][1]);
+  const F blur = between(u, s.blur_radius.start, s.blur_radius.end);
+  (blur * blur + F(kPixelVariance) * (edge_x * edge_x + edge_y * edge_y))
+      .store(nodes.blur_squared + k);
+  const F angle = (speed[0] * bend[1] - speed[1] * bend[0]) / (squared * count);
+  (F(kRangeVariance / 4) * angle * angle).store(nodes.turn + k);
+}
+
+/// Those nodes that reach the block, in order.
+inline int reaching_nodes(const StrokeNodes& nodes, int count, NodeRows* reaching) {
+  constexpr float kHalfWidth = 0.5f * kStrokeBlockWidth, kHalfHeight = 0.5f * kStrokeBlockHeight;
+  // Rows stand at their pixels' centres; a little more than the reach, for its rounding.
+  constexpr float kMargin = 0.01f;
+  int found = 0;
+  for (int k = 0; k < count; ++k) {
+    const float x = nodes.image_x[k] < 0 ? -nodes.image_x[k] : nodes.image_x[k];
+    if (!(nodes.weight[k] > 0) || !(x - nodes.reach_x[k] < kHalfWidth)) continue;
+    const float low = nodes.image_y[k] - nodes.reach_y[k] + (kHalfHeight - 0.5f - kMargin);
+    const float high = nodes.image_y[k] + nodes.reach_y[k] + (kHalfHeight - 0.5f + kMargin);
+    if (!(low < kStrokeBlockHeight && high > 0)) continue;
+    const int first = low > 0 ? static_cast<int>(low) + 1 : 0;
+    const int last =
+        high < kStrokeBlockHeight - 1 ? static_cast<int>(high) : kStrokeBlockHeight - 1;
+    if (first <= last) reaching[found++] = {k, first, last};
+  }
+  return found;
+}
+
+/// beta of eq. 16, the left side's share, at (dx, dy) from node k. r⊥ changes by the node's turn
+/// times the distance along the tangent over the length that the node stands for.
+template <class F>
+SFUMATO_INLINE F beta(const StrokeNodes& nodes, int k, const F& dx, const F& dy) {
+  const F tx(nodes.tangent_x[k]), ty(nodes.tangent_y[k]);
+  const F across = ty * dx - tx * dy, along = tx * dx + ty * dy;
+  const F variance = F(nodes.blur_squared[k]) + F(nodes.turn[k]) * (along * along);
+  const F u = F(0.5f) + F(0.5f) * across * reciprocal_sqrt(variance);
+  const F inside = min(max(u, F(0)), F(1));
+  return inside * inside * (F(3) - F(2) * inside);
+}
+
+template <class F, bool kTwoSided>
+SFUMATO_INLINE void add_row(const StrokeFrame& frame, const StrokeNodes& nodes,
+                            const NodeRows* reaching, int count, int row, StrokeSums& sums) {
+  const auto& j = frame.frame_from_image;
+  const float down = static_cast<float>(row) + 0.5f - 0.5f * kStrokeBlockHeight;
+  for (int x = 0; x < kStrokeBlockWidth; x += F::kCount) {
+    float columns[F::kCount];
+    for (int i = 0; i < F::kCount; ++i) {
+      columns[i] = static_cast<float>(x + i) + 0.5f - 0.5f * kStrokeBlockWidth;
+    }
+    const F right = F::load(columns);
+    const F px = F(j[0][0]) * right + F(j[0][1] * down);
+    const F py = F(j[1][0]) * right + F(j[1][1] * down);
+    F total = F::load(sums.weight[row] + x);
+    F color[3] = {F::load(sums.color[0][row] + x), F::load(sums.color[1][row] + x),
+                  F::load(sums.color[2][row] + x)};
+    for (int n = 0; n < count; ++n) {
+      if (row < reaching[n].first || row > reaching[n].last) continue;
+      const int k = reaching[n].node;
+      const F dx = px - F(nodes.x[k]), dy = py - F(nodes.y[k]);
+      const F q = min((dx * dx + dy * dy) * F(nodes.inverse_radius_squared[k]), F(1));
+      const F w = (F(1) - q * (F(3) - F(2) * sqrt(q))) * F(nodes.weight[k]);
+      total = total + w;
+      const F left = kTwoSided ? w * beta(nodes, k, dx, dy) : F(0);
+      for (int c = 0; c < 3; ++c) {
+        color[c] = color[c] + w * F(nodes.base[c][k]);
+        if (kTwoSided) color[c] = color[c] + left * F(nodes.difference[c][k]);
+      }
+    }
+    total.store(sums.weight[row] + x);
+    for (int c = 0; c < 3; ++c) color[c].store(sums.color[c][row] + x);
+  }
+}
+
+/// W lanes to a register; K registers for pixels side by side.
+template <int W, int K>
+void add_stroke_segments(const StrokeFrame& frame, const curves::StrokeSegment* segments,
+                         std::span<const std::uint32_t> indices, Vec2 center, StrokeSums& sums) {
+  StrokeNodes nodes;
+  NodeRows reaching[curves::kStrokeNodes];
+  for (std::uint32_t index : indices) {
+    const curves::StrokeSegment& segment = segments[index];
+    for (int k = 0; k < segment.node_count; k += W) {
+      make_nodes<Lanes<W>>(frame, segment, center, k, nodes);
+    }
+    const int count = reaching_nodes(nodes, segment.node_count, reaching);
+    if (count == 0) continue;
+    for (int row = 0; row < kStrokeBlockHeight; ++row) {
+      if (frame.two_sided)
+        add_row<Lanes<W, K>, true>(frame, nodes, reaching, count, row, sums);
+      else
+        add_row<Lanes<W, K>, false>(frame, nodes, reaching, count, row, sums);
+    }
+  }
+}
+
+template <int W>
+void finish_stroke(const StrokeFrame& frame, StrokeSums& sums) {
+  using F = Lanes<W>;
+  for (int row = 0; row < kStrokeBlockHeight; ++row) {
+    for (int x = 0; x < kStrokeBlockWidth; x += W) {
+      const F total = F::load(sums.weight[row] + x);
+      const F share = F(1) / max(total, F(1e-30f));
+      Rgb3<W> color{F::load(sums.color[0][row] + x) * share,
+                    F::load(sums.color[1][row] + x) * share,
+                    F::load(sums.color[2][row] + x) * share};
+      color = clamped_srgb(frame.interpolation, color);
+      color.r.store(sums.color[0][row] + x);
+      color.g.store(sums.color[1][row] + x);
+      color.b.store(sums.color[2][row] + x);
+      min(total * F(frame.alpha), F(1)).store(sums.weight[row] + x);
+    }
+  }
+}
+
+}  // namespace sfumato::raster::inline SFUMATO_ISA

@@ -1,0 +1,174 @@
+#pragma once
+
+#include "base/lanes.hpp"
+#include "raster/blue_noise.hpp"
+#include "raster/kernels/span_kernels.hpp"
+
+/// Code values to bytes. Compiled for every instruction set.
+namespace sfumato::raster::inline SFUMATO_ISA {
+
+/// A row of the dither's thresholds, (rank + 1/2) / 256; the first once more behind the last, so
+/// that a register may be read from any column.
+struct DitherRow {
+  float threshold[kBlueNoiseSide + 16];
+
+  explicit DitherRow(int y) {
+    for (int x = 0; x < kBlueNoiseSide + 16; ++x) {
+      const int rank = kBlueNoise[y & (kBlueNoiseSide - 1)][x & (kBlueNoiseSide - 1)];
+      threshold[x] = (static_cast<float>(rank) + 0.5f) * (1.0f / 256);
+    }
+  }
+};
+
+/// Neighbours that differ by no more, a two-thousandth of a code value, are of one colour: that is
+/// what rounding leaves in an even area, and a slope that takes 2000 pixels for a step.
+inline constexpr float kEvenStep = 2e-6f;
+
+/// A row of a plane and its neighbours; beyond the tile stand those of the other side.
+struct DitheredRow {
+  const float* above;
+  const float* below;
+  float value[kTileStride + 32];  ///< that of column x at x + 1
+
+  DitheredRow(const float* plane, int row, int width, int height) {
+    const float* here = plane + static_cast<std::ptrdiff_t>(row) * kTileStride;
+    const bool is_alone = height == 1;
+    above = row > 0 ? here - kTileStride : is_alone ? here : here + kTileStride;
+    below = row + 1 < height ? here + kTileStride : is_alone ? here : here - kTileStride;
+    __builtin_memcpy(value + 1, here, static_cast<std::size_t>(width) * sizeof(float));
+    value[0] = here[width > 1 ? 1 : 0];
+    value[width + 1] = here[width > 1 ? width - 2 : 0];
+  }
+
+  /// What is even is rounded: noise on it would show. Beside an edge the other side decides.
+  template <int W>
+  SFUMATO_INLINE LaneMask<W> is_even(int x) const {
+    using F = Lanes<W>;
+    const F v = F::load(value + 1 + x);
+    const F across = min(abs(v - F::load(value + x)), abs(v - F::load(value + x + 2)));
+    const F along = min(abs(v - F::load(above + x)), abs(v - F::load(below + x)));
+    return max(across, along) <= F(kEvenStep);
+  }
+};
+
+/// round(maximum clamp(v)), or with the thresholds of the dither floor(maximum clamp(v) + t): as t
+/// lies inside (0, 1), a value that is a whole number of steps stays itself.
+template <int W>
+SFUMATO_INLINE Lanes<W> quantized(const float* value, float maximum, const Lanes<W>& threshold) {
+  using F = Lanes<W>;
+  return to_float(to_int(min(max(F::load(value), F(0)), F(1)) * F(maximum) + threshold));
+}
+
+/// The 8-bit code values of a row of a plane.
+template <int W>
+SFUMATO_INLINE void round_row(const float* plane, int row, const Tile& tile, float* code) {
+  const float* value = plane + static_cast<std::ptrdiff_t>(row) * kTileStride;
+  for (int x = 0; x < tile.width; x += W) {
+    quantized<W>(value + x, 255, Lanes<W>(0.5f)).store(code + x);
+  }
+}
+
+/// The same, dithered by the thresholds from `first` on.
+template <int W>
+SFUMATO_INLINE void dither_row(const float* plane, int row, const Tile& tile,
+                               const DitherRow& thresholds, int first, float* code) {
+  using F = Lanes<W>;
+  const DitheredRow values(plane, row, tile.width, tile.height);
+  for (int x = 0; x < tile.width; x += W) {
+    const F noise = F::load(thresholds.threshold + ((first + x) & (kBlueNoiseSide - 1)));
+    const F threshold = select(values.is_even<W>(x), F(0.5f), noise);
+    quantized<W>(values.value + 1 + x, 255, threshold).store(code + x);
+  }
+}
+
+/// The code values of a row's pixels.
+struct CodeRow {
+  float channel[4][kTileStride];
+
+  template <int W>
+  SFUMATO_INLINE void fill(const Tile& tile, int row, bool dither) {
+    const auto plane = [&](int c) { return c < 3 ? tile.color[c] : tile.alpha; };
+    const int channels = tile.alpha ? 4 : 3;
+    if (!dither) {
+      for (int c = 0; c < channels; ++c) round_row<W>(plane(c), row, tile, channel[c]);
+      return;
+    }
+    // One noise for all colours keeps greys grey; that of alpha is another part of the table.
+    const int y = tile.y0 + row;
+    const DitherRow thresholds(y);
+    for (int c = 0; c < 3; ++c) dither_row<W>(plane(c), row, tile, thresholds, tile.x0, channel[c]);
+    if (!tile.alpha) return;
+    constexpr int kHalf = kBlueNoiseSide / 2;
+    dither_row<W>(tile.alpha, row, tile, DitherRow(y + kHalf), tile.x0 + kHalf, channel[3]);
+  }
+};
+
+/// A row of 8-bit pixels, r + 2^8 g + 2^16 b: exact in single precision.
+template <int W>
+SFUMATO_INLINE void pack_words(const CodeRow& row, int width, std::int32_t* word) {
+  using F = Lanes<W>;
+  for (int x = 0; x < width; x += W) {
+    const F r = F::load(row.channel[0] + x), g = F::load(row.channel[1] + x);
+    to_int(r + F(256) * g + F(65536) * F::load(row.channel[2] + x)).store(word + x);
+  }
+}
+
+/// Three bytes to a pixel, written four at a time but for the last: the tile to the right may be
+/// written by another thread.
+SFUMATO_INLINE void write_rgb8(const std::int32_t* word, int width, std::uint8_t* out) {
+  for (int x = 0; x + 1 < width; ++x) __builtin_memcpy(out + 3 * x, word + x, 4);
+  __builtin_memcpy(out + 3 * (width - 1), word + (width - 1), 3);
+}
+
+SFUMATO_INLINE void write_rgba8(const std::int32_t* word, const float* alpha, int width,
+                                std::uint8_t* out) {
+  for (int x = 0; x < width; ++x) {
+    __builtin_memcpy(out + 4 * x, word + x, 3);
+    out[4 * x + 3] = static_cast<std::uint8_t>(alpha[x]);
+  }
+}
+
+template <int W>
+SFUMATO_INLINE void write_row8(const Tile& tile, int row, bool dither, std::uint8_t* out) {
+  CodeRow codes;
+  codes.fill<W>(tile, row, dither);
+  std::int32_t word[kTileStride];
+  pack_words<W>(codes, tile.width, word);
+  if (tile.alpha)
+    write_rgba8(word, codes.channel[3], tile.width, out);
+  else
+    write_rgb8(word, tile.width, out);
+}
+
+template <int W>
+SFUMATO_INLINE void write_row16(const Tile& tile, int row, std::uint8_t* out) {
+  const std::size_t offset = static_cast<std::size_t>(row) * kTileStride;
+  const int channels = tile.alpha ? 4 : 3;
+  float value[W];
+  for (int c = 0; c < channels; ++c) {
+    const float* plane = (c < 3 ? tile.color[c] : tile.alpha) + offset;
+    for (int x = 0; x < tile.width; x += W) {
+      quantized<W>(plane + x, 65535, Lanes<W>(0.5f)).store(value);
+      for (int i = 0; i < W && x + i < tile.width; ++i) {
+        const std::uint16_t sample = static_cast<std::uint16_t>(value[i]);
+        __builtin_memcpy(out + 2 * (static_cast<std::size_t>(x + i) * channels + c), &sample, 2);
+      }
+    }
+  }
+}
+
+template <int W>
+void write_pixels(const Tile& tile, const ImageTarget& target) {
+  const bool wide = target.format == PixelFormat::rgb16 || target.format == PixelFormat::rgba16;
+  const std::size_t pixel_bytes = static_cast<std::size_t>((tile.alpha ? 4 : 3) * (wide ? 2 : 1));
+  for (int y = 0; y < tile.height; ++y) {
+    std::uint8_t* out = target.bytes + static_cast<std::size_t>(tile.y0 + y) * target.row_bytes +
+                        static_cast<std::size_t>(tile.x0) * pixel_bytes;
+    if (wide)
+      write_row16<W>(tile, y, out);
+    else
+      write_row8<W>(tile, y, target.dither, out);
+  }
+}
+
+}  // namespace sfumato::raster::inline SFUMATO_ISA

@@ -1,0 +1,148 @@
+#pragma once
+
+#include "raster/kernels/patch_polynomial.hpp"
+
+/// Interior pixels: the patch's value at pixel centres. Compiled for every instruction set.
+namespace sfumato::raster::inline SFUMATO_ISA {
+
+/// ceil(x), at least low and at most high; 0 <= low <= high. low where x is not a number.
+SFUMATO_INLINE int clamped_ceil(double x, int low, int high) {
+  const double lifted = x > low ? x : low;
+  const double cut = lifted < high ? lifted : high;
+  const int down = static_cast<int>(cut);
+  return down + (cut > down);
+}
+
+template <int W>
+struct LaneIndexTable {
+  float value[W];
+};
+
+template <int W>
+constexpr LaneIndexTable<W> make_lane_indices() {
+  LaneIndexTable<W> table{};
+  for (int i = 0; i < W; ++i) table.value[i] = static_cast<float>(i);
+  return table;
+}
+
+template <int W>
+inline constexpr LaneIndexTable<W> kLaneIndices = make_lane_indices<W>();
+
+/// Pixels of one row: count of them from `offset` in the tile's planes; u of pixel i is
+/// u0 + i u_step.
+struct Span {
+  std::size_t offset;
+  int count;
+  float u0, u_step;
+};
+
+/// The polynomials of the channels along a row: value[c][power of u].
+template <int kChannels>
+struct ChannelPolynomials {
+  float value[kChannels][4];
+};
+
+template <int kChannels>
+SFUMATO_INLINE ChannelPolynomials<kChannels> by_channel(const RowPolynomial& row) {
+  float k[4][4];
+  for (int i = 0; i < 4; ++i) row.k[i].store(k[i]);
+  ChannelPolynomials<kChannels> result;
+  for (int c = 0; c < kChannels; ++c)
+    for (int i = 0; i < 4; ++i) result.value[c][i] = k[i][c];
+  return result;
+}
+
+template <int W>
+SFUMATO_INLINE Lanes<W> cubic(const float (&k)[4], const Lanes<W>& u) {
+  using F = Lanes<W>;
+  return F(k[0]) + u * (F(k[1]) + u * (F(k[2]) + u * F(k[3])));
+}
+
+/// Three channels are the colour of what is opaque; four are the colour and alpha.
+template <int W, int kChannels>
+SFUMATO_INLINE void draw_span(const RowPolynomial& row, const Span& span, const Tile& tile) {
+  using F = Lanes<W>;
+  const ChannelPolynomials<kChannels> k = by_channel<kChannels>(row);
+  const F lane_index = F::load(kLaneIndices<W>.value);
+  const auto u_at = [&](int first) {
+    const F index = lane_index + F(static_cast<float>(first));
+    return min(max(F(span.u0) + index * F(span.u_step), F(0)), F(1));
+  };
+  float* pixel[kChannels];
+  for (int c = 0; c < kChannels; ++c) pixel[c] = (c < 3 ? tile.color[c] : tile.alpha) + span.offset;
+  int i = 0;
+  for (; i + W <= span.count; i += W) {
+    const F u = u_at(i);
+    for (int c = 0; c < kChannels; ++c) cubic<W>(k.value[c], u).store(pixel[c] + i);
+  }
+  if (i < span.count) {
+    const F u = u_at(i);
+    const auto painted = lane_index < F(static_cast<float>(span.count - i));
+    for (int c = 0; c < kChannels; ++c) {
+      float* const last = pixel[c] + i;
+      select(painted, cubic<W>(k.value[c], u), F::load(last)).store(last);
+    }
+  }
+  if (kChannels > 3 || !tile.alpha) return;
+  for (i = 0; i < span.count; ++i) tile.alpha[span.offset + i] = 1;
+}
+
+template <int W, class Channels>
+SFUMATO_INLINE void draw_triangle(const LayerView& layer, const Channels& channels,
+                                  std::uint32_t triangle, const Tile& tile) {
+  PixelPoint corner[3];
+  for (int k = 0; k < 3; ++k) corner[k] = corner_position(layer, triangle, k);
+  const TriangleFrame frame = triangle_frame(corner, layer.mirrored);
+  const int y_end = tile.y0 + tile.height;
+  const int first_row = clamped_ceil(frame.top_y - 0.5, tile.y0, y_end);
+  const int end_row = clamped_ceil(frame.bottom_y - 0.5, tile.y0, y_end);
+
+  PatchPolynomial patch;
+  bool patch_is_known = false;
+  for (int y = first_row; y < end_row; ++y) {
+    const double center_y = y + 0.5;
+    const double long_x = frame.long_edge_x(center_y);
+    const double short_x = frame.short_edges_x(center_y);
+    const double left = frame.middle_on_right ? long_x : short_x;
+    const double right = frame.middle_on_right ? short_x : long_x;
+    const int x_end = tile.x0 + tile.width;
+    const int begin = clamped_ceil(left - 0.5, tile.x0, x_end);
+    const int end = clamped_ceil(right - 0.5, tile.x0, x_end);
+    if (begin >= end) continue;
+    if (!patch_is_known) patch = patch_polynomial(channels, layer.order, triangle, frame);
+    patch_is_known = true;
+    const double q = (center_y - frame.top_y) * frame.inverse_height;
+    const double u0 = clamp_unit((begin + 0.5 - long_x) * frame.inverse_width);
+    const std::size_t offset =
+        static_cast<std::size_t>(y - tile.y0) * kTileStride + (begin - tile.x0);
+    draw_span<W, Channels::kCount>(
+        row_polynomial(patch, static_cast<float>(q)),
+        {offset, end - begin, static_cast<float>(u0), static_cast<float>(frame.inverse_width)},
+        tile);
+  }
+}
+
+template <int W, class Channels>
+SFUMATO_INLINE void draw_channels(const LayerView& layer, const Channels& channels,
+                                  const TriangleList& triangles, const Tile& tile) {
+  for (std::size_t i = 0; i < triangles.count; ++i)
+    draw_triangle<W>(layer, channels, triangles.triangle[i], tile);
+}
+
+template <int W>
+void draw_triangles(const LayerView& layer, const TriangleList& triangles, const Tile& tile) {
+  draw_channels<W>(layer, ColorChannels(layer), triangles, tile);
+}
+
+template <int W>
+void draw_color_opacity(const LayerView& layer, const TriangleList& triangles, const Tile& tile) {
+  draw_channels<W>(layer, ColorOpacityChannels(layer), triangles, tile);
+}
+
+template <int W>
+void draw_weights(const LayerView& layer, const FieldView& field, int first_channel,
+                  const TriangleList& triangles, const Tile& tile) {
+  draw_channels<W>(layer, WeightChannels(field, first_channel), triangles, tile);
+}
+
+}  // namespace sfumato::raster::inline SFUMATO_ISA

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "base/affine.hpp"
+#include "base/context.hpp"
+#include "raster/kernels/image_shader_row.hpp"
+
+namespace sfumato::raster {
+
+/// Texels are read four at a time: this many may be read past the last of a row.
+inline constexpr std::size_t kTexelsReadPast = 3;
+
+/// A level is read where the shorter side of a pixel is at most this many of its texels: a tent
+/// over the texels of the next level, which are means of 2 × 2, weighs them by steps, and what that
+/// misses falls with the square of this. It is below 2 code values of 255 for black and white
+/// noise.
+inline constexpr double kMostTexelsAcross = 14;
+
+/// Largest area of a pixel in texels of the level that is read; at most 2 · 2 times as many texels
+/// and those cut at the tent's border are summed.
+inline constexpr double kLargestFootprint = 512;
+
+/// One axis of a level: texels [0, count), and what stands beyond them.
+struct TextureAxis {
+  int count = 1;
+  double period = 1;  ///< where a repeating texture starts again, texels
+  bool repeats = false;
+
+  /// x brought to [0, period), or near to the texture where it does not repeat. Not a number is 0.
+  double reduced(double x) const;
+  /// The texel that stands at place i of the endless row of texels.
+  int texel(int i) const;
+};
+
+/// A level of a texture, as kernels read it.
+struct TextureSource {
+  const std::uint16_t* texels = nullptr;
+  TextureAxis x, y;
+  bool opaque = true;
+
+  const std::uint16_t* at(int row, int column) const {
+    return texels + 4 * (static_cast<std::ptrdiff_t>(row) * x.count + column);
+  }
+};
+
+/// A tent of two pixels' width about a sample, seen from a level: weight
+/// (1 - |across · d|) (1 - |down · d|) where both are above 0, at distance d in texels.
+struct TextureTent {
+  Vec2 across, down;
+  Vec2 reach;              ///< half of its bounds, texels
+  double run[2] = {1, 1};  ///< 1 / across.x and 1 / down.x; 0 where those are next to nothing
+  double area = 1;
+  double shorter_side = 1;
+};
+
+/// Points of a row: map(first + (i, 0)), 0 ≤ i < count, in texels of the level.
+struct TextureRow {
+  Affine map;
+  Vec2 first;
+  int count = 0;
+};
+
+/// The inner loops, compiled for one instruction set. All sets give the same bits.
+struct TextureKernels {
+  /// Cubic convolution, kept within the range of the four texels around the point.
+  void (*magnify)(const TextureSource& source, const TextureRow& points, const ShaderRow& out);
+
+  /// The mean under the tent. Precondition: its area is at most kLargestFootprint.
+  void (*minify)(const TextureSource& source, const TextureTent& tent, const TextureRow& points,
+                 const ShaderRow& out);
+};
+
+extern const TextureKernels kTextureKernelsBase;
+#if defined(__x86_64__)
+extern const TextureKernels kTextureKernelsAvx2;
+extern const TextureKernels kTextureKernelsAvx512;
+#endif
+
+/// level must not be above detected_simd_level().
+const TextureKernels& texture_kernels(SimdLevel level);
+
+}  // namespace sfumato::raster

@@ -1,0 +1,114 @@
+#include "solve/diffuse.hpp"
+
+#include <utility>
+
+#include "base/large_vector.hpp"
+#include "base/public_verb.hpp"
+#include "solve/layer_scene.hpp"
+#include "solve/layer_solver.hpp"
+
+namespace sfumato {
+namespace {
+
+Result<PatchLayer> solve_layer(Context& context, const Document& document, std::uint32_t index,
+                               const Box& viewport, const DiffuseOptions& options,
+                               DiffuseStats* stats) {
+  const patches::LayerSight sight = patches::sight_of_layer(document, index, viewport);
+  if (sight.viewport.empty() || document.layers[index].curves.empty()) return PatchLayer{};
+  Result<patches::LayerScene> scene = patches::prepare_layer(
+      context, document, index, sight, options, stats, patches::LayerUse::patches);
+  if (!scene) return scene.status();
+  return patches::LayerSolver(context, std::move(*scene), options, stats).solve();
+}
+
+PictureItem picture_item(const LayerInstance& instance) {
+  return PatchInstance{instance.layer, instance.artboard_from_layer, instance.opacity,
+                       instance.blend};
+}
+
+/// What is painted as it stands in the document.
+template <class Item>
+PictureItem picture_item(const Item& item) {
+  return item;
+}
+
+/// The shaders of a document as pixels need them: without the files that textures came from.
+Result<std::vector<Shader>> copy_shaders(Context& context, const std::vector<Shader>& shaders) {
+  std::vector<Shader> copies;
+  ScopedCharge charge;
+  for (const Shader& shader : shaders) {
+    if (const auto* texture = std::get_if<Texture>(&shader.paint)) {
+      Status status = charge.add(context, texture->rgba.size(), "textures");
+      if (!status) return status;
+      Texture copy{texture->width,   texture->height, {}, texture->layer_from_texture,
+                   texture->repeats, texture->period, {}};
+      status = copy_large(context, texture->rgba, copy.rgba);
+      if (!status) return status;
+      copies.push_back({shader.id, std::move(copy)});
+    } else {
+      copies.push_back(shader);
+    }
+  }
+  return copies;
+}
+
+std::size_t stack_bytes(const Document& document) {
+  std::size_t bytes = document.stack.size() * sizeof(PictureItem);
+  for (const StackItem& item : document.stack) {
+    if (const auto* stroke = std::get_if<LocalStroke>(&item)) bytes += bytes_of(stroke->curve);
+  }
+  return bytes;
+}
+
+Result<Picture> make_frame(Context& context, const Document& document, const Box& viewport) {
+  Result<std::vector<Shader>> shaders = copy_shaders(context, document.shaders);
+  if (!shaders) return shaders.status();
+  Picture picture;
+  picture.artboard = document.artboard;
+  picture.viewport = viewport;
+  picture.interpolation = document.interpolation;
+  picture.background = document.background;
+  picture.shaders = std::move(*shaders);
+  ScopedCharge charge;
+  Status status = charge.add(context, stack_bytes(document), "the picture's stack");
+  if (!status) return status;
+  picture.stack.reserve(document.stack.size());
+  for (const StackItem& item : document.stack) {
+    picture.stack.push_back(std::visit([](const auto& x) { return picture_item(x); }, item));
+  }
+  return picture;
+}
+
+Result<Picture> solve(Context& context, const Document& document, const DiffuseOptions& options,
+                      DiffuseStats* stats) {
+  if (Status status = patches::validate(options); !status) return status;
+  if (Status status = validate(context, document); !status) return status;
+  Result<Picture> frame =
+      make_frame(context, document, options.viewport.value_or(document.artboard));
+  if (!frame) return frame.status();
+  Picture picture = std::move(*frame);
+  ScopedCharge charge;  // of the frame and the layers that are done, while others are solved
+  Status status = charge.add(context, bytes_of(picture), "the picture");
+  if (!status) return status;
+  for (std::uint32_t i = 0; i < document.layers.size(); ++i) {
+    Result<PatchLayer> layer = solve_layer(context, document, i, picture.viewport, options, stats);
+    if (!layer) return layer.status();
+    status = charge.add(context, bytes_of(*layer), "patches");
+    if (!status) return status;
+    picture.layers.push_back(std::move(*layer));
+  }
+  return picture;
+}
+
+}  // namespace
+
+Result<Picture> picture_frame(Context& context, const Document& document, const Box& viewport) {
+  return public_verb(context, [&] { return make_frame(context, document, viewport); });
+}
+
+Result<Picture> diffuse(Context& context, const Document& document, const DiffuseOptions& options,
+                        DiffuseStats* stats) {
+  return public_verb(context, [&] { return solve(context, document, options, stats); });
+}
+
+}  // namespace sfumato

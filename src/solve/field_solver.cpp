@@ -1,0 +1,419 @@
+#include "solve/field_solver.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "base/large_vector.hpp"
+#include "picture/patch.hpp"
+#include "solve/layout_order.hpp"
+#include "solve/probes.hpp"
+
+namespace sfumato::patches {
+namespace {
+
+constexpr std::size_t kNodes = kNodesPerTriangle;
+
+/// Both sides of an edge on a curve.
+constexpr std::size_t kBytesPerSeam = 2 * sizeof(gather::Facing);
+
+/// Six nodes with a fixed value on each, while nodes are laid out, in a table that doubles.
+constexpr std::size_t kFixedBytesPerSeam = 2 * 6 * 64;
+
+/// The most probes of one triangle (solve/probes.hpp).
+constexpr std::size_t kMostProbes = 6;
+
+/// About five nodes to a triangle.
+std::size_t layout_bytes_per_triangle(int channel_count) {
+  return 10 * sizeof(std::uint32_t) +
+         5 * (28 + sizeof(float) * static_cast<std::size_t>(channel_count)) + 64;
+}
+
+double longest_edge(const mesh::TriangleMesh& mesh, std::uint32_t t) {
+  double longest = 0;
+  for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
+    const Vec2 from = mesh.vertex_position[mesh.origin(h)];
+    longest = std::max(longest, length(mesh.vertex_position[mesh.target(h)] - from));
+  }
+  return longest;
+}
+
+}  // namespace
+
+/// Charges for the layout of so many triangles at the most so far.
+Status FieldSolver::charge_layout(Context& context, std::size_t triangles) {
+  if (triangles <= triangles_charged_) return ok_status();
+  const std::size_t more = triangles - triangles_charged_;
+  Status status =
+      layout_charge_.add(context, more * layout_bytes_per_triangle(channel_count()), "patches");
+  if (status) triangles_charged_ = triangles;
+  return status;
+}
+
+Status FieldSolver::charge_seams(Context& context, const mesh::TriangleMesh& mesh) {
+  // Tables that grow have room for a quarter more.
+  const std::size_t bytes = (kBytesPerSeam * mesh.constraint.size() + mesh.half_edge_twin.size() +
+                             sizeof(float) * mesh.vertex_position.size()) /
+                            4 * 5;
+  Status status =
+      seam_charge_.add(context, bytes - std::min(bytes, seams_charged_), "patches along curves");
+  if (status) seams_charged_ = std::max(bytes, seams_charged_);
+  return status;
+}
+
+Status FieldSolver::start(Context& context, const mesh::TriangleMesh& mesh) {
+  if (Status status = charge_seams(context, mesh); !status) return status;
+  seams_.emplace(context, mesh, scene_.attributes);
+  return context.check();
+}
+
+Status FieldSolver::lay_out(Context& context, const mesh::TriangleMesh& mesh) {
+  ScopedCharge charge;
+  Status status =
+      charge.add(context, kFixedBytesPerSeam * mesh.constraint.size(), "patches along curves");
+  if (status) status = charge_layout(context, mesh.triangle_count());
+  if (!status) return status;
+  layout_ = lay_out_nodes(context, mesh, scene_.attributes, *seams_);
+  if (context.cancelled()) return context.stop_status();
+  to_gather_ = free_nodes(context);
+  return resize_large(context, node_hit_, layout_.node_count(), std::uint8_t{1});
+}
+
+Status FieldSolver::follow(Context& context, const mesh::TriangleMesh& mesh,
+                           std::span<const std::uint32_t> changed) {
+  if (Status status = charge_seams(context, mesh); !status) return status;
+  seams_->update(context, scene_.attributes, changed);
+  if (context.cancelled()) return context.stop_status();
+  if (layout_.triangle_node.empty()) return ok_status();
+  ScopedCharge charge;
+  const std::size_t seams = std::min(mesh.constraint.size(), 6 * changed.size());
+  Status status = charge.add(context, kFixedBytesPerSeam * seams, "patches along curves");
+  // Nodes that go are used again only in the next update.
+  if (status) status = charge_layout(context, mesh.triangle_count() + changed.size());
+  if (status) {
+    status = update_layout(context, mesh, scene_.attributes, *seams_, changed, layout_, history_);
+  }
+  if (status) {
+    status = grow_large(context, node_hit_, layout_.node_count(), layout_.position.capacity(),
+                        std::uint8_t{1});
+  }
+  if (!status) return status;
+  to_gather_.swap(history_.fresh);
+  for (const std::uint32_t node : history_.unused) node_hit_[node] = 1;
+  return ok_status();
+}
+
+Status FieldSolver::put_in_order(Context& context, const mesh::TriangleMesh& mesh) {
+  if (history_.updates == 0) return ok_status();
+  history_ = {};
+  ScopedCharge charge;
+  Status status = charge.add(context, point_bytes(layout_.node_count()), "patches");
+  if (!status) return status;
+  const Result<std::vector<std::uint32_t>> order = patches::put_in_order(context, mesh, layout_);
+  if (!order) return order.status();
+  node_hit_ = reordered(context, *order, node_hit_);
+  return context.check();
+}
+
+std::vector<std::uint32_t> FieldSolver::free_nodes(const Context& context) const {
+  std::vector<std::uint32_t> nodes;
+  nodes.reserve(layout_.node_count());
+  RarePoll<65536> poll(context);
+  for (std::uint32_t node = 0; node < layout_.node_count() && !poll.cancelled(); ++node) {
+    if (!layout_.is_fixed[node]) nodes.push_back(node);
+  }
+  return nodes;
+}
+
+std::size_t FieldSolver::point_bytes(std::size_t count) const {
+  const auto channels = static_cast<std::size_t>(channel_count());
+  return count * (sizeof(Vec2) + 2 * sizeof(std::uint32_t) + channels * sizeof(float));
+}
+
+Result<std::size_t> FieldSolver::gather(Context& context, const gather::GatherOptions& options,
+                                        bool all) {
+  const std::vector<std::uint32_t> nodes = all ? free_nodes(context) : std::move(to_gather_);
+  to_gather_.clear();
+  const std::size_t count = nodes.size();
+  const auto channels = static_cast<std::size_t>(layout_.channel_count);
+  ScopedCharge charge;
+  Status status = charge.add(context, point_bytes(count), "nodes to gather");
+  if (!status) return status;
+  std::vector<Vec2> points;
+  points.reserve(count);
+  RarePoll<65536> poll(context);
+  for (const std::uint32_t node : nodes) {
+    if (poll.cancelled()) return context.stop_status();
+    points.push_back(layout_.position[node]);
+  }
+  std::vector<float> values;
+  std::vector<std::uint8_t> hits;
+  status = resize_large(context, values, count * channels);
+  if (status) status = resize_large(context, hits, count);
+  if (status) status = scene_.gatherer.gather(context, points, options, values, hits);
+  if (!status) return status;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (poll.cancelled()) return context.stop_status();
+    float* const value = layout_.value.data() + channels * nodes[i];
+    for (std::size_t c = 0; c < channels; ++c) value[c] = values[channels * i + c];
+    node_hit_[nodes[i]] = hits[i];
+  }
+  return nodes.size();
+}
+
+Status FieldSolver::find_misses(Context& context, const mesh::TriangleMesh& mesh,
+                                std::span<const std::uint32_t> triangles, float max_error,
+                                PatchOrder order, FunctionRef<float(std::uint32_t)> color_weight,
+                                std::span<std::uint8_t> misses) const {
+  const auto channels = static_cast<std::size_t>(layout_.channel_count);
+  ScopedCharge charge;
+  Status status =
+      charge.add(context, mesh.triangle_count() + sizeof(std::uint32_t) * triangles.size(),
+                 "probes of patches");
+  if (!status) return status;
+  const std::vector<std::uint32_t> asked =
+      find_doubtful(context, triangles, max_error, order, color_weight);
+  status = charge.add(context, point_bytes(kMostProbes * asked.size()), "probes of patches");
+  if (!status) return status;
+  const ProbeSet probes = place_probes(context, mesh, layout_, asked);
+  if (context.cancelled()) return context.stop_status();
+  std::vector<float> exact;
+  status = resize_large(context, exact, probes.position.size() * channels);
+  if (status) status = scene_.gatherer.gather(context, probes.position, {}, exact);
+  if (!status) return status;
+  std::vector<float> value(channels);
+  RarePoll<4096> poll(context);
+  for (std::size_t i = 0; i < probes.position.size(); ++i) {
+    if (poll.cancelled()) return context.stop_status();
+    patch_value_at_probe(probes, i, layout_, order, value.data());
+    float* const exact_value = exact.data() + channels * i;
+    show_as_code_values(value.data());
+    show_as_code_values(exact_value);
+    for (std::size_t c = 0; c < channels; ++c) value[c] = std::fabs(value[c] - exact_value[c]);
+    const std::uint32_t t = probes.half_edge[i] / 3;
+    if (!is_more(value, max_error, t, color_weight)) continue;
+    misses[t] = 1;
+    const std::int32_t twin = mesh.half_edge_twin[probes.half_edge[i]];
+    if (probes.place[i] == 3 && twin != mesh::kNone) misses[twin / 3] = 1;
+  }
+  return ok_status();
+}
+
+std::vector<std::uint32_t> FieldSolver::find_doubtful(
+    const Context& context, std::span<const std::uint32_t> triangles, float max_error,
+    PatchOrder order, FunctionRef<float(std::uint32_t)> color_weight) const {
+  // In other spaces differences are no code values; and between nodes that all see a curve there
+  // may be a place that sees none.
+  const bool foretells =
+      order == PatchOrder::cubic && has_code_values() && sees_curves_everywhere();
+  if (!foretells) return {triangles.begin(), triangles.end()};
+  std::vector<std::uint32_t> doubtful;
+  doubtful.reserve(triangles.size());
+  std::vector<float> miss(static_cast<std::size_t>(layout_.channel_count));
+  RarePoll<4096> poll(context);
+  for (const std::uint32_t t : triangles) {
+    if (poll.cancelled()) break;
+    foretell_miss(layout_, t, miss.data());
+    if (is_more(miss, max_error, t, color_weight)) doubtful.push_back(t);
+  }
+  return doubtful;
+}
+
+bool FieldSolver::is_more(std::span<const float> miss, float max_error, std::uint32_t triangle,
+                          FunctionRef<float(std::uint32_t)> color_weight) const {
+  const auto is_below = [&](float weight) {
+    for (std::size_t c = 0; c < miss.size(); ++c) {
+      if (!((is_opacity(c) ? miss[c] : weight * miss[c]) <= max_error)) return false;
+    }
+    return true;
+  };
+  return !is_below(1) && !is_below(color_weight(triangle));
+}
+
+bool FieldSolver::is_opacity(std::size_t channel) const {
+  const int base_channels = scene_.attributes.base_channels;
+  return base_channels == 1 || (base_channels > 3 && channel == kOpacityChannel);
+}
+
+bool FieldSolver::has_code_values() const {
+  return scene_.attributes.space == InterpolationSpace::srgb || scene_.attributes.base_channels < 3;
+}
+
+/// What is tolerated is counted in code values, whatever space the colours are in.
+void FieldSolver::show_as_code_values(float* value) const {
+  if (has_code_values()) return;
+  const Rgb code = to_srgb(scene_.attributes.space, {value[0], value[1], value[2]});
+  value[0] = code.r, value[1] = code.g, value[2] = code.b;
+}
+
+Status FieldSolver::find_coarse(Context& context, const mesh::TriangleMesh& mesh,
+                                std::span<const std::uint32_t> triangles, double edge_per_radius,
+                                std::span<std::uint8_t> coarse) {
+  // Per vertex the smallest radius of the curves that end or pass there; 0: no blurred curve. Cuts
+  // change no more of it than its last bit.
+  const std::size_t vertices = mesh.vertex_position.size();
+  Status status = grow_large(context, vertex_radius_, vertices, vertices / 4 * 5);
+  if (!status) return status;
+  const auto lower = [&](std::uint32_t vertex, float radius) {
+    float& known = vertex_radius_[vertex];
+    if (radius > 0) known = known > 0 ? std::min(known, radius) : radius;
+  };
+  RarePoll<16384> poll(context);
+  for (const std::uint32_t t : triangles) {
+    if (poll.cancelled()) return context.stop_status();
+    for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
+      if (!seams_->is_seam(h)) continue;
+      lower(mesh.origin(h), seams_->blur_radius(h, 0));
+      lower(mesh.target(h), seams_->blur_radius(h, 1));
+    }
+  }
+  for (const std::uint32_t t : triangles) {
+    if (poll.cancelled()) return context.stop_status();
+    double radius = 0;
+    for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
+      const double r = vertex_radius_[mesh.origin(h)];
+      if (r > 0) radius = radius > 0 ? std::min(radius, r) : r;
+    }
+    if (radius > 0 && longest_edge(mesh, t) > edge_per_radius * radius) coarse[t] = 1;
+  }
+  return ok_status();
+}
+
+bool FieldSolver::sees_some(const std::uint32_t* node) const {
+  const auto hit = [&](std::uint32_t n) { return node_hit_[n] != 0; };
+  return std::any_of(node, node + kNodes, hit) && !std::all_of(node, node + kNodes, hit);
+}
+
+/// Makes room for the values that fill_unseen_nodes adds.
+Status FieldSolver::make_room_for_means(Context& context) {
+  RarePoll<16384> poll(context);
+  std::size_t count = 0;
+  for (std::size_t first = 0; first < layout_.triangle_node.size(); first += kNodes) {
+    if (poll.cancelled()) return context.stop_status();
+    count += sees_some(layout_.triangle_node.data() + first);
+  }
+  if (count == 0) return ok_status();
+  const std::size_t values =
+      layout_.value.size() + count * static_cast<std::size_t>(layout_.channel_count);
+  Status status = layout_charge_.add(context, values * sizeof(float), "patches");
+  return status ? reserve_large(context, layout_.value, values) : status;
+}
+
+Status FieldSolver::fill_unseen_nodes(Context& context) {
+  if (sees_curves_everywhere()) return ok_status();
+  if (Status status = make_room_for_means(context); !status) return status;
+  RarePoll<16384> poll(context);
+  const auto channels = static_cast<std::size_t>(layout_.channel_count);
+  std::vector<float> sum(channels);
+  for (std::size_t first = 0; first < layout_.triangle_node.size(); first += kNodes) {
+    if (poll.cancelled()) return context.stop_status();
+    std::uint32_t* node = layout_.triangle_node.data() + first;
+    if (!sees_some(node)) continue;
+    std::fill(sum.begin(), sum.end(), 0.0f);
+    std::size_t seen = 0;
+    for (std::size_t i = 0; i < kNodes; ++i) {
+      if (!node_hit_[node[i]]) continue;
+      ++seen;
+      for (std::size_t c = 0; c < channels; ++c) sum[c] += layout_.value[channels * node[i] + c];
+    }
+    const auto mean = static_cast<std::uint32_t>(layout_.value.size() / channels);
+    for (float channel : sum) layout_.value.push_back(channel / static_cast<float>(seen));
+    for (std::size_t i = 0; i < kNodes; ++i) {
+      if (!node_hit_[node[i]]) node[i] = mean;
+    }
+  }
+  return ok_status();
+}
+
+bool FieldSolver::sees_curves_everywhere() const {
+  return std::ranges::find(node_hit_, 0) == node_hit_.end();
+}
+
+bool FieldSolver::sees_curves(std::uint32_t triangle, std::size_t place) const {
+  return node_hit_[layout_.triangle_node[kNodes * triangle + place]] != 0;
+}
+
+Status FieldSolver::look(Context& context, std::span<const Vec2> points,
+                         std::span<std::uint8_t> seen) const {
+  const auto channels = static_cast<std::size_t>(channel_count());
+  ScopedCharge charge;
+  Status status = charge.add(context, point_bytes(points.size()), "points at a border");
+  std::vector<float> values;
+  std::vector<std::uint8_t> hits;
+  if (status) status = resize_large(context, values, points.size() * channels);
+  if (status) status = resize_large(context, hits, points.size());
+  if (status) status = scene_.gatherer.gather(context, points, {}, values, hits);
+  for (std::size_t i = 0; status && i < points.size(); ++i) seen[i] &= hits[i];
+  return status;
+}
+
+Status FieldSolver::add_parts(Context& context, const BorderCuts& cuts) {
+  const auto channels = static_cast<std::size_t>(channel_count());
+  const std::uint32_t first = layout_.node_count();
+  const std::size_t nodes = first + cuts.point.size();
+  const std::size_t node_bytes = sizeof(Vec2) + 3 + sizeof(float) * channels;
+  Status status = layout_charge_.add(
+      context, cuts.node.size() * sizeof(std::uint32_t) + nodes * node_bytes, "patches");
+  if (status) status = append_large(context, std::span<const Vec2>(cuts.point), layout_.position);
+  if (status) status = resize_large(context, layout_.is_fixed, nodes, std::uint8_t{0});
+  if (status) status = resize_large(context, node_hit_, nodes, std::uint8_t{0});
+  if (status) status = resize_large(context, layout_.value, nodes * channels, 0.0f);
+  if (status) status = resize_large(context, to_gather_, cuts.point.size());
+  if (!status) return status;
+  std::iota(to_gather_.begin(), to_gather_.end(), first);
+  for (std::size_t i = 0; i < cuts.node.size(); ++i) {
+    const std::int32_t node = cuts.node[i];
+    layout_.triangle_node.push_back(node < 0
+                                        ? first + static_cast<std::uint32_t>(-1 - node)
+                                        : layout_.triangle_node[kNodes * cuts.parent[i / kNodes] +
+                                                                static_cast<std::size_t>(node)]);
+  }
+  return context.check();
+}
+
+float FieldSolver::largest_value(std::uint32_t triangle, std::size_t first_channel,
+                                 float enough) const {
+  const auto channels = static_cast<std::size_t>(layout_.channel_count);
+  float largest = 0;
+  for (std::size_t i = 0; i < kNodes && largest < enough; ++i) {
+    const float* value =
+        layout_.value.data() + channels * layout_.triangle_node[kNodes * triangle + i];
+    for (std::size_t c = first_channel; c < channels; ++c) largest = std::max(largest, value[c]);
+  }
+  return std::min(largest, enough);
+}
+
+PatchField split_channel(PatchField& field, int channel) {
+  const auto channels = static_cast<std::size_t>(field.channel_count);
+  const std::size_t node_count = field.node_value.size() / channels;
+  PatchField split{1, field.triangle_node, std::vector<float>(node_count), {}};
+  float* rest = field.node_value.data();
+  for (std::size_t node = 0; node < node_count; ++node) {
+    for (std::size_t c = 0; c < channels; ++c) {
+      const float value = field.node_value[channels * node + c];
+      if (c == static_cast<std::size_t>(channel)) {
+        split.node_value[node] = value;
+      } else {
+        *rest++ = value;
+      }
+    }
+  }
+  field.node_value.resize((channels - 1) * node_count);
+  --field.channel_count;
+  return split;
+}
+
+PatchField FieldSolver::take(std::span<const std::uint8_t> keep) {
+  std::size_t kept = 0;
+  for (std::size_t t = 0; t < keep.size(); ++t) {
+    if (!keep[t]) continue;
+    std::copy_n(layout_.triangle_node.data() + kNodes * t, kNodes,
+                layout_.triangle_node.data() + kNodes * kept++);
+  }
+  layout_.triangle_node.resize(kNodes * kept);
+  return {layout_.channel_count, std::move(layout_.triangle_node), std::move(layout_.value),
+          std::move(scene_.attributes.shader)};
+}
+
+}  // namespace sfumato::patches

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "base/context.hpp"
+#include "base/status.hpp"
+#include "document/document.hpp"
+#include "mesh/mesher.hpp"
+#include "solve/diffuse.hpp"
+#include "solve/field_solver.hpp"
+
+namespace sfumato::patches {
+
+/// What every way of evaluating a layer begins with: its curves flattened, meshed and made ready
+/// for gathering.
+struct LayerScene {
+  mesh::Mesher mesher;
+  FieldScene color;
+  std::optional<FieldScene> opacity;  ///< where any curve bears it, and color does not hold it too
+  Box frame;                          ///< what the patch mesh covers, layer frame
+  double smallest_edge;  ///< a triangle with no longer edge shows on no pixel, layer units
+};
+
+/// How some instances look at a layer.
+struct LayerView {
+  Box window;    ///< the part of the layer frame that they bring into the viewport
+  double scale;  ///< artboard units to a layer unit, of the one that enlarges it most
+};
+
+/// How a layer is looked at.
+struct LayerSight {
+  Box viewport;      ///< the part of the layer frame that any instance brings into the viewport
+  double scale = 1;  ///< artboard units to a layer unit, of the instance that enlarges it most
+  std::vector<LayerView> views{};  ///< instances whose scales share a power of two are one
+};
+
+/// Empty viewport: no instance shows any of the layer.
+LayerSight sight_of_layer(const Document& document, std::uint32_t layer, const Box& viewport);
+
+/// What a layer is prepared for: single points, exactly; or patches, where one field may hold
+/// colour and opacity if the same curves bear both, and radii below a mesh's reach are fine ones.
+enum class LayerUse : std::uint8_t { points, patches };
+
+/// Adds to `stats` if not null. Errors: limit (an instance shows more of its layer than coordinates
+/// reach, memory, counts), cancelled.
+Result<LayerScene> prepare_layer(Context& context, const Document& document, std::uint32_t layer,
+                                 const LayerSight& sight, const DiffuseOptions& options,
+                                 DiffuseStats* stats, LayerUse use = LayerUse::points);
+
+/// Checks lengths and counts of the options against what they mean.
+Status validate(const DiffuseOptions& options);
+
+}  // namespace sfumato::patches

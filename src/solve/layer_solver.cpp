@@ -1,0 +1,372 @@
+#include "solve/layer_solver.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+#include "base/stopwatch.hpp"
+#include "solve/soft_edges.hpp"
+
+namespace sfumato::patches {
+namespace {
+
+/// Each round halves a triangle that misses; the artboard is a few hundred smallest edges across.
+constexpr int kMaxRounds = 12;
+
+/// Four nodes on an edge of this many radii tell smoothstep to within a few code values; probes, to
+/// find what is missed, must stand closer.
+constexpr double kEdgePerRadius = 3;
+constexpr double kProbedEdgePerRadius = 1.5;
+
+/// A triangle that is nowhere more opaque than this shows in no pixel.
+constexpr float kInvisibleOpacity = 1.0f / 4096;
+
+/// Where the border of what is seen crosses an edge is found to this share of the smallest edge.
+constexpr double kBorderPerEdge = 1e-4;
+
+Status check_limits(const Limits& limits, const mesh::TriangleMesh& mesh) {
+  if (mesh.triangle_count() <= limits.triangles) return ok_status();
+  return limit_error(limits, &Limits::triangles, "triangles in one layer");
+}
+
+std::vector<std::uint32_t> indices_of(const std::vector<std::uint8_t>& chosen) {
+  std::vector<std::uint32_t> indices;
+  for (std::uint32_t i = 0; i < chosen.size(); ++i) {
+    if (chosen[i]) indices.push_back(i);
+  }
+  return indices;
+}
+
+using Radius = curves::SegmentValues<float> curves::SegmentSide::*;
+
+bool any_blur(const FieldScene& field, Radius radius) {
+  const auto is_blurred = [&](const curves::SegmentSide& side) {
+    return (side.*radius).start > 0 || (side.*radius).end > 0;
+  };
+  return std::ranges::any_of(field.attributes.left, is_blurred) ||
+         std::ranges::any_of(field.attributes.right, is_blurred);
+}
+
+bool any_blur(const LayerScene& scene, Radius radius) {
+  return any_blur(scene.color, radius) || (scene.opacity && any_blur(*scene.opacity, radius));
+}
+
+}  // namespace
+
+LayerSolver::LayerSolver(Context& context, LayerScene scene, const DiffuseOptions& options,
+                         DiffuseStats* stats, std::optional<RoundWatch> watch)
+    : context_(context),
+      mesher_(std::move(scene.mesher)),
+      is_blurred_(any_blur(scene, &curves::SegmentSide::blur_radius)),
+      is_finely_blurred_(any_blur(scene, &curves::SegmentSide::fine_radius)),
+      color_(std::move(scene.color)),
+      frame_(scene.frame),
+      smallest_edge_(scene.smallest_edge),
+      options_(options),
+      stats_(stats),
+      watch_(watch) {
+  if (scene.opacity) opacity_.emplace(std::move(*scene.opacity));
+}
+
+bool LayerSolver::is_joint() const {
+  return color_.scene().attributes.base_channels > kOpacityChannel;
+}
+
+Result<PatchLayer> LayerSolver::solve() {
+  const Stopwatch watch;
+  if (Status status = mesher_.refine(context_); !status) return status;
+  if (stats_) stats_->triangulation_seconds += watch.seconds();
+  // The exact gather decides where to refine; rays are shot once, on the mesh that comes of it.
+  const bool refines = options_.max_error > 0;
+  const std::uint64_t nodes_before = stats_ ? stats_->nodes : 0;
+  const bool exact = options_.gather.method == gather::Method::exact;
+  Status status = take_mesh();
+  if (status && is_blurred_) status = follow_blur();
+  if (status) status = lay_out();
+  std::vector<std::uint32_t> missed;
+  for (int round = 0; status; ++round) {
+    if (context_.progress) context_.progress->report("gather", round / double{kMaxRounds});
+    status = gather(refines ? gather::GatherOptions{} : options_.gather, false);
+    if (!status || !refines || round == kMaxRounds) break;
+    status = find_misses(missed);
+    if (!status || missed.empty()) break;
+    status = make_smaller(missed);
+    if (status) status = update_mesh();
+  }
+  if (status) status = put_in_order();
+  if (status && refines && !exact) {
+    if (stats_) stats_->nodes = nodes_before;
+    status = gather(options_.gather, true);
+  }
+  if (status) status = cut_at_border();
+  if (!status) return status;
+  Result<PatchLayer> layer = take_patches();
+  if (context_.cancelled()) return context_.stop_status();
+  return layer;
+}
+
+/// Takes the mesher's first mesh.
+Status LayerSolver::take_mesh() {
+  const Stopwatch watch;
+  mesh_ = mesher_.patch_mesh(context_);
+  Status status = context_.check();
+  if (status) status = check_limits(context_.limits, mesh_);
+  if (status)
+    status = for_each_field([&](FieldSolver& field) { return field.start(context_, mesh_); });
+  if (stats_) stats_->triangulation_seconds += watch.seconds();
+  return status;
+}
+
+/// Follows the mesher, and the fields that.
+Status LayerSolver::update_mesh() {
+  const Stopwatch watch;
+  Status status = mesher_.update_patch_mesh(context_, mesh_, changed_);
+  if (status) status = check_limits(context_.limits, mesh_);
+  if (status) {
+    status =
+        for_each_field([&](FieldSolver& field) { return field.follow(context_, mesh_, changed_); });
+  }
+  if (stats_) stats_->triangulation_seconds += watch.seconds();
+  return status;
+}
+
+/// All triangles are new then.
+Status LayerSolver::lay_out() {
+  const Stopwatch watch;
+  Status status =
+      for_each_field([&](FieldSolver& field) { return field.lay_out(context_, mesh_); });
+  list_all_triangles();
+  if (stats_) stats_->triangulation_seconds += watch.seconds();
+  return status;
+}
+
+Status LayerSolver::put_in_order() {
+  const Stopwatch watch;
+  Status status =
+      for_each_field([&](FieldSolver& field) { return field.put_in_order(context_, mesh_); });
+  if (stats_) stats_->triangulation_seconds += watch.seconds();
+  return status;
+}
+
+/// As those that changed.
+void LayerSolver::list_all_triangles() {
+  changed_.resize(mesh_.triangle_count());
+  std::iota(changed_.begin(), changed_.end(), 0u);
+}
+
+/// Makes the mesh at blurred curves as fine as their radii, before anything is gathered.
+Status LayerSolver::follow_blur() {
+  const double edge_per_radius = options_.max_error > 0 ? kProbedEdgePerRadius : kEdgePerRadius;
+  std::vector<std::uint8_t> coarse;
+  list_all_triangles();
+  for (int round = 0; round < kMaxRounds; ++round) {
+    coarse.resize(mesh_.triangle_count());
+    for (const std::uint32_t t : changed_) coarse[t] = 0;
+    Status status = for_each_field([&](FieldSolver& field) {
+      return field.find_coarse(context_, mesh_, changed_, edge_per_radius, coarse);
+    });
+    if (!status) return status;
+    const std::vector<std::uint32_t> triangles = indices_of(coarse);
+    if (triangles.empty()) break;
+    const std::uint32_t before = mesh_.triangle_count();
+    if (status) status = make_smaller(triangles);
+    if (status) status = update_mesh();
+    if (!status) return status;
+    if (mesh_.triangle_count() == before) break;
+  }
+  return ok_status();
+}
+
+Status LayerSolver::gather(const gather::GatherOptions& options, bool all) {
+  const Stopwatch watch;
+  Status status = for_each_field([&](FieldSolver& field) {
+    const Result<std::size_t> nodes = field.gather(context_, options, all);
+    if (!nodes) return nodes.status();
+    if (stats_) stats_->nodes += *nodes;
+    return ok_status();
+  });
+  if (stats_) stats_->gather_seconds += watch.seconds();
+  if (status && watch_) (*watch_)(mesh_, color_, opacity_ ? &*opacity_ : nullptr);
+  return status;
+}
+
+/// Triangles new in this round whose patches miss by more than max_error.
+Status LayerSolver::find_misses(std::vector<std::uint32_t>& missed) {
+  const Stopwatch watch;
+  std::vector<std::uint8_t> misses(mesh_.triangle_count(), 0);
+  const auto limit = static_cast<float>(options_.max_error / 255);
+  const auto opacity = [&](std::uint32_t t) { return largest_opacity(t, 1); };
+  Status status = for_each_field([&](const FieldSolver& field) {
+    return field.find_misses(context_, mesh_, changed_, limit, options_.order, opacity, misses);
+  });
+  missed = indices_of(misses);
+  if (stats_) stats_->gather_seconds += watch.seconds();
+  return status;
+}
+
+Status LayerSolver::make_smaller(const std::vector<std::uint32_t>& triangles) {
+  const Stopwatch watch;
+  Status status = mesher_.refine_triangles(context_, triangles, smallest_edge_);
+  if (stats_) stats_->triangulation_seconds += watch.seconds();
+  return status;
+}
+
+/// Ends triangles where what is seen ends, and gathers the nodes of what is left of them.
+Status LayerSolver::cut_at_border() {
+  const Stopwatch watch;
+  bool has_border = false;
+  Status status = for_each_field([&](const FieldSolver& field) {
+    has_border |= !field.sees_curves_everywhere();
+    return ok_status();
+  });
+  if (!has_border) return status;
+  const auto node_sees = [&](std::uint32_t t, std::size_t place) {
+    return color_.sees_curves(t, place) && (!opacity_ || opacity_->sees_curves(t, place));
+  };
+  const auto is_seam = [&](std::uint32_t h) { return is_curve(h); };
+  const auto look = [&](std::span<const Vec2> points, std::span<std::uint8_t> seen) {
+    std::ranges::fill(seen, std::uint8_t{1});
+    return for_each_field(
+        [&](const FieldSolver& field) { return field.look(context_, points, seen); });
+  };
+  Result<BorderCuts> cuts = patches::cut_at_border(context_, mesh_, {node_sees, is_seam, look},
+                                                   kBorderPerEdge * smallest_edge_);
+  if (!cuts) return cuts.status();
+  cuts_ = std::move(*cuts);
+  if (stats_) stats_->gather_seconds += watch.seconds();
+  if (cuts_.part_count() == 0) return ok_status();
+  status = for_each_field([&](FieldSolver& field) { return field.add_parts(context_, cuts_); });
+  if (status) status = gather(options_.gather, false);
+  if (!status) return status;
+  add_to_mesh(cuts_);
+  return check_limits(context_.limits, mesh_);
+}
+
+void LayerSolver::add_to_mesh(const BorderCuts& cuts) {
+  mesh_.vertex_position.insert(mesh_.vertex_position.end(), cuts.vertex.begin(), cuts.vertex.end());
+  mesh_.triangle_vertex.insert(mesh_.triangle_vertex.end(), cuts.triangle_vertex.begin(),
+                               cuts.triangle_vertex.end());
+}
+
+/// Of the mesher's triangles.
+bool LayerSolver::is_curve(std::uint32_t half_edge) const {
+  return color_.layout().edge_is_curve[half_edge] ||
+         (opacity_ && opacity_->layout().edge_is_curve[half_edge]);
+}
+
+/// Per half-edge, parts included: 1 on curves and where nothing is kept beyond it.
+std::vector<std::uint8_t> LayerSolver::edges_of_curves(std::span<const std::uint8_t> keep) const {
+  const std::size_t whole = mesh_.half_edge_twin.size();
+  std::vector<std::uint8_t> marks(mesh_.triangle_vertex.size());
+  RarePoll<16384> poll(context_);
+  for (std::size_t i = 0; i < marks.size() && !poll.cancelled(); ++i) {
+    const std::int32_t edge = i < whole ? static_cast<std::int32_t>(i) : cuts_.edge[i - whole];
+    if (edge < 0) {
+      marks[i] = edge == BorderCuts::kBorder;
+      continue;
+    }
+    const std::int32_t twin = mesh_.half_edge_twin[edge];
+    const auto beyond = static_cast<std::size_t>(twin) / 3;
+    const bool is_end =
+        twin != mesh::kNone && !keep[beyond] && (cuts_.is_cut.empty() || !cuts_.is_cut[beyond]);
+    marks[i] = is_end || is_curve(static_cast<std::uint32_t>(edge));
+  }
+  return marks;
+}
+
+/// Adds the triangles beside them to those to keep: a blur mixes the colours of what is
+/// transparent, too.
+std::vector<SoftEdge> LayerSolver::soft_edges(std::span<std::uint8_t> keep) const {
+  if (!is_finely_blurred_) return {};
+  const Seams& color = color_.seams();
+  const Seams* const opacity = opacity_ ? &opacity_->seams() : nullptr;
+  const auto is_seam = [&](std::uint32_t h) { return is_curve(h); };
+  const auto fine_radius = [&](std::uint32_t h, float u) {
+    const float radius = color.fine_radius(h, u);
+    return opacity ? std::max(radius, opacity->fine_radius(h, u)) : radius;
+  };
+  RarePoll<16384> poll(context_);
+  for (std::uint32_t h = 0; h < mesh_.half_edge_twin.size() && !poll.cancelled(); ++h) {
+    if (mesh_.half_edge_constraint[h] == mesh::kNone || keep[h / 3] || is_cut(h / 3)) continue;
+    const bool is_soft = fine_radius(h, 0) > 0 || fine_radius(h, 1) > 0;
+    keep[h / 3] = is_soft && color_.sees_curves(h / 3);
+  }
+  const auto is_meshed = [&](std::uint32_t h) {
+    const auto is_blurred = [&](const Seams& seams) {
+      return seams.blur_radius(h, 0) > 0 || seams.blur_radius(h, 1) > 0;
+    };
+    return is_blurred(color) || (opacity && is_blurred(*opacity));
+  };
+  return find_soft_edges(context_, mesh_, {is_seam, fine_radius, is_meshed}, keep);
+}
+
+/// At the triangle's nodes, or `enough` where it is at least that; 1 where the layer is opaque.
+float LayerSolver::largest_opacity(std::uint32_t triangle, float enough) const {
+  if (opacity_) return opacity_->largest_value(triangle, 0, enough);
+  return is_joint() ? color_.largest_value(triangle, kOpacityChannel, enough) : 1;
+}
+
+/// A region from which no curve is seen has no colour, and one without opacity shows nothing: both
+/// need no triangles.
+std::vector<std::uint8_t> LayerSolver::visible_triangles() const {
+  std::vector<std::uint8_t> keep(mesh_.triangle_count());
+  RarePoll<16384> poll(context_);
+  for (std::uint32_t t = 0; t < mesh_.triangle_count() && !poll.cancelled(); ++t) {
+    keep[t] = !is_cut(t) && color_.sees_curves(t) &&
+              largest_opacity(t, kInvisibleOpacity) >= kInvisibleOpacity;
+  }
+  return keep;
+}
+
+/// What take_patches takes beside what the fields have: its marks, its tables, and of a joint field
+/// a copy of the nodes.
+std::size_t LayerSolver::patch_bytes() const {
+  constexpr std::size_t kMarks = sizeof(float) + 1;
+  constexpr std::size_t kTables = 3 * (sizeof(std::uint32_t) + 2);
+  std::size_t bytes = (kMarks + kTables) * mesh_.triangle_count();
+  if (is_joint()) {
+    bytes += sizeof(std::uint32_t) * color_.layout().triangle_node.size() +
+             sizeof(float) * color_.layout().node_count();
+  }
+  if (is_finely_blurred_) {
+    bytes += 4 * sizeof(SoftEdge) * mesh_.constraint.size() + mesh_.vertex_position.size();
+  }
+  return bytes;
+}
+
+Result<PatchLayer> LayerSolver::take_patches() {
+  ScopedCharge charge;
+  Status status = charge.add(context_, patch_bytes(), "patches");
+  if (!status) return status;
+  std::vector<std::uint8_t> keep = visible_triangles();
+  PatchLayer layer;
+  layer.soft_edge = soft_edges(keep);
+  const std::vector<std::uint8_t> marks = edges_of_curves(keep);
+  status = for_each_field([&](FieldSolver& field) { return field.fill_unseen_nodes(context_); });
+  if (!status) return status;
+  RarePoll<16384> poll(context_);
+  layer.frame = frame_;
+  layer.order = options_.order;
+  const auto kept = static_cast<std::size_t>(std::ranges::count(keep, 1));
+  layer.triangle_vertex.reserve(3 * kept);
+  layer.edge_is_curve.reserve(3 * kept);
+  for (std::uint32_t t = 0; t < mesh_.triangle_count() && !poll.cancelled(); ++t) {
+    if (!keep[t]) continue;
+    for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
+      layer.triangle_vertex.push_back(mesh_.triangle_vertex[h]);
+      layer.edge_is_curve.push_back(marks[h]);
+    }
+  }
+  if (context_.cancelled()) return context_.stop_status();
+  layer.vertex_position = std::move(mesh_.vertex_position);
+  layer.color = color_.take(keep);
+  if (opacity_) layer.opacity = opacity_->take(keep);
+  if (is_joint()) layer.opacity = split_channel(layer.color, kOpacityChannel);
+  if (stats_) {
+    stats_->triangles += layer.triangle_count();
+    stats_->vertices += layer.vertex_position.size();
+  }
+  return layer;
+}
+
+}  // namespace sfumato::patches

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "base/context.hpp"
+#include "base/function_ref.hpp"
+#include "base/status.hpp"
+#include "picture/picture.hpp"
+#include "solve/border.hpp"
+#include "solve/diffuse.hpp"
+#include "solve/field_solver.hpp"
+#include "solve/layer_scene.hpp"
+
+namespace sfumato::patches {
+
+/// Sees each round of a layer's solution, for tests: its mesh, and the fields as they were
+/// gathered; opacity is null where `color` holds it or there is none.
+using RoundWatch = FunctionRef<void(const mesh::TriangleMesh& mesh, const FieldSolver& color,
+                                    const FieldSolver* opacity)>;
+
+/// Solves one layer: patch mesh, node values of colour and opacity, error-driven refinement.
+///
+/// A round gathers the nodes that are new and compares the new patches with the exact gather at
+/// probe points; triangles that miss by more than `max_error` are made smaller for the next round,
+/// and mesh and nodes follow where they changed. At the end the nodes are numbered as if they had
+/// been laid out on that mesh.
+class LayerSolver {
+ public:
+  LayerSolver(Context& context, LayerScene scene, const DiffuseOptions& options,
+              DiffuseStats* stats, std::optional<RoundWatch> watch = {});
+
+  Result<PatchLayer> solve();
+
+ private:
+  Status take_mesh();
+  Status update_mesh();
+  Status lay_out();
+  Status put_in_order();
+  void list_all_triangles();
+  Status follow_blur();
+  Status gather(const gather::GatherOptions& options, bool all);
+  Status find_misses(std::vector<std::uint32_t>& missed);
+  Status make_smaller(const std::vector<std::uint32_t>& triangles);
+  Status cut_at_border();
+  void add_to_mesh(const BorderCuts& cuts);
+  bool is_curve(std::uint32_t half_edge) const;
+  bool is_cut(std::uint32_t triangle) const {
+    return triangle < cuts_.is_cut.size() && cuts_.is_cut[triangle] != 0;
+  }
+  std::vector<SoftEdge> soft_edges(std::span<std::uint8_t> keep) const;
+  float largest_opacity(std::uint32_t triangle, float enough) const;
+  std::vector<std::uint8_t> visible_triangles() const;
+  std::vector<std::uint8_t> edges_of_curves(std::span<const std::uint8_t> keep) const;
+  /// Whether color_ holds the opacity too, as its fourth channel.
+  bool is_joint() const;
+  std::size_t patch_bytes() const;
+  Result<PatchLayer> take_patches();
+
+  template <class Body>
+  Status for_each_field(Body body) {
+    Status status = body(color_);
+    return status && opacity_ ? body(*opacity_) : status;
+  }
+
+  Context& context_;
+  mesh::Mesher mesher_;
+  bool is_blurred_;
+  bool is_finely_blurred_;
+  FieldSolver color_;
+  std::optional<FieldSolver> opacity_;
+  Box frame_;
+  double smallest_edge_;
+  const DiffuseOptions& options_;
+  DiffuseStats* stats_;
+  std::optional<RoundWatch> watch_;
+  mesh::TriangleMesh mesh_;
+  std::vector<std::uint32_t> changed_;  ///< triangles that are new in this round, ascending
+  BorderCuts cuts_;                     ///< their parts follow the mesher's triangles
+};
+
+}  // namespace sfumato::patches

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "base/context.hpp"
+#include "base/large_vector.hpp"
+#include "solve/nodes.hpp"
+
+namespace sfumato::patches {
+
+/// Numbers the nodes of an updated layout as lay_out_nodes would, and drops those that no triangle
+/// has. Returns per node of now the number that it had. What else is kept for each node is to be
+/// `reordered` too.
+/// Errors  cancelled; the layout is good for nothing then
+/// Cost    O(triangles)
+Result<std::vector<std::uint32_t>> put_in_order(const Context& context,
+                                                const mesh::TriangleMesh& mesh, NodeLayout& layout);
+
+/// values[i] for each i of `order`; a value is `width` items. Incomplete where the context is
+/// cancelled.
+template <class Item>
+std::vector<Item> reordered(const Context& context, const std::vector<std::uint32_t>& order,
+                            const std::vector<Item>& values, std::size_t width = 1) {
+  std::vector<Item> moved;
+  if (!resize_large(context, moved, width * order.size())) return moved;
+  constexpr std::size_t kValuesPerLook = 65536;
+  for (std::size_t begin = 0; begin < order.size(); begin += kValuesPerLook) {
+    if (context.cancelled()) break;
+    const std::size_t end = std::min(order.size(), begin + kValuesPerLook);
+    if (width == 1) {
+      for (std::size_t i = begin; i < end; ++i) moved[i] = values[order[i]];
+    } else {
+      for (std::size_t i = begin; i < end; ++i)
+        for (std::size_t k = 0; k < width; ++k) moved[width * i + k] = values[width * order[i] + k];
+    }
+  }
+  return moved;
+}
+
+}  // namespace sfumato::patches

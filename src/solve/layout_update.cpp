@@ -1,0 +1,262 @@
+#include "solve/layout_update.hpp"
+
+#include <algorithm>
+#include <functional>
+
+#include "base/large_vector.hpp"
+#include "solve/node_placer.hpp"
+
+namespace sfumato::patches {
+namespace {
+
+using mesh::TriangleMesh;
+
+/// The table of an update: nodes of triangles that did not change stay.
+class KeptNodes {
+ public:
+  KeptNodes(NodeLayout& layout, LayoutHistory& history) : layout_(layout), history_(history) {}
+
+  std::uint32_t& node_at(std::uint32_t triangle, std::uint32_t place) {
+    return layout_.triangle_node[std::size_t{10} * triangle + place];
+  }
+
+  bool is_changed(std::uint32_t triangle) const { return history_.is_changed[triangle] != 0; }
+
+  std::uint32_t kept(std::span<const std::uint32_t> spokes) {
+    for (const std::uint32_t spoke : spokes) {
+      if (!is_changed(spoke / 3)) return node_at(spoke / 3, spoke % 3);
+    }
+    return kNoNode;
+  }
+
+  /// Values that were the same but for rounding may be so no more: a node that several triangles
+  /// shared is then that of the first alone.
+  std::uint32_t own(std::uint32_t spoke) {
+    const std::uint32_t node = kept({&spoke, 1});
+    return node == kNoNode || is_met(node) ? kNoNode : node;
+  }
+
+  std::uint32_t put_free(std::uint32_t kept, Vec2 position) {
+    const std::uint32_t node = put_fixed(kept, position);
+    if (kept == kNoNode) history_.fresh.push_back(node);
+    return node;
+  }
+
+  std::uint32_t put_fixed(std::uint32_t kept, Vec2 position) {
+    const std::uint32_t node = kept == kNoNode ? new_node() : kept;
+    layout_.position[node] = position;
+    meet(node);
+    return node;
+  }
+
+  void set(std::uint32_t spoke, std::uint32_t node) {
+    std::uint32_t& here = node_at(spoke / 3, spoke % 3);
+    if (here != kNoNode && here != node) left_.push_back(here);
+    here = node;
+  }
+
+  /// Takes its nodes from a triangle that changed.
+  void leave(std::uint32_t triangle) {
+    std::uint32_t* const node = &node_at(triangle, 0);
+    left_.insert(left_.end(), node, node + 10);
+    std::fill_n(node, 10, kNoNode);
+  }
+
+  void meet(std::uint32_t node) { history_.node_seen[node] = history_.updates; }
+
+  /// Nodes that were left, and that nobody has met since, nobody has.
+  void free_unmet(RarePoll<4096>& poll) {
+    for (const std::uint32_t node : left_) {
+      if (poll.cancelled()) return;
+      if (is_met(node)) continue;
+      meet(node);
+      history_.unused.push_back(node);
+    }
+  }
+
+  Status make_room(const Context& context, std::size_t changed_triangles) {
+    const auto channels = static_cast<std::size_t>(layout_.channel_count);
+    left_.reserve(10 * changed_triangles);
+    history_.fresh.reserve(5 * changed_triangles);
+    // About five nodes to a triangle; more room at a time than that, since to move takes long.
+    const std::size_t nodes = layout_.position.size(), least = nodes + 6 * changed_triangles;
+    const std::size_t most = std::max(least, nodes / 4 * 5);
+    Status status = make_room(context, layout_.position, least, most);
+    if (status) status = make_room(context, layout_.is_fixed, least, most);
+    if (status) status = make_room(context, layout_.value, channels * least, channels * most);
+    return status ? make_room(context, history_.node_seen, least, most) : status;
+  }
+
+ private:
+  template <class Item>
+  static Status make_room(const Context& context, std::vector<Item>& table, std::size_t least,
+                          std::size_t most) {
+    return table.capacity() < least ? reserve_large(context, table, most) : ok_status();
+  }
+
+  bool is_met(std::uint32_t node) const { return history_.node_seen[node] == history_.updates; }
+
+  std::uint32_t new_node() {
+    if (!history_.unused.empty()) {
+      const std::uint32_t node = history_.unused.back();
+      history_.unused.pop_back();
+      layout_.is_fixed[node] = 0;
+      return node;
+    }
+    layout_.position.push_back({});
+    layout_.is_fixed.push_back(0);
+    layout_.value.resize(layout_.value.size() + static_cast<std::size_t>(layout_.channel_count));
+    history_.node_seen.push_back(0);
+    return layout_.node_count() - 1;
+  }
+
+  NodeLayout& layout_;
+  LayoutHistory& history_;
+  std::vector<std::uint32_t> left_;  ///< nodes that triangles had before the update
+};
+
+/// Of all half-edges that begin where h does the lowest.
+std::uint32_t lowest_spoke(const TriangleMesh& mesh, std::uint32_t h) {
+  const auto start = static_cast<std::int32_t>(h);
+  std::int32_t lowest = start;
+  std::int32_t i = previous_spoke(mesh, h);
+  for (; i != mesh::kNone && i != start; i = previous_spoke(mesh, static_cast<std::uint32_t>(i)))
+    lowest = std::min(lowest, i);
+  if (i == start) return static_cast<std::uint32_t>(lowest);
+  for (i = next_spoke(mesh, h); i != mesh::kNone;
+       i = next_spoke(mesh, static_cast<std::uint32_t>(i)))
+    lowest = std::min(lowest, i);
+  return static_cast<std::uint32_t>(lowest);
+}
+
+class LayoutUpdate {
+ public:
+  LayoutUpdate(Context& context, const TriangleMesh& mesh,
+               const curves::SegmentAttributes& attributes, const Seams& seams,
+               std::span<const std::uint32_t> changed, NodeLayout& layout, LayoutHistory& history)
+      : context_(context),
+        poll_(context),
+        mesh_(mesh),
+        base_channels_(attributes.base_channels),
+        seams_(seams),
+        changed_(changed),
+        layout_(layout),
+        history_(history),
+        table_(layout, history),
+        placer_(mesh, seams, table_) {}
+
+  Status run() {
+    const std::size_t old_triangles = layout_.triangle_node.size() / 10;
+    Status status = begin();
+    if (!status) return status;
+    leave_changed(old_triangles);
+    find_vertices();
+    status = sort_large(context_, first_spokes_, std::less<>());
+    if (!status) return status;
+    place_changed();
+    set_fixed_values();
+    for (const std::uint32_t t : changed_) history_.is_changed[t] = 0;
+    table_.free_unmet(poll_);
+    return context_.check();
+  }
+
+ private:
+  Status begin() {
+    ++history_.updates;
+    history_.fresh.clear();
+    const std::size_t triangles = mesh_.triangle_count(), most = triangles / 4 * 5;
+    const std::size_t vertices = mesh_.vertex_position.size();
+    Status status = grow_large(context_, layout_.triangle_node, 10 * triangles, 10 * most, kNoNode);
+    if (status) status = grow_large(context_, layout_.edge_is_curve, 3 * triangles, 3 * most);
+    if (status) status = grow_large(context_, history_.is_changed, triangles, most);
+    if (status) status = grow_large(context_, history_.vertex_seen, vertices, vertices / 4 * 5);
+    if (status) status = resize_large(context_, history_.node_seen, layout_.node_count());
+    return status ? table_.make_room(context_, changed_.size()) : status;
+  }
+
+  void leave_changed(std::size_t old_triangles) {
+    for (const std::uint32_t t : changed_) {
+      if (poll_.cancelled()) return;
+      history_.is_changed[t] = 1;
+      for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h)
+        layout_.edge_is_curve[h] = seams_.is_seam(h);
+      if (t < old_triangles) table_.leave(t);
+    }
+  }
+
+  /// Lists the corners of triangles that changed, each once.
+  void find_vertices() {
+    first_spokes_.reserve(2 * changed_.size());
+    for (const std::uint32_t t : changed_) {
+      if (poll_.cancelled()) return;
+      for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
+        std::uint32_t& seen = history_.vertex_seen[mesh_.origin(h)];
+        if (seen == history_.updates) continue;
+        seen = history_.updates;
+        first_spokes_.push_back(lowest_spoke(mesh_, h));
+      }
+    }
+  }
+
+  /// In the order of lay_out_nodes, which comes to a vertex with its first triangle.
+  void place_changed() {
+    auto vertex = first_spokes_.begin();
+    for (const std::uint32_t t : changed_) {
+      if (poll_.cancelled()) return;
+      for (; vertex != first_spokes_.end() && *vertex / 3 <= t; ++vertex)
+        placer_.place_around_vertex(*vertex);
+      for (std::uint32_t k = 0; k < 3; ++k) {
+        const std::uint32_t h = 3 * t + k;
+        if (keeps_edge(h)) {
+          placer_.keep_on_edge(h, static_cast<std::uint32_t>(mesh_.half_edge_twin[h]));
+        } else {
+          placer_.place_on_edge(t, k);
+        }
+      }
+      placer_.place_at_barycentre(t);
+    }
+  }
+
+  /// Whether the nodes of an edge are those of a neighbour that did not change.
+  bool keeps_edge(std::uint32_t h) const {
+    const std::int32_t twin = mesh_.half_edge_twin[h];
+    return twin != mesh::kNone && !seams_.is_seam(h) &&
+           !table_.is_changed(static_cast<std::uint32_t>(twin) / 3);
+  }
+
+  void set_fixed_values() {
+    const auto channels = static_cast<std::size_t>(layout_.channel_count);
+    for (const FixedShare& fixed : placer_.fixed()) {
+      if (poll_.cancelled()) return;
+      layout_.is_fixed[fixed.node] = 1;
+      std::fill_n(layout_.value.data() + channels * fixed.node, channels, 0.0f);
+    }
+    for (const FixedShare& fixed : placer_.fixed()) {
+      if (poll_.cancelled()) return;
+      add_share(fixed, base_channels_, layout_);
+    }
+  }
+
+  Context& context_;
+  RarePoll<4096> poll_;
+  const TriangleMesh& mesh_;
+  int base_channels_;
+  const Seams& seams_;
+  std::span<const std::uint32_t> changed_;
+  NodeLayout& layout_;
+  LayoutHistory& history_;
+  KeptNodes table_;
+  NodePlacer<KeptNodes> placer_;
+  std::vector<std::uint32_t> first_spokes_;  ///< per vertex to lay out: its lowest half-edge
+};
+
+}  // namespace
+
+Status update_layout(Context& context, const TriangleMesh& mesh,
+                     const curves::SegmentAttributes& attributes, const Seams& seams,
+                     std::span<const std::uint32_t> changed, NodeLayout& layout,
+                     LayoutHistory& history) {
+  return LayoutUpdate(context, mesh, attributes, seams, changed, layout, history).run();
+}
+
+}  // namespace sfumato::patches

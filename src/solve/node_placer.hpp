@@ -1,0 +1,211 @@
+#pragma once
+
+#include <cstdint>
+#include <numbers>
+#include <span>
+#include <vector>
+
+#include "curves/attributes.hpp"
+#include "solve/angle.hpp"
+#include "solve/fan.hpp"
+#include "solve/nodes.hpp"
+#include "solve/seams.hpp"
+
+namespace sfumato::patches {
+
+/// A share of the value that a curve gives to a node.
+struct FixedShare {
+  std::uint32_t node;
+  float share;
+  SeamValue value;
+};
+
+/// Adds that share to the node's value.
+inline void add_share(const FixedShare& fixed, int base_channels, NodeLayout& layout) {
+  float* const out =
+      layout.value.data() + static_cast<std::size_t>(layout.channel_count) * fixed.node;
+  const auto& base = fixed.value.base.channel;
+  for (std::size_t c = 0; c < static_cast<std::size_t>(base_channels); ++c) {
+    out[c] += fixed.share * base[c];
+  }
+  for (int i = 0; i < 2; ++i) {
+    if (fixed.value.share[i] == 0) continue;
+    out[base_channels + static_cast<int>(fixed.value.shader[i])] +=
+        fixed.share * fixed.value.share[i];
+  }
+}
+
+/// Where the nodes of triangles stand, and which triangles share them: the rules, whatever table
+/// the nodes are put into. A Table has
+///
+///   node_at(triangle, place)   a reference to the node of that place
+///   kept(spokes)               the node that stays at the origin of these spokes, or kNoNode
+///   own(spoke)                 the same of that triangle alone
+///   put_free(kept, position)   that node, there, or a new one: a node whose value is gathered
+///   put_fixed(kept, position)  the same for a node whose value a curve gives
+///   set(spoke, node)           what node_at(spoke / 3, spoke % 3) is from now on
+template <class Table>
+class NodePlacer {
+ public:
+  NodePlacer(const mesh::TriangleMesh& mesh, const Seams& seams, Table& table)
+      : mesh_(mesh), seams_(seams), table_(table) {}
+
+  /// The nodes at h's origin, for every triangle of the fan: one for all where no seam ends here,
+  /// else one or more for each sector between seams. The places of sectors depend on h: of all
+  /// half-edges that begin there it is the lowest.
+  void place_around_vertex(std::uint32_t h) {
+    const auto is_seam = [&](std::uint32_t spoke) { return seams_.is_seam(spoke); };
+    fan_.collect(mesh_, h, is_seam);
+    if (!touches(is_seam)) return place_for_all(corner(h));
+    const std::vector<std::uint32_t>& spoke = fan_.spoke;
+    std::size_t begin = 0;
+    for (std::size_t i = 1; i <= spoke.size(); ++i) {
+      if (i < spoke.size() && !is_seam(spoke[i])) continue;
+      place_in_sector({spoke.data() + begin, i - begin});
+      begin = i;
+    }
+  }
+
+  /// The two nodes on edge k: shared with the neighbour unless the edge is a seam.
+  void place_on_edge(std::uint32_t t, std::uint32_t k) {
+    const std::uint32_t h = 3 * t + k;
+    std::uint32_t& near = table_.node_at(t, 3 + 2 * k);
+    std::uint32_t& far = table_.node_at(t, 4 + 2 * k);
+    if (seams_.has_value(h)) {
+      near = put_fixed(kNoNode, on_edge(h, 1.0 / 3), seams_.value(h, 1.0f / 3));
+      far = put_fixed(kNoNode, on_edge(h, 2.0 / 3), seams_.value(h, 2.0f / 3));
+    } else if (seams_.is_seam(h)) {
+      near = put_free_inside(kNoNode, on_edge(h, 1.0 / 3), t);
+      far = put_free_inside(kNoNode, on_edge(h, 2.0 / 3), t);
+    } else if (near == kNoNode) {
+      near = table_.put_free(kNoNode, on_edge(h, 1.0 / 3));
+      far = table_.put_free(kNoNode, on_edge(h, 2.0 / 3));
+      if (const std::int32_t twin = mesh_.half_edge_twin[h]; twin != mesh::kNone) {
+        const auto neighbour = static_cast<std::uint32_t>(twin) / 3;
+        const auto slot = static_cast<std::uint32_t>(twin) % 3;
+        table_.node_at(neighbour, 3 + 2 * slot) = far;
+        table_.node_at(neighbour, 4 + 2 * slot) = near;
+      }
+    }
+  }
+
+  /// The same where the neighbour on the other side of a free edge, whose half-edge `twin` is, has
+  /// these nodes already.
+  void keep_on_edge(std::uint32_t h, std::uint32_t twin) {
+    const std::uint32_t near = table_.node_at(twin / 3, 4 + 2 * (twin % 3));
+    const std::uint32_t far = table_.node_at(twin / 3, 3 + 2 * (twin % 3));
+    table_.node_at(h / 3, 3 + 2 * (h % 3)) = near;
+    table_.node_at(h / 3, 4 + 2 * (h % 3)) = far;
+    // The first of both triangles says where they stand, to the last bit.
+    table_.put_free(near, h < twin ? on_edge(h, 1.0 / 3) : on_edge(twin, 2.0 / 3));
+    table_.put_free(far, h < twin ? on_edge(h, 2.0 / 3) : on_edge(twin, 1.0 / 3));
+  }
+
+  void place_at_barycentre(std::uint32_t t) {
+    table_.node_at(t, 9) = table_.put_free(kNoNode, barycentre(t));
+  }
+
+  /// What the curves give to the nodes that were put, in the order of that.
+  const std::vector<FixedShare>& fixed() const { return fixed_; }
+
+ private:
+  using Sector = std::span<const std::uint32_t>;
+
+  /// A free node that would stand on a curve is gathered this far towards its triangle's barycentre
+  /// (as a fraction): on the triangle's side of the curve, and still next to it.
+  static constexpr double kNudge = 4e-3;
+
+  Vec2 corner(std::uint32_t half_edge) const {
+    return mesh_.vertex_position[mesh_.origin(half_edge)];
+  }
+
+  Vec2 on_edge(std::uint32_t half_edge, double share) const {
+    return lerp(corner(half_edge), mesh_.vertex_position[mesh_.target(half_edge)], share);
+  }
+
+  Vec2 barycentre(std::uint32_t t) const {
+    return (corner(3 * t) + corner(3 * t + 1) + corner(3 * t + 2)) / 3;
+  }
+
+  std::uint32_t put_free_inside(std::uint32_t kept, Vec2 position, std::uint32_t triangle) {
+    return table_.put_free(kept, lerp(position, barycentre(triangle), kNudge));
+  }
+
+  std::uint32_t put_fixed(std::uint32_t kept, Vec2 position, const SeamValue& value) {
+    const std::uint32_t node = table_.put_fixed(kept, position);
+    fixed_.push_back({node, 1, value});
+    return node;
+  }
+
+  /// True where the test holds for an edge that meets the fan's vertex.
+  template <class Test>
+  bool touches(Test test) const {
+    for (std::uint32_t spoke : fan_.spoke) {
+      if (test(spoke)) return true;
+    }
+    return test(mesh::TriangleMesh::previous(fan_.spoke.back()));
+  }
+
+  void share(Sector sector, std::uint32_t node) {
+    for (std::uint32_t spoke : sector) table_.set(spoke, node);
+  }
+
+  void place_for_all(Vec2 vertex) {
+    const Sector all = fan_.spoke;
+    const bool on_constraint = touches(
+        [&](std::uint32_t spoke) { return mesh_.half_edge_constraint[spoke] != mesh::kNone; });
+    const std::uint32_t kept = table_.kept(all);
+    share(all, on_constraint ? put_free_inside(kept, vertex, all[all.size() / 2] / 3)
+                             : table_.put_free(kept, vertex));
+  }
+
+  /// The corner rule (docs/mathematics.md, paper Fig. 4) for a sector between its first spoke,
+  /// whose value is a, and its last, whose value is b.
+  void place_in_sector(Sector sector) {
+    const std::uint32_t first = sector.front(), last = mesh::TriangleMesh::previous(sector.back());
+    const Vec2 vertex = corner(first);
+    const bool knows_a = seams_.has_value(first), knows_b = seams_.has_value(last);
+    const bool hull_a = !seams_.is_seam(first), hull_b = !seams_.is_seam(last);
+    if (knows_a && (hull_b || (knows_b && same_value(value_a(first), value_b(last))))) {
+      share(sector, put_fixed(table_.kept(sector), vertex, value_a(first)));
+    } else if (knows_b && hull_a) {
+      share(sector, put_fixed(table_.kept(sector), vertex, value_b(last)));
+    } else if (knows_a && knows_b) {
+      fan_values(sector, first, last);
+    } else if (knows_a || knows_b) {
+      for (std::uint32_t spoke : sector) {
+        table_.set(spoke, put_free_inside(table_.own(spoke), vertex, spoke / 3));
+      }
+    } else {
+      share(sector, put_free_inside(table_.kept(sector), vertex, sector[sector.size() / 2] / 3));
+    }
+  }
+
+  SeamValue value_a(std::uint32_t first) const { return seams_.value(first, 0); }
+  SeamValue value_b(std::uint32_t last) const { return seams_.value(last, 1); }
+
+  /// Each triangle of the sector gets lerp(a, b, angle of its barycentre / angle of the sector).
+  void fan_values(Sector sector, std::uint32_t first, std::uint32_t last) {
+    const Vec2 vertex = corner(first);
+    const Vec2 start = mesh_.vertex_position[mesh_.target(first)] - vertex;
+    const Vec2 stop = corner(last) - vertex;
+    const bool whole_turn = mesh_.target(first) == mesh_.origin(last) && fan_.is_closed;
+    const double angle = whole_turn ? 2 * std::numbers::pi : turn_angle(start, stop);
+    for (std::uint32_t spoke : sector) {
+      const double turn = turn_angle(start, barycentre(spoke / 3) - vertex);
+      const auto fraction = static_cast<float>(turn / angle);
+      const std::uint32_t node = table_.put_fixed(table_.own(spoke), vertex);
+      fixed_.push_back({node, 1 - fraction, value_a(first)});
+      fixed_.push_back({node, fraction, value_b(last)});
+      table_.set(spoke, node);
+    }
+  }
+
+  const mesh::TriangleMesh& mesh_;
+  const Seams& seams_;
+  Table& table_;
+  Fan fan_;
+  std::vector<FixedShare> fixed_;
+};
+
+}  // namespace sfumato::patches

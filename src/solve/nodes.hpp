@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "curves/attributes.hpp"
+#include "mesh/triangle_mesh.hpp"
+#include "solve/seams.hpp"
+
+namespace sfumato::patches {
+
+/// No node stands there yet.
+inline constexpr std::uint32_t kNoNode = 0xffffffff;
+
+/// The evaluation nodes of one attribute on a patch mesh (paper section 4, Fig. 3 and 4): which
+/// node stands at each of a triangle's ten places, and what is known of its value before anything
+/// is gathered.
+///
+/// Nodes off the curves that bear the attribute are shared by the triangles around them. On such a
+/// curve each side has nodes of its own; a side with a shader fixes their values, an open one
+/// leaves them free.
+struct NodeLayout {
+  int channel_count = 0;                     ///< SegmentAttributes::channel_count()
+  std::vector<std::uint32_t> triangle_node;  ///< 10 per triangle, order of PatchLayer
+  std::vector<std::uint8_t> edge_is_curve;   ///< 3 per triangle, as in PatchLayer
+  std::vector<Vec2> position;          ///< per node, layer frame: where it is gathered if free
+  std::vector<std::uint8_t> is_fixed;  ///< per node: 1 where the curve gives the value
+  std::vector<float> value;            ///< channel_count per node; 0 where free
+
+  std::uint32_t node_count() const { return static_cast<std::uint32_t>(position.size()); }
+};
+
+/// Lays out the nodes in the order of the triangles, so that neighbours in the list are neighbours
+/// in the plane. `seams` is made of the same mesh and attributes. Incomplete where the context is
+/// cancelled. Cost O(triangles). What follows a mesh that changes: solve/layout_update.hpp.
+NodeLayout lay_out_nodes(const Context& context, const mesh::TriangleMesh& mesh,
+                         const curves::SegmentAttributes& attributes, const Seams& seams);
+
+}  // namespace sfumato::patches

@@ -1,0 +1,83 @@
+#include "solve/point_evaluator.hpp"
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "solve/layer_scene.hpp"
+
+namespace sfumato {
+
+struct PointEvaluator::State {
+  struct Fields {
+    patches::FieldScene color;
+    std::optional<patches::FieldScene> opacity;
+  };
+
+  const patches::FieldScene* color(std::uint32_t layer) const {
+    return layers[layer] ? &layers[layer]->color : nullptr;
+  }
+  const patches::FieldScene* opacity(std::uint32_t layer) const {
+    return layers[layer] && layers[layer]->opacity ? &*layers[layer]->opacity : nullptr;
+  }
+
+  std::vector<std::optional<Fields>> layers;  ///< empty where nothing of the layer shows
+  gather::GatherOptions gather;
+};
+
+PointEvaluator::PointEvaluator(std::unique_ptr<State> state) : state_(std::move(state)) {}
+PointEvaluator::PointEvaluator(PointEvaluator&&) noexcept = default;
+PointEvaluator& PointEvaluator::operator=(PointEvaluator&&) noexcept = default;
+PointEvaluator::~PointEvaluator() = default;
+
+Result<PointEvaluator> PointEvaluator::create(Context& context, const Document& document,
+                                              const DiffuseOptions& options, DiffuseStats* stats) {
+  if (Status status = patches::validate(options); !status) return status;
+  if (Status status = validate(context, document); !status) return status;
+  auto state = std::make_unique<State>();
+  state->gather = options.gather;
+  state->layers.resize(document.layers.size());
+  const Box viewport = options.viewport.value_or(document.artboard);
+  for (std::uint32_t i = 0; i < document.layers.size(); ++i) {
+    const patches::LayerSight sight = patches::sight_of_layer(document, i, viewport);
+    if (sight.viewport.empty() || document.layers[i].curves.empty()) continue;
+    Result<patches::LayerScene> scene =
+        patches::prepare_layer(context, document, i, sight, options, stats);
+    if (!scene) return scene.status();
+    state->layers[i].emplace(State::Fields{std::move(scene->color), std::move(scene->opacity)});
+  }
+  return PointEvaluator(std::move(state));
+}
+
+int PointEvaluator::color_channels(std::uint32_t layer) const {
+  const patches::FieldScene* field = state_->color(layer);
+  return field ? field->attributes.channel_count() : 0;
+}
+
+int PointEvaluator::opacity_channels(std::uint32_t layer) const {
+  const patches::FieldScene* field = state_->opacity(layer);
+  return field ? field->attributes.channel_count() : 0;
+}
+
+std::span<const std::uint32_t> PointEvaluator::color_shaders(std::uint32_t layer) const {
+  const patches::FieldScene* field = state_->color(layer);
+  if (!field) return {};
+  return field->attributes.shader;
+}
+
+std::span<const std::uint32_t> PointEvaluator::opacity_shaders(std::uint32_t layer) const {
+  const patches::FieldScene* field = state_->opacity(layer);
+  if (!field) return {};
+  return field->attributes.shader;
+}
+
+Status PointEvaluator::evaluate(Context& context, std::uint32_t layer, std::span<const Vec2> points,
+                                std::span<float> color, std::span<std::uint8_t> hit,
+                                std::span<float> opacity) const {
+  const State::Fields& fields = *state_->layers[layer];
+  Status status = fields.color.gatherer.gather(context, points, state_->gather, color, hit);
+  if (!status || !fields.opacity || opacity.empty()) return status;
+  return fields.opacity->gatherer.gather(context, points, state_->gather, opacity);
+}
+
+}  // namespace sfumato

@@ -1,0 +1,140 @@
+#include "solve/probes.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/large_vector.hpp"
+#include "picture/patch.hpp"
+
+namespace sfumato::patches {
+namespace {
+
+constexpr int kInnerProbes = 3;
+constexpr int kProbeKinds = kInnerProbes + 3;
+
+/// Barycentric coordinates: the inner probes lie half way between the barycentre and a corner,
+/// as far from all nodes as a point of the triangle can be; then the centres of edges 01, 12, 20.
+constexpr std::array<std::array<double, 3>, kProbeKinds> kBarycentric{{
+    {4.0 / 6, 1.0 / 6, 1.0 / 6},
+    {1.0 / 6, 4.0 / 6, 1.0 / 6},
+    {1.0 / 6, 1.0 / 6, 4.0 / 6},
+    {0.5, 0.5, 0},
+    {0, 0.5, 0.5},
+    {0.5, 0, 0.5},
+}};
+
+using BasisTable = std::array<PatchBasis, kProbeKinds>;
+
+constexpr BasisTable make_basis(PatchOrder order) {
+  BasisTable table{};
+  for (int i = 0; i < kProbeKinds; ++i) {
+    table[i] = patch_basis(order, kBarycentric[i][0], kBarycentric[i][1], kBarycentric[i][2]);
+  }
+  return table;
+}
+
+/// Measured on four scenes: 99% of patches are off by less than three times what the cubic adds to
+/// the quadratic through the same nodes, at the inner probes.
+constexpr float kMissPerCubicPart = 5;
+
+/// A blur's profile breaks at its radius R: a patch 1.44 R deep has nodes that a quadratic takes,
+/// and is off by up to a 24th of their range between them.
+constexpr float kMissPerRange = 1.0f / 24;
+
+const std::uint32_t* nodes_of(const NodeLayout& layout, std::uint32_t t) {
+  return layout.triangle_node.data() + std::size_t{kNodesPerTriangle} * t;
+}
+
+int kind_of(const ProbeSet& probes, std::size_t i) {
+  if (probes.place[i] < kInnerProbes) return probes.place[i];
+  return kInnerProbes + static_cast<int>(probes.half_edge[i] % 3);
+}
+
+Vec2 point(const mesh::TriangleMesh& mesh, std::uint32_t t, int kind) {
+  Vec2 sum;
+  for (std::uint32_t k = 0; k < 3; ++k) {
+    sum = sum + mesh.vertex_position[mesh.triangle_vertex[3 * t + k]] * kBarycentric[kind][k];
+  }
+  return sum;
+}
+
+}  // namespace
+
+ProbeSet place_probes(const Context& context, const mesh::TriangleMesh& mesh,
+                      const NodeLayout& layout, std::span<const std::uint32_t> triangles) {
+  ProbeSet probes;
+  std::vector<std::uint8_t> is_asked;
+  if (!resize_large(context, is_asked, mesh.triangle_count())) return probes;
+  const auto add = [&](std::uint32_t half_edge, int place) {
+    const int kind = place < kInnerProbes ? place : kInnerProbes + static_cast<int>(half_edge % 3);
+    probes.position.push_back(point(mesh, half_edge / 3, kind));
+    probes.half_edge.push_back(half_edge);
+    probes.place.push_back(static_cast<std::uint8_t>(place));
+  };
+  RarePoll<4096> poll(context);
+  for (const std::uint32_t t : triangles) is_asked[t] = 1;
+  for (const std::uint32_t t : triangles) {
+    if (poll.cancelled()) return probes;
+    for (int place = 0; place < kInnerProbes; ++place) add(3 * t, place);
+    for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
+      if (layout.edge_is_curve[h]) continue;
+      const std::int32_t twin = mesh.half_edge_twin[h];
+      const bool other_asks = twin != mesh::kNone &&
+                              is_asked[static_cast<std::uint32_t>(twin) / 3] &&
+                              static_cast<std::uint32_t>(twin) < h;
+      if (!other_asks) add(h, kInnerProbes);
+    }
+  }
+  return probes;
+}
+
+void patch_value_at_probe(const ProbeSet& probes, std::size_t i, const NodeLayout& layout,
+                          PatchOrder order, float* value) {
+  static constexpr std::array<BasisTable, 3> kBasis{make_basis(PatchOrder::linear),
+                                                    make_basis(PatchOrder::quadratic),
+                                                    make_basis(PatchOrder::cubic)};
+  const auto& basis = kBasis[static_cast<std::size_t>(order)][kind_of(probes, i)];
+  const std::uint32_t* node = nodes_of(layout, probes.half_edge[i] / 3);
+  const auto channel_count = static_cast<std::size_t>(layout.channel_count);
+  for (std::size_t channel = 0; channel < channel_count; ++channel) {
+    double sum = 0;
+    for (int n = 0; n < kNodesPerTriangle; ++n) {
+      sum += basis[n] * layout.value[channel_count * node[n] + channel];
+    }
+    value[channel] = static_cast<float>(sum);
+  }
+}
+
+// Cubic less quadratic (eq. 18 - 17) is 0 for whatever is quadratic. What is left of ten values are
+// four numbers: an edge's cubic term t, with opposite signs seen from its ends, and the part of the
+// center that edges and corners do not foretell. At the inner probe near corner k the difference is
+// center / 2 + (t of the edge that leaves k - t of the edge that enters k) / 8.
+void foretell_miss(const NodeLayout& layout, std::uint32_t t, float* miss) {
+  const auto channel_count = static_cast<std::size_t>(layout.channel_count);
+  const std::uint32_t* node = nodes_of(layout, t);
+  for (std::size_t channel = 0; channel < channel_count; ++channel) {
+    std::array<float, kNodesPerTriangle> value;
+    for (std::size_t n = 0; n < value.size(); ++n)
+      value[n] = layout.value[channel_count * node[n] + channel];
+    float corners = 0, edges = 0;
+    std::array<float, 3> term;
+    for (std::size_t k = 0; k < term.size(); ++k) {
+      const float near = value[3 + 2 * k], far = value[4 + 2 * k];
+      corners += value[k];
+      edges += near + far;
+      term[k] = value[(k + 1) % 3] - value[k] + 3 * (near - far);
+    }
+    const float center = 0.5f * (value[9] - 0.25f * edges + corners / 6);
+    float cubic_part = 0;
+    for (std::size_t k = 0; k < term.size(); ++k) {
+      const float difference = center + 0.125f * (term[k] - term[(k + 2) % 3]);
+      cubic_part = std::max(cubic_part, std::fabs(difference));
+    }
+    float low = value[0], high = value[0];
+    for (const float v : value) low = std::min(low, v), high = std::max(high, v);
+    miss[channel] = std::max(kMissPerCubicPart * cubic_part, kMissPerRange * (high - low));
+  }
+}
+
+}  // namespace sfumato::patches

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "mesh/triangle_mesh.hpp"
+#include "picture/picture.hpp"
+#include "solve/nodes.hpp"
+
+namespace sfumato::patches {
+
+/// Points where patches are compared with the exact gather: three inside a triangle and the centre
+/// of each edge that is not on a curve (there the patch is exact), once for both its triangles.
+struct ProbeSet {
+  std::vector<Vec2> position;            ///< layer frame
+  std::vector<std::uint32_t> half_edge;  ///< inside triangle h / 3; see `place`
+  std::vector<std::uint8_t> place;  ///< 0 to 2: inside, near that corner; 3: centre of the edge
+};
+
+/// Probes of some triangles, ascending.
+ProbeSet place_probes(const Context& context, const mesh::TriangleMesh& mesh,
+                      const NodeLayout& layout, std::span<const std::uint32_t> triangles);
+
+/// Foretells by how much triangle t's cubic patch is off at its probes at the most, from its nodes
+/// alone; for 99% of patches less than that. Writes layout.channel_count floats.
+void foretell_miss(const NodeLayout& layout, std::uint32_t t, float* miss);
+
+/// The patch's value at probe i, layout.channel_count floats.
+void patch_value_at_probe(const ProbeSet& probes, std::size_t i, const NodeLayout& layout,
+                          PatchOrder order, float* value);
+
+}  // namespace sfumato::patches

@@ -1,0 +1,100 @@
+#include "solve/seams.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "base/large_vector.hpp"
+
+namespace sfumato::patches {
+namespace {
+
+/// Values of a curve's two neighbouring pieces at their common vertex differ by rounding alone.
+constexpr float kSameValue = 1.0f / (255 * 64);
+
+bool same(float a, float b) {
+  return std::fabs(a - b) <= kSameValue;
+}
+
+float share_of(const SeamValue& value, std::uint32_t shader) {
+  float sum = 0;
+  for (int i = 0; i < 2; ++i) sum += value.shader[i] == shader ? value.share[i] : 0;
+  return sum;
+}
+
+/// Adds `share` of a side's value at fraction u of it; its shader goes to place i.
+void add_side(const gather::Facing& side, float u, float share, int i, SeamValue& value) {
+  if (side.kind == ShaderKind::image_domain) {
+    value.shader[i] = side.shader;
+    value.share[i] = share;
+    return;
+  }
+  const curves::FieldValue base = lerp(side.from, side.to, u);
+  for (std::size_t c = 0; c < base.channel.size(); ++c) {
+    value.base.channel[c] += share * base.channel[c];
+  }
+}
+
+}  // namespace
+
+bool same_value(const SeamValue& a, const SeamValue& b) {
+  if (!std::ranges::equal(a.base.channel, b.base.channel, same)) return false;
+  const auto same_share = [&](std::uint32_t s) { return same(share_of(a, s), share_of(b, s)); };
+  return std::all_of(a.shader, a.shader + 2, same_share) &&
+         std::all_of(b.shader, b.shader + 2, same_share);
+}
+
+Seams::Seams(const Context& context, const mesh::TriangleMesh& mesh,
+             const curves::SegmentAttributes& attributes)
+    : mesh_(mesh) {
+  std::vector<std::uint32_t> all(mesh.triangle_count());
+  std::iota(all.begin(), all.end(), 0u);
+  update(context, attributes, all);
+}
+
+void Seams::update(const Context& context, const curves::SegmentAttributes& attributes,
+                   std::span<const std::uint32_t> changed) {
+  const std::size_t facings = 2 * mesh_.constraint.size();
+  const std::size_t half_edges = mesh_.half_edge_constraint.size();
+  if (!grow_large(context, facing_, facings, facings / 4 * 5) ||
+      !grow_large(context, is_seam_, half_edges, half_edges / 4 * 5)) {
+    return;
+  }
+  RarePoll<16384> poll(context);
+  const auto for_each_half_edge = [&](auto visit) {
+    for (const std::uint32_t t : changed) {
+      if (poll.cancelled()) return;
+      for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) visit(h);
+    }
+  };
+  for_each_half_edge([&](std::uint32_t h) {
+    is_seam_[h] = 0;
+    if (mesh_.half_edge_constraint[h] == mesh::kNone) return;
+    facing_[index(h)] = gather::facing_side(mesh_, attributes, h);
+    if (mesh_.half_edge_twin[h] == mesh::kNone) facing_[index(h) ^ 1] = {};
+  });
+  for_each_half_edge([&](std::uint32_t h) {
+    if (mesh_.half_edge_constraint[h] == mesh::kNone) return;
+    is_seam_[h] = facing(h).kind != ShaderKind::open || back(h).kind != ShaderKind::open;
+  });
+}
+
+float Seams::blur_radius(std::uint32_t half_edge, float u) const {
+  if (!has_value(half_edge) || !back(half_edge).has_value()) return 0;
+  return lerp(facing(half_edge).blur_from, facing(half_edge).blur_to, u);
+}
+
+float Seams::fine_radius(std::uint32_t half_edge, float u) const {
+  if (!has_value(half_edge) || !back(half_edge).has_value()) return 0;
+  return lerp(facing(half_edge).fine_from, facing(half_edge).fine_to, u);
+}
+
+SeamValue Seams::value(std::uint32_t half_edge, float u) const {
+  const float front_share = blur_radius(half_edge, u) > 0 ? 0.5f : 1.0f;
+  SeamValue value;
+  add_side(facing(half_edge), u, front_share, 0, value);
+  if (front_share < 1) add_side(back(half_edge), 1 - u, 1 - front_share, 1, value);
+  return value;
+}
+
+}  // namespace sfumato::patches

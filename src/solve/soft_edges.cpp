@@ -1,0 +1,145 @@
+#include "solve/soft_edges.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sfumato::patches {
+namespace {
+
+using mesh::TriangleMesh;
+
+/// Around a vertex; more is a mesh that is not one.
+constexpr int kMostTurns = 1000;
+
+/// The cosine between the normals of two edges from which on their corner is a spike.
+constexpr double kSpikeCosine = -0.5;
+
+/// How far the blur of an edge reaches at a corner, in radii.
+constexpr double kSpikeReach = 2;
+
+std::uint32_t after(std::uint32_t h) {
+  return h % 3 == 2 ? h - 2 : h + 1;
+}
+
+std::uint32_t before(std::uint32_t h) {
+  return h % 3 == 0 ? h + 2 : h - 1;
+}
+
+/// How far that of an edge which meets the frame reaches along it, in radii.
+constexpr double kFrameReach = 8;
+
+class SoftEdgeFinder {
+ public:
+  SoftEdgeFinder(const Context& context, const TriangleMesh& mesh, const EdgeBlurs& blurs)
+      : context_(context), mesh_(mesh), blurs_(blurs), half_edges_(mesh.half_edge_twin.size()) {}
+
+  std::vector<SoftEdge> find(std::span<const std::uint8_t> keep) {
+    number_triangles(keep);
+    mark_vertices();
+    std::vector<SoftEdge> edges;
+    RarePoll<16384> poll(context_);
+    for (std::uint32_t h = 0; h < half_edges_ && !poll.cancelled(); ++h) {
+      if (mesh_.half_edge_constraint[h] == mesh::kNone || mesh_.half_edge_twin[h] == mesh::kNone)
+        continue;
+      const float from = blurs_.fine_radius(h, 0), to = blurs_.fine_radius(h, 1);
+      if (from > 0 || to > 0) add(h, from, to, edges);
+    }
+    std::ranges::stable_sort(edges, {}, soft_edge_triangle);
+    return edges;
+  }
+
+ private:
+  Vec2 position(std::uint32_t vertex) const { return mesh_.vertex_position[vertex]; }
+
+  /// From the origin of a half-edge to its target, 1 long.
+  Vec2 direction(std::uint32_t h) const {
+    const Vec2 along = position(mesh_.target(h)) - position(mesh_.origin(h));
+    return along / length(along);
+  }
+
+  void number_triangles(std::span<const std::uint8_t> keep) {
+    number_.assign(half_edges_ / 3, SoftEdge::kNone);
+    std::uint32_t next = 0;
+    for (std::size_t t = 0; t < number_.size(); ++t)
+      if (keep[t]) number_[t] = next++;
+  }
+
+  void mark_vertices() {
+    on_curve_.assign(mesh_.vertex_position.size(), 0);
+    for (std::uint32_t h = 0; h < half_edges_; ++h)
+      if (blurs_.is_curve(h)) on_curve_[mesh_.origin(h)] = on_curve_[mesh_.target(h)] = 1;
+  }
+
+  std::uint32_t slot(std::uint32_t h) const {
+    const std::uint32_t triangle = number_[h / 3];
+    return triangle == SoftEdge::kNone ? SoftEdge::kNone : 3 * triangle + h % 3;
+  }
+
+  void add(std::uint32_t h, float from, float to, std::vector<SoftEdge>& edges) const {
+    const auto twin = static_cast<std::uint32_t>(mesh_.half_edge_twin[h]);
+    SoftEdge edge;
+    edge.front = slot(h);
+    edge.back = slot(twin);
+    if (edge.front == SoftEdge::kNone && edge.back == SoftEdge::kNone) return;
+    const double share = share_of_way(h, std::max(from, to));
+    edge.reach[0] = corner_reach(h, true) * (share * from);
+    edge.reach[1] = corner_reach(h, false) * (share * to);
+    edge.contrast = blurs_.is_meshed(twin) ? 2 : 1;
+    edges.push_back(edge);
+  }
+
+  /// What part of a radius lies on the edge's half of the way to a curve across the triangle.
+  double share_of_way(std::uint32_t h, double radius) const {
+    const std::uint32_t next = after(h), last = before(h);
+    if (!on_curve_[mesh_.origin(last)] || blurs_.is_curve(next) || blurs_.is_curve(last)) return 1;
+    const Vec2 apex = position(mesh_.origin(last)) - position(mesh_.origin(h));
+    return std::min(1.0, 0.5 * cross(direction(h), apex) / radius);
+  }
+
+  /// From an end of an edge to where a blur of radius 1 ends there.
+  Vec2 corner_reach(std::uint32_t h, bool at_origin) const {
+    const Vec2 along = direction(h);
+    const Vec2 normal{-along.y, along.x};
+    const std::uint32_t neighbour = edge_in_face(h, at_origin);
+    const Vec2 other = direction(neighbour);
+    if (mesh_.half_edge_twin[neighbour] == mesh::kNone) {
+      // Up to the frame, along it.
+      const Vec2 inwards = at_origin ? -1.0 * other : other;
+      return inwards / std::max(dot(inwards, normal), 1 / kFrameReach);
+    }
+    const Vec2 both = normal + Vec2{-other.y, other.x};
+    const double cosine = dot(along, other);
+    if (cosine > kSpikeCosine) return both / (1 + cosine);
+    const double turn = at_origin ? cross(other, along) : cross(along, other);
+    // Round the point of a spike, and within a cleft.
+    return turn > 0 ? both * (kSpikeReach / length(both)) : normal;
+  }
+
+  /// The edge of the same face, or of the frame, that comes before a half-edge, or after it.
+  std::uint32_t edge_in_face(std::uint32_t h, bool at_origin) const {
+    std::uint32_t edge = at_origin ? before(h) : after(h);
+    for (int turns = 0; turns < kMostTurns && !blurs_.is_curve(edge); ++turns) {
+      const std::int32_t twin = mesh_.half_edge_twin[edge];
+      if (twin == mesh::kNone) break;
+      const auto across = static_cast<std::uint32_t>(twin);
+      edge = at_origin ? before(across) : after(across);
+    }
+    return edge;
+  }
+
+  const Context& context_;
+  const TriangleMesh& mesh_;
+  const EdgeBlurs& blurs_;
+  std::uint32_t half_edges_;
+  std::vector<std::uint32_t> number_;   ///< per triangle, among those that are kept
+  std::vector<std::uint8_t> on_curve_;  ///< per vertex
+};
+
+}  // namespace
+
+std::vector<SoftEdge> find_soft_edges(const Context& context, const TriangleMesh& mesh,
+                                      const EdgeBlurs& blurs, std::span<const std::uint8_t> keep) {
+  return SoftEdgeFinder(context, mesh, blurs).find(keep);
+}
+
+}  // namespace sfumato::patches
