@@ -31,9 +31,9 @@ struct Prepared {
   gather::Scene scene;
 };
 
-patches::NodeLayout lay_out(const mesh::TriangleMesh& mesh,
-                            const curves::SegmentAttributes& attributes) {
-  return patches::lay_out_nodes({}, mesh, attributes, patches::Seams({}, mesh, attributes));
+solve::NodeLayout lay_out(const mesh::TriangleMesh& mesh,
+                          const curves::SegmentAttributes& attributes) {
+  return solve::lay_out_nodes({}, mesh, attributes, solve::Seams({}, mesh, attributes));
 }
 
 std::unique_ptr<Prepared> prepare(benchmark::State& state, const std::string& name) {
@@ -53,7 +53,7 @@ std::unique_ptr<Prepared> prepare(benchmark::State& state, const std::string& na
   prepared->attributes = curves::sample_colors(*flat, curves);
   prepared->visibility = mesher->visibility_mesh({});
   if (!mesher->refine(context)) return nullptr;
-  const patches::NodeLayout layout = lay_out(mesher->patch_mesh({}), prepared->attributes);
+  const solve::NodeLayout layout = lay_out(mesher->patch_mesh({}), prepared->attributes);
   for (std::uint32_t i = 0; i < layout.node_count(); ++i) {
     if (!layout.is_fixed[i]) prepared->points.push_back(layout.position[i]);
   }

@@ -245,10 +245,12 @@ void textures() {
   Context context = roomy();
   const auto png = encode_png(context, image);
   if (png)
-    measure("PNG of 8000 x 8000", context, [&](Context& c) { return decode_image(c, *png); });
+    measure("PNG of 8000 x 8000", context,
+            [&](Context& c) { return codecs::decode_image(c, *png); });
   const auto jpeg = encode_jpeg(context, image, 90);
   if (jpeg) {
-    measure("JPEG of 8000 x 8000", context, [&](Context& c) { return decode_image(c, *jpeg); });
+    measure("JPEG of 8000 x 8000", context,
+            [&](Context& c) { return codecs::decode_image(c, *jpeg); });
   }
   const Document document = test::textured_curve(8000);
   const std::optional<Picture> picture = measure_diffuse("texture of 8000 x 8000", document);

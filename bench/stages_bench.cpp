@@ -51,8 +51,8 @@ void lay_out_nodes(benchmark::State& state) {
   if (!mesher || !mesher->refine(context)) return state.SkipWithError("no mesh");
   const mesh::TriangleMesh mesh = mesher->patch_mesh({});
   for (auto _ : state) {
-    const patches::Seams seams(context, mesh, attributes);
-    benchmark::DoNotOptimize(patches::lay_out_nodes(context, mesh, attributes, seams));
+    const solve::Seams seams(context, mesh, attributes);
+    benchmark::DoNotOptimize(solve::lay_out_nodes(context, mesh, attributes, seams));
   }
   state.counters["triangles"] = mesh.triangle_count();
 }

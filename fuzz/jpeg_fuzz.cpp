@@ -15,7 +15,7 @@ constexpr std::size_t kJpegBudgetBytes = std::size_t{3} << 19;
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const fuzz::Bytes file(data, size);
   Context context{.budget = Budget(kJpegBudgetBytes)};
-  const Result<RgbaImage> image = decode_jpeg(context, file);
+  const Result<codecs::RgbaImage> image = codecs::decode_jpeg(context, file);
   fuzz::require(context.budget.used() == 0, "a decoder keeps what it charged");
   if (!image) {
     fuzz::require_honest(image.status());
@@ -29,7 +29,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     fuzz::require(image->rgba[i] == 255, "a JPEG that can be seen through");
   }
   // Of what the library finds in a file, textures are those that begin as JPEG does.
-  const Result<RgbaImage> again = decode_image(context, file);
+  const Result<codecs::RgbaImage> again = codecs::decode_image(context, file);
   fuzz::require(again || data[2] != 0xFF, "a JPEG that is no texture");
   fuzz::require(!again || again->rgba == image->rgba, "the second reading of a file differs");
   return 0;

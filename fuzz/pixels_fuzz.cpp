@@ -30,7 +30,7 @@ bool is_small(const Document& document) {
 }
 
 /// `way`: how it is drawn, 0 to 7; from 3 on by patches as they are by default.
-Result<Image> picture(Context& context, const Document& document, std::size_t way) {
+Result<Image> drawn(Context& context, const Document& document, std::size_t way) {
   DiffuseOptions options;
   options.pixels_per_unit = kSide / std::max(document.artboard.width(), document.artboard.height());
   options.max_error = 8;
@@ -65,7 +65,7 @@ void check_png(Context& context, const Image& image) {
 
 void check_plain(const Document& document, std::size_t way, const Image& image) {
   Context context{.budget = Budget(fuzz::kBudgetBytes), .simd = SimdLevel::sse2};
-  const Result<Image> same = picture(context, document, way);
+  const Result<Image> same = drawn(context, document, way);
   fuzz::require_ok(same.status(), "one instruction set draws, another does not");
   fuzz::require(same->bytes == image.bytes, "two instruction sets draw different pictures");
 }
@@ -85,7 +85,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   fuzz::require_ok(validate(context, *document), "a document that is not valid");
   {
     const std::size_t way = size % 8;
-    const Result<Image> image = picture(context, *document, way);
+    const Result<Image> image = drawn(context, *document, way);
     if (!image) {
       fuzz::require_honest(image.status());
       return 0;

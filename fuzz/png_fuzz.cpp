@@ -126,7 +126,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const File file = is_file ? with_checksums(bytes) : composed(bytes);
   Context context{.budget = Budget(kPngBudgetBytes)};
   const Result<Image> image = decode_png(context, file, "fuzz.png");
-  const Result<RgbaImage> texture = decode_image(context, file);
+  const Result<codecs::RgbaImage> texture = codecs::decode_image(context, file);
   fuzz::require(context.budget.used() == 0, "a decoder keeps what it charged");
   if (image) {
     check_size(*image);

@@ -32,7 +32,7 @@ void check(const Result<std::vector<svg::WrittenStop<Value>>>& written, std::str
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text = fuzz::as_text({data, size});
-  TextPoll poll;
+  css::TextPoll poll;
   const auto colors = svg::parse_color_stops(text, poll);
   check(colors, text);
   const auto radii = svg::parse_scalar_stops(text, limits::kCoordinate, "a radius", poll);

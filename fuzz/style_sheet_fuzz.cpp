@@ -12,7 +12,7 @@ using namespace sfumato;
 
 namespace {
 
-TextPoll no_poll;
+css::TextPoll no_poll;
 
 bool lies_in(std::string_view part, std::string_view whole) {
   return part.empty() ||
@@ -21,10 +21,10 @@ bool lies_in(std::string_view part, std::string_view whole) {
 
 /// The tokens follow each other, with nothing but comments between.
 void check_tokens(std::string_view text) {
-  CssTokenizer tokens(text, no_poll);
+  css::Tokenizer tokens(text, no_poll);
   std::size_t at = 0;
   for (;;) {
-    const CssToken token = tokens.next();
+    const css::Token token = tokens.next();
     fuzz::require(lies_in(token.text, text) && lies_in(token.value, token.text) &&
                       lies_in(token.unit, token.text),
                   "a token from nowhere");
@@ -33,28 +33,28 @@ void check_tokens(std::string_view text) {
     fuzz::require(between.empty() || between.starts_with("/*"), "text is passed over");
     at = begin + token.text.size();
     fuzz::require(at == tokens.position(), "a token does not end where the next begins");
-    if (token.is(CssTokenType::end)) break;
+    if (token.is(css::TokenType::end)) break;
     fuzz::require(!token.text.empty(), "an empty token");
-    css_unescaped(token.value);
+    css::unescaped(token.value);
   }
   fuzz::require(at == text.size(), "a text that does not end");
 }
 
 void check_style(std::string_view text) {
-  CssStyle style;
-  CssTokenizer tokens(text, no_poll);
-  read_declarations(tokens, false, [&](const CssDeclaration& declaration) {
+  css::Style style;
+  css::Tokenizer tokens(text, no_poll);
+  css::read_declarations(tokens, false, [&](const css::Declaration& declaration) {
     fuzz::require(lies_in(declaration.name, text) && lies_in(declaration.value, text),
                   "a declaration from nowhere");
     style.add(declaration, no_poll);
   });
   fuzz::require(tokens.position() == text.size(), "declarations that do not end");
-  for (std::size_t i = 0; i < kCssPropertyCount; ++i) {
-    const auto property = static_cast<CssProperty>(i);
-    fuzz::require(!style[property] || is_css_value(property, style[property]->value, no_poll),
+  for (std::size_t i = 0; i < css::kPropertyCount; ++i) {
+    const auto property = static_cast<css::Property>(i);
+    fuzz::require(!style[property] || css::is_value(property, style[property]->value, no_poll),
                   "a value that CSS drops");
   }
-  css_media(text, no_poll);
+  css::media_of(text, no_poll);
 }
 
 }  // namespace
@@ -63,11 +63,11 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text = fuzz::as_text({data, size});
   check_tokens(text);
   check_style(text);
-  svg::StyleSheet sheet;
+  css::StyleSheet sheet;
   sheet.add(text, limits::kStyleValues, no_poll);
   fuzz::require(sheet.empty() || sheet.value_count() > 0, "values without a count");
-  for (const CssProperty property :
-       {CssProperty::fill, CssProperty::opacity, CssProperty::display}) {
+  for (const css::Property property :
+       {css::Property::fill, css::Property::opacity, css::Property::display}) {
     for (const char* classes : {"", "a", " a  b ", "\ta\n"}) {
       const auto setting = sheet.find("path", "a", classes, property);
       fuzz::require(!setting || lies_in(setting->value, text), "a value from nowhere");
@@ -79,7 +79,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   fuzz::require(count > limits::kStyleValues || sheet.value_count() == 2 * count ||
                     sheet.value_count() > limits::kStyleValues,
                 "the second reading of a sheet differs");
-  if (const Result<CssColor> color = parse_css_color(text)) {
+  if (const Result<css::Color> color = css::parse_color(text)) {
     const auto is_share = [](float x) { return x >= 0 && x <= 1; };
     fuzz::require(is_share(color->color.r) && is_share(color->color.g) &&
                       is_share(color->color.b) && is_share(color->alpha),

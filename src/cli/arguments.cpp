@@ -98,7 +98,7 @@ std::string option_hint(const CLI::App& command, std::string_view name) {
   for (const CLI::Option* option : command.get_options()) {
     for (const std::string& known : option->get_lnames()) names.push_back(known);
   }
-  std::string_view best = nearest(name, names);
+  std::string_view best = text::nearest(name, names);
   const auto begun = std::ranges::find_if(
       names, [name](std::string_view known) { return known.starts_with(name); });
   if (best.empty() && !name.empty() && begun != names.end()) best = *begun;
@@ -110,7 +110,7 @@ std::string unknown_option(const CLI::App& command) {
   for (const std::string& argument : command.remaining()) {
     if (!argument.starts_with('-') || argument.size() < 2) continue;
     const std::string option = argument.substr(0, argument.find('='));
-    return sfumato::quoted(option) + " is no option of " + command.get_name() +
+    return text::quoted(option) + " is no option of " + command.get_name() +
            (option.starts_with("--") ? option_hint(command, std::string_view(option).substr(2))
                                      : meaning_elsewhere(option));
   }
@@ -126,7 +126,7 @@ std::string unknown_command(std::string_view given, const CLI::App& root) {
     list += (i == 0 ? "" : i + 1 == names.size() ? " or " : ", ") + names[i];
   }
   const std::string hint = given.starts_with("--") ? option_hint(root, given.substr(2))
-                                                   : did_you_mean(given, candidates);
+                                                   : text::did_you_mean(given, candidates);
   return "\"" + std::string(given) + "\" given, expected " + list + hint;
 }
 

@@ -27,7 +27,7 @@ ValueText one_of(std::vector<std::string> words, std::string value_name) {
 
 std::string word_hint(const std::string& text, const std::vector<std::string>& words) {
   const std::vector<std::string_view> candidates(words.begin(), words.end());
-  return did_you_mean(text, candidates);
+  return text::did_you_mean(text, candidates);
 }
 
 CLI::Option* add_output(CLI::App& app, std::string& output, const OutputNames& names,

@@ -89,7 +89,8 @@ std::string complaint_about_output(const std::string& name, const OutputNames& n
   if (name == "-" && names.takes_dash) return {};
   const std::optional<OutputKind> kind = output_kind(name);
   if (kind && (!names.only || kind == names.only)) return {};
-  const std::string_view meant = nearest(lower_case(extension_of(name)), extensions_of(names));
+  const std::string_view meant =
+      text::nearest(lower_case(extension_of(name)), extensions_of(names));
   std::string text = "\"" + name + "\" given, expected " + expected_name(names);
   if (!meant.empty()) {
     text += "; did you mean " + fs::path(name).replace_extension(meant).string() + "?";

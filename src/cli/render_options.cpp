@@ -38,7 +38,7 @@ bool set_max_error(const std::string& text, double& max_error) {
 
 /// A colour as drawings have it; `none` and `transparent` are none.
 bool set_background(const std::string& text, RenderArguments& arguments) {
-  const Result<CssColor> color = parse_css_color(text);
+  const Result<css::Color> color = css::parse_color(text);
   arguments.no_background = text == "none" || (color && color->alpha == 0);
   arguments.raster.background.reset();
   if (arguments.no_background) return true;

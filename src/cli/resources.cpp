@@ -33,7 +33,7 @@ std::string expected_names(std::string_view given) {
     list += (list.empty() ? "" : ", ") + std::string(known.name);
     names.push_back(known.name);
   }
-  return list + did_you_mean(given, names);
+  return list + text::did_you_mean(given, names);
 }
 
 /// What is wrong with "NAME=VALUE"; empty: nothing, and the limit is set.

@@ -53,9 +53,9 @@ void TextureUses::look_at(const std::string& drawing) {
   ScopedCharge charge;
   if (!bytes || !charge.add(context_, bytes->size(), "the input")) return;
   // What is wrong with the drawing is said when it is drawn.
-  [[maybe_unused]] const Status visited =
-      visit_texture_names(context_, *bytes, display_name(drawing),
-                          [&](const std::string& name) { look_at_texture(drawing, name); });
+  [[maybe_unused]] const Status visited = formats::visit_texture_names(
+      context_, *bytes, display_name(drawing),
+      [&](const std::string& name) { look_at_texture(drawing, name); });
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 
 #include "base/ascii.hpp"
 
-namespace sfumato {
+namespace sfumato::codecs {
 namespace {
 
 constexpr int kNoDigit = -1;
@@ -128,4 +128,4 @@ Result<std::vector<std::uint8_t>> decode_data_uri(std::string_view uri) {
   return decode_base64({reinterpret_cast<const char*>(decoded.data()), decoded.size()});
 }
 
-}  // namespace sfumato
+}  // namespace sfumato::codecs

@@ -9,7 +9,7 @@
 #include "base/context.hpp"
 #include "base/status.hpp"
 
-namespace sfumato {
+namespace sfumato::codecs {
 
 /// Base64 (RFC 4648, section 4) on one line, padded; its length.
 std::string encode_base64(std::span<const std::uint8_t> bytes);
@@ -30,4 +30,4 @@ std::vector<std::uint8_t> decode_percent(std::string_view text);
 /// Errors: bad_input, without a place.
 Result<std::vector<std::uint8_t>> decode_data_uri(std::string_view uri);
 
-}  // namespace sfumato
+}  // namespace sfumato::codecs

@@ -3,7 +3,7 @@
 #include "codecs/gunzip.hpp"
 #include "codecs/image_file.hpp"
 
-namespace sfumato {
+namespace sfumato::codecs {
 
 bool is_gzip(std::string_view bytes) {
   return bytes.starts_with("\x1f\x8b");
@@ -17,4 +17,4 @@ Result<RgbaImage> decode_image(Context&, std::span<const std::uint8_t>) {
   return make_error(StatusCode::bad_input, "images are not decoded here");
 }
 
-}  // namespace sfumato
+}  // namespace sfumato::codecs

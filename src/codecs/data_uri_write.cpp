@@ -7,7 +7,7 @@
 #include "codecs/base64.hpp"
 #include "codecs/png.hpp"
 
-namespace sfumato {
+namespace sfumato::codecs {
 namespace {
 
 constexpr std::array<std::uint8_t, 8> kPngMagic{0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
@@ -63,4 +63,4 @@ Result<std::string> data_uri(Context& context, const Texture& texture) {
   return text;
 }
 
-}  // namespace sfumato
+}  // namespace sfumato::codecs

@@ -10,7 +10,7 @@
 #include "base/status.hpp"
 #include "document/shader.hpp"
 
-namespace sfumato {
+namespace sfumato::codecs {
 
 /// "image/png" or "image/jpeg" by a file's first bytes; empty where it is neither.
 std::string_view image_media_type(std::span<const std::uint8_t> file);
@@ -27,4 +27,4 @@ Status append_data_uri(const Context& context, std::string_view media_type,
 /// Errors: those of texture_png.
 Result<std::string> data_uri(Context& context, const Texture& texture);
 
-}  // namespace sfumato
+}  // namespace sfumato::codecs

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 
-namespace sfumato::outputs {
+namespace sfumato::codecs {
 namespace {
 
 constexpr int kLevel = 9;
@@ -73,4 +73,4 @@ Result<std::vector<std::uint8_t>> deflated(Context& context, std::span<const std
   return packed;
 }
 
-}  // namespace sfumato::outputs
+}  // namespace sfumato::codecs

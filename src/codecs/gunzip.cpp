@@ -8,7 +8,7 @@
 
 #include "base/limits.hpp"
 
-namespace sfumato {
+namespace sfumato::codecs {
 namespace {
 
 /// zlib's code for gzip with the largest window.
@@ -110,4 +110,4 @@ Result<std::string> gunzip(Context& context, std::string_view bytes, ScopedCharg
   return text;
 }
 
-}  // namespace sfumato
+}  // namespace sfumato::codecs

@@ -6,7 +6,7 @@
 #include "base/context.hpp"
 #include "base/status.hpp"
 
-namespace sfumato {
+namespace sfumato::codecs {
 
 /// Whether the bytes begin as gzip's do.
 bool is_gzip(std::string_view bytes);
@@ -17,4 +17,4 @@ bool is_gzip(std::string_view bytes);
 /// Errors: bad_input, limit, cancelled, out_of_memory, without a place.
 Result<std::string> gunzip(Context& context, std::string_view bytes, ScopedCharge& charge);
 
-}  // namespace sfumato
+}  // namespace sfumato::codecs

@@ -12,7 +12,7 @@
 #include "codecs/jpeg_decode.hpp"
 #include "codecs/png.hpp"
 
-namespace sfumato {
+namespace sfumato::codecs {
 namespace {
 
 constexpr std::array<std::uint8_t, 8> kPngSignature{0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
@@ -92,4 +92,4 @@ Result<RgbaImage> decode_image(Context& context, std::span<const std::uint8_t> b
   return make_error(StatusCode::bad_input, "the image is neither a PNG nor a JPEG");
 }
 
-}  // namespace sfumato
+}  // namespace sfumato::codecs

@@ -7,7 +7,7 @@
 #include "base/context.hpp"
 #include "base/status.hpp"
 
-namespace sfumato {
+namespace sfumato::codecs {
 
 struct RgbaImage {
   int width = 0;
@@ -24,4 +24,4 @@ Result<RgbaImage> decode_image(Context& context, std::span<const std::uint8_t> b
 /// Whether a texture may be as large as a file's header says. Errors: limit.
 Status check_image_size(const Limits& limits, std::uint64_t width, std::uint64_t height);
 
-}  // namespace sfumato
+}  // namespace sfumato::codecs

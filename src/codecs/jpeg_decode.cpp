@@ -14,7 +14,7 @@
 #include "base/large_vector.hpp"
 #include "codecs/image_file.hpp"
 
-namespace sfumato {
+namespace sfumato::codecs {
 namespace {
 
 /// A progressive file may ask for the whole picture to be gone through again and again.
@@ -203,4 +203,4 @@ Result<RgbaImage> decode_jpeg(Context& context, std::span<const std::uint8_t> by
   return decode(context, session, bytes);
 }
 
-}  // namespace sfumato
+}  // namespace sfumato::codecs

@@ -7,7 +7,7 @@
 #include "base/status.hpp"
 #include "codecs/image_file.hpp"
 
-namespace sfumato {
+namespace sfumato::codecs {
 
 /// Decodes a JPEG: gray, YCbCr, RGB, and CMYK and YCCK as Adobe writes them, inverted (without
 /// their profile: colours are near, not exact). The size is held against limits::kImageSide and
@@ -15,4 +15,4 @@ namespace sfumato {
 /// gray rest. Errors: bad_input, limit, out_of_memory, without a place.
 Result<RgbaImage> decode_jpeg(Context& context, std::span<const std::uint8_t> bytes);
 
-}  // namespace sfumato
+}  // namespace sfumato::codecs

@@ -167,7 +167,7 @@ Stripe Encoder::encode_stripe(std::size_t index) const {
 
 Bytes Encoder::filtered(std::size_t first_row, std::size_t end_row) const {
   const int pixel_bytes = channel_count(image_.format) * bytes_per_channel(image_.format);
-  PngFilter filter(row_bytes_, static_cast<std::size_t>(pixel_bytes));
+  codecs::PngFilter filter(row_bytes_, static_cast<std::size_t>(pixel_bytes));
   Bytes bytes((end_row - first_row) * (row_bytes_ + 1));
   Bytes current_scratch;
   Bytes previous_scratch(first_row == 0 ? row_bytes_ : 0);

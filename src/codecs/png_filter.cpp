@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <cstring>
 
-namespace sfumato {
+namespace sfumato::codecs {
 namespace {
 
 // Written as plain loops over 16-bit numbers, which compilers turn into SIMD code.
@@ -86,4 +86,4 @@ void PngFilter::filter(const std::uint8_t* current, const std::uint8_t* previous
   }
 }
 
-}  // namespace sfumato
+}  // namespace sfumato::codecs

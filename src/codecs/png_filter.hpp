@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace sfumato {
+namespace sfumato::codecs {
 
 /// PNG's five row filters, and the choice between them: the one whose bytes, as signed numbers,
 /// have the smallest sum of magnitudes.
@@ -23,4 +23,4 @@ class PngFilter {
   std::vector<std::uint8_t> candidate_;
 };
 
-}  // namespace sfumato
+}  // namespace sfumato::codecs

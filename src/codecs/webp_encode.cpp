@@ -74,7 +74,7 @@ Result<std::vector<std::uint8_t>> encode(Context& context, const Image& image,
   ScopedCharge charge;
   const std::size_t pixel_count = static_cast<std::size_t>(image.width) * image.height;
   if (status) {
-    const std::size_t parts = options.lossless ? 0 : import_bytes(context.thread_count());
+    const std::size_t parts = options.lossless ? 0 : codecs::import_bytes(context.thread_count());
     status = charge.add(context, kWorkingBytes + parts + kWorkingBytesPerPixel * pixel_count,
                         "writing a WebP image");
   }
@@ -92,8 +92,8 @@ Result<std::vector<std::uint8_t>> encode(Context& context, const Image& image,
   picture.progress_hook = go_on;
   picture.user_data = &context;
   const WebPConfig config = configuration(options);
-  status =
-      options.lossless ? import_argb(context, image, picture) : import_yuv(context, image, picture);
+  status = options.lossless ? codecs::import_argb(context, image, picture)
+                            : codecs::import_yuv(context, image, picture);
   if (!status) return status;
   if (WebPEncode(&config, &picture) == 0) return failure(picture);
   return std::vector<std::uint8_t>(writer.mem, writer.mem + writer.size);

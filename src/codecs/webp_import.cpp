@@ -6,7 +6,7 @@
 #include <cstring>
 #include <memory>
 
-namespace sfumato {
+namespace sfumato::codecs {
 namespace {
 
 /// A part of this side takes 10 ms.
@@ -146,4 +146,4 @@ Status import_yuv(Context& context, const Image& image, WebPPicture& picture) {
   return has_memory ? ok_status() : no_memory();
 }
 
-}  // namespace sfumato
+}  // namespace sfumato::codecs

@@ -8,7 +8,7 @@
 #include "base/image.hpp"
 #include "base/status.hpp"
 
-namespace sfumato {
+namespace sfumato::codecs {
 
 /// Gives a picture of libwebp its pixels, part by part: the library's own functions take a whole
 /// image at once, and do not look at the cancel flag on the way. The picture has its width and
@@ -26,4 +26,4 @@ Status import_yuv(Context& context, const Image& image, WebPPicture& picture);
 /// Bytes that import_yuv takes for its parts on so many threads, beside the picture's own.
 std::size_t import_bytes(int thread_count);
 
-}  // namespace sfumato
+}  // namespace sfumato::codecs

@@ -9,7 +9,7 @@
 #include "raster/gradient.hpp"
 #include "raster/texture_pyramid.hpp"
 
-namespace sfumato::outputs {
+namespace sfumato::display {
 namespace {
 
 constexpr std::size_t kTableWidth = 2048;
@@ -112,4 +112,4 @@ Result<PaintTable> make_paint_table(Context& context, const Picture& picture, Pa
   return table;
 }
 
-}  // namespace sfumato::outputs
+}  // namespace sfumato::display

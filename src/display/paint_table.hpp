@@ -9,7 +9,7 @@
 #include "base/status.hpp"
 #include "picture/picture.hpp"
 
-namespace sfumato::outputs {
+namespace sfumato::display {
 
 /// The gradients and textures of a picture as the shaders of web/viewer/shaders read them
 /// (docs/gpu.md, "The table of paints").
@@ -32,4 +32,4 @@ enum class PaintTexels : bool { counted, kept };
 /// Errors: limit (memory), cancelled. Cost: O(stops + texels).
 Result<PaintTable> make_paint_table(Context& context, const Picture& picture, PaintTexels texels);
 
-}  // namespace sfumato::outputs
+}  // namespace sfumato::display

@@ -69,7 +69,7 @@ struct Root {
 
 /// What the tree says of a text that a glance could not read: not quite XML, or in UTF-16.
 Result<Root> parsed_root(Context& context, std::string_view text, const std::string& file) {
-  XmlSource source(text, file);
+  text::XmlSource source(text, file);
   Status status = source.parse(context);
   if (!status) {
     status.where.file = file;
@@ -109,9 +109,9 @@ Result<ReadDocument> read_text(Context& context, std::string_view text, const st
 
 Result<ReadDocument> read_bytes(Context& context, std::string_view bytes, const std::string& file,
                                 const ResourceLoader* loader) {
-  if (!is_gzip(bytes)) return read_text(context, bytes, file, loader);
+  if (!codecs::is_gzip(bytes)) return read_text(context, bytes, file, loader);
   ScopedCharge charge;
-  Result<std::string> text = gunzip(context, bytes, charge);
+  Result<std::string> text = codecs::gunzip(context, bytes, charge);
   if (text) return read_text(context, *text, file, loader);
   Status status = text.status();
   status.where.file = file;

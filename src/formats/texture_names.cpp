@@ -9,7 +9,7 @@
 #include "formats/svg/texture_files.hpp"
 #include "formats/text/xml_source.hpp"
 
-namespace sfumato {
+namespace sfumato::formats {
 namespace {
 
 class NameWalker final : public pugi::xml_tree_walker {
@@ -33,7 +33,7 @@ class NameWalker final : public pugi::xml_tree_walker {
 
 Status visit_in_text(Context& context, std::string_view text, const std::string& file,
                      const std::function<void(const std::string&)>& visit) {
-  XmlSource xml(text, file);
+  text::XmlSource xml(text, file);
   Status status = xml.parse(context);
   if (status) status = svg::resolve_namespaces(context, xml);
   if (!status) return status;
@@ -44,9 +44,9 @@ Status visit_in_text(Context& context, std::string_view text, const std::string&
 
 Status visit_in_bytes(Context& context, std::string_view bytes, const std::string& file,
                       const std::function<void(const std::string&)>& visit) {
-  if (!is_gzip(bytes)) return visit_in_text(context, bytes, file, visit);
+  if (!codecs::is_gzip(bytes)) return visit_in_text(context, bytes, file, visit);
   ScopedCharge charge;
-  const Result<std::string> text = gunzip(context, bytes, charge);
+  const Result<std::string> text = codecs::gunzip(context, bytes, charge);
   return text ? visit_in_text(context, *text, file, visit) : text.status();
 }
 
@@ -57,4 +57,4 @@ Status visit_texture_names(Context& context, std::string_view bytes, const std::
   return public_verb(context, [&] { return visit_in_bytes(context, bytes, file, visit); });
 }
 
-}  // namespace sfumato
+}  // namespace sfumato::formats

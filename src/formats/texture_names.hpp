@@ -7,7 +7,7 @@
 #include "base/context.hpp"
 #include "base/status.hpp"
 
-namespace sfumato {
+namespace sfumato::formats {
 
 /// Calls `visit` for every file that a pattern of the document names, once for each <image>, as a
 /// ResourceLoader would be asked for it; also where nothing is painted with the pattern. Opens
@@ -16,4 +16,4 @@ namespace sfumato {
 Status visit_texture_names(Context& context, std::string_view bytes, const std::string& file,
                            const std::function<void(const std::string& name)>& visit);
 
-}  // namespace sfumato
+}  // namespace sfumato::formats

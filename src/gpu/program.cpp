@@ -11,7 +11,7 @@ namespace {
 constexpr int kLogBytes = 1000;
 
 std::string_view shader_text(std::string_view name) {
-  return outputs::embedded_file("shaders/" + std::string(name));
+  return display::embedded_file("shaders/" + std::string(name));
 }
 
 std::string assembled(std::string_view name, const std::vector<std::string_view>& defines) {

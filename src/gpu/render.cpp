@@ -103,7 +103,7 @@ Status paint_tiles(Context& context, gpu::Painter& painter, const RasterOptions&
 
 Result<Image> render(Context& context, const Picture& picture, const RasterOptions& options) {
   Status status = raster::check_options(context.limits, options);
-  if (status) status = raster::check_picture(context, picture);
+  if (status) status = picture::check_picture(context, picture);
   if (!status) return status;
   const Result<Affine> image_from_artboard = raster::image_from_artboard(picture, options);
   if (!image_from_artboard) return image_from_artboard.status();

@@ -184,8 +184,8 @@ Status Scene::Builder::upload_segments() {
 }
 
 Status Scene::Builder::upload_paints() {
-  Result<outputs::PaintTable> made =
-      outputs::make_paint_table(context_, *scene_.picture_, outputs::PaintTexels::kept);
+  Result<display::PaintTable> made =
+      display::make_paint_table(context_, *scene_.picture_, display::PaintTexels::kept);
   if (!made) return made.status();
   const std::size_t value_count = made->values.size() / 4, texel_count = made->texel_count;
   Result<Table> values = Table::create(context_, device_, kColorTable, value_count, "gradients");

@@ -32,7 +32,7 @@ struct SceneStroke {
 
 /// Paints on the device.
 struct PaintTables {
-  outputs::PaintTable table;  ///< its texels are on the device only
+  display::PaintTable table;  ///< its texels are on the device only
   Table values, texels;
 };
 

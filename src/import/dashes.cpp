@@ -19,7 +19,7 @@ Status too_many() {
 }
 
 /// Whether a dash lies on the beginning of a subpath whose first dash begins at `at` <= 0.
-bool begins_with_dash(const StrokeStyle& style, double at) {
+bool begins_with_dash(const svg::StrokeStyle& style, double at) {
   for (std::size_t i = 0; i < style.dashes.size() && at <= 0; ++i) {
     const double end = at + style.dashes[i];
     if (end > 0 || (end == 0 && at == 0)) return i % 2 == 0;
@@ -29,7 +29,7 @@ bool begins_with_dash(const StrokeStyle& style, double at) {
 }
 
 std::vector<Vec2> dot_at(const std::vector<Vec2>& chain, double parameter,
-                         const StrokeStyle& style) {
+                         const svg::StrokeStyle& style) {
   const std::size_t last = (chain.size() - 1) / 3 - 1;
   const std::size_t i = std::min(static_cast<std::size_t>(parameter), last);
   const curves::Cubic cubic = curves::piece(chain, i);
@@ -47,7 +47,7 @@ std::vector<double> cumulative_length(PointMeter& meter, const std::vector<Vec2>
 }
 
 void dash_one(PointMeter& meter, const std::vector<Vec2>& chain, const std::vector<double>& lengths,
-              const StrokeStyle& style, Contours& dashes) {
+              const svg::StrokeStyle& style, Contours& dashes) {
   const double total = lengths.back();
   const double period = std::accumulate(style.dashes.begin(), style.dashes.end(), 0.0);
   double at = -std::fmod(style.dash_offset, period);
@@ -82,7 +82,8 @@ void dash_one(PointMeter& meter, const std::vector<Vec2>& chain, const std::vect
 
 }  // namespace
 
-Result<Contours> dashed(PointMeter& meter, const Contours& subpaths, const StrokeStyle& style) {
+Result<Contours> dashed(PointMeter& meter, const Contours& subpaths,
+                        const svg::StrokeStyle& style) {
   Contours dashes;
   const double period = std::accumulate(style.dashes.begin(), style.dashes.end(), 0.0);
   for (const std::vector<Vec2>& chain : subpaths) {

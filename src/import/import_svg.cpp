@@ -30,7 +30,7 @@ SideShader<float> constant_opacity(float value) {
 
 class Importer {
  public:
-  Importer(Context& context, PlainSvg plain)
+  Importer(Context& context, svg::PlainSvg plain)
       : context_(context),
         plain_(std::move(plain)),
         tolerance_(kTolerance *
@@ -44,13 +44,13 @@ class Importer {
  private:
   /// What paints into a layer that is empty in the document.
   struct Source {
-    const PlainShape* shape = nullptr;
+    const svg::PlainShape* shape = nullptr;
     bool is_stroke = false;
   };
 
   Status paint(const LayerInstance& instance, const Source& source);
   Result<Contours> boundary_of(const Source& source) const;
-  Region region_of(const PlainShape& shape, const PlainPaint& paint);
+  Region region_of(const svg::PlainShape& shape, const svg::PlainPaint& paint);
   std::optional<SideShader<float>> gradient_opacity(std::uint32_t shader);
   void paint_region(const LayerInstance& instance, const Region& region);
   void end_layer();
@@ -58,7 +58,7 @@ class Importer {
   void forget_empty_groups();
 
   Context& context_;
-  PlainSvg plain_;
+  svg::PlainSvg plain_;
   double tolerance_;
   std::vector<Layer> layers_;
   std::vector<StackItem> stack_;
@@ -68,7 +68,7 @@ class Importer {
 };
 
 Result<Contours> Importer::boundary_of(const Source& source) const {
-  const PlainShape& shape = *source.shape;
+  const svg::PlainShape& shape = *source.shape;
   Contours contours = shape.subpaths;
   ScopedCharge outline_charge;
   if (source.is_stroke) {
@@ -104,7 +104,7 @@ std::optional<SideShader<float>> Importer::gradient_opacity(std::uint32_t index)
   return SideShader<float>{ShaderKind::image_domain, {}, added};
 }
 
-Region Importer::region_of(const PlainShape& shape, const PlainPaint& paint) {
+Region Importer::region_of(const svg::PlainShape& shape, const svg::PlainPaint& paint) {
   Region region;
   region.id = shape.id;
   region.opacity = constant_opacity(1);
@@ -155,7 +155,7 @@ Status Importer::paint(const LayerInstance& instance, const Source& source) {
   if (!boundary) return boundary.status();
   if (Status status = charge(*boundary); !status) return status;
   if (boundary->empty()) return ok_status();
-  const PlainShape& shape = *source.shape;
+  const svg::PlainShape& shape = *source.shape;
   Region region = region_of(shape, source.is_stroke ? *shape.stroke : *shape.fill);
   if (source.is_stroke && shape.fill && !region.id.empty()) region.id += "-stroke";
   region.boundary = std::move(*boundary);
@@ -174,7 +174,7 @@ void Importer::forget_empty_groups() {
 Status Importer::run() {
   Document& document = plain_.document;
   std::map<std::uint32_t, Source> source_of;
-  for (const PlainShape& shape : plain_.shapes) {
+  for (const svg::PlainShape& shape : plain_.shapes) {
     if (shape.fill) source_of[shape.fill_layer] = {&shape, false};
     if (shape.stroke) source_of[shape.stroke_layer] = {&shape, true};
   }
@@ -206,13 +206,13 @@ Result<ImportedSvg> import_text(Context& context, std::string_view text, const s
                                 const ResourceLoader* loader) {
   ScopedCharge charge;
   std::string unpacked;
-  if (is_gzip(text)) {
-    Result<std::string> bytes = gunzip(context, text, charge);
+  if (codecs::is_gzip(text)) {
+    Result<std::string> bytes = codecs::gunzip(context, text, charge);
     if (!bytes) return bytes.status();
     unpacked = std::move(*bytes);
     text = unpacked;
   }
-  Result<PlainSvg> plain = read_plain_svg(context, text, file, loader);
+  Result<svg::PlainSvg> plain = svg::read_plain_svg(context, text, file, loader);
   if (!plain) return plain.status();
   Importer importer(context, std::move(*plain));
   Status status = importer.run();

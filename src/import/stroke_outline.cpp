@@ -73,7 +73,7 @@ bool is_outer(Vec2 before, Vec2 after) {
 class Side {
  public:
   /// folds   where the contours of folds are added
-  Side(const StrokeStyle& style, double tolerance, PointMeter& meter, Contours& folds)
+  Side(const svg::StrokeStyle& style, double tolerance, PointMeter& meter, Contours& folds)
       : radius_(style.width / 2),
         style_(style),
         tolerance_(tolerance),
@@ -111,7 +111,7 @@ class Side {
   void arc(Vec2 center, Vec2 from, Vec2 to);
 
   double radius_;
-  const StrokeStyle& style_;
+  const svg::StrokeStyle& style_;
   double tolerance_;
   PointMeter& meter_;
   Contours& folds_;
@@ -305,10 +305,10 @@ void Side::join(Vec2 corner, Vec2 before, Vec2 after) {
     line_to(corner);
     return line_to(to);
   }
-  if (style_.join == StrokeJoin::round) return arc(corner, points_.back(), to);
+  if (style_.join == svg::StrokeJoin::round) return arc(corner, points_.back(), to);
   // The miter's length over the width is 1 / sin(half the inner angle), and that squared is:
   const double ratio_squared = 2 / std::max(1 + straightness, 1e-12);
-  if (style_.join == StrokeJoin::miter &&
+  if (style_.join == svg::StrokeJoin::miter &&
       ratio_squared <= style_.miter_limit * style_.miter_limit) {
     line_to(corner + (normal(before) + normal(after)) / (1 + straightness));
   }
@@ -329,8 +329,8 @@ void Side::walk(const std::vector<Cubic>& pieces, bool is_closed) {
 
 void Side::cap(const Cubic& piece) {
   const Vec2 end = piece[3], tangent = tangent_at(piece, 1), side = normal(tangent);
-  if (style_.cap == StrokeCap::round) return arc(end, points_.back(), end - side);
-  if (style_.cap == StrokeCap::square) {
+  if (style_.cap == svg::StrokeCap::round) return arc(end, points_.back(), end - side);
+  if (style_.cap == svg::StrokeCap::square) {
     line_to(end + side + radius_ * tangent);
     line_to(end - side + radius_ * tangent);
   }
@@ -343,12 +343,12 @@ std::vector<Cubic> reversed(const std::vector<Cubic>& pieces) {
   return result;
 }
 
-void outline(PointMeter& meter, const std::vector<Vec2>& subpath, const StrokeStyle& style,
+void outline(PointMeter& meter, const std::vector<Vec2>& subpath, const svg::StrokeStyle& style,
              double tolerance, Contours& contours) {
   if (!meter.take(2 * subpath.size())) return;  // the pieces, there and back
   std::vector<Cubic> pieces = pieces_of(subpath, kShortest * tolerance);
   if (pieces.empty()) {  // a dot, where caps make one
-    if (style.cap == StrokeCap::butt) return;
+    if (style.cap == svg::StrokeCap::butt) return;
     const Vec2 along = subpath.back() - subpath.front();
     const double size = length(along);
     const Vec2 direction = size > 0 ? along / size : Vec2{1, 0};
@@ -378,7 +378,7 @@ void outline(PointMeter& meter, const std::vector<Vec2>& subpath, const StrokeSt
 }
 
 /// The largest coordinate of a stroke, or nearly.
-double reach(const Contours& subpaths, const StrokeStyle& style) {
+double reach(const Contours& subpaths, const svg::StrokeStyle& style) {
   double largest = style.width;
   for (const std::vector<Vec2>& subpath : subpaths) {
     for (const Vec2 p : subpath) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
@@ -403,13 +403,14 @@ Vec2 tangent_at(const curves::Cubic& c, double t) {
   return size > 0 ? along / size : Vec2{1, 0};
 }
 
-std::vector<Vec2> dot(Vec2 point, Vec2 direction, const StrokeStyle& style) {
+std::vector<Vec2> dot(Vec2 point, Vec2 direction, const svg::StrokeStyle& style) {
   const Vec2 end = point + style.width * 1e-6 * direction;
   return {point, lerp(point, end, 1.0 / 3), lerp(point, end, 2.0 / 3), end};
 }
 
 Result<Contours> stroke_outline(Context& context, const Contours& subpaths,
-                                const StrokeStyle& style, double tolerance, ScopedCharge* charge) {
+                                const svg::StrokeStyle& style, double tolerance,
+                                ScopedCharge* charge) {
   ScopedCharge own_charge;
   PointMeter meter(context, charge ? *charge : own_charge);
   Result<Contours> dashes = style.dashes.empty() ? subpaths : dashed(meter, subpaths, style);

@@ -19,12 +19,12 @@ namespace sfumato::svg_import {
 /// charge      takes the memory of the contours, for as long as they live; null: it is given back
 /// Errors      limit (memory, too many dashes or points), cancelled.
 Result<Contours> stroke_outline(Context& context, const Contours& subpaths,
-                                const StrokeStyle& style, double tolerance,
+                                const svg::StrokeStyle& style, double tolerance,
                                 ScopedCharge* charge = nullptr);
 
 /// A subpath so short that its caps are all that is seen of it: a disk, or a square that stands
 /// along `direction`, a unit vector.
-std::vector<Vec2> dot(Vec2 point, Vec2 direction, const StrokeStyle& style);
+std::vector<Vec2> dot(Vec2 point, Vec2 direction, const svg::StrokeStyle& style);
 
 /// The direction of walking at t, a unit vector; where the derivative is 0, that towards the next
 /// other point.
@@ -32,6 +32,6 @@ Vec2 tangent_at(const curves::Cubic& cubic, double t);
 
 /// The parts of the subpaths that dashes leave; a dash of no length is a dot.
 /// Errors: limit, cancelled.
-Result<Contours> dashed(PointMeter& meter, const Contours& subpaths, const StrokeStyle& style);
+Result<Contours> dashed(PointMeter& meter, const Contours& subpaths, const svg::StrokeStyle& style);
 
 }  // namespace sfumato::svg_import

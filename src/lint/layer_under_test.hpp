@@ -26,8 +26,8 @@ struct LayerUnderTest {
   Context& context;  ///< where it is cancelled the hints are incomplete
   const Document& document;
   std::uint32_t layer;
-  const patches::LayerSight& sight;
-  const patches::LayerScene& scene;
+  const solve::LayerSight& sight;
+  const solve::LayerScene& scene;
   const mesh::TriangleMesh& mesh;  ///< scene.mesher's visibility mesh
   std::vector<Hint>& hints;
 

@@ -123,7 +123,7 @@ Result<std::vector<Hint>> Linter::run() {
 }
 
 Status Linter::check_layer(std::uint32_t layer) {
-  const patches::LayerSight sight = patches::sight_of_layer(document_, layer, document_.artboard);
+  const solve::LayerSight sight = solve::sight_of_layer(document_, layer, document_.artboard);
   const bool is_painted = !sight.viewport.empty();
   note_shaders(layer, is_painted ? sight.scale : 0);
   if (!is_painted) {
@@ -139,8 +139,8 @@ Status Linter::check_layer(std::uint32_t layer) {
   }
   DiffuseOptions options;
   options.pixels_per_unit = 1 / lint_detail::artboard_pixel(document_);
-  const Result<patches::LayerScene> scene =
-      patches::prepare_layer(context_, document_, layer, sight, options, nullptr);
+  const Result<solve::LayerScene> scene =
+      solve::prepare_layer(context_, document_, layer, sight, options, nullptr);
   if (!scene) return scene.status();
   const mesh::TriangleMesh mesh = scene->mesher.visibility_mesh(context_);
   if (context_.cancelled()) return context_.stop_status();
@@ -184,8 +184,8 @@ Status Linter::check_instances(LayerUnderTest& test) {
     const auto* instance = std::get_if<LayerInstance>(&document_.stack[i]);
     if (!instance || instance->layer != test.layer || instance->opacity == 0) continue;
     const bool is_above = i > 0;  // over the background alone it is the ground of the picture
-    const bool is_outside = !overlap(
-        patches::bounds_of_mapped(instance->artboard_from_layer, bounds), document_.artboard);
+    const bool is_outside = !overlap(solve::bounds_of_mapped(instance->artboard_from_layer, bounds),
+                                     document_.artboard);
     const bool floods = !is_above && may_flood(document_.layers[test.layer], test.sight.viewport);
     const bool may_leak =
         (is_above || floods) && !leak_told && instance->blend == BlendMode::normal;

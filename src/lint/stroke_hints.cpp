@@ -88,7 +88,7 @@ class StrokeCheck {
     Box box;
     for (const Vec2 p : curve_.control_points) box.extend(p);
     const Box grown = box.grown_by(margin);
-    return overlap(patches::bounds_of_mapped(stroke_.artboard_from_stroke, grown),
+    return overlap(solve::bounds_of_mapped(stroke_.artboard_from_stroke, grown),
                    document_.artboard);
   }
 

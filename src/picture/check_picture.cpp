@@ -9,7 +9,7 @@
 #include "base/limits.hpp"
 #include "document/rules.hpp"
 
-namespace sfumato::raster {
+namespace sfumato::picture {
 namespace {
 
 /// Pixels per unit, and pixels from the image to the artboard's origin. Beyond, squares of pixel
@@ -95,4 +95,4 @@ Status check_picture(const Context& context, const Picture& picture) {
   return rules::check_stack(context, picture.stack, picture.layers.size());
 }
 
-}  // namespace sfumato::raster
+}  // namespace sfumato::picture

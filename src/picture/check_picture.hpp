@@ -3,7 +3,7 @@
 #include "base/status.hpp"
 #include "picture/picture.hpp"
 
-namespace sfumato::raster {
+namespace sfumato::picture {
 
 /// Whether a map into pixels is such that squares of its coordinates do not overflow.
 bool is_moderate(const Affine& m);
@@ -14,4 +14,4 @@ bool is_moderate(const Affine& m);
 /// limit (stack items, group depth, shaders of a layer), cancelled.
 Status check_picture(const Context& context, const Picture& picture);
 
-}  // namespace sfumato::raster
+}  // namespace sfumato::picture

@@ -6,7 +6,7 @@
 #include "base/affine.hpp"
 #include "base/pixel_rect.hpp"
 
-namespace sfumato::raster {
+namespace sfumato::picture {
 
 /// A layer's fields at pixel centres, row by row. Channels as in PatchLayer.
 struct FieldPixels {
@@ -25,4 +25,4 @@ class FieldSource {
                     FieldPixels* out) const = 0;
 };
 
-}  // namespace sfumato::raster
+}  // namespace sfumato::picture

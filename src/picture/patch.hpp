@@ -25,7 +25,7 @@ inline constexpr std::array<std::array<double, 3>, kNodesPerTriangle> kNodeBaryc
 
 using PatchBasis = std::array<double, kNodesPerTriangle>;
 
-namespace patches {
+namespace picture {
 
 /// Eq. 18.
 constexpr PatchBasis cubic_basis(double w, double u, double v) {
@@ -50,7 +50,7 @@ constexpr PatchBasis quadratic_basis(double w, double u, double v) {
   return basis;
 }
 
-}  // namespace patches
+}  // namespace picture
 
 /// The ten basis values at barycentric (w, u, v) of corners 0, 1, 2: eq. 18 (cubic), eq. 17
 /// (quadratic, its edge centres taken from the cubic), or barycentric (linear). They sum to 1.
@@ -59,11 +59,11 @@ constexpr PatchBasis patch_basis(PatchOrder order, double w, double u, double v)
     case PatchOrder::linear:
       return {w, u, v, 0, 0, 0, 0, 0, 0, 0};
     case PatchOrder::quadratic:
-      return patches::quadratic_basis(w, u, v);
+      return picture::quadratic_basis(w, u, v);
     case PatchOrder::cubic:
       break;
   }
-  return patches::cubic_basis(w, u, v);
+  return picture::cubic_basis(w, u, v);
 }
 
 }  // namespace sfumato

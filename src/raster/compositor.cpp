@@ -3,7 +3,7 @@
 namespace sfumato::raster {
 
 Compositor::Compositor(const Context& context, const PaintList& list, const SpanKernels& kernels,
-                       bool antialias, const FieldSource* source)
+                       bool antialias, const picture::FieldSource* source)
     : context_(context),
       list_(list),
       kernels_(kernels),

@@ -16,7 +16,7 @@ class Compositor {
  public:
   /// All must outlive this. source: as LayerPainter's; the list must not be plain then.
   Compositor(const Context& context, const PaintList& list, const SpanKernels& kernels,
-             bool antialias, const FieldSource* source);
+             bool antialias, const picture::FieldSource* source);
 
   /// Paints onto what `root`, the whole tile, holds; some of it where the context is cancelled.
   void paint(std::size_t tile_index, const Tile& root);

@@ -33,7 +33,7 @@ void clear(const Tile& tile);
 class LayerPainter {
  public:
   /// source   null: the patches; else what is asked for every pixel, and nothing is antialiased
-  LayerPainter(const SpanKernels& kernels, bool antialias, const FieldSource* source)
+  LayerPainter(const SpanKernels& kernels, bool antialias, const picture::FieldSource* source)
       : kernels_(kernels), antialias_(antialias), source_(source) {}
 
   /// Code values and alpha, premultiplied, in the pixels of `rect`, which lie in one tile and hold
@@ -58,8 +58,8 @@ class LayerPainter {
 
   const SpanKernels& kernels_;
   bool antialias_;
-  const FieldSource* source_;
-  FieldPixels pixels_;
+  const picture::FieldSource* source_;
+  picture::FieldPixels pixels_;
   TilePlanes shaded_, weights_;
   std::vector<std::uint32_t> weighted_;
   MixedPixels mixed_;

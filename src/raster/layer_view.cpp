@@ -23,7 +23,7 @@ Result<Affine> image_from_artboard(const Picture& picture, const RasterOptions& 
   const double x_scale = options.width / viewport.width();
   const double y_scale = options.height / viewport.height();
   const Affine map{x_scale, 0, 0, y_scale, -viewport.min.x * x_scale, -viewport.min.y * y_scale};
-  if (!is_moderate(map))
+  if (!picture::is_moderate(map))
     return make_error(StatusCode::bad_input, "a viewport too small or too far away to be drawn");
   return map;
 }

@@ -12,6 +12,6 @@ namespace sfumato::raster {
 /// rasterize(), with the fields of every layer from `source` where that is not null: of the patches
 /// only the area that they cover counts then, and no curve is antialiased.
 Result<Image> paint_picture(Context& context, const Picture& picture, const RasterOptions& options,
-                            const FieldSource* source);
+                            const picture::FieldSource* source);
 
 }  // namespace sfumato::raster

@@ -29,7 +29,7 @@ using raster::TileGrid;
 struct Scene {
   const Context* context = nullptr;
   const RasterOptions* options = nullptr;
-  const raster::FieldSource* source = nullptr;
+  const picture::FieldSource* source = nullptr;
   const raster::SpanKernels* kernels = nullptr;
   PaintList list;
   raster::Backdrop backdrop;
@@ -151,7 +151,7 @@ Status paint_tiles(Context& context, const Scene& scene) {
 
 Result<PaintList> make_list(Context& context, const Picture& picture,
                             const RasterOptions& options) {
-  if (Status status = raster::check_picture(context, picture); !status) return status;
+  if (Status status = picture::check_picture(context, picture); !status) return status;
   const Result<Affine> image_from_artboard = raster::image_from_artboard(picture, options);
   if (!image_from_artboard) return image_from_artboard.status();
   double margin_px = options.mesh_overlay ? raster::kOverlayReachPx + 1 : 0;
@@ -165,7 +165,8 @@ Result<PaintList> make_list(Context& context, const Picture& picture,
 }  // namespace
 
 Result<Image> raster::paint_picture(Context& context, const Picture& picture,
-                                    const RasterOptions& options, const FieldSource* source) {
+                                    const RasterOptions& options,
+                                    const picture::FieldSource* source) {
   Status status = raster::check_options(context.limits, options);
   if (!status) return status;
   Scene scene;

@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-namespace sfumato::patches {
+namespace sfumato::solve {
 namespace {
 
 /// atan(x) for |x| ≤ tan(π/8): the Taylor series, whose next term is below 1e-8 there.
@@ -30,4 +30,4 @@ double turn_angle(Vec2 a, Vec2 b) {
   return y < 0 ? 2 * pi - angle : angle;
 }
 
-}  // namespace sfumato::patches
+}  // namespace sfumato::solve

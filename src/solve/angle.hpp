@@ -2,11 +2,11 @@
 
 #include "base/vec2.hpp"
 
-namespace sfumato::patches {
+namespace sfumato::solve {
 
 /// The angle from a to b turned in the direction of positive cross product, in [0, 2π), to 1e-7.
 /// Built from sums, products and square roots only, so that every platform gives the same bits.
 /// Zero vectors count as angle 0.
 double turn_angle(Vec2 a, Vec2 b);
 
-}  // namespace sfumato::patches
+}  // namespace sfumato::solve

@@ -8,7 +8,7 @@
 #include "base/large_vector.hpp"
 #include "picture/patch.hpp"
 
-namespace sfumato::patches {
+namespace sfumato::solve {
 namespace {
 
 using mesh::TriangleMesh;
@@ -341,4 +341,4 @@ Result<BorderCuts> cut_at_border(Context& context, const TriangleMesh& mesh, con
   return BorderCutter(context, mesh, sight, accuracy).cut();
 }
 
-}  // namespace sfumato::patches
+}  // namespace sfumato::solve

@@ -9,7 +9,7 @@
 #include "base/status.hpp"
 #include "mesh/triangle_mesh.hpp"
 
-namespace sfumato::patches {
+namespace sfumato::solve {
 
 /// What is seen of a layer, as the border finder asks for it.
 struct Sight {
@@ -49,4 +49,4 @@ struct BorderCuts {
 Result<BorderCuts> cut_at_border(Context& context, const mesh::TriangleMesh& mesh,
                                  const Sight& sight, double accuracy);
 
-}  // namespace sfumato::patches
+}  // namespace sfumato::solve

@@ -13,12 +13,12 @@ namespace {
 Result<PatchLayer> solve_layer(Context& context, const Document& document, std::uint32_t index,
                                const Box& viewport, const DiffuseOptions& options,
                                DiffuseStats* stats) {
-  const patches::LayerSight sight = patches::sight_of_layer(document, index, viewport);
+  const solve::LayerSight sight = solve::sight_of_layer(document, index, viewport);
   if (sight.viewport.empty() || document.layers[index].curves.empty()) return PatchLayer{};
-  Result<patches::LayerScene> scene = patches::prepare_layer(
-      context, document, index, sight, options, stats, patches::LayerUse::patches);
+  Result<solve::LayerScene> scene = solve::prepare_layer(context, document, index, sight, options,
+                                                         stats, solve::LayerUse::patches);
   if (!scene) return scene.status();
-  return patches::LayerSolver(context, std::move(*scene), options, stats).solve();
+  return solve::LayerSolver(context, std::move(*scene), options, stats).solve();
 }
 
 PictureItem picture_item(const LayerInstance& instance) {
@@ -79,9 +79,9 @@ Result<Picture> make_frame(Context& context, const Document& document, const Box
   return picture;
 }
 
-Result<Picture> solve(Context& context, const Document& document, const DiffuseOptions& options,
-                      DiffuseStats* stats) {
-  if (Status status = patches::validate(options); !status) return status;
+Result<Picture> solve_layers(Context& context, const Document& document,
+                             const DiffuseOptions& options, DiffuseStats* stats) {
+  if (Status status = solve::validate(options); !status) return status;
   if (Status status = validate(context, document); !status) return status;
   Result<Picture> frame =
       make_frame(context, document, options.viewport.value_or(document.artboard));
@@ -108,7 +108,7 @@ Result<Picture> picture_frame(Context& context, const Document& document, const 
 
 Result<Picture> diffuse(Context& context, const Document& document, const DiffuseOptions& options,
                         DiffuseStats* stats) {
-  return public_verb(context, [&] { return solve(context, document, options, stats); });
+  return public_verb(context, [&] { return solve_layers(context, document, options, stats); });
 }
 
 }  // namespace sfumato

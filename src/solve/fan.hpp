@@ -5,7 +5,7 @@
 
 #include "mesh/triangle_mesh.hpp"
 
-namespace sfumato::patches {
+namespace sfumato::solve {
 
 /// The spoke after h around h's origin, in the direction of positive turns; kNone at the hull.
 inline std::int32_t next_spoke(const mesh::TriangleMesh& mesh, std::uint32_t h) {
@@ -48,4 +48,4 @@ struct Fan {
   }
 };
 
-}  // namespace sfumato::patches
+}  // namespace sfumato::solve

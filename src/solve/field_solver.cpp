@@ -10,7 +10,7 @@
 #include "solve/layout_order.hpp"
 #include "solve/probes.hpp"
 
-namespace sfumato::patches {
+namespace sfumato::solve {
 namespace {
 
 constexpr std::size_t kNodes = kNodesPerTriangle;
@@ -110,7 +110,7 @@ Status FieldSolver::put_in_order(Context& context, const mesh::TriangleMesh& mes
   ScopedCharge charge;
   Status status = charge.add(context, point_bytes(layout_.node_count()), "patches");
   if (!status) return status;
-  const Result<std::vector<std::uint32_t>> order = patches::put_in_order(context, mesh, layout_);
+  const Result<std::vector<std::uint32_t>> order = solve::put_in_order(context, mesh, layout_);
   if (!order) return order.status();
   node_hit_ = reordered(context, *order, node_hit_);
   return context.check();
@@ -416,4 +416,4 @@ PatchField FieldSolver::take(std::span<const std::uint8_t> keep) {
           std::move(scene_.attributes.shader)};
 }
 
-}  // namespace sfumato::patches
+}  // namespace sfumato::solve

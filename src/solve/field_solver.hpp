@@ -16,7 +16,7 @@
 #include "solve/nodes.hpp"
 #include "solve/seams.hpp"
 
-namespace sfumato::patches {
+namespace sfumato::solve {
 
 /// One attribute of a layer, ready to be gathered.
 struct FieldScene {
@@ -139,4 +139,4 @@ class FieldSolver {
 /// Takes one channel out of a field: a field of its own over the same nodes.
 PatchField split_channel(PatchField& field, int channel);
 
-}  // namespace sfumato::patches
+}  // namespace sfumato::solve

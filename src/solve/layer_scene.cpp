@@ -10,7 +10,7 @@
 #include "curves/flatten.hpp"
 #include "solve/layer_view.hpp"
 
-namespace sfumato::patches {
+namespace sfumato::solve {
 namespace {
 
 struct Tolerance {
@@ -305,4 +305,4 @@ Result<LayerScene> prepare_layer(Context& context, const Document& document, std
                     kSmallestEdgePx * units.pixel()};
 }
 
-}  // namespace sfumato::patches
+}  // namespace sfumato::solve

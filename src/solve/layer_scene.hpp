@@ -10,7 +10,7 @@
 #include "solve/diffuse.hpp"
 #include "solve/field_solver.hpp"
 
-namespace sfumato::patches {
+namespace sfumato::solve {
 
 /// What every way of evaluating a layer begins with: its curves flattened, meshed and made ready
 /// for gathering.
@@ -51,4 +51,4 @@ Result<LayerScene> prepare_layer(Context& context, const Document& document, std
 /// Checks lengths and counts of the options against what they mean.
 Status validate(const DiffuseOptions& options);
 
-}  // namespace sfumato::patches
+}  // namespace sfumato::solve

@@ -7,7 +7,7 @@
 #include "base/stopwatch.hpp"
 #include "solve/soft_edges.hpp"
 
-namespace sfumato::patches {
+namespace sfumato::solve {
 namespace {
 
 /// Each round halves a triangle that misses; the artboard is a few hundred smallest edges across.
@@ -229,8 +229,8 @@ Status LayerSolver::cut_at_border() {
     return for_each_field(
         [&](const FieldSolver& field) { return field.look(context_, points, seen); });
   };
-  Result<BorderCuts> cuts = patches::cut_at_border(context_, mesh_, {node_sees, is_seam, look},
-                                                   kBorderPerEdge * smallest_edge_);
+  Result<BorderCuts> cuts = solve::cut_at_border(context_, mesh_, {node_sees, is_seam, look},
+                                                 kBorderPerEdge * smallest_edge_);
   if (!cuts) return cuts.status();
   cuts_ = std::move(*cuts);
   if (stats_) stats_->gather_seconds += watch.seconds();
@@ -369,4 +369,4 @@ Result<PatchLayer> LayerSolver::take_patches() {
   return layer;
 }
 
-}  // namespace sfumato::patches
+}  // namespace sfumato::solve

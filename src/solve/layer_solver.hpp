@@ -13,7 +13,7 @@
 #include "solve/field_solver.hpp"
 #include "solve/layer_scene.hpp"
 
-namespace sfumato::patches {
+namespace sfumato::solve {
 
 /// Sees each round of a layer's solution, for tests: its mesh, and the fields as they were
 /// gathered; opacity is null where `color` holds it or there is none.
@@ -80,4 +80,4 @@ class LayerSolver {
   BorderCuts cuts_;                     ///< their parts follow the mesher's triangles
 };
 
-}  // namespace sfumato::patches
+}  // namespace sfumato::solve

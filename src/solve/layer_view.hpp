@@ -3,7 +3,7 @@
 #include "base/affine.hpp"
 #include "base/box.hpp"
 
-namespace sfumato::patches {
+namespace sfumato::solve {
 
 /// The bounding box of a mapped rectangle.
 inline Box bounds_of_mapped(const Affine& map, const Box& box) {
@@ -14,4 +14,4 @@ inline Box bounds_of_mapped(const Affine& map, const Box& box) {
   return bounds;
 }
 
-}  // namespace sfumato::patches
+}  // namespace sfumato::solve

@@ -2,7 +2,7 @@
 
 #include "solve/fan.hpp"
 
-namespace sfumato::patches {
+namespace sfumato::solve {
 namespace {
 
 /// Goes through the triangles as lay_out_nodes does.
@@ -84,4 +84,4 @@ Result<std::vector<std::uint32_t>> put_in_order(const Context& context,
   return order;
 }
 
-}  // namespace sfumato::patches
+}  // namespace sfumato::solve

@@ -8,7 +8,7 @@
 #include "base/large_vector.hpp"
 #include "solve/nodes.hpp"
 
-namespace sfumato::patches {
+namespace sfumato::solve {
 
 /// Numbers the nodes of an updated layout as lay_out_nodes would, and drops those that no triangle
 /// has. Returns per node of now the number that it had. What else is kept for each node is to be
@@ -39,4 +39,4 @@ std::vector<Item> reordered(const Context& context, const std::vector<std::uint3
   return moved;
 }
 
-}  // namespace sfumato::patches
+}  // namespace sfumato::solve

@@ -6,7 +6,7 @@
 #include "base/large_vector.hpp"
 #include "solve/node_placer.hpp"
 
-namespace sfumato::patches {
+namespace sfumato::solve {
 namespace {
 
 using mesh::TriangleMesh;
@@ -259,4 +259,4 @@ Status update_layout(Context& context, const TriangleMesh& mesh,
   return LayoutUpdate(context, mesh, attributes, seams, changed, layout, history).run();
 }
 
-}  // namespace sfumato::patches
+}  // namespace sfumato::solve

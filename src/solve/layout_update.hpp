@@ -6,7 +6,7 @@
 
 #include "solve/nodes.hpp"
 
-namespace sfumato::patches {
+namespace sfumato::solve {
 
 /// What update_layout keeps from one update of a layout to the next. Empty at first.
 struct LayoutHistory {
@@ -39,4 +39,4 @@ Status update_layout(Context& context, const mesh::TriangleMesh& mesh,
                      std::span<const std::uint32_t> changed, NodeLayout& layout,
                      LayoutHistory& history);
 
-}  // namespace sfumato::patches
+}  // namespace sfumato::solve

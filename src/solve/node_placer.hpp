@@ -11,7 +11,7 @@
 #include "solve/nodes.hpp"
 #include "solve/seams.hpp"
 
-namespace sfumato::patches {
+namespace sfumato::solve {
 
 /// A share of the value that a curve gives to a node.
 struct FixedShare {
@@ -208,4 +208,4 @@ class NodePlacer {
   std::vector<FixedShare> fixed_;
 };
 
-}  // namespace sfumato::patches
+}  // namespace sfumato::solve

@@ -5,7 +5,7 @@
 #include "base/large_vector.hpp"
 #include "solve/node_placer.hpp"
 
-namespace sfumato::patches {
+namespace sfumato::solve {
 namespace {
 
 /// The table of a first layout: every node is a new one.
@@ -71,4 +71,4 @@ NodeLayout lay_out_nodes(const Context& context, const mesh::TriangleMesh& mesh,
   return layout;
 }
 
-}  // namespace sfumato::patches
+}  // namespace sfumato::solve

@@ -7,7 +7,7 @@
 #include "mesh/triangle_mesh.hpp"
 #include "solve/seams.hpp"
 
-namespace sfumato::patches {
+namespace sfumato::solve {
 
 /// No node stands there yet.
 inline constexpr std::uint32_t kNoNode = 0xffffffff;
@@ -36,4 +36,4 @@ struct NodeLayout {
 NodeLayout lay_out_nodes(const Context& context, const mesh::TriangleMesh& mesh,
                          const curves::SegmentAttributes& attributes, const Seams& seams);
 
-}  // namespace sfumato::patches
+}  // namespace sfumato::solve

@@ -10,14 +10,14 @@ namespace sfumato {
 
 struct PointEvaluator::State {
   struct Fields {
-    patches::FieldScene color;
-    std::optional<patches::FieldScene> opacity;
+    solve::FieldScene color;
+    std::optional<solve::FieldScene> opacity;
   };
 
-  const patches::FieldScene* color(std::uint32_t layer) const {
+  const solve::FieldScene* color(std::uint32_t layer) const {
     return layers[layer] ? &layers[layer]->color : nullptr;
   }
-  const patches::FieldScene* opacity(std::uint32_t layer) const {
+  const solve::FieldScene* opacity(std::uint32_t layer) const {
     return layers[layer] && layers[layer]->opacity ? &*layers[layer]->opacity : nullptr;
   }
 
@@ -32,17 +32,17 @@ PointEvaluator::~PointEvaluator() = default;
 
 Result<PointEvaluator> PointEvaluator::create(Context& context, const Document& document,
                                               const DiffuseOptions& options, DiffuseStats* stats) {
-  if (Status status = patches::validate(options); !status) return status;
+  if (Status status = solve::validate(options); !status) return status;
   if (Status status = validate(context, document); !status) return status;
   auto state = std::make_unique<State>();
   state->gather = options.gather;
   state->layers.resize(document.layers.size());
   const Box viewport = options.viewport.value_or(document.artboard);
   for (std::uint32_t i = 0; i < document.layers.size(); ++i) {
-    const patches::LayerSight sight = patches::sight_of_layer(document, i, viewport);
+    const solve::LayerSight sight = solve::sight_of_layer(document, i, viewport);
     if (sight.viewport.empty() || document.layers[i].curves.empty()) continue;
-    Result<patches::LayerScene> scene =
-        patches::prepare_layer(context, document, i, sight, options, stats);
+    Result<solve::LayerScene> scene =
+        solve::prepare_layer(context, document, i, sight, options, stats);
     if (!scene) return scene.status();
     state->layers[i].emplace(State::Fields{std::move(scene->color), std::move(scene->opacity)});
   }
@@ -50,23 +50,23 @@ Result<PointEvaluator> PointEvaluator::create(Context& context, const Document& 
 }
 
 int PointEvaluator::color_channels(std::uint32_t layer) const {
-  const patches::FieldScene* field = state_->color(layer);
+  const solve::FieldScene* field = state_->color(layer);
   return field ? field->attributes.channel_count() : 0;
 }
 
 int PointEvaluator::opacity_channels(std::uint32_t layer) const {
-  const patches::FieldScene* field = state_->opacity(layer);
+  const solve::FieldScene* field = state_->opacity(layer);
   return field ? field->attributes.channel_count() : 0;
 }
 
 std::span<const std::uint32_t> PointEvaluator::color_shaders(std::uint32_t layer) const {
-  const patches::FieldScene* field = state_->color(layer);
+  const solve::FieldScene* field = state_->color(layer);
   if (!field) return {};
   return field->attributes.shader;
 }
 
 std::span<const std::uint32_t> PointEvaluator::opacity_shaders(std::uint32_t layer) const {
-  const patches::FieldScene* field = state_->opacity(layer);
+  const solve::FieldScene* field = state_->opacity(layer);
   if (!field) return {};
   return field->attributes.shader;
 }

@@ -7,7 +7,7 @@
 #include "base/large_vector.hpp"
 #include "picture/patch.hpp"
 
-namespace sfumato::patches {
+namespace sfumato::solve {
 namespace {
 
 constexpr int kInnerProbes = 3;
@@ -137,4 +137,4 @@ void foretell_miss(const NodeLayout& layout, std::uint32_t t, float* miss) {
   }
 }
 
-}  // namespace sfumato::patches
+}  // namespace sfumato::solve

@@ -8,7 +8,7 @@
 #include "picture/picture.hpp"
 #include "solve/nodes.hpp"
 
-namespace sfumato::patches {
+namespace sfumato::solve {
 
 /// Points where patches are compared with the exact gather: three inside a triangle and the centre
 /// of each edge that is not on a curve (there the patch is exact), once for both its triangles.
@@ -30,4 +30,4 @@ void foretell_miss(const NodeLayout& layout, std::uint32_t t, float* miss);
 void patch_value_at_probe(const ProbeSet& probes, std::size_t i, const NodeLayout& layout,
                           PatchOrder order, float* value);
 
-}  // namespace sfumato::patches
+}  // namespace sfumato::solve

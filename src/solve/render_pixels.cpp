@@ -32,14 +32,14 @@ void for_each_in_squares(const PixelRect& rect, Visit visit) {
 }
 
 /// The gather itself, at every pixel that is asked for.
-class ExactFields final : public raster::FieldSource {
+class ExactFields final : public picture::FieldSource {
  public:
   /// Both must outlive this.
   ExactFields(Context& context, const PointEvaluator& evaluator)
       : context_(context), evaluator_(evaluator) {}
 
   void read(std::uint32_t layer, const Affine& layer_from_image, const PixelRect& rect,
-            raster::FieldPixels* out) const override {
+            picture::FieldPixels* out) const override {
     std::vector<Vec2> points;
     std::vector<std::size_t> pixel;  // per point: its index in `out`
     for_each_in_squares(rect, [&](int x, int y) {
@@ -125,7 +125,7 @@ Result<Picture> picture_without_patches(Context& context, const Document& docume
   Result<Picture> picture = picture_frame(context, document, viewport);
   if (!picture) return picture;
   for (std::uint32_t i = 0; i < document.layers.size(); ++i) {
-    const Box seen = patches::sight_of_layer(document, i, viewport).viewport;
+    const Box seen = solve::sight_of_layer(document, i, viewport).viewport;
     const bool is_seen = evaluator.color_channels(i) > 0;
     picture->layers.push_back(is_seen ? layer_without_patches(evaluator, i, seen) : PatchLayer{});
   }

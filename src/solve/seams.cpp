@@ -6,7 +6,7 @@
 
 #include "base/large_vector.hpp"
 
-namespace sfumato::patches {
+namespace sfumato::solve {
 namespace {
 
 /// Values of a curve's two neighbouring pieces at their common vertex differ by rounding alone.
@@ -97,4 +97,4 @@ SeamValue Seams::value(std::uint32_t half_edge, float u) const {
   return value;
 }
 
-}  // namespace sfumato::patches
+}  // namespace sfumato::solve

@@ -7,7 +7,7 @@
 #include "gather/scene.hpp"
 #include "mesh/triangle_mesh.hpp"
 
-namespace sfumato::patches {
+namespace sfumato::solve {
 
 /// What one side of a curve shows at a point of it (paper eq. 10 with the whole weight on that
 /// point): channels of the curve-domain share, and shares of image-domain shaders.
@@ -69,4 +69,4 @@ class Seams {
   std::vector<std::uint8_t> is_seam_;   ///< per half-edge
 };
 
-}  // namespace sfumato::patches
+}  // namespace sfumato::solve

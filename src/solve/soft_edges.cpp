@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sfumato::patches {
+namespace sfumato::solve {
 namespace {
 
 using mesh::TriangleMesh;
@@ -142,4 +142,4 @@ std::vector<SoftEdge> find_soft_edges(const Context& context, const TriangleMesh
   return SoftEdgeFinder(context, mesh, blurs).find(keep);
 }
 
-}  // namespace sfumato::patches
+}  // namespace sfumato::solve

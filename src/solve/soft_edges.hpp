@@ -9,7 +9,7 @@
 #include "mesh/triangle_mesh.hpp"
 #include "picture/picture.hpp"
 
-namespace sfumato::patches {
+namespace sfumato::solve {
 
 /// What the fields of a layer say of the half-edges of its mesh.
 struct EdgeBlurs {
@@ -26,4 +26,4 @@ struct EdgeBlurs {
 std::vector<SoftEdge> find_soft_edges(const Context& context, const mesh::TriangleMesh& mesh,
                                       const EdgeBlurs& blurs, std::span<const std::uint8_t> keep);
 
-}  // namespace sfumato::patches
+}  // namespace sfumato::solve

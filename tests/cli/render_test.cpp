@@ -223,7 +223,7 @@ TEST(Stats, go_to_stdout_for_a_dash) {
   EXPECT_TRUE(result.out.ends_with("}}\n"));
 }
 
-TEST(Warnings, name_their_place_and_are_silenced_by_quiet) {
+TEST(TextWarnings, name_their_place_and_are_silenced_by_quiet) {
   const std::string scene = scene_xml(64, 48, "<banana/>\n");
   const CommandResult loud = run_sfumato({"render", "-", "-o", "-"}, scene);
   EXPECT_EQ(loud.exit_code, 0);

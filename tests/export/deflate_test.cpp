@@ -32,7 +32,7 @@ TEST(Deflate, gives_back_what_it_packed) {
   Context context;
   for (std::size_t size : {0, 1, 1000, 262'144, 1'000'000}) {
     const std::vector<std::uint8_t> bytes = noise(size);
-    const auto packed = deflated(context, bytes);
+    const auto packed = codecs::deflated(context, bytes);
     ASSERT_TRUE(packed);
     EXPECT_EQ(unpacked(*packed, size), bytes) << size;
   }
@@ -40,24 +40,24 @@ TEST(Deflate, gives_back_what_it_packed) {
 
 TEST(Deflate, packs_what_repeats) {
   Context context;
-  const auto packed = deflated(context, std::vector<std::uint8_t>(1'000'000, 7));
+  const auto packed = codecs::deflated(context, std::vector<std::uint8_t>(1'000'000, 7));
   ASSERT_TRUE(packed);
   EXPECT_LT(packed->size(), 2000u);
 }
 
 TEST(Deflate, charges_its_memory_and_gives_it_back) {
   Context small{.budget = Budget(100'000)};
-  const auto refused = deflated(small, noise(1'000'000));
+  const auto refused = codecs::deflated(small, noise(1'000'000));
   EXPECT_EQ(refused.status().code, StatusCode::limit);
   Context context;
-  ASSERT_TRUE(deflated(context, noise(1000)));
+  ASSERT_TRUE(codecs::deflated(context, noise(1000)));
   EXPECT_EQ(context.budget.used(), 0u);
 }
 
 TEST(Deflate, stops_when_cancelled) {
   Context context;
   context.cancel = true;
-  EXPECT_EQ(deflated(context, noise(1000)).status().code, StatusCode::cancelled);
+  EXPECT_EQ(codecs::deflated(context, noise(1000)).status().code, StatusCode::cancelled);
 }
 
 }  // namespace

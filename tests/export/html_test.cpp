@@ -59,7 +59,7 @@ TEST(Html, holds_all_that_it_needs) {
 TEST(Html, every_script_and_shader_is_compiled_in) {
   const std::string html = text_of(triangle_picture());
   for (const char* name : {"patch.vert", "paint.glsl", "present.frag"}) {
-    const std::string_view shader = outputs::embedded_file(std::string("shaders/") + name);
+    const std::string_view shader = display::embedded_file(std::string("shaders/") + name);
     ASSERT_FALSE(shader.empty()) << name;
     EXPECT_NE(html.find(outputs::condensed(shader)), std::string::npos) << name;
   }

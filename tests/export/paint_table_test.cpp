@@ -15,14 +15,15 @@ Picture picture_with(std::vector<Shader> shaders, std::vector<std::uint32_t> nam
   return picture;
 }
 
-PaintTable table_of(const Picture& picture) {
+display::PaintTable table_of(const Picture& picture) {
   static Context context;  // outlives what is charged to it
-  Result<PaintTable> table = make_paint_table(context, picture, PaintTexels::kept);
+  Result<display::PaintTable> table =
+      display::make_paint_table(context, picture, display::PaintTexels::kept);
   EXPECT_TRUE(table.ok()) << to_string(table.status());
-  return table.ok() ? std::move(*table) : PaintTable{};
+  return table.ok() ? std::move(*table) : display::PaintTable{};
 }
 
-std::array<float, 4> value(const PaintTable& table, std::size_t texel) {
+std::array<float, 4> value(const display::PaintTable& table, std::size_t texel) {
   std::array<float, 4> all{};
   for (std::size_t c = 0; c < 4; ++c) all[c] = table.values.at(4 * texel + c);
   return all;
@@ -46,8 +47,8 @@ Shader texture_of(int width, int height) {
   return {"t", texture};
 }
 
-TEST(PaintTable, a_gradient_lies_as_documented) {
-  const PaintTable table = table_of(picture_with({gradient_of_two_stops()}, {0}));
+TEST(DisplayPaintTable, a_gradient_lies_as_documented) {
+  const display::PaintTable table = table_of(picture_with({gradient_of_two_stops()}, {0}));
   ASSERT_EQ(table.values.size(), 4u * (5 + 4));
   EXPECT_EQ(value(table, 0), (Texel{0, 1, 1, 0}));
   EXPECT_EQ(value(table, 2), (Texel{1, 0, 0, 1}));
@@ -59,8 +60,8 @@ TEST(PaintTable, a_gradient_lies_as_documented) {
   EXPECT_DOUBLE_EQ(table.paint_from_layer[0]({5, 3}).x, 0.5);
 }
 
-TEST(PaintTable, levels_of_a_texture_stand_one_after_another) {
-  const PaintTable table = table_of(picture_with({texture_of(4, 2)}, {0}));
+TEST(DisplayPaintTable, levels_of_a_texture_stand_one_after_another) {
+  const display::PaintTable table = table_of(picture_with({texture_of(4, 2)}, {0}));
   EXPECT_EQ(value(table, 0), (Texel{2, 1, 3, 1}));
   EXPECT_EQ(value(table, 1), (Texel{4, 2, 0, 0}));
   EXPECT_EQ(value(table, 3), (Texel{2, 1, 8, 0}));
@@ -70,21 +71,23 @@ TEST(PaintTable, levels_of_a_texture_stand_one_after_another) {
   EXPECT_EQ(table.texels[0], 65535);
 }
 
-TEST(PaintTable, rows_of_texels_are_counted) {
-  const PaintTable table = table_of(picture_with({texture_of(64, 64)}, {0}));
+TEST(DisplayPaintTable, rows_of_texels_are_counted) {
+  const display::PaintTable table = table_of(picture_with({texture_of(64, 64)}, {0}));
   EXPECT_EQ(value(table, 3), (Texel{32, 32, 0, 2}));
 }
 
-TEST(PaintTable, what_no_layer_names_is_left_out) {
-  const PaintTable table = table_of(picture_with({texture_of(4, 4), gradient_of_two_stops()}, {1}));
+TEST(DisplayPaintTable, what_no_layer_names_is_left_out) {
+  const display::PaintTable table =
+      table_of(picture_with({texture_of(4, 4), gradient_of_two_stops()}, {1}));
   EXPECT_EQ(table.first_value[1], 0u);
   EXPECT_TRUE(table.texels.empty());
 }
 
-TEST(PaintTable, memory_is_charged) {
+TEST(DisplayPaintTable, memory_is_charged) {
   const Picture picture = picture_with({texture_of(64, 64)}, {0});
   Context context{.budget = Budget(64 * 64 * 8)};
-  const Result<PaintTable> table = make_paint_table(context, picture, PaintTexels::kept);
+  const Result<display::PaintTable> table =
+      display::make_paint_table(context, picture, display::PaintTexels::kept);
   ASSERT_FALSE(table.ok());
   EXPECT_EQ(table.status().code, StatusCode::limit);
   EXPECT_EQ(context.budget.used(), 0u);

@@ -83,7 +83,7 @@ TEST(SvgImage, is_the_raster_in_user_units) {
   EXPECT_NE(text.find("width=\"100\" height=\"60\" viewBox=\"0 0 100 60\""), std::string::npos);
   const std::string mark = "xlink:href=\"data:image/png;base64,";
   const std::size_t begin = text.find(mark) + mark.size();
-  const auto png = decode_base64(text.substr(begin, text.find('"', begin) - begin));
+  const auto png = codecs::decode_base64(text.substr(begin, text.find('"', begin) - begin));
   ASSERT_TRUE(png);
   Context context;
   const auto image = decode_png(context, *png, "png");

@@ -22,13 +22,13 @@ TEST(Base64, has_the_values_of_its_standard) {
                                                        {"foob", "Zm9vYg=="},
                                                        {"fooba", "Zm9vYmE="},
                                                        {"foobar", "Zm9vYmFy"}};
-  for (const auto& [plain, coded] : cases) EXPECT_EQ(encode_base64(bytes_of(plain)), coded);
+  for (const auto& [plain, coded] : cases) EXPECT_EQ(codecs::encode_base64(bytes_of(plain)), coded);
 }
 
 TEST(Base64, gives_back_every_byte) {
   std::vector<std::uint8_t> all(256);
   for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<std::uint8_t>(i);
-  const auto back = decode_base64(encode_base64(all));
+  const auto back = codecs::decode_base64(codecs::encode_base64(all));
   ASSERT_TRUE(back);
   EXPECT_EQ(*back, all);
 }
@@ -37,11 +37,11 @@ TEST(Base64, appended_in_parts_is_the_same_as_at_once) {
   const std::vector<std::uint8_t> bytes((std::size_t{6} << 20) + 1, 0xa5);
   Context context;
   std::string text = "data:,";
-  ASSERT_TRUE(append_base64(context, bytes, text));
-  EXPECT_EQ(text, "data:," + encode_base64(bytes));
-  EXPECT_EQ(text.size(), 6 + base64_length(bytes.size()));
+  ASSERT_TRUE(codecs::append_base64(context, bytes, text));
+  EXPECT_EQ(text, "data:," + codecs::encode_base64(bytes));
+  EXPECT_EQ(text.size(), 6 + codecs::base64_length(bytes.size()));
   context.cancel = true;
-  EXPECT_EQ(append_base64(context, bytes, text).code, StatusCode::cancelled);
+  EXPECT_EQ(codecs::append_base64(context, bytes, text).code, StatusCode::cancelled);
 }
 
 }  // namespace

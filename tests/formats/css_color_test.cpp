@@ -9,7 +9,7 @@ namespace sfumato {
 namespace {
 
 void expect_color(const char* text, double r, double g, double b, double alpha = 255) {
-  const Result<CssColor> color = parse_css_color(text);
+  const Result<css::Color> color = css::parse_color(text);
   ASSERT_TRUE(color.ok()) << text << ": " << to_string(color.status());
   EXPECT_NEAR(255 * color->color.r, r, 0.01) << text;
   EXPECT_NEAR(255 * color->color.g, g, 0.01) << text;
@@ -26,11 +26,11 @@ TEST(CssColor, names) {
 }
 
 TEST(CssColor, names_stand_in_order_so_that_they_are_found) {
-  for (std::size_t i = 1; i < kNamedColors.size(); ++i) {
-    EXPECT_LT(kNamedColors[i - 1].name, kNamedColors[i].name);
+  for (std::size_t i = 1; i < css::kNamedColors.size(); ++i) {
+    EXPECT_LT(css::kNamedColors[i - 1].name, css::kNamedColors[i].name);
   }
-  for (const NamedColor& color : kNamedColors) {
-    EXPECT_TRUE(parse_css_color(color.name).ok()) << color.name;
+  for (const css::NamedColor& color : css::kNamedColors) {
+    EXPECT_TRUE(css::parse_color(color.name).ok()) << color.name;
   }
 }
 
@@ -90,7 +90,7 @@ TEST(CssColor, what_is_no_color_is_refused) {
                            "#ffffff ",
                            "blacK!"}) {
     const bool is_blank_hex = std::string_view(text) == "#ffffff ";
-    EXPECT_EQ(parse_css_color(text).ok(), is_blank_hex) << text;
+    EXPECT_EQ(css::parse_color(text).ok(), is_blank_hex) << text;
   }
 }
 
@@ -144,15 +144,15 @@ TEST(CssColor, commas_and_blanks_are_not_mixed) {
                            "rgb(1 2 3))",
                            "rgb[1 2 3]",
                            "rgb(from red r g b)"}) {
-    EXPECT_FALSE(parse_css_color(text).ok()) << text;
+    EXPECT_FALSE(css::parse_color(text).ok()) << text;
   }
 }
 
 TEST(CssColor, near_names_are_suggested) {
-  EXPECT_EQ(parse_css_color("orangge").status().message,
+  EXPECT_EQ(css::parse_color("orangge").status().message,
             "\"orangge\" is no colour; expected a CSS name, #rgb, #rrggbb, rgb(), hsl() or hwb(); "
             "did you mean orange?");
-  EXPECT_EQ(parse_css_color("currentColor").status().message,
+  EXPECT_EQ(css::parse_color("currentColor").status().message,
             "currentColor depends on where it stands; expected the colour itself");
 }
 

@@ -14,24 +14,24 @@
 namespace sfumato {
 namespace {
 
-using enum CssTokenType;
+using enum css::TokenType;
 
 /// Letters for types: i(dent) f(unction) @ #(id) h(ash) s(tring) S(bad) u(rl) U(bad) d(elim)
 /// n(umber) % D(imension) _(whitespace) <(CDO) >(CDC), brackets and signs for themselves.
 std::string types_of(std::string_view text) {
   constexpr std::string_view kLetters = ".if@hsSuUdn%D_<>:;,[](){}";
-  TextPoll poll;
-  CssTokenizer tokens(text, poll);
+  css::TextPoll poll;
+  css::Tokenizer tokens(text, poll);
   std::string types;
-  for (CssToken token = tokens.next(); !token.is(end); token = tokens.next()) {
+  for (css::Token token = tokens.next(); !token.is(end); token = tokens.next()) {
     types += token.is(hash) && token.is_id ? '#' : kLetters[static_cast<std::size_t>(token.type)];
   }
   return types;
 }
 
-CssToken first_of(std::string_view text) {
-  static TextPoll poll;
-  return CssTokenizer(text, poll).next();
+css::Token first_of(std::string_view text) {
+  static css::TextPoll poll;
+  return css::Tokenizer(text, poll).next();
 }
 
 TEST(CssTokenizer, cuts_as_the_standard_says) {
@@ -65,7 +65,7 @@ TEST(CssTokenizer, strings_end_at_their_quote_or_the_text_or_break_at_a_line) {
   EXPECT_EQ(first_of("'a").value, "a");
   EXPECT_EQ(types_of("'a\nb'"), "S_is");
   EXPECT_EQ(types_of("'a\\\nb'"), "s") << "an escaped newline is left out";
-  EXPECT_EQ(css_unescaped(first_of("'a\\\r\nb'").value), "ab");
+  EXPECT_EQ(css::unescaped(first_of("'a\\\r\nb'").value), "ab");
   EXPECT_EQ(types_of("'a\\"), "s");
   EXPECT_EQ(types_of("'}'\";\""), "ss");
 }
@@ -85,27 +85,27 @@ TEST(CssTokenizer, urls_have_no_quotes_blanks_or_parentheses_within) {
 }
 
 TEST(CssTokenizer, escapes_name_characters) {
-  EXPECT_EQ(css_unescaped("r\\65 d"), "red");
-  EXPECT_EQ(css_unescaped("r\\000065d"), "red");
-  EXPECT_EQ(css_unescaped("\\72\\65\\64"), "red");
-  EXPECT_EQ(css_unescaped("\\72\r\n\\65\t\\64\f"), "red") << "one blank ends each";
-  EXPECT_EQ(css_unescaped("\\g\\-\\@"), "g-@");
-  EXPECT_EQ(css_unescaped("\\e9 \\20ac\\1f600"), "\xC3\xA9\xE2\x82\xAC\xF0\x9F\x98\x80");
-  test::expect_of_each({"\\0", "\\d800", "\\110000", "\\ffffff"}, css_unescaped, "\xEF\xBF\xBD");
+  EXPECT_EQ(css::unescaped("r\\65 d"), "red");
+  EXPECT_EQ(css::unescaped("r\\000065d"), "red");
+  EXPECT_EQ(css::unescaped("\\72\\65\\64"), "red");
+  EXPECT_EQ(css::unescaped("\\72\r\n\\65\t\\64\f"), "red") << "one blank ends each";
+  EXPECT_EQ(css::unescaped("\\g\\-\\@"), "g-@");
+  EXPECT_EQ(css::unescaped("\\e9 \\20ac\\1f600"), "\xC3\xA9\xE2\x82\xAC\xF0\x9F\x98\x80");
+  test::expect_of_each({"\\0", "\\d800", "\\110000", "\\ffffff"}, css::unescaped, "\xEF\xBF\xBD");
   EXPECT_EQ(types_of("\\\na"), "d_i") << "a newline is not escaped outside of strings";
-  EXPECT_TRUE(css_is_name("IMP\\6fRTANT", "important"));
-  EXPECT_FALSE(css_is_name("importan", "important"));
-  EXPECT_TRUE(css_is_name("\\important", "important"));
-  EXPECT_FALSE(css_is_name("\\abort", "abort")) << "a and b are digits";
+  EXPECT_TRUE(css::is_named("IMP\\6fRTANT", "important"));
+  EXPECT_FALSE(css::is_named("importan", "important"));
+  EXPECT_TRUE(css::is_named("\\important", "important"));
+  EXPECT_FALSE(css::is_named("\\abort", "abort")) << "a and b are digits";
 }
 
 /// "name=value" or "name=value!" for each declaration, and "~" where something was passed over.
 std::string declarations_in(std::string_view text, bool in_block = false) {
-  TextPoll poll;
-  CssTokenizer tokens(text, poll);
+  css::TextPoll poll;
+  css::Tokenizer tokens(text, poll);
   std::string list;
-  const bool passed_over = read_declarations(tokens, in_block, [&](const CssDeclaration& d) {
-    list += css_unescaped(d.name) + "=" + std::string(d.value) + (d.is_important ? "! " : " ");
+  const bool passed_over = css::read_declarations(tokens, in_block, [&](const css::Declaration& d) {
+    list += css::unescaped(d.name) + "=" + std::string(d.value) + (d.is_important ? "! " : " ");
   });
   list += passed_over ? "~" : "";
   if (in_block) list += std::string(text.substr(tokens.position()));
@@ -157,8 +157,8 @@ TEST(CssDeclarations, of_a_block_end_with_its_brace) {
 }
 
 char media_of(std::string_view text) {
-  TextPoll poll;
-  return "+-?"[static_cast<std::size_t>(css_media(text, poll))];
+  css::TextPoll poll;
+  return "+-?"[static_cast<std::size_t>(css::media_of(text, poll))];
 }
 
 TEST(CssMedia, screen_and_all_match_and_other_media_do_not) {
@@ -177,11 +177,11 @@ TEST(CssMedia, screen_and_all_match_and_other_media_do_not) {
 
 TEST(CssSelector, tells_simple_ones_from_others_and_from_wrong_ones) {
   const auto kinds_of = [](std::string_view text) {
-    TextPoll poll;
-    CssTokenizer tokens(text, poll);
+    css::TextPoll poll;
+    css::Tokenizer tokens(text, poll);
     std::string kinds;
     for (;;) {
-      const CssSelector selector = take_selector(tokens);
+      const css::Selector selector = css::take_selector(tokens);
       kinds += "*e.#o!"[static_cast<std::size_t>(selector.kind)];
       if (selector.is_last) return kinds;
     }
@@ -215,14 +215,14 @@ TEST(CssTokenizer, looks_at_the_flag_in_long_texts_and_ends_when_told) {
     Context context;
     Stopping watch;
     context.poll_watch = &watch;
-    TextPoll poll(context);
-    CssTokenizer tokens(text, poll);
+    css::TextPoll poll(context);
+    css::Tokenizer tokens(text, poll);
     while (!tokens.next().is(end)) {
     }
     EXPECT_GE(watch.looks, 16) << text.substr(0, 5);
     context.cancel = true;
-    TextPoll stopped(context);
-    CssTokenizer rest(text, stopped);
+    css::TextPoll stopped(context);
+    css::Tokenizer rest(text, stopped);
     while (!rest.next().is(end)) {
     }
     EXPECT_EQ(stopped.status().code, StatusCode::cancelled) << text.substr(0, 5);

@@ -59,7 +59,7 @@ TEST(JpegEncode, what_is_written_reads_back_nearly_the_same) {
   for (const int quality : {30, 75, 95, 100}) {
     const auto file = encode_jpeg(context, image, quality);
     ASSERT_TRUE(file) << to_string(file.status());
-    const auto back = decode_jpeg(context, *file);
+    const auto back = codecs::decode_jpeg(context, *file);
     ASSERT_TRUE(back) << to_string(back.status());
     ASSERT_EQ(back->width, 93);
     ASSERT_EQ(back->height, 61);

@@ -15,10 +15,10 @@ TEST(ImageFile, a_png_of_16_bits_is_charged_beside_what_it_becomes) {
   ASSERT_TRUE(png.ok()) << png.status().message;
   const std::size_t deep = image.bytes.size(), both = deep / 2 * 3;
   Context small{.budget = Budget(both - 1)};
-  EXPECT_EQ(decode_image(small, *png).status().code, StatusCode::limit);
+  EXPECT_EQ(codecs::decode_image(small, *png).status().code, StatusCode::limit);
   EXPECT_EQ(small.budget.used(), 0u);
   Context large{.budget = Budget(both)};
-  EXPECT_TRUE(decode_image(large, *png).ok());
+  EXPECT_TRUE(codecs::decode_image(large, *png).ok());
   EXPECT_EQ(large.budget.used(), 0u);
 }
 

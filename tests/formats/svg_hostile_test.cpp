@@ -260,10 +260,10 @@ TEST(SvgHostile, images_cut_or_changed_anywhere_are_read_or_refused) {
     const std::vector<std::uint8_t> jpeg = jpeg_file(24, 16, 3, {9, 200, 80, 0}, progressive);
     for (std::size_t i = 0; i < jpeg.size(); ++i) {
       Context context;
-      EXPECT_FALSE(decode_image(context, std::span(jpeg).first(i)).ok()) << i;
+      EXPECT_FALSE(codecs::decode_image(context, std::span(jpeg).first(i)).ok()) << i;
       std::vector<std::uint8_t> changed = jpeg;
       changed[i] = static_cast<std::uint8_t>(changed[i] ^ (1u << (i % 8)));
-      const auto image = decode_image(context, changed);
+      const auto image = codecs::decode_image(context, changed);
       EXPECT_TRUE(image.ok() || !image.status().message.empty());
       EXPECT_EQ(context.budget.used(), 0u);
     }

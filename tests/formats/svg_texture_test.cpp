@@ -169,7 +169,7 @@ TEST(SvgTexture, sixteen_bits_and_gray_become_eight_bits_of_rgba) {
   std::memcpy(image.bytes.data(), values, 8);
   const auto png = encode_png(context, image);
   ASSERT_TRUE(png.ok());
-  const auto decoded = decode_image(context, *png);
+  const auto decoded = codecs::decode_image(context, *png);
   ASSERT_TRUE(decoded.ok());
   EXPECT_EQ(decoded->rgba, (std::vector<std::uint8_t>{255, 128, 0, 64}));
 }

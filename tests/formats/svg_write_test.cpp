@@ -298,13 +298,13 @@ TEST(DataUri, pads_what_is_no_multiple_of_three) {
   const Context context;
   for (std::size_t n = 0; n <= bytes.size(); ++n) {
     std::string text;
-    ASSERT_TRUE(append_data_uri(context, "a/b", std::span(bytes).first(n), text));
+    ASSERT_TRUE(codecs::append_data_uri(context, "a/b", std::span(bytes).first(n), text));
     EXPECT_EQ(text, std::string("data:a/b;base64,") + expected[n]);
   }
 }
 
 TEST(IdPool, keeps_characters_of_xml_names_and_replaces_others) {
-  svg_write::IdPool pool;
+  svg::IdPool pool;
   EXPECT_EQ(pool.claim("Ärger_1.b-c"), "Ärger_1.b-c");
   EXPECT_EQ(pool.claim("日本"), "日本");
   EXPECT_EQ(pool.claim("a:b"), "a_b");

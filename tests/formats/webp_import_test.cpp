@@ -46,7 +46,7 @@ std::vector<std::uint8_t> planes(const WebPPicture& picture) {
 
 std::vector<std::uint8_t> in_parts(Context& context, const Image& image) {
   Webp webp(image);
-  const Status status = import_yuv(context, image, webp.picture);
+  const Status status = codecs::import_yuv(context, image, webp.picture);
   EXPECT_TRUE(status.ok()) << status.message;
   return planes(webp.picture);
 }

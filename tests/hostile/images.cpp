@@ -162,7 +162,7 @@ std::string jpeg_of_size(std::string jpeg, unsigned width, unsigned height) {
 }
 
 std::string base64(const std::string& bytes) {
-  return encode_base64({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
+  return codecs::encode_base64({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
 }
 
 }  // namespace sfumato::hostile

@@ -57,7 +57,8 @@ std::string text_of(const std::vector<Vec2>& path) {
 /// A round stroke of the path holds what is within half its width, and goes round it once.
 void expect_stroke(const std::vector<Vec2>& path, double width, const std::string& name) {
   Context context;
-  const StrokeStyle style{.width = width, .cap = StrokeCap::round, .join = StrokeJoin::round};
+  const svg::StrokeStyle style{
+      .width = width, .cap = svg::StrokeCap::round, .join = svg::StrokeJoin::round};
   const auto outline = svg_import::stroke_outline(context, {path}, style, kTolerance);
   ASSERT_TRUE(outline) << name;
   const auto boundary = svg_import::fill_boundary(context, *outline, false, kTolerance);

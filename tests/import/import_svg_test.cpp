@@ -272,7 +272,7 @@ double area(const svg_import::Contours& contours) {
   return sum;
 }
 
-double stroked_area(const svg_import::Contours& subpaths, const StrokeStyle& style) {
+double stroked_area(const svg_import::Contours& subpaths, const svg::StrokeStyle& style) {
   Context context;
   const auto outline = svg_import::stroke_outline(context, subpaths, style, 1e-3);
   const auto boundary = svg_import::fill_boundary(context, *outline, false, 1e-3);
@@ -283,8 +283,9 @@ const svg_import::Contours kLine{{{10, 10}, {20, 10}, {30, 10}, {40, 10}}};
 
 TEST(StrokeOutline, caps_have_their_areas) {
   EXPECT_NEAR(stroked_area(kLine, {.width = 6}), 180, 1e-6);
-  EXPECT_NEAR(stroked_area(kLine, {.width = 6, .cap = StrokeCap::square}), 216, 1e-6);
-  EXPECT_NEAR(stroked_area(kLine, {.width = 6, .cap = StrokeCap::round}), 180 + 9 * 3.14159, 0.02);
+  EXPECT_NEAR(stroked_area(kLine, {.width = 6, .cap = svg::StrokeCap::square}), 216, 1e-6);
+  EXPECT_NEAR(stroked_area(kLine, {.width = 6, .cap = svg::StrokeCap::round}), 180 + 9 * 3.14159,
+              0.02);
 }
 
 TEST(StrokeOutline, dashes_leave_gaps) {
@@ -294,21 +295,22 @@ TEST(StrokeOutline, dashes_leave_gaps) {
 
 TEST(StrokeOutline, dashes_of_no_length_are_dots) {
   const double disk = 3.14159;
-  const auto dotted = [](StrokeCap cap, double offset = 0) {
+  const auto dotted = [](svg::StrokeCap cap, double offset = 0) {
     return stroked_area(kLine, {.width = 2, .cap = cap, .dashes = {0, 10}, .dash_offset = offset});
   };
-  EXPECT_NEAR(dotted(StrokeCap::round), 4 * disk, 0.01);
-  EXPECT_NEAR(dotted(StrokeCap::square), 16, 1e-3);
-  EXPECT_NEAR(dotted(StrokeCap::butt), 0, 1e-3);
-  EXPECT_NEAR(dotted(StrokeCap::round, 5), 3 * disk, 0.01);
-  EXPECT_NEAR(stroked_area(kLine, {.width = 2, .cap = StrokeCap::square, .dashes = {4, 5, 0, 6}}),
-              2 * (6 * 2 + 2 * 2), 1e-3);
+  EXPECT_NEAR(dotted(svg::StrokeCap::round), 4 * disk, 0.01);
+  EXPECT_NEAR(dotted(svg::StrokeCap::square), 16, 1e-3);
+  EXPECT_NEAR(dotted(svg::StrokeCap::butt), 0, 1e-3);
+  EXPECT_NEAR(dotted(svg::StrokeCap::round, 5), 3 * disk, 0.01);
+  EXPECT_NEAR(
+      stroked_area(kLine, {.width = 2, .cap = svg::StrokeCap::square, .dashes = {4, 5, 0, 6}}),
+      2 * (6 * 2 + 2 * 2), 1e-3);
 }
 
 TEST(StrokeOutline, squares_of_dots_stand_along_the_curve) {
   const svg_import::Contours slanted{{{100, 100}, {110, 110}, {120, 120}, {130, 130}}};
   Context context;
-  const StrokeStyle style{.width = 2, .cap = StrokeCap::square, .dashes = {0, 100}};
+  const svg::StrokeStyle style{.width = 2, .cap = svg::StrokeCap::square, .dashes = {0, 100}};
   const auto outline = svg_import::stroke_outline(context, slanted, style, 1e-3);
   Box box;
   for (const Vec2 point : outline->at(0)) box.extend(point);
@@ -319,9 +321,10 @@ TEST(StrokeOutline, joins_have_their_areas) {
   const svg_import::Contours corner{
       {{0, 0}, {10, 0}, {20, 0}, {30, 0}, {30, 10}, {30, 20}, {30, 30}}};
   const double arms = 2 * 30 * 4 - 4;  // the inner corner counts once
-  EXPECT_NEAR(stroked_area(corner, {.width = 4, .join = StrokeJoin::bevel}), arms + 2, 1e-3);
-  EXPECT_NEAR(stroked_area(corner, {.width = 4, .join = StrokeJoin::miter}), arms + 4, 1e-3);
-  EXPECT_NEAR(stroked_area(corner, {.width = 4, .join = StrokeJoin::round}), arms + 3.14159, 1e-2);
+  EXPECT_NEAR(stroked_area(corner, {.width = 4, .join = svg::StrokeJoin::bevel}), arms + 2, 1e-3);
+  EXPECT_NEAR(stroked_area(corner, {.width = 4, .join = svg::StrokeJoin::miter}), arms + 4, 1e-3);
+  EXPECT_NEAR(stroked_area(corner, {.width = 4, .join = svg::StrokeJoin::round}), arms + 3.14159,
+              1e-2);
 }
 
 TEST(FillBoundary, overlapping_contours_are_one_region_with_its_inside_right) {

@@ -43,7 +43,7 @@ TEST(StrokeOutline, charges_its_points_for_as_long_as_they_live) {
 TEST(StrokeOutline, ends_at_the_memory_limit) {
   for (const std::vector<double>& dashes : {std::vector<double>{}, {1, 1}}) {
     Context context{.budget = Budget(1'000'000)};
-    const StrokeStyle style{.width = 2, .dashes = dashes};
+    const svg::StrokeStyle style{.width = 2, .dashes = dashes};
     const auto outline = svg_import::stroke_outline(context, curls(1000), style, kTolerance);
     ASSERT_FALSE(outline);
     EXPECT_EQ(outline.status().code, StatusCode::limit);
@@ -55,7 +55,7 @@ TEST(StrokeOutline, of_one_long_subpath_looks_at_the_flag) {
     Context context;
     test::PollRecorder polls;
     context.poll_watch = &polls;
-    const StrokeStyle style{.width = 2, .dashes = dashes};
+    const svg::StrokeStyle style{.width = 2, .dashes = dashes};
     ASSERT_TRUE(svg_import::stroke_outline(context, curls(1000), style, kTolerance));
     EXPECT_GE(polls.polls(), 1000u);
   }
@@ -120,7 +120,7 @@ bool is_inside(const std::vector<svg_import::Chord>& chords, Vec2 p, Vec2 across
 }
 
 /// Within half the width along a normal lies the stroke; farther than that from the path does not.
-void expect_what_normals_sweep(const std::vector<Vec2>& path, const StrokeStyle& style,
+void expect_what_normals_sweep(const std::vector<Vec2>& path, const svg::StrokeStyle& style,
                                const std::string& name) {
   Context context;
   const auto outline = svg_import::stroke_outline(context, {path}, style, kTolerance);
@@ -144,7 +144,8 @@ void expect_what_normals_sweep(const std::vector<Vec2>& path, const StrokeStyle&
     const Vec2 p{box.min.x + box.width() * (i % 40 + 0.4871) / 40,
                  box.min.y + box.height() * (i / 40 + 0.5129) / 40};
     const double away = distance(axis, p);
-    const bool is_round = style.cap == StrokeCap::round && style.join == StrokeJoin::round;
+    const bool is_round =
+        style.cap == svg::StrokeCap::round && style.join == svg::StrokeJoin::round;
     if (away > style.width / 2 + 4 * kTolerance) {
       ASSERT_EQ(svg_import::winding_number(chords, p), 0)
           << name << " far at " << p.x << ' ' << p.y;
@@ -160,9 +161,10 @@ TEST(StrokeOutline, wider_than_its_bends_holds_what_its_normals_sweep) {
     const std::vector<Vec2> path = random_cubic(random);
     for (const double width : {1.0, 8.0, 30.0, 80.0}) {
       const std::string name = "seed " + std::to_string(seed) + ", width " + std::to_string(width);
-      expect_what_normals_sweep(path, {.width = width, .join = StrokeJoin::bevel}, name);
+      expect_what_normals_sweep(path, {.width = width, .join = svg::StrokeJoin::bevel}, name);
       expect_what_normals_sweep(
-          path, {.width = width, .cap = StrokeCap::round, .join = StrokeJoin::round}, name);
+          path, {.width = width, .cap = svg::StrokeCap::round, .join = svg::StrokeJoin::round},
+          name);
     }
   }
 }

@@ -151,8 +151,10 @@ TEST(EveryPollOf, codecs) {
   expect_cancelled_at_every_poll("WebP", [&](Context& c) { return encode_webp(c, image, {}); });
   const auto png = take(encode_png(context, image));
   const auto jpeg = take(encode_jpeg(context, image, 90));
-  expect_cancelled_at_every_poll("PNG back", [&](Context& c) { return decode_image(c, png); });
-  expect_cancelled_at_every_poll("JPEG back", [&](Context& c) { return decode_image(c, jpeg); });
+  expect_cancelled_at_every_poll("PNG back",
+                                 [&](Context& c) { return codecs::decode_image(c, png); });
+  expect_cancelled_at_every_poll("JPEG back",
+                                 [&](Context& c) { return codecs::decode_image(c, jpeg); });
 }
 
 }  // namespace

@@ -159,8 +159,8 @@ TEST(Polls, codecs_look_often) {
   const auto png = encode_png(context, image);
   const auto jpeg = encode_jpeg(context, image, 90);
   ASSERT_TRUE(png.ok() && jpeg.ok());
-  expect_polls("PNG back", [&](Context& c) { return decode_image(c, *png); });
-  expect_polls("JPEG back", [&](Context& c) { return decode_image(c, *jpeg); });
+  expect_polls("PNG back", [&](Context& c) { return codecs::decode_image(c, *png); });
+  expect_polls("JPEG back", [&](Context& c) { return codecs::decode_image(c, *jpeg); });
 }
 
 TEST(Polls, exporters_look_often) {
@@ -185,7 +185,7 @@ TEST(Polls, packing_bytes_of_two_values_looks_often) {
     noise = noise * 1'664'525 + 1'013'904'223;
     byte = noise >> 24 & 1;
   }
-  expect_polls("deflate", [&](Context& c) { return outputs::deflated(c, bytes); });
+  expect_polls("deflate", [&](Context& c) { return codecs::deflated(c, bytes); });
 }
 
 TEST(Polls, exporters_of_large_textures_look_often) {

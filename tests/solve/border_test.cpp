@@ -13,7 +13,7 @@
 #include "picture/patch.hpp"
 #include "support/drawing.hpp"
 
-namespace sfumato::patches {
+namespace sfumato::solve {
 namespace {
 
 using Predicate = std::function<bool(Vec2)>;
@@ -150,4 +150,4 @@ TEST(Border, what_nobody_waits_for_is_left) {
 }
 
 }  // namespace
-}  // namespace sfumato::patches
+}  // namespace sfumato::solve

@@ -9,7 +9,7 @@
 #include "mesh/mesher.hpp"
 #include "support/drawing.hpp"
 
-namespace sfumato::patches {
+namespace sfumato::solve {
 namespace {
 
 using test::colored;
@@ -166,4 +166,4 @@ TEST(Nodes, there_are_about_five_nodes_to_a_triangle) {
 }
 
 }  // namespace
-}  // namespace sfumato::patches
+}  // namespace sfumato::solve

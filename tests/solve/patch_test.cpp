@@ -75,11 +75,11 @@ TEST(Patch, turn_angle_agrees_with_the_library) {
     const Vec2 a{normal(random), normal(random)}, b{normal(random), normal(random)};
     double expected = std::atan2(cross(a, b), dot(a, b));
     if (expected < 0) expected += 2 * std::numbers::pi;
-    EXPECT_NEAR(patches::turn_angle(a, b), expected, 1e-7);
+    EXPECT_NEAR(solve::turn_angle(a, b), expected, 1e-7);
   }
-  EXPECT_EQ(patches::turn_angle({1, 0}, {1, 0}), 0);
-  EXPECT_NEAR(patches::turn_angle({1, 0}, {-1, 0}), std::numbers::pi, 1e-12);
-  EXPECT_EQ(patches::turn_angle({0, 0}, {1, 0}), 0);
+  EXPECT_EQ(solve::turn_angle({1, 0}, {1, 0}), 0);
+  EXPECT_NEAR(solve::turn_angle({1, 0}, {-1, 0}), std::numbers::pi, 1e-12);
+  EXPECT_EQ(solve::turn_angle({0, 0}, {1, 0}), 0);
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 
 #include "picture/patch.hpp"
 
-namespace sfumato::patches {
+namespace sfumato::solve {
 namespace {
 
 constexpr double kCodeValues = 255;
@@ -92,4 +92,4 @@ TEST(ForetellMiss, is_no_less_than_the_miss_beside_a_blurred_edge) {
 }
 
 }  // namespace
-}  // namespace sfumato::patches
+}  // namespace sfumato::solve

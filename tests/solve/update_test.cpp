@@ -14,7 +14,7 @@
 #include "support/same_mesh.hpp"
 
 /// Nodes that follow a mesh from round to round are those that are laid out anew.
-namespace sfumato::patches {
+namespace sfumato::solve {
 namespace {
 
 LayerScene prepared(Context& context, const Document& document, std::uint32_t layer,
@@ -84,7 +84,7 @@ class Followers {
     for (const FieldSolver& field : fields_) {
       const auto& attributes = field.scene().attributes;
       NodeLayout layout = field.layout();
-      ASSERT_TRUE(patches::put_in_order(context_, mesh_, layout).ok());
+      ASSERT_TRUE(solve::put_in_order(context_, mesh_, layout).ok());
       const Seams seams(context_, anew, attributes);
       ASSERT_EQ(difference_of(layout, lay_out_nodes(context_, anew, attributes, seams)), "");
     }
@@ -229,4 +229,4 @@ TEST(LayoutUpdate, nodes_are_laid_out_on_the_mesh_of_the_last_round_for_blur) {
 }
 
 }  // namespace
-}  // namespace sfumato::patches
+}  // namespace sfumato::solve

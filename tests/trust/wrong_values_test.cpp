@@ -109,7 +109,7 @@ void draw(const Document& document, const std::string& place) {
 /// Every output of a picture.
 void show(const Picture& picture, const std::string& place) {
   const StatusCode valid =
-      answer_of(place + ", check", [&](Context& c) { return raster::check_picture(c, picture); });
+      answer_of(place + ", check", [&](Context& c) { return picture::check_picture(c, picture); });
   static_cast<void>(bytes_of(picture));
   const StatusCode shown =
       answer_of(place + ", rasterize", [&](Context& c) { return rasterize(c, picture, kSmall); });
@@ -193,7 +193,7 @@ TEST(WrongValues, of_what_documents_and_pictures_share_are_the_same_to_both) {
       }
     }
     const Status of_document = validate(context, document);
-    const Status of_picture = raster::check_picture(context, picture);
+    const Status of_picture = picture::check_picture(context, picture);
     EXPECT_EQ(of_document.code, of_picture.code)
         << place << ": " << of_document.message << "; " << of_picture.message;
   };

@@ -111,7 +111,7 @@ void EpsWriter::begin() {
 
 /// Defines `name` as a stream that can be read again and again: "name 0 setfileposition".
 Status EpsWriter::add_data(const std::string& name, std::span<const std::uint8_t> bytes) {
-  const Result<std::vector<std::uint8_t>> packed = deflated(context_, bytes);
+  const Result<std::vector<std::uint8_t>> packed = codecs::deflated(context_, bytes);
   if (!packed) return packed.status();
   if (Status status = charge_.add(context_, packed->size() * 3, "an EPS's text"); !status)
     return status;
@@ -209,7 +209,7 @@ Status check(const Context& context, const Picture& picture, const EpsOptions& o
   if (!is_positive(options.page_width_pt.value_or(1)) || !is_positive(options.dpi) ||
       !is_positive(options.max_error))
     return make_error(StatusCode::bad_input, "an option of EPS that is no positive number");
-  return raster::check_picture(context, picture);
+  return picture::check_picture(context, picture);
 }
 
 Result<std::vector<std::uint8_t>> write(Context& context, const Picture& picture,

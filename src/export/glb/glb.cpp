@@ -38,7 +38,7 @@ Status check(const Context& context, const Picture& picture, const GlbOptions& o
   }
   if (Status status = outputs::check_viewport(picture.viewport); !status) return status;
   if (Status status = rules::check_background(options.background); !status) return status;
-  return raster::check_picture(context, picture);
+  return picture::check_picture(context, picture);
 }
 
 /// Of a layer that is shown as triangles.

@@ -17,8 +17,8 @@
 namespace sfumato {
 namespace {
 
+using display::embedded_file;
 using outputs::condensed;
-using outputs::embedded_file;
 using outputs::escaped_html;
 
 /// In the order in which they stand in the page; main.js begins.
@@ -35,7 +35,7 @@ constexpr std::string_view kShaders[] = {"common.glsl",         "paint.glsl",   
 
 std::string scripts() {
   std::string text;
-  for (std::string_view name : kScripts) text += condensed(embedded_file(name));
+  for (std::string_view name : kScripts) text += condensed(display::embedded_file(name));
   return text;
 }
 
@@ -43,7 +43,7 @@ std::string shaders() {
   std::string text;
   for (std::string_view name : kShaders) {
     text += "<script type=\"text/plain\" data-shader=\"" + std::string(name) + "\">" +
-            condensed(embedded_file("shaders/" + std::string(name))) + "</script>\n";
+            condensed(display::embedded_file("shaders/" + std::string(name))) + "</script>\n";
   }
   return text;
 }
@@ -59,7 +59,7 @@ Result<std::string> fallback(const Context& context, const HtmlOptions& options)
   std::string text;
   if (options.fallback.empty()) return text;
   text = "<img id=\"fallback\" alt=\"" + escaped_html(options.title) + "\" src=\"";
-  Status status = append_data_uri(context, options.fallback_type, options.fallback, text);
+  Status status = codecs::append_data_uri(context, options.fallback_type, options.fallback, text);
   if (!status) return status;
   return text += "\">";
 }
@@ -107,12 +107,12 @@ Result<std::vector<std::uint8_t>> write(Context& context, const Picture& picture
   Result<std::string> image = fallback(context, options);
   if (!image) return image.status();
   std::string packed;
-  if (Status status = append_base64(context, *payload, packed); !status) return status;
+  if (Status status = codecs::append_base64(context, *payload, packed); !status) return status;
   if (notes)
     for (const PatchLayer& layer : picture.layers) notes->triangle_count += layer.triangle_count();
-  return filled(context, embedded_file("page.html"),
+  return filled(context, display::embedded_file("page.html"),
                 {{{"title", escaped_html(options.title)},
-                  {"style", condensed(embedded_file("viewer.css"))},
+                  {"style", condensed(display::embedded_file("viewer.css"))},
                   {"fallback", std::move(*image)},
                   {"shaders", shaders()},
                   {"payload", std::move(packed)},

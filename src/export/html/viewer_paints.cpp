@@ -28,10 +28,10 @@ struct TextureFile {
 };
 
 Result<TextureFile> file_of(Context& context, const Texture& texture) {
-  const std::string_view type = image_media_type(texture.file);
+  const std::string_view type = codecs::image_media_type(texture.file);
   if (!type.empty() && !may_be_turned(texture.file))
     return TextureFile{type == "image/png" ? PaintFile::png : PaintFile::jpeg, texture.file};
-  auto png = texture_png(context, texture);
+  auto png = codecs::texture_png(context, texture);
   if (!png) return png.status();
   return TextureFile{PaintFile::png, std::move(*png)};
 }
@@ -65,7 +65,8 @@ void write_values(const std::vector<float>& values, ByteWriter& out) {
 }  // namespace
 
 Status write_paints(Context& context, const Picture& picture, ByteWriter& out) {
-  const Result<PaintTable> table = make_paint_table(context, picture, PaintTexels::counted);
+  const Result<display::PaintTable> table =
+      display::make_paint_table(context, picture, display::PaintTexels::counted);
   if (!table) return table.status();
   write_values(table->values, out);
   out.varint(table->texel_count);

@@ -144,11 +144,11 @@ class PayloadWriter {
 
 Result<std::vector<std::uint8_t>> viewer_payload(Context& context, const Picture& picture,
                                                  const Rgb& background) {
-  if (Status status = raster::check_picture(context, picture); !status) return status;
+  if (Status status = picture::check_picture(context, picture); !status) return status;
   if (Status status = check_size(context.limits, picture); !status) return status;
   PayloadWriter writer(context, picture);
   if (Status status = writer.run(background); !status) return status;
-  return deflated(context, writer.take());
+  return codecs::deflated(context, writer.take());
 }
 
 }  // namespace sfumato::outputs

@@ -240,7 +240,7 @@ Status check(const Context& context, const Picture& picture, const PdfOptions& o
     return make_error(StatusCode::bad_input, "a resolution or error that is no positive number");
   if (options.flatten > PdfFlatten::never)
     return make_error(StatusCode::bad_input, "an unknown way to flatten a PDF");
-  return raster::check_picture(context, picture);
+  return picture::check_picture(context, picture);
 }
 
 Result<std::vector<std::uint8_t>> write(Context& context, const Picture& picture,

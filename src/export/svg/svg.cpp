@@ -48,7 +48,7 @@ Status check(const Context& context, const Picture& picture, const SvgOptions& o
   }
   if (Status status = outputs::check_viewport(picture.viewport); !status) return status;
   if (Status status = rules::check_background(options.background); !status) return status;
-  return raster::check_picture(context, picture);
+  return picture::check_picture(context, picture);
 }
 
 void append_attribute(std::string& text, std::string_view name, double value) {
@@ -74,7 +74,7 @@ Status append_image(const Context& context, const Box& box, BlendMode blend,
   append_box(text, box);
   append_compositing(text, 1, blend);
   text += " preserveAspectRatio=\"none\" xlink:href=\"";
-  Status status = append_data_uri(context, "image/png", png, text);
+  Status status = codecs::append_data_uri(context, "image/png", png, text);
   text += "\"/>\n";
   return status;
 }

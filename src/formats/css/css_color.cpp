@@ -15,17 +15,17 @@
 #include "formats/css/css_value.hpp"
 #include "formats/text/suggestion.hpp"
 
-namespace sfumato {
+namespace sfumato::css {
 namespace {
 
-using enum CssTokenType;
+using enum TokenType;
 
 /// No name is as long as this, escapes included: what is longer need not be copied.
 constexpr std::size_t kLongestName = 256;
 
 Status no_color(std::string_view text, std::string_view hint = {}) {
   return make_error(StatusCode::bad_input,
-                    quoted(text) +
+                    text::quoted(text) +
                         " is no colour; expected a CSS name, #rgb, #rrggbb, rgb(), "
                         "hsl() or hwb()" +
                         std::string(hint));
@@ -39,7 +39,7 @@ std::optional<unsigned> hex_digit(char c) {
 }
 
 /// The digits behind '#'.
-std::optional<CssColor> from_hex(std::string_view digits) {
+std::optional<Color> from_hex(std::string_view digits) {
   const std::size_t count = digits.size();
   if (count != 3 && count != 4 && count != 6 && count != 8) return std::nullopt;
   const std::size_t digits_each = count < 6 ? 1 : 2;
@@ -50,38 +50,38 @@ std::optional<CssColor> from_hex(std::string_view digits) {
     if (!high || !low) return std::nullopt;
     channel[i] = static_cast<float>(16 * *high + *low) / 255;
   }
-  return CssColor{{channel[0], channel[1], channel[2]}, channel[3]};
+  return Color{{channel[0], channel[1], channel[2]}, channel[3]};
 }
 
-std::optional<CssColor> from_name(std::string_view name) {
-  if (name == "transparent") return CssColor{{0, 0, 0}, 0};
+std::optional<Color> from_name(std::string_view name) {
+  if (name == "transparent") return Color{{0, 0, 0}, 0};
   const auto found = std::ranges::lower_bound(kNamedColors, name, {}, &NamedColor::name);
   if (found == kNamedColors.end() || found->name != name) return std::nullopt;
   const auto channel = [rgb = found->rgb](int shift) {
     return static_cast<float>(rgb >> shift & 0xFF) / 255;
   };
-  return CssColor{{channel(16), channel(8), channel(0)}, 1};
+  return Color{{channel(16), channel(8), channel(0)}, 1};
 }
 
 /// A number, `whole` of which is 1, a percentage, or none; clamped to 0 to 1.
-std::optional<double> share(const CssToken& token, double whole) {
+std::optional<double> share_of(const Token& token, double whole) {
   if (token.is(ident)) return 0;
   if (!token.is(number) && !token.is(percentage)) return std::nullopt;
-  const auto value = css_number(token);
+  const auto value = number_of(token);
   if (!value) return std::nullopt;
   return std::clamp(*value / (token.is(percentage) ? 100 : whole), 0.0, 1.0);
 }
 
 /// In turns, 0 up to 1.
-std::optional<double> hue(const CssToken& token) {
+std::optional<double> hue(const Token& token) {
   static constexpr std::pair<std::string_view, double> kUnits[] = {
       {"deg", 360}, {"grad", 400}, {"rad", 2 * std::numbers::pi}, {"turn", 1}};
   if (token.is(ident)) return 0;
   double turn = token.is(number) ? 360 : 0;
   for (const auto& [name, units] : kUnits) {
-    if (token.is(dimension) && css_is_name(token.unit, name)) turn = units;
+    if (token.is(dimension) && is_named(token.unit, name)) turn = units;
   }
-  const auto value = turn > 0 ? css_number(token) : std::nullopt;
+  const auto value = turn > 0 ? number_of(token) : std::nullopt;
   if (!value) return std::nullopt;
   const double fraction = std::fmod(*value / turn, 1.0);
   return fraction < 0 ? fraction + 1 : fraction;
@@ -114,17 +114,17 @@ Rgb from_hwb(double turns, double white, double black) {
 
 /// The arguments of a function of colour.
 struct Arguments {
-  std::array<CssToken, 4> value{};  ///< the last is alpha
+  std::array<Token, 4> value{};  ///< the last is alpha
   bool has_alpha = false;
   bool has_commas = false;  ///< as CSS had it first: no `none`, and one kind of numbers
 };
 
 /// Reads what stands between the parentheses, and the one that closes. Three values, and alpha,
 /// behind a comma where the others have commas, else behind '/'.
-std::optional<Arguments> take_arguments(CssTokenizer& tokens) {
-  std::array<CssToken, 7> all{};
+std::optional<Arguments> take_arguments(Tokenizer& tokens) {
+  std::array<Token, 7> all{};
   std::size_t count = 0;
-  for (CssToken token = next_solid(tokens); !token.is(close_paren) && !token.is(end);
+  for (Token token = next_solid(tokens); !token.is(close_paren) && !token.is(end);
        token = next_solid(tokens)) {
     if (count == all.size()) return std::nullopt;
     all[count++] = token;
@@ -139,15 +139,15 @@ std::optional<Arguments> take_arguments(CssTokenizer& tokens) {
   if (arguments.has_alpha) arguments.value[3] = all[plain_count + 1];
   if (arguments.has_commas && !all[3].is(comma)) return std::nullopt;
   if (!arguments.has_alpha) return arguments;
-  const CssToken& before_alpha = all[plain_count];
+  const Token& before_alpha = all[plain_count];
   const bool fits = arguments.has_commas ? before_alpha.is(comma) : before_alpha.is_delim('/');
   return fits ? std::optional(arguments) : std::nullopt;
 }
 
 /// The only keyword is `none`, 0, and not among commas.
 bool are_keywords_right(const Arguments& arguments) {
-  return std::ranges::all_of(arguments.value, [&](const CssToken& token) {
-    return !token.is(ident) || (!arguments.has_commas && css_is_name(token.value, "none"));
+  return std::ranges::all_of(arguments.value, [&](const Token& token) {
+    return !token.is(ident) || (!arguments.has_commas && is_named(token.value, "none"));
   });
 }
 
@@ -155,45 +155,46 @@ std::optional<Rgb> rgb_of(const Arguments& arguments) {
   const auto& value = arguments.value;
   const bool is_mixed = value[0].type != value[1].type || value[0].type != value[2].type;
   if (arguments.has_commas && is_mixed) return std::nullopt;
-  const auto r = share(value[0], 255), g = share(value[1], 255), b = share(value[2], 255);
+  const auto r = share_of(value[0], 255), g = share_of(value[1], 255), b = share_of(value[2], 255);
   if (!r || !g || !b) return std::nullopt;
   return Rgb{static_cast<float>(*r), static_cast<float>(*g), static_cast<float>(*b)};
 }
 
 std::optional<Rgb> three_components(std::string_view name, const Arguments& arguments) {
   const auto& value = arguments.value;
-  if (css_is_name(name, "rgb") || css_is_name(name, "rgba")) return rgb_of(arguments);
-  const auto turns = hue(value[0]), second = share(value[1], 100), third = share(value[2], 100);
+  if (is_named(name, "rgb") || is_named(name, "rgba")) return rgb_of(arguments);
+  const auto turns = hue(value[0]), second = share_of(value[1], 100),
+             third = share_of(value[2], 100);
   if (!turns || !second || !third) return std::nullopt;
   const bool are_percentages = value[1].is(percentage) && value[2].is(percentage);
   if (arguments.has_commas && !are_percentages) return std::nullopt;
-  if (css_is_name(name, "hsl") || css_is_name(name, "hsla")) {
+  if (is_named(name, "hsl") || is_named(name, "hsla")) {
     return from_hsl(*turns, *second, *third);
   }
-  if (css_is_name(name, "hwb") && !arguments.has_commas) return from_hwb(*turns, *second, *third);
+  if (is_named(name, "hwb") && !arguments.has_commas) return from_hwb(*turns, *second, *third);
   return std::nullopt;
 }
 
-std::optional<CssColor> from_function(CssTokenizer& tokens, std::string_view name) {
+std::optional<Color> from_function(Tokenizer& tokens, std::string_view name) {
   const auto arguments = take_arguments(tokens);
   if (!arguments || !are_keywords_right(*arguments)) return std::nullopt;
   const auto color = three_components(name, *arguments);
-  const auto alpha = arguments->has_alpha ? share(arguments->value[3], 1) : std::optional(1.0);
+  const auto alpha = arguments->has_alpha ? share_of(arguments->value[3], 1) : std::optional(1.0);
   if (!color || !alpha) return std::nullopt;
-  return CssColor{*color, static_cast<float>(*alpha)};
+  return Color{*color, static_cast<float>(*alpha)};
 }
 
 /// The colour whose first token was taken.
-std::optional<CssColor> take_color(CssTokenizer& tokens, const CssToken& first) {
+std::optional<Color> take_color(Tokenizer& tokens, const Token& first) {
   if (first.is(function)) return from_function(tokens, first.value);
   if (first.value.size() > kLongestName) return std::nullopt;
-  const std::string name = ascii_lower(css_unescaped(first.value));
+  const std::string name = ascii_lower(unescaped(first.value));
   if (first.is(hash)) return from_hex(name);
   return first.is(ident) ? from_name(name) : std::nullopt;
 }
 
-bool is_current_color(const CssToken& token) {
-  return token.is(ident) && css_is_name(token.value, "currentcolor");
+bool is_current_color(const Token& token) {
+  return token.is(ident) && is_named(token.value, "currentcolor");
 }
 
 }  // namespace
@@ -201,16 +202,16 @@ bool is_current_color(const CssToken& token) {
 std::string did_you_mean_color(std::string_view name) {
   std::vector<std::string_view> names;
   for (const NamedColor& color : kNamedColors) names.push_back(color.name);
-  return did_you_mean(name, names);
+  return text::did_you_mean(name, names);
 }
 
-Result<CssColor> parse_css_color(std::string_view text, TextPoll& poll) {
+Result<Color> parse_color(std::string_view text, TextPoll& poll) {
   // Most colours of most documents: without a look at tokens.
   if (text.starts_with('#')) {
     if (const auto color = from_hex(text.substr(1))) return *color;
   }
-  CssTokenizer tokens(text, poll);
-  const CssToken first = next_solid(tokens);
+  Tokenizer tokens(text, poll);
+  const Token first = next_solid(tokens);
   auto color = take_color(tokens, first);
   if (color && !next_solid(tokens).is(end)) color.reset();
   if (Status status = poll.status(); !status) return status;
@@ -224,9 +225,9 @@ Result<CssColor> parse_css_color(std::string_view text, TextPoll& poll) {
   return no_color(written, is_name ? did_you_mean_color(ascii_lower(written)) : std::string());
 }
 
-Result<CssColor> parse_css_color(std::string_view text) {
+Result<Color> parse_color(std::string_view text) {
   TextPoll poll;
-  return parse_css_color(text, poll);
+  return parse_color(text, poll);
 }
 
-}  // namespace sfumato
+}  // namespace sfumato::css

@@ -7,9 +7,9 @@
 #include "base/status.hpp"
 #include "formats/css/css_tokenizer.hpp"
 
-namespace sfumato {
+namespace sfumato::css {
 
-struct CssColor {
+struct Color {
   Rgb color;
   float alpha = 1;
 };
@@ -18,10 +18,10 @@ struct CssColor {
 /// rgba(), hsl(), hsla(), hwb(); components with commas or blanks, as numbers or percentages or
 /// `none`, clamped to their range as CSS says; escapes and comments as CSS has them.
 /// Errors: bad_input, without a place; what the poll says.
-Result<CssColor> parse_css_color(std::string_view text, TextPoll& poll);
-Result<CssColor> parse_css_color(std::string_view text);
+Result<Color> parse_color(std::string_view text, TextPoll& poll);
+Result<Color> parse_color(std::string_view text);
 
 /// "; did you mean orange?", or nothing where no name of a colour is near.
 std::string did_you_mean_color(std::string_view name);
 
-}  // namespace sfumato
+}  // namespace sfumato::css

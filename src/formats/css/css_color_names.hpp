@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string_view>
 
-namespace sfumato {
+namespace sfumato::css {
 
 struct NamedColor {
   std::string_view name;
@@ -163,4 +163,4 @@ inline constexpr std::array<NamedColor, 148> kNamedColors{{
     {"yellowgreen", 0x9ACD32},
 }};
 
-}  // namespace sfumato
+}  // namespace sfumato::css

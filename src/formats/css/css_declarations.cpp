@@ -5,10 +5,10 @@
 #include "base/ascii.hpp"
 #include "formats/css/css_value.hpp"
 
-namespace sfumato {
+namespace sfumato::css {
 namespace {
 
-using enum CssTokenType;
+using enum TokenType;
 
 /// The end of a value where "!important" may stand.
 struct Tail {
@@ -18,19 +18,19 @@ struct Tail {
 
 class DeclarationReader {
  public:
-  DeclarationReader(CssTokenizer& tokens, bool in_block) : tokens_(tokens), in_block_(in_block) {}
+  DeclarationReader(Tokenizer& tokens, bool in_block) : tokens_(tokens), in_block_(in_block) {}
 
-  bool read(FunctionRef<void(const CssDeclaration&)> sink);
+  bool read(FunctionRef<void(const Declaration&)> sink);
 
  private:
-  bool ends(const CssToken& token) const {
+  bool ends(const Token& token) const {
     return token.is(end) || (in_block_ && token.is(close_curly));
   }
-  bool take_declaration(const CssToken& name, CssDeclaration& declaration);
-  bool take_value(CssDeclaration& declaration, bool is_custom);
+  bool take_declaration(const Token& name, Declaration& declaration);
+  bool take_value(Declaration& declaration, bool is_custom);
   void skip_rule();
 
-  CssTokenizer& tokens_;
+  Tokenizer& tokens_;
   bool in_block_;
 };
 
@@ -39,7 +39,7 @@ class DeclarationReader {
 void DeclarationReader::skip_rule() {
   for (;;) {
     const std::size_t before = tokens_.position();
-    const CssToken token = tokens_.next();
+    const Token token = tokens_.next();
     if (ends(token)) return tokens_.rewind(before);
     skip_component(tokens_, token);
     if (token.is(semicolon) || token.is(open_curly)) return;
@@ -48,14 +48,14 @@ void DeclarationReader::skip_rule() {
 
 /// The value up to its semicolon, which is taken, or to the end of the block. False where CSS has
 /// none here, and then somewhere in it.
-bool DeclarationReader::take_value(CssDeclaration& declaration, bool is_custom) {
+bool DeclarationReader::take_value(Declaration& declaration, bool is_custom) {
   const std::size_t begin = tokens_.position();
   std::size_t stop = begin;
   Tail tail;
   bool has_block = false, has_other = false;
   for (;;) {
     const std::size_t before = tokens_.position();
-    const CssToken token = tokens_.next();
+    const Token token = tokens_.next();
     if (ends(token) || token.is(semicolon)) {
       if (!token.is(semicolon)) tokens_.rewind(before);
       break;
@@ -73,7 +73,7 @@ bool DeclarationReader::take_value(CssDeclaration& declaration, bool is_custom) 
     if (token.is_delim('!')) {
       if (tail.seen > 0) return false;
       tail = {before, 1};
-    } else if (tail.seen == 1 && token.is(ident) && css_is_name(token.value, "important")) {
+    } else if (tail.seen == 1 && token.is(ident) && is_named(token.value, "important")) {
       tail.seen = 2;
     } else if (tail.seen > 0) {
       return false;
@@ -89,20 +89,20 @@ bool DeclarationReader::take_value(CssDeclaration& declaration, bool is_custom) 
   return true;
 }
 
-bool DeclarationReader::take_declaration(const CssToken& name, CssDeclaration& declaration) {
+bool DeclarationReader::take_declaration(const Token& name, Declaration& declaration) {
   if (!name.is(ident) || !next_solid(tokens_).is(colon)) return false;
   declaration.name = name.value;
   return take_value(declaration, name.value.starts_with("--"));
 }
 
-bool DeclarationReader::read(FunctionRef<void(const CssDeclaration&)> sink) {
+bool DeclarationReader::read(FunctionRef<void(const Declaration&)> sink) {
   bool passed_over = false;
   for (;;) {
     const std::size_t before = tokens_.position();
-    const CssToken token = next_solid(tokens_);
+    const Token token = next_solid(tokens_);
     if (ends(token)) return passed_over;
     if (token.is(semicolon)) continue;
-    CssDeclaration declaration;
+    Declaration declaration;
     if (take_declaration(token, declaration)) {
       sink(declaration);
       continue;
@@ -115,9 +115,9 @@ bool DeclarationReader::read(FunctionRef<void(const CssDeclaration&)> sink) {
 
 }  // namespace
 
-bool read_declarations(CssTokenizer& tokens, bool in_block,
-                       FunctionRef<void(const CssDeclaration&)> sink) {
+bool read_declarations(Tokenizer& tokens, bool in_block,
+                       FunctionRef<void(const Declaration&)> sink) {
   return DeclarationReader(tokens, in_block).read(sink);
 }
 
-}  // namespace sfumato
+}  // namespace sfumato::css

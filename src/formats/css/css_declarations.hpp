@@ -6,11 +6,11 @@
 #include "base/function_ref.hpp"
 #include "formats/css/css_tokenizer.hpp"
 
-namespace sfumato {
+namespace sfumato::css {
 
 /// "name: value" or "name: value !important" as it was written.
-struct CssDeclaration {
-  std::string_view name{};   ///< raw: css_is_name(), css_unescaped()
+struct Declaration {
+  std::string_view name{};   ///< raw: is_name(), unescaped()
   std::string_view value{};  ///< raw, trimmed, without the importance; perhaps empty
   bool is_important = false;
 };
@@ -22,7 +22,7 @@ struct CssDeclaration {
 /// in_block    the text goes on behind the block: a '}' ends it, and is taken
 /// Returns     whether anything was passed over that is no declaration.
 /// Cost        linear in the text.
-bool read_declarations(CssTokenizer& tokens, bool in_block,
-                       FunctionRef<void(const CssDeclaration&)> sink);
+bool read_declarations(Tokenizer& tokens, bool in_block,
+                       FunctionRef<void(const Declaration&)> sink);
 
-}  // namespace sfumato
+}  // namespace sfumato::css

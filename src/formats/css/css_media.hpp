@@ -5,10 +5,10 @@
 
 #include "formats/css/css_tokenizer.hpp"
 
-namespace sfumato {
+namespace sfumato::css {
 
 /// Whether a list of media queries means a picture on a screen.
-enum class CssMedia : std::uint8_t {
+enum class Media : std::uint8_t {
   matches,
   differs,
   unknown  ///< it asks for features, which are not looked at
@@ -16,6 +16,6 @@ enum class CssMedia : std::uint8_t {
 
 /// Reads "screen", "all and (color), not print" and the like; an empty list matches, what is no
 /// query matches nothing.
-CssMedia css_media(std::string_view queries, TextPoll& poll);
+Media media_of(std::string_view queries, TextPoll& poll);
 
-}  // namespace sfumato
+}  // namespace sfumato::css

@@ -8,39 +8,39 @@
 #include "formats/css/css_value.hpp"
 #include "formats/text/suggestion.hpp"
 
-namespace sfumato {
+namespace sfumato::css {
 namespace {
 
 using Words = std::span<const std::string_view>;
 
 /// In the order of CssProperty, which is that of the names.
-constexpr std::array<const char*, kCssPropertyCount> kNames{"clip-path",
-                                                            "color",
-                                                            "display",
-                                                            "fill",
-                                                            "fill-opacity",
-                                                            "fill-rule",
-                                                            "filter",
-                                                            "isolation",
-                                                            "mask",
-                                                            "mix-blend-mode",
-                                                            "opacity",
-                                                            "overflow",
-                                                            "paint-order",
-                                                            "stop-color",
-                                                            "stop-opacity",
-                                                            "stroke",
-                                                            "stroke-dasharray",
-                                                            "stroke-dashoffset",
-                                                            "stroke-linecap",
-                                                            "stroke-linejoin",
-                                                            "stroke-miterlimit",
-                                                            "stroke-opacity",
-                                                            "stroke-width",
-                                                            "transform",
-                                                            "transform-box",
-                                                            "transform-origin",
-                                                            "visibility"};
+constexpr std::array<const char*, kPropertyCount> kNames{"clip-path",
+                                                         "color",
+                                                         "display",
+                                                         "fill",
+                                                         "fill-opacity",
+                                                         "fill-rule",
+                                                         "filter",
+                                                         "isolation",
+                                                         "mask",
+                                                         "mix-blend-mode",
+                                                         "opacity",
+                                                         "overflow",
+                                                         "paint-order",
+                                                         "stop-color",
+                                                         "stop-opacity",
+                                                         "stroke",
+                                                         "stroke-dasharray",
+                                                         "stroke-dashoffset",
+                                                         "stroke-linecap",
+                                                         "stroke-linejoin",
+                                                         "stroke-miterlimit",
+                                                         "stroke-opacity",
+                                                         "stroke-width",
+                                                         "transform",
+                                                         "transform-box",
+                                                         "transform-origin",
+                                                         "visibility"};
 
 /// In the order of CssWideKeyword, from `inherit`.
 constexpr std::array<std::string_view, 5> kWideKeywords{"inherit", "initial", "unset", "revert",
@@ -80,29 +80,28 @@ constexpr std::array<std::string_view, 3> kVisibilities{"visible", "hidden", "co
 
 /// One to `most` of the words, in any order.
 bool is_words(std::string_view value, Words words, std::size_t most, TextPoll& poll) {
-  CssTokenizer tokens(value, poll);
+  Tokenizer tokens(value, poll);
   std::size_t count = 0;
-  for (CssToken token = next_solid(tokens); !token.is(CssTokenType::end);
-       token = next_solid(tokens)) {
-    const auto is_token = [&](std::string_view word) { return css_is_name(token.value, word); };
-    if (!token.is(CssTokenType::ident) || std::ranges::none_of(words, is_token)) return false;
+  for (Token token = next_solid(tokens); !token.is(TokenType::end); token = next_solid(tokens)) {
+    const auto is_token = [&](std::string_view word) { return is_named(token.value, word); };
+    if (!token.is(TokenType::ident) || std::ranges::none_of(words, is_token)) return false;
     if (++count > most) return false;
   }
   return count > 0;
 }
 
 /// The words that the value of a property is made of; none where it is something else.
-Words words_of(CssProperty property) {
+Words words_of(Property property) {
   switch (property) {
-    case CssProperty::display:
+    case Property::display:
       return kDisplays;
-    case CssProperty::isolation:
+    case Property::isolation:
       return kIsolations;
-    case CssProperty::mix_blend_mode:
+    case Property::mix_blend_mode:
       return kBlendNames;
-    case CssProperty::overflow:
+    case Property::overflow:
       return kOverflows;
-    case CssProperty::visibility:
+    case Property::visibility:
       return kVisibilities;
     default:
       return {};
@@ -110,109 +109,109 @@ Words words_of(CssProperty property) {
 }
 
 /// How many words a value may have.
-std::size_t most_words(CssProperty property) {
-  if (property == CssProperty::display) return 3;
-  return property == CssProperty::overflow ? 2 : 1;
+std::size_t most_words(Property property) {
+  if (property == Property::display) return 3;
+  return property == Property::overflow ? 2 : 1;
 }
 
 bool is_color(std::string_view value, TextPoll& poll) {
-  return css_keyword(value, poll) == "currentcolor" || parse_css_color(value, poll).ok();
+  return keyword_of(value, poll) == "currentcolor" || parse_color(value, poll).ok();
 }
 
 /// `none`, a colour, or an url with what to paint where it leads nowhere.
 bool is_paint(std::string_view value, TextPoll& poll) {
-  CssTokenizer tokens(value, poll);
-  const CssToken first = next_solid(tokens);
-  if (take_css_url(tokens, first)) {
+  Tokenizer tokens(value, poll);
+  const Token first = next_solid(tokens);
+  if (take_url(tokens, first)) {
     value.remove_prefix(tokens.position());
-    CssTokenizer rest(value, poll);
-    return next_solid(rest).is(CssTokenType::end) || is_paint(value, poll);
+    Tokenizer rest(value, poll);
+    return next_solid(rest).is(TokenType::end) || is_paint(value, poll);
   }
-  const auto word = css_keyword(value, poll);
+  const auto word = keyword_of(value, poll);
   return word == "none" || word == "context-fill" || word == "context-stroke" ||
          is_color(value, poll);
 }
 
 }  // namespace
 
-const char* css_property_name(CssProperty property) {
+const char* property_name(Property property) {
   return kNames[static_cast<std::size_t>(property)];
 }
 
-std::optional<CssProperty> css_property_of(std::string_view raw_name) {
+std::optional<Property> property_of(std::string_view raw_name) {
   for (std::size_t i = 0; i < kNames.size(); ++i) {
-    if (css_is_name(raw_name, kNames[i])) return static_cast<CssProperty>(i);
+    if (is_named(raw_name, kNames[i])) return static_cast<Property>(i);
   }
   return std::nullopt;
 }
 
-bool is_inherited(CssProperty property) {
-  return property == CssProperty::color || property == CssProperty::fill ||
-         property == CssProperty::fill_opacity || property == CssProperty::fill_rule ||
-         property == CssProperty::paint_order || property == CssProperty::visibility ||
-         (property >= CssProperty::stroke && property <= CssProperty::stroke_width);
+bool is_inherited(Property property) {
+  return property == Property::color || property == Property::fill ||
+         property == Property::fill_opacity || property == Property::fill_rule ||
+         property == Property::paint_order || property == Property::visibility ||
+         (property >= Property::stroke && property <= Property::stroke_width);
 }
 
-CssWideKeyword css_wide_keyword(std::string_view value, TextPoll& poll) {
+WideKeyword wide_keyword(std::string_view value, TextPoll& poll) {
   // Most values are told from these words by their first letter.
-  const auto token = css_only_token(value, poll);
-  if (!token || !token->is(CssTokenType::ident)) return CssWideKeyword::none;
+  const auto token = only_token(value, poll);
+  if (!token || !token->is(TokenType::ident)) return WideKeyword::none;
   for (std::size_t i = 0; i < kWideKeywords.size(); ++i) {
-    if (css_is_name(token->value, kWideKeywords[i])) return static_cast<CssWideKeyword>(i + 1);
+    if (is_named(token->value, kWideKeywords[i])) return static_cast<WideKeyword>(i + 1);
   }
-  return CssWideKeyword::none;
+  return WideKeyword::none;
 }
 
-bool is_css_value(CssProperty property, std::string_view value, TextPoll& poll) {
-  if (css_wide_keyword(value, poll) != CssWideKeyword::none) return true;
+bool is_value(Property property, std::string_view value, TextPoll& poll) {
+  if (wide_keyword(value, poll) != WideKeyword::none) return true;
   switch (property) {
-    case CssProperty::opacity:
-    case CssProperty::fill_opacity:
-    case CssProperty::stop_opacity:
-    case CssProperty::stroke_opacity:
-      return css_share(value, poll).has_value();
-    case CssProperty::color:
-    case CssProperty::stop_color:
+    case Property::opacity:
+    case Property::fill_opacity:
+    case Property::stop_opacity:
+    case Property::stroke_opacity:
+      return share_of(value, poll).has_value();
+    case Property::color:
+    case Property::stop_color:
       return is_color(value, poll);
-    case CssProperty::fill:
-    case CssProperty::stroke:
+    case Property::fill:
+    case Property::stroke:
       return is_paint(value, poll);
-    case CssProperty::display:
-    case CssProperty::isolation:
-    case CssProperty::mix_blend_mode:
-    case CssProperty::overflow:
-    case CssProperty::visibility:
+    case Property::display:
+    case Property::isolation:
+    case Property::mix_blend_mode:
+    case Property::overflow:
+    case Property::visibility:
       return is_words(value, words_of(property), most_words(property), poll);
-    case CssProperty::paint_order:
-      return css_paint_order(value, poll).has_value();
-    case CssProperty::fill_rule:
-    case CssProperty::stroke_dasharray:
-    case CssProperty::stroke_dashoffset:
-    case CssProperty::stroke_linecap:
-    case CssProperty::stroke_linejoin:
-    case CssProperty::stroke_miterlimit:
-    case CssProperty::stroke_width:
+    case Property::paint_order:
+      return paint_order_of(value, poll).has_value();
+    case Property::fill_rule:
+    case Property::stroke_dasharray:
+    case Property::stroke_dashoffset:
+    case Property::stroke_linecap:
+    case Property::stroke_linejoin:
+    case Property::stroke_miterlimit:
+    case Property::stroke_width:
       break;  // who reads them tells what is wrong
-    case CssProperty::clip_path:
-    case CssProperty::filter:
-    case CssProperty::mask:
-    case CssProperty::transform:
-    case CssProperty::transform_box:
-    case CssProperty::transform_origin:
+    case Property::clip_path:
+    case Property::filter:
+    case Property::mask:
+    case Property::transform:
+    case Property::transform_box:
+    case Property::transform_origin:
       break;  // they are not read: that there is a value is all
   }
-  CssTokenizer tokens(value, poll);
-  return !next_solid(tokens).is(CssTokenType::end);
+  Tokenizer tokens(value, poll);
+  return !next_solid(tokens).is(TokenType::end);
 }
 
-std::string css_value_hint(CssProperty property, std::string_view value, TextPoll& poll) {
-  const auto word = css_keyword(value, poll);
+std::string value_hint(Property property, std::string_view value, TextPoll& poll) {
+  const auto word = keyword_of(value, poll);
   if (!word) return {};
   const Words words = words_of(property);
-  if (!words.empty()) return did_you_mean(*word, words);
-  const bool is_paint = property == CssProperty::fill || property == CssProperty::color ||
-                        property == CssProperty::stop_color;
+  if (!words.empty()) return text::did_you_mean(*word, words);
+  const bool is_paint =
+      property == Property::fill || property == Property::color || property == Property::stop_color;
   return is_paint ? did_you_mean_color(*word) : std::string();
 }
 
-}  // namespace sfumato
+}  // namespace sfumato::css

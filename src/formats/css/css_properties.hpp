@@ -8,10 +8,10 @@
 
 #include "formats/css/css_tokenizer.hpp"
 
-namespace sfumato {
+namespace sfumato::css {
 
 /// The properties of CSS that documents are asked for.
-enum class CssProperty : std::uint8_t {
+enum class Property : std::uint8_t {
   clip_path,
   color,
   display,
@@ -41,27 +41,27 @@ enum class CssProperty : std::uint8_t {
   visibility
 };
 
-inline constexpr std::size_t kCssPropertyCount = 27;
+inline constexpr std::size_t kPropertyCount = 27;
 
 /// "clip-path"; ends with a zero.
-const char* css_property_name(CssProperty property);
+const char* property_name(Property property);
 
 /// The property of a name as it is written: in any case, with escapes.
-std::optional<CssProperty> css_property_of(std::string_view raw_name);
+std::optional<Property> property_of(std::string_view raw_name);
 
 /// Whether an element takes the value of its parent where it has none itself.
-bool is_inherited(CssProperty property);
+bool is_inherited(Property property);
 
 /// The words that any property may have for a value.
-enum class CssWideKeyword : std::uint8_t { none, inherit, initial, unset, revert, revert_layer };
+enum class WideKeyword : std::uint8_t { none, inherit, initial, unset, revert, revert_layer };
 
 /// Which of them a value is; none where it is none of them.
-CssWideKeyword css_wide_keyword(std::string_view value, TextPoll& poll);
+WideKeyword wide_keyword(std::string_view value, TextPoll& poll);
 
 /// Whether CSS keeps a declaration with this value, as far as the property is understood here.
-bool is_css_value(CssProperty property, std::string_view value, TextPoll& poll);
+bool is_value(Property property, std::string_view value, TextPoll& poll);
 
 /// "; did you mean screen?" of a value that CSS drops; nothing where no word is near.
-std::string css_value_hint(CssProperty property, std::string_view value, TextPoll& poll);
+std::string value_hint(Property property, std::string_view value, TextPoll& poll);
 
-}  // namespace sfumato
+}  // namespace sfumato::css

@@ -2,27 +2,27 @@
 
 #include "base/ascii.hpp"
 
-namespace sfumato {
+namespace sfumato::css {
 namespace {
 
-using enum CssTokenType;
-using Kind = CssSelector::Kind;
+using enum TokenType;
+using Kind = Selector::Kind;
 
 class SelectorReader {
  public:
-  explicit SelectorReader(CssTokenizer& tokens) : tokens_(tokens) {}
+  explicit SelectorReader(Tokenizer& tokens) : tokens_(tokens) {}
 
-  CssSelector read();
+  Selector read();
 
  private:
-  void take(const CssToken& token);
-  void take_delim(const CssToken& token);
+  void take(const Token& token);
+  void take_delim(const Token& token);
   void take_pseudo();
   void add(Kind kind, std::string_view name);
   void combine();
   void fail() { is_valid_ = false; }
 
-  CssTokenizer& tokens_;
+  Tokenizer& tokens_;
   Kind kind_ = Kind::invalid;
   std::string_view name_;
   std::size_t part_count_ = 0;
@@ -50,7 +50,7 @@ void SelectorReader::combine() {
 
 void SelectorReader::take_pseudo() {
   std::size_t before = tokens_.position();
-  CssToken token = tokens_.next();
+  Token token = tokens_.next();
   if (token.is(colon)) {
     before = tokens_.position();
     token = tokens_.next();
@@ -63,7 +63,7 @@ void SelectorReader::take_pseudo() {
   add(Kind::other, {});
 }
 
-void SelectorReader::take_delim(const CssToken& token) {
+void SelectorReader::take_delim(const Token& token) {
   switch (token.text.front()) {
     case '*':
       return add(Kind::any, {});
@@ -81,7 +81,7 @@ void SelectorReader::take_delim(const CssToken& token) {
       return;
     case '.': {
       const std::size_t before = tokens_.position();
-      const CssToken name = tokens_.next();
+      const Token name = tokens_.next();
       if (name.is(ident)) return add(Kind::of_class, name.value);
       tokens_.rewind(before);
       return fail();
@@ -91,7 +91,7 @@ void SelectorReader::take_delim(const CssToken& token) {
   }
 }
 
-void SelectorReader::take(const CssToken& token) {
+void SelectorReader::take(const Token& token) {
   switch (token.type) {
     case whitespace:
       in_compound_ = false;
@@ -113,11 +113,11 @@ void SelectorReader::take(const CssToken& token) {
   }
 }
 
-CssSelector SelectorReader::read() {
+Selector SelectorReader::read() {
   const std::size_t begin = tokens_.position();
   for (;;) {
     const std::size_t before = tokens_.position();
-    const CssToken token = tokens_.next();
+    const Token token = tokens_.next();
     if (token.is(end) || token.is(comma)) {
       const bool is_valid = is_valid_ && !needs_compound_;
       return {is_valid ? kind_ : Kind::invalid, name_,
@@ -129,8 +129,8 @@ CssSelector SelectorReader::read() {
 
 }  // namespace
 
-CssSelector take_selector(CssTokenizer& tokens) {
+Selector take_selector(Tokenizer& tokens) {
   return SelectorReader(tokens).read();
 }
 
-}  // namespace sfumato
+}  // namespace sfumato::css

@@ -5,10 +5,10 @@
 
 #include "formats/css/css_tokenizer.hpp"
 
-namespace sfumato {
+namespace sfumato::css {
 
 /// What one selector of a list is.
-struct CssSelector {
+struct Selector {
   enum class Kind : std::uint8_t {
     any,       ///< *
     element,   ///< name
@@ -19,12 +19,12 @@ struct CssSelector {
   };
 
   Kind kind = Kind::invalid;
-  std::string_view name{};  ///< raw: css_unescaped()
+  std::string_view name{};  ///< raw: unescaped()
   std::string_view text{};  ///< all of it
   bool is_last = false;
 };
 
 /// Takes the next selector of a list, up to its comma or the end of the text.
-CssSelector take_selector(CssTokenizer& tokens);
+Selector take_selector(Tokenizer& tokens);
 
-}  // namespace sfumato
+}  // namespace sfumato::css

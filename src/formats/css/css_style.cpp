@@ -1,26 +1,26 @@
 #include "formats/css/css_style.hpp"
 
-namespace sfumato {
+namespace sfumato::css {
 
-void CssStyle::add(const CssDeclaration& declaration, TextPoll& poll) {
+void Style::add(const Declaration& declaration, TextPoll& poll) {
   ++declaration_count_;
-  if (css_is_name(declaration.name, "all")) {
-    if (css_wide_keyword(declaration.value, poll) == CssWideKeyword::none) return;
-    for (std::size_t i = 0; i < kCssPropertyCount; ++i) {
-      set(static_cast<CssProperty>(i), declaration);
+  if (is_named(declaration.name, "all")) {
+    if (wide_keyword(declaration.value, poll) == WideKeyword::none) return;
+    for (std::size_t i = 0; i < kPropertyCount; ++i) {
+      set(static_cast<Property>(i), declaration);
     }
     return;
   }
-  const auto property = css_property_of(declaration.name);
+  const auto property = property_of(declaration.name);
   if (!property) return;
-  if (is_css_value(*property, declaration.value, poll)) return set(*property, declaration);
+  if (is_value(*property, declaration.value, poll)) return set(*property, declaration);
   if (!dropped_) dropped_ = declaration;
 }
 
-void CssStyle::set(CssProperty property, const CssDeclaration& declaration) {
-  std::optional<CssSetting>& setting = settings_[static_cast<std::size_t>(property)];
+void Style::set(Property property, const Declaration& declaration) {
+  std::optional<Setting>& setting = settings_[static_cast<std::size_t>(property)];
   if (setting && setting->is_important && !declaration.is_important) return;
-  setting = CssSetting{declaration.value, declaration.is_important};
+  setting = Setting{declaration.value, declaration.is_important};
 }
 
-}  // namespace sfumato
+}  // namespace sfumato::css

@@ -6,10 +6,10 @@
 #include "base/ascii.hpp"
 #include "base/number.hpp"
 
-namespace sfumato {
+namespace sfumato::css {
 namespace {
 
-using enum CssTokenType;
+using enum TokenType;
 
 /// Of brackets within each other.
 constexpr std::size_t kMostBrackets = 1000;
@@ -74,7 +74,7 @@ std::size_t escape_end(std::string_view text, std::size_t at) {
 }
 
 /// The bracket that ends what a token opens; 0 where it opens nothing.
-char closing(CssTokenType type) {
+char closing(TokenType type) {
   if (type == function || type == open_paren) return ')';
   if (type == open_square) return ']';
   return type == open_curly ? '}' : '\0';
@@ -82,13 +82,13 @@ char closing(CssTokenType type) {
 
 }  // namespace
 
-CssTokenizer::CssTokenizer(std::string_view text, TextPoll& poll) : text_(text), poll_(poll) {
+Tokenizer::CssTokenizer(std::string_view text, TextPoll& poll) : text_(text), poll_(poll) {
   if (!poll_.go_on(std::min(text.size(), TextPoll::kBytes))) at_ = text_.size();
 }
 
 /// Tells the poll of each block of the text that was walked through; where work stops goes to the
 /// end.
-void CssTokenizer::pace() {
+void Tokenizer::pace() {
   if (at_ - told_ < TextPoll::kBytes) return;
   const bool goes_on = poll_.go_on(at_ - told_);
   told_ = at_;
@@ -96,7 +96,7 @@ void CssTokenizer::pace() {
 }
 
 template <class IsWanted>
-void CssTokenizer::skip_while(IsWanted is_wanted) {
+void Tokenizer::skip_while(IsWanted is_wanted) {
   do {
     const std::size_t end = std::min(at_ + TextPoll::kBytes, text_.size());
     while (at_ < end && is_wanted(text_[at_])) ++at_;
@@ -106,7 +106,7 @@ void CssTokenizer::skip_while(IsWanted is_wanted) {
 }
 
 /// Behind the next `end`, or to the end of all.
-void CssTokenizer::skip_to(std::string_view end) {
+void Tokenizer::skip_to(std::string_view end) {
   do {
     const std::size_t count = TextPoll::kBytes + end.size() - 1;
     const std::size_t found = text_.substr(at_, count).find(end);
@@ -119,7 +119,7 @@ void CssTokenizer::skip_to(std::string_view end) {
   } while (at_ < text_.size());
 }
 
-void CssTokenizer::skip_comments() {
+void Tokenizer::skip_comments() {
   while (peek() == '/' && peek(1) == '*') {
     at_ += 2;
     skip_to("*/");
@@ -127,27 +127,27 @@ void CssTokenizer::skip_comments() {
   }
 }
 
-bool CssTokenizer::starts_escape(std::size_t ahead) const {
+bool Tokenizer::starts_escape(std::size_t ahead) const {
   return peek(ahead) == '\\' && at_ + ahead + 1 < text_.size() && !is_newline(peek(ahead + 1));
 }
 
-bool CssTokenizer::starts_name(std::size_t ahead) const {
+bool Tokenizer::starts_name(std::size_t ahead) const {
   if (peek(ahead) == '-') {
     return is_name_start(peek(ahead + 1)) || peek(ahead + 1) == '-' || starts_escape(ahead + 1);
   }
   return is_name_start(peek(ahead)) || starts_escape(ahead);
 }
 
-bool CssTokenizer::starts_number() const {
+bool Tokenizer::starts_number() const {
   const std::size_t sign = peek() == '+' || peek() == '-' ? 1 : 0;
   return is_digit(peek(sign)) || (peek(sign) == '.' && is_digit(peek(sign + 1)));
 }
 
-void CssTokenizer::skip_escape() {
+void Tokenizer::skip_escape() {
   at_ = escape_end(text_, at_);
 }
 
-void CssTokenizer::skip_name() {
+void Tokenizer::skip_name() {
   for (;;) {
     skip_while(is_name);
     if (!starts_escape(0)) return;
@@ -156,7 +156,7 @@ void CssTokenizer::skip_name() {
   }
 }
 
-void CssTokenizer::skip_number() {
+void Tokenizer::skip_number() {
   if (peek() == '+' || peek() == '-') ++at_;
   skip_while(is_digit);
   if (peek() == '.' && is_digit(peek(1))) {
@@ -170,13 +170,13 @@ void CssTokenizer::skip_number() {
   skip_while(is_digit);
 }
 
-CssToken CssTokenizer::simple(CssTokenType type, std::size_t length) {
+Token Tokenizer::simple(TokenType type, std::size_t length) {
   const std::size_t begin = at_;
   at_ += length;
   return {type, since(begin)};
 }
 
-CssToken CssTokenizer::take_string() {
+Token Tokenizer::take_string() {
   const std::size_t begin = at_;
   const char quote = text_[at_++];
   for (;;) {
@@ -195,7 +195,7 @@ CssToken CssTokenizer::take_string() {
   }
 }
 
-CssToken CssTokenizer::take_hash() {
+Token Tokenizer::take_hash() {
   if (!is_name(peek(1)) && !starts_escape(1)) return simple(delim, 1);
   const std::size_t begin = at_;
   const bool is_id = starts_name(1);
@@ -204,14 +204,14 @@ CssToken CssTokenizer::take_hash() {
   return {hash, since(begin), since(begin + 1), {}, is_id};
 }
 
-CssToken CssTokenizer::take_at() {
+Token Tokenizer::take_at() {
   if (!starts_name(1)) return simple(delim, 1);
   const std::size_t begin = at_++;
   skip_name();
   return {at_keyword, since(begin), since(begin + 1)};
 }
 
-CssToken CssTokenizer::take_numeric() {
+Token Tokenizer::take_numeric() {
   const std::size_t begin = at_;
   skip_number();
   const std::string_view digits = since(begin);
@@ -225,13 +225,13 @@ CssToken CssTokenizer::take_numeric() {
   return {dimension, since(begin), digits, since(unit)};
 }
 
-CssToken CssTokenizer::take_ident_like() {
+Token Tokenizer::take_ident_like() {
   const std::size_t begin = at_;
   skip_name();
   const std::string_view name = since(begin);
   if (peek() != '(') return {ident, name, name};
   ++at_;
-  if (!css_is_name(name, "url")) return {function, since(begin), name};
+  if (!is_named(name, "url")) return {function, since(begin), name};
   const std::size_t inside = at_;
   skip_while(is_ascii_blank);
   if (peek() != '"' && peek() != '\'') return take_url(begin);
@@ -240,7 +240,7 @@ CssToken CssTokenizer::take_ident_like() {
 }
 
 /// From behind "url(" and blanks.
-CssToken CssTokenizer::take_url(std::size_t begin) {
+Token Tokenizer::take_url(std::size_t begin) {
   const std::size_t inside = at_;
   for (;;) {
     skip_while([](char c) {
@@ -260,7 +260,7 @@ CssToken CssTokenizer::take_url(std::size_t begin) {
   }
 }
 
-CssToken CssTokenizer::rest_of_bad_url(std::size_t begin) {
+Token Tokenizer::rest_of_bad_url(std::size_t begin) {
   for (;;) {
     skip_while([](char c) { return c != ')' && c != '\\'; });
     if (at_ >= text_.size()) break;
@@ -275,7 +275,7 @@ CssToken CssTokenizer::rest_of_bad_url(std::size_t begin) {
 }
 
 /// Brackets, signs, and what is none of them.
-CssToken CssTokenizer::take_other() {
+Token Tokenizer::take_other() {
   static constexpr std::string_view kSigns = ":;,[](){}";
   static constexpr std::array kTypes{colon,      semicolon,   comma,      open_square, close_square,
                                      open_paren, close_paren, open_curly, close_curly};
@@ -285,7 +285,7 @@ CssToken CssTokenizer::take_other() {
   return simple(delim, 1);
 }
 
-CssToken CssTokenizer::next() {
+Token Tokenizer::next() {
   pace();
   skip_comments();
   if (at_ >= text_.size()) return {end, text_.substr(text_.size())};
@@ -304,7 +304,7 @@ CssToken CssTokenizer::next() {
   return take_other();
 }
 
-std::string css_unescaped(std::string_view raw) {
+std::string unescaped(std::string_view raw) {
   if (raw.find('\\') == std::string_view::npos) return std::string(raw);
   std::string text;
   text.reserve(raw.size());
@@ -331,7 +331,7 @@ std::string css_unescaped(std::string_view raw) {
   return text;
 }
 
-bool css_is_name(std::string_view raw, std::string_view lower) {
+bool is_named(std::string_view raw, std::string_view lower) {
   if (raw.size() == lower.size()) {
     return std::ranges::equal(raw, lower, [](char a, char b) {
       return a == b || (a >= 'A' && a <= 'Z' && static_cast<char>(a - 'A' + 'a') == b);
@@ -341,15 +341,15 @@ bool css_is_name(std::string_view raw, std::string_view lower) {
   constexpr std::size_t kLongestEscape = 9;
   if (raw.size() < lower.size() || raw.size() > kLongestEscape * lower.size()) return false;
   if (raw.find('\\') == std::string_view::npos) return false;
-  return ascii_lower(css_unescaped(raw)) == lower;
+  return ascii_lower(unescaped(raw)) == lower;
 }
 
-void skip_component(CssTokenizer& tokens, const CssToken& first) {
+void skip_component(Tokenizer& tokens, const Token& first) {
   std::array<char, kMostBrackets> open{};
   std::size_t depth = 0;
   if (const char last = closing(first.type)) open[depth++] = last;
   while (depth > 0) {
-    const CssToken token = tokens.next();
+    const Token token = tokens.next();
     if (token.is(end)) return;
     if (const char last = closing(token.type)) {
       if (depth == kMostBrackets) {
@@ -363,4 +363,4 @@ void skip_component(CssTokenizer& tokens, const CssToken& first) {
   }
 }
 
-}  // namespace sfumato
+}  // namespace sfumato::css

@@ -7,7 +7,7 @@
 
 #include "base/context.hpp"
 
-namespace sfumato {
+namespace sfumato::css {
 
 /// Counts the bytes of texts that are walked through, and looks at the cancel flag of its Context
 /// once in kBytes of them, however many texts these are. Without a Context it never stops.
@@ -36,7 +36,7 @@ class TextPoll {
 };
 
 /// The tokens of CSS Syntax 3, section 4, but for <unicode-range-token>.
-enum class CssTokenType : std::uint8_t {
+enum class TokenType : std::uint8_t {
   end,
   ident,
   function,    ///< the name and its parenthesis
@@ -65,24 +65,24 @@ enum class CssTokenType : std::uint8_t {
 };
 
 /// One token. Its texts lie in the text that was read, escapes and all: css_unescaped().
-struct CssToken {
-  CssTokenType type = CssTokenType::end;
+struct Token {
+  TokenType type = TokenType::end;
   std::string_view text{};   ///< all of it
   std::string_view value{};  ///< the name, what a string or an url holds, the number
   std::string_view unit{};   ///< of a dimension
   bool is_id = false;        ///< of a hash: what is behind # is an identifier
 
-  bool is(CssTokenType asked) const { return type == asked; }
-  bool is_delim(char c) const { return type == CssTokenType::delim && text.front() == c; }
+  bool is(TokenType asked) const { return type == asked; }
+  bool is_delim(char c) const { return type == TokenType::delim && text.front() == c; }
 };
 
 /// Cuts a text into tokens, from the front, in linear time; comments are passed over. Where the
 /// poll stops, the next token is the end.
-class CssTokenizer {
+class Tokenizer {
  public:
-  CssTokenizer(std::string_view text, TextPoll& poll);
+  Tokenizer(std::string_view text, TextPoll& poll);
 
-  CssToken next();
+  Token next();
   /// Where the next token begins, or a comment before it.
   std::size_t position() const { return at_; }
   /// Goes back to a position.
@@ -105,15 +105,15 @@ class CssTokenizer {
   bool starts_escape(std::size_t ahead) const;
   bool starts_name(std::size_t ahead) const;
   bool starts_number() const;
-  CssToken simple(CssTokenType type, std::size_t length);
-  CssToken take_string();
-  CssToken take_hash();
-  CssToken take_at();
-  CssToken take_numeric();
-  CssToken take_ident_like();
-  CssToken take_url(std::size_t begin);
-  CssToken rest_of_bad_url(std::size_t begin);
-  CssToken take_other();
+  Token simple(TokenType type, std::size_t length);
+  Token take_string();
+  Token take_hash();
+  Token take_at();
+  Token take_numeric();
+  Token take_ident_like();
+  Token take_url(std::size_t begin);
+  Token rest_of_bad_url(std::size_t begin);
+  Token take_other();
 
   std::string_view text_;
   TextPoll& poll_;
@@ -122,13 +122,13 @@ class CssTokenizer {
 };
 
 /// A name or a string without its escapes; what they name stands in UTF-8.
-std::string css_unescaped(std::string_view raw);
+std::string unescaped(std::string_view raw);
 
 /// Whether a name is `lower`, which is in lower case, but for ASCII case and escapes.
-bool css_is_name(std::string_view raw, std::string_view lower);
+bool is_named(std::string_view raw, std::string_view lower);
 
 /// Consumes what belongs to a token that was taken: of a bracket or a function all up to its end,
 /// brackets in it included. Beyond 1,000 brackets in each other the rest is taken whole.
-void skip_component(CssTokenizer& tokens, const CssToken& first);
+void skip_component(Tokenizer& tokens, const Token& first);
 
-}  // namespace sfumato
+}  // namespace sfumato::css

@@ -7,33 +7,33 @@
 
 #include "formats/css/css_tokenizer.hpp"
 
-namespace sfumato {
+namespace sfumato::css {
 
 /// The next token that is no whitespace.
-CssToken next_solid(CssTokenizer& tokens);
+Token next_solid(Tokenizer& tokens);
 
 /// The only token of a text beside whitespace and comments; nothing where there are others or none.
-std::optional<CssToken> css_only_token(std::string_view text, TextPoll& poll);
+std::optional<Token> only_token(std::string_view text, TextPoll& poll);
 
 /// What a token of a number says; nothing where it is too large.
-std::optional<double> css_number(const CssToken& token);
+std::optional<double> number_of(const Token& token);
 
 /// A value that is one keyword, in lower case; else nothing.
-std::optional<std::string> css_keyword(std::string_view text, TextPoll& poll);
+std::optional<std::string> keyword_of(std::string_view text, TextPoll& poll);
 
 /// A value that is one number or percentage, 100% as 1, clamped to 0 to 1; else nothing.
-std::optional<double> css_share(std::string_view text, TextPoll& poll);
+std::optional<double> share_of(std::string_view text, TextPoll& poll);
 
 /// A value of `paint-order`: whether the stroke is painted below the fill; nothing where it is
 /// none.
 enum class PaintOrder : std::uint8_t { fill_first, stroke_first };
-std::optional<PaintOrder> css_paint_order(std::string_view text, TextPoll& poll);
+std::optional<PaintOrder> paint_order_of(std::string_view text, TextPoll& poll);
 
 /// Takes url(…), with quotes or without, whose first token was taken: what it holds. Nothing where
 /// it is none, broken, or longer than any reference within a document.
-std::optional<std::string> take_css_url(CssTokenizer& tokens, const CssToken& first);
+std::optional<std::string> take_url(Tokenizer& tokens, const Token& first);
 
 /// A value that is one url(…): what it holds; else nothing.
-std::optional<std::string> css_url(std::string_view text, TextPoll& poll);
+std::optional<std::string> url_of(std::string_view text, TextPoll& poll);
 
-}  // namespace sfumato
+}  // namespace sfumato::css

@@ -7,11 +7,11 @@
 #include "formats/css/css_media.hpp"
 #include "formats/css/css_value.hpp"
 
-namespace sfumato::svg {
+namespace sfumato::css {
 namespace {
 
-using enum CssTokenType;
-using Kind = CssSelector::Kind;
+using enum TokenType;
+using Kind = Selector::Kind;
 
 /// Texts of one place are equal without a look: a rule may set many values for one long selector.
 int compared(std::string_view a, std::string_view b) {
@@ -28,9 +28,9 @@ bool has_escape(std::string_view name) {
 
 /// CSS drops a rule whole where one of its selectors is wrong.
 bool are_valid(std::string_view selectors, TextPoll& poll) {
-  CssTokenizer tokens(selectors, poll);
+  Tokenizer tokens(selectors, poll);
   for (;;) {
-    const CssSelector selector = take_selector(tokens);
+    const Selector selector = take_selector(tokens);
     if (selector.kind == Kind::invalid) return false;
     if (selector.is_last) return true;
   }
@@ -60,16 +60,16 @@ class StyleSheet::Reader {
   };
 
   Prelude take_prelude(bool is_at_rule);
-  void read_at_rule(const CssToken& name);
+  void read_at_rule(const Token& name);
   void read_rule(std::size_t begin);
-  void add(std::string_view selectors, const CssStyle& style);
+  void add(std::string_view selectors, const Style& style);
   void skip_block() { skip_component(tokens_, {open_curly}); }
   void leave_out(std::string_view what) {
     if (notes_.left_out.empty()) notes_.left_out = ascii_trimmed(what);
   }
 
   StyleSheet& sheet_;
-  CssTokenizer tokens_;
+  Tokenizer tokens_;
   std::size_t most_values_;
   TextPoll& poll_;
   std::size_t depth_ = 0;  ///< of @media that are read
@@ -79,7 +79,7 @@ class StyleSheet::Reader {
 StyleSheet::Notes StyleSheet::Reader::read() {
   for (;;) {
     const std::size_t begin = tokens_.position();
-    const CssToken token = tokens_.next();
+    const Token token = tokens_.next();
     if (token.is(end)) return notes_;
     if (token.is(whitespace) || (depth_ == 0 && (token.is(cdo) || token.is(cdc)))) continue;
     if (token.is(close_curly) && depth_ > 0) {
@@ -96,7 +96,7 @@ StyleSheet::Reader::Prelude StyleSheet::Reader::take_prelude(bool is_at_rule) {
   const std::size_t begin = tokens_.position();
   for (;;) {
     const std::size_t before = tokens_.position();
-    const CssToken token = tokens_.next();
+    const Token token = tokens_.next();
     const std::string_view text = tokens_.text().substr(begin, before - begin);
     if (token.is(open_curly)) return {text, true};
     if (token.is(end) || (is_at_rule && token.is(semicolon))) return {text};
@@ -108,17 +108,17 @@ StyleSheet::Reader::Prelude StyleSheet::Reader::take_prelude(bool is_at_rule) {
   }
 }
 
-void StyleSheet::Reader::read_at_rule(const CssToken& name) {
+void StyleSheet::Reader::read_at_rule(const Token& name) {
   const Prelude prelude = take_prelude(true);
   const std::string_view whole(name.text.data(), prelude.text.data() + prelude.text.size());
-  const bool is_media = css_is_name(name.value, "media") && prelude.has_block;
-  const CssMedia media = is_media ? css_media(prelude.text, poll_) : CssMedia::unknown;
-  if (media == CssMedia::matches) {
+  const bool is_media = is_named(name.value, "media") && prelude.has_block;
+  const Media media = is_media ? media_of(prelude.text, poll_) : Media::unknown;
+  if (media == Media::matches) {
     ++depth_;
     return;
   }
   if (prelude.has_block) skip_block();
-  if (media == CssMedia::unknown) leave_out(whole);
+  if (media == Media::unknown) leave_out(whole);
 }
 
 void StyleSheet::Reader::read_rule(std::size_t begin) {
@@ -129,17 +129,17 @@ void StyleSheet::Reader::read_rule(std::size_t begin) {
     skip_block();
     return leave_out(prelude.text);
   }
-  CssStyle style;
+  Style style;
   read_declarations(tokens_, true,
-                    [&](const CssDeclaration& declaration) { style.add(declaration, poll_); });
+                    [&](const Declaration& declaration) { style.add(declaration, poll_); });
   if (!notes_.dropped) notes_.dropped = style.dropped();
   if (poll_.status()) add(prelude.text, style);
 }
 
-void StyleSheet::Reader::add(std::string_view selectors, const CssStyle& style) {
-  CssTokenizer tokens(selectors, poll_);
+void StyleSheet::Reader::add(std::string_view selectors, const Style& style) {
+  Tokenizer tokens(selectors, poll_);
   for (;;) {
-    const CssSelector selector = take_selector(tokens);
+    const Selector selector = take_selector(tokens);
     const bool is_long = selector.name.size() > kLongestName && has_escape(selector.name);
     if (selector.kind == Kind::other || is_long) {
       leave_out(selector.text);
@@ -154,16 +154,15 @@ StyleSheet::Notes StyleSheet::add(std::string_view text, std::size_t most_values
   return Reader(*this, text, most_values, poll).read();
 }
 
-void StyleSheet::add_rule(const CssSelector& selector, const CssStyle& style,
-                          std::size_t most_values) {
+void StyleSheet::add_rule(const Selector& selector, const Style& style, std::size_t most_values) {
   const std::size_t order = count_;
   count_ += style.declaration_count();
   if (count_ > most_values) return;
   std::string_view name = selector.name;
-  if (has_escape(name)) name = names_.emplace_back(css_unescaped(name));
-  for (std::size_t i = 0; i < kCssPropertyCount; ++i) {
-    const auto property = static_cast<CssProperty>(i);
-    const std::optional<CssSetting>& setting = style[property];
+  if (has_escape(name)) name = names_.emplace_back(unescaped(name));
+  for (std::size_t i = 0; i < kPropertyCount; ++i) {
+    const auto property = static_cast<Property>(i);
+    const std::optional<Setting>& setting = style[property];
     if (!setting) continue;
     Value& value = values_[{selector.kind, property, name}];
     if (!value.setting.is_important || setting->is_important) value = {*setting, order};
@@ -175,8 +174,8 @@ const StyleSheet::Value* StyleSheet::value_of(const Key& key) const {
   return found == values_.end() ? nullptr : &found->second;
 }
 
-std::optional<CssSetting> StyleSheet::find(std::string_view name, std::string_view id,
-                                           std::string_view classes, CssProperty property) const {
+std::optional<Setting> StyleSheet::find(std::string_view name, std::string_view id,
+                                        std::string_view classes, Property property) const {
   const Value* best = nullptr;
   // From the more specific to the less: of one importance the first stays.
   const auto consider = [&](const Value* value) {
@@ -201,4 +200,4 @@ std::optional<CssSetting> StyleSheet::find(std::string_view name, std::string_vi
   return best ? std::optional(best->setting) : std::nullopt;
 }
 
-}  // namespace sfumato::svg
+}  // namespace sfumato::css

@@ -10,7 +10,7 @@
 #include "formats/css/css_selector.hpp"
 #include "formats/css/css_style.hpp"
 
-namespace sfumato::svg {
+namespace sfumato::css {
 
 /// The simple part of CSS: rules whose selectors are `*`, an element's name, `.class` or `#id`, at
 /// the top or in @media that a screen matches.
@@ -19,7 +19,7 @@ class StyleSheet {
   /// What a sheet has that sets nothing, the first of each kind.
   struct Notes {
     std::string_view left_out{};  ///< a selector or an at-rule that is not read
-    std::optional<CssDeclaration> dropped{};
+    std::optional<Declaration> dropped{};
   };
 
   /// Adds the rules of a sheet; the text must outlive this. Beyond `most_values` none are added.
@@ -32,18 +32,18 @@ class StyleSheet {
 
   /// What the rules say of an element: what is important before the rest, then the id's rule
   /// before the classes' before the name's, then the later.
-  std::optional<CssSetting> find(std::string_view name, std::string_view id,
-                                 std::string_view classes, CssProperty property) const;
+  std::optional<Setting> find(std::string_view name, std::string_view id, std::string_view classes,
+                              Property property) const;
 
  private:
   struct Value {
-    CssSetting setting;
+    Setting setting;
     std::size_t order = 0;  ///< later rules win
   };
 
   struct Key {
-    CssSelector::Kind kind;
-    CssProperty property;
+    Selector::Kind kind;
+    Property property;
     std::string_view name;
 
     bool operator<(const Key& other) const;
@@ -51,7 +51,7 @@ class StyleSheet {
 
   class Reader;
 
-  void add_rule(const CssSelector& selector, const CssStyle& style, std::size_t most_values);
+  void add_rule(const Selector& selector, const Style& style, std::size_t most_values);
   const Value* value_of(const Key& key) const;
 
   std::map<Key, Value> values_;
@@ -59,4 +59,4 @@ class StyleSheet {
   std::size_t count_ = 0;
 };
 
-}  // namespace sfumato::svg
+}  // namespace sfumato::css

@@ -37,7 +37,7 @@ constexpr Dialect kScene{"x", "y", "R", "B", true};
 
 class OrzanReader {
  public:
-  OrzanReader(Context& context, XmlSource& xml) : context_(context), xml_(xml) {}
+  OrzanReader(Context& context, text::XmlSource& xml) : context_(context), xml_(xml) {}
 
   Result<ReadDocument> read();
 
@@ -71,10 +71,10 @@ class OrzanReader {
 
   Context& context_;
   RarePoll<64> poll_{context_};
-  XmlSource& xml_;
+  text::XmlSource& xml_;
   Dialect dialect_ = kOrzan;
   Document document_;
-  Warnings warnings_;
+  text::Warnings warnings_;
   ScopedCharge charge_;
   std::size_t control_point_count_ = 0;
   std::size_t stop_count_ = 0;
@@ -363,7 +363,7 @@ void OrzanReader::warn(std::string_view kind, pugi::xml_node element, std::strin
 }
 
 Result<ReadDocument> read(Context& context, std::string_view xml, const std::string& file) {
-  XmlSource source(xml, file);
+  text::XmlSource source(xml, file);
   Status status = source.parse(context);
   if (status) {
     Result<ReadDocument> result = OrzanReader(context, source).read();

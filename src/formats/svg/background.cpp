@@ -13,14 +13,14 @@ namespace {
 /// Of the artboard's size: rectangles this much smaller still cover it.
 constexpr double kSlack = 1e-6;
 
-bool is_one(Input& input, Element rect, CssProperty property) {
+bool is_one(Input& input, Element rect, css::Property property) {
   const auto text = input.property(rect, property);
-  return !text || css_share(*text, input.text_poll()) == 1;
+  return !text || css::share_of(*text, input.text_poll()) == 1;
 }
 
 bool is_opaque(Input& input, Element rect) {
-  return is_one(input, rect, CssProperty::opacity) &&
-         is_one(input, rect, CssProperty::fill_opacity);
+  return is_one(input, rect, css::Property::opacity) &&
+         is_one(input, rect, css::Property::fill_opacity);
 }
 
 bool covers(const Box& rect, const Affine& map, const Box& artboard) {
@@ -41,14 +41,14 @@ Result<BackgroundRect> read_background_rect(Input& input, Element shape,
   const Result<Box> rect = read_rect(input, shape, artboard);
   if (!rect) return rect.status();
   if (!covers(*rect, artboard_from_user, artboard)) return BackgroundRect{};
-  const std::string_view fill = input.property(shape, CssProperty::fill).value_or("black");
-  CssTokenizer tokens(fill, input.text_poll());
-  const CssToken first = next_solid(tokens);
-  if (first.is(CssTokenType::ident) && css_is_name(first.value, "none")) {
+  const std::string_view fill = input.property(shape, css::Property::fill).value_or("black");
+  css::Tokenizer tokens(fill, input.text_poll());
+  const css::Token first = next_solid(tokens);
+  if (first.is(css::TokenType::ident) && css::is_named(first.value, "none")) {
     return BackgroundRect{true, std::nullopt};
   }
-  if (take_css_url(tokens, first) || !is_opaque(input, shape)) return BackgroundRect{};
-  const Result<CssColor> color = read_color(input, shape, CssProperty::fill);
+  if (css::take_url(tokens, first) || !is_opaque(input, shape)) return BackgroundRect{};
+  const Result<css::Color> color = read_color(input, shape, css::Property::fill);
   if (!color) return color.status();
   if (color->alpha < 1) return BackgroundRect{};
   return BackgroundRect{true, color->color};

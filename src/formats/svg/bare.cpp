@@ -30,8 +30,8 @@ std::optional<std::string> in_style(Input& input, Element element) {
   const auto style = input.attribute(element, "style");
   if (!style) return std::nullopt;
   std::optional<std::string> found;
-  CssTokenizer tokens(*style, input.text_poll());
-  read_declarations(tokens, false, [&](const CssDeclaration& declaration) {
+  css::Tokenizer tokens(*style, input.text_poll());
+  css::read_declarations(tokens, false, [&](const css::Declaration& declaration) {
     const std::string_view name = declaration.value.substr(0, declaration.value.find(':'));
     if (!found && declaration.name == "sf" && std::ranges::find(kOurs, name) != kOurs.end()) {
       found = "sf:" + std::string(name);
@@ -62,8 +62,9 @@ std::string wrong_address(Element element) {
     const bool is_meant = prefix == "sf" || prefix == "sfumato" ||
                           ascii_lower(address.substr(0, 256)).find("sfumato") != std::string::npos;
     if (!is_meant) continue;
-    return "the prefix " + std::string(prefix.substr(0, 64)) + " is bound to " + quoted(address) +
-           "; expected xmlns:" + std::string(prefix.substr(0, 64)) + "=\"urn:sfumato:1\"";
+    return "the prefix " + std::string(prefix.substr(0, 64)) + " is bound to " +
+           text::quoted(address) + "; expected xmlns:" + std::string(prefix.substr(0, 64)) +
+           "=\"urn:sfumato:1\"";
   }
   return {};
 }

@@ -4,14 +4,14 @@
 
 namespace sfumato::svg {
 
-Result<CssColor> read_color(Input& input, Element element, CssProperty property) {
+Result<css::Color> read_color(Input& input, Element element, css::Property property) {
   std::string_view text = input.property(element, property).value_or("black");
-  if (css_keyword(text, input.text_poll()) == "currentcolor") {
-    property = CssProperty::color;
+  if (css::keyword_of(text, input.text_poll()) == "currentcolor") {
+    property = css::Property::color;
     text = input.property(element, property).value_or("black");
   }
-  const Result<CssColor> color = parse_css_color(text, input.text_poll());
-  if (!color) return input.in(element, css_property_name(property), color.status());
+  const Result<css::Color> color = css::parse_color(text, input.text_poll());
+  if (!color) return input.in(element, css::property_name(property), color.status());
   return color;
 }
 

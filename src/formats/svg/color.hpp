@@ -7,6 +7,6 @@ namespace sfumato::svg {
 
 /// A property that is a colour; black where the element has none. currentColor is the element's
 /// `color`. Errors: bad_input, cancelled.
-Result<CssColor> read_color(Input& input, Element element, CssProperty property);
+Result<css::Color> read_color(Input& input, Element element, css::Property property);
 
 }  // namespace sfumato::svg

@@ -10,42 +10,42 @@
 namespace sfumato::svg {
 namespace {
 
-constexpr CssProperty kIgnoredEffects[] = {CssProperty::clip_path, CssProperty::mask,
-                                           CssProperty::filter, CssProperty::transform_origin,
-                                           CssProperty::transform_box};
+constexpr css::Property kIgnoredEffects[] = {css::Property::clip_path, css::Property::mask,
+                                             css::Property::filter, css::Property::transform_origin,
+                                             css::Property::transform_box};
 
 }  // namespace
 
 Result<Compositing> read_compositing(Input& input, Element element) {
   Compositing compositing;
-  if (const auto text = input.property(element, CssProperty::opacity)) {
-    const auto share = css_share(*text, input.text_poll());
+  if (const auto text = input.property(element, css::Property::opacity)) {
+    const auto share = css::share_of(*text, input.text_poll());
     if (!share) {
-      return input.error(element, "opacity of " + tag(element) + " is " + quoted(*text) +
+      return input.error(element, "opacity of " + tag(element) + " is " + text::quoted(*text) +
                                       "; expected a number from 0 to 1 or a percentage");
     }
     compositing.opacity = static_cast<float>(*share);
   }
-  if (const auto text = input.property(element, CssProperty::mix_blend_mode)) {
-    const std::string word = css_keyword(*text, input.text_poll()).value_or(std::string(*text));
+  if (const auto text = input.property(element, css::Property::mix_blend_mode)) {
+    const std::string word = css::keyword_of(*text, input.text_poll()).value_or(std::string(*text));
     const auto found = std::ranges::find(kBlendNames, word);
     if (found != kBlendNames.end()) {
       compositing.blend = static_cast<BlendMode>(found - kBlendNames.begin());
     } else {
       input.warn("/blend " + word.substr(0, 64), element,
-                 "mix-blend-mode " + quoted(*text) + " is not known; normal is used" +
-                     did_you_mean(word, kBlendNames));
+                 "mix-blend-mode " + text::quoted(*text) + " is not known; normal is used" +
+                     text::did_you_mean(word, kBlendNames));
     }
   }
-  compositing.isolated = input.keyword(element, CssProperty::isolation) == "isolate";
+  compositing.isolated = input.keyword(element, css::Property::isolation) == "isolate";
   return compositing;
 }
 
 void warn_of_effects(Input& input, Element element) {
-  for (const CssProperty property : kIgnoredEffects) {
+  for (const css::Property property : kIgnoredEffects) {
     const auto value = input.property(element, property);
-    if (!value || value->empty() || css_keyword(*value, input.text_poll()) == "none") continue;
-    const std::string name = css_property_name(property);
+    if (!value || value->empty() || css::keyword_of(*value, input.text_poll()) == "none") continue;
+    const std::string name = css::property_name(property);
     input.warn("/" + name, element, name + " of " + tag(element) + " is not read");
   }
 }

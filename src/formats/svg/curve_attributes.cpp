@@ -101,7 +101,7 @@ Status AttributeReader::read_number(const char* name, const char* expected, bool
     const std::string hint =
         zero_allowed ? share_hint(found->text, limits::kCoordinate) : std::string();
     return input_.error(element_, found->name + " of " + tag(element_) + " is " +
-                                      quoted(found->text) + "; expected " + expected + hint);
+                                      text::quoted(found->text) + "; expected " + expected + hint);
   }
   number = *value;
   return ok_status();
@@ -114,15 +114,15 @@ Result<bool> read_whole(Input& input, Paints& paints, const PaintedShape& shape,
   // Most texts are told from "none" and an url by how they begin.
   constexpr std::string_view kBeginnings = "nNuU\\/";
   if (kBeginnings.find(found.text.substr(0, 1)) == std::string_view::npos) return false;
-  if (css_keyword(found.text, input.text_poll()) == "none") {
+  if (css::keyword_of(found.text, input.text_poll()) == "none") {
     shader.kind = ShaderKind::barrier;
     return true;
   }
-  const auto url = css_url(found.text, input.text_poll());
+  const auto url = css::url_of(found.text, input.text_poll());
   if (!url) return false;
   if (!url->starts_with('#') || url->size() == 1) {
     return input.error(shape.element, found.name + " of " + tag(shape.element) + " is " +
-                                          quoted(found.text) + "; expected url(#id)");
+                                          text::quoted(found.text) + "; expected url(#id)");
   }
   const Result<std::uint32_t> index = paints.shader(shape, std::string_view(*url).substr(1));
   if (!index) return index.status();
@@ -167,7 +167,8 @@ Status read_side(Input& input, Paints& paints, const PaintedShape& shape, const 
 }
 
 Status no_color_list(Input& input, Element element, const Found& found) {
-  return input.error(element, found.name + " of " + tag(element) + " is " + quoted(found.text) +
+  return input.error(element, found.name + " of " + tag(element) + " is " +
+                                  text::quoted(found.text) +
                                   "; a local curve takes a list of colours only");
 }
 
@@ -204,9 +205,9 @@ Result<LocalAttributes> read_local_attributes(Input& input, Element shape) {
   const auto read_side_colors = [&](const char* name, std::vector<WrittenStop<Rgb>>& stops) {
     const auto found = reader.find(name);
     if (!found || !status) return;
-    TextPoll& poll = input.text_poll();
+    css::TextPoll& poll = input.text_poll();
     const bool is_list =
-        css_keyword(found->text, poll) != "none" && !css_url(found->text, poll).has_value();
+        css::keyword_of(found->text, poll) != "none" && !css::url_of(found->text, poll).has_value();
     status = is_list ? reader.read_colors(*found, stops) : no_color_list(input, shape, *found);
   };
   read_side_colors("left", attributes.left_color);

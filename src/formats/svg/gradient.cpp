@@ -81,8 +81,9 @@ Status GradientReader::read_spread() {
   } else if (spread == "repeat") {
     fill_.spread = SpreadMethod::repeat;
   } else {
-    return input_.error(attributes_.bearer("spreadMethod"),
-                        "spreadMethod is " + quoted(spread) + "; expected pad, reflect or repeat");
+    return input_.error(
+        attributes_.bearer("spreadMethod"),
+        "spreadMethod is " + text::quoted(spread) + "; expected pad, reflect or repeat");
   }
   return ok_status();
 }
@@ -162,10 +163,10 @@ Status GradientReader::read_stops() {
 Status GradientReader::read_stop(Element element, GradientStop& stop) {
   const std::string_view offset = input_.attribute(element, "offset").value_or("0");
   if (Status status = read_share(element, "offset", offset, stop.offset); !status) return status;
-  const Result<CssColor> color = read_color(input_, element, CssProperty::stop_color);
+  const Result<css::Color> color = read_color(input_, element, css::Property::stop_color);
   if (!color) return color.status();
-  const std::string_view text = input_.property(element, CssProperty::stop_opacity).value_or("1");
-  const auto opacity = css_share(text, input_.text_poll());
+  const std::string_view text = input_.property(element, css::Property::stop_opacity).value_or("1");
+  const auto opacity = css::share_of(text, input_.text_poll());
   if (!opacity) return bad_share(element, "stop-opacity", text);
   stop.color = color->color;
   stop.alpha = color->alpha * static_cast<float>(*opacity);
@@ -173,7 +174,7 @@ Status GradientReader::read_stop(Element element, GradientStop& stop) {
 }
 
 Status GradientReader::bad_share(Element element, const char* name, std::string_view text) {
-  return input_.error(element, std::string(name) + " of <stop> is " + quoted(text) +
+  return input_.error(element, std::string(name) + " of <stop> is " + text::quoted(text) +
                                    "; expected a number from 0 to 1 or a percentage");
 }
 

@@ -80,7 +80,7 @@ Status Input::sort_ids() {
   }
   if (!repeated) return ok_status();
   warn("/id", repeated->element,
-       "the id " + quoted(repeated->id) + " was given before; the first one counts");
+       "the id " + text::quoted(repeated->id) + " was given before; the first one counts");
   return ok_status();
 }
 
@@ -108,7 +108,7 @@ Result<Element> Input::referred(Element element) {
   if (!href) return error(element, tag(element) + " has no href");
   const std::string_view reference = ascii_trimmed(*href);
   if (!reference.starts_with('#') || reference.size() == 1) {
-    return error(element, "href of " + tag(element) + " is " + quoted(reference) +
+    return error(element, "href of " + tag(element) + " is " + text::quoted(reference) +
                               "; expected # and the id of an element of this document");
   }
   return element_of(element, reference.substr(1));

@@ -44,22 +44,22 @@ class Input {
   bool has_sf(Element element) const;
   /// What an element says of a property.
   struct Cascaded {
-    CssWideKeyword keyword = CssWideKeyword::none;  ///< never revert_layer
-    std::optional<std::string_view> value{};        ///< raw; nothing where there is a keyword
+    css::WideKeyword keyword = css::WideKeyword::none;  ///< never revert_layer
+    std::optional<std::string_view> value{};            ///< raw; nothing where there is a keyword
   };
 
   /// The winner among style="", the style sheets and the element's attribute, as CSS orders them.
   /// What style="" and the sheets say is as CSS keeps it, an attribute is as it was written.
-  Cascaded cascaded(Element element, CssProperty property);
+  Cascaded cascaded(Element element, css::Property property);
   /// The element's value of a property, its parent's where CSS says so; nothing where it is
   /// initial. Properties that are inherited go by the document's tree, through no <use>.
-  std::optional<std::string_view> property(Element element, CssProperty property);
+  std::optional<std::string_view> property(Element element, css::Property property);
   /// A property that is one keyword, in lower case; empty where it is none.
-  std::string keyword(Element element, CssProperty property);
+  std::string keyword(Element element, css::Property property);
   /// Whether style="" or a style sheet gives a property a value other than `none`.
-  bool is_styled(Element element, CssProperty property);
+  bool is_styled(Element element, css::Property property);
   /// Of texts that are read by the tokens of CSS.
-  TextPoll& text_poll() { return text_poll_; }
+  css::TextPoll& text_poll() { return text_poll_; }
 
   /// The element that href="" refers to. Errors: bad_input.
   Result<Element> referred(Element element);
@@ -93,8 +93,8 @@ class Input {
   /// A property in some style="".
   struct Styled {
     const void* element;
-    CssProperty property;
-    CssSetting setting;
+    css::Property property;
+    css::Setting setting;
   };
 
   /// What an element's own style="" says.
@@ -118,16 +118,16 @@ class Input {
   static bool is_before(const Styled& a, const Styled& b);
   Status read_style_sheet(Element element);
   bool applies(Element style);
-  void warn_of_dropped(Element element, const std::optional<CssDeclaration>& dropped);
-  std::optional<CssSetting> styled(Element element, CssProperty property);
-  std::optional<CssSetting> in_sheet(Element element, CssProperty property) const;
-  CssWideKeyword wide_keyword(std::string_view value);
+  void warn_of_dropped(Element element, const std::optional<css::Declaration>& dropped);
+  std::optional<css::Setting> styled(Element element, css::Property property);
+  std::optional<css::Setting> in_sheet(Element element, css::Property property) const;
+  css::WideKeyword wide_keyword(std::string_view value);
 
   Context& context_;
   RarePoll<256> poll_;
-  TextPoll text_poll_;
-  XmlSource xml_;
-  Warnings warnings_;
+  css::TextPoll text_poll_;
+  text::XmlSource xml_;
+  text::Warnings warnings_;
   ScopedCharge charge_;
   /// Sorted. No hash table: a document could choose ids of one hash.
   std::vector<IdElement> ids_;
@@ -135,11 +135,11 @@ class Input {
   std::size_t used_bytes_ = 0;
   /// Of elements with many children, by their place in memory: a paint is read for each curve.
   std::unordered_map<std::size_t, std::size_t> counted_children_;
-  StyleSheet sheet_;
+  css::StyleSheet sheet_;
   std::deque<std::string> sheet_texts_;  ///< of those that are in several pieces
   std::vector<Styled> styles_;           ///< sorted by element and property
   ElementStyle last_styled_;
-  std::array<Inherited, kCssPropertyCount> inherited_{};
+  std::array<Inherited, css::kPropertyCount> inherited_{};
 };
 
 /// "<path>", for messages.

@@ -27,14 +27,15 @@ bool is_text(pugi::xml_node node) {
 Status Input::read_style(Element element) {
   const auto text = attribute(element, "style");
   if (!text) return ok_status();
-  CssStyle style;
-  CssTokenizer tokens(*text, text_poll_);
-  read_declarations(tokens, false,
-                    [&](const CssDeclaration& declaration) { style.add(declaration, text_poll_); });
+  css::Style style;
+  css::Tokenizer tokens(*text, text_poll_);
+  css::read_declarations(tokens, false, [&](const css::Declaration& declaration) {
+    style.add(declaration, text_poll_);
+  });
   if (Status status = text_poll_.status(); !status) return status;
   warn_of_dropped(element, style.dropped());
-  for (std::size_t i = 0; i < kCssPropertyCount; ++i) {
-    const auto property = static_cast<CssProperty>(i);
+  for (std::size_t i = 0; i < css::kPropertyCount; ++i) {
+    const auto property = static_cast<css::Property>(i);
     if (!style[property]) continue;
     if (Status status = charge(element, kGrowth * sizeof(Styled), "styles"); !status) return status;
     styles_.push_back({element.internal_object(), property, *style[property]});
@@ -51,14 +52,14 @@ Status Input::sort_styles() {
   return sort_large(context_, styles_, is_before);
 }
 
-void Input::warn_of_dropped(Element element, const std::optional<CssDeclaration>& dropped) {
-  const auto property = dropped ? css_property_of(dropped->name) : std::nullopt;
+void Input::warn_of_dropped(Element element, const std::optional<css::Declaration>& dropped) {
+  const auto property = dropped ? css::property_of(dropped->name) : std::nullopt;
   if (!property) return;
-  const std::string name = css_property_name(*property);
+  const std::string name = css::property_name(*property);
   warn("/declaration " + name, element,
-       quoted(name + ": " + std::string(dropped->value.substr(0, 64))) +
+       text::quoted(name + ": " + std::string(dropped->value.substr(0, 64))) +
            " is left out: its value is not understood" +
-           css_value_hint(*property, dropped->value, text_poll_));
+           css::value_hint(*property, dropped->value, text_poll_));
 }
 
 /// Whether a <style> is a sheet of CSS for a screen.
@@ -66,17 +67,17 @@ bool Input::applies(Element style) {
   const std::string_view type = style.attribute("type").value();
   if (!type.empty() && ascii_lower(type.substr(0, 64)) != "text/css") {
     warn("/style type", style,
-         "the <style> is of type " + quoted(type) + " and is left out; expected text/css");
+         "the <style> is of type " + text::quoted(type) + " and is left out; expected text/css");
     return false;
   }
   const std::string_view media = style.attribute("media").value();
-  const CssMedia fits = css_media(media, text_poll_);
-  if (fits == CssMedia::unknown) {
+  const css::Media fits = css::media_of(media, text_poll_);
+  if (fits == css::Media::unknown) {
     warn("/style media", style,
-         "the <style> for " + quoted(media) +
+         "the <style> for " + text::quoted(media) +
              " is left out: it asks for more than a kind of media; expected screen or all");
   }
-  return fits == CssMedia::matches;
+  return fits == css::Media::matches;
 }
 
 Status Input::read_style_sheet(Element element) {
@@ -95,7 +96,7 @@ Status Input::read_style_sheet(Element element) {
     if (is_second) sheet_texts_.emplace_back(sheet);
     sheet = sheet_texts_.back() += piece;
   }
-  const StyleSheet::Notes notes = sheet_.add(sheet, limits().style_values, text_poll_);
+  const css::StyleSheet::Notes notes = sheet_.add(sheet, limits().style_values, text_poll_);
   if (Status status = text_poll_.status(); !status) return status;
   if (sheet_.value_count() > limits().style_values) {
     return over_limit(element, &Limits::style_values, "values in style sheets");
@@ -103,12 +104,12 @@ Status Input::read_style_sheet(Element element) {
   warn_of_dropped(element, notes.dropped);
   if (notes.left_out.empty()) return ok_status();
   warn("/style sheet", element,
-       "the style rule " + quoted(notes.left_out) +
+       "the style rule " + text::quoted(notes.left_out) +
            " is not read; expected simple selectors: an element, .class or #id");
   return ok_status();
 }
 
-std::optional<CssSetting> Input::styled(Element element, CssProperty property) {
+std::optional<css::Setting> Input::styled(Element element, css::Property property) {
   if (styles_.empty()) return std::nullopt;
   const void* asked = element.internal_object();
   if (last_styled_.element != asked) {
@@ -122,51 +123,51 @@ std::optional<CssSetting> Input::styled(Element element, CssProperty property) {
   return std::nullopt;
 }
 
-std::optional<CssSetting> Input::in_sheet(Element element, CssProperty property) const {
+std::optional<css::Setting> Input::in_sheet(Element element, css::Property property) const {
   if (sheet_.empty()) return std::nullopt;
   return sheet_.find(element.name(), element.attribute("id").value(),
                      element.attribute("class").value(), property);
 }
 
-bool Input::is_styled(Element element, CssProperty property) {
+bool Input::is_styled(Element element, css::Property property) {
   for (const auto& setting : {styled(element, property), in_sheet(element, property)}) {
-    if (!setting || wide_keyword(setting->value) != CssWideKeyword::none) continue;
-    if (css_keyword(setting->value, text_poll_) != "none") return true;
+    if (!setting || wide_keyword(setting->value) != css::WideKeyword::none) continue;
+    if (css::keyword_of(setting->value, text_poll_) != "none") return true;
   }
   return false;
 }
 
-CssWideKeyword Input::wide_keyword(std::string_view value) {
+css::WideKeyword Input::wide_keyword(std::string_view value) {
   // Most values are told from these words by how they begin.
   constexpr std::string_view kBeginnings = "iIuUrR\\/";
   if (value.empty() || kBeginnings.find(value.front()) == std::string_view::npos) {
-    return CssWideKeyword::none;
+    return css::WideKeyword::none;
   }
-  return css_wide_keyword(value, text_poll_);
+  return css::wide_keyword(value, text_poll_);
 }
 
-Input::Cascaded Input::cascaded(Element element, CssProperty property) {
+Input::Cascaded Input::cascaded(Element element, css::Property property) {
   std::array<std::optional<std::string_view>, 3> candidates;
-  const std::optional<CssSetting> own = styled(element, property);
-  const std::optional<CssSetting> sheet = in_sheet(element, property);
+  const std::optional<css::Setting> own = styled(element, property);
+  const std::optional<css::Setting> sheet = in_sheet(element, property);
   if (own) candidates[0] = own->value;
   if (sheet) candidates[1] = sheet->value;
   if (sheet && sheet->is_important && !(own && own->is_important)) {
     std::swap(candidates[0], candidates[1]);
   }
-  if (const auto written = attribute(element, css_property_name(property))) {
+  if (const auto written = attribute(element, css::property_name(property))) {
     candidates[2] = ascii_trimmed(*written);
   }
   for (const auto& candidate : candidates) {
     if (!candidate) continue;
-    const CssWideKeyword keyword = wide_keyword(*candidate);
-    if (keyword == CssWideKeyword::none) return {keyword, candidate};
-    if (keyword != CssWideKeyword::revert_layer) return {keyword, std::nullopt};
+    const css::WideKeyword keyword = wide_keyword(*candidate);
+    if (keyword == css::WideKeyword::none) return {keyword, candidate};
+    if (keyword != css::WideKeyword::revert_layer) return {keyword, std::nullopt};
   }
   return {};
 }
 
-std::optional<std::string_view> Input::property(Element element, CssProperty property) {
+std::optional<std::string_view> Input::property(Element element, css::Property property) {
   Inherited& known = inherited_[static_cast<std::size_t>(property)];
   const void* asked = nullptr;  // the parent whose value is taken
   std::optional<std::string_view> value;
@@ -177,8 +178,8 @@ std::optional<std::string_view> Input::property(Element element, CssProperty pro
     }
     const Cascaded own = cascaded(element, property);
     value = own.value;
-    const bool goes_up = own.keyword == CssWideKeyword::inherit ||
-                         (own.keyword != CssWideKeyword::initial && is_inherited(property));
+    const bool goes_up = own.keyword == css::WideKeyword::inherit ||
+                         (own.keyword != css::WideKeyword::initial && is_inherited(property));
     if (value || !goes_up) break;
     if (!asked) asked = element.parent().internal_object();
   }
@@ -186,9 +187,9 @@ std::optional<std::string_view> Input::property(Element element, CssProperty pro
   return value;
 }
 
-std::string Input::keyword(Element element, CssProperty property) {
+std::string Input::keyword(Element element, css::Property property) {
   const auto value = this->property(element, property);
-  return value ? css_keyword(*value, text_poll_).value_or("") : std::string();
+  return value ? css::keyword_of(*value, text_poll_).value_or("") : std::string();
 }
 
 }  // namespace sfumato::svg

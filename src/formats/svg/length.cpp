@@ -50,11 +50,12 @@ Result<double> parse_length(std::string_view text, const Box& viewport, Axis axi
     const double value = number * unit.pixels;
     if (std::abs(value) <= limits::kCoordinate) return value;
     return make_error(StatusCode::bad_input,
-                      quoted(text) + " is too long; expected a magnitude of at most " +
+                      text::quoted(text) + " is too long; expected a magnitude of at most " +
                           std::to_string(static_cast<long>(limits::kCoordinate)) + " px");
   }
-  return make_error(StatusCode::bad_input,
-                    quoted(text) + " has an unknown unit; expected px, pt, pc, mm, cm, in or %");
+  return make_error(
+      StatusCode::bad_input,
+      text::quoted(text) + " has an unknown unit; expected px, pt, pc, mm, cm, in or %");
 }
 
 }  // namespace sfumato::svg

@@ -31,7 +31,8 @@ QualifiedName split(std::string_view name) {
 
 class Resolver {
  public:
-  Resolver(const Context& context, XmlSource& xml) : context_(context), poll_(context), xml_(xml) {}
+  Resolver(const Context& context, text::XmlSource& xml)
+      : context_(context), poll_(context), xml_(xml) {}
 
   Status resolve(pugi::xml_node element);
 
@@ -47,7 +48,7 @@ class Resolver {
 
   const Context& context_;
   RarePoll<256> poll_;
-  XmlSource& xml_;
+  text::XmlSource& xml_;
   /// What each prefix means now, the innermost last; the empty one is the default's.
   std::map<std::string_view, std::vector<Space>> meanings_;
 };
@@ -74,7 +75,7 @@ Status Resolver::bind(pugi::xml_node element, std::vector<std::string_view>& bou
                         : uri == kSfumato ? Space::sfumato
                                           : Space::other;
     if (space == Space::other && uri.starts_with(kAnySfumato)) {
-      return error(element, "the namespace " + quoted(uri) +
+      return error(element, "the namespace " + text::quoted(uri) +
                                 " is not known; expected \"urn:sfumato:1\", the format that this "
                                 "version reads");
     }
@@ -160,7 +161,7 @@ Status Resolver::resolve_children(pugi::xml_node element) {
 
 }  // namespace
 
-Status resolve_namespaces(const Context& context, XmlSource& xml) {
+Status resolve_namespaces(const Context& context, text::XmlSource& xml) {
   pugi::xml_node root = xml.root();
   const QualifiedName name = split(root.name());
   if (!name.prefix.empty()) root.set_name(std::string(name.local).c_str());

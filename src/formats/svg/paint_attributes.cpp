@@ -84,7 +84,7 @@ Result<bool> PaintAttributes::in_bounding_box(const char* name, bool by_default)
   if (!units) return by_default;
   if (*units == "objectBoundingBox") return true;
   if (*units == "userSpaceOnUse") return false;
-  return input_->error(bearer(name), std::string(name) + " is " + quoted(*units) +
+  return input_->error(bearer(name), std::string(name) + " is " + text::quoted(*units) +
                                          "; expected userSpaceOnUse or objectBoundingBox");
 }
 

@@ -59,7 +59,7 @@ Result<std::uint32_t> Paints::pattern(const PaintedShape& shape, Element paint) 
   if (!place) return place.status();
   const Key key = key_of(place->file, place->layer_from_texture, place->period);
   if (const auto known = known_.find(key); known != known_.end()) return known->second;
-  const RgbaImage& image = place->file->image;
+  const codecs::RgbaImage& image = place->file->image;
   Status status = totals_.add_texture(paint, image.rgba.size() / 4);
   if (status) status = input_.charge(paint, place->file->file.size(), "texture files");
   if (!status) return status;

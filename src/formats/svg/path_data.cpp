@@ -42,7 +42,7 @@ class PathReader {
   bool next_is_number() const;
 
   Context& context_;
-  TextPoll poll_;
+  css::TextPoll poll_;
   Scanner scanner_;
   PathBuilder builder_;
   char command_ = 0;  ///< in upper case

@@ -27,7 +27,7 @@ SideLength read_side(Input& input, const char* name, const Box& view_box, Axis a
   if (!text || ascii_lower(ascii_trimmed(*text)) == "auto") return {};
   const Result<double> length = parse_length(*text, view_box, axis);
   if (length && *length > 0) return {*length, ascii_trimmed(*text).ends_with('%')};
-  const std::string wrong = length ? " is " + quoted(*text) + "; expected a length above 0"
+  const std::string wrong = length ? " is " + text::quoted(*text) + "; expected a length above 0"
                                    : ": " + length.status().message;
   input.warn(std::string("/svg ") + name, input.root(),
              std::string(name) + " of <svg>" + wrong + ": the viewBox says the size");

@@ -28,9 +28,9 @@ Status SceneReader::read_plain(Element element, const Place& place) {
   shape.even_odd = style.even_odd();
   shape.stroke_first = style.stroke_first();
   const PaintedShape painted{element, place.frame_from_user, bounds(*subpaths)};
-  auto fill = style.paint(CssProperty::fill, paints_, painted);
+  auto fill = style.paint(css::Property::fill, paints_, painted);
   if (!fill) return fill.status();
-  auto stroke = style.paint(CssProperty::stroke, paints_, painted);
+  auto stroke = style.paint(css::Property::stroke, paints_, painted);
   if (!stroke) return stroke.status();
   shape.fill = *fill;
   if (*stroke) {

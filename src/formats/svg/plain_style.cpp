@@ -16,46 +16,46 @@ constexpr std::size_t kDashes = 64;  ///< of one list; more are left out
 
 }  // namespace
 
-std::string_view PlainStyle::property(CssProperty which, std::string_view initial) const {
+std::string_view PlainStyle::property(css::Property which, std::string_view initial) const {
   const Input::Cascaded own = input_.cascaded(shape_, which);
   if (own.value) return *own.value;
-  if (own.keyword == CssWideKeyword::initial) return initial;
+  if (own.keyword == css::WideKeyword::initial) return initial;
   for (std::size_t i = around_.size(); i-- > 0;) {
     const Input::Cascaded outer = input_.cascaded(around_[i], which);
     if (outer.value) return *outer.value;
-    if (outer.keyword == CssWideKeyword::initial) break;
+    if (outer.keyword == css::WideKeyword::initial) break;
   }
   return initial;
 }
 
-std::string PlainStyle::keyword(CssProperty which) const {
-  return css_keyword(property(which, ""), input_.text_poll()).value_or("");
+std::string PlainStyle::keyword(css::Property which) const {
+  return css::keyword_of(property(which, ""), input_.text_poll()).value_or("");
 }
 
 bool PlainStyle::stroke_first() const {
-  const std::string_view text = property(CssProperty::paint_order, "normal");
-  const std::optional<PaintOrder> order = css_paint_order(text, input_.text_poll());
+  const std::string_view text = property(css::Property::paint_order, "normal");
+  const std::optional<css::PaintOrder> order = css::paint_order_of(text, input_.text_poll());
   if (!order) {
     input_.warn("/plain paint-order", shape_,
-                "paint-order of " + tag(shape_) + " is " + quoted(text.substr(0, 64)) +
+                "paint-order of " + tag(shape_) + " is " + text::quoted(text.substr(0, 64)) +
                     "; expected normal, or fill, stroke and markers in an order; normal is used");
   }
-  return order == PaintOrder::stroke_first;
+  return order == css::PaintOrder::stroke_first;
 }
 
-float PlainStyle::opacity(CssProperty which) const {
-  return static_cast<float>(css_share(property(which, "1"), input_.text_poll()).value_or(1));
+float PlainStyle::opacity(css::Property which) const {
+  return static_cast<float>(css::share_of(property(which, "1"), input_.text_poll()).value_or(1));
 }
 
-Result<std::optional<PlainPaint>> PlainStyle::color_paint(CssProperty which,
+Result<std::optional<PlainPaint>> PlainStyle::color_paint(css::Property which,
                                                           std::string_view text) {
-  const std::string word = css_keyword(text, input_.text_poll()).value_or("");
+  const std::string word = css::keyword_of(text, input_.text_poll()).value_or("");
   if (ascii_trimmed(text).empty() || word == "none") return std::optional<PlainPaint>();
-  if (word == "currentcolor") text = property(CssProperty::color, "black");
-  const Result<CssColor> color = parse_css_color(text, input_.text_poll());
+  if (word == "currentcolor") text = property(css::Property::color, "black");
+  const Result<css::Color> color = css::parse_color(text, input_.text_poll());
   if (!color && !can_be_left_out(color.status())) return color.status();
   if (!color) {
-    const std::string name = css_property_name(which);
+    const std::string name = css::property_name(which);
     input_.warn("/plain " + name, shape_,
                 name + " of " + tag(shape_) + " is left out: " + color.status().message);
     return std::optional<PlainPaint>();
@@ -63,7 +63,8 @@ Result<std::optional<PlainPaint>> PlainStyle::color_paint(CssProperty which,
   return std::optional(PlainPaint{color->color, 0, color->alpha});
 }
 
-Result<std::optional<PlainPaint>> PlainStyle::server_paint(CssProperty which, std::string_view url,
+Result<std::optional<PlainPaint>> PlainStyle::server_paint(css::Property which,
+                                                           std::string_view url,
                                                            std::string_view fallback,
                                                            Paints& paints,
                                                            const PaintedShape& shape) {
@@ -73,58 +74,59 @@ Result<std::optional<PlainPaint>> PlainStyle::server_paint(CssProperty which, st
   if (!can_be_left_out(shader.status())) return shader.status();
   if (!ascii_trimmed(fallback).empty()) return color_paint(which, fallback);
   input_.warn("/plain paint", shape_,
-              std::string(css_property_name(which)) + " of " + tag(shape_) +
+              std::string(css::property_name(which)) + " of " + tag(shape_) +
                   " is left out: " + shader.status().message);
   return std::optional<PlainPaint>();
 }
 
-Result<std::optional<PlainPaint>> PlainStyle::paint(CssProperty which, Paints& paints,
+Result<std::optional<PlainPaint>> PlainStyle::paint(css::Property which, Paints& paints,
                                                     const PaintedShape& shape) {
-  const bool is_fill = which == CssProperty::fill;
+  const bool is_fill = which == css::Property::fill;
   const std::string_view text = property(which, is_fill ? "black" : "none");
-  CssTokenizer tokens(text, input_.text_poll());
-  const CssToken first = next_solid(tokens);
-  const std::optional<std::string> url = take_css_url(tokens, first);
+  css::Tokenizer tokens(text, input_.text_poll());
+  const css::Token first = next_solid(tokens);
+  const std::optional<std::string> url = css::take_url(tokens, first);
   Result<std::optional<PlainPaint>> result =
       url ? server_paint(which, *url, text.substr(tokens.position()), paints, shape)
           : color_paint(which, text);
   if (!result || !*result) return result;
-  (*result)->opacity *= opacity(is_fill ? CssProperty::fill_opacity : CssProperty::stroke_opacity);
+  (*result)->opacity *=
+      opacity(is_fill ? css::Property::fill_opacity : css::Property::stroke_opacity);
   if ((*result)->opacity <= 0) return std::optional<PlainPaint>();
   return result;
 }
 
-Result<double> PlainStyle::length(CssProperty which, std::string_view text) const {
+Result<double> PlainStyle::length(css::Property which, std::string_view text) const {
   Result<double> value = parse_length(text, viewport_, Axis::diagonal);
-  return value ? value : input_.in(shape_, css_property_name(which), value.status());
+  return value ? value : input_.in(shape_, css::property_name(which), value.status());
 }
 
 Result<StrokeStyle> PlainStyle::stroke_style() const {
   StrokeStyle style;
   const Result<double> width =
-      length(CssProperty::stroke_width, property(CssProperty::stroke_width, "1"));
+      length(css::Property::stroke_width, property(css::Property::stroke_width, "1"));
   if (!width) return width.status();
   style.width = *width;
-  const std::string cap = keyword(CssProperty::stroke_linecap);
-  const std::string join = keyword(CssProperty::stroke_linejoin);
+  const std::string cap = keyword(css::Property::stroke_linecap);
+  const std::string join = keyword(css::Property::stroke_linejoin);
   if (cap == "round") style.cap = StrokeCap::round;
   if (cap == "square") style.cap = StrokeCap::square;
   if (join == "round") style.join = StrokeJoin::round;
   if (join == "bevel") style.join = StrokeJoin::bevel;
-  const auto limit = parse_number(property(CssProperty::stroke_miterlimit, "4"));
+  const auto limit = parse_number(property(css::Property::stroke_miterlimit, "4"));
   if (limit && *limit >= 1) style.miter_limit = *limit;
   if (Status status = read_dashes(style); !status) return status;
   return style;
 }
 
 Status PlainStyle::read_dashes(StrokeStyle& style) const {
-  std::string_view text = property(CssProperty::stroke_dasharray, "none");
+  std::string_view text = property(css::Property::stroke_dasharray, "none");
   if (text == "none") return ok_status();
   double sum = 0;
   while (!text.empty() && style.dashes.size() < kDashes) {
     const std::size_t end = std::min(text.find_first_of(", \t\n\r"), text.size());
     if (end > 0) {
-      const Result<double> dash = length(CssProperty::stroke_dasharray, text.substr(0, end));
+      const Result<double> dash = length(css::Property::stroke_dasharray, text.substr(0, end));
       if (!dash) return dash.status();
       if (*dash < 0) return ok_status();
       style.dashes.push_back(*dash);
@@ -138,7 +140,7 @@ Status PlainStyle::read_dashes(StrokeStyle& style) const {
     for (std::size_t i = 0; i < count; ++i) style.dashes.push_back(style.dashes[i]);
   }
   const Result<double> offset =
-      length(CssProperty::stroke_dashoffset, property(CssProperty::stroke_dashoffset, "0"));
+      length(css::Property::stroke_dashoffset, property(css::Property::stroke_dashoffset, "0"));
   if (!offset) return offset.status();
   style.dash_offset = *offset;
   return ok_status();

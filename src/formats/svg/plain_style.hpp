@@ -22,22 +22,22 @@ class PlainStyle {
   /// What `fill` or `stroke` paints; none where that is nothing. A paint that cannot be read is
   /// the colour that is written behind it, or nothing, with a warning.
   /// Errors: limit, cancelled, out_of_memory.
-  Result<std::optional<PlainPaint>> paint(CssProperty which, Paints& paints,
+  Result<std::optional<PlainPaint>> paint(css::Property which, Paints& paints,
                                           const PaintedShape& shape);
-  bool even_odd() const { return keyword(CssProperty::fill_rule) == "evenodd"; }
+  bool even_odd() const { return keyword(css::Property::fill_rule) == "evenodd"; }
   bool stroke_first() const;
   /// Errors: bad_input.
   Result<StrokeStyle> stroke_style() const;
 
  private:
-  std::string_view property(CssProperty which, std::string_view initial) const;
-  std::string keyword(CssProperty which) const;
-  Result<std::optional<PlainPaint>> color_paint(CssProperty which, std::string_view text);
-  Result<std::optional<PlainPaint>> server_paint(CssProperty which, std::string_view url,
+  std::string_view property(css::Property which, std::string_view initial) const;
+  std::string keyword(css::Property which) const;
+  Result<std::optional<PlainPaint>> color_paint(css::Property which, std::string_view text);
+  Result<std::optional<PlainPaint>> server_paint(css::Property which, std::string_view url,
                                                  std::string_view fallback, Paints& paints,
                                                  const PaintedShape& shape);
-  float opacity(CssProperty which) const;
-  Result<double> length(CssProperty which, std::string_view text) const;
+  float opacity(css::Property which) const;
+  Result<double> length(css::Property which, std::string_view text) const;
   Status read_dashes(StrokeStyle& style) const;
 
   Input& input_;

@@ -11,7 +11,7 @@
 #include "document/document.hpp"
 #include "formats/text/reading.hpp"
 
-namespace sfumato {
+namespace sfumato::svg {
 
 /// What a shape of ordinary SVG is filled or stroked with.
 struct PlainPaint {
@@ -61,4 +61,4 @@ struct PlainSvg {
 Result<PlainSvg> read_plain_svg(Context& context, std::string_view text, const std::string& file,
                                 const ResourceLoader* loader = nullptr);
 
-}  // namespace sfumato
+}  // namespace sfumato::svg

@@ -101,7 +101,7 @@ Status Scanner::error(std::string_view expected) const {
     message = "ends too early";
   } else {
     message = "at character " + std::to_string(count_characters(text_.substr(0, at_)) + 1) +
-              ", before " + quoted(shown(rest()));
+              ", before " + text::quoted(shown(rest()));
   }
   return make_error(StatusCode::bad_input, message + ": expected " + std::string(expected));
 }

@@ -94,7 +94,7 @@ void SceneReader::warn_of_unused() {
 Status SceneReader::visit(Element element, Place place) {
   if (Status status = count_visit(element, place); !status) return status;
   const std::string_view name = element.name();
-  if (paints_nothing(name) || input_.keyword(element, CssProperty::display) == "none") {
+  if (paints_nothing(name) || input_.keyword(element, css::Property::display) == "none") {
     return ok_status();
   }
   place.is_visible = is_visible(element, place.is_visible);
@@ -113,10 +113,10 @@ Status SceneReader::visit(Element element, Place place) {
 
 /// `visibility`, which is inherited through <use> too.
 bool SceneReader::is_visible(Element element, bool inherited) {
-  const Input::Cascaded visibility = input_.cascaded(element, CssProperty::visibility);
-  if (visibility.keyword == CssWideKeyword::initial) return true;
+  const Input::Cascaded visibility = input_.cascaded(element, css::Property::visibility);
+  if (visibility.keyword == css::WideKeyword::initial) return true;
   if (!visibility.value) return inherited;
-  return css_keyword(*visibility.value, input_.text_poll()) == "visible";
+  return css::keyword_of(*visibility.value, input_.text_poll()) == "visible";
 }
 
 Status SceneReader::visit_known(Element element, const Place& place) {
@@ -146,7 +146,7 @@ Status SceneReader::check_map(Element element, const Affine& map) {
 }
 
 Result<Affine> SceneReader::own_transform(Element element) {
-  if (input_.is_styled(element, CssProperty::transform)) {
+  if (input_.is_styled(element, css::Property::transform)) {
     input_.warn("/style transform", element,
                 "a transform in style is not read; expected the attribute transform");
   }
@@ -187,7 +187,7 @@ Status SceneReader::visit_group(Element element, const Place& place) {
   const std::string_view diffuse = input_.sf(element, "diffuse").value_or("false");
   if (diffuse == "true") return draw_layer(element, place);
   if (diffuse != "false") {
-    return input_.error(element, "sf:diffuse of " + tag(element) + " is " + quoted(diffuse) +
+    return input_.error(element, "sf:diffuse of " + tag(element) + " is " + text::quoted(diffuse) +
                                      "; expected true or false");
   }
   const Result<OpenGroup> group = open_group(element, place);
@@ -225,7 +225,7 @@ Result<Affine> SceneReader::viewport_transform(Element element, Element use) {
     if (!parsed) return input_.in(element, "preserveAspectRatio", parsed.status());
     ratio = *parsed;
   }
-  if (input_.keyword(element, CssProperty::overflow) != "visible") {
+  if (input_.keyword(element, css::Property::overflow) != "visible") {
     input_.warn("/overflow", element,
                 tag(element) + " is not clipped to its viewport; expected overflow=\"visible\"");
   }

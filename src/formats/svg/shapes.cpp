@@ -71,7 +71,7 @@ Status ShapeReader::charge_bound(std::string_view text, ScopedCharge& charge) {
                              "control points");
   if (!status) return input_.placed(element_, status);
   // A long text has been looked through once by now.
-  return text.size() < TextPoll::kBytes ? ok_status() : input_.context().check();
+  return text.size() < css::TextPoll::kBytes ? ok_status() : input_.context().check();
 }
 
 Result<Subpaths> ShapeReader::read_path() {

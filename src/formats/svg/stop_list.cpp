@@ -30,14 +30,14 @@ struct Item {
   bool has_comma = false;
 };
 
-Item take_item(CssTokenizer& tokens) {
+Item take_item(css::Tokenizer& tokens) {
   Item item;
   bool is_new = true;
   for (;;) {
-    const CssToken token = tokens.next();
-    item.has_comma = token.is(CssTokenType::comma);
-    if (item.has_comma || token.is(CssTokenType::end)) return item;
-    if (token.is(CssTokenType::whitespace)) {
+    const css::Token token = tokens.next();
+    item.has_comma = token.is(css::TokenType::comma);
+    if (item.has_comma || token.is(css::TokenType::end)) return item;
+    if (token.is(css::TokenType::whitespace)) {
       is_new = true;
       continue;
     }
@@ -64,7 +64,7 @@ std::string offset_hint(std::string_view text, std::string_view value, ParseValu
     return "; did you mean " + rounded_number_text(percent, 4) + "%?";
   }
   if (!is_value(text)) return {};
-  return "; did you mean " + quoted(std::string(value) + ", " + std::string(text)) + "?";
+  return "; did you mean " + text::quoted(std::string(value) + ", " + std::string(text)) + "?";
 }
 
 template <class Value>
@@ -94,20 +94,21 @@ Status parse_item(const Item& item, WrittenStop<Value>& stop, ParseValue parse_v
       Value ignored{};
       return text.size() <= kLongestHint && parse_value(text, ignored).ok();
     };
-    return bad("the offset " + quoted(offset) +
+    return bad("the offset " + text::quoted(offset) +
                " is none; expected 0% to 100% of the length, or @ and a segment like @2.5" +
                offset_hint(offset.substr(0, kLongestHint), item.part[0], is_value));
   }
   if (item.count == 2) return ok_status();
-  return bad(quoted(item.part[2]) + " follows the offset " + quoted(offset) + "; expected a comma");
+  return bad(text::quoted(item.part[2]) + " follows the offset " + text::quoted(offset) +
+             "; expected a comma");
 }
 
 template <class Value, class ParseValue>
-Result<std::vector<WrittenStop<Value>>> parse_stops(std::string_view text, TextPoll& poll,
+Result<std::vector<WrittenStop<Value>>> parse_stops(std::string_view text, css::TextPoll& poll,
                                                     ParseValue parse_value) {
   std::vector<WrittenStop<Value>> stops;
   stops.reserve(stop_bound(text));
-  CssTokenizer tokens(text, poll);
+  css::Tokenizer tokens(text, poll);
   for (bool goes_on = true; goes_on;) {
     const Item item = take_item(tokens);
     if (Status status = poll.status(); !status) return status;
@@ -120,22 +121,23 @@ Result<std::vector<WrittenStop<Value>>> parse_stops(std::string_view text, TextP
 }
 
 /// Whether the text is what a side can be instead of a list.
-bool is_no_list(std::string_view text, TextPoll& poll) {
-  CssTokenizer tokens(text, poll);
-  const CssToken first = tokens.next();
-  if (first.is(CssTokenType::ident)) return css_is_name(first.value, "none");
-  return first.is(CssTokenType::url) || first.is(CssTokenType::bad_url) ||
-         (first.is(CssTokenType::function) && css_is_name(first.value, "url"));
+bool is_no_list(std::string_view text, css::TextPoll& poll) {
+  css::Tokenizer tokens(text, poll);
+  const css::Token first = tokens.next();
+  if (first.is(css::TokenType::ident)) return css::is_named(first.value, "none");
+  return first.is(css::TokenType::url) || first.is(css::TokenType::bad_url) ||
+         (first.is(css::TokenType::function) && css::is_named(first.value, "url"));
 }
 
-Status parse_opaque(std::string_view text, TextPoll& poll, Rgb& color) {
-  const Result<CssColor> parsed = parse_css_color(text, poll);
+Status parse_opaque(std::string_view text, css::TextPoll& poll, Rgb& color) {
+  const Result<css::Color> parsed = css::parse_color(text, poll);
   if (!parsed && is_no_list(text, poll)) {
-    return bad(quoted(text) + " is no stop; expected it alone, without other stops and offsets");
+    return bad(text::quoted(text) +
+               " is no stop; expected it alone, without other stops and offsets");
   }
   if (!parsed) return parsed.status();
   if (parsed->alpha < 1) {
-    return bad("the colour " + quoted(text) +
+    return bad("the colour " + text::quoted(text) +
                " is not opaque; expected an opaque colour, and sf:left-opacity, sf:right-opacity "
                "or sf:opacity for the opacity");
   }
@@ -183,19 +185,22 @@ std::string share_hint(std::string_view text, double largest) {
   return "; did you mean " + rounded_number_text(*percent / 100, 6) + "?";
 }
 
-Result<std::vector<WrittenStop<Rgb>>> parse_color_stops(std::string_view text, TextPoll& poll) {
+Result<std::vector<WrittenStop<Rgb>>> parse_color_stops(std::string_view text,
+                                                        css::TextPoll& poll) {
   return parse_stops<Rgb>(text, poll, [&poll](std::string_view value, Rgb& color) {
     return parse_opaque(value, poll, color);
   });
 }
 
 Result<std::vector<WrittenStop<float>>> parse_scalar_stops(std::string_view text, double largest,
-                                                           std::string_view what, TextPoll& poll) {
+                                                           std::string_view what,
+                                                           css::TextPoll& poll) {
   const auto parse_value = [largest, what](std::string_view token, float& value) {
     const std::optional<double> number = parse_number(token);
     if (!number || !(*number >= 0 && *number <= largest)) {
-      return bad(quoted(token) + " is no " + std::string(what) + "; expected a number from 0 to " +
-                 std::to_string(static_cast<long>(largest)) + share_hint(token, largest));
+      return bad(text::quoted(token) + " is no " + std::string(what) +
+                 "; expected a number from 0 to " + std::to_string(static_cast<long>(largest)) +
+                 share_hint(token, largest));
     }
     value = static_cast<float>(*number);
     return ok_status();
@@ -204,14 +209,16 @@ Result<std::vector<WrittenStop<float>>> parse_scalar_stops(std::string_view text
 }
 
 Result<std::vector<WrittenStop<float>>> parse_length_stops(std::string_view text,
-                                                           std::string_view what, TextPoll& poll) {
+                                                           std::string_view what,
+                                                           css::TextPoll& poll) {
   const auto parse_value = [what](std::string_view token, float& value) {
     static constexpr Box kNone{{0, 0}, {1, 1}};
     const bool is_share = token.ends_with('%');
     const Result<double> length = is_share ? bad({}) : parse_length(token, kNone, Axis::x);
     if (!length || *length < 0) {
       const bool has_unit = is_digit(token.front()) && !is_digit(token.back());
-      return bad(quoted(token) + " is no " + std::string(what) + "; expected a number from 0 to " +
+      return bad(text::quoted(token) + " is no " + std::string(what) +
+                 "; expected a number from 0 to " +
                  std::to_string(static_cast<long>(limits::kCoordinate)) +
                  (has_unit ? ", perhaps with px, pt, pc, mm, cm or in" : ""));
     }

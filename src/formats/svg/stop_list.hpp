@@ -29,15 +29,17 @@ struct WrittenStop {
 
 /// `value [offset]? (, value [offset]?)*` with CSS colours. Colours that are not opaque are errors.
 /// Errors: bad_input, without a place; what the poll says.
-Result<std::vector<WrittenStop<Rgb>>> parse_color_stops(std::string_view text, TextPoll& poll);
+Result<std::vector<WrittenStop<Rgb>>> parse_color_stops(std::string_view text, css::TextPoll& poll);
 
 /// The same with numbers from 0 to `largest`. `what` names them in messages: "an opacity".
 Result<std::vector<WrittenStop<float>>> parse_scalar_stops(std::string_view text, double largest,
-                                                           std::string_view what, TextPoll& poll);
+                                                           std::string_view what,
+                                                           css::TextPoll& poll);
 
 /// The same with lengths of 0 or more, in user units.
 Result<std::vector<WrittenStop<float>>> parse_length_stops(std::string_view text,
-                                                           std::string_view what, TextPoll& poll);
+                                                           std::string_view what,
+                                                           css::TextPoll& poll);
 
 /// "; did you mean 0.4?" of 40% where a number up to `largest` is expected; else nothing.
 std::string share_hint(std::string_view text, double largest);

@@ -57,7 +57,7 @@ Result<Box> read_artboard(Input& input) {
        {std::tuple("width", Axis::x, &size.x), std::tuple("height", Axis::y, &size.y)}) {
     const std::string_view text = root.attribute(name).value();
     if (ascii_trimmed(text).ends_with('%')) {
-      return input.error(root, std::string(name) + " of <svg> is " + quoted(text) +
+      return input.error(root, std::string(name) + " of <svg> is " + text::quoted(text) +
                                    ", a share of nothing known; expected a viewBox");
     }
     const Result<double> length = svg::parse_length(text, {{0, 0}, {1, 1}}, axis);
@@ -77,7 +77,7 @@ Status read_version(Input& input) {
     return ok_status();
   }
   if (ascii_trimmed(*version) == kVersion) return ok_status();
-  return input.error(input.root(), "sf:version is " + quoted(*version) +
+  return input.error(input.root(), "sf:version is " + text::quoted(*version) +
                                        "; expected 1, the version that is read here");
 }
 
@@ -86,8 +86,8 @@ Status read_interpolation(Input& input, Document& document) {
   if (!text) return ok_status();
   const auto found = std::ranges::find(kSpaces, ascii_trimmed(*text));
   if (found == kSpaces.end()) {
-    return input.error(input.root(),
-                       "sf:interpolation is " + quoted(*text) + "; expected srgb, linear or oklab");
+    return input.error(input.root(), "sf:interpolation is " + text::quoted(*text) +
+                                         "; expected srgb, linear or oklab");
   }
   document.interpolation = static_cast<InterpolationSpace>(found - kSpaces.begin());
   return ok_status();
@@ -96,12 +96,12 @@ Status read_interpolation(Input& input, Document& document) {
 /// sf:background. What a <rect> says counts only where this is absent.
 Status read_background(Input& input, Document& document) {
   const auto text = input.sf(input.root(), "background");
-  if (!text || css_keyword(*text, input.text_poll()) == "none") return ok_status();
-  const Result<CssColor> color = parse_css_color(*text, input.text_poll());
+  if (!text || css::keyword_of(*text, input.text_poll()) == "none") return ok_status();
+  const Result<css::Color> color = css::parse_color(*text, input.text_poll());
   if (!color) return input.in(input.root(), "sf:background", color.status());
   if (color->alpha < 1) {
-    return input.error(
-        input.root(), "sf:background is " + quoted(*text) + "; expected an opaque colour, or none");
+    return input.error(input.root(), "sf:background is " + text::quoted(*text) +
+                                         "; expected an opaque colour, or none");
   }
   document.background = color->color;
   return ok_status();
@@ -155,10 +155,10 @@ Result<ReadDocument> read(Input& input, const ResourceLoader* loader) {
   return ReadDocument{std::move(document), input.take_warnings(), DocumentFormat::svg};
 }
 
-Result<PlainSvg> read_plain(Input& input, const ResourceLoader* loader) {
+Result<svg::PlainSvg> read_plain(Input& input, const ResourceLoader* loader) {
   Result<Begun> begun = begin(input);
   if (!begun) return begun.status();
-  PlainSvg plain{std::move(begun->document), {}, {}, {}};
+  svg::PlainSvg plain{std::move(begun->document), {}, {}, {}};
   Status status = read_interpolation(input, plain.document);
   if (status) status = read_background(input, plain.document);
   if (status) status = svg::SceneReader(input, plain.document, loader, &plain.shapes).read();
@@ -188,8 +188,8 @@ Result<ReadDocument> read_svg(Context& context, std::string_view text, const std
   return public_verb(context, [&] { return read_text(context, text, file, loader, read); });
 }
 
-Result<PlainSvg> read_plain_svg(Context& context, std::string_view text, const std::string& file,
-                                const ResourceLoader* loader) {
+Result<svg::PlainSvg> svg::read_plain_svg(Context& context, std::string_view text,
+                                          const std::string& file, const ResourceLoader* loader) {
   return public_verb(context, [&] { return read_text(context, text, file, loader, read_plain); });
 }
 

@@ -106,7 +106,7 @@ class SvgWriter {
 
  private:
   void order_and_name();
-  svg_write::Attributes root_attributes() const;
+  svg::Attributes root_attributes() const;
   Status write_defs();
   void write_background();
   Status write_stack();
@@ -114,7 +114,7 @@ class SvgWriter {
   void write_item(const LocalStroke& stroke);
   void write_item(const GroupBegin& group);
   void write_item(const GroupEnd&);
-  void write_layer(std::uint32_t layer, const svg_write::Attributes& attributes);
+  void write_layer(std::uint32_t layer, const svg::Attributes& attributes);
   /// What the text is so far, against what can be read back.
   Status check_progress() const;
 
@@ -123,8 +123,8 @@ class SvgWriter {
 
   Context& context_;
   const Document& document_;
-  svg_write::ElementWriter writer_;
-  svg_write::IdPool ids_;
+  svg::ElementWriter writer_;
+  svg::IdPool ids_;
   std::vector<std::uint32_t> use_count_;    ///< per layer
   std::vector<std::uint32_t> layer_order_;  ///< layers as they stand in the text
   std::vector<std::uint32_t> shader_order_;
@@ -168,7 +168,7 @@ void SvgWriter::order_and_name() {
   shader_id_.resize(document_.shaders.size());
   for (const std::uint32_t i : shader_order_) {
     const Shader& shader = document_.shaders[i];
-    shader_id_[i] = ids_.claim_or_make(shader.id, svg_write::kind_of(shader));
+    shader_id_[i] = ids_.claim_or_make(shader.id, svg::kind_of(shader));
   }
   layer_id_.resize(document_.layers.size());
   for (const std::uint32_t i : layer_order_) {
@@ -180,9 +180,9 @@ void SvgWriter::order_and_name() {
   stroke_width_ = rounded_number_text(std::max(artboard.width(), artboard.height()) / 512, 2);
 }
 
-svg_write::Attributes SvgWriter::root_attributes() const {
+svg::Attributes SvgWriter::root_attributes() const {
   const Box& artboard = document_.artboard;
-  svg_write::Attributes attributes;
+  svg::Attributes attributes;
   attributes.add("xmlns", "http://www.w3.org/2000/svg").add("xmlns:sf", "urn:sfumato:1");
   // Inkscape up to 1.2 follows no plain href.
   if (has_references()) attributes.add("xmlns:xlink", "http://www.w3.org/1999/xlink");
@@ -216,7 +216,7 @@ Status SvgWriter::write_defs() {
   if (document_.shaders.empty() && all_in_place) return ok_status();
   writer_.open("defs", {});
   for (const std::uint32_t i : shader_order_) {
-    Status status = svg_write::write_shader(context_, writer_, document_.shaders[i], shader_id_[i]);
+    Status status = svg::write_shader(context_, writer_, document_.shaders[i], shader_id_[i]);
     if (status) status = check_progress();
     if (!status) return status;
   }
@@ -230,7 +230,7 @@ Status SvgWriter::write_defs() {
 
 void SvgWriter::write_background() {
   if (!document_.background) return;
-  svg_write::Attributes attributes;
+  svg::Attributes attributes;
   attributes.add("x", number_text(document_.artboard.min.x));
   attributes.add("y", number_text(document_.artboard.min.y));
   // In percent: svgo makes a path of a rectangle in numbers, and a path is no background.
@@ -248,21 +248,21 @@ Status SvgWriter::write_stack() {
 
 Status SvgWriter::check_progress() const {
   if (context_.cancelled()) return context_.stop_status();
-  return svg_write::check_length(context_, writer_.text().size());
+  return svg::check_length(context_, writer_.text().size());
 }
 
-void add_compositing(svg_write::Attributes& attributes, float opacity, BlendMode blend) {
+void add_compositing(svg::Attributes& attributes, float opacity, BlendMode blend) {
   if (opacity != 1) attributes.add("opacity", number_text(opacity));
   if (blend == BlendMode::normal) return;
   attributes.add("style", "mix-blend-mode:" + std::string(blend_name(blend)));
 }
 
-void add_transform(svg_write::Attributes& attributes, const Affine& map) {
+void add_transform(svg::Attributes& attributes, const Affine& map) {
   if (!(map == Affine{})) attributes.add("transform", transform_text(map));
 }
 
 void SvgWriter::write_item(const LayerInstance& instance) {
-  svg_write::Attributes attributes;
+  svg::Attributes attributes;
   const bool in_place = is_in_place(instance.layer);
   if (!in_place) attributes.add("xlink:href", '#' + layer_id_[instance.layer]);
   add_transform(attributes, instance.artboard_from_layer);
@@ -275,11 +275,11 @@ void SvgWriter::write_item(const LayerInstance& instance) {
 }
 
 /// `attributes`: those of the place where the layer is painted.
-void SvgWriter::write_layer(std::uint32_t layer, const svg_write::Attributes& attributes) {
+void SvgWriter::write_layer(std::uint32_t layer, const svg::Attributes& attributes) {
   const std::vector<Curve>& curves = document_.layers[layer].curves;
   // svgo merges a group with its only child, unless both have a class.
   const bool has_classes = curves.size() == 1;
-  svg_write::Attributes all;
+  svg::Attributes all;
   if (!layer_id_[layer].empty()) all.add("id", layer_id_[layer]);
   if (has_classes) all.add("class", "layer");
   all.add("sf:diffuse", "true");
@@ -289,10 +289,10 @@ void SvgWriter::write_layer(std::uint32_t layer, const svg_write::Attributes& at
   RarePoll<64> poll(context_);
   for (const Curve& curve : curves) {
     if (poll.cancelled()) return;
-    svg_write::Attributes path;
+    svg::Attributes path;
     if (!curve.id.empty()) path.add("id", ids_.claim(curve.id));
     if (has_classes) path.add("class", "curve");
-    svg_write::add_curve(context_, path, curve, shader_id_);
+    svg::add_curve(context_, path, curve, shader_id_);
     writer_.leaf("path", path);
   }
   writer_.close("g");
@@ -300,15 +300,15 @@ void SvgWriter::write_layer(std::uint32_t layer, const svg_write::Attributes& at
 
 void SvgWriter::write_item(const LocalStroke& stroke) {
   if (stroke.curve.left_color.empty() && stroke.curve.right_color.empty()) return;
-  svg_write::Attributes attributes;
+  svg::Attributes attributes;
   if (!stroke.curve.id.empty()) attributes.add("id", ids_.claim(stroke.curve.id));
   add_transform(attributes, stroke.artboard_from_stroke);
-  svg_write::add_local_curve(context_, attributes, stroke.curve);
+  svg::add_local_curve(context_, attributes, stroke.curve);
   writer_.leaf("path", attributes);
 }
 
 void SvgWriter::write_item(const GroupBegin& group) {
-  svg_write::Attributes attributes;
+  svg::Attributes attributes;
   add_compositing(attributes, group.opacity, group.blend);
   if (attributes.list().empty()) attributes.add("style", "isolation:isolate");
   writer_.open("g", attributes);

@@ -6,7 +6,7 @@
 
 #include "base/number_text.hpp"
 
-namespace sfumato::svg_write {
+namespace sfumato::svg {
 namespace {
 
 /// Strokes for other programs: what has no colour of its own.
@@ -201,4 +201,4 @@ void add_local_curve(const Context& context, Attributes& attributes, const Local
       .add("stroke-opacity", rounded_number_text(std::min(1.0, curve.alpha), 3));
 }
 
-}  // namespace sfumato::svg_write
+}  // namespace sfumato::svg

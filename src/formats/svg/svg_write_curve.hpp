@@ -9,7 +9,7 @@
 #include "formats/svg/svg_write_text.hpp"
 
 /// Attributes of the elements that stand for curves, and values that others share.
-namespace sfumato::svg_write {
+namespace sfumato::svg {
 
 /// Path data of cubics in absolute coordinates; a chain that ends where it begins is closed.
 /// Precondition: 3 n + 1 points, n ≥ 1. Cut short where work is to stop: ask the context.
@@ -23,4 +23,4 @@ void add_curve(const Context& context, Attributes& attributes, const Curve& curv
 /// Adds what the local curve bears, and a stroke for other programs.
 void add_local_curve(const Context& context, Attributes& attributes, const LocalCurve& curve);
 
-}  // namespace sfumato::svg_write
+}  // namespace sfumato::svg

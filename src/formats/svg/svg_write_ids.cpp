@@ -4,7 +4,7 @@
 
 #include "base/utf8.hpp"
 
-namespace sfumato::svg_write {
+namespace sfumato::svg {
 namespace {
 
 bool is_letter(unsigned char c) {
@@ -60,4 +60,4 @@ std::string IdPool::claim_or_make(std::string_view wanted, std::string_view kind
   return wanted.empty() ? numbered(std::string(kind), 1) : claim(wanted);
 }
 
-}  // namespace sfumato::svg_write
+}  // namespace sfumato::svg

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace sfumato::svg_write {
+namespace sfumato::svg {
 
 /// Gives out ids that are XML names without a colon (letters, digits, '-', '_', '.', and what is
 /// not ASCII) and unique. An id that is both already stays as it is.
@@ -26,4 +26,4 @@ class IdPool {
   std::map<std::string, std::size_t> next_number_;
 };
 
-}  // namespace sfumato::svg_write
+}  // namespace sfumato::svg

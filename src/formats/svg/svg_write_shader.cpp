@@ -4,7 +4,7 @@
 #include "codecs/data_uri_write.hpp"
 #include "formats/svg/svg_write_curve.hpp"
 
-namespace sfumato::svg_write {
+namespace sfumato::svg {
 namespace {
 
 void add_frame(Attributes& attributes, const char* name, const Affine& layer_from_paint) {
@@ -52,7 +52,7 @@ Status write_texture(Context& context, ElementWriter& writer, const Texture& tex
     return make_error(StatusCode::bad_input,
                       "the texture \"" + id + "\" does not repeat; a pattern of SVG always does");
   }
-  Result<std::string> uri = data_uri(context, texture);
+  Result<std::string> uri = codecs::data_uri(context, texture);
   if (!uri) return uri.status();
   if (Status status = check_length(context, writer.text().size() + uri->size()); !status) {
     return status;
@@ -88,4 +88,4 @@ std::string_view kind_of(const Shader& shader) {
   return std::holds_alternative<Texture>(shader.paint) ? "texture" : "gradient";
 }
 
-}  // namespace sfumato::svg_write
+}  // namespace sfumato::svg

@@ -7,7 +7,7 @@
 #include "document/shader.hpp"
 #include "formats/svg/svg_write_text.hpp"
 
-namespace sfumato::svg_write {
+namespace sfumato::svg {
 
 /// Writes a shader as <linearGradient>, <radialGradient> or <pattern>. Its frame is the user space
 /// of what refers to it, the texture's own with one texel per unit. Errors: bad_input (a texture
@@ -18,4 +18,4 @@ Status write_shader(Context& context, ElementWriter& writer, const Shader& shade
 /// What an id is made from where the shader has none: "gradient" or "texture".
 std::string_view kind_of(const Shader& shader);
 
-}  // namespace sfumato::svg_write
+}  // namespace sfumato::svg

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace sfumato::svg_write {
+namespace sfumato::svg {
 namespace {
 
 constexpr std::size_t kColumns = 100;
@@ -107,4 +107,4 @@ void ElementWriter::leaf(std::string_view name, const Attributes& attributes) {
   element(name, attributes, "/>");
 }
 
-}  // namespace sfumato::svg_write
+}  // namespace sfumato::svg

@@ -9,7 +9,7 @@
 #include "base/context.hpp"
 #include "base/status.hpp"
 
-namespace sfumato::svg_write {
+namespace sfumato::svg {
 
 /// Error: limit, where a text of so many bytes is longer than what can be read.
 Status check_length(const Context& context, std::size_t bytes);
@@ -53,4 +53,4 @@ class ElementWriter {
   std::size_t depth_ = 0;
 };
 
-}  // namespace sfumato::svg_write
+}  // namespace sfumato::svg

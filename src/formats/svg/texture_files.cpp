@@ -13,7 +13,7 @@ namespace {
 
 /// How messages call a reference.
 std::string shown(std::string_view href) {
-  return href.starts_with("data:") ? "the data: URI" : quoted(href);
+  return href.starts_with("data:") ? "the data: URI" : text::quoted(href);
 }
 
 /// "https" of "https://…", "c" of "C:\…"; nothing where there is no scheme.
@@ -31,7 +31,7 @@ bool is_elsewhere(std::string_view href) {
 
 std::optional<std::string> file_name_in(std::string_view href) {
   if (href.empty() || href.starts_with('#') || is_elsewhere(href)) return std::nullopt;
-  const std::vector<std::uint8_t> name = decode_percent(href);
+  const std::vector<std::uint8_t> name = codecs::decode_percent(href);
   return std::string(name.begin(), name.end());
 }
 
@@ -52,7 +52,7 @@ Result<const TextureFile*> TextureFiles::read(Element image) {
   if (!bytes) return bytes.status();
   Status status = input_.charge(image, bytes->size(), "texture files");
   if (!status) return status;
-  Result<RgbaImage> decoded = decode_image(input_.context(), *bytes);
+  Result<codecs::RgbaImage> decoded = codecs::decode_image(input_.context(), *bytes);
   if (decoded) status = input_.charge(image, decoded->rgba.size(), "textures");
   if (!decoded) status = decoded.status();
   if (!status) {
@@ -67,24 +67,24 @@ Result<std::vector<std::uint8_t>> TextureFiles::load(Element image, std::string_
     ScopedCharge charge;
     Status status = charge.add(input_.context(), 2 * href.size(), "a data: URI");
     if (!status) return input_.placed(image, std::move(status));
-    Result<std::vector<std::uint8_t>> bytes = decode_data_uri(href);
+    Result<std::vector<std::uint8_t>> bytes = codecs::decode_data_uri(href);
     if (!bytes) return input_.in(image, "href", bytes.status());
     return bytes;
   }
   if (is_elsewhere(href)) {
-    return input_.error(image, quoted(href) +
+    return input_.error(image, text::quoted(href) +
                                    " is not read: nothing is fetched; expected a file "
                                    "beside the document, or a data: URI");
   }
   const std::optional<std::string> name = file_name_in(href);
   if (!name || loader_ == nullptr) {
-    return input_.error(image, quoted(href) + " cannot be read; expected " +
+    return input_.error(image, text::quoted(href) + " cannot be read; expected " +
                                    (loader_ ? "a PNG or JPEG file" : "a data: URI"));
   }
   Result<std::vector<std::uint8_t>> bytes = loader_->load(*name);
   if (bytes) return bytes;
   return input_.placed(
-      image, make_error(bytes.status().code, quoted(href) + ": " + bytes.status().message));
+      image, make_error(bytes.status().code, text::quoted(href) + ": " + bytes.status().message));
 }
 
 }  // namespace sfumato::svg

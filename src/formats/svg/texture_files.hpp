@@ -14,7 +14,7 @@
 namespace sfumato::svg {
 
 struct TextureFile {
-  RgbaImage image;
+  codecs::RgbaImage image;
   std::vector<std::uint8_t> file;  ///< as it was loaded
 };
 

@@ -77,14 +77,14 @@ bool to_affine(std::string_view function, const Arguments& arguments, Affine& af
 
 Result<Affine> parse_transform(const Context& context, std::string_view text) {
   Scanner scanner(text);
-  TextPoll poll(context);
+  css::TextPoll poll(context);
   Affine product;
   for (scanner.skip_blanks(); !scanner.at_end(); scanner.skip_separator()) {
     const Scanner before = scanner;
     const std::string_view function = scanner.take_word();
     if (std::ranges::find(kFunctions, function) == kFunctions.end()) {
       return before.error("matrix, translate, scale, rotate, skewX or skewY" +
-                          did_you_mean(function, kFunctions));
+                          text::did_you_mean(function, kFunctions));
     }
     Arguments arguments;
     if (Status status = read_arguments(scanner, arguments); !status) return status;

@@ -20,8 +20,9 @@ double alignment(std::string_view word) {
 }
 
 Status bad_ratio(std::string_view text) {
-  return make_error(StatusCode::bad_input,
-                    quoted(text) + "; expected none, or xMidYMid and the like, then meet or slice");
+  return make_error(
+      StatusCode::bad_input,
+      text::quoted(text) + "; expected none, or xMidYMid and the like, then meet or slice");
 }
 
 }  // namespace

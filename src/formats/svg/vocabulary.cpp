@@ -74,7 +74,7 @@ bool fits(std::string_view name, bool is_root, bool has_radius, Bearer bearer) {
 std::string suggestion(std::string_view name) {
   std::array<std::string_view, kAttributes.size()> names;
   std::ranges::transform(kAttributes, names.begin(), &Attribute::name);
-  const std::string_view best = nearest(name, names);
+  const std::string_view best = text::nearest(name, names);
   return best.empty() ? "; docs/format.md lists the attributes"
                       : "; did you mean sf:" + std::string(best) + "?";
 }

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace sfumato {
+namespace sfumato::text {
 namespace {
 
 /// Longer words are not misspelt: they are something else.
@@ -66,4 +66,4 @@ std::string quoted(std::string_view text) {
   return "\"" + std::string(text.substr(0, end)) + "…\"";
 }
 
-}  // namespace sfumato
+}  // namespace sfumato::text

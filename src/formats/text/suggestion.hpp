@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace sfumato {
+namespace sfumato::text {
 
 /// The candidate that `word` was probably meant to be: the one of the smallest edit distance, if
 /// that is at most a third of the word's length and 1 at least; else nothing.
@@ -16,4 +16,4 @@ std::string did_you_mean(std::string_view word, std::span<const std::string_view
 /// The text in quotes for a message, cut where it is long.
 std::string quoted(std::string_view text);
 
-}  // namespace sfumato
+}  // namespace sfumato::text

@@ -4,7 +4,7 @@
 
 #include "base/limits.hpp"
 
-namespace sfumato {
+namespace sfumato::text {
 
 bool Warnings::is_new(std::string_view kind) {
   if (kinds_.contains(kind)) return false;
@@ -26,4 +26,4 @@ std::vector<Status> Warnings::take() {
   return std::move(warnings_);
 }
 
-}  // namespace sfumato
+}  // namespace sfumato::text

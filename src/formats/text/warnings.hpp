@@ -7,7 +7,7 @@
 
 #include "base/status.hpp"
 
-namespace sfumato {
+namespace sfumato::text {
 
 /// What a reader had to overlook: one warning for each kind, at most limits::kWarnings kinds, then
 /// one that counts the rest.
@@ -27,4 +27,4 @@ class Warnings {
   std::size_t left_out_ = 0;
 };
 
-}  // namespace sfumato
+}  // namespace sfumato::text

@@ -7,7 +7,7 @@
 
 #include "base/limits.hpp"
 
-namespace sfumato {
+namespace sfumato::text {
 namespace {
 
 // What one node and one attribute take in pugixml's tree on a 64-bit machine.
@@ -242,4 +242,4 @@ SourcePlace XmlSource::place_at(std::size_t offset) {
   return {file_, counted_lines_ + 1, static_cast<int>(offset - line_begin_) + 1};
 }
 
-}  // namespace sfumato
+}  // namespace sfumato::text

@@ -7,7 +7,7 @@
 #include "base/context.hpp"
 #include "base/status.hpp"
 
-namespace sfumato {
+namespace sfumato::text {
 
 /// An XML text as a tree whose elements know their place in the file. The text and the name must
 /// outlive it. Entities of a DTD are not expanded, nothing outside the text is ever opened.
@@ -48,4 +48,4 @@ class XmlSource {
   int counted_lines_ = 0;
 };
 
-}  // namespace sfumato
+}  // namespace sfumato::text

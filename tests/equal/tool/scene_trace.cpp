@@ -71,8 +71,8 @@ void add_mesh(const std::string& stage, const mesh::TriangleMesh& mesh, Trace& t
   trace.push_back(numbers(stage + " fractions of pieces", fractions, 2));
 }
 
-void add_field(const std::string& stage, const patches::FieldSolver& field, Trace& trace) {
-  const patches::NodeLayout& layout = field.layout();
+void add_field(const std::string& stage, const solve::FieldSolver& field, Trace& trace) {
+  const solve::NodeLayout& layout = field.layout();
   trace.push_back(points(stage + " node positions", layout.position));
   trace.push_back(numbers(stage + " fixed nodes", layout.is_fixed, 1, layout.position));
   trace.push_back(numbers(stage + " nodes of triangles", layout.triangle_node, 10));
@@ -176,25 +176,25 @@ Status Tracer::add_picture(Picture& picture) {
 /// As diffuse() does it, with an eye on every round.
 Result<PatchLayer> Tracer::solve_layer(std::uint32_t index, const Box& viewport) {
   const std::string stage = "layer " + std::to_string(index) + ", ";
-  const patches::LayerSight sight = patches::sight_of_layer(scene_.document, index, viewport);
+  const solve::LayerSight sight = solve::sight_of_layer(scene_.document, index, viewport);
   if (sight.viewport.empty() || scene_.document.layers[index].curves.empty()) return PatchLayer{};
-  Result<patches::LayerScene> scene = patches::prepare_layer(
-      context_, scene_.document, index, sight, scene_.diffuse, nullptr, patches::LayerUse::patches);
+  Result<solve::LayerScene> scene = solve::prepare_layer(
+      context_, scene_.document, index, sight, scene_.diffuse, nullptr, solve::LayerUse::patches);
   if (!scene) return scene.status();
   add_attributes(stage + "flatten: color", scene->color.attributes, trace_);
   if (scene->opacity)
     add_attributes(stage + "flatten: opacity", scene->opacity->attributes, trace_);
   add_mesh(stage + "mesh:", scene->mesher.visibility_mesh({}), trace_);
   int round = 0;
-  const auto watch = [&](const mesh::TriangleMesh& mesh, const patches::FieldSolver& color,
-                         const patches::FieldSolver* opacity) {
+  const auto watch = [&](const mesh::TriangleMesh& mesh, const solve::FieldSolver& color,
+                         const solve::FieldSolver* opacity) {
     const std::string name = stage + "round " + std::to_string(round++) + ": ";
     add_mesh(name + "mesh", mesh, trace_);
     add_field(name + "color", color, trace_);
     if (opacity) add_field(name + "opacity", *opacity, trace_);
   };
   Result<PatchLayer> layer =
-      patches::LayerSolver(context_, std::move(*scene), scene_.diffuse, nullptr, watch).solve();
+      solve::LayerSolver(context_, std::move(*scene), scene_.diffuse, nullptr, watch).solve();
   if (layer) add_patches(stage + "patches:", *layer, trace_);
   return layer;
 }
