@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "api/render_pixels.hpp"
 #include "codecs/image_file.hpp"
 #include "codecs/jpeg_encode.hpp"
 #include "codecs/png.hpp"
@@ -22,7 +23,6 @@
 #include "lint/lint.hpp"
 #include "raster/rasterize.hpp"
 #include "scenes.hpp"
-#include "solve/render_pixels.hpp"
 #include "support/poll_recorder.hpp"
 
 // How long work goes without a look at the cancel flag: the longest gap of each stage, in CPU time

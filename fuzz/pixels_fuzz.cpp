@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "api/render_pixels.hpp"
 #include "codecs/png.hpp"
 #include "document/document.hpp"
 #include "drawn_document.hpp"
@@ -10,7 +11,6 @@
 #include "lint/lint.hpp"
 #include "raster/rasterize.hpp"
 #include "solve/diffuse.hpp"
-#include "solve/render_pixels.hpp"
 
 using namespace sfumato;
 

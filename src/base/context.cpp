@@ -120,11 +120,11 @@ Status ScopedCharge::add(Context& context, std::size_t bytes, std::string_view p
   return status;
 }
 
-Status parallel_for(Context& context, std::size_t count, std::size_t grain,
-                    FunctionRef<void(std::size_t, std::size_t)> body) {
+Status try_parallel_for(Context& context, std::size_t count, std::size_t grain,
+                        FunctionRef<Status(std::size_t, std::size_t)> body) {
   const std::size_t task_count = (count + grain - 1) / grain;
-  // Nothing is thrown at an executor: a thread pool without memory cannot hand an exception on.
-  std::atomic<bool> has_memory{true};
+  Status failure;
+  std::atomic<bool> has_failed{false};
   std::atomic<bool> goes_on{true};  // quicker to ask than the clock, where many ranges are left
   const auto task = [&](std::size_t i) {
     if (!goes_on.load(std::memory_order_relaxed)) return;
@@ -132,12 +132,10 @@ Status parallel_for(Context& context, std::size_t count, std::size_t grain,
       goes_on.store(false, std::memory_order_relaxed);
       return;
     }
-    const Status status = no_throw([&] {
-      body(i * grain, std::min(count, (i + 1) * grain));
-      return ok_status();
-    });
+    // Nothing is thrown at an executor: a thread pool without memory cannot hand an exception on.
+    Status status = no_throw([&] { return body(i * grain, std::min(count, (i + 1) * grain)); });
     if (status) return;
-    has_memory.store(false, std::memory_order_relaxed);
+    if (!has_failed.exchange(true)) failure = std::move(status);
     goes_on.store(false, std::memory_order_relaxed);
   };
   if (context.executor && task_count > 1) {
@@ -146,7 +144,15 @@ Status parallel_for(Context& context, std::size_t count, std::size_t grain,
     for (std::size_t i = 0; i < task_count && goes_on; ++i) task(i);
   }
   if (context.cancelled()) return context.stop_status();
-  return has_memory ? ok_status() : out_of_memory();
+  return failure;
+}
+
+Status parallel_for(Context& context, std::size_t count, std::size_t grain,
+                    FunctionRef<void(std::size_t, std::size_t)> body) {
+  return try_parallel_for(context, count, grain, [&](std::size_t begin, std::size_t end) {
+    body(begin, end);
+    return ok_status();
+  });
 }
 
 }  // namespace sfumato

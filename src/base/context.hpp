@@ -165,4 +165,9 @@ class ScopedCharge {
 Status parallel_for(Context& context, std::size_t count, std::size_t grain,
                     FunctionRef<void(std::size_t begin, std::size_t end)> body);
 
+/// parallel_for() of a body that may fail: after a failure remaining ranges are skipped, and it is
+/// the status. Where several ranges fail, which of them that is depends on the threads.
+Status try_parallel_for(Context& context, std::size_t count, std::size_t grain,
+                        FunctionRef<Status(std::size_t begin, std::size_t end)> body);
+
 }  // namespace sfumato

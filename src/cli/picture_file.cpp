@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "api/render_pixels.hpp"
 #include "base/stopwatch.hpp"
 #include "cli/image_output.hpp"
 #include "cli/messages.hpp"
@@ -17,7 +18,6 @@
 #include "export/pdf/pdf.hpp"
 #include "export/svg/svg.hpp"
 #include "gpu/render.hpp"
-#include "solve/render_pixels.hpp"
 
 namespace sfumato::cli {
 namespace {

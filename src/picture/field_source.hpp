@@ -5,6 +5,7 @@
 
 #include "base/affine.hpp"
 #include "base/pixel_rect.hpp"
+#include "base/status.hpp"
 
 namespace sfumato::picture {
 
@@ -21,8 +22,8 @@ class FieldSource {
   virtual ~FieldSource() = default;
 
   /// The fields of Picture::layers[layer] at the pixel centres of `rect`.
-  virtual void read(std::uint32_t layer, const Affine& layer_from_image, const PixelRect& rect,
-                    FieldPixels* out) const = 0;
+  virtual Status read(std::uint32_t layer, const Affine& layer_from_image, const PixelRect& rect,
+                      FieldPixels* out) const = 0;
 };
 
 }  // namespace sfumato::picture

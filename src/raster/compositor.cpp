@@ -47,15 +47,17 @@ void Compositor::paint_straight(const PaintItem& item, const TriangleList& trian
   if (antialias_) mixed_.paint(item.layer, triangles, tile);
 }
 
-void Compositor::paint_shaded(const PaintItem& item, const TriangleList& triangles) {
+Status Compositor::paint_shaded(const PaintItem& item, const TriangleList& triangles) {
   const PixelRect whole = levels_.back().tile.rect();
   PixelRect rect = pixels_of(item.layer, triangles, whole);
-  if (rect.empty()) return;
+  if (rect.empty()) return ok_status();
   // Blurs fall on what is transparent, where a layer has no triangles.
   if (item.layer.soft_edge_count > 0) rect = intersection(grown(rect, list_.margin_px()), whole);
   const ShadingInput input{list_.space(), &list_.shaders(), item.layer_from_image};
-  const Tile source = layer_painter_->paint(item.layer, input, triangles, rect);
-  kernels_.blend(source, item.opacity, item.blend, target(rect));
+  const Result<Tile> source = layer_painter_->paint(item.layer, input, triangles, rect);
+  if (!source) return source.status();
+  kernels_.blend(*source, item.opacity, item.blend, target(rect));
+  return ok_status();
 }
 
 void Compositor::paint_stroke(const StrokePainter& stroke) {
@@ -76,33 +78,40 @@ void Compositor::close_group(const PaintItem& item) {
   kernels_.blend(group.tile.part(group.painted), item.opacity, item.blend, target(group.painted));
 }
 
-void Compositor::paint_item(const PaintItem& item, std::size_t tile_index) {
+Status Compositor::paint_item(const PaintItem& item, std::size_t tile_index) {
   switch (item.kind) {
     case PaintItem::Kind::straight:
-      return paint_straight(item, list_.triangles(item, tile_index, &listed_));
+      paint_straight(item, list_.triangles(item, tile_index, &listed_));
+      break;
     case PaintItem::Kind::shaded:
       return paint_shaded(item, list_.triangles(item, tile_index, &listed_));
     case PaintItem::Kind::stroke:
-      return paint_stroke(*item.stroke);
+      paint_stroke(*item.stroke);
+      break;
     case PaintItem::Kind::group_begin:
       levels_.push_back({groups_[levels_.size() - 1].tile(levels_.front().tile.rect()), {}});
-      return;
+      break;
     case PaintItem::Kind::group_end:
-      return close_group(item);
+      close_group(item);
+      break;
   }
+  return ok_status();
 }
 
-void Compositor::paint(std::size_t tile_index, const Tile& root) {
+Status Compositor::paint(std::size_t tile_index, const Tile& root) {
   levels_.assign(1, {root, root.rect()});
   mixed_.start_tile();
   const int columns = list_.grid().columns();
   const int column = static_cast<int>(tile_index % static_cast<std::size_t>(columns));
   const int row = static_cast<int>(tile_index / static_cast<std::size_t>(columns));
   for (std::uint32_t index : list_.row(row)) {
-    if (context_.cancelled()) return;
+    if (context_.cancelled()) return context_.stop_status();
     const PaintItem& item = list_.item(index);
-    if (column >= item.tiles.x0 && column < item.tiles.x1) paint_item(item, tile_index);
+    if (column < item.tiles.x0 || column >= item.tiles.x1) continue;
+    Status status = paint_item(item, tile_index);
+    if (!status) return status;
   }
+  return ok_status();
 }
 
 }  // namespace sfumato::raster

@@ -18,8 +18,9 @@ class Compositor {
   Compositor(const Context& context, const PaintList& list, const SpanKernels& kernels,
              bool antialias, const picture::FieldSource* source);
 
-  /// Paints onto what `root`, the whole tile, holds; some of it where the context is cancelled.
-  void paint(std::size_t tile_index, const Tile& root);
+  /// Paints onto what `root`, the whole tile, holds; some of it where it fails. Errors: cancelled,
+  /// those of the source.
+  Status paint(std::size_t tile_index, const Tile& root);
 
   /// Memory of one.
   static std::size_t bytes(const PaintList& list);
@@ -31,9 +32,9 @@ class Compositor {
     PixelRect painted;  ///< what a group holds outside is undefined
   };
 
-  void paint_item(const PaintItem& item, std::size_t tile_index);
+  Status paint_item(const PaintItem& item, std::size_t tile_index);
   void paint_straight(const PaintItem& item, const TriangleList& triangles);
-  void paint_shaded(const PaintItem& item, const TriangleList& triangles);
+  Status paint_shaded(const PaintItem& item, const TriangleList& triangles);
   void paint_stroke(const StrokePainter& stroke);
   void close_group(const PaintItem& item);
   /// The pixels of the uppermost level to paint on, transparent where nothing was painted.

@@ -101,9 +101,10 @@ void LayerPainter::add_read_shaders(const FieldView& field, const std::vector<fl
   }
 }
 
-void LayerPainter::read_source(const LayerView& layer, const ShadingInput& input,
-                               const Tile& tile) {
-  source_->read(layer.index, input.layer_from_image, tile.rect(), &pixels_);
+Status LayerPainter::read_source(const LayerView& layer, const ShadingInput& input,
+                                 const Tile& tile) {
+  Status status = source_->read(layer.index, input.layer_from_image, tile.rect(), &pixels_);
+  if (!status) return status;
   const auto channels = static_cast<std::size_t>(layer.color.channel_count);
   const auto opacity_channels = static_cast<std::size_t>(layer.opacity.channel_count);
   const bool has_opacity = !pixels_.opacity.empty();
@@ -124,6 +125,7 @@ void LayerPainter::read_source(const LayerView& layer, const ShadingInput& input
   for_each_pixel([&](std::size_t i, std::size_t at) {
     if (!pixels_.hit[i]) tile.alpha[at] = 0;
   });
+  return ok_status();
 }
 
 void LayerPainter::draw_patches(const LayerView& layer, const ShadingInput& input,
@@ -135,12 +137,13 @@ void LayerPainter::draw_patches(const LayerView& layer, const ShadingInput& inpu
   add_shaders(layer, layer.opacity, input, triangles, tile);
 }
 
-Tile LayerPainter::paint(const LayerView& layer, const ShadingInput& input,
-                         const TriangleList& triangles, const PixelRect& rect) {
+Result<Tile> LayerPainter::paint(const LayerView& layer, const ShadingInput& input,
+                                 const TriangleList& triangles, const PixelRect& rect) {
   const Tile tile = shaded_.tile(rect);
   clear(tile);
   if (source_) {
-    read_source(layer, input, tile);
+    Status status = read_source(layer, input, tile);
+    if (!status) return status;
   } else {
     draw_patches(layer, input, triangles, tile);
   }

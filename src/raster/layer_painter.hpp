@@ -37,16 +37,16 @@ class LayerPainter {
       : kernels_(kernels), antialias_(antialias), source_(source) {}
 
   /// Code values and alpha, premultiplied, in the pixels of `rect`, which lie in one tile and hold
-  /// all that the triangles paint of that tile. Valid until the next call.
-  Tile paint(const LayerView& layer, const ShadingInput& input, const TriangleList& triangles,
-             const PixelRect& rect);
+  /// all that the triangles paint of that tile. Valid until the next call. Errors: the source's.
+  Result<Tile> paint(const LayerView& layer, const ShadingInput& input,
+                     const TriangleList& triangles, const PixelRect& rect);
 
   static constexpr std::size_t kBytes = 2 * TilePlanes::kBytes + MixedPixels::kMostBytes;
 
  private:
   void draw_patches(const LayerView& layer, const ShadingInput& input,
                     const TriangleList& triangles, const Tile& tile);
-  void read_source(const LayerView& layer, const ShadingInput& input, const Tile& tile);
+  Status read_source(const LayerView& layer, const ShadingInput& input, const Tile& tile);
   void add_read_shaders(const FieldView& field, const std::vector<float>& value,
                         const ShadingInput& input, const Tile& tile);
   void add_shaders(const LayerView& layer, const FieldView& field, const ShadingInput& input,

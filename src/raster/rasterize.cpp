@@ -15,7 +15,6 @@
 #include "raster/options.hpp"
 #include "raster/overlay.hpp"
 #include "raster/paint_list.hpp"
-#include "raster/paint_picture.hpp"
 #include "raster/soft_strip.hpp"
 
 namespace sfumato {
@@ -53,13 +52,15 @@ class TilePainter {
     return 6 * raster::kTileFloats * sizeof(float) + raster::Compositor::bytes(list);
   }
 
-  void paint(std::size_t tile_index) {
+  Status paint(std::size_t tile_index) {
     const Tile tile = begin(tile_index);
-    compositor_.paint(tile_index, tile);
+    Status status = compositor_.paint(tile_index, tile);
+    if (!status) return status;
     const bool is_mixed = scene_.backdrop.alpha < 1 || !scene_.list.is_plain();
     if (tile.alpha && is_mixed) scene_.kernels->unpremultiply(tile);
     if (scene_.options->mesh_overlay) paint_overlay(tile_index, tile);
     scene_.kernels->write_pixels(tile, scene_.target);
+    return status;
   }
 
  private:
@@ -139,13 +140,15 @@ Status paint_tiles(Context& context, const Scene& scene) {
   PainterPool pool(scene, context.thread_count());
   std::atomic<std::size_t> done{0};
   const std::size_t count = scene.list.grid().tile_count();
-  return parallel_for(context, count, 1, [&](std::size_t begin, std::size_t end) {
+  return try_parallel_for(context, count, 1, [&](std::size_t tile, std::size_t) {
     std::unique_ptr<TilePainter> painter = pool.take();
-    for (std::size_t i = begin; i < end; ++i) painter->paint(i);
+    Status status = painter->paint(tile);
     pool.give_back(std::move(painter));
-    if (!context.progress) return;
-    const std::size_t so_far = done.fetch_add(end - begin) + (end - begin);
-    context.progress->report("rasterise", static_cast<double>(so_far) / count);
+    const std::size_t so_far = done.fetch_add(1) + 1;
+    if (context.progress) {
+      context.progress->report("rasterise", static_cast<double>(so_far) / count);
+    }
+    return status;
   });
 }
 
@@ -162,11 +165,8 @@ Result<PaintList> make_list(Context& context, const Picture& picture,
                            TileGrid{options.width, options.height}, margin_px);
 }
 
-}  // namespace
-
-Result<Image> raster::paint_picture(Context& context, const Picture& picture,
-                                    const RasterOptions& options,
-                                    const picture::FieldSource* source) {
+Result<Image> draw(Context& context, const Picture& picture, const RasterOptions& options,
+                   const picture::FieldSource* source) {
   Status status = raster::check_options(context.limits, options);
   if (!status) return status;
   Scene scene;
@@ -196,9 +196,17 @@ Result<Image> raster::paint_picture(Context& context, const Picture& picture,
   return image;
 }
 
+}  // namespace
+
 Result<Image> rasterize(Context& context, const Picture& picture, const RasterOptions& options) {
-  return public_verb(context,
-                     [&] { return raster::paint_picture(context, picture, options, nullptr); });
+  return public_verb(context, [&] { return draw(context, picture, options, nullptr); });
+}
+
+Result<Image> rasterize(Context& context, const Picture& picture, const RasterOptions& options,
+                        const picture::FieldSource& source) {
+  RasterOptions plain = options;
+  plain.antialias = plain.mesh_overlay = false;
+  return public_verb(context, [&] { return draw(context, picture, plain, &source); });
 }
 
 }  // namespace sfumato

@@ -8,6 +8,7 @@
 
 #include "allocation/documents.hpp"
 #include "allocation/every_allocation.hpp"
+#include "api/render_pixels.hpp"
 #include "base/native/file.hpp"
 #include "base/native/tbb_executor.hpp"
 #include "codecs/jpeg_encode.hpp"
@@ -23,7 +24,6 @@
 #include "lint/lint.hpp"
 #include "raster/rasterize.hpp"
 #include "solve/diffuse.hpp"
-#include "solve/render_pixels.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace sfumato::test {

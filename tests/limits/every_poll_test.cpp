@@ -6,6 +6,7 @@
 #include <string>
 
 #include "allocation/documents.hpp"
+#include "api/render_pixels.hpp"
 #include "codecs/image_file.hpp"
 #include "codecs/jpeg_encode.hpp"
 #include "codecs/png.hpp"
@@ -21,7 +22,6 @@
 #include "lint/lint.hpp"
 #include "raster/rasterize.hpp"
 #include "solve/diffuse.hpp"
-#include "solve/render_pixels.hpp"
 #include "support/cancel_at.hpp"
 
 /// Whichever look at the cancel flag is the first to see it, the answer is that it was cancelled:

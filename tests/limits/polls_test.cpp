@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "api/render_pixels.hpp"
 #include "base/limits.hpp"
 #include "codecs/deflate.hpp"
 #include "codecs/image_file.hpp"
@@ -19,7 +20,6 @@
 #include "limits/large_inputs.hpp"
 #include "lint/lint.hpp"
 #include "raster/rasterize.hpp"
-#include "solve/render_pixels.hpp"
 #include "support/poll_recorder.hpp"
 #include "support/sanitizers.hpp"
 

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "api/render_pixels.hpp"
 #include "formats/read_document.hpp"
-#include "solve/render_pixels.hpp"
 #include "support/scenes.hpp"
 
 namespace sfumato {

@@ -11,11 +11,11 @@
 #include <string>
 #include <vector>
 
+#include "api/render_pixels.hpp"
 #include "base/native/tbb_executor.hpp"
 #include "formats/read_document.hpp"
 #include "raster/rasterize.hpp"
 #include "solve/diffuse.hpp"
-#include "solve/render_pixels.hpp"
 #include "support/sanitizers.hpp"
 #include "support/scenes.hpp"
 

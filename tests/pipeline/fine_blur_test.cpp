@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "api/render_pixels.hpp"
 #include "raster/rasterize.hpp"
 #include "raster/support.hpp"
 #include "solve/diffuse.hpp"
-#include "solve/render_pixels.hpp"
 #include "support/drawing.hpp"
 
 namespace sfumato::test {

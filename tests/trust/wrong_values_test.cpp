@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "allocation/documents.hpp"
+#include "api/render_pixels.hpp"
 #include "base/native/file.hpp"
 #include "base/native/tbb_executor.hpp"
 #include "codecs/jpeg_encode.hpp"
@@ -29,7 +30,6 @@
 #include "picture/check_picture.hpp"
 #include "raster/rasterize.hpp"
 #include "solve/diffuse.hpp"
-#include "solve/render_pixels.hpp"
 
 namespace sfumato::test {
 namespace {

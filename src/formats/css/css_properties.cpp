@@ -13,7 +13,7 @@ namespace {
 
 using Words = std::span<const std::string_view>;
 
-/// In the order of CssProperty, which is that of the names.
+/// In the order of Property, which is that of the names.
 constexpr std::array<const char*, kPropertyCount> kNames{"clip-path",
                                                          "color",
                                                          "display",
@@ -42,7 +42,7 @@ constexpr std::array<const char*, kPropertyCount> kNames{"clip-path",
                                                          "transform-origin",
                                                          "visibility"};
 
-/// In the order of CssWideKeyword, from `inherit`.
+/// In the order of WideKeyword, from `inherit`.
 constexpr std::array<std::string_view, 5> kWideKeywords{"inherit", "initial", "unset", "revert",
                                                         "revert-layer"};
 

@@ -82,7 +82,7 @@ char closing(TokenType type) {
 
 }  // namespace
 
-Tokenizer::CssTokenizer(std::string_view text, TextPoll& poll) : text_(text), poll_(poll) {
+Tokenizer::Tokenizer(std::string_view text, TextPoll& poll) : text_(text), poll_(poll) {
   if (!poll_.go_on(std::min(text.size(), TextPoll::kBytes))) at_ = text_.size();
 }
 

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "api/render_pixels.hpp"
 #include "codecs/jpeg_encode.hpp"
 #include "codecs/png.hpp"
 #include "codecs/webp_encode.hpp"
@@ -13,7 +14,6 @@
 #include "export/pdf/pdf.hpp"
 #include "export/svg/svg.hpp"
 #include "formats/svg/svg_write.hpp"
-#include "solve/render_pixels.hpp"
 
 namespace sfumato::test {
 namespace {

@@ -4,11 +4,11 @@
 #include <string>
 #include <utility>
 
+#include "api/render_pixels.hpp"
 #include "codecs/png.hpp"
 #include "formats/svg/svg_write.hpp"
 #include "solve/layer_scene.hpp"
 #include "solve/layer_solver.hpp"
-#include "solve/render_pixels.hpp"
 
 namespace sfumato::test {
 namespace {

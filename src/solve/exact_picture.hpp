@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+
+#include "base/context.hpp"
+#include "picture/field_source.hpp"
+#include "picture/picture.hpp"
+#include "solve/point_evaluator.hpp"
+
+namespace sfumato::solve {
+
+/// A document solved at whatever points are asked for, in place of patches: the ground truth that
+/// pictures are held against. Colours of a pixel are those of its centre.
+class ExactPicture final : public picture::FieldSource {
+ public:
+  /// options  those of mesh and patches are ignored
+  /// stats    optional: curves, segments and times are added
+  /// Both context and document must outlive this. Errors: as diffuse().
+  static Result<ExactPicture> create(Context& context, const Document& document,
+                                     const DiffuseOptions& options, DiffuseStats* stats = nullptr);
+
+  /// The stack, with two triangles and no values for each layer.
+  const Picture& picture() const { return picture_; }
+
+  /// Errors: limit (memory), cancelled.
+  Status read(std::uint32_t layer, const Affine& layer_from_image, const PixelRect& rect,
+              picture::FieldPixels* out) const override;
+
+ private:
+  ExactPicture(Context& context, PointEvaluator evaluator)
+      : context_(&context), evaluator_(std::move(evaluator)) {}
+
+  Context* context_;
+  PointEvaluator evaluator_;
+  Picture picture_;
+  ScopedCharge charge_;
+};
+
+}  // namespace sfumato::solve
