@@ -6,7 +6,7 @@
 
 #include "base/context.hpp"
 #include "base/status.hpp"
-#include "gather/scene_layout.hpp"
+#include "gather/kernels/scene_layout.hpp"
 #include "mesh/triangle_mesh.hpp"
 
 namespace sfumato::gather {

@@ -7,7 +7,7 @@
 #include "base/status.hpp"
 #include "base/vec2.hpp"
 #include "curves/attributes.hpp"
-#include "gather/scene_layout.hpp"
+#include "gather/kernels/scene_layout.hpp"
 #include "mesh/triangle_mesh.hpp"
 
 namespace sfumato::gather {

@@ -6,7 +6,7 @@
 #include "display/paint_table.hpp"
 #include "gpu/layer_tables.hpp"
 #include "raster/kernels/local_stroke_kernels.hpp"
-#include "raster/tile.hpp"
+#include "raster/kernels/tile.hpp"
 
 namespace sfumato::gpu {
 

@@ -2,7 +2,7 @@
 
 #include "base/context.hpp"
 #include "gpu/device.hpp"
-#include "raster/tile.hpp"
+#include "raster/kernels/tile.hpp"
 
 namespace sfumato::gpu {
 

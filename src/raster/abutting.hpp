@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "raster/tile.hpp"
+#include "raster/kernels/tile.hpp"
 
 namespace sfumato::raster {
 

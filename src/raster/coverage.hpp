@@ -6,9 +6,9 @@
 
 #include "raster/abutting.hpp"
 #include "raster/clip.hpp"
+#include "raster/kernels/tile.hpp"
 #include "raster/point_shader.hpp"
 #include "raster/soft_strip.hpp"
-#include "raster/tile.hpp"
 
 namespace sfumato::raster {
 

@@ -6,8 +6,8 @@
 #include "picture/field_source.hpp"
 #include "raster/coverage.hpp"
 #include "raster/kernels/span_kernels.hpp"
+#include "raster/kernels/tile.hpp"
 #include "raster/point_shader.hpp"
-#include "raster/tile.hpp"
 
 namespace sfumato::raster {
 

@@ -2,8 +2,8 @@
 
 #include "base/status.hpp"
 #include "picture/picture.hpp"
+#include "raster/kernels/tile.hpp"
 #include "raster/rasterize.hpp"
-#include "raster/tile.hpp"
 
 namespace sfumato::raster {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "raster/tile.hpp"
+#include "raster/kernels/tile.hpp"
 
 namespace sfumato::raster {
 

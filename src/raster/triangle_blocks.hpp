@@ -5,7 +5,7 @@
 #include "base/box.hpp"
 #include "base/context.hpp"
 #include "base/status.hpp"
-#include "raster/tile.hpp"
+#include "raster/kernels/tile.hpp"
 
 namespace sfumato::raster {
 

@@ -4,8 +4,8 @@
 
 #include "gather/kernels/blur_kernel.hpp"
 #include "gather/kernels/closed_form.hpp"
+#include "gather/kernels/scene_layout.hpp"
 #include "gather/kernels/window.hpp"
-#include "gather/scene_layout.hpp"
 
 namespace sfumato::gather::inline SFUMATO_ISA {
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "gather/kernels/integrator.hpp"
+#include "gather/kernels/scene_layout.hpp"
 #include "gather/kernels/window.hpp"
-#include "gather/scene_layout.hpp"
 
 /// The exact gather of a packet (triangular expansion): windows of directions are
 /// walked outward through the visibility mesh, narrowed at every edge that rays pass, integrated at

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/context.hpp"
-#include "gather/scene_layout.hpp"
+#include "gather/kernels/scene_layout.hpp"
 
 namespace sfumato::gather {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "raster/kernels/color_space_kernel.hpp"
-#include "raster/tile.hpp"
+#include "raster/kernels/tile.hpp"
 
 /// Blending of W3C Compositing and Blending Level 1, sections 5, 10.1 and 10.2, on code values in
 /// [0, 1]. Cb is the backdrop, Cs the source, as there. Compiled for every instruction set.

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/lanes.hpp"
-#include "raster/blue_noise.hpp"
+#include "raster/kernels/blue_noise.hpp"
 #include "raster/kernels/span_kernels.hpp"
 
 /// Code values to bytes. Compiled for every instruction set.

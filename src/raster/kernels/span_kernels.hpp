@@ -2,7 +2,7 @@
 
 #include "base/context.hpp"
 #include "base/image.hpp"
-#include "raster/tile.hpp"
+#include "raster/kernels/tile.hpp"
 
 namespace sfumato::raster {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/lane_register.hpp"
-#include "raster/tile.hpp"
+#include "raster/kernels/tile.hpp"
 
 /// A triangle in the image and the coordinates in which its patch is evaluated. Compiled for every
 /// instruction set: only operators here, nothing that could be shared with another copy.

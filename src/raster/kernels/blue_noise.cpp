@@ -1,5 +1,5 @@
 // Made by scripts/make-blue-noise.
-#include "raster/blue_noise.hpp"
+#include "raster/kernels/blue_noise.hpp"
 
 namespace sfumato::raster {
 
