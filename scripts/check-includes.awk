@@ -1,5 +1,12 @@
 # The rules of scripts/check-includes. Arguments: the table of folders, then the C++ files.
 
+BEGIN {
+  # `export` is a word of the language, and so is `import` at the beginning of a line; `lint` is the
+  # verb itself.
+  named["export", "outputs"] = named["import", "svg_import"] = named["lint", "lint_detail"] = 1
+  named["base", "limits"] = named["document", "rules"] = 1
+}
+
 function complain(message) {
   print FILENAME ":" FNR ": " message
   broken = 1
@@ -12,18 +19,39 @@ function finish_file() {
   }
 }
 
+# The first folder under src/ ("formats"), or "".
 function folder_of(path, parts) {
   return path ~ /^src\/[^\/]+\// && split(path, parts, "/") > 2 ? parts[2] : ""
 }
 
-function check_project_include(path, parts, other) {
+# The folder of a path within src/ ("formats/css/css_color.hpp"): a room of its own where it has a
+# line in the table ("formats/css"), else the first one.
+function room_of(path, parts, count) {
+  count = split(path, parts, "/")
+  return count > 2 && (parts[1] "/" parts[2]) in is_folder ? parts[1] "/" parts[2] : parts[1]
+}
+
+function check_project_include(path, parts, other, other_room) {
   if (folder == "" || path !~ /\// || path ~ /^sfumato\//) return
   split(path, parts, "/")
   other = parts[1]
+  other_room = room_of(path)
   if (other != folder && !((folder, other) in may_use)) {
     complain(folder " may not include " path)
   }
+  if (other == folder && other_room != room && !((room, other_room) in may_use)) {
+    complain(room " may not include " path)
+  }
   if (path ~ /^base\/native\// && core) complain("the core may not include " path)
+}
+
+# A namespace is sfumato, for what the library hands out, or has its folder's name.
+function check_namespace(name, parts) {
+  if (folder == "" || name == "sfumato") return
+  sub(/^sfumato::/, "", name)
+  split(name, parts, "::")
+  if (parts[1] == folder || room == folder "/" parts[1] || (folder, parts[1]) in named) return
+  complain(room " may not open namespace " name)
 }
 
 # Comments and string literals are not code.
@@ -41,6 +69,7 @@ FNR == 1 {
   lines = 0
   is_table = FILENAME ~ /folder-order\.txt$/
   folder = folder_of(FILENAME)
+  room = room_of(substr(FILENAME, 5))
   core = folder ~ /^(base|document|curves|picture|mesh|gather|raster|solve)$/ &&
          FILENAME !~ /^src\/base\/native\//
   if (!is_table && folder != "" && !(folder in is_folder)) {
@@ -67,6 +96,13 @@ is_table {
 /^[ \t]*#[ \t]*include[ \t]*"/ {
   split($0, quoted, "\"")
   check_project_include(quoted[2])
+}
+
+/^[ \t]*(inline )?namespace [a-z_:]+ \{/ {
+  name = $0
+  sub(/^.*namespace /, "", name)
+  sub(/ .*/, "", name)
+  check_namespace(name)
 }
 
 core && /^[ \t]*#[ \t]*include[ \t]*<(thread|filesystem|iostream|fstream|regex|future|mutex|shared_mutex|condition_variable|execution)>/ {
