@@ -6,11 +6,12 @@ scene := examples/portrait.svg
 fuzz_seconds := 60
 
 .DEFAULT_GOAL := help
-.PHONY: help demo build check kills sanitize fuzz fuzz-merge bench wasm hostile-growth clean
+.PHONY: help demo build test check kills sanitize fuzz fuzz-merge bench wasm hostile-growth clean
 
 help:
 	@echo 'make demo    install what the build needs, build, draw $(scene)'
 	@echo 'make build   the command: $(build_folder)/sfumato, and what cmake --install takes'
+	@echo 'make test    the quick tests: a minute or two once all is built'
 	@echo 'make check   everything built and tested, and the style checked'
 	@echo 'make kills   outputs under 1,000 times kill -9'
 	@echo 'make sanitize  the unit tests under AddressSanitizer, UBSan and ThreadSanitizer'
@@ -31,6 +32,14 @@ demo: build
 	@$(build_folder)/sfumato render $(scene) -o $(build_folder)/demo.html
 	@echo 'The picture is $(build_folder)/demo.png'
 	@echo 'To zoom into it, open $(build_folder)/demo.html in a browser'
+
+test:
+	@scripts/setup build check
+	@cmake --preset release -DSFUMATO_TESTS=ON -DSFUMATO_BENCH=OFF -DSFUMATO_WERROR=OFF \
+	  --log-level=WARNING >/dev/null
+	@cmake --build $(build_folder) --parallel $(jobs) --target sfumato sfumato_quick_tests
+	@ctest --test-dir $(build_folder) --label-exclude slow --exclude-regex '_NOT_BUILT$$' --parallel $(jobs) \
+	  --progress --output-on-failure --no-tests=error
 
 check:
 	@scripts/check
