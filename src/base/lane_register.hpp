@@ -2,6 +2,8 @@
 
 #include <cstdint>
 
+#include "base/inline.hpp"
+
 #if defined(__SSE2__)
 #include <immintrin.h>
 #elif defined(__wasm_simd128__)
@@ -17,8 +19,6 @@
 #else
 #define SFUMATO_ISA isa_base
 #endif
-
-#define SFUMATO_INLINE __attribute__((always_inline)) inline
 
 /// One register of W lanes: what base/lanes.hpp is made of, and the only place of the project where
 /// intrinsics stand. They are used where compilers make poor code of vector types; each gives the

@@ -12,12 +12,6 @@
 
 namespace sfumato::gather {
 
-/// What is seen ahead of the free end of an open curve (docs/mathematics.md).
-enum class Ends : std::uint8_t {
-  soft,   ///< the two sides' colours turn into each other round the end
-  paper,  ///< the paper's integral alone: a sliver, ever thinner towards the end
-};
-
 /// Where a curve ends by itself, with two sides that differ.
 struct FreeEnd {
   Vec2 position;     ///< layer frame

@@ -5,18 +5,10 @@
 #include <span>
 #include <vector>
 
-#include "gather/free_ends.hpp"
+#include "gather/options.hpp"
 #include "gather/scene.hpp"
 
 namespace sfumato::gather {
-
-enum class Method : std::uint8_t { exact, rays };
-
-struct GatherOptions {
-  Method method = Method::exact;
-  int rays_per_node = 64;  ///< Method::rays: at most limits::kRays
-  std::uint64_t seed = 0;
-};
 
 /// One attribute gathered at points (paper eq. 2–11), closed form over the exact visible set, or
 /// Monte Carlo rays. Holds what both need to know of one visibility mesh.

@@ -6,7 +6,7 @@
 #include "base/context.hpp"
 #include "base/status.hpp"
 #include "document/document.hpp"
-#include "gather/gather.hpp"
+#include "gather/options.hpp"
 #include "picture/picture.hpp"
 
 namespace sfumato {

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "base/lane_register.hpp"
+#include "base/inline.hpp"
 
 /// The layer as the kernels read it: plain structures in single precision, coordinates relative to
 /// the scene's origin. Kernels are compiled for several instruction sets and see nothing else.
