@@ -30,7 +30,7 @@ bool is_whole(const PatchField& field, int own_channels, const Picture& picture,
   const std::size_t channels = static_cast<std::size_t>(own_channels) + field.shader.size();
   if (field.channel_count < 0 || static_cast<std::size_t>(field.channel_count) != channels)
     return false;
-  return field.triangle_node.size() == std::size_t{10} * layer.triangle_count() &&
+  return field.triangle_node.size() == std::size_t{kNodesPerTriangle} * layer.triangle_count() &&
          field.node_value.size() % channels == 0 &&
          all_below(field.triangle_node, field.node_value.size() / channels) &&
          all_below(field.shader, picture.shaders.size());

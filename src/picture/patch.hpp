@@ -6,8 +6,6 @@
 
 namespace sfumato {
 
-inline constexpr int kNodesPerTriangle = 10;
-
 /// Barycentric coordinates of the ten nodes, in the order of PatchLayer: per node the weights of
 /// corners 0, 1, 2.
 inline constexpr std::array<std::array<double, 3>, kNodesPerTriangle> kNodeBarycentric{{

@@ -13,6 +13,13 @@
 
 namespace sfumato {
 
+inline constexpr int kNodesPerTriangle = 10;  ///< of a cubic patch
+
+/// Where the node at a place, 0 to 9, of a triangle stands in PatchField::triangle_node.
+constexpr std::size_t node_slot(std::size_t triangle, std::size_t place) {
+  return kNodesPerTriangle * triangle + place;
+}
+
 /// Interpolation inside a triangle (paper appendix A). Ten nodes are stored for each.
 enum class PatchOrder : std::uint8_t { linear, quadratic, cubic };
 
@@ -23,7 +30,7 @@ enum class PatchOrder : std::uint8_t { linear, quadratic, cubic };
 /// The barycentric weight of corner 0 is the paper's w, of corner 1 its u, of corner 2 its v.
 struct PatchField {
   int channel_count = 0;                     ///< 0: the layer has no such field
-  std::vector<std::uint32_t> triangle_node;  ///< 10 per triangle
+  std::vector<std::uint32_t> triangle_node;  ///< kNodesPerTriangle per triangle
   std::vector<float> node_value;             ///< channel_count per node
   /// Image-domain shaders by their weights W_s/W, the last channels: indices into Picture::shaders.
   std::vector<std::uint32_t> shader;

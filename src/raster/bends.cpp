@@ -12,9 +12,9 @@ constexpr float kStraight = 7.0f / 255;
 
 bool bends(const PatchField& field, std::size_t triangle) {
   const auto channels = static_cast<std::size_t>(field.channel_count);
-  std::array<const float*, 10> node;
-  for (std::size_t i = 0; i < 10; ++i)
-    node[i] = field.node_value.data() + channels * field.triangle_node[10 * triangle + i];
+  std::array<const float*, kNodesPerTriangle> node;
+  for (std::size_t i = 0; i < kNodesPerTriangle; ++i)
+    node[i] = field.node_value.data() + channels * field.triangle_node[node_slot(triangle, i)];
   for (std::size_t c = 0; c < channels; ++c) {
     for (std::size_t k = 0; k < 3; ++k) {
       const float from = node[k][c], to = node[(k + 1) % 3][c];

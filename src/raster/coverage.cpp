@@ -44,7 +44,7 @@ class OpaqueShader {
   }
   bool has_centers() const { return layer_.order == PatchOrder::cubic; }
   Color4 at_center(std::uint32_t triangle) const {
-    const std::size_t slot = std::size_t{10} * triangle + kCenterNode;
+    const std::size_t slot = node_slot(triangle, kCenterNode);
     return ColorChannels(layer_).at(slot) + color4(0, 0, 0, 1);
   }
   Color4 at(const PatchPoint& p, Vec2) const { return patch_color(patch_, p) + color4(0, 0, 0, 1); }

@@ -6,8 +6,8 @@ namespace sfumato::raster {
 
 bool has_weight(const FieldView& field, int first_channel, std::uint32_t triangle) {
   const WeightChannels channels(field, first_channel);
-  for (std::size_t i = 0; i < 10; ++i)
-    if (any(abs(channels.at(std::size_t{10} * triangle + i)) > Color4(0))) return true;
+  for (std::size_t i = 0; i < kNodesPerTriangle; ++i)
+    if (any(abs(channels.at(node_slot(triangle, i))) > Color4(0))) return true;
   return false;
 }
 
@@ -46,7 +46,7 @@ void PointShader::add_shader(const FieldView& field, int channel, float weight, 
 }
 
 Color4 PointShader::at_center(std::uint32_t triangle) const {
-  const std::size_t slot = std::size_t{10} * triangle + kCenterNode;
+  const std::size_t slot = node_slot(triangle, kCenterNode);
   if (layer_.opacity.channel_count > 0) return shown(ColorOpacityChannels(layer_).at(slot));
   return shown(ColorChannels(layer_).at(slot) + color4(0, 0, 0, 1));
 }

@@ -8,6 +8,7 @@
 #include "base/function_ref.hpp"
 #include "base/status.hpp"
 #include "mesh/triangle_mesh.hpp"
+#include "picture/picture.hpp"
 
 namespace sfumato::solve {
 
@@ -32,8 +33,9 @@ struct BorderCuts {
   std::vector<std::uint32_t> triangle_vertex;  ///< 3 per part
   std::vector<std::int32_t> edge;     ///< 3 per part: the half-edge that it lies on, or as above
   std::vector<std::uint32_t> parent;  ///< per part: the triangle that was cut
-  std::vector<std::int32_t> node;  ///< 10 per part: a place in the parent, or -1 - index in `point`
-  std::vector<Vec2> point;         ///< where new nodes are gathered: inside, on the seen side
+  /// kNodesPerTriangle per part: a place in the parent, or -1 - index in `point`.
+  std::vector<std::int32_t> node;
+  std::vector<Vec2> point;  ///< where new nodes are gathered: inside, on the seen side
   ScopedCharge charge;
 
   std::size_t part_count() const { return parent.size(); }

@@ -26,7 +26,7 @@ constexpr std::size_t kMostProbes = 6;
 
 /// About five nodes to a triangle.
 std::size_t layout_bytes_per_triangle(int channel_count) {
-  return 10 * sizeof(std::uint32_t) +
+  return kNodesPerTriangle * sizeof(std::uint32_t) +
          5 * (28 + sizeof(float) * static_cast<std::size_t>(channel_count)) + 64;
 }
 

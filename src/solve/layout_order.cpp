@@ -37,10 +37,10 @@ class NodeNumbering {
   void number_triangles() {
     RarePoll<4096> poll(context_);
     for (std::uint32_t t = 0; t < mesh_.triangle_count() && !poll.cancelled(); ++t) {
-      std::uint32_t* const node = layout_.triangle_node.data() + std::size_t{10} * t;
+      std::uint32_t* const node = layout_.triangle_node.data() + node_slot(t, 0);
       for (std::uint32_t k = 0; k < 3; ++k) number_corner(3 * t + k, node[k]);
-      for (std::uint32_t i = 3; i < 10; ++i) give_number(node[i]);
-      for (std::uint32_t i = 0; i < 10; ++i) node[i] = number_[node[i]];
+      for (std::uint32_t i = 3; i < kNodesPerTriangle; ++i) give_number(node[i]);
+      for (std::uint32_t i = 0; i < kNodesPerTriangle; ++i) node[i] = number_[node[i]];
     }
   }
 
@@ -51,7 +51,7 @@ class NodeNumbering {
     vertex = kDone;
     fan_.collect(mesh_, h, [&](std::uint32_t spoke) { return layout_.edge_is_curve[spoke] != 0; });
     for (const std::uint32_t spoke : fan_.spoke)
-      give_number(layout_.triangle_node[std::size_t{10} * (spoke / 3) + spoke % 3]);
+      give_number(layout_.triangle_node[node_slot(spoke / 3, spoke % 3)]);
   }
 
   void give_number(std::uint32_t node) {

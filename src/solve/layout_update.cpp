@@ -17,7 +17,7 @@ class KeptNodes {
   KeptNodes(NodeLayout& layout, LayoutHistory& history) : layout_(layout), history_(history) {}
 
   std::uint32_t& node_at(std::uint32_t triangle, std::uint32_t place) {
-    return layout_.triangle_node[std::size_t{10} * triangle + place];
+    return layout_.triangle_node[node_slot(triangle, place)];
   }
 
   bool is_changed(std::uint32_t triangle) const { return history_.is_changed[triangle] != 0; }
@@ -58,8 +58,8 @@ class KeptNodes {
   /// Takes its nodes from a triangle that changed.
   void leave(std::uint32_t triangle) {
     std::uint32_t* const node = &node_at(triangle, 0);
-    left_.insert(left_.end(), node, node + 10);
-    std::fill_n(node, 10, kNoNode);
+    left_.insert(left_.end(), node, node + kNodesPerTriangle);
+    std::fill_n(node, kNodesPerTriangle, kNoNode);
   }
 
   void meet(std::uint32_t node) { history_.node_seen[node] = history_.updates; }
@@ -76,7 +76,7 @@ class KeptNodes {
 
   Status make_room(const Context& context, std::size_t changed_triangles) {
     const auto channels = static_cast<std::size_t>(layout_.channel_count);
-    left_.reserve(10 * changed_triangles);
+    left_.reserve(kNodesPerTriangle * changed_triangles);
     history_.fresh.reserve(5 * changed_triangles);
     // About five nodes to a triangle; more room at a time than that, since to move takes long.
     const std::size_t nodes = layout_.position.size(), least = nodes + 6 * changed_triangles;
@@ -146,7 +146,7 @@ class LayoutUpdate {
         placer_(mesh, seams, table_) {}
 
   Status run() {
-    const std::size_t old_triangles = layout_.triangle_node.size() / 10;
+    const std::size_t old_triangles = layout_.triangle_node.size() / kNodesPerTriangle;
     Status status = begin();
     if (!status) return status;
     leave_changed(old_triangles);
@@ -166,7 +166,8 @@ class LayoutUpdate {
     history_.fresh.clear();
     const std::size_t triangles = mesh_.triangle_count(), most = triangles / 4 * 5;
     const std::size_t vertices = mesh_.vertex_position.size();
-    Status status = grow_large(context_, layout_.triangle_node, 10 * triangles, 10 * most, kNoNode);
+    Status status = grow_large(context_, layout_.triangle_node, kNodesPerTriangle * triangles,
+                               kNodesPerTriangle * most, kNoNode);
     if (status) status = grow_large(context_, layout_.edge_is_curve, 3 * triangles, 3 * most);
     if (status) status = grow_large(context_, history_.is_changed, triangles, most);
     if (status) status = grow_large(context_, history_.vertex_seen, vertices, vertices / 4 * 5);

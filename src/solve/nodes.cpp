@@ -14,7 +14,7 @@ class NewNodes {
   explicit NewNodes(NodeLayout& layout) : layout_(layout) {}
 
   std::uint32_t& node_at(std::uint32_t triangle, std::uint32_t place) {
-    return layout_.triangle_node[std::size_t{10} * triangle + place];
+    return layout_.triangle_node[node_slot(triangle, place)];
   }
   std::uint32_t kept(std::span<const std::uint32_t>) const { return kNoNode; }
   std::uint32_t own(std::uint32_t) const { return kNoNode; }
@@ -36,8 +36,7 @@ Status place_all(const Context& context, const mesh::TriangleMesh& mesh, const S
     if (poll.cancelled()) return context.stop_status();
     for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
       layout.edge_is_curve[h] = seams.is_seam(h);
-      if (layout.triangle_node[std::size_t{10} * t + h % 3] == kNoNode)
-        placer.place_around_vertex(h);
+      if (layout.triangle_node[node_slot(t, h % 3)] == kNoNode) placer.place_around_vertex(h);
     }
     for (std::uint32_t k = 0; k < 3; ++k) placer.place_on_edge(t, k);
     placer.place_at_barycentre(t);
@@ -52,7 +51,8 @@ NodeLayout lay_out_nodes(const Context& context, const mesh::TriangleMesh& mesh,
   NodeLayout layout;
   layout.channel_count = attributes.channel_count();
   const std::size_t triangles = mesh.triangle_count();
-  Status status = resize_large(context, layout.triangle_node, 10 * triangles, kNoNode);
+  Status status =
+      resize_large(context, layout.triangle_node, kNodesPerTriangle * triangles, kNoNode);
   if (status) status = resize_large(context, layout.edge_is_curve, 3 * triangles);
   if (!status) return {};
   layout.position.reserve(5 * triangles);

@@ -5,6 +5,7 @@
 
 #include "curves/attributes.hpp"
 #include "mesh/triangle_mesh.hpp"
+#include "picture/picture.hpp"
 #include "solve/seams.hpp"
 
 namespace sfumato::solve {
@@ -21,7 +22,7 @@ inline constexpr std::uint32_t kNoNode = 0xffffffff;
 /// leaves them free.
 struct NodeLayout {
   int channel_count = 0;                     ///< SegmentAttributes::channel_count()
-  std::vector<std::uint32_t> triangle_node;  ///< 10 per triangle, order of PatchLayer
+  std::vector<std::uint32_t> triangle_node;  ///< as in PatchField
   std::vector<std::uint8_t> edge_is_curve;   ///< 3 per triangle, as in PatchLayer
   std::vector<Vec2> position;          ///< per node, layer frame: where it is gathered if free
   std::vector<std::uint8_t> is_fixed;  ///< per node: 1 where the curve gives the value

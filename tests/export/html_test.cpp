@@ -139,7 +139,7 @@ Picture many_triangles(std::size_t count) {
   layer.edge_is_curve.assign(3 * count, 0);
   for (std::size_t i = 0; i < 3 * count; ++i)
     layer.triangle_vertex[i] = static_cast<std::uint32_t>(i % 3);
-  layer.color.triangle_node.assign(10 * count, 0);
+  layer.color.triangle_node.assign(kNodesPerTriangle * count, 0);
   return picture;
 }
 

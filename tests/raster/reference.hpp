@@ -72,7 +72,7 @@ inline std::vector<ReferenceTriangle> reference_triangles(const Picture& picture
     for (int i = 0; i < kNodesPerTriangle; ++i)
       for (int c = 0; c < 3; ++c)
         triangles[t].node[i][c] =
-            layer.color.node_value[3 * layer.color.triangle_node[10 * t + i] + c];
+            layer.color.node_value[3 * layer.color.triangle_node[node_slot(t, i)] + c];
   }
   return triangles;
 }

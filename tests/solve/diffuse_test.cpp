@@ -159,7 +159,7 @@ TEST(Diffuse, around_a_free_end_the_colours_turn_from_one_side_to_the_other) {
       double angle = std::atan2(-(middle.y - 50), middle.x - 50);
       if (angle < 0) angle += 2 * 3.14159265358979;
       const float value =
-          layer.color.node_value[3 * std::size_t{layer.color.triangle_node[10 * t + k]}];
+          layer.color.node_value[3 * std::size_t{layer.color.triangle_node[node_slot(t, k)]}];
       EXPECT_NEAR(value, 1 - angle / (2 * 3.14159265358979), 1e-5);
     }
   }

@@ -23,7 +23,7 @@ struct LaidOut {
     return mesh.vertex_position[mesh.triangle_vertex[3 * t + k]];
   }
   std::uint32_t node(std::uint32_t t, int place) const {
-    return layout.triangle_node[10 * t + place];
+    return layout.triangle_node[node_slot(t, place)];
   }
   Rgb value(std::uint32_t t, int place) const {
     const float* v = layout.value.data() + 3 * std::size_t{node(t, place)};

@@ -22,7 +22,7 @@ using EdgeNodes = std::array<std::uint32_t, 4>;
 
 /// The nodes on a side, from its lower vertex to the higher one.
 EdgeNodes nodes_on(const PatchLayer& layer, const PatchField& field, std::uint32_t half_edge) {
-  const std::size_t first = std::size_t{10} * (half_edge / 3);
+  const std::size_t first = node_slot(half_edge / 3, 0);
   const std::uint32_t k = half_edge % 3, next = (k + 1) % 3;
   const std::uint32_t* node = field.triangle_node.data() + first;
   EdgeNodes nodes{node[k], node[3 + 2 * k], node[4 + 2 * k], node[next]};

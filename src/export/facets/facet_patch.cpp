@@ -47,8 +47,8 @@ std::size_t first_channel(const FacetSource& source) {
 }
 
 /// The ten Bézier ordinates of the cubic through the values at the ten nodes, in their order.
-std::array<double, 10> bezier_ordinates(const std::array<double, 10>& z) {
-  std::array<double, 10> b = z;
+NodeValues bezier_ordinates(const NodeValues& z) {
+  NodeValues b = z;
   double edges = 0;
   for (int k = 0; k < 3; ++k) {
     const double from = z[k], to = z[(k + 1) % 3], near = z[3 + 2 * k], far = z[4 + 2 * k];
@@ -138,9 +138,9 @@ void FacetPatch::read(const PatchLayer& layer, const FacetSource& source, std::u
   const auto stride = static_cast<std::size_t>(field.channel_count);
   has_share_ = is_quotient(source.kind) && !field.shader.empty();
   const std::size_t first_other = is_of_shader(source.kind) ? source.shader + 1 : 0;
-  for (std::size_t n = 0; n < 10; ++n) {
+  for (std::size_t n = 0; n < kNodesPerTriangle; ++n) {
     const float* value =
-        field.node_value.data() + field.triangle_node[std::size_t{10} * triangle + n] * stride;
+        field.node_value.data() + field.triangle_node[node_slot(triangle, n)] * stride;
     for (int c = 0; c < channel_count_; ++c)
       node_[c][n] = value[first_channel(source) + static_cast<std::size_t>(c)];
     share_[n] = 1;
@@ -156,9 +156,8 @@ void FacetPatch::find_covered(const PatchLayer& layer, const FacetSource& source
   if (!has_share_ || source.shown.size() != field.shader.size()) return;
   const auto stride = static_cast<std::size_t>(field.channel_count);
   double sum = 0;
-  for (std::size_t n = 0; n < 10; ++n) {
-    const std::size_t end =
-        (field.triangle_node[std::size_t{10} * triangle + n] + std::size_t{1}) * stride;
+  for (std::size_t n = 0; n < kNodesPerTriangle; ++n) {
+    const std::size_t end = (field.triangle_node[node_slot(triangle, n)] + std::size_t{1}) * stride;
     for (std::size_t s = 0; s < field.shader.size(); ++s) {
       const double weight = clamped(field.node_value[end - field.shader.size() + s]);
       const Rgb& color = source.shown[s];
@@ -173,17 +172,17 @@ void FacetPatch::find_covered(const PatchLayer& layer, const FacetSource& source
 
 double FacetPatch::share(const Barycentric& at) const {
   if (!has_share_) return 1;
-  const std::array<double, 10> basis = patch_basis(order_, at[0], at[1], at[2]);
+  const PatchBasis basis = patch_basis(order_, at[0], at[1], at[2]);
   double sum = 0;
-  for (int n = 0; n < 10; ++n) sum += basis[n] * share_[n];
+  for (int n = 0; n < kNodesPerTriangle; ++n) sum += basis[n] * share_[n];
   return clamped(sum);
 }
 
 FacetPatch::Value FacetPatch::unclamped(const Barycentric& at) const {
-  const std::array<double, 10> basis = patch_basis(order_, at[0], at[1], at[2]);
+  const PatchBasis basis = patch_basis(order_, at[0], at[1], at[2]);
   Value value{};
   for (int c = 0; c < channel_count_; ++c)
-    for (int n = 0; n < 10; ++n) value[c] += basis[n] * node_[c][n];
+    for (int n = 0; n < kNodesPerTriangle; ++n) value[c] += basis[n] * node_[c][n];
   if (space_ == InterpolationSpace::srgb) return value;
   const Rgb code = to_srgb(space_, {static_cast<float>(value[0]), static_cast<float>(value[1]),
                                     static_cast<float>(value[2])});
@@ -200,14 +199,14 @@ FacetPatch::Value FacetPatch::shown(const Barycentric& at) const {
 
 /// Second derivatives at the corners; returns by how much Bézier ordinates leave [0, 1].
 double FacetPatch::find_curvature(int channel) {
-  std::array<double, 10> at_node = node_[channel];
-  for (std::size_t i = 0; i < 10 && order_ != PatchOrder::cubic; ++i) {
+  NodeValues at_node = node_[channel];
+  for (std::size_t i = 0; i < kNodesPerTriangle && order_ != PatchOrder::cubic; ++i) {
     const auto& w = kNodeBarycentric[i];
-    const std::array<double, 10> basis = patch_basis(order_, w[0], w[1], w[2]);
+    const PatchBasis basis = patch_basis(order_, w[0], w[1], w[2]);
     at_node[i] = 0;
-    for (std::size_t n = 0; n < 10; ++n) at_node[i] += basis[n] * node_[channel][n];
+    for (std::size_t n = 0; n < kNodesPerTriangle; ++n) at_node[i] += basis[n] * node_[channel][n];
   }
-  const std::array<double, 10> b = bezier_ordinates(at_node);
+  const NodeValues b = bezier_ordinates(at_node);
   for (std::size_t k = 0; k < 3; ++k) {
     const std::size_t last = (k + 2) % 3;
     const double u = b[3 + 2 * k], uu = b[4 + 2 * k], v = b[4 + 2 * last], vv = b[3 + 2 * last];
@@ -216,7 +215,7 @@ double FacetPatch::find_curvature(int channel) {
                static_cast<int>(k));
   }
   double overshoot = 0;
-  for (std::size_t i = 0; i < 10; ++i) {
+  for (std::size_t i = 0; i < kNodesPerTriangle; ++i) {
     const bool is_there = !is_edge_ || i < 2 || i == 3 || i == 4;
     if (is_there) overshoot = std::max({overshoot, -b[i], b[i] - 1});
   }
@@ -243,7 +242,7 @@ FacetPatch FacetPatch::edge(std::size_t k, bool is_reversed) const {
   std::array<std::size_t, 4> from{k, (k + 1) % 3, 3 + 2 * k, 4 + 2 * k};
   if (is_reversed) from = {from[1], from[0], from[3], from[2]};
   constexpr std::array<std::size_t, 4> kTo{0, 1, 3, 4};
-  const auto move = [&](const std::array<double, 10>& nodes, std::array<double, 10>* moved) {
+  const auto move = [&](const NodeValues& nodes, NodeValues* moved) {
     moved->fill(0);
     for (std::size_t i = 0; i < 4; ++i) (*moved)[kTo[i]] = nodes[from[i]];
   };

@@ -24,6 +24,9 @@ inline constexpr int kMostCuts = 64;
 /// and no number of cuts pays there: such patches are steep, and smaller than a pixel.
 inline constexpr int kMostClampedCuts = 16;
 
+/// A channel at the ten nodes of a patch.
+using NodeValues = std::array<double, kNodesPerTriangle>;
+
 /// One patch as an exporter shows it: values clamped to [0, 1], and what facets miss of them
 /// (docs/mathematics.md, "Facets").
 class FacetPatch {
@@ -84,10 +87,10 @@ class FacetPatch {
   double asked_error_;  ///< before overshoot had its part of it
   double max_error_;
   bool is_edge_ = false;  ///< made by edge()
-  std::array<std::array<double, 10>, kMostChannels> node_{};
+  std::array<NodeValues, kMostChannels> node_{};
   bool has_share_ = false;
-  Value covered_{};                 ///< shown where no share is left
-  std::array<double, 10> share_{};  ///< at the nodes: what values are divided by
+  Value covered_{};     ///< shown where no share is left
+  NodeValues share_{};  ///< at the nodes: what values are divided by
   std::array<std::array<Hessian, 3>, kMostChannels> corner_{};  ///< they are linear in between
   bool is_light_ = false;                                       ///< facets are linear in light
   bool is_clamped_ = false;  ///< an sRGB patch that leaves [0, 1]

@@ -74,8 +74,7 @@ Status FacetBuilder::number_corners(Context& context) {
   RarePoll<kTurnsPerPoll> poll(context);
   for (std::uint32_t corner = 0; corner < corner_vertex_.size(); ++corner) {
     if (poll.cancelled()) return context.stop_status();
-    std::uint32_t& vertex =
-        of_node[field.triangle_node[std::size_t{10} * (corner / 3) + corner % 3]];
+    std::uint32_t& vertex = of_node[field.triangle_node[node_slot(corner / 3, corner % 3)]];
     if (vertex == kNone ||
         layer_.triangle_vertex[corner_owner_[vertex]] != layer_.triangle_vertex[corner]) {
       vertex = static_cast<std::uint32_t>(corner_owner_.size());

@@ -17,7 +17,7 @@ constexpr std::uint32_t kTurnsPerPoll = 65'536;
 
 /// The node pairs, of colour and of opacity, that the corners and edges of patches use.
 struct NodePairs {
-  std::vector<std::uint32_t> triangle_node;  ///< 10 per triangle
+  std::vector<std::uint32_t> triangle_node;  ///< kNodesPerTriangle per triangle
   std::vector<std::pair<std::uint32_t, std::uint32_t>> node;
 };
 

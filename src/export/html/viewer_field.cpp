@@ -15,8 +15,9 @@ constexpr int kNodesLookedAt = 200;
 constexpr int kResidualBytes = 3;
 
 /// Per triangle and channel: ten nodes at most, each with a value and a residual; and the nodes.
-constexpr std::size_t kBytesPerChannel = 10 * (sizeof(std::int32_t) + sizeof(std::uint32_t) + 3);
-constexpr std::size_t kBytesPerTriangle = 10 * 4 * sizeof(std::uint32_t);
+constexpr std::size_t kBytesPerChannel =
+    kNodesPerTriangle * (sizeof(std::int32_t) + sizeof(std::uint32_t) + 3);
+constexpr std::size_t kBytesPerTriangle = kNodesPerTriangle * 4 * sizeof(std::uint32_t);
 
 std::int32_t floor_divided(std::int32_t value, std::int32_t by) {
   const std::int32_t quotient = value / by;
@@ -30,7 +31,7 @@ class FieldWriter {
         mesh_(mesh),
         channels_(static_cast<std::size_t>(field.channel_count)),
         step_(channels_, viewer_step(InterpolationSpace::srgb)),
-        node_(std::size_t{10} * mesh.triangle_count()),
+        node_(std::size_t{kNodesPerTriangle} * mesh.triangle_count()),
         misses_(channels_),
         out_(out) {
     std::fill(step_.begin(), step_.end() - static_cast<std::ptrdiff_t>(field.shader.size()), step);
@@ -65,11 +66,11 @@ class FieldWriter {
     std::uint32_t from = slot;
     if (slot < 3) from = (slot + turn) % 3;
     if (slot >= 3 && slot < 9) from = 3 + (slot - 3 + 2 * turn) % 6;
-    return field_.triangle_node[10 * std::size_t{mesh_.triangle[t]} + from];
+    return field_.triangle_node[node_slot(std::size_t{mesh_.triangle[t]}, from)];
   }
 
   std::uint32_t& node(std::uint32_t t, std::uint32_t slot) {
-    return node_[10 * std::size_t{t} + slot];
+    return node_[node_slot(std::size_t{t}, slot)];
   }
 
   std::int32_t value(std::uint32_t node, std::size_t channel) const {
@@ -196,7 +197,7 @@ class FieldWriter {
   const ViewerMesh& mesh_;
   std::size_t channels_;
   std::vector<double> step_;                        ///< per channel
-  std::vector<std::uint32_t> node_;                 ///< 10 per triangle
+  std::vector<std::uint32_t> node_;                 ///< kNodesPerTriangle per triangle
   std::vector<std::uint32_t> source_;               ///< per node: the layer's
   std::vector<std::int32_t> value_;                 ///< channels_ per node, steps
   std::vector<std::uint32_t> first_at_vertex_;      ///< its nodes, the last used first

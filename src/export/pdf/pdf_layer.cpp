@@ -192,7 +192,7 @@ Box LayerWriter::box_of_weight(const PatchField& field, std::size_t channel) con
   for (std::size_t slot = 0; slot < field.triangle_node.size(); ++slot) {
     if (field.node_value[stride * field.triangle_node[slot] + channel] == 0) continue;
     for (std::size_t k = 0; k < 3; ++k)
-      box.extend(layer_.vertex_position[layer_.triangle_vertex[slot / 10 * 3 + k]]);
+      box.extend(layer_.vertex_position[layer_.triangle_vertex[slot / kNodesPerTriangle * 3 + k]]);
   }
   return box;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/lanes.hpp"
+#include "picture/picture.hpp"
 #include "raster/kernels/triangle_frame.hpp"
 
 /// The patch of one triangle (paper eq. 17–18) as a polynomial of (u, q), see triangle_frame.hpp.
@@ -16,7 +17,7 @@ inline constexpr int kCenterNode = 9;
 /// node_order[3 top + middle]: the ten nodes of a triangle as top, middle, bottom, then tm, mt, mb,
 /// bm, bt, tb (ij lies a third of the way from i to j), then the centre.
 struct NodeOrderTable {
-  std::uint8_t node[9][10];
+  std::uint8_t node[9][kNodesPerTriangle];
 };
 
 constexpr int edge_node(int i, int j) {
@@ -29,17 +30,18 @@ constexpr NodeOrderTable make_node_order() {
     for (int m = 0; m < 3; ++m) {
       if (t == m) continue;
       const int b = 3 - t - m;
-      const int order[10] = {t,
-                             m,
-                             b,
-                             edge_node(t, m),
-                             edge_node(m, t),
-                             edge_node(m, b),
-                             edge_node(b, m),
-                             edge_node(b, t),
-                             edge_node(t, b),
-                             kCenterNode};
-      for (int i = 0; i < 10; ++i) table.node[3 * t + m][i] = static_cast<std::uint8_t>(order[i]);
+      const int order[] = {t,
+                           m,
+                           b,
+                           edge_node(t, m),
+                           edge_node(m, t),
+                           edge_node(m, b),
+                           edge_node(b, m),
+                           edge_node(b, t),
+                           edge_node(t, b),
+                           kCenterNode};
+      for (int i = 0; i < kNodesPerTriangle; ++i)
+        table.node[3 * t + m][i] = static_cast<std::uint8_t>(order[i]);
     }
   }
   return table;
@@ -63,8 +65,8 @@ SFUMATO_INLINE Color4 color4(float x, float y, float z, float w) {
   return color;
 }
 
-/// The channels that the lanes of a patch are read from; `slot` is 10 triangle + node. This one:
-/// the colour of a layer, and an unused lane.
+/// The channels that the lanes of a patch are read from; `slot` is a node_slot(). This one: the
+/// colour of a layer, and an unused lane.
 struct ColorChannels {
   static constexpr int kCount = 3;
 
@@ -126,7 +128,7 @@ SFUMATO_INLINE void edge_monomials(const Color4& near, const Color4& far, const 
 
 /// Eq. 18 in monomials of u and v (v the weight of the bottom corner), from the differences d of
 /// the nodes to the top one: exactly 0 for a constant patch.
-SFUMATO_INLINE void cubic_monomials(const Color4 (&d)[10], PatchPolynomial* p) {
+SFUMATO_INLINE void cubic_monomials(const Color4 (&d)[kNodesPerTriangle], PatchPolynomial* p) {
   edge_monomials(d[3], d[4], d[1], &p->c10, &p->c20, &p->c30);
   edge_monomials(d[8], d[7], d[2], &p->c01, &p->c02, &p->c03);
   // What the two edge cubics leave at mb, bm and the centre is u v (c11 + c21 u + c12 v).
@@ -139,7 +141,7 @@ SFUMATO_INLINE void cubic_monomials(const Color4 (&d)[10], PatchPolynomial* p) {
 }
 
 /// Eq. 17; an edge's centre is read from the cubic through its four nodes, as patch_basis does.
-SFUMATO_INLINE void quadratic_monomials(const Color4 (&d)[10], PatchPolynomial* p) {
+SFUMATO_INLINE void quadratic_monomials(const Color4 (&d)[kNodesPerTriangle], PatchPolynomial* p) {
   const Color4 nine(0.5625f), one(0.0625f);
   const Color4 top_middle = nine * (d[3] + d[4]) - one * d[1];
   const Color4 top_bottom = nine * (d[8] + d[7]) - one * d[2];
@@ -152,7 +154,7 @@ SFUMATO_INLINE void quadratic_monomials(const Color4 (&d)[10], PatchPolynomial* 
   p->c30 = p->c21 = p->c12 = p->c03 = Color4(0);
 }
 
-SFUMATO_INLINE void linear_monomials(const Color4 (&d)[10], PatchPolynomial* p) {
+SFUMATO_INLINE void linear_monomials(const Color4 (&d)[kNodesPerTriangle], PatchPolynomial* p) {
   p->c10 = d[1];
   p->c01 = d[2];
   p->c20 = p->c11 = p->c02 = p->c30 = p->c21 = p->c12 = p->c03 = Color4(0);
@@ -173,15 +175,15 @@ template <class Channels>
 SFUMATO_INLINE PatchPolynomial patch_polynomial(const Channels& channels, PatchOrder patch_order,
                                                 std::uint32_t triangle,
                                                 const TriangleFrame& frame) {
-  const std::size_t first_slot = std::size_t{10} * triangle;
+  const std::size_t first_slot = node_slot(triangle, 0);
   const std::uint8_t* order = kNodeOrder.node[frame.corner_order];
-  Color4 d[10];
+  Color4 d[kNodesPerTriangle];
 #pragma GCC unroll 10
-  for (int i = 0; i < 10; ++i) d[i] = channels.at(first_slot + order[i]);
+  for (int i = 0; i < kNodesPerTriangle; ++i) d[i] = channels.at(first_slot + order[i]);
   PatchPolynomial p;
   p.c00 = d[0];
 #pragma GCC unroll 9
-  for (int i = 1; i < 10; ++i) d[i] = d[i] - d[0];
+  for (int i = 1; i < kNodesPerTriangle; ++i) d[i] = d[i] - d[0];
   if (patch_order == PatchOrder::cubic)
     cubic_monomials(d, &p);
   else if (patch_order == PatchOrder::quadratic)
