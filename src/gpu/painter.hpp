@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
+#include "gpu/draw_list.hpp"
 #include "gpu/program.hpp"
-#include "gpu/scene.hpp"
 #include "gpu/target.hpp"
 #include "raster/options.hpp"
 

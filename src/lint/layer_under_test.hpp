@@ -6,7 +6,7 @@
 
 #include "document/document.hpp"
 #include "lint/hint.hpp"
-#include "solve/layer_scene.hpp"
+#include "solve/prepare_layer.hpp"
 
 namespace sfumato::lint_detail {
 

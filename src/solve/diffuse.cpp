@@ -4,8 +4,8 @@
 
 #include "base/large_vector.hpp"
 #include "base/public_verb.hpp"
-#include "solve/layer_scene.hpp"
 #include "solve/layer_solver.hpp"
+#include "solve/prepare_layer.hpp"
 
 namespace sfumato {
 namespace {

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "solve/layer_scene.hpp"
+#include "solve/prepare_layer.hpp"
 
 namespace sfumato::solve {
 namespace {

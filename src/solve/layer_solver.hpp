@@ -11,7 +11,7 @@
 #include "solve/border.hpp"
 #include "solve/diffuse.hpp"
 #include "solve/field_solver.hpp"
-#include "solve/layer_scene.hpp"
+#include "solve/prepare_layer.hpp"
 
 namespace sfumato::solve {
 

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "solve/layer_scene.hpp"
 #include "solve/layer_solver.hpp"
 #include "solve/layout_order.hpp"
+#include "solve/prepare_layer.hpp"
 #include "support/cancel_at.hpp"
 #include "support/drawing.hpp"
 #include "support/random_document.hpp"

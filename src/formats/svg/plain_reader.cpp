@@ -1,8 +1,8 @@
 #include <utility>
 
 #include "formats/svg/plain_style.hpp"
-#include "formats/svg/scene_reader.hpp"
 #include "formats/svg/shapes.hpp"
+#include "formats/svg/stack_reader.hpp"
 
 /// The part of SceneReader that reads shapes of ordinary SVG.
 namespace sfumato::svg {

@@ -15,8 +15,8 @@
 #include "formats/svg/input.hpp"
 #include "formats/svg/picture_size.hpp"
 #include "formats/svg/plain_svg.hpp"
-#include "formats/svg/scene_reader.hpp"
 #include "formats/svg/shapes.hpp"
+#include "formats/svg/stack_reader.hpp"
 #include "formats/svg/view_box.hpp"
 #include "formats/text/suggestion.hpp"
 

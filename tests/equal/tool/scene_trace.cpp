@@ -7,8 +7,8 @@
 #include "api/render_pixels.hpp"
 #include "codecs/png.hpp"
 #include "formats/svg/svg_write.hpp"
-#include "solve/layer_scene.hpp"
 #include "solve/layer_solver.hpp"
+#include "solve/prepare_layer.hpp"
 
 namespace sfumato::test {
 namespace {

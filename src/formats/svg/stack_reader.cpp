@@ -1,4 +1,4 @@
-#include "formats/svg/scene_reader.hpp"
+#include "formats/svg/stack_reader.hpp"
 
 #include <algorithm>
 #include <array>

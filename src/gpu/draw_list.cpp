@@ -1,4 +1,4 @@
-#include "gpu/scene.hpp"
+#include "gpu/draw_list.hpp"
 
 #include <algorithm>
 #include <cmath>

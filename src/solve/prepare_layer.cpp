@@ -1,4 +1,4 @@
-#include "solve/layer_scene.hpp"
+#include "solve/prepare_layer.hpp"
 
 #include <algorithm>
 #include <cmath>
