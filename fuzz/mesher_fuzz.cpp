@@ -19,9 +19,9 @@ constexpr double kSide = 64;
 constexpr std::uint32_t kManyTriangles = 20'000;
 
 /// Points as bytes say: on a grid, near or between those before, on the frame, far away.
-class SceneReader {
+class DrawingReader {
  public:
-  explicit SceneReader(fuzz::Bytes bytes) : reader_(bytes) {}
+  explicit DrawingReader(fuzz::Bytes bytes) : reader_(bytes) {}
 
   mesh::MeshOptions options() {
     mesh::MeshOptions options;
@@ -136,9 +136,9 @@ void check_refinement(Context& context, mesh::Mesher& mesher, double smallest_ed
 }  // namespace
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  SceneReader scene({data, size});
-  const mesh::MeshOptions options = scene.options();
-  const curves::FlatCurves flat = scene.curves();
+  DrawingReader drawing({data, size});
+  const mesh::MeshOptions options = drawing.options();
+  const curves::FlatCurves flat = drawing.curves();
   Context context{.budget = Budget(fuzz::kBudgetBytes)};
   {
     Result<mesh::Mesher> mesher = mesh::Mesher::build(context, flat, options);

@@ -47,8 +47,8 @@ bool Context::is_late() const {
   return std::chrono::steady_clock::now() >= deadline->at;
 }
 
-Status Context::stop_status() const {
-  if (outer && outer->cancelled()) return outer->stop_status();
+Status Context::cancel_status() const {
+  if (outer && outer->cancelled()) return outer->cancel_status();
   if (cancel.load(std::memory_order_relaxed) || !deadline) {
     return make_error(StatusCode::cancelled, "cancelled");
   }
@@ -143,7 +143,7 @@ Status try_parallel_for(Context& context, std::size_t count, std::size_t grain,
   } else {
     for (std::size_t i = 0; i < task_count && goes_on; ++i) task(i);
   }
-  if (context.cancelled()) return context.stop_status();
+  if (context.cancelled()) return context.cancel_status();
   return failure;
 }
 

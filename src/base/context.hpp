@@ -82,7 +82,7 @@ SimdLevel detected_simd_level();
 /// alive.
 ///
 /// Work looks at cancelled() at least every few milliseconds of each thread, and then ends with
-/// stop_status(). tests/limits holds it to that.
+/// cancel_status(). tests/limits holds it to that.
 struct Context {
   Executor* executor = nullptr;  ///< null: the calling thread alone
   Progress* progress = nullptr;
@@ -101,9 +101,9 @@ struct Context {
            (outer && outer->cancelled());
   }
   /// Ok, or why to stop: cancelled, or limit for the deadline.
-  Status check() const { return cancelled() ? stop_status() : ok_status(); }
+  Status check() const { return cancelled() ? cancel_status() : ok_status(); }
   /// Why cancelled() was true.
-  Status stop_status() const;
+  Status cancel_status() const;
 
   int thread_count() const { return executor ? executor->thread_count() : 1; }
 

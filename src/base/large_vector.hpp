@@ -23,7 +23,7 @@ Status resize_large(const Context& context, std::vector<Item>& items, std::size_
   constexpr std::size_t kItems = (std::size_t{8} << 20) / sizeof(Item);
   if (Status status = reserve_large(context, items, count); !status) return status;
   while (items.size() < count) {
-    if (context.cancelled()) return context.stop_status();
+    if (context.cancelled()) return context.cancel_status();
     items.resize(std::min(count, items.size() + kItems), value);
   }
   return ok_status();
@@ -39,7 +39,7 @@ Status append_large(const Context& context, std::span<const Item> from, std::vec
     if (!status) return status;
   }
   for (std::size_t i = 0; i < from.size(); i += kItems) {
-    if (context.cancelled()) return context.stop_status();
+    if (context.cancelled()) return context.cancel_status();
     const std::span<const Item> part = from.subspan(i, std::min(kItems, from.size() - i));
     to.insert(to.end(), part.begin(), part.end());
   }
@@ -89,7 +89,7 @@ Status sort_large(Context& context, std::vector<Item>& items, Less less) {
   constexpr std::size_t kRun = std::size_t{1} << 15;
   const std::size_t count = items.size();
   for (std::size_t begin = 0; begin < count; begin += kRun) {
-    if (context.cancelled()) return context.stop_status();
+    if (context.cancelled()) return context.cancel_status();
     const auto first = items.begin() + static_cast<std::ptrdiff_t>(begin);
     std::sort(first, first + static_cast<std::ptrdiff_t>(std::min(kRun, count - begin)), less);
   }
@@ -106,7 +106,7 @@ Status sort_large(Context& context, std::vector<Item>& items, Less less) {
       std::size_t a = begin, b = std::min(begin + run, count);
       const std::size_t a_end = b, b_end = std::min(b + run, count);
       while (out < b_end) {
-        if (poll.cancelled()) return context.stop_status();
+        if (poll.cancelled()) return context.cancel_status();
         const bool takes_b = a == a_end || (b < b_end && less(items[b], items[a]));
         merged[out++] = items[takes_b ? b++ : a++];
       }

@@ -65,7 +65,7 @@ Status write_difference(Context& context, const CompareArguments& arguments, con
   Status status = charge.add(context, 3 * pixels, "the difference picture");
   if (!status) return status;
   const Image picture = difference_image(context, first, second, arguments.scale);
-  if (context.cancelled()) return context.stop_status();
+  if (context.cancelled()) return context.cancel_status();
   const auto png = encode_png(context, picture);
   if (!png) return png.status();
   return write_file(arguments.output, *png, &context);
@@ -93,7 +93,7 @@ Status compare_files(Context& context, const CompareArguments& arguments,
     if (!status) return status;
   }
   const Difference difference(context, *first, *second);
-  if (context.cancelled()) return context.stop_status();
+  if (context.cancelled()) return context.cancel_status();
   return print(arguments.json ? as_json(difference) : as_table(difference), &context);
 }
 

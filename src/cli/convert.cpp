@@ -16,7 +16,7 @@ Status convert_document(Context& context, const ConvertArguments& arguments) {
   if (!read) return read.status();
   const Result<std::string> svg = write_svg(context, read->document);
   if (!svg) return svg.status();
-  if (context.cancelled()) return context.stop_status();
+  if (context.cancelled()) return context.cancel_status();
   return write_file(arguments.output,
                     {reinterpret_cast<const std::uint8_t*>(svg->data()), svg->size()}, &context);
 }

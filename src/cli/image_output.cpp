@@ -30,7 +30,7 @@ Status drop_opaque_alpha(Context& context, Image& image) {
   const int channel_bytes = bytes_per_channel(image.format);
   const std::size_t old_row_bytes = image.row_bytes();
   for (int y = 0; y < image.height; ++y) {
-    if (context.cancelled()) return context.stop_status();
+    if (context.cancelled()) return context.cancel_status();
     const std::uint8_t* row = image.bytes.data() + static_cast<std::size_t>(y) * old_row_bytes;
     if (!is_opaque(row, image.width, channel_bytes)) return ok_status();
   }
@@ -38,7 +38,7 @@ Status drop_opaque_alpha(Context& context, Image& image) {
   const std::uint8_t* in = image.bytes.data();
   std::uint8_t* out = image.bytes.data();
   for (int y = 0; y < image.height; ++y) {
-    if (context.cancelled()) return context.stop_status();
+    if (context.cancelled()) return context.cancel_status();
     for (int x = 0; x < image.width; ++x, in += 4 * channel_bytes, out += 3 * channel_bytes) {
       std::copy_n(in, 3 * channel_bytes, out);  // forwards: it may overlap
     }

@@ -50,7 +50,7 @@ Status write_start(Context& context, const InitArguments& arguments) {
   Result<std::string> svg = arguments.input.empty() ? template_text(arguments.template_name)
                                                     : imported(context, arguments);
   if (!svg) return svg.status();
-  if (context.cancelled()) return context.stop_status();
+  if (context.cancelled()) return context.cancel_status();
   return write_file(arguments.output,
                     {reinterpret_cast<const std::uint8_t*>(svg->data()), svg->size()}, &context);
 }

@@ -33,7 +33,7 @@ Status render_document(Context& context, const RenderArguments& arguments,
   stats.read_seconds = total.seconds();
   const auto file = make_picture_file(context, read->document, arguments, stats);
   if (!file) return file.status();
-  if (context.cancelled()) return context.stop_status();
+  if (context.cancelled()) return context.cancel_status();
   const Stopwatch write_watch;
   const Status written = write_file(output, *file, &context);
   stats.write_seconds += write_watch.seconds();
@@ -120,7 +120,7 @@ int render(const RenderArguments& arguments) {
                   .limits = arguments.resources.limits};
   const CancelOnSignal cancel_on_signal(context.cancel);
   const std::string complaint = complaint_about_textures(context, arguments);
-  if (context.cancel.load()) return fail(context.stop_status());
+  if (context.cancel.load()) return fail(context.cancel_status());
   if (!complaint.empty()) {
     report_error(make_error(StatusCode::bad_input, complaint));
     return kBadUsage;

@@ -168,7 +168,7 @@ int watch(const WatchArguments& arguments) {
   const Status printed = print("http://127.0.0.1:" + std::to_string((*server)->port()) + "/\n");
   if (!printed) return fail(printed);
   Watching(context, arguments, **server).run();
-  return fail(context.stop_status());
+  return fail(context.cancel_status());
 }
 
 }  // namespace sfumato::cli

@@ -65,7 +65,7 @@ Status append_base64(const Context& context, std::span<const std::uint8_t> bytes
   constexpr std::size_t kPart = std::size_t{3} << 20;
   text.reserve(text.size() + base64_length(bytes.size()));
   for (std::size_t i = 0; i < bytes.size(); i += kPart) {
-    if (context.cancelled()) return context.stop_status();
+    if (context.cancelled()) return context.cancel_status();
     append_part(bytes.subspan(i, std::min(kPart, bytes.size() - i)), text);
   }
   return ok_status();

@@ -62,7 +62,7 @@ Result<std::vector<std::uint8_t>> deflated(Context& context, std::span<const std
   std::vector<std::uint8_t> packed;
   std::size_t fed = 0;
   for (bool is_done = false; !is_done;) {
-    if (context.cancelled()) return context.stop_status();
+    if (context.cancelled()) return context.cancel_status();
     if (deflater.is_hungry()) {
       const std::size_t size = std::min(kBytesPerPoll, bytes.size() - fed);
       deflater.feed(bytes.subspan(fed, size));

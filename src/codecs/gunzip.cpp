@@ -89,7 +89,7 @@ Result<std::string> gunzip(Context& context, std::string_view bytes, ScopedCharg
   std::string text;
   std::size_t size = 0;
   for (int code = Z_OK; code != Z_STREAM_END;) {
-    if (context.cancelled()) return context.stop_status();
+    if (context.cancelled()) return context.cancel_status();
     if (size > most) break;
     if (size == text.size()) {
       const std::size_t next = std::clamp(2 * size, kFirstBytes, most + 1);

@@ -45,7 +45,7 @@ Status halve_depth(const Context& context, Image& image) {
   RarePoll<65536> poll(context);
   const std::size_t count = image.bytes.size() / 2;
   for (std::size_t i = 0; i < count; ++i) {
-    if (poll.cancelled()) return context.stop_status();
+    if (poll.cancelled()) return context.cancel_status();
     image.bytes[i] = rounded(&image.bytes[2 * i]);
   }
   image.bytes.resize(count);

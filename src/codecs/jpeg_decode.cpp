@@ -135,7 +135,7 @@ bool read_pixels(Session& session, std::size_t channels, std::uint8_t* row, std:
 }
 
 Status failure(const Session& session) {
-  if (session.cancelled) return session.context.stop_status();
+  if (session.cancelled) return session.context.cancel_status();
   if (session.no_memory) {
     return make_error(StatusCode::out_of_memory, "no memory to read the JPEG image");
   }

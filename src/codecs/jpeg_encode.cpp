@@ -129,7 +129,7 @@ bool write_image(Session& session, const Image& image, int quality) {
 }
 
 Status failure(const Session& session) {
-  if (session.cancelled) return session.context.stop_status();
+  if (session.cancelled) return session.context.cancel_status();
   if (session.no_memory) {
     return make_error(StatusCode::out_of_memory, "no memory to write the JPEG image");
   }

@@ -163,7 +163,7 @@ Status Decoder::decode_rows(int spng_format, int flags, Image& image) {
   int code =
       spng_decode_image(png_.get(), nullptr, 0, spng_format, flags | SPNG_DECODE_PROGRESSIVE);
   while (code == SPNG_OK) {
-    if (context_.cancelled()) return context_.stop_status();
+    if (context_.cancelled()) return context_.cancel_status();
     spng_row_info row{};
     code = spng_get_row_info(png_.get(), &row);
     if (code != SPNG_OK) break;

@@ -228,7 +228,7 @@ Result<Bytes> Encoder::joined_parts() {
   Bytes joined;
   joined.reserve(size);
   for (Bytes& part : parts_) {
-    if (context_.cancelled()) return context_.stop_status();
+    if (context_.cancelled()) return context_.cancel_status();
     joined.insert(joined.end(), part.begin(), part.end());
     part = Bytes();
   }

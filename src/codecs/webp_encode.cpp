@@ -30,7 +30,7 @@ int go_on(int, const WebPPicture* picture) {
 Status failure(const WebPPicture& picture) {
   switch (picture.error_code) {
     case VP8_ENC_ERROR_USER_ABORT:
-      return static_cast<const Context*>(picture.user_data)->stop_status();
+      return static_cast<const Context*>(picture.user_data)->cancel_status();
     case VP8_ENC_OK:  // what libwebp leaves where some of its allocations fail
     case VP8_ENC_ERROR_OUT_OF_MEMORY:
     case VP8_ENC_ERROR_BITSTREAM_OUT_OF_MEMORY:

@@ -43,7 +43,7 @@ Result<bool> is_opaque(const Context& context, const Image& image) {
   if (channel_count(image.format) != 4) return true;
   RarePoll<64> poll(context);
   for (int y = 0; y < image.height; ++y) {
-    if (poll.cancelled()) return context.stop_status();
+    if (poll.cancelled()) return context.cancel_status();
     if (!is_opaque(image, y)) return false;
   }
   return true;
@@ -113,7 +113,7 @@ Status import_argb(Context& context, const Image& image, WebPPicture& picture) {
   const auto channels = static_cast<std::size_t>(channel_count(image.format));
   RarePoll<64> poll(context);
   for (int y = 0; y < image.height; ++y) {
-    if (poll.cancelled()) return context.stop_status();
+    if (poll.cancelled()) return context.cancel_status();
     const std::uint8_t* from = &image.bytes[image.row_bytes() * static_cast<std::size_t>(y)];
     std::uint32_t* const to = picture.argb + std::ptrdiff_t{picture.argb_stride} * y;
     for (int x = 0; x < image.width; ++x, from += channels) {

@@ -186,7 +186,7 @@ class JunctionFinder {
     RarePoll<16> poll(context_);
     std::size_t begin = 0;
     for (std::size_t c = 0; c < curves_.size(); begin = next[c++]) {
-      if (poll.cancelled()) return context_.stop_status();
+      if (poll.cancelled()) return context_.cancel_status();
       std::sort(sorted.data() + begin, sorted.data() + next[c],
                 [](const Junction& a, const Junction& b) {
                   return std::tie(a.parameter, a.point.x, a.point.y) <
@@ -244,11 +244,11 @@ Result<Junctions> find_junctions(Context& context, std::span<const Curve> curves
   if (Status status = charge.add(context, bytes, "flattening"); !status) return status;
   const SegmentTree tree(context, flat, curves, reach);
   const Places places(context, flat.vertex);
-  if (context.cancelled()) return context.stop_status();
+  if (context.cancelled()) return context.cancel_status();
   JunctionFinder finder(context, curves, flat, reach);
   RarePoll<1024> poll(context);
   for (std::uint32_t v = 0; v < vertices && finder.status().ok(); ++v) {
-    if (poll.cancelled()) return context.stop_status();
+    if (poll.cancelled()) return context.cancel_status();
     if (places.first(v) != v) {
       finder.meet(v, places.first(v));
     } else {

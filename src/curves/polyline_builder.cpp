@@ -13,7 +13,7 @@ constexpr std::size_t kFirstVertices = 1024;
 }  // namespace
 
 void PolylineBuilder::begin_curve() {
-  if (status_.ok() && context_.cancelled()) status_ = context_.stop_status();
+  if (status_.ok() && context_.cancelled()) status_ = context_.cancel_status();
   flat_.curve_begin.push_back(static_cast<std::uint32_t>(flat_.vertex.size()));
 }
 
@@ -22,7 +22,7 @@ void PolylineBuilder::end_last_curve() {
 }
 
 void PolylineBuilder::push(Vec2 point, double parameter) {
-  if (poll_.cancelled()) status_ = context_.stop_status();
+  if (poll_.cancelled()) status_ = context_.cancel_status();
   if (flat_.vertex.size() == room_) make_room();
   if (!status_.ok()) return;
   const bool first = flat_.vertex.size() == flat_.curve_begin.back();

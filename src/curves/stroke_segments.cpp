@@ -117,7 +117,7 @@ class SegmentMaker {
     std::size_t next_cut = 0;
     Status status;
     for (std::size_t i = 0; status && 3 * i + 3 < points_.size(); ++i) {
-      if (context_.cancelled()) return context_.stop_status();
+      if (context_.cancelled()) return context_.cancel_status();
       const Cubic cubic = piece(points_, i);
       const double begin = static_cast<double>(i);
       double from = 0;

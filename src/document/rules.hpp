@@ -72,7 +72,7 @@ Status check_stack(const Context& context, const std::vector<Item>& stack,
   if (Status status = check_stack_size(context, stack.size()); !status) return status;
   StackChecker checker(context, layer_count);
   for (std::size_t i = 0; i < stack.size(); ++i) {
-    if (context.cancelled()) return context.stop_status();
+    if (context.cancelled()) return context.cancel_status();
     if (Status status = std::visit(checker, stack[i]); !status) {
       return inside("stack item " + std::to_string(i), std::move(status));
     }

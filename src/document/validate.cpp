@@ -151,7 +151,7 @@ Status check_layer(const Context& context, const Layer& layer, std::size_t shade
   std::vector<std::uint32_t> used_shaders;
   totals.curves += layer.curves.size();
   for (std::size_t i = 0; i < layer.curves.size(); ++i) {
-    if (context.cancelled()) return context.stop_status();
+    if (context.cancelled()) return context.cancel_status();
     const Curve& curve = layer.curves[i];
     if (Status status = check_curve(context, curve, shader_count); !status) {
       return inside("curve " + std::to_string(i), std::move(status));
@@ -171,7 +171,7 @@ Status check_layers(const Context& context, const Document& document, Totals& to
   for (std::size_t i = 0; i < document.layers.size(); ++i) {
     const Layer& layer = document.layers[i];
     if (Status status = check_layer(context, layer, document.shaders.size(), totals); !status) {
-      if (context.cancelled()) return context.stop_status();
+      if (context.cancelled()) return context.cancel_status();
       return inside("layer " + std::to_string(i) + " \"" + layer.id + "\"", std::move(status));
     }
   }

@@ -66,7 +66,7 @@ Result<std::array<float, 4>> channel_means(const Context& context, const Image& 
   RarePoll<kPixelsPerPoll> poll(context);
   std::array<std::uint64_t, 4> sum{};
   for (std::size_t i = 0; i < pixels; ++i) {
-    if (poll.cancelled()) return context.stop_status();
+    if (poll.cancelled()) return context.cancel_status();
     for (std::size_t c = 0; c < stride; ++c) sum[c] += image.bytes[stride * i + c];
   }
   const double full = 255.0 * static_cast<double>(std::max(pixels, std::size_t{1}));
@@ -86,7 +86,7 @@ Status bleed(const Context& context, Image* image) {
                 static_cast<std::size_t>(x));
   };
   for (int y = 0; y < height; ++y) {
-    if (context.cancelled()) return context.stop_status();
+    if (context.cancelled()) return context.cancel_status();
     for (int x = 0; x < width; ++x) {
       std::uint8_t* here = pixel(x, y);
       if (here[3] != 0) continue;

@@ -9,7 +9,7 @@ namespace {
 
 /// Triangles that are looked at behind one open side…
 constexpr int kMostTriangles = 128;
-/// …and all together, for each half-edge of the mesh. Most open sides meet a stop after a few.
+/// …and all together, for each half-edge of the mesh. Most open sides meet a hit edge after a few.
 constexpr std::int64_t kTrianglesPerHalfEdge = 32;
 
 constexpr std::uint32_t kNobody = 0xffffffff;
@@ -118,7 +118,7 @@ class BlindFinder {
   }
 
  private:
-  enum class Sight : std::uint8_t { blind, stop, undecided };
+  enum class Sight : std::uint8_t { blind, hit, undecided };
 
   Status find_points() {
     Status status = resize_large(context_, point_, mesh_.vertex_position.size());
@@ -134,20 +134,20 @@ class BlindFinder {
   std::uint32_t half_edge_count() const { return static_cast<std::uint32_t>(code_.size()); }
 
   Status find_beyond_the_hull() {
-    std::vector<std::uint8_t> stops(point_.size(), 0);
+    std::vector<std::uint8_t> is_hit_at(point_.size(), 0);
     for (std::uint32_t h = 0; h < half_edge_count() && !poll_.cancelled(); ++h) {
-      if (!is_stop(code_[h])) continue;
-      stops[mesh_.origin(h)] = stops[mesh_.target(h)] = 1;
+      if (!is_hit(code_[h])) continue;
+      is_hit_at[mesh_.origin(h)] = is_hit_at[mesh_.target(h)] = 1;
     }
-    std::vector<LatticePoint> stop_points;
+    std::vector<LatticePoint> hit_points;
     for (std::size_t v = 0; v < point_.size(); ++v) {
-      if (stops[v]) stop_points.push_back(point_[v]);
+      if (is_hit_at[v]) hit_points.push_back(point_[v]);
     }
     const auto lies_before = [](LatticePoint a, LatticePoint b) {
       return a.x != b.x ? a.x < b.x : a.y < b.y;
     };
-    if (Status status = sort_large(context_, stop_points, lies_before); !status) return status;
-    const Hull hull(context_, stop_points);
+    if (Status status = sort_large(context_, hit_points, lies_before); !status) return status;
+    const Hull hull(context_, hit_points);
     for (std::uint32_t h = 0; h < half_edge_count() && !poll_.cancelled(); ++h) {
       blind_[h] = code_[h] >= 0 && !hull.reaches_beyond(from(h), to(h));
     }
@@ -208,7 +208,7 @@ class BlindFinder {
       // The one that was come in by too: other rays may come in by another and leave by it.
       for (std::uint32_t side = twin / 3 * 3; side < twin / 3 * 3 + 3; ++side) {
         if (code_[side] == kBorder || blind_[side] || !face(h, side)) continue;
-        if (is_stop(code_[side])) return Sight::stop;
+        if (is_hit(code_[side])) return Sight::hit;
         if (unknown == kNobody && is_open_side(side)) unknown = side;
         stack_.push_back(side);
       }

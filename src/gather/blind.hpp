@@ -15,14 +15,14 @@ namespace sfumato::gather {
 /// walk need not follow them. Two reasons are found, exactly but for what rounding to the lattice
 /// lets a ray graze:
 ///
-/// - all stops lie on the near side of the half-edge's line, or on it;
-/// - it is an open side of a curve, and no stop that can be reached behind it faces it: as from the
-///   insides of concentric circles that bear colours outside, and behind parallel lines.
+/// - all hit edges lie on the near side of the half-edge's line, or on it;
+/// - it is an open side of a curve, and no hit edge that can be reached behind it faces it: as from
+///   the insides of concentric circles that bear colours outside, and behind parallel lines.
 ///
 /// Without this, rays that pass the open side of a curve would be cut at each vertex of it, and
 /// walked on to the border piece by piece.
 ///
-/// code     per half-edge of the mesh: an EdgeCode; which passage or stop it is does not matter
+/// code     per half-edge of the mesh: an EdgeCode; which passage or hit edge it is does not matter
 /// Returns  per half-edge 1 where it is blind. Not every blind half-edge is found: the work is at
 ///          most a constant for each, which ordinary drawings use a small part of. None are found
 ///          where the mesh has no lattice.

@@ -70,12 +70,12 @@ class EndSearch {
     edge_.resize(mesh_.constraint.size());
     seen_from_.resize(mesh_.triangle_count(), kNobody);
     find_edges();
-    if (context_.cancelled()) return context_.stop_status();
+    if (context_.cancelled()) return context_.cancel_status();
     std::vector<FreeEnd> ends;
     for (std::uint32_t v = 0; v < meeting_.size() && !poll_.cancelled(); ++v) {
       if (meeting_[v].edges == 1) add_end(v, ends);
     }
-    if (context_.cancelled()) return context_.stop_status();
+    if (context_.cancelled()) return context_.cancel_status();
     return ends;
   }
 

@@ -15,7 +15,7 @@ class Packer {
   Status pack() {
     if (Status status = sort_by_triangle(points_.triangle); !status) return status;
     for (std::uint32_t t = 0; t < scene_.triangle.size(); ++t) {
-      if (poll_.cancelled()) return context_.stop_status();
+      if (poll_.cancelled()) return context_.cancel_status();
       while (next_[t] < end_of(t)) pack_from(t);
     }
     return ok_status();
@@ -26,7 +26,7 @@ class Packer {
     RarePoll<65536> poll(context_);
     begin_.assign(scene_.triangle.size() + 1, 0);
     for (std::uint32_t t : triangle) {
-      if (poll.cancelled()) return context_.stop_status();
+      if (poll.cancelled()) return context_.cancel_status();
       ++begin_[t + 1];
     }
     for (std::size_t t = 1; t < begin_.size(); ++t) begin_[t] += begin_[t - 1];
@@ -34,7 +34,7 @@ class Packer {
     Status status = resize_large(context_, packing_.point, triangle.size());
     if (!status) return status;
     for (std::size_t i = 0; i < triangle.size(); ++i) {
-      if (poll.cancelled()) return context_.stop_status();
+      if (poll.cancelled()) return context_.cancel_status();
       packing_.point[next_[triangle[i]]++] = static_cast<std::uint32_t>(i);
     }
     next_.assign(begin_.begin(), begin_.end() - 1);

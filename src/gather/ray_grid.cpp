@@ -142,7 +142,7 @@ SFUMATO_INLINE void RayGrid::test_cell(std::size_t cell, float x, float y, float
     const EdgeCode code = width > 0 ? wall.front : wall.back;
     if (code >= 0) continue;
     best.distance = distance;
-    best.edge = is_stop(code) ? &scene_->stop[stop_index(code)] : nullptr;
+    best.edge = is_hit(code) ? &scene_->hit_edge[hit_index(code)] : nullptr;
     // The back's own half-edge runs the other way.
     best.fraction = width > 0 ? -side_a / width : 1 + side_a / width;
   }

@@ -10,8 +10,8 @@ namespace sfumato::gather {
 
 /// What a ray meets first.
 struct RayHit {
-  const StopEdge* edge = nullptr;  ///< null: nothing, or a barrier
-  float fraction = 0;              ///< along the edge, from a to b
+  const HitEdge* edge = nullptr;  ///< null: nothing, or a barrier
+  float fraction = 0;             ///< along the edge, from a to b
   float distance = std::numeric_limits<float>::infinity();
 };
 

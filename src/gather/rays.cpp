@@ -57,7 +57,7 @@ class PointSums {
   /// (dx, dy): the ray's unit vector.
   void add(const RayHit& hit, UnitVector d) {
     if (!hit.edge) return;
-    const StopEdge& edge = *hit.edge;
+    const HitEdge& edge = *hit.edge;
     const float falloff = 1 / std::max(hit.distance * hit.distance, 1e-16f);
     const float lean = 2 * hit.fraction - 1;
     weight_ += falloff * edge.weight;
@@ -65,7 +65,7 @@ class PointSums {
       add_value(falloff, lean, edge.middle, edge.half_change);
       return;
     }
-    const StopBlend& blend = scene_.blend[static_cast<std::size_t>(&edge - scene_.stop.data())];
+    const HitBlend& blend = scene_.blend[static_cast<std::size_t>(&edge - scene_.hit_edge.data())];
     const float normal_distance =
         hit.distance * std::fabs(d.x * edge.ey - d.y * edge.ex) * blend.inverse_length;
     const float radius = blend.blur_middle + lean * blend.blur_half_change;
@@ -100,7 +100,7 @@ class PointSums {
       value_[c] += weight * (middle[c] + lean * half_change[c]);
   }
 
-  void add_side(float weight, float lean, const StopEdge& edge, std::int32_t shader,
+  void add_side(float weight, float lean, const HitEdge& edge, std::int32_t shader,
                 const float (&middle)[kValueChannels], const float (&half_change)[kValueChannels]) {
     if (shader < 0) return add_value(weight, lean, middle, half_change);
     share_[shader] += weight * edge.weight;

@@ -24,7 +24,7 @@ class SceneBuilder {
     order_triangles();
     codes_.resize(half_edge_count);
     for_each_half_edge([&](std::uint32_t h) { codes_[h] = code(h); });
-    if (context_.cancelled()) return context_.stop_status();
+    if (context_.cancelled()) return context_.cancel_status();
     normalize_weights();
     drop_blend_if_plain();
     Result<std::vector<std::uint8_t>> blind = find_blind(context_, mesh_, codes_);
@@ -76,17 +76,17 @@ class SceneBuilder {
       const Facing facing = facing_side(mesh_, attributes_, h);
       if (facing.kind == ShaderKind::barrier) return kBorder;
       if (facing.kind != ShaderKind::open) {
-        scene_.stop.push_back(stop_edge(h, facing));
-        scene_.blend.push_back(stop_blend(h, facing));
-        return stop_code(static_cast<std::uint32_t>(scene_.stop.size() - 1));
+        scene_.hit_edge.push_back(hit_edge_of(h, facing));
+        scene_.blend.push_back(blend_of(h, facing));
+        return hit_code(static_cast<std::uint32_t>(scene_.hit_edge.size() - 1));
       }
     }
     if (mesh_.half_edge_twin[h] == mesh::kNone) return kBorder;
     return static_cast<EdgeCode>(passage_count_++);
   }
 
-  StopEdge stop_edge(std::uint32_t h, const Facing& facing) const {
-    StopEdge edge{};
+  HitEdge hit_edge_of(std::uint32_t h, const Facing& facing) const {
+    HitEdge edge{};
     edge.ax = x(mesh_.origin(h)), edge.ay = y(mesh_.origin(h));
     edge.bx = x(mesh_.target(h)), edge.by = y(mesh_.target(h));
     edge.ex = edge.bx - edge.ax, edge.ey = edge.by - edge.ay;
@@ -111,8 +111,8 @@ class SceneBuilder {
     return facing.kind == ShaderKind::image_domain ? static_cast<std::int32_t>(facing.shader) : -1;
   }
 
-  StopBlend stop_blend(std::uint32_t h, const Facing& facing) {
-    StopBlend blend{};
+  HitBlend blend_of(std::uint32_t h, const Facing& facing) {
+    HitBlend blend{};
     blend.front_shader = shader_slot(facing);
     blend.back_shader = -1;
     const bool is_image = blend.front_shader >= 0;
@@ -120,7 +120,7 @@ class SceneBuilder {
     const Facing back = asks_for_blur ? back_side(mesh_, attributes_, h) : Facing{};
     is_plain_ = is_plain_ && !is_image && !back.has_value();
     if (!back.has_value()) return blend;
-    const StopEdge& edge = scene_.stop.back();
+    const HitEdge& edge = scene_.hit_edge.back();
     blend.inverse_length = 1 / std::sqrt(edge.length_squared);
     blend.blur_middle = 0.5f * (facing.blur_from + facing.blur_to);
     blend.blur_half_change = 0.5f * (facing.blur_to - facing.blur_from);
@@ -139,12 +139,12 @@ class SceneBuilder {
   // Only ratios of weights matter; the largest becomes 1, so that no sum overflows.
   void normalize_weights() {
     float largest = 0;
-    for (const StopEdge& edge : scene_.stop) largest = std::max(largest, edge.weight);
+    for (const HitEdge& edge : scene_.hit_edge) largest = std::max(largest, edge.weight);
     if (!(largest > 0)) return;
     scene_.weight_unit = largest;
-    for (std::size_t i = 0; i < scene_.stop.size(); ++i) {
-      StopEdge& edge = scene_.stop[i];
-      StopBlend& blend = scene_.blend[i];
+    for (std::size_t i = 0; i < scene_.hit_edge.size(); ++i) {
+      HitEdge& edge = scene_.hit_edge[i];
+      HitBlend& blend = scene_.blend[i];
       edge.weight /= largest;
       for (float* values :
            {edge.middle, edge.half_change, blend.back_middle, blend.back_half_change}) {
@@ -204,10 +204,10 @@ class SceneBuilder {
 std::size_t scene_bytes(const mesh::TriangleMesh& mesh) {
   std::size_t constrained = 0;
   for (std::int32_t c : mesh.half_edge_constraint) constrained += c != mesh::kNone;
-  // Twice the stop edges, for a growing vector; some of the rest lives during the build only.
+  // Twice the hit edges, for a growing vector; some of the rest lives during the build only.
   return mesh.triangle_vertex.size() * (sizeof(EdgeBeyond) + sizeof(EdgeCode)) +
          mesh.triangle_count() * (sizeof(SceneTriangle) + sizeof(Vec2) + 16) +
-         2 * constrained * (sizeof(StopEdge) + sizeof(StopBlend));
+         2 * constrained * (sizeof(HitEdge) + sizeof(HitBlend));
 }
 
 }  // namespace
@@ -215,7 +215,7 @@ std::size_t scene_bytes(const mesh::TriangleMesh& mesh) {
 SceneView Scene::view() const {
   const auto triangle_count = static_cast<std::int64_t>(triangle.size());
   return {
-      edge_beyond.data(), stop.data(),     blend.empty() ? nullptr : blend.data(), base_channels,
+      edge_beyond.data(), hit_edge.data(), blend.empty() ? nullptr : blend.data(), base_channels,
       shader_count,       triangle.data(), 64 * triangle_count + (1 << 20)};
 }
 

@@ -48,10 +48,10 @@ Facing back_side(const mesh::TriangleMesh& mesh, const curves::SegmentAttributes
 struct Scene {
   Vec2 origin;                          ///< layer frame
   std::vector<EdgeBeyond> edge_beyond;  ///< of half-edges that rays walk through
-  std::vector<StopEdge> stop;
-  std::vector<StopBlend> blend;  ///< per stop; empty where all sides are sharp and curve_domain
-  float weight_unit = 1;         ///< weights k are in units of it: the largest
-  int base_channels = 3;         ///< as SegmentAttributes
+  std::vector<HitEdge> hit_edge;
+  std::vector<HitBlend> blend;  ///< per hit edge; empty where all sides are sharp and curve_domain
+  float weight_unit = 1;        ///< weights k are in units of it: the largest
+  int base_channels = 3;        ///< as SegmentAttributes
   int shader_count = 0;
   std::vector<SceneTriangle> triangle;
   ScopedCharge charge;

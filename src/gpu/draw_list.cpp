@@ -54,16 +54,16 @@ bool has_shaders(const PatchLayer& layer) {
 
 }  // namespace
 
-class Scene::Builder {
+class DrawList::Builder {
  public:
   Builder(Context& context, const Device& device, const Affine& image_from_artboard,
-          const PixelRect& image, bool with_overlay, Scene* scene)
+          const PixelRect& image, bool with_overlay, DrawList* list)
       : context_(context),
         device_(device),
         image_from_artboard_(image_from_artboard),
         image_(image),
         with_overlay_(with_overlay),
-        scene_(*scene) {}
+        list_(*list) {}
 
   Status build();
 
@@ -72,8 +72,8 @@ class Scene::Builder {
   Status add(const LocalStroke& stroke);
   Status add(const GroupBegin& group);
   Status add(const GroupEnd&);
-  void add_item(const SceneItem& item);
-  Status upload(const SceneItem& item);
+  void add_item(const DrawItem& item);
+  Status upload(const DrawItem& item);
   Status upload_segments();
   Status upload_paints();
 
@@ -82,7 +82,7 @@ class Scene::Builder {
   const Affine& image_from_artboard_;
   const PixelRect image_;
   const bool with_overlay_;
-  Scene& scene_;
+  DrawList& list_;
   std::vector<Box> bounds_;  ///< of the layers
   std::vector<std::uint32_t> open_groups_;
   std::vector<float> segment_values_;
@@ -91,18 +91,18 @@ class Scene::Builder {
 };
 
 /// What stands in a group counts for it.
-void Scene::Builder::add_item(const SceneItem& item) {
+void DrawList::Builder::add_item(const DrawItem& item) {
   if (!open_groups_.empty()) {
-    PixelRect& group = scene_.items_[open_groups_.back()].rect;
+    PixelRect& group = list_.items_[open_groups_.back()].rect;
     group = united(group, item.rect);
   }
-  scene_.items_.push_back(item);
+  list_.items_.push_back(item);
 }
 
-Status Scene::Builder::add(const PatchInstance& instance) {
-  const PatchLayer& layer = scene_.picture_->layers[instance.layer];
+Status DrawList::Builder::add(const PatchInstance& instance) {
+  const PatchLayer& layer = list_.picture_->layers[instance.layer];
   if (instance.opacity == 0 || layer.triangle_count() == 0) return ok_status();
-  SceneItem item;
+  DrawItem item;
   item.blend = instance.blend;
   item.opacity = instance.opacity;
   item.index = instance.layer;
@@ -117,10 +117,10 @@ Status Scene::Builder::add(const PatchInstance& instance) {
   return upload(item);
 }
 
-Status Scene::Builder::upload(const SceneItem& item) {
-  std::optional<LayerTables>& tables = scene_.layers_[item.index];
+Status DrawList::Builder::upload(const DrawItem& item) {
+  std::optional<LayerTables>& tables = list_.layers_[item.index];
   if (tables) return ok_status();
-  const PatchLayer& layer = scene_.picture_->layers[item.index];
+  const PatchLayer& layer = list_.picture_->layers[item.index];
   needs_paints_ |= has_shaders(layer);
   const Vec2 middle{0.5 * (item.rect.x0 + item.rect.x1), 0.5 * (item.rect.y0 + item.rect.y1)};
   Result<LayerTables> made =
@@ -129,63 +129,63 @@ Status Scene::Builder::upload(const SceneItem& item) {
   return made.status();
 }
 
-Status Scene::Builder::add(const LocalStroke& stroke) {
-  const Result<raster::PreparedStroke> prepared = raster::prepare_stroke(
-      context_, stroke, image_from_artboard_, scene_.picture_->interpolation);
+Status DrawList::Builder::add(const LocalStroke& stroke) {
+  const Result<raster::PreparedStroke> prepared =
+      raster::prepare_stroke(context_, stroke, image_from_artboard_, list_.picture_->interpolation);
   if (!prepared) return prepared.status();
   const std::vector<curves::StrokeSegment>& segments = prepared->segments.segment;
-  SceneItem item;
-  item.kind = SceneItem::Kind::stroke;
-  item.index = static_cast<std::uint32_t>(scene_.strokes_.size());
+  DrawItem item;
+  item.kind = DrawItem::Kind::stroke;
+  item.index = static_cast<std::uint32_t>(list_.strokes_.size());
   item.rect = raster::pixels_in(prepared->bounds_px, image_);
   if (segments.empty() || item.rect.empty()) return ok_status();
   const std::size_t bytes = segments.size() * 4 * kSegmentTexels * sizeof(float);
   if (Status status = segment_charge_.add(context_, bytes, "local curves"); !status) return status;
   const Vec2 middle{0.5 * (item.rect.x0 + item.rect.x1), 0.5 * (item.rect.y0 + item.rect.y1)};
   const Vec2 origin = inverse(prepared->image_from_frame)(middle);
-  SceneStroke placed;
+  DrawStroke placed;
   placed.first_segment = static_cast<int>(segment_values_.size() / (4 * kSegmentTexels));
   placed.segment_count = static_cast<int>(segments.size());
   placed.frame = prepared->frame;
   placed.image_from_segments = prepared->image_from_frame * Affine{1, 0, 0, 1, origin.x, origin.y};
   for (const curves::StrokeSegment& segment : segments)
     append_segment(segment, origin, &segment_values_);
-  scene_.strokes_.push_back(placed);
+  list_.strokes_.push_back(placed);
   add_item(item);
   return ok_status();
 }
 
-Status Scene::Builder::add(const GroupBegin& group) {
-  SceneItem item;
-  item.kind = SceneItem::Kind::group_begin;
+Status DrawList::Builder::add(const GroupBegin& group) {
+  DrawItem item;
+  item.kind = DrawItem::Kind::group_begin;
   item.blend = group.blend;
   item.opacity = group.opacity;
-  open_groups_.push_back(static_cast<std::uint32_t>(scene_.items_.size()));
-  scene_.items_.push_back(item);
-  scene_.group_depth_ = std::max(scene_.group_depth_, static_cast<int>(open_groups_.size()));
+  open_groups_.push_back(static_cast<std::uint32_t>(list_.items_.size()));
+  list_.items_.push_back(item);
+  list_.group_depth_ = std::max(list_.group_depth_, static_cast<int>(open_groups_.size()));
   return ok_status();
 }
 
-Status Scene::Builder::add(const GroupEnd&) {
-  SceneItem item = scene_.items_[open_groups_.back()];
-  item.kind = SceneItem::Kind::group_end;
+Status DrawList::Builder::add(const GroupEnd&) {
+  DrawItem item = list_.items_[open_groups_.back()];
+  item.kind = DrawItem::Kind::group_end;
   open_groups_.pop_back();
   add_item(item);
   return ok_status();
 }
 
-Status Scene::Builder::upload_segments() {
+Status DrawList::Builder::upload_segments() {
   const std::size_t texels = segment_values_.size() / 4;
   Result<Table> table = Table::create(context_, device_, kColorTable, texels, "local curves");
   if (!table) return table.status();
-  scene_.segments_ = std::move(*table);
-  scene_.segments_.upload(0, texels, segment_values_.data());
+  list_.segments_ = std::move(*table);
+  list_.segments_.upload(0, texels, segment_values_.data());
   return ok_status();
 }
 
-Status Scene::Builder::upload_paints() {
+Status DrawList::Builder::upload_paints() {
   Result<display::PaintTable> made =
-      display::make_paint_table(context_, *scene_.picture_, display::PaintTexels::kept);
+      display::make_paint_table(context_, *list_.picture_, display::PaintTexels::kept);
   if (!made) return made.status();
   const std::size_t value_count = made->values.size() / 4, texel_count = made->texel_count;
   Result<Table> values = Table::create(context_, device_, kColorTable, value_count, "gradients");
@@ -195,41 +195,41 @@ Status Scene::Builder::upload_paints() {
   if (!texels) return texels.status();
   texels->upload(0, texel_count, made->texels.data());
   made->texels = {};
-  scene_.paints_.emplace(PaintTables{std::move(*made), std::move(*values), std::move(*texels)});
+  list_.paints_.emplace(PaintTables{std::move(*made), std::move(*values), std::move(*texels)});
   return ok_status();
 }
 
-Status Scene::Builder::build() {
-  const Picture& picture = *scene_.picture_;
+Status DrawList::Builder::build() {
+  const Picture& picture = *list_.picture_;
   Status status =
-      scene_.charge_.add(context_, picture.stack.size() * (sizeof(SceneItem) + sizeof(SceneStroke)),
-                         "the picture's stack");
+      list_.charge_.add(context_, picture.stack.size() * (sizeof(DrawItem) + sizeof(DrawStroke)),
+                        "the picture's stack");
   if (!status) return status;
-  scene_.layers_.resize(picture.layers.size());
+  list_.layers_.resize(picture.layers.size());
   bounds_.resize(picture.layers.size());
   for (std::size_t i = 0; i < bounds_.size(); ++i)
     for (Vec2 p : picture.layers[i].vertex_position) bounds_[i].extend(p);
-  scene_.items_.reserve(picture.stack.size());
-  scene_.strokes_.reserve(picture.stack.size());
+  list_.items_.reserve(picture.stack.size());
+  list_.strokes_.reserve(picture.stack.size());
   for (const PictureItem& item : picture.stack) {
-    if (context_.cancelled()) return context_.stop_status();
+    if (context_.cancelled()) return context_.cancel_status();
     status = std::visit([&](const auto& x) { return add(x); }, item);
     if (!status) return status;
   }
-  if (status && scene_.has_strokes()) status = upload_segments();
+  if (status && list_.has_strokes()) status = upload_segments();
   if (status && needs_paints_) status = upload_paints();
   return status;
 }
 
-Result<Scene> Scene::create(Context& context, const Device& device, const Picture& picture,
-                            const Affine& image_from_artboard, const PixelRect& image,
-                            bool with_overlay) {
-  Scene scene;
-  scene.picture_ = &picture;
+Result<DrawList> DrawList::create(Context& context, const Device& device, const Picture& picture,
+                                  const Affine& image_from_artboard, const PixelRect& image,
+                                  bool with_overlay) {
+  DrawList list;
+  list.picture_ = &picture;
   const Status status =
-      Builder(context, device, image_from_artboard, image, with_overlay, &scene).build();
+      Builder(context, device, image_from_artboard, image, with_overlay, &list).build();
   if (!status) return status;
-  return scene;
+  return list;
 }
 
 }  // namespace sfumato::gpu

@@ -11,7 +11,7 @@
 namespace sfumato::gpu {
 
 /// One item of a picture's stack as it lies in the image.
-struct SceneItem {
+struct DrawItem {
   enum class Kind : std::uint8_t { instance, stroke, group_begin, group_end };
 
   Kind kind = Kind::instance;
@@ -23,7 +23,7 @@ struct SceneItem {
 };
 
 /// A local curve: a run of the table of segments.
-struct SceneStroke {
+struct DrawStroke {
   int first_segment = 0;
   int segment_count = 0;
   raster::StrokeFrame frame;
@@ -37,20 +37,20 @@ struct PaintTables {
 };
 
 /// What the painting of a tile reads, on the device where it is much.
-class Scene {
+class DrawList {
  public:
   /// The picture was checked and must outlive this.
   /// Errors: limit, cancelled. Cost: O(picture); what lies outside the image is left out.
-  static Result<Scene> create(Context& context, const Device& device, const Picture& picture,
-                              const Affine& image_from_artboard, const PixelRect& image,
-                              bool with_overlay);
+  static Result<DrawList> create(Context& context, const Device& device, const Picture& picture,
+                                 const Affine& image_from_artboard, const PixelRect& image,
+                                 bool with_overlay);
 
   const Picture& picture() const { return *picture_; }
-  const std::vector<SceneItem>& items() const { return items_; }
+  const std::vector<DrawItem>& items() const { return items_; }
   int group_depth() const { return group_depth_; }
   /// Of a layer that an item shows.
   const LayerTables& layer(std::uint32_t index) const { return *layers_[index]; }
-  const SceneStroke& stroke(std::uint32_t index) const { return strokes_[index]; }
+  const DrawStroke& stroke(std::uint32_t index) const { return strokes_[index]; }
   bool has_strokes() const { return !strokes_.empty(); }
   const Table& segments() const { return segments_; }
   const std::optional<PaintTables>& paints() const { return paints_; }
@@ -59,9 +59,9 @@ class Scene {
   class Builder;
 
   const Picture* picture_ = nullptr;
-  std::vector<SceneItem> items_;
+  std::vector<DrawItem> items_;
   std::vector<std::optional<LayerTables>> layers_;
-  std::vector<SceneStroke> strokes_;
+  std::vector<DrawStroke> strokes_;
   Table segments_;
   std::optional<PaintTables> paints_;
   int group_depth_ = 0;

@@ -139,7 +139,7 @@ Result<LayerTables> upload_layer(Context& context, const Device& device, const P
   }
   if (status) {
     const std::vector<std::uint8_t> bent = raster::bent_triangles(context, layer);
-    if (context.cancelled()) return context.stop_status();
+    if (context.cancelled()) return context.cancel_status();
     status = uploader.indices(kFlagTable, bent, &tables.is_bent);
   }
   if (status) status = uploader.soft_edges(layer.soft_edge, &tables);

@@ -35,12 +35,12 @@ Affine moved_by(Vec2 p) {
 
 }  // namespace
 
-Painter::Painter(Context& context, const Device& device, const Scene& scene,
+Painter::Painter(Context& context, const Device& device, const DrawList& list,
                  const PaintSettings& settings)
     : context_(context),
       gl_(device.gl()),
       device_(device),
-      scene_(scene),
+      list_(list),
       settings_(settings),
       vertex_array_(make_vertex_array(gl_)),
       paint_views_(make_buffer(gl_)) {
@@ -50,9 +50,9 @@ Painter::Painter(Context& context, const Device& device, const Scene& scene,
   gl_.BindBufferBase(GL_UNIFORM_BUFFER, kPaintViewBinding, paint_views_.name());
 }
 
-Result<Painter> Painter::create(Context& context, const Device& device, const Scene& scene,
+Result<Painter> Painter::create(Context& context, const Device& device, const DrawList& list,
                                 const PaintSettings& settings) {
-  Painter painter(context, device, scene, settings);
+  Painter painter(context, device, list, settings);
   Status status = painter.make_programs();
   if (status) status = painter.make_targets();
   if (!status) return status;
@@ -60,9 +60,9 @@ Result<Painter> Painter::create(Context& context, const Device& device, const Sc
 }
 
 Status Painter::make_patch_programs() {
-  for (const SceneItem& item : scene_.items()) {
-    if (item.kind != SceneItem::Kind::instance) continue;
-    const unsigned variant = variant_of(scene_.picture().layers[item.index]);
+  for (const DrawItem& item : list_.items()) {
+    if (item.kind != DrawItem::Kind::instance) continue;
+    const unsigned variant = variant_of(list_.picture().layers[item.index]);
     for (unsigned kind : {kCenters, kWithAreas, kWithStrips}) {
       std::optional<Program>& slot = programs_.patch[variant | kind];
       if (slot || (kind && !settings_.antialias)) continue;
@@ -115,7 +115,7 @@ Status Painter::make_targets() {
     if (made) *target = std::move(*made);
     status = made.status();
   };
-  levels_.resize(static_cast<std::size_t>(scene_.group_depth()) + 1);
+  levels_.resize(static_cast<std::size_t>(list_.group_depth()) + 1);
   for (Target& level : levels_) make(&level, format, bytes);
   make(&layer_, format, bytes);
   make(&spare_, format, bytes);
@@ -134,13 +134,13 @@ PixelRect Painter::in_tile(const PixelRect& rect) const {
   return {part.x0 - tile_.x0, part.y0 - tile_.y0, part.x1 - tile_.x0, part.y1 - tile_.y0};
 }
 
-bool Painter::is_opaque(const SceneItem& item) const {
-  return scene_.picture().layers[item.index].opacity.channel_count == 0;
+bool Painter::is_opaque(const DrawItem& item) const {
+  return list_.picture().layers[item.index].opacity.channel_count == 0;
 }
 
 /// From pixels of the tile to where the frame of the item's layer is [0, 1]².
-Affine Painter::frame_from_tile(const SceneItem& item) const {
-  const Box& frame = scene_.picture().layers[item.index].frame;
+Affine Painter::frame_from_tile(const DrawItem& item) const {
+  const Box& frame = list_.picture().layers[item.index].frame;
   const Affine unit_from_layer{1 / frame.width(),
                                0,
                                0,
@@ -151,9 +151,9 @@ Affine Painter::frame_from_tile(const SceneItem& item) const {
 }
 
 /// Two vec4 for each paint of the layer, colours first (docs/gpu.md, PaintViews).
-void Painter::bind_paints(const Program& program, const SceneItem& item) const {
-  const PatchLayer& layer = scene_.picture().layers[item.index];
-  const PaintTables& paints = *scene_.paints();
+void Painter::bind_paints(const Program& program, const DrawItem& item) const {
+  const PatchLayer& layer = list_.picture().layers[item.index];
+  const PaintTables& paints = *list_.paints();
   const Affine layer_from_pixels = inverse(tile_from_image() * item.image_from_layer);
   std::array<float, 8 * kMostPaints> views{};
   std::size_t at = 0;
@@ -167,7 +167,7 @@ void Painter::bind_paints(const Program& program, const SceneItem& item) const {
   gl_.BufferData(GL_UNIFORM_BUFFER, sizeof(views), views.data(), GL_DYNAMIC_DRAW);
   gl_.UniformBlockBinding(program.name(), gl_.GetUniformBlockIndex(program.name(), "PaintViews"),
                           kPaintViewBinding);
-  const LayerTables& tables = scene_.layer(item.index);
+  const LayerTables& tables = list_.layer(item.index);
   const auto weight_of = [](const FieldTables& field) {
     return field.weight ? field.weight->name() : 0;
   };
@@ -180,8 +180,8 @@ void Painter::bind_paints(const Program& program, const SceneItem& item) const {
   program.set("paint_step", 1.0f);
 }
 
-void Painter::bind_layer(const Program& program, const SceneItem& item) const {
-  const LayerTables& tables = scene_.layer(item.index);
+void Painter::bind_layer(const Program& program, const DrawItem& item) const {
+  const LayerTables& tables = list_.layer(item.index);
   program.bind("triangle_vertex", 0, tables.triangle_vertex.name());
   program.bind("vertex_position", 1, tables.vertex_position.name());
   program.set("pixel_from_layer",
@@ -191,9 +191,9 @@ void Painter::bind_layer(const Program& program, const SceneItem& item) const {
 }
 
 /// All triangles, or the strips of all soft edges, onto the target that was begun.
-void Painter::draw_patches(const SceneItem& item, unsigned kind) const {
-  const PatchLayer& layer = scene_.picture().layers[item.index];
-  const LayerTables& tables = scene_.layer(item.index);
+void Painter::draw_patches(const DrawItem& item, unsigned kind) const {
+  const PatchLayer& layer = list_.picture().layers[item.index];
+  const LayerTables& tables = list_.layer(item.index);
   const unsigned variant = variant_of(layer) | kind;
   const Program& program = *programs_.patch[variant];
   program.use();
@@ -211,7 +211,7 @@ void Painter::draw_patches(const SceneItem& item, unsigned kind) const {
                                      moved_by(tables.origin));
   program.set("first_triangle", 0);
   program.set("patch_order", static_cast<int>(layer.order) + 1);
-  program.set("interpolation", static_cast<int>(scene_.picture().interpolation));
+  program.set("interpolation", static_cast<int>(list_.picture().interpolation));
   program.set("opacity", 1.0f);
   if (variant & kWithPaints) bind_paints(program, item);
   const std::uint32_t vertices = kind == kWithStrips  ? 6 * tables.soft_edge_count
@@ -220,16 +220,16 @@ void Painter::draw_patches(const SceneItem& item, unsigned kind) const {
   gl_.DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(vertices));
 }
 
-void Painter::bind_strips(const Program& program, const SceneItem& item) const {
-  const LayerTables& tables = scene_.layer(item.index);
+void Painter::bind_strips(const Program& program, const DrawItem& item) const {
+  const LayerTables& tables = list_.layer(item.index);
   program.bind("soft_edge", 10, tables.soft_edge->name());
   program.bind("soft_reach", 11, tables.soft_reach->name());
   program.set("turn", item.image_from_layer.determinant() < 0 ? -1.0f : 1.0f);
 }
 
 /// Makes 0 what edges, strips and small triangles touch, where the stencil is written.
-void Painter::mark_pixels(const SceneItem& item) const {
-  const LayerTables& tables = scene_.layer(item.index);
+void Painter::mark_pixels(const DrawItem& item) const {
+  const LayerTables& tables = list_.layer(item.index);
   programs_.mark_edges.use();
   bind_layer(programs_.mark_edges, item);
   programs_.mark_edges.bind("edge_slot", 2, tables.edge_slot.name());
@@ -238,7 +238,7 @@ void Painter::mark_pixels(const SceneItem& item) const {
   bind_layer(programs_.mark_small, item);
   programs_.mark_small.set("first_triangle", 0);
   programs_.mark_small.bind("is_bent", 12, tables.is_bent.name());
-  const std::uint32_t triangles = scene_.picture().layers[item.index].triangle_count();
+  const std::uint32_t triangles = list_.picture().layers[item.index].triangle_count();
   gl_.DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(6 * triangles));
   if (tables.soft_edge_count == 0) return;
   programs_.mark_strips.use();
@@ -249,7 +249,7 @@ void Painter::mark_pixels(const SceneItem& item) const {
 
 /// Marks the pixels that the layer's curves cut, and sums up there what lies in them; alpha is
 /// negative elsewhere.
-void Painter::paint_edges(const SceneItem& item, const PixelRect& rect) const {
+void Painter::paint_edges(const DrawItem& item, const PixelRect& rect) const {
   sums_.begin(rect);
   sums_.clear(0, 0, 0, -1);
   gl_.Enable(GL_STENCIL_TEST);
@@ -261,12 +261,12 @@ void Painter::paint_edges(const SceneItem& item, const PixelRect& rect) const {
   gl_.Enable(GL_BLEND);
   gl_.BlendFunc(GL_ONE, GL_ONE);
   draw_patches(item, kWithAreas);
-  if (scene_.layer(item.index).soft_edge_count > 0) draw_patches(item, kWithStrips);
+  if (list_.layer(item.index).soft_edge_count > 0) draw_patches(item, kWithStrips);
   gl_.Disable(GL_BLEND);
   gl_.Disable(GL_STENCIL_TEST);
 }
 
-void Painter::paint_instance(const SceneItem& item, const PixelRect& rect) {
+void Painter::paint_instance(const DrawItem& item, const PixelRect& rect) {
   gl_.Disable(GL_BLEND);
   if (settings_.antialias) paint_edges(item, rect);
   layer_.begin(rect);
@@ -276,8 +276,7 @@ void Painter::paint_instance(const SceneItem& item, const PixelRect& rect) {
 }
 
 /// Onto the present level. is_layer: the source is layer_, with edges.
-void Painter::composite(GLuint source, bool is_layer, const SceneItem& item,
-                        const PixelRect& rect) {
+void Painter::composite(GLuint source, bool is_layer, const DrawItem& item, const PixelRect& rect) {
   const Target& level = levels_[level_];
   const bool is_normal = item.blend == BlendMode::normal;
   const Program& program = is_normal ? (is_layer ? programs_.over_with_edges : programs_.over)
@@ -305,8 +304,8 @@ void Painter::composite(GLuint source, bool is_layer, const SceneItem& item,
   spare_.copy_to(level, rect);
 }
 
-void Painter::paint_stroke(const SceneItem& item, const PixelRect& rect) const {
-  const SceneStroke& stroke = scene_.stroke(item.index);
+void Painter::paint_stroke(const DrawItem& item, const PixelRect& rect) const {
+  const DrawStroke& stroke = list_.stroke(item.index);
   const Affine pixel_from_frame = tile_from_image() * stroke.image_from_segments;
   sums_.begin(rect);
   sums_.clear();
@@ -314,7 +313,7 @@ void Painter::paint_stroke(const SceneItem& item, const PixelRect& rect) const {
   gl_.BlendFunc(GL_ONE, GL_ONE);
   const Program& program = programs_.stroke;
   program.use();
-  program.bind("stroke_segment", 0, scene_.segments().name());
+  program.bind("stroke_segment", 0, list_.segments().name());
   program.set("first_segment", stroke.first_segment);
   program.set("pixel_from_frame", pixel_from_frame);
   program.set_linear("frame_from_pixel", inverse(pixel_from_frame));
@@ -332,18 +331,18 @@ void Painter::paint_stroke(const SceneItem& item, const PixelRect& rect) const {
   gl_.DrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-void Painter::paint_item(const SceneItem& item) {
+void Painter::paint_item(const DrawItem& item) {
   const PixelRect rect = in_tile(item.rect);
   if (rect.empty()) return;
   switch (item.kind) {
-    case SceneItem::Kind::instance:
+    case DrawItem::Kind::instance:
       return paint_instance(item, rect);
-    case SceneItem::Kind::stroke:
+    case DrawItem::Kind::stroke:
       return paint_stroke(item, rect);
-    case SceneItem::Kind::group_begin:
+    case DrawItem::Kind::group_begin:
       levels_[++level_].begin(rect);
       return levels_[level_].clear();
-    case SceneItem::Kind::group_end:
+    case DrawItem::Kind::group_end:
       --level_;
       return composite(levels_[level_ + 1].texture(), false, item, rect);
   }
@@ -361,12 +360,12 @@ void Painter::paint_overlay() const {
   program.use();
   program.set("line_scale", 1.0f);
   program.set("first_triangle", 0);
-  for (const SceneItem& item : scene_.items()) {
-    if (item.kind != SceneItem::Kind::instance || in_tile(item.rect).empty()) continue;
-    const LayerTables& tables = scene_.layer(item.index);
+  for (const DrawItem& item : list_.items()) {
+    if (item.kind != DrawItem::Kind::instance || in_tile(item.rect).empty()) continue;
+    const LayerTables& tables = list_.layer(item.index);
     bind_layer(program, item);
     program.bind("edge_is_curve", 2, tables.edge_is_curve->name());
-    const std::uint32_t triangles = scene_.picture().layers[item.index].triangle_count();
+    const std::uint32_t triangles = list_.picture().layers[item.index].triangle_count();
     gl_.DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(18 * triangles));
   }
   gl_.BlendEquation(GL_FUNC_ADD);
@@ -393,8 +392,8 @@ Status Painter::paint(const PixelRect& tile, float* rgba) {
   levels_.front().begin({0, 0, settings_.tile_width, settings_.tile_height});
   levels_.front().clear(back.alpha * back.color.r, back.alpha * back.color.g,
                         back.alpha * back.color.b, back.alpha);
-  for (const SceneItem& item : scene_.items()) {
-    if (context_.cancelled()) return context_.stop_status();
+  for (const DrawItem& item : list_.items()) {
+    if (context_.cancelled()) return context_.cancel_status();
     paint_item(item);
   }
   paint_overlay();

@@ -11,7 +11,7 @@
 
 namespace sfumato::gpu {
 
-/// How a scene is painted.
+/// How a list is painted.
 struct PaintSettings {
   int tile_width = 0;  ///< pixels of the image painted at once, at most
   int tile_height = 0;
@@ -21,13 +21,13 @@ struct PaintSettings {
   bool single_precision = true;  ///< else targets are of 16-bit floats
 };
 
-/// Paints a scene tile by tile: each item by itself, then composited (docs/gpu.md). Pixels that a
+/// Paints a list tile by tile: each item by itself, then composited (docs/gpu.md). Pixels that a
 /// layer's curves cut are means of the patches in them by area; elsewhere patches are read at pixel
 /// centres.
 class Painter {
  public:
   /// All must outlive this. Errors: limit, out_of_memory, unavailable, internal.
-  static Result<Painter> create(Context& context, const Device& device, const Scene& scene,
+  static Result<Painter> create(Context& context, const Device& device, const DrawList& list,
                                 const PaintSettings& settings);
 
   /// The pixels of `tile`: four floats each, code values not premultiplied and alpha, row by row.
@@ -42,35 +42,35 @@ class Painter {
         blend, blend_with_edges, overlay, present;
   };
 
-  Painter(Context& context, const Device& device, const Scene& scene,
+  Painter(Context& context, const Device& device, const DrawList& list,
           const PaintSettings& settings);
 
   Status make_programs();
   Status make_patch_programs();
   Status make_targets();
 
-  void paint_item(const SceneItem& item);
-  void paint_instance(const SceneItem& item, const PixelRect& rect);
-  void paint_edges(const SceneItem& item, const PixelRect& rect) const;
-  void mark_pixels(const SceneItem& item) const;
-  void draw_patches(const SceneItem& item, unsigned kind) const;
-  void bind_layer(const Program& program, const SceneItem& item) const;
-  void bind_strips(const Program& program, const SceneItem& item) const;
-  void bind_paints(const Program& program, const SceneItem& item) const;
-  void paint_stroke(const SceneItem& item, const PixelRect& rect) const;
-  void composite(GLuint source, bool is_layer, const SceneItem& item, const PixelRect& rect);
+  void paint_item(const DrawItem& item);
+  void paint_instance(const DrawItem& item, const PixelRect& rect);
+  void paint_edges(const DrawItem& item, const PixelRect& rect) const;
+  void mark_pixels(const DrawItem& item) const;
+  void draw_patches(const DrawItem& item, unsigned kind) const;
+  void bind_layer(const Program& program, const DrawItem& item) const;
+  void bind_strips(const Program& program, const DrawItem& item) const;
+  void bind_paints(const Program& program, const DrawItem& item) const;
+  void paint_stroke(const DrawItem& item, const PixelRect& rect) const;
+  void composite(GLuint source, bool is_layer, const DrawItem& item, const PixelRect& rect);
   void paint_overlay() const;
   void read(float* rgba) const;
 
-  bool is_opaque(const SceneItem& item) const;
-  Affine frame_from_tile(const SceneItem& item) const;
+  bool is_opaque(const DrawItem& item) const;
+  Affine frame_from_tile(const DrawItem& item) const;
   Affine tile_from_image() const;
   PixelRect in_tile(const PixelRect& rect) const;
 
   Context& context_;
   const Gl& gl_;
   const Device& device_;
-  const Scene& scene_;
+  const DrawList& list_;
   PaintSettings settings_;
   Programs programs_;
   GlObject vertex_array_, paint_views_;

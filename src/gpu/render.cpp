@@ -115,12 +115,12 @@ Result<Image> render(Context& context, const Picture& picture, const RasterOptio
 
   Result<std::unique_ptr<gpu::Device>> device = gpu::Device::create();
   if (!device) return device.status();
-  const Result<gpu::Scene> scene =
-      gpu::Scene::create(context, **device, picture, *image_from_artboard,
-                         {0, 0, options.width, options.height}, options.mesh_overlay);
-  if (!scene) return scene.status();
+  const Result<gpu::DrawList> list =
+      gpu::DrawList::create(context, **device, picture, *image_from_artboard,
+                            {0, 0, options.width, options.height}, options.mesh_overlay);
+  if (!list) return list.status();
   Result<gpu::Painter> painter =
-      gpu::Painter::create(context, **device, *scene, settings_of(**device, picture, options));
+      gpu::Painter::create(context, **device, *list, settings_of(**device, picture, options));
   if (!painter) return painter.status();
   image.bytes.resize(image_bytes);
   status = paint_tiles(context, *painter, options,

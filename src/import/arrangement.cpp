@@ -178,7 +178,7 @@ Status Arrangement::find_crossings(std::vector<LatticePoint>& crossings, bool& t
     return passes(a, b.from) || passes(a, b.to);
   };
   for (const std::uint32_t i : order) {
-    if (context_.cancelled()) return context_.stop_status();
+    if (context_.cancelled()) return context_.cancel_status();
     const Piece& piece = pieces_[i];
     const std::int64_t begin = lowest(piece, sweep_) - kNear;
     std::erase_if(active, [&](std::uint32_t k) { return highest(pieces_[k], sweep_) < begin; });
@@ -214,7 +214,7 @@ Status Arrangement::find_cuts(std::vector<LatticePoint> points, std::vector<Cut>
   points.erase(repeated.begin(), repeated.end());
   const auto place_of = [&](LatticePoint p) { return place(p, sweep_); };
   for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
-    if (context_.cancelled()) return context_.stop_status();
+    if (context_.cancelled()) return context_.cancel_status();
     const std::int64_t begin = lowest(pieces_[i], sweep_) - kNear;
     const std::int64_t end = highest(pieces_[i], sweep_) + kNear;
     const auto low = std::ranges::lower_bound(points, begin, {}, place_of);
@@ -302,7 +302,7 @@ Status Arrangement::merge() {
   if (!status) return status;
   RarePoll<1024> poll(context_);
   for (std::size_t i = 0; i < pieces_.size();) {
-    if (poll.cancelled()) return context_.stop_status();
+    if (poll.cancelled()) return context_.cancel_status();
     const LatticePoint upper = ends(pieces_[i]).first, lower = ends(pieces_[i]).second;
     Edge edge{upper, lower, 0, i, i};
     for (; i < pieces_.size() && ends(pieces_[i]) == std::minmax(upper, lower); ++i) {
@@ -312,7 +312,7 @@ Status Arrangement::merge() {
     if (edge.net != 0) edges_.push_back(edge);
   }
   for (std::size_t i = 0; i < edges_.size(); ++i) {
-    if (poll.cancelled()) return context_.stop_status();
+    if (poll.cancelled()) return context_.cancel_status();
     edge_at_.emplace_back(edges_[i].upper, i);
     edge_at_.emplace_back(edges_[i].lower, i);
   }
@@ -379,7 +379,7 @@ Status Arrangement::count_windings() {
   std::size_t looks = 0;
   for (std::size_t i = 0; i < edges_.size(); ++i) {
     if (edges_[i].right_winding) continue;
-    if (context_.cancelled()) return context_.stop_status();
+    if (context_.cancelled()) return context_.cancel_status();
     if ((looks += edges_.size()) > kLooks) {
       return make_error(StatusCode::limit, "the shape crosses itself too often");
     }
@@ -387,7 +387,7 @@ Status Arrangement::count_windings() {
     for (std::vector<std::size_t> reached{i}; !reached.empty();) {
       const std::size_t at = reached.back();
       reached.pop_back();
-      if (context_.cancelled()) return context_.stop_status();
+      if (context_.cancelled()) return context_.cancel_status();
       spread_winding(edges_[at].upper, at, reached);
       spread_winding(edges_[at].lower, at, reached);
     }
@@ -401,7 +401,7 @@ Result<std::vector<BoundaryEdge>> Arrangement::boundary(ScopedCharge& charge) co
   std::vector<BoundaryEdge> result;
   RarePoll<1024> poll(context_);
   for (const Edge& edge : edges_) {
-    if (poll.cancelled()) return context_.stop_status();
+    if (poll.cancelled()) return context_.cancel_status();
     const bool right = is_inside(*edge.right_winding);
     const bool left = is_inside(*edge.right_winding - edge.net);
     if (left == right) continue;

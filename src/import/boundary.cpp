@@ -88,7 +88,7 @@ Status Boundary::flatten() {
       if (chords_.size() > kChords) {
         return make_error(StatusCode::limit, "a shape of the drawing is too long");
       }
-      if (context_.cancelled()) return context_.stop_status();
+      if (context_.cancelled()) return context_.cancel_status();
       if (Status status = charge_chords(); !status) return status;
     }
   }
@@ -235,7 +235,7 @@ Status Boundary::link() {
   std::multimap<LatticePoint, std::size_t> begins;
   RarePoll<256> poll(context_);
   for (std::size_t i = 0; i < edges.size(); ++i) {
-    if (poll.cancelled()) return context_.stop_status();
+    if (poll.cancelled()) return context_.cancel_status();
     begins.emplace(edges[i].from, i);
   }
   std::vector<bool> is_taken(edges.size(), false);
@@ -243,7 +243,7 @@ Status Boundary::link() {
     if (is_taken[i]) continue;
     std::vector<Run> runs;
     for (std::size_t at = i; !is_taken[at];) {
-      if (poll.cancelled()) return context_.stop_status();
+      if (poll.cancelled()) return context_.cancel_status();
       is_taken[at] = true;
       go_on(runs, source_after(edges[at], runs));
       if (edges[at].to == edges[i].from) break;

@@ -68,7 +68,7 @@ void dash_one(PointMeter& meter, const std::vector<Vec2>& chain, const std::vect
       if (!(at + period > at)) break;
       continue;
     }
-    if (dashes.size() >= kDashes) return meter.stop(too_many());
+    if (dashes.size() >= kDashes) return meter.fail(too_many());
     const auto parameter = [&](double distance) {
       return curves::parameter_at_fraction(chain, lengths, distance / total);
     };
@@ -89,9 +89,9 @@ Result<Contours> dashed(PointMeter& meter, const Contours& subpaths,
   for (const std::vector<Vec2>& chain : subpaths) {
     const std::vector<double> lengths = cumulative_length(meter, chain);
     // A dash costs a search along the curve: what would be far too many is refused at once.
-    if (!meter.stopped() && lengths.back() / period > kDashes) meter.stop(too_many());
+    if (!meter.failed() && lengths.back() / period > kDashes) meter.fail(too_many());
     dash_one(meter, chain, lengths, style, dashes);
-    if (meter.stopped()) return meter.status();
+    if (meter.failed()) return meter.status();
   }
   return dashes;
 }

@@ -180,7 +180,7 @@ Status Importer::run() {
   }
   std::map<std::uint32_t, std::uint32_t> kept;  // layers of Sfumato's own attributes
   for (const StackItem& item : document.stack) {
-    if (context_.cancelled()) return context_.stop_status();
+    if (context_.cancelled()) return context_.cancel_status();
     const auto* instance = std::get_if<LayerInstance>(&item);
     if (const auto found = instance ? source_of.find(instance->layer) : source_of.end();
         found != source_of.end()) {

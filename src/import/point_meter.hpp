@@ -11,7 +11,7 @@
 namespace sfumato::svg_import {
 
 /// Counts the points that outlines are made of: charges their memory, in steps, and looks at the
-/// cancel flag. What makes them asks stopped(), so that a long recursion needs no Result of its
+/// cancel flag. What makes them asks failed(), so that a long recursion needs no Result of its
 /// own.
 class PointMeter {
  public:
@@ -24,7 +24,7 @@ class PointMeter {
     if (!status_) return false;
     made_ += points;
     if (poll_.cancelled()) {
-      status_ = context_.stop_status();
+      status_ = context_.cancel_status();
     } else if (made_ > kMostPoints) {
       status_ = make_error(StatusCode::limit, "a shape of the drawing is too long");
     } else if (made_ > charged_) {
@@ -33,15 +33,15 @@ class PointMeter {
       status_ = charge_.add(context_, 2 * step * sizeof(Vec2), "the outline of a stroke");
       charged_ += step;
     }
-    return !stopped();
+    return !failed();
   }
   /// Looks at the flag now: for steps of a millisecond.
   bool look() {
     if (status_) status_ = context_.check();
-    return !stopped();
+    return !failed();
   }
-  void stop(Status why) { status_ = std::move(why); }
-  bool stopped() const { return !status_; }
+  void fail(Status why) { status_ = std::move(why); }
+  bool failed() const { return !status_; }
   const Status& status() const { return status_; }
 
  private:

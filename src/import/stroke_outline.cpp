@@ -165,7 +165,7 @@ bool Side::turns_twice(const Cubic& piece, double t0, double t1) const {
 }
 
 void Side::offset(const Cubic& piece, double t0, double t1, int depth) {
-  if (meter_.stopped()) return;
+  if (meter_.failed()) return;
   const bool fits = error_of(fitted(piece, t0, t1), piece, t0, t1) <= tolerance_;
   if ((!fits || turns_twice(piece, t0, t1)) && depth < kDeepest) {
     const double middle = (t0 + t1) / 2;
@@ -225,7 +225,7 @@ void Side::begin_fold() {
 }
 
 void Side::fold(const Cubic& piece, double t0, double t1, int depth) {
-  if (meter_.stopped()) return;
+  if (meter_.failed()) return;
   const Vec2 center = center_of_bend(piece, t0, t1);
   if (neck(center, piece, t0, t1) > tolerance_ / 2 && depth < kDeepest) {
     const double middle = (t0 + t1) / 2;
@@ -317,7 +317,7 @@ void Side::join(Vec2 corner, Vec2 before, Vec2 after) {
 
 void Side::walk(const std::vector<Cubic>& pieces, bool is_closed) {
   points_ = {pieces.front()[0] + normal(tangent_at(pieces.front(), 0))};
-  for (std::size_t i = 0; i < pieces.size() && !meter_.stopped(); ++i) {
+  for (std::size_t i = 0; i < pieces.size() && !meter_.failed(); ++i) {
     if (i > 0) join(pieces[i][0], tangent_at(pieces[i - 1], 1), tangent_at(pieces[i], 0));
     offset(pieces[i], 0, 1, 0);
     end_fold();
@@ -419,12 +419,12 @@ Result<Contours> stroke_outline(Context& context, const Contours& subpaths,
   Contours contours;
   std::set<std::pair<double, double>> dots;
   for (const std::vector<Vec2>& subpath : *dashes) {
-    if (context.cancelled()) return context.stop_status();
+    if (context.cancelled()) return context.cancel_status();
     const Vec2 first = subpath.front();
     const bool is_dot = std::ranges::all_of(subpath, [&](Vec2 p) { return p == first; });
     if (is_dot && !dots.emplace(first.x, first.y).second) continue;  // there is one here
     outline(meter, subpath, style, tolerance, contours);
-    if (meter.stopped()) return meter.status();
+    if (meter.failed()) return meter.status();
   }
   std::erase_if(contours, [](const auto& contour) { return contour.size() < 4; });
   return contours;

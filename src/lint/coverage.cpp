@@ -46,13 +46,13 @@ std::vector<Vec2> sample_points(const Box& artboard, const Affine& artboard_from
 
 /// How many of the points (in the layer's frame) are painted.
 Result<std::size_t> count_painted(const LayerUnderTest& test, std::span<const Vec2> points) {
-  const gather::Gatherer& color = test.scene.color.gatherer;
+  const gather::Gatherer& color = test.prepared.color.gatherer;
   std::vector<float> values(points.size() * static_cast<std::size_t>(color.channel_count()));
   std::vector<std::uint8_t> hit(points.size());
   Status status = color.gather(test.context, points, {}, values, hit);
   if (!status) return status;
-  if (test.scene.opacity) {
-    const gather::Gatherer& opacity = test.scene.opacity->gatherer;
+  if (test.prepared.opacity) {
+    const gather::Gatherer& opacity = test.prepared.opacity->gatherer;
     const auto channels = static_cast<std::size_t>(opacity.channel_count());
     std::vector<float> shares(points.size() * channels);
     status = opacity.gather(test.context, points, {}, shares);

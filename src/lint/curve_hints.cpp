@@ -48,7 +48,7 @@ bool is_frame(const Outline& outline, const Box& sight) {
 }
 
 std::vector<Outline> measure(const LayerUnderTest& test) {
-  const curves::SegmentAttributes& flat = test.scene.color.attributes;
+  const curves::SegmentAttributes& flat = test.prepared.color.attributes;
   std::vector<Outline> outlines(test.curves().size());
   Vec2 origin;  // of the areas: the curve's first point
   RarePoll<16384> poll(test.context);

@@ -27,8 +27,8 @@ struct LayerUnderTest {
   const Document& document;
   std::uint32_t layer;
   const solve::LayerSight& sight;
-  const solve::LayerScene& scene;
-  const mesh::TriangleMesh& mesh;  ///< scene.mesher's visibility mesh
+  const solve::PreparedLayer& prepared;
+  const mesh::TriangleMesh& mesh;  ///< prepared.mesher's visibility mesh
   std::vector<Hint>& hints;
 
   const std::vector<Curve>& curves() const { return document.layers[layer].curves; }

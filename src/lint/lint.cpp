@@ -117,7 +117,7 @@ Result<std::vector<Hint>> Linter::run() {
     if (Status status = check_layer(i); !status) return status;
   }
   check_stack();
-  if (context_.cancelled()) return context_.stop_status();
+  if (context_.cancelled()) return context_.cancel_status();
   for (std::uint32_t i = 0; i < document_.shaders.size(); ++i) check_shader(i);
   return std::move(hints_);
 }
@@ -139,16 +139,16 @@ Status Linter::check_layer(std::uint32_t layer) {
   }
   DiffuseOptions options;
   options.pixels_per_unit = 1 / lint_detail::artboard_pixel(document_);
-  const Result<solve::LayerScene> scene =
+  const Result<solve::PreparedLayer> prepared =
       solve::prepare_layer(context_, document_, layer, sight, options, nullptr);
-  if (!scene) return scene.status();
-  const mesh::TriangleMesh mesh = scene->mesher.visibility_mesh(context_);
-  if (context_.cancelled()) return context_.stop_status();
-  LayerUnderTest test{context_, document_, layer, sight, *scene, mesh, hints_};
+  if (!prepared) return prepared.status();
+  const mesh::TriangleMesh mesh = prepared->mesher.visibility_mesh(context_);
+  if (context_.cancelled()) return context_.cancel_status();
+  LayerUnderTest test{context_, document_, layer, sight, *prepared, mesh, hints_};
   lint_detail::check_curves(test);
   lint_detail::check_visibility(test);
   if (Status status = lint_detail::check_meetings(test); !status) return status;
-  if (context_.cancelled()) return context_.stop_status();
+  if (context_.cancelled()) return context_.cancel_status();
   check_attributes(layer);
   return check_instances(test);
 }

@@ -67,14 +67,14 @@ class MeetingCheck {
         poll_(test.context),
         test_(test),
         mesh_(test.mesh),
-        attributes_(test.scene.color.attributes) {}
+        attributes_(test.prepared.color.attributes) {}
 
   Status run() {
     const std::size_t bytes = mesh_.vertex_position.size() * sizeof(Meeting);
     ScopedCharge charge;
     if (Status status = charge.add(context_, bytes, "meetings of curves"); !status) return status;
     find_meetings();
-    if (context_.cancelled()) return context_.stop_status();
+    if (context_.cancelled()) return context_.cancel_status();
     check_crossings();
     return check_ends();
   }

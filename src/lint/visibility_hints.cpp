@@ -155,10 +155,10 @@ void check_visibility(LayerUnderTest& test) {
   const std::vector<Curve>& curves = test.curves();
   const mesh::TriangleMesh& mesh = test.mesh;
   const Box& sight = test.sight.viewport;
-  const Reach color(test.context, mesh, test.scene.color.attributes, sight, curves.size());
+  const Reach color(test.context, mesh, test.prepared.color.attributes, sight, curves.size());
   std::optional<Reach> opacity;
-  if (test.scene.opacity) {
-    opacity.emplace(test.context, mesh, test.scene.opacity->attributes, sight, curves.size());
+  if (test.prepared.opacity) {
+    opacity.emplace(test.context, mesh, test.prepared.opacity->attributes, sight, curves.size());
   }
   RarePoll<4096> poll(test.context);
   for (std::uint32_t i = 0; i < curves.size() && !poll.cancelled(); ++i) {

@@ -43,7 +43,7 @@ void Arrangement::charge_chords() {
 }
 
 void Arrangement::end_if_cancelled() {
-  if (status_.ok() && context_.cancelled()) status_ = context_.stop_status();
+  if (status_.ok() && context_.cancelled()) status_ = context_.cancel_status();
 }
 
 Vertex Arrangement::add_point(Point p) {

@@ -84,7 +84,7 @@ Status flood_inside(const Context& context, Triangulation& mesh, const ChordStor
   mesh.triangle[stack[0]].inside = 0;
   RarePoll<4096> poll(context);
   while (!stack.empty()) {
-    if (poll.cancelled()) return context.stop_status();
+    if (poll.cancelled()) return context.cancel_status();
     const std::int32_t t = stack.back();
     stack.pop_back();
     for (HalfEdge e = 4 * t; e < 4 * t + 3; ++e) {
@@ -226,7 +226,7 @@ Result<TriangleMesh> Mesher::thinned_mesh(Context& context, const TriangleMesh& 
   const std::vector<VertexOrigin> origins(mesh.point.size());
   const Numbering numbering = number_everything(mesh);
   TriangleMesh out = extract(context, {mesh, chords, origins, lattice, numbering});
-  if (context.cancelled()) return context.stop_status();
+  if (context.cancelled()) return context.cancel_status();
   restore_pieces(visibility, kept.constraint, out);
   return out;
 }

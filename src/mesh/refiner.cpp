@@ -320,7 +320,7 @@ Status Refiner::run(Context& context) {
   RarePoll<kStepsPerCancelCheck> poll(context);
   while (status_.ok() && next_bad(bad)) {
     if (mesh_.triangle[triangle_of(bad.shortest_edge)].stamp != bad.stamp) continue;
-    if (poll.cancelled()) status_ = context.stop_status();
+    if (poll.cancelled()) status_ = context.cancel_status();
     refine_triangle(bad);
   }
   mesh_.tracking = false;
@@ -353,7 +353,7 @@ Status Refiner::refine_all(Context& context, double area) {
   const auto count = static_cast<std::int32_t>(mesh_.triangle.size());
   RarePoll<4096> poll(context);
   for (std::int32_t t = 0; t < count; ++t) {
-    if (poll.cancelled()) return context.stop_status();
+    if (poll.cancelled()) return context.cancel_status();
     check_encroachment(t);
     check_triangle(t);
   }
@@ -431,7 +431,7 @@ Status Refiner::refine_targets(Context& context, std::span<const Target> targets
     shrink(target, smallest_edge * smallest_edge);
     if (!status_.ok()) return status_;
   }
-  if (context.cancelled()) return context.stop_status();
+  if (context.cancelled()) return context.cancel_status();
   return run(context);
 }
 

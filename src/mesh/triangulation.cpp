@@ -95,7 +95,7 @@ HalfEdge Triangulation::find(Vertex u, Vertex w) const {
   return kNone;
 }
 
-template <bool stop_at_walls>
+template <bool blocked_by_walls>
 Location Triangulation::locate(Point p, std::int32_t start_triangle) {
   std::int32_t t = start_triangle;
   HalfEdge entered = kNone;
@@ -128,7 +128,7 @@ Location Triangulation::locate(Point p, std::int32_t start_triangle) {
       return {Place::on_vertex, target(on[0]) == origin(on[1]) ? on[1] : on[0]};
     }
     const std::int32_t beyond = here.across[corner_of(exit)];
-    if (beyond == kHull || (stop_at_walls && (beyond & 1))) return {Place::blocked, exit};
+    if (beyond == kHull || (blocked_by_walls && (beyond & 1))) return {Place::blocked, exit};
     entered = beyond >> 1;
     t = triangle_of(entered);
   }

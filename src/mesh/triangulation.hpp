@@ -104,7 +104,7 @@ struct Triangulation {
   HalfEdge find(Vertex u, Vertex w) const;
 
   /// Visibility walk from triangle `start`. A walk that stops at walls does so at the first.
-  template <bool stop_at_walls>
+  template <bool blocked_by_walls>
   Location locate(Point p, std::int32_t start_triangle);
 
   /// Finds the hole that p makes (`cavity`, in positive order) around the triangle that holds p.

@@ -73,7 +73,7 @@ Status check_layer(const Context& context, const PatchLayer& layer, const Pictur
     return limit_error(context.limits, &Limits::shaders_per_layer,
                        "shaders in a layer of the picture");
   }
-  if (context.cancelled()) return context.stop_status();
+  if (context.cancelled()) return context.cancel_status();
   if (!is_whole(layer, picture)) return bad("a layer of the picture whose tables do not fit");
   return ok_status();
 }

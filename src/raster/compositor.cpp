@@ -105,7 +105,7 @@ Status Compositor::paint(std::size_t tile_index, const Tile& root) {
   const int column = static_cast<int>(tile_index % static_cast<std::size_t>(columns));
   const int row = static_cast<int>(tile_index / static_cast<std::size_t>(columns));
   for (std::uint32_t index : list_.row(row)) {
-    if (context_.cancelled()) return context_.stop_status();
+    if (context_.cancelled()) return context_.cancel_status();
     const PaintItem& item = list_.item(index);
     if (column < item.tiles.x0 || column >= item.tiles.x1) continue;
     Status status = paint_item(item, tile_index);

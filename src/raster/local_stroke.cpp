@@ -105,10 +105,10 @@ bool StrokePainter::add_block(int block_x, int block_y, StrokeSums& sums) const 
   const Vec2 center = frame_from_image_(block.center());
   bool touched = false;
   RarePoll<64> poll(*context_);
-  bool stopped = context_->cancelled();
+  bool is_cancelled = context_->cancelled();
   tree_.find(block, [&](std::span<const std::uint32_t> indices) {
-    stopped = stopped || poll.cancelled();
-    if (stopped) return;
+    is_cancelled = is_cancelled || poll.cancelled();
+    if (is_cancelled) return;
     if (!touched) sums = {};
     touched = true;
     kernels_->add_segments(frame_, segments_.segment.data(), indices, center, sums);

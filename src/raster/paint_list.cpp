@@ -206,11 +206,11 @@ Status PaintList::Builder::build() {
     status = list_.charge_.add(context_, layer.triangle_count(), "marks of triangles");
     if (!status) return status;
     list_.layers_[i].is_bent = bent_triangles(context_, layer);
-    if (context_.cancelled()) return context_.stop_status();
+    if (context_.cancelled()) return context_.cancel_status();
   }
   list_.items_.reserve(picture_.stack.size());
   for (const PictureItem& item : picture_.stack) {
-    if (context_.cancelled()) return context_.stop_status();
+    if (context_.cancelled()) return context_.cancel_status();
     status = std::visit([&](const auto& x) { return add(x); }, item);
     if (!status) return status;
   }

@@ -25,7 +25,7 @@ using raster::Tile;
 using raster::TileGrid;
 
 /// Everything that the painting of a tile reads.
-struct Scene {
+struct TileJob {
   const Context* context = nullptr;
   const RasterOptions* options = nullptr;
   const picture::FieldSource* source = nullptr;
@@ -40,12 +40,11 @@ struct Scene {
 /// What a tile is painted with.
 class TilePainter {
  public:
-  explicit TilePainter(const Scene& scene)
-      : scene_(scene),
+  explicit TilePainter(const TileJob& job)
+      : job_(job),
         planes_(std::make_unique_for_overwrite<float[]>(raster::kTileFloats *
-                                                        (scene.has_alpha() ? 4 : 3))),
-        compositor_(*scene.context, scene.list, *scene.kernels, scene.options->antialias,
-                    scene.source) {}
+                                                        (job.has_alpha() ? 4 : 3))),
+        compositor_(*job.context, job.list, *job.kernels, job.options->antialias, job.source) {}
 
   /// Memory of one, with an overlay.
   static std::size_t bytes(const PaintList& list) {
@@ -56,10 +55,10 @@ class TilePainter {
     const Tile tile = begin(tile_index);
     Status status = compositor_.paint(tile_index, tile);
     if (!status) return status;
-    const bool is_mixed = scene_.backdrop.alpha < 1 || !scene_.list.is_plain();
-    if (tile.alpha && is_mixed) scene_.kernels->unpremultiply(tile);
-    if (scene_.options->mesh_overlay) paint_overlay(tile_index, tile);
-    scene_.kernels->write_pixels(tile, scene_.target);
+    const bool is_mixed = job_.backdrop.alpha < 1 || !job_.list.is_plain();
+    if (tile.alpha && is_mixed) job_.kernels->unpremultiply(tile);
+    if (job_.options->mesh_overlay) paint_overlay(tile_index, tile);
+    job_.kernels->write_pixels(tile, job_.target);
     return status;
   }
 
@@ -67,7 +66,7 @@ class TilePainter {
   Tile begin(std::size_t tile_index);
   void paint_overlay(std::size_t tile_index, const Tile& tile);
 
-  const Scene& scene_;
+  const TileJob& job_;
   std::unique_ptr<float[]> planes_;
   raster::Compositor compositor_;
   raster::Overlay overlay_;
@@ -76,24 +75,24 @@ class TilePainter {
 
 /// The tile with nothing but the backdrop in it.
 Tile TilePainter::begin(std::size_t tile_index) {
-  const PixelRect rect = raster::tile_rect(scene_.list.grid(), tile_index);
+  const PixelRect rect = raster::tile_rect(job_.list.grid(), tile_index);
   Tile tile{rect.x0, rect.y0, rect.x1 - rect.x0, rect.y1 - rect.y0, {}, nullptr};
   float* plane = planes_.get();
-  const Rgb& backdrop = scene_.backdrop.color;
+  const Rgb& backdrop = job_.backdrop.color;
   const float color[3] = {backdrop.r, backdrop.g, backdrop.b};
   for (int c = 0; c < 3; ++c) {
     tile.color[c] = plane + c * raster::kTileFloats;
     std::fill_n(tile.color[c], raster::kTileFloats, color[c]);
   }
-  if (scene_.has_alpha()) {
+  if (job_.has_alpha()) {
     tile.alpha = plane + 3 * raster::kTileFloats;
-    std::fill_n(tile.alpha, raster::kTileFloats, scene_.backdrop.alpha);
+    std::fill_n(tile.alpha, raster::kTileFloats, job_.backdrop.alpha);
   }
   return tile;
 }
 
 void TilePainter::paint_overlay(std::size_t tile_index, const Tile& tile) {
-  const PaintList& list = scene_.list;
+  const PaintList& list = job_.list;
   const int row = static_cast<int>(tile_index / static_cast<std::size_t>(list.grid().columns()));
   overlay_.clear();
   for (std::uint32_t index : list.row(row)) {
@@ -107,8 +106,8 @@ void TilePainter::paint_overlay(std::size_t tile_index, const Tile& tile) {
 /// Painters that no thread uses, handed from tile to tile.
 class PainterPool {
  public:
-  PainterPool(const Scene& scene, int thread_count)
-      : scene_(scene), idle_(static_cast<std::size_t>(thread_count)) {}
+  PainterPool(const TileJob& job, int thread_count)
+      : job_(job), idle_(static_cast<std::size_t>(thread_count)) {}
   ~PainterPool() {
     for (std::atomic<TilePainter*>& slot : idle_) std::unique_ptr<TilePainter>(slot.load());
   }
@@ -118,7 +117,7 @@ class PainterPool {
       if (TilePainter* painter = slot.exchange(nullptr)) {
         return std::unique_ptr<TilePainter>(painter);
       }
-    return std::make_unique<TilePainter>(scene_);
+    return std::make_unique<TilePainter>(job_);
   }
 
   void give_back(std::unique_ptr<TilePainter> painter) {
@@ -132,14 +131,14 @@ class PainterPool {
   }
 
  private:
-  const Scene& scene_;
+  const TileJob& job_;
   std::vector<std::atomic<TilePainter*>> idle_;
 };
 
-Status paint_tiles(Context& context, const Scene& scene) {
-  PainterPool pool(scene, context.thread_count());
+Status paint_tiles(Context& context, const TileJob& job) {
+  PainterPool pool(job, context.thread_count());
   std::atomic<std::size_t> done{0};
-  const std::size_t count = scene.list.grid().tile_count();
+  const std::size_t count = job.list.grid().tile_count();
   return try_parallel_for(context, count, 1, [&](std::size_t tile, std::size_t) {
     std::unique_ptr<TilePainter> painter = pool.take();
     Status status = painter->paint(tile);
@@ -169,12 +168,12 @@ Result<Image> draw(Context& context, const Picture& picture, const RasterOptions
                    const picture::FieldSource* source) {
   Status status = raster::check_options(context.limits, options);
   if (!status) return status;
-  Scene scene;
-  scene.options = &options;
-  scene.context = &context;
-  scene.source = source;
-  scene.kernels = &raster::span_kernels(context.simd);
-  scene.backdrop = raster::choose_backdrop(options, picture.background);
+  TileJob job;
+  job.options = &options;
+  job.context = &context;
+  job.source = source;
+  job.kernels = &raster::span_kernels(context.simd);
+  job.backdrop = raster::choose_backdrop(options, picture.background);
 
   Image image{options.width, options.height, options.format, {}};
   const std::size_t image_bytes = image.row_bytes() * static_cast<std::size_t>(options.height);
@@ -183,15 +182,15 @@ Result<Image> draw(Context& context, const Picture& picture, const RasterOptions
   if (!status) return status;
   Result<PaintList> list = make_list(context, picture, options);
   if (!list) return list.status();
-  scene.list = std::move(*list);
+  job.list = std::move(*list);
   status = charge.add(
-      context, static_cast<std::size_t>(context.thread_count()) * TilePainter::bytes(scene.list),
+      context, static_cast<std::size_t>(context.thread_count()) * TilePainter::bytes(job.list),
       "tiles of the image");
   if (!status) return status;
   status = resize_large(context, image.bytes, image_bytes);
   if (!status) return status;
-  scene.target = {image.bytes.data(), image.row_bytes(), options.format, options.dither};
-  status = paint_tiles(context, scene);
+  job.target = {image.bytes.data(), image.row_bytes(), options.format, options.dither};
+  status = paint_tiles(context, job);
   if (!status) return status;
   return image;
 }

@@ -112,7 +112,7 @@ Status TexturePyramid::fill_base(Context& context, const Texture& texture) {
   const std::uint8_t* bytes = texture.rgba.data();
   opaque_ = true;
   for (std::size_t i = 3; i < texture.rgba.size(); i += 4) opaque_ &= bytes[i] == 255;
-  if (context.cancelled()) return context.stop_status();
+  if (context.cancelled()) return context.cancel_status();
   const std::size_t width = static_cast<std::size_t>(level.width);
   return parallel_for(context, static_cast<std::size_t>(level.height), kGrain,
                       [&](std::size_t begin, std::size_t end) {

@@ -88,7 +88,7 @@ Status Binner::sort(Context& context, const std::vector<TileRange>& ranges, Tile
   RarePoll<16384> poll(context);
   for (std::uint32_t t = 0; t < triangle_count && !poll.cancelled(); ++t)
     for_each_tile(t, ranges[t], [&](std::size_t tile) { ++bins->first[tile + 1]; });
-  if (context.cancelled()) return context.stop_status();
+  if (context.cancelled()) return context.cancel_status();
   for (std::size_t i = 1; i < bins->first.size(); ++i) bins->first[i] += bins->first[i - 1];
 
   const std::uint64_t listed = bins->first.back();

@@ -60,7 +60,7 @@ class BorderCutter {
 
   Result<BorderCuts> cut() {
     std::vector<std::uint32_t> fresh = mixed_triangles();
-    if (context_.cancelled()) return context_.stop_status();
+    if (context_.cancelled()) return context_.cancel_status();
     if (fresh.empty()) return std::move(cuts_);
     Status status = make_tables();
     if (!status) return status;
@@ -218,7 +218,7 @@ void BorderCutter::add_crossing_vertices() {
 Status BorderCutter::cut_triangles() {
   add_crossing_vertices();
   for (std::uint32_t t : mixed_) {
-    if (poll_.cancelled()) return context_.stop_status();
+    if (poll_.cancelled()) return context_.cancel_status();
     cut_triangle(t);
   }
   return ok_status();

@@ -15,10 +15,10 @@ Result<PatchLayer> solve_layer(Context& context, const Document& document, std::
                                DiffuseStats* stats) {
   const solve::LayerSight sight = solve::sight_of_layer(document, index, viewport);
   if (sight.viewport.empty() || document.layers[index].curves.empty()) return PatchLayer{};
-  Result<solve::LayerScene> scene = solve::prepare_layer(context, document, index, sight, options,
-                                                         stats, solve::LayerUse::patches);
-  if (!scene) return scene.status();
-  return solve::LayerSolver(context, std::move(*scene), options, stats).solve();
+  Result<solve::PreparedLayer> prepared = solve::prepare_layer(
+      context, document, index, sight, options, stats, solve::LayerUse::patches);
+  if (!prepared) return prepared.status();
+  return solve::LayerSolver(context, std::move(*prepared), options, stats).solve();
 }
 
 PictureItem picture_item(const LayerInstance& instance) {

@@ -89,7 +89,7 @@ Result<ExactPicture> ExactPicture::create(Context& context, const Document& docu
 
 Status ExactPicture::read(std::uint32_t layer, const Affine& layer_from_image,
                           const PixelRect& rect, picture::FieldPixels* out) const {
-  if (context_->cancelled()) return context_->stop_status();
+  if (context_->cancelled()) return context_->cancel_status();
   std::vector<Vec2> points;
   std::vector<std::size_t> pixel;  // per point: its index in `out`
   for_each_in_squares(rect, [&](int x, int y) {

@@ -64,7 +64,7 @@ Status FieldSolver::charge_seams(Context& context, const mesh::TriangleMesh& mes
 
 Status FieldSolver::start(Context& context, const mesh::TriangleMesh& mesh) {
   if (Status status = charge_seams(context, mesh); !status) return status;
-  seams_.emplace(context, mesh, scene_.attributes);
+  seams_.emplace(context, mesh, field_.attributes);
   return context.check();
 }
 
@@ -74,8 +74,8 @@ Status FieldSolver::lay_out(Context& context, const mesh::TriangleMesh& mesh) {
       charge.add(context, kFixedBytesPerSeam * mesh.constraint.size(), "patches along curves");
   if (status) status = charge_layout(context, mesh.triangle_count());
   if (!status) return status;
-  layout_ = lay_out_nodes(context, mesh, scene_.attributes, *seams_);
-  if (context.cancelled()) return context.stop_status();
+  layout_ = lay_out_nodes(context, mesh, field_.attributes, *seams_);
+  if (context.cancelled()) return context.cancel_status();
   to_gather_ = free_nodes(context);
   return resize_large(context, node_hit_, layout_.node_count(), std::uint8_t{1});
 }
@@ -83,8 +83,8 @@ Status FieldSolver::lay_out(Context& context, const mesh::TriangleMesh& mesh) {
 Status FieldSolver::follow(Context& context, const mesh::TriangleMesh& mesh,
                            std::span<const std::uint32_t> changed) {
   if (Status status = charge_seams(context, mesh); !status) return status;
-  seams_->update(context, scene_.attributes, changed);
-  if (context.cancelled()) return context.stop_status();
+  seams_->update(context, field_.attributes, changed);
+  if (context.cancelled()) return context.cancel_status();
   if (layout_.triangle_node.empty()) return ok_status();
   ScopedCharge charge;
   const std::size_t seams = std::min(mesh.constraint.size(), 6 * changed.size());
@@ -92,7 +92,7 @@ Status FieldSolver::follow(Context& context, const mesh::TriangleMesh& mesh,
   // Nodes that go are used again only in the next update.
   if (status) status = charge_layout(context, mesh.triangle_count() + changed.size());
   if (status) {
-    status = update_layout(context, mesh, scene_.attributes, *seams_, changed, layout_, history_);
+    status = update_layout(context, mesh, field_.attributes, *seams_, changed, layout_, history_);
   }
   if (status) {
     status = grow_large(context, node_hit_, layout_.node_count(), layout_.position.capacity(),
@@ -144,17 +144,17 @@ Result<std::size_t> FieldSolver::gather(Context& context, const gather::GatherOp
   points.reserve(count);
   RarePoll<65536> poll(context);
   for (const std::uint32_t node : nodes) {
-    if (poll.cancelled()) return context.stop_status();
+    if (poll.cancelled()) return context.cancel_status();
     points.push_back(layout_.position[node]);
   }
   std::vector<float> values;
   std::vector<std::uint8_t> hits;
   status = resize_large(context, values, count * channels);
   if (status) status = resize_large(context, hits, count);
-  if (status) status = scene_.gatherer.gather(context, points, options, values, hits);
+  if (status) status = field_.gatherer.gather(context, points, options, values, hits);
   if (!status) return status;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    if (poll.cancelled()) return context.stop_status();
+    if (poll.cancelled()) return context.cancel_status();
     float* const value = layout_.value.data() + channels * nodes[i];
     for (std::size_t c = 0; c < channels; ++c) value[c] = values[channels * i + c];
     node_hit_[nodes[i]] = hits[i];
@@ -177,15 +177,15 @@ Status FieldSolver::find_misses(Context& context, const mesh::TriangleMesh& mesh
   status = charge.add(context, point_bytes(kMostProbes * asked.size()), "probes of patches");
   if (!status) return status;
   const ProbeSet probes = place_probes(context, mesh, layout_, asked);
-  if (context.cancelled()) return context.stop_status();
+  if (context.cancelled()) return context.cancel_status();
   std::vector<float> exact;
   status = resize_large(context, exact, probes.position.size() * channels);
-  if (status) status = scene_.gatherer.gather(context, probes.position, {}, exact);
+  if (status) status = field_.gatherer.gather(context, probes.position, {}, exact);
   if (!status) return status;
   std::vector<float> value(channels);
   RarePoll<4096> poll(context);
   for (std::size_t i = 0; i < probes.position.size(); ++i) {
-    if (poll.cancelled()) return context.stop_status();
+    if (poll.cancelled()) return context.cancel_status();
     patch_value_at_probe(probes, i, layout_, order, value.data());
     float* const exact_value = exact.data() + channels * i;
     show_as_code_values(value.data());
@@ -232,18 +232,18 @@ bool FieldSolver::is_more(std::span<const float> miss, float max_error, std::uin
 }
 
 bool FieldSolver::is_opacity(std::size_t channel) const {
-  const int base_channels = scene_.attributes.base_channels;
+  const int base_channels = field_.attributes.base_channels;
   return base_channels == 1 || (base_channels > 3 && channel == kOpacityChannel);
 }
 
 bool FieldSolver::has_code_values() const {
-  return scene_.attributes.space == InterpolationSpace::srgb || scene_.attributes.base_channels < 3;
+  return field_.attributes.space == InterpolationSpace::srgb || field_.attributes.base_channels < 3;
 }
 
 /// What is tolerated is counted in code values, whatever space the colours are in.
 void FieldSolver::show_as_code_values(float* value) const {
   if (has_code_values()) return;
-  const Rgb code = to_srgb(scene_.attributes.space, {value[0], value[1], value[2]});
+  const Rgb code = to_srgb(field_.attributes.space, {value[0], value[1], value[2]});
   value[0] = code.r, value[1] = code.g, value[2] = code.b;
 }
 
@@ -261,7 +261,7 @@ Status FieldSolver::find_coarse(Context& context, const mesh::TriangleMesh& mesh
   };
   RarePoll<16384> poll(context);
   for (const std::uint32_t t : triangles) {
-    if (poll.cancelled()) return context.stop_status();
+    if (poll.cancelled()) return context.cancel_status();
     for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
       if (!seams_->is_seam(h)) continue;
       lower(mesh.origin(h), seams_->blur_radius(h, 0));
@@ -269,7 +269,7 @@ Status FieldSolver::find_coarse(Context& context, const mesh::TriangleMesh& mesh
     }
   }
   for (const std::uint32_t t : triangles) {
-    if (poll.cancelled()) return context.stop_status();
+    if (poll.cancelled()) return context.cancel_status();
     double radius = 0;
     for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
       const double r = vertex_radius_[mesh.origin(h)];
@@ -290,7 +290,7 @@ Status FieldSolver::make_room_for_means(Context& context) {
   RarePoll<16384> poll(context);
   std::size_t count = 0;
   for (std::size_t first = 0; first < layout_.triangle_node.size(); first += kNodes) {
-    if (poll.cancelled()) return context.stop_status();
+    if (poll.cancelled()) return context.cancel_status();
     count += sees_some(layout_.triangle_node.data() + first);
   }
   if (count == 0) return ok_status();
@@ -307,7 +307,7 @@ Status FieldSolver::fill_unseen_nodes(Context& context) {
   const auto channels = static_cast<std::size_t>(layout_.channel_count);
   std::vector<float> sum(channels);
   for (std::size_t first = 0; first < layout_.triangle_node.size(); first += kNodes) {
-    if (poll.cancelled()) return context.stop_status();
+    if (poll.cancelled()) return context.cancel_status();
     std::uint32_t* node = layout_.triangle_node.data() + first;
     if (!sees_some(node)) continue;
     std::fill(sum.begin(), sum.end(), 0.0f);
@@ -343,7 +343,7 @@ Status FieldSolver::look(Context& context, std::span<const Vec2> points,
   std::vector<std::uint8_t> hits;
   if (status) status = resize_large(context, values, points.size() * channels);
   if (status) status = resize_large(context, hits, points.size());
-  if (status) status = scene_.gatherer.gather(context, points, {}, values, hits);
+  if (status) status = field_.gatherer.gather(context, points, {}, values, hits);
   for (std::size_t i = 0; status && i < points.size(); ++i) seen[i] &= hits[i];
   return status;
 }
@@ -413,7 +413,7 @@ PatchField FieldSolver::take(std::span<const std::uint8_t> keep) {
   }
   layout_.triangle_node.resize(kNodes * kept);
   return {layout_.channel_count, std::move(layout_.triangle_node), std::move(layout_.value),
-          std::move(scene_.attributes.shader)};
+          std::move(field_.attributes.shader)};
 }
 
 }  // namespace sfumato::solve

@@ -19,7 +19,7 @@
 namespace sfumato::solve {
 
 /// One attribute of a layer, ready to be gathered.
-struct FieldScene {
+struct PreparedField {
   curves::SegmentAttributes attributes;
   ScopedCharge charge;  ///< of the attributes
   gather::Gatherer gatherer;
@@ -32,7 +32,7 @@ inline constexpr int kOpacityChannel = 3;
 /// LayerSolver refines: node values that follow the mesh from round to round, and what they miss.
 class FieldSolver {
  public:
-  explicit FieldSolver(FieldScene scene) : scene_(std::move(scene)) {}
+  explicit FieldSolver(PreparedField prepared) : field_(std::move(prepared)) {}
 
   /// Begins with a mesh, which must outlive this: what curves show on it. Errors: limit (memory),
   /// cancelled.
@@ -88,8 +88,8 @@ class FieldSolver {
   /// What the sides of curves show on the mesh.
   const Seams& seams() const { return *seams_; }
 
-  const FieldScene& scene() const { return scene_; }
-  int channel_count() const { return scene_.attributes.channel_count(); }
+  const PreparedField& field() const { return field_; }
+  int channel_count() const { return field_.attributes.channel_count(); }
   const NodeLayout& layout() const { return layout_; }
   /// Whether a triangle's node (places as in PatchLayer) sees a curve.
   bool sees_curves(std::uint32_t triangle, std::size_t place = 9) const;
@@ -123,7 +123,7 @@ class FieldSolver {
   bool has_code_values() const;
   void show_as_code_values(float* value) const;
 
-  FieldScene scene_;
+  PreparedField field_;
   std::optional<Seams> seams_;
   std::vector<float> vertex_radius_;  ///< of find_coarse
   ScopedCharge seam_charge_;

@@ -39,7 +39,7 @@ std::vector<std::uint32_t> indices_of(const std::vector<std::uint8_t>& chosen) {
 
 using Radius = curves::SegmentValues<float> curves::SegmentSide::*;
 
-bool any_blur(const FieldScene& field, Radius radius) {
+bool any_blur(const PreparedField& field, Radius radius) {
   const auto is_blurred = [&](const curves::SegmentSide& side) {
     return (side.*radius).start > 0 || (side.*radius).end > 0;
   };
@@ -47,29 +47,30 @@ bool any_blur(const FieldScene& field, Radius radius) {
          std::ranges::any_of(field.attributes.right, is_blurred);
 }
 
-bool any_blur(const LayerScene& scene, Radius radius) {
-  return any_blur(scene.color, radius) || (scene.opacity && any_blur(*scene.opacity, radius));
+bool any_blur(const PreparedLayer& prepared, Radius radius) {
+  return any_blur(prepared.color, radius) ||
+         (prepared.opacity && any_blur(*prepared.opacity, radius));
 }
 
 }  // namespace
 
-LayerSolver::LayerSolver(Context& context, LayerScene scene, const DiffuseOptions& options,
+LayerSolver::LayerSolver(Context& context, PreparedLayer prepared, const DiffuseOptions& options,
                          DiffuseStats* stats, std::optional<RoundWatch> watch)
     : context_(context),
-      mesher_(std::move(scene.mesher)),
-      is_blurred_(any_blur(scene, &curves::SegmentSide::blur_radius)),
-      is_finely_blurred_(any_blur(scene, &curves::SegmentSide::fine_radius)),
-      color_(std::move(scene.color)),
-      frame_(scene.frame),
-      smallest_edge_(scene.smallest_edge),
+      mesher_(std::move(prepared.mesher)),
+      is_blurred_(any_blur(prepared, &curves::SegmentSide::blur_radius)),
+      is_finely_blurred_(any_blur(prepared, &curves::SegmentSide::fine_radius)),
+      color_(std::move(prepared.color)),
+      frame_(prepared.frame),
+      smallest_edge_(prepared.smallest_edge),
       options_(options),
       stats_(stats),
       watch_(watch) {
-  if (scene.opacity) opacity_.emplace(std::move(*scene.opacity));
+  if (prepared.opacity) opacity_.emplace(std::move(*prepared.opacity));
 }
 
 bool LayerSolver::is_joint() const {
-  return color_.scene().attributes.base_channels > kOpacityChannel;
+  return color_.field().attributes.base_channels > kOpacityChannel;
 }
 
 Result<PatchLayer> LayerSolver::solve() {
@@ -101,7 +102,7 @@ Result<PatchLayer> LayerSolver::solve() {
   if (status) status = cut_at_border();
   if (!status) return status;
   Result<PatchLayer> layer = take_patches();
-  if (context_.cancelled()) return context_.stop_status();
+  if (context_.cancelled()) return context_.cancel_status();
   return layer;
 }
 
@@ -357,7 +358,7 @@ Result<PatchLayer> LayerSolver::take_patches() {
       layer.edge_is_curve.push_back(marks[h]);
     }
   }
-  if (context_.cancelled()) return context_.stop_status();
+  if (context_.cancelled()) return context_.cancel_status();
   layer.vertex_position = std::move(mesh_.vertex_position);
   layer.color = color_.take(keep);
   if (opacity_) layer.opacity = opacity_->take(keep);

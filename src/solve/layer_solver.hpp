@@ -28,7 +28,7 @@ using RoundWatch = FunctionRef<void(const mesh::TriangleMesh& mesh, const FieldS
 /// been laid out on that mesh.
 class LayerSolver {
  public:
-  LayerSolver(Context& context, LayerScene scene, const DiffuseOptions& options,
+  LayerSolver(Context& context, PreparedLayer prepared, const DiffuseOptions& options,
               DiffuseStats* stats, std::optional<RoundWatch> watch = {});
 
   Result<PatchLayer> solve();

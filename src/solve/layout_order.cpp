@@ -18,7 +18,7 @@ class NodeNumbering {
     order_.reserve(layout_.node_count());
     find_seams();
     number_triangles();
-    if (context_.cancelled()) return context_.stop_status();
+    if (context_.cancelled()) return context_.cancel_status();
     return std::move(order_);
   }
 
@@ -80,7 +80,7 @@ Result<std::vector<std::uint32_t>> put_in_order(const Context& context,
   layout.is_fixed = reordered(context, *order, layout.is_fixed);
   layout.value =
       reordered(context, *order, layout.value, static_cast<std::size_t>(layout.channel_count));
-  if (context.cancelled()) return context.stop_status();
+  if (context.cancelled()) return context.cancel_status();
   return order;
 }
 

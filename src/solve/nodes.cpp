@@ -33,7 +33,7 @@ Status place_all(const Context& context, const mesh::TriangleMesh& mesh, const S
                  NodeLayout& layout, NodePlacer<NewNodes>& placer) {
   RarePoll<4096> poll(context);
   for (std::uint32_t t = 0; t < mesh.triangle_count(); ++t) {
-    if (poll.cancelled()) return context.stop_status();
+    if (poll.cancelled()) return context.cancel_status();
     for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
       layout.edge_is_curve[h] = seams.is_seam(h);
       if (layout.triangle_node[node_slot(t, h % 3)] == kNoNode) placer.place_around_vertex(h);

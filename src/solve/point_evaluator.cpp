@@ -10,14 +10,14 @@ namespace sfumato {
 
 struct PointEvaluator::State {
   struct Fields {
-    solve::FieldScene color;
-    std::optional<solve::FieldScene> opacity;
+    solve::PreparedField color;
+    std::optional<solve::PreparedField> opacity;
   };
 
-  const solve::FieldScene* color(std::uint32_t layer) const {
+  const solve::PreparedField* color(std::uint32_t layer) const {
     return layers[layer] ? &layers[layer]->color : nullptr;
   }
-  const solve::FieldScene* opacity(std::uint32_t layer) const {
+  const solve::PreparedField* opacity(std::uint32_t layer) const {
     return layers[layer] && layers[layer]->opacity ? &*layers[layer]->opacity : nullptr;
   }
 
@@ -41,32 +41,33 @@ Result<PointEvaluator> PointEvaluator::create(Context& context, const Document& 
   for (std::uint32_t i = 0; i < document.layers.size(); ++i) {
     const solve::LayerSight sight = solve::sight_of_layer(document, i, viewport);
     if (sight.viewport.empty() || document.layers[i].curves.empty()) continue;
-    Result<solve::LayerScene> scene =
+    Result<solve::PreparedLayer> prepared =
         solve::prepare_layer(context, document, i, sight, options, stats);
-    if (!scene) return scene.status();
-    state->layers[i].emplace(State::Fields{std::move(scene->color), std::move(scene->opacity)});
+    if (!prepared) return prepared.status();
+    state->layers[i].emplace(
+        State::Fields{std::move(prepared->color), std::move(prepared->opacity)});
   }
   return PointEvaluator(std::move(state));
 }
 
 int PointEvaluator::color_channels(std::uint32_t layer) const {
-  const solve::FieldScene* field = state_->color(layer);
+  const solve::PreparedField* field = state_->color(layer);
   return field ? field->attributes.channel_count() : 0;
 }
 
 int PointEvaluator::opacity_channels(std::uint32_t layer) const {
-  const solve::FieldScene* field = state_->opacity(layer);
+  const solve::PreparedField* field = state_->opacity(layer);
   return field ? field->attributes.channel_count() : 0;
 }
 
 std::span<const std::uint32_t> PointEvaluator::color_shaders(std::uint32_t layer) const {
-  const solve::FieldScene* field = state_->color(layer);
+  const solve::PreparedField* field = state_->color(layer);
   if (!field) return {};
   return field->attributes.shader;
 }
 
 std::span<const std::uint32_t> PointEvaluator::opacity_shaders(std::uint32_t layer) const {
-  const solve::FieldScene* field = state_->opacity(layer);
+  const solve::PreparedField* field = state_->opacity(layer);
   if (!field) return {};
   return field->attributes.shader;
 }

@@ -162,10 +162,10 @@ bool is_thin(const mesh::TriangleMesh& mesh, const std::vector<std::uint8_t>& be
   return false;
 }
 
-Result<FieldScene> prepare_field(Context& context, const mesh::Mesher& mesher,
-                                 const mesh::TriangleMesh& visibility,
-                                 curves::SegmentAttributes attributes, ScopedCharge charge,
-                                 gather::Ends ends) {
+Result<PreparedField> prepare_field(Context& context, const mesh::Mesher& mesher,
+                                    const mesh::TriangleMesh& visibility,
+                                    curves::SegmentAttributes attributes, ScopedCharge charge,
+                                    gather::Ends ends) {
   const std::vector<std::uint8_t> bears = bearing_constraints(visibility, attributes);
   ScopedCharge scratch;
   mesh::TriangleMesh thinned;
@@ -180,7 +180,7 @@ Result<FieldScene> prepare_field(Context& context, const mesh::Mesher& mesher,
   Result<gather::Gatherer> gatherer =
       gather::Gatherer::create(context, is_thinned ? thinned : visibility, attributes, ends);
   if (!gatherer) return gatherer.status();
-  return FieldScene{std::move(attributes), std::move(charge), std::move(*gatherer)};
+  return PreparedField{std::move(attributes), std::move(charge), std::move(*gatherer)};
 }
 
 /// What may be looked at: the triangles' vertices are coordinates like any others.
@@ -244,9 +244,9 @@ LayerSight sight_of_layer(const Document& document, std::uint32_t layer, const B
   return sight;
 }
 
-Result<LayerScene> prepare_layer(Context& context, const Document& document, std::uint32_t layer,
-                                 const LayerSight& sight, const DiffuseOptions& options,
-                                 DiffuseStats* stats, LayerUse use) {
+Result<PreparedLayer> prepare_layer(Context& context, const Document& document, std::uint32_t layer,
+                                    const LayerSight& sight, const DiffuseOptions& options,
+                                    DiffuseStats* stats, LayerUse use) {
   const Stopwatch geometry_watch;
   const std::vector<Curve>& curves = document.layers[layer].curves;
   const LayerUnits units(document.artboard, sight, options);
@@ -271,7 +271,7 @@ Result<LayerScene> prepare_layer(Context& context, const Document& document, std
   Result<mesh::Mesher> mesher = mesh::Mesher::build(context, *flat, meshing);
   if (!mesher) return mesher.status();
   const mesh::TriangleMesh visibility = mesher->visibility_mesh(context);
-  if (context.cancelled()) return context.stop_status();
+  if (context.cancelled()) return context.cancel_status();
   const double mesh_seconds = mesh_watch.seconds();
 
   const Stopwatch gather_watch;
@@ -280,17 +280,17 @@ Result<LayerScene> prepare_layer(Context& context, const Document& document, std
     if (use == LayerUse::patches) curves::set_fine_blur(attributes, units.smallest_radius());
   };
   drop_blur(colors);
-  Result<FieldScene> color = prepare_field(context, *mesher, visibility, std::move(colors),
-                                           std::move(color_charge), options.ends);
+  Result<PreparedField> color = prepare_field(context, *mesher, visibility, std::move(colors),
+                                              std::move(color_charge), options.ends);
   if (!color) return color.status();
-  std::optional<FieldScene> opacity;
+  std::optional<PreparedField> opacity;
   if (!is_joint && std::ranges::any_of(curves, bears_opacity)) {
     status = opacity_charge.add(context, curves::attribute_bytes(*flat), "attributes");
     if (!status) return status;
     curves::SegmentAttributes opacities = curves::sample_opacities(*flat, curves);
     drop_blur(opacities);
-    Result<FieldScene> field = prepare_field(context, *mesher, visibility, std::move(opacities),
-                                             std::move(opacity_charge), options.ends);
+    Result<PreparedField> field = prepare_field(context, *mesher, visibility, std::move(opacities),
+                                                std::move(opacity_charge), options.ends);
     if (!field) return field.status();
     opacity.emplace(std::move(*field));
   }
@@ -301,8 +301,8 @@ Result<LayerScene> prepare_layer(Context& context, const Document& document, std
     stats->triangulation_seconds += mesh_seconds;
     stats->gather_seconds += gather_watch.seconds();
   }
-  return LayerScene{std::move(*mesher), std::move(*color), std::move(opacity), meshing.frame,
-                    kSmallestEdgePx * units.pixel()};
+  return PreparedLayer{std::move(*mesher), std::move(*color), std::move(opacity), meshing.frame,
+                       kSmallestEdgePx * units.pixel()};
 }
 
 }  // namespace sfumato::solve

@@ -14,11 +14,12 @@ namespace sfumato::solve {
 
 /// What every way of evaluating a layer begins with: its curves flattened, meshed and made ready
 /// for gathering.
-struct LayerScene {
+struct PreparedLayer {
   mesh::Mesher mesher;
-  FieldScene color;
-  std::optional<FieldScene> opacity;  ///< where any curve bears it, and color does not hold it too
-  Box frame;                          ///< what the patch mesh covers, layer frame
+  PreparedField color;
+  /// Where any curve bears it, and color does not hold it too.
+  std::optional<PreparedField> opacity;
+  Box frame;             ///< what the patch mesh covers, layer frame
   double smallest_edge;  ///< a triangle with no longer edge shows on no pixel, layer units
 };
 
@@ -44,9 +45,9 @@ enum class LayerUse : std::uint8_t { points, patches };
 
 /// Adds to `stats` if not null. Errors: limit (an instance shows more of its layer than coordinates
 /// reach, memory, counts), cancelled.
-Result<LayerScene> prepare_layer(Context& context, const Document& document, std::uint32_t layer,
-                                 const LayerSight& sight, const DiffuseOptions& options,
-                                 DiffuseStats* stats, LayerUse use = LayerUse::points);
+Result<PreparedLayer> prepare_layer(Context& context, const Document& document, std::uint32_t layer,
+                                    const LayerSight& sight, const DiffuseOptions& options,
+                                    DiffuseStats* stats, LayerUse use = LayerUse::points);
 
 /// Checks lengths and counts of the options against what they mean.
 Status validate(const DiffuseOptions& options);

@@ -19,7 +19,7 @@ std::vector<EdgeCode> codes_of(const Drawing& drawing) {
     if (drawing.mesh.half_edge_constraint[h] != mesh::kNone) {
       const Facing facing = facing_side(drawing.mesh, drawing.attributes, h);
       if (facing.kind == ShaderKind::barrier) code = kBorder;
-      if (facing.has_value()) code = stop_code(0);
+      if (facing.has_value()) code = hit_code(0);
     }
     codes.push_back(code);
   }
@@ -56,7 +56,7 @@ struct Looked {
   bool meets_stop(std::uint32_t h, Vec2 p, Vec2 x) const {
     const mesh::TriangleMesh& mesh = drawing.mesh;
     for (std::uint32_t s = 0; s < codes.size(); ++s) {
-      if (!is_stop(codes[s]) || s == h) continue;
+      if (!is_hit(codes[s]) || s == h) continue;
       const Vec2 a = mesh.vertex_position[mesh.origin(s)], b = mesh.vertex_position[mesh.target(s)];
       const double along = cross(x - p, b - a);
       const double t = cross(a - p, b - a) / along, u = cross(a - p, x - p) / along;

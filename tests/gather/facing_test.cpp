@@ -144,9 +144,9 @@ TEST(Scene, edges_are_stops_borders_or_passages) {
   const Result<Scene> scene = build_scene(context, diamond.mesh, diamond.attributes);
   ASSERT_TRUE(scene.ok());
   EXPECT_EQ(scene->origin, (Vec2{2, 0}));
-  ASSERT_EQ(scene->stop.size(), 1u);
+  ASSERT_EQ(scene->hit_edge.size(), 1u);
   // In the scene's order the triangle above (of smaller y) comes first.
-  EXPECT_EQ(scene->triangle[1].edge[0], stop_code(0));
+  EXPECT_EQ(scene->triangle[1].edge[0], hit_code(0));
   EXPECT_EQ(scene->triangle[1].edge[1], kBorder);
   EXPECT_EQ(scene->triangle[1].twin[0], 0);
   // From above one looks through, at the triangle below.
@@ -156,7 +156,7 @@ TEST(Scene, edges_are_stops_borders_or_passages) {
   EXPECT_EQ(scene->edge_beyond[0].apex_y, 2);
   EXPECT_EQ(scene->edge_beyond[0].right, kBorder);
   EXPECT_EQ(scene->edge_beyond[0].left, kBorder);
-  const StopEdge& stop = scene->stop[0];
+  const HitEdge& stop = scene->hit_edge[0];
   EXPECT_EQ(stop.ax, -2);
   EXPECT_EQ(stop.bx, 2);
   EXPECT_EQ(stop.weight, 1);
@@ -172,7 +172,7 @@ TEST(Scene, barriers_are_borders_to_the_exact_gather) {
   Context context;
   const Result<Scene> scene = build_scene(context, diamond.mesh, diamond.attributes);
   ASSERT_TRUE(scene.ok());
-  EXPECT_TRUE(scene->stop.empty());
+  EXPECT_TRUE(scene->hit_edge.empty());
   EXPECT_EQ(scene->triangle[0].edge[0], kBorder);
   EXPECT_EQ(scene->triangle[1].edge[0], kBorder);
 }

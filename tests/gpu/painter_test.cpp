@@ -40,13 +40,13 @@ double worst_difference(bool single_precision) {
   const auto device = Device::create();
   const Result<Affine> map = raster::image_from_artboard(picture, options);
   const PixelRect whole{0, 0, kWidth, kHeight};
-  const Result<Scene> scene = Scene::create(context, **device, picture, *map, whole, false);
-  EXPECT_TRUE(scene.ok()) << to_string(scene.status());
+  const Result<DrawList> list = DrawList::create(context, **device, picture, *map, whole, false);
+  EXPECT_TRUE(list.ok()) << to_string(list.status());
   PaintSettings settings;
   settings.tile_width = kWidth;
   settings.tile_height = kHeight;
   settings.single_precision = single_precision;
-  Result<Painter> painter = Painter::create(context, **device, *scene, settings);
+  Result<Painter> painter = Painter::create(context, **device, *list, settings);
   EXPECT_TRUE(painter.ok()) << to_string(painter.status());
   std::vector<float> rgba(4 * kWidth * kHeight);
   const Status status = painter->paint(whole, rgba.data());

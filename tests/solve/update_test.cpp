@@ -17,13 +17,13 @@
 namespace sfumato::solve {
 namespace {
 
-LayerScene prepared(Context& context, const Document& document, std::uint32_t layer,
-                    const DiffuseOptions& options = {}) {
+PreparedLayer prepared(Context& context, const Document& document, std::uint32_t layer,
+                       const DiffuseOptions& options = {}) {
   const LayerSight sight = sight_of_layer(document, layer, document.artboard);
-  Result<LayerScene> scene =
+  Result<PreparedLayer> prepared =
       prepare_layer(context, document, layer, sight, options, nullptr, LayerUse::patches);
-  EXPECT_TRUE(scene.ok()) << scene.status().message;
-  return std::move(*scene);
+  EXPECT_TRUE(prepared.ok()) << prepared.status().message;
+  return std::move(*prepared);
 }
 
 /// In what two layouts differ, beside the values of free nodes; empty: in nothing.
@@ -44,11 +44,11 @@ std::string difference_of(const NodeLayout& layout, const NodeLayout& anew) {
 /// A mesh and its fields, refined here and there.
 class Followers {
  public:
-  Followers(Context& context, LayerScene scene)
-      : context_(context), mesher_(std::move(scene.mesher)) {
-    smallest_edge_ = scene.smallest_edge;
-    fields_.emplace_back(std::move(scene.color));
-    if (scene.opacity) fields_.emplace_back(std::move(*scene.opacity));
+  Followers(Context& context, PreparedLayer prepared)
+      : context_(context), mesher_(std::move(prepared.mesher)) {
+    smallest_edge_ = prepared.smallest_edge;
+    fields_.emplace_back(std::move(prepared.color));
+    if (prepared.opacity) fields_.emplace_back(std::move(*prepared.opacity));
     EXPECT_TRUE(mesher_.refine(context_).ok());
     mesh_ = mesher_.patch_mesh(context_);
     for (FieldSolver& field : fields_) EXPECT_TRUE(field.start(context_, mesh_).ok());
@@ -82,7 +82,7 @@ class Followers {
     const mesh::TriangleMesh anew = mesher_.patch_mesh(context_);
     ASSERT_EQ(test::difference_of(mesh_, anew), "");
     for (const FieldSolver& field : fields_) {
-      const auto& attributes = field.scene().attributes;
+      const auto& attributes = field.field().attributes;
       NodeLayout layout = field.layout();
       ASSERT_TRUE(solve::put_in_order(context_, mesh_, layout).ok());
       const Seams seams(context_, anew, attributes);
@@ -121,7 +121,7 @@ class Followers {
         is_old[layout.triangle_node[i]] |= !is_changed[i / 10];
       std::vector<float> values(channels * layout.node_count());
       std::vector<std::uint8_t> hits(layout.node_count());
-      ASSERT_TRUE(field.scene().gatherer.gather(context_, layout.position, {}, values, hits).ok());
+      ASSERT_TRUE(field.field().gatherer.gather(context_, layout.position, {}, values, hits).ok());
       for (std::uint32_t i = 0; i < layout.triangle_node.size(); ++i) {
         const std::uint32_t node = layout.triangle_node[i];
         if (layout.is_fixed[node] || is_old[node]) continue;
@@ -211,7 +211,7 @@ TEST(LayoutUpdate, nodes_are_laid_out_on_the_mesh_of_the_last_round_for_blur) {
   int rounds = 0;
   const auto watch = [&](const mesh::TriangleMesh& mesh, const FieldSolver& color,
                          const FieldSolver*) {
-    const auto& attributes = color.scene().attributes;
+    const auto& attributes = color.field().attributes;
     const Seams seams(context, mesh, attributes);
     EXPECT_EQ(difference_of(color.layout(), lay_out_nodes(context, mesh, attributes, seams)), "");
     double longest = 0;

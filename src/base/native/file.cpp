@@ -26,7 +26,7 @@ Status too_long(const std::string& path, std::size_t max_bytes) {
                     "is longer than the limit of " + std::to_string(max_bytes) + " bytes", {path});
 }
 
-/// Reads to the end. Errors: io, limit, those of Context::stop_status.
+/// Reads to the end. Errors: io, limit, those of Context::cancel_status.
 template <class Bytes>
 Result<Bytes> read_all(int descriptor, const std::string& path, std::size_t max_bytes,
                        const Context* context) {

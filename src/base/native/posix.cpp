@@ -126,7 +126,7 @@ bool write_all(int descriptor, std::span<const std::uint8_t> bytes, const Contex
 
 Status io_error(const std::string& path, const char* what, int error_number,
                 const Context* context) {
-  if (context && error_number == ECANCELED) return context->stop_status();
+  if (context && error_number == ECANCELED) return context->cancel_status();
   return make_error(StatusCode::io,
                     std::string(what) + ": " + std::generic_category().message(error_number),
                     {path});

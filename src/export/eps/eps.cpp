@@ -28,7 +28,7 @@ Status append_ascii85(const Context& context, std::span<const std::uint8_t> byte
   RarePoll<65536> poll(context);
   std::size_t line_begin = text->size();
   for (std::size_t i = 0; i < bytes.size(); i += 4) {
-    if (poll.cancelled()) return context.stop_status();
+    if (poll.cancelled()) return context.cancel_status();
     const std::size_t count = std::min<std::size_t>(4, bytes.size() - i);
     std::uint32_t word = 0;
     for (std::size_t k = 0; k < 4; ++k) word = word << 8 | (k < count ? bytes[i + k] : 0u);

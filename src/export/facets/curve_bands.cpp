@@ -65,7 +65,7 @@ class BandBuilder {
       is_done_.assign(layer_.vertex_position.size(), false);
       is_whole_.assign(layer_.triangle_count(), false);
       for (std::uint32_t side : edges_.side) {
-        if (context.cancelled()) return context.stop_status();
+        if (context.cancelled()) return context.cancel_status();
         paint(side, part);
       }
       if (Status status = paint_rest(context, band_of(part)); !status) return status;
@@ -359,7 +359,7 @@ Status BandBuilder::paint_rest(Context& context, Band band) {
   while (!reached_.empty()) {
     const auto [leaving, depth] = reached_.back();
     reached_.pop_back();
-    if (context.cancelled()) return context.stop_status();
+    if (context.cancelled()) return context.cancel_status();
     std::uint32_t h = leaving;
     // No vertex has so many triangles; a picture that is no mesh might turn for ever.
     for (int turns = 0; h != kNoHalfEdge && turns < 1000; ++turns) {

@@ -29,7 +29,7 @@ Status pair_sides(Context& context, const PatchLayer& layer, std::vector<std::ui
   if (!status) return status;
   RarePoll<kTurnsPerPoll> poll(context);
   for (std::uint32_t h = 0; h < sides.size(); ++h) {
-    if (poll.cancelled()) return context.stop_status();
+    if (poll.cancelled()) return context.cancel_status();
     const std::uint32_t from = from_vertex(layer, h), to = to_vertex(layer, h);
     sides[h] = {std::min(from, to), std::max(from, to), h};
   }
@@ -38,7 +38,7 @@ Status pair_sides(Context& context, const PatchLayer& layer, std::vector<std::ui
   });
   if (!status) return status;
   for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
-    if (poll.cancelled()) return context.stop_status();
+    if (poll.cancelled()) return context.cancel_status();
     const Side &a = sides[i], &b = sides[i + 1];
     if (a.low != b.low || a.high != b.high) continue;
     if (from_vertex(layer, a.half_edge) != to_vertex(layer, b.half_edge)) continue;
@@ -63,11 +63,11 @@ class CurveTracer {
     if (!status) return status;
     RarePoll<kTurnsPerPoll> poll(context);
     for (std::uint32_t h = 0; h < count; ++h) {
-      if (poll.cancelled()) return context.stop_status();
+      if (poll.cancelled()) return context.cancel_status();
       if (is_first_side(h)) add_ends(h);
     }
     for (std::uint32_t h = 0; h < count; ++h) {
-      if (poll.cancelled()) return context.stop_status();
+      if (poll.cancelled()) return context.cancel_status();
       if (!is_first_side(h) || is_done[h]) continue;
       follow(h, &is_done);
       const std::uint32_t back = edges_.twin[h];

@@ -41,10 +41,10 @@ Status for_each_end_loop(const Context& context, std::span<const std::uint32_t> 
   RarePoll<4096> poll(context);
   std::vector<bool> is_done(twin.size());
   for (std::uint32_t first = 0; first < twin.size(); ++first) {
-    if (poll.cancelled()) return context.stop_status();
+    if (poll.cancelled()) return context.cancel_status();
     if (twin[first] != kNoHalfEdge || is_done[first]) continue;
     for (std::uint32_t edge = first; !is_done[edge]; edge = next_at_end(twin, edge)) {
-      if (poll.cancelled()) return context.stop_status();
+      if (poll.cancelled()) return context.cancel_status();
       is_done[edge] = true;
       visit(edge, edge == first);
     }

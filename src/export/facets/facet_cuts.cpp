@@ -38,7 +38,7 @@ Result<std::vector<Side>> sorted_sides(Context& context, const PatchLayer& layer
   if (!status) return status;
   RarePoll<kTurnsPerPoll> poll(context);
   for (std::uint32_t h = 0; h < sides.size(); ++h) {
-    if (poll.cancelled()) return context.stop_status();
+    if (poll.cancelled()) return context.cancel_status();
     const std::uint32_t from = layer.triangle_vertex[h];
     const std::uint32_t to = layer.triangle_vertex[next_half_edge(h)];
     sides[h] = {std::min(from, to), std::max(from, to), h};
@@ -87,7 +87,7 @@ Result<std::vector<std::uint32_t>> number_edges(Context& context, const PatchLay
   if (Status status = resize_large(context, cuts->edge_of, sides.size()); !status) return status;
   RarePoll<kTurnsPerPoll> poll(context);
   for (std::size_t i = 0; i < sides.size(); ++i) {
-    if (poll.cancelled()) return context.stop_status();
+    if (poll.cancelled()) return context.cancel_status();
     const bool is_same_place =
         i > 0 && sides[i].low == sides[i - 1].low && sides[i].high == sides[i - 1].high;
     const bool is_same_edge = is_same_place && nodes_on(layer, field, sides[i].half_edge) ==

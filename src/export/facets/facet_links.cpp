@@ -25,7 +25,7 @@ Result<std::vector<std::uint32_t>> number_positions(Context& context, const Face
   if (!status) return status;
   RarePoll<kTurnsPerPoll> poll(context);
   for (std::size_t i = 0; i < order.size(); ++i) {
-    if (poll.cancelled()) return context.stop_status();
+    if (poll.cancelled()) return context.cancel_status();
     const bool is_new = i == 0 || !(position[order[i]] == position[order[i - 1]]);
     number[order[i]] = is_new ? order[i] : number[order[i - 1]];
   }
@@ -67,7 +67,7 @@ Result<FacetLinks> link_facets(Context& context, const FacetMesh& mesh) {
   if (!status) return status;
   RarePoll<kTurnsPerPoll> poll(context);
   for (std::uint32_t i = 0; i < count; ++i) {
-    if (poll.cancelled()) return context.stop_status();
+    if (poll.cancelled()) return context.cancel_status();
     const std::uint32_t a = number[mesh.facet_vertex[i]],
                         b = number[mesh.facet_vertex[next_edge(i)]];
     edges[i] = {std::min(a, b), std::max(a, b), i, a < b};
@@ -79,7 +79,7 @@ Result<FacetLinks> link_facets(Context& context, const FacetMesh& mesh) {
   if (status) status = resize_large(context, links.twin, count, std::uint32_t{kNoEdge});
   if (!status) return status;
   for (std::size_t begin = 0, end; begin < count; begin = end) {
-    if (poll.cancelled()) return context.stop_status();
+    if (poll.cancelled()) return context.cancel_status();
     const auto same = [&](std::size_t i) {
       return edges[i].low == edges[begin].low && edges[i].high == edges[begin].high;
     };

@@ -73,7 +73,7 @@ Status FacetBuilder::number_corners(Context& context) {
   if (!status) return status;
   RarePoll<kTurnsPerPoll> poll(context);
   for (std::uint32_t corner = 0; corner < corner_vertex_.size(); ++corner) {
-    if (poll.cancelled()) return context.stop_status();
+    if (poll.cancelled()) return context.cancel_status();
     std::uint32_t& vertex = of_node[field.triangle_node[node_slot(corner / 3, corner % 3)]];
     if (vertex == kNone ||
         layer_.triangle_vertex[corner_owner_[vertex]] != layer_.triangle_vertex[corner]) {
@@ -102,7 +102,7 @@ Status FacetBuilder::count(Context& context, FacetMesh* mesh) {
   RarePoll<kTurnsPerPoll> poll(context);
   edge_first_.reserve(cuts_.edge.size());
   for (const FacetEdge& edge : cuts_.edge) {
-    if (poll.cancelled()) return context.stop_status();
+    if (poll.cancelled()) return context.cancel_status();
     edge_first_.push_back(vertex);
     vertex += static_cast<unsigned>(std::popcount(edge.steps));
   }
@@ -110,7 +110,7 @@ Status FacetBuilder::count(Context& context, FacetMesh* mesh) {
   mesh->patch_first_facet.reserve(triangles + 1);
   inside_first_.reserve(triangles + 1);
   for (std::size_t t = 0; t < triangles; ++t) {
-    if (poll.cancelled()) return context.stop_status();
+    if (poll.cancelled()) return context.cancel_status();
     mesh->patch_first_facet.push_back(static_cast<std::uint32_t>(facet));
     inside_first_.push_back(vertex);
     facet += facets[t];

@@ -86,7 +86,7 @@ Status MeshWriter::write(Context& context) {
   RarePoll<65536> poll(context);
   const std::size_t count = mesh_.facet_vertex.size() / 3;
   for (std::size_t i = 0; i < count; ++i) {
-    if (poll.cancelled()) return context.stop_status();
+    if (poll.cancelled()) return context.cancel_status();
     const Facet here = facet(i);
     if (i > 0 && continue_strip(here)) continue;
     const Facet next = i + 1 < count ? facet(i + 1) : here;

@@ -156,12 +156,12 @@ Status mark_near_end(const Context& context, const FacetLinks& links, std::vecto
   RarePoll<kFacetsPerCheck> poll(context);
   std::vector<bool> at_end(edges / 3);
   for (std::uint32_t edge = 0; edge < edges; ++edge) {
-    if (poll.cancelled()) return context.stop_status();
+    if (poll.cancelled()) return context.cancel_status();
     if (links.twin[edge] != kNoEdge) continue;
     for_each_around(links, edge, [&](std::uint32_t around) { at_end[around / 3] = true; });
   }
   for (std::uint32_t edge = 0; edge < edges; ++edge) {
-    if (poll.cancelled()) return context.stop_status();
+    if (poll.cancelled()) return context.cancel_status();
     if (!at_end[edge / 3]) continue;
     near_end[edge / 3] = true;
     for_each_around(links, edge, [&](std::uint32_t around) { near_end[around / 3] = true; });
@@ -184,7 +184,7 @@ Result<FacetOutlines> underlapped(Context& context, const FacetMesh& mesh, const
   Outliner outliner(mesh, links, reach, &outlines.point);
   RarePoll<kFacetsPerCheck> poll(context);
   for (std::uint32_t facet = 0; facet < count; ++facet) {
-    if (poll.cancelled()) return context.stop_status();
+    if (poll.cancelled()) return context.cancel_status();
     outlines.first.push_back(static_cast<std::uint32_t>(outlines.point.size()));
     outliner.add(facet);
   }
@@ -202,7 +202,7 @@ Result<std::vector<SmallFacet>> small_facets(const Context& context, const Facet
   RarePoll<kFacetsPerCheck> poll(context);
   std::vector<SmallFacet> result;
   for (std::uint32_t facet = 0; 3 * facet < mesh.facet_vertex.size(); ++facet) {
-    if (poll.cancelled()) return context.stop_status();
+    if (poll.cancelled()) return context.cancel_status();
     const std::uint32_t* vertex = mesh.facet_vertex.data() + std::size_t{3} * facet;
     if (is_near_end[facet]) continue;
     const Vec2 p[3] = {mesh.vertex_position[vertex[0]], mesh.vertex_position[vertex[1]],

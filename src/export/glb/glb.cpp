@@ -169,7 +169,7 @@ Status GlbWriter::add_pixels(std::size_t first, std::size_t end) {
 Status GlbWriter::add_stack() {
   const std::vector<PictureItem>& stack = picture_.stack;
   for (std::size_t i = 0; i < stack.size(); ++i) {
-    if (context_.cancelled()) return context_.stop_status();
+    if (context_.cancelled()) return context_.cancel_status();
     Status status = ok_status();
     if (outputs::needs_pixels(picture_, stack[i])) {
       const std::size_t end = outputs::pixel_run_end(picture_, i);

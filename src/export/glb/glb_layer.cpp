@@ -35,7 +35,7 @@ Result<NodePairs> pair_nodes(Context& context, const PatchField& color, const Pa
   if (!status) return status;
   RarePoll<kTurnsPerPoll> poll(context);
   for (const std::uint32_t slot : order) {
-    if (poll.cancelled()) return context.stop_status();
+    if (poll.cancelled()) return context.cancel_status();
     if (pairs.node.empty() || pairs.node.back() != key(slot)) pairs.node.push_back(key(slot));
     pairs.triangle_node[slot] = static_cast<std::uint32_t>(pairs.node.size() - 1);
   }
@@ -56,7 +56,7 @@ Result<PatchField> joined(Context& context, const PatchField& color, const Patch
     if (!status) return status;
     both.node_value.reserve(color.node_value.size() / channels * 4);
     for (std::size_t i = 0; i * channels < color.node_value.size(); ++i) {
-      if (poll.cancelled()) return context.stop_status();
+      if (poll.cancelled()) return context.cancel_status();
       add(i, 1);
     }
     return both;
@@ -67,7 +67,7 @@ Result<PatchField> joined(Context& context, const PatchField& color, const Patch
   both.node_value.reserve(4 * pairs->node.size());
   const auto stride = static_cast<std::size_t>(opacity.channel_count);
   for (const auto& [c, o] : pairs->node) {
-    if (poll.cancelled()) return context.stop_status();
+    if (poll.cancelled()) return context.cancel_status();
     add(c, opacity.node_value[stride * o]);
   }
   return both;
@@ -138,7 +138,7 @@ Result<GlbMesh> make_glb_layer(Context& context, const PatchLayer& layer, Interp
   RarePoll<kTurnsPerPoll> poll(context);
   mesh.position.reserve(3 * vertices);
   for (const Vec2 p : facets->vertex_position) {
-    if (poll.cancelled()) return context.stop_status();
+    if (poll.cancelled()) return context.cancel_status();
     add_vertex(mesh, p, origin);
   }
   status = resize_large(context, mesh.color, 4 * vertices);
@@ -153,7 +153,7 @@ Result<GlbMesh> make_glb_layer(Context& context, const PatchLayer& layer, Interp
   // Turned over with the y axis, they run the other way.
   mesh.index.reserve(facets->facet_vertex.size());
   for (std::size_t i = 0; i < facets->facet_vertex.size(); i += 3) {
-    if (poll.cancelled()) return context.stop_status();
+    if (poll.cancelled()) return context.cancel_status();
     const std::uint32_t* corner = facets->facet_vertex.data() + i;
     mesh.index.insert(mesh.index.end(), {corner[0], corner[2], corner[1]});
   }

@@ -54,7 +54,7 @@ class FieldWriter {
   Status for_each_triangle(Context& context, void (FieldWriter::*body)(std::uint32_t)) {
     RarePoll<4096> poll(context);
     for (std::uint32_t t = 0; t < mesh_.triangle_count(); ++t) {
-      if (poll.cancelled()) return context.stop_status();
+      if (poll.cancelled()) return context.cancel_status();
       (this->*body)(t);
     }
     return ok_status();

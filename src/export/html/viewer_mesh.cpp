@@ -69,7 +69,7 @@ class Walker {
     RarePoll<65536> poll(context_);
     half_edge_.resize(keys.size());
     for (std::size_t i = 0; i < keys.size(); ++i) {
-      if (poll.cancelled()) return context_.stop_status();
+      if (poll.cancelled()) return context_.cancel_status();
       const bool is_new =
           i == 0 || keys[i].low != keys[i - 1].low || keys[i].high != keys[i - 1].high;
       if (is_new) first_half_edge_.push_back(i);
@@ -121,7 +121,7 @@ class Walker {
 
   Status follow_gates() {
     while (!gates_.empty()) {
-      if (poll_.cancelled()) return context_.stop_status();
+      if (poll_.cancelled()) return context_.cancel_status();
       const Gate gate = gates_.back();
       gates_.pop_back();
       if (last_on_edge_[gate.edge] != gate.half_edge) continue;

@@ -57,7 +57,7 @@ Result<std::string> white_fill(Context& context, const Lines& lines, double step
   for (const auto& line : lines) {
     const char* operation = " m ";
     for (const Vec2& point : line) {
-      if (poll.cancelled()) return context.stop_status();
+      if (poll.cancelled()) return context.cancel_status();
       if (&point != &line.front() && point == *(&point - 1)) continue;
       path += number(point.x) + " " + number(point.y) + operation;
       operation = " l ";

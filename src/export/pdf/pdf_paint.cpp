@@ -35,7 +35,7 @@ Result<std::vector<std::uint8_t>> planes(Context& context, const Image& image, i
   bytes.reserve(pixels * static_cast<std::size_t>(count));
   RarePoll<kPixelsPerPoll> poll(context);
   for (std::size_t i = 0; i < pixels; ++i) {
-    if (poll.cancelled()) return context.stop_status();
+    if (poll.cancelled()) return context.cancel_status();
     for (int c = first; c < first + count; ++c)
       bytes.push_back(image.bytes[stride * i + static_cast<std::size_t>(c)]);
   }

@@ -98,7 +98,7 @@ Status MeshWriter::append_small(const Context& context, int channel, std::string
   RarePoll<kFacetsPerCheck> poll(context);
   text += "<g" + mesh_.small_clip + ">\n";
   for (const SmallFacet& small : mesh_.small) {
-    if (poll.cancelled()) return context.stop_status();
+    if (poll.cancelled()) return context.cancel_status();
     std::array<Vec2, 3> corner = small.grown;
     for (Vec2& p : corner) p = mesh_.grid_from_layer(p);
     append_fill(affinity(small.facet, channel).value, ink_, text);
@@ -117,7 +117,7 @@ Status MeshWriter::append(Context& context, int channel, std::string& text) {
   std::string path;
   RarePoll<kFacetsPerCheck> poll(context);
   for (std::uint32_t facet = 0; facet < count; ++facet) {
-    if (poll.cancelled()) return context.stop_status();
+    if (poll.cancelled()) return context.cancel_status();
     outline.clear();
     for (const Vec2 p : mesh_.outlines.of(facet)) outline.push_back(mesh_.grid_from_layer(p));
     path.clear();

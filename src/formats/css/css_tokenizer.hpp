@@ -21,18 +21,18 @@ class TextPoll {
   /// False where work is to stop: the rest of the text is passed over then.
   bool go_on(std::size_t bytes) {
     bytes_ += bytes;
-    if (bytes_ < kBytes || context_ == nullptr) return !stopped_;
+    if (bytes_ < kBytes || context_ == nullptr) return !cancelled_;
     bytes_ = 0;
-    stopped_ = stopped_ || context_->cancelled();
-    return !stopped_;
+    cancelled_ = cancelled_ || context_->cancelled();
+    return !cancelled_;
   }
-  /// Ok, or why the work stopped. What was read from the texts means nothing then.
-  Status status() const { return stopped_ ? context_->stop_status() : ok_status(); }
+  /// Ok, or why the work ended. What was read from the texts means nothing then.
+  Status status() const { return cancelled_ ? context_->cancel_status() : ok_status(); }
 
  private:
   const Context* context_ = nullptr;
   std::size_t bytes_ = 0;
-  bool stopped_ = false;
+  bool cancelled_ = false;
 };
 
 /// The tokens of CSS Syntax 3, section 4, but for <unicode-range-token>.

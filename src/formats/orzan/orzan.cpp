@@ -153,7 +153,7 @@ Status OrzanReader::read_curve_set(pugi::xml_node set) {
   std::vector<Curve>& curves = document_.layers.front().curves;
   for (const pugi::xml_node child : set.children()) {
     if (child.type() != pugi::node_element) continue;
-    if (poll_.cancelled()) return context_.stop_status();
+    if (poll_.cancelled()) return context_.cancel_status();
     if (std::string_view(child.name()) != "curve") {
       ignore(child);
     } else if (Status status = read_curve(child, curves.emplace_back()); !status) {

@@ -34,7 +34,7 @@ class Input {
   Element root() const { return xml_.root(); }
   Context& context() const { return context_; }
   /// Ok, or why to stop; looks at the cancel flag now and then.
-  Status check() { return poll_.cancelled() ? context_.stop_status() : ok_status(); }
+  Status check() { return poll_.cancelled() ? context_.cancel_status() : ok_status(); }
   const Limits& limits() const { return context_.limits; }
 
   /// An attribute of SVG.

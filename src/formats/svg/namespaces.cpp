@@ -133,7 +133,7 @@ Status Resolver::resolve_attributes(pugi::xml_node element) {
 Status Resolver::resolve_children(pugi::xml_node element) {
   for (pugi::xml_node child = element.first_child(), next; child; child = next) {
     next = child.next_sibling();
-    if (poll_.cancelled()) return context_.stop_status();
+    if (poll_.cancelled()) return context_.cancel_status();
     if (child.type() != pugi::node_element) continue;
     const QualifiedName name = split(child.name());
     const pugi::xml_attribute own = child.attribute(

@@ -71,7 +71,7 @@ Result<std::vector<Subpath>> PathReader::read() {
       return limit_error(context_.limits, &Limits::curves, "curves");
     }
     scanner_.skip_blanks();
-    if (!poll_.go_on(scanner_.position() - begin)) return context_.stop_status();
+    if (!poll_.go_on(scanner_.position() - begin)) return context_.cancel_status();
   }
   return builder_.take();
 }

@@ -4,18 +4,18 @@
 #include "formats/svg/shapes.hpp"
 #include "formats/svg/stack_reader.hpp"
 
-/// The part of SceneReader that reads shapes of ordinary SVG.
+/// The part of StackReader that reads shapes of ordinary SVG.
 namespace sfumato::svg {
 
 /// Leaves out what is faulty.
-Status SceneReader::visit_plain(Element element, const Place& place) {
+Status StackReader::visit_plain(Element element, const Place& place) {
   Status status = read_plain(element, place);
   if (status || !can_be_left_out(status)) return status;
   input_.warn("/plain shape", element, tag(element) + " is left out: " + status.message);
   return ok_status();
 }
 
-Status SceneReader::read_plain(Element element, const Place& place) {
+Status StackReader::read_plain(Element element, const Place& place) {
   Result<std::vector<Subpath>> subpaths = read_shape(input_, element, document_.artboard);
   if (!subpaths) return subpaths.status();
   if (subpaths->empty()) return ok_status();
@@ -51,7 +51,7 @@ Status SceneReader::read_plain(Element element, const Place& place) {
 }
 
 /// Stands for the shape in the stack.
-Status SceneReader::add_plain(Element element, const Place& place, PlainShape shape) {
+Status StackReader::add_plain(Element element, const Place& place, PlainShape shape) {
   const Result<OpenGroup> group = open_group(element, place);
   if (!group) return group.status();
   const auto add_layer = [&](const std::optional<PlainPaint>& paint, std::uint32_t& layer) {

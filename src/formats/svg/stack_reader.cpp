@@ -52,7 +52,7 @@ std::string shown(Element element) {
 
 }  // namespace
 
-Status SceneReader::read() {
+Status StackReader::read() {
   Status status = visit_group(input_.root(), {});
   if (status) status = visit_open(0);
   if (status && !plain_) warn_of_unused();
@@ -61,7 +61,7 @@ Status SceneReader::read() {
 }
 
 /// Layers and paints in the element that were not asked for, all the way down.
-void SceneReader::note_unused(Element element, Unused& unused) const {
+void StackReader::note_unused(Element element, Unused& unused) const {
   const std::string_view name = element.name();
   const bool is_paint = name == "linearGradient" || name == "radialGradient" || name == "pattern";
   if (is_paint && !paints_.is_used(element)) {
@@ -75,7 +75,7 @@ void SceneReader::note_unused(Element element, Unused& unused) const {
   }
 }
 
-void SceneReader::warn_of_unused() {
+void StackReader::warn_of_unused() {
   Unused unused;
   note_unused(input_.root(), unused);
   const auto warn = [this](Element first, std::size_t count, const char* kind) {
@@ -91,7 +91,7 @@ void SceneReader::warn_of_unused() {
 }
 
 /// One element wherever it stands: whether it is painted at all, and its transform.
-Status SceneReader::visit(Element element, Place place) {
+Status StackReader::visit(Element element, Place place) {
   if (Status status = count_visit(element, place); !status) return status;
   const std::string_view name = element.name();
   if (paints_nothing(name) || input_.keyword(element, css::Property::display) == "none") {
@@ -112,14 +112,14 @@ Status SceneReader::visit(Element element, Place place) {
 }
 
 /// `visibility`, which is inherited through <use> too.
-bool SceneReader::is_visible(Element element, bool inherited) {
+bool StackReader::is_visible(Element element, bool inherited) {
   const Input::Cascaded visibility = input_.cascaded(element, css::Property::visibility);
   if (visibility.keyword == css::WideKeyword::initial) return true;
   if (!visibility.value) return inherited;
   return css::keyword_of(*visibility.value, input_.text_poll()) == "visible";
 }
 
-Status SceneReader::visit_known(Element element, const Place& place) {
+Status StackReader::visit_known(Element element, const Place& place) {
   const std::string_view name = element.name();
   if (name == "g" || name == "a") return visit_group(element, place);
   if (name == "use") return visit_use(element, place);
@@ -129,7 +129,7 @@ Status SceneReader::visit_known(Element element, const Place& place) {
   return ok_status();
 }
 
-Status SceneReader::count_visit(Element element, const Place& place) {
+Status StackReader::count_visit(Element element, const Place& place) {
   if (static_cast<std::size_t>(place.depth) >= input_.limits().xml_depth) {
     return input_.over_limit(element, &Limits::xml_depth,
                              "elements within each other after every use was followed");
@@ -138,14 +138,14 @@ Status SceneReader::count_visit(Element element, const Place& place) {
   return input_.charge_reading(element, "<use>");
 }
 
-Status SceneReader::check_map(Element element, const Affine& map) {
+Status StackReader::check_map(Element element, const Affine& map) {
   if (is_usable(map)) return ok_status();
   return input_.error(element, "the transforms around " + tag(element) +
                                    " together are too large or too small; expected entries of "
                                    "usual size");
 }
 
-Result<Affine> SceneReader::own_transform(Element element) {
+Result<Affine> StackReader::own_transform(Element element) {
   if (input_.is_styled(element, css::Property::transform)) {
     input_.warn("/style transform", element,
                 "a transform in style is not read; expected the attribute transform");
@@ -155,7 +155,7 @@ Result<Affine> SceneReader::own_transform(Element element) {
   return map;
 }
 
-void SceneReader::open_children(Element element, const Place& place,
+void StackReader::open_children(Element element, const Place& place,
                                 const std::optional<OpenGroup>& group) {
   OpenElement open{element, element.first_child(), place, group, false};
   ++open.inside.depth;
@@ -165,7 +165,7 @@ void SceneReader::open_children(Element element, const Place& place,
 
 /// Visits what is in the open elements, and closes them, until `count` are left. A stack of our
 /// own: elements may lie deeper than a thread's small stack reaches.
-Status SceneReader::visit_open(std::size_t count) {
+Status StackReader::visit_open(std::size_t count) {
   Status status = ok_status();
   while (status && open_.size() > count) {
     if (status = input_.check(); !status) break;
@@ -183,7 +183,7 @@ Status SceneReader::visit_open(std::size_t count) {
   return status;
 }
 
-Status SceneReader::visit_group(Element element, const Place& place) {
+Status StackReader::visit_group(Element element, const Place& place) {
   const std::string_view diffuse = input_.sf(element, "diffuse").value_or("false");
   if (diffuse == "true") return draw_layer(element, place);
   if (diffuse != "false") {
@@ -197,7 +197,7 @@ Status SceneReader::visit_group(Element element, const Place& place) {
 }
 
 /// An <svg> within the document, or a symbol: `use` gives its size where it is set.
-Result<Affine> SceneReader::viewport_transform(Element element, Element use) {
+Result<Affine> StackReader::viewport_transform(Element element, Element use) {
   const Box& viewport = document_.artboard;
   const auto size_of = [&](const char* name, Axis axis) {
     const Element bearer = use && use.attribute(name) ? use : element;
@@ -232,7 +232,7 @@ Result<Affine> SceneReader::viewport_transform(Element element, Element use) {
   return fit(*box, {corner, corner + Vec2{*width, *height}}, ratio);
 }
 
-Status SceneReader::visit_nested_svg(Element element, Place place) {
+Status StackReader::visit_nested_svg(Element element, Place place) {
   const Result<Affine> user_from_view = viewport_transform(element, place.use);
   if (!user_from_view) return user_from_view.status();
   place.frame_from_user = place.frame_from_user * *user_from_view;
@@ -240,7 +240,7 @@ Status SceneReader::visit_nested_svg(Element element, Place place) {
   return visit_group(element, place);
 }
 
-Status SceneReader::visit_use(Element element, Place place) {
+Status StackReader::visit_use(Element element, Place place) {
   const Result<Element> target = input_.referred(element);
   if (!target) return target.status();
   const Box& viewport = document_.artboard;
@@ -255,7 +255,7 @@ Status SceneReader::visit_use(Element element, Place place) {
   return visit_used(*target, element, place);
 }
 
-Status SceneReader::visit_used(Element target, Element use, Place place) {
+Status StackReader::visit_used(Element target, Element use, Place place) {
   if (std::ranges::find(used_, target) != used_.end() || target == input_.root()) {
     std::string chain;
     for (const Element element : used_) chain += shown(element) + " → ";
@@ -269,18 +269,18 @@ Status SceneReader::visit_used(Element target, Element use, Place place) {
   return is_symbol ? visit_symbol(target, place) : visit(target, place);
 }
 
-Status SceneReader::visit_symbol(Element symbol, const Place& place) {
+Status StackReader::visit_symbol(Element symbol, const Place& place) {
   if (Status status = count_visit(symbol, place); !status) return status;
   return visit_nested_svg(symbol, place);
 }
 
 /// The id of a curve: its own; of a copy that of its <use>, or none.
-std::string_view SceneReader::id_for(Element element, const Place& place) const {
+std::string_view StackReader::id_for(Element element, const Place& place) const {
   if (!place.is_copy) return element.attribute("id").value();
   return place.use ? std::string_view(place.use.attribute("id").value()) : std::string_view();
 }
 
-Status SceneReader::visit_shape(Element element, const Place& place) {
+Status StackReader::visit_shape(Element element, const Place& place) {
   if (!place.is_visible) return ok_status();
   const bool is_local = input_.sf(element, "radius").has_value();
   if (place.layer) {
@@ -302,7 +302,7 @@ Status SceneReader::visit_shape(Element element, const Place& place) {
 }
 
 /// A shape without attributes of ours, outside of layers.
-Status SceneReader::read_background(Element element, const Place& place) {
+Status StackReader::read_background(Element element, const Place& place) {
   const Result<BackgroundRect> rect =
       may_be_background_
           ? read_background_rect(input_, element, place.frame_from_user, document_.artboard)
@@ -322,7 +322,7 @@ Status SceneReader::read_background(Element element, const Place& place) {
   return ok_status();
 }
 
-Status SceneReader::draw_strokes(Element element, const Place& place) {
+Status StackReader::draw_strokes(Element element, const Place& place) {
   may_be_background_ = false;
   std::vector<LocalCurve> strokes;
   const Result<OpenGroup> group = open_group(element, place);
@@ -336,7 +336,7 @@ Status SceneReader::draw_strokes(Element element, const Place& place) {
   return status ? close_group(element, *group) : status;
 }
 
-Status SceneReader::draw_layer(Element element, const Place& place) {
+Status StackReader::draw_layer(Element element, const Place& place) {
   may_be_background_ = false;
   if (place.layer) {
     return input_.error(element, "the layer " + shown(element) +
@@ -354,7 +354,7 @@ Status SceneReader::draw_layer(Element element, const Place& place) {
 }
 
 /// The layer's index; reads it where this is its first place.
-Result<std::uint32_t> SceneReader::layer_of(Element element, const Place& place) {
+Result<std::uint32_t> StackReader::layer_of(Element element, const Place& place) {
   const auto known = layer_of_.find(element.internal_object());
   if (known != layer_of_.end()) return known->second;
   if (document_.layers.size() >= input_.limits().layers) {
@@ -379,7 +379,7 @@ Result<std::uint32_t> SceneReader::layer_of(Element element, const Place& place)
   return index;
 }
 
-Result<SceneReader::OpenGroup> SceneReader::open_group(Element element, const Place& place) {
+Result<StackReader::OpenGroup> StackReader::open_group(Element element, const Place& place) {
   const Result<Compositing> compositing = read_compositing(input_, element);
   if (!compositing) return compositing.status();
   OpenGroup group{*compositing, document_.stack.size(), group_height_, false};
@@ -401,7 +401,7 @@ Result<SceneReader::OpenGroup> SceneReader::open_group(Element element, const Pl
 }
 
 /// A group of one layer is that layer: its own blending meets nothing within the group.
-Status SceneReader::close_group(Element element, const OpenGroup& group) {
+Status StackReader::close_group(Element element, const OpenGroup& group) {
   if (!group.is_open) return ok_status();
   const int height = group_height_;
   group_height_ = group.outer_height;

@@ -17,11 +17,11 @@ namespace sfumato::svg {
 
 /// Walks through the document and builds layers and the stack. Each layer is read where it is first
 /// drawn; every further place that draws it is an instance.
-class SceneReader {
+class StackReader {
  public:
   /// Fills document.layers, shaders, stack and, from a <rect>, background. The artboard is set.
   /// plain   null, or what takes the shapes of ordinary SVG, which are ignored without it
-  SceneReader(Input& input, Document& document, const ResourceLoader* loader,
+  StackReader(Input& input, Document& document, const ResourceLoader* loader,
               std::vector<PlainShape>* plain = nullptr)
       : input_(input),
         document_(document),

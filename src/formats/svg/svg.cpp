@@ -146,11 +146,11 @@ Result<ReadDocument> read(Input& input, const ResourceLoader* loader) {
   Status status = read_version(input);
   if (status) status = read_interpolation(input, document);
   if (status) status = read_background(input, document);
-  if (status) status = svg::SceneReader(input, document, loader).read();
+  if (status) status = svg::StackReader(input, document, loader).read();
   if (!status) return status;
   svg::show_in_frame(begun->frame, document);
   if (document.stack.empty() || !svg::gives_color(document)) warn_of_nothing(input, document);
-  if (Status stopped = input.context().check(); !stopped) return stopped;
+  if (Status cancelled = input.context().check(); !cancelled) return cancelled;
   if (Status valid = validate(input.context(), document); !valid) return valid;
   return ReadDocument{std::move(document), input.take_warnings(), DocumentFormat::svg};
 }
@@ -161,7 +161,7 @@ Result<svg::PlainSvg> read_plain(Input& input, const ResourceLoader* loader) {
   svg::PlainSvg plain{std::move(begun->document), {}, {}, {}};
   Status status = read_interpolation(input, plain.document);
   if (status) status = read_background(input, plain.document);
-  if (status) status = svg::SceneReader(input, plain.document, loader, &plain.shapes).read();
+  if (status) status = svg::StackReader(input, plain.document, loader, &plain.shapes).read();
   if (!status) return status;
   svg::show_in_frame(begun->frame, plain.document);
   plain.title = ascii_trimmed(input.root().child("title").child_value());

@@ -247,7 +247,7 @@ Status SvgWriter::write_stack() {
 }
 
 Status SvgWriter::check_progress() const {
-  if (context_.cancelled()) return context_.stop_status();
+  if (context_.cancelled()) return context_.cancel_status();
   return svg::check_length(context_, writer_.text().size());
 }
 

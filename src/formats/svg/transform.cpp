@@ -93,7 +93,7 @@ Result<Affine> parse_transform(const Context& context, std::string_view text) {
       return before.error("another number of arguments than " + std::to_string(arguments.count));
     }
     product = product * affine;
-    if (!poll.go_on(scanner.position() - before.position())) return context.stop_status();
+    if (!poll.go_on(scanner.position() - before.position())) return context.cancel_status();
   }
   const double magnitude = std::abs(product.a) + std::abs(product.b) + std::abs(product.c) +
                            std::abs(product.d) + std::abs(product.e) + std::abs(product.f);

@@ -59,7 +59,7 @@ class ShapeCheck : public pugi::xml_tree_walker {
   explicit ShapeCheck(const Context& context) : context_(context), poll_(context) {}
 
   bool for_each(pugi::xml_node& node) override {
-    if (poll_.cancelled()) status = context_.stop_status();
+    if (poll_.cancelled()) status = context_.cancel_status();
     if (node.type() != pugi::node_element) return status.ok();
     const Limits& limits = context_.limits;
     // Text lies one deeper than the element that holds it.
@@ -82,7 +82,7 @@ class ShapeCheck : public pugi::xml_tree_walker {
     names_.clear();
     for (pugi::xml_attribute a = node.first_attribute(); a; a = a.next_attribute()) {
       if (names_.size() == most) return false;
-      if (poll_.cancelled()) status = context_.stop_status();
+      if (poll_.cancelled()) status = context_.cancel_status();
       names_.push_back(a.name());
     }
     if (names_.size() > 1) std::ranges::sort(names_);
@@ -114,9 +114,9 @@ Status XmlSource::check_size(Context& context) {
   if (text_.size() > limits.input_bytes) {
     return limit_error(limits, &Limits::input_bytes, "bytes of input", {file_});
   }
-  if (context.cancelled()) return context.stop_status();
+  if (context.cancelled()) return context.cancel_status();
   const TagCounts counts = count_tags(text_);
-  if (context.cancelled()) return context.stop_status();
+  if (context.cancelled()) return context.cancel_status();
   if (counts.elements > limits.xml_elements) {
     return limit_error(limits, &Limits::xml_elements, "XML elements", {file_});
   }
@@ -140,7 +140,7 @@ Status XmlSource::copy_text(const Context& context) {
   if (!is_plainly_utf8(text_)) return context.check();
   copy_.reserve(text_.size());
   while (copy_.size() < text_.size()) {
-    if (context.cancelled()) return context.stop_status();
+    if (context.cancelled()) return context.cancel_status();
     copy_ += text_.substr(copy_.size(), kPart);
   }
   return context.check();
@@ -162,7 +162,7 @@ Status XmlSource::parse(Context& context) {
                       {file_});
   }
   if (!result) return syntax_error(result);
-  if (context.cancelled()) return context.stop_status();
+  if (context.cancelled()) return context.cancel_status();
   return check_shape(context);
 }
 

@@ -22,7 +22,7 @@ inline constexpr float kEvenChange = 1.0f / 32;
 /// An edge as one register of lanes sees it.
 template <int W>
 struct EdgeView {
-  const StopEdge* edge;
+  const HitEdge* edge;
   int row;         ///< which register of the packet
   LaneBits lanes;  ///< W bits
 };
@@ -55,7 +55,7 @@ class Integrator {
       py_[i] = Lanes<W>::load(packet.y + i * W);
     }
     if constexpr (kBlends) {
-      first_stop_ = scene.stop;
+      first_hit_ = scene.hit_edge;
       blend_ = scene.blend;
       share_ = shader_share;
       shader_count_ = scene.shader_count;
@@ -67,10 +67,10 @@ class Integrator {
     cut_.room = kCutEdges;
   }
 
-  /// Precondition: is_stop(code), and the window has lanes.
+  /// Precondition: is_hit(code), and the window has lanes.
   SFUMATO_INLINE void add(const SceneView& scene, EdgeCode code,
                           const Window<Lanes<W, K>>& window) {
-    const StopEdge* edge = &scene.stop[stop_index(code)];
+    const HitEdge* edge = &scene.hit_edge[hit_index(code)];
     if (window.lanes & ~(window.whole_right & window.whole_left)) {
       append_cut(edge, window);
       if (--cut_.room == 0) flush(cut_, kCutEdges);
@@ -113,7 +113,7 @@ class Integrator {
     View view[kEdges * K + kTogether];
   };
 
-  SFUMATO_INLINE void append_whole(const StopEdge* edge, LaneBits lanes) {
+  SFUMATO_INLINE void append_whole(const HitEdge* edge, LaneBits lanes) {
     for (int i = 0; i < K; ++i) {
       EdgeView<W>& view = whole_.view[whole_.count];
       view.edge = edge;
@@ -123,7 +123,7 @@ class Integrator {
     }
   }
 
-  SFUMATO_INLINE void append_cut(const StopEdge* edge, const Window<Lanes<W, K>>& window) {
+  SFUMATO_INLINE void append_cut(const HitEdge* edge, const Window<Lanes<W, K>>& window) {
     for (int i = 0; i < K; ++i) {
       CutEdgeView<W>& view = cut_.view[cut_.count];
       view.edge = edge;
@@ -187,17 +187,17 @@ class Integrator {
 
   template <class View>
   SFUMATO_INLINE Seen<F> seen(const View* view) const {
-    const auto of_edge = [view](float StopEdge::*member) {
+    const auto of_edge = [view](float HitEdge::*member) {
       return side_by_side([&](int i) { return Lanes<W>(view[i].edge->*member); });
     };
     const F px = side_by_side([&](int i) { return px_[view[i].row]; });
     const F py = side_by_side([&](int i) { return py_[view[i].row]; });
     Seen<F> s;
-    s.a = {of_edge(&StopEdge::ax) - px, of_edge(&StopEdge::ay) - py};
-    s.b = {of_edge(&StopEdge::bx) - px, of_edge(&StopEdge::by) - py};
-    s.e = {of_edge(&StopEdge::ex), of_edge(&StopEdge::ey)};
+    s.a = {of_edge(&HitEdge::ax) - px, of_edge(&HitEdge::ay) - py};
+    s.b = {of_edge(&HitEdge::bx) - px, of_edge(&HitEdge::by) - py};
+    s.e = {of_edge(&HitEdge::ex), of_edge(&HitEdge::ey)};
     s.area = s.a.x * s.e.y - s.a.y * s.e.x;
-    s.length_squared = of_edge(&StopEdge::length_squared);
+    s.length_squared = of_edge(&HitEdge::length_squared);
     s.lanes = masks_side_by_side([&](int i) { return view[i].lanes; });
     return s;
   }
@@ -280,7 +280,7 @@ class Integrator {
   // Eq. 11: the share β of a part's weight goes to the side that is seen, the rest to its back.
   SFUMATO_INLINE void sum_blended(const EdgeView<W>& view, const Seen<Lanes<W>>& s,
                                   const Part<Lanes<W>>& part) {
-    const StopBlend& blend = blend_[view.edge - first_stop_];
+    const HitBlend& blend = blend_[view.edge - first_hit_];
     add_weight(view, part.weight);
     const Lanes<W> widest(blend.blur_middle + std::fabs(blend.blur_half_change));
     if (!any((normal_distance(blend, s) < widest) & s.lanes)) {
@@ -302,12 +302,12 @@ class Integrator {
     Lanes<W> lean;
   };
 
-  SFUMATO_INLINE static Lanes<W> normal_distance(const StopBlend& blend, const Seen<Lanes<W>>& s) {
+  SFUMATO_INLINE static Lanes<W> normal_distance(const HitBlend& blend, const Seen<Lanes<W>>& s) {
     return max(s.area * Lanes<W>(blend.inverse_length), Lanes<W>(0));
   }
 
   /// With the radius where the part's weight has its mean.
-  SFUMATO_INLINE static BackPart back_of_even(const StopBlend& blend, const Seen<Lanes<W>>& s,
+  SFUMATO_INLINE static BackPart back_of_even(const HitBlend& blend, const Seen<Lanes<W>>& s,
                                               const Part<Lanes<W>>& part) {
     using R = Lanes<W>;
     const R mean = zero_unless(part.weight > R(0), part.lean / part.weight);
@@ -318,8 +318,8 @@ class Integrator {
 
   /// Where the radius is below the distance, β is 1: only the rest of the part is asked. Arguments
   /// are values: references would keep them in memory for edges that never come here.
-  __attribute__((noinline)) static BackPart back_of_growing(const StopBlend& blend,
-                                                            Seen<Lanes<W>> s, Part<Lanes<W>> part) {
+  __attribute__((noinline)) static BackPart back_of_growing(const HitBlend& blend, Seen<Lanes<W>> s,
+                                                            Part<Lanes<W>> part) {
     using R = Lanes<W>;
     const bool grows = blend.blur_half_change > 0;  // from a to b
     const R radius_a(blend.blur_middle - blend.blur_half_change);
@@ -365,8 +365,8 @@ class Integrator {
   Lanes<W, K> value_[kChannels];
   ViewList<EdgeView<W>, kWholeEdges> whole_;
   ViewList<CutEdgeView<W>, kCutEdges> cut_;
-  const StopEdge* first_stop_ = nullptr;  ///< this and the rest: where kBlends
-  const StopBlend* blend_ = nullptr;
+  const HitEdge* first_hit_ = nullptr;  ///< this and the rest: where kBlends
+  const HitBlend* blend_ = nullptr;
   float* share_ = nullptr;
   int shader_count_ = 0;
 };

@@ -66,11 +66,11 @@ class PacketWalk {
       bool goes_right = split.right != 0;
       bool goes_left = split.left != 0;
       if (beyond.right < 0 && goes_right) {
-        if (is_stop(beyond.right)) integrator_.add(scene_, beyond.right, split.right_of(window));
+        if (is_hit(beyond.right)) integrator_.add(scene_, beyond.right, split.right_of(window));
         goes_right = false;
       }
       if (beyond.left < 0 && goes_left) {
-        if (is_stop(beyond.left)) integrator_.add(scene_, beyond.left, split.left_of(window));
+        if (is_hit(beyond.left)) integrator_.add(scene_, beyond.left, split.left_of(window));
         goes_left = false;
       }
       if (goes_right && goes_left) {
@@ -102,7 +102,7 @@ class PacketWalk {
   /// A window that leaves the packet's triangles.
   void start(const Window<F>& window, EdgeCode edge) {
     if (edge == kBorder || window.lanes == 0) return;
-    if (is_stop(edge)) {
+    if (is_hit(edge)) {
       integrator_.add(scene_, edge, window);
     } else {
       push(window, edge);

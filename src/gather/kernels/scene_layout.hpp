@@ -10,18 +10,18 @@ namespace sfumato::gather {
 
 /// What a ray finds at an edge of a triangle, as one number: an EdgeBeyond to walk through (>= 0),
 /// the end of everything (kBorder; a barrier too, as it stops rays and gives nothing), or a
-/// StopEdge.
+/// HitEdge.
 using EdgeCode = std::int32_t;
 inline constexpr EdgeCode kBorder = -1;
 
-SFUMATO_INLINE constexpr EdgeCode stop_code(std::uint32_t stop) {
-  return -2 - static_cast<EdgeCode>(stop);
+SFUMATO_INLINE constexpr EdgeCode hit_code(std::uint32_t index) {
+  return -2 - static_cast<EdgeCode>(index);
 }
-SFUMATO_INLINE constexpr bool is_stop(EdgeCode code) {
+SFUMATO_INLINE constexpr bool is_hit(EdgeCode code) {
   return code <= -2;
 }
-/// Precondition: is_stop(code).
-SFUMATO_INLINE constexpr std::uint32_t stop_index(EdgeCode code) {
+/// Precondition: is_hit(code).
+SFUMATO_INLINE constexpr std::uint32_t hit_index(EdgeCode code) {
   return static_cast<std::uint32_t>(-2 - code);
 }
 
@@ -42,7 +42,7 @@ inline constexpr int kValueChannels = 4;
 
 /// A half-edge a → b that stops rays, seen from its own triangle: a is the right end, b the left.
 /// The value is linear from a to b: middle ∓ half_change. Values are multiplied with the weight.
-struct alignas(64) StopEdge {
+struct alignas(64) HitEdge {
   float ax, ay;
   float bx, by;
   float ex, ey;  ///< b - a
@@ -52,14 +52,14 @@ struct alignas(64) StopEdge {
   float half_change[kValueChannels];  ///< weight × half of (value at b - value at a)
 };
 
-/// What blur and image-domain shaders add to a StopEdge (paper eq. 7–11). `back` is the other side.
-struct alignas(64) StopBlend {
+/// What blur and image-domain shaders add to a HitEdge (paper eq. 7–11). `back` is the other side.
+struct alignas(64) HitBlend {
   float inverse_length;
   float blur_middle;  ///< R of eq. 8 is linear from a to b: middle ∓ half_change; 0: sharp
   float blur_half_change;
   std::int32_t front_shader;  ///< index of an image-domain side's weight channel; -1: curve_domain
   std::int32_t back_shader;
-  float back_middle[kValueChannels];  ///< weight × z_B, as in StopEdge
+  float back_middle[kValueChannels];  ///< weight × z_B, as in HitEdge
   float back_half_change[kValueChannels];
 };
 
@@ -73,8 +73,8 @@ struct SceneTriangle {
 
 struct SceneView {
   const EdgeBeyond* edge_beyond;
-  const StopEdge* stop;
-  const StopBlend* blend;  ///< per stop; null: all sides are sharp and curve_domain
+  const HitEdge* hit_edge;
+  const HitBlend* blend;  ///< per hit edge; null: all sides are sharp and curve_domain
   int base_channels;
   int shader_count;
   const SceneTriangle* triangle;

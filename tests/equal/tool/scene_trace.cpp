@@ -178,7 +178,7 @@ Result<PatchLayer> Tracer::solve_layer(std::uint32_t index, const Box& viewport)
   const std::string stage = "layer " + std::to_string(index) + ", ";
   const solve::LayerSight sight = solve::sight_of_layer(scene_.document, index, viewport);
   if (sight.viewport.empty() || scene_.document.layers[index].curves.empty()) return PatchLayer{};
-  Result<solve::LayerScene> scene = solve::prepare_layer(
+  Result<solve::PreparedLayer> scene = solve::prepare_layer(
       context_, scene_.document, index, sight, scene_.diffuse, nullptr, solve::LayerUse::patches);
   if (!scene) return scene.status();
   add_attributes(stage + "flatten: color", scene->color.attributes, trace_);
