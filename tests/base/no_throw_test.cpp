@@ -68,6 +68,30 @@ TEST(ParallelFor, failed_allocation_on_another_thread_is_out_of_memory) {
   expect_parallel_for_runs_out_of_memory(executor.get());
 }
 
+/// Returns how many ranges were begun.
+int expect_the_failure_of_a_body(Executor* executor) {
+  Context context{.executor = executor};
+  std::atomic<int> done{0};
+  const Status status = try_parallel_for(context, 1'000'000, 1, [&](std::size_t i, std::size_t) {
+    ++done;
+    return i == 7 ? make_error(StatusCode::io, "the eighth") : ok_status();
+  });
+  EXPECT_EQ(status.code, StatusCode::io);
+  EXPECT_EQ(status.message, "the eighth");
+  const auto fine = [](std::size_t, std::size_t) { return ok_status(); };
+  EXPECT_TRUE(try_parallel_for(context, 1000, 1, fine).ok());
+  return done;
+}
+
+TEST(ParallelFor, failure_of_a_body_is_the_status_and_ends_the_rest) {
+  EXPECT_EQ(expect_the_failure_of_a_body(nullptr), 8);
+}
+
+TEST(ParallelFor, failure_of_a_body_on_another_thread_is_the_status) {
+  const auto executor = make_tbb_executor(4);
+  expect_the_failure_of_a_body(executor.get());
+}
+
 TEST(ParallelFor, many_threads_do_every_item_once) {
   const auto executor = make_tbb_executor(8);
   Context context{.executor = executor.get()};

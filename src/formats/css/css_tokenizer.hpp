@@ -64,7 +64,7 @@ enum class TokenType : std::uint8_t {
   close_curly
 };
 
-/// One token. Its texts lie in the text that was read, escapes and all: css_unescaped().
+/// One token. Its texts lie in the text that was read, escapes and all: unescaped().
 struct Token {
   TokenType type = TokenType::end;
   std::string_view text{};   ///< all of it
