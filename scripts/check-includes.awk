@@ -98,6 +98,12 @@ is_table {
   check_project_include(quoted[2])
 }
 
+# The command's options are the command's: it adds them to what the library says.
+folder != "" && folder != "cli" && /"[^"]*(--[a-z]|sfumato (init|render|lint|convert|info|compare) )/ &&
+    !/<!--/ {
+  complain("the library may not speak of the command")
+}
+
 /^[ \t]*(inline )?namespace [a-z_:]+ \{/ {
   name = $0
   sub(/^.*namespace /, "", name)

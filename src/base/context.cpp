@@ -9,6 +9,15 @@
 #include "base/no_throw.hpp"
 
 namespace sfumato {
+namespace {
+
+Status named_limit(std::string_view limit, std::string message) {
+  Status status = make_error(StatusCode::limit, std::move(message));
+  status.limit = limit;
+  return status;
+}
+
+}  // namespace
 
 void Executor::run(std::size_t task_count, FunctionRef<void(std::size_t)> task) {
   for (std::size_t i = 0; i < task_count; ++i) task(i);
@@ -18,10 +27,9 @@ Status Budget::charge(std::size_t bytes, std::string_view purpose) {
   std::size_t used = used_.load(std::memory_order_relaxed);
   do {
     if (bytes > limit_ || used > limit_ - bytes) {
-      return make_error(StatusCode::limit, "memory limit of " + std::to_string(limit_ >> 20) +
-                                               " MiB reached: " + std::string(purpose) + " needs " +
-                                               std::to_string((bytes >> 20) + 1) +
-                                               " MiB more (--max-memory sets another)");
+      return named_limit("memory", "memory limit of " + std::to_string(limit_ >> 20) +
+                                       " MiB reached: " + std::string(purpose) + " needs " +
+                                       std::to_string((bytes >> 20) + 1) + " MiB more");
     }
   } while (!used_.compare_exchange_weak(used, used + bytes, std::memory_order_relaxed));
   return ok_status();
@@ -52,9 +60,8 @@ Status Context::cancel_status() const {
   if (cancel.load(std::memory_order_relaxed) || !deadline) {
     return make_error(StatusCode::cancelled, "cancelled");
   }
-  return make_error(StatusCode::limit, "the time limit of " +
-                                           JsonWriter().value(deadline->seconds).text() +
-                                           " s is over (--max-time sets another)");
+  return named_limit(
+      "time", "the time limit of " + JsonWriter().value(deadline->seconds).text() + " s is over");
 }
 
 namespace {

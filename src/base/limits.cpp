@@ -62,15 +62,19 @@ Status validate(const Limits& limits) {
 }
 
 std::string limit_text(const Limits& limits, std::size_t Limits::*limit, std::string_view what) {
-  const auto known = std::ranges::find(kNames, limit, &LimitName::value);
-  return std::to_string(limits.*limit) + " " + std::string(what) + " (--limit " +
-         std::string(known->name) + "=N sets another)";
+  return std::to_string(limits.*limit) + " " + std::string(what);
+}
+
+Status make_limit_error(std::size_t Limits::*limit, std::string message, SourcePlace where) {
+  Status status = make_error(StatusCode::limit, std::move(message), std::move(where));
+  status.limit = std::ranges::find(kNames, limit, &LimitName::value)->name;
+  return status;
 }
 
 Status limit_error(const Limits& limits, std::size_t Limits::*limit, std::string_view what,
                    SourcePlace where) {
-  return make_error(StatusCode::limit, "more than the limit of " + limit_text(limits, limit, what),
-                    std::move(where));
+  return make_limit_error(limit, "more than the limit of " + limit_text(limits, limit, what),
+                          std::move(where));
 }
 
 }  // namespace sfumato

@@ -70,11 +70,11 @@ inline constexpr int kImageSide = 16'384;
 inline constexpr std::size_t kSvgTriangles = 40'000;
 inline constexpr std::size_t kSvgTrianglesSlow = 10'000;
 
-/// Memory charged by one Context, bytes; --max-memory changes it.
+/// Memory charged by one Context, bytes.
 inline constexpr std::size_t kMemoryBytes = std::size_t{2} << 30;
 
-/// Wall-clock time that the command gives a drawing, seconds; --max-time changes it. A Context has
-/// no such limit of itself.
+/// Wall-clock time that the command gives a drawing, seconds. A Context has no such limit of
+/// itself.
 inline constexpr double kSeconds = 60;
 
 }  // namespace sfumato::limits
@@ -128,11 +128,14 @@ std::span<const LimitName> limit_names();
 /// bad_input, which names the limit.
 Status validate(const Limits& limits);
 
-/// The limit in an error's words: "200000 curves (--limit curves=N sets another)".
+/// The limit in an error's words: "200000 curves".
 /// what    in the plural
 std::string limit_text(const Limits& limits, std::size_t Limits::*limit, std::string_view what);
 
-/// Passing a limit: "more than the limit of 200000 curves (--limit curves=N sets another)".
+/// The error of passing a limit: Status::limit is its name.
+Status make_limit_error(std::size_t Limits::*limit, std::string message, SourcePlace where = {});
+
+/// make_limit_error() with the usual words: "more than the limit of 200000 curves".
 Status limit_error(const Limits& limits, std::size_t Limits::*limit, std::string_view what,
                    SourcePlace where = {});
 

@@ -2,14 +2,26 @@
 
 namespace sfumato {
 
-std::string to_string(const Status& status) {
-  std::string text = status.where.file;
-  if (status.where.line > 0) {
-    text += ":" + std::to_string(status.where.line);
-    if (status.where.column > 0) text += ":" + std::to_string(status.where.column);
+namespace {
+
+std::string placed(const SourcePlace& where, const std::string& message) {
+  std::string text = where.file;
+  if (where.line > 0) {
+    text += ":" + std::to_string(where.line);
+    if (where.column > 0) text += ":" + std::to_string(where.column);
   }
   if (!text.empty()) text += ": ";
-  return text + status.message;
+  return text + message;
+}
+
+}  // namespace
+
+std::string to_string(const Status& status) {
+  return placed(status.where, status.message);
+}
+
+std::string to_string(const Diagnostic& diagnostic) {
+  return placed(diagnostic.where, diagnostic.message);
 }
 
 }  // namespace sfumato

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace sfumato {
@@ -26,11 +27,20 @@ struct SourcePlace {
   int column = 0;
 };
 
+/// What is worth telling of work that succeeded: what was overlooked, or cannot be shown.
+struct Diagnostic {
+  std::string message;
+  SourcePlace where;
+};
+
 /// Success, or what went wrong, in words for the user: what is wrong, what was expected.
 struct [[nodiscard]] Status {
   StatusCode code = StatusCode::ok;
   std::string message;
   SourcePlace where;
+  /// Of StatusCode::limit: what the caller can set higher, a LimitName ("curves"), "memory" for the
+  /// Budget or "time" for the Deadline. Empty: nothing, the bound is a data structure's.
+  std::string_view limit;
 
   bool ok() const { return code == StatusCode::ok; }
   explicit operator bool() const { return ok(); }
@@ -41,11 +51,12 @@ inline Status ok_status() {
 }
 
 inline Status make_error(StatusCode code, std::string message, SourcePlace where = {}) {
-  return {code, std::move(message), std::move(where)};
+  return {code, std::move(message), std::move(where), {}};
 }
 
 /// "file:line:column: message", leaving out what is unknown.
 std::string to_string(const Status& status);
+std::string to_string(const Diagnostic& diagnostic);
 
 /// A value, or the Status that says why there is none.
 template <class T>

@@ -31,8 +31,17 @@ Result<ReadDocument> read_drawing(Context& context, const DocumentArguments& arg
   Result<ReadDocument> read =
       read_document(context, *bytes, display_name(arguments.input), &loader);
   if (!read || arguments.quiet) return read;
-  for (const Status& warning : read->warnings) report_warning(warning);
+  for (const Diagnostic& warning : warnings_of(*read)) report_warning(warning);
   return read;
+}
+
+std::vector<Diagnostic> warnings_of(const ReadDocument& read) {
+  std::vector<Diagnostic> warnings = read.warnings;
+  if (read.is_foreign && !warnings.empty()) {
+    warnings.push_back({"`sfumato init --from` makes curves of an ordinary drawing",
+                        {warnings.front().where.file}});
+  }
+  return warnings;
 }
 
 }  // namespace sfumato::cli

@@ -32,7 +32,7 @@ Result<std::string> imported(Context& context, const InitArguments& arguments) {
       import_svg(context, *bytes, display_name(arguments.input), &loader);
   if (!made) return made.status();
   if (!arguments.quiet) {
-    for (const Status& warning : made->warnings) report_warning(warning);
+    for (const Diagnostic& warning : made->warnings) report_warning(warning);
   }
   Result<std::string> svg = write_svg(context, made->document);
   if (!svg) return svg;

@@ -47,10 +47,10 @@ Result<OutputSize> output_size(const Limits& limits, const SizeRequest& request,
   const double width = std::max(1.0, std::round(viewport.width() * scale.x));
   const double height = std::max(1.0, std::round(viewport.height() * scale.y));
   if (std::max(width, height) > static_cast<double>(limits.image_side)) {
-    return make_error(StatusCode::limit,
-                      "the picture would be " + in_pixels(width) + " x " + in_pixels(height) +
-                          " pixels, the limit is " +
-                          limit_text(limits, &Limits::image_side, "pixels on a side"));
+    return make_limit_error(&Limits::image_side,
+                            "the picture would be " + in_pixels(width) + " x " + in_pixels(height) +
+                                " pixels, the limit is " +
+                                limit_text(limits, &Limits::image_side, "pixels on a side"));
   }
   return OutputSize{static_cast<int>(width), static_cast<int>(height), std::max(scale.x, scale.y)};
 }

@@ -91,7 +91,7 @@ Status PictureMaker::choose_options(const Document& document) {
 
 void PictureMaker::warn(const std::string& what) const {
   if (arguments_.quiet) return;
-  report_warning({StatusCode::ok, what, {display_name(arguments_.input)}});
+  report_warning({what, {display_name(arguments_.input)}});
 }
 
 /// No mesh; the time that is not the gather's is the raster's.

@@ -94,7 +94,7 @@ Status Watching::draw() {
   state_.messages.clear();
   Result<ReadDocument> read_result = read();
   if (!read_result) return read_result.status();
-  for (const Status& warning : read_result->warnings) {
+  for (const Diagnostic& warning : warnings_of(*read_result)) {
     if (!arguments_.quiet) report_warning(warning);
     state_.messages.push_back(format_message(warning, "warning"));
   }

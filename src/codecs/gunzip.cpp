@@ -65,13 +65,14 @@ Status grow(Context& context, std::string& text, std::size_t size, ScopedCharge&
 
 Status too_long(const Limits& limits, std::size_t most) {
   if (most == limits.input_bytes) {
-    return make_error(StatusCode::limit, "unpacks to more than the limit of " +
-                                             limit_text(limits, &Limits::input_bytes, "bytes"));
+    return make_limit_error(
+        &Limits::input_bytes,
+        "unpacks to more than the limit of " + limit_text(limits, &Limits::input_bytes, "bytes"));
   }
-  return make_error(StatusCode::limit,
-                    "unpacks to " + std::to_string(most) +
-                        " bytes and more: more than the limit of " +
-                        limit_text(limits, &Limits::unpack_ratio, "bytes of each packed byte"));
+  return make_limit_error(
+      &Limits::unpack_ratio,
+      "unpacks to " + std::to_string(most) + " bytes and more: more than the limit of " +
+          limit_text(limits, &Limits::unpack_ratio, "bytes of each packed byte"));
 }
 
 }  // namespace

@@ -75,13 +75,13 @@ Status check_image_size(const Limits& limits, std::uint64_t width, std::uint64_t
   const std::string size =
       "an image of " + std::to_string(width) + " × " + std::to_string(height) + " pixels";
   if (std::max(width, height) > limits.image_side) {
-    return make_error(
-        StatusCode::limit,
+    return make_limit_error(
+        &Limits::image_side,
         size + "; the limit is " + limit_text(limits, &Limits::image_side, "pixels on a side"));
   }
   if (width * height > limits.texels) {
-    return make_error(StatusCode::limit,
-                      size + "; the limit is " + limit_text(limits, &Limits::texels, "texels"));
+    return make_limit_error(
+        &Limits::texels, size + "; the limit is " + limit_text(limits, &Limits::texels, "texels"));
   }
   return ok_status();
 }

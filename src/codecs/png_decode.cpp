@@ -111,10 +111,11 @@ Status Decoder::read_header() {
 
 Status Decoder::check_header() {
   if (std::max(header_.width, header_.height) > context_.limits.image_side) {
-    return error(StatusCode::limit,
-                 "an image of " + std::to_string(header_.width) + " × " +
-                     std::to_string(header_.height) + " pixels; the limit is " +
-                     limit_text(context_.limits, &Limits::image_side, "pixels on a side"));
+    return make_limit_error(
+        &Limits::image_side,
+        "an image of " + std::to_string(header_.width) + " × " + std::to_string(header_.height) +
+            " pixels; the limit is " +
+            limit_text(context_.limits, &Limits::image_side, "pixels on a side"));
   }
   const bool has_three_channels = header_.color_type == SPNG_COLOR_TYPE_TRUECOLOR ||
                                   header_.color_type == SPNG_COLOR_TYPE_TRUECOLOR_ALPHA;

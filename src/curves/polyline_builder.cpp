@@ -38,10 +38,8 @@ void PolylineBuilder::push(Vec2 point, double parameter) {
 void PolylineBuilder::make_room() {
   const std::size_t most = context_.limits.segments + 1;
   if (room_ >= most) {
-    status_ = make_error(StatusCode::limit, "more than the limit of " +
-                                                limit_text(context_.limits, &Limits::segments,
-                                                           "segments after flattening") +
-                                                "; a larger tolerance makes fewer");
+    status_ = limit_error(context_.limits, &Limits::segments,
+                          "segments after flattening; a larger tolerance makes fewer");
     return;
   }
   const std::size_t larger = std::min(std::max(2 * room_, kFirstVertices), most);

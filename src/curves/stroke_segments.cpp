@@ -262,10 +262,8 @@ class SegmentMaker {
     if (out_.segment.size() < capacity) return ok_status();
     const std::size_t most = context_.limits.segments;
     if (capacity >= most) {
-      return make_error(StatusCode::limit, "more than the limit of " +
-                                               limit_text(context_.limits, &Limits::segments,
-                                                          "segments in one local curve") +
-                                               "; a larger radius makes fewer");
+      return limit_error(context_.limits, &Limits::segments,
+                         "segments in one local curve; a larger radius makes fewer");
     }
     const std::size_t larger = std::min(std::max<std::size_t>(2 * capacity, 8), most);
     const std::size_t bytes = (larger - capacity) * (sizeof(StrokeSegment) + sizeof(Box));

@@ -25,8 +25,8 @@ Status bad(std::string message) {
 Status at_most(const Context& context, std::size_t count, std::size_t Limits::*limit,
                const char* what) {
   if (count <= context.limits.*limit) return ok_status();
-  return make_error(StatusCode::limit, std::to_string(count) + " " + what + "; the limit is " +
-                                           limit_text(context.limits, limit, what));
+  return make_limit_error(limit, std::to_string(count) + " " + what + "; the limit is " +
+                                     limit_text(context.limits, limit, what));
 }
 
 bool is_length(float value) {

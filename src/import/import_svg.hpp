@@ -15,7 +15,7 @@ namespace sfumato {
 struct ImportedSvg {
   Document document;
   std::string title;
-  std::vector<Status> warnings;
+  std::vector<Diagnostic> warnings;
 };
 
 /// Makes diffusion curves of the fills, strokes and gradients of an ordinary SVG (docs/import.md).

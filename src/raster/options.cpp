@@ -13,9 +13,9 @@ Status check_options(const Limits& limits, const RasterOptions& options) {
     return make_error(StatusCode::bad_input, "an image of " + size + "; expected at least 1 x 1");
   }
   if (static_cast<std::size_t>(std::max(options.width, options.height)) > limits.image_side) {
-    return make_error(StatusCode::limit,
-                      "an image of " + size + "; the limit is " +
-                          limit_text(limits, &Limits::image_side, "pixels on a side"));
+    return make_limit_error(&Limits::image_side,
+                            "an image of " + size + "; the limit is " +
+                                limit_text(limits, &Limits::image_side, "pixels on a side"));
   }
   if (options.format > PixelFormat::rgba16) {
     return make_error(StatusCode::bad_input, "an unknown format of pixels");

@@ -54,7 +54,7 @@ void append(std::string& text, const std::vector<Value>& values) {
 /// What tells one result from another.
 std::string digest(const ReadDocument& read) {
   std::string text = made([&](Context& context) { return write_svg(context, read.document); });
-  for (const Status& warning : read.warnings) text += to_string(warning) + '\n';
+  for (const Diagnostic& warning : read.warnings) text += to_string(warning) + '\n';
   return text;
 }
 

@@ -21,8 +21,9 @@ TEST(Limits, every_limit_has_one_name_and_can_be_lowered) {
     EXPECT_GE(known.highest, Limits{}.*(known.value)) << known.name;
     Limits changed;
     changed.*(known.value) = 12345;
-    EXPECT_EQ(limit_text(changed, known.value, "things"),
-              "12345 things (--limit " + std::string(known.name) + "=N sets another)");
+    const Status status = limit_error(changed, known.value, "things");
+    EXPECT_EQ(status.message, "more than the limit of 12345 things");
+    EXPECT_EQ(status.limit, known.name);
   }
 }
 
@@ -32,7 +33,7 @@ TEST(Deadline, none_is_set_by_itself) {
   EXPECT_TRUE(context.check().ok());
 }
 
-TEST(Deadline, passing_it_is_a_limit_that_names_the_option) {
+TEST(Deadline, passing_it_is_the_limit_called_time) {
   const Context late{.deadline = Deadline::in(0)};
   EXPECT_TRUE(late.cancelled());
   EXPECT_EQ(late.check().code, StatusCode::limit);
@@ -41,7 +42,8 @@ TEST(Deadline, passing_it_is_a_limit_that_names_the_option) {
   Deadline over = Deadline::in(0);
   over.seconds = 2.5;
   const Context named{.deadline = over};
-  EXPECT_EQ(named.check().message, "the time limit of 2.5 s is over (--max-time sets another)");
+  EXPECT_EQ(named.check().message, "the time limit of 2.5 s is over");
+  EXPECT_EQ(named.check().limit, "time");
 }
 
 TEST(Limits, none_can_be_raised_beyond_what_tables_are_made_for) {

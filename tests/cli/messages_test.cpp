@@ -2,6 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+#include <utility>
+
+#include "base/limits.hpp"
+
 namespace sfumato::cli {
 namespace {
 
@@ -19,6 +24,20 @@ TEST(FormatMessage, puts_the_place_where_editors_look_for_it) {
 TEST(FormatMessage, keeps_control_characters_away) {
   EXPECT_EQ(format_message(make_error(StatusCode::io, "a\nb\x1b[0m\x7f"), "error"),
             "sfumato: error: a?b?[0m?\n");
+}
+
+TEST(FormatMessage, names_the_option_that_sets_another_limit) {
+  Status status = limit_error(Limits{}, &Limits::curves, "curves", {"a.svg"});
+  EXPECT_EQ(format_message(status, "error"),
+            "a.svg: error: more than the limit of 200000 curves (--limit curves=N sets another)\n");
+  for (const auto& [limit, option] : {std::pair{"memory", "(--max-memory sets another)"},
+                                      std::pair{"time", "(--max-time sets another)"},
+                                      std::pair{"viewer-triangles", "; a larger --max-error, "}}) {
+    status.limit = limit;
+    EXPECT_NE(format_message(status, "error").find(option), std::string::npos) << limit;
+  }
+  EXPECT_EQ(format_message(make_error(StatusCode::limit, "too much"), "error"),
+            "sfumato: error: too much\n");
 }
 
 TEST(ExitCodes, stand_for_their_status) {

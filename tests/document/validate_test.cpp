@@ -195,8 +195,8 @@ TEST(Validate, refuses_more_curves_than_the_limit_over_all_layers) {
   document.layers[0].curves.push_back(curve);
   const Status status = validate(Context{}, document);
   EXPECT_EQ(status.code, StatusCode::limit);
-  EXPECT_EQ(status.message,
-            "200001 curves; the limit is 200000 curves (--limit curves=N sets another)");
+  EXPECT_EQ(status.message, "200001 curves; the limit is 200000 curves");
+  EXPECT_EQ(status.limit, "curves");
 }
 
 TEST(Validate, refuses_more_control_points_than_the_limit) {

@@ -356,7 +356,7 @@ TEST(SvgWarnings, tell_of_what_means_nothing) {
           "a.svg:1:1: <svg> has no sf:version; it is read as version 1",
           "a.svg:1:1: the document has no layer and no local curve: the picture is empty; nothing "
           "in it is of Sfumato; expected curves with sf:left and sf:right in <g "
-          "sf:diffuse=\"true\"> (sfumato init --from makes them of an ordinary drawing)"}));
+          "sf:diffuse=\"true\">"}));
   EXPECT_EQ(warnings_of(svg_layer("<g opacity='.5'>" + kCurve + "</g>"))[0],
             "a.svg:3:1: opacity and mix-blend-mode of <g> mean nothing within a layer; expected "
             "them on the layer, or sf:opacity on its curves");

@@ -75,7 +75,7 @@ inline Curve curve_of_path(const std::string& data) {
 
 inline std::vector<std::string> warnings_of(const std::string& text) {
   std::vector<std::string> messages;
-  for (const Status& warning : read(text).warnings) messages.push_back(to_string(warning));
+  for (const Diagnostic& warning : read(text).warnings) messages.push_back(to_string(warning));
   return messages;
 }
 

@@ -226,7 +226,9 @@ TEST(ImportSvg, what_cannot_be_brought_over_is_told_once_with_its_place) {
       "<text>a</text><text>b</text><circle r=\"9\" cx=\"20\" cy=\"20\" filter=\"url(#f)\"/>"
       "<path d=\"M0 0 L x\"/><rect width=\"9\" height=\"9\" fill=\"url(#nothing)\"/>");
   EXPECT_EQ(made.warnings.size(), 4u);
-  for (const Status& warning : made.warnings) EXPECT_GT(warning.where.line, 0) << warning.message;
+  for (const Diagnostic& warning : made.warnings) {
+    EXPECT_GT(warning.where.line, 0) << warning.message;
+  }
   EXPECT_EQ(made.document.layers.size(), 1u);
 }
 

@@ -47,7 +47,7 @@ Document example(const std::string& name) {
     ADD_FAILURE() << read.status().message;
     return {};
   }
-  for (const Status& warning : read->warnings) ADD_FAILURE() << name << ": " << warning.message;
+  for (const Diagnostic& warning : read->warnings) ADD_FAILURE() << name << ": " << warning.message;
   return std::move(read->document);
 }
 

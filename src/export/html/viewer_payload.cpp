@@ -39,10 +39,9 @@ Status check_size(const Limits& limits, const Picture& picture) {
   std::size_t triangles = 0;
   for (const PatchLayer& layer : picture.layers) triangles += layer.triangle_count();
   if (triangles <= limits.viewer_triangles) return ok_status();
-  return make_error(StatusCode::limit,
-                    std::to_string(triangles) + " triangles, the viewer takes " +
-                        limit_text(limits, &Limits::viewer_triangles, "triangles") +
-                        "; a larger --max-error, a smaller --scale or --viewport makes fewer");
+  return make_limit_error(&Limits::viewer_triangles, std::to_string(triangles) +
+                                                         " triangles, the viewer takes " +
+                                                         std::to_string(limits.viewer_triangles));
 }
 
 class PayloadWriter {

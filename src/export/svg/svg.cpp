@@ -193,10 +193,11 @@ void VectorWriter::find_uses() {
 
 Status VectorWriter::check_count(std::uint64_t triangles) const {
   if (options_.force || triangles <= context_.limits.svg_triangles) return ok_status();
-  return make_error(StatusCode::limit,
-                    std::to_string(triangles) + " triangles or more in an SVG; the limit is " +
-                        limit_text(context_.limits, &Limits::svg_triangles, "triangles") +
-                        ": allow a larger error or write pixels instead");
+  return make_limit_error(&Limits::svg_triangles,
+                          std::to_string(triangles) +
+                              " triangles or more in an SVG; the limit is " +
+                              limit_text(context_.limits, &Limits::svg_triangles, "triangles") +
+                              ": allow a larger error or write pixels instead");
 }
 
 Status VectorWriter::make_layers() {

@@ -115,14 +115,16 @@ bool gives_color(const Document& document) {
          std::ranges::any_of(document.stack, is_stroke);
 }
 
-std::string why_empty(Input& input) {
+EmptyCause why_empty(Input& input) {
   Facts facts;
   look(input, input.root(), facts);
-  if (!facts.address.empty()) return facts.address;
-  if (!facts.misplaced.empty()) return facts.misplaced;
+  if (!facts.address.empty()) return {facts.address};
+  if (!facts.misplaced.empty()) return {facts.misplaced};
   if (facts.has_ours) return {};
-  return "nothing in it is of Sfumato; expected curves with sf:left and sf:right in <g "
-         "sf:diffuse=\"true\"> (sfumato init --from makes them of an ordinary drawing)";
+  return {
+      "nothing in it is of Sfumato; expected curves with sf:left and sf:right in <g "
+      "sf:diffuse=\"true\">",
+      true};
 }
 
 }  // namespace sfumato::svg

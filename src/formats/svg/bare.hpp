@@ -14,8 +14,12 @@ std::string why_bare(Input& input, Element shape);
 /// Whether any curve of the document gives a colour.
 bool gives_color(const Document& document);
 
-/// Why a document without a colour is an empty picture, and what to write: no attribute of Sfumato
-/// at all, a prefix that is bound to another address, or else that there is no layer.
-std::string why_empty(Input& input);
+/// Why a document without a colour is an empty picture, and what to write.
+struct EmptyCause {
+  std::string text;         ///< empty: nothing more than that there is no colour
+  bool is_foreign = false;  ///< there is no attribute of Sfumato at all
+};
+
+EmptyCause why_empty(Input& input);
 
 }  // namespace sfumato::svg

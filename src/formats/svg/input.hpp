@@ -82,7 +82,7 @@ class Input {
   Status charge_text(Element element);
   /// Charges memory that is held until the reader is done.
   Status charge(Element element, std::size_t bytes, std::string_view purpose);
-  std::vector<Status> take_warnings() { return warnings_.take(); }
+  std::vector<Diagnostic> take_warnings() { return warnings_.take(); }
 
  private:
   struct IdElement {

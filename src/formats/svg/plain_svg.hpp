@@ -51,7 +51,7 @@ struct PlainSvg {
   Document document;  ///< with an empty layer, instanced once, for each fill and each stroke
   std::vector<PlainShape> shapes;  ///< bottom first
   std::string title;
-  std::vector<Status> warnings;
+  std::vector<Diagnostic> warnings;
 };
 
 /// Reads fills and strokes of an ordinary SVG. What cannot be brought over (text, images, clip

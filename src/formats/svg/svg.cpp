@@ -107,13 +107,15 @@ Status read_background(Input& input, Document& document) {
   return ok_status();
 }
 
-void warn_of_nothing(Input& input, const Document& document) {
+/// Whether nothing in the document is of Sfumato.
+bool warn_of_nothing(Input& input, const Document& document) {
   std::string message = document.stack.empty()
                             ? "the document has no layer and no local curve: the picture is empty"
                             : "no curve of the document bears a colour: the picture is empty";
-  const std::string why = svg::why_empty(input);
-  if (!why.empty()) message += "; " + why;
+  const svg::EmptyCause why = svg::why_empty(input);
+  if (!why.text.empty()) message += "; " + why.text;
   input.warn("/no layers", input.root(), std::move(message));
+  return why.is_foreign;
 }
 
 /// A document without content, and how it is shown.
@@ -149,10 +151,11 @@ Result<ReadDocument> read(Input& input, const ResourceLoader* loader) {
   if (status) status = svg::StackReader(input, document, loader).read();
   if (!status) return status;
   svg::show_in_frame(begun->frame, document);
-  if (document.stack.empty() || !svg::gives_color(document)) warn_of_nothing(input, document);
+  const bool is_empty = document.stack.empty() || !svg::gives_color(document);
+  const bool is_foreign = is_empty && warn_of_nothing(input, document);
   if (Status cancelled = input.context().check(); !cancelled) return cancelled;
   if (Status valid = validate(input.context(), document); !valid) return valid;
-  return ReadDocument{std::move(document), input.take_warnings(), DocumentFormat::svg};
+  return ReadDocument{std::move(document), input.take_warnings(), DocumentFormat::svg, is_foreign};
 }
 
 Result<svg::PlainSvg> read_plain(Input& input, const ResourceLoader* loader) {

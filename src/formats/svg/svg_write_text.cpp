@@ -44,9 +44,9 @@ void append_broken(const Context& context, std::string& text, std::string_view v
 
 Status check_length(const Context& context, std::size_t bytes) {
   if (bytes <= context.limits.input_bytes) return ok_status();
-  return make_error(StatusCode::limit,
-                    "the document as SVG is longer than can be read again: " +
-                        limit_text(context.limits, &Limits::input_bytes, "bytes"));
+  return make_limit_error(&Limits::input_bytes,
+                          "the document as SVG is longer than can be read again: " +
+                              limit_text(context.limits, &Limits::input_bytes, "bytes"));
 }
 
 void ElementWriter::element(std::string_view name, const Attributes& attributes,

@@ -83,8 +83,9 @@ Result<std::vector<std::uint8_t>> TextureFiles::load(Element image, std::string_
   }
   Result<std::vector<std::uint8_t>> bytes = loader_->load(*name);
   if (bytes) return bytes;
-  return input_.placed(
-      image, make_error(bytes.status().code, text::quoted(href) + ": " + bytes.status().message));
+  Status status = bytes.status();
+  status.message = text::quoted(href) + ": " + status.message;
+  return input_.placed(image, std::move(status));
 }
 
 }  // namespace sfumato::svg

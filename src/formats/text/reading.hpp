@@ -15,9 +15,11 @@ enum class DocumentFormat : std::uint8_t { svg, orzan };
 /// A document and what its reader had to overlook, each with its place.
 struct ReadDocument {
   Document document;
-  std::vector<Status>
-      warnings;  ///< code bad_input; at most limits::kWarnings, then one that counts the rest
+  /// At most limits::kWarnings, then one that counts the rest.
+  std::vector<Diagnostic> warnings;
   DocumentFormat format = DocumentFormat::svg;
+  bool is_foreign =
+      false;  ///< an SVG with nothing of Sfumato in it: import_svg() makes curves of it
 };
 
 /// Brings the files that a document refers to: textures. The library opens none by itself.
@@ -26,8 +28,7 @@ class ResourceLoader {
   virtual ~ResourceLoader() = default;
 
   /// The bytes behind a reference as it is written in the document, percent signs decoded; never a
-  /// data: URI. At most
-  /// Limits::image_file_bytes. Errors: bad_input, limit; their place is ignored.
+  /// data: URI. At most Limits::image_file_bytes. Errors: bad_input, limit; their place is ignored.
   virtual Result<std::vector<std::uint8_t>> load(std::string_view href) const = 0;
 };
 

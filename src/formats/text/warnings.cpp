@@ -14,10 +14,10 @@ bool Warnings::is_new(std::string_view kind) {
 }
 
 void Warnings::add(std::string message, SourcePlace place) {
-  warnings_.push_back(make_error(StatusCode::bad_input, std::move(message), std::move(place)));
+  warnings_.push_back({std::move(message), std::move(place)});
 }
 
-std::vector<Status> Warnings::take() {
+std::vector<Diagnostic> Warnings::take() {
   if (left_out_ > 0) {
     add("and " + std::to_string(left_out_) + " more of other kinds",
         {warnings_.empty() ? std::string() : warnings_.front().where.file});

@@ -19,11 +19,11 @@ class Warnings {
   void add(std::string message, SourcePlace place);
 
   /// The warnings in order of arrival. Call once, last.
-  std::vector<Status> take();
+  std::vector<Diagnostic> take();
 
  private:
   std::set<std::string, std::less<>> kinds_;
-  std::vector<Status> warnings_;
+  std::vector<Diagnostic> warnings_;
   std::size_t left_out_ = 0;
 };
 
