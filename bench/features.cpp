@@ -7,9 +7,9 @@
 
 #include "base/native/tbb_executor.hpp"
 #include "base/stopwatch.hpp"
-#include "raster/rasterize.hpp"
+#include "sfumato/raster/rasterize.hpp"
 #include "scenes.hpp"
-#include "solve/diffuse.hpp"
+#include "sfumato/solve/diffuse.hpp"
 
 // What the artistic controls cost, as ratios to the plain picture in the same run: blur, opacity
 // and textures on lady_bug, and a thousand instances of a small layer of our own.

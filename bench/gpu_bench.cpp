@@ -5,10 +5,10 @@
 #include <string>
 
 #include "base/native/tbb_executor.hpp"
-#include "gpu/render.hpp"
-#include "raster/rasterize.hpp"
+#include "sfumato/gpu/render.hpp"
+#include "sfumato/raster/rasterize.hpp"
 #include "scenes.hpp"
-#include "solve/diffuse.hpp"
+#include "sfumato/solve/diffuse.hpp"
 
 // Picture → Image of a public scene at 1024² by the CPU and by OpenGL, whose device is named:
 // Mesa's llvmpipe is software on the same CPU. A context and its programs are made each time.

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "curves/flatten.hpp"
-#include "formats/orzan/orzan.hpp"
+#include "sfumato/formats/orzan/orzan.hpp"
 #include "mesh/mesher.hpp"
 
 namespace {

@@ -9,16 +9,16 @@
 
 #include "base/native/tbb_executor.hpp"
 #include "base/stopwatch.hpp"
-#include "codecs/jpeg_encode.hpp"
-#include "codecs/png.hpp"
-#include "export/eps/eps.hpp"
-#include "export/glb/glb.hpp"
-#include "export/html/html.hpp"
-#include "export/pdf/pdf.hpp"
-#include "export/svg/svg.hpp"
-#include "raster/rasterize.hpp"
+#include "sfumato/codecs/jpeg_encode.hpp"
+#include "sfumato/codecs/png.hpp"
+#include "sfumato/export/eps/eps.hpp"
+#include "sfumato/export/glb/glb.hpp"
+#include "sfumato/export/html/html.hpp"
+#include "sfumato/export/pdf/pdf.hpp"
+#include "sfumato/export/svg/svg.hpp"
+#include "sfumato/raster/rasterize.hpp"
 #include "scenes.hpp"
-#include "solve/diffuse.hpp"
+#include "sfumato/solve/diffuse.hpp"
 
 // What lady_bug becomes in each format: bytes, bytes after gzip (formats that are packed already
 // hardly change), triangles, and the time from the picture to the bytes.

@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "base/native/tbb_executor.hpp"
-#include "formats/orzan/orzan.hpp"
+#include "sfumato/formats/orzan/orzan.hpp"
 #include "picture/patch.hpp"
-#include "raster/rasterize.hpp"
-#include "solve/diffuse.hpp"
+#include "sfumato/raster/rasterize.hpp"
+#include "sfumato/solve/diffuse.hpp"
 
 // Picture → Image: on a picture made here, as large as lady_bug's (about 10,000 triangles, and
 // about 30,000 pixels of 1024² that curves cut), and on the public scenes where they are.

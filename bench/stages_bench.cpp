@@ -1,13 +1,13 @@
 #include <benchmark/benchmark.h>
 
 #include "base/native/tbb_executor.hpp"
-#include "codecs/png.hpp"
+#include "sfumato/codecs/png.hpp"
 #include "curves/attributes.hpp"
 #include "curves/flatten.hpp"
 #include "mesh/mesher.hpp"
-#include "raster/rasterize.hpp"
+#include "sfumato/raster/rasterize.hpp"
 #include "scenes.hpp"
-#include "solve/diffuse.hpp"
+#include "sfumato/solve/diffuse.hpp"
 #include "solve/nodes.hpp"
 
 // The stages that have no benchmark of their own, and the whole way from a document to a PNG.

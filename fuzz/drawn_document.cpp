@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "formats/read_document.hpp"
+#include "sfumato/formats/read_document.hpp"
 
 namespace sfumato::fuzz {
 namespace {

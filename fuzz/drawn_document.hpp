@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "document/document.hpp"
+#include "sfumato/document/document.hpp"
 #include "fuzz.hpp"
 
 namespace sfumato::fuzz {

@@ -3,15 +3,15 @@
 #include <string>
 #include <vector>
 
-#include "document/document.hpp"
+#include "sfumato/document/document.hpp"
 #include "drawn_document.hpp"
-#include "export/eps/eps.hpp"
-#include "export/glb/glb.hpp"
-#include "export/html/html.hpp"
-#include "export/pdf/pdf.hpp"
-#include "export/svg/svg.hpp"
+#include "sfumato/export/eps/eps.hpp"
+#include "sfumato/export/glb/glb.hpp"
+#include "sfumato/export/html/html.hpp"
+#include "sfumato/export/pdf/pdf.hpp"
+#include "sfumato/export/svg/svg.hpp"
 #include "fuzz.hpp"
-#include "solve/diffuse.hpp"
+#include "sfumato/solve/diffuse.hpp"
 
 using namespace sfumato;
 

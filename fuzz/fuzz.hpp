@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "base/context.hpp"
+#include "sfumato/base/context.hpp"
 
 /// What the targets of this folder share. A target is one function of bytes; it may refuse them,
 /// but never crash, hang or answer wrongly.

@@ -1,11 +1,11 @@
 // Ordinary SVG made into diffusion curves, as `sfumato init --from` does.
 #include <string>
 
-#include "document/document.hpp"
-#include "formats/read_document.hpp"
-#include "formats/svg/svg_write.hpp"
+#include "sfumato/document/document.hpp"
+#include "sfumato/formats/read_document.hpp"
+#include "sfumato/formats/svg/svg_write.hpp"
 #include "fuzz.hpp"
-#include "import/import_svg.hpp"
+#include "sfumato/import/import_svg.hpp"
 
 using namespace sfumato;
 

@@ -1,7 +1,7 @@
 // Orzan's XML: what is read is a valid document, what is refused has a reason, and memory is given
 // back.
-#include "document/document.hpp"
-#include "formats/orzan/orzan.hpp"
+#include "sfumato/document/document.hpp"
+#include "sfumato/formats/orzan/orzan.hpp"
 #include "fuzz.hpp"
 
 using namespace sfumato;

@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <vector>
 
-#include "api/render_pixels.hpp"
-#include "codecs/png.hpp"
-#include "document/document.hpp"
+#include "sfumato/api/render_pixels.hpp"
+#include "sfumato/codecs/png.hpp"
+#include "sfumato/document/document.hpp"
 #include "drawn_document.hpp"
 #include "fuzz.hpp"
-#include "lint/lint.hpp"
-#include "raster/rasterize.hpp"
-#include "solve/diffuse.hpp"
+#include "sfumato/lint/lint.hpp"
+#include "sfumato/raster/rasterize.hpp"
+#include "sfumato/solve/diffuse.hpp"
 
 using namespace sfumato;
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "codecs/image_file.hpp"
-#include "codecs/png.hpp"
+#include "sfumato/codecs/png.hpp"
 #include "fuzz.hpp"
 
 using namespace sfumato;

@@ -4,10 +4,10 @@
 #include <utility>
 #include <variant>
 
-#include "document/document.hpp"
+#include "sfumato/document/document.hpp"
 #include "drawn_document.hpp"
-#include "formats/svg/svg.hpp"
-#include "formats/svg/svg_write.hpp"
+#include "sfumato/formats/svg/svg.hpp"
+#include "sfumato/formats/svg/svg_write.hpp"
 #include "fuzz.hpp"
 
 using namespace sfumato;

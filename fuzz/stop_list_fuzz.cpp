@@ -2,7 +2,7 @@
 #include <cmath>
 #include <vector>
 
-#include "base/limits.hpp"
+#include "sfumato/base/limits.hpp"
 #include "formats/svg/stop_list.hpp"
 #include "fuzz.hpp"
 

@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "codecs/png.hpp"
-#include "document/document.hpp"
-#include "formats/read_document.hpp"
+#include "sfumato/codecs/png.hpp"
+#include "sfumato/document/document.hpp"
+#include "sfumato/formats/read_document.hpp"
 #include "fuzz.hpp"
 
 using namespace sfumato;

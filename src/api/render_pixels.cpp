@@ -1,4 +1,4 @@
-#include "api/render_pixels.hpp"
+#include "sfumato/api/render_pixels.hpp"
 
 #include "base/public_verb.hpp"
 #include "base/stopwatch.hpp"

@@ -1,4 +1,4 @@
-#include "base/color_space.hpp"
+#include "sfumato/base/color_space.hpp"
 
 #include <bit>
 #include <cmath>

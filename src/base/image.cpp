@@ -1,4 +1,4 @@
-#include "base/image.hpp"
+#include "sfumato/base/image.hpp"
 
 #include <algorithm>
 

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/context.hpp"
+#include "sfumato/base/context.hpp"
 
 namespace sfumato {
 

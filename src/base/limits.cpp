@@ -1,4 +1,4 @@
-#include "base/limits.hpp"
+#include "sfumato/base/limits.hpp"
 
 #include <algorithm>
 #include <array>

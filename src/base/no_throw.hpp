@@ -3,7 +3,7 @@
 #include <new>
 #include <stdexcept>
 
-#include "base/status.hpp"
+#include "sfumato/base/status.hpp"
 
 namespace sfumato {
 

@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "base/affine.hpp"
-#include "base/color.hpp"
+#include "sfumato/base/affine.hpp"
+#include "sfumato/base/color.hpp"
 
 /// Numbers, colours and maps as text: the shortest decimals that read back as the same value,
 /// whatever the locale. Values are finite.

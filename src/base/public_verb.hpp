@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "base/context.hpp"
+#include "sfumato/base/context.hpp"
 #include "base/no_throw.hpp"
 
 namespace sfumato {

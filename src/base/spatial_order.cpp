@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <bit>
 
-#include "base/box.hpp"
+#include "sfumato/base/box.hpp"
 
 namespace sfumato {
 namespace {

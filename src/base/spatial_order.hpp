@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "base/vec2.hpp"
+#include "sfumato/base/vec2.hpp"
 
 namespace sfumato {
 

@@ -1,4 +1,4 @@
-#include "base/status.hpp"
+#include "sfumato/base/status.hpp"
 
 namespace sfumato {
 

@@ -12,10 +12,10 @@
 #include "cli/paths.hpp"
 #include "cli/render_jobs.hpp"
 #include "cli/resources.hpp"
-#include "export/pdf/pdf.hpp"
-#include "export/svg/svg.hpp"
-#include "raster/rasterize.hpp"
-#include "solve/diffuse.hpp"
+#include "sfumato/export/pdf/pdf.hpp"
+#include "sfumato/export/svg/svg.hpp"
+#include "sfumato/raster/rasterize.hpp"
+#include "sfumato/solve/diffuse.hpp"
 
 namespace sfumato::cli {
 

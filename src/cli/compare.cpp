@@ -3,13 +3,13 @@
 #include <string>
 
 #include "base/json.hpp"
-#include "base/native/file.hpp"
+#include "sfumato/base/native/file.hpp"
 #include "base/native/tbb_executor.hpp"
 #include "cli/commands.hpp"
 #include "cli/difference.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/paths.hpp"
-#include "codecs/png.hpp"
+#include "sfumato/codecs/png.hpp"
 
 namespace sfumato::cli {
 namespace {

@@ -1,12 +1,12 @@
 #include <span>
 
-#include "base/native/file.hpp"
+#include "sfumato/base/native/file.hpp"
 #include "base/native/tbb_executor.hpp"
 #include "cli/commands.hpp"
 #include "cli/document_input.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/paths.hpp"
-#include "formats/svg/svg_write.hpp"
+#include "sfumato/formats/svg/svg_write.hpp"
 
 namespace sfumato::cli {
 namespace {

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/context.hpp"
-#include "base/image.hpp"
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/image.hpp"
 
 namespace sfumato::cli {
 

@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "base/box.hpp"
-#include "document/document.hpp"
+#include "sfumato/base/box.hpp"
+#include "sfumato/document/document.hpp"
 
 namespace sfumato::cli {
 

@@ -8,7 +8,7 @@
 #include <system_error>
 #include <utility>
 
-#include "base/native/file.hpp"
+#include "sfumato/base/native/file.hpp"
 
 namespace sfumato::cli {
 namespace {

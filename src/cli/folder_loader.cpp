@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <system_error>
 
-#include "base/limits.hpp"
-#include "base/native/file.hpp"
+#include "sfumato/base/limits.hpp"
+#include "sfumato/base/native/file.hpp"
 
 namespace sfumato::cli {
 namespace {

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "base/context.hpp"
+#include "sfumato/base/context.hpp"
 #include "cli/arguments.hpp"
 #include "cli/file_uses.hpp"
-#include "formats/read_document.hpp"
+#include "sfumato/formats/read_document.hpp"
 
 namespace sfumato::cli {
 

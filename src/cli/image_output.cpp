@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "codecs/jpeg_encode.hpp"
-#include "codecs/png.hpp"
-#include "codecs/webp_encode.hpp"
+#include "sfumato/codecs/jpeg_encode.hpp"
+#include "sfumato/codecs/png.hpp"
+#include "sfumato/codecs/webp_encode.hpp"
 
 namespace sfumato::cli {
 namespace {

@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/context.hpp"
-#include "base/image.hpp"
-#include "base/status.hpp"
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/image.hpp"
+#include "sfumato/base/status.hpp"
 #include "cli/arguments.hpp"
 
 namespace sfumato::cli {

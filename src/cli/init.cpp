@@ -1,4 +1,4 @@
-#include "base/native/file.hpp"
+#include "sfumato/base/native/file.hpp"
 #include "base/native/tbb_executor.hpp"
 #include "cli/commands.hpp"
 #include "cli/document_input.hpp"
@@ -8,8 +8,8 @@
 #include "cli/paths.hpp"
 #include "cli/templates.hpp"
 #include "export/html/html_text.hpp"
-#include "formats/svg/svg_write.hpp"
-#include "import/import_svg.hpp"
+#include "sfumato/formats/svg/svg_write.hpp"
+#include "sfumato/import/import_svg.hpp"
 
 namespace sfumato::cli {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-#include "base/native/file.hpp"
+#include "sfumato/base/native/file.hpp"
 #include "base/utf8.hpp"
 #include "cli/interrupt.hpp"
 

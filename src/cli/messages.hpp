@@ -3,8 +3,8 @@
 #include <string>
 #include <string_view>
 
-#include "base/context.hpp"
-#include "base/status.hpp"
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/status.hpp"
 
 namespace sfumato::cli {
 

@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <string>
 
-#include "base/limits.hpp"
+#include "sfumato/base/limits.hpp"
 
 namespace sfumato::cli {
 namespace {

@@ -2,11 +2,11 @@
 
 #include <optional>
 
-#include "base/box.hpp"
-#include "base/limits.hpp"
-#include "base/status.hpp"
-#include "base/vec2.hpp"
-#include "document/document.hpp"
+#include "sfumato/base/box.hpp"
+#include "sfumato/base/limits.hpp"
+#include "sfumato/base/status.hpp"
+#include "sfumato/base/vec2.hpp"
+#include "sfumato/document/document.hpp"
 
 namespace sfumato::cli {
 

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <utility>
 
-#include "base/native/file.hpp"
+#include "sfumato/base/native/file.hpp"
 #include "formats/text/suggestion.hpp"
 
 namespace sfumato::cli {

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "base/context.hpp"
-#include "base/status.hpp"
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/status.hpp"
 
 namespace sfumato::cli {
 

@@ -6,18 +6,18 @@
 #include <optional>
 #include <string>
 
-#include "api/render_pixels.hpp"
+#include "sfumato/api/render_pixels.hpp"
 #include "base/stopwatch.hpp"
 #include "cli/image_output.hpp"
 #include "cli/messages.hpp"
-#include "codecs/jpeg_encode.hpp"
-#include "codecs/png.hpp"
-#include "export/eps/eps.hpp"
-#include "export/glb/glb.hpp"
-#include "export/html/html.hpp"
-#include "export/pdf/pdf.hpp"
-#include "export/svg/svg.hpp"
-#include "gpu/render.hpp"
+#include "sfumato/codecs/jpeg_encode.hpp"
+#include "sfumato/codecs/png.hpp"
+#include "sfumato/export/eps/eps.hpp"
+#include "sfumato/export/glb/glb.hpp"
+#include "sfumato/export/html/html.hpp"
+#include "sfumato/export/pdf/pdf.hpp"
+#include "sfumato/export/svg/svg.hpp"
+#include "sfumato/gpu/render.hpp"
 
 namespace sfumato::cli {
 namespace {

@@ -3,11 +3,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/context.hpp"
-#include "base/status.hpp"
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/status.hpp"
 #include "cli/arguments.hpp"
 #include "cli/stats.hpp"
-#include "document/document.hpp"
+#include "sfumato/document/document.hpp"
 
 namespace sfumato::cli {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "base/context.hpp"
+#include "sfumato/base/context.hpp"
 
 namespace sfumato::cli {
 

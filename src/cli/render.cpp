@@ -5,7 +5,7 @@
 #include <memory>
 #include <optional>
 
-#include "base/native/file.hpp"
+#include "sfumato/base/native/file.hpp"
 #include "base/native/tbb_executor.hpp"
 #include "base/stopwatch.hpp"
 #include "cli/commands.hpp"

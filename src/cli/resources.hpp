@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "base/context.hpp"
+#include "sfumato/base/context.hpp"
 
 namespace CLI {
 class App;  // its header takes seconds to compile: only files that add options include it

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "solve/diffuse.hpp"
+#include "sfumato/solve/diffuse.hpp"
 
 namespace sfumato::cli {
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "base/context.hpp"
+#include "sfumato/base/context.hpp"
 #include "cli/arguments.hpp"
 
 namespace sfumato::cli {

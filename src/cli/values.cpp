@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "base/limits.hpp"
+#include "sfumato/base/limits.hpp"
 
 namespace sfumato::cli {
 namespace {

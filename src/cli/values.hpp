@@ -4,7 +4,7 @@
 #include <optional>
 #include <string_view>
 
-#include "base/box.hpp"
+#include "sfumato/base/box.hpp"
 
 /// Values of options from text. The whole text must be the value: no white space, no locale, no
 /// infinity, no NaN. Empty results where it is not.

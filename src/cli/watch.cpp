@@ -3,7 +3,7 @@
 #include <set>
 #include <utility>
 
-#include "base/native/file.hpp"
+#include "sfumato/base/native/file.hpp"
 #include "base/native/tbb_executor.hpp"
 #include "base/stopwatch.hpp"
 #include "cli/commands.hpp"

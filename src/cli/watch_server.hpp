@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "base/status.hpp"
+#include "sfumato/base/status.hpp"
 
 namespace sfumato::cli {
 

@@ -5,7 +5,7 @@
 
 #include "base/large_vector.hpp"
 #include "codecs/base64.hpp"
-#include "codecs/png.hpp"
+#include "sfumato/codecs/png.hpp"
 
 namespace sfumato::codecs {
 namespace {

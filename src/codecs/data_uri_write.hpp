@@ -6,9 +6,9 @@
 #include <string_view>
 #include <vector>
 
-#include "base/context.hpp"
-#include "base/status.hpp"
-#include "document/shader.hpp"
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/status.hpp"
+#include "sfumato/document/shader.hpp"
 
 namespace sfumato::codecs {
 

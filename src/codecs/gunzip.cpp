@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "base/limits.hpp"
+#include "sfumato/base/limits.hpp"
 
 namespace sfumato::codecs {
 namespace {

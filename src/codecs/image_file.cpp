@@ -7,10 +7,10 @@
 #include <string>
 #include <utility>
 
-#include "base/image.hpp"
-#include "base/limits.hpp"
+#include "sfumato/base/image.hpp"
+#include "sfumato/base/limits.hpp"
 #include "codecs/jpeg_decode.hpp"
-#include "codecs/png.hpp"
+#include "sfumato/codecs/png.hpp"
 
 namespace sfumato::codecs {
 namespace {

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <span>
 
-#include "base/context.hpp"
-#include "base/status.hpp"
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/status.hpp"
 #include "codecs/image_file.hpp"
 
 namespace sfumato::codecs {

@@ -1,4 +1,4 @@
-#include "codecs/jpeg_encode.hpp"
+#include "sfumato/codecs/jpeg_encode.hpp"
 
 #include <cstddef>
 #include <cstdio>

@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "base/large_vector.hpp"
-#include "base/limits.hpp"
+#include "sfumato/base/limits.hpp"
 #include "base/public_verb.hpp"
-#include "codecs/png.hpp"
+#include "sfumato/codecs/png.hpp"
 
 namespace sfumato {
 namespace {

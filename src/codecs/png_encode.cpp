@@ -8,9 +8,9 @@
 #include <string>
 #include <utility>
 
-#include "base/limits.hpp"
+#include "sfumato/base/limits.hpp"
 #include "base/public_verb.hpp"
-#include "codecs/png.hpp"
+#include "sfumato/codecs/png.hpp"
 #include "codecs/png_filter.hpp"
 
 namespace sfumato {

@@ -1,4 +1,4 @@
-#include "codecs/webp_encode.hpp"
+#include "sfumato/codecs/webp_encode.hpp"
 
 #include <webp/encode.h>
 

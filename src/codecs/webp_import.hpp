@@ -4,9 +4,9 @@
 
 #include <cstddef>
 
-#include "base/context.hpp"
-#include "base/image.hpp"
-#include "base/status.hpp"
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/image.hpp"
+#include "sfumato/base/status.hpp"
 
 namespace sfumato::codecs {
 

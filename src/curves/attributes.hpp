@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/color.hpp"
-#include "base/color_space.hpp"
+#include "sfumato/base/color.hpp"
+#include "sfumato/base/color_space.hpp"
 #include "curves/flatten.hpp"
 
 namespace sfumato::curves {

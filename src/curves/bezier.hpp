@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <span>
 
-#include "base/vec2.hpp"
+#include "sfumato/base/vec2.hpp"
 
 namespace sfumato::curves {
 

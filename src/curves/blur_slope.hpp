@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "document/curve.hpp"
+#include "sfumato/document/curve.hpp"
 
 namespace sfumato::curves {
 

@@ -4,10 +4,10 @@
 #include <span>
 #include <vector>
 
-#include "base/box.hpp"
-#include "base/context.hpp"
-#include "base/status.hpp"
-#include "document/curve.hpp"
+#include "sfumato/base/box.hpp"
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/status.hpp"
+#include "sfumato/document/curve.hpp"
 
 namespace sfumato::curves {
 

@@ -6,7 +6,7 @@
 #include <tuple>
 #include <utility>
 
-#include "base/box.hpp"
+#include "sfumato/base/box.hpp"
 #include "base/spatial_order.hpp"
 #include "curves/bezier.hpp"
 

@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "base/color_space.hpp"
-#include "base/vec2.hpp"
-#include "document/stops.hpp"
+#include "sfumato/base/color_space.hpp"
+#include "sfumato/base/vec2.hpp"
+#include "sfumato/document/stops.hpp"
 
 namespace sfumato::curves {
 

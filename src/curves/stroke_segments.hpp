@@ -2,13 +2,13 @@
 
 #include <vector>
 
-#include "base/affine.hpp"
-#include "base/box.hpp"
-#include "base/color_space.hpp"
-#include "base/context.hpp"
-#include "base/status.hpp"
+#include "sfumato/base/affine.hpp"
+#include "sfumato/base/box.hpp"
+#include "sfumato/base/color_space.hpp"
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/status.hpp"
 #include "curves/attributes.hpp"
-#include "document/curve.hpp"
+#include "sfumato/document/curve.hpp"
 
 namespace sfumato::curves {
 

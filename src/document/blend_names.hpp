@@ -3,7 +3,7 @@
 #include <array>
 #include <string_view>
 
-#include "document/document.hpp"
+#include "sfumato/document/document.hpp"
 
 namespace sfumato {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "base/limits.hpp"
+#include "sfumato/base/limits.hpp"
 
 namespace sfumato::rules {
 namespace {

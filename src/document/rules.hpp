@@ -6,13 +6,13 @@
 #include <variant>
 #include <vector>
 
-#include "base/affine.hpp"
-#include "base/box.hpp"
-#include "base/color.hpp"
-#include "base/color_space.hpp"
-#include "base/context.hpp"
-#include "base/status.hpp"
-#include "document/document.hpp"
+#include "sfumato/base/affine.hpp"
+#include "sfumato/base/box.hpp"
+#include "sfumato/base/color.hpp"
+#include "sfumato/base/color_space.hpp"
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/status.hpp"
+#include "sfumato/document/document.hpp"
 
 /// What holds of the parts of documents wherever they stand: in a Document, in a Picture that took
 /// them over, in options. Each fact is stated here alone.

@@ -1,4 +1,4 @@
-#include "document/document.hpp"
+#include "sfumato/document/document.hpp"
 
 namespace sfumato {
 namespace {

@@ -4,9 +4,9 @@
 #include <utility>
 #include <vector>
 
-#include "base/limits.hpp"
+#include "sfumato/base/limits.hpp"
 #include "base/public_verb.hpp"
-#include "document/document.hpp"
+#include "sfumato/document/document.hpp"
 #include "document/rules.hpp"
 
 namespace sfumato {

@@ -3,9 +3,9 @@
 #include <span>
 #include <vector>
 
-#include "base/context.hpp"
-#include "base/status.hpp"
-#include "picture/picture.hpp"
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/status.hpp"
+#include "sfumato/picture/picture.hpp"
 
 /// Copies of parts of a picture, for a picture of these alone: charged before they are made, and
 /// made piece by piece.

@@ -7,7 +7,7 @@
 
 #include "export/picture_copy.hpp"
 #include "raster/local_stroke.hpp"
-#include "raster/rasterize.hpp"
+#include "sfumato/raster/rasterize.hpp"
 
 namespace sfumato::outputs {
 namespace {

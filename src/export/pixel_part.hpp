@@ -2,10 +2,10 @@
 
 #include <span>
 
-#include "base/context.hpp"
-#include "base/image.hpp"
-#include "base/status.hpp"
-#include "picture/picture.hpp"
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/image.hpp"
+#include "sfumato/base/status.hpp"
+#include "sfumato/picture/picture.hpp"
 
 /// What vector formats hold as pixels: parts of a picture, painted by the rasterizer.
 namespace sfumato::outputs {

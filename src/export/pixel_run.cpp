@@ -4,10 +4,10 @@
 #include <cmath>
 #include <utility>
 
-#include "codecs/png.hpp"
+#include "sfumato/codecs/png.hpp"
 #include "export/picture_copy.hpp"
 #include "export/pixel_part.hpp"
-#include "raster/rasterize.hpp"
+#include "sfumato/raster/rasterize.hpp"
 
 namespace sfumato::outputs {
 namespace {

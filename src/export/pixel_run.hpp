@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/context.hpp"
-#include "base/status.hpp"
-#include "picture/picture.hpp"
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/status.hpp"
+#include "sfumato/picture/picture.hpp"
 
 namespace sfumato::outputs {
 

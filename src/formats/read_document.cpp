@@ -1,14 +1,14 @@
-#include "formats/read_document.hpp"
+#include "sfumato/formats/read_document.hpp"
 
 #include <algorithm>
 #include <optional>
 #include <utility>
 
-#include "base/limits.hpp"
+#include "sfumato/base/limits.hpp"
 #include "base/public_verb.hpp"
 #include "codecs/gunzip.hpp"
-#include "formats/orzan/orzan.hpp"
-#include "formats/svg/svg.hpp"
+#include "sfumato/formats/orzan/orzan.hpp"
+#include "sfumato/formats/svg/svg.hpp"
 #include "formats/text/xml_source.hpp"
 
 namespace sfumato {

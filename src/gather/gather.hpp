@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "gather/options.hpp"
+#include "sfumato/gather/options.hpp"
 #include "gather/scene.hpp"
 
 namespace sfumato::gather {

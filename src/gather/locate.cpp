@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "base/box.hpp"
+#include "sfumato/base/box.hpp"
 #include "base/large_vector.hpp"
 
 namespace sfumato::gather {

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "base/vec2.hpp"
+#include "sfumato/base/vec2.hpp"
 #include "curves/attributes.hpp"
 #include "gather/free_ends.hpp"
 #include "mesh/triangle_mesh.hpp"

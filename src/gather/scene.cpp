@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/box.hpp"
+#include "sfumato/base/box.hpp"
 #include "base/spatial_order.hpp"
 #include "gather/blind.hpp"
 

@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/context.hpp"
-#include "base/status.hpp"
-#include "base/vec2.hpp"
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/status.hpp"
+#include "sfumato/base/vec2.hpp"
 #include "curves/attributes.hpp"
 #include "gather/kernels/scene_layout.hpp"
 #include "mesh/triangle_mesh.hpp"

@@ -3,7 +3,7 @@
 #include <memory>
 #include <string>
 
-#include "base/status.hpp"
+#include "sfumato/base/status.hpp"
 #include "gpu/gl.hpp"
 
 namespace sfumato::gpu {

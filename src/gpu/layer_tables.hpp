@@ -2,9 +2,9 @@
 
 #include <optional>
 
-#include "base/box.hpp"
+#include "sfumato/base/box.hpp"
 #include "gpu/table.hpp"
-#include "picture/picture.hpp"
+#include "sfumato/picture/picture.hpp"
 
 namespace sfumato::gpu {
 

@@ -3,8 +3,8 @@
 #include <string_view>
 #include <vector>
 
-#include "base/affine.hpp"
-#include "base/status.hpp"
+#include "sfumato/base/affine.hpp"
+#include "sfumato/base/status.hpp"
 #include "gpu/gl.hpp"
 
 namespace sfumato::gpu {

@@ -1,4 +1,4 @@
-#include "gpu/render.hpp"
+#include "sfumato/gpu/render.hpp"
 
 #include <algorithm>
 #include <memory>

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/context.hpp"
+#include "sfumato/base/context.hpp"
 #include "gpu/device.hpp"
 
 namespace sfumato::gpu {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "base/context.hpp"
+#include "sfumato/base/context.hpp"
 #include "gpu/device.hpp"
 #include "raster/kernels/tile.hpp"
 

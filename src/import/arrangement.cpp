@@ -9,7 +9,7 @@
 #include <tuple>
 #include <utility>
 
-#include "base/box.hpp"
+#include "sfumato/base/box.hpp"
 #include "base/large_vector.hpp"
 
 namespace sfumato::svg_import {

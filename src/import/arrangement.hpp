@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/context.hpp"
-#include "base/status.hpp"
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/status.hpp"
 #include "import/chords.hpp"
 
 namespace sfumato::svg_import {

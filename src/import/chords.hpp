@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/vec2.hpp"
+#include "sfumato/base/vec2.hpp"
 
 namespace sfumato::svg_import {
 

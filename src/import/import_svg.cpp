@@ -1,4 +1,4 @@
-#include "import/import_svg.hpp"
+#include "sfumato/import/import_svg.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "base/limits.hpp"
+#include "sfumato/base/limits.hpp"
 #include "base/public_verb.hpp"
 #include "codecs/gunzip.hpp"
 #include "formats/svg/plain_svg.hpp"

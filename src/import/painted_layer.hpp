@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "base/box.hpp"
-#include "base/context.hpp"
-#include "document/document.hpp"
+#include "sfumato/base/box.hpp"
+#include "sfumato/base/context.hpp"
+#include "sfumato/document/document.hpp"
 #include "import/boundary.hpp"
 #include "import/chords.hpp"
 

@@ -4,9 +4,9 @@
 #include <cstddef>
 #include <utility>
 
-#include "base/context.hpp"
-#include "base/status.hpp"
-#include "base/vec2.hpp"
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/status.hpp"
+#include "sfumato/base/vec2.hpp"
 
 namespace sfumato::svg_import {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "base/context.hpp"
-#include "base/status.hpp"
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/status.hpp"
 #include "curves/bezier.hpp"
 #include "formats/svg/plain_svg.hpp"
 #include "import/boundary.hpp"

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "base/status.hpp"
+#include "sfumato/base/status.hpp"
 #include "lint/layer_under_test.hpp"
 
 namespace sfumato::lint_detail {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "base/status.hpp"
+#include "sfumato/base/status.hpp"
 #include "lint/layer_under_test.hpp"
 
 namespace sfumato::lint_detail {

@@ -1,4 +1,4 @@
-#include "lint/hint.hpp"
+#include "sfumato/lint/hint.hpp"
 
 #include <array>
 #include <vector>

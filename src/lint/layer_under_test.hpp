@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "document/document.hpp"
-#include "lint/hint.hpp"
+#include "sfumato/document/document.hpp"
+#include "sfumato/lint/hint.hpp"
 #include "solve/prepare_layer.hpp"
 
 namespace sfumato::lint_detail {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <set>
 
-#include "base/color_space.hpp"
+#include "sfumato/base/color_space.hpp"
 #include "base/number_text.hpp"
 #include "gather/free_ends.hpp"
 #include "gather/scene.hpp"

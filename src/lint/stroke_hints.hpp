@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "document/document.hpp"
-#include "lint/hint.hpp"
+#include "sfumato/document/document.hpp"
+#include "sfumato/lint/hint.hpp"
 
 namespace sfumato::lint_detail {
 

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/limits.hpp"
+#include "sfumato/base/limits.hpp"
 #include "mesh/triangle_mesh.hpp"
 #include "mesh/triangulation.hpp"
 

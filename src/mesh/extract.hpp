@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "base/status.hpp"
+#include "sfumato/base/status.hpp"
 #include "mesh/chords.hpp"
 #include "mesh/lattice.hpp"
 #include "mesh/numbering.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "base/status.hpp"
+#include "sfumato/base/status.hpp"
 #include "mesh/triangle_mesh.hpp"
 
 namespace sfumato::mesh {

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "base/box.hpp"
-#include "base/limits.hpp"
+#include "sfumato/base/box.hpp"
+#include "sfumato/base/limits.hpp"
 
 namespace sfumato::mesh {
 namespace {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <cstdint>
 
-#include "base/status.hpp"
-#include "base/vec2.hpp"
+#include "sfumato/base/status.hpp"
+#include "sfumato/base/vec2.hpp"
 #include "curves/flatten.hpp"
 #include "mesh/mesher.hpp"
 

@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "base/box.hpp"
-#include "base/context.hpp"
-#include "base/status.hpp"
+#include "sfumato/base/box.hpp"
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/status.hpp"
 #include "curves/flatten.hpp"
 #include "mesh/triangle_mesh.hpp"
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/context.hpp"
+#include "sfumato/base/context.hpp"
 #include "mesh/triangulation.hpp"
 
 namespace sfumato::mesh {

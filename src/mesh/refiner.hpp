@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "base/context.hpp"
-#include "base/status.hpp"
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/status.hpp"
 #include "mesh/chords.hpp"
 #include "mesh/triangulation.hpp"
 

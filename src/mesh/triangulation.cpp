@@ -4,7 +4,7 @@
 #include <string>
 
 #include "base/large_vector.hpp"
-#include "base/limits.hpp"
+#include "sfumato/base/limits.hpp"
 
 namespace sfumato::mesh {
 namespace {

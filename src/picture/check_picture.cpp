@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/limits.hpp"
+#include "sfumato/base/limits.hpp"
 #include "document/rules.hpp"
 
 namespace sfumato::picture {

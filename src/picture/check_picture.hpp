@@ -1,7 +1,7 @@
 #pragma once
 
-#include "base/status.hpp"
-#include "picture/picture.hpp"
+#include "sfumato/base/status.hpp"
+#include "sfumato/picture/picture.hpp"
 
 namespace sfumato::picture {
 

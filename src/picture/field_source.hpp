@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/affine.hpp"
+#include "sfumato/base/affine.hpp"
 #include "base/pixel_rect.hpp"
-#include "base/status.hpp"
+#include "sfumato/base/status.hpp"
 
 namespace sfumato::picture {
 

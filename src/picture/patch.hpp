@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "picture/picture.hpp"
+#include "sfumato/picture/picture.hpp"
 
 namespace sfumato {
 

@@ -1,4 +1,4 @@
-#include "picture/picture.hpp"
+#include "sfumato/picture/picture.hpp"
 
 namespace sfumato {
 namespace {

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/context.hpp"
-#include "picture/picture.hpp"
+#include "sfumato/base/context.hpp"
+#include "sfumato/picture/picture.hpp"
 
 namespace sfumato::raster {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "base/vec2.hpp"
+#include "sfumato/base/vec2.hpp"
 
 namespace sfumato::raster {
 

@@ -3,10 +3,10 @@
 #include <span>
 #include <vector>
 
-#include "base/affine.hpp"
-#include "base/context.hpp"
-#include "base/status.hpp"
-#include "document/shader.hpp"
+#include "sfumato/base/affine.hpp"
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/status.hpp"
+#include "sfumato/document/shader.hpp"
 #include "raster/kernels/image_shader_row.hpp"
 
 namespace sfumato::raster {

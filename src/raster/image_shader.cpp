@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "base/color_space.hpp"
+#include "sfumato/base/color_space.hpp"
 
 namespace sfumato::raster {
 Result<ImageShader> ImageShader::create(Context& context, const Shader& shader,

@@ -2,11 +2,11 @@
 
 #include <variant>
 
-#include "base/affine.hpp"
-#include "base/color.hpp"
-#include "base/context.hpp"
-#include "base/status.hpp"
-#include "document/document.hpp"
+#include "sfumato/base/affine.hpp"
+#include "sfumato/base/color.hpp"
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/status.hpp"
+#include "sfumato/document/document.hpp"
 #include "raster/gradient.hpp"
 #include "raster/texture_filter.hpp"
 #include "raster/texture_pyramid.hpp"

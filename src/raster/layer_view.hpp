@@ -1,9 +1,9 @@
 #pragma once
 
-#include "base/status.hpp"
-#include "picture/picture.hpp"
+#include "sfumato/base/status.hpp"
+#include "sfumato/picture/picture.hpp"
 #include "raster/kernels/tile.hpp"
-#include "raster/rasterize.hpp"
+#include "sfumato/raster/rasterize.hpp"
 
 namespace sfumato::raster {
 

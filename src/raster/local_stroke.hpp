@@ -2,13 +2,13 @@
 
 #include <cstddef>
 
-#include "base/affine.hpp"
-#include "base/box.hpp"
-#include "base/color_space.hpp"
-#include "base/context.hpp"
-#include "base/status.hpp"
+#include "sfumato/base/affine.hpp"
+#include "sfumato/base/box.hpp"
+#include "sfumato/base/color_space.hpp"
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/status.hpp"
 #include "curves/stroke_segments.hpp"
-#include "document/document.hpp"
+#include "sfumato/document/document.hpp"
 #include "raster/kernels/local_stroke_kernels.hpp"
 #include "raster/local_stroke_tree.hpp"
 

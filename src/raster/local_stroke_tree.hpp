@@ -5,10 +5,10 @@
 #include <span>
 #include <vector>
 
-#include "base/box.hpp"
-#include "base/context.hpp"
-#include "base/function_ref.hpp"
-#include "base/status.hpp"
+#include "sfumato/base/box.hpp"
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/function_ref.hpp"
+#include "sfumato/base/status.hpp"
 
 namespace sfumato::raster {
 

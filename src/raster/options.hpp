@@ -2,9 +2,9 @@
 
 #include <optional>
 
-#include "base/color.hpp"
-#include "base/status.hpp"
-#include "raster/rasterize.hpp"
+#include "sfumato/base/color.hpp"
+#include "sfumato/base/status.hpp"
+#include "sfumato/raster/rasterize.hpp"
 
 namespace sfumato::raster {
 

@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "base/context.hpp"
-#include "base/status.hpp"
-#include "picture/picture.hpp"
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/status.hpp"
+#include "sfumato/picture/picture.hpp"
 #include "raster/local_stroke.hpp"
 #include "raster/shader_set.hpp"
 #include "raster/tile_bins.hpp"

@@ -1,4 +1,4 @@
-#include "raster/rasterize.hpp"
+#include "sfumato/raster/rasterize.hpp"
 
 #include <algorithm>
 #include <atomic>

@@ -3,9 +3,9 @@
 #include <optional>
 #include <vector>
 
-#include "base/context.hpp"
-#include "base/status.hpp"
-#include "picture/picture.hpp"
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/status.hpp"
+#include "sfumato/picture/picture.hpp"
 #include "raster/image_shader.hpp"
 
 namespace sfumato::raster {

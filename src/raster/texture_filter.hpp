@@ -1,7 +1,7 @@
 #pragma once
 
-#include "base/affine.hpp"
-#include "base/vec2.hpp"
+#include "sfumato/base/affine.hpp"
+#include "sfumato/base/vec2.hpp"
 #include "raster/kernels/image_shader_row.hpp"
 #include "raster/texture_pyramid.hpp"
 

@@ -4,10 +4,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/affine.hpp"
-#include "base/context.hpp"
-#include "base/status.hpp"
-#include "document/shader.hpp"
+#include "sfumato/base/affine.hpp"
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/status.hpp"
+#include "sfumato/document/shader.hpp"
 
 namespace sfumato::raster {
 

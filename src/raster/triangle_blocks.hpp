@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "base/box.hpp"
-#include "base/context.hpp"
-#include "base/status.hpp"
+#include "sfumato/base/box.hpp"
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/status.hpp"
 #include "raster/kernels/tile.hpp"
 
 namespace sfumato::raster {

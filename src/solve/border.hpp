@@ -4,11 +4,11 @@
 #include <span>
 #include <vector>
 
-#include "base/context.hpp"
-#include "base/function_ref.hpp"
-#include "base/status.hpp"
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/function_ref.hpp"
+#include "sfumato/base/status.hpp"
 #include "mesh/triangle_mesh.hpp"
-#include "picture/picture.hpp"
+#include "sfumato/picture/picture.hpp"
 
 namespace sfumato::solve {
 

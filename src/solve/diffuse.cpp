@@ -1,4 +1,4 @@
-#include "solve/diffuse.hpp"
+#include "sfumato/solve/diffuse.hpp"
 
 #include <utility>
 

@@ -2,9 +2,9 @@
 
 #include <cstdint>
 
-#include "base/context.hpp"
+#include "sfumato/base/context.hpp"
 #include "picture/field_source.hpp"
-#include "picture/picture.hpp"
+#include "sfumato/picture/picture.hpp"
 #include "solve/point_evaluator.hpp"
 
 namespace sfumato::solve {

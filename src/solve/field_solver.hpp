@@ -5,12 +5,12 @@
 #include <span>
 #include <vector>
 
-#include "base/context.hpp"
-#include "base/function_ref.hpp"
-#include "base/status.hpp"
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/function_ref.hpp"
+#include "sfumato/base/status.hpp"
 #include "curves/attributes.hpp"
 #include "gather/gather.hpp"
-#include "picture/picture.hpp"
+#include "sfumato/picture/picture.hpp"
 #include "solve/border.hpp"
 #include "solve/layout_update.hpp"
 #include "solve/nodes.hpp"

@@ -4,12 +4,12 @@
 #include <optional>
 #include <vector>
 
-#include "base/context.hpp"
-#include "base/function_ref.hpp"
-#include "base/status.hpp"
-#include "picture/picture.hpp"
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/function_ref.hpp"
+#include "sfumato/base/status.hpp"
+#include "sfumato/picture/picture.hpp"
 #include "solve/border.hpp"
-#include "solve/diffuse.hpp"
+#include "sfumato/solve/diffuse.hpp"
 #include "solve/field_solver.hpp"
 #include "solve/prepare_layer.hpp"
 

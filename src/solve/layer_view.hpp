@@ -1,7 +1,7 @@
 #pragma once
 
-#include "base/affine.hpp"
-#include "base/box.hpp"
+#include "sfumato/base/affine.hpp"
+#include "sfumato/base/box.hpp"
 
 namespace sfumato::solve {
 

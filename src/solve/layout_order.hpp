@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/context.hpp"
+#include "sfumato/base/context.hpp"
 #include "base/large_vector.hpp"
 #include "solve/nodes.hpp"
 

@@ -5,7 +5,7 @@
 
 #include "curves/attributes.hpp"
 #include "mesh/triangle_mesh.hpp"
-#include "picture/picture.hpp"
+#include "sfumato/picture/picture.hpp"
 #include "solve/seams.hpp"
 
 namespace sfumato::solve {

@@ -4,10 +4,10 @@
 #include <memory>
 #include <span>
 
-#include "base/context.hpp"
-#include "base/status.hpp"
-#include "document/document.hpp"
-#include "solve/diffuse.hpp"
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/status.hpp"
+#include "sfumato/document/document.hpp"
+#include "sfumato/solve/diffuse.hpp"
 
 namespace sfumato {
 

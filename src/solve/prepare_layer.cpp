@@ -5,7 +5,7 @@
 #include <limits>
 #include <string>
 
-#include "base/limits.hpp"
+#include "sfumato/base/limits.hpp"
 #include "base/stopwatch.hpp"
 #include "curves/flatten.hpp"
 #include "solve/layer_view.hpp"

@@ -3,11 +3,11 @@
 #include <optional>
 #include <vector>
 
-#include "base/context.hpp"
-#include "base/status.hpp"
-#include "document/document.hpp"
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/status.hpp"
+#include "sfumato/document/document.hpp"
 #include "mesh/mesher.hpp"
-#include "solve/diffuse.hpp"
+#include "sfumato/solve/diffuse.hpp"
 #include "solve/field_solver.hpp"
 
 namespace sfumato::solve {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "mesh/triangle_mesh.hpp"
-#include "picture/picture.hpp"
+#include "sfumato/picture/picture.hpp"
 #include "solve/nodes.hpp"
 
 namespace sfumato::solve {

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "allocation/failing_allocator.hpp"
-#include "base/context.hpp"
+#include "sfumato/base/context.hpp"
 
 namespace sfumato::test {
 

@@ -1,4 +1,4 @@
-#include "base/context.hpp"
+#include "sfumato/base/context.hpp"
 
 #include <gtest/gtest.h>
 

@@ -12,7 +12,7 @@
 #include <set>
 #include <string>
 
-#include "base/native/file.hpp"
+#include "sfumato/base/native/file.hpp"
 #include "base/traced_child.hpp"
 #include "support/temporary_folder.hpp"
 

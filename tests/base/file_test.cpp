@@ -1,4 +1,4 @@
-#include "base/native/file.hpp"
+#include "sfumato/base/native/file.hpp"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 #include <thread>
 #include <vector>
 
-#include "base/context.hpp"
+#include "sfumato/base/context.hpp"
 #include "base/native/atomic_file.hpp"
 #include "base/stopwatch.hpp"
 #include "support/temporary_folder.hpp"

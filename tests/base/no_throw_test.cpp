@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "base/context.hpp"
+#include "sfumato/base/context.hpp"
 #include "base/native/tbb_executor.hpp"
 
 /// What the allocator throws becomes a status. That every public function does so for every

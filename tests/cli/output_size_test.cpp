@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "base/limits.hpp"
+#include "sfumato/base/limits.hpp"
 
 namespace sfumato::cli {
 namespace {

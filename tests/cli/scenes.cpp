@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "codecs/png.hpp"
+#include "sfumato/codecs/png.hpp"
 
 namespace sfumato::test {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "base/image.hpp"
+#include "sfumato/base/image.hpp"
 
 /// Small scenes of Orzan's XML, and pictures.
 namespace sfumato::test {

@@ -3,8 +3,8 @@
 #include <functional>
 #include <limits>
 
-#include "base/limits.hpp"
-#include "document/document.hpp"
+#include "sfumato/base/limits.hpp"
+#include "sfumato/document/document.hpp"
 
 namespace sfumato {
 namespace {

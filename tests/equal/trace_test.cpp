@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-#include "codecs/png.hpp"
+#include "sfumato/codecs/png.hpp"
 #include "equal/tool/difference.hpp"
 #include "equal/tool/scene_check.hpp"
 #include "equal/tool/scene_trace.hpp"

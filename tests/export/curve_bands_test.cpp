@@ -8,9 +8,9 @@
 #include <string>
 #include <tuple>
 
-#include "export/pdf/pdf.hpp"
+#include "sfumato/export/pdf/pdf.hpp"
 #include "export/support.hpp"
-#include "formats/svg/svg.hpp"
+#include "sfumato/formats/svg/svg.hpp"
 #include "raster/pictures.hpp"
 #include "support/drawing.hpp"
 #include "support/scenes.hpp"

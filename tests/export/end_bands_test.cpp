@@ -8,11 +8,11 @@
 #include <random>
 #include <span>
 
-#include "export/pdf/pdf.hpp"
+#include "sfumato/export/pdf/pdf.hpp"
 #include "export/support.hpp"
-#include "formats/svg/svg.hpp"
+#include "sfumato/formats/svg/svg.hpp"
 #include "raster/pictures.hpp"
-#include "raster/rasterize.hpp"
+#include "sfumato/raster/rasterize.hpp"
 
 namespace sfumato::outputs {
 namespace {

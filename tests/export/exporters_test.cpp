@@ -5,12 +5,12 @@
 #include <string>
 
 #include "base/native/tbb_executor.hpp"
-#include "export/eps/eps.hpp"
-#include "export/glb/glb.hpp"
-#include "export/html/html.hpp"
-#include "export/pdf/pdf.hpp"
+#include "sfumato/export/eps/eps.hpp"
+#include "sfumato/export/glb/glb.hpp"
+#include "sfumato/export/html/html.hpp"
+#include "sfumato/export/pdf/pdf.hpp"
 #include "export/support.hpp"
-#include "export/svg/svg.hpp"
+#include "sfumato/export/svg/svg.hpp"
 #include "raster/pictures.hpp"
 
 /// What every exporter does: the same for any number of threads, and no harm on pictures that are

@@ -10,7 +10,7 @@
 #include "base/native/tbb_executor.hpp"
 #include "export/facets/facet_patch.hpp"
 #include "raster/pictures.hpp"
-#include "solve/diffuse.hpp"
+#include "sfumato/solve/diffuse.hpp"
 #include "support/drawing.hpp"
 #include "support/scenes.hpp"
 

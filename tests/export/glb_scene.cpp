@@ -9,9 +9,9 @@
 #include <optional>
 #include <stdexcept>
 
-#include "base/color_space.hpp"
-#include "base/context.hpp"
-#include "codecs/png.hpp"
+#include "sfumato/base/color_space.hpp"
+#include "sfumato/base/context.hpp"
+#include "sfumato/codecs/png.hpp"
 
 namespace sfumato::test {
 namespace {

@@ -6,8 +6,8 @@
 #include <variant>
 #include <vector>
 
-#include "base/image.hpp"
-#include "base/vec2.hpp"
+#include "sfumato/base/image.hpp"
+#include "sfumato/base/vec2.hpp"
 
 /// A reader of GLB as a program has one that knows nothing of Sfumato: for tests alone.
 namespace sfumato::test {

@@ -1,5 +1,5 @@
 // GLB by its own rules, and as an engine shows it (export/glb_scene.hpp).
-#include "export/glb/glb.hpp"
+#include "sfumato/export/glb/glb.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@
 #include "export/glb_scene.hpp"
 #include "export/support.hpp"
 #include "raster/pictures.hpp"
-#include "raster/rasterize.hpp"
+#include "sfumato/raster/rasterize.hpp"
 #include "support/drawing.hpp"
 #include "support/scenes.hpp"
 

@@ -1,5 +1,5 @@
 // The HTML file as a text; what it shows is tested in a browser (tests/viewer).
-#include "export/html/html.hpp"
+#include "sfumato/export/html/html.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <string>
 
-#include "export/pdf/pdf.hpp"
+#include "sfumato/export/pdf/pdf.hpp"
 #include "export/support.hpp"
-#include "formats/svg/svg.hpp"
+#include "sfumato/formats/svg/svg.hpp"
 #include "support/random_document.hpp"
 #include "support/scenes.hpp"
 

@@ -10,10 +10,10 @@
 #include <numeric>
 #include <sstream>
 
-#include "codecs/png.hpp"
-#include "formats/read_document.hpp"
-#include "raster/rasterize.hpp"
-#include "solve/diffuse.hpp"
+#include "sfumato/codecs/png.hpp"
+#include "sfumato/formats/read_document.hpp"
+#include "sfumato/raster/rasterize.hpp"
+#include "sfumato/solve/diffuse.hpp"
 #include "support/scenes.hpp"
 #include "support/temporary_folder.hpp"
 

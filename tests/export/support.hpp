@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "base/image.hpp"
-#include "document/document.hpp"
-#include "picture/picture.hpp"
+#include "sfumato/base/image.hpp"
+#include "sfumato/document/document.hpp"
+#include "sfumato/picture/picture.hpp"
 
 /// What the tests of exporters share: documents, and the programs that show files.
 namespace sfumato::test {

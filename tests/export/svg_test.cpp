@@ -1,5 +1,5 @@
 // SVG as a text, and as other programs show it.
-#include "export/svg/svg.hpp"
+#include "sfumato/export/svg/svg.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,9 +8,9 @@
 #include <limits>
 #include <string>
 
-#include "base/limits.hpp"
+#include "sfumato/base/limits.hpp"
 #include "codecs/base64.hpp"
-#include "codecs/png.hpp"
+#include "sfumato/codecs/png.hpp"
 #include "export/support.hpp"
 #include "raster/pictures.hpp"
 #include "support/drawing.hpp"

@@ -6,8 +6,8 @@
 #include <memory>
 
 #include "codecs/jpeg_decode.hpp"
-#include "codecs/jpeg_encode.hpp"
-#include "codecs/webp_encode.hpp"
+#include "sfumato/codecs/jpeg_encode.hpp"
+#include "sfumato/codecs/webp_encode.hpp"
 
 namespace sfumato {
 namespace {

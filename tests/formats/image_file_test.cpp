@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "codecs/png.hpp"
+#include "sfumato/codecs/png.hpp"
 
 namespace sfumato {
 namespace {

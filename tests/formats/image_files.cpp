@@ -9,7 +9,7 @@
 
 #include <cstdlib>
 
-#include "codecs/png.hpp"
+#include "sfumato/codecs/png.hpp"
 
 namespace sfumato::test {
 

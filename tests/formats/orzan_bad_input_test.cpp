@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "base/limits.hpp"
-#include "formats/orzan/orzan.hpp"
+#include "sfumato/base/limits.hpp"
+#include "sfumato/formats/orzan/orzan.hpp"
 
 namespace sfumato {
 namespace {

@@ -1,11 +1,11 @@
 // Orzan's XML on small files of our own: what is read, and what is overlooked.
-#include "formats/orzan/orzan.hpp"
+#include "sfumato/formats/orzan/orzan.hpp"
 
 #include <gtest/gtest.h>
 
 #include <string>
 
-#include "base/limits.hpp"
+#include "sfumato/base/limits.hpp"
 
 namespace sfumato {
 namespace {

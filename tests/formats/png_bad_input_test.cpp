@@ -6,8 +6,8 @@
 #include <string>
 #include <string_view>
 
-#include "base/limits.hpp"
-#include "codecs/png.hpp"
+#include "sfumato/base/limits.hpp"
+#include "sfumato/codecs/png.hpp"
 
 namespace sfumato {
 namespace {

@@ -1,4 +1,4 @@
-#include "codecs/png.hpp"
+#include "sfumato/codecs/png.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <cstring>
 #include <string>
 
-#include "base/limits.hpp"
+#include "sfumato/base/limits.hpp"
 #include "base/native/tbb_executor.hpp"
 
 namespace sfumato {

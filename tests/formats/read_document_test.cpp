@@ -1,9 +1,9 @@
 // What a file is, by its root element; gzip.
-#include "formats/read_document.hpp"
+#include "sfumato/formats/read_document.hpp"
 
 #include <gtest/gtest.h>
 
-#include "base/limits.hpp"
+#include "sfumato/base/limits.hpp"
 #include "formats/svg_support.hpp"
 #include "support/gzip.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <new>
 
-#include "base/limits.hpp"
+#include "sfumato/base/limits.hpp"
 #include "codecs/image_file.hpp"
 #include "formats/image_files.hpp"
 #include "formats/svg_support.hpp"

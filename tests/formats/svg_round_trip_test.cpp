@@ -2,8 +2,8 @@
 
 #include <cstdint>
 
-#include "formats/svg/svg.hpp"
-#include "formats/svg/svg_write.hpp"
+#include "sfumato/formats/svg/svg.hpp"
+#include "sfumato/formats/svg/svg_write.hpp"
 #include "support/drawing.hpp"
 #include "support/scenes.hpp"
 

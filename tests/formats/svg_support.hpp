@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "formats/svg/svg.hpp"
+#include "sfumato/formats/svg/svg.hpp"
 
 namespace sfumato::test {
 

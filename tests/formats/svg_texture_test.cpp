@@ -4,7 +4,7 @@
 #include <cstring>
 
 #include "codecs/image_file.hpp"
-#include "codecs/png.hpp"
+#include "sfumato/codecs/png.hpp"
 #include "formats/image_files.hpp"
 #include "formats/svg_support.hpp"
 

@@ -1,8 +1,8 @@
-#include "formats/svg/svg_write.hpp"
+#include "sfumato/formats/svg/svg_write.hpp"
 
 #include <gtest/gtest.h>
 
-#include "base/limits.hpp"
+#include "sfumato/base/limits.hpp"
 #include "codecs/data_uri_write.hpp"
 #include "formats/svg/svg_write_ids.hpp"
 #include "support/drawing.hpp"

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/box.hpp"
+#include "sfumato/base/box.hpp"
 #include "curves/attributes.hpp"
 #include "curves/flatten.hpp"
 #include "gather/gather.hpp"

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "base/native/tbb_executor.hpp"
-#include "formats/read_document.hpp"
-#include "solve/diffuse.hpp"
+#include "sfumato/formats/read_document.hpp"
+#include "sfumato/solve/diffuse.hpp"
 #include "support.hpp"
 #include "support/folder_files.hpp"
 #include "support/random_document.hpp"

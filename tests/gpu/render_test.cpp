@@ -1,5 +1,5 @@
 // The GPU's picture held against the CPU's (docs/gpu.md, "How near to the CPU").
-#include "gpu/render.hpp"
+#include "sfumato/gpu/render.hpp"
 
 #include <gtest/gtest.h>
 

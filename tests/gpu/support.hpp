@@ -7,7 +7,7 @@
 #include <cstdlib>
 
 #include "gpu/device.hpp"
-#include "gpu/render.hpp"
+#include "sfumato/gpu/render.hpp"
 #include "raster/support.hpp"
 
 /// Skips a test where there is no context of OpenGL ES 3.

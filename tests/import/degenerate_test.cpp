@@ -7,7 +7,7 @@
 #include <limits>
 #include <random>
 
-#include "base/box.hpp"
+#include "sfumato/base/box.hpp"
 #include "base/number_text.hpp"
 #include "import/boundary.hpp"
 #include "import/chords.hpp"

@@ -1,4 +1,4 @@
-#include "import/import_svg.hpp"
+#include "sfumato/import/import_svg.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <variant>
 
 #include "formats/each_text.hpp"
-#include "formats/svg/svg_write.hpp"
+#include "sfumato/formats/svg/svg_write.hpp"
 #include "import/boundary.hpp"
 #include "import/stroke_outline.hpp"
 

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "base/number_text.hpp"
-#include "import/import_svg.hpp"
-#include "raster/rasterize.hpp"
-#include "solve/diffuse.hpp"
+#include "sfumato/import/import_svg.hpp"
+#include "sfumato/raster/rasterize.hpp"
+#include "sfumato/solve/diffuse.hpp"
 
 namespace sfumato {
 namespace {

@@ -6,7 +6,7 @@
 #include <limits>
 #include <random>
 
-#include "base/box.hpp"
+#include "sfumato/base/box.hpp"
 #include "curves/bezier.hpp"
 #include "import/chords.hpp"
 #include "import/stroke_outline.hpp"

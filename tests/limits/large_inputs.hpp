@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "base/image.hpp"
-#include "document/document.hpp"
+#include "sfumato/base/image.hpp"
+#include "sfumato/document/document.hpp"
 
 /// Inputs near the limits, made from nothing.
 namespace sfumato::test {

@@ -6,7 +6,7 @@
 #include <iterator>
 #include <vector>
 
-#include "lint/lint.hpp"
+#include "sfumato/lint/lint.hpp"
 
 namespace sfumato::test {
 

@@ -1,4 +1,4 @@
-#include "lint/lint.hpp"
+#include "sfumato/lint/lint.hpp"
 
 #include <gtest/gtest.h>
 

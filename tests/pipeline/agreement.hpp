@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/image.hpp"
-#include "document/document.hpp"
+#include "sfumato/base/image.hpp"
+#include "sfumato/document/document.hpp"
 
 namespace sfumato::test {
 

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "api/render_pixels.hpp"
-#include "formats/read_document.hpp"
+#include "sfumato/api/render_pixels.hpp"
+#include "sfumato/formats/read_document.hpp"
 #include "support/scenes.hpp"
 
 namespace sfumato {

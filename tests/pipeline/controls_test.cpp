@@ -5,9 +5,9 @@
 #include <cstdlib>
 #include <vector>
 
-#include "api/render_pixels.hpp"
-#include "raster/rasterize.hpp"
-#include "solve/diffuse.hpp"
+#include "sfumato/api/render_pixels.hpp"
+#include "sfumato/raster/rasterize.hpp"
+#include "sfumato/solve/diffuse.hpp"
 #include "support/drawing.hpp"
 
 // The artistic controls from document to pixels: answers known in closed form, and the sparse

@@ -9,10 +9,10 @@
 #include <utility>
 #include <vector>
 
-#include "api/render_pixels.hpp"
+#include "sfumato/api/render_pixels.hpp"
 #include "base/native/tbb_executor.hpp"
-#include "raster/rasterize.hpp"
-#include "solve/diffuse.hpp"
+#include "sfumato/raster/rasterize.hpp"
+#include "sfumato/solve/diffuse.hpp"
 #include "support/drawing.hpp"
 #include "support/sanitizers.hpp"
 

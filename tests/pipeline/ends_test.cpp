@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "curves/bezier.hpp"
-#include "formats/read_document.hpp"
-#include "raster/rasterize.hpp"
-#include "solve/diffuse.hpp"
+#include "sfumato/formats/read_document.hpp"
+#include "sfumato/raster/rasterize.hpp"
+#include "sfumato/solve/diffuse.hpp"
 #include "solve/point_evaluator.hpp"
 #include "support/drawing.hpp"
 #include "support/scenes.hpp"

@@ -11,11 +11,11 @@
 #include <string>
 #include <vector>
 
-#include "api/render_pixels.hpp"
+#include "sfumato/api/render_pixels.hpp"
 #include "base/native/tbb_executor.hpp"
-#include "formats/read_document.hpp"
-#include "raster/rasterize.hpp"
-#include "solve/diffuse.hpp"
+#include "sfumato/formats/read_document.hpp"
+#include "sfumato/raster/rasterize.hpp"
+#include "sfumato/solve/diffuse.hpp"
 #include "support/sanitizers.hpp"
 #include "support/scenes.hpp"
 

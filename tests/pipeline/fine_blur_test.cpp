@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "api/render_pixels.hpp"
-#include "raster/rasterize.hpp"
+#include "sfumato/api/render_pixels.hpp"
+#include "sfumato/raster/rasterize.hpp"
 #include "raster/support.hpp"
-#include "solve/diffuse.hpp"
+#include "sfumato/solve/diffuse.hpp"
 #include "support/drawing.hpp"
 
 namespace sfumato::test {

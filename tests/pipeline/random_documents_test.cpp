@@ -7,13 +7,13 @@
 #include <string>
 #include <vector>
 
-#include "api/render_pixels.hpp"
+#include "sfumato/api/render_pixels.hpp"
 #include "base/native/tbb_executor.hpp"
-#include "formats/svg/svg.hpp"
-#include "formats/svg/svg_write.hpp"
+#include "sfumato/formats/svg/svg.hpp"
+#include "sfumato/formats/svg/svg_write.hpp"
 #include "pipeline/agreement.hpp"
-#include "raster/rasterize.hpp"
-#include "solve/diffuse.hpp"
+#include "sfumato/raster/rasterize.hpp"
+#include "sfumato/solve/diffuse.hpp"
 #include "support/random_document.hpp"
 #include "support/sanitizers.hpp"
 

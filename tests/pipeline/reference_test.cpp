@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "raster/rasterize.hpp"
-#include "solve/diffuse.hpp"
+#include "sfumato/raster/rasterize.hpp"
+#include "sfumato/solve/diffuse.hpp"
 #include "solve/point_evaluator.hpp"
 #include "support/scenes.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "base/color_space.hpp"
+#include "sfumato/base/color_space.hpp"
 
 namespace sfumato::test {
 namespace {

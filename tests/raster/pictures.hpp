@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "picture/patch.hpp"
-#include "picture/picture.hpp"
+#include "sfumato/picture/picture.hpp"
 
 /// Small pictures for the tests of the rasterizer.
 namespace sfumato::test {

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <vector>
 
-#include "base/box.hpp"
+#include "sfumato/base/box.hpp"
 #include "picture/patch.hpp"
-#include "picture/picture.hpp"
+#include "sfumato/picture/picture.hpp"
 #include "raster/bends.hpp"
 
 /// The rasterizer as one would explain it: pixel by pixel, triangle by triangle, in double

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vector>
 
-#include "base/color_space.hpp"
+#include "sfumato/base/color_space.hpp"
 #include "raster/pictures.hpp"
 #include "raster/support.hpp"
 

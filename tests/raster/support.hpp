@@ -6,7 +6,7 @@
 #include <cstring>
 #include <vector>
 
-#include "raster/rasterize.hpp"
+#include "sfumato/raster/rasterize.hpp"
 
 namespace sfumato::test {
 

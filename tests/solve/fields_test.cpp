@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "solve/diffuse.hpp"
+#include "sfumato/solve/diffuse.hpp"
 #include "solve/point_evaluator.hpp"
 #include "support/drawing.hpp"
 #include "support/picture_sampler.hpp"

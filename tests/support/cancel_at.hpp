@@ -3,7 +3,7 @@
 #include <atomic>
 #include <cstdint>
 
-#include "base/context.hpp"
+#include "sfumato/base/context.hpp"
 
 namespace sfumato::test {
 

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "base/native/file.hpp"
-#include "formats/read_document.hpp"
+#include "sfumato/base/native/file.hpp"
+#include "sfumato/formats/read_document.hpp"
 
 namespace sfumato::test {
 

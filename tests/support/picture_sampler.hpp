@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "picture/patch.hpp"
-#include "picture/picture.hpp"
+#include "sfumato/picture/picture.hpp"
 
 namespace sfumato::test {
 

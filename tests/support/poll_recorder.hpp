@@ -5,7 +5,7 @@
 #include <ctime>
 #include <functional>
 
-#include "base/context.hpp"
+#include "sfumato/base/context.hpp"
 
 namespace sfumato::test {
 

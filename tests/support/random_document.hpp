@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "document/document.hpp"
+#include "sfumato/document/document.hpp"
 
 namespace sfumato::test {
 

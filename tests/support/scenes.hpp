@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "formats/orzan/orzan.hpp"
+#include "sfumato/formats/orzan/orzan.hpp"
 
 namespace sfumato::test {
 

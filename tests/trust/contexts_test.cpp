@@ -8,14 +8,14 @@
 #include <vector>
 
 #include "base/native/tbb_executor.hpp"
-#include "codecs/jpeg_encode.hpp"
-#include "codecs/png.hpp"
-#include "codecs/webp_encode.hpp"
-#include "formats/read_document.hpp"
-#include "formats/svg/svg_write.hpp"
-#include "lint/lint.hpp"
-#include "raster/rasterize.hpp"
-#include "solve/diffuse.hpp"
+#include "sfumato/codecs/jpeg_encode.hpp"
+#include "sfumato/codecs/png.hpp"
+#include "sfumato/codecs/webp_encode.hpp"
+#include "sfumato/formats/read_document.hpp"
+#include "sfumato/formats/svg/svg_write.hpp"
+#include "sfumato/lint/lint.hpp"
+#include "sfumato/raster/rasterize.hpp"
+#include "sfumato/solve/diffuse.hpp"
 #include "support/random_document.hpp"
 
 namespace sfumato::test {

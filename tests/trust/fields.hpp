@@ -2,19 +2,19 @@
 
 #include <tuple>
 
-#include "base/context.hpp"
-#include "base/image.hpp"
-#include "codecs/webp_encode.hpp"
-#include "document/document.hpp"
-#include "export/eps/eps.hpp"
-#include "export/glb/glb.hpp"
-#include "export/html/html.hpp"
-#include "export/pdf/pdf.hpp"
-#include "export/svg/svg.hpp"
-#include "lint/hint.hpp"
-#include "picture/picture.hpp"
-#include "raster/rasterize.hpp"
-#include "solve/diffuse.hpp"
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/image.hpp"
+#include "sfumato/codecs/webp_encode.hpp"
+#include "sfumato/document/document.hpp"
+#include "sfumato/export/eps/eps.hpp"
+#include "sfumato/export/glb/glb.hpp"
+#include "sfumato/export/html/html.hpp"
+#include "sfumato/export/pdf/pdf.hpp"
+#include "sfumato/export/svg/svg.hpp"
+#include "sfumato/lint/hint.hpp"
+#include "sfumato/picture/picture.hpp"
+#include "sfumato/raster/rasterize.hpp"
+#include "sfumato/solve/diffuse.hpp"
 
 /// The fields of every public struct that a caller fills in. A field that is added to a struct must
 /// be added here: without it the number of names does not fit, and this does not compile.

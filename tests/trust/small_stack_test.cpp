@@ -7,12 +7,12 @@
 #include <string>
 
 #include "base/native/tbb_executor.hpp"
-#include "codecs/png.hpp"
-#include "export/pdf/pdf.hpp"
-#include "formats/read_document.hpp"
-#include "formats/svg/svg_write.hpp"
-#include "raster/rasterize.hpp"
-#include "solve/diffuse.hpp"
+#include "sfumato/codecs/png.hpp"
+#include "sfumato/export/pdf/pdf.hpp"
+#include "sfumato/formats/read_document.hpp"
+#include "sfumato/formats/svg/svg_write.hpp"
+#include "sfumato/raster/rasterize.hpp"
+#include "sfumato/solve/diffuse.hpp"
 #include "support/random_document.hpp"
 #include "support/sanitizers.hpp"
 

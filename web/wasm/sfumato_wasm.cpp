@@ -4,8 +4,8 @@
 #include <string_view>
 #include <vector>
 
-#include "formats/read_document.hpp"
-#include "solve/diffuse.hpp"
+#include "sfumato/formats/read_document.hpp"
+#include "sfumato/solve/diffuse.hpp"
 
 /// The library for JavaScript: plain functions over the module's memory. One picture at a time;
 /// `sfumato_diffuse` replaces what the call before left. Pointers are valid until the next call;

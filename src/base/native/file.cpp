@@ -1,4 +1,4 @@
-#include "base/native/file.hpp"
+#include "sfumato/base/native/file.hpp"
 
 #include <fcntl.h>
 #include <poll.h>

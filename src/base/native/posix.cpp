@@ -13,7 +13,7 @@
 #include <system_error>
 #include <utility>
 
-#include "base/context.hpp"
+#include "sfumato/base/context.hpp"
 
 namespace sfumato {
 namespace {

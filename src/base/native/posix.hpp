@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-#include "base/status.hpp"
+#include "sfumato/base/status.hpp"
 
 namespace sfumato {
 

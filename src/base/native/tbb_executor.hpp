@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "base/context.hpp"
+#include "sfumato/base/context.hpp"
 
 namespace sfumato {
 

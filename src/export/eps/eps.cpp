@@ -1,4 +1,4 @@
-#include "export/eps/eps.hpp"
+#include "sfumato/export/eps/eps.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
-#include "base/box.hpp"
-#include "base/context.hpp"
-#include "base/status.hpp"
+#include "sfumato/base/box.hpp"
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/status.hpp"
 #include "export/facets/half_edge.hpp"
 
 namespace sfumato::outputs {

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/context.hpp"
-#include "base/status.hpp"
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/status.hpp"
 #include "export/facets/facet_tree.hpp"
 #include "export/facets/facets.hpp"
 

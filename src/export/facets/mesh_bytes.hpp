@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/box.hpp"
-#include "base/context.hpp"
-#include "base/status.hpp"
+#include "sfumato/base/box.hpp"
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/status.hpp"
 #include "export/facets/facets.hpp"
 
 namespace sfumato::outputs {

@@ -1,4 +1,4 @@
-#include "export/glb/glb.hpp"
+#include "sfumato/export/glb/glb.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -8,10 +8,10 @@
 #include <utility>
 #include <vector>
 
-#include "base/affine.hpp"
-#include "base/context.hpp"
+#include "sfumato/base/affine.hpp"
+#include "sfumato/base/context.hpp"
 #include "base/json.hpp"
-#include "base/status.hpp"
+#include "sfumato/base/status.hpp"
 
 namespace sfumato::outputs {
 

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <utility>
 
-#include "base/color_space.hpp"
+#include "sfumato/base/color_space.hpp"
 #include "base/large_vector.hpp"
 #include "export/facets/facets.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "export/glb/glb_file.hpp"
-#include "picture/picture.hpp"
+#include "sfumato/picture/picture.hpp"
 
 namespace sfumato::outputs {
 

@@ -1,4 +1,4 @@
-#include "export/html/html.hpp"
+#include "sfumato/export/html/html.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "base/color_space.hpp"
-#include "base/context.hpp"
+#include "sfumato/base/color_space.hpp"
+#include "sfumato/base/context.hpp"
 #include "export/html/viewer_mesh.hpp"
 
 namespace sfumato::outputs {

@@ -4,10 +4,10 @@
 #include <limits>
 #include <vector>
 
-#include "base/context.hpp"
-#include "base/status.hpp"
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/status.hpp"
 #include "export/html/viewer_bytes.hpp"
-#include "picture/picture.hpp"
+#include "sfumato/picture/picture.hpp"
 
 namespace sfumato::outputs {
 

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "base/context.hpp"
-#include "base/status.hpp"
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/status.hpp"
 #include "export/html/viewer_bytes.hpp"
-#include "picture/picture.hpp"
+#include "sfumato/picture/picture.hpp"
 
 namespace sfumato::outputs {
 

@@ -2,9 +2,9 @@
 
 #include <cstddef>
 
-#include "base/box.hpp"
-#include "base/context.hpp"
-#include "document/document.hpp"
+#include "sfumato/base/box.hpp"
+#include "sfumato/base/context.hpp"
+#include "sfumato/document/document.hpp"
 #include "export/html/viewer_bytes.hpp"
 
 namespace sfumato::outputs {

@@ -1,4 +1,4 @@
-#include "export/pdf/pdf.hpp"
+#include "sfumato/export/pdf/pdf.hpp"
 
 #include <algorithm>
 #include <cmath>

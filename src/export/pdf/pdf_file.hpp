@@ -6,10 +6,10 @@
 #include <string_view>
 #include <vector>
 
-#include "base/affine.hpp"
-#include "base/box.hpp"
-#include "base/context.hpp"
-#include "base/status.hpp"
+#include "sfumato/base/affine.hpp"
+#include "sfumato/base/box.hpp"
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/status.hpp"
 
 namespace sfumato::outputs {
 

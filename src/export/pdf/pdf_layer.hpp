@@ -2,10 +2,10 @@
 
 #include <cstdint>
 
-#include "base/context.hpp"
-#include "export/export_notes.hpp"
+#include "sfumato/base/context.hpp"
+#include "sfumato/export/export_notes.hpp"
 #include "export/pdf/pdf_file.hpp"
-#include "picture/picture.hpp"
+#include "sfumato/picture/picture.hpp"
 
 namespace sfumato::outputs {
 

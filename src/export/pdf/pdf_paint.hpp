@@ -1,6 +1,6 @@
 #pragma once
 
-#include "export/export_notes.hpp"
+#include "sfumato/export/export_notes.hpp"
 #include "export/facets/facets.hpp"
 #include "export/pdf/pdf_content.hpp"
 #include "export/pdf/pdf_file.hpp"

@@ -1,4 +1,4 @@
-#include "export/svg/svg.hpp"
+#include "sfumato/export/svg/svg.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,11 +7,11 @@
 #include <utility>
 
 #include "base/large_vector.hpp"
-#include "base/limits.hpp"
+#include "sfumato/base/limits.hpp"
 #include "base/number_text.hpp"
 #include "base/public_verb.hpp"
 #include "codecs/data_uri_write.hpp"
-#include "codecs/png.hpp"
+#include "sfumato/codecs/png.hpp"
 #include "document/blend_names.hpp"
 #include "document/rules.hpp"
 #include "export/page.hpp"
@@ -19,7 +19,7 @@
 #include "export/svg/svg_layer.hpp"
 #include "export/svg/svg_text.hpp"
 #include "picture/check_picture.hpp"
-#include "raster/rasterize.hpp"
+#include "sfumato/raster/rasterize.hpp"
 
 namespace sfumato {
 namespace {

@@ -4,8 +4,8 @@
 #include <span>
 #include <string>
 
-#include "base/affine.hpp"
-#include "base/vec2.hpp"
+#include "sfumato/base/affine.hpp"
+#include "sfumato/base/vec2.hpp"
 
 /// Text of SVG that is short: files of triangles are mostly numbers.
 namespace sfumato::outputs {

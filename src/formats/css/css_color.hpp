@@ -3,8 +3,8 @@
 #include <string>
 #include <string_view>
 
-#include "base/color.hpp"
-#include "base/status.hpp"
+#include "sfumato/base/color.hpp"
+#include "sfumato/base/status.hpp"
 #include "formats/css/css_tokenizer.hpp"
 
 namespace sfumato::css {

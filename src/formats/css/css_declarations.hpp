@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <string_view>
 
-#include "base/function_ref.hpp"
+#include "sfumato/base/function_ref.hpp"
 #include "formats/css/css_tokenizer.hpp"
 
 namespace sfumato::css {

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "base/context.hpp"
+#include "sfumato/base/context.hpp"
 
 namespace sfumato::css {
 

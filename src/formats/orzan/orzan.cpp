@@ -1,4 +1,4 @@
-#include "formats/orzan/orzan.hpp"
+#include "sfumato/formats/orzan/orzan.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "base/limits.hpp"
+#include "sfumato/base/limits.hpp"
 #include "base/number.hpp"
 #include "base/public_verb.hpp"
 #include "formats/text/warnings.hpp"

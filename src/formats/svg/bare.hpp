@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "document/document.hpp"
+#include "sfumato/document/document.hpp"
 #include "formats/svg/input.hpp"
 
 namespace sfumato::svg {

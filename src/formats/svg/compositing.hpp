@@ -1,6 +1,6 @@
 #pragma once
 
-#include "document/document.hpp"
+#include "sfumato/document/document.hpp"
 #include "formats/svg/input.hpp"
 
 namespace sfumato::svg {

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "base/ascii.hpp"
-#include "base/limits.hpp"
+#include "sfumato/base/limits.hpp"
 #include "base/number.hpp"
 #include "formats/css/css_value.hpp"
 #include "formats/text/suggestion.hpp"

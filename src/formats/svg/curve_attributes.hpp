@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "document/curve.hpp"
+#include "sfumato/document/curve.hpp"
 #include "formats/svg/input.hpp"
 #include "formats/svg/paints.hpp"
 #include "formats/svg/stop_list.hpp"

@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "base/limits.hpp"
+#include "sfumato/base/limits.hpp"
 #include "formats/svg/curve_attributes.hpp"
 #include "formats/svg/shapes.hpp"
 

@@ -3,9 +3,9 @@
 #include <string_view>
 #include <vector>
 
-#include "base/affine.hpp"
-#include "base/box.hpp"
-#include "document/curve.hpp"
+#include "sfumato/base/affine.hpp"
+#include "sfumato/base/box.hpp"
+#include "sfumato/document/curve.hpp"
 #include "formats/svg/input.hpp"
 #include "formats/svg/paints.hpp"
 #include "formats/svg/path.hpp"

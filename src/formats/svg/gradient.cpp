@@ -4,7 +4,7 @@
 #include <optional>
 #include <string_view>
 
-#include "base/limits.hpp"
+#include "sfumato/base/limits.hpp"
 #include "base/number.hpp"
 #include "formats/css/css_value.hpp"
 #include "formats/svg/color.hpp"

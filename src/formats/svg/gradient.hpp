@@ -1,6 +1,6 @@
 #pragma once
 
-#include "document/shader.hpp"
+#include "sfumato/document/shader.hpp"
 #include "formats/svg/paint_attributes.hpp"
 #include "formats/svg/totals.hpp"
 

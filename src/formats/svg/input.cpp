@@ -7,7 +7,7 @@
 
 #include "base/ascii.hpp"
 #include "base/large_vector.hpp"
-#include "base/limits.hpp"
+#include "sfumato/base/limits.hpp"
 #include "formats/svg/namespaces.hpp"
 #include "formats/svg/vocabulary.hpp"
 #include "formats/text/suggestion.hpp"

@@ -10,8 +10,8 @@
 #include <unordered_map>
 #include <vector>
 
-#include "base/context.hpp"
-#include "base/status.hpp"
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/status.hpp"
 #include "formats/css/css_style.hpp"
 #include "formats/css/style_sheet.hpp"
 #include "formats/text/warnings.hpp"

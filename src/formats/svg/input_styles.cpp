@@ -5,7 +5,7 @@
 
 #include "base/ascii.hpp"
 #include "base/large_vector.hpp"
-#include "base/limits.hpp"
+#include "sfumato/base/limits.hpp"
 #include "formats/css/css_media.hpp"
 #include "formats/css/css_value.hpp"
 #include "formats/svg/input.hpp"

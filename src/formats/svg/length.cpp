@@ -5,7 +5,7 @@
 #include <string>
 
 #include "base/ascii.hpp"
-#include "base/limits.hpp"
+#include "sfumato/base/limits.hpp"
 #include "formats/svg/scanner.hpp"
 #include "formats/text/suggestion.hpp"
 

@@ -2,8 +2,8 @@
 
 #include <string_view>
 
-#include "base/box.hpp"
-#include "base/status.hpp"
+#include "sfumato/base/box.hpp"
+#include "sfumato/base/status.hpp"
 
 namespace sfumato::svg {
 

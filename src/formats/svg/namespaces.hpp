@@ -1,6 +1,6 @@
 #pragma once
 
-#include "base/status.hpp"
+#include "sfumato/base/status.hpp"
 #include "formats/text/xml_source.hpp"
 
 namespace sfumato::svg {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "base/ascii.hpp"
-#include "base/limits.hpp"
+#include "sfumato/base/limits.hpp"
 #include "formats/svg/transform.hpp"
 #include "formats/text/suggestion.hpp"
 

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/affine.hpp"
+#include "sfumato/base/affine.hpp"
 #include "formats/svg/input.hpp"
 #include "formats/svg/length.hpp"
 #include "formats/svg/paints.hpp"

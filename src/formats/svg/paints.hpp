@@ -7,13 +7,13 @@
 #include <utility>
 #include <vector>
 
-#include "base/affine.hpp"
-#include "base/box.hpp"
-#include "document/shader.hpp"
+#include "sfumato/base/affine.hpp"
+#include "sfumato/base/box.hpp"
+#include "sfumato/document/shader.hpp"
 #include "formats/svg/input.hpp"
 #include "formats/svg/texture_files.hpp"
 #include "formats/svg/totals.hpp"
-#include "formats/text/reading.hpp"
+#include "sfumato/formats/text/reading.hpp"
 
 namespace sfumato::svg {
 

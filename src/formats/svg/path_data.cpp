@@ -3,7 +3,7 @@
 #include <string>
 #include <utility>
 
-#include "base/limits.hpp"
+#include "sfumato/base/limits.hpp"
 #include "base/number.hpp"
 #include "formats/css/css_tokenizer.hpp"
 #include "formats/svg/path.hpp"

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string_view>
 
-#include "base/limits.hpp"
+#include "sfumato/base/limits.hpp"
 #include "formats/svg/shapes.hpp"
 #include "formats/svg/transform.hpp"
 #include "formats/svg/view_box.hpp"

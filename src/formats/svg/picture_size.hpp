@@ -2,10 +2,10 @@
 
 #include <optional>
 
-#include "base/affine.hpp"
-#include "base/box.hpp"
-#include "base/vec2.hpp"
-#include "document/document.hpp"
+#include "sfumato/base/affine.hpp"
+#include "sfumato/base/box.hpp"
+#include "sfumato/base/vec2.hpp"
+#include "sfumato/document/document.hpp"
 #include "formats/svg/input.hpp"
 
 namespace sfumato::svg {

@@ -4,7 +4,7 @@
 #include <span>
 #include <string_view>
 
-#include "base/box.hpp"
+#include "sfumato/base/box.hpp"
 #include "formats/svg/input.hpp"
 #include "formats/svg/paints.hpp"
 #include "formats/svg/plain_svg.hpp"

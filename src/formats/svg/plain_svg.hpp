@@ -6,10 +6,10 @@
 #include <string_view>
 #include <vector>
 
-#include "base/context.hpp"
-#include "base/status.hpp"
-#include "document/document.hpp"
-#include "formats/text/reading.hpp"
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/status.hpp"
+#include "sfumato/document/document.hpp"
+#include "sfumato/formats/text/reading.hpp"
 
 namespace sfumato::svg {
 

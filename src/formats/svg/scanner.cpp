@@ -4,7 +4,7 @@
 
 #include "base/ascii.hpp"
 #include "base/character_run.hpp"
-#include "base/limits.hpp"
+#include "sfumato/base/limits.hpp"
 #include "base/number.hpp"
 #include "formats/text/suggestion.hpp"
 

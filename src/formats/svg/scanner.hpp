@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "base/status.hpp"
+#include "sfumato/base/status.hpp"
 
 namespace sfumato::svg {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "base/box.hpp"
+#include "sfumato/base/box.hpp"
 #include "formats/svg/input.hpp"
 #include "formats/svg/length.hpp"
 #include "formats/svg/path.hpp"

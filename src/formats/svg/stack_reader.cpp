@@ -7,7 +7,7 @@
 #include <string_view>
 #include <utility>
 
-#include "base/limits.hpp"
+#include "sfumato/base/limits.hpp"
 #include "formats/css/css_value.hpp"
 #include "formats/svg/background.hpp"
 #include "formats/svg/bare.hpp"

@@ -5,7 +5,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "document/document.hpp"
+#include "sfumato/document/document.hpp"
 #include "formats/svg/compositing.hpp"
 #include "formats/svg/curve_reader.hpp"
 #include "formats/svg/input.hpp"

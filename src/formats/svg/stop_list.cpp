@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "base/limits.hpp"
+#include "sfumato/base/limits.hpp"
 #include "base/number.hpp"
 #include "base/number_text.hpp"
 #include "formats/css/css_color.hpp"

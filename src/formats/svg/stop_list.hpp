@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "base/status.hpp"
-#include "document/stops.hpp"
+#include "sfumato/base/status.hpp"
+#include "sfumato/document/stops.hpp"
 #include "formats/css/css_tokenizer.hpp"
 
 namespace sfumato::svg {

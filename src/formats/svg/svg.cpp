@@ -1,4 +1,4 @@
-#include "formats/svg/svg.hpp"
+#include "sfumato/formats/svg/svg.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "base/ascii.hpp"
-#include "base/limits.hpp"
+#include "sfumato/base/limits.hpp"
 #include "base/public_verb.hpp"
 #include "formats/css/css_color.hpp"
 #include "formats/css/css_value.hpp"

@@ -1,10 +1,10 @@
-#include "formats/svg/svg_write.hpp"
+#include "sfumato/formats/svg/svg_write.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <variant>
 
-#include "base/limits.hpp"
+#include "sfumato/base/limits.hpp"
 #include "base/number_text.hpp"
 #include "base/public_verb.hpp"
 #include "document/blend_names.hpp"

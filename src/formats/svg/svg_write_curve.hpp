@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "document/curve.hpp"
-#include "document/document.hpp"
+#include "sfumato/document/curve.hpp"
+#include "sfumato/document/document.hpp"
 #include "formats/svg/svg_write_text.hpp"
 
 /// Attributes of the elements that stand for curves, and values that others share.

@@ -2,9 +2,9 @@
 
 #include <string>
 
-#include "base/context.hpp"
-#include "base/status.hpp"
-#include "document/shader.hpp"
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/status.hpp"
+#include "sfumato/document/shader.hpp"
 #include "formats/svg/svg_write_text.hpp"
 
 namespace sfumato::svg {

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "base/ascii.hpp"
-#include "base/limits.hpp"
+#include "sfumato/base/limits.hpp"
 #include "codecs/base64.hpp"
 #include "formats/text/suggestion.hpp"
 

@@ -9,7 +9,7 @@
 
 #include "codecs/image_file.hpp"
 #include "formats/svg/input.hpp"
-#include "formats/text/reading.hpp"
+#include "sfumato/formats/text/reading.hpp"
 
 namespace sfumato::svg {
 

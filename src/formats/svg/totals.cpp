@@ -1,7 +1,7 @@
 #include "formats/svg/totals.hpp"
 
-#include "base/limits.hpp"
-#include "document/document.hpp"
+#include "sfumato/base/limits.hpp"
+#include "sfumato/document/document.hpp"
 
 namespace sfumato::svg {
 

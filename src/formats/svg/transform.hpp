@@ -2,9 +2,9 @@
 
 #include <string_view>
 
-#include "base/affine.hpp"
-#include "base/context.hpp"
-#include "base/status.hpp"
+#include "sfumato/base/affine.hpp"
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/status.hpp"
 
 namespace sfumato::svg {
 

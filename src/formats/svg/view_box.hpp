@@ -3,9 +3,9 @@
 #include <optional>
 #include <string_view>
 
-#include "base/affine.hpp"
-#include "base/box.hpp"
-#include "base/status.hpp"
+#include "sfumato/base/affine.hpp"
+#include "sfumato/base/box.hpp"
+#include "sfumato/base/status.hpp"
 
 namespace sfumato::svg {
 

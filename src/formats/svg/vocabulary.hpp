@@ -1,6 +1,6 @@
 #pragma once
 
-#include "base/status.hpp"
+#include "sfumato/base/status.hpp"
 #include "formats/svg/input.hpp"
 
 namespace sfumato::svg {

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "base/limits.hpp"
+#include "sfumato/base/limits.hpp"
 
 namespace sfumato::text {
 

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/status.hpp"
+#include "sfumato/base/status.hpp"
 
 namespace sfumato::text {
 

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/limits.hpp"
+#include "sfumato/base/limits.hpp"
 
 namespace sfumato::text {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "base/context.hpp"
+#include "sfumato/base/context.hpp"
 #include "gather/kernels/scene_layout.hpp"
 
 namespace sfumato::gather {

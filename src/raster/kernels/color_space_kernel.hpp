@@ -1,6 +1,6 @@
 #pragma once
 
-#include "base/color_space.hpp"
+#include "sfumato/base/color_space.hpp"
 #include "base/lanes.hpp"
 
 /// The conversions of base/color_space.hpp to code values, for pixels. Compiled for every

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <span>
 
-#include "base/color_space.hpp"
-#include "base/context.hpp"
-#include "base/vec2.hpp"
+#include "sfumato/base/color_space.hpp"
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/vec2.hpp"
 #include "curves/stroke_segments.hpp"
 
 namespace sfumato::raster {

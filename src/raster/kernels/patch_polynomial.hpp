@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/lanes.hpp"
-#include "picture/picture.hpp"
+#include "sfumato/picture/picture.hpp"
 #include "raster/kernels/triangle_frame.hpp"
 
 /// The patch of one triangle (paper eq. 17–18) as a polynomial of (u, q), see triangle_frame.hpp.

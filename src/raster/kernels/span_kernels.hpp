@@ -1,7 +1,7 @@
 #pragma once
 
-#include "base/context.hpp"
-#include "base/image.hpp"
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/image.hpp"
 #include "raster/kernels/tile.hpp"
 
 namespace sfumato::raster {

@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "base/affine.hpp"
-#include "base/context.hpp"
+#include "sfumato/base/affine.hpp"
+#include "sfumato/base/context.hpp"
 #include "raster/kernels/image_shader_row.hpp"
 
 namespace sfumato::raster {

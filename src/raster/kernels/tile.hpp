@@ -4,12 +4,12 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "base/affine.hpp"
-#include "base/box.hpp"
-#include "base/image.hpp"
+#include "sfumato/base/affine.hpp"
+#include "sfumato/base/box.hpp"
+#include "sfumato/base/image.hpp"
 #include "base/pixel_rect.hpp"
-#include "base/vec2.hpp"
-#include "picture/picture.hpp"
+#include "sfumato/base/vec2.hpp"
+#include "sfumato/picture/picture.hpp"
 
 /// What the parts of the rasterizer hand to one another: plain data that kernels of every
 /// instruction set read alike.

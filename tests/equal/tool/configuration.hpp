@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/context.hpp"
+#include "sfumato/base/context.hpp"
 
 namespace sfumato::test {
 

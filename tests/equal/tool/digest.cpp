@@ -4,16 +4,16 @@
 #include <cstdio>
 #include <utility>
 
-#include "api/render_pixels.hpp"
-#include "codecs/jpeg_encode.hpp"
-#include "codecs/png.hpp"
-#include "codecs/webp_encode.hpp"
-#include "export/eps/eps.hpp"
-#include "export/glb/glb.hpp"
-#include "export/html/html.hpp"
-#include "export/pdf/pdf.hpp"
-#include "export/svg/svg.hpp"
-#include "formats/svg/svg_write.hpp"
+#include "sfumato/api/render_pixels.hpp"
+#include "sfumato/codecs/jpeg_encode.hpp"
+#include "sfumato/codecs/png.hpp"
+#include "sfumato/codecs/webp_encode.hpp"
+#include "sfumato/export/eps/eps.hpp"
+#include "sfumato/export/glb/glb.hpp"
+#include "sfumato/export/html/html.hpp"
+#include "sfumato/export/pdf/pdf.hpp"
+#include "sfumato/export/svg/svg.hpp"
+#include "sfumato/formats/svg/svg_write.hpp"
 
 namespace sfumato::test {
 namespace {

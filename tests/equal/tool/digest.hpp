@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "base/context.hpp"
+#include "sfumato/base/context.hpp"
 #include "equal/tool/scene.hpp"
 
 namespace sfumato::test {

@@ -7,8 +7,8 @@
 #include <random>
 #include <utility>
 
-#include "base/native/file.hpp"
-#include "formats/read_document.hpp"
+#include "sfumato/base/native/file.hpp"
+#include "sfumato/formats/read_document.hpp"
 #include "support/folder_files.hpp"
 #include "support/random_document.hpp"
 

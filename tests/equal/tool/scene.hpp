@@ -3,11 +3,11 @@
 #include <cstdint>
 #include <string>
 
-#include "base/context.hpp"
-#include "base/status.hpp"
-#include "document/document.hpp"
-#include "raster/rasterize.hpp"
-#include "solve/diffuse.hpp"
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/status.hpp"
+#include "sfumato/document/document.hpp"
+#include "sfumato/raster/rasterize.hpp"
+#include "sfumato/solve/diffuse.hpp"
 
 namespace sfumato::test {
 

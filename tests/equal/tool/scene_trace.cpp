@@ -4,9 +4,9 @@
 #include <string>
 #include <utility>
 
-#include "api/render_pixels.hpp"
-#include "codecs/png.hpp"
-#include "formats/svg/svg_write.hpp"
+#include "sfumato/api/render_pixels.hpp"
+#include "sfumato/codecs/png.hpp"
+#include "sfumato/formats/svg/svg_write.hpp"
 #include "solve/layer_solver.hpp"
 #include "solve/prepare_layer.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "base/context.hpp"
-#include "base/status.hpp"
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/status.hpp"
 #include "equal/tool/scene.hpp"
 #include "equal/tool/trace.hpp"
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <utility>
 
-#include "base/native/file.hpp"
+#include "sfumato/base/native/file.hpp"
 
 namespace sfumato::test {
 namespace {

@@ -6,8 +6,8 @@
 #include <type_traits>
 #include <vector>
 
-#include "base/status.hpp"
-#include "base/vec2.hpp"
+#include "sfumato/base/status.hpp"
+#include "sfumato/base/vec2.hpp"
 
 namespace sfumato::test {
 

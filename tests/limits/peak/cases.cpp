@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <utility>
 
-#include "base/context.hpp"
-#include "codecs/jpeg_encode.hpp"
-#include "codecs/png.hpp"
+#include "sfumato/base/context.hpp"
+#include "sfumato/codecs/jpeg_encode.hpp"
+#include "sfumato/codecs/png.hpp"
 #include "limits/large_inputs.hpp"
 #include "support/gzip.hpp"
 

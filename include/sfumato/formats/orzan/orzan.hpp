@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/status.hpp"
+#include "sfumato/formats/text/reading.hpp"
+
+namespace sfumato {
+
+/// Reads Orzan et al.'s XML (`<curve_set>` and the looser dialects; docs/format-orzan.md).
+/// `file` names the input in messages. Errors: bad_input, limit.
+Result<ReadDocument> read_orzan(Context& context, std::string_view xml, const std::string& file);
+
+}  // namespace sfumato

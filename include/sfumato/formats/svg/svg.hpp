@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/status.hpp"
+#include "sfumato/formats/text/reading.hpp"
+
+namespace sfumato {
+
+/// Reads the native format: SVG with the namespace urn:sfumato:1 (docs/format.md). `file` names the
+/// input in messages. `loader` brings textures that are files; data: URIs need none.
+/// Errors: bad_input, limit, out_of_memory.
+Result<ReadDocument> read_svg(Context& context, std::string_view text, const std::string& file,
+                              const ResourceLoader* loader = nullptr);
+
+}  // namespace sfumato

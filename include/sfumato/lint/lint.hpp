@@ -1,0 +1,18 @@
+#pragma once
+
+#include <vector>
+
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/status.hpp"
+#include "sfumato/document/document.hpp"
+#include "sfumato/lint/hint.hpp"
+
+namespace sfumato {
+
+/// Looks for what a valid document has probably got wrong: hints and notes, layer by layer, then
+/// the stack, then the shaders. What only shows in a picture (sides that are never seen, colours
+/// that leak) is decided by the same mesh and gather that draw it.
+/// Errors: as diffuse(). Cost: a mesh of every layer that is painted, and O(log n) a segment.
+Result<std::vector<Hint>> lint(Context& context, const Document& document);
+
+}  // namespace sfumato
