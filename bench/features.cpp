@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "base/native/tbb_executor.hpp"
 #include "base/stopwatch.hpp"
-#include "sfumato/raster/rasterize.hpp"
 #include "scenes.hpp"
+#include "sfumato/base/native/thread_pool.hpp"
+#include "sfumato/raster/rasterize.hpp"
 #include "sfumato/solve/diffuse.hpp"
 
 // What the artistic controls cost, as ratios to the plain picture in the same run: blur, opacity
@@ -148,9 +148,9 @@ void print(const char* what, double seconds, double plain) {
 }
 
 int run() {
-  const auto pool = make_tbb_executor(2);
+  ThreadPool pool(2);
   Context context;
-  context.executor = pool.get();
+  context.executor = &pool;
   std::printf("Two threads; medians of %d runs.\n\n", kRuns);
   if (const std::optional<std::string> text = bench::scene_text("lady_bug.xml")) {
     Result<ReadDocument> read = read_orzan(context, *text, "lady_bug.xml");

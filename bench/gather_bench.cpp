@@ -1,10 +1,10 @@
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <vector>
 
-#include "base/native/tbb_executor.hpp"
 #include "curves/attributes.hpp"
 #include "curves/flatten.hpp"
 #include "gather/exact.hpp"
@@ -14,6 +14,7 @@
 #include "gather/rays.hpp"
 #include "mesh/mesher.hpp"
 #include "scenes.hpp"
+#include "sfumato/base/native/thread_pool.hpp"
 #include "solve/nodes.hpp"
 
 // Colours at the free nodes of the paper's mesh (no error-driven refinement), step by step. Times
@@ -149,9 +150,9 @@ void rays_64(benchmark::State& state) {
 void gather_all(benchmark::State& state) {
   const Prepared* p = prepared_scene(state);
   if (!p) return;
-  const auto pool = make_tbb_executor(static_cast<int>(state.range(1)));
+  ThreadPool pool(static_cast<int>(state.range(1)));
   Context context;
-  context.executor = pool.get();
+  context.executor = &pool;
   const auto gatherer = gather::Gatherer::create(context, p->visibility, p->attributes);
   std::vector<float> out(p->points.size() * 3);
   for (auto _ : state) {

@@ -4,10 +4,10 @@
 #include <optional>
 #include <string>
 
-#include "base/native/tbb_executor.hpp"
+#include "scenes.hpp"
+#include "sfumato/base/native/thread_pool.hpp"
 #include "sfumato/gpu/render.hpp"
 #include "sfumato/raster/rasterize.hpp"
-#include "scenes.hpp"
 #include "sfumato/solve/diffuse.hpp"
 
 // Picture → Image of a public scene at 1024² by the CPU and by OpenGL, whose device is named:
@@ -22,9 +22,9 @@ using Draw = Result<Image> (*)(Context&, const Picture&, const RasterOptions&);
 void draw_lady_bug(benchmark::State& state, Draw draw) {
   const std::optional<Document> document = bench::scene(state, "lady_bug.xml");
   if (!document) return;
-  const std::unique_ptr<Executor> executor = make_tbb_executor();
+  ThreadPool executor;
   Context context;
-  context.executor = executor.get();
+  context.executor = &executor;
   DiffuseOptions diffusion;
   diffusion.pixels_per_unit = kSide / document->artboard.width();
   const Result<Picture> picture = diffuse(context, *document, diffusion);

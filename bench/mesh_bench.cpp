@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "curves/flatten.hpp"
-#include "sfumato/formats/orzan/orzan.hpp"
 #include "mesh/mesher.hpp"
+#include "sfumato/formats/orzan/orzan.hpp"
 
 namespace {
 

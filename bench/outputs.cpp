@@ -7,8 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "base/native/tbb_executor.hpp"
 #include "base/stopwatch.hpp"
+#include "scenes.hpp"
+#include "sfumato/base/native/thread_pool.hpp"
 #include "sfumato/codecs/jpeg_encode.hpp"
 #include "sfumato/codecs/png.hpp"
 #include "sfumato/export/eps/eps.hpp"
@@ -17,7 +18,6 @@
 #include "sfumato/export/pdf/pdf.hpp"
 #include "sfumato/export/svg/svg.hpp"
 #include "sfumato/raster/rasterize.hpp"
-#include "scenes.hpp"
 #include "sfumato/solve/diffuse.hpp"
 
 // What lady_bug becomes in each format: bytes, bytes after gzip (formats that are packed already
@@ -114,9 +114,9 @@ int run() {
     std::printf("The public scenes are not at hand: no lady_bug.\n");
     return 0;
   }
-  const auto pool = make_tbb_executor(2);
+  ThreadPool pool(2);
   Context context;
-  context.executor = pool.get();
+  context.executor = &pool;
   const Result<ReadDocument> read = read_orzan(context, *text, "lady_bug.xml");
   const Result<Picture> picture = diffuse(context, read->document, {});
   std::printf("Two threads; medians of %d runs.\n\n", kRuns);

@@ -7,8 +7,10 @@
 #include <utility>
 #include <vector>
 
-#include "sfumato/api/render_pixels.hpp"
 #include "codecs/image_file.hpp"
+#include "limits/large_inputs.hpp"
+#include "scenes.hpp"
+#include "sfumato/api/render_pixels.hpp"
 #include "sfumato/codecs/jpeg_encode.hpp"
 #include "sfumato/codecs/png.hpp"
 #include "sfumato/codecs/webp_encode.hpp"
@@ -19,10 +21,8 @@
 #include "sfumato/export/svg/svg.hpp"
 #include "sfumato/formats/read_document.hpp"
 #include "sfumato/formats/svg/svg_write.hpp"
-#include "limits/large_inputs.hpp"
 #include "sfumato/lint/lint.hpp"
 #include "sfumato/raster/rasterize.hpp"
-#include "scenes.hpp"
 #include "support/poll_recorder.hpp"
 
 // How long work goes without a look at the cancel flag: the longest gap of each stage, in CPU time

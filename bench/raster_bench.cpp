@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "base/native/tbb_executor.hpp"
-#include "sfumato/formats/orzan/orzan.hpp"
 #include "picture/patch.hpp"
+#include "sfumato/base/native/thread_pool.hpp"
+#include "sfumato/formats/orzan/orzan.hpp"
 #include "sfumato/raster/rasterize.hpp"
 #include "sfumato/solve/diffuse.hpp"
 
@@ -91,9 +91,9 @@ Picture synthetic_picture() {
 /// Arguments: side of the image in pixels, threads, SimdLevel, antialias.
 void rasterize_synthetic(benchmark::State& state) {
   const Picture picture = synthetic_picture();
-  const std::unique_ptr<Executor> executor = make_tbb_executor(static_cast<int>(state.range(1)));
+  ThreadPool executor(static_cast<int>(state.range(1)));
   Context context;
-  context.executor = executor.get();
+  context.executor = &executor;
   context.simd = static_cast<SimdLevel>(state.range(2));
   if (context.simd > detected_simd_level()) {
     state.SkipWithError("this machine has no such instruction set");
@@ -221,9 +221,9 @@ Picture fish_picture(std::uint32_t fish_count) {
 /// Arguments: instances, side of the image in pixels, threads.
 void rasterize_instances(benchmark::State& state) {
   const Picture picture = fish_picture(static_cast<std::uint32_t>(state.range(0)));
-  const std::unique_ptr<Executor> executor = make_tbb_executor(static_cast<int>(state.range(2)));
+  ThreadPool executor(static_cast<int>(state.range(2)));
   Context context;
-  context.executor = executor.get();
+  context.executor = &executor;
   RasterOptions options;
   options.width = options.height = static_cast<int>(state.range(1));
   for (auto _ : state) {
@@ -260,9 +260,9 @@ Result<Picture> scene_picture(Context& context, const std::string& name) {
 
 /// Arguments: index into kScenes, width of the image in pixels, threads.
 void rasterize_scene(benchmark::State& state) {
-  const std::unique_ptr<Executor> executor = make_tbb_executor(static_cast<int>(state.range(2)));
+  ThreadPool executor(static_cast<int>(state.range(2)));
   Context context;
-  context.executor = executor.get();
+  context.executor = &executor;
   const std::string name = kScenes[state.range(0)];
   const Result<Picture> picture = scene_picture(context, name);
   if (!picture) {

@@ -1,12 +1,12 @@
 #include <benchmark/benchmark.h>
 
-#include "base/native/tbb_executor.hpp"
-#include "sfumato/codecs/png.hpp"
 #include "curves/attributes.hpp"
 #include "curves/flatten.hpp"
 #include "mesh/mesher.hpp"
-#include "sfumato/raster/rasterize.hpp"
 #include "scenes.hpp"
+#include "sfumato/base/native/thread_pool.hpp"
+#include "sfumato/codecs/png.hpp"
+#include "sfumato/raster/rasterize.hpp"
 #include "sfumato/solve/diffuse.hpp"
 #include "solve/nodes.hpp"
 
@@ -61,9 +61,9 @@ void lay_out_nodes(benchmark::State& state) {
 void whole(benchmark::State& state) {
   const std::optional<Document> document = bench::scene(state, kScenes[state.range(0)]);
   if (!document) return;
-  const auto pool = make_tbb_executor(static_cast<int>(state.range(1)));
+  ThreadPool pool(static_cast<int>(state.range(1)));
   Context context;
-  context.executor = pool.get();
+  context.executor = &pool;
   RasterOptions raster;
   raster.width = static_cast<int>(document->artboard.width());
   raster.height = static_cast<int>(document->artboard.height());

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "base/stopwatch.hpp"
-#include "solve/point_evaluator.hpp"
+#include "sfumato/solve/point_evaluator.hpp"
 
 namespace sfumato {
 namespace {
@@ -175,9 +175,9 @@ void measure_default(Context& context, const Document& document, int runs, Measu
 }
 
 Measured measure(const Document& document, int threads, int runs) {
-  const auto pool = make_tbb_executor(threads);
+  ThreadPool pool(threads);
   Context context;
-  context.executor = pool.get();
+  context.executor = &pool;
   Measured out;
   out.threads = context.thread_count();
   measure_paper_mesh(context, document, runs, out);

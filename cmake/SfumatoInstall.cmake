@@ -15,9 +15,7 @@ endforeach()
 target_compile_features(sfumato_library INTERFACE cxx_std_20)
 target_include_directories(sfumato_library INTERFACE
   $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
-  $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>
-  $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
-  $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/sfumato>)
+  $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 target_link_libraries(sfumato_library PUBLIC TBB::tbb
   PRIVATE pugixml::pugixml PkgConfig::SPNG PkgConfig::WEBP ZLIB::ZLIB JPEG::JPEG
   ${CMAKE_DL_LIBS})
@@ -27,12 +25,8 @@ endif()
 
 install(TARGETS sfumato RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(TARGETS sfumato_library EXPORT sfumato ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-install(FILES ${PROJECT_SOURCE_DIR}/include/sfumato/sfumato.hpp
-        DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/sfumato)
-foreach(folder ${library_folders})
-  install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/${folder}
-          DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/sfumato FILES_MATCHING PATTERN *.hpp)
-endforeach()
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/sfumato DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
+        FILES_MATCHING PATTERN *.hpp)
 
 install(FILES ${PROJECT_SOURCE_DIR}/docs/man/sfumato.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 install(FILES ${PROJECT_SOURCE_DIR}/completions/sfumato.bash RENAME sfumato

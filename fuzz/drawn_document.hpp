@@ -2,8 +2,8 @@
 
 #include <optional>
 
-#include "sfumato/document/document.hpp"
 #include "fuzz.hpp"
+#include "sfumato/document/document.hpp"
 
 namespace sfumato::fuzz {
 

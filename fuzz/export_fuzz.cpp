@@ -3,14 +3,14 @@
 #include <string>
 #include <vector>
 
-#include "sfumato/document/document.hpp"
 #include "drawn_document.hpp"
+#include "fuzz.hpp"
+#include "sfumato/document/document.hpp"
 #include "sfumato/export/eps/eps.hpp"
 #include "sfumato/export/glb/glb.hpp"
 #include "sfumato/export/html/html.hpp"
 #include "sfumato/export/pdf/pdf.hpp"
 #include "sfumato/export/svg/svg.hpp"
-#include "fuzz.hpp"
 #include "sfumato/solve/diffuse.hpp"
 
 using namespace sfumato;

@@ -1,10 +1,10 @@
 // Ordinary SVG made into diffusion curves, as `sfumato init --from` does.
 #include <string>
 
+#include "fuzz.hpp"
 #include "sfumato/document/document.hpp"
 #include "sfumato/formats/read_document.hpp"
 #include "sfumato/formats/svg/svg_write.hpp"
-#include "fuzz.hpp"
 #include "sfumato/import/import_svg.hpp"
 
 using namespace sfumato;

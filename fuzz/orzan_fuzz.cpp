@@ -1,8 +1,8 @@
 // Orzan's XML: what is read is a valid document, what is refused has a reason, and memory is given
 // back.
+#include "fuzz.hpp"
 #include "sfumato/document/document.hpp"
 #include "sfumato/formats/orzan/orzan.hpp"
-#include "fuzz.hpp"
 
 using namespace sfumato;
 

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <vector>
 
+#include "drawn_document.hpp"
+#include "fuzz.hpp"
 #include "sfumato/api/render_pixels.hpp"
 #include "sfumato/codecs/png.hpp"
 #include "sfumato/document/document.hpp"
-#include "drawn_document.hpp"
-#include "fuzz.hpp"
 #include "sfumato/lint/lint.hpp"
 #include "sfumato/raster/rasterize.hpp"
 #include "sfumato/solve/diffuse.hpp"

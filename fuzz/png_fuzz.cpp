@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "codecs/image_file.hpp"
-#include "sfumato/codecs/png.hpp"
 #include "fuzz.hpp"
+#include "sfumato/codecs/png.hpp"
 
 using namespace sfumato;
 

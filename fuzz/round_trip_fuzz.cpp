@@ -4,11 +4,11 @@
 #include <utility>
 #include <variant>
 
-#include "sfumato/document/document.hpp"
 #include "drawn_document.hpp"
+#include "fuzz.hpp"
+#include "sfumato/document/document.hpp"
 #include "sfumato/formats/svg/svg.hpp"
 #include "sfumato/formats/svg/svg_write.hpp"
-#include "fuzz.hpp"
 
 using namespace sfumato;
 

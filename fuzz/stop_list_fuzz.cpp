@@ -2,9 +2,9 @@
 #include <cmath>
 #include <vector>
 
-#include "sfumato/base/limits.hpp"
 #include "formats/svg/stop_list.hpp"
 #include "fuzz.hpp"
+#include "sfumato/base/limits.hpp"
 
 using namespace sfumato;
 

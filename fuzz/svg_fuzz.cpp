@@ -3,10 +3,10 @@
 #include <string>
 #include <vector>
 
+#include "fuzz.hpp"
 #include "sfumato/codecs/png.hpp"
 #include "sfumato/document/document.hpp"
 #include "sfumato/formats/read_document.hpp"
-#include "fuzz.hpp"
 
 using namespace sfumato;
 

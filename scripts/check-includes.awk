@@ -19,9 +19,14 @@ function finish_file() {
   }
 }
 
-# The first folder under src/ ("formats"), or "".
+# The path within src/, or within include/sfumato/ for a public header; of other files "".
+function inner_path(path) {
+  return sub(/^(src|include\/sfumato)\//, "", path) ? path : ""
+}
+
+# The first folder of such a path ("formats"), or "".
 function folder_of(path, parts) {
-  return path ~ /^src\/[^\/]+\// && split(path, parts, "/") > 2 ? parts[2] : ""
+  return split(path, parts, "/") > 1 ? parts[1] : ""
 }
 
 # The folder of a path within src/ ("formats/css/css_color.hpp"): a room of its own where it has a
@@ -32,7 +37,9 @@ function room_of(path, parts, count) {
 }
 
 function check_project_include(path, parts, other, other_room) {
-  if (folder == "" || path !~ /\// || path ~ /^sfumato\//) return
+  if (is_public && path !~ /^sfumato\//) complain("a public header may not include " path)
+  if (folder == "" || path !~ /\//) return
+  sub(/^sfumato\//, "", path)
   split(path, parts, "/")
   other = parts[1]
   other_room = room_of(path)
@@ -68,12 +75,14 @@ FNR == 1 {
   previous_file = FILENAME
   lines = 0
   is_table = FILENAME ~ /folder-order\.txt$/
-  folder = folder_of(FILENAME)
-  room = room_of(substr(FILENAME, 5))
+  is_public = FILENAME ~ /^include\//
+  folder = folder_of(inner_path(FILENAME))
+  room = room_of(inner_path(FILENAME))
+  is_native = inner_path(FILENAME) ~ /^base\/native\//
   core = folder ~ /^(base|document|curves|picture|mesh|gather|raster|solve)$/ &&
-         FILENAME !~ /^src\/base\/native\//
+         !is_native
   if (!is_table && folder != "" && !(folder in is_folder)) {
-    complain("src/" folder " is not in scripts/folder-order.txt")
+    complain(folder " is not in scripts/folder-order.txt")
   }
 }
 
@@ -109,6 +118,12 @@ folder != "" && folder != "cli" && /"[^"]*(--[a-z]|sfumato (init|render|lint|con
   sub(/^.*namespace /, "", name)
   sub(/ .*/, "", name)
   check_namespace(name)
+}
+
+# Large headers are read by every file of an embedder. What is listed here costs 38,000 lines.
+is_public && /^[ \t]*#[ \t]*include[ \t]*</ &&
+    !/<(cassert|cstddef|cstdint|optional|span|string|string_view|type_traits|utility|variant|vector)>/ {
+  complain("a public header may not include" substr($0, index($0, "include") + 7))
 }
 
 core && /^[ \t]*#[ \t]*include[ \t]*<(thread|filesystem|iostream|fstream|regex|future|mutex|shared_mutex|condition_variable|execution)>/ {

@@ -6,9 +6,9 @@ namespace {
 
 sfumato::Status draw(const std::string& in, const std::string& out) {
   using namespace sfumato;
-  const auto pool = make_tbb_executor();
+  ThreadPool pool;
   Context context;
-  context.executor = pool.get();
+  context.executor = &pool;
 
   auto xml = read_file(in, limits::kInputBytes);
   if (!xml) return xml.status();

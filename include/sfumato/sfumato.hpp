@@ -6,14 +6,16 @@
 /// `export_pdf`, `export_eps`, `export_svg` and `export_glb`; `write_file` puts them on disk. All
 /// take a Context; none throws, prints or exits: errors come back as values.
 
+#include "sfumato/api/render_pixels.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/image.hpp"
 #include "sfumato/base/native/file.hpp"
-#include "base/native/tbb_executor.hpp"
+#include "sfumato/base/native/thread_pool.hpp"
 #include "sfumato/base/status.hpp"
 #include "sfumato/codecs/jpeg_encode.hpp"
 #include "sfumato/codecs/png.hpp"
 #include "sfumato/codecs/webp_encode.hpp"
+#include "sfumato/document/build.hpp"
 #include "sfumato/document/document.hpp"
 #include "sfumato/export/eps/eps.hpp"
 #include "sfumato/export/glb/glb.hpp"
@@ -30,3 +32,4 @@
 #include "sfumato/picture/picture.hpp"
 #include "sfumato/raster/rasterize.hpp"
 #include "sfumato/solve/diffuse.hpp"
+#include "sfumato/solve/point_evaluator.hpp"

@@ -2,6 +2,7 @@
 
 #include "base/public_verb.hpp"
 #include "base/stopwatch.hpp"
+#include "raster/rasterize_source.hpp"
 #include "solve/exact_picture.hpp"
 
 namespace sfumato {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/limit_error.hpp"
+
 namespace sfumato {
 
 Status validate(const Limits& limits, const Image& image) {

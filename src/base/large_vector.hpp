@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/charge.hpp"
+#include "base/poll.hpp"
 #include "sfumato/base/context.hpp"
 
 namespace sfumato {

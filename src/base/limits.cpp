@@ -4,6 +4,8 @@
 #include <array>
 #include <utility>
 
+#include "base/limit_error.hpp"
+
 namespace sfumato {
 namespace {
 

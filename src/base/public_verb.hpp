@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "sfumato/base/context.hpp"
 #include "base/no_throw.hpp"
+#include "sfumato/base/context.hpp"
 
 namespace sfumato {
 

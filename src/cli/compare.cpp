@@ -2,13 +2,14 @@
 #include <cstdio>
 #include <string>
 
+#include "base/charge.hpp"
 #include "base/json.hpp"
-#include "sfumato/base/native/file.hpp"
-#include "base/native/tbb_executor.hpp"
 #include "cli/commands.hpp"
 #include "cli/difference.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/paths.hpp"
+#include "sfumato/base/native/file.hpp"
+#include "sfumato/base/native/thread_pool.hpp"
 #include "sfumato/codecs/png.hpp"
 
 namespace sfumato::cli {
@@ -104,8 +105,8 @@ int compare(const CompareArguments& arguments) {
     const Status writable = check_output(arguments.output);
     if (!writable) return fail(writable);
   }
-  const std::unique_ptr<Executor> executor = make_tbb_executor();
-  Context context{.executor = executor.get(),
+  ThreadPool executor;
+  Context context{.executor = &executor,
                   .budget = Budget(arguments.resources.memory_bytes),
                   .limits = arguments.resources.limits,
                   .deadline = deadline_of(arguments.resources)};

@@ -1,11 +1,11 @@
 #include <span>
 
-#include "sfumato/base/native/file.hpp"
-#include "base/native/tbb_executor.hpp"
 #include "cli/commands.hpp"
 #include "cli/document_input.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/paths.hpp"
+#include "sfumato/base/native/file.hpp"
+#include "sfumato/base/native/thread_pool.hpp"
 #include "sfumato/formats/svg/svg_write.hpp"
 
 namespace sfumato::cli {
@@ -26,8 +26,8 @@ Status convert_document(Context& context, const ConvertArguments& arguments) {
 int convert(const ConvertArguments& arguments) {
   const Status writable = check_output(arguments.output);
   if (!writable) return fail(writable);
-  const std::unique_ptr<Executor> executor = make_tbb_executor();
-  Context context{.executor = executor.get(),
+  ThreadPool executor;
+  Context context{.executor = &executor,
                   .budget = Budget(arguments.resources.memory_bytes),
                   .limits = arguments.resources.limits,
                   .deadline = deadline_of(arguments.resources)};

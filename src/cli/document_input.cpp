@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/charge.hpp"
+#include "base/limit_error.hpp"
 #include "cli/folder_loader.hpp"
 #include "cli/paths.hpp"
 

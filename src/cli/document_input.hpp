@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "sfumato/base/context.hpp"
 #include "cli/arguments.hpp"
+#include "sfumato/base/context.hpp"
 #include "sfumato/formats/read_document.hpp"
 
 namespace sfumato::cli {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <system_error>
 
+#include "base/limit_error.hpp"
 #include "sfumato/base/limits.hpp"
 #include "sfumato/base/native/file.hpp"
 

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "sfumato/base/context.hpp"
 #include "cli/arguments.hpp"
 #include "cli/file_uses.hpp"
+#include "sfumato/base/context.hpp"
 #include "sfumato/formats/read_document.hpp"
 
 namespace sfumato::cli {

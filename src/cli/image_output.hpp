@@ -3,10 +3,10 @@
 #include <cstdint>
 #include <vector>
 
+#include "cli/arguments.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/image.hpp"
 #include "sfumato/base/status.hpp"
-#include "cli/arguments.hpp"
 
 namespace sfumato::cli {
 

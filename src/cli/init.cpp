@@ -1,5 +1,4 @@
-#include "sfumato/base/native/file.hpp"
-#include "base/native/tbb_executor.hpp"
+#include "base/charge.hpp"
 #include "cli/commands.hpp"
 #include "cli/document_input.hpp"
 #include "cli/file_uses.hpp"
@@ -8,6 +7,8 @@
 #include "cli/paths.hpp"
 #include "cli/templates.hpp"
 #include "export/html/html_text.hpp"
+#include "sfumato/base/native/file.hpp"
+#include "sfumato/base/native/thread_pool.hpp"
 #include "sfumato/formats/svg/svg_write.hpp"
 #include "sfumato/import/import_svg.hpp"
 
@@ -75,8 +76,8 @@ Status check_new(const InitArguments& arguments) {
 int init(const InitArguments& arguments) {
   const Status writable = check_new(arguments);
   if (!writable) return fail(writable);
-  const std::unique_ptr<Executor> executor = make_tbb_executor();
-  Context context{.executor = executor.get(),
+  ThreadPool executor;
+  Context context{.executor = &executor,
                   .budget = Budget(arguments.resources.memory_bytes),
                   .limits = arguments.resources.limits,
                   .deadline = deadline_of(arguments.resources)};

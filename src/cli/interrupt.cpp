@@ -1,6 +1,7 @@
 #include "cli/interrupt.hpp"
 
 #include <array>
+#include <atomic>
 #include <csignal>
 
 namespace sfumato::cli {
@@ -9,12 +10,12 @@ namespace {
 constexpr std::array<int, 3> kSignals{SIGINT, SIGTERM, SIGHUP};
 
 // A signal handler has no argument of ours: these two are the only mutable globals of the project.
-std::atomic<std::atomic<bool>*> cancel_flag{nullptr};
+std::atomic<CancelFlag*> cancel_flag{nullptr};
 volatile std::sig_atomic_t last_signal = 0;
 
 void set_cancel_flag(int signal_number) {
   last_signal = signal_number;
-  if (std::atomic<bool>* flag = cancel_flag.load()) flag->store(true);
+  if (CancelFlag* flag = cancel_flag.load()) flag->store(true);
 }
 
 void handle(int signal_number, void (*handler)(int), int flags) {
@@ -26,7 +27,7 @@ void handle(int signal_number, void (*handler)(int), int flags) {
 
 }  // namespace
 
-CancelOnSignal::CancelOnSignal(std::atomic<bool>& cancel) {
+CancelOnSignal::CancelOnSignal(CancelFlag& cancel) {
   cancel_flag.store(&cancel);
   for (const int signal_number : kSignals) {
     handle(signal_number, set_cancel_flag, static_cast<int>(SA_RESETHAND | SA_RESTART));

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <atomic>
+#include "sfumato/base/context.hpp"
 
 namespace sfumato::cli {
 
@@ -8,7 +8,7 @@ namespace sfumato::cli {
 /// process. At most one at a time.
 class CancelOnSignal {
  public:
-  explicit CancelOnSignal(std::atomic<bool>& cancel);
+  explicit CancelOnSignal(CancelFlag& cancel);
   ~CancelOnSignal();
   CancelOnSignal(const CancelOnSignal&) = delete;
   CancelOnSignal& operator=(const CancelOnSignal&) = delete;

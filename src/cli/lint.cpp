@@ -3,11 +3,11 @@
 #include <algorithm>
 
 #include "base/json.hpp"
-#include "base/native/tbb_executor.hpp"
 #include "cli/commands.hpp"
 #include "cli/document_input.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/paths.hpp"
+#include "sfumato/base/native/thread_pool.hpp"
 
 namespace sfumato::cli {
 namespace {
@@ -81,8 +81,8 @@ int lint_one(Context& context, const LintArguments& arguments) {
 }  // namespace
 
 int lint(const LintArguments& arguments) {
-  const std::unique_ptr<Executor> executor = make_tbb_executor();
-  Context context{.executor = executor.get(),
+  ThreadPool executor;
+  Context context{.executor = &executor,
                   .budget = Budget(arguments.resources.memory_bytes),
                   .limits = arguments.resources.limits};
   const CancelOnSignal cancel_on_signal(context.cancel);

@@ -2,9 +2,9 @@
 
 #include <cstdio>
 
-#include "sfumato/base/native/file.hpp"
 #include "base/utf8.hpp"
 #include "cli/interrupt.hpp"
+#include "sfumato/base/native/file.hpp"
 
 namespace sfumato::cli {
 namespace {

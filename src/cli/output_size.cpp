@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <string>
 
+#include "base/limit_error.hpp"
 #include "sfumato/base/limits.hpp"
 
 namespace sfumato::cli {

@@ -10,8 +10,8 @@
 #include <string_view>
 #include <utility>
 
-#include "sfumato/base/native/file.hpp"
 #include "formats/text/suggestion.hpp"
+#include "sfumato/base/native/file.hpp"
 
 namespace sfumato::cli {
 namespace {

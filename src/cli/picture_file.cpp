@@ -6,10 +6,11 @@
 #include <optional>
 #include <string>
 
-#include "sfumato/api/render_pixels.hpp"
+#include "base/charge.hpp"
 #include "base/stopwatch.hpp"
 #include "cli/image_output.hpp"
 #include "cli/messages.hpp"
+#include "sfumato/api/render_pixels.hpp"
 #include "sfumato/codecs/jpeg_encode.hpp"
 #include "sfumato/codecs/png.hpp"
 #include "sfumato/export/eps/eps.hpp"

@@ -3,10 +3,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "sfumato/base/context.hpp"
-#include "sfumato/base/status.hpp"
 #include "cli/arguments.hpp"
 #include "cli/stats.hpp"
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/status.hpp"
 #include "sfumato/document/document.hpp"
 
 namespace sfumato::cli {

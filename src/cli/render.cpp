@@ -1,12 +1,11 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <memory>
 #include <optional>
 
-#include "sfumato/base/native/file.hpp"
-#include "base/native/tbb_executor.hpp"
 #include "base/stopwatch.hpp"
 #include "cli/commands.hpp"
 #include "cli/document_input.hpp"
@@ -16,6 +15,8 @@
 #include "cli/progress_bar.hpp"
 #include "cli/stats.hpp"
 #include "cli/texture_uses.hpp"
+#include "sfumato/base/native/file.hpp"
+#include "sfumato/base/native/thread_pool.hpp"
 
 namespace sfumato::cli {
 namespace {
@@ -111,10 +112,10 @@ Status prepare_outputs(const RenderArguments& arguments) {
 }  // namespace
 
 int render(const RenderArguments& arguments) {
-  const std::unique_ptr<Executor> executor = make_tbb_executor(arguments.threads);
+  ThreadPool executor(arguments.threads);
   std::optional<ProgressBar> progress;
   if (!arguments.quiet && isatty(STDERR_FILENO) != 0) progress.emplace(stderr, kProgressDelay);
-  Context context{.executor = executor.get(),
+  Context context{.executor = &executor,
                   .progress = progress ? &*progress : nullptr,
                   .budget = Budget(arguments.resources.memory_bytes),
                   .limits = arguments.resources.limits};

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <system_error>
 
+#include "base/charge.hpp"
 #include "cli/document_input.hpp"
 #include "cli/file_uses.hpp"
 #include "cli/folder_loader.hpp"

@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "sfumato/base/context.hpp"
 #include "cli/arguments.hpp"
+#include "sfumato/base/context.hpp"
 
 namespace sfumato::cli {
 

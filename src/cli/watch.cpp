@@ -1,10 +1,11 @@
+#include <chrono>
 #include <cstdio>
 #include <filesystem>
+#include <memory>
 #include <set>
 #include <utility>
 
-#include "sfumato/base/native/file.hpp"
-#include "base/native/tbb_executor.hpp"
+#include "base/charge.hpp"
 #include "base/stopwatch.hpp"
 #include "cli/commands.hpp"
 #include "cli/document_input.hpp"
@@ -14,6 +15,8 @@
 #include "cli/paths.hpp"
 #include "cli/picture_file.hpp"
 #include "cli/watch_server.hpp"
+#include "sfumato/base/native/file.hpp"
+#include "sfumato/base/native/thread_pool.hpp"
 
 namespace sfumato::cli {
 namespace {
@@ -160,8 +163,8 @@ int watch(const WatchArguments& arguments) {
   }
   Result<std::unique_ptr<WatchServer>> server = WatchServer::start(arguments.port);
   if (!server) return fail(server.status());
-  const std::unique_ptr<Executor> executor = make_tbb_executor(arguments.page.threads);
-  Context context{.executor = executor.get(),
+  ThreadPool executor(arguments.page.threads);
+  Context context{.executor = &executor,
                   .budget = Budget(arguments.resources.memory_bytes),
                   .limits = arguments.resources.limits};
   const CancelOnSignal cancel_on_signal(context.cancel);

@@ -1,5 +1,6 @@
 // WebAssembly: the codecs that libraries of the native build bring. Pictures are the browser's own
 // affair there.
+#include "base/charge.hpp"
 #include "codecs/gunzip.hpp"
 #include "codecs/image_file.hpp"
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/charge.hpp"
 #include "base/large_vector.hpp"
 #include "codecs/base64.hpp"
 #include "sfumato/codecs/png.hpp"

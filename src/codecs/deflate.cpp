@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "base/charge.hpp"
+
 namespace sfumato::codecs {
 namespace {
 

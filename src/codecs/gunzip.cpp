@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <utility>
 
+#include "base/charge.hpp"
+#include "base/limit_error.hpp"
 #include "sfumato/base/limits.hpp"
 
 namespace sfumato::codecs {

@@ -7,9 +7,12 @@
 #include <string>
 #include <utility>
 
+#include "base/charge.hpp"
+#include "base/limit_error.hpp"
+#include "base/poll.hpp"
+#include "codecs/jpeg_decode.hpp"
 #include "sfumato/base/image.hpp"
 #include "sfumato/base/limits.hpp"
-#include "codecs/jpeg_decode.hpp"
 #include "sfumato/codecs/png.hpp"
 
 namespace sfumato::codecs {

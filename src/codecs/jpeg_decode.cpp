@@ -11,6 +11,7 @@
 #include <string>
 #include <utility>
 
+#include "base/charge.hpp"
 #include "base/large_vector.hpp"
 #include "codecs/image_file.hpp"
 

@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <span>
 
+#include "codecs/image_file.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/status.hpp"
-#include "codecs/image_file.hpp"
 
 namespace sfumato::codecs {
 

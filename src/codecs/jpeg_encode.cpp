@@ -11,6 +11,7 @@
 #include <string>
 #include <utility>
 
+#include "base/charge.hpp"
 #include "base/no_throw.hpp"
 #include "base/public_verb.hpp"
 

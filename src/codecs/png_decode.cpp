@@ -1,13 +1,16 @@
 #include <spng.h>
 
+#include <algorithm>
 #include <cstring>
 #include <memory>
 #include <string>
 #include <utility>
 
+#include "base/charge.hpp"
 #include "base/large_vector.hpp"
-#include "sfumato/base/limits.hpp"
+#include "base/limit_error.hpp"
 #include "base/public_verb.hpp"
+#include "sfumato/base/limits.hpp"
 #include "sfumato/codecs/png.hpp"
 
 namespace sfumato {

@@ -8,10 +8,12 @@
 #include <string>
 #include <utility>
 
-#include "sfumato/base/limits.hpp"
+#include "base/charge.hpp"
+#include "base/parallel.hpp"
 #include "base/public_verb.hpp"
-#include "sfumato/codecs/png.hpp"
 #include "codecs/png_filter.hpp"
+#include "sfumato/base/limits.hpp"
+#include "sfumato/codecs/png.hpp"
 
 namespace sfumato {
 namespace {

@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "base/charge.hpp"
 #include "base/public_verb.hpp"
 #include "codecs/webp_import.hpp"
 

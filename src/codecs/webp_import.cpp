@@ -6,6 +6,9 @@
 #include <cstring>
 #include <memory>
 
+#include "base/parallel.hpp"
+#include "base/poll.hpp"
+
 namespace sfumato::codecs {
 namespace {
 

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "curves/flatten.hpp"
 #include "sfumato/base/color.hpp"
 #include "sfumato/base/color_space.hpp"
-#include "curves/flatten.hpp"
 
 namespace sfumato::curves {
 

@@ -6,9 +6,11 @@
 #include <tuple>
 #include <utility>
 
-#include "sfumato/base/box.hpp"
+#include "base/charge.hpp"
+#include "base/poll.hpp"
 #include "base/spatial_order.hpp"
 #include "curves/bezier.hpp"
+#include "sfumato/base/box.hpp"
 
 namespace sfumato::curves {
 namespace {

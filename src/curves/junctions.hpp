@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
+#include "curves/flatten.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/status.hpp"
-#include "curves/flatten.hpp"
 
 namespace sfumato::curves {
 

@@ -4,6 +4,9 @@
 #include <string>
 #include <utility>
 
+#include "base/charge.hpp"
+#include "base/limit_error.hpp"
+
 namespace sfumato::curves {
 namespace {
 

@@ -3,9 +3,11 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "base/charge.hpp"
+#include "base/poll.hpp"
+#include "curves/flatten.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/status.hpp"
-#include "curves/flatten.hpp"
 
 namespace sfumato::curves {
 

@@ -5,6 +5,8 @@
 #include <string>
 #include <utility>
 
+#include "base/charge.hpp"
+#include "base/limit_error.hpp"
 #include "curves/bezier.hpp"
 #include "curves/stop_parameters.hpp"
 

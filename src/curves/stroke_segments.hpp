@@ -2,12 +2,13 @@
 
 #include <vector>
 
+#include "base/charge.hpp"
+#include "curves/attributes.hpp"
 #include "sfumato/base/affine.hpp"
 #include "sfumato/base/box.hpp"
 #include "sfumato/base/color_space.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/status.hpp"
-#include "curves/attributes.hpp"
 #include "sfumato/document/curve.hpp"
 
 namespace sfumato::curves {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/limit_error.hpp"
 #include "sfumato/base/limits.hpp"
 
 namespace sfumato::rules {

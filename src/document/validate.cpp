@@ -4,10 +4,11 @@
 #include <utility>
 #include <vector>
 
-#include "sfumato/base/limits.hpp"
+#include "base/limit_error.hpp"
 #include "base/public_verb.hpp"
-#include "sfumato/document/document.hpp"
 #include "document/rules.hpp"
+#include "sfumato/base/limits.hpp"
+#include "sfumato/document/document.hpp"
 
 namespace sfumato {
 namespace {

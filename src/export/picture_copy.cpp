@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "base/charge.hpp"
 #include "base/large_vector.hpp"
 
 namespace sfumato::outputs {

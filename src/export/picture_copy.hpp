@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "base/charge.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/status.hpp"
 #include "sfumato/picture/picture.hpp"

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "base/charge.hpp"
+#include "base/poll.hpp"
 #include "export/picture_copy.hpp"
 #include "raster/local_stroke.hpp"
 #include "sfumato/raster/rasterize.hpp"

@@ -2,6 +2,7 @@
 
 #include <span>
 
+#include "base/charge.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/image.hpp"
 #include "sfumato/base/status.hpp"

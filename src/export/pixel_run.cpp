@@ -4,9 +4,10 @@
 #include <cmath>
 #include <utility>
 
-#include "sfumato/codecs/png.hpp"
+#include "base/charge.hpp"
 #include "export/picture_copy.hpp"
 #include "export/pixel_part.hpp"
+#include "sfumato/codecs/png.hpp"
 #include "sfumato/raster/rasterize.hpp"
 
 namespace sfumato::outputs {

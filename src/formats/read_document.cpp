@@ -4,12 +4,13 @@
 #include <optional>
 #include <utility>
 
-#include "sfumato/base/limits.hpp"
+#include "base/charge.hpp"
 #include "base/public_verb.hpp"
 #include "codecs/gunzip.hpp"
+#include "formats/text/xml_source.hpp"
+#include "sfumato/base/limits.hpp"
 #include "sfumato/formats/orzan/orzan.hpp"
 #include "sfumato/formats/svg/svg.hpp"
-#include "formats/text/xml_source.hpp"
 
 namespace sfumato {
 namespace {

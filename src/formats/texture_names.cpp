@@ -3,6 +3,8 @@
 #include <optional>
 
 #include "base/ascii.hpp"
+#include "base/charge.hpp"
+#include "base/poll.hpp"
 #include "base/public_verb.hpp"
 #include "codecs/gunzip.hpp"
 #include "formats/svg/namespaces.hpp"

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "base/charge.hpp"
 #include "base/large_vector.hpp"
+#include "base/poll.hpp"
 
 namespace sfumato::gather {
 namespace {

@@ -4,10 +4,10 @@
 #include <span>
 #include <vector>
 
-#include "sfumato/base/context.hpp"
-#include "sfumato/base/status.hpp"
 #include "gather/kernels/scene_layout.hpp"
 #include "mesh/triangle_mesh.hpp"
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/status.hpp"
 
 namespace sfumato::gather {
 

@@ -4,6 +4,8 @@
 #include <atomic>
 #include <vector>
 
+#include "base/charge.hpp"
+#include "base/parallel.hpp"
 #include "gather/gather.hpp"
 #include "gather/kernels/kernel_entry.hpp"
 

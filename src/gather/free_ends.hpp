@@ -4,11 +4,12 @@
 #include <span>
 #include <vector>
 
+#include "base/charge.hpp"
+#include "curves/attributes.hpp"
+#include "mesh/triangle_mesh.hpp"
 #include "sfumato/base/box.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/status.hpp"
-#include "curves/attributes.hpp"
-#include "mesh/triangle_mesh.hpp"
 
 namespace sfumato::gather {
 

@@ -3,6 +3,8 @@
 #include <limits>
 #include <utility>
 
+#include "base/charge.hpp"
+#include "base/poll.hpp"
 #include "gather/free_ends.hpp"
 #include "gather/scene.hpp"
 

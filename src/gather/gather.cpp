@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/limit_error.hpp"
 #include "gather/exact.hpp"
 #include "gather/locate.hpp"
 #include "gather/packing.hpp"

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "sfumato/gather/options.hpp"
 #include "gather/scene.hpp"
+#include "sfumato/gather/options.hpp"
 
 namespace sfumato::gather {
 

@@ -4,8 +4,9 @@
 #include <cmath>
 #include <limits>
 
-#include "sfumato/base/box.hpp"
 #include "base/large_vector.hpp"
+#include "base/parallel.hpp"
+#include "sfumato/base/box.hpp"
 
 namespace sfumato::gather {
 namespace {

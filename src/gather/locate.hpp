@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "base/charge.hpp"
 #include "gather/scene.hpp"
 
 namespace sfumato::gather {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/large_vector.hpp"
+#include "base/poll.hpp"
 
 namespace sfumato::gather {
 namespace {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/charge.hpp"
 #include "gather/locate.hpp"
 #include "gather/scene.hpp"
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/parallel.hpp"
 #include "gather/ray_grid.hpp"
 
 namespace sfumato::gather {

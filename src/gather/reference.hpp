@@ -5,10 +5,10 @@
 #include <span>
 #include <vector>
 
-#include "sfumato/base/vec2.hpp"
 #include "curves/attributes.hpp"
 #include "gather/free_ends.hpp"
 #include "mesh/triangle_mesh.hpp"
+#include "sfumato/base/vec2.hpp"
 
 namespace sfumato::gather {
 

@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sfumato/base/box.hpp"
+#include "base/poll.hpp"
 #include "base/spatial_order.hpp"
 #include "gather/blind.hpp"
+#include "sfumato/base/box.hpp"
 
 namespace sfumato::gather {
 namespace {

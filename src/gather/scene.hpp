@@ -3,12 +3,13 @@
 #include <cstdint>
 #include <vector>
 
-#include "sfumato/base/context.hpp"
-#include "sfumato/base/status.hpp"
-#include "sfumato/base/vec2.hpp"
+#include "base/charge.hpp"
 #include "curves/attributes.hpp"
 #include "gather/kernels/scene_layout.hpp"
 #include "mesh/triangle_mesh.hpp"
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/status.hpp"
+#include "sfumato/base/vec2.hpp"
 
 namespace sfumato::gather {
 

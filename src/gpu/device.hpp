@@ -3,8 +3,8 @@
 #include <memory>
 #include <string>
 
-#include "sfumato/base/status.hpp"
 #include "gpu/gl.hpp"
+#include "sfumato/base/status.hpp"
 
 namespace sfumato::gpu {
 

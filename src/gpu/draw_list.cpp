@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/charge.hpp"
 #include "raster/local_stroke.hpp"
 #include "raster/overlay.hpp"
 #include "raster/triangle_blocks.hpp"

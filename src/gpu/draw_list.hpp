@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/charge.hpp"
 #include "display/paint_table.hpp"
 #include "gpu/layer_tables.hpp"
 #include "raster/kernels/local_stroke_kernels.hpp"

@@ -4,6 +4,7 @@
 #include <bit>
 #include <utility>
 
+#include "base/charge.hpp"
 #include "raster/bends.hpp"
 
 namespace sfumato::gpu {

@@ -2,8 +2,8 @@
 
 #include <optional>
 
-#include "sfumato/base/box.hpp"
 #include "gpu/table.hpp"
+#include "sfumato/base/box.hpp"
 #include "sfumato/picture/picture.hpp"
 
 namespace sfumato::gpu {

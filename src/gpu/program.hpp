@@ -3,9 +3,9 @@
 #include <string_view>
 #include <vector>
 
+#include "gpu/gl.hpp"
 #include "sfumato/base/affine.hpp"
 #include "sfumato/base/status.hpp"
-#include "gpu/gl.hpp"
 
 namespace sfumato::gpu {
 

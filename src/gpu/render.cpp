@@ -5,7 +5,9 @@
 #include <utility>
 #include <vector>
 
+#include "base/charge.hpp"
 #include "base/no_throw.hpp"
+#include "base/parallel.hpp"
 #include "base/public_verb.hpp"
 #include "gpu/device.hpp"
 #include "gpu/draw_list.hpp"

@@ -5,8 +5,9 @@
 #include <string_view>
 #include <vector>
 
-#include "sfumato/base/context.hpp"
+#include "base/charge.hpp"
 #include "gpu/device.hpp"
+#include "sfumato/base/context.hpp"
 
 namespace sfumato::gpu {
 

@@ -1,8 +1,9 @@
 #pragma once
 
-#include "sfumato/base/context.hpp"
+#include "base/charge.hpp"
 #include "gpu/device.hpp"
 #include "raster/kernels/tile.hpp"
+#include "sfumato/base/context.hpp"
 
 namespace sfumato::gpu {
 

@@ -9,8 +9,10 @@
 #include <tuple>
 #include <utility>
 
-#include "sfumato/base/box.hpp"
+#include "base/charge.hpp"
 #include "base/large_vector.hpp"
+#include "base/poll.hpp"
+#include "sfumato/base/box.hpp"
 
 namespace sfumato::svg_import {
 namespace {

@@ -4,9 +4,10 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/charge.hpp"
+#include "import/chords.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/status.hpp"
-#include "import/chords.hpp"
 
 namespace sfumato::svg_import {
 

@@ -6,7 +6,9 @@
 #include <tuple>
 #include <utility>
 
+#include "base/charge.hpp"
 #include "base/large_vector.hpp"
+#include "base/poll.hpp"
 #include "curves/bezier.hpp"
 #include "import/arrangement.hpp"
 #include "import/chords.hpp"

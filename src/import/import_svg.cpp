@@ -6,13 +6,14 @@
 #include <optional>
 #include <utility>
 
-#include "sfumato/base/limits.hpp"
+#include "base/charge.hpp"
 #include "base/public_verb.hpp"
 #include "codecs/gunzip.hpp"
 #include "formats/svg/plain_svg.hpp"
 #include "import/boundary.hpp"
 #include "import/painted_layer.hpp"
 #include "import/stroke_outline.hpp"
+#include "sfumato/base/limits.hpp"
 
 namespace sfumato {
 namespace {

@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "import/boundary.hpp"
+#include "import/chords.hpp"
 #include "sfumato/base/box.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/document/document.hpp"
-#include "import/boundary.hpp"
-#include "import/chords.hpp"
 
 namespace sfumato::svg_import {
 

@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <utility>
 
+#include "base/charge.hpp"
+#include "base/poll.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/status.hpp"
 #include "sfumato/base/vec2.hpp"

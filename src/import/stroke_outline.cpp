@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "base/charge.hpp"
 #include "curves/bezier.hpp"
 
 namespace sfumato::svg_import {

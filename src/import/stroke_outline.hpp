@@ -1,11 +1,12 @@
 #pragma once
 
-#include "sfumato/base/context.hpp"
-#include "sfumato/base/status.hpp"
+#include "base/charge.hpp"
 #include "curves/bezier.hpp"
 #include "formats/svg/plain_svg.hpp"
 #include "import/boundary.hpp"
 #include "import/point_meter.hpp"
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/status.hpp"
 
 namespace sfumato::svg_import {
 

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "sfumato/base/status.hpp"
 #include "lint/layer_under_test.hpp"
+#include "sfumato/base/status.hpp"
 
 namespace sfumato::lint_detail {
 

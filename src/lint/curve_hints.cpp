@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/number_text.hpp"
+#include "base/poll.hpp"
 
 namespace sfumato::lint_detail {
 namespace {

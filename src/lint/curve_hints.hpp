@@ -1,7 +1,7 @@
 #pragma once
 
-#include "sfumato/base/status.hpp"
 #include "lint/layer_under_test.hpp"
+#include "sfumato/base/status.hpp"
 
 namespace sfumato::lint_detail {
 

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "base/number_text.hpp"
+#include "base/poll.hpp"
 #include "base/public_verb.hpp"
 #include "lint/coverage.hpp"
 #include "lint/curve_hints.hpp"

@@ -3,11 +3,13 @@
 #include <cmath>
 #include <set>
 
-#include "sfumato/base/color_space.hpp"
+#include "base/charge.hpp"
 #include "base/number_text.hpp"
+#include "base/poll.hpp"
 #include "gather/free_ends.hpp"
 #include "gather/scene.hpp"
 #include "lint/curve_hints.hpp"
+#include "sfumato/base/color_space.hpp"
 
 namespace sfumato::lint_detail {
 namespace {

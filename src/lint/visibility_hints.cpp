@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <functional>
 #include <unordered_map>
 
+#include "base/poll.hpp"
 #include "gather/scene.hpp"
 #include "lint/curve_hints.hpp"
 

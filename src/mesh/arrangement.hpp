@@ -4,11 +4,12 @@
 #include <span>
 #include <vector>
 
-#include "sfumato/base/context.hpp"
-#include "sfumato/base/status.hpp"
+#include "base/charge.hpp"
 #include "mesh/chords.hpp"
 #include "mesh/lattice.hpp"
 #include "mesh/triangulation.hpp"
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/status.hpp"
 
 namespace sfumato::mesh {
 

@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "sfumato/base/limits.hpp"
 #include "mesh/triangle_mesh.hpp"
 #include "mesh/triangulation.hpp"
+#include "sfumato/base/limits.hpp"
 
 namespace sfumato::mesh {
 

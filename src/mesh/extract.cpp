@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/large_vector.hpp"
+#include "base/poll.hpp"
 
 namespace sfumato::mesh {
 namespace {

@@ -4,12 +4,12 @@
 #include <span>
 #include <vector>
 
-#include "sfumato/base/status.hpp"
 #include "mesh/chords.hpp"
 #include "mesh/lattice.hpp"
 #include "mesh/numbering.hpp"
 #include "mesh/refiner.hpp"
 #include "mesh/triangulation.hpp"
+#include "sfumato/base/status.hpp"
 
 namespace sfumato::mesh {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "sfumato/base/status.hpp"
 #include "mesh/triangle_mesh.hpp"
+#include "sfumato/base/status.hpp"
 
 namespace sfumato::mesh {
 

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <cstdint>
 
-#include "sfumato/base/status.hpp"
-#include "sfumato/base/vec2.hpp"
 #include "curves/flatten.hpp"
 #include "mesh/mesher.hpp"
+#include "sfumato/base/status.hpp"
+#include "sfumato/base/vec2.hpp"
 
 namespace sfumato::mesh {
 

@@ -8,7 +8,10 @@
 #include <string>
 #include <utility>
 
+#include "base/charge.hpp"
 #include "base/large_vector.hpp"
+#include "base/limit_error.hpp"
+#include "base/poll.hpp"
 #include "mesh/arrangement.hpp"
 #include "mesh/chords.hpp"
 #include "mesh/extract.hpp"

@@ -5,11 +5,11 @@
 #include <span>
 #include <vector>
 
+#include "curves/flatten.hpp"
+#include "mesh/triangle_mesh.hpp"
 #include "sfumato/base/box.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/status.hpp"
-#include "curves/flatten.hpp"
-#include "mesh/triangle_mesh.hpp"
 
 namespace sfumato::mesh {
 

@@ -3,6 +3,7 @@
 #include <numeric>
 
 #include "base/large_vector.hpp"
+#include "base/poll.hpp"
 
 namespace sfumato::mesh {
 namespace {

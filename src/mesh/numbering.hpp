@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "sfumato/base/context.hpp"
 #include "mesh/triangulation.hpp"
+#include "sfumato/base/context.hpp"
 
 namespace sfumato::mesh {
 

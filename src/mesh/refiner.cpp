@@ -7,6 +7,8 @@
 #include <string>
 
 #include "base/large_vector.hpp"
+#include "base/limit_error.hpp"
+#include "base/poll.hpp"
 #include "mesh/triangle_mesh.hpp"
 
 namespace sfumato::mesh {

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <string>
 
+#include "base/charge.hpp"
 #include "base/large_vector.hpp"
+#include "base/limit_error.hpp"
 #include "sfumato/base/limits.hpp"
 
 namespace sfumato::mesh {

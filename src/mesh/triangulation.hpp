@@ -3,9 +3,10 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/charge.hpp"
+#include "mesh/lattice.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/status.hpp"
-#include "mesh/lattice.hpp"
 
 namespace sfumato::mesh {
 

@@ -6,8 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "sfumato/base/limits.hpp"
+#include "base/limit_error.hpp"
 #include "document/rules.hpp"
+#include "sfumato/base/limits.hpp"
 
 namespace sfumato::picture {
 namespace {

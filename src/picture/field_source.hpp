@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "sfumato/base/affine.hpp"
 #include "base/pixel_rect.hpp"
+#include "sfumato/base/affine.hpp"
 #include "sfumato/base/status.hpp"
 
 namespace sfumato::picture {

@@ -3,6 +3,8 @@
 #include <array>
 #include <cmath>
 
+#include "base/poll.hpp"
+
 namespace sfumato::raster {
 namespace {
 

@@ -3,11 +3,12 @@
 #include <span>
 #include <vector>
 
+#include "base/charge.hpp"
+#include "raster/kernels/image_shader_row.hpp"
 #include "sfumato/base/affine.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/status.hpp"
 #include "sfumato/document/shader.hpp"
-#include "raster/kernels/image_shader_row.hpp"
 
 namespace sfumato::raster {
 

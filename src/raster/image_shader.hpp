@@ -2,14 +2,14 @@
 
 #include <variant>
 
+#include "raster/gradient.hpp"
+#include "raster/texture_filter.hpp"
+#include "raster/texture_pyramid.hpp"
 #include "sfumato/base/affine.hpp"
 #include "sfumato/base/color.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/status.hpp"
 #include "sfumato/document/document.hpp"
-#include "raster/gradient.hpp"
-#include "raster/texture_filter.hpp"
-#include "raster/texture_pyramid.hpp"
 
 namespace sfumato::raster {
 

@@ -108,6 +108,11 @@ Status LayerPainter::read_source(const LayerView& layer, const ShadingInput& inp
   const auto channels = static_cast<std::size_t>(layer.color.channel_count);
   const auto opacity_channels = static_cast<std::size_t>(layer.opacity.channel_count);
   const bool has_opacity = !pixels_.opacity.empty();
+  const auto pixel_count = static_cast<std::size_t>(tile.height) * tile.width;
+  if (pixels_.color.size() != channels * pixel_count || pixels_.hit.size() != pixel_count ||
+      (has_opacity && pixels_.opacity.size() != opacity_channels * pixel_count)) {
+    return make_error(StatusCode::bad_input, "a source of fields gave other tables than asked for");
+  }
   const auto for_each_pixel = [&](auto body) {
     for (int row = 0; row < tile.height; ++row) {
       for (int x = 0; x < tile.width; ++x) {

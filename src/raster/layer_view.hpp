@@ -1,8 +1,8 @@
 #pragma once
 
+#include "raster/kernels/tile.hpp"
 #include "sfumato/base/status.hpp"
 #include "sfumato/picture/picture.hpp"
-#include "raster/kernels/tile.hpp"
 #include "sfumato/raster/rasterize.hpp"
 
 namespace sfumato::raster {

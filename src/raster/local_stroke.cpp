@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "base/poll.hpp"
+
 namespace sfumato::raster {
 namespace {
 

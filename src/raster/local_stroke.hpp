@@ -2,15 +2,15 @@
 
 #include <cstddef>
 
+#include "curves/stroke_segments.hpp"
+#include "raster/kernels/local_stroke_kernels.hpp"
+#include "raster/local_stroke_tree.hpp"
 #include "sfumato/base/affine.hpp"
 #include "sfumato/base/box.hpp"
 #include "sfumato/base/color_space.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/status.hpp"
-#include "curves/stroke_segments.hpp"
 #include "sfumato/document/document.hpp"
-#include "raster/kernels/local_stroke_kernels.hpp"
-#include "raster/local_stroke_tree.hpp"
 
 namespace sfumato::raster {
 

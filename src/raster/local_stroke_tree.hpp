@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "base/charge.hpp"
 #include "sfumato/base/box.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/function_ref.hpp"

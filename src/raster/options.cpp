@@ -1,7 +1,9 @@
 #include "raster/options.hpp"
 
+#include <algorithm>
 #include <string>
 
+#include "base/limit_error.hpp"
 #include "document/rules.hpp"
 
 namespace sfumato::raster {

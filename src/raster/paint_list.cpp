@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/parallel.hpp"
 #include "raster/bends.hpp"
 #include "raster/layer_view.hpp"
 

@@ -4,13 +4,14 @@
 #include <span>
 #include <vector>
 
-#include "sfumato/base/context.hpp"
-#include "sfumato/base/status.hpp"
-#include "sfumato/picture/picture.hpp"
+#include "base/charge.hpp"
 #include "raster/local_stroke.hpp"
 #include "raster/shader_set.hpp"
 #include "raster/tile_bins.hpp"
 #include "raster/triangle_blocks.hpp"
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/status.hpp"
+#include "sfumato/picture/picture.hpp"
 
 namespace sfumato::raster {
 

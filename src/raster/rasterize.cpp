@@ -1,12 +1,12 @@
-#include "sfumato/raster/rasterize.hpp"
-
 #include <algorithm>
 #include <atomic>
 #include <memory>
 #include <utility>
 #include <vector>
 
+#include "base/charge.hpp"
 #include "base/large_vector.hpp"
+#include "base/parallel.hpp"
 #include "base/public_verb.hpp"
 #include "picture/check_picture.hpp"
 #include "raster/compositor.hpp"
@@ -15,6 +15,7 @@
 #include "raster/options.hpp"
 #include "raster/overlay.hpp"
 #include "raster/paint_list.hpp"
+#include "raster/rasterize_source.hpp"
 #include "raster/soft_strip.hpp"
 
 namespace sfumato {
@@ -205,7 +206,15 @@ Result<Image> rasterize(Context& context, const Picture& picture, const RasterOp
                         const picture::FieldSource& source) {
   RasterOptions plain = options;
   plain.antialias = plain.mesh_overlay = false;
-  return public_verb(context, [&] { return draw(context, picture, plain, &source); });
+  return public_verb(context, [&]() -> Result<Image> {
+    const auto is_opaque = [](const PatchLayer& layer) {
+      return layer.triangle_count() > 0 && layer.opacity.channel_count == 0;
+    };
+    if (std::ranges::any_of(picture.layers, is_opaque)) {
+      return make_error(StatusCode::bad_input, "a source of fields for a layer without opacity");
+    }
+    return draw(context, picture, plain, &source);
+  });
 }
 
 }  // namespace sfumato

@@ -3,10 +3,10 @@
 #include <optional>
 #include <vector>
 
+#include "raster/image_shader.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/status.hpp"
 #include "sfumato/picture/picture.hpp"
-#include "raster/image_shader.hpp"
 
 namespace sfumato::raster {
 

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "sfumato/base/affine.hpp"
-#include "sfumato/base/vec2.hpp"
 #include "raster/kernels/image_shader_row.hpp"
 #include "raster/texture_pyramid.hpp"
+#include "sfumato/base/affine.hpp"
+#include "sfumato/base/vec2.hpp"
 
 namespace sfumato::raster {
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/large_vector.hpp"
+#include "base/parallel.hpp"
 #include "raster/kernels/texture_kernels.hpp"
 
 namespace sfumato::raster {

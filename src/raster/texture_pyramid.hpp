@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/charge.hpp"
 #include "sfumato/base/affine.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/status.hpp"

@@ -4,6 +4,10 @@
 #include <cmath>
 #include <utility>
 
+#include "base/charge.hpp"
+#include "base/parallel.hpp"
+#include "base/poll.hpp"
+
 namespace sfumato::raster {
 namespace {
 

@@ -3,10 +3,11 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/charge.hpp"
+#include "raster/kernels/tile.hpp"
 #include "sfumato/base/box.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/status.hpp"
-#include "raster/kernels/tile.hpp"
 
 namespace sfumato::raster {
 

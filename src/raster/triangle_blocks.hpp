@@ -2,10 +2,11 @@
 
 #include <vector>
 
+#include "base/charge.hpp"
+#include "raster/kernels/tile.hpp"
 #include "sfumato/base/box.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/status.hpp"
-#include "raster/kernels/tile.hpp"
 
 namespace sfumato::raster {
 

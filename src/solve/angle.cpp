@@ -1,5 +1,6 @@
 #include "solve/angle.hpp"
 
+#include <cmath>
 #include <numbers>
 
 namespace sfumato::solve {

@@ -5,7 +5,9 @@
 #include <cstddef>
 #include <utility>
 
+#include "base/charge.hpp"
 #include "base/large_vector.hpp"
+#include "base/poll.hpp"
 #include "picture/patch.hpp"
 
 namespace sfumato::solve {

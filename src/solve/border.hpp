@@ -4,10 +4,11 @@
 #include <span>
 #include <vector>
 
+#include "base/charge.hpp"
+#include "mesh/triangle_mesh.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/function_ref.hpp"
 #include "sfumato/base/status.hpp"
-#include "mesh/triangle_mesh.hpp"
 #include "sfumato/picture/picture.hpp"
 
 namespace sfumato::solve {

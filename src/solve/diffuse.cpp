@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "base/charge.hpp"
 #include "base/large_vector.hpp"
 #include "base/public_verb.hpp"
 #include "solve/layer_solver.hpp"

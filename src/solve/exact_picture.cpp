@@ -106,7 +106,7 @@ Status ExactPicture::read(std::uint32_t layer, const Affine& layer_from_image,
                  .limits = context_->limits,
                  .simd = context_->simd,
                  .outer = context_};
-  Status status = evaluator_.evaluate(serial, layer, points, color, hit, opacity);
+  Status status = evaluator_.gather(serial, layer, points, color, hit, opacity);
   if (!status) return status;
   put_in_rows(color, channels, pixel, out->color);
   put_in_rows(opacity, opacity_channels, pixel, out->opacity);

@@ -2,10 +2,11 @@
 
 #include <cstdint>
 
-#include "sfumato/base/context.hpp"
+#include "base/charge.hpp"
 #include "picture/field_source.hpp"
+#include "sfumato/base/context.hpp"
 #include "sfumato/picture/picture.hpp"
-#include "solve/point_evaluator.hpp"
+#include "sfumato/solve/point_evaluator.hpp"
 
 namespace sfumato::solve {
 

@@ -5,7 +5,9 @@
 #include <numeric>
 #include <utility>
 
+#include "base/charge.hpp"
 #include "base/large_vector.hpp"
+#include "base/poll.hpp"
 #include "picture/patch.hpp"
 #include "solve/layout_order.hpp"
 #include "solve/probes.hpp"

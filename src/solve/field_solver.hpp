@@ -5,11 +5,12 @@
 #include <span>
 #include <vector>
 
+#include "base/charge.hpp"
+#include "curves/attributes.hpp"
+#include "gather/gather.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/function_ref.hpp"
 #include "sfumato/base/status.hpp"
-#include "curves/attributes.hpp"
-#include "gather/gather.hpp"
 #include "sfumato/picture/picture.hpp"
 #include "solve/border.hpp"
 #include "solve/layout_update.hpp"

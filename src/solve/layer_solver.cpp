@@ -4,6 +4,9 @@
 #include <numeric>
 #include <utility>
 
+#include "base/charge.hpp"
+#include "base/limit_error.hpp"
+#include "base/poll.hpp"
 #include "base/stopwatch.hpp"
 #include "solve/soft_edges.hpp"
 

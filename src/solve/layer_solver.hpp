@@ -8,8 +8,8 @@
 #include "sfumato/base/function_ref.hpp"
 #include "sfumato/base/status.hpp"
 #include "sfumato/picture/picture.hpp"
-#include "solve/border.hpp"
 #include "sfumato/solve/diffuse.hpp"
+#include "solve/border.hpp"
 #include "solve/field_solver.hpp"
 #include "solve/prepare_layer.hpp"
 

@@ -1,5 +1,6 @@
 #include "solve/layout_order.hpp"
 
+#include "base/poll.hpp"
 #include "solve/fan.hpp"
 
 namespace sfumato::solve {

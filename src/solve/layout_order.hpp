@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "sfumato/base/context.hpp"
 #include "base/large_vector.hpp"
+#include "sfumato/base/context.hpp"
 #include "solve/nodes.hpp"
 
 namespace sfumato::solve {

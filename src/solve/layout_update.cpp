@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "base/large_vector.hpp"
+#include "base/poll.hpp"
 #include "solve/node_placer.hpp"
 
 namespace sfumato::solve {

@@ -3,6 +3,7 @@
 #include <span>
 
 #include "base/large_vector.hpp"
+#include "base/poll.hpp"
 #include "solve/node_placer.hpp"
 
 namespace sfumato::solve {

@@ -1,53 +1,62 @@
-#include "solve/point_evaluator.hpp"
+#include "sfumato/solve/point_evaluator.hpp"
 
+#include <algorithm>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "base/public_verb.hpp"
 #include "solve/prepare_layer.hpp"
 
 namespace sfumato {
-
 struct PointEvaluator::State {
   struct Fields {
     solve::PreparedField color;
     std::optional<solve::PreparedField> opacity;
+    Box frame;  ///< where there is something to gather, layer frame
   };
 
   const solve::PreparedField* color(std::uint32_t layer) const {
-    return layers[layer] ? &layers[layer]->color : nullptr;
+    return layer < layers.size() && layers[layer] ? &layers[layer]->color : nullptr;
   }
   const solve::PreparedField* opacity(std::uint32_t layer) const {
-    return layers[layer] && layers[layer]->opacity ? &*layers[layer]->opacity : nullptr;
+    return color(layer) && layers[layer]->opacity ? &*layers[layer]->opacity : nullptr;
   }
 
   std::vector<std::optional<Fields>> layers;  ///< empty where nothing of the layer shows
   gather::GatherOptions gather;
 };
 
-PointEvaluator::PointEvaluator(std::unique_ptr<State> state) : state_(std::move(state)) {}
-PointEvaluator::PointEvaluator(PointEvaluator&&) noexcept = default;
-PointEvaluator& PointEvaluator::operator=(PointEvaluator&&) noexcept = default;
-PointEvaluator::~PointEvaluator() = default;
+PointEvaluator& PointEvaluator::operator=(PointEvaluator&& other) noexcept {
+  std::swap(state_, other.state_);
+  return *this;
+}
+
+PointEvaluator::~PointEvaluator() {
+  delete state_;
+}
 
 Result<PointEvaluator> PointEvaluator::create(Context& context, const Document& document,
                                               const DiffuseOptions& options, DiffuseStats* stats) {
-  if (Status status = solve::validate(options); !status) return status;
-  if (Status status = validate(context, document); !status) return status;
-  auto state = std::make_unique<State>();
-  state->gather = options.gather;
-  state->layers.resize(document.layers.size());
-  const Box viewport = options.viewport.value_or(document.artboard);
-  for (std::uint32_t i = 0; i < document.layers.size(); ++i) {
-    const solve::LayerSight sight = solve::sight_of_layer(document, i, viewport);
-    if (sight.viewport.empty() || document.layers[i].curves.empty()) continue;
-    Result<solve::PreparedLayer> prepared =
-        solve::prepare_layer(context, document, i, sight, options, stats);
-    if (!prepared) return prepared.status();
-    state->layers[i].emplace(
-        State::Fields{std::move(prepared->color), std::move(prepared->opacity)});
-  }
-  return PointEvaluator(std::move(state));
+  return public_verb(context, [&]() -> Result<PointEvaluator> {
+    if (Status status = solve::validate(options); !status) return status;
+    if (Status status = validate(context, document); !status) return status;
+    auto state = std::make_unique<State>();
+    state->gather = options.gather;
+    state->layers.resize(document.layers.size());
+    const Box viewport = options.viewport.value_or(document.artboard);
+    for (std::uint32_t i = 0; i < document.layers.size(); ++i) {
+      const solve::LayerSight sight = solve::sight_of_layer(document, i, viewport);
+      if (sight.viewport.empty() || document.layers[i].curves.empty()) continue;
+      Result<solve::PreparedLayer> prepared =
+          solve::prepare_layer(context, document, i, sight, options, stats);
+      if (!prepared) return prepared.status();
+      state->layers[i].emplace(
+          State::Fields{std::move(prepared->color), std::move(prepared->opacity), sight.viewport});
+    }
+    return PointEvaluator(state.release());
+  });
 }
 
 int PointEvaluator::color_channels(std::uint32_t layer) const {
@@ -75,6 +84,26 @@ std::span<const std::uint32_t> PointEvaluator::opacity_shaders(std::uint32_t lay
 Status PointEvaluator::evaluate(Context& context, std::uint32_t layer, std::span<const Vec2> points,
                                 std::span<float> color, std::span<std::uint8_t> hit,
                                 std::span<float> opacity) const {
+  return public_verb(context, [&] {
+    const auto channels = static_cast<std::size_t>(color_channels(layer));
+    const auto opacity_size = static_cast<std::size_t>(opacity_channels(layer)) * points.size();
+    if (channels == 0) return make_error(StatusCode::bad_input, "a layer without colours");
+    if (color.size() != channels * points.size() || hit.size() != points.size() ||
+        (!opacity.empty() && opacity.size() != opacity_size)) {
+      return make_error(StatusCode::bad_input, "tables of another size than the points ask for");
+    }
+    const Box& frame = state_->layers[layer]->frame;
+    const auto is_inside = [&](Vec2 point) { return frame.contains(point); };
+    if (!std::ranges::all_of(points, is_inside)) {
+      return make_error(StatusCode::bad_input, "a point outside what was prepared");
+    }
+    return gather(context, layer, points, color, hit, opacity);
+  });
+}
+
+Status PointEvaluator::gather(Context& context, std::uint32_t layer, std::span<const Vec2> points,
+                              std::span<float> color, std::span<std::uint8_t> hit,
+                              std::span<float> opacity) const {
   const State::Fields& fields = *state_->layers[layer];
   Status status = fields.color.gatherer.gather(context, points, state_->gather, color, hit);
   if (!status || !fields.opacity || opacity.empty()) return status;

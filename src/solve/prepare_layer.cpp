@@ -5,9 +5,10 @@
 #include <limits>
 #include <string>
 
-#include "sfumato/base/limits.hpp"
+#include "base/charge.hpp"
 #include "base/stopwatch.hpp"
 #include "curves/flatten.hpp"
+#include "sfumato/base/limits.hpp"
 #include "solve/layer_view.hpp"
 
 namespace sfumato::solve {

@@ -3,10 +3,10 @@
 #include <optional>
 #include <vector>
 
+#include "mesh/mesher.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/status.hpp"
 #include "sfumato/document/document.hpp"
-#include "mesh/mesher.hpp"
 #include "sfumato/solve/diffuse.hpp"
 #include "solve/field_solver.hpp"
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/large_vector.hpp"
+#include "base/poll.hpp"
 #include "picture/patch.hpp"
 
 namespace sfumato::solve {

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "base/large_vector.hpp"
+#include "base/poll.hpp"
 
 namespace sfumato::solve {
 namespace {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/poll.hpp"
+
 namespace sfumato::solve {
 namespace {
 

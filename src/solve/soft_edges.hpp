@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
+#include "mesh/triangle_mesh.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/function_ref.hpp"
-#include "mesh/triangle_mesh.hpp"
 #include "sfumato/picture/picture.hpp"
 
 namespace sfumato::solve {

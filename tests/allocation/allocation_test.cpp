@@ -8,9 +8,10 @@
 
 #include "allocation/documents.hpp"
 #include "allocation/every_allocation.hpp"
+#include "base/parallel.hpp"
 #include "sfumato/api/render_pixels.hpp"
 #include "sfumato/base/native/file.hpp"
-#include "base/native/tbb_executor.hpp"
+#include "sfumato/base/native/thread_pool.hpp"
 #include "sfumato/codecs/jpeg_encode.hpp"
 #include "sfumato/codecs/png.hpp"
 #include "sfumato/codecs/webp_encode.hpp"
@@ -264,16 +265,16 @@ TEST(AllocationOf, a_whole_render) {
 }
 
 TEST(AllocationOf, a_whole_render_on_many_threads) {
-  const auto executor = make_tbb_executor(4);
+  ThreadPool executor(4);
   check("render", whole_render(document_with_everything(), 128, 96),
-        {.every = 41, .executor = executor.get(), .also = StatusCode::bad_input});
+        {.every = 41, .executor = &executor, .also = StatusCode::bad_input});
 }
 
 TEST(AllocationOf, a_loop_on_many_threads) {
-  const auto executor = make_tbb_executor(3);
+  ThreadPool executor(3);
   for (std::size_t k = 0; k < 32; ++k) {
     for (const Refusal refusal : {Refusal::one, Refusal::all_from}) {
-      Context context{.executor = executor.get()};
+      Context context{.executor = &executor};
       Status status = ok_status();
       {
         const RefusedAllocations refused(k, refusal);

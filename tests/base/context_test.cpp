@@ -9,7 +9,11 @@
 #include <string>
 #include <vector>
 
+#include "base/charge.hpp"
 #include "base/large_vector.hpp"
+#include "base/limit_error.hpp"
+#include "base/parallel.hpp"
+#include "base/poll.hpp"
 
 namespace sfumato::test {
 namespace {

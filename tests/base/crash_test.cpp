@@ -12,8 +12,8 @@
 #include <set>
 #include <string>
 
-#include "sfumato/base/native/file.hpp"
 #include "base/traced_child.hpp"
+#include "sfumato/base/native/file.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace sfumato {

@@ -4,8 +4,8 @@
 #include <memory>
 #include <thread>
 
-#include "base/native/tbb_executor.hpp"
 #include "base/stopwatch.hpp"
+#include "sfumato/base/native/thread_pool.hpp"
 
 namespace sfumato {
 namespace {
@@ -23,16 +23,16 @@ bool works_with(Executor& executor, int count) {
 }
 
 TEST(Executors, have_the_threads_that_were_asked_for) {
-  const std::unique_ptr<Executor> executor = make_tbb_executor(8);
-  EXPECT_EQ(executor->thread_count(), 8);
-  EXPECT_TRUE(works_with(*executor, 8));
+  ThreadPool executor(8);
+  EXPECT_EQ(executor.thread_count(), 8);
+  EXPECT_TRUE(works_with(executor, 8));
 }
 
 TEST(Executors, leave_each_other_their_threads) {
-  const std::unique_ptr<Executor> two = make_tbb_executor(2);
-  const std::unique_ptr<Executor> five = make_tbb_executor(5);
-  EXPECT_TRUE(works_with(*two, 2));
-  EXPECT_TRUE(works_with(*five, 5));
+  ThreadPool two(2);
+  ThreadPool five(5);
+  EXPECT_TRUE(works_with(two, 2));
+  EXPECT_TRUE(works_with(five, 5));
 }
 
 }  // namespace

@@ -13,9 +13,9 @@
 #include <thread>
 #include <vector>
 
-#include "sfumato/base/context.hpp"
 #include "base/native/atomic_file.hpp"
 #include "base/stopwatch.hpp"
+#include "sfumato/base/context.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace sfumato {

@@ -6,8 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "base/charge.hpp"
+#include "base/parallel.hpp"
 #include "sfumato/base/context.hpp"
-#include "base/native/tbb_executor.hpp"
+#include "sfumato/base/native/thread_pool.hpp"
 
 /// What the allocator throws becomes a status. That every public function does so for every
 /// allocation is tests/allocation's.
@@ -64,8 +66,8 @@ TEST(ParallelFor, failed_allocation_of_a_body_is_out_of_memory) {
 }
 
 TEST(ParallelFor, failed_allocation_on_another_thread_is_out_of_memory) {
-  const auto executor = make_tbb_executor(4);
-  expect_parallel_for_runs_out_of_memory(executor.get());
+  ThreadPool executor(4);
+  expect_parallel_for_runs_out_of_memory(&executor);
 }
 
 /// Returns how many ranges were begun.
@@ -88,13 +90,13 @@ TEST(ParallelFor, failure_of_a_body_is_the_status_and_ends_the_rest) {
 }
 
 TEST(ParallelFor, failure_of_a_body_on_another_thread_is_the_status) {
-  const auto executor = make_tbb_executor(4);
-  expect_the_failure_of_a_body(executor.get());
+  ThreadPool executor(4);
+  expect_the_failure_of_a_body(&executor);
 }
 
 TEST(ParallelFor, many_threads_do_every_item_once) {
-  const auto executor = make_tbb_executor(8);
-  Context context{.executor = executor.get()};
+  ThreadPool executor(8);
+  Context context{.executor = &executor};
   std::vector<std::atomic<int>> done(10'000);
   const auto body = [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) ++done[i];
@@ -104,8 +106,8 @@ TEST(ParallelFor, many_threads_do_every_item_once) {
 }
 
 TEST(ParallelFor, loops_may_stand_within_loops) {
-  const auto executor = make_tbb_executor(4);
-  Context context{.executor = executor.get()};
+  ThreadPool executor(4);
+  Context context{.executor = &executor};
   std::atomic<int> done{0};
   const Status status = parallel_for(context, 50, 1, [&](std::size_t, std::size_t) {
     const Status inner = parallel_for(context, 50, 1, [&](std::size_t, std::size_t) { ++done; });

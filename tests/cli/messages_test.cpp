@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "base/limit_error.hpp"
 #include "sfumato/base/limits.hpp"
 
 namespace sfumato::cli {

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <string>
 
-#include "sfumato/codecs/png.hpp"
 #include "equal/tool/difference.hpp"
 #include "equal/tool/scene_check.hpp"
 #include "equal/tool/scene_trace.hpp"
+#include "sfumato/codecs/png.hpp"
 
 namespace sfumato::test {
 namespace {

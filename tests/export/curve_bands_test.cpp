@@ -8,10 +8,10 @@
 #include <string>
 #include <tuple>
 
-#include "sfumato/export/pdf/pdf.hpp"
 #include "export/support.hpp"
-#include "sfumato/formats/svg/svg.hpp"
 #include "raster/pictures.hpp"
+#include "sfumato/export/pdf/pdf.hpp"
+#include "sfumato/formats/svg/svg.hpp"
 #include "support/drawing.hpp"
 #include "support/scenes.hpp"
 

@@ -2,16 +2,17 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <numbers>
 #include <random>
 #include <span>
 
-#include "sfumato/export/pdf/pdf.hpp"
 #include "export/support.hpp"
-#include "sfumato/formats/svg/svg.hpp"
 #include "raster/pictures.hpp"
+#include "sfumato/export/pdf/pdf.hpp"
+#include "sfumato/formats/svg/svg.hpp"
 #include "sfumato/raster/rasterize.hpp"
 
 namespace sfumato::outputs {

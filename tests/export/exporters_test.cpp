@@ -4,14 +4,14 @@
 #include <limits>
 #include <string>
 
-#include "base/native/tbb_executor.hpp"
+#include "export/support.hpp"
+#include "raster/pictures.hpp"
+#include "sfumato/base/native/thread_pool.hpp"
 #include "sfumato/export/eps/eps.hpp"
 #include "sfumato/export/glb/glb.hpp"
 #include "sfumato/export/html/html.hpp"
 #include "sfumato/export/pdf/pdf.hpp"
-#include "export/support.hpp"
 #include "sfumato/export/svg/svg.hpp"
-#include "raster/pictures.hpp"
 
 /// What every exporter does: the same for any number of threads, and no harm on pictures that are
 /// small, broken, or too large for its memory.
@@ -69,10 +69,10 @@ TEST(Exporters, write_the_same_for_any_number_of_threads) {
   const auto document = test::example("apple.svg");
   ASSERT_TRUE(document);
   const Picture picture = test::solved(*document);
-  const auto pool = make_tbb_executor(3);
+  ThreadPool pool(3);
   for (const Exporter& exporter : kExporters) {
     Context alone, shared;
-    shared.executor = pool.get();
+    shared.executor = &pool;
     const auto one = exporter.write(alone, picture), three = exporter.write(shared, picture);
     ASSERT_TRUE(one.ok() && three.ok()) << exporter.name;
     EXPECT_TRUE(*one == *three) << exporter.name;

@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <limits>
 #include <map>
 #include <random>
 
-#include "base/native/tbb_executor.hpp"
 #include "export/facets/facet_patch.hpp"
 #include "raster/pictures.hpp"
+#include "sfumato/base/native/thread_pool.hpp"
 #include "sfumato/solve/diffuse.hpp"
 #include "support/drawing.hpp"
 #include "support/scenes.hpp"
@@ -303,9 +305,9 @@ TEST(Facets, memory_is_given_back) {
 TEST(Facets, any_number_of_threads_gives_the_same_bytes) {
   const PatchLayer layer = random_layer(7, 0.5f, 0.3f);
   const FacetMesh one = facets(layer, kHalfStep);
-  const auto pool = make_tbb_executor(3);
+  ThreadPool pool(3);
   Context context;
-  context.executor = pool.get();
+  context.executor = &pool;
   const auto many = make_facets(context, layer, InterpolationSpace::srgb, {}, kHalfStep);
   ASSERT_TRUE(many.ok());
   EXPECT_EQ(many->vertex_value, one.vertex_value);

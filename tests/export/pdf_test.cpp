@@ -4,9 +4,9 @@
 
 #include <string>
 
-#include "base/native/tbb_executor.hpp"
 #include "export/support.hpp"
 #include "raster/pictures.hpp"
+#include "sfumato/base/native/thread_pool.hpp"
 #include "support/drawing.hpp"
 #include "support/scenes.hpp"
 
@@ -107,9 +107,9 @@ TEST(Pdf, the_title_may_be_in_any_script) {
 }
 
 TEST(Pdf, the_same_picture_gives_the_same_bytes) {
-  const auto pool = make_tbb_executor(3);
+  ThreadPool pool(3);
   Context context;
-  context.executor = pool.get();
+  context.executor = &pool;
   const Picture picture = flat_picture({0, {}, 0.5f, BlendMode::multiply});
   const Result<Bytes> threaded = export_pdf(context, picture, {});
   ASSERT_TRUE(threaded.ok());

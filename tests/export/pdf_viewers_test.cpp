@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <string>
 
-#include "sfumato/export/pdf/pdf.hpp"
 #include "export/support.hpp"
+#include "sfumato/export/pdf/pdf.hpp"
 #include "sfumato/formats/svg/svg.hpp"
 #include "support/random_document.hpp"
 #include "support/scenes.hpp"

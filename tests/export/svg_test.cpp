@@ -4,15 +4,16 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <limits>
 #include <string>
 
-#include "sfumato/base/limits.hpp"
 #include "codecs/base64.hpp"
-#include "sfumato/codecs/png.hpp"
 #include "export/support.hpp"
 #include "raster/pictures.hpp"
+#include "sfumato/base/limits.hpp"
+#include "sfumato/codecs/png.hpp"
 #include "support/drawing.hpp"
 #include "support/scenes.hpp"
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/poll.hpp"
 #include "formats/css/css_declarations.hpp"
 #include "formats/css/css_media.hpp"
 #include "formats/css/css_selector.hpp"

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "sfumato/base/limits.hpp"
-#include "base/native/tbb_executor.hpp"
+#include "sfumato/base/native/thread_pool.hpp"
 
 namespace sfumato {
 namespace {
@@ -93,9 +93,9 @@ TEST(Png, bytes_are_the_same_for_any_number_of_threads) {
     const Image image = drawing(700, 500, format);
     const std::vector<std::uint8_t> expected = encoded(image);
     for (const int thread_count : {1, 2, 3, 8}) {
-      const auto executor = make_tbb_executor(thread_count);
+      ThreadPool executor(thread_count);
       Context context;
-      context.executor = executor.get();
+      context.executor = &executor;
       const Result<std::vector<std::uint8_t>> png = encode_png(context, image);
       ASSERT_TRUE(png.ok());
       EXPECT_TRUE(*png == expected) << thread_count << " threads";

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "sfumato/base/limits.hpp"
 #include "formats/svg_support.hpp"
+#include "sfumato/base/limits.hpp"
 #include "support/gzip.hpp"
 
 namespace sfumato::test {

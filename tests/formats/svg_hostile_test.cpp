@@ -3,10 +3,10 @@
 
 #include <new>
 
-#include "sfumato/base/limits.hpp"
 #include "codecs/image_file.hpp"
 #include "formats/image_files.hpp"
 #include "formats/svg_support.hpp"
+#include "sfumato/base/limits.hpp"
 
 namespace sfumato::test {
 namespace {

@@ -1,6 +1,7 @@
 // Path data and basic shapes as chains of cubics.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "formats/svg_support.hpp"

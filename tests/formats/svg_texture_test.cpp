@@ -4,9 +4,9 @@
 #include <cstring>
 
 #include "codecs/image_file.hpp"
-#include "sfumato/codecs/png.hpp"
 #include "formats/image_files.hpp"
 #include "formats/svg_support.hpp"
+#include "sfumato/codecs/png.hpp"
 
 namespace sfumato::test {
 namespace {

@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include "sfumato/base/limits.hpp"
+#include <algorithm>
+
 #include "codecs/data_uri_write.hpp"
 #include "formats/svg/svg_write_ids.hpp"
+#include "sfumato/base/limits.hpp"
 #include "support/drawing.hpp"
 
 namespace sfumato {

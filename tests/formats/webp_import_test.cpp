@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <vector>
 
-#include "base/native/tbb_executor.hpp"
+#include "sfumato/base/native/thread_pool.hpp"
 
 /// The picture that libwebp gets in parts against the one that it makes of the whole.
 namespace sfumato {
@@ -123,8 +123,8 @@ TEST(WebpImport, the_bits_do_not_depend_on_the_threads) {
   Context alone;
   const auto expected = in_parts(alone, image);
   for (const int threads : {2, 5}) {
-    const auto executor = make_tbb_executor(threads);
-    Context context{.executor = executor.get()};
+    ThreadPool executor(threads);
+    Context context{.executor = &executor};
     EXPECT_EQ(in_parts(context, image), expected) << threads;
   }
 }

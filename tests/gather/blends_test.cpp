@@ -1,9 +1,10 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
-#include "base/native/tbb_executor.hpp"
 #include "gather/scenes.hpp"
+#include "sfumato/base/native/thread_pool.hpp"
 
 // Blur radii and image-domain shaders (paper eq. 4–11).
 namespace sfumato::gather::test {
@@ -114,9 +115,9 @@ TEST(Blends, every_width_and_thread_count_gives_the_same_bits) {
   for (int threads : {1, 3}) {
     for (SimdLevel level : {SimdLevel::sse2, SimdLevel::avx2, SimdLevel::avx512}) {
       if (level > detected_simd_level()) continue;
-      const auto pool = make_tbb_executor(threads);
+      ThreadPool pool(threads);
       Context context;
-      context.executor = pool.get();
+      context.executor = &pool;
       context.simd = level;
       EXPECT_EQ(gather_at(context, drawing, points).value, expected);
     }

@@ -5,11 +5,11 @@
 #include <cstring>
 #include <numbers>
 
-#include "base/native/tbb_executor.hpp"
 #include "gather/kernels/kernel.hpp"
 #include "gather/kernels/kernel_entry.hpp"
 #include "gather/reference.hpp"
 #include "gather/scenes.hpp"
+#include "sfumato/base/native/thread_pool.hpp"
 
 namespace sfumato::gather::test {
 namespace {
@@ -144,9 +144,9 @@ TEST(ExactGather, bytes_do_not_depend_on_the_number_of_threads) {
     Context alone;
     const Gathered expected = gather_at(alone, drawing, points, options);
     for (int threads : {1, 2, 3, 8}) {
-      const std::unique_ptr<Executor> executor = make_tbb_executor(threads);
+      ThreadPool executor(threads);
       Context context;
-      context.executor = executor.get();
+      context.executor = &executor;
       const Gathered gathered = gather_at(context, drawing, points, options);
       EXPECT_EQ(gathered.value, expected.value) << threads;
       EXPECT_EQ(gathered.hit, expected.hit) << threads;

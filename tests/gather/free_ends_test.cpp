@@ -6,9 +6,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/native/tbb_executor.hpp"
 #include "gather/reference.hpp"
 #include "gather/scenes.hpp"
+#include "sfumato/base/native/thread_pool.hpp"
 
 // The term of free ends (docs/mathematics.md).
 namespace sfumato::gather::test {
@@ -239,9 +239,9 @@ TEST(FreeEnds, every_width_and_thread_count_gives_the_same_bits) {
   for (int threads : {1, 3}) {
     for (SimdLevel level : {SimdLevel::sse2, SimdLevel::avx2, SimdLevel::avx512}) {
       if (level > detected_simd_level()) continue;
-      const auto pool = make_tbb_executor(threads);
+      ThreadPool pool(threads);
       Context context;
-      context.executor = pool.get();
+      context.executor = &pool;
       context.simd = level;
       EXPECT_EQ(soft_at(context, drawing, points).value, expected);
     }

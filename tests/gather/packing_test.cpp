@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "base/native/tbb_executor.hpp"
 #include "gather/scenes.hpp"
+#include "sfumato/base/native/thread_pool.hpp"
 
 namespace sfumato::gather::test {
 namespace {
@@ -44,9 +44,9 @@ TEST_F(Packed, points_lie_in_the_triangles_they_are_located_in) {
 
 TEST_F(Packed, location_does_not_depend_on_the_number_of_threads) {
   const LocatedPoints expected = locate(context_);
-  const std::unique_ptr<Executor> executor = make_tbb_executor(3);
+  ThreadPool executor(3);
   Context context;
-  context.executor = executor.get();
+  context.executor = &executor;
   EXPECT_EQ(locate(context).triangle, expected.triangle);
 }
 

@@ -3,11 +3,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "sfumato/base/box.hpp"
 #include "curves/attributes.hpp"
 #include "curves/flatten.hpp"
 #include "gather/gather.hpp"
 #include "mesh/triangle_mesh.hpp"
+#include "sfumato/base/box.hpp"
 
 namespace sfumato::gather::test {
 

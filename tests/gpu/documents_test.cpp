@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "base/native/tbb_executor.hpp"
+#include "sfumato/base/native/thread_pool.hpp"
 #include "sfumato/formats/read_document.hpp"
 #include "sfumato/solve/diffuse.hpp"
 #include "support.hpp"
@@ -25,8 +25,8 @@ const std::string kFolder = SFUMATO_SOURCE_DIR "/examples";
 
 void expect_drawn_near(const Document& document, double pixels_per_unit, PixelFormat format) {
   Context context;
-  const std::unique_ptr<Executor> executor = make_tbb_executor();
-  context.executor = executor.get();
+  ThreadPool executor;
+  context.executor = &executor;
   DiffuseOptions options;
   options.pixels_per_unit = pixels_per_unit;
   const Result<Picture> picture = diffuse(context, document, options);

@@ -3,12 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdlib>
 
 #include "gpu/device.hpp"
-#include "sfumato/gpu/render.hpp"
 #include "raster/support.hpp"
+#include "sfumato/gpu/render.hpp"
 
 /// Skips a test where there is no context of OpenGL ES 3.
 #define SFUMATO_NEEDS_GPU()                                                        \

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <functional>
 
 #include "hostile/case.hpp"
 #include "hostile/documents.hpp"

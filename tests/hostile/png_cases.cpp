@@ -1,4 +1,6 @@
 // PNG textures that lie, break off, or unpack to gigabytes.
+#include <functional>
+
 #include "hostile/case.hpp"
 #include "hostile/documents.hpp"
 #include "hostile/images.hpp"

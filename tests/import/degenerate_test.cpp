@@ -7,11 +7,11 @@
 #include <limits>
 #include <random>
 
-#include "sfumato/base/box.hpp"
 #include "base/number_text.hpp"
 #include "import/boundary.hpp"
 #include "import/chords.hpp"
 #include "import/stroke_outline.hpp"
+#include "sfumato/base/box.hpp"
 
 namespace sfumato {
 namespace {

@@ -8,9 +8,9 @@
 #include <variant>
 
 #include "formats/each_text.hpp"
-#include "sfumato/formats/svg/svg_write.hpp"
 #include "import/boundary.hpp"
 #include "import/stroke_outline.hpp"
+#include "sfumato/formats/svg/svg_write.hpp"
 
 namespace sfumato {
 namespace {

@@ -6,10 +6,11 @@
 #include <limits>
 #include <random>
 
-#include "sfumato/base/box.hpp"
+#include "base/charge.hpp"
 #include "curves/bezier.hpp"
 #include "import/chords.hpp"
 #include "import/stroke_outline.hpp"
+#include "sfumato/base/box.hpp"
 #include "support/poll_recorder.hpp"
 
 namespace sfumato {

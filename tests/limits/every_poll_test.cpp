@@ -6,8 +6,10 @@
 #include <string>
 
 #include "allocation/documents.hpp"
-#include "sfumato/api/render_pixels.hpp"
+#include "base/poll.hpp"
 #include "codecs/image_file.hpp"
+#include "limits/large_inputs.hpp"
+#include "sfumato/api/render_pixels.hpp"
 #include "sfumato/codecs/jpeg_encode.hpp"
 #include "sfumato/codecs/png.hpp"
 #include "sfumato/codecs/webp_encode.hpp"
@@ -18,7 +20,6 @@
 #include "sfumato/export/svg/svg.hpp"
 #include "sfumato/formats/read_document.hpp"
 #include "sfumato/formats/svg/svg_write.hpp"
-#include "limits/large_inputs.hpp"
 #include "sfumato/lint/lint.hpp"
 #include "sfumato/raster/rasterize.hpp"
 #include "sfumato/solve/diffuse.hpp"

@@ -4,10 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "sfumato/api/render_pixels.hpp"
-#include "sfumato/base/limits.hpp"
 #include "codecs/deflate.hpp"
 #include "codecs/image_file.hpp"
+#include "limits/large_inputs.hpp"
+#include "sfumato/api/render_pixels.hpp"
+#include "sfumato/base/limits.hpp"
 #include "sfumato/codecs/jpeg_encode.hpp"
 #include "sfumato/codecs/png.hpp"
 #include "sfumato/codecs/webp_encode.hpp"
@@ -17,7 +18,6 @@
 #include "sfumato/export/svg/svg.hpp"
 #include "sfumato/formats/read_document.hpp"
 #include "sfumato/formats/svg/svg_write.hpp"
-#include "limits/large_inputs.hpp"
 #include "sfumato/lint/lint.hpp"
 #include "sfumato/raster/rasterize.hpp"
 #include "support/poll_recorder.hpp"

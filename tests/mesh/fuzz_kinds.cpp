@@ -1,5 +1,6 @@
 #include "mesh/fuzz_kinds.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>

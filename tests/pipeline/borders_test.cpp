@@ -9,10 +9,10 @@
 #include <utility>
 #include <vector>
 
-#include "sfumato/api/render_pixels.hpp"
-#include "sfumato/raster/rasterize.hpp"
 #include "raster/reference.hpp"
 #include "raster/support.hpp"
+#include "sfumato/api/render_pixels.hpp"
+#include "sfumato/raster/rasterize.hpp"
 #include "sfumato/solve/diffuse.hpp"
 #include "support/drawing.hpp"
 

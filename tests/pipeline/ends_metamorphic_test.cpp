@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <random>
 #include <string>
@@ -10,7 +11,7 @@
 #include <vector>
 
 #include "sfumato/api/render_pixels.hpp"
-#include "base/native/tbb_executor.hpp"
+#include "sfumato/base/native/thread_pool.hpp"
 #include "sfumato/raster/rasterize.hpp"
 #include "sfumato/solve/diffuse.hpp"
 #include "support/drawing.hpp"
@@ -252,8 +253,8 @@ Status draw_corner(Context& context, const Document& document, gather::Ends ends
 
 TEST(ManyEnds, a_hundred_thousand_are_drawn_within_512_mib) {
   const Document document = strokes(kManyWidth, kManyWidth / 2, 2);
-  const auto pool = make_tbb_executor(2);
-  Context context{.executor = pool.get(), .budget = Budget(std::size_t{512} << 20)};
+  ThreadPool pool(2);
+  Context context{.executor = &pool, .budget = Budget(std::size_t{512} << 20)};
   const Status status = draw_corner(context, document, gather::Ends::soft);
   EXPECT_TRUE(status.ok()) << status.message;
 }
@@ -271,8 +272,8 @@ TEST(ManyEnds, too_little_memory_for_them_is_an_answer) {
 
 TEST(ManyEnds, ten_thousand_in_one_picture_are_mixtures_of_its_colours) {
   const Document document = strokes(200, 100, 2);
-  const auto pool = make_tbb_executor(2);
-  Context context{.executor = pool.get()};
+  ThreadPool pool(2);
+  Context context{.executor = &pool};
   const Result<Picture> picture = diffuse(context, document, {.max_error = 0});
   ASSERT_TRUE(picture.ok()) << picture.status().message;
   for (const float value : picture->layers[0].color.node_value) {

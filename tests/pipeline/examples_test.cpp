@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "sfumato/api/render_pixels.hpp"
-#include "base/native/tbb_executor.hpp"
+#include "sfumato/base/native/thread_pool.hpp"
 #include "sfumato/formats/read_document.hpp"
 #include "sfumato/raster/rasterize.hpp"
 #include "sfumato/solve/diffuse.hpp"
@@ -146,8 +146,8 @@ TEST_P(Example, reads_without_warnings_and_renders) {
 
 /// At the drawing's own size, pixel by pixel.
 Image drawn_exactly(const Document& document, std::optional<double> tolerance) {
-  const std::unique_ptr<Executor> executor = make_tbb_executor(2);
-  Context context{.executor = executor.get()};
+  ThreadPool executor(2);
+  Context context{.executor = &executor};
   RasterOptions raster;
   raster.width = static_cast<int>(std::lround(document.artboard.width()));
   raster.height = static_cast<int>(std::lround(document.artboard.height()));

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "raster/support.hpp"
 #include "sfumato/api/render_pixels.hpp"
 #include "sfumato/raster/rasterize.hpp"
-#include "raster/support.hpp"
 #include "sfumato/solve/diffuse.hpp"
 #include "support/drawing.hpp"
 

@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/agreement.hpp"
 #include "sfumato/api/render_pixels.hpp"
-#include "base/native/tbb_executor.hpp"
+#include "sfumato/base/native/thread_pool.hpp"
 #include "sfumato/formats/svg/svg.hpp"
 #include "sfumato/formats/svg/svg_write.hpp"
-#include "pipeline/agreement.hpp"
 #include "sfumato/raster/rasterize.hpp"
 #include "sfumato/solve/diffuse.hpp"
 #include "support/random_document.hpp"
@@ -64,7 +64,7 @@ Image drawn(Context& context, const Document& document, PixelFormat format) {
 }
 
 TEST(RandomDocuments, give_the_same_bytes_for_any_number_of_threads_and_instruction_set) {
-  const std::unique_ptr<Executor> three_threads = make_tbb_executor(3);
+  ThreadPool three_threads(3);
   for (std::uint64_t seed = 1; seed <= kFewSeeds; ++seed) {
     SCOPED_TRACE(seed);
     const Document document = random_document(seed);
@@ -74,7 +74,7 @@ TEST(RandomDocuments, give_the_same_bytes_for_any_number_of_threads_and_instruct
       if (level > detected_simd_level()) continue;
       Context context;
       context.simd = level;
-      if (level == SimdLevel::sse2) context.executor = three_threads.get();
+      if (level == SimdLevel::sse2) context.executor = &three_threads;
       EXPECT_EQ(drawn(context, document, PixelFormat::rgba16).bytes, expected.bytes)
           << "level " << static_cast<int>(level);
     }

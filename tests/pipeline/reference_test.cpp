@@ -11,7 +11,7 @@
 
 #include "sfumato/raster/rasterize.hpp"
 #include "sfumato/solve/diffuse.hpp"
-#include "solve/point_evaluator.hpp"
+#include "sfumato/solve/point_evaluator.hpp"
 #include "support/scenes.hpp"
 
 namespace sfumato {

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <vector>
 
-#include "sfumato/base/color_space.hpp"
 #include "raster/pictures.hpp"
 #include "raster/support.hpp"
+#include "sfumato/base/color_space.hpp"
 
 namespace sfumato::test {
 namespace {

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <memory>
 
-#include "base/native/tbb_executor.hpp"
 #include "raster/pictures.hpp"
 #include "raster/support.hpp"
+#include "sfumato/base/native/thread_pool.hpp"
 
 namespace sfumato::test {
 namespace {
@@ -59,9 +59,9 @@ TEST(RasterDeterminism, compositing_gives_the_same_bytes_for_any_number_of_threa
   const RasterOptions options = image_size(700, 500, PixelFormat::rgba16);
   const Image alone = rasterized(picture, options);
   for (int threads : {2, 5}) {
-    const std::unique_ptr<Executor> executor = make_tbb_executor(threads);
+    ThreadPool executor(threads);
     Context context;
-    context.executor = executor.get();
+    context.executor = &executor;
     const Result<Image> image = rasterize(context, picture, options);
     ASSERT_TRUE(image.ok());
     EXPECT_EQ(image->bytes, alone.bytes) << threads << " threads";
@@ -102,9 +102,9 @@ TEST(RasterDeterminism, any_number_of_threads_gives_the_same_bytes) {
   options.mesh_overlay = true;
   const Image alone = rasterized(picture, options);
   for (int threads : {1, 2, 3, 8}) {
-    const std::unique_ptr<Executor> executor = make_tbb_executor(threads);
+    ThreadPool executor(threads);
     Context context;
-    context.executor = executor.get();
+    context.executor = &executor;
     const Result<Image> image = rasterize(context, picture, options);
     ASSERT_TRUE(image.ok());
     EXPECT_EQ(image->bytes, alone.bytes) << threads << " threads";

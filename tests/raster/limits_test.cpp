@@ -5,11 +5,11 @@
 #include <functional>
 #include <limits>
 
-#include "base/native/tbb_executor.hpp"
 #include "raster/layer_view.hpp"
 #include "raster/pictures.hpp"
 #include "raster/support.hpp"
 #include "raster/tile_bins.hpp"
+#include "sfumato/base/native/thread_pool.hpp"
 
 namespace sfumato::test {
 namespace {
@@ -202,9 +202,9 @@ TEST(RasterLimits, cancellation_stops_between_tiles) {
 }
 
 TEST(RasterLimits, the_widest_image_needs_little_more_than_its_bytes) {
-  const std::unique_ptr<Executor> executor = make_tbb_executor(8);
+  ThreadPool executor(8);
   Context context;
-  context.executor = executor.get();
+  context.executor = &executor;
   Watcher watcher;
   watcher.context = &context;
   context.progress = &watcher;

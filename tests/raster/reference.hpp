@@ -5,10 +5,10 @@
 #include <cmath>
 #include <vector>
 
-#include "sfumato/base/box.hpp"
 #include "picture/patch.hpp"
-#include "sfumato/picture/picture.hpp"
 #include "raster/bends.hpp"
+#include "sfumato/base/box.hpp"
+#include "sfumato/picture/picture.hpp"
 
 /// The rasterizer as one would explain it: pixel by pixel, triangle by triangle, in double
 /// precision, nothing shared with the fast path but which triangles are bent.

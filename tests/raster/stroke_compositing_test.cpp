@@ -2,9 +2,9 @@
 
 #include <memory>
 
-#include "base/native/tbb_executor.hpp"
 #include "raster/pictures.hpp"
 #include "raster/support.hpp"
+#include "sfumato/base/native/thread_pool.hpp"
 
 namespace sfumato::test {
 namespace {
@@ -80,12 +80,12 @@ TEST(RasterStrokes, strokes_give_the_same_bytes_for_any_number_of_threads_and_in
   }
   const RasterOptions options = image_size(700, 500, PixelFormat::rgba16);
   const Image alone = rasterized(picture, options);
-  const std::unique_ptr<Executor> executor = make_tbb_executor(4);
+  ThreadPool executor(4);
   for (SimdLevel level : {SimdLevel::sse2, SimdLevel::avx2, SimdLevel::avx512}) {
     if (level > detected_simd_level()) continue;
     Context context;
     context.simd = level;
-    context.executor = executor.get();
+    context.executor = &executor;
     const Result<Image> image = rasterize(context, picture, options);
     ASSERT_TRUE(image.ok());
     EXPECT_EQ(image->bytes, alone.bytes) << static_cast<int>(level);

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <random>
 
-#include "base/native/tbb_executor.hpp"
-#include "solve/point_evaluator.hpp"
+#include "sfumato/base/native/thread_pool.hpp"
+#include "sfumato/solve/point_evaluator.hpp"
 #include "support/drawing.hpp"
 #include "support/picture_sampler.hpp"
 #include "support/scenes.hpp"
@@ -227,9 +227,9 @@ TEST(Diffuse, the_same_bits_for_any_number_of_threads_and_any_instruction_set) {
   for (int threads : {1, 2, 3, 8}) {
     for (SimdLevel level : {SimdLevel::sse2, SimdLevel::avx2, SimdLevel::avx512}) {
       if (level > detected_simd_level()) continue;
-      const auto pool = make_tbb_executor(threads);
+      ThreadPool pool(threads);
       Context context;
-      context.executor = pool.get();
+      context.executor = &pool;
       context.simd = level;
       Result<Picture> picture = diffuse(context, document, {});
       ASSERT_TRUE(picture.ok());

@@ -1,9 +1,10 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "sfumato/solve/diffuse.hpp"
-#include "solve/point_evaluator.hpp"
+#include "sfumato/solve/point_evaluator.hpp"
 #include "support/drawing.hpp"
 #include "support/picture_sampler.hpp"
 

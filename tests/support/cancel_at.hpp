@@ -1,8 +1,8 @@
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 
+#include "base/poll.hpp"
 #include "sfumato/base/context.hpp"
 
 namespace sfumato::test {
@@ -11,7 +11,7 @@ namespace sfumato::test {
 /// look as rarely as they do elsewhere, so that what goes on with half-made tables is found.
 class CancelAt : public PollWatch {
  public:
-  CancelAt(std::uint64_t poll, std::atomic<bool>& cancel) : left_(poll), cancel_(cancel) {}
+  CancelAt(std::uint64_t poll, CancelFlag& cancel) : left_(poll), cancel_(cancel) {}
   bool wants_every_turn() const override { return left_ > 0; }
   void polled() override {
     if (left_ > 0 && --left_ == 0) cancel_.store(true);
@@ -19,7 +19,7 @@ class CancelAt : public PollWatch {
 
  private:
   std::uint64_t left_;
-  std::atomic<bool>& cancel_;
+  CancelFlag& cancel_;
 };
 
 }  // namespace sfumato::test

@@ -5,6 +5,7 @@
 #include <ctime>
 #include <functional>
 
+#include "base/poll.hpp"
 #include "sfumato/base/context.hpp"
 
 namespace sfumato::test {
@@ -23,7 +24,7 @@ class PollRecorder : public PollWatch {
   std::function<void(double seconds)> on_longest;
   /// The flag is set behind this poll; 0: never.
   std::uint64_t cancel_at = 0;
-  std::atomic<bool>* cancel = nullptr;
+  CancelFlag* cancel = nullptr;
 
   void start() { last_ = thread_seconds(); }
 

@@ -7,7 +7,7 @@
 #include <thread>
 #include <vector>
 
-#include "base/native/tbb_executor.hpp"
+#include "sfumato/base/native/thread_pool.hpp"
 #include "sfumato/codecs/jpeg_encode.hpp"
 #include "sfumato/codecs/png.hpp"
 #include "sfumato/codecs/webp_encode.hpp"
@@ -77,13 +77,13 @@ class Contexts : public testing::Test {
 };
 
 TEST_F(Contexts, with_an_executor_each_give_their_own_bytes) {
-  const auto first = make_tbb_executor(2), second = make_tbb_executor(2);
-  expect_the_same_bytes({first.get(), second.get()});
+  ThreadPool first(2), second(2);
+  expect_the_same_bytes({&first, &second});
 }
 
 TEST_F(Contexts, that_share_an_executor_give_their_own_bytes) {
-  const auto shared = make_tbb_executor(3);
-  expect_the_same_bytes({shared.get(), shared.get()});
+  ThreadPool shared(3);
+  expect_the_same_bytes({&shared, &shared});
 }
 
 TEST_F(Contexts, without_executors_give_their_own_bytes) {

@@ -184,7 +184,8 @@ inline auto fields(SourcePlace& v) {
   return std::tie(file, line, column);
 }
 inline auto fields(Status& v) {
-  auto& [code, message, where] = v;
+  auto& [code, message, where, limit] = v;
+  static_cast<void>(limit);  // a name, of any text
   return std::tie(code, message, where);
 }
 inline auto fields(Deadline& v) {

@@ -6,7 +6,7 @@
 #include <functional>
 #include <string>
 
-#include "base/native/tbb_executor.hpp"
+#include "sfumato/base/native/thread_pool.hpp"
 #include "sfumato/codecs/png.hpp"
 #include "sfumato/export/pdf/pdf.hpp"
 #include "sfumato/formats/read_document.hpp"
@@ -60,9 +60,9 @@ TEST(SmallStack, of_the_pools_threads_is_enough) {
   if (SFUMATO_HAS_SANITIZER) GTEST_SKIP() << "sanitizers make frames larger";
   // Must come before the process's first pool: ctest runs each test in a process of its own.
   const tbb::global_control small(tbb::global_control::thread_stack_size, kStackBytes);
-  const auto executor = make_tbb_executor(4);
+  ThreadPool executor(4);
   for (const std::uint64_t seed : {1, 2, 3, 4}) {
-    run_on_small_stack([&] { draw(executor.get(), seed); });
+    run_on_small_stack([&] { draw(&executor, seed); });
   }
 }
 

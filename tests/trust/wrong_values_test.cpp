@@ -5,12 +5,15 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <functional>
+#include <limits>
 #include <utility>
 
 #include "allocation/documents.hpp"
+#include "picture/check_picture.hpp"
 #include "sfumato/api/render_pixels.hpp"
 #include "sfumato/base/native/file.hpp"
-#include "base/native/tbb_executor.hpp"
+#include "sfumato/base/native/thread_pool.hpp"
 #include "sfumato/codecs/jpeg_encode.hpp"
 #include "sfumato/codecs/png.hpp"
 #include "sfumato/codecs/webp_encode.hpp"
@@ -27,7 +30,6 @@
 #include "sfumato/gpu/render.hpp"
 #include "sfumato/import/import_svg.hpp"
 #include "sfumato/lint/lint.hpp"
-#include "picture/check_picture.hpp"
 #include "sfumato/raster/rasterize.hpp"
 #include "sfumato/solve/diffuse.hpp"
 
@@ -418,7 +420,7 @@ TEST(WrongValues, of_executors_are_answered) {
     Boaster boaster(threads);
     verbs.run([&](Context& c) { c.executor = &boaster; }, "threads", &kBadInput);
   }
-  EXPECT_LE(make_tbb_executor(100'000)->thread_count(), limits::kThreads);
+  EXPECT_LE(ThreadPool(100'000).thread_count(), limits::kThreads);
 }
 
 TEST(WrongValues, more_shaders_than_a_layer_may_have_do_not_reach_the_rays) {

@@ -1,16 +1,13 @@
 #pragma once
 
-#include <algorithm>
-#include <limits>
-
 #include "sfumato/base/vec2.hpp"
 
 namespace sfumato {
 
 /// An axis-parallel rectangle. The default is empty: `extend` gives it its first point.
 struct Box {
-  Vec2 min{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
-  Vec2 max{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  Vec2 min{__builtin_huge_val(), __builtin_huge_val()};
+  Vec2 max{-__builtin_huge_val(), -__builtin_huge_val()};
 
   bool empty() const { return !(min.x <= max.x && min.y <= max.y); }
   double width() const { return max.x - min.x; }
@@ -22,8 +19,10 @@ struct Box {
   }
 
   void extend(Vec2 p) {
-    min = {std::min(min.x, p.x), std::min(min.y, p.y)};
-    max = {std::max(max.x, p.x), std::max(max.y, p.y)};
+    if (p.x < min.x) min.x = p.x;
+    if (p.y < min.y) min.y = p.y;
+    if (max.x < p.x) max.x = p.x;
+    if (max.y < p.y) max.y = p.y;
   }
 
   Box grown_by(double margin) const {
@@ -34,8 +33,8 @@ struct Box {
 };
 
 inline Box united(const Box& a, const Box& b) {
-  return {{std::min(a.min.x, b.min.x), std::min(a.min.y, b.min.y)},
-          {std::max(a.max.x, b.max.x), std::max(a.max.y, b.max.y)}};
+  return {{b.min.x < a.min.x ? b.min.x : a.min.x, b.min.y < a.min.y ? b.min.y : a.min.y},
+          {a.max.x < b.max.x ? b.max.x : a.max.x, a.max.y < b.max.y ? b.max.y : a.max.y}};
 }
 
 inline bool overlap(const Box& a, const Box& b) {

@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <string>
 #include <string_view>
 
 #include "sfumato/base/status.hpp"
@@ -127,16 +126,5 @@ std::span<const LimitName> limit_names();
 /// Whether none is above its LimitName::highest, which tables and recursion are made for. Error:
 /// bad_input, which names the limit.
 Status validate(const Limits& limits);
-
-/// The limit in an error's words: "200000 curves".
-/// what    in the plural
-std::string limit_text(const Limits& limits, std::size_t Limits::*limit, std::string_view what);
-
-/// The error of passing a limit: Status::limit is its name.
-Status make_limit_error(std::size_t Limits::*limit, std::string message, SourcePlace where = {});
-
-/// make_limit_error() with the usual words: "more than the limit of 200000 curves".
-Status limit_error(const Limits& limits, std::size_t Limits::*limit, std::string_view what,
-                   SourcePlace where = {});
 
 }  // namespace sfumato

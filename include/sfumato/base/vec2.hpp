@@ -1,8 +1,8 @@
 #pragma once
 
-#include <cmath>
-
 namespace sfumato {
+
+// Without <cmath>, 10,000 lines for every reader of a header.
 
 /// A point or vector of the plane, double precision. Artboard frame unless said otherwise: x right,
 /// y down, user units.
@@ -32,7 +32,7 @@ constexpr double length_squared(Vec2 a) {
 }
 
 inline double length(Vec2 a) {
-  return std::sqrt(length_squared(a));
+  return __builtin_sqrt(length_squared(a));
 }
 
 constexpr Vec2 lerp(Vec2 a, Vec2 b, double t) {
@@ -45,7 +45,7 @@ constexpr Vec2 left_of(Vec2 direction) {
 }
 
 inline bool is_finite(Vec2 a) {
-  return std::isfinite(a.x) && std::isfinite(a.y);
+  return __builtin_isfinite(a.x) && __builtin_isfinite(a.y);
 }
 
 }  // namespace sfumato

@@ -5,7 +5,6 @@
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/image.hpp"
 #include "sfumato/base/status.hpp"
-#include "picture/field_source.hpp"
 #include "sfumato/picture/picture.hpp"
 
 namespace sfumato {
@@ -41,11 +40,5 @@ struct RasterOptions {
 /// triangle and 0.1 µs a pixel that a curve cuts, on one thread, for what an item covers; 2 to 6 ns
 /// a pixel more for what is not painted straight.
 Result<Image> rasterize(Context& context, const Picture& picture, const RasterOptions& options);
-
-/// rasterize() with the fields of every layer from `source`, at pixel centres: of the patches only
-/// the area that they cover counts, no curve is antialiased, and there is no overlay. Every layer
-/// must have an opacity field. Errors: those of the source too.
-Result<Image> rasterize(Context& context, const Picture& picture, const RasterOptions& options,
-                        const picture::FieldSource& source);
 
 }  // namespace sfumato

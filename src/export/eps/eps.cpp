@@ -7,6 +7,8 @@
 #include <utility>
 #include <variant>
 
+#include "base/charge.hpp"
+#include "base/poll.hpp"
 #include "base/public_verb.hpp"
 #include "codecs/deflate.hpp"
 #include "export/facets/facets.hpp"

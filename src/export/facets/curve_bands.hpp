@@ -3,6 +3,7 @@
 #include <array>
 #include <vector>
 
+#include "base/charge.hpp"
 #include "export/facets/curve_edges.hpp"
 #include "export/facets/facets.hpp"
 

@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "base/large_vector.hpp"
+#include "base/poll.hpp"
 
 namespace sfumato::outputs {
 namespace {

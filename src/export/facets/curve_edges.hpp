@@ -3,9 +3,10 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/charge.hpp"
+#include "export/facets/half_edge.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/status.hpp"
-#include "export/facets/half_edge.hpp"
 #include "sfumato/picture/picture.hpp"
 
 namespace sfumato::outputs {

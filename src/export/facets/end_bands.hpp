@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "base/charge.hpp"
 #include "export/facets/curve_edges.hpp"
 #include "export/facets/facets.hpp"
 

@@ -6,10 +6,11 @@
 #include <span>
 #include <vector>
 
+#include "base/poll.hpp"
+#include "export/facets/half_edge.hpp"
 #include "sfumato/base/box.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/status.hpp"
-#include "export/facets/half_edge.hpp"
 
 namespace sfumato::outputs {
 

@@ -5,6 +5,8 @@
 #include <tuple>
 
 #include "base/large_vector.hpp"
+#include "base/parallel.hpp"
+#include "base/poll.hpp"
 #include "export/facets/half_edge.hpp"
 
 namespace sfumato::outputs {

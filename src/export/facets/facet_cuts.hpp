@@ -3,10 +3,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "sfumato/base/context.hpp"
-#include "sfumato/base/status.hpp"
+#include "base/charge.hpp"
 #include "export/facets/facet_tree.hpp"
 #include "export/facets/facets.hpp"
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/status.hpp"
 
 namespace sfumato::outputs {
 

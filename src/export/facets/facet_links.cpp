@@ -4,7 +4,9 @@
 #include <numeric>
 #include <tuple>
 
+#include "base/charge.hpp"
 #include "base/large_vector.hpp"
+#include "base/poll.hpp"
 
 namespace sfumato::outputs {
 namespace {

@@ -4,7 +4,10 @@
 #include <bit>
 #include <limits>
 
+#include "base/charge.hpp"
 #include "base/large_vector.hpp"
+#include "base/parallel.hpp"
+#include "base/poll.hpp"
 #include "export/facets/facet_cuts.hpp"
 #include "export/facets/facet_patch.hpp"
 #include "export/facets/facet_tree.hpp"

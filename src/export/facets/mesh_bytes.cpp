@@ -4,6 +4,9 @@
 #include <array>
 #include <cmath>
 
+#include "base/charge.hpp"
+#include "base/poll.hpp"
+
 namespace sfumato::outputs {
 namespace {
 

@@ -3,10 +3,11 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/charge.hpp"
+#include "export/facets/facets.hpp"
 #include "sfumato/base/box.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/status.hpp"
-#include "export/facets/facets.hpp"
 
 namespace sfumato::outputs {
 

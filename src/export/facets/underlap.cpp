@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/charge.hpp"
+#include "base/poll.hpp"
 #include "export/facets/end_loops.hpp"
 
 namespace sfumato::outputs {

@@ -8,9 +8,10 @@
 #include <utility>
 #include <vector>
 
+#include "base/charge.hpp"
+#include "base/json.hpp"
 #include "sfumato/base/affine.hpp"
 #include "sfumato/base/context.hpp"
-#include "base/json.hpp"
 #include "sfumato/base/status.hpp"
 
 namespace sfumato::outputs {

@@ -5,9 +5,12 @@
 #include <numeric>
 #include <utility>
 
-#include "sfumato/base/color_space.hpp"
+#include "base/charge.hpp"
 #include "base/large_vector.hpp"
+#include "base/parallel.hpp"
+#include "base/poll.hpp"
 #include "export/facets/facets.hpp"
+#include "sfumato/base/color_space.hpp"
 
 namespace sfumato::outputs {
 namespace {

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <utility>
 
+#include "base/charge.hpp"
 #include "base/large_vector.hpp"
 #include "base/public_verb.hpp"
 #include "codecs/base64.hpp"

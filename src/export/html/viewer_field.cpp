@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include "base/charge.hpp"
+#include "base/poll.hpp"
 
 namespace sfumato::outputs {
 namespace {

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "export/html/viewer_mesh.hpp"
 #include "sfumato/base/color_space.hpp"
 #include "sfumato/base/context.hpp"
-#include "export/html/viewer_mesh.hpp"
 
 namespace sfumato::outputs {
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/large_vector.hpp"
+#include "base/poll.hpp"
 
 namespace sfumato::outputs {
 namespace {

@@ -4,9 +4,10 @@
 #include <limits>
 #include <vector>
 
+#include "base/charge.hpp"
+#include "export/html/viewer_bytes.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/status.hpp"
-#include "export/html/viewer_bytes.hpp"
 #include "sfumato/picture/picture.hpp"
 
 namespace sfumato::outputs {

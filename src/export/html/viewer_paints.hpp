@@ -1,8 +1,8 @@
 #pragma once
 
+#include "export/html/viewer_bytes.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/status.hpp"
-#include "export/html/viewer_bytes.hpp"
 #include "sfumato/picture/picture.hpp"
 
 namespace sfumato::outputs {

@@ -7,6 +7,8 @@
 #include <utility>
 #include <variant>
 
+#include "base/charge.hpp"
+#include "base/limit_error.hpp"
 #include "codecs/deflate.hpp"
 #include "document/rules.hpp"
 #include "export/html/viewer_field.hpp"

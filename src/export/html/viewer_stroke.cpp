@@ -6,6 +6,8 @@
 #include <cmath>
 #include <string>
 
+#include "base/charge.hpp"
+#include "base/limit_error.hpp"
 #include "curves/stroke_segments.hpp"
 
 namespace sfumato::outputs {

@@ -2,10 +2,10 @@
 
 #include <cstddef>
 
+#include "export/html/viewer_bytes.hpp"
 #include "sfumato/base/box.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/document/document.hpp"
-#include "export/html/viewer_bytes.hpp"
 
 namespace sfumato::outputs {
 

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/charge.hpp"
 #include "sfumato/base/affine.hpp"
 #include "sfumato/base/box.hpp"
 #include "sfumato/base/context.hpp"

@@ -4,6 +4,8 @@
 #include <string_view>
 #include <utility>
 
+#include "base/charge.hpp"
+#include "base/poll.hpp"
 #include "export/facets/curve_bands.hpp"
 #include "export/facets/end_bands.hpp"
 #include "export/facets/facet_patch.hpp"

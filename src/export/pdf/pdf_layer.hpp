@@ -2,9 +2,9 @@
 
 #include <cstdint>
 
+#include "export/pdf/pdf_file.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/export/export_notes.hpp"
-#include "export/pdf/pdf_file.hpp"
 #include "sfumato/picture/picture.hpp"
 
 namespace sfumato::outputs {

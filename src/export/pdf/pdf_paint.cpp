@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "base/charge.hpp"
+#include "base/poll.hpp"
 #include "export/facets/mesh_bytes.hpp"
 
 namespace sfumato::outputs {

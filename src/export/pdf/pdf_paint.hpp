@@ -1,10 +1,10 @@
 #pragma once
 
-#include "sfumato/export/export_notes.hpp"
 #include "export/facets/facets.hpp"
 #include "export/pdf/pdf_content.hpp"
 #include "export/pdf/pdf_file.hpp"
 #include "export/pixel_part.hpp"
+#include "sfumato/export/export_notes.hpp"
 
 /// The objects that a PDF's pictures are made of.
 namespace sfumato::outputs {

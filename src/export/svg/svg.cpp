@@ -6,12 +6,12 @@
 #include <string_view>
 #include <utility>
 
+#include "base/charge.hpp"
 #include "base/large_vector.hpp"
-#include "sfumato/base/limits.hpp"
+#include "base/limit_error.hpp"
 #include "base/number_text.hpp"
 #include "base/public_verb.hpp"
 #include "codecs/data_uri_write.hpp"
-#include "sfumato/codecs/png.hpp"
 #include "document/blend_names.hpp"
 #include "document/rules.hpp"
 #include "export/page.hpp"
@@ -19,6 +19,8 @@
 #include "export/svg/svg_layer.hpp"
 #include "export/svg/svg_text.hpp"
 #include "picture/check_picture.hpp"
+#include "sfumato/base/limits.hpp"
+#include "sfumato/codecs/png.hpp"
 #include "sfumato/raster/rasterize.hpp"
 
 namespace sfumato {

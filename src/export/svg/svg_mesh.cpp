@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/poll.hpp"
 #include "export/svg/svg_text.hpp"
 
 namespace sfumato::outputs {

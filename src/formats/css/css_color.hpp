@@ -3,9 +3,9 @@
 #include <string>
 #include <string_view>
 
+#include "formats/css/css_tokenizer.hpp"
 #include "sfumato/base/color.hpp"
 #include "sfumato/base/status.hpp"
-#include "formats/css/css_tokenizer.hpp"
 
 namespace sfumato::css {
 

@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <string_view>
 
-#include "sfumato/base/function_ref.hpp"
 #include "formats/css/css_tokenizer.hpp"
+#include "sfumato/base/function_ref.hpp"
 
 namespace sfumato::css {
 

@@ -6,11 +6,14 @@
 #include <optional>
 #include <utility>
 
-#include "sfumato/base/limits.hpp"
+#include "base/charge.hpp"
+#include "base/limit_error.hpp"
 #include "base/number.hpp"
+#include "base/poll.hpp"
 #include "base/public_verb.hpp"
 #include "formats/text/warnings.hpp"
 #include "formats/text/xml_source.hpp"
+#include "sfumato/base/limits.hpp"
 
 namespace sfumato {
 namespace {

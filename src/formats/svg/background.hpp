@@ -2,10 +2,10 @@
 
 #include <optional>
 
+#include "formats/svg/input.hpp"
 #include "sfumato/base/affine.hpp"
 #include "sfumato/base/box.hpp"
 #include "sfumato/base/color.hpp"
-#include "formats/svg/input.hpp"
 
 namespace sfumato::svg {
 

@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "sfumato/document/document.hpp"
 #include "formats/svg/input.hpp"
+#include "sfumato/document/document.hpp"
 
 namespace sfumato::svg {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "sfumato/document/document.hpp"
 #include "formats/svg/input.hpp"
+#include "sfumato/document/document.hpp"
 
 namespace sfumato::svg {
 

@@ -8,10 +8,11 @@
 #include <utility>
 
 #include "base/ascii.hpp"
-#include "sfumato/base/limits.hpp"
+#include "base/charge.hpp"
 #include "base/number.hpp"
 #include "formats/css/css_value.hpp"
 #include "formats/text/suggestion.hpp"
+#include "sfumato/base/limits.hpp"
 
 namespace sfumato::svg {
 namespace {

@@ -3,10 +3,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "sfumato/document/curve.hpp"
 #include "formats/svg/input.hpp"
 #include "formats/svg/paints.hpp"
 #include "formats/svg/stop_list.hpp"
+#include "sfumato/document/curve.hpp"
 
 namespace sfumato::svg {
 

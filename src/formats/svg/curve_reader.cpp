@@ -5,9 +5,9 @@
 #include <string>
 #include <utility>
 
-#include "sfumato/base/limits.hpp"
 #include "formats/svg/curve_attributes.hpp"
 #include "formats/svg/shapes.hpp"
+#include "sfumato/base/limits.hpp"
 
 namespace sfumato::svg {
 namespace {

@@ -3,13 +3,13 @@
 #include <string_view>
 #include <vector>
 
-#include "sfumato/base/affine.hpp"
-#include "sfumato/base/box.hpp"
-#include "sfumato/document/curve.hpp"
 #include "formats/svg/input.hpp"
 #include "formats/svg/paints.hpp"
 #include "formats/svg/path.hpp"
 #include "formats/svg/totals.hpp"
+#include "sfumato/base/affine.hpp"
+#include "sfumato/base/box.hpp"
+#include "sfumato/document/curve.hpp"
 
 namespace sfumato::svg {
 

@@ -4,11 +4,11 @@
 #include <optional>
 #include <string_view>
 
-#include "sfumato/base/limits.hpp"
 #include "base/number.hpp"
 #include "formats/css/css_value.hpp"
 #include "formats/svg/color.hpp"
 #include "formats/text/suggestion.hpp"
+#include "sfumato/base/limits.hpp"
 
 namespace sfumato::svg {
 namespace {

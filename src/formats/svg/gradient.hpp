@@ -1,8 +1,8 @@
 #pragma once
 
-#include "sfumato/document/shader.hpp"
 #include "formats/svg/paint_attributes.hpp"
 #include "formats/svg/totals.hpp"
+#include "sfumato/document/shader.hpp"
 
 namespace sfumato::svg {
 

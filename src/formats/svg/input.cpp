@@ -7,10 +7,11 @@
 
 #include "base/ascii.hpp"
 #include "base/large_vector.hpp"
-#include "sfumato/base/limits.hpp"
+#include "base/limit_error.hpp"
 #include "formats/svg/namespaces.hpp"
 #include "formats/svg/vocabulary.hpp"
 #include "formats/text/suggestion.hpp"
+#include "sfumato/base/limits.hpp"
 
 namespace sfumato::svg {
 namespace {

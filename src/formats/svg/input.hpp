@@ -10,12 +10,14 @@
 #include <unordered_map>
 #include <vector>
 
-#include "sfumato/base/context.hpp"
-#include "sfumato/base/status.hpp"
+#include "base/charge.hpp"
+#include "base/poll.hpp"
 #include "formats/css/css_style.hpp"
 #include "formats/css/style_sheet.hpp"
 #include "formats/text/warnings.hpp"
 #include "formats/text/xml_source.hpp"
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/status.hpp"
 
 namespace sfumato::svg {
 

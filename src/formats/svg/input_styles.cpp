@@ -5,11 +5,11 @@
 
 #include "base/ascii.hpp"
 #include "base/large_vector.hpp"
-#include "sfumato/base/limits.hpp"
 #include "formats/css/css_media.hpp"
 #include "formats/css/css_value.hpp"
 #include "formats/svg/input.hpp"
 #include "formats/text/suggestion.hpp"
+#include "sfumato/base/limits.hpp"
 
 namespace sfumato::svg {
 namespace {

@@ -5,9 +5,9 @@
 #include <string>
 
 #include "base/ascii.hpp"
-#include "sfumato/base/limits.hpp"
 #include "formats/svg/scanner.hpp"
 #include "formats/text/suggestion.hpp"
+#include "sfumato/base/limits.hpp"
 
 namespace sfumato::svg {
 namespace {

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/poll.hpp"
 #include "formats/text/suggestion.hpp"
 
 namespace sfumato::svg {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "sfumato/base/status.hpp"
 #include "formats/text/xml_source.hpp"
+#include "sfumato/base/status.hpp"
 
 namespace sfumato::svg {
 

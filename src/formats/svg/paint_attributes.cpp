@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "base/ascii.hpp"
-#include "sfumato/base/limits.hpp"
 #include "formats/svg/transform.hpp"
 #include "formats/text/suggestion.hpp"
+#include "sfumato/base/limits.hpp"
 
 namespace sfumato::svg {
 namespace {

@@ -4,10 +4,10 @@
 #include <string_view>
 #include <vector>
 
-#include "sfumato/base/affine.hpp"
 #include "formats/svg/input.hpp"
 #include "formats/svg/length.hpp"
 #include "formats/svg/paints.hpp"
+#include "sfumato/base/affine.hpp"
 
 namespace sfumato::svg {
 

@@ -7,12 +7,12 @@
 #include <utility>
 #include <vector>
 
-#include "sfumato/base/affine.hpp"
-#include "sfumato/base/box.hpp"
-#include "sfumato/document/shader.hpp"
 #include "formats/svg/input.hpp"
 #include "formats/svg/texture_files.hpp"
 #include "formats/svg/totals.hpp"
+#include "sfumato/base/affine.hpp"
+#include "sfumato/base/box.hpp"
+#include "sfumato/document/shader.hpp"
 #include "sfumato/formats/text/reading.hpp"
 
 namespace sfumato::svg {

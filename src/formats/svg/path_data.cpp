@@ -1,13 +1,15 @@
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
 
-#include "sfumato/base/limits.hpp"
+#include "base/limit_error.hpp"
 #include "base/number.hpp"
 #include "formats/css/css_tokenizer.hpp"
 #include "formats/svg/path.hpp"
 #include "formats/svg/scanner.hpp"
+#include "sfumato/base/limits.hpp"
 
 namespace sfumato::svg {
 namespace {

@@ -5,10 +5,10 @@
 #include <optional>
 #include <string_view>
 
-#include "sfumato/base/limits.hpp"
 #include "formats/svg/shapes.hpp"
 #include "formats/svg/transform.hpp"
 #include "formats/svg/view_box.hpp"
+#include "sfumato/base/limits.hpp"
 
 namespace sfumato::svg {
 namespace {

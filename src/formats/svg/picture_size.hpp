@@ -2,11 +2,11 @@
 
 #include <optional>
 
+#include "formats/svg/input.hpp"
 #include "sfumato/base/affine.hpp"
 #include "sfumato/base/box.hpp"
 #include "sfumato/base/vec2.hpp"
 #include "sfumato/document/document.hpp"
-#include "formats/svg/input.hpp"
 
 namespace sfumato::svg {
 

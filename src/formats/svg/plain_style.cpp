@@ -1,5 +1,6 @@
 #include "formats/svg/plain_style.hpp"
 
+#include <algorithm>
 #include <string>
 
 #include "base/ascii.hpp"

@@ -4,10 +4,10 @@
 #include <span>
 #include <string_view>
 
-#include "sfumato/base/box.hpp"
 #include "formats/svg/input.hpp"
 #include "formats/svg/paints.hpp"
 #include "formats/svg/plain_svg.hpp"
+#include "sfumato/base/box.hpp"
 
 namespace sfumato::svg {
 

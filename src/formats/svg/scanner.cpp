@@ -1,12 +1,13 @@
 #include "formats/svg/scanner.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/ascii.hpp"
 #include "base/character_run.hpp"
-#include "sfumato/base/limits.hpp"
 #include "base/number.hpp"
 #include "formats/text/suggestion.hpp"
+#include "sfumato/base/limits.hpp"
 
 namespace sfumato::svg {
 namespace {

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <utility>
 
+#include "base/charge.hpp"
 #include "formats/svg/scanner.hpp"
 
 namespace sfumato::svg {

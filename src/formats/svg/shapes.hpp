@@ -2,10 +2,10 @@
 
 #include <vector>
 
-#include "sfumato/base/box.hpp"
 #include "formats/svg/input.hpp"
 #include "formats/svg/length.hpp"
 #include "formats/svg/path.hpp"
+#include "sfumato/base/box.hpp"
 
 namespace sfumato::svg {
 

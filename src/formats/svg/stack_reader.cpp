@@ -7,7 +7,6 @@
 #include <string_view>
 #include <utility>
 
-#include "sfumato/base/limits.hpp"
 #include "formats/css/css_value.hpp"
 #include "formats/svg/background.hpp"
 #include "formats/svg/bare.hpp"
@@ -17,6 +16,7 @@
 #include "formats/svg/view_box.hpp"
 #include "formats/svg/vocabulary.hpp"
 #include "formats/text/suggestion.hpp"
+#include "sfumato/base/limits.hpp"
 
 namespace sfumato::svg {
 namespace {

@@ -5,13 +5,13 @@
 #include <unordered_map>
 #include <vector>
 
-#include "sfumato/document/document.hpp"
 #include "formats/svg/compositing.hpp"
 #include "formats/svg/curve_reader.hpp"
 #include "formats/svg/input.hpp"
 #include "formats/svg/paints.hpp"
 #include "formats/svg/plain_svg.hpp"
 #include "formats/svg/totals.hpp"
+#include "sfumato/document/document.hpp"
 
 namespace sfumato::svg {
 

@@ -6,12 +6,12 @@
 #include <optional>
 #include <string>
 
-#include "sfumato/base/limits.hpp"
 #include "base/number.hpp"
 #include "base/number_text.hpp"
 #include "formats/css/css_color.hpp"
 #include "formats/svg/length.hpp"
 #include "formats/text/suggestion.hpp"
+#include "sfumato/base/limits.hpp"
 
 namespace sfumato::svg {
 namespace {

@@ -6,9 +6,9 @@
 #include <string_view>
 #include <vector>
 
+#include "formats/css/css_tokenizer.hpp"
 #include "sfumato/base/status.hpp"
 #include "sfumato/document/stops.hpp"
-#include "formats/css/css_tokenizer.hpp"
 
 namespace sfumato::svg {
 

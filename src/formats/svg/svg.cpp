@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "base/ascii.hpp"
-#include "sfumato/base/limits.hpp"
 #include "base/public_verb.hpp"
 #include "formats/css/css_color.hpp"
 #include "formats/css/css_value.hpp"
@@ -19,6 +18,7 @@
 #include "formats/svg/stack_reader.hpp"
 #include "formats/svg/view_box.hpp"
 #include "formats/text/suggestion.hpp"
+#include "sfumato/base/limits.hpp"
 
 namespace sfumato {
 namespace {

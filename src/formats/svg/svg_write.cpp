@@ -4,14 +4,16 @@
 #include <cmath>
 #include <variant>
 
-#include "sfumato/base/limits.hpp"
+#include "base/charge.hpp"
 #include "base/number_text.hpp"
+#include "base/poll.hpp"
 #include "base/public_verb.hpp"
 #include "document/blend_names.hpp"
 #include "formats/svg/svg_write_curve.hpp"
 #include "formats/svg/svg_write_ids.hpp"
 #include "formats/svg/svg_write_shader.hpp"
 #include "formats/svg/svg_write_text.hpp"
+#include "sfumato/base/limits.hpp"
 
 namespace sfumato {
 namespace {

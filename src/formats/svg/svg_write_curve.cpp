@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/number_text.hpp"
+#include "base/poll.hpp"
 
 namespace sfumato::svg {
 namespace {

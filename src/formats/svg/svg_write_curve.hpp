@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "formats/svg/svg_write_text.hpp"
 #include "sfumato/document/curve.hpp"
 #include "sfumato/document/document.hpp"
-#include "formats/svg/svg_write_text.hpp"
 
 /// Attributes of the elements that stand for curves, and values that others share.
 namespace sfumato::svg {

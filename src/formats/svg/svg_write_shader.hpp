@@ -2,10 +2,10 @@
 
 #include <string>
 
+#include "formats/svg/svg_write_text.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/status.hpp"
 #include "sfumato/document/shader.hpp"
-#include "formats/svg/svg_write_text.hpp"
 
 namespace sfumato::svg {
 

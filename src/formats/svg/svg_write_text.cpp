@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "base/limit_error.hpp"
+#include "base/poll.hpp"
+
 namespace sfumato::svg {
 namespace {
 

@@ -4,9 +4,10 @@
 #include <utility>
 
 #include "base/ascii.hpp"
-#include "sfumato/base/limits.hpp"
+#include "base/charge.hpp"
 #include "codecs/base64.hpp"
 #include "formats/text/suggestion.hpp"
+#include "sfumato/base/limits.hpp"
 
 namespace sfumato::svg {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "sfumato/base/status.hpp"
 #include "formats/svg/input.hpp"
+#include "sfumato/base/status.hpp"
 
 namespace sfumato::svg {
 

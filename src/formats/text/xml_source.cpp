@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/limit_error.hpp"
+#include "base/poll.hpp"
 #include "sfumato/base/limits.hpp"
 
 namespace sfumato::text {

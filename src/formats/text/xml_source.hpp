@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "base/charge.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/status.hpp"
 

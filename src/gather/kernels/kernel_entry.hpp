@@ -1,7 +1,7 @@
 #pragma once
 
-#include "sfumato/base/context.hpp"
 #include "gather/kernels/scene_layout.hpp"
+#include "sfumato/base/context.hpp"
 
 namespace sfumato::gather {
 

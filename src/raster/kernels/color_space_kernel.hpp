@@ -1,7 +1,7 @@
 #pragma once
 
-#include "sfumato/base/color_space.hpp"
 #include "base/lanes.hpp"
+#include "sfumato/base/color_space.hpp"
 
 /// The conversions of base/color_space.hpp to code values, for pixels. Compiled for every
 /// instruction set.

@@ -4,10 +4,10 @@
 #include <cstdint>
 #include <span>
 
+#include "curves/stroke_segments.hpp"
 #include "sfumato/base/color_space.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/vec2.hpp"
-#include "curves/stroke_segments.hpp"
 
 namespace sfumato::raster {
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "base/lanes.hpp"
-#include "sfumato/picture/picture.hpp"
 #include "raster/kernels/triangle_frame.hpp"
+#include "sfumato/picture/picture.hpp"
 
 /// The patch of one triangle (paper eq. 17–18) as a polynomial of (u, q), see triangle_frame.hpp.
 /// Compiled for every instruction set.

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "raster/kernels/tile.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/image.hpp"
-#include "raster/kernels/tile.hpp"
 
 namespace sfumato::raster {
 

@@ -3,9 +3,9 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "raster/kernels/image_shader_row.hpp"
 #include "sfumato/base/affine.hpp"
 #include "sfumato/base/context.hpp"
-#include "raster/kernels/image_shader_row.hpp"
 
 namespace sfumato::raster {
 

@@ -4,10 +4,10 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "base/pixel_rect.hpp"
 #include "sfumato/base/affine.hpp"
 #include "sfumato/base/box.hpp"
 #include "sfumato/base/image.hpp"
-#include "base/pixel_rect.hpp"
 #include "sfumato/base/vec2.hpp"
 #include "sfumato/picture/picture.hpp"
 

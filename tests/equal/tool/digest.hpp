@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "sfumato/base/context.hpp"
 #include "equal/tool/scene.hpp"
+#include "sfumato/base/context.hpp"
 
 namespace sfumato::test {
 

@@ -1,6 +1,5 @@
 #include "equal/tool/scene_check.hpp"
 
-#include "base/native/tbb_executor.hpp"
 #include "equal/tool/difference.hpp"
 #include "equal/tool/scene_trace.hpp"
 
@@ -8,10 +7,10 @@ namespace sfumato::test {
 
 Executor* SceneChecker::executor(int threads) {
   if (threads == 1) return nullptr;
-  for (const std::unique_ptr<Executor>& known : executors_) {
+  for (const std::unique_ptr<ThreadPool>& known : executors_) {
     if (known->thread_count() == threads) return known.get();
   }
-  return executors_.emplace_back(make_tbb_executor(threads)).get();
+  return executors_.emplace_back(std::make_unique<ThreadPool>(threads)).get();
 }
 
 std::vector<StageHash> SceneChecker::digest(const Scene& scene,

@@ -4,11 +4,12 @@
 #include <string>
 #include <vector>
 
-#include "sfumato/base/context.hpp"
 #include "equal/tool/configuration.hpp"
 #include "equal/tool/digest.hpp"
 #include "equal/tool/scene.hpp"
 #include "equal/tool/trace.hpp"
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/native/thread_pool.hpp"
 
 namespace sfumato::test {
 
@@ -31,7 +32,7 @@ class SceneChecker {
   Executor* executor(int threads);
   std::string complaint(const Scene& scene, const Configuration& a, const Configuration& b);
 
-  std::vector<std::unique_ptr<Executor>> executors_;
+  std::vector<std::unique_ptr<ThreadPool>> executors_;
 };
 
 }  // namespace sfumato::test

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "sfumato/base/context.hpp"
-#include "sfumato/base/status.hpp"
 #include "equal/tool/scene.hpp"
 #include "equal/tool/trace.hpp"
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/status.hpp"
 
 namespace sfumato::test {
 

@@ -3,10 +3,10 @@
 #include <cstdint>
 #include <utility>
 
+#include "limits/large_inputs.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/codecs/jpeg_encode.hpp"
 #include "sfumato/codecs/png.hpp"
-#include "limits/large_inputs.hpp"
 #include "support/gzip.hpp"
 
 namespace sfumato::peak {

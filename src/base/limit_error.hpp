@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "sfumato/base/limits.hpp"
+
+namespace sfumato {
+
+/// The limit in an error's words: "200000 curves".
+/// what    in the plural
+std::string limit_text(const Limits& limits, std::size_t Limits::*limit, std::string_view what);
+
+/// The error of passing a limit: Status::limit is its name.
+Status make_limit_error(std::size_t Limits::*limit, std::string message, SourcePlace where = {});
+
+/// make_limit_error() with the usual words: "more than the limit of 200000 curves".
+Status limit_error(const Limits& limits, std::size_t Limits::*limit, std::string_view what,
+                   SourcePlace where = {});
+
+}  // namespace sfumato
