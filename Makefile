@@ -6,13 +6,14 @@ scene := examples/portrait.svg
 fuzz_seconds := 60
 
 .DEFAULT_GOAL := help
-.PHONY: help demo build test check kills sanitize fuzz fuzz-merge bench wasm hostile-growth clean
+.PHONY: help demo build test check docs kills sanitize fuzz fuzz-merge bench wasm hostile-growth clean
 
 help:
 	@echo 'make demo    install what the build needs, build, draw $(scene)'
 	@echo 'make build   the command: $(build_folder)/sfumato, and what cmake --install takes'
 	@echo 'make test    the quick tests: a minute or two once all is built'
 	@echo 'make check   everything built and tested, and the style checked'
+	@echo 'make docs    the API reference: build/docs/html/index.html'
 	@echo 'make kills   outputs under 1,000 times kill -9'
 	@echo 'make sanitize  the unit tests under AddressSanitizer, UBSan and ThreadSanitizer'
 	@echo 'make fuzz    each fuzz target for fuzz_seconds=$(fuzz_seconds) (fuzz/README.md)'
@@ -36,13 +37,18 @@ demo: build
 test:
 	@scripts/setup build check
 	@cmake --preset release -DSFUMATO_TESTS=ON -DSFUMATO_BENCH=OFF -DSFUMATO_WERROR=OFF \
-	  --log-level=WARNING >/dev/null
+	  -DSFUMATO_PRECOMPILE_TESTS=ON --log-level=WARNING >/dev/null
 	@cmake --build $(build_folder) --parallel $(jobs) --target sfumato sfumato_quick_tests
 	@ctest --test-dir $(build_folder) --label-exclude slow --exclude-regex '_NOT_BUILT$$' --parallel $(jobs) \
 	  --progress --output-on-failure --no-tests=error
 
 check:
 	@scripts/check
+
+docs:
+	@scripts/setup docs
+	@scripts/make-docs
+	@echo 'The reference is build/docs/html/index.html'
 
 kills:
 	@scripts/setup build check

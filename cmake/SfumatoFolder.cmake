@@ -25,10 +25,10 @@ if(SFUMATO_SANITIZE)
   target_link_options(sfumato_flags INTERFACE -fsanitize=${SFUMATO_SANITIZE})
 endif()
 
-# sfumato_precompile(TARGET [HEADER...]): where SFUMATO_PRECOMPILE is set, what most files include, and
-# the headers named, are read once for the target.
-function(sfumato_precompile target)
-  if(SFUMATO_PRECOMPILE)
+# sfumato_precompile(TARGET WHETHER [HEADER...]): where WHETHER, what most files include, and the
+# headers named, are read once for the target.
+function(sfumato_precompile target is_on)
+  if(is_on)
     target_precompile_headers(${target} PRIVATE <algorithm> <array> <cmath> <cstdint> <functional> <map>
                               <memory> <optional> <span> <string> <string_view> <variant> <vector>
                               ${ARGN})
@@ -59,7 +59,7 @@ function(sfumato_folder name)
   target_include_directories(sfumato_${name} PUBLIC ${PROJECT_SOURCE_DIR}/include
                              ${PROJECT_SOURCE_DIR}/src)
   target_link_libraries(sfumato_${name} PUBLIC sfumato_flags)
-  sfumato_precompile(sfumato_${name})
+  sfumato_precompile(sfumato_${name} "${SFUMATO_PRECOMPILE}")
   if(SFUMATO_SANITIZE MATCHES "fuzzer" AND NOT name MATCHES "^(base|document|codecs|formats)$")
     # A fuzzer that is told what was compared guesses words of a grammar. Kernels would only spend
     # half of their time on it.

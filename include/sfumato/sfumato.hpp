@@ -1,10 +1,16 @@
 #pragma once
 
-/// The library's public face. Three verbs: `read_document` (bytes → Document), `diffuse`
-/// (Document → Picture) and `rasterize` (Picture → Image; `render_on_gpu` does the same). Images
-/// become files by `encode_png`, `encode_jpeg` and `encode_webp`, pictures by `export_html`,
-/// `export_pdf`, `export_eps`, `export_svg` and `export_glb`; `write_file` puts them on disk. All
-/// take a Context; none throws, prints or exits: errors come back as values.
+/// @file
+/// Includes the whole public interface.
+///
+/// Three verbs make a picture: read_document() (bytes → Document), diffuse() (Document → Picture)
+/// and rasterize() (Picture → Image), or render_on_gpu() in its place. encode_png(), encode_jpeg()
+/// and encode_webp() encode images; export_html(), export_pdf(), export_eps(), export_svg() and
+/// export_glb() encode pictures; write_file() writes the bytes to disk. These functions take a
+/// Context, and none throws, prints or exits: errors are returned as values.
+
+/// @namespace sfumato
+/// The library: everything public is declared here, in limits and in gather.
 
 #include "sfumato/api/render_pixels.hpp"
 #include "sfumato/base/context.hpp"

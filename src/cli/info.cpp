@@ -2,7 +2,6 @@
 #include <string>
 
 #include "base/json.hpp"
-#include "base/native/tbb_executor.hpp"
 #include "base/number_text.hpp"
 #include "cli/commands.hpp"
 #include "cli/document_facts.hpp"

@@ -118,7 +118,8 @@ Status Decoder::check_header() {
         &Limits::image_side,
         "an image of " + std::to_string(header_.width) + " × " + std::to_string(header_.height) +
             " pixels; the limit is " +
-            limit_text(context_.limits, &Limits::image_side, "pixels on a side"));
+            limit_text(context_.limits, &Limits::image_side, "pixels on a side"),
+        {file_});
   }
   const bool has_three_channels = header_.color_type == SPNG_COLOR_TYPE_TRUECOLOR ||
                                   header_.color_type == SPNG_COLOR_TYPE_TRUECOLOR_ALPHA;

@@ -24,14 +24,16 @@ Curve polyline(const std::vector<Vec2>& points) {
 
 Side colored(const std::vector<Rgb>& colors, float blur_radius) {
   Side side;
-  if (!colors.empty()) side.color.kind = ShaderKind::curve_domain;
-  side.color.stops.space = StopSpace::arc_length;
+  if (!colors.empty()) {
+    side.color.kind = ShaderKind::curve_domain;
+    side.color.stops.space = StopSpace::arc_length;
+  }
   for (std::size_t i = 0; i < colors.size(); ++i) {
     const double offset =
         i == 0 ? 0 : static_cast<double>(i) / static_cast<double>(colors.size() - 1);
     side.color.stops.stops.push_back({offset, colors[i]});
   }
-  if (blur_radius > 0) side.blur_radius.stops.push_back({0, blur_radius});
+  if (blur_radius != 0) side.blur_radius.stops.push_back({0, blur_radius});
   return side;
 }
 

@@ -17,11 +17,14 @@ struct PointEvaluator::State {
     Box frame;  ///< where there is something to gather, layer frame
   };
 
-  const solve::PreparedField* color(std::uint32_t layer) const {
-    return layer < layers.size() && layers[layer] ? &layers[layer]->color : nullptr;
+  /// Null where nothing of the layer shows, and of an evaluator that was moved away.
+  static const solve::PreparedField* color(const State* state, std::uint32_t layer) {
+    const bool is_there = state && layer < state->layers.size() && state->layers[layer];
+    return is_there ? &state->layers[layer]->color : nullptr;
   }
-  const solve::PreparedField* opacity(std::uint32_t layer) const {
-    return color(layer) && layers[layer]->opacity ? &*layers[layer]->opacity : nullptr;
+  static const solve::PreparedField* opacity(const State* state, std::uint32_t layer) {
+    if (!color(state, layer) || !state->layers[layer]->opacity) return nullptr;
+    return &*state->layers[layer]->opacity;
   }
 
   std::vector<std::optional<Fields>> layers;  ///< empty where nothing of the layer shows
@@ -60,23 +63,23 @@ Result<PointEvaluator> PointEvaluator::create(Context& context, const Document& 
 }
 
 int PointEvaluator::color_channels(std::uint32_t layer) const {
-  const solve::PreparedField* field = state_->color(layer);
+  const solve::PreparedField* field = State::color(state_, layer);
   return field ? field->attributes.channel_count() : 0;
 }
 
 int PointEvaluator::opacity_channels(std::uint32_t layer) const {
-  const solve::PreparedField* field = state_->opacity(layer);
+  const solve::PreparedField* field = State::opacity(state_, layer);
   return field ? field->attributes.channel_count() : 0;
 }
 
 std::span<const std::uint32_t> PointEvaluator::color_shaders(std::uint32_t layer) const {
-  const solve::PreparedField* field = state_->color(layer);
+  const solve::PreparedField* field = State::color(state_, layer);
   if (!field) return {};
   return field->attributes.shader;
 }
 
 std::span<const std::uint32_t> PointEvaluator::opacity_shaders(std::uint32_t layer) const {
-  const solve::PreparedField* field = state_->opacity(layer);
+  const solve::PreparedField* field = State::opacity(state_, layer);
   if (!field) return {};
   return field->attributes.shader;
 }

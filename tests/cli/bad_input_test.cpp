@@ -194,7 +194,7 @@ TEST(Limits, limits_are_set_by_option_and_named) {
       {"xml-elements=3",
        "more than the limit of 3 XML elements (--limit xml-elements=N sets another)"},
       {"xml-depth=2", "more than the limit of 2 elements within each other (--limit xml-depth=N"},
-      {"segments=1", "more than the limit of 1 segments after flattening (--limit segments=N"},
+      {"segments=1", "a larger tolerance makes fewer (--limit segments=N"},
       {"triangles=2", "more than the limit of 2 triangles in one layer (--limit triangles=N"},
       {"nodes=3", "more than the limit of 3 points to gather at (--limit nodes=N"},
       {"image-side=4", "the limit is 4 pixels on a side (--limit image-side=N"},

@@ -214,6 +214,9 @@ TEST(Svg, options_and_pictures_that_mean_nothing_are_errors) {
   SvgOptions options;
   options.dpi = 0;
   EXPECT_EQ(export_svg(context, picture, options).status().code, StatusCode::bad_input);
+  options = {.scale = -1, .dpi = -96};
+  EXPECT_EQ(export_svg(context, picture, options).status().code, StatusCode::bad_input);
+  options = {};
   options.dpi = 1e9;
   EXPECT_EQ(export_svg(context, picture, options).status().code, StatusCode::limit);
   options = {};

@@ -91,6 +91,7 @@ std::vector<double> ticks(const Document& document, gather::Ends ends) {
   Context context;
   DiffuseOptions options;
   options.ends = ends;
+  options.viewport = document.artboard.grown_by(16);  // as far as the arcs reach
   const Result<PointEvaluator> evaluator = PointEvaluator::create(context, document, options);
   EXPECT_TRUE(evaluator.ok());
   std::vector<double> ticks;

@@ -8,14 +8,16 @@
 
 namespace sfumato {
 
-/// Document → Image with no patches: the gather at every pixel centre, the ground
-/// truth that the sparse picture is held against. The colour of a pixel is that of its centre:
-/// there is no antialiasing, and `antialias` and `mesh_overlay` are ignored.
+/// Document → Image without patches: gathers at every pixel centre. This is the ground truth that
+/// the patches of diffuse() are compared with. A pixel has the colour of its centre: there is no
+/// antialiasing, and RasterOptions::antialias and RasterOptions::mesh_overlay are ignored.
 ///
-/// raster_options.viewport defaults to diffuse_options.viewport, and that to the artboard.
-/// stats  optional: as of `diffuse`, where nodes are the pixels; there are no triangles.
-/// Errors: bad_input (an invalid document), limit, cancelled. The same bits for any thread count
-/// and SIMD level. Cost: one gather per pixel.
+/// The viewport is that of `raster_options`, else that of `diffuse_options`, else the artboard.
+/// `stats`, unless null, is added to as by diffuse(): each pixel counts as a node, and there are no
+/// triangles. The same bits for any thread count and SIMD level.
+///
+/// Errors: bad_input (an invalid document or option), limit, cancelled, out_of_memory.
+/// Cost: one gather per pixel and layer.
 Result<Image> render_pixels(Context& context, const Document& document,
                             const DiffuseOptions& diffuse_options,
                             const RasterOptions& raster_options, DiffuseStats* stats = nullptr);

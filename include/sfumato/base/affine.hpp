@@ -4,25 +4,36 @@
 
 namespace sfumato {
 
-/// An affine map; columns as in SVG's matrix(a b c d e f): (x, y) → (a x + c y + e, b x + d y + f).
-/// Name a value target_from_source, so that products check by eye.
+/// An affine map of the plane, with the coefficients of SVG's `matrix(a b c d e f)`:
+/// (x, y) → (a x + c y + e, b x + d y + f). The default is the identity.
+///
+/// Maps are named target_from_source throughout, so that products can be checked by eye:
+/// `artboard_from_texture = artboard_from_layer * layer_from_texture`.
 struct Affine {
-  double a = 1, b = 0, c = 0, d = 1, e = 0, f = 0;
+  /// @name Coefficients
+  /// @{
 
+  /// One coefficient of the map: a to d are its linear part, (e, f) is the image of the origin.
+  double a = 1, b = 0, c = 0, d = 1, e = 0, f = 0;
+  /// @}
+
+  /// The image of a point; the translation is included.
   constexpr Vec2 operator()(Vec2 p) const { return {a * p.x + c * p.y + e, b * p.x + d * p.y + f}; }
 
+  /// By how much the map scales areas; negative where it mirrors.
   constexpr double determinant() const { return a * d - b * c; }
 
-  /// (r * s)(p) == r(s(p)).
+  /// The map that applies `s` first: (r * s)(p) == r(s(p)).
   friend constexpr Affine operator*(const Affine& r, const Affine& s) {
     return {r.a * s.a + r.c * s.b, r.b * s.a + r.d * s.b,       r.a * s.c + r.c * s.d,
             r.b * s.c + r.d * s.d, r.a * s.e + r.c * s.f + r.e, r.b * s.e + r.d * s.f + r.f};
   }
 
+  /// Exact comparison of all coefficients.
   friend constexpr bool operator==(const Affine&, const Affine&) = default;
 };
 
-/// Precondition: determinant() != 0.
+/// The map that undoes `m`. Precondition: `m.determinant()` is not 0.
 constexpr Affine inverse(const Affine& m) {
   const double k = 1 / m.determinant();
   const Affine linear{m.d * k, -m.b * k, -m.c * k, m.a * k, 0, 0};

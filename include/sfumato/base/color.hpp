@@ -2,19 +2,23 @@
 
 namespace sfumato {
 
-/// A colour in sRGB code values, 0 to 1 (255 of 8 bits is 1). Not premultiplied.
+/// A colour in sRGB code values from 0 to 1, where 1 is the 255 of 8 bits. It has no alpha, and is
+/// never premultiplied by one.
 struct Rgb {
-  float r = 0;
-  float g = 0;
-  float b = 0;
+  float r = 0;  ///< red
+  float g = 0;  ///< green
+  float b = 0;  ///< blue
 
+  /// Exact comparison of the channels.
   friend constexpr bool operator==(const Rgb&, const Rgb&) = default;
 };
 
+/// Linear interpolation of each channel, from `a` at t = 0 to `b` at t = 1.
 constexpr Rgb lerp(const Rgb& a, const Rgb& b, float t) {
   return {a.r + (b.r - a.r) * t, a.g + (b.g - a.g) * t, a.b + (b.b - a.b) * t};
 }
 
+/// Linear interpolation from `a` at t = 0 to `b` at t = 1.
 constexpr float lerp(float a, float b, float t) {
   return a + (b - a) * t;
 }

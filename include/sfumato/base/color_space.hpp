@@ -6,21 +6,29 @@
 
 namespace sfumato {
 
-/// Space in which colours are interpolated: sRGB code values, linear light, or OKLab.
-enum class InterpolationSpace : std::uint8_t { srgb, linear, oklab };
+/// The space in which colours are interpolated.
+enum class InterpolationSpace : std::uint8_t {
+  srgb,    ///< sRGB code values, as most programs do
+  linear,  ///< linear light
+  oklab    ///< OKLab (Ottosson 2020)
+};
 
-/// The inverse of sRGB's transfer function (IEC 61966-2-1): linear light of a code value from 0 to
-/// 1; code values outside are continued by the same formulas.
+/// Linear light of an sRGB code value: the inverse of sRGB's transfer function (IEC 61966-2-1).
+/// Both are from 0 to 1; values outside are continued by the same formulas.
 double linear_from_code(double code);
+/// The sRGB code value of linear light: the inverse of linear_from_code().
 double code_from_linear(double linear);
 
-/// A colour in the coordinates of `space`: (r, g, b) code values, (r, g, b) of linear light, or
-/// OKLab's (L, a, b) (Ottosson 2020) in the fields r, g, b. White is (1, 1, 1), there (1, 0, 0).
+/// Converts sRGB code values to the coordinates of `space`, which stand in the fields r, g and b of
+/// the result: code values, linear light, or OKLab's L, a and b. White is (1, 1, 1), in OKLab
+/// (1, 0, 0).
 ///
-/// Computed in double precision with correctly rounded operations only, so that every machine gives
-/// the same bits. There and back is within 2e-7 for linear light and 3e-6 for OKLab, whose
-/// coordinates are rounded to single precision between.
+/// Computed in double precision by correctly rounded operations alone, so that every machine gives
+/// the same bits. Conversion there and back is within 2e-7 for linear light and within 3e-6 for
+/// OKLab, whose coordinates are rounded to single precision in between.
 Rgb from_srgb(InterpolationSpace space, const Rgb& code);
+/// Converts the coordinates of `space` to sRGB code values: the inverse of from_srgb(). The result
+/// is not clamped to 0 to 1.
 Rgb to_srgb(InterpolationSpace space, const Rgb& color);
 
 }  // namespace sfumato

@@ -11,32 +11,43 @@
 
 namespace sfumato {
 
-/// Runs independent tasks, perhaps at the same time. Native code injects a thread pool
-/// (base/native/thread_pool.hpp); the default, and WebAssembly, run in the calling thread.
+/// Runs independent tasks, possibly at the same time. This base class, which is also what
+/// WebAssembly uses, runs them one after another in the calling thread; ThreadPool
+/// (base/native/thread_pool.hpp) has threads. Derive from it to run the library's work on threads
+/// of your own.
 class Executor {
  public:
   virtual ~Executor() = default;
 
-  /// Calls task(i) once for every i in [0, task_count), in any order; returns when all are done.
+  /// Calls task(i) exactly once for every i in [0, task_count), in any order, and returns when all
+  /// calls have returned. The library's tasks never throw.
   virtual void run(std::size_t task_count, FunctionRef<void(std::size_t)> task);
 
+  /// How many tasks may run at the same time, from 1 to limits::kThreads. Some working memory is
+  /// charged for each.
   virtual int thread_count() const { return 1; }
 };
 
-/// Memory charged before it is allocated. Thread-safe.
+/// An account of memory: what an input's size decides on is charged here before it is allocated,
+/// so that a limit error takes the place of exhausted memory. Thread-safe.
 class Budget {
  public:
+  /// An account of at most `limit_bytes`, with nothing charged yet.
   explicit Budget(std::size_t limit_bytes = limits::kMemoryBytes) : limit_(limit_bytes) {}
   Budget(const Budget&) = delete;
   Budget& operator=(const Budget&) = delete;
 
-  /// Takes `bytes`, or nothing and a limit error that says what they were for.
+  /// Charges `bytes`, all or nothing. `purpose` says in the error's message what they were for, as
+  /// in "textures". Error: limit, where less than that is left.
   Status charge(std::size_t bytes, std::string_view purpose);
-  /// Gives back what was charged, and never more than that.
+  /// Gives back `bytes` that were charged; more than is charged counts as all of it.
   void release(std::size_t bytes);
 
+  /// Bytes that are charged now.
   std::size_t used() const;
+  /// Bytes that can be charged in all.
   std::size_t limit() const { return limit_; }
+  /// Bytes that can still be charged.
   std::size_t room() const { return limit_ - used(); }
 
  private:
@@ -44,84 +55,106 @@ class Budget {
   mutable std::size_t used_ = 0;  // by std::atomic_ref: <atomic> is large
 };
 
-/// What a caller may want to be told while work goes on. Called from any thread.
+/// Receives reports on how far work has come. Called from any thread, also from several at once.
 class Progress {
  public:
   virtual ~Progress() = default;
-  /// stage: a short word ("gather"); fraction: 0 to 1 of that stage.
+  /// Called now and then during a stage. `stage` is one short word, "gather" for the solver or
+  /// "rasterise" for pixels, and `fraction` is the part of it that is done, from 0 to 1. The solver
+  /// begins at 0 again for each layer, and may end before it reaches 1.
   virtual void report(std::string_view stage, double fraction) = 0;
 };
 
-/// Told of every look at the cancel flag: how tests learn how often work looks (base/poll.hpp).
+/// Notified at every check of the cancel flag, so that tests can measure how often work checks it.
+/// Internal: defined in src/base/poll.hpp.
 class PollWatch;
 
-/// A flag that any thread, or a handler of signals, sets to end work in others.
+/// A flag that stops work in progress. It may be set from any thread, and from a signal handler.
 class CancelFlag {
  public:
   CancelFlag() = default;
   CancelFlag(const CancelFlag&) = delete;
   CancelFlag& operator=(const CancelFlag&) = delete;
 
+  /// The same as store(is_set).
   CancelFlag& operator=(bool is_set) {
     store(is_set);
     return *this;
   }
+  /// The same as load().
   operator bool() const { return load(); }
 
+  /// Sets the flag, or clears it before the Context is used again.
   void store(bool is_set);
+  /// Whether the flag is set.
   bool load() const;
 
  private:
   mutable bool is_set_ = false;  // by std::atomic_ref: <atomic> is large
 };
 
-/// Wall-clock time after which work is given up.
+/// A point in time after which work is given up.
 struct Deadline {
-  std::int64_t at_ns = 0;  ///< of std::chrono::steady_clock
-  double seconds = 0;      ///< what was given, for the message
+  std::int64_t at_ns = 0;  ///< nanoseconds of std::chrono::steady_clock since its epoch
+  double seconds = 0;      ///< the duration that was asked for, for the error's message
 
-  /// Never, where that is too far away to be counted. Not a number: see validate().
+  /// The time `seconds` from now. A billion seconds or more means never, and a negative number has
+  /// passed already; NaN makes a deadline that validate(const Context&) refuses.
   static Deadline in(double seconds);
 };
 
-/// Instruction sets that kernels are compiled for. All give the same bits.
-enum class SimdLevel : std::uint8_t { sse2, avx2, avx512 };
+/// Instruction sets that the inner loops are compiled for. All give the same bits.
+enum class SimdLevel : std::uint8_t {
+  sse2,  ///< what every x86-64 machine has; portable code on other machines and in WebAssembly
+  avx2,
+  avx512  ///< AVX-512 with F, DQ, BW and VL
+};
 
 /// The best level of the machine that runs this.
 SimdLevel detected_simd_level();
 
-/// Everything that travels with a computation. The caller keeps executor, progress and poll_watch
-/// alive.
+/// The resources and bounds of a computation. Every verb of the library takes one.
 ///
-/// Work looks at cancelled() at least every few milliseconds of each thread, and then ends with
-/// cancel_status(). tests/limits holds it to that.
+/// The caller owns what the pointers refer to and keeps it alive. Use a Context for one call at a
+/// time; several Contexts may be at work at once and may share an Executor. After a call, also one
+/// that failed, the Context can be used again.
+///
+/// Work checks cancelled() on every thread, so that it ends within about 50 ms of CPU time once it
+/// is to stop, and returns cancel_status(). docs/limits.md has measurements, and the exception: the
+/// passes of libwebp over a large image.
 struct Context {
-  Executor* executor = nullptr;  ///< null: the calling thread alone
-  Progress* progress = nullptr;
-  Budget budget{};
-  Limits limits{};
-  CancelFlag cancel{};
-  std::optional<Deadline> deadline{};  ///< none: no limit on time
-  SimdLevel simd = detected_simd_level();
-  PollWatch* poll_watch = nullptr;  ///< for tests
-  const Context* outer = nullptr;   ///< of work within work: what stops it stops this too
+  Executor* executor = nullptr;            ///< null: the calling thread alone
+  Progress* progress = nullptr;            ///< null: nobody is told
+  Budget budget{};                         ///< memory that the computation may take
+  Limits limits{};                         ///< how large inputs and intermediate results may be
+  CancelFlag cancel{};                     ///< set it to stop the work
+  std::optional<Deadline> deadline{};      ///< none: no limit on time
+  SimdLevel simd = detected_simd_level();  ///< at most what the machine has
+  PollWatch* poll_watch = nullptr;         ///< for tests
+  /// The Context of the work that this work is part of: what stops that one stops this one too.
+  const Context* outer = nullptr;
 
-  /// Whether to stop, by the flag or the deadline. Cheap, but not for every turn of a short loop.
+  /// Whether to stop, because of the flag or the deadline, here or in `outer`. It reads the clock
+  /// where there is a deadline, which is too slow for every turn of a short loop.
   bool cancelled() const;
-  /// Ok, or why to stop: cancelled, or limit for the deadline.
+  /// Ok, or if work is to stop the reason, as cancel_status() gives it.
   Status check() const { return cancelled() ? cancel_status() : ok_status(); }
-  /// Why cancelled() was true.
+  /// The reason why cancelled() is true: StatusCode::cancelled for the flag, StatusCode::limit with
+  /// Status::limit "time" for the deadline.
   Status cancel_status() const;
 
+  /// The executor's number of threads; 1 without an executor.
   int thread_count() const { return executor ? executor->thread_count() : 1; }
 
  private:
   bool is_late() const;
 };
 
-/// What every public verb checks before it begins: limits within their highest values, a deadline
-/// that is a number, `outer` without a circle (bad_input), and instructions that this machine has
-/// (unavailable).
+/// What every verb checks before it begins.
+///
+/// Errors: bad_input (a limit above its LimitName::highest, a deadline that is NaN, an executor
+/// whose thread_count() is out of range, a chain of `outer` that has a cycle or is too long),
+/// unavailable (the machine lacks the instruction set `simd`).
 Status validate(const Context& context);
 
 }  // namespace sfumato

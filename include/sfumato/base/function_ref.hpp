@@ -5,13 +5,16 @@
 
 namespace sfumato {
 
+/// Only the specialisation for function types is defined.
 template <class Signature>
 class FunctionRef;
 
-/// A callable that is looked at, never kept: two pointers, no allocation.
+/// A reference to something callable: two pointers, no allocation. It does not own what it refers
+/// to, which must outlive it; use it for parameters alone.
 template <class R, class... Args>
 class FunctionRef<R(Args...)> {
  public:
+  /// Refers to `callable`: a function object or a lambda.
   template <class F>
   requires(!std::is_same_v<std::remove_cvref_t<F>, FunctionRef>)
       FunctionRef(F&& callable)  // NOLINT: implicit on purpose, as for string_view
@@ -20,6 +23,7 @@ class FunctionRef<R(Args...)> {
           return (*static_cast<std::remove_reference_t<F>*>(object))(std::forward<Args>(args)...);
         }) {}
 
+  /// Calls it.
   R operator()(Args... args) const { return call_(object_, std::forward<Args>(args)...); }
 
  private:

@@ -7,82 +7,106 @@
 
 #include "sfumato/base/status.hpp"
 
-/// Every limit on input and on resources, in one place (documented in docs/limits.md). Passing one
-/// is StatusCode::limit, and the message names the limit. Those of struct Limits, below, can be
-/// set for each Context.
+/// Every limit on inputs and on resources, as docs/limits.md lists them. Exceeding one is
+/// StatusCode::limit, with a message that names it. Those that are repeated in struct Limits are
+/// defaults, which can be changed for each Context.
 namespace sfumato::limits {
 
+/// Bytes of a document's text, after gzip is unpacked.
 inline constexpr std::size_t kInputBytes = std::size_t{64} << 20;
-/// Bytes that a byte of gzip may become, beside kUnpackedSlack of any input.
+/// Bytes that each byte of a gzip file may unpack to, in addition to kUnpackedSlack for the whole.
 inline constexpr std::size_t kUnpackRatio = 200;
+/// Bytes that any gzip file may unpack to, whatever its ratio: small files pack well.
 inline constexpr std::size_t kUnpackedSlack = std::size_t{1} << 20;
-/// Of a PNG that `sfumato compare` reads.
+/// Bytes of a PNG file that `sfumato compare` reads.
 inline constexpr std::size_t kPngBytes = std::size_t{1} << 30;
+/// XML elements within each other.
 inline constexpr std::size_t kXmlDepth = 256;
+/// XML elements of a document.
 inline constexpr std::size_t kXmlElements = 8'000'000;
-/// Of one element.
+/// Attributes of one XML element.
 inline constexpr std::size_t kXmlAttributes = 1024;
-/// Values that the rules of style sheets set.
+/// Values that the rules of all style sheets set.
 inline constexpr std::size_t kStyleValues = 100'000;
-/// Elements that are read through `use`, each as often as it is used.
+/// Elements that are read through `use`, each as often as it is used, and paints that are read
+/// through `href`.
 inline constexpr std::size_t kUsedElements = 1'000'000;
-/// Text of elements that is read again, through `use` or by curves of one paint.
+/// Bytes of elements that are read again, through `use` or because curves share a paint. Only what
+/// exceeds 256 bytes of an element counts, and classes count sixteenfold.
 inline constexpr std::size_t kUsedBytes = std::size_t{16} << 20;
-/// An element's id.
+/// Bytes of an element's id.
 inline constexpr std::size_t kIdBytes = 1024;
+/// Curves of a document, local curves included.
 inline constexpr std::size_t kCurves = 200'000;
+/// Control points of all curves.
 inline constexpr std::size_t kControlPoints = 4'000'000;
+/// Colour, opacity and radius stops of all curves.
 inline constexpr std::size_t kStops = 8'000'000;
-/// Of one attribute of a curve, or one gradient.
+/// Stops of one attribute of a curve, or of one gradient.
 inline constexpr std::size_t kStopsPerList = 10'000;
+/// Straight segments of one layer or local curve, after flattening.
 inline constexpr std::size_t kSegments = 4'000'000;
+/// Triangles of one layer.
 inline constexpr std::size_t kTriangles = 8'000'000;
+/// Points whose colour is gathered at once, such as the nodes of one layer.
 inline constexpr std::size_t kNodes = 40'000'000;
+/// Layers of a document.
 inline constexpr std::size_t kLayers = 256;
+/// Image-domain shaders that the curves of one layer use.
 inline constexpr std::size_t kShadersPerLayer = 64;
-/// Layer instances, local curves and groups of one document, after every `use` was followed.
+/// Items of the stack of a document or a picture, after every `use` was followed.
 inline constexpr std::size_t kStackItems = 200'000;
-/// Groups within groups that are composited by themselves.
+/// Groups within each other.
 inline constexpr std::size_t kGroupDepth = 16;
-/// A PNG or JPEG file that a document refers to.
+/// Bytes of a PNG or JPEG file that a document refers to.
 inline constexpr std::size_t kImageFileBytes = std::size_t{64} << 20;
-/// Pixels of one texture, and of all.
+/// Texels of all textures of a document together.
 inline constexpr std::size_t kTexels = 64'000'000;
+/// Textures of a document.
 inline constexpr std::size_t kTextures = 256;
+/// Random rays per node, for gather::Method::rays.
 inline constexpr int kRays = 4096;
+/// Threads of an Executor.
 inline constexpr int kThreads = 1024;
+/// Warnings of one reading; one more counts the rest.
 inline constexpr std::size_t kWarnings = 100;
 
-/// Coordinates are finite and at most this large in magnitude, in user units.
+/// Magnitude of coordinates, in user units.
 inline constexpr double kCoordinate = 1e7;
 
-/// Triangles of all layers, and segments of all local curves, that an HTML viewer takes: graphics
-/// of small devices have textures of 4096 rows.
+/// Triangles of all layers in an HTML viewer. Graphics of small devices have textures of at most
+/// 4096 rows, which bounds this and kViewerStrokeSegments.
 inline constexpr std::size_t kViewerTriangles = 800'000;
+/// Segments of all local curves in an HTML viewer.
 inline constexpr std::size_t kViewerStrokeSegments = 1'000'000;
 
-/// Side of a raster image in pixels.
+/// Pixels on a side of a raster image.
 inline constexpr int kImageSide = 16'384;
 
-/// Triangles that an SVG of triangles paints, unless forced; and those above which its author is
-/// warned.
+/// Triangles that an SVG of triangles paints, every instance counted, unless SvgOptions::force is
+/// set.
 inline constexpr std::size_t kSvgTriangles = 40'000;
+/// Triangles above which ExportNotes warn that such an SVG is slow to open. Not an error.
 inline constexpr std::size_t kSvgTrianglesSlow = 10'000;
 
-/// Memory charged by one Context, bytes.
+/// Bytes of memory that a Budget allows by default.
 inline constexpr std::size_t kMemoryBytes = std::size_t{2} << 30;
 
-/// Wall-clock time that the command gives a drawing, seconds. A Context has no such limit of
-/// itself.
+/// Seconds of wall-clock time that the `sfumato` command allows for a drawing. A Context has no
+/// Deadline unless the caller sets one.
 inline constexpr double kSeconds = 60;
 
 }  // namespace sfumato::limits
 
 namespace sfumato {
 
-/// The limits of one Context: those on what an input asks for. The others above are bounds of data
-/// structures or of options.
+/// The limits of one Context, which bound what an input may ask for. Each can be lowered, down to
+/// 0, and raised up to its LimitName::highest.
 struct Limits {
+  /// @name Limits on an input
+  /// @{
+
+  /// Bounds the same as the constant in its initialiser, which is the default.
   std::size_t input_bytes = limits::kInputBytes;
   std::size_t unpack_ratio = limits::kUnpackRatio;
   std::size_t xml_depth = limits::kXmlDepth;
@@ -110,21 +134,20 @@ struct Limits {
   std::size_t viewer_triangles = limits::kViewerTriangles;
   std::size_t viewer_stroke_segments = limits::kViewerStrokeSegments;
   std::size_t svg_triangles = limits::kSvgTriangles;
+  /// @}
 };
 
-/// How one of Limits is called, and how far it can be raised.
+/// The name of one member of Limits, and how far it can be raised.
 struct LimitName {
-  std::string_view name;  ///< "stops-per-list"
-  std::size_t Limits::*value;
-  /// Beyond, numbers or tables that are sized for it would not do.
-  std::size_t highest;
+  std::string_view name;       ///< as in messages and in the command's `--limit`: "stops-per-list"
+  std::size_t Limits::*value;  ///< the member
+  std::size_t highest;         ///< the largest value that tables and recursion are made for
 };
 
-/// All of Limits, in its order.
+/// The names of all members of Limits, in their order.
 std::span<const LimitName> limit_names();
 
-/// Whether none is above its LimitName::highest, which tables and recursion are made for. Error:
-/// bad_input, which names the limit.
+/// Checks that no limit is above its LimitName::highest. Error: bad_input, which names the limit.
 Status validate(const Limits& limits);
 
 }  // namespace sfumato

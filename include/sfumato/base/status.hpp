@@ -9,75 +9,90 @@
 
 namespace sfumato {
 
+/// What kind of error a Status is.
 enum class StatusCode : std::uint8_t {
-  ok,
-  bad_input,  ///< The input cannot be understood or drawn; `where` says the place.
-  limit,  ///< A limit of limits.hpp or the memory budget would be passed; nothing was allocated.
-  cancelled,      ///< The caller's cancel flag was seen.
-  io,             ///< The system refused a read or a write.
-  out_of_memory,  ///< The allocator refused.
-  unavailable,    ///< The machine lacks what was asked for: no GPU.
-  internal,       ///< A mistake of ours.
+  ok,             ///< Success.
+  bad_input,      ///< The input or an option is invalid; for a file, Status::where gives the place.
+  limit,          ///< A limit of limits.hpp, the memory budget or the deadline was exceeded.
+  cancelled,      ///< The caller set the cancel flag.
+  io,             ///< The system refused to read or write.
+  out_of_memory,  ///< The allocator refused; everything was released.
+  unavailable,    ///< The machine lacks what was asked for: a GPU, or an instruction set.
+  internal,       ///< A mistake in the library, or an unexpected error of one that it uses.
 };
 
-/// A place in an input. line and column count from 1; 0 means unknown.
+/// A place in an input.
 struct SourcePlace {
-  std::string file;
-  int line = 0;
-  int column = 0;
+  std::string file;  ///< the name that the caller gave the input; empty: unknown
+  int line = 0;      ///< counted from 1; 0: unknown
+  int column = 0;    ///< bytes, counted from 1; 0: unknown
 };
 
-/// What is worth telling of work that succeeded: what was overlooked, or cannot be shown.
+/// A remark on work that succeeded: what was ignored, or cannot be shown.
 struct Diagnostic {
-  std::string message;
-  SourcePlace where;
+  std::string message;  ///< for people; without a full stop
+  SourcePlace where;    ///< what it is about
 };
 
-/// Success, or what went wrong, in words for the user: what is wrong, what was expected.
+/// Success, or an error with a message for the user: what is wrong, and what was expected.
 struct [[nodiscard]] Status {
-  StatusCode code = StatusCode::ok;
-  std::string message;
-  SourcePlace where;
-  /// Of StatusCode::limit: what the caller can set higher, a LimitName ("curves"), "memory" for the
-  /// Budget or "time" for the Deadline. Empty: nothing, the bound is a data structure's.
+  StatusCode code = StatusCode::ok;  ///< for programs; the rest is for people
+  std::string message;               ///< empty for success
+  SourcePlace where;                 ///< the place in the input, as far as it is known
+  /// For StatusCode::limit, what the caller can raise: a LimitName ("curves"), "memory" for the
+  /// Budget, or "time" for the Deadline. Empty where the bound is none of these. The text is a
+  /// constant of the library.
   std::string_view limit;
 
+  /// Whether this is success.
   bool ok() const { return code == StatusCode::ok; }
+  /// The same as ok().
   explicit operator bool() const { return ok(); }
 };
 
+/// Success.
 inline Status ok_status() {
   return {};
 }
 
+/// An error with an empty Status::limit.
 inline Status make_error(StatusCode code, std::string message, SourcePlace where = {}) {
   return {code, std::move(message), std::move(where), {}};
 }
 
-/// "file:line:column: message", leaving out what is unknown.
+/// "file:line:column: message", without the parts that are unknown.
 std::string to_string(const Status& status);
+/// As for a Status.
 std::string to_string(const Diagnostic& diagnostic);
 
 /// A value, or the Status that says why there is none.
 template <class T>
 class [[nodiscard]] Result {
  public:
+  /// Success with a value.
   Result(T value) : value_(std::move(value)) {}
-  /// Precondition: an error. Success without a value is StatusCode::internal.
+  /// An error. Precondition: `error` is not ok; otherwise the result is StatusCode::internal.
   Result(Status error) : status_(std::move(error)) {
     assert(!status_.ok());
     if (status_.ok()) status_ = make_error(StatusCode::internal, "no value");
   }
 
+  /// Whether there is a value.
   bool ok() const { return value_.has_value(); }
+  /// The same as ok().
   explicit operator bool() const { return ok(); }
+  /// The error, or ok where there is a value.
   const Status& status() const { return status_; }
 
-  /// Precondition: ok().
+  /// @name Access to the value
+  /// @{
+
+  /// The value. Precondition: ok().
   T& operator*() { return *value_; }
   const T& operator*() const { return *value_; }
   T* operator->() { return &*value_; }
   const T* operator->() const { return &*value_; }
+  /// @}
 
  private:
   std::optional<T> value_;

@@ -9,11 +9,12 @@
 
 namespace sfumato {
 
-/// Encodes an rgb8 image as JPEG (JFIF, which means sRGB to whoever shows it; progressive; colour
-/// at full resolution, since these pictures have sharp edges of equal lightness).
-/// quality  1 to 100, the scale of libjpeg.
-/// Errors: bad_input (another format than rgb8, bytes that are not the size's, another quality),
-/// limit, out_of_memory, cancelled.
+/// Encodes an rgb8 image as JPEG: progressive JFIF, which programs show as sRGB. Colour is kept at
+/// full resolution, because these pictures have sharp edges between colours of equal lightness.
+/// `quality` is from 1 to 100, on the scale of libjpeg.
+///
+/// Errors: bad_input (a format other than rgb8, a size that disagrees with the bytes, a quality out
+/// of range), limit, out_of_memory, cancelled.
 Result<std::vector<std::uint8_t>> encode_jpeg(Context& context, const Image& image, int quality);
 
 }  // namespace sfumato

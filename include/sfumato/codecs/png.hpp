@@ -11,17 +11,22 @@
 
 namespace sfumato {
 
-/// Encodes as PNG (sRGB chunk, no time stamp: the same image gives the same bytes for any thread
-/// count). Errors: bad_input (an image whose size and bytes disagree), limit, cancelled.
+/// Encodes an image as PNG with an sRGB chunk and no time stamp: the same image gives the same
+/// bytes for any thread count.
+///
+/// Errors: bad_input (a size that disagrees with the bytes), limit, cancelled, out_of_memory.
 Result<std::vector<std::uint8_t>> encode_png(Context& context, const Image& image);
 
-/// Decodes any PNG to rgb8, rgba8, rgb16 or rgba16. The header is checked before memory is taken.
-/// Errors: bad_input, limit, out_of_memory; bad_input too where zlib is refused memory, which
-/// libspng reports as damage.
+/// Decodes any PNG: with 16 bits per channel where the file has 16, with alpha where the file has
+/// transparency, greys and palettes as colours. The header is checked before memory is taken.
+/// `file` names the input in messages.
+///
+/// Errors: bad_input (damaged, or cut short), limit (size, memory), cancelled, out_of_memory. Where
+/// zlib is refused memory the error is bad_input, because libspng reports that as damage.
 Result<Image> decode_png(Context& context, std::span<const std::uint8_t> bytes,
                          const std::string& file);
 
-/// The same, to rgba8 or rgba16 whatever it holds.
+/// The same as decode_png(), but always with alpha: rgba8 or rgba16.
 Result<Image> decode_png_with_alpha(Context& context, std::span<const std::uint8_t> bytes,
                                     const std::string& file);
 

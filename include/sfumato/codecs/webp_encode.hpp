@@ -9,18 +9,21 @@
 
 namespace sfumato {
 
+/// Options of encode_webp().
 struct WebpOptions {
-  bool lossless = false;
-  int quality = 90;  ///< of what is not lossless: 1 to 100
+  bool lossless = false;  ///< keep every byte, also the colours of pixels with alpha 0
+  int quality = 90;       ///< 1 to 100, on the scale of libwebp; ignored where lossless
 };
 
-/// Longest side of a WebP image, pixels: the format's own limit.
+/// Longest side of a WebP image in pixels, a limit of the format.
 inline constexpr int kWebpSide = 16'383;
 
-/// Encodes an rgb8 or rgba8 image as WebP. Lossless keeps every byte, also colours where alpha is
-/// 0. Errors: bad_input (16 bits per channel, bytes that are not the size's, another quality),
-/// limit (size, memory), out_of_memory, cancelled. Of memory that libwebp is refused it does not
-/// always tell (tests/allocation/README.md).
+/// Encodes an rgb8 or rgba8 image as WebP.
+///
+/// Errors: bad_input (16 bits per channel, a size that disagrees with the bytes, a quality out of
+/// range), limit (size, memory), out_of_memory, cancelled. libwebp does not always report memory
+/// that it was refused (tests/allocation/README.md), and its passes over a large image can delay a
+/// cancellation by seconds (docs/limits.md).
 Result<std::vector<std::uint8_t>> encode_webp(Context& context, const Image& image,
                                               const WebpOptions& options);
 

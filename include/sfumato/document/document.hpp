@@ -18,6 +18,8 @@
 
 namespace sfumato {
 
+/// How the colours of an item mix with those below it: the modes of CSS `mix-blend-mode`, as
+/// defined in the W3C's Compositing and Blending Level 1, on sRGB code values.
 enum class BlendMode : std::uint8_t {
   normal,
   multiply,
@@ -37,62 +39,75 @@ enum class BlendMode : std::uint8_t {
   luminosity
 };
 
-/// Curves that are solved together: one mesh, one solution. Frame: the layer's own.
+/// Curves that are solved together: one mesh, one solution. Their coordinates are in a frame of the
+/// layer's own.
 struct Layer {
-  std::string id;
+  std::string id;             ///< for messages and files; may be empty or not unique
   std::vector<Curve> curves;  ///< drawing order: where two lie on one edge, the last wins
 };
 
 /// A layer painted at one place of the stacking order.
 struct LayerInstance {
-  std::uint32_t layer = 0;  ///< index into Document::layers
-  Affine artboard_from_layer;
-  float opacity = 1;
-  BlendMode blend = BlendMode::normal;
+  std::uint32_t layer = 0;              ///< index into Document::layers
+  Affine artboard_from_layer;           ///< invertible
+  float opacity = 1;                    ///< of the whole, 0 to 1
+  BlendMode blend = BlendMode::normal;  ///< with what lies below
 };
 
 /// A local curve painted at one place of the stacking order.
 struct LocalStroke {
-  LocalCurve curve;
-  Affine artboard_from_stroke;
+  LocalCurve curve;             ///< in a frame of its own
+  Affine artboard_from_stroke;  ///< invertible
 };
 
-/// What stands between this and its GroupEnd is composited by itself, then as one onto the rest
-/// (an isolated group, as CSS compositing has it).
+/// Begins a group: what stands between this and its GroupEnd is composited by itself, then as one
+/// onto the rest (an isolated group of CSS compositing).
 struct GroupBegin {
-  float opacity = 1;
-  BlendMode blend = BlendMode::normal;
+  float opacity = 1;                    ///< of the whole, 0 to 1
+  BlendMode blend = BlendMode::normal;  ///< with what lies below
 };
 
+/// Ends the group that was begun last.
 struct GroupEnd {};
 
+/// One item of Document::stack.
 using StackItem = std::variant<LayerInstance, LocalStroke, GroupBegin, GroupEnd>;
 
-/// A picture as its author wrote it. Plain data; `validate` states the invariants.
+/// A picture as its author wrote it. Plain data; validate() checks its invariants.
 struct Document {
-  Box artboard;  ///< user units, y down
-  /// Of the picture where nothing else is asked for; none: a pixel to a user unit.
+  Box artboard;  ///< what is shown of the plane: user units, y down, not empty
+  /// Width and height in pixels that the author wishes for; none: a pixel to a user unit. Kept for
+  /// callers: RasterOptions alone set the size of an image.
   std::optional<Vec2> size_px{};
-  InterpolationSpace interpolation = InterpolationSpace::srgb;
-  std::optional<Rgb> background;
-  std::vector<Shader> shaders;
-  std::vector<Layer> layers;
-  std::vector<StackItem> stack;  ///< bottom first; groups nest and are closed
+  InterpolationSpace interpolation = InterpolationSpace::srgb;  ///< in which colours are mixed
+  std::optional<Rgb> background;  ///< behind all items; none: transparent
+  std::vector<Shader> shaders;    ///< that the sides of curves refer to by index
+  std::vector<Layer> layers;      ///< in any order; `stack` says which are painted, and where
+  std::vector<StackItem> stack;   ///< bottom first; groups nest and are closed
 };
 
-/// About what it takes in memory. Readers charge it only while they read: who holds a document may
-/// charge it again.
+/// @name Memory of parts of a document
+/// @{
+
+/// Roughly the bytes of memory that the object's vectors take, without the object itself. Readers
+/// charge these to the Budget only while they read; a caller who keeps a document may charge them
+/// again.
 std::size_t bytes_of(const Document& document);
-std::size_t bytes_of(const LocalCurve& curve);  ///< beside the object itself
+std::size_t bytes_of(const LocalCurve& curve);
 std::size_t bytes_of(const std::vector<Shader>& shaders);
+/// @}
 
 /// Checks every invariant of the model: sizes against the context's limits, finite numbers in
-/// range, indices, 3n+1 control points, stop lists that are sorted. Readers call it last; `diffuse`
-/// relies on it. Errors: bad_input, limit, cancelled.
+/// range, indices, 3 n + 1 control points, sorted stop lists. Readers end with it; diffuse(),
+/// lint() and write_svg() begin with it. Errors: bad_input, limit, cancelled.
 Status validate(const Context& context, const Document& document);
 
-/// The same for what pictures take over from documents.
+/// @name Parts that a Picture takes over from a Document
+/// @{
+
+/// Checks the invariants of this part alone. Errors: bad_input, limit, cancelled.
 Status validate(const Context& context, const std::vector<Shader>& shaders);
 Status validate(const Context& context, const LocalStroke& stroke);
+/// @}
 
 }  // namespace sfumato

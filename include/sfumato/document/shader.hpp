@@ -10,51 +10,62 @@
 
 namespace sfumato {
 
-enum class SpreadMethod : std::uint8_t { pad, reflect, repeat };
+/// What a gradient shows beyond its ends, as SVG's `spreadMethod`.
+enum class SpreadMethod : std::uint8_t {
+  pad,      ///< the colour of the nearer end
+  reflect,  ///< the gradient back and forth
+  repeat    ///< the gradient again and again
+};
 
+/// A colour and an alpha at one place of a gradient.
 struct GradientStop {
-  double offset = 0;  ///< 0 to 1, never falling
-  Rgb color;
-  float alpha = 1;
+  double offset = 0;  ///< 0 to 1, not below that of the stop before
+  Rgb color;          ///< not premultiplied
+  float alpha = 1;    ///< 0 to 1
 };
 
-/// z(p) of a linear gradient, gradient frame: from `start` to `end`.
+/// The shape of a linear gradient. Offsets are 0 at `start`, 1 at `end`, and constant across the
+/// line between them.
 struct LinearGradient {
-  Vec2 start;
-  Vec2 end{1, 0};
+  Vec2 start;      ///< gradient frame
+  Vec2 end{1, 0};  ///< gradient frame
 };
 
-/// z(p) of a radial gradient, gradient frame; `focus` lies inside the circle.
+/// The shape of a radial gradient. Offsets are 0 at `focus` and 1 on the circle.
 struct RadialGradient {
-  Vec2 center;
-  Vec2 focus;
-  double radius = 1;
+  Vec2 center;        ///< of the circle, gradient frame
+  Vec2 focus;         ///< inside the circle or on it, gradient frame
+  double radius = 1;  ///< of the circle, above 0, gradient frame
 };
 
+/// A gradient. It is linear in colour and alpha between stops, in sRGB code values whatever
+/// Document::interpolation is.
 struct GradientFill {
-  std::variant<LinearGradient, RadialGradient> shape;
-  SpreadMethod spread = SpreadMethod::pad;
-  Affine layer_from_gradient;
-  std::vector<GradientStop> stops;
+  std::variant<LinearGradient, RadialGradient> shape;  ///< where each offset lies
+  SpreadMethod spread = SpreadMethod::pad;             ///< beyond offsets 0 and 1
+  Affine layer_from_gradient;                          ///< invertible
+  std::vector<GradientStop> stops;                     ///< at least one, sorted by offset
 };
 
-/// A raster texture; texel (i, j) covers [i, i+1) × [j, j+1) of the texture frame. Beyond its edges
-/// their nearest texel shows. A texture that repeats does so every `period` texels, counted from
-/// the texture frame's origin.
+/// A raster texture. Texel (i, j) covers [i, i+1) × [j, j+1) of the texture frame.
 struct Texture {
-  int width = 0;
-  int height = 0;
+  int width = 0;                   ///< texels
+  int height = 0;                  ///< texels
   std::vector<std::uint8_t> rgba;  ///< row by row, 4 × width × height, not premultiplied
-  Affine layer_from_texture;
+  Affine layer_from_texture;       ///< invertible
+  /// Whether it repeats, every `period` texels counted from the texture frame's origin. Otherwise
+  /// the nearest texel of its edges shows beyond them.
   bool repeats = true;
-  Vec2 period;                     ///< texels; 0 × 0 is width × height
-  std::vector<std::uint8_t> file;  ///< the PNG or JPEG that it came from, if any: what is saved
+  Vec2 period;  ///< texels, both above 0; 0 × 0 stands for width × height
+  /// The PNG or JPEG file that it was read from, if any, which write_svg() embeds as it is.
+  std::vector<std::uint8_t> file;
 };
 
-/// An image-domain shader (paper section 3): its value depends on the shaded point alone.
+/// An image-domain shader (paper section 3): its value depends on the shaded point alone, not on
+/// where a ray hit the curve. As an opacity it gives alpha × luminance.
 struct Shader {
-  std::string id;
-  std::variant<GradientFill, Texture> paint;
+  std::string id;                             ///< for messages and files
+  std::variant<GradientFill, Texture> paint;  ///< what it shows
 };
 
 }  // namespace sfumato

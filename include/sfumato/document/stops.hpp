@@ -6,33 +6,39 @@
 
 namespace sfumato {
 
-/// What a stop's offset counts.
+/// How the offset of a stop counts along a curve.
 enum class StopSpace : unsigned char {
   arc_length,  ///< fraction of the curve's length, 0 to 1
   parameter    ///< the curve's own parameter: Bézier piece i at t is i + t, 0 to the piece count
 };
 
+/// A value at one place of a curve.
 template <class Value>
 struct Stop {
-  double offset = 0;
-  Value value{};
+  double offset = 0;  ///< the place, as StopList::space counts it
+  Value value{};      ///< the attribute there
 
+  /// Exact comparison of offset and value.
   friend bool operator==(const Stop&, const Stop&) = default;
 };
 
 /// An attribute along a curve: linear between stops, constant before the first and after the last.
-/// Invariant: offsets are finite and never fall; two stops at one offset are a step.
 template <class Value>
 struct StopList {
-  StopSpace space = StopSpace::parameter;
+  StopSpace space = StopSpace::parameter;  ///< what all offsets count
+  /// Sorted by offset, none outside the curve. Two stops at one offset are a step.
   std::vector<Stop<Value>> stops{};
 
+  /// Whether there are no stops.
   bool empty() const { return stops.empty(); }
 
+  /// Exact comparison: equal lists have the same space and the same stops.
   friend bool operator==(const StopList&, const StopList&) = default;
 };
 
+/// Colours along a curve.
 using ColorStops = StopList<Rgb>;
+/// Numbers along a curve: opacities or radii.
 using ScalarStops = StopList<float>;
 
 }  // namespace sfumato

@@ -6,12 +6,14 @@
 
 namespace sfumato {
 
-/// What an exporter has to say besides the bytes of its file.
+/// What an exporter reports besides the bytes of its file. Exporters add to what is there: use a
+/// new object for each file.
 struct ExportNotes {
-  /// What of the picture the format cannot hold, or holds as pixels: one sentence each, no full
-  /// stop, as "blend modes other than normal are left out". No duplicates.
+  /// What the file does not show as the picture does, or is slow to show: one sentence each without
+  /// a full stop, such as "blend modes other than normal are shown as normal". Empty: nothing.
   std::vector<std::string> lost;
-  std::uint64_t triangle_count = 0;  ///< triangles in the file
+  /// Triangles that the file stores. A layer counts once, however often it is painted.
+  std::uint64_t triangle_count = 0;
 };
 
 }  // namespace sfumato

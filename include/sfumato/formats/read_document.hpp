@@ -9,9 +9,17 @@
 
 namespace sfumato {
 
-/// Reads a document of any format, by its root element: SVG (docs/format.md) or Orzan's XML
-/// (docs/format-orzan.md); packed by gzip (.svgz) too. `file` names the input in messages.
-/// `loader` may be null: then every file that the document refers to is an error.
+/// Reads a document of either format, SVG (docs/format.md) or Orzan's XML (docs/format-orzan.md),
+/// which its root element tells apart; it may be packed by gzip (.svgz).
+///
+/// - `bytes`: the whole file
+/// - `file`: names the input in messages; nothing of that name is opened
+/// - `loader`: brings the textures that are files of their own. Null: each of these is an error,
+///   while data: URIs are read
+///
+/// The result is valid: validate() has accepted it. An ordinary SVG without anything of Sfumato
+/// gives an empty document with ReadDocument::is_foreign set.
+///
 /// Errors: bad_input, limit, cancelled, out_of_memory.
 Result<ReadDocument> read_document(Context& context, std::string_view bytes,
                                    const std::string& file, const ResourceLoader* loader = nullptr);

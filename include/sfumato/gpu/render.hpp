@@ -10,18 +10,21 @@
 
 namespace sfumato {
 
-/// rasterize() by OpenGL ES 3 without a window: the shaders of the viewer, on a GPU or, where there
-/// is none, Mesa's software driver. Nothing stays behind but the driver's libraries.
+/// Does what rasterize() does by OpenGL ES 3 without a window: with the shaders of the HTML viewer,
+/// on a GPU, or where there is none by Mesa's software driver. Nothing remains afterwards but the
+/// driver's libraries.
 ///
-/// By the same rules, in single precision: docs/gpu.md says how near ("How near to the CPU").
+/// It follows the same rules in single precision, so that a few pixels differ and the bytes depend
+/// on the device; docs/gpu.md has measurements ("How near to the CPU").
 ///
-/// Errors: those of rasterize(), and unavailable: no context of OpenGL ES 3 can be had, or it
-/// cannot draw to floating point; limit also where a table is more than the device's textures hold.
-/// Memory: of the device's, charged here: tables of 100 to 300 bytes a triangle, 110 bytes a pixel
-/// of a tile of 1024², 16 more for each group within a group.
+/// Errors: those of rasterize(); unavailable where there is no OpenGL ES 3, or it cannot draw to
+/// floating point; limit also where a table exceeds the device's textures.
+/// Memory on the device, charged to the Budget: tables of 100 to 300 bytes a triangle, 110 bytes a
+/// pixel of a tile of 1024², and 16 more for each group within a group.
 Result<Image> render_on_gpu(Context& context, const Picture& picture, const RasterOptions& options);
 
-/// The device that render_on_gpu would use, in its driver's words. Errors: unavailable.
+/// The name of the device that render_on_gpu() would use, as its driver gives it. Errors:
+/// unavailable, out_of_memory.
 Result<std::string> gpu_name();
 
 }  // namespace sfumato

@@ -11,19 +11,22 @@
 
 namespace sfumato {
 
-/// A document made of an ordinary SVG, and what could not be brought over, each with its place.
+/// A document made from an ordinary SVG.
 struct ImportedSvg {
-  Document document;
-  std::string title;
-  std::vector<Diagnostic> warnings;
+  Document document;                 ///< valid
+  std::string title;                 ///< text of the drawing's `<title>`; empty: none
+  std::vector<Diagnostic> warnings;  ///< what was left out, as ReadDocument::warnings
 };
 
-/// Makes diffusion curves of the fills, strokes and gradients of an ordinary SVG (docs/import.md).
-/// A filled shape becomes curves along the boundary of what it fills: its colour or gradient is on
-/// their right, the inside. Where it lies wholly on one opaque shape, in sight, it joins that one's
-/// layer and has its paint on the left; else the outside is transparent. A stroke is its outline,
-/// filled. Groups, opacity and the order of painting are kept, and the curves bear the ids of their
-/// shapes. Packed by gzip too (.svgz).
+/// Makes diffusion curves from the fills, strokes and gradients of an ordinary SVG
+/// (docs/import.md). The parameters are those of read_document(); gzip (.svgz) is unpacked here
+/// too.
+///
+/// A filled shape becomes curves along the boundary of what it fills, with its colour or gradient
+/// on their right side, the inside. A shape that lies wholly on one opaque shape, which is in sight
+/// around it, joins the layer of that one, whose paint its curves bear on their left; for others
+/// the outside is transparent. A stroke becomes its outline, filled. Groups, opacity and the order
+/// of painting are kept, and the curves bear the ids of their shapes.
 ///
 /// Errors: bad_input, limit, cancelled, out_of_memory.
 Result<ImportedSvg> import_svg(Context& context, std::string_view text, const std::string& file,

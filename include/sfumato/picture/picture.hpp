@@ -13,95 +13,112 @@
 
 namespace sfumato {
 
-inline constexpr int kNodesPerTriangle = 10;  ///< of a cubic patch
+/// Nodes of a patch, whatever its PatchOrder.
+inline constexpr int kNodesPerTriangle = 10;
 
-/// Where the node at a place, 0 to 9, of a triangle stands in PatchField::triangle_node.
+/// The index in PatchField::triangle_node of a triangle's node; `place` is 0 to 9, in the order
+/// that PatchField describes.
 constexpr std::size_t node_slot(std::size_t triangle, std::size_t place) {
   return kNodesPerTriangle * triangle + place;
 }
 
-/// Interpolation inside a triangle (paper appendix A). Ten nodes are stored for each.
+/// The polynomial that interpolates inside a triangle (paper appendix A). Ten nodes are stored for
+/// each order: a quadratic takes the middles of the edges from the cubics along them, and a linear
+/// patch uses the corners only.
 enum class PatchOrder : std::uint8_t { linear, quadratic, cubic };
 
 /// Values that are interpolated over the triangles of a layer.
 ///
-/// The ten nodes of triangle t with corners 0, 1, 2 stand in this order (paper Fig. 3, eq. 18):
-/// Z0 Z1 Z2  Z01 Z10  Z12 Z21  Z20 Z02  Z012 — Zij lies on edge ij, a third of the way from i.
-/// The barycentric weight of corner 0 is the paper's w, of corner 1 its u, of corner 2 its v.
+/// The ten nodes of a triangle with corners 0, 1, 2 are stored in this order (paper Fig. 3, eq.
+/// 18): Z0, Z1, Z2, Z01, Z10, Z12, Z21, Z20, Z02, Z012. Zi is corner i, Zij lies on the edge from
+/// corner i to corner j at a third of the way, and Z012 is the barycentre. In the paper's notation
+/// the barycentric weights of the corners are w, u and v.
 struct PatchField {
   int channel_count = 0;                     ///< 0: the layer has no such field
-  std::vector<std::uint32_t> triangle_node;  ///< kNodesPerTriangle per triangle
+  std::vector<std::uint32_t> triangle_node;  ///< node indices, kNodesPerTriangle per triangle
   std::vector<float> node_value;             ///< channel_count per node
-  /// Image-domain shaders by their weights W_s/W, the last channels: indices into Picture::shaders.
+  /// Indices into Picture::shaders. The last channels are the weights W_s/W of these shaders.
   std::vector<std::uint32_t> shader;
 };
 
-/// One side of an edge that is blurred too finely for triangles: they show it sharp, and an output
-/// in pixels averages the blur of eq. 8 over them. At distance r from the edge the side shows a
-/// share (1 - β(r/R)) of what lies across; R, where that ends, grows along the edge.
+/// One side of an edge whose blur is too fine for triangles. The triangles show the edge sharp, and
+/// an output in pixels averages the blur of eq. 8 over it: at distance r from the edge the side
+/// shows a share 1 - β(r/R) of what lies across. The radius R, at which that ends, is linear along
+/// the edge.
 struct SoftEdge {
-  static constexpr std::uint32_t kNone = 0xffffffff;
+  static constexpr std::uint32_t kNone = 0xffffffff;  ///< no triangle on this side
 
-  std::uint32_t front = kNone;  ///< the edge in the side's triangle t: 3 t + k; none: transparent
+  std::uint32_t front = kNone;  ///< 3 t + k for edge k of the side's triangle t; kNone: transparent
   std::uint32_t back = kNone;   ///< the same edge in the triangle across
-  /// From the ends of `front`, origin first, to where the blur ends, layer frame: of length R on a
-  /// straight curve, and to the common corner of the blurs of two edges at a corner.
+  /// Vectors in the layer frame from the two ends of `front`, its origin first, to where the blur
+  /// ends. On a straight curve they are R long; where two edges meet at a corner they lead to the
+  /// common corner of both blurs. They are shorter where another curve is near.
   Vec2 reach[2];
-  /// What lies across is front + contrast (back - front): 2 where the triangle across shows, on the
-  /// edge, the mean of both sides, since its own blur is one of the mesh; else 1.
+  /// What lies across is front + contrast × (back - front). It is 2 where the triangle across shows
+  /// the mean of both sides on the edge, because the mesh itself shows its blur; otherwise 1.
   float contrast = 1;
 };
 
-/// One solved layer: triangular patches over shared nodes (paper eq. 6 and 10).
+/// One solved layer: triangular patches over shared nodes (equations 6 and 10 of the paper).
 ///
-/// The colour at a point is color's channels 0 to 2, in the space of Picture::interpolation, plus
-/// the weight of each shader times its colour there; opacity is channel 0 of `opacity`, plus
-/// weights times alpha × luminance.
+/// The colour at a point is channels 0 to 2 of `color`, in the space of Picture::interpolation,
+/// plus each shader's weight times its colour there. The opacity is channel 0 of `opacity`, plus
+/// each shader's weight times its alpha × luminance. Where no triangle lies nothing is painted.
 struct PatchLayer {
-  Box frame;  ///< the triangles cover what is seen of this rectangle of the layer frame
-  PatchOrder order = PatchOrder::cubic;
+  Box frame;                                   ///< the rectangle of the layer frame that was solved
+  PatchOrder order = PatchOrder::cubic;        ///< how all its patches interpolate
   std::vector<Vec2> vertex_position;           ///< layer frame
   std::vector<std::uint32_t> triangle_vertex;  ///< 3 per triangle, cross(01, 02) > 0
-  /// 3 per triangle, edge k from corner k to corner (k+1)%3: 1 where the picture may jump, or ends.
+  /// 3 per triangle, for edge k from corner k to corner (k+1)%3: 1 where colours may jump across
+  /// the edge or the layer ends there, otherwise 0.
   std::vector<std::uint8_t> edge_is_curve;
-  std::vector<SoftEdge> soft_edge;  ///< in the order of soft_edge_triangle
-  PatchField color{3, {}, {}, {}};  ///< 3 channels and one for each of its shaders
-  PatchField opacity;               ///< 1 channel and one for each of its shaders; none: opaque
+  std::vector<SoftEdge> soft_edge;  ///< sorted by soft_edge_triangle()
+  PatchField color{3, {}, {}, {}};  ///< 3 channels, and one for each of its shaders
+  PatchField opacity;  ///< 1 channel, and one for each of its shaders; no channels: opaque
 
+  /// The number of triangles; 0 where no instance shows any of the layer.
   std::uint32_t triangle_count() const {
     return static_cast<std::uint32_t>(triangle_vertex.size() / 3);
   }
 };
 
-/// The triangle that a soft edge is painted with: that of its side, if there is one.
+/// The triangle that a soft edge is painted with: that of its own side, or if there is none the one
+/// across.
 inline std::uint32_t soft_edge_triangle(const SoftEdge& edge) {
   return (edge.front != SoftEdge::kNone ? edge.front : edge.back) / 3;
 }
 
 /// A solved layer painted at one place of the stacking order.
 struct PatchInstance {
-  std::uint32_t layer = 0;
-  Affine artboard_from_layer;
-  float opacity = 1;
-  BlendMode blend = BlendMode::normal;
+  std::uint32_t layer = 0;              ///< index into Picture::layers
+  Affine artboard_from_layer;           ///< invertible
+  float opacity = 1;                    ///< of the whole, 0 to 1
+  BlendMode blend = BlendMode::normal;  ///< with what lies below
 };
 
+/// One item of Picture::stack.
 using PictureItem = std::variant<PatchInstance, LocalStroke, GroupBegin, GroupEnd>;
 
-/// A resolution-independent picture: what every output is made from.
+/// A solved picture, which does not depend on a resolution: every output is made from it. Plain
+/// data, which can be read by several threads at once.
 struct Picture {
-  Box artboard;  ///< user units, y down
-  Box viewport;  ///< the part that was solved; inside it every pixel is covered
-  InterpolationSpace interpolation = InterpolationSpace::srgb;
-  std::optional<Rgb> background;
-  std::vector<Shader> shaders;
-  std::vector<PatchLayer> layers;
-  std::vector<PictureItem> stack;  ///< bottom first; groups as in Document::stack
+  Box artboard;  ///< that of the document: user units, y down
+  Box viewport;  ///< the part of the artboard frame that was solved
+  InterpolationSpace interpolation = InterpolationSpace::srgb;  ///< of the values in `layers`
+  std::optional<Rgb> background;   ///< behind all items; none: transparent
+  std::vector<Shader> shaders;     ///< those of the document, without Texture::file
+  std::vector<PatchLayer> layers;  ///< one for each of Document::layers
+  std::vector<PictureItem> stack;  ///< bottom first; groups nest and are closed
 };
 
-/// About what they take in memory. `diffuse` charges it only while it works: who holds a picture
-/// may charge it again.
+/// @name Memory of parts of a picture
+/// @{
+
+/// Roughly the bytes of memory that the object's vectors take, without the object itself. diffuse()
+/// charges these to the Budget only while it works; a caller who keeps a picture may charge them
+/// again.
 std::size_t bytes_of(const PatchLayer& layer);
 std::size_t bytes_of(const Picture& picture);
+/// @}
 
 }  // namespace sfumato

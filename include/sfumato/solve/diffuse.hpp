@@ -11,40 +11,63 @@
 
 namespace sfumato {
 
-/// How a document becomes a picture. Lengths in user units of the artboard.
+/// How a document becomes a picture. Lengths are in user units of the artboard.
 struct DiffuseOptions {
-  std::optional<Box> viewport{};      ///< default: the artboard
-  double pixels_per_unit = 1;         ///< of the nominal output: how fine refinement may go
-  std::optional<double> tolerance{};  ///< flattening; default 0.04 pixels, at most 0.05 / 512 of
-                                      ///< the artboard's longer side
+  /// The part of the artboard frame that is solved; default: the artboard. It may reach beyond it.
+  std::optional<Box> viewport{};
+  /// Resolution of the largest intended output, in pixels to a user unit. It bounds refinement:
+  /// triangles whose edges are all shorter than a pixel are not made smaller.
+  double pixels_per_unit = 1;
+  /// Flattening tolerance: how far chords may be from their curve. Default: 0.05/512 of the
+  /// artboard's longer side, inside the viewport at most 0.04 pixels; where max_error is 0, 0.1/512
+  /// and 0.2 pixels.
+  std::optional<double> tolerance{};
+  /// Smallest angle of triangles in degrees, 0 to 33. Curves that meet at smaller angles keep them.
   double min_angle_deg = 22;
-  double max_area_fraction = 0.04;  ///< of the artboard's area
-  /// Largest tolerated miss of a patch in code values of 255; 0: the paper's mesh, made finer at
-  /// blurred curves alone.
+  /// Largest area of a triangle, as a fraction above 0 and at most 1 of the box around artboard and
+  /// viewport, or if that is larger of what the viewport shows of the layer.
+  double max_area_fraction = 0.04;
+  /// Largest tolerated difference of a patch from the exact solution, in code values of 255, as
+  /// found at probe points. 0: the paper's mesh, refined at blurred curves only.
   double max_error = 1;
-  PatchOrder order = PatchOrder::cubic;
+  PatchOrder order = PatchOrder::cubic;  ///< how patches interpolate
+  /// How nodes are gathered. Where max_error is above 0 refinement is led by the exact gather, and
+  /// random rays only give the nodes of the final mesh their colours.
   gather::GatherOptions gather{};
-  gather::Ends ends = gather::Ends::soft;  ///< of open curves
-  bool ignore_blur = false;
+  gather::Ends ends = gather::Ends::soft;  ///< what is ahead of the ends of open curves
+  bool ignore_blur = false;  ///< draw diffusion curves sharp, as if their blur radii were 0
 };
 
-/// Sizes and times of one `diffuse`, for --stats and benchmarks.
+/// Sizes and times of the solution of a document, summed over the layers that are painted.
+/// Functions add to what is there.
 struct DiffuseStats {
-  std::uint64_t curves = 0;
-  std::uint64_t segments = 0;
-  std::uint64_t triangles = 0;
-  std::uint64_t vertices = 0;
-  std::uint64_t nodes = 0;
-  double geometry_seconds = 0;
-  double triangulation_seconds = 0;
-  double gather_seconds = 0;
+  std::uint64_t curves = 0;          ///< diffusion curves
+  std::uint64_t segments = 0;        ///< straight segments of the flattened curves
+  std::uint64_t triangles = 0;       ///< of the patch meshes
+  std::uint64_t vertices = 0;        ///< of the patch meshes
+  std::uint64_t nodes = 0;           ///< points at which colour or opacity was gathered
+  double geometry_seconds = 0;       ///< flattening the curves and sampling their attributes
+  double triangulation_seconds = 0;  ///< meshes and their refinement
+  double gather_seconds = 0;         ///< gathering at nodes and probe points
 };
 
-/// What of a document stands in its picture as it is: everything but the layers. Error: limit.
+/// The picture of a document without its layers: artboard, background, shaders and stack, which a
+/// picture takes over as they are. Its `layers` are empty, so that the stack refers to layers that
+/// the caller has yet to add.
+///
+/// Precondition: validate() accepts the document, which is not checked again.
+/// Errors: limit, cancelled, out_of_memory.
 Result<Picture> picture_frame(Context& context, const Document& document, const Box& viewport);
 
-/// Document → Picture (paper sections 3–5): flatten, mesh, gather, patches.
-/// Errors: bad_input (an invalid document), limit, cancelled.
+/// Document → Picture (paper sections 3–5): flattens the curves, triangulates them, gathers colours
+/// and opacities at the nodes of the triangles, and refines. Each layer is solved once, however
+/// often it is painted; what no instance brings into the viewport is not solved.
+///
+/// `stats`, unless null, is added to. The result has the same bits for any thread count and SIMD
+/// level.
+///
+/// Errors: bad_input (an invalid document or option), limit, cancelled, out_of_memory.
+/// Memory and time grow with what is to be seen: curves, blurs and colours that change.
 Result<Picture> diffuse(Context& context, const Document& document, const DiffuseOptions& options,
                         DiffuseStats* stats = nullptr);
 

@@ -14,37 +14,50 @@ namespace solve {
 class ExactPicture;
 }
 
-/// The fields of a document's layers at single points, with no patch mesh between: the ground truth
-/// that pictures are held against. What the channels of a field are: picture/picture.hpp. Movable;
-/// several threads may ask it at once, each with a Context of its own.
+/// The colours and opacities of a document's layers at single points, without a patch mesh in
+/// between: the ground truth that pictures are compared with. PatchLayer explains the channels.
+///
+/// Several threads may call evaluate() at once, each with a Context of its own. Memory stays
+/// charged to the Context that was given to create(), which must therefore outlive the evaluator. A
+/// moved-from evaluator can only be assigned to or destroyed.
 class PointEvaluator {
  public:
-  /// Prepares the layers for gathering. Of the options, those of mesh and patches are ignored.
-  /// Adds curves, segments and times to `stats` if not null. Errors: as diffuse().
+  /// Prepares the layers for gathering.
+  ///
+  /// Of the options, those of the patch mesh (angles, areas, order) have no effect, but all have to
+  /// be valid; DiffuseOptions::max_error counts only for the default tolerance. `stats`, unless
+  /// null, is added to: curves, segments and times. Errors: as diffuse().
   static Result<PointEvaluator> create(Context& context, const Document& document,
                                        const DiffuseOptions& options,
                                        DiffuseStats* stats = nullptr);
 
+  /// Takes over what `other` holds.
   PointEvaluator(PointEvaluator&& other) noexcept : state_(other.state_) { other.state_ = nullptr; }
+  /// Exchanges what the two hold.
   PointEvaluator& operator=(PointEvaluator&& other) noexcept;
   ~PointEvaluator();
 
-  /// Channels of a layer's fields; 0: no instance shows the layer in the viewport, or it has no
-  /// such field. The last ones belong to the shaders, indices into Document::shaders.
+  /// Floats per point of a layer's colours; 0 where it has no curves, or is not in the viewport.
   int color_channels(std::uint32_t layer) const;
+  /// Floats per point of a layer's opacity; 0 where it has none, or is not in the viewport.
   int opacity_channels(std::uint32_t layer) const;
+  /// The shaders that the last colour channels belong to, as indices into Document::shaders.
   std::span<const std::uint32_t> color_shaders(std::uint32_t layer) const;
+  /// The shaders that the last opacity channels belong to, as indices into Document::shaders.
   std::span<const std::uint32_t> opacity_shaders(std::uint32_t layer) const;
 
-  /// The fields of a layer that has colours, at points.
-  /// points   layer frame, inside what an instance brings into the viewport that `create` was
-  ///          given; neighbours in the list should be neighbours in the plane
-  /// color    color_channels floats per point, in the space of Document::interpolation
-  /// hit      per point: 0 where no colour is seen (color is 0 there), else 1
-  /// opacity  opacity_channels floats per point, or empty: not asked for
-  /// Errors   bad_input (a layer without colours, tables of other sizes, a point outside), limit,
-  ///          cancelled, out_of_memory; what the tables then hold means nothing.
-  /// Cost     about 1 µs a point (docs/benchmarks.md), shared by the context's threads.
+  /// Computes the colours, and if wanted the opacities, of a layer at points.
+  ///
+  /// - `points`: layer frame, inside the box around what the instances bring into the viewport; not
+  ///   on a curve, where the fields jump. Neighbours in the list should be neighbours in the plane
+  /// - `color`: receives color_channels() floats per point, in the space of Document::interpolation
+  /// - `hit`: receives for each point 1, or 0 where no colour is seen; `color` is 0 there
+  /// - `opacity`: receives opacity_channels() floats per point; empty: not wanted
+  ///
+  /// Errors: bad_input (a layer whose color_channels() is 0, spans of other sizes, a point
+  /// outside), limit, cancelled, out_of_memory. After an error the spans hold nothing of use.
+  ///
+  /// Cost: about 1 µs a point (docs/benchmarks.md), divided among the context's threads.
   Status evaluate(Context& context, std::uint32_t layer, std::span<const Vec2> points,
                   std::span<float> color, std::span<std::uint8_t> hit,
                   std::span<float> opacity = {}) const;

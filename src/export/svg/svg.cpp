@@ -38,7 +38,8 @@ double pixels_per_unit(const SvgOptions& options) {
 }
 
 Status check(const Context& context, const Picture& picture, const SvgOptions& options) {
-  if (!(pixels_per_unit(options) > 0) || !std::isfinite(pixels_per_unit(options))) {
+  if (!(options.scale > 0) || !(options.dpi > 0) || !(pixels_per_unit(options) > 0) ||
+      !std::isfinite(pixels_per_unit(options))) {
     return make_error(StatusCode::bad_input, "scale or dpi of an SVG that is no positive number");
   }
   if (!(options.max_error > 0) || !std::isfinite(options.max_error)) {

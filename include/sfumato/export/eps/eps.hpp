@@ -12,21 +12,25 @@
 
 namespace sfumato {
 
+/// Options of export_eps().
 struct EpsOptions {
-  /// Width in points (1/72 inch); default three quarters of a point to a user unit.
+  /// Width of the picture in points (1/72 inch); default: 3/4 of a point to a user unit.
   std::optional<double> page_width_pt{};
-  double dpi = 300;        ///< of a picture that has to be pixels, and of the finest facets
-  double max_error = 0.5;  ///< of colours in the facets, code values of 255
-  std::string title{};     ///< what is not printable ASCII is left out
+  /// Resolution of a picture that has to be pixels; facets are made no finer than its pixels.
+  double dpi = 300;
+  double max_error = 0.5;  ///< tolerated in the facets' colours, in code values of 255
+  std::string title{};     ///< its printable ASCII characters, at most 200, are written
 };
 
-/// Picture → Encapsulated PostScript, language level 3 (docs/pdf.md). Opaque layers are meshes,
-/// each stored once; a picture with anything that must be composited (opacity, blend modes,
-/// textures, gradients, local curves) is pixels as a whole, on its background or white, which
-/// `notes` says.
+/// Picture → Encapsulated PostScript, language level 3 (docs/pdf.md), of the picture's viewport.
 ///
-/// Errors: bad_input (an empty viewport, a picture whose tables do not fit, options that are no
-/// positive numbers), limit (memory, pixels), cancelled, out_of_memory.
+/// Layers are triangle meshes with linear colours, each stored once however often it is painted. A
+/// picture with anything that must be composited (opacity, blend modes, textures, gradients, local
+/// curves) is stored as pixels as a whole, on its background or white; `notes`, unless null, then
+/// says so.
+///
+/// Errors: bad_input (an empty viewport, an invalid picture, options that are not positive
+/// numbers), limit (memory, pixels), cancelled, out_of_memory.
 Result<std::vector<std::uint8_t>> export_eps(Context& context, const Picture& picture,
                                              const EpsOptions& options,
                                              ExportNotes* notes = nullptr);

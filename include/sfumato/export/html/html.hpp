@@ -13,21 +13,24 @@
 
 namespace sfumato {
 
+/// Options of export_html().
 struct HtmlOptions {
-  std::string title = "Sfumato";  ///< UTF-8
-  /// Behind what no layer covers; default the picture's own, else white.
+  std::string title = "Sfumato";  ///< of the page, UTF-8
+  /// Shown where no layer covers; default: Picture::background, or white.
   std::optional<Rgb> background{};
-  /// The picture as pixels, shown until the first frame is drawn and where there is no WebGL 2;
-  /// empty: words alone.
+  /// An image file of the picture, shown until the first frame is drawn and where there is no WebGL
+  /// 2; empty: only a message is shown then.
   std::vector<std::uint8_t> fallback{};
-  std::string fallback_type = "image/png";  ///< media type of `fallback`
+  std::string fallback_type = "image/png";  ///< media type of `fallback`: "image/" and a name
 };
 
-/// One file that shows the picture in a browser: no other file, server or network is needed. The
-/// patches themselves are in it, so that it is sharp at every zoom (docs/viewer.md).
+/// Picture → one HTML file that shows it in a browser; no other file, server or network is needed.
+/// The file holds the patches themselves, which a viewer draws by WebGL 2, so that the picture can
+/// be enlarged without end (docs/viewer.md). `notes`, unless null, receives the number of
+/// triangles.
 ///
-/// Errors: bad_input (a picture whose tables do not fit, a fallback type that is none), limit
-/// (kViewerTriangles, kViewerStrokeSegments, memory), cancelled.
+/// Errors: bad_input (an invalid picture or background, a fallback type that is no image's), limit
+/// (Limits::viewer_triangles, Limits::viewer_stroke_segments, memory), cancelled, out_of_memory.
 /// Cost: about 2 µs and 12 bytes of the file a triangle, and 90 kB for the viewer.
 Result<std::vector<std::uint8_t>> export_html(Context& context, const Picture& picture,
                                               const HtmlOptions& options,

@@ -11,33 +11,36 @@
 
 namespace sfumato {
 
+/// How an SVG holds a picture.
 enum class SvgMode : std::uint8_t {
-  image,  ///< the picture's pixels in an <image>: right in every program
-  vector  ///< triangles with gradients: sharp at any zoom, heavy (docs/outputs.md)
+  image,  ///< its pixels in an `<image>`: shown correctly by every program
+  vector  ///< triangles with gradients: sharp at any zoom, but heavy (docs/outputs.md)
 };
 
+/// Options of export_svg().
 struct SvgOptions {
-  SvgMode mode = SvgMode::image;
-  double scale = 1;  ///< CSS pixels, of which 96 are an inch, to a user unit
-  double dpi = 192;  ///< of what is stored as pixels
-  /// Behind what no layer covers; default the picture's own, else nothing.
+  SvgMode mode = SvgMode::image;  ///< pixels or triangles
+  double scale = 1;               ///< CSS pixels, 96 to an inch, to a user unit
+  double dpi = 192;               ///< of what is stored as pixels
+  /// Shown where no layer covers; default: Picture::background, or nothing.
   std::optional<Rgb> background{};
-  /// vector: largest tolerated difference to the patches, in code values of 255.
+  /// SvgMode::vector: largest tolerated difference from the patches, in code values of 255.
   double max_error = 2;
-  bool force = false;  ///< vector: even beyond limits::kSvgTriangles
+  bool force = false;  ///< SvgMode::vector: ignore Limits::svg_triangles
 };
 
-/// Picture → SVG of the picture's viewport, in user units.
+/// Picture → SVG of the picture's viewport, in user units. What write_svg() writes instead is the
+/// document itself.
 ///
-/// vector: each layer is stored once, as three meshes, of red, green and blue, of triangles that
-/// plain linear gradients fill, screened onto each other (docs/outputs.md, "SVG of triangles").
-/// Local curves and layers with image-domain shaders stand between them as images.
+/// With SvgMode::vector each layer is stored once, as three meshes for red, green and blue,
+/// screened onto each other, of triangles filled by plain linear gradients (docs/outputs.md, "SVG
+/// of triangles"). Local curves and layers with image-domain shaders are images between them.
+/// `notes`, unless null, receives the number of triangles, whether anything is stored as pixels,
+/// and a warning above limits::kSvgTrianglesSlow; nothing for SvgMode::image.
 ///
-/// notes   if not null: what is stored as pixels, and a warning above limits::kSvgTrianglesSlow
-/// Errors: bad_input (a picture whose tables do not fit, an empty viewport, scale, dpi or max_error
-/// that are not positive numbers), limit (size of the image, memory, limits::kSvgTriangles unless
-/// forced), cancelled.
-/// Cost: that of rasterize(); vector: about 400 bytes a triangle.
+/// Errors: bad_input (an invalid picture, an empty viewport, options that are not positive
+/// numbers), limit (size of the image, memory, Limits::svg_triangles), cancelled, out_of_memory.
+/// Cost: that of rasterize(); for SvgMode::vector about 400 bytes a triangle.
 Result<std::vector<std::uint8_t>> export_svg(Context& context, const Picture& picture,
                                              const SvgOptions& options,
                                              ExportNotes* notes = nullptr);

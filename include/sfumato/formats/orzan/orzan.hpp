@@ -9,8 +9,10 @@
 
 namespace sfumato {
 
-/// Reads Orzan et al.'s XML (`<curve_set>` and the looser dialects; docs/format-orzan.md).
-/// `file` names the input in messages. Errors: bad_input, limit.
+/// Reads the XML of Orzan et al.'s "Diffusion Curves", in its original form and in looser dialects
+/// (docs/format-orzan.md). `file` names the input in messages.
+///
+/// Errors: bad_input, limit, cancelled, out_of_memory.
 Result<ReadDocument> read_orzan(Context& context, std::string_view xml, const std::string& file);
 
 }  // namespace sfumato

@@ -9,9 +9,10 @@
 
 namespace sfumato {
 
-/// Reads the native format: SVG with the namespace urn:sfumato:1 (docs/format.md). `file` names the
-/// input in messages. `loader` brings textures that are files; data: URIs need none.
-/// Errors: bad_input, limit, out_of_memory.
+/// Reads the native format: SVG with the namespace urn:sfumato:1 (docs/format.md), not packed by
+/// gzip. `file` and `loader` are as for read_document(), which reads this format too.
+///
+/// Errors: bad_input, limit, cancelled, out_of_memory.
 Result<ReadDocument> read_svg(Context& context, std::string_view text, const std::string& file,
                               const ResourceLoader* loader = nullptr);
 

@@ -7,28 +7,41 @@
 #include "sfumato/base/status.hpp"
 #include "sfumato/document/document.hpp"
 
+/// @file
 /// What every reader of documents takes and gives.
+
 namespace sfumato {
 
-enum class DocumentFormat : std::uint8_t { svg, orzan };
-
-/// A document and what its reader had to overlook, each with its place.
-struct ReadDocument {
-  Document document;
-  /// At most limits::kWarnings, then one that counts the rest.
-  std::vector<Diagnostic> warnings;
-  DocumentFormat format = DocumentFormat::svg;
-  bool is_foreign =
-      false;  ///< an SVG with nothing of Sfumato in it: import_svg() makes curves of it
+/// The format that a document was read from.
+enum class DocumentFormat : std::uint8_t {
+  svg,   ///< docs/format.md
+  orzan  ///< docs/format-orzan.md
 };
 
-/// Brings the files that a document refers to: textures. The library opens none by itself.
+/// A document, and remarks on it by its reader.
+struct ReadDocument {
+  Document document;  ///< valid
+  /// What the reader ignored or had to guess, each with its place: one warning of each kind, at
+  /// most limits::kWarnings, then one that counts the rest.
+  std::vector<Diagnostic> warnings;
+  DocumentFormat format = DocumentFormat::svg;  ///< what the root element said
+  /// Whether it is an SVG with nothing of Sfumato in it, which import_svg() can make curves of.
+  bool is_foreign = false;
+};
+
+/// Brings the files that a document refers to: its textures. The library opens none by itself, so
+/// that the caller decides which files a document may name.
 class ResourceLoader {
  public:
   virtual ~ResourceLoader() = default;
 
-  /// The bytes behind a reference as it is written in the document, percent signs decoded; never a
-  /// data: URI. At most Limits::image_file_bytes. Errors: bad_input, limit; their place is ignored.
+  /// The content of the PNG or JPEG file that a document refers to. `href` is as in the document
+  /// with percent signs decoded: a relative or absolute path, never a URI with a scheme. Guard
+  /// against paths that lead elsewhere ("..", links). The implementation has to refuse files longer
+  /// than Limits::image_file_bytes; nobody else does.
+  ///
+  /// Errors: any, usually bad_input, io or limit. The reader puts the place of the reference into
+  /// the error.
   virtual Result<std::vector<std::uint8_t>> load(std::string_view href) const = 0;
 };
 
