@@ -13,17 +13,17 @@
 
 namespace sfumato::mesh {
 
-/// Builds the arrangement of segments inside a triangulation: vertices closer than the weld become
-/// one, a constraint that passes a vertex closer than the weld is led through it, crossings become
-/// vertices, and what falls onto one edge shares one chord. The triangulation is constrained
-/// Delaunay between any two calls.
+/// Builds the arrangement of segments inside a triangulation, by incremental insertion and snap
+/// rounding: vertices closer than the weld become one, a constraint closer than the weld to a
+/// vertex is split at it, intersections become vertices, and subsegments that coincide share one
+/// chord. The triangulation is constrained Delaunay between any two calls.
 ///
-/// A detour or a weld that would lead a segment farther than two welds from where it was drawn is
-/// not made.
+/// Bounded drift: nothing is snapped to a vertex farther than two welds from where its segment was
+/// drawn.
 ///
-/// Why it ends: a constraint is replaced only by two strictly shorter ones, in exact arithmetic.
-/// Where rounding leaves no shorter pair the step is done without welding; should that still not
-/// settle within a bound on the steps, what is left of the segment is dropped.
+/// Why it ends: a subsegment is split only into two strictly shorter ones, in exact arithmetic.
+/// Where rounding leaves no shorter pair the step is done without welding; what a bound on the
+/// steps still leaves of a segment is discarded.
 class Arrangement {
  public:
   Arrangement(Context& context, Triangulation& mesh, ChordStore& chords, ScopedCharge& charge,
@@ -35,12 +35,12 @@ class Arrangement {
         weld_squared_(weld_squared) {}
 
   /// The vertex at p, or the one that p welds to. Call for all points before the first segment.
-  Vertex add_point(Point p);
+  Vertex insert_point(Point p);
 
   /// drawn   lattice points: segment s was drawn from drawn[s] to drawn[s + 1]. Kept.
   void set_segments(std::span<const Point> drawn) { drawn_ = drawn; }
-  void add_segment(Vertex from, Vertex to, std::uint32_t segment);
-  void add_frame_side(Vertex from, Vertex to);
+  void insert_segment(Vertex from, Vertex to, std::uint32_t segment);
+  void insert_frame_side(Vertex from, Vertex to);
 
   void end_if_cancelled();  ///< asks the Context now
 
@@ -49,43 +49,43 @@ class Arrangement {
   const Context& context() const { return context_; }
 
  private:
-  /// A constraint that is yet to be inserted.
-  struct Job {
+  /// A part of a constraint that is yet to be inserted.
+  struct Subsegment {
     Vertex from;
     Vertex to;
     Load load;
   };
 
-  /// What a constraint meets first on its way from its start: an edge that is all or (collinear)
-  /// its beginning, or an edge opposite the start that it crosses.
-  enum class Ahead : std::uint8_t { edge, vertex, crossing, lost };
-  struct View {
-    Ahead kind;
+  /// What a subsegment meets first on its way from its start: an edge to its end, a vertex on it
+  /// (collinear), or an edge opposite the start that it crosses.
+  enum class Meets : std::uint8_t { edge, vertex, crossing, lost };
+  struct Direction {
+    Meets meets;
     HalfEdge edge;  ///< edge: the edge itself; vertex: ends there; crossing: the crossed edge
   };
 
-  void run(Job job);
-  void settle(const Job& job);
-  View look(Vertex a, Vertex b) const;
-  void take_edge(const Job& job, HalfEdge e);
-  void lay(const Job& job, HalfEdge e);
-  void cross_triangles(const Job& job, HalfEdge first);
-  void cross_chord(const Job& job, HalfEdge e);
-  void carve(const Job& job, Vertex end);
-  bool flip_crossed(Point a, Point b, Vertex from, Vertex end);
+  void insert_constraint(Subsegment part);
+  void insert_subsegment(const Subsegment& part);
+  Direction find_direction(Vertex a, Vertex b) const;
+  void insert_along_edge(const Subsegment& part, HalfEdge e);
+  void constrain_edge(const Subsegment& part, HalfEdge e);
+  void walk_to_end(const Subsegment& part, HalfEdge first);
+  void intersect_chord(const Subsegment& part, HalfEdge e);
+  void insert_by_flips(const Subsegment& part, Vertex end);
+  bool flip_crossed_edges(Point a, Point b, Vertex from, Vertex end);
 
-  Point snapped_crossing(const Job& job, HalfEdge e) const;
-  Vertex crossing_vertex(const Job& job, const Job& chord, Point x);
-  Vertex place(Point p, bool weld);
-  Vertex nearest_of_cavity(Point p) const;
-  Job lift(HalfEdge e);
-  void lead_near_chords_through(Vertex v);
+  Point snapped_intersection(const Subsegment& part, HalfEdge e) const;
+  Vertex insert_intersection(const Subsegment& part, const Subsegment& chord, Point x);
+  Vertex insert_vertex(Point p, bool weld);
+  Vertex nearest_cavity_vertex(Point p) const;
+  Subsegment remove_constraint(HalfEdge e);
+  void snap_near_chords_to(Vertex v);
 
-  void detour(const Job& job, Vertex through);
-  void drop(const Job& job);
-  bool passes(const Job& job, Vertex v) const;
-  bool may_lead_through(const Job& job, Vertex v) const;
-  bool strays(const Load& load, Point p) const;
+  void split_at(const Subsegment& part, Vertex v);
+  void discard(const Subsegment& part);
+  bool snaps_to(const Subsegment& part, Vertex v) const;
+  bool may_split_at(const Subsegment& part, Vertex v) const;
+  bool drifts_too_far(const Load& load, Point p) const;
   bool make_room();
   void charge_chords();
   void fail(StatusCode code, const char* message);
@@ -105,9 +105,9 @@ class Arrangement {
     Vertex from;
     Vertex to;
   };
-  std::vector<Job> jobs_;
-  std::vector<Edge> crossed_;
-  std::vector<Edge> fresh_;
+  std::vector<Subsegment> to_insert_;
+  std::vector<Edge> crossed_edges_;
+  std::vector<Edge> new_edges_;
 };
 
 }  // namespace sfumato::mesh

@@ -20,7 +20,7 @@ Load ChordStore::whole(std::uint32_t segment) {
   return {new_owner({segment, 0, 1, kNone}), 1, false};
 }
 
-std::pair<Load, Load> ChordStore::cut(Load load, double s) {
+std::pair<Load, Load> ChordStore::split(Load load, double s) {
   Load second{kNone, load.count, load.frame};
   for (std::int32_t i = load.first; i != kNone; i = owner_[i].next) {
     const double from = owner_[i].u_from;
@@ -87,7 +87,7 @@ void ChordStore::seal() {
       sorted.back().next = kNone;
     }
     chord.load.first = first;
-    // One segment can lie on a chord twice, where it was led to a vertex and back.
+    // One segment can lie on a chord twice, where it was snapped to a vertex and back.
     const auto drawn_before = [](const Owner& a, const Owner& b) {
       if (a.segment != b.segment) return a.segment < b.segment;
       return std::min(a.u_from, a.u_to) < std::min(b.u_from, b.u_to);

@@ -58,12 +58,12 @@ class ChordStore {
   /// The whole of one segment.
   Load whole(std::uint32_t segment);
 
-  /// Cuts a load at fraction s (0 to 1) of its stretch. The first half keeps the slots of `load`.
-  std::pair<Load, Load> cut(Load load, double s);
+  /// Splits a load at fraction s (0 to 1) of its stretch. The first half keeps the slots of `load`.
+  std::pair<Load, Load> split(Load load, double s);
 
   std::int32_t add(Vertex from, Vertex to, Load load);
 
-  /// Lays `load`, which runs from `from`, on a chord as well.
+  /// Adds `load`, which runs from `from`, to that of a chord.
   void merge(std::int32_t chord_index, Vertex from, Load load);
 
   /// Frees the chord and gives back what lay on it, from its `from` to its `to`.

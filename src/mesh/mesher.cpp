@@ -50,7 +50,7 @@ std::vector<Vertex> insert_points(Arrangement& arrangement, std::span<const Poin
   std::vector<Vertex> vertex_of(points.size());
   const std::int32_t extent = std::max(lattice.width, lattice.height);
   for (const std::uint32_t i : insertion_order(arrangement.context(), points, extent)) {
-    vertex_of[i] = arrangement.add_point(points[i]);
+    vertex_of[i] = arrangement.insert_point(points[i]);
   }
   arrangement.end_if_cancelled();  // the order may then be none
   return vertex_of;
@@ -58,15 +58,16 @@ std::vector<Vertex> insert_points(Arrangement& arrangement, std::span<const Poin
 
 Status arrange(Arrangement& arrangement, const curves::FlatCurves& flat, const Lattice& lattice) {
   const Point low = lattice.frame_min, high = lattice.frame_max;
-  const Vertex corner[4] = {arrangement.add_point(low), arrangement.add_point({high.x, low.y}),
-                            arrangement.add_point(high), arrangement.add_point({low.x, high.y})};
+  const Vertex corner[4] = {
+      arrangement.insert_point(low), arrangement.insert_point({high.x, low.y}),
+      arrangement.insert_point(high), arrangement.insert_point({low.x, high.y})};
   std::vector<Point> points(flat.vertex.size());
   for (std::size_t i = 0; i < points.size(); ++i) points[i] = lattice.nearest(flat.vertex[i]);
   const std::vector<Vertex> vertex_of = insert_points(arrangement, points, lattice);
-  for (int k = 0; k < 4; ++k) arrangement.add_frame_side(corner[k], corner[(k + 1) % 4]);
+  for (int k = 0; k < 4; ++k) arrangement.insert_frame_side(corner[k], corner[(k + 1) % 4]);
   arrangement.set_segments(points);
   for (std::uint32_t s = 0; s < flat.vertex.size(); ++s) {
-    if (flat.begins_segment(s)) arrangement.add_segment(vertex_of[s], vertex_of[s + 1], s);
+    if (flat.begins_segment(s)) arrangement.insert_segment(vertex_of[s], vertex_of[s + 1], s);
   }
   return arrangement.status();
 }
@@ -221,7 +222,7 @@ Result<TriangleMesh> Mesher::thinned_mesh(Context& context, const TriangleMesh& 
   const std::vector<Vertex> vertex_of = insert_points(arrangement, kept.point, lattice);
   arrangement.set_segments(kept.point);
   for (std::uint32_t i = 0; i < kept.point.size(); i += 2) {
-    arrangement.add_segment(vertex_of[i], vertex_of[i + 1], i);
+    arrangement.insert_segment(vertex_of[i], vertex_of[i + 1], i);
   }
   status = arrangement.status();
   if (status) status = seal(context, chords);

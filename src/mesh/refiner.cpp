@@ -214,7 +214,7 @@ Point Refiner::steiner_point(HalfEdge edge, double off_center) const {
 
 void Refiner::insert_free(Point p) {
   if (!make_room()) return;
-  mesh_.fill(p);
+  mesh_.star_cavity(p);
   origin_.push_back({VertexOrigin::kFree, 0});
 }
 
@@ -228,7 +228,7 @@ void Refiner::refine_triangle(const Bad& bad) {
     if (is_small(mesh_.origin(at.edge), mesh_.target(at.edge))) return;
     changed = split_subsegment(at.edge);
   } else {
-    mesh_.dig(p, triangle_of(at.edge));
+    mesh_.find_cavity(p, triangle_of(at.edge));
     if (!cavity_encroaches(p)) {
       insert_free(p);
       mesh_.take_touched([this](std::int32_t touched) { check_triangle(touched); });
@@ -246,7 +246,7 @@ bool Refiner::split_queued_subsegments() {
     const Subsegment s = encroached_.back();
     encroached_.pop_back();
     HalfEdge e = s.edge;
-    if (mesh_.origin(e) != s.from || mesh_.target(e) != s.to) e = mesh_.find(s.from, s.to);
+    if (mesh_.origin(e) != s.from || mesh_.target(e) != s.to) e = mesh_.find_edge(s.from, s.to);
     if (e != kNone && mesh_.is_constrained(e)) any |= split_subsegment(e);
   }
   return any;
@@ -273,10 +273,10 @@ bool Refiner::split_point(HalfEdge e, double s, Point& p) const {
   const double x = a.x + s * (b.x - a.x);
   const double y = a.y + s * (b.y - a.y);
   p = {static_cast<std::int32_t>(x + 0.5), static_cast<std::int32_t>(y + 0.5)};
-  if (mesh_.can_split(e, p)) return true;
+  if (mesh_.can_split_edge(e, p)) return true;
   for (int corner = 0; corner < 4; ++corner) {
     p = {static_cast<std::int32_t>(x) + (corner & 1), static_cast<std::int32_t>(y) + (corner >> 1)};
-    if (mesh_.can_split(e, p)) return true;
+    if (mesh_.can_split_edge(e, p)) return true;
   }
   return false;
 }
@@ -293,7 +293,7 @@ bool Refiner::split_subsegment(HalfEdge e) {
   if (!charge_cut(chord)) return false;
   const double at_a = fraction_at(chord, index, a, origin_[a]);
   const double at_b = fraction_at(chord, index, b, origin_[b]);
-  mesh_.split(e, p);
+  mesh_.split_edge(e, p);
   origin_.push_back({index, static_cast<float>(at_a + (at_b - at_a) * s)});
   check_touched();
   return true;
@@ -385,7 +385,7 @@ void Refiner::halve_longest_edge(std::int32_t t) {
   const Point p{a.x + (b.x - a.x) / 2, a.y + (b.y - a.y) / 2};
   const Location at = mesh_.locate<true>(p, t);
   if (at.place == Place::inside || (at.place == Place::on_edge && !mesh_.is_wall(at.edge))) {
-    mesh_.dig(p, triangle_of(at.edge));
+    mesh_.find_cavity(p, triangle_of(at.edge));
     insert_free(p);
     check_touched();
   }
@@ -408,7 +408,7 @@ void Refiner::shrink(Target target, double smallest_edge2) {
       if (!is_long(at.edge) || !split_subsegment(at.edge)) break;
       continue;
     }
-    mesh_.dig(p, triangle_of(at.edge));
+    mesh_.find_cavity(p, triangle_of(at.edge));
     const std::size_t queued = encroached_.size();
     if (!cavity_encroaches(p)) {
       insert_free(p);

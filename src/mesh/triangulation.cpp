@@ -61,8 +61,8 @@ void Triangulation::set_across(HalfEdge e, std::int32_t value, std::int32_t chor
   if (value & 1) chord[e] = chord_index;
 }
 
-/// e takes over the neighbour that `value` names, and the neighbour learns of e.
-void Triangulation::join(HalfEdge e, std::int32_t value, std::int32_t chord_index) {
+/// Makes e and the half-edge that `value` names twins.
+void Triangulation::set_adjacent(HalfEdge e, std::int32_t value, std::int32_t chord_index) {
   set_across(e, value, chord_index);
   if (value == kHull) return;
   const HalfEdge f = value >> 1;
@@ -75,13 +75,13 @@ void Triangulation::constrain(HalfEdge e, std::int32_t chord_index) {
   set_across(f, e << 1 | 1, chord_index);
 }
 
-void Triangulation::release(HalfEdge e) {
+void Triangulation::unconstrain(HalfEdge e) {
   const HalfEdge f = twin(e);
   set_across(e, f << 1, kNone);
   set_across(f, e << 1, kNone);
 }
 
-HalfEdge Triangulation::find(Vertex u, Vertex w) const {
+HalfEdge Triangulation::find_edge(Vertex u, Vertex w) const {
   const HalfEdge first = spoke[u];
   HalfEdge e = first;
   do {
@@ -139,7 +139,7 @@ Location Triangulation::locate(Point p, std::int32_t start_triangle) {
 template Location Triangulation::locate<true>(Point, std::int32_t);
 template Location Triangulation::locate<false>(Point, std::int32_t);
 
-void Triangulation::dig(Point p, std::int32_t start_triangle) {
+void Triangulation::find_cavity(Point p, std::int32_t start_triangle) {
   cavity.clear();
   cavity_has_chords = false;
   dead_.clear();
@@ -157,7 +157,7 @@ void Triangulation::dig(Point p, std::int32_t start_triangle) {
       cavity_has_chords |= beyond != kHull;
     } else {
       const HalfEdge f = beyond >> 1;
-      if (circle_holds(triangle[triangle_of(f)], p)) {
+      if (circumcircle_contains(triangle[triangle_of(f)], p)) {
         dead_.push_back(triangle_of(f));
         stack_.push_back(previous(f));
         stack_.push_back(next(f));
@@ -168,7 +168,7 @@ void Triangulation::dig(Point p, std::int32_t start_triangle) {
   }
 }
 
-Vertex Triangulation::fill(Point p) {
+Vertex Triangulation::star_cavity(Point p) {
   const Vertex v = add_vertex(p);
   const std::int16_t inside = triangle[dead_[0]].inside;
   const std::size_t count = cavity.size();
@@ -184,7 +184,7 @@ Vertex Triangulation::fill(Point p) {
     fan.across[1] = (4 * dead_[after] + 2) << 1;
     fan.across[2] = (4 * dead_[before] + 1) << 1;
     fan.inside = inside;
-    join(4 * t, cavity[i].across, cavity[i].chord);
+    set_adjacent(4 * t, cavity[i].across, cavity[i].chord);
     spoke[cavity[i].from] = 4 * t;
     touch(t);
   }
@@ -193,7 +193,7 @@ Vertex Triangulation::fill(Point p) {
   return v;
 }
 
-void Triangulation::flip(HalfEdge e) {
+void Triangulation::flip_edge(HalfEdge e) {
   const HalfEdge f = twin(e);
   const HalfEdge e_next = next(e), f_next = next(f);
   Triangle& t = triangle[triangle_of(e)];
@@ -204,8 +204,8 @@ void Triangulation::flip(HalfEdge e) {
   // (a, b, c) + (b, a, d) become (a, d, c) + (b, c, d); e is now a → d and f is b → c.
   t.vertex[corner_of(e_next)] = d;
   u.vertex[corner_of(f_next)] = c;
-  join(e, across_ad, chord_ad);
-  join(f, across_bc, chord_bc);
+  set_adjacent(e, across_ad, chord_ad);
+  set_adjacent(f, across_bc, chord_bc);
   t.across[corner_of(e_next)] = f_next << 1;
   u.across[corner_of(f_next)] = e_next << 1;
   spoke[a] = e;
@@ -223,13 +223,13 @@ void Triangulation::legalize() {
     const std::int32_t beyond = across(e);
     if (beyond & 1) continue;
     const HalfEdge f = beyond >> 1;
-    if (!circle_holds(triangle[triangle_of(e)], apex_point(f))) continue;
-    flip(e);
+    if (!circumcircle_contains(triangle[triangle_of(e)], apex_point(f))) continue;
+    flip_edge(e);
     for (const HalfEdge outer : {e, previous(e), f, previous(f)}) pending.push_back(outer);
   }
 }
 
-bool Triangulation::can_split(HalfEdge e, Point p) const {
+bool Triangulation::can_split_edge(HalfEdge e, Point p) const {
   const auto sees = [&](HalfEdge h) {
     return orient2d(origin_point(h), p, apex_point(h)) > 0 &&
            orient2d(p, target_point(h), apex_point(h)) > 0;
@@ -238,15 +238,15 @@ bool Triangulation::can_split(HalfEdge e, Point p) const {
 }
 
 /// (a, b, apex) becomes (a, v, apex) and a new (v, b, apex), whose half-edge v → b is returned.
-HalfEdge Triangulation::halve(HalfEdge e, Vertex v) {
+HalfEdge Triangulation::bisect_triangle(HalfEdge e, Vertex v) {
   const std::int32_t n = add_triangle();
   const std::int32_t t = triangle_of(e);
   const HalfEdge e_next = next(e);
   const Vertex a = origin(e), b = target(e), c = apex(e);
   triangle[n] = {{v, b, c}, 0, {kHull, kHull, kHull}, triangle[t].inside, 0};
   triangle[t].vertex[corner_of(e_next)] = v;
-  join(4 * n + 1, across(e_next), chord[e_next]);
-  join(4 * n + 2, e_next << 1, kNone);
+  set_adjacent(4 * n + 1, across(e_next), chord[e_next]);
+  set_adjacent(4 * n + 2, e_next << 1, kNone);
   spoke[a] = e;
   spoke[b] = 4 * n + 1;
   spoke[c] = 4 * n + 2;
@@ -256,14 +256,14 @@ HalfEdge Triangulation::halve(HalfEdge e, Vertex v) {
   return 4 * n;
 }
 
-Vertex Triangulation::split(HalfEdge e, Point p) {
+Vertex Triangulation::split_edge(HalfEdge e, Point p) {
   const HalfEdge f = twin(e);
   const std::int32_t line = chord[e];
   const Vertex v = add_vertex(p);
-  const HalfEdge e_far = halve(e, v);
-  const HalfEdge f_far = halve(f, v);
-  join(e, f_far << 1 | 1, line);
-  join(f, e_far << 1 | 1, line);
+  const HalfEdge e_far = bisect_triangle(e, v);
+  const HalfEdge f_far = bisect_triangle(f, v);
+  set_adjacent(e, f_far << 1 | 1, line);
+  set_adjacent(f, e_far << 1 | 1, line);
   chord[e_far] = line;
   chord[f_far] = line;
   // p may lie off the edge: the spokes to the two apexes can be illegal too.

@@ -53,7 +53,7 @@ struct Location {
   HalfEdge edge;
 };
 
-/// An edge of the star-shaped hole around a new vertex, seen from inside.
+/// An edge on the boundary of the star-shaped cavity of a new vertex, seen from inside.
 struct CavityEdge {
   Vertex from;
   std::int32_t across;  ///< as Triangle::across
@@ -93,34 +93,35 @@ struct Triangulation {
   Point apex_point(HalfEdge e) const { return point[apex(e)]; }
 
   /// p lies strictly inside the circle of triangle t. Exact.
-  bool circle_holds(const Triangle& t, Point p) const {
+  bool circumcircle_contains(const Triangle& t, Point p) const {
     return in_circle(point[t.vertex[0]], point[t.vertex[1]], point[t.vertex[2]], p);
   }
 
   /// Puts a chord on an edge, or takes it off. Not on the hull.
   void constrain(HalfEdge e, std::int32_t chord_index);
-  void release(HalfEdge e);
+  void unconstrain(HalfEdge e);
 
   /// The half-edge from u to w, or kNone.
-  HalfEdge find(Vertex u, Vertex w) const;
+  HalfEdge find_edge(Vertex u, Vertex w) const;
 
   /// Visibility walk from triangle `start`. A walk that stops at walls does so at the first.
   template <bool blocked_by_walls>
   Location locate(Point p, std::int32_t start_triangle);
 
-  /// Finds the hole that p makes (`cavity`, in positive order) around the triangle that holds p.
-  void dig(Point p, std::int32_t start_triangle);
+  /// Bowyer–Watson: finds the triangles whose circumcircles hold p, from the one that p lies in;
+  /// `cavity` is the boundary of their union, in positive order.
+  void find_cavity(Point p, std::int32_t start_triangle);
 
-  /// Fills the hole of the last `dig` with a fan around p.
-  Vertex fill(Point p);
+  /// Replaces the cavity of the last `find_cavity` by the star of a new vertex at p.
+  Vertex star_cavity(Point p);
 
-  /// Cuts a constrained edge at p, which may lie a little off it but must see the four edges
-  /// around (`can_split`); both halves keep the chord. Delaunay again when it returns.
-  Vertex split(HalfEdge e, Point p);
-  bool can_split(HalfEdge e, Point p) const;
+  /// Splits a constrained edge at p, which may lie a little off it but must see the four edges
+  /// around (`can_split_edge`); both parts keep the chord. Delaunay again when it returns.
+  Vertex split_edge(HalfEdge e, Point p);
+  bool can_split_edge(HalfEdge e, Point p) const;
 
   /// Replaces the edge by the other diagonal. Precondition: free, convex quadrilateral.
-  void flip(HalfEdge e);
+  void flip_edge(HalfEdge e);
 
   /// Flips `pending` and what follows until the mesh is constrained Delaunay (Lawson).
   void legalize();
@@ -144,7 +145,7 @@ struct Triangulation {
   }
   Status grow(Context& context, ScopedCharge& charge, std::size_t vertex_count);
 
-  std::vector<CavityEdge> cavity;  ///< the hole of the last `dig`
+  std::vector<CavityEdge> cavity;  ///< boundary of the last `find_cavity`
   bool cavity_has_chords = false;
   std::int32_t last = 0;  ///< a triangle near the last place worked at
 
@@ -168,8 +169,8 @@ struct Triangulation {
     return static_cast<std::int32_t>(triangle.size()) - 1;
   }
   void set_across(HalfEdge e, std::int32_t across, std::int32_t chord_index);
-  void join(HalfEdge e, std::int32_t across, std::int32_t chord_index);
-  HalfEdge halve(HalfEdge e, Vertex v);
+  void set_adjacent(HalfEdge e, std::int32_t across, std::int32_t chord_index);
+  HalfEdge bisect_triangle(HalfEdge e, Vertex v);
   void touch(std::int32_t t) {
     Triangle& now = triangle[t];
     ++now.stamp;
