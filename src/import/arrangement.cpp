@@ -17,13 +17,14 @@
 namespace sfumato::svg_import {
 namespace {
 
-constexpr std::size_t kPairs = 150'000'000;  ///< looked at: about a second
-constexpr std::size_t kPieces = 2'000'000;
-constexpr std::size_t kLooks = 1'000'000'000;  ///< edges that winding numbers are counted over
-constexpr int kRounds = 64;                    ///< two or three are usual
+constexpr std::size_t kMaxPairs = 150'000'000;  ///< looked at: about a second
+constexpr std::size_t kMaxPieces = 2'000'000;
+constexpr std::size_t kMaxRayEdges =
+    1'000'000'000;              ///< edges that winding numbers are counted over
+constexpr int kMaxRounds = 64;  ///< two or three are usual
 constexpr const char* kWhat = "the boundary of a shape";
-/// A piece is led through every vertex nearer than this, lattice steps: more than the tolerance.
-constexpr std::int64_t kNear = 66;
+/// A piece is split at every vertex nearer than this, lattice steps: more than the tolerance.
+constexpr std::int64_t kSnapDistance = 66;
 constexpr double kLatticeSize = 536'870'912;  // 2^29: products of differences fit 64 bits
 
 /// A part of a chord, on the lattice.
@@ -34,37 +35,39 @@ struct Piece {
   double since = 0;  ///< source.begin, or where chords before it began that the lattice swallowed
 };
 
-/// A piece is to be cut at a point.
-struct Cut {
+/// A piece is to be split at a point near it.
+struct Snap {
   std::uint32_t piece = 0;
   LatticePoint point;
 };
 
 /// Twice the area of a triangle; above 0: c lies right of the way from a to b, on the screen.
-std::int64_t turn(LatticePoint a, LatticePoint b, LatticePoint c) {
+std::int64_t orient2d(LatticePoint a, LatticePoint b, LatticePoint c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-std::int64_t square_of_distance(LatticePoint a, LatticePoint b) {
+std::int64_t distance_squared(LatticePoint a, LatticePoint b) {
   return (b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y);
 }
 
-/// Whether a piece passes near a lattice point, between its ends, so that it is to be led through
-/// it. Both parts are shorter than the piece then: leading on ends.
-bool passes(const Piece& piece, LatticePoint p) {
+/// Whether a piece passes near a lattice point, between its ends, so that it is to be split there.
+/// Both parts are shorter than the piece then: splitting ends.
+bool snaps_to(const Piece& piece, LatticePoint p) {
   const LatticePoint a = piece.from, b = piece.to;
-  const std::int64_t square = square_of_distance(a, b);
+  const std::int64_t square = distance_squared(a, b);
   const std::int64_t along = (p.x - a.x) * (b.x - a.x) + (p.y - a.y) * (b.y - a.y);
   if (!(along > 0 && along < square)) return false;
-  if (square_of_distance(a, p) >= square || square_of_distance(p, b) >= square) return false;
-  const auto off = static_cast<double>(turn(a, b, p));
-  return off * off <= static_cast<double>(kNear * kNear) * static_cast<double>(square);
+  if (distance_squared(a, p) >= square || distance_squared(p, b) >= square) return false;
+  const auto off = static_cast<double>(orient2d(a, b, p));
+  return off * off <=
+         static_cast<double>(kSnapDistance * kSnapDistance) * static_cast<double>(square);
 }
 
-/// The lattice point next to where two pieces cross; none where they do not, or only in an end.
-std::optional<LatticePoint> crossing_of(const Piece& a, const Piece& b) {
-  const std::int64_t from_b = turn(a.from, a.to, b.from), to_b = turn(a.from, a.to, b.to);
-  const std::int64_t from_a = turn(b.from, b.to, a.from), to_a = turn(b.from, b.to, a.to);
+/// The intersection of two pieces, rounded to the lattice; none where they do not cross, or only
+/// in an end.
+std::optional<LatticePoint> intersection_of(const Piece& a, const Piece& b) {
+  const std::int64_t from_b = orient2d(a.from, a.to, b.from), to_b = orient2d(a.from, a.to, b.to);
+  const std::int64_t from_a = orient2d(b.from, b.to, a.from), to_a = orient2d(b.from, b.to, a.to);
   const bool parts_b = (from_b < 0 && to_b > 0) || (from_b > 0 && to_b < 0);
   const bool parts_a = (from_a < 0 && to_a > 0) || (from_a > 0 && to_a < 0);
   if (!parts_a || !parts_b) return std::nullopt;
@@ -80,14 +83,14 @@ enum class Sweep { along_x, along_y };
 Sweep across(Sweep sweep) {
   return sweep == Sweep::along_x ? Sweep::along_y : Sweep::along_x;
 }
-std::int64_t place(LatticePoint p, Sweep sweep) {
+std::int64_t coordinate(LatticePoint p, Sweep sweep) {
   return sweep == Sweep::along_x ? p.x : p.y;
 }
 std::int64_t lowest(const Piece& piece, Sweep sweep) {
-  return std::min(place(piece.from, sweep), place(piece.to, sweep));
+  return std::min(coordinate(piece.from, sweep), coordinate(piece.to, sweep));
 }
 std::int64_t highest(const Piece& piece, Sweep sweep) {
-  return std::max(place(piece.from, sweep), place(piece.to, sweep));
+  return std::max(coordinate(piece.from, sweep), coordinate(piece.to, sweep));
 }
 
 /// Of a piece across the sweep, with what counts as near.
@@ -115,20 +118,20 @@ class Arrangement {
   Arrangement(Context& context, bool even_odd) : context_(context), even_odd_(even_odd) {}
 
   Status round_to_lattice(const std::vector<Chord>& chords, double step);
-  Status cut_where_they_meet();
-  Status merge();
-  Status count_windings();
+  Status snap_round();
+  Status merge_coincident();
+  Status find_windings();
   Result<std::vector<BoundaryEdge>> boundary(ScopedCharge& charge) const;
 
  private:
-  Status find_crossings(std::vector<LatticePoint>& crossings, bool& touch);
-  Status find_cuts(std::vector<LatticePoint> points, std::vector<Cut>& cuts);
-  Status count(std::size_t pairs, std::size_t found);
-  Status apply(std::vector<Cut>& cuts);
+  Status find_intersections(std::vector<LatticePoint>& intersections, bool& meet);
+  Status find_snaps(std::vector<LatticePoint> points, std::vector<Snap>& snaps);
+  Status check_counts(std::size_t pairs, std::size_t found);
+  Status split_pieces(std::vector<Snap>& snaps);
   Status charge(std::size_t pieces);
-  int winding_beside(const Edge& edge) const;
-  std::vector<std::size_t> take_edges_around(LatticePoint vertex);
-  void spread_winding(LatticePoint vertex, std::size_t known, std::vector<std::size_t>& reached);
+  int winding_by_ray(const Edge& edge) const;
+  std::vector<std::size_t> take_star(LatticePoint vertex);
+  void propagate_winding(LatticePoint vertex, std::size_t known, std::vector<std::size_t>& reached);
   bool is_inside(int winding) const { return even_odd_ ? winding % 2 != 0 : winding != 0; }
 
   Context& context_;
@@ -137,7 +140,7 @@ class Arrangement {
   std::vector<Piece> pieces_;
   std::vector<Edge> edges_;
   std::vector<std::pair<LatticePoint, std::size_t>> edge_at_;  ///< both ends of each, sorted
-  std::vector<bool> is_done_;  ///< per entry of edge_at_ that is the first of its vertex
+  std::vector<bool> is_taken_;  ///< per entry of edge_at_ that is the first of its vertex
   Sweep sweep_ = Sweep::along_x;
   std::size_t pairs_ = 0;
 };
@@ -164,8 +167,8 @@ Status Arrangement::round_to_lattice(const std::vector<Chord>& chords, double st
   return ok_status();
 }
 
-/// Where pieces cross. `touch`: whether any cross, or pass an end of another.
-Status Arrangement::find_crossings(std::vector<LatticePoint>& crossings, bool& touch) {
+/// Where pieces cross. `meet`: whether any cross, or snap to an end of another.
+Status Arrangement::find_intersections(std::vector<LatticePoint>& intersections, bool& meet) {
   std::vector<std::uint32_t> order(pieces_.size()), active;
   std::iota(order.begin(), order.end(), 0u);
   const auto key = [&](std::uint32_t i) { return std::pair(lowest(pieces_[i], sweep_), i); };
@@ -174,57 +177,58 @@ Status Arrangement::find_crossings(std::vector<LatticePoint>& crossings, bool& t
   std::vector<Extent> extent;
   extent.reserve(pieces_.size());
   for (const Piece& piece : pieces_) {
-    extent.push_back({lowest(piece, across(sweep_)) - kNear, highest(piece, across(sweep_))});
+    extent.push_back(
+        {lowest(piece, across(sweep_)) - kSnapDistance, highest(piece, across(sweep_))});
   }
-  const auto pass = [](const Piece& a, const Piece& b) {
-    return passes(a, b.from) || passes(a, b.to);
+  const auto ends_snap = [](const Piece& a, const Piece& b) {
+    return snaps_to(a, b.from) || snaps_to(a, b.to);
   };
   for (const std::uint32_t i : order) {
     if (context_.cancelled()) return context_.cancel_status();
     const Piece& piece = pieces_[i];
-    const std::int64_t begin = lowest(piece, sweep_) - kNear;
+    const std::int64_t begin = lowest(piece, sweep_) - kSnapDistance;
     std::erase_if(active, [&](std::uint32_t k) { return highest(pieces_[k], sweep_) < begin; });
-    if (Status status = count(active.size(), crossings.size()); !status) return status;
+    if (Status status = check_counts(active.size(), intersections.size()); !status) return status;
     for (const std::uint32_t k : active) {
       if (extent[i].low > extent[k].high || extent[k].low > extent[i].high) continue;
       const Piece& other = pieces_[k];
-      const auto point = crossing_of(piece, other);
-      if (point) crossings.push_back(*point);
-      touch = touch || point || pass(piece, other) || pass(other, piece);
+      const auto point = intersection_of(piece, other);
+      if (point) intersections.push_back(*point);
+      meet = meet || point || ends_snap(piece, other) || ends_snap(other, piece);
     }
     active.push_back(i);
   }
   return ok_status();
 }
 
-Status Arrangement::count(std::size_t pairs, std::size_t found) {
+Status Arrangement::check_counts(std::size_t pairs, std::size_t found) {
   pairs_ += pairs;
-  if (pairs_ <= kPairs && pieces_.size() + found <= kPieces) return ok_status();
+  if (pairs_ <= kMaxPairs && pieces_.size() + found <= kMaxPieces) return ok_status();
   return make_error(StatusCode::limit, "the shape crosses itself too often");
 }
 
-/// Leads every piece through the points that it passes: the ends of pieces, and `points`.
-Status Arrangement::find_cuts(std::vector<LatticePoint> points, std::vector<Cut>& cuts) {
+/// For every piece the points that it snaps to: ends of pieces, and `points`.
+Status Arrangement::find_snaps(std::vector<LatticePoint> points, std::vector<Snap>& snaps) {
   for (const Piece& piece : pieces_) {
     points.push_back(piece.from);
     points.push_back(piece.to);
   }
-  const auto key = [&](LatticePoint p) { return std::pair(place(p, sweep_), p); };
+  const auto key = [&](LatticePoint p) { return std::pair(coordinate(p, sweep_), p); };
   Status sorted = sort_large(context_, points, [&](auto a, auto b) { return key(a) < key(b); });
   if (!sorted) return sorted;
   const auto repeated = std::ranges::unique(points);
   points.erase(repeated.begin(), repeated.end());
-  const auto place_of = [&](LatticePoint p) { return place(p, sweep_); };
+  const auto coordinate_of = [&](LatticePoint p) { return coordinate(p, sweep_); };
   for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
     if (context_.cancelled()) return context_.cancel_status();
-    const std::int64_t begin = lowest(pieces_[i], sweep_) - kNear;
-    const std::int64_t end = highest(pieces_[i], sweep_) + kNear;
-    const auto low = std::ranges::lower_bound(points, begin, {}, place_of);
-    const auto high = std::ranges::upper_bound(points, end, {}, place_of);
+    const std::int64_t begin = lowest(pieces_[i], sweep_) - kSnapDistance;
+    const std::int64_t end = highest(pieces_[i], sweep_) + kSnapDistance;
+    const auto low = std::ranges::lower_bound(points, begin, {}, coordinate_of);
+    const auto high = std::ranges::upper_bound(points, end, {}, coordinate_of);
     const auto size = static_cast<std::size_t>(high - low);
-    if (Status status = count(size, cuts.size()); !status) return status;
+    if (Status status = check_counts(size, snaps.size()); !status) return status;
     for (const LatticePoint point : std::span(low, high)) {
-      if (passes(pieces_[i], point)) cuts.push_back({i, point});
+      if (snaps_to(pieces_[i], point)) snaps.push_back({i, point});
     }
   }
   return ok_status();
@@ -232,39 +236,39 @@ Status Arrangement::find_cuts(std::vector<LatticePoint> points, std::vector<Cut>
 
 /// Of pieces, and of what is made of each.
 Status Arrangement::charge(std::size_t pieces) {
-  return charge_.add(context_, pieces * (2 * sizeof(Piece) + sizeof(Cut) + 2 * sizeof(Edge)),
+  return charge_.add(context_, pieces * (2 * sizeof(Piece) + sizeof(Snap) + 2 * sizeof(Edge)),
                      kWhat);
 }
 
-/// Cuts pieces, in the order in which their contour passes the points. The cuts are sorted.
-Status Arrangement::apply(std::vector<Cut>& cuts) {
-  const auto share_of = [&](const Cut& cut) {
-    const Piece& piece = pieces_[cut.piece];
+/// Splits pieces, in the order in which their contour meets the points. The snaps are sorted.
+Status Arrangement::split_pieces(std::vector<Snap>& snaps) {
+  const auto share_of = [&](const Snap& snap) {
+    const Piece& piece = pieces_[snap.piece];
     const auto x = static_cast<double>(piece.to.x - piece.from.x);
     const auto y = static_cast<double>(piece.to.y - piece.from.y);
-    const double along = static_cast<double>(cut.point.x - piece.from.x) * x +
-                         static_cast<double>(cut.point.y - piece.from.y) * y;
+    const double along = static_cast<double>(snap.point.x - piece.from.x) * x +
+                         static_cast<double>(snap.point.y - piece.from.y) * y;
     return std::clamp(along / (x * x + y * y), 0.0, 1.0);
   };
-  const auto place = [&](const Cut& cut) {
-    return std::tuple(cut.piece, share_of(cut), cut.point);
+  const auto place = [&](const Snap& snap) {
+    return std::tuple(snap.piece, share_of(snap), snap.point);
   };
-  Status status =
-      sort_large(context_, cuts, [&](const Cut& a, const Cut& b) { return place(a) < place(b); });
-  if (status) status = charge(cuts.size());
+  Status status = sort_large(context_, snaps,
+                             [&](const Snap& a, const Snap& b) { return place(a) < place(b); });
+  if (status) status = charge(snaps.size());
   if (!status) return status;
   std::vector<Piece> result;
-  result.reserve(pieces_.size() + cuts.size());
-  auto cut = cuts.begin();
+  result.reserve(pieces_.size() + snaps.size());
+  auto snap = snaps.begin();
   for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
     Piece rest = pieces_[i];
     const Source whole = rest.source;
-    for (; cut != cuts.end() && cut->piece == i; ++cut) {
-      if (!passes(rest, cut->point)) continue;  // not any more: the next round sees it
-      const double parameter = whole.begin + (whole.end - whole.begin) * share_of(*cut);
+    for (; snap != snaps.end() && snap->piece == i; ++snap) {
+      if (!snaps_to(rest, snap->point)) continue;  // not any more: the next round sees it
+      const double parameter = whole.begin + (whole.end - whole.begin) * share_of(*snap);
       rest.source.end = parameter;
-      result.push_back({rest.from, cut->point, rest.source, rest.since});
-      rest.from = cut->point;
+      result.push_back({rest.from, snap->point, rest.source, rest.since});
+      rest.from = snap->point;
       rest.source = {whole.contour, parameter, whole.end};
       rest.since = parameter;
     }
@@ -275,24 +279,24 @@ Status Arrangement::apply(std::vector<Cut>& cuts) {
 }
 
 /// Snap rounding (Hobby 1999), with a wider reach: contours nearer to each other than the tolerance
-/// become one there, since what lies between them shows nothing but would need colours. Again and
-/// again, until nothing passes anything.
-Status Arrangement::cut_where_they_meet() {
-  for (int round = 0; round < kRounds; ++round) {
-    std::vector<LatticePoint> crossings;
-    bool touch = false;
-    if (Status status = find_crossings(crossings, touch); !status) return status;
-    if (!touch) return ok_status();
-    std::vector<Cut> cuts;
-    if (Status status = find_cuts(std::move(crossings), cuts); !status) return status;
-    if (cuts.empty()) return ok_status();  // they cross in their ends, but for rounding
-    if (Status status = apply(cuts); !status) return status;
+/// become one there, since what lies between them shows nothing but would need colours. Iterated
+/// until no piece snaps to a point (Halperin and Packer 2002).
+Status Arrangement::snap_round() {
+  for (int round = 0; round < kMaxRounds; ++round) {
+    std::vector<LatticePoint> intersections;
+    bool meet = false;
+    if (Status status = find_intersections(intersections, meet); !status) return status;
+    if (!meet) return ok_status();
+    std::vector<Snap> snaps;
+    if (Status status = find_snaps(std::move(intersections), snaps); !status) return status;
+    if (snaps.empty()) return ok_status();  // they cross in their ends, but for rounding
+    if (Status status = split_pieces(snaps); !status) return status;
   }
   return make_error(StatusCode::limit, "the shape crosses itself too often");
 }
 
 /// Makes one edge of the pieces between the same two points; none where they cancel each other.
-Status Arrangement::merge() {
+Status Arrangement::merge_coincident() {
   const auto ends = [](const Piece& piece) { return std::minmax(piece.from, piece.to); };
   const auto place = [&](const Piece& piece) {
     const auto [upper, lower] = ends(piece);
@@ -318,13 +322,13 @@ Status Arrangement::merge() {
     edge_at_.emplace_back(edges_[i].upper, i);
     edge_at_.emplace_back(edges_[i].lower, i);
   }
-  is_done_.resize(edge_at_.size());
+  is_taken_.resize(edge_at_.size());
   return sort_large(context_, edge_at_, std::less<>());
 }
 
-/// Of what lies on the edge's right. A ray runs to the right from the edge's middle, a little
+/// The winding number on the edge's right. A ray runs to the right from the edge's middle, a little
 /// lower: it crosses what passes that height, and not the edge.
-int Arrangement::winding_beside(const Edge& edge) const {
+int Arrangement::winding_by_ray(const Edge& edge) const {
   const LatticePoint twice{edge.upper.y + edge.lower.y, edge.upper.x + edge.lower.x};
   int number = 0;
   for (const Edge& other : edges_) {
@@ -336,35 +340,34 @@ int Arrangement::winding_beside(const Edge& edge) const {
   return edge.upper.y == edge.lower.y ? number : number + edge.net;
 }
 
-/// The edges at a vertex, clockwise on the screen; nothing where that was asked before.
-std::vector<std::size_t> Arrangement::take_edges_around(LatticePoint vertex) {
+/// The star of a vertex, clockwise on the screen; nothing where that was asked before.
+std::vector<std::size_t> Arrangement::take_star(LatticePoint vertex) {
   const auto of_vertex = [](const auto& entry) { return entry.first; };
   const auto entries = std::ranges::equal_range(edge_at_, vertex, {}, of_vertex);
   const auto first = static_cast<std::size_t>(entries.begin() - edge_at_.begin());
-  std::vector<std::size_t> around;
-  if (is_done_[first]) return around;
-  is_done_[first] = true;
-  for (const auto& [at, edge] : entries) around.push_back(edge);
+  std::vector<std::size_t> star;
+  if (is_taken_[first]) return star;
+  is_taken_[first] = true;
+  for (const auto& [at, edge] : entries) star.push_back(edge);
   // Those that lead down from the vertex first, which canonical edges do from their upper end.
-  std::ranges::sort(around, [&](std::size_t a, std::size_t b) {
+  std::ranges::sort(star, [&](std::size_t a, std::size_t b) {
     const bool a_leads_on = edges_[a].upper == vertex, b_leads_on = edges_[b].upper == vertex;
     if (a_leads_on != b_leads_on) return a_leads_on;
-    return turn(vertex, far_end(edges_[a], vertex), far_end(edges_[b], vertex)) > 0;
+    return orient2d(vertex, far_end(edges_[a], vertex), far_end(edges_[b], vertex)) > 0;
   });
-  return around;
+  return star;
 }
 
 /// Round a vertex from an edge whose winding is known to those where it is not; once for each.
-void Arrangement::spread_winding(LatticePoint vertex, std::size_t known,
-                                 std::vector<std::size_t>& reached) {
-  const std::vector<std::size_t> around = take_edges_around(vertex);
-  if (around.empty()) return;
-  const std::size_t first =
-      static_cast<std::size_t>(std::ranges::find(around, known) - around.begin());
+void Arrangement::propagate_winding(LatticePoint vertex, std::size_t known,
+                                    std::vector<std::size_t>& reached) {
+  const std::vector<std::size_t> star = take_star(vertex);
+  if (star.empty()) return;
+  const std::size_t first = static_cast<std::size_t>(std::ranges::find(star, known) - star.begin());
   const Edge& begin = edges_[known];
   int winding = *begin.right_winding - (begin.upper == vertex ? 0 : begin.net);
-  for (std::size_t i = 1; i < around.size(); ++i) {
-    const std::size_t index = around[(first + i) % around.size()];
+  for (std::size_t i = 1; i < star.size(); ++i) {
+    const std::size_t index = star[(first + i) % star.size()];
     Edge& edge = edges_[index];
     const bool leads_on = edge.upper == vertex;
     const int beyond = winding + (leads_on ? edge.net : -edge.net);
@@ -377,21 +380,21 @@ void Arrangement::spread_winding(LatticePoint vertex, std::size_t known,
 }
 
 /// Counted once for all edges that hang together, and carried on round their vertices.
-Status Arrangement::count_windings() {
-  std::size_t looks = 0;
+Status Arrangement::find_windings() {
+  std::size_t ray_edges = 0;
   for (std::size_t i = 0; i < edges_.size(); ++i) {
     if (edges_[i].right_winding) continue;
     if (context_.cancelled()) return context_.cancel_status();
-    if ((looks += edges_.size()) > kLooks) {
+    if ((ray_edges += edges_.size()) > kMaxRayEdges) {
       return make_error(StatusCode::limit, "the shape crosses itself too often");
     }
-    edges_[i].right_winding = winding_beside(edges_[i]);
+    edges_[i].right_winding = winding_by_ray(edges_[i]);
     for (std::vector<std::size_t> reached{i}; !reached.empty();) {
       const std::size_t at = reached.back();
       reached.pop_back();
       if (context_.cancelled()) return context_.cancel_status();
-      spread_winding(edges_[at].upper, at, reached);
-      spread_winding(edges_[at].lower, at, reached);
+      propagate_winding(edges_[at].upper, at, reached);
+      propagate_winding(edges_[at].lower, at, reached);
     }
   }
   return ok_status();
@@ -426,9 +429,9 @@ Result<std::vector<BoundaryEdge>> boundary_edges(Context& context, const std::ve
                                                  bool even_odd, double step, ScopedCharge& charge) {
   Arrangement arrangement(context, even_odd);
   Status status = arrangement.round_to_lattice(chords, step);
-  if (status) status = arrangement.cut_where_they_meet();
-  if (status) status = arrangement.merge();
-  if (status) status = arrangement.count_windings();
+  if (status) status = arrangement.snap_round();
+  if (status) status = arrangement.merge_coincident();
+  if (status) status = arrangement.find_windings();
   if (!status) return status;
   return arrangement.boundary(charge);
 }

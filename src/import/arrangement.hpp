@@ -34,9 +34,10 @@ struct BoundaryEdge {
 };
 
 /// The boundary of what closed chains of chords fill. The chords are rounded to a lattice of the
-/// given step (wider where the chords reach farther than 2^29 steps), cut where they meet, and led
-/// through what they pass within 66 steps, in integers: so every vertex is the end of as many edges
-/// as it is the beginning of, and chords that run nearer to each other than that become one.
+/// given step (wider where the chords reach farther than 2^29 steps), split where they cross, and
+/// snapped to the vertices within 66 steps of them, in integers: so every vertex is the end of as
+/// many edges as it is the beginning of, and chords that run nearer to each other than that become
+/// one.
 ///
 /// step     of the lattice, in the chords' units, above 0
 /// charge   gets the memory of the edges
