@@ -2,10 +2,10 @@
 #include <string>
 #include <string_view>
 
-#include "formats/css/css_color.hpp"
-#include "formats/css/css_media.hpp"
-#include "formats/css/css_value.hpp"
+#include "formats/css/color.hpp"
+#include "formats/css/media.hpp"
 #include "formats/css/style_sheet.hpp"
+#include "formats/css/value.hpp"
 #include "fuzz.hpp"
 
 using namespace sfumato;

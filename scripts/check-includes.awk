@@ -29,7 +29,7 @@ function folder_of(path, parts) {
   return split(path, parts, "/") > 1 ? parts[1] : ""
 }
 
-# The folder of a path within src/ ("formats/css/css_color.hpp"): a room of its own where it has a
+# The folder of a path within src/ ("formats/css/color.hpp"): a room of its own where it has a
 # line in the table ("formats/css"), else the first one.
 function room_of(path, parts, count) {
   count = split(path, parts, "/")

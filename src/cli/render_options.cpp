@@ -2,7 +2,7 @@
 
 #include "cli/paths.hpp"
 #include "cli/values.hpp"
-#include "formats/css/css_color.hpp"
+#include "formats/css/color.hpp"
 
 namespace sfumato::cli {
 namespace {

@@ -1,9 +1,8 @@
 // Colours as CSS writes them.
-#include "formats/css/css_color.hpp"
-
 #include <gtest/gtest.h>
 
-#include "formats/css/css_color_names.hpp"
+#include "formats/css/color.hpp"
+#include "formats/css/color_names.hpp"
 
 namespace sfumato {
 namespace {

@@ -1,15 +1,14 @@
 // CSS Syntax 3, sections 4 and 5: tokens and declarations.
-#include "formats/css/css_tokenizer.hpp"
-
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
 
 #include "base/poll.hpp"
-#include "formats/css/css_declarations.hpp"
-#include "formats/css/css_media.hpp"
-#include "formats/css/css_selector.hpp"
+#include "formats/css/declarations.hpp"
+#include "formats/css/media.hpp"
+#include "formats/css/selector.hpp"
+#include "formats/css/tokenizer.hpp"
 #include "formats/each_text.hpp"
 
 namespace sfumato {

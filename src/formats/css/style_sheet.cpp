@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "base/ascii.hpp"
-#include "formats/css/css_media.hpp"
-#include "formats/css/css_value.hpp"
+#include "formats/css/media.hpp"
+#include "formats/css/value.hpp"
 
 namespace sfumato::css {
 namespace {

@@ -7,8 +7,8 @@
 #include <string>
 #include <string_view>
 
-#include "formats/css/css_selector.hpp"
-#include "formats/css/css_style.hpp"
+#include "formats/css/selector.hpp"
+#include "formats/css/style.hpp"
 
 namespace sfumato::css {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "formats/css/css_value.hpp"
+#include "formats/css/value.hpp"
 #include "formats/svg/color.hpp"
 #include "formats/svg/shapes.hpp"
 

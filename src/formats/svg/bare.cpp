@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "base/ascii.hpp"
-#include "formats/css/css_declarations.hpp"
+#include "formats/css/declarations.hpp"
 #include "formats/svg/vocabulary.hpp"
 #include "formats/text/suggestion.hpp"
 

@@ -1,6 +1,6 @@
 #include "formats/svg/color.hpp"
 
-#include "formats/css/css_value.hpp"
+#include "formats/css/value.hpp"
 
 namespace sfumato::svg {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "formats/css/css_color.hpp"
+#include "formats/css/color.hpp"
 #include "formats/svg/input.hpp"
 
 namespace sfumato::svg {

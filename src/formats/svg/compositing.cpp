@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "document/blend_names.hpp"
-#include "formats/css/css_value.hpp"
+#include "formats/css/value.hpp"
 #include "formats/text/suggestion.hpp"
 
 namespace sfumato::svg {

@@ -10,7 +10,7 @@
 #include "base/ascii.hpp"
 #include "base/charge.hpp"
 #include "base/number.hpp"
-#include "formats/css/css_value.hpp"
+#include "formats/css/value.hpp"
 #include "formats/text/suggestion.hpp"
 #include "sfumato/base/limits.hpp"
 

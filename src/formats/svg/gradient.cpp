@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "base/number.hpp"
-#include "formats/css/css_value.hpp"
+#include "formats/css/value.hpp"
 #include "formats/svg/color.hpp"
 #include "formats/text/suggestion.hpp"
 #include "sfumato/base/limits.hpp"

@@ -12,7 +12,7 @@
 
 #include "base/charge.hpp"
 #include "base/poll.hpp"
-#include "formats/css/css_style.hpp"
+#include "formats/css/style.hpp"
 #include "formats/css/style_sheet.hpp"
 #include "formats/text/warnings.hpp"
 #include "formats/text/xml_source.hpp"

@@ -5,8 +5,8 @@
 
 #include "base/ascii.hpp"
 #include "base/large_vector.hpp"
-#include "formats/css/css_media.hpp"
-#include "formats/css/css_value.hpp"
+#include "formats/css/media.hpp"
+#include "formats/css/value.hpp"
 #include "formats/svg/input.hpp"
 #include "formats/text/suggestion.hpp"
 #include "sfumato/base/limits.hpp"

@@ -6,7 +6,7 @@
 
 #include "base/limit_error.hpp"
 #include "base/number.hpp"
-#include "formats/css/css_tokenizer.hpp"
+#include "formats/css/tokenizer.hpp"
 #include "formats/svg/path.hpp"
 #include "formats/svg/scanner.hpp"
 #include "sfumato/base/limits.hpp"

@@ -5,8 +5,8 @@
 
 #include "base/ascii.hpp"
 #include "base/number.hpp"
-#include "formats/css/css_color.hpp"
-#include "formats/css/css_value.hpp"
+#include "formats/css/color.hpp"
+#include "formats/css/value.hpp"
 #include "formats/svg/length.hpp"
 #include "formats/text/suggestion.hpp"
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <utility>
 
-#include "formats/css/css_value.hpp"
+#include "formats/css/value.hpp"
 #include "formats/svg/background.hpp"
 #include "formats/svg/bare.hpp"
 #include "formats/svg/paint_attributes.hpp"

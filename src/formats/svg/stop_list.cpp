@@ -8,7 +8,7 @@
 
 #include "base/number.hpp"
 #include "base/number_text.hpp"
-#include "formats/css/css_color.hpp"
+#include "formats/css/color.hpp"
 #include "formats/svg/length.hpp"
 #include "formats/text/suggestion.hpp"
 #include "sfumato/base/limits.hpp"

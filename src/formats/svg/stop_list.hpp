@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "formats/css/css_tokenizer.hpp"
+#include "formats/css/tokenizer.hpp"
 #include "sfumato/base/status.hpp"
 #include "sfumato/document/stops.hpp"
 

@@ -8,8 +8,8 @@
 
 #include "base/ascii.hpp"
 #include "base/public_verb.hpp"
-#include "formats/css/css_color.hpp"
-#include "formats/css/css_value.hpp"
+#include "formats/css/color.hpp"
+#include "formats/css/value.hpp"
 #include "formats/svg/bare.hpp"
 #include "formats/svg/input.hpp"
 #include "formats/svg/picture_size.hpp"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "formats/css/css_tokenizer.hpp"
+#include "formats/css/tokenizer.hpp"
 #include "formats/svg/angle.hpp"
 #include "formats/svg/scanner.hpp"
 #include "formats/text/suggestion.hpp"

@@ -5,8 +5,8 @@
 #include <optional>
 #include <string_view>
 
-#include "formats/css/css_declarations.hpp"
-#include "formats/css/css_properties.hpp"
+#include "formats/css/declarations.hpp"
+#include "formats/css/properties.hpp"
 
 namespace sfumato::css {
 

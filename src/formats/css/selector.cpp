@@ -1,4 +1,4 @@
-#include "formats/css/css_selector.hpp"
+#include "formats/css/selector.hpp"
 
 #include "base/ascii.hpp"
 

@@ -1,6 +1,6 @@
-#include "formats/css/css_media.hpp"
+#include "formats/css/media.hpp"
 
-#include "formats/css/css_value.hpp"
+#include "formats/css/value.hpp"
 
 namespace sfumato::css {
 namespace {

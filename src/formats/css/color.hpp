@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "formats/css/css_tokenizer.hpp"
+#include "formats/css/tokenizer.hpp"
 #include "sfumato/base/color.hpp"
 #include "sfumato/base/status.hpp"
 

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <string_view>
 
-#include "formats/css/css_tokenizer.hpp"
+#include "formats/css/tokenizer.hpp"
 #include "sfumato/base/function_ref.hpp"
 
 namespace sfumato::css {

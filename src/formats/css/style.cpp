@@ -1,4 +1,4 @@
-#include "formats/css/css_style.hpp"
+#include "formats/css/style.hpp"
 
 namespace sfumato::css {
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "formats/css/css_tokenizer.hpp"
+#include "formats/css/tokenizer.hpp"
 
 namespace sfumato::css {
 

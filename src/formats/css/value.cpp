@@ -1,4 +1,4 @@
-#include "formats/css/css_value.hpp"
+#include "formats/css/value.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "formats/css/css_tokenizer.hpp"
+#include "formats/css/tokenizer.hpp"
 
 #include <algorithm>
 #include <array>

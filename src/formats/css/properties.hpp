@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "formats/css/css_tokenizer.hpp"
+#include "formats/css/tokenizer.hpp"
 
 namespace sfumato::css {
 

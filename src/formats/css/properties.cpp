@@ -1,11 +1,11 @@
-#include "formats/css/css_properties.hpp"
+#include "formats/css/properties.hpp"
 
 #include <algorithm>
 #include <span>
 
 #include "document/blend_names.hpp"
-#include "formats/css/css_color.hpp"
-#include "formats/css/css_value.hpp"
+#include "formats/css/color.hpp"
+#include "formats/css/value.hpp"
 #include "formats/text/suggestion.hpp"
 
 namespace sfumato::css {

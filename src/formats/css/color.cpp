@@ -1,4 +1,4 @@
-#include "formats/css/css_color.hpp"
+#include "formats/css/color.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "base/ascii.hpp"
-#include "formats/css/css_color_names.hpp"
-#include "formats/css/css_value.hpp"
+#include "formats/css/color_names.hpp"
+#include "formats/css/value.hpp"
 #include "formats/text/suggestion.hpp"
 
 namespace sfumato::css {

@@ -1,9 +1,9 @@
-#include "formats/css/css_declarations.hpp"
+#include "formats/css/declarations.hpp"
 
 #include <cstdint>
 
 #include "base/ascii.hpp"
-#include "formats/css/css_value.hpp"
+#include "formats/css/value.hpp"
 
 namespace sfumato::css {
 namespace {
