@@ -3,15 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "curves/front_share.hpp"
 #include "curves/stop_parameters.hpp"
 
 namespace sfumato::curves {
 namespace {
 
 constexpr double kCodeValues = 255;
-
-/// The derivative of eq. 8's smoothstep on the curve, times the radius.
-constexpr double kSlopeAtCurve = 0.75;
 
 float channel(float value, int) {
   return value;
@@ -64,7 +62,7 @@ double BlurSlope::between(double from, double to) const {
   for (const std::vector<RadiusStop>& stops : radii_) {
     const double radius = radius_at(stops, 0.5 * (from + to));
     if (radius > 0 && radius >= sharp_radius_)
-      slope = std::max(slope, kSlopeAtCurve * step_ / radius);
+      slope = std::max(slope, kFrontShareSlope * step_ / radius);
   }
   return slope;
 }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/spatial_order.hpp"
+#include "curves/front_share.hpp"
 
 namespace sfumato::gather {
 namespace {
@@ -23,13 +24,6 @@ Box reach_box(const FreeEnd& end) {
   return Box{end.position, end.position}.grown_by(end.reach);
 }
 
-/// β of eq. 8 at a distance from the line of the curve's last segment.
-double front_share(double distance, double radius) {
-  if (!(radius > distance)) return 1;
-  const double x = 0.5 + 0.5 * distance / radius;
-  return x * x * (3 - 2 * x);
-}
-
 /// The share τ of the positive side in z_e, at d from the end, unbent.
 double positive_share(const FreeEnd& end, Vec2 d) {
   const double r = length(d);
@@ -38,7 +32,9 @@ double positive_share(const FreeEnd& end, Vec2 d) {
   const double half_sine = ahead > 0 ? across / std::sqrt(2 * r * (r + ahead))
                                      : std::copysign(std::sqrt(0.5 * (1 - ahead / r)), across);
   const float radius = across > 0 ? end.blur_positive : end.blur_negative;
-  return 0.5 + 0.5 * half_sine * (2 * front_share(std::fabs(across), radius) - 1);
+  // β at the distance from the line of the curve's last segment.
+  const double front = curves::front_share(std::fabs(across), double{radius});
+  return 0.5 + 0.5 * half_sine * (2 * front - 1);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/parallel.hpp"
+#include "curves/front_share.hpp"
 #include "gather/ray_grid.hpp"
 
 namespace sfumato::gather {
@@ -70,7 +71,7 @@ class PointSums {
     const float normal_distance =
         hit.distance * std::fabs(d.x * edge.ey - d.y * edge.ex) * blend.inverse_length;
     const float radius = blend.blur_middle + lean * blend.blur_half_change;
-    const float front = front_share(normal_distance, radius);
+    const float front = curves::front_share(normal_distance, radius);
     add_side(front * falloff, lean, edge, blend.front_shader, edge.middle, edge.half_change);
     if (!(blend.blur_middle > 0)) return;
     add_side((1 - front) * falloff, lean, edge, blend.back_shader, blend.back_middle,
@@ -88,13 +89,6 @@ class PointSums {
   }
 
  private:
-  /// β of eq. 8.
-  static float front_share(float normal_distance, float radius) {
-    if (!(radius > normal_distance)) return 1;
-    const float x = 0.5f + 0.5f * normal_distance / radius;
-    return x * x * (3 - 2 * x);
-  }
-
   void add_value(float weight, float lean, const float (&middle)[kValueChannels],
                  const float (&half_change)[kValueChannels]) {
     for (int c = 0; c < kValueChannels; ++c)

@@ -139,7 +139,7 @@ class ReferenceGather {
     if (front < 1) add_side(back, (1 - front) * weight, (1 - front) * moment);
   }
 
-  /// β of eq. 8.
+  /// β of eq. 8, written down once more: a witness for curves::front_share.
   static double front_share(double distance, double radius) {
     if (!(radius > distance)) return 1;
     const double x = std::clamp((distance + radius) / (2 * radius), 0.0, 1.0);

@@ -6,9 +6,9 @@ namespace sfumato::raster {
 
 /// Strips that lie on each other stand for the blur of one side of an edge: strip i, which reaches
 /// kStripReach[i] radii from it, is the mean of those points whose share of what lies across,
-/// 1 - β (eq. 8), is between (4 - i)/8 and (3 - i)/8. Where strip i ends, the share falls by 1/8:
-/// areas of edges that are moved are averaged, and the mean over a pixel is wrong by 0.007 R at
-/// most, R in pixels.
+/// 1 - β (curves/front_share.hpp), is between (4 - i)/8 and (3 - i)/8. Where strip i ends, the
+/// share falls by 1/8: areas of edges that are moved are averaged, and the mean over a pixel is
+/// wrong by 0.007 R at most, R in pixels.
 inline constexpr int kStrips = 4;
 inline constexpr double kStripReach[kStrips] = {0.08373, 0.25630, 0.44840, 0.71157};
 

@@ -168,6 +168,27 @@ TEST(Facets, a_parabola_is_cut_along_itself_alone) {
   EXPECT_EQ(facets(flat, kHalfStep).facet_vertex.size(), 3u);
 }
 
+// A cubic misses its chord's middle by f'' / 8: `bend` reads f'' from Bézier ordinates, `shown` the
+// values from patch_basis.
+TEST(Facets, ordinates_and_basis_are_of_one_cubic) {
+  std::mt19937 random(7);
+  for (int round = 0; round < 50; ++round) {
+    const PatchLayer layer = one_patch(PatchOrder::cubic, [&](double, double) {
+      return 0.5 + 0.05 * (random() / 2147483648.0 - 1);
+    });
+    const FacetPatch patch(layer, InterpolationSpace::srgb, {}, 0, kHalfStep);
+    for (const Barycentric& a : {Barycentric{0.6, 0.3, 0.1}, {0.1, 0.2, 0.7}, {0.2, 0.7, 0.1}}) {
+      constexpr double kSide = 1.0 / 64;
+      const Barycentric b{a[0] - kSide, a[1] + kSide, a[2]};
+      const Barycentric middle{a[0] - kSide / 2, a[1] + kSide / 2, a[2]};
+      const double miss =
+          std::fabs(patch.shown(middle)[0] - (patch.shown(a)[0] + patch.shown(b)[0]) / 2);
+      // What f'' changes from the middle to an end: f''' of such values is below 20.
+      EXPECT_NEAR(patch.bend(a, b), miss, 20 * kSide * kSide * kSide / 16) << round;
+    }
+  }
+}
+
 TEST(Facets, every_facet_turns_as_its_patch) {
   const PatchLayer layer = random_layer(3, 0.5f, 0.1f);
   const FacetMesh mesh = facets(layer, kHalfStep);

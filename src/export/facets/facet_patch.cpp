@@ -46,7 +46,8 @@ std::size_t first_channel(const FacetSource& source) {
   return (reads_color(source) ? std::size_t{3} : std::size_t{1}) + source.shader;
 }
 
-/// The ten Bézier ordinates of the cubic through the values at the ten nodes, in their order.
+/// The ten Bézier ordinates of the cubic of patch_basis through the values at the ten nodes, in
+/// their order.
 NodeValues bezier_ordinates(const NodeValues& z) {
   NodeValues b = z;
   double edges = 0;

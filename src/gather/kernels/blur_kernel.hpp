@@ -1,18 +1,19 @@
 #pragma once
 
 #include "base/lanes.hpp"
+#include "curves/front_share.hpp"
 
 /// β of eq. 8 in lanes, single precision, where the radius is constant on a visible part and where
 /// it varies (docs/mathematics.md, blur radii).
 namespace sfumato::gather::inline SFUMATO_ISA {
 
-/// β with one radius. The prose under eq. 8 says that it falls "to 0" at distance R; the formula,
-/// and the limit R → 0, say 1. R == 0 is chosen by select, not by dividing: 0/0 would poison whole
-/// lanes. Precondition: distance and radius >= 0.
+/// curves::front_share in lanes: β with one radius. The prose under eq. 8 says that it falls "to 0"
+/// at distance R; the formula, and the limit R → 0, say 1. R == 0 is chosen by select, not by
+/// dividing: 0/0 would poison whole lanes. Precondition: distance and radius >= 0.
 template <class F>
 SFUMATO_INLINE F front_share(const F& distance, const F& radius) {
   const F x = F(0.5f) + F(0.5f) * distance / radius;
-  return select(radius > distance, x * x * (F(3) - F(2) * x), F(1));
+  return select(radius > distance, curves::smoothstep(x), F(1));
 }
 
 /// A visible part on which the radius grows from `near_radius` to `far_radius`, both at least the

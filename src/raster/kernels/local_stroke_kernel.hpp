@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/lanes.hpp"
+#include "curves/front_share.hpp"
 #include "raster/kernels/color_space_kernel.hpp"
 #include "raster/kernels/local_stroke_kernels.hpp"
 
@@ -134,7 +135,7 @@ SFUMATO_INLINE F beta(const StrokeNodes& nodes, int k, const F& dx, const F& dy)
   const F variance = F(nodes.blur_squared[k]) + F(nodes.turn[k]) * (along * along);
   const F u = F(0.5f) + F(0.5f) * across * reciprocal_sqrt(variance);
   const F inside = min(max(u, F(0)), F(1));
-  return inside * inside * (F(3) - F(2) * inside);
+  return curves::smoothstep(inside);
 }
 
 template <class F, bool kTwoSided>

@@ -4,8 +4,8 @@
 #include "raster/kernels/triangle_frame.hpp"
 #include "sfumato/picture/picture.hpp"
 
-/// The patch of one triangle (paper eq. 17–18) as a polynomial of (u, q), see triangle_frame.hpp.
-/// Compiled for every instruction set.
+/// The patch of one triangle, patch_basis of picture/patch.hpp (paper eq. 17–18), as a polynomial
+/// of (u, q), see triangle_frame.hpp. Compiled for every instruction set.
 namespace sfumato::raster::inline SFUMATO_ISA {
 
 /// Up to four channels: red, green, blue and opacity, or the weights of four shaders.
