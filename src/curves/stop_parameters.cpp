@@ -7,10 +7,16 @@
 namespace sfumato::curves {
 
 std::vector<double> cumulative_length(std::span<const Vec2> control_points) {
+  return cumulative_length(control_points, [] { return true; });
+}
+
+std::vector<double> cumulative_length(std::span<const Vec2> control_points,
+                                      FunctionRef<bool()> may_go_on) {
   const std::size_t piece_count = (control_points.size() - 1) / 3;
-  std::vector<double> cumulative(piece_count + 1, 0.0);
-  for (std::size_t i = 0; i < piece_count; ++i) {
-    cumulative[i + 1] = cumulative[i] + arc_length(piece(control_points, i), 0, 1);
+  std::vector<double> cumulative{0};
+  cumulative.reserve(piece_count + 1);
+  for (std::size_t i = 0; i < piece_count && may_go_on(); ++i) {
+    cumulative.push_back(cumulative.back() + arc_length(piece(control_points, i), 0, 1));
   }
   return cumulative;
 }

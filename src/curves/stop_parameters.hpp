@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "sfumato/base/color_space.hpp"
+#include "sfumato/base/function_ref.hpp"
 #include "sfumato/base/vec2.hpp"
 #include "sfumato/document/stops.hpp"
 
@@ -13,6 +14,11 @@ namespace sfumato::curves {
 /// Lengths of a curve's Bézier pieces, summed: entry i is the length before piece i, the last the
 /// whole length. One entry more than pieces.
 std::vector<double> cumulative_length(std::span<const Vec2> control_points);
+
+/// The same, for long chains: asks before each piece, and ends with fewer entries where the answer
+/// is no.
+std::vector<double> cumulative_length(std::span<const Vec2> control_points,
+                                      FunctionRef<bool()> may_go_on);
 
 /// The curve parameter (piece + t) at a fraction 0 to 1 of the curve's length.
 double parameter_at_fraction(std::span<const Vec2> control_points,

@@ -37,15 +37,6 @@ std::vector<Vec2> dot_at(const std::vector<Vec2>& chain, double parameter,
   return dot(curves::point_at(cubic, t), tangent_at(cubic, t), style);
 }
 
-/// As curves::cumulative_length, which does not look at the cancel flag; too short where stopped.
-std::vector<double> cumulative_length(PointMeter& meter, const std::vector<Vec2>& chain) {
-  std::vector<double> lengths{0};
-  for (std::size_t i = 0; 3 * i + 3 < chain.size() && meter.take(1); ++i) {
-    lengths.push_back(lengths.back() + curves::arc_length(curves::piece(chain, i), 0, 1));
-  }
-  return lengths;
-}
-
 void dash_one(PointMeter& meter, const std::vector<Vec2>& chain, const std::vector<double>& lengths,
               const svg::StrokeStyle& style, Contours& dashes) {
   const double total = lengths.back();
@@ -87,7 +78,8 @@ Result<Contours> dashed(PointMeter& meter, const Contours& subpaths,
   Contours dashes;
   const double period = std::accumulate(style.dashes.begin(), style.dashes.end(), 0.0);
   for (const std::vector<Vec2>& chain : subpaths) {
-    const std::vector<double> lengths = cumulative_length(meter, chain);
+    const std::vector<double> lengths =
+        curves::cumulative_length(chain, [&] { return meter.take(1); });
     // A dash costs a search along the curve: what would be far too many is refused at once.
     if (!meter.failed() && lengths.back() / period > kDashes) meter.fail(too_many());
     dash_one(meter, chain, lengths, style, dashes);

@@ -188,10 +188,7 @@ std::uint32_t BandBuilder::add(Vec2 at, const Value& value, FacetMesh* mesh) con
   };
   for (std::size_t vertex = count; vertex > 0 && count - vertex < kLastVertices; --vertex)
     if (is_same(vertex - 1)) return static_cast<std::uint32_t>(vertex - 1);
-  mesh->vertex_position.push_back(at);
-  for (std::size_t c = 0; c < channels; ++c)
-    mesh->vertex_value.push_back(static_cast<float>(value[c]));
-  return static_cast<std::uint32_t>(count);
+  return mesh->add_vertex(at, value);
 }
 
 /// Columns of two facets between corner(t, false, mesh), on the edge, and corner(t, true, mesh).

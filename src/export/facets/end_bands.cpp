@@ -56,7 +56,6 @@ class EndBand {
   bool meets(const Column& next);
   bool is_between(const Column& next) const;
   void write_held();
-  std::uint32_t add_vertex(Vec2 at, const Value& value);
 
   const PatchLayer& layer_;
   InterpolationSpace space_;
@@ -141,18 +140,11 @@ bool EndBand::is_between(const Column& next) const {
   return t > 0 && t < 1 && is_near(between, held_.value);
 }
 
-std::uint32_t EndBand::add_vertex(Vec2 at, const Value& value) {
-  mesh_.vertex_position.push_back(at);
-  for (int c = 0; c < mesh_.channel_count; ++c)
-    mesh_.vertex_value.push_back(static_cast<float>(value[static_cast<std::size_t>(c)]));
-  return static_cast<std::uint32_t>(mesh_.vertex_position.size() - 1);
-}
-
 /// Facets from the last column to the one that is held, which becomes the last.
 void EndBand::write_held() {
   const bool is_corner = has_last_ && last_.at == held_.at;
-  held_.low = add_vertex(held_.at - held_.outwards * (kUnderMesh * width_), held_.value);
-  held_.high = add_vertex(held_.at + held_.outwards * width_, held_.value);
+  held_.low = mesh_.add_vertex(held_.at - held_.outwards * (kUnderMesh * width_), held_.value);
+  held_.high = mesh_.add_vertex(held_.at + held_.outwards * width_, held_.value);
   const auto add_facet = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
     for (std::uint32_t vertex : {a, b, c}) mesh_.facet_vertex.push_back(vertex);
   };

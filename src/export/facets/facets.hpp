@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "base/charge.hpp"
@@ -46,6 +47,14 @@ struct FacetMesh {
   std::vector<std::uint32_t> facet_vertex;       ///< 3 per facet, cross(01, 02) > 0
   std::vector<std::uint32_t> patch_first_facet;  ///< triangle_count + 1
   ScopedCharge charge;
+
+  /// value   channel_count of them are read
+  std::uint32_t add_vertex(Vec2 at, std::span<const double> value) {
+    vertex_position.push_back(at);
+    for (std::size_t c = 0; c < static_cast<std::size_t>(channel_count); ++c)
+      vertex_value.push_back(static_cast<float>(value[c]));
+    return static_cast<std::uint32_t>(vertex_position.size() - 1);
+  }
 };
 
 /// Layer → facets. Sides that bend are halved until they are straight enough (docs/mathematics.md,
