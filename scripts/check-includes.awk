@@ -5,6 +5,9 @@ BEGIN {
   # verb itself.
   named["export", "outputs"] = named["import", "svg_import"] = named["lint", "lint_detail"] = 1
   named["base", "limits"] = named["document", "rules"] = 1
+  # Of the parts of a name those that tell that `stop` is the verb.
+  stops_work = "_(must|should|shall|can|may|will|is|to|or|please|request|asked|early)_stop_|" \
+               "_stop_(now|early|at|if|when|on|status|reason|code|flag|token|source|requested|work)_"
 }
 
 function complain(message) {
@@ -70,6 +73,33 @@ function code_of(line) {
   return line
 }
 
+# An identifier as lower-case words between underscores: "_stop_list_" of StopList and stop_list_.
+function words_of(name, words) {
+  words = ""
+  while (match(name, /[A-Z]*[a-z0-9]+|[A-Z]+/)) {
+    words = words "_" tolower(substr(name, RSTART, RLENGTH))
+    name = substr(name, RSTART + RLENGTH)
+  }
+  return words "_"
+}
+
+# `stop` is a colour's and never means to end; a `scene` is what rays hit, or a file format's word.
+function check_words(name, words) {
+  words = words_of(name)
+  if (words ~ /_(stopped|stopping)_/ || words ~ stops_work || (words ~ /_stop_/ && !has_stops)) {
+    complain("stop means a colour stop alone: " name)
+  }
+  if (words ~ /_scenes?_/ && !has_scenes) complain("a scene is what rays hit: " name)
+}
+
+# A function of that name, or a number, place or flag, is no colour stop.
+function check_stop_declaration(code) {
+  if (code ~ /(bool|int|size_t|int(8|16|32|64)_t|char|Vec2|Status|void|stop_token)>?[ *&]+stop[^A-Za-z0-9_]/ ||
+      code ~ /(^|[^A-Za-z0-9_])stop\(/) {
+    complain("stop means a colour stop alone: stop")
+  }
+}
+
 FNR == 1 {
   finish_file()
   previous_file = FILENAME
@@ -81,6 +111,8 @@ FNR == 1 {
   is_native = inner_path(FILENAME) ~ /^base\/native\//
   core = folder ~ /^(base|document|curves|picture|mesh|gather|raster|solve)$/ &&
          !is_native
+  has_stops = folder ~ /^(base|document|curves|formats|import|raster|lint|export|cli)$/
+  has_scenes = room ~ /^(gather|gather\/kernels|formats\/orzan|export\/glb)$/
   if (!is_table && folder != "" && !(folder in is_folder)) {
     complain(folder " is not in scripts/folder-order.txt")
   }
@@ -135,6 +167,16 @@ core && FILENAME != "src/base/no_throw.hpp" {
   code = code_of($0)
   if (code ~ /(^|[^A-Za-z0-9_])(throw|try|catch)([^A-Za-z0-9_]|$)/) {
     complain("the core may not throw or catch")
+  }
+}
+
+folder != "" && /[Ss]top|[Ss]cene/ {
+  code = code_of($0)
+  check_stop_declaration(code " ")
+  while (match(code, /[A-Za-z_][A-Za-z0-9_]*/)) {
+    name = substr(code, RSTART, RLENGTH)
+    code = substr(code, RSTART + RLENGTH)
+    if (name ~ /[Ss]top|[Ss]cene/) check_words(name)
   }
 }
 

@@ -16,9 +16,9 @@ namespace {
 template <class Number, class Format>
 std::optional<Number> parse_all(std::string_view text, Format base_or_format) {
   Number value{};
-  const char* end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value, base_or_format);
-  if (error != std::errc{} || stop != end) return std::nullopt;
+  const char* text_end = text.data() + text.size();
+  const auto [end, error] = std::from_chars(text.data(), text_end, value, base_or_format);
+  if (error != std::errc{} || end != text_end) return std::nullopt;
   return value;
 }
 

@@ -188,9 +188,9 @@ class NodePlacer {
   void fan_values(Sector sector, std::uint32_t first, std::uint32_t last) {
     const Vec2 vertex = corner(first);
     const Vec2 start = mesh_.vertex_position[mesh_.target(first)] - vertex;
-    const Vec2 stop = corner(last) - vertex;
+    const Vec2 end = corner(last) - vertex;
     const bool whole_turn = mesh_.target(first) == mesh_.origin(last) && fan_.is_closed;
-    const double angle = whole_turn ? 2 * std::numbers::pi : turn_angle(start, stop);
+    const double angle = whole_turn ? 2 * std::numbers::pi : turn_angle(start, end);
     for (std::uint32_t spoke : sector) {
       const double turn = turn_angle(start, barycentre(spoke / 3) - vertex);
       const auto fraction = static_cast<float>(turn / angle);

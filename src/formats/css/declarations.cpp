@@ -50,7 +50,7 @@ void DeclarationReader::skip_rule() {
 /// none here, and then somewhere in it.
 bool DeclarationReader::take_value(Declaration& declaration, bool is_custom) {
   const std::size_t begin = tokens_.position();
-  std::size_t stop = begin;
+  std::size_t declaration_end = begin;
   Tail tail;
   bool has_block = false, has_other = false;
   for (;;) {
@@ -60,7 +60,7 @@ bool DeclarationReader::take_value(Declaration& declaration, bool is_custom) {
       if (!token.is(semicolon)) tokens_.rewind(before);
       break;
     }
-    stop = before;
+    declaration_end = before;
     if (token.is(whitespace)) continue;
     const bool is_broken = token.is(bad_string) || token.is(bad_url) || token.is(close_paren) ||
                            token.is(close_square) || token.is(close_curly);
@@ -69,7 +69,7 @@ bool DeclarationReader::take_value(Declaration& declaration, bool is_custom) {
     if (token.is(open_curly) && !is_custom && has_other) return false;
     if (has_block && !is_custom && !token.is_delim('!') && tail.seen == 0) return false;
     skip_component(tokens_, token);
-    stop = tokens_.position();
+    declaration_end = tokens_.position();
     if (token.is_delim('!')) {
       if (tail.seen > 0) return false;
       tail = {before, 1};
@@ -84,7 +84,7 @@ bool DeclarationReader::take_value(Declaration& declaration, bool is_custom) {
   }
   if (tail.seen == 1) return false;
   declaration.is_important = tail.seen == 2;
-  const std::size_t value_end = declaration.is_important ? tail.value_end : stop;
+  const std::size_t value_end = declaration.is_important ? tail.value_end : declaration_end;
   declaration.value = ascii_trimmed(tokens_.text().substr(begin, value_end - begin));
   return true;
 }
