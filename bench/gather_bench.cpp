@@ -34,7 +34,9 @@ struct Prepared {
 
 solve::NodeLayout lay_out(const mesh::TriangleMesh& mesh,
                           const curves::SegmentAttributes& attributes) {
-  return solve::lay_out_nodes({}, mesh, attributes, solve::Seams({}, mesh, attributes));
+  const Context context;
+  const Result<solve::Seams> seams = solve::Seams::create(context, mesh, attributes);
+  return *solve::lay_out_nodes(context, mesh, attributes, *seams);
 }
 
 std::unique_ptr<Prepared> prepare(benchmark::State& state, const std::string& name) {
@@ -52,9 +54,9 @@ std::unique_ptr<Prepared> prepare(benchmark::State& state, const std::string& na
   Result<mesh::Mesher> mesher = mesh::Mesher::build(context, *flat, options);
   auto prepared = std::make_unique<Prepared>();
   prepared->attributes = curves::sample_colors(*flat, curves);
-  prepared->visibility = mesher->visibility_mesh({});
+  prepared->visibility = *mesher->visibility_mesh({});
   if (!mesher->refine(context)) return nullptr;
-  const solve::NodeLayout layout = lay_out(mesher->patch_mesh({}), prepared->attributes);
+  const solve::NodeLayout layout = lay_out(*mesher->patch_mesh({}), prepared->attributes);
   for (std::uint32_t i = 0; i < layout.node_count(); ++i) {
     if (!layout.is_fixed[i]) prepared->points.push_back(layout.position[i]);
   }

@@ -58,7 +58,7 @@ void build(benchmark::State& state, const std::string& name) {
   std::size_t triangles = 0;
   for (auto _ : state) {
     Result<mesh::Mesher> mesher = mesh::Mesher::build(context, input->flat, input->options);
-    triangles = mesher->visibility_mesh({}).triangle_count();
+    triangles = mesher->visibility_mesh({})->triangle_count();
   }
   report(state, triangles);
 }
@@ -73,7 +73,7 @@ void build_and_refine(benchmark::State& state, const std::string& name) {
     if (!mesher->refine(context)) return state.SkipWithError("refine failed");
     last = std::move(*mesher);
   }
-  report(state, last->patch_mesh({}).triangle_count());
+  report(state, last->patch_mesh({})->triangle_count());
 }
 
 void extract(benchmark::State& state, const std::string& name) {
@@ -83,7 +83,7 @@ void extract(benchmark::State& state, const std::string& name) {
   Result<mesh::Mesher> mesher = mesh::Mesher::build(context, input->flat, input->options);
   if (!mesher->refine(context)) return state.SkipWithError("refine failed");
   std::size_t triangles = 0;
-  for (auto _ : state) triangles = mesher->patch_mesh({}).triangle_count();
+  for (auto _ : state) triangles = mesher->patch_mesh({})->triangle_count();
   report(state, triangles);
 }
 

@@ -49,10 +49,10 @@ void lay_out_nodes(benchmark::State& state) {
   options.frame = document->artboard;
   Result<mesh::Mesher> mesher = mesh::Mesher::build(context, *flat, options);
   if (!mesher || !mesher->refine(context)) return state.SkipWithError("no mesh");
-  const mesh::TriangleMesh mesh = mesher->patch_mesh({});
+  const mesh::TriangleMesh mesh = *mesher->patch_mesh({});
   for (auto _ : state) {
-    const solve::Seams seams(context, mesh, attributes);
-    benchmark::DoNotOptimize(solve::lay_out_nodes(context, mesh, attributes, seams));
+    const Result<solve::Seams> seams = solve::Seams::create(context, mesh, attributes);
+    benchmark::DoNotOptimize(solve::lay_out_nodes(context, mesh, attributes, *seams));
   }
   state.counters["triangles"] = mesh.triangle_count();
 }

@@ -203,7 +203,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   options.unit_size = kSide / 1024;
   const Result<mesh::Mesher> mesher = mesh::Mesher::build(context, drawing.flat, options);
   fuzz::require_ok(mesher.status(), "no mesh");
-  drawing.mesh = mesher->visibility_mesh({});
+  drawing.mesh = *mesher->visibility_mesh({});
   const std::vector<float> values = gather_at(SimdLevel::sse2, drawing, points);
   for (const SimdLevel level : {SimdLevel::avx2, SimdLevel::avx512}) {
     if (level > detected_simd_level()) continue;

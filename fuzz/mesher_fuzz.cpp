@@ -120,7 +120,7 @@ void check_thinned(Context& context, const mesh::Mesher& mesher, const mesh::Tri
 /// Every third triangle is made smaller. A limit may stop it; the mesh stays valid.
 void check_refinement(Context& context, mesh::Mesher& mesher, double smallest_edge) {
   const Status refined = mesher.refine(context);
-  mesh::TriangleMesh patch = mesher.patch_mesh({});
+  mesh::TriangleMesh patch = *mesher.patch_mesh({});
   fuzz::require_ok(is_valid(patch), "the patch mesh is not valid");
   if (!refined) return fuzz::require_honest(refined);
   if (patch.triangle_count() > kManyTriangles) return;
@@ -129,7 +129,7 @@ void check_refinement(Context& context, mesh::Mesher& mesher, double smallest_ed
   if (const Status finer = mesher.refine_triangles(context, every_third, smallest_edge); !finer) {
     fuzz::require_honest(finer);
   }
-  patch = mesher.patch_mesh({});
+  patch = *mesher.patch_mesh({});
   fuzz::require_ok(is_valid(patch), "the finer patch mesh is not valid");
 }
 
@@ -146,7 +146,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
       fuzz::require_honest(mesher.status());
       return 0;
     }
-    const mesh::TriangleMesh whole = mesher->visibility_mesh({});
+    const mesh::TriangleMesh whole = *mesher->visibility_mesh({});
     fuzz::require_ok(is_valid(whole), "the visibility mesh is not valid");
     const double weld =
         std::max(options.weld_px * options.unit_size, mesh::kLeastWeldSteps * whole.lattice_step);

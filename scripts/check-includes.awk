@@ -8,6 +8,13 @@ BEGIN {
   # Of the parts of a name those that tell that `stop` is the verb.
   stops_work = "_(must|should|shall|can|may|will|is|to|or|please|request|asked|early)_stop_|" \
                "_stop_(now|early|at|if|when|on|status|reason|code|flag|token|source|requested|work)_"
+  # Where a look at the cancel flag may end in less than a status.
+  is_flag_itself["base/context.cpp"] = is_flag_itself["base/poll.hpp"] = 1
+  is_flag_itself["base/parallel.cpp"] = 1             # tasks of an executor return nothing
+  is_flag_itself["base/native/posix.cpp"] = 1         # false and errno, as the system's calls
+  is_flag_itself["codecs/jpeg_encode.cpp"] = 1        # libjpeg's callback returns nothing
+  is_flag_itself["codecs/webp_encode.cpp"] = 1        # libwebp's wants a number
+  is_flag_itself["formats/css/css_tokenizer.hpp"] = 1 # no Result a token: TextPoll has the status
 }
 
 function complain(message) {
@@ -100,6 +107,32 @@ function check_stop_declaration(code) {
   }
 }
 
+# Whether code leaves where it is, and hands no status on.
+function leaves_silently(code) {
+  return code ~ /(^|[^A-Za-z0-9_])(break;|continue;|return[ ;])/ && code !~ /status|check\(\)/
+}
+
+# A cancelled step is a status: what stops in the middle without one hands out half-made data that
+# every caller has to ask the flag about again. `awaited` is 1 behind a look whose branch is yet to
+# come, 2 within a branch in braces.
+function check_looks(code) {
+  if (code ~ /(^|[^A-Za-z0-9_])(for|while) \(.*cancelled\(\)/) return
+  if (code ~ /(^|[^A-Za-z0-9_])cancelled\(\)/) {
+    awaited = code ~ /;[ \t]*\}?$/ ? 0 : 1
+    if (leaves_silently(code) || code ~ /[A-Za-z0-9_] = .*cancelled\(\)/) complain_of_look()
+  } else if (awaited && leaves_silently(code)) {
+    complain_of_look()
+  } else if (code ~ /status|check\(\)|\}/ || (awaited == 1 && code ~ /;/)) {
+    awaited = 0
+  }
+  if (awaited && code ~ /\{$/) awaited = 2
+}
+
+function complain_of_look() {
+  awaited = 0
+  complain("a cancelled step has to return its status")
+}
+
 FNR == 1 {
   finish_file()
   previous_file = FILENAME
@@ -113,6 +146,9 @@ FNR == 1 {
          !is_native
   has_stops = folder ~ /^(base|document|curves|formats|import|raster|lint|export|cli)$/
   has_scenes = room ~ /^(gather|gather\/kernels|formats\/orzan|export\/glb)$/
+  looks_are_checked = FILENAME ~ /^src\// && folder != "cli" &&
+                      !(inner_path(FILENAME) in is_flag_itself)
+  awaited = 0
   if (!is_table && folder != "" && !(folder in is_folder)) {
     complain(folder " is not in scripts/folder-order.txt")
   }
@@ -178,6 +214,10 @@ folder != "" && /[Ss]top|[Ss]cene/ {
     code = substr(code, RSTART + RLENGTH)
     if (name ~ /[Ss]top|[Ss]cene/) check_words(name)
   }
+}
+
+looks_are_checked {
+  check_looks(code_of($0))
 }
 
 END {

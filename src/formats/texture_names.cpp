@@ -17,7 +17,10 @@ namespace {
 class NameWalker final : public pugi::xml_tree_walker {
  public:
   NameWalker(const Context& context, const std::function<void(const std::string&)>& visit)
-      : poll_(context), visit_(visit) {}
+      : context_(context), poll_(context), visit_(visit) {}
+
+  /// Ok, or why the walk ended early.
+  const Status& status() const { return status_; }
 
   bool for_each(pugi::xml_node& node) override {
     using namespace std::string_view_literals;
@@ -25,12 +28,15 @@ class NameWalker final : public pugi::xml_tree_walker {
       const auto name = svg::file_name_in(ascii_trimmed(node.attribute("href").value()));
       if (name) visit_(*name);
     }
-    return !poll_.cancelled();
+    if (poll_.cancelled()) status_ = context_.cancel_status();
+    return status_.ok();
   }
 
  private:
+  const Context& context_;
   RarePoll<256> poll_;  // a visit may ask the file system
   const std::function<void(const std::string&)>& visit_;
+  Status status_;
 };
 
 Status visit_in_text(Context& context, std::string_view text, const std::string& file,
@@ -41,7 +47,7 @@ Status visit_in_text(Context& context, std::string_view text, const std::string&
   if (!status) return status;
   NameWalker walker(context, visit);
   xml.root().traverse(walker);
-  return context.check();
+  return walker.status() ? context.check() : walker.status();
 }
 
 Status visit_in_bytes(Context& context, std::string_view bytes, const std::string& file,

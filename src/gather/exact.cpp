@@ -1,7 +1,6 @@
 #include "gather/exact.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <vector>
 
 #include "base/charge.hpp"
@@ -67,17 +66,12 @@ class ExactGather {
         hit_(hit) {}
 
   Status run() {
-    Status status = parallel_for(context_, packing_.packet.size(), kPacketsPerTask,
-                                 [&](std::size_t begin, std::size_t end) { task(begin, end); });
-    if (status && stack_failed_.load()) {
-      return make_error(StatusCode::limit,
-                        "memory limit reached: the gather's stack on this mesh needs more");
-    }
-    return status;
+    return try_parallel_for(context_, packing_.packet.size(), kPacketsPerTask,
+                            [&](std::size_t begin, std::size_t end) { return task(begin, end); });
   }
 
  private:
-  void task(std::size_t begin, std::size_t end) {
+  Status task(std::size_t begin, std::size_t end) {
     PacketInput input[kPacketsPerTask];
     PacketResult result[kPacketsPerTask];
     const auto shader_count = static_cast<std::size_t>(scene_.shader_count);
@@ -89,22 +83,24 @@ class ExactGather {
     }
     GrowingStack stack(context_);
     for (std::size_t i = begin; i < end; i += packets_per_poll_) {
-      if (context_.cancelled()) return;
+      if (context_.cancelled()) return context_.cancel_status();
       const std::size_t count = std::min(packets_per_poll_, end - i);
-      if (!walk({input + (i - begin), result + (i - begin), static_cast<int>(count)}, stack))
-        return;
+      Status status =
+          walk({input + (i - begin), result + (i - begin), static_cast<int>(count)}, stack);
+      if (!status) return status;
     }
     for (std::size_t i = begin; i < end; ++i) store(packing_.packet[i], result[i - begin]);
+    return ok_status();
   }
 
-  /// False where the stack has no memory.
-  bool walk(const PacketBatch& batch, GrowingStack& stack) {
+  /// How far the stack gets depends on the threads: the error does not say it.
+  Status walk(const PacketBatch& batch, GrowingStack& stack) {
     while (!kernel_(scene_, batch, stack.view())) {
       if (stack.grow()) continue;
-      stack_failed_.store(true);
-      return false;
+      return make_error(StatusCode::limit,
+                        "memory limit reached: the gather's stack on this mesh needs more");
     }
-    return true;
+    return ok_status();
   }
 
   PacketInput packet_input(const Packet& packet) const {
@@ -173,7 +169,6 @@ class ExactGather {
   std::size_t packets_per_poll_;
   std::span<float> out_;
   std::span<std::uint8_t> hit_;
-  std::atomic<bool> stack_failed_{false};
 };
 
 }  // namespace

@@ -24,20 +24,22 @@ class SceneBuilder {
     const auto half_edge_count = static_cast<std::uint32_t>(mesh_.triangle_vertex.size());
     order_triangles();
     codes_.resize(half_edge_count);
-    for_each_half_edge([&](std::uint32_t h) { codes_[h] = code(h); });
-    if (context_.cancelled()) return context_.cancel_status();
+    Status status = for_each_half_edge([&](std::uint32_t h) { codes_[h] = code(h); });
+    if (status) status = context_.check();
+    if (!status) return status;
     normalize_weights();
     drop_blend_if_plain();
     Result<std::vector<std::uint8_t>> blind = find_blind(context_, mesh_, codes_);
     if (!blind) return blind.status();
     blind_ = std::move(*blind);
     scene_.edge_beyond.reserve(passage_count_);
-    for_each_half_edge([&](std::uint32_t h) {
+    status = for_each_half_edge([&](std::uint32_t h) {
       if (codes_[h] >= 0) scene_.edge_beyond.push_back(beyond(h));
     });
+    if (!status) return status;
     scene_.triangle.reserve(order_.size());
     for (std::uint32_t t : order_) {
-      if (poll_.cancelled()) break;
+      if (poll_.cancelled()) return context_.cancel_status();
       scene_.triangle.push_back(triangle(t));
     }
     return context_.check();
@@ -58,11 +60,12 @@ class SceneBuilder {
 
   /// In the order of the scene's triangles.
   template <class Body>
-  void for_each_half_edge(Body body) {
+  Status for_each_half_edge(Body body) {
     for (std::uint32_t t : order_) {
-      if (poll_.cancelled()) return;
+      if (poll_.cancelled()) return context_.cancel_status();
       for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) body(h);
     }
+    return ok_status();
   }
 
   float x(std::uint32_t vertex) const {

@@ -61,7 +61,7 @@ struct Scene {
   int channel_count() const { return base_channels + shader_count; }
 };
 
-/// Errors: limit.
+/// Errors: limit, cancelled.
 Result<Scene> build_scene(Context& context, const mesh::TriangleMesh& mesh,
                           const curves::SegmentAttributes& attributes);
 

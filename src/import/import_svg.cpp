@@ -53,7 +53,7 @@ class Importer {
   Result<Contours> boundary_of(const Source& source) const;
   Region region_of(const svg::PlainShape& shape, const svg::PlainPaint& paint);
   std::optional<SideShader<float>> gradient_opacity(std::uint32_t shader);
-  void paint_region(const LayerInstance& instance, const Region& region);
+  Status paint_region(const LayerInstance& instance, const Region& region);
   void end_layer();
   Status charge(const Contours& contours);
   void forget_empty_groups();
@@ -127,9 +127,12 @@ void Importer::end_layer() {
 }
 
 /// Into the open layer where that shows it as it is, else into a new one.
-void Importer::paint_region(const LayerInstance& instance, const Region& region) {
+Status Importer::paint_region(const LayerInstance& instance, const Region& region) {
   const bool is_plain = instance.opacity == 1 && instance.blend == BlendMode::normal;
-  if (open_ && is_plain && open_->try_add(context_, region)) return;
+  if (open_ && is_plain) {
+    const Result<bool> is_added = open_->try_add(context_, region);
+    if (!is_added || *is_added) return is_added.status();
+  }
   end_layer();
   LayerInstance placed = instance;
   placed.layer = static_cast<std::uint32_t>(layers_.size());
@@ -142,6 +145,7 @@ void Importer::paint_region(const LayerInstance& instance, const Region& region)
   } else {
     layers_.back().curves = layer.take_curves();
   }
+  return ok_status();
 }
 
 Status Importer::charge(const Contours& contours) {
@@ -160,8 +164,7 @@ Status Importer::paint(const LayerInstance& instance, const Source& source) {
   Region region = region_of(shape, source.is_stroke ? *shape.stroke : *shape.fill);
   if (source.is_stroke && shape.fill && !region.id.empty()) region.id += "-stroke";
   region.boundary = std::move(*boundary);
-  paint_region(instance, region);
-  return ok_status();
+  return paint_region(instance, region);
 }
 
 /// A group whose shapes all turned out to fill nothing.

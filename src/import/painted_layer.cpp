@@ -55,7 +55,7 @@ PaintedLayer::Shape PaintedLayer::shape_of(const Region& region) const {
 }
 
 /// Whether no boundaries meet.
-bool PaintedLayer::keeps_apart(const Context& context, const Shape& a, const Shape& b) {
+Result<bool> PaintedLayer::keeps_apart(const Context& context, const Shape& a, const Shape& b) {
   const double distance = 4 * tolerance_;
   const Box box = a.box.grown_by(distance);
   if (!overlap(box, b.box)) return true;
@@ -63,7 +63,8 @@ bool PaintedLayer::keeps_apart(const Context& context, const Shape& a, const Sha
   for (const Chord& chord : b.chords) {
     if (overlap(box, box_of(chord))) near.push_back(&chord);
   }
-  if (near.size() * a.chords.size() > kPairs || context.cancelled()) return false;
+  if (context.cancelled()) return context.cancel_status();
+  if (near.size() * a.chords.size() > kPairs) return false;
   for (const Chord& chord : a.chords) {
     const Box around = box_of(chord).grown_by(distance);
     for (const Chord* other : near) {
@@ -90,13 +91,14 @@ void PaintedLayer::note_shader(const SideShader<Rgb>& side) {
   if (std::ranges::find(shaders_, side.shader) == shaders_.end()) shaders_.push_back(side.shader);
 }
 
-bool PaintedLayer::try_add(const Context& context, const Region& region) {
+Result<bool> PaintedLayer::try_add(const Context& context, const Region& region) {
   Shape shape = shape_of(region);
   if (shapes_.empty() || shape.chords.empty() || shaders_.size() >= kShaders) return false;
   const Shape* ground = under(shape);
   if (ground && !(ground->is_opaque && region.is_opaque)) return false;
   for (const Shape& other : shapes_) {
-    if (!keeps_apart(context, shape, other)) return false;
+    const Result<bool> apart = keeps_apart(context, shape, other);
+    if (!apart || !*apart) return apart;
   }
   // Every loop lies on the same ground, and no loop of the layer within the shape.
   for (const Chord& chord : shape.chords) {

@@ -9,6 +9,7 @@
 #include "import/chords.hpp"
 #include "sfumato/base/box.hpp"
 #include "sfumato/base/context.hpp"
+#include "sfumato/base/status.hpp"
 #include "sfumato/document/document.hpp"
 
 namespace sfumato::svg_import {
@@ -29,7 +30,8 @@ class PaintedLayer {
 
   /// Paints the region where one layer can show it as it is: it lies wholly on one opaque region of
   /// the layer, in sight, or beside all of them; and covers none. False: nothing is changed.
-  bool try_add(const Context& context, const Region& region);
+  /// Errors: cancelled; nothing is changed then.
+  Result<bool> try_add(const Context& context, const Region& region);
   /// The first one.
   void add(const Region& region);
 
@@ -45,7 +47,7 @@ class PaintedLayer {
   };
 
   Shape shape_of(const Region& region) const;
-  bool keeps_apart(const Context& context, const Shape& a, const Shape& b);
+  Result<bool> keeps_apart(const Context& context, const Shape& a, const Shape& b);
   const Shape* under(const Shape& shape) const;
   void append(const Region& region, Shape shape, const Shape* under);
   bool is_within(const Shape& shape, Vec2 point) const;

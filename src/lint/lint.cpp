@@ -143,9 +143,9 @@ Status Linter::check_layer(std::uint32_t layer) {
   const Result<solve::PreparedLayer> prepared =
       solve::prepare_layer(context_, document_, layer, sight, options, nullptr);
   if (!prepared) return prepared.status();
-  const mesh::TriangleMesh mesh = prepared->mesher.visibility_mesh(context_);
-  if (context_.cancelled()) return context_.cancel_status();
-  LayerUnderTest test{context_, document_, layer, sight, *prepared, mesh, hints_};
+  const Result<mesh::TriangleMesh> mesh = prepared->mesher.visibility_mesh(context_);
+  if (!mesh) return mesh.status();
+  LayerUnderTest test{context_, document_, layer, sight, *prepared, *mesh, hints_};
   lint_detail::check_curves(test);
   lint_detail::check_visibility(test);
   if (Status status = lint_detail::check_meetings(test); !status) return status;

@@ -265,7 +265,7 @@ class MeetingCheck {
     Finds overshoots{HintKind::overshoot, " ends that stick out beyond another curve"};
     std::uint32_t v = 0;
     for (const gather::FreeEnd& end : *ends) {
-      if (poll_.cancelled()) break;
+      if (poll_.cancelled()) return context_.cancel_status();
       if (end.reach * test_.sight.scale >= miss) continue;
       if (!differ(end.positive, end.negative, kLeak)) continue;
       while (!(position(v) == end.position)) ++v;  // ends are in the order of their vertices

@@ -42,8 +42,6 @@ class Arrangement {
   void insert_segment(Vertex from, Vertex to, std::uint32_t segment);
   void insert_frame_side(Vertex from, Vertex to);
 
-  void end_if_cancelled();  ///< asks the Context now
-
   /// limit, cancelled, internal: all later calls do nothing.
   const Status& status() const { return status_; }
   const Context& context() const { return context_; }
@@ -64,6 +62,7 @@ class Arrangement {
     HalfEdge edge;  ///< edge: the edge itself; vertex: ends there; crossing: the crossed edge
   };
 
+  void end_if_cancelled();  ///< asks the Context now
   void insert_constraint(Subsegment part);
   void insert_subsegment(const Subsegment& part);
   Direction find_direction(Vertex a, Vertex b) const;

@@ -62,17 +62,19 @@ void copy_triangle(const Triangle& t, std::int32_t number, const std::int32_t* v
 
 /// Corners and neighbours of all. Pointers, since stores to one vector could move another's data
 /// for all that the compiler knows.
-void copy_triangles(const Context& context, const ExtractSource& from, TriangleMesh& out) {
+Status copy_triangles(const Context& context, const ExtractSource& from, TriangleMesh& out) {
   const std::int32_t* const vertex_number = from.numbering.vertex.data();
   const std::int32_t* const triangle_number = from.numbering.triangle.data();
   std::uint32_t* const corner = out.triangle_vertex.data();
   std::int32_t* const twin = out.half_edge_twin.data();
   RarePoll<65536> poll(context);
-  for (std::size_t slot = 0; slot < from.mesh.triangle.size() && !poll.cancelled(); ++slot) {
+  for (std::size_t slot = 0; slot < from.mesh.triangle.size(); ++slot) {
+    if (poll.cancelled()) return context.cancel_status();
     if (triangle_number[slot] == kNone) continue;
     const Triangle t = from.mesh.triangle[slot];
     copy_triangle(t, triangle_number[slot], vertex_number, triangle_number, corner, twin);
   }
+  return context.check();
 }
 
 /// Whether a chord lies on some edge of the triangle; the hull counts as one.
@@ -87,10 +89,11 @@ bool is_constrained(const Triangle& t, int k) {
 /// Calls visit(e, h) for every constrained edge, once: its half-edge e of the triangulation, which
 /// is h in `out`.
 template <class Visit>
-void for_each_constraint(const Context& context, const ExtractSource& from, const TriangleMesh& out,
-                         Visit visit) {
+Status for_each_constraint(const Context& context, const ExtractSource& from,
+                           const TriangleMesh& out, Visit visit) {
   RarePoll<65536> poll(context);
-  for (std::size_t slot = 0; slot < from.mesh.triangle.size() && !poll.cancelled(); ++slot) {
+  for (std::size_t slot = 0; slot < from.mesh.triangle.size(); ++slot) {
+    if (poll.cancelled()) return context.cancel_status();
     const Triangle& t = from.mesh.triangle[slot];
     if (!has_wall(t) || from.numbering.triangle[slot] == kNone) continue;
     for (int k = 0; k < 3; ++k) {
@@ -101,6 +104,7 @@ void for_each_constraint(const Context& context, const ExtractSource& from, cons
       visit(static_cast<HalfEdge>(4 * slot) + k, h);
     }
   }
+  return ok_status();
 }
 
 void put_constraint(std::int32_t constraint, std::int32_t half_edge, TriangleMesh& out) {
@@ -109,36 +113,52 @@ void put_constraint(std::int32_t constraint, std::int32_t half_edge, TriangleMes
   if (twin != kNone) out.half_edge_constraint[twin] = constraint;
 }
 
-}  // namespace
-
-TriangleMesh extract(const Context& context, const ExtractSource& from) {
-  TriangleMesh out;
-  out.lattice_step = from.lattice.step;
+Status place_vertices(const Context& context, const ExtractSource& from, TriangleMesh& out) {
   out.vertex_position.resize(from.numbering.vertex_count);
   RarePoll<65536> poll(context);
-  for (std::size_t v = 0; v < from.mesh.point.size() && !poll.cancelled(); ++v) {
+  for (std::size_t v = 0; v < from.mesh.point.size(); ++v) {
+    if (poll.cancelled()) return context.cancel_status();
     if (from.numbering.vertex[v] == kNone) continue;
     out.vertex_position[from.numbering.vertex[v]] = from.lattice.position(from.mesh.point[v]);
   }
-  if (context.cancelled()) return {};
+  return context.check();
+}
+
+Status place_triangles(const Context& context, const ExtractSource& from, TriangleMesh& out) {
   const std::size_t half_edges = std::size_t{3} * from.numbering.triangle_count;
-  if (!resize_large(context, out.triangle_vertex, half_edges) ||
-      !resize_large(context, out.half_edge_twin, half_edges) ||
-      !resize_large(context, out.half_edge_constraint, half_edges, std::int32_t{kNone})) {
-    return {};
+  Status status = resize_large(context, out.triangle_vertex, half_edges);
+  if (status) status = resize_large(context, out.half_edge_twin, half_edges);
+  if (status) {
+    status = resize_large(context, out.half_edge_constraint, half_edges, std::int32_t{kNone});
   }
-  copy_triangles(context, from, out);
-  if (context.cancelled()) return {};
+  return status ? copy_triangles(context, from, out) : status;
+}
+
+/// All but them is there.
+Status place_all_constraints(const Context& context, const ExtractSource& from, TriangleMesh& out) {
   std::size_t constraints = 0, pieces = 0;
-  for_each_constraint(context, from, out, [&](HalfEdge e, std::int32_t) {
+  Status status = for_each_constraint(context, from, out, [&](HalfEdge e, std::int32_t) {
     constraints += 1;
     pieces += piece_count(from, e);
   });
+  if (!status) return status;
   out.constraint.reserve(constraints);
   out.piece.reserve(pieces);
-  for_each_constraint(context, from, out, [&](HalfEdge e, std::int32_t h) {
+  return for_each_constraint(context, from, out, [&](HalfEdge e, std::int32_t h) {
     put_constraint(add_constraint(from, e, out), h, out);
   });
+}
+
+}  // namespace
+
+Result<TriangleMesh> extract(const Context& context, const ExtractSource& from) {
+  TriangleMesh out;
+  out.lattice_step = from.lattice.step;
+  Status status = place_vertices(context, from, out);
+  if (status) status = place_triangles(context, from, out);
+  if (status) status = place_all_constraints(context, from, out);
+  if (status) status = context.check();
+  if (!status) return status;
   return out;
 }
 
@@ -174,10 +194,10 @@ class MeshUpdate {
       : context_(context), poll_(context), from_(from), changed_(changed), out_(out) {}
 
   Status run() {
-    free_constraints();
-    Status status = grow_tables();
-    if (status) copy_changed();
-    if (status) place_constraints();
+    Status status = free_constraints();
+    if (status) status = grow_tables();
+    if (status) status = copy_changed();
+    if (status) status = place_constraints();
     return status ? context_.check() : status;
   }
 
@@ -189,10 +209,10 @@ class MeshUpdate {
 
   /// Takes their constraints from the triangles that changed. One is free once both its half-edges
   /// are without it; the neighbour that did not change keeps it.
-  void free_constraints() {
+  Status free_constraints() {
     const auto half_edges = static_cast<std::int32_t>(out_.triangle_vertex.size());
     for (const std::int32_t slot : changed_) {
-      if (poll_.cancelled()) return;
+      if (poll_.cancelled()) return context_.cancel_status();
       const std::int32_t first = first_half_edge(slot);
       if (first >= half_edges) continue;
       for (std::int32_t h = first; h < first + 3; ++h) {
@@ -202,6 +222,7 @@ class MeshUpdate {
         if (twin == kNone || out_.half_edge_constraint[twin] == kNone) freed_.add(out_, constraint);
       }
     }
+    return ok_status();
   }
 
   /// The triangulation has charged for as many vertices and triangles as it has room for.
@@ -218,16 +239,17 @@ class MeshUpdate {
     if (!status) return status;
     // The newest vertices have the highest numbers, in their own order.
     const std::size_t first = mesh.point.size() - (out_.vertex_position.size() - vertices);
-    for (std::size_t v = first; v < mesh.point.size() && !poll_.cancelled(); ++v) {
+    for (std::size_t v = first; v < mesh.point.size(); ++v) {
+      if (poll_.cancelled()) return context_.cancel_status();
       out_.vertex_position[from_.numbering.vertex[v]] = from_.lattice.position(mesh.point[v]);
     }
     return status;
   }
 
-  void copy_changed() {
+  Status copy_changed() {
     std::int32_t* const twin = out_.half_edge_twin.data();
     for (const std::int32_t slot : changed_) {
-      if (poll_.cancelled()) return;
+      if (poll_.cancelled()) return context_.cancel_status();
       copy_triangle(from_.mesh.triangle[slot], from_.numbering.triangle[slot],
                     from_.numbering.vertex.data(), from_.numbering.triangle.data(),
                     out_.triangle_vertex.data(), twin);
@@ -235,11 +257,12 @@ class MeshUpdate {
       for (std::int32_t h = first; h < first + 3; ++h)
         if (twin[h] != kNone) twin[twin[h]] = h;
     }
+    return ok_status();
   }
 
-  void place_constraints() {
+  Status place_constraints() {
     for (const std::int32_t slot : changed_) {
-      if (poll_.cancelled()) return;
+      if (poll_.cancelled()) return context_.cancel_status();
       const Triangle& t = from_.mesh.triangle[slot];
       if (!has_wall(t)) continue;
       for (int k = 0; k < 3; ++k) {
@@ -251,6 +274,7 @@ class MeshUpdate {
         put_constraint(constraint, h, out_);
       }
     }
+    return ok_status();
   }
 
   std::int32_t place_constraint(HalfEdge e) {

@@ -22,8 +22,8 @@ struct ExtractSource {
   const Numbering& numbering;
 };
 
-/// The numbered part of a triangulation as flat arrays. Cost: O(slots + pieces).
-TriangleMesh extract(const Context& context, const ExtractSource& from);
+/// The numbered part of a triangulation as flat arrays. Errors: cancelled. Cost: O(slots + pieces).
+Result<TriangleMesh> extract(const Context& context, const ExtractSource& from);
 
 /// Brings `out`, which `extract` made, up to date in place. Numbers of triangles, vertices and
 /// constraints that are still there stay; beside the numbers of its constraints it is what

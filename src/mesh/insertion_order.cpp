@@ -49,8 +49,9 @@ void sort_by(std::vector<Item>& items, std::vector<Item>& scratch, Digit digit) 
 
 }  // namespace
 
-std::vector<std::uint32_t> insertion_order(const Context& context, std::span<const Point> points,
-                                           std::int32_t extent) {
+Result<std::vector<std::uint32_t>> insertion_order(const Context& context,
+                                                   std::span<const Point> points,
+                                                   std::int32_t extent) {
   const int shift = std::max(
       0, static_cast<int>(std::bit_width(static_cast<std::uint32_t>(extent))) - kHilbertBits);
   const auto count = static_cast<std::uint32_t>(points.size());
@@ -64,16 +65,16 @@ std::vector<std::uint32_t> insertion_order(const Context& context, std::span<con
                 i};
   }
   constexpr std::uint32_t mask = (1u << kRadixBits) - 1;
-  if (context.cancelled()) return {};
+  if (context.cancelled()) return context.cancel_status();
   sort_by(items, scratch, [](const Item& item) { return item.key & mask; });
-  if (context.cancelled()) return {};
+  if (context.cancelled()) return context.cancel_status();
   sort_by(items, scratch, [](const Item& item) { return item.key >> kRadixBits; });
-  if (context.cancelled()) return {};
+  if (context.cancelled()) return context.cancel_status();
   sort_by(items, scratch, [&](const Item& item) {
     const int round_from_last = std::countr_zero(hash(item.index));
     return static_cast<std::uint32_t>(last_round - std::min(round_from_last, last_round));
   });
-  if (context.cancelled()) return {};
+  if (context.cancelled()) return context.cancel_status();
   std::vector<std::uint32_t> order(count);
   for (std::uint32_t i = 0; i < count; ++i) order[i] = items[i].index;
   return order;

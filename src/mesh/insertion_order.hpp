@@ -5,13 +5,16 @@
 #include <vector>
 
 #include "mesh/lattice.hpp"
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/status.hpp"
 
 namespace sfumato::mesh {
 
 /// Indices of `points` in a biased randomised order (Amenta, Choi, Rote 2003): rounds that double
 /// in size, each along a Hilbert curve, so that walks are short and no input order is bad. A
-/// point's round is a hash of its index: deterministic. Cost: O(n). Nothing once it is cancelled.
-std::vector<std::uint32_t> insertion_order(const Context& context, std::span<const Point> points,
-                                           std::int32_t extent);
+/// point's round is a hash of its index: deterministic. Errors: cancelled. Cost: O(n).
+Result<std::vector<std::uint32_t>> insertion_order(const Context& context,
+                                                   std::span<const Point> points,
+                                                   std::int32_t extent);
 
 }  // namespace sfumato::mesh

@@ -45,14 +45,15 @@ Status check_sizes(const Limits& limits, const curves::FlatCurves& flat) {
 }
 
 /// Inserts all curve vertices; per vertex the vertex that it became.
-std::vector<Vertex> insert_points(Arrangement& arrangement, std::span<const Point> points,
-                                  const Lattice& lattice) {
-  std::vector<Vertex> vertex_of(points.size());
+Result<std::vector<Vertex>> insert_points(Arrangement& arrangement, std::span<const Point> points,
+                                          const Lattice& lattice) {
   const std::int32_t extent = std::max(lattice.width, lattice.height);
-  for (const std::uint32_t i : insertion_order(arrangement.context(), points, extent)) {
-    vertex_of[i] = arrangement.insert_point(points[i]);
-  }
-  arrangement.end_if_cancelled();  // the order may then be none
+  const Result<std::vector<std::uint32_t>> order =
+      insertion_order(arrangement.context(), points, extent);
+  if (!order) return order.status();
+  std::vector<Vertex> vertex_of(points.size());
+  for (const std::uint32_t i : *order) vertex_of[i] = arrangement.insert_point(points[i]);
+  if (!arrangement.status()) return arrangement.status();
   return vertex_of;
 }
 
@@ -63,7 +64,9 @@ Status arrange(Arrangement& arrangement, const curves::FlatCurves& flat, const L
       arrangement.insert_point(high), arrangement.insert_point({low.x, high.y})};
   std::vector<Point> points(flat.vertex.size());
   for (std::size_t i = 0; i < points.size(); ++i) points[i] = lattice.nearest(flat.vertex[i]);
-  const std::vector<Vertex> vertex_of = insert_points(arrangement, points, lattice);
+  const Result<std::vector<Vertex>> inserted = insert_points(arrangement, points, lattice);
+  if (!inserted) return inserted.status();
+  const std::vector<Vertex>& vertex_of = *inserted;
   for (int k = 0; k < 4; ++k) arrangement.insert_frame_side(corner[k], corner[(k + 1) % 4]);
   arrangement.set_segments(points);
   for (std::uint32_t s = 0; s < flat.vertex.size(); ++s) {
@@ -196,7 +199,7 @@ Result<Mesher> Mesher::build(Context& context, const curves::FlatCurves& flat,
   return Mesher(std::move(state));
 }
 
-TriangleMesh Mesher::visibility_mesh(const Context& context) const {
+Result<TriangleMesh> Mesher::visibility_mesh(const Context& context) const {
   const State& s = *state_;
   const Numbering numbering = number_everything(s.mesh);
   return extract(context, {s.mesh, s.chords, s.refiner.origins(), s.lattice, numbering});
@@ -219,7 +222,9 @@ Result<TriangleMesh> Mesher::thinned_mesh(Context& context, const TriangleMesh& 
   mesh.start(lattice.width, lattice.height);
   // They cross nowhere and pass no vertex: nothing is left to weld.
   Arrangement arrangement(context, mesh, chords, charge, 0);
-  const std::vector<Vertex> vertex_of = insert_points(arrangement, kept.point, lattice);
+  const Result<std::vector<Vertex>> inserted = insert_points(arrangement, kept.point, lattice);
+  if (!inserted) return inserted.status();
+  const std::vector<Vertex>& vertex_of = *inserted;
   arrangement.set_segments(kept.point);
   for (std::uint32_t i = 0; i < kept.point.size(); i += 2) {
     arrangement.insert_segment(vertex_of[i], vertex_of[i + 1], i);
@@ -229,9 +234,8 @@ Result<TriangleMesh> Mesher::thinned_mesh(Context& context, const TriangleMesh& 
   if (!status) return status;
   const std::vector<VertexOrigin> origins(mesh.point.size());
   const Numbering numbering = number_everything(mesh);
-  TriangleMesh out = extract(context, {mesh, chords, origins, lattice, numbering});
-  if (context.cancelled()) return context.cancel_status();
-  restore_pieces(visibility, kept.constraint, out);
+  Result<TriangleMesh> out = extract(context, {mesh, chords, origins, lattice, numbering});
+  if (out) restore_pieces(visibility, kept.constraint, *out);
   return out;
 }
 
@@ -251,14 +255,15 @@ Status Mesher::refine_triangles(Context& context, std::span<const std::uint32_t>
   return s.refiner.refine_targets(context, targets, smallest_edge / s.lattice.step);
 }
 
-TriangleMesh Mesher::patch_mesh(const Context& context) {
+Result<TriangleMesh> Mesher::patch_mesh(const Context& context) {
   State& s = *state_;
   s.mesh.take_changed([](std::int32_t) {});
-  if (!number_inside(context, s.mesh, s.numbering)) return {};
-  if (!resize_large(context, s.patched, s.numbering.triangle_count)) return {};
+  Status status = number_inside(context, s.mesh, s.numbering);
+  if (status) status = resize_large(context, s.patched, s.numbering.triangle_count);
+  if (!status) return status;
   RarePoll<65536> poll(context);
   for (std::size_t slot = 0; slot < s.mesh.triangle.size(); ++slot) {
-    if (poll.cancelled()) return {};
+    if (poll.cancelled()) return context.cancel_status();
     const std::int32_t t = s.numbering.triangle[slot];
     if (t != kNone) s.patched[t] = {static_cast<std::int32_t>(slot), s.mesh.triangle[slot].stamp};
   }
@@ -277,19 +282,21 @@ Status Mesher::update_patch_mesh(Context& context, TriangleMesh& mesh,
   if (!status) return status;
   RarePoll<65536> poll(context);
   s.mesh.take_changed([&](std::int32_t slot) {
-    if (poll.cancelled()) return;
+    if (status && poll.cancelled()) status = context.cancel_status();
+    if (!status) return;
     const std::int32_t t = s.numbering.triangle[slot];
     s.patched[t] = {slot, s.mesh.triangle[slot].stamp};
     changed.push_back(static_cast<std::uint32_t>(t));
   });
-  status = sort_large(context, changed, std::less<>());
+  if (status) status = sort_large(context, changed, std::less<>());
   std::vector<std::int32_t> slots;
   if (status) status = resize_large(context, slots, changed.size());
-  for (std::size_t i = 0; i < slots.size() && !poll.cancelled(); ++i) {
+  if (!status) return status;
+  for (std::size_t i = 0; i < slots.size(); ++i) {
+    if (poll.cancelled()) return context.cancel_status();
     slots[i] = s.patched[changed[i]].triangle;
   }
-  if (status) status = context.check();
-  return status ? update_extract(context, s.source(), slots, mesh) : status;
+  return update_extract(context, s.source(), slots, mesh);
 }
 
 }  // namespace sfumato::mesh

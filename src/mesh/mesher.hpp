@@ -43,8 +43,8 @@ class Mesher {
   Mesher& operator=(Mesher&&) noexcept;
   ~Mesher();
 
-  /// All triangles, also those outside the frame. Call before `refine`.
-  TriangleMesh visibility_mesh(const Context& context) const;
+  /// All triangles, also those outside the frame. Call before `refine`. Errors: cancelled.
+  Result<TriangleMesh> visibility_mesh(const Context& context) const;
 
   /// The constrained Delaunay triangulation of those constraints c of `visibility`, which is
   /// visibility_mesh(), that have keep[c]; their pieces stay what they are. What the rays of an
@@ -64,8 +64,8 @@ class Mesher {
                           double smallest_edge);
 
   /// The triangles inside the frame. Triangles and vertices keep their indices from one call to the
-  /// next, and to update_patch_mesh.
-  TriangleMesh patch_mesh(const Context& context);
+  /// next, and to update_patch_mesh. Errors: cancelled.
+  Result<TriangleMesh> patch_mesh(const Context& context);
 
   /// Brings `mesh`, which is the last patch_mesh, up to date in place; beside the order of its
   /// constraints it is what patch_mesh would give now.

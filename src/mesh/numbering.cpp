@@ -10,7 +10,7 @@ namespace {
 
 /// Numbers the triangles inside and their vertices from neighbour to neighbour: refinement left
 /// them in an order that jumps about, and what follows reads them again and again.
-void number_depth_first(const Context& context, const Triangulation& mesh, Numbering& numbering) {
+Status number_depth_first(const Context& context, const Triangulation& mesh, Numbering& numbering) {
   const auto wanted = [&](std::int32_t t) {
     return mesh.triangle[t].inside && numbering.triangle[t] == kNone;
   };
@@ -19,7 +19,7 @@ void number_depth_first(const Context& context, const Triangulation& mesh, Numbe
   for (std::size_t seed = 0; seed < mesh.triangle.size(); ++seed) {
     stack.assign(1, static_cast<std::int32_t>(seed));
     while (!stack.empty()) {
-      if (poll.cancelled()) return;
+      if (poll.cancelled()) return context.cancel_status();
       const std::int32_t t = stack.back();
       stack.pop_back();
       if (!wanted(t)) continue;
@@ -32,6 +32,7 @@ void number_depth_first(const Context& context, const Triangulation& mesh, Numbe
       }
     }
   }
+  return context.check();
 }
 
 }  // namespace
@@ -56,13 +57,11 @@ Status number_inside(const Context& context, const Triangulation& mesh, Numberin
                         std::int32_t{kNone});
   }
   if (!status) return status;
-  RarePoll<65536> poll(context);
-  if (known == 0) {
-    number_depth_first(context, mesh, numbering);
-    return context.check();
-  }
+  if (known == 0) return number_depth_first(context, mesh, numbering);
   // All later triangles and vertices come from refinement, which works inside and on the frame.
-  for (std::size_t t = known; t < mesh.triangle.size() && !poll.cancelled(); ++t) {
+  RarePoll<65536> poll(context);
+  for (std::size_t t = known; t < mesh.triangle.size(); ++t) {
+    if (poll.cancelled()) return context.cancel_status();
     if (mesh.triangle[t].inside) {
       numbering.triangle[t] = static_cast<std::int32_t>(numbering.triangle_count++);
     }

@@ -429,11 +429,11 @@ Status Refiner::refine_targets(Context& context, std::span<const Target> targets
   mesh_.tracking = true;
   RarePoll<kStepsPerCancelCheck> poll(context);
   for (const Target& target : targets) {
-    if (poll.cancelled()) break;
+    if (poll.cancelled()) return context.cancel_status();
     shrink(target, smallest_edge * smallest_edge);
     if (!status_.ok()) return status_;
   }
-  if (context.cancelled()) return context.cancel_status();
+  if (Status status = context.check(); !status) return status;
   return run(context);
 }
 

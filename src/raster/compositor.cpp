@@ -60,15 +60,15 @@ Status Compositor::paint_shaded(const PaintItem& item, const TriangleList& trian
   return ok_status();
 }
 
-void Compositor::paint_stroke(const StrokePainter& stroke) {
+Status Compositor::paint_stroke(const StrokePainter& stroke) {
   const PixelRect whole = levels_.back().tile.rect();
   const PixelRect rect = pixels_in(stroke.bounds_px(), whole);
-  if (rect.empty()) return;
+  if (rect.empty()) return ok_status();
   const Tile tile = target(rect);
   // Painting over what is opaque leaves the ones of this plane as they are.
   if (!tile.alpha) opaque_.resize(kTileFloats, 1);
-  stroke.paint(tile.x0, tile.y0, tile.width, tile.height, tile.color[0], tile.color[1],
-               tile.color[2], tile.alpha ? tile.alpha : opaque_.data(), kTileStride);
+  return stroke.paint(tile.x0, tile.y0, tile.width, tile.height, tile.color[0], tile.color[1],
+                      tile.color[2], tile.alpha ? tile.alpha : opaque_.data(), kTileStride);
 }
 
 void Compositor::close_group(const PaintItem& item) {
@@ -86,8 +86,7 @@ Status Compositor::paint_item(const PaintItem& item, std::size_t tile_index) {
     case PaintItem::Kind::shaded:
       return paint_shaded(item, list_.triangles(item, tile_index, &listed_));
     case PaintItem::Kind::stroke:
-      paint_stroke(*item.stroke);
-      break;
+      return paint_stroke(*item.stroke);
     case PaintItem::Kind::group_begin:
       levels_.push_back({groups_[levels_.size() - 1].tile(levels_.front().tile.rect()), {}});
       break;

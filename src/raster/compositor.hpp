@@ -35,7 +35,7 @@ class Compositor {
   Status paint_item(const PaintItem& item, std::size_t tile_index);
   void paint_straight(const PaintItem& item, const TriangleList& triangles);
   Status paint_shaded(const PaintItem& item, const TriangleList& triangles);
-  void paint_stroke(const StrokePainter& stroke);
+  Status paint_stroke(const StrokePainter& stroke);
   void close_group(const PaintItem& item);
   /// The pixels of the uppermost level to paint on, transparent where nothing was painted.
   Tile target(const PixelRect& rect);

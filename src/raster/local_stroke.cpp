@@ -100,34 +100,38 @@ Result<StrokePainter> StrokePainter::create(Context& context, const LocalStroke&
 }
 
 /// The sums of a block, finished; false where nothing reaches it.
-bool StrokePainter::add_block(int block_x, int block_y, StrokeSums& sums) const {
+Result<bool> StrokePainter::add_block(int block_x, int block_y, StrokeSums& sums) const {
   const Box block{{static_cast<double>(block_x), static_cast<double>(block_y)},
                   {static_cast<double>(block_x + kStrokeBlockWidth),
                    static_cast<double>(block_y + kStrokeBlockHeight)}};
   const Vec2 center = frame_from_image_(block.center());
   bool touched = false;
   RarePoll<64> poll(*context_);
-  bool is_cancelled = context_->cancelled();
+  Status status = context_->check();
+  if (!status) return status;
   tree_.find(block, [&](std::span<const std::uint32_t> indices) {
-    is_cancelled = is_cancelled || poll.cancelled();
-    if (is_cancelled) return;
+    if (status && poll.cancelled()) status = context_->cancel_status();
+    if (!status) return;
     if (!touched) sums = {};
     touched = true;
     kernels_->add_segments(frame_, segments_.segment.data(), indices, center, sums);
   });
+  if (!status) return status;
   if (touched) kernels_->finish(frame_, sums);
   return touched;
 }
 
-void StrokePainter::paint(int x0, int y0, int width, int height, float* r, float* g, float* b,
-                          float* alpha, std::size_t stride) const {
+Status StrokePainter::paint(int x0, int y0, int width, int height, float* r, float* g, float* b,
+                            float* alpha, std::size_t stride) const {
   const Box rectangle{{static_cast<double>(x0), static_cast<double>(y0)},
                       {static_cast<double>(x0) + width, static_cast<double>(y0) + height}};
-  if (bounds_.empty() || !overlap(bounds_, rectangle)) return;
+  if (bounds_.empty() || !overlap(bounds_, rectangle)) return ok_status();
   StrokeSums sums;
   for (int by = round_down(y0, kStrokeBlockHeight); by < y0 + height; by += kStrokeBlockHeight) {
     for (int bx = round_down(x0, kStrokeBlockWidth); bx < x0 + width; bx += kStrokeBlockWidth) {
-      if (!add_block(bx, by, sums)) continue;
+      const Result<bool> is_touched = add_block(bx, by, sums);
+      if (!is_touched) return is_touched.status();
+      if (!*is_touched) continue;
       const int left = std::max(x0, bx), right = std::min(x0 + width, bx + kStrokeBlockWidth);
       const int bottom = std::min(y0 + height, by + kStrokeBlockHeight);
       for (int y = std::max(y0, by); y < bottom; ++y) {
@@ -147,6 +151,7 @@ void StrokePainter::paint(int x0, int y0, int width, int height, float* r, float
       }
     }
   }
+  return ok_status();
 }
 
 }  // namespace sfumato::raster

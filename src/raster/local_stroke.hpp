@@ -43,16 +43,16 @@ class StrokePainter {
 
   /// Composites the stroke onto the pixels [x0, x0 + width) × [y0, y0 + height), source over.
   /// r, g, b, alpha  premultiplied sRGB code values; pixel (x0 + i, y0 + j) at i + j * stride.
-  /// Incomplete where the context is cancelled. Thread-safe; a pixel's value does not depend on the
-  /// rectangle it is painted in. Cost: O(pixels touched · nodes in reach of each) + O(log segments)
-  /// per 128 pixels.
-  void paint(int x0, int y0, int width, int height, float* r, float* g, float* b, float* alpha,
-             std::size_t stride) const;
+  /// Errors: cancelled; some of it is painted then. Thread-safe; a pixel's value does not depend on
+  /// the rectangle it is painted in. Cost: O(pixels touched · nodes in reach of each) + O(log
+  /// segments) per 128 pixels.
+  Status paint(int x0, int y0, int width, int height, float* r, float* g, float* b, float* alpha,
+               std::size_t stride) const;
 
  private:
   StrokePainter() = default;
 
-  bool add_block(int block_x, int block_y, StrokeSums& sums) const;
+  Result<bool> add_block(int block_x, int block_y, StrokeSums& sums) const;
 
   curves::StrokeSegments segments_;
   StrokeTree tree_;

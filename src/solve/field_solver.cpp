@@ -66,8 +66,9 @@ Status FieldSolver::charge_seams(Context& context, const mesh::TriangleMesh& mes
 
 Status FieldSolver::start(Context& context, const mesh::TriangleMesh& mesh) {
   if (Status status = charge_seams(context, mesh); !status) return status;
-  seams_.emplace(context, mesh, field_.attributes);
-  return context.check();
+  Result<Seams> seams = Seams::create(context, mesh, field_.attributes);
+  if (seams) seams_.emplace(std::move(*seams));
+  return seams.status();
 }
 
 Status FieldSolver::lay_out(Context& context, const mesh::TriangleMesh& mesh) {
@@ -76,21 +77,23 @@ Status FieldSolver::lay_out(Context& context, const mesh::TriangleMesh& mesh) {
       charge.add(context, kFixedBytesPerSeam * mesh.constraint.size(), "patches along curves");
   if (status) status = charge_layout(context, mesh.triangle_count());
   if (!status) return status;
-  layout_ = lay_out_nodes(context, mesh, field_.attributes, *seams_);
-  if (context.cancelled()) return context.cancel_status();
-  to_gather_ = free_nodes(context);
+  Result<NodeLayout> layout = lay_out_nodes(context, mesh, field_.attributes, *seams_);
+  if (!layout) return layout.status();
+  layout_ = std::move(*layout);
+  Result<std::vector<std::uint32_t>> nodes = free_nodes(context);
+  if (!nodes) return nodes.status();
+  to_gather_ = std::move(*nodes);
   return resize_large(context, node_hit_, layout_.node_count(), std::uint8_t{1});
 }
 
 Status FieldSolver::follow(Context& context, const mesh::TriangleMesh& mesh,
                            std::span<const std::uint32_t> changed) {
   if (Status status = charge_seams(context, mesh); !status) return status;
-  seams_->update(context, field_.attributes, changed);
-  if (context.cancelled()) return context.cancel_status();
-  if (layout_.triangle_node.empty()) return ok_status();
+  Status status = seams_->update(context, field_.attributes, changed);
+  if (!status || layout_.triangle_node.empty()) return status;
   ScopedCharge charge;
   const std::size_t seams = std::min(mesh.constraint.size(), 6 * changed.size());
-  Status status = charge.add(context, kFixedBytesPerSeam * seams, "patches along curves");
+  status = charge.add(context, kFixedBytesPerSeam * seams, "patches along curves");
   // Nodes that go are used again only in the next update.
   if (status) status = charge_layout(context, mesh.triangle_count() + changed.size());
   if (status) {
@@ -114,15 +117,15 @@ Status FieldSolver::put_in_order(Context& context, const mesh::TriangleMesh& mes
   if (!status) return status;
   const Result<std::vector<std::uint32_t>> order = solve::put_in_order(context, mesh, layout_);
   if (!order) return order.status();
-  node_hit_ = reordered(context, *order, node_hit_);
-  return context.check();
+  return reorder(context, *order, node_hit_);
 }
 
-std::vector<std::uint32_t> FieldSolver::free_nodes(const Context& context) const {
+Result<std::vector<std::uint32_t>> FieldSolver::free_nodes(const Context& context) const {
   std::vector<std::uint32_t> nodes;
   nodes.reserve(layout_.node_count());
   RarePoll<65536> poll(context);
-  for (std::uint32_t node = 0; node < layout_.node_count() && !poll.cancelled(); ++node) {
+  for (std::uint32_t node = 0; node < layout_.node_count(); ++node) {
+    if (poll.cancelled()) return context.cancel_status();
     if (!layout_.is_fixed[node]) nodes.push_back(node);
   }
   return nodes;
@@ -135,8 +138,10 @@ std::size_t FieldSolver::point_bytes(std::size_t count) const {
 
 Result<std::size_t> FieldSolver::gather(Context& context, const gather::GatherOptions& options,
                                         bool all) {
-  const std::vector<std::uint32_t> nodes = all ? free_nodes(context) : std::move(to_gather_);
-  to_gather_.clear();
+  Result<std::vector<std::uint32_t>> asked = std::exchange(to_gather_, {});
+  if (all) asked = free_nodes(context);
+  if (!asked) return asked.status();
+  const std::vector<std::uint32_t>& nodes = *asked;
   const std::size_t count = nodes.size();
   const auto channels = static_cast<std::size_t>(layout_.channel_count);
   ScopedCharge charge;
@@ -174,12 +179,14 @@ Status FieldSolver::find_misses(Context& context, const mesh::TriangleMesh& mesh
       charge.add(context, mesh.triangle_count() + sizeof(std::uint32_t) * triangles.size(),
                  "probes of patches");
   if (!status) return status;
-  const std::vector<std::uint32_t> asked =
+  const Result<std::vector<std::uint32_t>> asked =
       find_doubtful(context, triangles, max_error, order, color_weight);
-  status = charge.add(context, point_bytes(kMostProbes * asked.size()), "probes of patches");
+  if (!asked) return asked.status();
+  status = charge.add(context, point_bytes(kMostProbes * asked->size()), "probes of patches");
   if (!status) return status;
-  const ProbeSet probes = place_probes(context, mesh, layout_, asked);
-  if (context.cancelled()) return context.cancel_status();
+  const Result<ProbeSet> placed = place_probes(context, mesh, layout_, *asked);
+  if (!placed) return placed.status();
+  const ProbeSet& probes = *placed;
   std::vector<float> exact;
   status = resize_large(context, exact, probes.position.size() * channels);
   if (status) status = field_.gatherer.gather(context, probes.position, {}, exact);
@@ -202,20 +209,20 @@ Status FieldSolver::find_misses(Context& context, const mesh::TriangleMesh& mesh
   return ok_status();
 }
 
-std::vector<std::uint32_t> FieldSolver::find_doubtful(
+Result<std::vector<std::uint32_t>> FieldSolver::find_doubtful(
     const Context& context, std::span<const std::uint32_t> triangles, float max_error,
     PatchOrder order, FunctionRef<float(std::uint32_t)> color_weight) const {
   // In other spaces differences are no code values; and between nodes that all see a curve there
   // may be a place that sees none.
   const bool foretells =
       order == PatchOrder::cubic && has_code_values() && sees_curves_everywhere();
-  if (!foretells) return {triangles.begin(), triangles.end()};
+  if (!foretells) return std::vector<std::uint32_t>(triangles.begin(), triangles.end());
   std::vector<std::uint32_t> doubtful;
   doubtful.reserve(triangles.size());
   std::vector<float> miss(static_cast<std::size_t>(layout_.channel_count));
   RarePoll<4096> poll(context);
   for (const std::uint32_t t : triangles) {
-    if (poll.cancelled()) break;
+    if (poll.cancelled()) return context.cancel_status();
     foretell_miss(layout_, t, miss.data());
     if (is_more(miss, max_error, t, color_weight)) doubtful.push_back(t);
   }

@@ -103,11 +103,11 @@ class FieldSolver {
   PatchField take(std::span<const std::uint8_t> keep);
 
  private:
-  /// Of some triangles those whose patches are to be held against the exact gather.
-  std::vector<std::uint32_t> find_doubtful(const Context& context,
-                                           std::span<const std::uint32_t> triangles,
-                                           float max_error, PatchOrder order,
-                                           FunctionRef<float(std::uint32_t)> color_weight) const;
+  /// Of some triangles those whose patches are to be held against the exact gather. Errors:
+  /// cancelled.
+  Result<std::vector<std::uint32_t>> find_doubtful(
+      const Context& context, std::span<const std::uint32_t> triangles, float max_error,
+      PatchOrder order, FunctionRef<float(std::uint32_t)> color_weight) const;
   /// Whether one of a value's misses, one a channel, is more than max_error where those of colours
   /// count color_weight, which is asked only if it matters.
   bool is_more(std::span<const float> miss, float max_error, std::uint32_t triangle,
@@ -118,7 +118,7 @@ class FieldSolver {
   Status make_room_for_means(Context& context);
   Status charge_layout(Context& context, std::size_t triangles);
   Status charge_seams(Context& context, const mesh::TriangleMesh& mesh);
-  std::vector<std::uint32_t> free_nodes(const Context& context) const;
+  Result<std::vector<std::uint32_t>> free_nodes(const Context& context) const;
   /// The memory of `count` points and their values.
   std::size_t point_bytes(std::size_t count) const;
   bool has_code_values() const;

@@ -112,9 +112,10 @@ Result<PatchLayer> LayerSolver::solve() {
 /// Takes the mesher's first mesh.
 Status LayerSolver::take_mesh() {
   const Stopwatch watch;
-  mesh_ = mesher_.patch_mesh(context_);
-  Status status = context_.check();
-  if (status) status = check_limits(context_.limits, mesh_);
+  Result<mesh::TriangleMesh> mesh = mesher_.patch_mesh(context_);
+  if (!mesh) return mesh.status();
+  mesh_ = std::move(*mesh);
+  Status status = check_limits(context_.limits, mesh_);
   if (status)
     status = for_each_field([&](FieldSolver& field) { return field.start(context_, mesh_); });
   if (stats_) stats_->triangulation_seconds += watch.seconds();

@@ -17,9 +17,9 @@ class NodeNumbering {
     if (status) status = resize_large(context_, vertex_, mesh_.vertex_position.size(), kPlain);
     if (!status) return status;
     order_.reserve(layout_.node_count());
-    find_seams();
-    number_triangles();
-    if (context_.cancelled()) return context_.cancel_status();
+    status = find_seams();
+    if (status) status = number_triangles();
+    if (!status) return status;
     return std::move(order_);
   }
 
@@ -27,22 +27,26 @@ class NodeNumbering {
   /// Only at the ends of seams do the triangles of a fan have more than one node.
   enum Vertex : std::uint8_t { kPlain, kOnSeam, kDone };
 
-  void find_seams() {
+  Status find_seams() {
     RarePoll<65536> poll(context_);
-    for (std::uint32_t h = 0; h < layout_.edge_is_curve.size() && !poll.cancelled(); ++h) {
+    for (std::uint32_t h = 0; h < layout_.edge_is_curve.size(); ++h) {
+      if (poll.cancelled()) return context_.cancel_status();
       if (layout_.edge_is_curve[h]) vertex_[mesh_.origin(h)] = vertex_[mesh_.target(h)] = kOnSeam;
     }
+    return ok_status();
   }
 
   /// A triangle is not looked at again once its nodes are numbered: fans begin at their first.
-  void number_triangles() {
+  Status number_triangles() {
     RarePoll<4096> poll(context_);
-    for (std::uint32_t t = 0; t < mesh_.triangle_count() && !poll.cancelled(); ++t) {
+    for (std::uint32_t t = 0; t < mesh_.triangle_count(); ++t) {
+      if (poll.cancelled()) return context_.cancel_status();
       std::uint32_t* const node = layout_.triangle_node.data() + node_slot(t, 0);
       for (std::uint32_t k = 0; k < 3; ++k) number_corner(3 * t + k, node[k]);
       for (std::uint32_t i = 3; i < kNodesPerTriangle; ++i) give_number(node[i]);
       for (std::uint32_t i = 0; i < kNodesPerTriangle; ++i) node[i] = number_[node[i]];
     }
+    return context_.check();
   }
 
   void number_corner(std::uint32_t h, std::uint32_t node) {
@@ -77,11 +81,11 @@ Result<std::vector<std::uint32_t>> put_in_order(const Context& context,
                                                 NodeLayout& layout) {
   Result<std::vector<std::uint32_t>> order = NodeNumbering(context, mesh, layout).run();
   if (!order) return order.status();
-  layout.position = reordered(context, *order, layout.position);
-  layout.is_fixed = reordered(context, *order, layout.is_fixed);
-  layout.value =
-      reordered(context, *order, layout.value, static_cast<std::size_t>(layout.channel_count));
-  if (context.cancelled()) return context.cancel_status();
+  const auto channels = static_cast<std::size_t>(layout.channel_count);
+  Status status = reorder(context, *order, layout.position);
+  if (status) status = reorder(context, *order, layout.is_fixed);
+  if (status) status = reorder(context, *order, layout.value, channels);
+  if (!status) return status;
   return order;
 }
 

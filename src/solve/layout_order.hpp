@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "base/large_vector.hpp"
@@ -12,22 +13,22 @@ namespace sfumato::solve {
 
 /// Numbers the nodes of an updated layout as lay_out_nodes would, and drops those that no triangle
 /// has. Returns per node of now the number that it had. What else is kept for each node is to be
-/// `reordered` too.
+/// put in the same order (`reorder`).
 /// Errors  cancelled; the layout is good for nothing then
 /// Cost    O(triangles)
 Result<std::vector<std::uint32_t>> put_in_order(const Context& context,
                                                 const mesh::TriangleMesh& mesh, NodeLayout& layout);
 
-/// values[i] for each i of `order`; a value is `width` items. Incomplete where the context is
-/// cancelled.
+/// Makes values[order[i]] the i-th; a value is `width` items. Errors: cancelled; `values` is as it
+/// was then.
 template <class Item>
-std::vector<Item> reordered(const Context& context, const std::vector<std::uint32_t>& order,
-                            const std::vector<Item>& values, std::size_t width = 1) {
+Status reorder(const Context& context, const std::vector<std::uint32_t>& order,
+               std::vector<Item>& values, std::size_t width = 1) {
   std::vector<Item> moved;
-  if (!resize_large(context, moved, width * order.size())) return moved;
+  if (Status status = resize_large(context, moved, width * order.size()); !status) return status;
   constexpr std::size_t kValuesPerLook = 65536;
   for (std::size_t begin = 0; begin < order.size(); begin += kValuesPerLook) {
-    if (context.cancelled()) break;
+    if (context.cancelled()) return context.cancel_status();
     const std::size_t end = std::min(order.size(), begin + kValuesPerLook);
     if (width == 1) {
       for (std::size_t i = begin; i < end; ++i) moved[i] = values[order[i]];
@@ -36,7 +37,8 @@ std::vector<Item> reordered(const Context& context, const std::vector<std::uint3
         for (std::size_t k = 0; k < width; ++k) moved[width * i + k] = values[width * order[i] + k];
     }
   }
-  return moved;
+  values = std::move(moved);
+  return ok_status();
 }
 
 }  // namespace sfumato::solve

@@ -66,13 +66,14 @@ class KeptNodes {
   void meet(std::uint32_t node) { history_.node_seen[node] = history_.updates; }
 
   /// Nodes that were left, and that nobody has met since, nobody has.
-  void free_unmet(RarePoll<4096>& poll) {
+  Status free_unmet(const Context& context, RarePoll<4096>& poll) {
     for (const std::uint32_t node : left_) {
-      if (poll.cancelled()) return;
+      if (poll.cancelled()) return context.cancel_status();
       if (is_met(node)) continue;
       meet(node);
       history_.unused.push_back(node);
     }
+    return ok_status();
   }
 
   Status make_room(const Context& context, std::size_t changed_triangles) {
@@ -150,15 +151,15 @@ class LayoutUpdate {
     const std::size_t old_triangles = layout_.triangle_node.size() / kNodesPerTriangle;
     Status status = begin();
     if (!status) return status;
-    leave_changed(old_triangles);
-    find_vertices();
-    status = sort_large(context_, first_spokes_, std::less<>());
+    status = leave_changed(old_triangles);
+    if (status) status = find_vertices();
+    if (status) status = sort_large(context_, first_spokes_, std::less<>());
+    if (status) status = place_changed();
+    if (status) status = set_fixed_values();
     if (!status) return status;
-    place_changed();
-    set_fixed_values();
     for (const std::uint32_t t : changed_) history_.is_changed[t] = 0;
-    table_.free_unmet(poll_);
-    return context_.check();
+    status = table_.free_unmet(context_, poll_);
+    return status ? context_.check() : status;
   }
 
  private:
@@ -176,21 +177,22 @@ class LayoutUpdate {
     return status ? table_.make_room(context_, changed_.size()) : status;
   }
 
-  void leave_changed(std::size_t old_triangles) {
+  Status leave_changed(std::size_t old_triangles) {
     for (const std::uint32_t t : changed_) {
-      if (poll_.cancelled()) return;
+      if (poll_.cancelled()) return context_.cancel_status();
       history_.is_changed[t] = 1;
       for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h)
         layout_.edge_is_curve[h] = seams_.is_seam(h);
       if (t < old_triangles) table_.leave(t);
     }
+    return ok_status();
   }
 
   /// Lists the corners of triangles that changed, each once.
-  void find_vertices() {
+  Status find_vertices() {
     first_spokes_.reserve(2 * changed_.size());
     for (const std::uint32_t t : changed_) {
-      if (poll_.cancelled()) return;
+      if (poll_.cancelled()) return context_.cancel_status();
       for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
         std::uint32_t& seen = history_.vertex_seen[mesh_.origin(h)];
         if (seen == history_.updates) continue;
@@ -198,13 +200,14 @@ class LayoutUpdate {
         first_spokes_.push_back(lowest_spoke(mesh_, h));
       }
     }
+    return ok_status();
   }
 
   /// In the order of lay_out_nodes, which comes to a vertex with its first triangle.
-  void place_changed() {
+  Status place_changed() {
     auto vertex = first_spokes_.begin();
     for (const std::uint32_t t : changed_) {
-      if (poll_.cancelled()) return;
+      if (poll_.cancelled()) return context_.cancel_status();
       for (; vertex != first_spokes_.end() && *vertex / 3 <= t; ++vertex)
         placer_.place_around_vertex(*vertex);
       for (std::uint32_t k = 0; k < 3; ++k) {
@@ -217,6 +220,7 @@ class LayoutUpdate {
       }
       placer_.place_at_barycentre(t);
     }
+    return ok_status();
   }
 
   /// Whether the nodes of an edge are those of a neighbour that did not change.
@@ -226,17 +230,18 @@ class LayoutUpdate {
            !table_.is_changed(static_cast<std::uint32_t>(twin) / 3);
   }
 
-  void set_fixed_values() {
+  Status set_fixed_values() {
     const auto channels = static_cast<std::size_t>(layout_.channel_count);
     for (const FixedShare& fixed : placer_.fixed()) {
-      if (poll_.cancelled()) return;
+      if (poll_.cancelled()) return context_.cancel_status();
       layout_.is_fixed[fixed.node] = 1;
       std::fill_n(layout_.value.data() + channels * fixed.node, channels, 0.0f);
     }
     for (const FixedShare& fixed : placer_.fixed()) {
-      if (poll_.cancelled()) return;
+      if (poll_.cancelled()) return context_.cancel_status();
       add_share(fixed, base_channels_, layout_);
     }
+    return ok_status();
   }
 
   Context& context_;

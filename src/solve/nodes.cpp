@@ -47,15 +47,15 @@ Status place_all(const Context& context, const mesh::TriangleMesh& mesh, const S
 
 }  // namespace
 
-NodeLayout lay_out_nodes(const Context& context, const mesh::TriangleMesh& mesh,
-                         const curves::SegmentAttributes& attributes, const Seams& seams) {
+Result<NodeLayout> lay_out_nodes(const Context& context, const mesh::TriangleMesh& mesh,
+                                 const curves::SegmentAttributes& attributes, const Seams& seams) {
   NodeLayout layout;
   layout.channel_count = attributes.channel_count();
   const std::size_t triangles = mesh.triangle_count();
   Status status =
       resize_large(context, layout.triangle_node, kNodesPerTriangle * triangles, kNoNode);
   if (status) status = resize_large(context, layout.edge_is_curve, 3 * triangles);
-  if (!status) return {};
+  if (!status) return status;
   layout.position.reserve(5 * triangles);
   NewNodes table(layout);
   NodePlacer placer(mesh, seams, table);
@@ -63,12 +63,14 @@ NodeLayout lay_out_nodes(const Context& context, const mesh::TriangleMesh& mesh,
   if (status) status = resize_large(context, layout.is_fixed, layout.node_count());
   const auto channels = static_cast<std::size_t>(layout.channel_count);
   if (status) status = resize_large(context, layout.value, channels * layout.node_count());
+  if (!status) return status;
   RarePoll<4096> poll(context);
   for (const FixedShare& fixed : placer.fixed()) {
-    if (!status || poll.cancelled()) return {};
+    if (poll.cancelled()) return context.cancel_status();
     layout.is_fixed[fixed.node] = 1;
     add_share(fixed, attributes.base_channels, layout);
   }
+  if (status = context.check(); !status) return status;
   return layout;
 }
 

@@ -32,9 +32,9 @@ struct NodeLayout {
 };
 
 /// Lays out the nodes in the order of the triangles, so that neighbours in the list are neighbours
-/// in the plane. `seams` is made of the same mesh and attributes. Incomplete where the context is
-/// cancelled. Cost O(triangles). What follows a mesh that changes: solve/layout_update.hpp.
-NodeLayout lay_out_nodes(const Context& context, const mesh::TriangleMesh& mesh,
-                         const curves::SegmentAttributes& attributes, const Seams& seams);
+/// in the plane. `seams` is made of the same mesh and attributes. Errors: cancelled. Cost
+/// O(triangles). What follows a mesh that changes: solve/layout_update.hpp.
+Result<NodeLayout> lay_out_nodes(const Context& context, const mesh::TriangleMesh& mesh,
+                                 const curves::SegmentAttributes& attributes, const Seams& seams);
 
 }  // namespace sfumato::solve

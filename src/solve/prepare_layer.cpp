@@ -271,8 +271,9 @@ Result<PreparedLayer> prepare_layer(Context& context, const Document& document, 
   const Stopwatch mesh_watch;
   Result<mesh::Mesher> mesher = mesh::Mesher::build(context, *flat, meshing);
   if (!mesher) return mesher.status();
-  const mesh::TriangleMesh visibility = mesher->visibility_mesh(context);
-  if (context.cancelled()) return context.cancel_status();
+  const Result<mesh::TriangleMesh> visible = mesher->visibility_mesh(context);
+  if (!visible) return visible.status();
+  const mesh::TriangleMesh& visibility = *visible;
   const double mesh_seconds = mesh_watch.seconds();
 
   const Stopwatch gather_watch;

@@ -62,11 +62,12 @@ Vec2 point(const mesh::TriangleMesh& mesh, std::uint32_t t, int kind) {
 
 }  // namespace
 
-ProbeSet place_probes(const Context& context, const mesh::TriangleMesh& mesh,
-                      const NodeLayout& layout, std::span<const std::uint32_t> triangles) {
+Result<ProbeSet> place_probes(const Context& context, const mesh::TriangleMesh& mesh,
+                              const NodeLayout& layout, std::span<const std::uint32_t> triangles) {
   ProbeSet probes;
   std::vector<std::uint8_t> is_asked;
-  if (!resize_large(context, is_asked, mesh.triangle_count())) return probes;
+  Status status = resize_large(context, is_asked, mesh.triangle_count());
+  if (!status) return status;
   const auto add = [&](std::uint32_t half_edge, int place) {
     const int kind = place < kInnerProbes ? place : kInnerProbes + static_cast<int>(half_edge % 3);
     probes.position.push_back(point(mesh, half_edge / 3, kind));
@@ -76,7 +77,7 @@ ProbeSet place_probes(const Context& context, const mesh::TriangleMesh& mesh,
   RarePoll<4096> poll(context);
   for (const std::uint32_t t : triangles) is_asked[t] = 1;
   for (const std::uint32_t t : triangles) {
-    if (poll.cancelled()) return probes;
+    if (poll.cancelled()) return context.cancel_status();
     for (int place = 0; place < kInnerProbes; ++place) add(3 * t, place);
     for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
       if (layout.edge_is_curve[h]) continue;
@@ -87,6 +88,7 @@ ProbeSet place_probes(const Context& context, const mesh::TriangleMesh& mesh,
       if (!other_asks) add(h, kInnerProbes);
     }
   }
+  if (status = context.check(); !status) return status;
   return probes;
 }
 

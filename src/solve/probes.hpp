@@ -18,9 +18,9 @@ struct ProbeSet {
   std::vector<std::uint8_t> place;  ///< 0 to 2: inside, near that corner; 3: centre of the edge
 };
 
-/// Probes of some triangles, ascending.
-ProbeSet place_probes(const Context& context, const mesh::TriangleMesh& mesh,
-                      const NodeLayout& layout, std::span<const std::uint32_t> triangles);
+/// Probes of some triangles, ascending. Errors: cancelled.
+Result<ProbeSet> place_probes(const Context& context, const mesh::TriangleMesh& mesh,
+                              const NodeLayout& layout, std::span<const std::uint32_t> triangles);
 
 /// Foretells by how much triangle t's cubic patch is off at its probes at the most, from its nodes
 /// alone; for 99% of patches less than that. Writes layout.channel_count floats.

@@ -45,39 +45,42 @@ bool same_value(const SeamValue& a, const SeamValue& b) {
          std::all_of(b.shader, b.shader + 2, same_share);
 }
 
-Seams::Seams(const Context& context, const mesh::TriangleMesh& mesh,
-             const curves::SegmentAttributes& attributes)
-    : mesh_(mesh) {
+Result<Seams> Seams::create(const Context& context, const mesh::TriangleMesh& mesh,
+                            const curves::SegmentAttributes& attributes) {
+  Seams seams(mesh);
   std::vector<std::uint32_t> all(mesh.triangle_count());
   std::iota(all.begin(), all.end(), 0u);
-  update(context, attributes, all);
+  if (Status status = seams.update(context, attributes, all); !status) return status;
+  return seams;
 }
 
-void Seams::update(const Context& context, const curves::SegmentAttributes& attributes,
-                   std::span<const std::uint32_t> changed) {
+Status Seams::update(const Context& context, const curves::SegmentAttributes& attributes,
+                     std::span<const std::uint32_t> changed) {
   const std::size_t facings = 2 * mesh_.constraint.size();
   const std::size_t half_edges = mesh_.half_edge_constraint.size();
-  if (!grow_large(context, facing_, facings, facings / 4 * 5) ||
-      !grow_large(context, is_seam_, half_edges, half_edges / 4 * 5)) {
-    return;
-  }
+  Status status = grow_large(context, facing_, facings, facings / 4 * 5);
+  if (status) status = grow_large(context, is_seam_, half_edges, half_edges / 4 * 5);
+  if (!status) return status;
   RarePoll<16384> poll(context);
   const auto for_each_half_edge = [&](auto visit) {
     for (const std::uint32_t t : changed) {
-      if (poll.cancelled()) return;
+      if (poll.cancelled()) return context.cancel_status();
       for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) visit(h);
     }
+    return ok_status();
   };
-  for_each_half_edge([&](std::uint32_t h) {
+  status = for_each_half_edge([&](std::uint32_t h) {
     is_seam_[h] = 0;
     if (mesh_.half_edge_constraint[h] == mesh::kNone) return;
     facing_[index(h)] = gather::facing_side(mesh_, attributes, h);
     if (mesh_.half_edge_twin[h] == mesh::kNone) facing_[index(h) ^ 1] = {};
   });
-  for_each_half_edge([&](std::uint32_t h) {
+  if (!status) return status;
+  status = for_each_half_edge([&](std::uint32_t h) {
     if (mesh_.half_edge_constraint[h] == mesh::kNone) return;
     is_seam_[h] = facing(h).kind != ShaderKind::open || back(h).kind != ShaderKind::open;
   });
+  return status ? context.check() : status;
 }
 
 float Seams::blur_radius(std::uint32_t half_edge, float u) const {

@@ -6,6 +6,8 @@
 
 #include "gather/scene.hpp"
 #include "mesh/triangle_mesh.hpp"
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/status.hpp"
 
 namespace sfumato::solve {
 
@@ -23,14 +25,14 @@ bool same_value(const SeamValue& a, const SeamValue& b);
 /// Where the picture may jump: the constrained edges with a side that is not open.
 class Seams {
  public:
-  /// Of a mesh that outlives this. Incomplete where the context is cancelled.
-  Seams(const Context& context, const mesh::TriangleMesh& mesh,
-        const curves::SegmentAttributes& attributes);
+  /// Of a mesh that outlives this. Errors: cancelled.
+  static Result<Seams> create(const Context& context, const mesh::TriangleMesh& mesh,
+                              const curves::SegmentAttributes& attributes);
 
-  /// Follows the mesh, of which these triangles changed, new ones among them. Incomplete where the
-  /// context is cancelled.
-  void update(const Context& context, const curves::SegmentAttributes& attributes,
-              std::span<const std::uint32_t> changed);
+  /// Follows the mesh, of which these triangles changed, new ones among them. Errors: cancelled;
+  /// nothing else can be asked then.
+  Status update(const Context& context, const curves::SegmentAttributes& attributes,
+                std::span<const std::uint32_t> changed);
 
   /// True for both half-edges of an edge that stops rays on either side.
   bool is_seam(std::uint32_t half_edge) const { return is_seam_[half_edge] != 0; }
@@ -54,6 +56,8 @@ class Seams {
   float fine_radius(std::uint32_t half_edge, float u) const;
 
  private:
+  explicit Seams(const mesh::TriangleMesh& mesh) : mesh_(mesh) {}
+
   std::size_t index(std::uint32_t half_edge) const {
     const auto constraint = static_cast<std::uint32_t>(mesh_.half_edge_constraint[half_edge]);
     return 2 * std::size_t{constraint} +

@@ -108,7 +108,7 @@ Drawing draw(std::vector<Line> lines, Box frame) {
   options.unit_size = std::max(frame.width(), frame.height()) / 1024;
   Result<mesh::Mesher> mesher = mesh::Mesher::build(context, drawing.flat, options);
   EXPECT_TRUE(mesher.ok()) << mesher.status().message;
-  if (mesher) drawing.mesh = mesher->visibility_mesh({});
+  if (mesher) drawing.mesh = *mesher->visibility_mesh({});
   return drawing;
 }
 

@@ -30,7 +30,7 @@ class SharedScene : public testing::TestWithParam<const char*> {
     ASSERT_TRUE(mesher.ok());
     drawing_.frame = document->artboard;
     drawing_.attributes = curves::sample_colors(*flat, curves);
-    drawing_.mesh = mesher->visibility_mesh({});
+    drawing_.mesh = *mesher->visibility_mesh({});
     points_ = points_off_the_curves();
   }
 

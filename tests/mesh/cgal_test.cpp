@@ -81,7 +81,7 @@ TEST(Cgal, finds_the_same_triangles_but_for_cocircular_corners) {
       Result<Mesher> mesher =
           Mesher::build(context, fuzz_scene(static_cast<FuzzKind>(kind), seed), options);
       ASSERT_TRUE(mesher.ok()) << mesher.status().message;
-      const TriangleMesh mesh = mesher->visibility_mesh({});
+      const TriangleMesh mesh = *mesher->visibility_mesh({});
       const TriangleSet ours = triangles_of(mesh);
       const TriangleSet theirs = cgal_triangles(mesh);
       ASSERT_EQ(ours.size(), theirs.size());

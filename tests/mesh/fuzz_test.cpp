@@ -35,10 +35,10 @@ TEST_P(MesherFuzz, every_step_leaves_a_valid_mesh) {
     Context context;
     Result<Mesher> mesher = Mesher::build(context, fuzz_scene(kind(), seed), fuzz_options());
     ASSERT_TRUE(mesher.ok()) << mesher.status().message;
-    Status valid = is_valid(mesher->visibility_mesh({}));
+    Status valid = is_valid(*mesher->visibility_mesh({}));
     ASSERT_TRUE(valid.ok()) << valid.message;
     ASSERT_TRUE(mesher->refine(context).ok());
-    TriangleMesh patch = mesher->patch_mesh({});
+    TriangleMesh patch = *mesher->patch_mesh({});
     valid = is_valid(patch);
     ASSERT_TRUE(valid.ok()) << valid.message;
     ASSERT_LT(patch.triangle_count(), 400'000u);
@@ -47,7 +47,7 @@ TEST_P(MesherFuzz, every_step_leaves_a_valid_mesh) {
       std::vector<std::uint32_t> every_third;
       for (std::uint32_t t = 0; t < patch.triangle_count(); t += 3) every_third.push_back(t);
       ASSERT_TRUE(mesher->refine_triangles(context, every_third, 2.0).ok());
-      patch = mesher->patch_mesh({});
+      patch = *mesher->patch_mesh({});
       valid = is_valid(patch);
       ASSERT_TRUE(valid.ok()) << valid.message;
     }
@@ -80,7 +80,7 @@ TEST_P(MesherFuzz, a_thinned_mesh_is_valid_and_keeps_what_it_should) {
     Context context;
     Result<Mesher> mesher = Mesher::build(context, fuzz_scene(kind(), seed), fuzz_options());
     ASSERT_TRUE(mesher.ok()) << mesher.status().message;
-    const TriangleMesh whole = mesher->visibility_mesh({});
+    const TriangleMesh whole = *mesher->visibility_mesh({});
     std::vector<std::uint8_t> keep(whole.constraint.size());
     for (std::uint32_t c = 0; c < keep.size(); ++c) {
       keep[c] = c % 3 != 0 && !whole.pieces(whole.constraint[c]).empty();
@@ -103,7 +103,7 @@ TEST_P(MesherFuzz, constraints_stay_near_their_segments_and_cover_them) {
     const curves::FlatCurves flat = fuzz_scene(kind(), seed);
     Result<Mesher> mesher = Mesher::build(context, flat, options);
     ASSERT_TRUE(mesher.ok()) << mesher.status().message;
-    const ArrangementFacts facts = check_arrangement(mesher->visibility_mesh({}), flat, weld);
+    const ArrangementFacts facts = check_arrangement(*mesher->visibility_mesh({}), flat, weld);
     EXPECT_EQ(facts.broken, "");
     EXPECT_LE(facts.input_to_mesh, 2.5 * weld);
     EXPECT_LE(facts.mesh_to_input, 2.5 * weld);
@@ -120,7 +120,7 @@ TEST_P(MesherFuzz, a_patch_mesh_fills_the_frame) {
     ASSERT_TRUE(mesher.ok()) << mesher.status().message;
     ASSERT_TRUE(mesher->refine(context).ok());
     // The frame may be led through vertices within the weld of it.
-    EXPECT_NEAR(total_area(mesher->patch_mesh({})), kFuzzSide * kFuzzSide, 4 * kFuzzSide * 0.15);
+    EXPECT_NEAR(total_area(*mesher->patch_mesh({})), kFuzzSide * kFuzzSide, 4 * kFuzzSide * 0.15);
   }
 }
 

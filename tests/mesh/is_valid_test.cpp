@@ -17,7 +17,7 @@ TriangleMesh cross_mesh() {
   Result<Mesher> mesher = Mesher::build(
       context, flat_curves({{{10, 50}, {90, 51}}, {{30, 20}, {31, 80}}}), options_100());
   EXPECT_TRUE(mesher.ok());
-  return mesher->visibility_mesh({});
+  return *mesher->visibility_mesh({});
 }
 
 /// The first free half-edge with a twin.

@@ -22,10 +22,10 @@ void expect_valid(const curves::FlatCurves& flat, const MeshOptions& options) {
   Context context;
   Result<Mesher> mesher = Mesher::build(context, flat, options);
   ASSERT_TRUE(mesher.ok()) << mesher.status().message;
-  Status valid = is_valid(mesher->visibility_mesh({}));
+  Status valid = is_valid(*mesher->visibility_mesh({}));
   EXPECT_TRUE(valid.ok()) << valid.message;
   ASSERT_TRUE(mesher->refine(context).ok());
-  valid = is_valid(mesher->patch_mesh({}));
+  valid = is_valid(*mesher->patch_mesh({}));
   EXPECT_TRUE(valid.ok()) << valid.message;
 }
 
@@ -70,10 +70,10 @@ TEST(MesherLimits, an_area_that_asks_for_too_many_triangles_is_refused_before_an
   Context context;
   Result<Mesher> mesher = Mesher::build(context, flat_curves({{{10, 10}, {90, 80}}}), options);
   ASSERT_TRUE(mesher.ok()) << mesher.status().message;
-  const std::uint32_t before = mesher->visibility_mesh({}).triangle_count();
+  const std::uint32_t before = mesher->visibility_mesh({})->triangle_count();
   const std::size_t charged = context.budget.used();
   EXPECT_EQ(mesher->refine(context).code, StatusCode::limit);
-  EXPECT_EQ(mesher->visibility_mesh({}).triangle_count(), before);
+  EXPECT_EQ(mesher->visibility_mesh({})->triangle_count(), before);
   EXPECT_EQ(context.budget.used(), charged);
 }
 
@@ -147,7 +147,7 @@ TEST(MesherLimits, pieces_of_overlapping_curves_are_charged) {
   Context context;
   Result<Mesher> mesher = Mesher::build(context, flat, options_100());
   ASSERT_TRUE(mesher.ok()) << mesher.status().message;
-  const TriangleMesh mesh = mesher->visibility_mesh({});
+  const TriangleMesh mesh = *mesher->visibility_mesh({});
   EXPECT_TRUE(is_valid(mesh).ok());
   EXPECT_GT(mesh.piece.size(), 100'000u);
   EXPECT_GT(context.budget.used(), mesh.piece.size() * sizeof(SegmentPiece));

@@ -48,16 +48,16 @@ TEST_P(MesherScenes, every_step_leaves_a_valid_mesh) {
   Context context;
   Result<Mesher> mesher = Mesher::build(context, input->flat, input->options);
   ASSERT_TRUE(mesher.ok()) << mesher.status().message;
-  Status valid = is_valid(mesher->visibility_mesh({}));
+  Status valid = is_valid(*mesher->visibility_mesh({}));
   EXPECT_TRUE(valid.ok()) << valid.message;
   ASSERT_TRUE(mesher->refine(context).ok());
-  const TriangleMesh patch = mesher->patch_mesh({});
+  const TriangleMesh patch = *mesher->patch_mesh({});
   valid = is_valid(patch);
   EXPECT_TRUE(valid.ok()) << valid.message;
   std::vector<std::uint32_t> all(patch.triangle_count());
   for (std::uint32_t t = 0; t < all.size(); ++t) all[t] = t;
   ASSERT_TRUE(mesher->refine_triangles(context, all, input->options.unit_size).ok());
-  valid = is_valid(mesher->patch_mesh({}));
+  valid = is_valid(*mesher->patch_mesh({}));
   EXPECT_TRUE(valid.ok()) << valid.message;
 }
 
@@ -68,7 +68,7 @@ TEST_P(MesherScenes, constraints_stay_near_their_segments_and_cover_them) {
   Context context;
   Result<Mesher> mesher = Mesher::build(context, input->flat, input->options);
   ASSERT_TRUE(mesher.ok()) << mesher.status().message;
-  const ArrangementFacts facts = check_arrangement(mesher->visibility_mesh({}), input->flat, weld);
+  const ArrangementFacts facts = check_arrangement(*mesher->visibility_mesh({}), input->flat, weld);
   EXPECT_EQ(facts.broken, "");
   EXPECT_LE(facts.input_to_mesh, 2.5 * weld);
   EXPECT_LE(facts.mesh_to_input, 2.5 * weld);
@@ -83,7 +83,7 @@ TEST_P(MesherScenes, small_angles_stay_only_at_small_input_angles) {
   Result<Mesher> mesher = Mesher::build(context, input->flat, input->options);
   ASSERT_TRUE(mesher.ok()) << mesher.status().message;
   ASSERT_TRUE(mesher->refine(context).ok());
-  const TriangleMesh patch = mesher->patch_mesh({});
+  const TriangleMesh patch = *mesher->patch_mesh({});
   std::size_t small = 0;
   for (std::uint32_t t = 0; t < patch.triangle_count(); ++t) {
     EXPECT_LE(area(patch, t), input->options.max_area * (1 + 1e-9));
@@ -117,9 +117,9 @@ TEST(MesherScenes, the_mesh_of_lady_bug_is_the_same_in_every_build) {
   Context context;
   Result<Mesher> mesher = Mesher::build(context, input->flat, input->options);
   ASSERT_TRUE(mesher.ok()) << mesher.status().message;
-  EXPECT_EQ(mesh_hash(mesher->visibility_mesh({})), 4375257913588577031u);
+  EXPECT_EQ(mesh_hash(*mesher->visibility_mesh({})), 4375257913588577031u);
   ASSERT_TRUE(mesher->refine(context).ok());
-  EXPECT_EQ(mesh_hash(mesher->patch_mesh({})), 8162999391152372774u);
+  EXPECT_EQ(mesh_hash(*mesher->patch_mesh({})), 8162999391152372774u);
 }
 
 }  // namespace

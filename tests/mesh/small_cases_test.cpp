@@ -21,9 +21,9 @@ Meshes meshes_of(const curves::FlatCurves& flat, const MeshOptions& options = op
   Context context;
   Result<Mesher> mesher = Mesher::build(context, flat, options);
   EXPECT_TRUE(mesher.ok()) << mesher.status().message;
-  Meshes meshes{mesher->visibility_mesh({}), {}};
+  Meshes meshes{*mesher->visibility_mesh({}), {}};
   EXPECT_TRUE(mesher->refine(context).ok());
-  meshes.patch = mesher->patch_mesh({});
+  meshes.patch = *mesher->patch_mesh({});
   EXPECT_TRUE(is_valid(meshes.visibility).ok()) << is_valid(meshes.visibility).message;
   EXPECT_TRUE(is_valid(meshes.patch).ok()) << is_valid(meshes.patch).message;
   EXPECT_NEAR(total_area(meshes.patch), options.frame.width() * options.frame.height(), 1e-6);

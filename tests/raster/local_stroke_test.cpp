@@ -39,8 +39,10 @@ StrokePainter painter_of(const LocalCurve& curve, const Affine& image_from_artbo
 
 void paint_part(const StrokePainter& painter, int x, int y, int width, int height, Planes& planes) {
   const std::size_t offset = static_cast<std::size_t>(y) * kSide + static_cast<std::size_t>(x);
-  painter.paint(x, y, width, height, planes[0].data() + offset, planes[1].data() + offset,
-                planes[2].data() + offset, planes[3].data() + offset, kSide);
+  const Status status =
+      painter.paint(x, y, width, height, planes[0].data() + offset, planes[1].data() + offset,
+                    planes[2].data() + offset, planes[3].data() + offset, kSide);
+  EXPECT_TRUE(status.ok()) << to_string(status);
 }
 
 Planes painted(const StrokePainter& painter) {

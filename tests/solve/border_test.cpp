@@ -29,7 +29,7 @@ mesh::TriangleMesh grid_mesh() {
   Result<mesh::Mesher> mesher = mesh::Mesher::build(context, *flat, options);
   EXPECT_TRUE(mesher.ok());
   EXPECT_TRUE(mesher->refine(context).ok());
-  return mesher->patch_mesh({});
+  return *mesher->patch_mesh({});
 }
 
 Vec2 corner(const mesh::TriangleMesh& mesh, std::uint32_t t, std::size_t k) {

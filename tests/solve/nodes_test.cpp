@@ -46,9 +46,9 @@ LaidOut laid_out(const std::vector<Curve>& curves) {
   EXPECT_TRUE(mesher.ok());
   EXPECT_TRUE(mesher->refine(context).ok());
   LaidOut result;
-  result.mesh = mesher->patch_mesh({});
-  result.layout =
-      lay_out_nodes(Context{}, result.mesh, attributes, Seams(Context{}, result.mesh, attributes));
+  result.mesh = *mesher->patch_mesh({});
+  const Result<Seams> seams = Seams::create(context, result.mesh, attributes);
+  result.layout = *lay_out_nodes(context, result.mesh, attributes, *seams);
   return result;
 }
 

@@ -50,7 +50,7 @@ class Followers {
     fields_.emplace_back(std::move(prepared.color));
     if (prepared.opacity) fields_.emplace_back(std::move(*prepared.opacity));
     EXPECT_TRUE(mesher_.refine(context_).ok());
-    mesh_ = mesher_.patch_mesh(context_);
+    mesh_ = *mesher_.patch_mesh(context_);
     for (FieldSolver& field : fields_) EXPECT_TRUE(field.start(context_, mesh_).ok());
   }
 
@@ -79,14 +79,14 @@ class Followers {
   }
 
   void expect_as_laid_out_anew() {
-    const mesh::TriangleMesh anew = mesher_.patch_mesh(context_);
+    const mesh::TriangleMesh anew = *mesher_.patch_mesh(context_);
     ASSERT_EQ(test::difference_of(mesh_, anew), "");
     for (const FieldSolver& field : fields_) {
       const auto& attributes = field.field().attributes;
       NodeLayout layout = field.layout();
       ASSERT_TRUE(solve::put_in_order(context_, mesh_, layout).ok());
-      const Seams seams(context_, anew, attributes);
-      ASSERT_EQ(difference_of(layout, lay_out_nodes(context_, anew, attributes, seams)), "");
+      const Result<Seams> seams = Seams::create(context_, anew, attributes);
+      ASSERT_EQ(difference_of(layout, *lay_out_nodes(context_, anew, attributes, *seams)), "");
     }
   }
 
@@ -212,13 +212,13 @@ TEST(LayoutUpdate, nodes_are_laid_out_on_the_mesh_of_the_last_round_for_blur) {
   const auto watch = [&](const mesh::TriangleMesh& mesh, const FieldSolver& color,
                          const FieldSolver*) {
     const auto& attributes = color.field().attributes;
-    const Seams seams(context, mesh, attributes);
-    EXPECT_EQ(difference_of(color.layout(), lay_out_nodes(context, mesh, attributes, seams)), "");
+    const Result<Seams> seams = Seams::create(context, mesh, attributes);
+    EXPECT_EQ(difference_of(color.layout(), *lay_out_nodes(context, mesh, attributes, *seams)), "");
     double longest = 0;
     for (std::uint32_t h = 0; h < mesh.half_edge_twin.size(); ++h) {
       const Vec2 along =
           mesh.vertex_position[mesh.target(h)] - mesh.vertex_position[mesh.origin(h)];
-      if (seams.blur_radius(h, 0) > 0) longest = std::max(longest, length(along));
+      if (seams->blur_radius(h, 0) > 0) longest = std::max(longest, length(along));
     }
     EXPECT_GT(longest, 4 * kRadius) << "the rounds came to an end by themselves";
     ++rounds;

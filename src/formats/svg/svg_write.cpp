@@ -112,11 +112,11 @@ class SvgWriter {
   Status write_defs();
   void write_background();
   Status write_stack();
-  void write_item(const LayerInstance& instance);
-  void write_item(const LocalStroke& stroke);
-  void write_item(const GroupBegin& group);
-  void write_item(const GroupEnd&);
-  void write_layer(std::uint32_t layer, const svg::Attributes& attributes);
+  Status write_item(const LayerInstance& instance);
+  Status write_item(const LocalStroke& stroke);
+  Status write_item(const GroupBegin& group);
+  Status write_item(const GroupEnd&);
+  Status write_layer(std::uint32_t layer, const svg::Attributes& attributes);
   /// What the text is so far, against what can be read back.
   Status check_progress() const;
 
@@ -223,8 +223,9 @@ Status SvgWriter::write_defs() {
     if (!status) return status;
   }
   for (const std::uint32_t i : layer_order_) {
-    if (!is_in_place(i)) write_layer(i, {});
-    if (Status status = check_progress(); !status) return status;
+    Status status = is_in_place(i) ? ok_status() : write_layer(i, {});
+    if (status) status = check_progress();
+    if (!status) return status;
   }
   writer_.close("defs");
   return ok_status();
@@ -242,8 +243,9 @@ void SvgWriter::write_background() {
 
 Status SvgWriter::write_stack() {
   for (const StackItem& item : document_.stack) {
-    std::visit([this](const auto& content) { write_item(content); }, item);
-    if (Status status = check_progress(); !status) return status;
+    Status status = std::visit([this](const auto& content) { return write_item(content); }, item);
+    if (status) status = check_progress();
+    if (!status) return status;
   }
   return ok_status();
 }
@@ -263,21 +265,19 @@ void add_transform(svg::Attributes& attributes, const Affine& map) {
   if (!(map == Affine{})) attributes.add("transform", transform_text(map));
 }
 
-void SvgWriter::write_item(const LayerInstance& instance) {
+Status SvgWriter::write_item(const LayerInstance& instance) {
   svg::Attributes attributes;
   const bool in_place = is_in_place(instance.layer);
   if (!in_place) attributes.add("xlink:href", '#' + layer_id_[instance.layer]);
   add_transform(attributes, instance.artboard_from_layer);
   add_compositing(attributes, instance.opacity, instance.blend);
-  if (in_place) {
-    write_layer(instance.layer, attributes);
-  } else {
-    writer_.leaf("use", attributes);
-  }
+  if (in_place) return write_layer(instance.layer, attributes);
+  writer_.leaf("use", attributes);
+  return ok_status();
 }
 
 /// `attributes`: those of the place where the layer is painted.
-void SvgWriter::write_layer(std::uint32_t layer, const svg::Attributes& attributes) {
+Status SvgWriter::write_layer(std::uint32_t layer, const svg::Attributes& attributes) {
   const std::vector<Curve>& curves = document_.layers[layer].curves;
   // svgo merges a group with its only child, unless both have a class.
   const bool has_classes = curves.size() == 1;
@@ -290,7 +290,7 @@ void SvgWriter::write_layer(std::uint32_t layer, const svg::Attributes& attribut
   writer_.open("g", all);
   RarePoll<64> poll(context_);
   for (const Curve& curve : curves) {
-    if (poll.cancelled()) return;
+    if (poll.cancelled()) return context_.cancel_status();
     svg::Attributes path;
     if (!curve.id.empty()) path.add("id", ids_.claim(curve.id));
     if (has_classes) path.add("class", "curve");
@@ -298,26 +298,30 @@ void SvgWriter::write_layer(std::uint32_t layer, const svg::Attributes& attribut
     writer_.leaf("path", path);
   }
   writer_.close("g");
+  return ok_status();
 }
 
-void SvgWriter::write_item(const LocalStroke& stroke) {
-  if (stroke.curve.left_color.empty() && stroke.curve.right_color.empty()) return;
+Status SvgWriter::write_item(const LocalStroke& stroke) {
+  if (stroke.curve.left_color.empty() && stroke.curve.right_color.empty()) return ok_status();
   svg::Attributes attributes;
   if (!stroke.curve.id.empty()) attributes.add("id", ids_.claim(stroke.curve.id));
   add_transform(attributes, stroke.artboard_from_stroke);
   svg::add_local_curve(context_, attributes, stroke.curve);
   writer_.leaf("path", attributes);
+  return ok_status();
 }
 
-void SvgWriter::write_item(const GroupBegin& group) {
+Status SvgWriter::write_item(const GroupBegin& group) {
   svg::Attributes attributes;
   add_compositing(attributes, group.opacity, group.blend);
   if (attributes.list().empty()) attributes.add("style", "isolation:isolate");
   writer_.open("g", attributes);
+  return ok_status();
 }
 
-void SvgWriter::write_item(const GroupEnd&) {
+Status SvgWriter::write_item(const GroupEnd&) {
   writer_.close("g");
+  return ok_status();
 }
 
 Result<std::string> write(Context& context, const Document& document) {

@@ -184,7 +184,7 @@ Result<PatchLayer> Tracer::solve_layer(std::uint32_t index, const Box& viewport)
   add_attributes(stage + "flatten: color", scene->color.attributes, trace_);
   if (scene->opacity)
     add_attributes(stage + "flatten: opacity", scene->opacity->attributes, trace_);
-  add_mesh(stage + "mesh:", scene->mesher.visibility_mesh({}), trace_);
+  add_mesh(stage + "mesh:", *scene->mesher.visibility_mesh({}), trace_);
   int round = 0;
   const auto watch = [&](const mesh::TriangleMesh& mesh, const solve::FieldSolver& color,
                          const solve::FieldSolver* opacity) {
