@@ -112,14 +112,18 @@ function leaves_silently(code) {
   return code ~ /(^|[^A-Za-z0-9_])(break;|continue;|return[ ;])/ && code !~ /status|check\(\)/
 }
 
+# The condition of a loop, which ends as if all were done, or a flag of one's own.
+function keeps_as_boolean(code) {
+  return code ~ /(^|[^A-Za-z0-9_])(for|while) \(.*cancelled\(\)/ || code ~ / = .*cancelled\(\)/
+}
+
 # A cancelled step is a status: what stops in the middle without one hands out half-made data that
 # every caller has to ask the flag about again. `awaited` is 1 behind a look whose branch is yet to
 # come, 2 within a branch in braces.
 function check_looks(code) {
-  if (code ~ /(^|[^A-Za-z0-9_])(for|while) \(.*cancelled\(\)/) return
   if (code ~ /(^|[^A-Za-z0-9_])cancelled\(\)/) {
     awaited = code ~ /;[ \t]*\}?$/ ? 0 : 1
-    if (leaves_silently(code) || code ~ /[A-Za-z0-9_] = .*cancelled\(\)/) complain_of_look()
+    if (leaves_silently(code) || keeps_as_boolean(code)) complain_of_look()
   } else if (awaited && leaves_silently(code)) {
     complain_of_look()
   } else if (code ~ /status|check\(\)|\}/ || (awaited == 1 && code ~ /;/)) {

@@ -34,13 +34,14 @@ Cubic piece_of(const Curve& curve, double parameter_of_start) {
 /// All segments of the polylines, in a binary tree of the boxes of their stretches of curve.
 class SegmentTree {
  public:
-  /// Incomplete where the context is cancelled.
-  SegmentTree(const Context& context, const FlatCurves& flat, std::span<const Curve> curves,
-              double reach) {
+  /// Comes first. Errors: cancelled; nothing else can be asked then.
+  Status build(const Context& context, const FlatCurves& flat, std::span<const Curve> curves,
+               double reach) {
     RarePoll<4096> poll(context);
     std::vector<Vec2> middle;
     std::vector<std::uint32_t> segment;
-    for (std::uint32_t v = 0; v < flat.vertex.size() && !poll.cancelled(); ++v) {
+    for (std::uint32_t v = 0; v < flat.vertex.size(); ++v) {
+      if (poll.cancelled()) return context.cancel_status();
       if (!flat.begins_segment(v)) continue;
       segment.push_back(v);
       middle.push_back(lerp(flat.vertex[v], flat.vertex[v + 1], 0.5));
@@ -49,13 +50,16 @@ class SegmentTree {
     leaf_count_ = (static_cast<std::uint32_t>(segment_.size()) + kLeafSegments - 1) / kLeafSegments;
     while (first_leaf_ < leaf_count_) first_leaf_ *= 2;
     box_.resize(std::size_t{2} * first_leaf_);
-    for (std::size_t i = 0; i < segment_.size() && !poll.cancelled(); ++i) {
+    for (std::size_t i = 0; i < segment_.size(); ++i) {
+      if (poll.cancelled()) return context.cancel_status();
       Box& leaf = box_[first_leaf_ + i / kLeafSegments];
       leaf = united(leaf, stretch_box(flat, curves, segment_[i]).grown_by(reach));
     }
-    for (std::uint32_t node = first_leaf_ - 1; node > 0 && !poll.cancelled(); --node) {
+    for (std::uint32_t node = first_leaf_ - 1; node > 0; --node) {
+      if (poll.cancelled()) return context.cancel_status();
       box_[node] = united(box_[std::size_t{2} * node], box_[std::size_t{2} * node + 1]);
     }
+    return ok_status();
   }
 
   static std::size_t bytes(std::size_t segments) {
@@ -103,10 +107,13 @@ class SegmentTree {
 /// Vertices that lie on each other: each knows the first of its place.
 class Places {
  public:
-  Places(const Context& context, std::span<const Vec2> vertex)
-      : first_(vertex.size()), table_(table_size(vertex.size()), kNobody) {
+  /// Comes first. Errors: cancelled; nothing else can be asked then.
+  Status build(const Context& context, std::span<const Vec2> vertex) {
+    first_.resize(vertex.size());
+    table_.assign(table_size(vertex.size()), kNobody);
     RarePoll<4096> poll(context);
-    for (std::uint32_t v = 0; v < vertex.size() && !poll.cancelled(); ++v) {
+    for (std::uint32_t v = 0; v < vertex.size(); ++v) {
+      if (poll.cancelled()) return context.cancel_status();
       std::size_t slot = hash(vertex[v]) & (table_.size() - 1);
       while (table_[slot] != kNobody && !(vertex[table_[slot]] == vertex[v])) {
         slot = (slot + 1) & (table_.size() - 1);
@@ -114,6 +121,7 @@ class Places {
       if (table_[slot] == kNobody) table_[slot] = v;
       first_[v] = table_[slot];
     }
+    return context.check();
   }
 
   static std::size_t bytes(std::size_t vertices) {
@@ -243,10 +251,12 @@ Result<Junctions> find_junctions(Context& context, std::span<const Curve> curves
   ScopedCharge charge;
   const std::size_t vertices = flat.vertex.size();
   const std::size_t bytes = SegmentTree::bytes(vertices) + Places::bytes(vertices);
-  if (Status status = charge.add(context, bytes, "flattening"); !status) return status;
-  const SegmentTree tree(context, flat, curves, reach);
-  const Places places(context, flat.vertex);
-  if (context.cancelled()) return context.cancel_status();
+  SegmentTree tree;
+  Places places;
+  Status status = charge.add(context, bytes, "flattening");
+  if (status) status = tree.build(context, flat, curves, reach);
+  if (status) status = places.build(context, flat.vertex);
+  if (!status) return status;
   JunctionFinder finder(context, curves, flat, reach);
   RarePoll<1024> poll(context);
   for (std::uint32_t v = 0; v < vertices && finder.status().ok(); ++v) {

@@ -46,13 +46,20 @@ bool is_beyond(LatticePoint a, LatticePoint b, LatticePoint p) {
 class Hull {
  public:
   /// points   by x, then by y
-  Hull(const Context& context, std::span<const LatticePoint> points) : poll_(context) {
-    for (std::size_t i = 0; i < points.size() && !poll_.cancelled(); ++i) append(points[i], 0);
+  /// Errors: cancelled; nothing else can be asked then.
+  Status enclose(const Context& context, std::span<const LatticePoint> points) {
+    RarePoll<8192> poll(context);
+    for (const LatticePoint p : points) {
+      if (poll.cancelled()) return context.cancel_status();
+      append(p, 0);
+    }
     lower_end_ = corner_.empty() ? 0 : corner_.size() - 1;
-    for (std::size_t i = points.size(); i > 0 && !poll_.cancelled(); --i) {
+    for (std::size_t i = points.size(); i > 0; --i) {
+      if (poll.cancelled()) return context.cancel_status();
       append(points[i - 1], lower_end_);
     }
     if (corner_.size() > 1) corner_.pop_back();  // the first again
+    return ok_status();
   }
 
   /// Some of it is_beyond the line from a to b.
@@ -99,7 +106,6 @@ class Hull {
     return first % corner_.size();
   }
 
-  RarePoll<8192> poll_;
   std::vector<LatticePoint> corner_;  ///< counter-clockwise where y is up, from the least x
   std::size_t lower_end_ = 0;         ///< the corner of the largest x
 };
@@ -124,7 +130,8 @@ class BlindFinder {
 
   Status find_points() {
     Status status = resize_large(context_, point_, mesh_.vertex_position.size());
-    for (std::size_t v = 0; v < point_.size() && !poll_.cancelled(); ++v) {
+    for (std::size_t v = 0; v < point_.size(); ++v) {
+      if (poll_.cancelled()) return context_.cancel_status();
       const Vec2 steps = (mesh_.vertex_position[v] - mesh_.vertex_position[0]) / mesh_.lattice_step;
       point_[v] = {static_cast<std::int32_t>(steps.x), static_cast<std::int32_t>(steps.y)};
     }
@@ -137,7 +144,8 @@ class BlindFinder {
 
   Status find_beyond_the_hull() {
     std::vector<std::uint8_t> is_hit_at(point_.size(), 0);
-    for (std::uint32_t h = 0; h < half_edge_count() && !poll_.cancelled(); ++h) {
+    for (std::uint32_t h = 0; h < half_edge_count(); ++h) {
+      if (poll_.cancelled()) return context_.cancel_status();
       if (!is_hit(code_[h])) continue;
       is_hit_at[mesh_.origin(h)] = is_hit_at[mesh_.target(h)] = 1;
     }
@@ -148,9 +156,12 @@ class BlindFinder {
     const auto lies_before = [](LatticePoint a, LatticePoint b) {
       return a.x != b.x ? a.x < b.x : a.y < b.y;
     };
-    if (Status status = sort_large(context_, hit_points, lies_before); !status) return status;
-    const Hull hull(context_, hit_points);
-    for (std::uint32_t h = 0; h < half_edge_count() && !poll_.cancelled(); ++h) {
+    Hull hull;
+    Status status = sort_large(context_, hit_points, lies_before);
+    if (status) status = hull.enclose(context_, hit_points);
+    if (!status) return status;
+    for (std::uint32_t h = 0; h < half_edge_count(); ++h) {
+      if (poll_.cancelled()) return context_.cancel_status();
       blind_[h] = code_[h] >= 0 && !hull.reaches_beyond(from(h), to(h));
     }
     return ok_status();
@@ -170,7 +181,8 @@ class BlindFinder {
   /// they are looked at again.
   Status find_facing_away() {
     std::vector<std::uint32_t> unsettled;
-    for (std::uint32_t h = 0; h < half_edge_count() && !poll_.cancelled(); ++h) {
+    for (std::uint32_t h = 0; h < half_edge_count(); ++h) {
+      if (poll_.cancelled()) return context_.cancel_status();
       if (is_open_side(h)) unsettled.push_back(h);
     }
     if (unsettled.empty()) return ok_status();
@@ -179,7 +191,8 @@ class BlindFinder {
     if (status) status = resize_large(context_, turn_, mesh_.triangle_count());
     if (!status) return status;
     triangles_left_ = kTrianglesPerHalfEdge * static_cast<std::int64_t>(code_.size());
-    while (!unsettled.empty() && triangles_left_ > 0 && !poll_.cancelled()) {
+    while (!unsettled.empty() && triangles_left_ > 0) {
+      if (poll_.cancelled()) return context_.cancel_status();
       const std::uint32_t h = unsettled.back();
       unsettled.pop_back();
       std::uint32_t unknown = kNobody;

@@ -71,13 +71,14 @@ class EndSearch {
     meeting_.resize(mesh_.vertex_position.size());
     edge_.resize(mesh_.constraint.size());
     seen_from_.resize(mesh_.triangle_count(), kNobody);
-    find_edges();
-    if (context_.cancelled()) return context_.cancel_status();
+    Status status = find_edges();
     std::vector<FreeEnd> ends;
-    for (std::uint32_t v = 0; v < meeting_.size() && !poll_.cancelled(); ++v) {
-      if (meeting_[v].edges == 1) add_end(v, ends);
+    for (std::uint32_t v = 0; status && v < meeting_.size(); ++v) {
+      if (poll_.cancelled()) return context_.cancel_status();
+      if (meeting_[v].edges == 1) status = add_end(v, ends);
     }
-    if (context_.cancelled()) return context_.cancel_status();
+    if (status) status = context_.check();
+    if (!status) return status;
     return ends;
   }
 
@@ -98,8 +99,9 @@ class EndSearch {
 
   Vec2 position(std::uint32_t v) const { return mesh_.vertex_position[v]; }
 
-  void find_edges() {
-    for (std::uint32_t h = 0; h < mesh_.triangle_vertex.size() && !poll_.cancelled(); ++h) {
+  Status find_edges() {
+    for (std::uint32_t h = 0; h < mesh_.triangle_vertex.size(); ++h) {
+      if (poll_.cancelled()) return context_.cancel_status();
       const auto c = static_cast<std::uint32_t>(mesh_.half_edge_constraint[h]);
       if (!mesh_.has_curves(h) || edge_[c].half_edge != kNobody) continue;
       edge_[c].half_edge = h;
@@ -108,12 +110,13 @@ class EndSearch {
         meeting_[v].all ^= c;
       }
     }
+    return context_.check();
   }
 
-  void add_end(std::uint32_t v, std::vector<FreeEnd>& ends) {
+  Status add_end(std::uint32_t v, std::vector<FreeEnd>& ends) {
     const std::uint32_t h = edge_[meeting_[v].all].half_edge;
     const std::int32_t twin = mesh_.half_edge_twin[h];
-    if (twin == mesh::kNone) return;
+    if (twin == mesh::kNone) return ok_status();
     const bool leaves = mesh_.origin(h) == v;
     const auto out = leaves ? h : static_cast<std::uint32_t>(twin);
     const auto in = leaves ? static_cast<std::uint32_t>(twin) : h;
@@ -121,26 +124,33 @@ class EndSearch {
     const Facing positive = facing_side(mesh_, attributes_, in);
     if (negative.kind != ShaderKind::curve_domain || positive.kind != ShaderKind::curve_domain ||
         negative.from == positive.to) {
-      return;
+      return ok_status();
     }
+    const Result<double> arc = follow_curve(v);
+    if (!arc) return arc.status();
+    const Result<double> reach = find_reach(v, out, *arc);
+    if (!reach) return reach.status();
     const Vec2 last = position(v) - position(mesh_.target(out));
     FreeEnd end{.position = position(v),
                 .direction = last / length(last),
-                .reach = find_reach(v, out, follow_curve(v)),
+                .reach = *reach,
                 .nearest = nearest_,
                 .weight = negative.weight,
                 .positive = positive.to,
                 .negative = negative.from,
                 .blur_positive = positive.blur_to,
                 .blur_negative = negative.blur_from};
-    bend(v, end);
-    if (end.reach >= mesh_.lattice_step) ends.push_back(end);
+    Status status = bend(v, end);
+    if (status && end.reach >= mesh_.lattice_step) ends.push_back(end);
+    return status;
   }
 
   /// Finds the arc that follows the own curve, by where the curve is half the reach away; where it
   /// does not follow it far enough, the reach is made less.
-  void bend(std::uint32_t v, FreeEnd& end) {
-    const std::vector<Vec2> places = own_places(v, end.reach);
+  Status bend(std::uint32_t v, FreeEnd& end) {
+    const Result<std::vector<Vec2>> own = own_places(v, end.reach);
+    if (!own) return own.status();
+    const std::vector<Vec2>& places = *own;
     std::size_t count = places.size();
     for (; count > 0; --count) {
       const Vec2 middle = places[(count - 1) / 2];
@@ -150,16 +160,18 @@ class EndSearch {
       };
       if (std::none_of(places.begin(), places.begin() + std::ptrdiff_t(count), lies_beside)) break;
     }
-    if (count == places.size()) return;
+    if (count == places.size()) return ok_status();
     end.reach *= static_cast<double>(count) / kPlaces;
     end.nearest = static_cast<std::int32_t>(meeting_[v].all);
+    return ok_status();
   }
 
   /// Where the own curve is first 1/16, 2/16… of the reach away from the end, relative to it.
-  std::vector<Vec2> own_places(std::uint32_t v, double reach) {
+  Result<std::vector<Vec2>> own_places(std::uint32_t v, double reach) {
     std::vector<Vec2> places;
     std::uint32_t at = v;
-    for (std::uint32_t c = meeting_[v].all; places.size() < kPlaces && !poll_.cancelled();) {
+    for (std::uint32_t c = meeting_[v].all; places.size() < kPlaces;) {
+      if (poll_.cancelled()) return context_.cancel_status();
       const Edge& edge = edge_[c];
       const Vec2 a = position(at) - position(v);
       at = edge.origin_is_near ? mesh_.target(edge.half_edge) : mesh_.origin(edge.half_edge);
@@ -177,10 +189,11 @@ class EndSearch {
   }
 
   /// Marks the curve's edges up to a junction or its other end, and gives its length.
-  double follow_curve(std::uint32_t v) {
+  Result<double> follow_curve(std::uint32_t v) {
     double arc = 0;
     std::uint32_t at = v;
-    for (std::uint32_t c = meeting_[v].all; !poll_.cancelled();) {
+    for (std::uint32_t c = meeting_[v].all;;) {
+      if (poll_.cancelled()) return context_.cancel_status();
       Edge& edge = edge_[c];
       edge.end = v;
       edge.origin_is_near = mesh_.origin(edge.half_edge) == at;
@@ -197,11 +210,12 @@ class EndSearch {
 
   /// ρ: triangles are visited from the end outwards, nearest first, until the nearest that is left
   /// is farther than what was found. Sets nearest_.
-  double find_reach(std::uint32_t v, std::uint32_t half_edge, double reach) {
+  Result<double> find_reach(std::uint32_t v, std::uint32_t half_edge, double reach) {
     const auto farther = [](const Step& a, const Step& b) { return a.distance > b.distance; };
     step_.assign(1, {0, half_edge / 3});
     nearest_ = mesh::kNone;
-    for (int visited = 0; !step_.empty() && !poll_.cancelled();) {
+    for (int visited = 0; !step_.empty();) {
+      if (poll_.cancelled()) return context_.cancel_status();
       std::pop_heap(step_.begin(), step_.end(), farther);
       const Step step = step_.back();
       step_.pop_back();

@@ -139,9 +139,9 @@ Result<LayerTables> upload_layer(Context& context, const Device& device, const P
     status = uploader.slots(layer.edge_is_curve, &tables.edge_slot, &tables.curve_edge_count);
   }
   if (status) {
-    const std::vector<std::uint8_t> bent = raster::bent_triangles(context, layer);
-    if (context.cancelled()) return context.cancel_status();
-    status = uploader.indices(kFlagTable, bent, &tables.is_bent);
+    const Result<std::vector<std::uint8_t>> bent = raster::bent_triangles(context, layer);
+    if (!bent) return bent.status();
+    status = uploader.indices(kFlagTable, *bent, &tables.is_bent);
   }
   if (status) status = uploader.soft_edges(layer.soft_edge, &tables);
   if (status && with_overlay)

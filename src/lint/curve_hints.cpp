@@ -48,12 +48,13 @@ bool is_frame(const Outline& outline, const Box& sight) {
   return x >= sight.width() / 2 || y >= sight.height() / 2;
 }
 
-std::vector<Outline> measure(const LayerUnderTest& test) {
+Result<std::vector<Outline>> measure(const LayerUnderTest& test) {
   const curves::SegmentAttributes& flat = test.prepared.color.attributes;
   std::vector<Outline> outlines(test.curves().size());
   Vec2 origin;  // of the areas: the curve's first point
   RarePoll<16384> poll(test.context);
-  for (std::size_t v = 0; v + 1 < flat.vertex.size() && !poll.cancelled(); ++v) {
+  for (std::size_t v = 0; v + 1 < flat.vertex.size(); ++v) {
+    if (poll.cancelled()) return test.context.cancel_status();
     if (v == 0 || flat.curve[v] != flat.curve[v - 1]) origin = flat.vertex[v];
     if (flat.curve[v] != flat.curve[v + 1]) continue;
     Outline& outline = outlines[flat.curve[v]];
@@ -143,10 +144,13 @@ void check_side(LayerUnderTest& test, std::uint32_t index, CurveSide which, cons
 
 }  // namespace
 
-void check_curves(LayerUnderTest& test) {
-  const std::vector<Outline> outlines = measure(test);
+Status check_curves(LayerUnderTest& test) {
+  const Result<std::vector<Outline>> measured = measure(test);
+  if (!measured) return measured.status();
+  const std::vector<Outline>& outlines = *measured;
   RarePoll<1024> poll(test.context);
-  for (std::uint32_t i = 0; i < outlines.size() && !poll.cancelled(); ++i) {
+  for (std::uint32_t i = 0; i < outlines.size(); ++i) {
+    if (poll.cancelled()) return test.context.cancel_status();
     const Curve& curve = test.curves()[i];
     const bool closed = curve.control_points.front() == curve.control_points.back();
     if (closed) {
@@ -169,6 +173,7 @@ void check_curves(LayerUnderTest& test) {
                "it lies wholly outside the artboard: only its influence can show");
     }
   }
+  return ok_status();
 }
 
 }  // namespace sfumato::lint_detail

@@ -5,11 +5,12 @@
 
 namespace sfumato::lint_detail {
 
-/// Hints that one curve gives by itself: loops, attributes, blur, place.
-void check_curves(LayerUnderTest& test);
+/// Hints that one curve gives by itself: loops, attributes, blur, place. Errors: cancelled.
+Status check_curves(LayerUnderTest& test);
 
 /// Hints on curves that lie on one another, and on sides that no ray from the artboard reaches.
-void check_visibility(LayerUnderTest& test);
+/// Errors: cancelled.
+Status check_visibility(LayerUnderTest& test);
 
 /// Hints on curves that cross with colours that do not fit, and on ends that stop shortly before
 /// another curve. Of many in a layer the first are told one by one. Errors: limit, cancelled.

@@ -94,7 +94,7 @@ class Linter {
   void check_attributes(std::uint32_t layer);
   void note_shaders(std::uint32_t layer, double scale);
   Status check_instances(LayerUnderTest& test);
-  void check_stack();
+  Status check_stack();
   void check_stack_item(std::uint32_t i);
   void check_shader(std::uint32_t i);
 
@@ -117,8 +117,7 @@ Result<std::vector<Hint>> Linter::run() {
   for (std::uint32_t i = 0; i < document_.layers.size(); ++i) {
     if (Status status = check_layer(i); !status) return status;
   }
-  check_stack();
-  if (context_.cancelled()) return context_.cancel_status();
+  if (Status status = check_stack(); !status) return status;
   for (std::uint32_t i = 0; i < document_.shaders.size(); ++i) check_shader(i);
   return std::move(hints_);
 }
@@ -146,10 +145,10 @@ Status Linter::check_layer(std::uint32_t layer) {
   const Result<mesh::TriangleMesh> mesh = prepared->mesher.visibility_mesh(context_);
   if (!mesh) return mesh.status();
   LayerUnderTest test{context_, document_, layer, sight, *prepared, *mesh, hints_};
-  lint_detail::check_curves(test);
-  lint_detail::check_visibility(test);
-  if (Status status = lint_detail::check_meetings(test); !status) return status;
-  if (context_.cancelled()) return context_.cancel_status();
+  Status status = lint_detail::check_curves(test);
+  if (status) status = lint_detail::check_visibility(test);
+  if (status) status = lint_detail::check_meetings(test);
+  if (!status) return status;
   check_attributes(layer);
   return check_instances(test);
 }
@@ -215,11 +214,13 @@ Status Linter::check_instances(LayerUnderTest& test) {
   return ok_status();
 }
 
-void Linter::check_stack() {
+Status Linter::check_stack() {
   RarePoll<16> poll(context_);  // a local curve may have many stops
-  for (std::uint32_t i = 0; i < document_.stack.size() && !poll.cancelled(); ++i) {
+  for (std::uint32_t i = 0; i < document_.stack.size(); ++i) {
+    if (poll.cancelled()) return context_.cancel_status();
     check_stack_item(i);
   }
+  return context_.check();
 }
 
 void Linter::check_stack_item(std::uint32_t i) {

@@ -74,11 +74,10 @@ class MeetingCheck {
   Status run() {
     const std::size_t bytes = mesh_.vertex_position.size() * sizeof(Meeting);
     ScopedCharge charge;
-    if (Status status = charge.add(context_, bytes, "meetings of curves"); !status) return status;
-    find_meetings();
-    if (context_.cancelled()) return context_.cancel_status();
-    check_crossings();
-    return check_ends();
+    Status status = charge.add(context_, bytes, "meetings of curves");
+    if (status) status = find_meetings();
+    if (status) status = check_crossings();
+    return status ? check_ends() : status;
   }
 
  private:
@@ -102,14 +101,16 @@ class MeetingCheck {
     return attributes_.curve[mesh_.pieces(edge).back().segment];
   }
 
-  void find_meetings() {
+  Status find_meetings() {
     meeting_.resize(mesh_.vertex_position.size());
-    for (std::uint32_t h = 0; h < mesh_.triangle_vertex.size() && !poll_.cancelled(); ++h) {
+    for (std::uint32_t h = 0; h < mesh_.triangle_vertex.size(); ++h) {
+      if (poll_.cancelled()) return context_.cancel_status();
       if (!mesh_.has_curves(h)) continue;
       Meeting& meeting = meeting_[mesh_.origin(h)];
       ++meeting.edges;
       meeting.half_edge = h;
     }
+    return context_.check();
   }
 
   /// Hints of one kind, told or counted.
@@ -136,16 +137,20 @@ class MeetingCheck {
                               finds.hints[0].message);
   }
 
-  void check_crossings() {
+  Status check_crossings() {
     Finds crossings{HintKind::crossing, " crossings whose colours do not fit"};
-    for (std::uint32_t v = 0; v < meeting_.size() && !poll_.cancelled(); ++v) {
+    for (std::uint32_t v = 0; v < meeting_.size(); ++v) {
+      if (poll_.cancelled()) return context_.cancel_status();
       if (meeting_[v].edges != 4) continue;
       const std::optional<Cross> cross = cross_at(meeting_[v].half_edge);
       if (!cross) continue;
       if (is_outline_crossed(*cross) && clashes(*cross)) add_crossing(crossings, *cross);
-      if (is_eight(*cross)) add_eight(crossings, *cross);
+      const Result<bool> eight = is_eight(*cross);
+      if (!eight) return eight.status();
+      if (*eight) add_eight(crossings, *cross);
     }
     tell(crossings);
+    return ok_status();
   }
 
   /// The strands round the vertex that the half-edge leaves, if they are four.
@@ -187,7 +192,7 @@ class MeetingCheck {
 
   /// Whether a closed curve crosses itself so that both its sides face the outside, as those of an
   /// eight do, and these are not the same. In a star they face the outside on one side alone.
-  bool is_eight(const Cross& cross) {
+  Result<bool> is_eight(const Cross& cross) {
     const std::uint32_t curve = cross[0].curve;
     const auto is_other = [curve](const Strand& strand) { return strand.curve != curve; };
     if (std::ranges::any_of(cross, is_other) || !is_closed(test_.curves()[curve])) return false;
@@ -203,20 +208,23 @@ class MeetingCheck {
       const bool clash = one.kind == ShaderKind::curve_domain &&
                          other.kind == ShaderKind::curve_domain &&
                          differ(one.from, other.to, kClash);
-      if ((leaks || clash) && looks_left_ > 0 && is_outside(here / 3, curve)) return true;
+      if (!(leaks || clash) || looks_left_ <= 0) continue;
+      const Result<bool> outside = is_outside(here / 3, curve);
+      if (!outside || *outside) return outside;
     }
     return false;
   }
 
   /// Whether a ray from the triangle's middle crosses the curve an even number of times.
-  bool is_outside(std::uint32_t triangle, std::uint32_t curve) {
+  Result<bool> is_outside(std::uint32_t triangle, std::uint32_t curve) {
     --looks_left_;
     Vec2 middle;
     for (std::size_t k = 0; k < 3; ++k) {
       middle = middle + position(mesh_.triangle_vertex[3 * std::size_t{triangle} + k]) / 3;
     }
     bool outside = true;
-    for (std::uint32_t h = 0; h < mesh_.triangle_vertex.size() && !poll_.cancelled(); ++h) {
+    for (std::uint32_t h = 0; h < mesh_.triangle_vertex.size(); ++h) {
+      if (poll_.cancelled()) return context_.cancel_status();
       const std::int32_t twin = mesh_.half_edge_twin[h];
       const bool is_second = twin != mesh::kNone && static_cast<std::uint32_t>(twin) < h;
       if (is_second || !mesh_.has_curves(h)) continue;

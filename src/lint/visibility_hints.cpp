@@ -36,12 +36,13 @@ bool bears_opacity(const Curve& curve) {
 }
 
 /// Marks curves that a later one hides: the same points and an attribute in common.
-std::vector<bool> check_duplicates(LayerUnderTest& test) {
+Result<std::vector<bool>> check_duplicates(LayerUnderTest& test) {
   const std::vector<Curve>& curves = test.curves();
   std::vector<bool> hidden(curves.size(), false);
   std::unordered_map<std::uint64_t, std::uint32_t> last_with_hash;
   RarePoll<1024> poll(test.context);
-  for (std::uint32_t i = 0; i < curves.size() && !poll.cancelled(); ++i) {
+  for (std::uint32_t i = 0; i < curves.size(); ++i) {
+    if (poll.cancelled()) return test.context.cancel_status();
     const Curve& curve = curves[i];
     const auto [entry, is_new] =
         last_with_hash.try_emplace(hash_of_points(curve.control_points), i);
@@ -71,18 +72,25 @@ std::vector<bool> check_duplicates(LayerUnderTest& test) {
 class Reach {
  public:
   Reach(const Context& context, const mesh::TriangleMesh& mesh,
-        curves::SegmentAttributes attributes, const Box& artboard, std::size_t curve_count)
-      : poll_(context),
+        curves::SegmentAttributes attributes, std::size_t curve_count)
+      : context_(context),
+        poll_(context),
         mesh_(mesh),
         attributes_(std::move(attributes)),
         met_(2 * curve_count, false) {
     name_sides();
-    enter(artboard);
-    while (!open_.empty() && !poll_.cancelled()) {
+  }
+
+  /// Comes first. Errors: cancelled.
+  Status look_from(const Box& artboard) {
+    if (Status status = enter(artboard); !status) return status;
+    while (!open_.empty()) {
+      if (poll_.cancelled()) return context_.cancel_status();
       const std::uint32_t triangle = open_.back();
       open_.pop_back();
       for (std::uint32_t k = 0; k < 3; ++k) look_across(3 * triangle + k);
     }
+    return ok_status();
   }
 
   bool meets(std::uint32_t curve, CurveSide side) const {
@@ -98,15 +106,17 @@ class Reach {
     }
   }
 
-  void enter(const Box& artboard) {
+  Status enter(const Box& artboard) {
     entered_.resize(mesh_.triangle_count(), false);
-    for (std::uint32_t t = 0; t < mesh_.triangle_count() && !poll_.cancelled(); ++t) {
+    for (std::uint32_t t = 0; t < mesh_.triangle_count(); ++t) {
+      if (poll_.cancelled()) return context_.cancel_status();
       Box box;
       for (std::size_t k = 0; k < 3; ++k) {
         box.extend(mesh_.vertex_position[mesh_.triangle_vertex[3 * std::size_t{t} + k]]);
       }
       if (overlap(box, artboard)) push(t);
     }
+    return ok_status();
   }
 
   void push(std::uint32_t triangle) {
@@ -135,6 +145,7 @@ class Reach {
     if (back.kind != ShaderKind::open) met_[back.shader] = true;
   }
 
+  const Context& context_;
   RarePoll<4096> poll_;
   const mesh::TriangleMesh& mesh_;
   curves::SegmentAttributes attributes_;
@@ -152,19 +163,23 @@ void add_unseen(LayerUnderTest& test, std::uint32_t curve, CurveSide side, const
 
 }  // namespace
 
-void check_visibility(LayerUnderTest& test) {
-  const std::vector<bool> hidden = check_duplicates(test);
+Status check_visibility(LayerUnderTest& test) {
+  const Result<std::vector<bool>> hidden = check_duplicates(test);
+  if (!hidden) return hidden.status();
   const std::vector<Curve>& curves = test.curves();
   const mesh::TriangleMesh& mesh = test.mesh;
   const Box& sight = test.sight.viewport;
-  const Reach color(test.context, mesh, test.prepared.color.attributes, sight, curves.size());
+  Reach color(test.context, mesh, test.prepared.color.attributes, curves.size());
+  if (Status status = color.look_from(sight); !status) return status;
   std::optional<Reach> opacity;
   if (test.prepared.opacity) {
-    opacity.emplace(test.context, mesh, test.prepared.opacity->attributes, sight, curves.size());
+    opacity.emplace(test.context, mesh, test.prepared.opacity->attributes, curves.size());
+    if (Status status = opacity->look_from(sight); !status) return status;
   }
   RarePoll<4096> poll(test.context);
-  for (std::uint32_t i = 0; i < curves.size() && !poll.cancelled(); ++i) {
-    if (hidden[i]) continue;
+  for (std::uint32_t i = 0; i < curves.size(); ++i) {
+    if (poll.cancelled()) return test.context.cancel_status();
+    if ((*hidden)[i]) continue;
     for (const CurveSide which : {CurveSide::left, CurveSide::right}) {
       const Side& side = which == CurveSide::left ? curves[i].left : curves[i].right;
       if (has_value(side.color) && !color.meets(i, which)) add_unseen(test, i, which, "colour");
@@ -173,6 +188,7 @@ void check_visibility(LayerUnderTest& test) {
       }
     }
   }
+  return test.context.check();
 }
 
 }  // namespace sfumato::lint_detail

@@ -33,12 +33,14 @@ bool bends(const PatchField& field, std::size_t triangle) {
 
 }  // namespace
 
-std::vector<std::uint8_t> bent_triangles(const Context& context, const PatchLayer& layer) {
+Result<std::vector<std::uint8_t>> bent_triangles(const Context& context, const PatchLayer& layer) {
   std::vector<std::uint8_t> bent(layer.triangle_count());
   RarePoll<16384> poll(context);
-  for (std::size_t t = 0; t < bent.size() && !poll.cancelled(); ++t) {
+  for (std::size_t t = 0; t < bent.size(); ++t) {
+    if (poll.cancelled()) return context.cancel_status();
     bent[t] = bends(layer.color, t) || (layer.opacity.channel_count > 0 && bends(layer.opacity, t));
   }
+  if (Status status = context.check(); !status) return status;
   return bent;
 }
 

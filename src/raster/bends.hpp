@@ -4,13 +4,14 @@
 #include <vector>
 
 #include "sfumato/base/context.hpp"
+#include "sfumato/base/status.hpp"
 #include "sfumato/picture/picture.hpp"
 
 namespace sfumato::raster {
 
 /// Per triangle of a layer that was checked, 1 where some value strays from what is linear in the
 /// triangle by more than a few code values, so that the mean over a part of it may not be its value
-/// at the part's centroid. Incomplete where the context is cancelled. Cost: O(triangles).
-std::vector<std::uint8_t> bent_triangles(const Context& context, const PatchLayer& layer);
+/// at the part's centroid. Errors: cancelled. Cost: O(triangles).
+Result<std::vector<std::uint8_t>> bent_triangles(const Context& context, const PatchLayer& layer);
 
 }  // namespace sfumato::raster

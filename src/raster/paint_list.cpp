@@ -206,8 +206,9 @@ Status PaintList::Builder::build() {
     for (Vec2 p : layer.vertex_position) list_.layers_[i].bounds.extend(p);
     status = list_.charge_.add(context_, layer.triangle_count(), "marks of triangles");
     if (!status) return status;
-    list_.layers_[i].is_bent = bent_triangles(context_, layer);
-    if (context_.cancelled()) return context_.cancel_status();
+    Result<std::vector<std::uint8_t>> bent = bent_triangles(context_, layer);
+    if (!bent) return bent.status();
+    list_.layers_[i].is_bent = std::move(*bent);
   }
   list_.items_.reserve(picture_.stack.size());
   for (const PictureItem& item : picture_.stack) {

@@ -90,8 +90,10 @@ Status Binner::sort(Context& context, const std::vector<TileRange>& ranges, Tile
   if (!status) return status;
   bins->first.assign(grid_.tile_count() + 1, 0);
   RarePoll<16384> poll(context);
-  for (std::uint32_t t = 0; t < triangle_count && !poll.cancelled(); ++t)
+  for (std::uint32_t t = 0; t < triangle_count; ++t) {
+    if (poll.cancelled()) return context.cancel_status();
     for_each_tile(t, ranges[t], [&](std::size_t tile) { ++bins->first[tile + 1]; });
+  }
   if (context.cancelled()) return context.cancel_status();
   for (std::size_t i = 1; i < bins->first.size(); ++i) bins->first[i] += bins->first[i - 1];
 
@@ -100,8 +102,10 @@ Status Binner::sort(Context& context, const std::vector<TileRange>& ranges, Tile
   if (!status) return status;
   bins->triangle.resize(listed);
   std::vector<std::uint64_t> next(bins->first.begin(), bins->first.end() - 1);
-  for (std::uint32_t t = 0; t < triangle_count && !poll.cancelled(); ++t)
+  for (std::uint32_t t = 0; t < triangle_count; ++t) {
+    if (poll.cancelled()) return context.cancel_status();
     for_each_tile(t, ranges[t], [&](std::size_t tile) { bins->triangle[next[tile]++] = t; });
+  }
   return context.check();
 }
 

@@ -61,13 +61,13 @@ class BorderCutter {
       : context_(context), mesh_(mesh), sight_(sight), accuracy_(accuracy), poll_(context) {}
 
   Result<BorderCuts> cut() {
-    std::vector<std::uint32_t> fresh = mixed_triangles();
-    if (context_.cancelled()) return context_.cancel_status();
-    if (fresh.empty()) return std::move(cuts_);
+    Result<std::vector<std::uint32_t>> fresh = mixed_triangles();
+    if (!fresh) return fresh.status();
+    if (fresh->empty()) return std::move(cuts_);
     Status status = make_tables();
     if (!status) return status;
-    for (std::uint32_t t : fresh) is_known_[t] = 1;
-    while (status && !fresh.empty()) status = look_at_edges(fresh);
+    for (std::uint32_t t : *fresh) is_known_[t] = 1;
+    while (status && !fresh->empty()) status = look_at_edges(*fresh);
     if (status) status = find_crossings();
     if (status) status = cut_triangles();
     if (!status) return status;
@@ -75,7 +75,7 @@ class BorderCutter {
   }
 
  private:
-  std::vector<std::uint32_t> mixed_triangles();
+  Result<std::vector<std::uint32_t>> mixed_triangles();
   Status make_tables();
   Status look_at_edges(std::vector<std::uint32_t>& fresh);
   void add_edges(std::uint32_t triangle);
@@ -119,9 +119,10 @@ class BorderCutter {
   BorderCuts cuts_;
 };
 
-std::vector<std::uint32_t> BorderCutter::mixed_triangles() {
+Result<std::vector<std::uint32_t>> BorderCutter::mixed_triangles() {
   std::vector<std::uint32_t> mixed;
-  for (std::uint32_t t = 0; t < mesh_.triangle_count() && !poll_.cancelled(); ++t) {
+  for (std::uint32_t t = 0; t < mesh_.triangle_count(); ++t) {
+    if (poll_.cancelled()) return context_.cancel_status();
     const bool first = sees(t, 0);
     for (std::size_t i = 1; i < kNodesPerTriangle; ++i) {
       if (sees(t, i) == first) continue;

@@ -260,11 +260,13 @@ bool LayerSolver::is_curve(std::uint32_t half_edge) const {
 }
 
 /// Per half-edge, parts included: 1 on curves and where nothing is kept beyond it.
-std::vector<std::uint8_t> LayerSolver::edges_of_curves(std::span<const std::uint8_t> keep) const {
+Result<std::vector<std::uint8_t>> LayerSolver::edges_of_curves(
+    std::span<const std::uint8_t> keep) const {
   const std::size_t whole = mesh_.half_edge_twin.size();
   std::vector<std::uint8_t> marks(mesh_.triangle_vertex.size());
   RarePoll<16384> poll(context_);
-  for (std::size_t i = 0; i < marks.size() && !poll.cancelled(); ++i) {
+  for (std::size_t i = 0; i < marks.size(); ++i) {
+    if (poll.cancelled()) return context_.cancel_status();
     const std::int32_t edge = i < whole ? static_cast<std::int32_t>(i) : cuts_.edge[i - whole];
     if (edge < 0) {
       marks[i] = edge == BorderCuts::kBorder;
@@ -281,8 +283,8 @@ std::vector<std::uint8_t> LayerSolver::edges_of_curves(std::span<const std::uint
 
 /// Adds the triangles beside them to those to keep: a blur mixes the colours of what is
 /// transparent, too.
-std::vector<SoftEdge> LayerSolver::soft_edges(std::span<std::uint8_t> keep) const {
-  if (!is_finely_blurred_) return {};
+Result<std::vector<SoftEdge>> LayerSolver::soft_edges(std::span<std::uint8_t> keep) const {
+  if (!is_finely_blurred_) return std::vector<SoftEdge>();
   const Seams& color = color_.seams();
   const Seams* const opacity = opacity_ ? &opacity_->seams() : nullptr;
   const auto is_seam = [&](std::uint32_t h) { return is_curve(h); };
@@ -291,7 +293,8 @@ std::vector<SoftEdge> LayerSolver::soft_edges(std::span<std::uint8_t> keep) cons
     return opacity ? std::max(radius, opacity->fine_radius(h, u)) : radius;
   };
   RarePoll<16384> poll(context_);
-  for (std::uint32_t h = 0; h < mesh_.half_edge_twin.size() && !poll.cancelled(); ++h) {
+  for (std::uint32_t h = 0; h < mesh_.half_edge_twin.size(); ++h) {
+    if (poll.cancelled()) return context_.cancel_status();
     if (mesh_.half_edge_constraint[h] == mesh::kNone || keep[h / 3] || is_cut(h / 3)) continue;
     const bool is_soft = fine_radius(h, 0) > 0 || fine_radius(h, 1) > 0;
     keep[h / 3] = is_soft && color_.sees_curves(h / 3);
@@ -313,10 +316,11 @@ float LayerSolver::largest_opacity(std::uint32_t triangle, float enough) const {
 
 /// A region from which no curve is seen has no colour, and one without opacity shows nothing: both
 /// need no triangles.
-std::vector<std::uint8_t> LayerSolver::visible_triangles() const {
+Result<std::vector<std::uint8_t>> LayerSolver::visible_triangles() const {
   std::vector<std::uint8_t> keep(mesh_.triangle_count());
   RarePoll<16384> poll(context_);
-  for (std::uint32_t t = 0; t < mesh_.triangle_count() && !poll.cancelled(); ++t) {
+  for (std::uint32_t t = 0; t < mesh_.triangle_count(); ++t) {
+    if (poll.cancelled()) return context_.cancel_status();
     keep[t] = !is_cut(t) && color_.sees_curves(t) &&
               largest_opacity(t, kInvisibleOpacity) >= kInvisibleOpacity;
   }
@@ -343,10 +347,15 @@ Result<PatchLayer> LayerSolver::take_patches() {
   ScopedCharge charge;
   Status status = charge.add(context_, patch_bytes(), "patches");
   if (!status) return status;
-  std::vector<std::uint8_t> keep = visible_triangles();
+  Result<std::vector<std::uint8_t>> visible = visible_triangles();
+  if (!visible) return visible.status();
+  const std::span<std::uint8_t> keep = *visible;
   PatchLayer layer;
-  layer.soft_edge = soft_edges(keep);
-  const std::vector<std::uint8_t> marks = edges_of_curves(keep);
+  Result<std::vector<SoftEdge>> soft_edge = soft_edges(keep);
+  if (!soft_edge) return soft_edge.status();
+  layer.soft_edge = std::move(*soft_edge);
+  const Result<std::vector<std::uint8_t>> marks = edges_of_curves(keep);
+  if (!marks) return marks.status();
   status = for_each_field([&](FieldSolver& field) { return field.fill_unseen_nodes(context_); });
   if (!status) return status;
   RarePoll<16384> poll(context_);
@@ -355,11 +364,12 @@ Result<PatchLayer> LayerSolver::take_patches() {
   const auto kept = static_cast<std::size_t>(std::ranges::count(keep, 1));
   layer.triangle_vertex.reserve(3 * kept);
   layer.edge_is_curve.reserve(3 * kept);
-  for (std::uint32_t t = 0; t < mesh_.triangle_count() && !poll.cancelled(); ++t) {
+  for (std::uint32_t t = 0; t < mesh_.triangle_count(); ++t) {
+    if (poll.cancelled()) return context_.cancel_status();
     if (!keep[t]) continue;
     for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
       layer.triangle_vertex.push_back(mesh_.triangle_vertex[h]);
-      layer.edge_is_curve.push_back(marks[h]);
+      layer.edge_is_curve.push_back((*marks)[h]);
     }
   }
   if (context_.cancelled()) return context_.cancel_status();

@@ -49,10 +49,10 @@ class LayerSolver {
   bool is_cut(std::uint32_t triangle) const {
     return triangle < cuts_.is_cut.size() && cuts_.is_cut[triangle] != 0;
   }
-  std::vector<SoftEdge> soft_edges(std::span<std::uint8_t> keep) const;
+  Result<std::vector<SoftEdge>> soft_edges(std::span<std::uint8_t> keep) const;
   float largest_opacity(std::uint32_t triangle, float enough) const;
-  std::vector<std::uint8_t> visible_triangles() const;
-  std::vector<std::uint8_t> edges_of_curves(std::span<const std::uint8_t> keep) const;
+  Result<std::vector<std::uint8_t>> visible_triangles() const;
+  Result<std::vector<std::uint8_t>> edges_of_curves(std::span<const std::uint8_t> keep) const;
   /// Whether color_ holds the opacity too, as its fourth channel.
   bool is_joint() const;
   std::size_t patch_bytes() const;

@@ -35,12 +35,13 @@ class SoftEdgeFinder {
   SoftEdgeFinder(const Context& context, const TriangleMesh& mesh, const EdgeBlurs& blurs)
       : context_(context), mesh_(mesh), blurs_(blurs), half_edges_(mesh.half_edge_twin.size()) {}
 
-  std::vector<SoftEdge> find(std::span<const std::uint8_t> keep) {
+  Result<std::vector<SoftEdge>> find(std::span<const std::uint8_t> keep) {
     number_triangles(keep);
     mark_vertices();
     std::vector<SoftEdge> edges;
     RarePoll<16384> poll(context_);
-    for (std::uint32_t h = 0; h < half_edges_ && !poll.cancelled(); ++h) {
+    for (std::uint32_t h = 0; h < half_edges_; ++h) {
+      if (poll.cancelled()) return context_.cancel_status();
       if (mesh_.half_edge_constraint[h] == mesh::kNone || mesh_.half_edge_twin[h] == mesh::kNone)
         continue;
       const float from = blurs_.fine_radius(h, 0), to = blurs_.fine_radius(h, 1);
@@ -139,8 +140,9 @@ class SoftEdgeFinder {
 
 }  // namespace
 
-std::vector<SoftEdge> find_soft_edges(const Context& context, const TriangleMesh& mesh,
-                                      const EdgeBlurs& blurs, std::span<const std::uint8_t> keep) {
+Result<std::vector<SoftEdge>> find_soft_edges(const Context& context, const TriangleMesh& mesh,
+                                              const EdgeBlurs& blurs,
+                                              std::span<const std::uint8_t> keep) {
   return SoftEdgeFinder(context, mesh, blurs).find(keep);
 }
 

@@ -7,6 +7,7 @@
 #include "mesh/triangle_mesh.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/function_ref.hpp"
+#include "sfumato/base/status.hpp"
 #include "sfumato/picture/picture.hpp"
 
 namespace sfumato::solve {
@@ -22,8 +23,10 @@ struct EdgeBlurs {
 
 /// The sides of edges with a fine blur, as they are in the layer of the triangles with keep[t].
 /// Where two edges of a face meet, the line that halves the angle parts their blurs; where another
-/// curve is near, half of the way to it is a blur's. Incomplete where the context is cancelled.
-std::vector<SoftEdge> find_soft_edges(const Context& context, const mesh::TriangleMesh& mesh,
-                                      const EdgeBlurs& blurs, std::span<const std::uint8_t> keep);
+/// curve is near, half of the way to it is a blur's. Errors: cancelled.
+Result<std::vector<SoftEdge>> find_soft_edges(const Context& context,
+                                              const mesh::TriangleMesh& mesh,
+                                              const EdgeBlurs& blurs,
+                                              std::span<const std::uint8_t> keep);
 
 }  // namespace sfumato::solve

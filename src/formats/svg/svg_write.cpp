@@ -251,6 +251,7 @@ Status SvgWriter::write_stack() {
 }
 
 Status SvgWriter::check_progress() const {
+  if (!writer_.status()) return writer_.status();
   if (context_.cancelled()) return context_.cancel_status();
   return svg::check_length(context_, writer_.text().size());
 }
@@ -294,7 +295,8 @@ Status SvgWriter::write_layer(std::uint32_t layer, const svg::Attributes& attrib
     svg::Attributes path;
     if (!curve.id.empty()) path.add("id", ids_.claim(curve.id));
     if (has_classes) path.add("class", "curve");
-    svg::add_curve(context_, path, curve, shader_id_);
+    Status status = svg::add_curve(context_, path, curve, shader_id_);
+    if (!status) return status;
     writer_.leaf("path", path);
   }
   writer_.close("g");
@@ -306,9 +308,9 @@ Status SvgWriter::write_item(const LocalStroke& stroke) {
   svg::Attributes attributes;
   if (!stroke.curve.id.empty()) attributes.add("id", ids_.claim(stroke.curve.id));
   add_transform(attributes, stroke.artboard_from_stroke);
-  svg::add_local_curve(context_, attributes, stroke.curve);
-  writer_.leaf("path", attributes);
-  return ok_status();
+  Status status = svg::add_local_curve(context_, attributes, stroke.curve);
+  if (status) writer_.leaf("path", attributes);
+  return status;
 }
 
 Status SvgWriter::write_item(const GroupBegin& group) {

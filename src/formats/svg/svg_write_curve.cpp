@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "base/number_text.hpp"
 #include "base/poll.hpp"
@@ -151,12 +152,13 @@ double mean_radius(const ScalarStops& list) {
 
 }  // namespace
 
-std::string path_data(const Context& context, std::span<const Vec2> control_points) {
+Result<std::string> path_data(const Context& context, std::span<const Vec2> control_points) {
   std::string text = "M";
   // To move tens of megabytes to a larger place takes longer than the flag may go without a look.
   text.reserve(kBytesPerPoint * control_points.size());
   RarePoll<1024> poll(context);
-  for (std::size_t i = 0; i < control_points.size() && !poll.cancelled(); ++i) {
+  for (std::size_t i = 0; i < control_points.size(); ++i) {
+    if (poll.cancelled()) return context.cancel_status();
     if (i > 0) text += i == 1 ? "\nC" : "\n";
     text += number_text(control_points[i].x) + ' ' + number_text(control_points[i].y);
   }
@@ -164,9 +166,11 @@ std::string path_data(const Context& context, std::span<const Vec2> control_poin
   return text;
 }
 
-void add_curve(const Context& context, Attributes& attributes, const Curve& curve,
-               std::span<const std::string> shader_id) {
-  attributes.add("d", path_data(context, curve.control_points));
+Status add_curve(const Context& context, Attributes& attributes, const Curve& curve,
+                 std::span<const std::string> shader_id) {
+  Result<std::string> data = path_data(context, curve.control_points);
+  if (!data) return data.status();
+  attributes.add("d", std::move(*data));
   add_shader(attributes, "sf:left", curve.left.color, shader_id);
   add_shader(attributes, "sf:right", curve.right.color, shader_id);
   if (curve.left.opacity == curve.right.opacity) {
@@ -183,10 +187,13 @@ void add_curve(const Context& context, Attributes& attributes, const Curve& curv
   }
   if (curve.weight != 1) attributes.add("sf:weight", number_text(curve.weight));
   add_preview(attributes, curve, shader_id);
+  return ok_status();
 }
 
-void add_local_curve(const Context& context, Attributes& attributes, const LocalCurve& curve) {
-  attributes.add("d", path_data(context, curve.control_points));
+Status add_local_curve(const Context& context, Attributes& attributes, const LocalCurve& curve) {
+  Result<std::string> data = path_data(context, curve.control_points);
+  if (!data) return data.status();
+  attributes.add("d", std::move(*data));
   add_stops(attributes, "sf:left", curve.left_color);
   add_stops(attributes, "sf:right", curve.right_color);
   add_radii(attributes, "sf:blur", curve.blur_radius);
@@ -200,6 +207,7 @@ void add_local_curve(const Context& context, Attributes& attributes, const Local
       .add("stroke", mean.text())
       .add("stroke-width", rounded_number_text(mean_radius(curve.influence_radius), 3))
       .add("stroke-opacity", rounded_number_text(std::min(1.0, curve.alpha), 3));
+  return ok_status();
 }
 
 }  // namespace sfumato::svg

@@ -1,6 +1,7 @@
 #include "formats/svg/svg_write_text.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/limit_error.hpp"
 #include "base/poll.hpp"
@@ -18,14 +19,15 @@ void append_on_one_line(std::string& text, const std::string& value) {
   std::replace(text.begin() + static_cast<std::ptrdiff_t>(begin), text.end(), '\n', ' ');
 }
 
-/// Appends the value from column `indent` on, with as much on each line as fits.
-void append_broken(const Context& context, std::string& text, std::string_view value,
-                   std::size_t indent) {
+/// Appends the value from column `indent` on, with as much on each line as fits. Errors: cancelled.
+Status append_broken(const Context& context, std::string& text, std::string_view value,
+                     std::size_t indent) {
   RarePoll<4096> poll(context);
   // Once, before the value is there to be moved too; half as much again for the indents.
   text.reserve(text.size() + value.size() + value.size() / 2);
   std::size_t column = indent;
-  for (bool first = true; !poll.cancelled(); first = false) {
+  for (bool first = true;; first = false) {
+    if (poll.cancelled()) return context.cancel_status();
     const std::size_t end = value.find('\n');
     const std::string_view part = value.substr(0, end);
     if (!first && column + 1 + part.size() > kColumns - kEndColumns) {
@@ -38,7 +40,7 @@ void append_broken(const Context& context, std::string& text, std::string_view v
     }
     text += part;
     column += part.size();
-    if (end == std::string_view::npos) return;
+    if (end == std::string_view::npos) return ok_status();
     value.remove_prefix(end + 1);
   }
 }
@@ -76,7 +78,8 @@ void ElementWriter::element(std::string_view name, const Attributes& attributes,
       append_on_one_line(text_, value);
       column += length + 1;
     } else {
-      append_broken(context_, text_, value, column + key.size() + 2);
+      Status status = append_broken(context_, text_, value, column + key.size() + 2);
+      if (!status) status_ = std::move(status);
       column = kColumns;  // nothing beside the end of a broken value
     }
     text_ += '"';
@@ -108,6 +111,11 @@ void ElementWriter::close(std::string_view name) {
 
 void ElementWriter::leaf(std::string_view name, const Attributes& attributes) {
   element(name, attributes, "/>");
+}
+
+Result<std::string> ElementWriter::take() {
+  if (!status_) return status_;
+  return std::move(text_);
 }
 
 }  // namespace sfumato::svg

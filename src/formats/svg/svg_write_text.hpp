@@ -33,7 +33,7 @@ class Attributes {
 /// attributes go on below the first one, and values are broken where they may.
 class ElementWriter {
  public:
-  /// Long values are cut short where `context` says to stop: ask it.
+  /// Long values are cut short where `context` says to stop: see status().
   explicit ElementWriter(const Context& context) : context_(context) {}
 
   void open(std::string_view name, const Attributes& attributes);
@@ -43,13 +43,17 @@ class ElementWriter {
   void leaf(std::string_view name, const Attributes& attributes);
 
   const std::string& text() const { return text_; }
-  std::string take() { return std::move(text_); }
+  /// Ok, or cancelled: the text is not whole.
+  const Status& status() const { return status_; }
+  /// All that was written, or status().
+  Result<std::string> take();
 
  private:
   void element(std::string_view name, const Attributes& attributes, std::string_view end);
 
   const Context& context_;
   std::string text_;
+  Status status_;
   std::size_t depth_ = 0;
 };
 
