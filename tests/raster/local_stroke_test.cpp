@@ -207,6 +207,24 @@ TEST(LocalStroke, opacity_stops_at_one) {
   EXPECT_EQ(value(painted(painter_of(curve)), 3, 80, 80), 1.0f);
 }
 
+TEST(LocalStroke, a_cancelled_stroke_says_so_and_one_beside_it_does_not) {
+  Context context;
+  const Result<StrokePainter> painter =
+      StrokePainter::create(context, {straight(10), {}}, {}, InterpolationSpace::srgb);
+  ASSERT_TRUE(painter.ok());
+  context.cancel = true;
+  Planes planes = transparent();
+  const auto code = [&](int y, int height) {
+    return painter
+        ->paint(0, y, kSide, height, planes[0].data(), planes[1].data(), planes[2].data(),
+                planes[3].data(), kSide)
+        .code;
+  };
+  EXPECT_EQ(code(0, kSide), StatusCode::cancelled);
+  EXPECT_EQ(code(0, 20), StatusCode::ok) << "nothing is to be painted there";
+  for (float alpha : planes[3]) ASSERT_EQ(alpha, 0);
+}
+
 TEST(LocalStroke, beyond_the_influence_radius_nothing_is_painted) {
   const StrokePainter painter = painter_of(straight(10));
   const Planes planes = painted(painter);
