@@ -14,7 +14,7 @@ BEGIN {
   is_flag_itself["base/native/posix.cpp"] = 1         # false and errno, as the system's calls
   is_flag_itself["codecs/jpeg_encode.cpp"] = 1        # libjpeg's callback returns nothing
   is_flag_itself["codecs/webp_encode.cpp"] = 1        # libwebp's wants a number
-  is_flag_itself["formats/css/css_tokenizer.hpp"] = 1 # no Result a token: TextPoll has the status
+  is_flag_itself["formats/css/tokenizer.hpp"] = 1     # no Result a token: TextPoll has the status
 }
 
 function complain(message) {
