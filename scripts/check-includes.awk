@@ -12,6 +12,7 @@ BEGIN {
   is_flag_itself["base/context.cpp"] = is_flag_itself["base/poll.hpp"] = 1
   is_flag_itself["base/parallel.cpp"] = 1             # tasks of an executor return nothing
   is_flag_itself["base/native/posix.cpp"] = 1         # false and errno, as the system's calls
+  is_flag_itself["codecs/jpeg_decode.cpp"] = 1        # libjpeg's errors are jumps
   is_flag_itself["codecs/jpeg_encode.cpp"] = 1        # libjpeg's callback returns nothing
   is_flag_itself["codecs/webp_encode.cpp"] = 1        # libwebp's wants a number
   is_flag_itself["formats/css/tokenizer.hpp"] = 1     # no Result a token: TextPoll has the status
@@ -23,6 +24,7 @@ function complain(message) {
 }
 
 function finish_file() {
+  complain_of_look()
   if (lines > 600) {
     print previous_file ":601: file has " lines " lines; at most 600"
     broken = 1
@@ -107,34 +109,37 @@ function check_stop_declaration(code) {
   }
 }
 
-# Whether code leaves where it is, and hands no status on.
-function leaves_silently(code) {
-  return code ~ /(^|[^A-Za-z0-9_])(break;|continue;|return[ ;])/ && code !~ /status|check\(\)/
-}
-
-# The condition of a loop, which ends as if all were done, or a flag of one's own.
-function keeps_as_boolean(code) {
-  return code ~ /(^|[^A-Za-z0-9_])(for|while) \(.*cancelled\(\)/ || code ~ / = .*cancelled\(\)/
-}
-
 # A cancelled step is a status: what stops in the middle without one hands out half-made data that
-# every caller has to ask the flag about again. `awaited` is 1 behind a look whose branch is yet to
-# come, 2 within a branch in braces.
+# every caller has to ask the flag about again. A look at the flag has its status on the same line, or
+# on one of the next three; `look` is the line of one that has none yet.
 function check_looks(code) {
-  if (code ~ /(^|[^A-Za-z0-9_])cancelled\(\)/) {
-    awaited = code ~ /;[ \t]*\}?$/ ? 0 : 1
-    if (leaves_silently(code) || keeps_as_boolean(code)) complain_of_look()
-  } else if (awaited && leaves_silently(code)) {
+  if (code ~ /(cancel_status|check)\(\)/) {
+    look = 0
+  } else if (code ~ /(^|[^A-Za-z0-9_])cancelled\(\)/) {
     complain_of_look()
-  } else if (code ~ /status|check\(\)|\}/ || (awaited == 1 && code ~ /;/)) {
-    awaited = 0
+    look = FNR
+  } else if (look && FNR >= look + 3) {
+    complain_of_look()
   }
-  if (awaited && code ~ /\{$/) awaited = 2
 }
 
 function complain_of_look() {
-  awaited = 0
-  complain("a cancelled step has to return its status")
+  if (!look) return
+  print previous_file ":" look ": a cancelled step has to return its status"
+  broken = 1
+  look = 0
+}
+
+# What stands in the string literals of a line.
+function words_for_people(line, words) {
+  words = ""
+  gsub(/\\./, "", line)
+  while (match(line, /"[^"]*"/)) {
+    words = words " " substr(line, RSTART + 1, RLENGTH - 2)
+    line = substr(line, RSTART + RLENGTH)
+  }
+  gsub(/<!--/, "", words)
+  return words
 }
 
 FNR == 1 {
@@ -152,7 +157,6 @@ FNR == 1 {
   has_scenes = room ~ /^(gather|gather\/kernels|formats\/orzan|export\/glb)$/
   looks_are_checked = FILENAME ~ /^src\// && folder != "cli" &&
                       !(inner_path(FILENAME) in is_flag_itself)
-  awaited = 0
   if (!is_table && folder != "" && !(folder in is_folder)) {
     complain(folder " is not in scripts/folder-order.txt")
   }
@@ -180,9 +184,14 @@ is_table {
 }
 
 # The command's options are the command's: it adds them to what the library says.
-folder != "" && folder != "cli" && /"[^"]*(--[a-z]|sfumato (init|render|lint|convert|info|compare) )/ &&
-    !/<!--/ {
+folder != "" && folder != "cli" && /"/ &&
+    words_for_people($0) ~ /--[a-z]|sfumato (init|render|lint|convert|info|compare|watch) / {
   complain("the library may not speak of the command")
+}
+
+# In angle brackets a header of ours would slip past the order of the folders.
+folder != "" && /^[ \t]*#[ \t]*include[ \t]*<sfumato\// {
+  complain("a header of the library is included by quotes")
 }
 
 /^[ \t]*(inline )?namespace [a-z_:]+ \{/ {

@@ -89,7 +89,7 @@ std::string as_table(const std::string& name, const ReadDocument& read) {
                        std::to_string(facts.linear_gradients) + " linear, " +
                        std::to_string(facts.radial_gradients) + " radial)");
   row("textures", textures_text(facts));
-  count("warnings", read.warnings.size());
+  count("warnings", warnings_of(read).size());
   return table;
 }
 
@@ -139,7 +139,7 @@ std::string as_json(const std::string& name, const ReadDocument& read) {
     json.begin_object().member("width", texture->width).member("height", texture->height);
     json.end_object();
   }
-  json.end_array().member("warnings", read.warnings.size()).end_object();
+  json.end_array().member("warnings", warnings_of(read).size()).end_object();
   return json.text() + '\n';
 }
 

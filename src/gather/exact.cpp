@@ -97,8 +97,10 @@ class ExactGather {
   Status walk(const PacketBatch& batch, GrowingStack& stack) {
     while (!kernel_(scene_, batch, stack.view())) {
       if (stack.grow()) continue;
-      return make_error(StatusCode::limit,
-                        "memory limit reached: the gather's stack on this mesh needs more");
+      Status status = make_error(
+          StatusCode::limit, "memory limit reached: the gather's stack on this mesh needs more");
+      status.limit = "memory";
+      return status;
     }
     return ok_status();
   }

@@ -1,11 +1,11 @@
 #include "sfumato/solve/point_evaluator.hpp"
 
-#include <algorithm>
 #include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "base/poll.hpp"
 #include "base/public_verb.hpp"
 #include "solve/prepare_layer.hpp"
 
@@ -95,9 +95,10 @@ Status PointEvaluator::evaluate(Context& context, std::uint32_t layer, std::span
         (!opacity.empty() && opacity.size() != opacity_size)) {
       return make_error(StatusCode::bad_input, "tables of another size than the points ask for");
     }
-    const Box& frame = state_->layers[layer]->frame;
-    const auto is_inside = [&](Vec2 point) { return frame.contains(point); };
-    if (!std::ranges::all_of(points, is_inside)) {
+    RarePoll<4096> poll(context);
+    for (const Vec2 point : points) {
+      if (poll.cancelled()) return context.cancel_status();
+      if (state_->layers[layer]->frame.contains(point)) continue;
       return make_error(StatusCode::bad_input, "a point outside what was prepared");
     }
     return gather(context, layer, points, color, hit, opacity);

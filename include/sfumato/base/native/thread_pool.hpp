@@ -11,8 +11,8 @@ namespace sfumato {
 class ThreadPool final : public Executor {
  public:
   /// Starts `thread_count` threads, the calling one included: at most limits::kThreads, and for 0
-  /// one per core that this process may use. Where the system refuses threads the pool has fewer,
-  /// and where memory is exhausted only the calling thread.
+  /// or less one per core that this process may use. Where the system refuses threads the pool has
+  /// fewer, and where memory is exhausted only the calling thread.
   explicit ThreadPool(int thread_count = 0);
   ~ThreadPool() override;
   ThreadPool(const ThreadPool&) = delete;

@@ -32,7 +32,7 @@ struct GlbOptions {
 /// what glTF cannot hold and the number of triangles.
 ///
 /// Errors: bad_input (an invalid picture, an empty viewport, options that are not positive
-/// numbers), limit (memory, 4 GiB), cancelled, out_of_memory.
+/// numbers), limit (memory, 2 GiB), cancelled, out_of_memory.
 /// Cost: about 3 µs and 34 bytes a triangle.
 Result<std::vector<std::uint8_t>> export_glb(Context& context, const Picture& picture,
                                              const GlbOptions& options,
