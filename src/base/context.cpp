@@ -9,16 +9,11 @@
 #include <utility>
 
 #include "base/json.hpp"
+#include "base/limit_error.hpp"
 #include "base/poll.hpp"
 
 namespace sfumato {
 namespace {
-
-Status named_limit(std::string_view limit, std::string message) {
-  Status status = make_error(StatusCode::limit, std::move(message));
-  status.limit = limit;
-  return status;
-}
 
 std::int64_t now_ns() {
   const auto now = std::chrono::steady_clock::now().time_since_epoch();
@@ -48,9 +43,9 @@ Status Budget::charge(std::size_t bytes, std::string_view purpose) {
   std::size_t used = taken.load(std::memory_order_relaxed);
   do {
     if (bytes > limit_ || used > limit_ - bytes) {
-      return named_limit("memory", "memory limit of " + std::to_string(limit_ >> 20) +
-                                       " MiB reached: " + std::string(purpose) + " needs " +
-                                       std::to_string((bytes >> 20) + 1) + " MiB more");
+      return make_limit_error("memory", "memory limit of " + std::to_string(limit_ >> 20) +
+                                            " MiB reached: " + std::string(purpose) + " needs " +
+                                            std::to_string((bytes >> 20) + 1) + " MiB more");
     }
   } while (!taken.compare_exchange_weak(used, used + bytes, std::memory_order_relaxed));
   return ok_status();
@@ -85,7 +80,7 @@ Status Context::cancel_status() const {
   if (cancel || !deadline) {
     return make_error(StatusCode::cancelled, "cancelled");
   }
-  return named_limit(
+  return make_limit_error(
       "time", "the time limit of " + JsonWriter().value(deadline->seconds).text() + " s is over");
 }
 

@@ -12,7 +12,8 @@ namespace sfumato {
 /// what    in the plural
 std::string limit_text(const Limits& limits, std::size_t Limits::*limit, std::string_view what);
 
-/// The error of passing a limit: Status::limit is its name.
+/// The error of passing a limit: `limit` becomes Status::limit, and lives for ever.
+Status make_limit_error(std::string_view limit, std::string message, SourcePlace where = {});
 Status make_limit_error(std::size_t Limits::*limit, std::string message, SourcePlace where = {});
 
 /// make_limit_error() with the usual words: "more than the limit of 200000 curves".

@@ -67,10 +67,15 @@ std::string limit_text(const Limits& limits, std::size_t Limits::*limit, std::st
   return std::to_string(limits.*limit) + " " + std::string(what);
 }
 
-Status make_limit_error(std::size_t Limits::*limit, std::string message, SourcePlace where) {
+Status make_limit_error(std::string_view limit, std::string message, SourcePlace where) {
   Status status = make_error(StatusCode::limit, std::move(message), std::move(where));
-  status.limit = std::ranges::find(kNames, limit, &LimitName::value)->name;
+  status.limit = limit;
   return status;
+}
+
+Status make_limit_error(std::size_t Limits::*limit, std::string message, SourcePlace where) {
+  const std::string_view name = std::ranges::find(kNames, limit, &LimitName::value)->name;
+  return make_limit_error(name, std::move(message), std::move(where));
 }
 
 Status limit_error(const Limits& limits, std::size_t Limits::*limit, std::string_view what,

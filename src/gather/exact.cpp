@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "base/charge.hpp"
+#include "base/limit_error.hpp"
 #include "base/parallel.hpp"
 #include "gather/gather.hpp"
 #include "gather/kernels/kernel_entry.hpp"
@@ -97,10 +98,8 @@ class ExactGather {
   Status walk(const PacketBatch& batch, GrowingStack& stack) {
     while (!kernel_(scene_, batch, stack.view())) {
       if (stack.grow()) continue;
-      Status status = make_error(
-          StatusCode::limit, "memory limit reached: the gather's stack on this mesh needs more");
-      status.limit = "memory";
-      return status;
+      return make_limit_error("memory",
+                              "memory limit reached: the gather's stack on this mesh needs more");
     }
     return ok_status();
   }
