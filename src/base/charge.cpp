@@ -1,5 +1,6 @@
 #include "base/charge.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace sfumato {
@@ -21,6 +22,17 @@ Status ScopedCharge::add(Context& context, std::size_t bytes, std::string_view p
   budget_ = &budget;
   bytes_ += bytes;
   return status;
+}
+
+void ScopedCharge::release(std::size_t bytes) {
+  const std::size_t given = std::min(bytes, bytes_);
+  if (budget_) budget_->release(given);
+  bytes_ -= given;
+}
+
+void ScopedCharge::take(ScopedCharge&& other) {
+  if (!budget_) budget_ = other.budget_;
+  bytes_ += std::exchange(other.bytes_, 0);
 }
 
 }  // namespace sfumato

@@ -9,6 +9,9 @@ namespace sfumato {
 
 /// A charge that gives itself back at the end of its scope. It belongs to one Budget, that of the
 /// first Context that it is charged to, which must outlive it. Movable.
+///
+/// Tables take their room from a TableMemory, which charges what it allocates. This is for what
+/// allocates by itself: other libraries, and objects that bytes_of() measures once they are there.
 class ScopedCharge {
  public:
   ScopedCharge() = default;
@@ -21,6 +24,17 @@ class ScopedCharge {
   /// Charges `bytes` more; on failure nothing changes. What has a Budget already stays with it,
   /// whichever Context does the work now.
   Status add(Context& context, std::size_t bytes, std::string_view purpose);
+
+  /// Charges what is lacking of `bytes` in all: for what grows and is measured now and then.
+  Status raise_to(Context& context, std::size_t bytes, std::string_view purpose) {
+    return bytes > bytes_ ? add(context, bytes - bytes_, purpose) : ok_status();
+  }
+
+  /// Gives `bytes` back; more than is charged counts as all of it.
+  void release(std::size_t bytes);
+
+  /// Takes over the charge of `other`, which belongs to the same Budget or to none.
+  void take(ScopedCharge&& other);
 
  private:
   Budget* budget_ = nullptr;

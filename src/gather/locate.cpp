@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "base/large_vector.hpp"
 #include "base/parallel.hpp"
 #include "sfumato/base/box.hpp"
 
@@ -85,10 +84,8 @@ Result<Locator> Locator::create(Context& context, const Scene& scene) {
   const double side = std::sqrt(static_cast<double>(scene.triangle.size()));
   locator.side_ = static_cast<int>(std::clamp(side, 1.0, 2048.0));
   const auto row_cells = static_cast<std::size_t>(locator.side_);
-  if (Status status = locator.charge_.add(context, row_cells * row_cells * 4, "point location");
-      !status) {
-    return status;
-  }
+  Status status = locator.memory_.resize(context, locator.cell_triangle_, row_cells * row_cells);
+  if (!status) return status;
   locator.min_x_ = static_cast<float>(box.min.x);
   locator.min_y_ = static_cast<float>(box.min.y);
   const auto per_unit = [&](double length) {
@@ -96,9 +93,8 @@ Result<Locator> Locator::create(Context& context, const Scene& scene) {
   };
   locator.cells_per_unit_x_ = per_unit(box.width());
   locator.cells_per_unit_y_ = per_unit(box.height());
-  locator.cell_triangle_.resize(row_cells * row_cells);
   const double width = box.width() / locator.side_, height = box.height() / locator.side_;
-  Status status = parallel_for(context, row_cells, 8, [&](std::size_t begin, std::size_t end) {
+  status = parallel_for(context, row_cells, 8, [&](std::size_t begin, std::size_t end) {
     std::uint32_t t = 0;
     for (std::size_t i = begin * row_cells; i < end * row_cells; ++i) {
       const auto x =
@@ -121,13 +117,8 @@ std::uint32_t Locator::start_triangle(float x, float y) const {
 
 Result<LocatedPoints> Locator::locate(Context& context, std::span<const Vec2> points) const {
   LocatedPoints located;
-  const std::size_t bytes = points.size() * (2 * sizeof(float) + sizeof(std::uint32_t));
-  if (Status status = located.charge.add(context, bytes, "the points to gather at"); !status) {
-    return status;
-  }
-  Status status = resize_large(context, located.x, points.size());
-  if (status) status = resize_large(context, located.y, points.size());
-  if (status) status = resize_large(context, located.triangle, points.size());
+  Status status =
+      located.memory.resize_all(context, points.size(), located.x, located.y, located.triangle);
   if (!status) return status;
   status = parallel_for(context, points.size(), kChunk, [&](std::size_t begin, std::size_t end) {
     float last_x = std::numeric_limits<float>::infinity(), last_y = 0;

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "base/charge.hpp"
+#include "base/table_memory.hpp"
 #include "gather/scene.hpp"
 
 namespace sfumato::gather {
@@ -15,7 +15,7 @@ struct LocatedPoints {
   std::vector<float> x;
   std::vector<float> y;
   std::vector<std::uint32_t> triangle;
-  ScopedCharge charge;
+  TableMemory memory{"the points to gather at"};
 };
 
 /// Finds triangles by walking: from the triangle of the point before where that is near, else from
@@ -36,7 +36,7 @@ class Locator {
   float min_x_ = 0, min_y_ = 0, cells_per_unit_x_ = 0, cells_per_unit_y_ = 0;
   int side_ = 1;
   std::vector<std::uint32_t> cell_triangle_;
-  ScopedCharge charge_;
+  TableMemory memory_{"point location"};
 };
 
 }  // namespace sfumato::gather
