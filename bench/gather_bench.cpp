@@ -36,7 +36,8 @@ solve::NodeLayout lay_out(const mesh::TriangleMesh& mesh,
                           const curves::SegmentAttributes& attributes) {
   const Context context;
   const Result<solve::Seams> seams = solve::Seams::create(context, mesh, attributes);
-  return *solve::lay_out_nodes(context, mesh, attributes, *seams);
+  TableMemory memory("a benchmark");
+  return *solve::lay_out_nodes(context, mesh, attributes, *seams, memory);
 }
 
 std::unique_ptr<Prepared> prepare(benchmark::State& state, const std::string& name) {

@@ -52,7 +52,8 @@ void lay_out_nodes(benchmark::State& state) {
   const mesh::TriangleMesh mesh = *mesher->patch_mesh({});
   for (auto _ : state) {
     const Result<solve::Seams> seams = solve::Seams::create(context, mesh, attributes);
-    benchmark::DoNotOptimize(solve::lay_out_nodes(context, mesh, attributes, *seams));
+    TableMemory memory("a benchmark");
+    benchmark::DoNotOptimize(solve::lay_out_nodes(context, mesh, attributes, *seams, memory));
   }
   state.counters["triangles"] = mesh.triangle_count();
 }

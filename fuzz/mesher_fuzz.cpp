@@ -112,7 +112,8 @@ void check_thinned(Context& context, const mesh::Mesher& mesher, const mesh::Tri
   for (std::size_t c = 0; c < keep.size(); ++c) {
     keep[c] = c % 3 != 0 && !whole.pieces(whole.constraint[c]).empty();
   }
-  const Result<mesh::TriangleMesh> thinned = mesher.thinned_mesh(context, whole, keep);
+  TableMemory memory("a test");
+  const Result<mesh::TriangleMesh> thinned = mesher.thinned_mesh(context, whole, keep, memory);
   fuzz::require_ok(thinned.status(), "a mesh cannot be thinned");
   fuzz::require_ok(is_valid(*thinned), "the thinned mesh is not valid");
 }

@@ -15,7 +15,7 @@ ScopedCharge::~ScopedCharge() {
   if (budget_) budget_->release(bytes_);
 }
 
-Status ScopedCharge::add(Context& context, std::size_t bytes, std::string_view purpose) {
+Status ScopedCharge::add(const Context& context, std::size_t bytes, std::string_view purpose) {
   Budget& budget = budget_ ? *budget_ : context.budget;
   Status status = budget.charge(bytes, purpose);
   if (!status) return status;

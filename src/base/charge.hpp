@@ -15,6 +15,8 @@ namespace sfumato {
 class ScopedCharge {
  public:
   ScopedCharge() = default;
+  /// Of this Budget, before anything is charged.
+  explicit ScopedCharge(Budget& budget) : budget_(&budget) {}
   ScopedCharge(ScopedCharge&& other) noexcept : budget_(other.budget_), bytes_(other.bytes_) {
     other.budget_ = nullptr;
   }
@@ -23,10 +25,10 @@ class ScopedCharge {
 
   /// Charges `bytes` more; on failure nothing changes. What has a Budget already stays with it,
   /// whichever Context does the work now.
-  Status add(Context& context, std::size_t bytes, std::string_view purpose);
+  Status add(const Context& context, std::size_t bytes, std::string_view purpose);
 
   /// Charges what is lacking of `bytes` in all: for what grows and is measured now and then.
-  Status raise_to(Context& context, std::size_t bytes, std::string_view purpose) {
+  Status raise_to(const Context& context, std::size_t bytes, std::string_view purpose) {
     return bytes > bytes_ ? add(context, bytes - bytes_, purpose) : ok_status();
   }
 

@@ -37,22 +37,24 @@ class TableMemory {
  public:
   /// purpose   what the tables are for, in the error's message: "textures"; a literal
   explicit TableMemory(std::string_view purpose) : purpose_(purpose) {}
+  /// Of this Budget, whichever Context comes first.
+  TableMemory(std::string_view purpose, Budget& budget) : charge_(budget), purpose_(purpose) {}
 
   /// Room for `count` items in all, and no more than that where it has to be made.
   template <class Table>
-  Status reserve(Context& context, Table& table, std::size_t count);
+  Status reserve(const Context& context, Table& table, std::size_t count);
 
   /// Room for `more` items behind those that are there; where it has to be made the room doubles at
   /// least.
   template <class Table>
-  Status make_room(Context& context, Table& table, std::size_t more = 1) {
+  Status make_room(const Context& context, Table& table, std::size_t more = 1) {
     if (more <= table.capacity() - table.size()) return ok_status();
     return reserve(context, table, std::max(table.size() + more, 2 * table.size()));
   }
 
   /// table.push_back(item).
   template <class Table>
-  Status push_back(Context& context, Table& table, typename Table::value_type item) {
+  Status push_back(const Context& context, Table& table, typename Table::value_type item) {
     Status status = make_room(context, table);
     if (status) table.push_back(std::move(item));
     return status;
@@ -60,7 +62,7 @@ class TableMemory {
 
   /// table.resize(count, value).
   template <class Table>
-  Status resize(Context& context, Table& table, std::size_t count,
+  Status resize(const Context& context, Table& table, std::size_t count,
                 const typename Table::value_type& value = {}) {
     Status status = reserve(context, table, count);
     return status ? fill(context, table, count, value) : status;
@@ -68,7 +70,7 @@ class TableMemory {
 
   /// resize() of several tables to the same count.
   template <class... Table>
-  Status resize_all(Context& context, std::size_t count, Table&... tables) {
+  Status resize_all(const Context& context, std::size_t count, Table&... tables) {
     Status status;
     ((status = resize(context, tables, count)).ok() && ...);
     return status;
@@ -76,7 +78,7 @@ class TableMemory {
 
   /// resize() for what grows again and again: where room has to be made there is room for `most`.
   template <class Table>
-  Status grow(Context& context, Table& table, std::size_t count, std::size_t most,
+  Status grow(const Context& context, Table& table, std::size_t count, std::size_t most,
               const typename Table::value_type& value = {}) {
     Status status;
     if (count > table.capacity()) status = reserve(context, table, std::max(count, most));
@@ -85,10 +87,11 @@ class TableMemory {
 
   /// Appends copies of `from`.
   template <class Table>
-  Status append(Context& context, std::span<const typename Table::value_type> from, Table& table);
+  Status append(const Context& context, std::span<const typename Table::value_type> from,
+                Table& table);
 
   /// Appends the bytes of a text.
-  Status append(Context& context, std::string_view text, std::vector<std::uint8_t>& bytes) {
+  Status append(const Context& context, std::string_view text, std::vector<std::uint8_t>& bytes) {
     const auto* data = reinterpret_cast<const std::uint8_t*>(text.data());
     return append(context, std::span(data, text.size()), bytes);
   }
@@ -96,7 +99,16 @@ class TableMemory {
   /// Sorts by `less`, not stably: runs, and then these merged by twos into a second table, which is
   /// charged meanwhile. On failure the order is unspecified.
   template <class Item, class Less>
-  static Status sort(Context& context, std::vector<Item>& items, Less less);
+  static Status sort(const Context& context, std::vector<Item>& items, Less less);
+
+  /// Charges what tables have grown by themselves, in loops too deep for a status. They take
+  /// `bytes` now, and took `known` before, which follows. Error: limit (memory).
+  Status settle(const Context& context, std::size_t bytes, std::size_t& known) {
+    if (bytes <= known) return ok_status();
+    Status status = charge_.add(context, bytes - known, purpose_);
+    if (status) known = bytes;
+    return status;
+  }
 
   /// Empties the table and gives its room back.
   template <class Table>
@@ -113,7 +125,7 @@ class TableMemory {
   static constexpr std::size_t kPart = (std::size_t{8} << 20) / sizeof(typename Table::value_type);
 
   template <class Table>
-  Status fill(Context& context, Table& table, std::size_t count,
+  Status fill(const Context& context, Table& table, std::size_t count,
               const typename Table::value_type& value) {
     if (count < table.size()) table.resize(count, value);
     while (table.size() < count) {
@@ -128,7 +140,7 @@ class TableMemory {
 };
 
 template <class Table>
-Status TableMemory::reserve(Context& context, Table& table, std::size_t count) {
+Status TableMemory::reserve(const Context& context, Table& table, std::size_t count) {
   using Item = typename Table::value_type;
   if (count <= table.capacity()) return ok_status();
   constexpr std::size_t kMostItems = std::numeric_limits<std::size_t>::max() / sizeof(Item);
@@ -152,7 +164,7 @@ Status TableMemory::reserve(Context& context, Table& table, std::size_t count) {
 }
 
 template <class Table>
-Status TableMemory::append(Context& context, std::span<const typename Table::value_type> from,
+Status TableMemory::append(const Context& context, std::span<const typename Table::value_type> from,
                            Table& table) {
   if (Status status = make_room(context, table, from.size()); !status) return status;
   for (std::size_t i = 0; i < from.size(); i += kPart<Table>) {
@@ -164,7 +176,7 @@ Status TableMemory::append(Context& context, std::span<const typename Table::val
 }
 
 template <class Item, class Less>
-Status TableMemory::sort(Context& context, std::vector<Item>& items, Less less) {
+Status TableMemory::sort(const Context& context, std::vector<Item>& items, Less less) {
   constexpr std::size_t kRun = std::size_t{1} << 15;
   const std::size_t count = items.size();
   for (std::size_t begin = 0; begin < count; begin += kRun) {

@@ -2,9 +2,8 @@
 
 #include <algorithm>
 
-#include "base/charge.hpp"
-#include "base/large_vector.hpp"
 #include "base/poll.hpp"
+#include "base/table_memory.hpp"
 
 namespace sfumato::gather {
 namespace {
@@ -47,8 +46,11 @@ class Hull {
  public:
   /// points   by x, then by y
   /// Errors: cancelled; nothing else can be asked then.
-  Status enclose(const Context& context, std::span<const LatticePoint> points) {
+  Status enclose(Context& context, std::span<const LatticePoint> points) {
     RarePoll<8192> poll(context);
+    // Each chain has at most all points, and the upper one begins with the last of the lower.
+    Status status = memory_.reserve(context, corner_, 2 * points.size());
+    if (!status) return status;
     for (const LatticePoint p : points) {
       if (poll.cancelled()) return context.cancel_status();
       append(p, 0);
@@ -108,28 +110,27 @@ class Hull {
 
   std::vector<LatticePoint> corner_;  ///< counter-clockwise where y is up, from the least x
   std::size_t lower_end_ = 0;         ///< the corner of the largest x
+  TableMemory memory_{"the visibility mesh"};
 };
 
 class BlindFinder {
  public:
-  BlindFinder(Context& context, const mesh::TriangleMesh& mesh, std::span<const EdgeCode> code)
-      : context_(context), poll_(context), mesh_(mesh), code_(code) {}
+  BlindFinder(Context& context, const mesh::TriangleMesh& mesh, std::span<const EdgeCode> code,
+              std::vector<std::uint8_t>& blind)
+      : context_(context), poll_(context), mesh_(mesh), code_(code), blind_(blind) {}
 
-  Result<std::vector<std::uint8_t>> run() {
-    Status status = resize_large(context_, blind_, code_.size());
-    if (status) status = find_points();
+  Status run() {
+    Status status = find_points();
     if (status) status = find_beyond_the_hull();
     if (status) status = find_facing_away();
-    if (status) status = context_.check();
-    if (!status) return status;
-    return std::move(blind_);
+    return status ? context_.check() : status;
   }
 
  private:
   enum class Sight : std::uint8_t { blind, hit, undecided };
 
   Status find_points() {
-    Status status = resize_large(context_, point_, mesh_.vertex_position.size());
+    Status status = memory_.resize(context_, point_, mesh_.vertex_position.size());
     for (std::size_t v = 0; v < point_.size(); ++v) {
       if (poll_.cancelled()) return context_.cancel_status();
       const Vec2 steps = (mesh_.vertex_position[v] - mesh_.vertex_position[0]) / mesh_.lattice_step;
@@ -143,7 +144,10 @@ class BlindFinder {
   std::uint32_t half_edge_count() const { return static_cast<std::uint32_t>(code_.size()); }
 
   Status find_beyond_the_hull() {
-    std::vector<std::uint8_t> is_hit_at(point_.size(), 0);
+    TableMemory scratch("the visibility mesh");
+    std::vector<std::uint8_t> is_hit_at;
+    Status status = scratch.resize(context_, is_hit_at, point_.size());
+    if (!status) return status;
     for (std::uint32_t h = 0; h < half_edge_count(); ++h) {
       if (poll_.cancelled()) return context_.cancel_status();
       if (!is_hit(code_[h])) continue;
@@ -151,13 +155,15 @@ class BlindFinder {
     }
     std::vector<LatticePoint> hit_points;
     for (std::size_t v = 0; v < point_.size(); ++v) {
-      if (is_hit_at[v]) hit_points.push_back(point_[v]);
+      if (!is_hit_at[v]) continue;
+      status = scratch.push_back(context_, hit_points, point_[v]);
+      if (!status) return status;
     }
     const auto lies_before = [](LatticePoint a, LatticePoint b) {
       return a.x != b.x ? a.x < b.x : a.y < b.y;
     };
     Hull hull;
-    Status status = sort_large(context_, hit_points, lies_before);
+    status = TableMemory::sort(context_, hit_points, lies_before);
     if (status) status = hull.enclose(context_, hit_points);
     if (!status) return status;
     for (std::uint32_t h = 0; h < half_edge_count(); ++h) {
@@ -183,12 +189,13 @@ class BlindFinder {
     std::vector<std::uint32_t> unsettled;
     for (std::uint32_t h = 0; h < half_edge_count(); ++h) {
       if (poll_.cancelled()) return context_.cancel_status();
-      if (is_open_side(h)) unsettled.push_back(h);
+      if (!is_open_side(h)) continue;
+      if (Status status = memory_.push_back(context_, unsettled, h); !status) return status;
     }
     if (unsettled.empty()) return ok_status();
-    Status status = resize_large(context_, first_waiting_, code_.size(), kNobody);
-    if (status) status = resize_large(context_, next_waiting_, code_.size(), kNobody);
-    if (status) status = resize_large(context_, turn_, mesh_.triangle_count());
+    Status status = memory_.resize(context_, first_waiting_, code_.size(), kNobody);
+    if (status) status = memory_.resize(context_, next_waiting_, code_.size(), kNobody);
+    if (status) status = memory_.resize(context_, turn_, mesh_.triangle_count());
     if (!status) return status;
     triangles_left_ = kTrianglesPerHalfEdge * static_cast<std::int64_t>(code_.size());
     while (!unsettled.empty() && triangles_left_ > 0) {
@@ -204,7 +211,8 @@ class BlindFinder {
       if (sight != Sight::blind) continue;
       blind_[h] = 1;
       for (std::uint32_t w = first_waiting_[h]; w != kNobody; w = next_waiting_[w]) {
-        unsettled.push_back(w);
+        status = memory_.push_back(context_, unsettled, w);
+        if (!status) return status;
       }
     }
     return ok_status();
@@ -235,7 +243,8 @@ class BlindFinder {
   RarePoll<256> poll_;
   const mesh::TriangleMesh& mesh_;
   std::span<const EdgeCode> code_;
-  std::vector<std::uint8_t> blind_;
+  std::vector<std::uint8_t>& blind_;
+  TableMemory memory_{"the visibility mesh"};
   std::vector<LatticePoint> point_;
   std::vector<std::uint32_t> first_waiting_;  ///< per half-edge: a list of those that wait for it
   std::vector<std::uint32_t> next_waiting_;
@@ -248,12 +257,12 @@ class BlindFinder {
 }  // namespace
 
 Result<std::vector<std::uint8_t>> find_blind(Context& context, const mesh::TriangleMesh& mesh,
-                                             std::span<const EdgeCode> code) {
-  if (!(mesh.lattice_step > 0)) return std::vector<std::uint8_t>(code.size(), 0);
-  ScopedCharge charge;
-  const std::size_t bytes = mesh.vertex_position.size() * 40 + code.size() * 14;
-  if (Status status = charge.add(context, bytes, "the visibility mesh"); !status) return status;
-  return BlindFinder(context, mesh, code).run();
+                                             std::span<const EdgeCode> code, TableMemory& memory) {
+  std::vector<std::uint8_t> blind;
+  Status status = memory.resize(context, blind, code.size());
+  if (status && mesh.lattice_step > 0) status = BlindFinder(context, mesh, code, blind).run();
+  if (!status) return status;
+  return blind;
 }
 
 }  // namespace sfumato::gather

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "base/table_memory.hpp"
 #include "gather/kernels/scene_layout.hpp"
 #include "mesh/triangle_mesh.hpp"
 #include "sfumato/base/context.hpp"
@@ -23,12 +24,13 @@ namespace sfumato::gather {
 /// walked on to the border piece by piece.
 ///
 /// code     per half-edge of the mesh: an EdgeCode; which passage or hit edge it is does not matter
+/// memory   the result's room is taken from it
 /// Returns  per half-edge 1 where it is blind. Not every blind half-edge is found: the work is at
 ///          most a constant for each, which ordinary drawings use a small part of. None are found
 ///          where the mesh has no lattice.
 /// Cost     O(h log h) for h half-edges.
 /// Errors   limit (memory), cancelled.
 Result<std::vector<std::uint8_t>> find_blind(Context& context, const mesh::TriangleMesh& mesh,
-                                             std::span<const EdgeCode> code);
+                                             std::span<const EdgeCode> code, TableMemory& memory);
 
 }  // namespace sfumato::gather

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <vector>
 
-#include "base/charge.hpp"
 #include "base/limit_error.hpp"
 #include "base/parallel.hpp"
+#include "base/table_memory.hpp"
 #include "gather/gather.hpp"
 #include "gather/kernels/kernel_entry.hpp"
 
@@ -31,16 +31,15 @@ class GrowingStack {
 
   Status grow() {
     const std::size_t capacity = 4 * static_cast<std::size_t>(view().capacity);
-    Status status = charge_.add(context_, capacity * sizeof(StackSlot), "the gather's stack");
-    if (status) heap_ = std::vector<StackSlot>(capacity);
-    return status;
+    memory_.free(heap_);
+    return memory_.resize(context_, heap_, capacity);
   }
 
  private:
   Context& context_;
   StackSlot own_[kPacketStackLeast];
   std::vector<StackSlot> heap_;
-  ScopedCharge charge_;
+  TableMemory memory_{"the gather's stack"};
 };
 
 /// One shader's weights of a packet, on a register's boundary.
@@ -97,7 +96,9 @@ class ExactGather {
   /// How far the stack gets depends on the threads: the error does not say it.
   Status walk(const PacketBatch& batch, GrowingStack& stack) {
     while (!kernel_(scene_, batch, stack.view())) {
-      if (stack.grow()) continue;
+      const Status status = stack.grow();
+      if (status) continue;
+      if (status.code == StatusCode::cancelled) return status;
       return make_limit_error("memory",
                               "memory limit reached: the gather's stack on this mesh needs more");
     }

@@ -48,9 +48,9 @@ Vec2 FreeEnd::unbent(Vec2 d) const {
 Result<FreeEnds> FreeEnds::create(Context& context, const mesh::TriangleMesh& mesh,
                                   const curves::SegmentAttributes& attributes, Vec2 origin,
                                   float weight_unit) {
-  Result<std::vector<FreeEnd>> found = find_free_ends(context, mesh, attributes);
-  if (!found) return found.status();
   FreeEnds ends;
+  Result<std::vector<FreeEnd>> found = find_free_ends(context, mesh, attributes, ends.memory_);
+  if (!found) return found.status();
   ends.base_channels_ = attributes.base_channels;
   ends.end_ = std::move(*found);
   for (FreeEnd& end : ends.end_) {
@@ -65,18 +65,17 @@ Status FreeEnds::build_tree(Context& context) {
   if (end_.empty()) return ok_status();
   const auto count = static_cast<std::uint32_t>(end_.size());
   leaf_count_ = std::bit_ceil((count + kEndsPerLeaf - 1) / kEndsPerLeaf);
-  // Twice the ends, while they are sorted.
-  Status status =
-      charge_.add(context, 2 * count * sizeof(FreeEnd) + 2 * std::size_t{leaf_count_} * sizeof(Box),
-                  "free ends of curves");
-  if (!status) return status;
+  TableMemory scratch("free ends of curves");
   std::vector<Vec2> position;
-  for (const FreeEnd& end : end_) position.push_back(end.position);
   std::vector<FreeEnd> sorted;
-  sorted.reserve(count);
+  Status status = scratch.reserve(context, position, count);
+  if (status) status = memory_.reserve(context, sorted, count);
+  if (status) status = memory_.resize(context, box_, 2 * std::size_t{leaf_count_});
+  if (!status) return status;
+  for (const FreeEnd& end : end_) position.push_back(end.position);
   for (std::uint32_t i : spatial_order(position)) sorted.push_back(end_[i]);
-  end_ = std::move(sorted);
-  box_.resize(2 * std::size_t{leaf_count_});
+  end_.swap(sorted);
+  memory_.free(sorted);
   for (std::uint32_t i = 0; i < count; ++i) {
     Box& leaf = box_[leaf_count_ + i / kEndsPerLeaf];
     leaf = united(leaf, reach_box(end_[i]));

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "base/charge.hpp"
+#include "base/table_memory.hpp"
 #include "curves/attributes.hpp"
 #include "mesh/triangle_mesh.hpp"
 #include "sfumato/base/box.hpp"
@@ -34,9 +34,11 @@ struct FreeEnd {
 
 /// The free ends of a field, in the order of their vertices. Those whose reach is below a lattice
 /// step are left out. Cost: O(triangles), and for each end the triangles within its reach, at most
-/// 1024: where they are more, the reach is what they cover. Errors: limit (memory), cancelled.
+/// 1024: where they are more, the reach is what they cover. Their room is taken from `memory`.
+/// Errors: limit (memory), cancelled.
 Result<std::vector<FreeEnd>> find_free_ends(Context& context, const mesh::TriangleMesh& mesh,
-                                            const curves::SegmentAttributes& attributes);
+                                            const curves::SegmentAttributes& attributes,
+                                            TableMemory& memory);
 
 /// The terms of a field's free ends, in a tree of boxes.
 class FreeEnds {
@@ -68,7 +70,7 @@ class FreeEnds {
   std::vector<FreeEnd> end_;  ///< neighbours are near each other
   std::uint32_t leaf_count_ = 0;
   std::vector<Box> box_;  ///< of node i, whose children are 2 i and 2 i + 1; the root is 1
-  ScopedCharge charge_;
+  TableMemory memory_{"free ends of curves"};
 };
 
 }  // namespace sfumato::gather

@@ -3,8 +3,8 @@
 #include <limits>
 #include <utility>
 
-#include "base/charge.hpp"
 #include "base/poll.hpp"
+#include "base/table_memory.hpp"
 #include "gather/free_ends.hpp"
 #include "gather/scene.hpp"
 
@@ -59,19 +59,19 @@ double crossing(Vec2 a, Vec2 along, double radius) {
 
 class EndSearch {
  public:
-  EndSearch(Context& context, const TriangleMesh& mesh, const curves::SegmentAttributes& attributes)
-      : context_(context), poll_(context), mesh_(mesh), attributes_(attributes) {}
+  EndSearch(Context& context, const TriangleMesh& mesh, const curves::SegmentAttributes& attributes,
+            TableMemory& ends_memory)
+      : context_(context),
+        poll_(context),
+        mesh_(mesh),
+        attributes_(attributes),
+        ends_memory_(ends_memory) {}
 
   Result<std::vector<FreeEnd>> run() {
-    const std::size_t bytes = mesh_.vertex_position.size() * sizeof(Meeting) +
-                              mesh_.constraint.size() * sizeof(Edge) +
-                              mesh_.triangle_count() * sizeof(std::uint32_t);
-    ScopedCharge charge;
-    if (Status status = charge.add(context_, bytes, "free ends of curves"); !status) return status;
-    meeting_.resize(mesh_.vertex_position.size());
-    edge_.resize(mesh_.constraint.size());
-    seen_from_.resize(mesh_.triangle_count(), kNobody);
-    Status status = find_edges();
+    Status status = memory_.resize(context_, meeting_, mesh_.vertex_position.size());
+    if (status) status = memory_.resize(context_, edge_, mesh_.constraint.size());
+    if (status) status = memory_.resize(context_, seen_from_, mesh_.triangle_count(), kNobody);
+    if (status) status = find_edges();
     std::vector<FreeEnd> ends;
     for (std::uint32_t v = 0; status && v < meeting_.size(); ++v) {
       if (poll_.cancelled()) return context_.cancel_status();
@@ -141,8 +141,8 @@ class EndSearch {
                 .blur_positive = positive.blur_to,
                 .blur_negative = negative.blur_from};
     Status status = bend(v, end);
-    if (status && end.reach >= mesh_.lattice_step) ends.push_back(end);
-    return status;
+    if (!status || end.reach < mesh_.lattice_step) return status;
+    return ends_memory_.push_back(context_, ends, end);
   }
 
   /// Finds the arc that follows the own curve, by where the curve is half the reach away; where it
@@ -265,6 +265,8 @@ class EndSearch {
   RarePoll<4096> poll_;
   const TriangleMesh& mesh_;
   const curves::SegmentAttributes& attributes_;
+  TableMemory& ends_memory_;
+  TableMemory memory_{"free ends of curves"};
   std::vector<Meeting> meeting_;          ///< per vertex
   std::vector<Edge> edge_;                ///< per constraint
   std::vector<std::uint32_t> seen_from_;  ///< per triangle: the end that looked at it last
@@ -275,8 +277,9 @@ class EndSearch {
 }  // namespace
 
 Result<std::vector<FreeEnd>> find_free_ends(Context& context, const TriangleMesh& mesh,
-                                            const curves::SegmentAttributes& attributes) {
-  return EndSearch(context, mesh, attributes).run();
+                                            const curves::SegmentAttributes& attributes,
+                                            TableMemory& memory) {
+  return EndSearch(context, mesh, attributes, memory).run();
 }
 
 }  // namespace sfumato::gather

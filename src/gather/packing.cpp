@@ -2,22 +2,27 @@
 
 #include <algorithm>
 
-#include "base/large_vector.hpp"
 #include "base/poll.hpp"
+#include "base/table_memory.hpp"
 
 namespace sfumato::gather {
 namespace {
 
 class Packer {
  public:
-  Packer(const Context& context, const Scene& scene, const LocatedPoints& points, Packing& packing)
+  Packer(Context& context, const Scene& scene, const LocatedPoints& points, Packing& packing)
       : context_(context), poll_(context), scene_(scene), points_(points), packing_(packing) {}
 
   Status pack() {
     if (Status status = sort_by_triangle(points_.triangle); !status) return status;
     for (std::uint32_t t = 0; t < scene_.triangle.size(); ++t) {
       if (poll_.cancelled()) return context_.cancel_status();
-      while (next_[t] < end_of(t)) pack_from(t);
+      while (next_[t] < end_of(t)) {
+        Status status = packing_.memory.make_room(context_, packing_.triangle, kPacketTriangles);
+        if (status) status = packing_.memory.make_room(context_, packing_.packet);
+        if (!status) return status;
+        pack_from(t);
+      }
     }
     return ok_status();
   }
@@ -25,15 +30,16 @@ class Packer {
  private:
   Status sort_by_triangle(const std::vector<std::uint32_t>& triangle) {
     RarePoll<65536> poll(context_);
-    begin_.assign(scene_.triangle.size() + 1, 0);
+    Status status = memory_.resize(context_, begin_, scene_.triangle.size() + 1);
+    if (status) status = memory_.resize(context_, next_, scene_.triangle.size());
+    if (status) status = packing_.memory.resize(context_, packing_.point, triangle.size());
+    if (!status) return status;
     for (std::uint32_t t : triangle) {
       if (poll.cancelled()) return context_.cancel_status();
       ++begin_[t + 1];
     }
     for (std::size_t t = 1; t < begin_.size(); ++t) begin_[t] += begin_[t - 1];
     next_.assign(begin_.begin(), begin_.end() - 1);
-    Status status = resize_large(context_, packing_.point, triangle.size());
-    if (!status) return status;
     for (std::size_t i = 0; i < triangle.size(); ++i) {
       if (poll.cancelled()) return context_.cancel_status();
       packing_.point[next_[triangle[i]]++] = static_cast<std::uint32_t>(i);
@@ -87,7 +93,7 @@ class Packer {
     }
   }
 
-  const Context& context_;
+  Context& context_;
   RarePoll<8192> poll_;
   const Scene& scene_;
   const LocatedPoints& points_;
@@ -95,18 +101,13 @@ class Packer {
   Packet packet_;
   std::vector<std::uint32_t> begin_;  ///< first sorted point of each triangle
   std::vector<std::uint32_t> next_;   ///< first that is not packed yet
+  TableMemory memory_{"packets of points"};
 };
 
 }  // namespace
 
 Result<Packing> pack(Context& context, const Scene& scene, const LocatedPoints& points) {
   Packing packing;
-  const std::size_t count = points.triangle.size();
-  const std::size_t bytes = count * (sizeof(std::uint32_t) + sizeof(PacketTriangle)) +
-                            count / 4 * sizeof(Packet) + scene.triangle.size() * 8;
-  if (Status status = packing.charge.add(context, bytes, "packets of points"); !status) {
-    return status;
-  }
   Status status = Packer(context, scene, points, packing).pack();
   if (!status) return status;
   return packing;

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/charge.hpp"
+#include "base/table_memory.hpp"
 #include "gather/locate.hpp"
 #include "gather/scene.hpp"
 
@@ -21,7 +21,7 @@ struct Packing {
   std::vector<std::uint32_t> point;  ///< indices of the caller's points, by triangle
   std::vector<PacketTriangle> triangle;
   std::vector<Packet> packet;
-  ScopedCharge charge;
+  TableMemory memory{"packets of points"};
 };
 
 /// Fills packets triangle by triangle; one that is short grows breadth-first over edges that rays

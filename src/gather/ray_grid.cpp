@@ -45,10 +45,12 @@ void clip_axis(float position, float direction, float size, float& enter, float&
 
 }  // namespace
 
-std::vector<RayGrid::Wall> RayGrid::walls_of(const Scene& scene) {
+Result<std::vector<RayGrid::Wall>> RayGrid::walls_of(Context& context, const Scene& scene,
+                                                     TableMemory& memory) {
   std::vector<Wall> walls;
   for (std::size_t t = 0; t < scene.triangle.size(); ++t) {
     const SceneTriangle& triangle = scene.triangle[t];
+    if (Status status = memory.make_room(context, walls, 3); !status) return status;
     for (int k = 0; k < 3; ++k) {
       const std::int32_t twin = triangle.twin[k];
       const auto half_edge = static_cast<std::int32_t>(3 * t) + k;
@@ -93,7 +95,10 @@ void RayGrid::for_each_cell(const Wall& wall, Body body) const {
 Result<RayGrid> RayGrid::create(Context& context, const Scene& scene) {
   RayGrid grid;
   grid.scene_ = &scene;
-  const std::vector<Wall> walls = walls_of(scene);
+  TableMemory scratch("the grid of rays");
+  const Result<std::vector<Wall>> found = walls_of(context, scene, scratch);
+  if (!found) return found.status();
+  const std::vector<Wall>& walls = *found;
   Box box;
   for (const Wall& wall : walls) {
     box.extend({wall.ax, wall.ay});
@@ -111,13 +116,12 @@ Result<RayGrid> RayGrid::create(Context& context, const Scene& scene) {
     grid.for_each_cell(wall, [&](std::size_t cell) { ++next[cell + 1]; });
   }
   for (std::size_t c = 1; c < next.size(); ++c) next[c] += next[c - 1];
-  const std::size_t bytes = next.size() * 4 + next.back() * sizeof(Wall);
-  if (Status status = grid.charge_.add(context, bytes, "the grid of rays"); !status) return status;
   if (next.back() > std::numeric_limits<std::uint32_t>::max()) {
     return make_error(StatusCode::limit, "too many edges for the grid of rays");
   }
+  Status status = grid.memory_.resize(context, grid.cell_wall_, next.back());
+  if (!status) return status;
   grid.cell_begin_.assign(next.begin(), next.end());
-  grid.cell_wall_.resize(next.back());
   for (const Wall& wall : walls) {
     grid.for_each_cell(wall, [&](std::size_t cell) { grid.cell_wall_[next[cell]++] = wall; });
   }

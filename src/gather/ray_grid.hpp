@@ -4,7 +4,7 @@
 #include <limits>
 #include <vector>
 
-#include "base/charge.hpp"
+#include "base/table_memory.hpp"
 #include "gather/scene.hpp"
 
 namespace sfumato::gather {
@@ -37,7 +37,8 @@ class RayGrid {
     EdgeCode back;
   };
 
-  static std::vector<Wall> walls_of(const Scene& scene);
+  static Result<std::vector<Wall>> walls_of(Context& context, const Scene& scene,
+                                            TableMemory& memory);
   template <class Body>
   void for_each_cell(const Wall& wall, Body body) const;
   void test_cell(std::size_t cell, float x, float y, float dx, float dy, RayHit& best) const;
@@ -47,7 +48,7 @@ class RayGrid {
   float cell_width_ = 1, cell_height_ = 1;
   std::vector<std::uint32_t> cell_begin_;  ///< first of each cell in cell_wall_
   std::vector<Wall> cell_wall_;            ///< a wall stands in every cell that it touches
-  ScopedCharge charge_;
+  TableMemory memory_{"the grid of rays"};
 };
 
 }  // namespace sfumato::gather

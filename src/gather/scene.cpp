@@ -22,22 +22,23 @@ class SceneBuilder {
     for (Vec2 p : mesh_.vertex_position) box.extend(p);
     scene_.origin = box.empty() ? Vec2{} : box.center();
     const auto half_edge_count = static_cast<std::uint32_t>(mesh_.triangle_vertex.size());
-    order_triangles();
-    codes_.resize(half_edge_count);
-    Status status = for_each_half_edge([&](std::uint32_t h) { codes_[h] = code(h); });
+    Status status = order_triangles();
+    if (status) status = memory_.resize(context_, codes_, half_edge_count);
+    if (status) status = find_codes();
     if (status) status = context_.check();
     if (!status) return status;
     normalize_weights();
     drop_blend_if_plain();
-    Result<std::vector<std::uint8_t>> blind = find_blind(context_, mesh_, codes_);
+    Result<std::vector<std::uint8_t>> blind = find_blind(context_, mesh_, codes_, memory_);
     if (!blind) return blind.status();
     blind_ = std::move(*blind);
-    scene_.edge_beyond.reserve(passage_count_);
+    status = scene_.memory.reserve(context_, scene_.edge_beyond, passage_count_);
+    if (status) status = scene_.memory.reserve(context_, scene_.triangle, order_.size());
+    if (!status) return status;
     status = for_each_half_edge([&](std::uint32_t h) {
       if (codes_[h] >= 0) scene_.edge_beyond.push_back(beyond(h));
     });
     if (!status) return status;
-    scene_.triangle.reserve(order_.size());
     for (std::uint32_t t : order_) {
       if (poll_.cancelled()) return context_.cancel_status();
       scene_.triangle.push_back(triangle(t));
@@ -46,16 +47,32 @@ class SceneBuilder {
   }
 
  private:
-  void order_triangles() {
-    std::vector<Vec2> center(mesh_.triangle_count());
+  Status order_triangles() {
+    TableMemory scratch("the visibility mesh");
+    std::vector<Vec2> center;
+    Status status = scratch.resize(context_, center, mesh_.triangle_count());
+    if (status) status = memory_.resize(context_, new_index_, mesh_.triangle_count());
+    if (!status) return status;
     for (std::uint32_t t = 0; t < mesh_.triangle_count(); ++t) {
       for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
         center[t] = center[t] + mesh_.vertex_position[mesh_.origin(h)];
       }
     }
     order_ = spatial_order(center);
-    new_index_.resize(order_.size());
     for (std::uint32_t i = 0; i < order_.size(); ++i) new_index_[order_[i]] = i;
+    return status;
+  }
+
+  /// Room for the hit edges of a triangle is made before its codes are asked for.
+  Status find_codes() {
+    for (std::uint32_t t : order_) {
+      if (poll_.cancelled()) return context_.cancel_status();
+      Status status = scene_.memory.make_room(context_, scene_.hit_edge, 3);
+      if (status) status = scene_.memory.make_room(context_, scene_.blend, 3);
+      if (!status) return status;
+      for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) codes_[h] = code(h);
+    }
+    return ok_status();
   }
 
   /// In the order of the scene's triangles.
@@ -137,7 +154,7 @@ class SceneBuilder {
   void drop_blend_if_plain() {
     scene_.base_channels = attributes_.base_channels;
     scene_.shader_count = static_cast<int>(attributes_.shader.size());
-    if (is_plain_) scene_.blend = {};
+    if (is_plain_) scene_.memory.free(scene_.blend);
   }
 
   // Only ratios of weights matter; the largest becomes 1, so that no sum overflows.
@@ -197,6 +214,7 @@ class SceneBuilder {
   const mesh::TriangleMesh& mesh_;
   const curves::SegmentAttributes& attributes_;
   Scene& scene_;
+  TableMemory memory_{"the visibility mesh"};
   std::vector<std::uint32_t> order_;      ///< the mesh's triangles in the scene's order
   std::vector<std::uint32_t> new_index_;  ///< its inverse
   std::vector<EdgeCode> codes_;           ///< per half-edge of the mesh
@@ -204,15 +222,6 @@ class SceneBuilder {
   std::uint32_t passage_count_ = 0;
   bool is_plain_ = true;
 };
-
-std::size_t scene_bytes(const mesh::TriangleMesh& mesh) {
-  std::size_t constrained = 0;
-  for (std::int32_t c : mesh.half_edge_constraint) constrained += c != mesh::kNone;
-  // Twice the hit edges, for a growing vector; some of the rest lives during the build only.
-  return mesh.triangle_vertex.size() * (sizeof(EdgeBeyond) + sizeof(EdgeCode)) +
-         mesh.triangle_count() * (sizeof(SceneTriangle) + sizeof(Vec2) + 16) +
-         2 * constrained * (sizeof(HitEdge) + sizeof(HitBlend));
-}
 
 }  // namespace
 
@@ -226,10 +235,6 @@ SceneView Scene::view() const {
 Result<Scene> build_scene(Context& context, const mesh::TriangleMesh& mesh,
                           const curves::SegmentAttributes& attributes) {
   Scene scene;
-  if (Status status = scene.charge.add(context, scene_bytes(mesh), "the visibility mesh");
-      !status) {
-    return status;
-  }
   if (Status status = SceneBuilder(context, mesh, attributes, scene).build(); !status) {
     return status;
   }

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/charge.hpp"
+#include "base/table_memory.hpp"
 #include "curves/attributes.hpp"
 #include "gather/kernels/scene_layout.hpp"
 #include "mesh/triangle_mesh.hpp"
@@ -55,7 +55,7 @@ struct Scene {
   int base_channels = 3;        ///< as SegmentAttributes
   int shader_count = 0;
   std::vector<SceneTriangle> triangle;
-  ScopedCharge charge;
+  TableMemory memory{"the visibility mesh"};
 
   SceneView view() const;
   int channel_count() const { return base_channels + shader_count; }

@@ -139,7 +139,7 @@ Status Linter::check_layer(std::uint32_t layer) {
   }
   DiffuseOptions options;
   options.pixels_per_unit = 1 / lint_detail::artboard_pixel(document_);
-  const Result<solve::PreparedLayer> prepared =
+  Result<solve::PreparedLayer> prepared =
       solve::prepare_layer(context_, document_, layer, sight, options, nullptr);
   if (!prepared) return prepared.status();
   const Result<mesh::TriangleMesh> mesh = prepared->mesher.visibility_mesh(context_);

@@ -265,8 +265,9 @@ class MeetingCheck {
   }
 
   Status check_ends() {
+    TableMemory memory("free ends of curves");
     const Result<std::vector<gather::FreeEnd>> ends =
-        gather::find_free_ends(context_, mesh_, attributes_);
+        gather::find_free_ends(context_, mesh_, attributes_, memory);
     if (!ends) return ends.status();
     const double miss = kMissPx * artboard_pixel(test_.document);
     Finds gaps{HintKind::gap, " ends that stop shortly before another curve"};

@@ -28,18 +28,18 @@ void Arrangement::fail(StatusCode code, const char* message) {
 
 bool Arrangement::make_room() {
   if (!mesh_.has_room()) {
-    Status status = mesh_.grow(context_, charge_, mesh_.point.size() * 3 / 2 + 64);
+    Status status = mesh_.grow(context_, mesh_.point.size() * 3 / 2 + 64);
     if (!status && status_.ok()) status_ = status;
   }
   return status_.ok();
 }
 
-/// Charges for the tables of chords before they double.
-void Arrangement::charge_chords() {
-  if (chords_.bytes() <= charged_bytes_) return;
-  Status status = charge_.add(context_, chords_.bytes() - charged_bytes_, "curve pieces");
+/// Charges what a constraint has let grow.
+void Arrangement::charge_lists() {
+  const std::size_t bytes = capacity_bytes(to_insert_, crossed_edges_, new_edges_);
+  Status status = chords_.charge(context_);
+  if (status) status = charge_.raise_to(context_, bytes + mesh_.list_bytes(), "curve pieces");
   if (!status && status_.ok()) status_ = status;
-  charged_bytes_ = chords_.bytes();
 }
 
 void Arrangement::end_if_cancelled() {
@@ -70,7 +70,7 @@ void Arrangement::insert_constraint(Subsegment part) {
     const Subsegment now = to_insert_.back();
     to_insert_.pop_back();
     if ((++steps_ & (kStepsPerCancelCheck - 1)) == 0) end_if_cancelled();
-    charge_chords();
+    charge_lists();
     if (!status_.ok()) return;
     const auto vertices = static_cast<std::uint32_t>(mesh_.point.size());
     const std::uint32_t max_steps = kMaxSteps + kMaxStepsPerVertex * vertices;

@@ -26,13 +26,9 @@ namespace sfumato::mesh {
 /// steps still leaves of a segment is discarded.
 class Arrangement {
  public:
-  Arrangement(Context& context, Triangulation& mesh, ChordStore& chords, ScopedCharge& charge,
+  Arrangement(const Context& context, Triangulation& mesh, ChordStore& chords,
               std::int64_t weld_squared)
-      : context_(context),
-        mesh_(mesh),
-        chords_(chords),
-        charge_(charge),
-        weld_squared_(weld_squared) {}
+      : context_(context), mesh_(mesh), chords_(chords), weld_squared_(weld_squared) {}
 
   /// The vertex at p, or the one that p welds to. Call for all points before the first segment.
   Vertex insert_point(Point p);
@@ -86,19 +82,17 @@ class Arrangement {
   bool may_split_at(const Subsegment& part, Vertex v) const;
   bool drifts_too_far(const Load& load, Point p) const;
   bool make_room();
-  void charge_chords();
+  void charge_lists();
   void fail(StatusCode code, const char* message);
 
-  Context& context_;
+  const Context& context_;
   Triangulation& mesh_;
   ChordStore& chords_;
-  ScopedCharge& charge_;
   std::int64_t weld_squared_;
   std::span<const Point> drawn_;
   bool welding_ = true;
   Status status_;
   std::uint32_t steps_ = 0;
-  std::size_t charged_bytes_ = 0;
 
   struct Edge {
     Vertex from;
@@ -107,6 +101,7 @@ class Arrangement {
   std::vector<Subsegment> to_insert_;
   std::vector<Edge> crossed_edges_;
   std::vector<Edge> new_edges_;
+  ScopedCharge charge_;  ///< of these three
 };
 
 }  // namespace sfumato::mesh

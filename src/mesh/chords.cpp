@@ -77,9 +77,10 @@ void ChordStore::discard(Load load) {
   }
 }
 
-void ChordStore::seal() {
+Status ChordStore::seal(const Context& context) {
+  TableMemory memory("curve pieces");
   std::vector<Owner> sorted;
-  sorted.reserve(live_owners_);
+  if (Status status = memory.reserve(context, sorted, live_owners_); !status) return status;
   for (Chord& chord : chord_) {
     const auto first = static_cast<std::int32_t>(sorted.size());
     for (std::int32_t i = chord.load.first; i != kNone; i = owner_[i].next) {
@@ -96,6 +97,7 @@ void ChordStore::seal() {
   }
   owner_ = std::move(sorted);
   free_owner_ = kNone;
+  return ok_status();
 }
 
 }  // namespace sfumato::mesh

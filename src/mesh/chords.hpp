@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "mesh/triangle_mesh.hpp"
+#include "base/table_memory.hpp"
 #include "mesh/triangulation.hpp"
 #include "sfumato/base/limits.hpp"
 
@@ -46,11 +46,11 @@ class ChordStore {
   const Chord& operator[](std::int32_t index) const { return chord_[index]; }
   std::size_t size() const { return chord_.size(); }
   std::size_t live_owner_count() const { return live_owners_; }
-  /// What the tables take, and what lies on the chords takes in a TriangleMesh. A table that is
-  /// nearly full counts as if it had grown.
-  std::size_t bytes() const {
-    return room(chord_) * (sizeof(Chord) + sizeof(std::int32_t) + sizeof(Constraint)) +
-           room(owner_) * (sizeof(Owner) + sizeof(SegmentPiece));
+  /// Charges what the tables have come to take. One that is nearly full counts as if it had grown.
+  /// Error: limit (memory).
+  Status charge(const Context& context) {
+    const std::size_t bytes = room_bytes(chord_) + room_bytes(owner_) + room_bytes(free_chord_);
+    return charge_.raise_to(context, bytes, "curve pieces");
   }
 
   const Owner& owner(std::int32_t index) const { return owner_[index]; }
@@ -71,18 +71,18 @@ class ChordStore {
 
   void discard(Load load);
 
-  /// Ends the arrangement: the owners of each chord stand in a row, in drawing order.
-  /// Takes a second table of owners meanwhile.
-  void seal();
+  /// Ends the arrangement: the owners of each chord stand in a row, in drawing order. Errors: limit
+  /// (memory, of a second table of owners meanwhile), cancelled.
+  Status seal(const Context& context);
 
   /// After `seal`: the owners of a chord.
   const Owner* begin(const Chord& c) const { return owner_.data() + c.load.first; }
 
  private:
   template <class Item>
-  static std::size_t room(const std::vector<Item>& table) {
-    const std::size_t capacity = table.capacity();
-    return table.size() > capacity / 4 * 3 ? 2 * capacity : capacity;
+  static std::size_t room_bytes(const std::vector<Item>& table) {
+    return table.size() > table.capacity() / 4 * 3 ? 2 * capacity_bytes(table)
+                                                   : capacity_bytes(table);
   }
 
   std::int32_t new_owner(Owner owner);
@@ -92,6 +92,7 @@ class ChordStore {
   std::vector<std::int32_t> free_chord_;
   std::int32_t free_owner_ = kNone;
   std::size_t live_owners_ = 0;
+  ScopedCharge charge_;
 };
 
 }  // namespace sfumato::mesh

@@ -4,7 +4,6 @@
 #include <utility>
 #include <vector>
 
-#include "base/large_vector.hpp"
 #include "base/poll.hpp"
 
 namespace sfumato::mesh {
@@ -113,8 +112,10 @@ void put_constraint(std::int32_t constraint, std::int32_t half_edge, TriangleMes
   if (twin != kNone) out.half_edge_constraint[twin] = constraint;
 }
 
-Status place_vertices(const Context& context, const ExtractSource& from, TriangleMesh& out) {
-  out.vertex_position.resize(from.numbering.vertex_count);
+Status place_vertices(const Context& context, const ExtractSource& from, TableMemory& memory,
+                      TriangleMesh& out) {
+  Status status = memory.resize(context, out.vertex_position, from.numbering.vertex_count);
+  if (!status) return status;
   RarePoll<65536> poll(context);
   for (std::size_t v = 0; v < from.mesh.point.size(); ++v) {
     if (poll.cancelled()) return context.cancel_status();
@@ -124,26 +125,25 @@ Status place_vertices(const Context& context, const ExtractSource& from, Triangl
   return context.check();
 }
 
-Status place_triangles(const Context& context, const ExtractSource& from, TriangleMesh& out) {
+Status place_triangles(const Context& context, const ExtractSource& from, TableMemory& memory,
+                       TriangleMesh& out) {
   const std::size_t half_edges = std::size_t{3} * from.numbering.triangle_count;
-  Status status = resize_large(context, out.triangle_vertex, half_edges);
-  if (status) status = resize_large(context, out.half_edge_twin, half_edges);
-  if (status) {
-    status = resize_large(context, out.half_edge_constraint, half_edges, std::int32_t{kNone});
-  }
+  Status status = memory.resize_all(context, half_edges, out.triangle_vertex, out.half_edge_twin);
+  if (status) status = memory.resize(context, out.half_edge_constraint, half_edges, kNone);
   return status ? copy_triangles(context, from, out) : status;
 }
 
 /// All but them is there.
-Status place_all_constraints(const Context& context, const ExtractSource& from, TriangleMesh& out) {
+Status place_all_constraints(const Context& context, const ExtractSource& from, TableMemory& memory,
+                             TriangleMesh& out) {
   std::size_t constraints = 0, pieces = 0;
   Status status = for_each_constraint(context, from, out, [&](HalfEdge e, std::int32_t) {
     constraints += 1;
     pieces += piece_count(from, e);
   });
+  if (status) status = memory.reserve(context, out.constraint, constraints);
+  if (status) status = memory.reserve(context, out.piece, pieces);
   if (!status) return status;
-  out.constraint.reserve(constraints);
-  out.piece.reserve(pieces);
   return for_each_constraint(context, from, out, [&](HalfEdge e, std::int32_t h) {
     put_constraint(add_constraint(from, e, out), h, out);
   });
@@ -151,12 +151,13 @@ Status place_all_constraints(const Context& context, const ExtractSource& from, 
 
 }  // namespace
 
-Result<TriangleMesh> extract(const Context& context, const ExtractSource& from) {
+Result<TriangleMesh> extract(const Context& context, const ExtractSource& from,
+                             TableMemory& memory) {
   TriangleMesh out;
   out.lattice_step = from.lattice.step;
-  Status status = place_vertices(context, from, out);
-  if (status) status = place_triangles(context, from, out);
-  if (status) status = place_all_constraints(context, from, out);
+  Status status = place_vertices(context, from, memory, out);
+  if (status) status = place_triangles(context, from, memory, out);
+  if (status) status = place_all_constraints(context, from, memory, out);
   if (status) status = context.check();
   if (!status) return status;
   return out;
@@ -168,9 +169,10 @@ namespace {
 /// so that each of these finds a new edge in the same update.
 class FreedConstraints {
  public:
-  void add(const TriangleMesh& mesh, std::int32_t index) {
+  Status add(const Context& context, const TriangleMesh& mesh, std::int32_t index) {
     const Constraint& constraint = mesh.constraint[index];
-    by_piece_count_[constraint.piece_end - constraint.piece_begin].push_back(index);
+    return memory_.push_back(context,
+                             by_piece_count_[constraint.piece_end - constraint.piece_begin], index);
   }
 
   /// kNone where none is left.
@@ -184,14 +186,20 @@ class FreedConstraints {
 
  private:
   std::map<std::uint32_t, std::vector<std::int32_t>> by_piece_count_;
+  TableMemory memory_{"curve pieces"};
 };
 
 /// Brings a TriangleMesh up to date: see update_extract.
 class MeshUpdate {
  public:
   MeshUpdate(const Context& context, const ExtractSource& from,
-             std::span<const std::int32_t> changed, TriangleMesh& out)
-      : context_(context), poll_(context), from_(from), changed_(changed), out_(out) {}
+             std::span<const std::int32_t> changed, TableMemory& memory, TriangleMesh& out)
+      : context_(context),
+        poll_(context),
+        from_(from),
+        changed_(changed),
+        memory_(memory),
+        out_(out) {}
 
   Status run() {
     Status status = free_constraints();
@@ -219,23 +227,23 @@ class MeshUpdate {
         const std::int32_t constraint = std::exchange(out_.half_edge_constraint[h], kNone);
         if (constraint == kNone) continue;
         const std::int32_t twin = out_.half_edge_twin[h];
-        if (twin == kNone || out_.half_edge_constraint[twin] == kNone) freed_.add(out_, constraint);
+        if (twin != kNone && out_.half_edge_constraint[twin] != kNone) continue;
+        if (Status status = freed_.add(context_, out_, constraint); !status) return status;
       }
     }
     return ok_status();
   }
 
-  /// The triangulation has charged for as many vertices and triangles as it has room for.
   Status grow_tables() {
     const Triangulation& mesh = from_.mesh;
     const std::size_t vertices = out_.vertex_position.size();
     const std::size_t half_edges = std::size_t{3} * from_.numbering.triangle_count;
     const std::size_t most = 3 * mesh.triangle.capacity();
-    Status status = grow_large(context_, out_.vertex_position, from_.numbering.vertex_count,
-                               mesh.point.capacity());
-    if (status) status = grow_large(context_, out_.triangle_vertex, half_edges, most);
+    Status status = memory_.grow(context_, out_.vertex_position, from_.numbering.vertex_count,
+                                 mesh.point.capacity());
+    if (status) status = memory_.grow(context_, out_.triangle_vertex, half_edges, most);
     for (std::vector<std::int32_t>* table : {&out_.half_edge_twin, &out_.half_edge_constraint})
-      if (status) status = grow_large(context_, *table, half_edges, most, std::int32_t{kNone});
+      if (status) status = memory_.grow(context_, *table, half_edges, most, kNone);
     if (!status) return status;
     // The newest vertices have the highest numbers, in their own order.
     const std::size_t first = mesh.point.size() - (out_.vertex_position.size() - vertices);
@@ -270,11 +278,20 @@ class MeshUpdate {
         if (!is_constrained(t, k) || out_.half_edge_constraint[h] != kNone) continue;
         const std::int32_t twin = out_.half_edge_twin[h];
         std::int32_t constraint = twin == kNone ? kNone : out_.half_edge_constraint[twin];
-        if (constraint == kNone) constraint = place_constraint(4 * slot + k);
+        if (constraint == kNone) {
+          if (Status status = make_room(4 * slot + k); !status) return status;
+          constraint = place_constraint(4 * slot + k);
+        }
         put_constraint(constraint, h, out_);
       }
     }
     return ok_status();
+  }
+
+  /// For one more constraint, with what lies on edge e.
+  Status make_room(HalfEdge e) {
+    Status status = memory_.make_room(context_, out_.constraint);
+    return status ? memory_.make_room(context_, out_.piece, piece_count(from_, e)) : status;
   }
 
   std::int32_t place_constraint(HalfEdge e) {
@@ -288,6 +305,7 @@ class MeshUpdate {
   RarePoll<16384> poll_;
   const ExtractSource& from_;
   std::span<const std::int32_t> changed_;
+  TableMemory& memory_;
   TriangleMesh& out_;
   FreedConstraints freed_;
 };
@@ -295,8 +313,9 @@ class MeshUpdate {
 }  // namespace
 
 Status update_extract(const Context& context, const ExtractSource& from,
-                      std::span<const std::int32_t> changed, TriangleMesh& out) {
-  return MeshUpdate(context, from, changed, out).run();
+                      std::span<const std::int32_t> changed, TableMemory& memory,
+                      TriangleMesh& out) {
+  return MeshUpdate(context, from, changed, memory, out).run();
 }
 
 }  // namespace sfumato::mesh

@@ -51,13 +51,18 @@ void sort_by(std::vector<Item>& items, std::vector<Item>& scratch, Digit digit) 
 
 Result<std::vector<std::uint32_t>> insertion_order(const Context& context,
                                                    std::span<const Point> points,
-                                                   std::int32_t extent) {
+                                                   std::int32_t extent, TableMemory& memory) {
   const int shift = std::max(
       0, static_cast<int>(std::bit_width(static_cast<std::uint32_t>(extent))) - kHilbertBits);
   const auto count = static_cast<std::uint32_t>(points.size());
   // The first round has about 32 points.
   const int last_round = std::max(0, static_cast<int>(std::bit_width(count)) - 6);
-  std::vector<Item> items(count), scratch(count);
+  TableMemory working("mesh input");
+  std::vector<Item> items, scratch;
+  std::vector<std::uint32_t> order;
+  Status status = working.resize_all(context, count, items, scratch);
+  if (status) status = memory.resize(context, order, count);
+  if (!status) return status;
   for (std::uint32_t i = 0; i < count; ++i) {
     const Point p = points[i];
     items[i] = {hilbert_key(static_cast<std::uint32_t>(p.x) >> shift,
@@ -75,7 +80,6 @@ Result<std::vector<std::uint32_t>> insertion_order(const Context& context,
     return static_cast<std::uint32_t>(last_round - std::min(round_from_last, last_round));
   });
   if (context.cancelled()) return context.cancel_status();
-  std::vector<std::uint32_t> order(count);
   for (std::uint32_t i = 0; i < count; ++i) order[i] = items[i].index;
   return order;
 }

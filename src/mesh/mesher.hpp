@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "base/table_memory.hpp"
 #include "curves/flatten.hpp"
 #include "mesh/triangle_mesh.hpp"
 #include "sfumato/base/box.hpp"
@@ -30,8 +31,8 @@ struct MeshOptions {
 ///
 /// No finite input within limits::kCoordinate makes it loop, crash or return an invalid mesh.
 /// Deterministic; single-threaded. Memory is charged to the Budget of build's Context, which must
-/// outlive this, and with it that of one mesh from visibility_mesh or patch_mesh. Each call may
-/// have a Context of its own, which says when to stop and is not kept.
+/// outlive this, and with it that of the mesh that visibility_mesh or patch_mesh gave last. Each
+/// call may have a Context of its own, which says when to stop and is not kept.
 class Mesher {
  public:
   /// Errors: bad_input (coordinates or options that are not finite or out of range, an empty
@@ -43,28 +44,29 @@ class Mesher {
   Mesher& operator=(Mesher&&) noexcept;
   ~Mesher();
 
-  /// All triangles, also those outside the frame. Call before `refine`. Errors: cancelled.
-  Result<TriangleMesh> visibility_mesh(const Context& context) const;
+  /// All triangles, also those outside the frame. Call before `refine`. Errors: limit (memory),
+  /// cancelled.
+  Result<TriangleMesh> visibility_mesh(const Context& context);
 
   /// The constrained Delaunay triangulation of those constraints c of `visibility`, which is
   /// visibility_mesh(), that have keep[c]; their pieces stay what they are. What the rays of an
-  /// attribute do not meet only cuts their windows to pieces. Who keeps it charges for it.
+  /// attribute do not meet only cuts their windows to pieces. Its room is taken from `memory`.
   /// Errors: limit, cancelled.
-  Result<TriangleMesh> thinned_mesh(Context& context, const TriangleMesh& visibility,
-                                    std::span<const std::uint8_t> keep) const;
+  Result<TriangleMesh> thinned_mesh(const Context& context, const TriangleMesh& visibility,
+                                    std::span<const std::uint8_t> keep, TableMemory& memory) const;
 
   /// Angle and area refinement inside the frame. Errors: limit, cancelled; the mesh stays valid.
-  Status refine(Context& context);
+  Status refine(const Context& context);
 
   /// Makes every triangle of `triangles` (indices of the patch mesh) smaller, then restores
   /// the angle bound. Triangles with no edge longer than `smallest_edge` are left alone. A round
   /// with all triangles listed doubles their number. Errors: limit, cancelled; the mesh stays
   /// valid.
-  Status refine_triangles(Context& context, std::span<const std::uint32_t> triangles,
+  Status refine_triangles(const Context& context, std::span<const std::uint32_t> triangles,
                           double smallest_edge);
 
   /// The triangles inside the frame. Triangles and vertices keep their indices from one call to the
-  /// next, and to update_patch_mesh. Errors: cancelled.
+  /// next, and to update_patch_mesh. Errors: limit (memory), cancelled.
   Result<TriangleMesh> patch_mesh(const Context& context);
 
   /// Brings `mesh`, which is the last patch_mesh, up to date in place; beside the order of its
@@ -72,7 +74,7 @@ class Mesher {
   /// changed   out: the triangles that are not what they were, new ones among them, ascending
   /// Errors    limit (memory), cancelled; `mesh` is good for nothing then
   /// Cost      O(changed · log)
-  Status update_patch_mesh(Context& context, TriangleMesh& mesh,
+  Status update_patch_mesh(const Context& context, TriangleMesh& mesh,
                            std::vector<std::uint32_t>& changed);
 
  private:

@@ -2,7 +2,6 @@
 
 #include <numeric>
 
-#include "base/large_vector.hpp"
 #include "base/poll.hpp"
 
 namespace sfumato::mesh {
@@ -14,15 +13,18 @@ Status number_depth_first(const Context& context, const Triangulation& mesh, Num
   const auto wanted = [&](std::int32_t t) {
     return mesh.triangle[t].inside && numbering.triangle[t] == kNone;
   };
+  TableMemory memory("the triangle mesh");
   std::vector<std::int32_t> stack;
   RarePoll<16384> poll(context);
   for (std::size_t seed = 0; seed < mesh.triangle.size(); ++seed) {
-    stack.assign(1, static_cast<std::int32_t>(seed));
+    Status status = memory.push_back(context, stack, static_cast<std::int32_t>(seed));
+    if (!status) return status;
     while (!stack.empty()) {
       if (poll.cancelled()) return context.cancel_status();
       const std::int32_t t = stack.back();
       stack.pop_back();
       if (!wanted(t)) continue;
+      if (status = memory.make_room(context, stack, 3); !status) return status;
       numbering.triangle[t] = static_cast<std::int32_t>(numbering.triangle_count++);
       for (int k = 0; k < 3; ++k) {
         std::int32_t& vertex = numbering.vertex[mesh.triangle[t].vertex[k]];
@@ -37,24 +39,25 @@ Status number_depth_first(const Context& context, const Triangulation& mesh, Num
 
 }  // namespace
 
-Numbering number_everything(const Triangulation& mesh) {
-  Numbering numbering;
-  numbering.triangle.resize(mesh.triangle.size());
-  numbering.vertex.resize(mesh.point.size());
+Status number_everything(const Context& context, const Triangulation& mesh, Numbering& numbering) {
+  Status status = numbering.memory.resize(context, numbering.triangle, mesh.triangle.size());
+  if (status) status = numbering.memory.resize(context, numbering.vertex, mesh.point.size());
+  if (!status) return status;
   std::iota(numbering.triangle.begin(), numbering.triangle.end(), 0);
   std::iota(numbering.vertex.begin(), numbering.vertex.end(), 0);
   numbering.triangle_count = static_cast<std::uint32_t>(mesh.triangle.size());
   numbering.vertex_count = static_cast<std::uint32_t>(mesh.point.size());
-  return numbering;
+  return status;
 }
 
 Status number_inside(const Context& context, const Triangulation& mesh, Numbering& numbering) {
   const std::size_t known = numbering.triangle.size(), known_vertices = numbering.vertex.size();
-  Status status = grow_large(context, numbering.triangle, mesh.triangle.size(),
-                             mesh.triangle.capacity(), std::int32_t{kNone});
+  TableMemory& memory = numbering.memory;
+  Status status = memory.grow(context, numbering.triangle, mesh.triangle.size(),
+                              mesh.triangle.capacity(), kNone);
   if (status) {
-    status = grow_large(context, numbering.vertex, mesh.point.size(), mesh.point.capacity(),
-                        std::int32_t{kNone});
+    status =
+        memory.grow(context, numbering.vertex, mesh.point.size(), mesh.point.capacity(), kNone);
   }
   if (!status) return status;
   if (known == 0) return number_depth_first(context, mesh, numbering);

@@ -6,7 +6,6 @@
 #include <limits>
 #include <string>
 
-#include "base/large_vector.hpp"
 #include "base/limit_error.hpp"
 #include "base/poll.hpp"
 #include "mesh/triangle_mesh.hpp"
@@ -27,7 +26,6 @@ constexpr double kShellSteps = 2;
 constexpr double kOffCenterShare = 0.475;
 
 constexpr int kShrinkAttempts = 3;
-constexpr std::size_t kCutBytesAtATime = std::size_t{1} << 20;
 constexpr std::uint32_t kStepsPerCancelCheck = 1024;
 constexpr double kPi = 3.14159265358979323846;
 
@@ -66,8 +64,9 @@ bool Refiner::make_room() {
 }
 
 bool Refiner::make_room(std::size_t vertex_count) {
-  Status status = mesh_.grow(*context_, charge_, vertex_count);
-  if (status) status = reserve_large(*context_, origin_, mesh_.point.capacity());
+  Status status = mesh_.grow(*context_, vertex_count);
+  if (status) status = memory_.reserve(*context_, origin_, mesh_.point.capacity());
+  if (status) status = list_charge_.raise_to(*context_, list_bytes(), "the triangle mesh");
   if (!status) {
     if (status_.ok()) status_ = status;
     return false;
@@ -75,23 +74,20 @@ bool Refiner::make_room(std::size_t vertex_count) {
   return true;
 }
 
-/// Charges, for many at a time, for the constraint and its pieces that a cut adds to the mesh that
-/// leaves.
-bool Refiner::charge_cut(const Chord& chord) {
-  const auto pieces = static_cast<std::size_t>(chord.load.count);
-  owner_pieces_ += pieces;
+/// Bytes of the queues and of the mesh's lists, which follow the size of its tables.
+std::size_t Refiner::list_bytes() const {
+  std::size_t bytes = capacity_bytes(encroached_) + mesh_.list_bytes();
+  for (const Bucket& bucket : bucket_) bytes += capacity_bytes(bucket.items);
+  return bytes;
+}
+
+/// Counts the pieces that a cut adds to the mesh that leaves.
+bool Refiner::count_pieces(const Chord& chord) {
+  owner_pieces_ += static_cast<std::size_t>(chord.load.count);
   if (owner_pieces_ > kOwnersPerSegment * context_->limits.segments) {
     status_ = make_error(StatusCode::limit, "overlapping curves are cut into too many pieces");
     return false;
   }
-  cut_bytes_ += sizeof(Constraint) + pieces * sizeof(SegmentPiece);
-  if (cut_bytes_ <= charged_cut_bytes_) return true;
-  const std::size_t more = cut_bytes_ - charged_cut_bytes_ + kCutBytesAtATime;
-  if (Status status = charge_.add(*context_, more, "curve pieces"); !status) {
-    status_ = status;
-    return false;
-  }
-  charged_cut_bytes_ += more;
   return true;
 }
 
@@ -290,7 +286,7 @@ bool Refiner::split_subsegment(HalfEdge e) {
   if (!split_point(e, s, p) || !make_room()) return false;
   const std::int32_t index = mesh_.chord[e];
   const Chord& chord = chords_[index];
-  if (!charge_cut(chord)) return false;
+  if (!count_pieces(chord)) return false;
   const double at_a = fraction_at(chord, index, a, origin_[a]);
   const double at_b = fraction_at(chord, index, b, origin_[b]);
   mesh_.split_edge(e, p);
@@ -313,7 +309,7 @@ bool Refiner::next_bad(Bad& bad) {
 }
 
 /// Works off both queues.
-Status Refiner::run(Context& context) {
+Status Refiner::run(const Context& context) {
   context_ = &context;
   status_ = ok_status();
   mesh_.tracking = true;
@@ -343,7 +339,7 @@ double Refiner::least_triangles(double area) const {
   return area / std::max(0.5 * doubled_area_, finest * finest);
 }
 
-Status Refiner::refine_all(Context& context, double area) {
+Status Refiner::refine_all(const Context& context, double area) {
   context_ = &context;
   status_ = ok_status();
   const double least = least_triangles(area);
@@ -422,7 +418,7 @@ void Refiner::shrink(Target target, double smallest_edge2) {
   if (mesh_.triangle[t].stamp == target.stamp && status_.ok()) halve_longest_edge(t);
 }
 
-Status Refiner::refine_targets(Context& context, std::span<const Target> targets,
+Status Refiner::refine_targets(const Context& context, std::span<const Target> targets,
                                double smallest_edge) {
   context_ = &context;
   status_ = ok_status();

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "base/charge.hpp"
+#include "base/table_memory.hpp"
 #include "mesh/chords.hpp"
 #include "mesh/triangulation.hpp"
 #include "sfumato/base/context.hpp"
@@ -38,8 +38,9 @@ inline float fraction_at(const Chord& c, std::int32_t chord_index, Vertex v, Ver
 /// triangle.
 class Refiner {
  public:
-  Refiner(Triangulation& mesh, const ChordStore& chords, ScopedCharge& charge)
-      : mesh_(mesh), chords_(chords), charge_(charge) {}
+  /// Memory is of `budget`.
+  Refiner(Triangulation& mesh, const ChordStore& chords, Budget& budget)
+      : mesh_(mesh), chords_(chords), memory_("the triangle mesh", budget), list_charge_(budget) {}
 
   /// min_angle_deg  0 to 33
   /// doubled_area   largest 2 · area in steps², or infinity
@@ -50,7 +51,7 @@ class Refiner {
 
   /// Refines all triangles inside. Errors: limit, cancelled.
   /// area   of the frame, steps²: where it must have more triangles than fit that is told at once
-  Status refine_all(Context& context, double area);
+  Status refine_all(const Context& context, double area);
 
   /// Makes the triangles smaller whose stamp is still `stamp[i]` and whose longest edge is longer
   /// than `smallest_edge` steps, then restores the quality around.
@@ -58,11 +59,15 @@ class Refiner {
     std::int32_t triangle;
     std::int32_t stamp;
   };
-  Status refine_targets(Context& context, std::span<const Target> targets, double smallest_edge);
+  Status refine_targets(const Context& context, std::span<const Target> targets,
+                        double smallest_edge);
 
   /// Per vertex of the triangulation.
   const std::vector<VertexOrigin>& origins() const { return origin_; }
-  void start() { origin_.assign(mesh_.point.size(), {}); }
+  /// Call once, before all but set_quality. Errors: limit (memory), cancelled.
+  Status start(const Context& context) {
+    return memory_.resize(context, origin_, mesh_.point.size());
+  }
 
  private:
   struct Bad {
@@ -89,7 +94,7 @@ class Refiner {
   bool cavity_encroaches(Point p);
   Point steiner_point(HalfEdge shortest, double off_center) const;
 
-  Status run(Context& context);
+  Status run(const Context& context);
   bool next_bad(Bad& bad);
   void refine_triangle(const Bad& bad);
   bool split_queued_subsegments();
@@ -102,12 +107,14 @@ class Refiner {
   HalfEdge longest_edge(std::int32_t t) const;
   bool make_room();
   bool make_room(std::size_t vertex_count);
-  bool charge_cut(const Chord& chord);
+  std::size_t list_bytes() const;
+  bool count_pieces(const Chord& chord);
 
   Triangulation& mesh_;
   const ChordStore& chords_;
-  ScopedCharge& charge_;
-  Context* context_ = nullptr;
+  TableMemory memory_;
+  ScopedCharge list_charge_;
+  const Context* context_ = nullptr;
   Status status_;
   std::vector<VertexOrigin> origin_;
 
@@ -118,8 +125,6 @@ class Refiner {
   double shortest_edge_ = 4;
   double small_edge2_ = 0;
   std::size_t owner_pieces_ = 0;
-  std::size_t cut_bytes_ = 0;          ///< what cuts have added to the mesh that leaves
-  std::size_t charged_cut_bytes_ = 0;  ///< charged for that
 
   static constexpr int kBucketCount = 128;
   std::array<Bucket, kBucketCount> bucket_;

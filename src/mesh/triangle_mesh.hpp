@@ -57,14 +57,4 @@ struct TriangleMesh {
   }
 };
 
-/// What a mesh takes in memory.
-inline std::size_t bytes_of(const TriangleMesh& mesh) {
-  return mesh.vertex_position.capacity() * sizeof(Vec2) +
-         (mesh.triangle_vertex.capacity() + mesh.half_edge_twin.capacity() +
-          mesh.half_edge_constraint.capacity()) *
-             sizeof(std::uint32_t) +
-         mesh.constraint.capacity() * sizeof(Constraint) +
-         mesh.piece.capacity() * sizeof(SegmentPiece);
-}
-
 }  // namespace sfumato::mesh

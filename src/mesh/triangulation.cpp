@@ -1,22 +1,12 @@
 #include "mesh/triangulation.hpp"
 
 #include <algorithm>
-#include <string>
 
-#include "base/charge.hpp"
-#include "base/large_vector.hpp"
 #include "base/limit_error.hpp"
 #include "sfumato/base/limits.hpp"
 
 namespace sfumato::mesh {
 namespace {
-
-/// What one triangle and one vertex take: the records, the chord slots, the refinement queue, the
-/// numbers under which they leave, what is remembered of them since then, lists of what changed,
-/// and the copy that leaves as a TriangleMesh.
-constexpr std::size_t kBytesPerTriangle =
-    sizeof(Triangle) + 4 * sizeof(std::int32_t) + 16 + 24 + 36;
-constexpr std::size_t kBytesPerVertex = sizeof(Point) + sizeof(HalfEdge) + 8 + 20;
 
 /// After so many steps a walk breaks ties at random: among chords it could go round in circles.
 constexpr int kPatientSteps = 64;
@@ -34,25 +24,18 @@ void Triangulation::start(std::int32_t domain_width, std::int32_t domain_height)
   spoke = {0, 1, 2, 6};
 }
 
-Status Triangulation::grow(Context& context, ScopedCharge& charge, std::size_t vertex_count) {
+Status Triangulation::grow(const Context& context, std::size_t vertex_count) {
   const std::size_t vertices =
       std::min(std::max(vertex_count, point.size() + 1), context.limits.triangles / 2);
   const std::size_t triangles = 2 * vertices;
   if (triangle.size() + 2 > triangles) {
     return limit_error(context.limits, &Limits::triangles, "triangles in one layer");
   }
-  const std::size_t more_vertices = vertices - std::min(vertices, point.capacity());
-  const std::size_t more_triangles = triangles - std::min(triangles, triangle.capacity());
-  Status status =
-      charge.add(context, more_vertices * kBytesPerVertex + more_triangles * kBytesPerTriangle,
-                 "the triangle mesh");
-  if (!status) return status;
-  status = reserve_large(context, point, vertices);
-  if (status) status = reserve_large(context, spoke, vertices);
-  if (status) status = reserve_large(context, triangle, triangles);
-  if (status) status = reserve_large(context, changed, triangle.capacity());
-  if (status) status = reserve_large(context, chord, 4 * triangle.capacity());
-  if (status) status = resize_large(context, chord, 4 * triangle.capacity());
+  Status status = memory_.reserve(context, point, vertices);
+  if (status) status = memory_.reserve(context, spoke, vertices);
+  if (status) status = memory_.reserve(context, triangle, triangles);
+  if (status) status = memory_.reserve(context, changed, triangle.capacity());
+  if (status) status = memory_.resize(context, chord, 4 * triangle.capacity());
   return status;
 }
 

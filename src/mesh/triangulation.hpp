@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/charge.hpp"
+#include "base/table_memory.hpp"
 #include "mesh/lattice.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/status.hpp"
@@ -139,11 +139,14 @@ struct Triangulation {
     take(changed, kChanged, visit);
   }
 
-  /// Room for one more insertion; `grow` charges for it and makes it.
+  /// Room for one more insertion; `grow` makes it.
   bool has_room() const {
     return triangle.size() + 2 <= triangle.capacity() && point.size() < point.capacity();
   }
-  Status grow(Context& context, ScopedCharge& charge, std::size_t vertex_count);
+  Status grow(const Context& context, std::size_t vertex_count);
+
+  /// Bytes of the lists that grow during an insertion.
+  std::size_t list_bytes() const { return capacity_bytes(touched, pending, cavity, dead_, stack_); }
 
   std::vector<CavityEdge> cavity;  ///< boundary of the last `find_cavity`
   bool cavity_has_chords = false;
@@ -183,6 +186,7 @@ struct Triangulation {
   std::vector<std::int32_t> dead_;
   std::vector<HalfEdge> stack_;
   std::uint32_t walk_state_ = 1;
+  TableMemory memory_{"the triangle mesh"};
 };
 
 }  // namespace sfumato::mesh

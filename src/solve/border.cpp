@@ -5,8 +5,6 @@
 #include <cstddef>
 #include <utility>
 
-#include "base/charge.hpp"
-#include "base/large_vector.hpp"
 #include "base/poll.hpp"
 #include "picture/patch.hpp"
 
@@ -26,9 +24,6 @@ constexpr double kLookNudge = 5e-4;
 
 /// Finer crossings than this share of an edge are below the rounding of the gather.
 constexpr double kFinestShare = 1e-7;
-
-/// Of one cut triangle: its edges, parts and new nodes.
-constexpr std::size_t kBytesPerCut = 1024;
 
 /// An edge of a mixed triangle; one for both its triangles unless it is a seam.
 struct Edge {
@@ -77,6 +72,7 @@ class BorderCutter {
  private:
   Result<std::vector<std::uint32_t>> mixed_triangles();
   Status make_tables();
+  Status settle();
   Status look_at_edges(std::vector<std::uint32_t>& fresh);
   void add_edges(std::uint32_t triangle);
   Status find_crossings();
@@ -111,8 +107,9 @@ class BorderCutter {
   const Sight& sight_;
   double accuracy_;
   RarePoll<4096> poll_;
-  ScopedCharge charge_;
-  std::vector<std::int32_t> edge_of_;   ///< per half-edge: index into edges_, or kNone
+  TableMemory memory_{"patches at a border"};
+  std::size_t own_bytes_ = 0, cut_bytes_ = 0;  ///< of the lists that grow, charged
+  std::vector<std::int32_t> edge_of_;          ///< per half-edge: index into edges_, or kNone
   std::vector<std::uint8_t> is_known_;  ///< per triangle: its edges are looked at, or will be
   std::vector<Edge> edges_;
   std::vector<std::uint32_t> mixed_;  ///< triangles with edges
@@ -126,7 +123,7 @@ Result<std::vector<std::uint32_t>> BorderCutter::mixed_triangles() {
     const bool first = sees(t, 0);
     for (std::size_t i = 1; i < kNodesPerTriangle; ++i) {
       if (sees(t, i) == first) continue;
-      mixed.push_back(t);
+      if (Status status = memory_.push_back(context_, mixed, t); !status) return status;
       break;
     }
   }
@@ -134,12 +131,18 @@ Result<std::vector<std::uint32_t>> BorderCutter::mixed_triangles() {
 }
 
 Status BorderCutter::make_tables() {
-  const std::size_t half_edges = mesh_.triangle_vertex.size();
-  Status status = charge_.add(context_, (sizeof(std::int32_t) + 1) * half_edges, "patches");
-  if (status) status = resize_large(context_, edge_of_, half_edges, mesh::kNone);
-  for (std::vector<std::uint8_t>* marks : {&cuts_.is_cut, &is_known_})
-    if (status) status = resize_large(context_, *marks, mesh_.triangle_count());
-  return status;
+  Status status = memory_.resize(context_, edge_of_, mesh_.triangle_vertex.size(), mesh::kNone);
+  if (status) status = memory_.resize(context_, is_known_, mesh_.triangle_count());
+  return status ? cuts_.memory.resize(context_, cuts_.is_cut, mesh_.triangle_count()) : status;
+}
+
+/// Charges what the lists have grown.
+Status BorderCutter::settle() {
+  const BorderCuts& c = cuts_;
+  const std::size_t cut_bytes =
+      capacity_bytes(c.vertex, c.triangle_vertex, c.edge, c.parent, c.node, c.point);
+  Status status = memory_.settle(context_, capacity_bytes(edges_, mixed_), own_bytes_);
+  return status ? cuts_.memory.settle(context_, cut_bytes, cut_bytes_) : status;
 }
 
 void BorderCutter::add_edges(std::uint32_t triangle) {
@@ -159,18 +162,23 @@ void BorderCutter::add_edges(std::uint32_t triangle) {
 
 /// Looks at the ends of the edges of `fresh`, and leaves there the triangles that are mixed too.
 Status BorderCutter::look_at_edges(std::vector<std::uint32_t>& fresh) {
-  Status status = cuts_.charge.add(context_, kBytesPerCut * fresh.size(), "patches at a border");
-  if (!status) return status;
   const std::size_t first = edges_.size();
   for (std::uint32_t t : fresh) add_edges(t);
+  TableMemory scratch("patches at a border");
   std::vector<Vec2> points;
+  std::vector<std::uint8_t> seen;
+  const std::size_t looks = 2 * (edges_.size() - first);
+  Status status = settle();
+  if (status) status = scratch.reserve(context_, points, looks);
+  if (status) status = scratch.resize(context_, seen, looks);
+  if (!status) return status;
   for (std::size_t i = first; i < edges_.size(); ++i) {
     points.push_back(point_to_ask(edges_[i], kFromEnd));
     points.push_back(point_to_ask(edges_[i], 1 - kFromEnd));
   }
-  std::vector<std::uint8_t> seen(points.size());
   if (status = sight_.look(points, seen); !status) return status;
   std::vector<std::uint32_t> more;
+  if (status = memory_.reserve(context_, more, edges_.size() - first); !status) return status;
   for (std::size_t i = first; i < edges_.size(); ++i) {
     Edge& edge = edges_[i];
     edge.sees_begin = seen[2 * (i - first)] != 0;
@@ -180,22 +188,29 @@ Status BorderCutter::look_at_edges(std::vector<std::uint32_t>& fresh) {
       more.push_back(static_cast<std::uint32_t>(twin) / 3);
   }
   std::erase_if(more, [&](std::uint32_t t) { return std::exchange(is_known_[t], 1) != 0; });
-  fresh = std::move(more);
-  return ok_status();
+  fresh.swap(more);
+  memory_.free(more);
+  return status;
 }
 
 /// Bisection of all edges across the border, side by side.
 Status BorderCutter::find_crossings() {
+  TableMemory scratch("patches at a border");
   std::vector<std::uint32_t> open;
   std::vector<Vec2> points;
   std::vector<std::uint8_t> seen;
-  for (std::uint32_t i = 0; i < edges_.size(); ++i)
-    if (edges_[i].crosses()) open.push_back(i);
+  for (std::uint32_t i = 0; i < edges_.size(); ++i) {
+    if (!edges_[i].crosses()) continue;
+    if (Status status = scratch.push_back(context_, open, i); !status) return status;
+  }
+  Status status = scratch.reserve(context_, points, open.size());
+  if (status) status = scratch.reserve(context_, seen, open.size());
+  if (!status) return status;
   while (!open.empty()) {
     points.clear();
     for (std::uint32_t i : open) points.push_back(point_to_ask(edges_[i], edges_[i].crossing()));
     seen.assign(points.size(), 0);
-    if (Status status = sight_.look(points, seen); !status) return status;
+    if (status = sight_.look(points, seen); !status) return status;
     for (std::size_t k = 0; k < open.size(); ++k) {
       Edge& edge = edges_[open[k]];
       (edge.sees_begin == (seen[k] != 0) ? edge.low : edge.high) = edge.crossing();
@@ -223,6 +238,7 @@ Status BorderCutter::cut_triangles() {
   for (std::uint32_t t : mixed_) {
     if (poll_.cancelled()) return context_.cancel_status();
     cut_triangle(t);
+    if (Status status = settle(); !status) return status;
   }
   return ok_status();
 }

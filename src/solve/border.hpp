@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "base/charge.hpp"
+#include "base/table_memory.hpp"
 #include "mesh/triangle_mesh.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/function_ref.hpp"
@@ -37,7 +37,7 @@ struct BorderCuts {
   /// kNodesPerTriangle per part: a place in the parent, or -1 - index in `point`.
   std::vector<std::int32_t> node;
   std::vector<Vec2> point;  ///< where new nodes are gathered: inside, on the seen side
-  ScopedCharge charge;
+  TableMemory memory{"patches at a border"};
 
   std::size_t part_count() const { return parent.size(); }
 };

@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "base/charge.hpp"
-#include "base/large_vector.hpp"
 #include "base/public_verb.hpp"
+#include "base/table_memory.hpp"
 #include "solve/layer_solver.hpp"
 #include "solve/prepare_layer.hpp"
 
@@ -36,14 +36,12 @@ PictureItem picture_item(const Item& item) {
 /// The shaders of a document as pixels need them: without the files that textures came from.
 Result<std::vector<Shader>> copy_shaders(Context& context, const std::vector<Shader>& shaders) {
   std::vector<Shader> copies;
-  ScopedCharge charge;
+  TableMemory memory("textures");
   for (const Shader& shader : shaders) {
     if (const auto* texture = std::get_if<Texture>(&shader.paint)) {
-      Status status = charge.add(context, texture->rgba.size(), "textures");
-      if (!status) return status;
       Texture copy{texture->width,   texture->height, {}, texture->layer_from_texture,
                    texture->repeats, texture->period, {}};
-      status = copy_large(context, texture->rgba, copy.rgba);
+      Status status = memory.append(context, texture->rgba, copy.rgba);
       if (!status) return status;
       copies.push_back({shader.id, std::move(copy)});
     } else {
@@ -53,8 +51,9 @@ Result<std::vector<Shader>> copy_shaders(Context& context, const std::vector<Sha
   return copies;
 }
 
-std::size_t stack_bytes(const Document& document) {
-  std::size_t bytes = document.stack.size() * sizeof(PictureItem);
+/// Of the local curves on the stack.
+std::size_t stroke_bytes(const Document& document) {
+  std::size_t bytes = 0;
   for (const StackItem& item : document.stack) {
     if (const auto* stroke = std::get_if<LocalStroke>(&item)) bytes += bytes_of(stroke->curve);
   }
@@ -71,9 +70,10 @@ Result<Picture> make_frame(Context& context, const Document& document, const Box
   picture.background = document.background;
   picture.shaders = std::move(*shaders);
   ScopedCharge charge;
-  Status status = charge.add(context, stack_bytes(document), "the picture's stack");
+  TableMemory memory("the picture's stack");
+  Status status = charge.add(context, stroke_bytes(document), "the picture's stack");
+  if (status) status = memory.reserve(context, picture.stack, document.stack.size());
   if (!status) return status;
-  picture.stack.reserve(document.stack.size());
   for (const StackItem& item : document.stack) {
     picture.stack.push_back(std::visit([](const auto& x) { return picture_item(x); }, item));
   }

@@ -5,8 +5,6 @@
 #include <numeric>
 #include <utility>
 
-#include "base/charge.hpp"
-#include "base/large_vector.hpp"
 #include "base/poll.hpp"
 #include "picture/patch.hpp"
 #include "solve/layout_order.hpp"
@@ -16,21 +14,6 @@ namespace sfumato::solve {
 namespace {
 
 constexpr std::size_t kNodes = kNodesPerTriangle;
-
-/// Both sides of an edge on a curve.
-constexpr std::size_t kBytesPerSeam = 2 * sizeof(gather::Facing);
-
-/// Six nodes with a fixed value on each, while nodes are laid out, in a table that doubles.
-constexpr std::size_t kFixedBytesPerSeam = 2 * 6 * 64;
-
-/// The most probes of one triangle (solve/probes.hpp).
-constexpr std::size_t kMostProbes = 6;
-
-/// About five nodes to a triangle.
-std::size_t layout_bytes_per_triangle(int channel_count) {
-  return kNodesPerTriangle * sizeof(std::uint32_t) +
-         5 * (28 + sizeof(float) * static_cast<std::size_t>(channel_count)) + 64;
-}
 
 double longest_edge(const mesh::TriangleMesh& mesh, std::uint32_t t) {
   double longest = 0;
@@ -43,68 +26,33 @@ double longest_edge(const mesh::TriangleMesh& mesh, std::uint32_t t) {
 
 }  // namespace
 
-/// Charges for the layout of so many triangles at the most so far.
-Status FieldSolver::charge_layout(Context& context, std::size_t triangles) {
-  if (triangles <= triangles_charged_) return ok_status();
-  const std::size_t more = triangles - triangles_charged_;
-  Status status =
-      layout_charge_.add(context, more * layout_bytes_per_triangle(channel_count()), "patches");
-  if (status) triangles_charged_ = triangles;
-  return status;
-}
-
-Status FieldSolver::charge_seams(Context& context, const mesh::TriangleMesh& mesh) {
-  // Tables that grow have room for a quarter more.
-  const std::size_t bytes = (kBytesPerSeam * mesh.constraint.size() + mesh.half_edge_twin.size() +
-                             sizeof(float) * mesh.vertex_position.size()) /
-                            4 * 5;
-  Status status =
-      seam_charge_.add(context, bytes - std::min(bytes, seams_charged_), "patches along curves");
-  if (status) seams_charged_ = std::max(bytes, seams_charged_);
-  return status;
-}
-
 Status FieldSolver::start(Context& context, const mesh::TriangleMesh& mesh) {
-  if (Status status = charge_seams(context, mesh); !status) return status;
   Result<Seams> seams = Seams::create(context, mesh, field_.attributes);
   if (seams) seams_.emplace(std::move(*seams));
   return seams.status();
 }
 
 Status FieldSolver::lay_out(Context& context, const mesh::TriangleMesh& mesh) {
-  ScopedCharge charge;
-  Status status =
-      charge.add(context, kFixedBytesPerSeam * mesh.constraint.size(), "patches along curves");
-  if (status) status = charge_layout(context, mesh.triangle_count());
-  if (!status) return status;
-  Result<NodeLayout> layout = lay_out_nodes(context, mesh, field_.attributes, *seams_);
+  Result<NodeLayout> layout =
+      lay_out_nodes(context, mesh, field_.attributes, *seams_, layout_memory_);
   if (!layout) return layout.status();
   layout_ = std::move(*layout);
-  Result<std::vector<std::uint32_t>> nodes = free_nodes(context);
-  if (!nodes) return nodes.status();
-  to_gather_ = std::move(*nodes);
-  return resize_large(context, node_hit_, layout_.node_count(), std::uint8_t{1});
+  Status status = list_free_nodes(context);
+  return status ? memory_.resize(context, node_hit_, layout_.node_count(), 1) : status;
 }
 
 Status FieldSolver::follow(Context& context, const mesh::TriangleMesh& mesh,
                            std::span<const std::uint32_t> changed) {
-  if (Status status = charge_seams(context, mesh); !status) return status;
   Status status = seams_->update(context, field_.attributes, changed);
   if (!status || layout_.triangle_node.empty()) return status;
-  ScopedCharge charge;
-  const std::size_t seams = std::min(mesh.constraint.size(), 6 * changed.size());
-  status = charge.add(context, kFixedBytesPerSeam * seams, "patches along curves");
-  // Nodes that go are used again only in the next update.
-  if (status) status = charge_layout(context, mesh.triangle_count() + changed.size());
+  status = update_layout(context, mesh, field_.attributes, *seams_, changed, layout_memory_,
+                         layout_, history_);
   if (status) {
-    status = update_layout(context, mesh, field_.attributes, *seams_, changed, layout_, history_);
+    status = memory_.grow(context, node_hit_, layout_.node_count(), layout_.position.capacity(), 1);
   }
-  if (status) {
-    status = grow_large(context, node_hit_, layout_.node_count(), layout_.position.capacity(),
-                        std::uint8_t{1});
-  }
+  to_gather_.clear();
+  if (status) status = memory_.append(context, history_.fresh, to_gather_);
   if (!status) return status;
-  to_gather_.swap(history_.fresh);
   for (const std::uint32_t node : history_.unused) node_hit_[node] = 1;
   return ok_status();
 }
@@ -112,61 +60,57 @@ Status FieldSolver::follow(Context& context, const mesh::TriangleMesh& mesh,
 Status FieldSolver::put_in_order(Context& context, const mesh::TriangleMesh& mesh) {
   if (history_.updates == 0) return ok_status();
   history_ = {};
-  ScopedCharge charge;
-  Status status = charge.add(context, point_bytes(layout_.node_count()), "patches");
-  if (!status) return status;
-  const Result<std::vector<std::uint32_t>> order = solve::put_in_order(context, mesh, layout_);
+  Result<std::vector<std::uint32_t>> order =
+      solve::put_in_order(context, mesh, layout_memory_, layout_);
   if (!order) return order.status();
-  return reorder(context, *order, node_hit_);
+  Status status = reorder(context, *order, memory_, node_hit_);
+  layout_memory_.free(*order);
+  return status;
 }
 
-Result<std::vector<std::uint32_t>> FieldSolver::free_nodes(const Context& context) const {
-  std::vector<std::uint32_t> nodes;
-  nodes.reserve(layout_.node_count());
+Status FieldSolver::list_free_nodes(const Context& context) {
+  to_gather_.clear();
+  Status status = memory_.reserve(context, to_gather_, layout_.node_count());
+  if (!status) return status;
   RarePoll<65536> poll(context);
   for (std::uint32_t node = 0; node < layout_.node_count(); ++node) {
     if (poll.cancelled()) return context.cancel_status();
-    if (!layout_.is_fixed[node]) nodes.push_back(node);
+    if (!layout_.is_fixed[node]) to_gather_.push_back(node);
   }
-  return nodes;
-}
-
-std::size_t FieldSolver::point_bytes(std::size_t count) const {
-  const auto channels = static_cast<std::size_t>(channel_count());
-  return count * (sizeof(Vec2) + 2 * sizeof(std::uint32_t) + channels * sizeof(float));
+  return status;
 }
 
 Result<std::size_t> FieldSolver::gather(Context& context, const gather::GatherOptions& options,
                                         bool all) {
-  Result<std::vector<std::uint32_t>> asked = std::exchange(to_gather_, {});
-  if (all) asked = free_nodes(context);
-  if (!asked) return asked.status();
-  const std::vector<std::uint32_t>& nodes = *asked;
+  if (all) {
+    if (Status status = list_free_nodes(context); !status) return status;
+  }
+  const std::vector<std::uint32_t>& nodes = to_gather_;
   const std::size_t count = nodes.size();
   const auto channels = static_cast<std::size_t>(layout_.channel_count);
-  ScopedCharge charge;
-  Status status = charge.add(context, point_bytes(count), "nodes to gather");
-  if (!status) return status;
+  TableMemory scratch("nodes to gather");
   std::vector<Vec2> points;
-  points.reserve(count);
+  std::vector<float> values;
+  std::vector<std::uint8_t> hits;
+  Status status = scratch.reserve(context, points, count);
+  if (status) status = scratch.resize(context, values, count * channels);
+  if (status) status = scratch.resize(context, hits, count);
+  if (!status) return status;
   RarePoll<65536> poll(context);
   for (const std::uint32_t node : nodes) {
     if (poll.cancelled()) return context.cancel_status();
     points.push_back(layout_.position[node]);
   }
-  std::vector<float> values;
-  std::vector<std::uint8_t> hits;
-  status = resize_large(context, values, count * channels);
-  if (status) status = resize_large(context, hits, count);
-  if (status) status = field_.gatherer.gather(context, points, options, values, hits);
+  status = field_.gatherer.gather(context, points, options, values, hits);
   if (!status) return status;
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
+  for (std::size_t i = 0; i < count; ++i) {
     if (poll.cancelled()) return context.cancel_status();
     float* const value = layout_.value.data() + channels * nodes[i];
     for (std::size_t c = 0; c < channels; ++c) value[c] = values[channels * i + c];
     node_hit_[nodes[i]] = hits[i];
   }
-  return nodes.size();
+  memory_.free(to_gather_);
+  return count;
 }
 
 Status FieldSolver::find_misses(Context& context, const mesh::TriangleMesh& mesh,
@@ -174,21 +118,15 @@ Status FieldSolver::find_misses(Context& context, const mesh::TriangleMesh& mesh
                                 PatchOrder order, FunctionRef<float(std::uint32_t)> color_weight,
                                 std::span<std::uint8_t> misses) const {
   const auto channels = static_cast<std::size_t>(layout_.channel_count);
-  ScopedCharge charge;
-  Status status =
-      charge.add(context, mesh.triangle_count() + sizeof(std::uint32_t) * triangles.size(),
-                 "probes of patches");
-  if (!status) return status;
+  TableMemory scratch("probes of patches");
   const Result<std::vector<std::uint32_t>> asked =
-      find_doubtful(context, triangles, max_error, order, color_weight);
+      find_doubtful(context, triangles, max_error, order, color_weight, scratch);
   if (!asked) return asked.status();
-  status = charge.add(context, point_bytes(kMostProbes * asked->size()), "probes of patches");
-  if (!status) return status;
   const Result<ProbeSet> placed = place_probes(context, mesh, layout_, *asked);
   if (!placed) return placed.status();
   const ProbeSet& probes = *placed;
   std::vector<float> exact;
-  status = resize_large(context, exact, probes.position.size() * channels);
+  Status status = scratch.resize(context, exact, probes.position.size() * channels);
   if (status) status = field_.gatherer.gather(context, probes.position, {}, exact);
   if (!status) return status;
   std::vector<float> value(channels);
@@ -211,14 +149,16 @@ Status FieldSolver::find_misses(Context& context, const mesh::TriangleMesh& mesh
 
 Result<std::vector<std::uint32_t>> FieldSolver::find_doubtful(
     const Context& context, std::span<const std::uint32_t> triangles, float max_error,
-    PatchOrder order, FunctionRef<float(std::uint32_t)> color_weight) const {
+    PatchOrder order, FunctionRef<float(std::uint32_t)> color_weight, TableMemory& memory) const {
   // In other spaces differences are no code values; and between nodes that all see a curve there
   // may be a place that sees none.
   const bool foretells =
       order == PatchOrder::cubic && has_code_values() && sees_curves_everywhere();
-  if (!foretells) return std::vector<std::uint32_t>(triangles.begin(), triangles.end());
   std::vector<std::uint32_t> doubtful;
-  doubtful.reserve(triangles.size());
+  Status status = memory.reserve(context, doubtful, triangles.size());
+  if (status && !foretells) status = memory.append(context, triangles, doubtful);
+  if (!status) return status;
+  if (!foretells) return doubtful;
   std::vector<float> miss(static_cast<std::size_t>(layout_.channel_count));
   RarePoll<4096> poll(context);
   for (const std::uint32_t t : triangles) {
@@ -262,7 +202,7 @@ Status FieldSolver::find_coarse(Context& context, const mesh::TriangleMesh& mesh
   // Per vertex the smallest radius of the curves that end or pass there; 0: no blurred curve. Cuts
   // change no more of it than its last bit.
   const std::size_t vertices = mesh.vertex_position.size();
-  Status status = grow_large(context, vertex_radius_, vertices, vertices / 4 * 5);
+  Status status = memory_.grow(context, vertex_radius_, vertices, vertices / 4 * 5);
   if (!status) return status;
   const auto lower = [&](std::uint32_t vertex, float radius) {
     float& known = vertex_radius_[vertex];
@@ -305,8 +245,7 @@ Status FieldSolver::make_room_for_means(Context& context) {
   if (count == 0) return ok_status();
   const std::size_t values =
       layout_.value.size() + count * static_cast<std::size_t>(layout_.channel_count);
-  Status status = layout_charge_.add(context, values * sizeof(float), "patches");
-  return status ? reserve_large(context, layout_.value, values) : status;
+  return layout_memory_.reserve(context, layout_.value, values);
 }
 
 Status FieldSolver::fill_unseen_nodes(Context& context) {
@@ -346,12 +285,11 @@ bool FieldSolver::sees_curves(std::uint32_t triangle, std::size_t place) const {
 Status FieldSolver::look(Context& context, std::span<const Vec2> points,
                          std::span<std::uint8_t> seen) const {
   const auto channels = static_cast<std::size_t>(channel_count());
-  ScopedCharge charge;
-  Status status = charge.add(context, point_bytes(points.size()), "points at a border");
+  TableMemory scratch("points at a border");
   std::vector<float> values;
   std::vector<std::uint8_t> hits;
-  if (status) status = resize_large(context, values, points.size() * channels);
-  if (status) status = resize_large(context, hits, points.size());
+  Status status = scratch.resize(context, values, points.size() * channels);
+  if (status) status = scratch.resize(context, hits, points.size());
   if (status) status = field_.gatherer.gather(context, points, {}, values, hits);
   for (std::size_t i = 0; status && i < points.size(); ++i) seen[i] &= hits[i];
   return status;
@@ -361,14 +299,13 @@ Status FieldSolver::add_parts(Context& context, const BorderCuts& cuts) {
   const auto channels = static_cast<std::size_t>(channel_count());
   const std::uint32_t first = layout_.node_count();
   const std::size_t nodes = first + cuts.point.size();
-  const std::size_t node_bytes = sizeof(Vec2) + 3 + sizeof(float) * channels;
-  Status status = layout_charge_.add(
-      context, cuts.node.size() * sizeof(std::uint32_t) + nodes * node_bytes, "patches");
-  if (status) status = append_large(context, std::span<const Vec2>(cuts.point), layout_.position);
-  if (status) status = resize_large(context, layout_.is_fixed, nodes, std::uint8_t{0});
-  if (status) status = resize_large(context, node_hit_, nodes, std::uint8_t{0});
-  if (status) status = resize_large(context, layout_.value, nodes * channels, 0.0f);
-  if (status) status = resize_large(context, to_gather_, cuts.point.size());
+  TableMemory& memory = layout_memory_;
+  Status status = memory.append(context, cuts.point, layout_.position);
+  if (status) status = memory.make_room(context, layout_.triangle_node, cuts.node.size());
+  if (status) status = memory.resize(context, layout_.is_fixed, nodes);
+  if (status) status = memory.resize(context, layout_.value, nodes * channels);
+  if (status) status = memory_.resize(context, node_hit_, nodes);
+  if (status) status = memory_.resize(context, to_gather_, cuts.point.size());
   if (!status) return status;
   std::iota(to_gather_.begin(), to_gather_.end(), first);
   for (std::size_t i = 0; i < cuts.node.size(); ++i) {
@@ -393,10 +330,15 @@ float FieldSolver::largest_value(std::uint32_t triangle, std::size_t first_chann
   return std::min(largest, enough);
 }
 
-PatchField split_channel(PatchField& field, int channel) {
+Result<PatchField> split_channel(const Context& context, PatchField& field, int channel,
+                                 TableMemory& memory) {
   const auto channels = static_cast<std::size_t>(field.channel_count);
   const std::size_t node_count = field.node_value.size() / channels;
-  PatchField split{1, field.triangle_node, std::vector<float>(node_count), {}};
+  PatchField split{1, {}, {}, {}};
+  Status status = memory.reserve(context, split.triangle_node, field.triangle_node.size());
+  if (status) status = memory.append(context, field.triangle_node, split.triangle_node);
+  if (status) status = memory.resize(context, split.node_value, node_count);
+  if (!status) return status;
   float* rest = field.node_value.data();
   for (std::size_t node = 0; node < node_count; ++node) {
     for (std::size_t c = 0; c < channels; ++c) {

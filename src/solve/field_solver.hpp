@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/charge.hpp"
+#include "base/table_memory.hpp"
 #include "curves/attributes.hpp"
 #include "gather/gather.hpp"
 #include "sfumato/base/context.hpp"
@@ -103,11 +104,13 @@ class FieldSolver {
   PatchField take(std::span<const std::uint8_t> keep);
 
  private:
-  /// Of some triangles those whose patches are to be held against the exact gather. Errors:
-  /// cancelled.
-  Result<std::vector<std::uint32_t>> find_doubtful(
-      const Context& context, std::span<const std::uint32_t> triangles, float max_error,
-      PatchOrder order, FunctionRef<float(std::uint32_t)> color_weight) const;
+  /// Of some triangles those whose patches are to be held against the exact gather, in room from
+  /// `memory`. Errors: limit (memory), cancelled.
+  Result<std::vector<std::uint32_t>> find_doubtful(const Context& context,
+                                                   std::span<const std::uint32_t> triangles,
+                                                   float max_error, PatchOrder order,
+                                                   FunctionRef<float(std::uint32_t)> color_weight,
+                                                   TableMemory& memory) const;
   /// Whether one of a value's misses, one a channel, is more than max_error where those of colours
   /// count color_weight, which is asked only if it matters.
   bool is_more(std::span<const float> miss, float max_error, std::uint32_t triangle,
@@ -116,28 +119,25 @@ class FieldSolver {
   /// Whether some of a triangle's nodes see a curve, and some do not.
   bool sees_some(const std::uint32_t* node) const;
   Status make_room_for_means(Context& context);
-  Status charge_layout(Context& context, std::size_t triangles);
-  Status charge_seams(Context& context, const mesh::TriangleMesh& mesh);
-  Result<std::vector<std::uint32_t>> free_nodes(const Context& context) const;
-  /// The memory of `count` points and their values.
-  std::size_t point_bytes(std::size_t count) const;
+  /// Leaves all free nodes to gather.
+  Status list_free_nodes(const Context& context);
   bool has_code_values() const;
   void show_as_code_values(float* value) const;
 
   PreparedField field_;
   std::optional<Seams> seams_;
   std::vector<float> vertex_radius_;  ///< of find_coarse
-  ScopedCharge seam_charge_;
-  std::size_t seams_charged_ = 0;  ///< bytes
   NodeLayout layout_;
-  ScopedCharge layout_charge_;
-  std::size_t triangles_charged_ = 0;
+  TableMemory layout_memory_{"patches"};
   LayoutHistory history_;
   std::vector<std::uint32_t> to_gather_;  ///< free nodes whose value is not known
   std::vector<std::uint8_t> node_hit_;    ///< 0 where a free node sees no curve
+  TableMemory memory_{"patches"};         ///< of these two and vertex_radius_
 };
 
-/// Takes one channel out of a field: a field of its own over the same nodes.
-PatchField split_channel(PatchField& field, int channel);
+/// Takes one channel out of a field: a field of its own over the same nodes, in room from `memory`.
+/// Errors: limit (memory), cancelled; the field is good for nothing then.
+Result<PatchField> split_channel(const Context& context, PatchField& field, int channel,
+                                 TableMemory& memory);
 
 }  // namespace sfumato::solve

@@ -4,10 +4,10 @@
 #include <numeric>
 #include <utility>
 
-#include "base/charge.hpp"
 #include "base/limit_error.hpp"
 #include "base/poll.hpp"
 #include "base/stopwatch.hpp"
+#include "base/table_memory.hpp"
 #include "solve/soft_edges.hpp"
 
 namespace sfumato::solve {
@@ -32,12 +32,15 @@ Status check_limits(const Limits& limits, const mesh::TriangleMesh& mesh) {
   return limit_error(limits, &Limits::triangles, "triangles in one layer");
 }
 
-std::vector<std::uint32_t> indices_of(const std::vector<std::uint8_t>& chosen) {
-  std::vector<std::uint32_t> indices;
-  for (std::uint32_t i = 0; i < chosen.size(); ++i) {
+Status list_chosen(const Context& context, std::span<const std::uint8_t> chosen,
+                   TableMemory& memory, std::vector<std::uint32_t>& indices) {
+  indices.clear();
+  const auto count = static_cast<std::size_t>(std::ranges::count(chosen, 1));
+  Status status = memory.reserve(context, indices, count);
+  for (std::uint32_t i = 0; status && i < chosen.size(); ++i) {
     if (chosen[i]) indices.push_back(i);
   }
-  return indices;
+  return status;
 }
 
 using Radius = curves::SegmentValues<float> curves::SegmentSide::*;
@@ -140,7 +143,7 @@ Status LayerSolver::lay_out() {
   const Stopwatch watch;
   Status status =
       for_each_field([&](FieldSolver& field) { return field.lay_out(context_, mesh_); });
-  list_all_triangles();
+  if (status) status = list_all_triangles();
   if (stats_) stats_->triangulation_seconds += watch.seconds();
   return status;
 }
@@ -154,32 +157,35 @@ Status LayerSolver::put_in_order() {
 }
 
 /// As those that changed.
-void LayerSolver::list_all_triangles() {
-  changed_.resize(mesh_.triangle_count());
+Status LayerSolver::list_all_triangles() {
+  Status status = memory_.resize(context_, changed_, mesh_.triangle_count());
   std::iota(changed_.begin(), changed_.end(), 0u);
+  return status;
 }
 
 /// Makes the mesh at blurred curves as fine as their radii, before anything is gathered.
 Status LayerSolver::follow_blur() {
   const double edge_per_radius = options_.max_error > 0 ? kProbedEdgePerRadius : kEdgePerRadius;
+  TableMemory scratch("patches");
   std::vector<std::uint8_t> coarse;
-  list_all_triangles();
-  for (int round = 0; round < kMaxRounds; ++round) {
-    coarse.resize(mesh_.triangle_count());
+  std::vector<std::uint32_t> triangles;
+  Status status = list_all_triangles();
+  for (int round = 0; status && round < kMaxRounds; ++round) {
+    status = scratch.resize(context_, coarse, mesh_.triangle_count());
+    if (!status) return status;
     for (const std::uint32_t t : changed_) coarse[t] = 0;
-    Status status = for_each_field([&](FieldSolver& field) {
+    status = for_each_field([&](FieldSolver& field) {
       return field.find_coarse(context_, mesh_, changed_, edge_per_radius, coarse);
     });
+    if (status) status = list_chosen(context_, coarse, scratch, triangles);
     if (!status) return status;
-    const std::vector<std::uint32_t> triangles = indices_of(coarse);
     if (triangles.empty()) break;
     const std::uint32_t before = mesh_.triangle_count();
-    if (status) status = make_smaller(triangles);
+    status = make_smaller(triangles);
     if (status) status = update_mesh();
-    if (!status) return status;
     if (mesh_.triangle_count() == before) break;
   }
-  return ok_status();
+  return status;
 }
 
 Status LayerSolver::gather(const gather::GatherOptions& options, bool all) {
@@ -198,13 +204,16 @@ Status LayerSolver::gather(const gather::GatherOptions& options, bool all) {
 /// Triangles new in this round whose patches miss by more than max_error.
 Status LayerSolver::find_misses(std::vector<std::uint32_t>& missed) {
   const Stopwatch watch;
-  std::vector<std::uint8_t> misses(mesh_.triangle_count(), 0);
+  TableMemory scratch("patches");
+  std::vector<std::uint8_t> misses;
+  Status status = scratch.resize(context_, misses, mesh_.triangle_count());
+  if (!status) return status;
   const auto limit = static_cast<float>(options_.max_error / 255);
   const auto opacity = [&](std::uint32_t t) { return largest_opacity(t, 1); };
-  Status status = for_each_field([&](const FieldSolver& field) {
+  status = for_each_field([&](const FieldSolver& field) {
     return field.find_misses(context_, mesh_, changed_, limit, options_.order, opacity, misses);
   });
-  missed = indices_of(misses);
+  if (status) status = list_chosen(context_, misses, memory_, missed);
   if (stats_) stats_->gather_seconds += watch.seconds();
   return status;
 }
@@ -242,15 +251,9 @@ Status LayerSolver::cut_at_border() {
   if (cuts_.part_count() == 0) return ok_status();
   status = for_each_field([&](FieldSolver& field) { return field.add_parts(context_, cuts_); });
   if (status) status = gather(options_.gather, false);
-  if (!status) return status;
-  add_to_mesh(cuts_);
-  return check_limits(context_.limits, mesh_);
-}
-
-void LayerSolver::add_to_mesh(const BorderCuts& cuts) {
-  mesh_.vertex_position.insert(mesh_.vertex_position.end(), cuts.vertex.begin(), cuts.vertex.end());
-  mesh_.triangle_vertex.insert(mesh_.triangle_vertex.end(), cuts.triangle_vertex.begin(),
-                               cuts.triangle_vertex.end());
+  if (status) status = memory_.append(context_, cuts_.vertex, mesh_.vertex_position);
+  if (status) status = memory_.append(context_, cuts_.triangle_vertex, mesh_.triangle_vertex);
+  return status ? check_limits(context_.limits, mesh_) : status;
 }
 
 /// Of the mesher's triangles.
@@ -260,10 +263,12 @@ bool LayerSolver::is_curve(std::uint32_t half_edge) const {
 }
 
 /// Per half-edge, parts included: 1 on curves and where nothing is kept beyond it.
-Result<std::vector<std::uint8_t>> LayerSolver::edges_of_curves(
-    std::span<const std::uint8_t> keep) const {
+Result<std::vector<std::uint8_t>> LayerSolver::edges_of_curves(std::span<const std::uint8_t> keep,
+                                                               TableMemory& memory) const {
   const std::size_t whole = mesh_.half_edge_twin.size();
-  std::vector<std::uint8_t> marks(mesh_.triangle_vertex.size());
+  std::vector<std::uint8_t> marks;
+  Status status = memory.resize(context_, marks, mesh_.triangle_vertex.size());
+  if (!status) return status;
   RarePoll<16384> poll(context_);
   for (std::size_t i = 0; i < marks.size(); ++i) {
     if (poll.cancelled()) return context_.cancel_status();
@@ -283,7 +288,8 @@ Result<std::vector<std::uint8_t>> LayerSolver::edges_of_curves(
 
 /// Adds the triangles beside them to those to keep: a blur mixes the colours of what is
 /// transparent, too.
-Result<std::vector<SoftEdge>> LayerSolver::soft_edges(std::span<std::uint8_t> keep) const {
+Result<std::vector<SoftEdge>> LayerSolver::soft_edges(std::span<std::uint8_t> keep,
+                                                      TableMemory& memory) const {
   if (!is_finely_blurred_) return std::vector<SoftEdge>();
   const Seams& color = color_.seams();
   const Seams* const opacity = opacity_ ? &opacity_->seams() : nullptr;
@@ -305,7 +311,7 @@ Result<std::vector<SoftEdge>> LayerSolver::soft_edges(std::span<std::uint8_t> ke
     };
     return is_blurred(color) || (opacity && is_blurred(*opacity));
   };
-  return find_soft_edges(context_, mesh_, {is_seam, fine_radius, is_meshed}, keep);
+  return find_soft_edges(context_, mesh_, {is_seam, fine_radius, is_meshed}, keep, memory);
 }
 
 /// At the triangle's nodes, or `enough` where it is at least that; 1 where the layer is opaque.
@@ -316,8 +322,10 @@ float LayerSolver::largest_opacity(std::uint32_t triangle, float enough) const {
 
 /// A region from which no curve is seen has no colour, and one without opacity shows nothing: both
 /// need no triangles.
-Result<std::vector<std::uint8_t>> LayerSolver::visible_triangles() const {
-  std::vector<std::uint8_t> keep(mesh_.triangle_count());
+Result<std::vector<std::uint8_t>> LayerSolver::visible_triangles(TableMemory& memory) const {
+  std::vector<std::uint8_t> keep;
+  Status status = memory.resize(context_, keep, mesh_.triangle_count());
+  if (!status) return status;
   RarePoll<16384> poll(context_);
   for (std::uint32_t t = 0; t < mesh_.triangle_count(); ++t) {
     if (poll.cancelled()) return context_.cancel_status();
@@ -327,43 +335,26 @@ Result<std::vector<std::uint8_t>> LayerSolver::visible_triangles() const {
   return keep;
 }
 
-/// What take_patches takes beside what the fields have: its marks, its tables, and of a joint field
-/// a copy of the nodes.
-std::size_t LayerSolver::patch_bytes() const {
-  constexpr std::size_t kMarks = sizeof(float) + 1;
-  constexpr std::size_t kTables = 3 * (sizeof(std::uint32_t) + 2);
-  std::size_t bytes = (kMarks + kTables) * mesh_.triangle_count();
-  if (is_joint()) {
-    bytes += sizeof(std::uint32_t) * color_.layout().triangle_node.size() +
-             sizeof(float) * color_.layout().node_count();
-  }
-  if (is_finely_blurred_) {
-    bytes += 4 * sizeof(SoftEdge) * mesh_.constraint.size() + mesh_.vertex_position.size();
-  }
-  return bytes;
-}
-
 Result<PatchLayer> LayerSolver::take_patches() {
-  ScopedCharge charge;
-  Status status = charge.add(context_, patch_bytes(), "patches");
-  if (!status) return status;
-  Result<std::vector<std::uint8_t>> visible = visible_triangles();
+  TableMemory memory("patches");
+  Result<std::vector<std::uint8_t>> visible = visible_triangles(memory);
   if (!visible) return visible.status();
   const std::span<std::uint8_t> keep = *visible;
   PatchLayer layer;
-  Result<std::vector<SoftEdge>> soft_edge = soft_edges(keep);
+  Result<std::vector<SoftEdge>> soft_edge = soft_edges(keep, memory);
   if (!soft_edge) return soft_edge.status();
   layer.soft_edge = std::move(*soft_edge);
-  const Result<std::vector<std::uint8_t>> marks = edges_of_curves(keep);
+  const Result<std::vector<std::uint8_t>> marks = edges_of_curves(keep, memory);
   if (!marks) return marks.status();
-  status = for_each_field([&](FieldSolver& field) { return field.fill_unseen_nodes(context_); });
+  const auto kept = static_cast<std::size_t>(std::ranges::count(keep, 1));
+  Status status =
+      for_each_field([&](FieldSolver& field) { return field.fill_unseen_nodes(context_); });
+  if (status) status = memory.reserve(context_, layer.triangle_vertex, 3 * kept);
+  if (status) status = memory.reserve(context_, layer.edge_is_curve, 3 * kept);
   if (!status) return status;
   RarePoll<16384> poll(context_);
   layer.frame = frame_;
   layer.order = options_.order;
-  const auto kept = static_cast<std::size_t>(std::ranges::count(keep, 1));
-  layer.triangle_vertex.reserve(3 * kept);
-  layer.edge_is_curve.reserve(3 * kept);
   for (std::uint32_t t = 0; t < mesh_.triangle_count(); ++t) {
     if (poll.cancelled()) return context_.cancel_status();
     if (!keep[t]) continue;
@@ -376,7 +367,11 @@ Result<PatchLayer> LayerSolver::take_patches() {
   layer.vertex_position = std::move(mesh_.vertex_position);
   layer.color = color_.take(keep);
   if (opacity_) layer.opacity = opacity_->take(keep);
-  if (is_joint()) layer.opacity = split_channel(layer.color, kOpacityChannel);
+  if (is_joint()) {
+    Result<PatchField> opacity = split_channel(context_, layer.color, kOpacityChannel, memory);
+    if (!opacity) return opacity.status();
+    layer.opacity = std::move(*opacity);
+  }
   if (stats_) {
     stats_->triangles += layer.triangle_count();
     stats_->vertices += layer.vertex_position.size();

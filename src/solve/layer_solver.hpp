@@ -38,24 +38,23 @@ class LayerSolver {
   Status update_mesh();
   Status lay_out();
   Status put_in_order();
-  void list_all_triangles();
+  Status list_all_triangles();
   Status follow_blur();
   Status gather(const gather::GatherOptions& options, bool all);
   Status find_misses(std::vector<std::uint32_t>& missed);
   Status make_smaller(const std::vector<std::uint32_t>& triangles);
   Status cut_at_border();
-  void add_to_mesh(const BorderCuts& cuts);
   bool is_curve(std::uint32_t half_edge) const;
   bool is_cut(std::uint32_t triangle) const {
     return triangle < cuts_.is_cut.size() && cuts_.is_cut[triangle] != 0;
   }
-  Result<std::vector<SoftEdge>> soft_edges(std::span<std::uint8_t> keep) const;
+  Result<std::vector<SoftEdge>> soft_edges(std::span<std::uint8_t> keep, TableMemory& memory) const;
   float largest_opacity(std::uint32_t triangle, float enough) const;
-  Result<std::vector<std::uint8_t>> visible_triangles() const;
-  Result<std::vector<std::uint8_t>> edges_of_curves(std::span<const std::uint8_t> keep) const;
+  Result<std::vector<std::uint8_t>> visible_triangles(TableMemory& memory) const;
+  Result<std::vector<std::uint8_t>> edges_of_curves(std::span<const std::uint8_t> keep,
+                                                    TableMemory& memory) const;
   /// Whether color_ holds the opacity too, as its fourth channel.
   bool is_joint() const;
-  std::size_t patch_bytes() const;
   Result<PatchLayer> take_patches();
 
   template <class Body>
@@ -78,6 +77,7 @@ class LayerSolver {
   mesh::TriangleMesh mesh_;
   std::vector<std::uint32_t> changed_;  ///< triangles that are new in this round, ascending
   BorderCuts cuts_;                     ///< their parts follow the mesher's triangles
+  TableMemory memory_{"patches"};       ///< of lists of triangles, and of parts in the mesh
 };
 
 }  // namespace sfumato::solve

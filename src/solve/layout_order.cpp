@@ -12,12 +12,11 @@ class NodeNumbering {
   NodeNumbering(const Context& context, const mesh::TriangleMesh& mesh, NodeLayout& layout)
       : context_(context), mesh_(mesh), layout_(layout) {}
 
-  Result<std::vector<std::uint32_t>> run() {
-    Status status = resize_large(context_, number_, layout_.node_count(), kNoNode);
-    if (status) status = resize_large(context_, vertex_, mesh_.vertex_position.size(), kPlain);
-    if (!status) return status;
-    order_.reserve(layout_.node_count());
-    status = find_seams();
+  Result<std::vector<std::uint32_t>> run(TableMemory& memory) {
+    Status status = memory_.resize(context_, number_, layout_.node_count(), kNoNode);
+    if (status) status = memory_.resize(context_, vertex_, mesh_.vertex_position.size(), kPlain);
+    if (status) status = memory.reserve(context_, order_, layout_.node_count());
+    if (status) status = find_seams();
     if (status) status = number_triangles();
     if (!status) return status;
     return std::move(order_);
@@ -68,6 +67,7 @@ class NodeNumbering {
   const Context& context_;
   const mesh::TriangleMesh& mesh_;
   NodeLayout& layout_;
+  TableMemory memory_{"patches"};
   std::vector<std::uint32_t> number_;  ///< per node: its new number
   std::vector<std::uint32_t> order_;   ///< and back
   std::vector<Vertex> vertex_;         ///< per vertex of the mesh
@@ -77,14 +77,14 @@ class NodeNumbering {
 }  // namespace
 
 Result<std::vector<std::uint32_t>> put_in_order(const Context& context,
-                                                const mesh::TriangleMesh& mesh,
+                                                const mesh::TriangleMesh& mesh, TableMemory& memory,
                                                 NodeLayout& layout) {
-  Result<std::vector<std::uint32_t>> order = NodeNumbering(context, mesh, layout).run();
+  Result<std::vector<std::uint32_t>> order = NodeNumbering(context, mesh, layout).run(memory);
   if (!order) return order.status();
   const auto channels = static_cast<std::size_t>(layout.channel_count);
-  Status status = reorder(context, *order, layout.position);
-  if (status) status = reorder(context, *order, layout.is_fixed);
-  if (status) status = reorder(context, *order, layout.value, channels);
+  Status status = reorder(context, *order, memory, layout.position);
+  if (status) status = reorder(context, *order, memory, layout.is_fixed);
+  if (status) status = reorder(context, *order, memory, layout.value, channels);
   if (!status) return status;
   return order;
 }

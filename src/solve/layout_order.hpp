@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/large_vector.hpp"
+#include "base/table_memory.hpp"
 #include "sfumato/base/context.hpp"
 #include "solve/nodes.hpp"
 
@@ -14,18 +14,21 @@ namespace sfumato::solve {
 /// Numbers the nodes of an updated layout as lay_out_nodes would, and drops those that no triangle
 /// has. Returns per node of now the number that it had. What else is kept for each node is to be
 /// put in the same order (`reorder`).
-/// Errors  cancelled; the layout is good for nothing then
-/// Cost    O(triangles)
+/// memory   that of the layout, which the list's room is taken from too
+/// Errors   limit (memory), cancelled; the layout is good for nothing then
+/// Cost     O(triangles)
 Result<std::vector<std::uint32_t>> put_in_order(const Context& context,
-                                                const mesh::TriangleMesh& mesh, NodeLayout& layout);
+                                                const mesh::TriangleMesh& mesh, TableMemory& memory,
+                                                NodeLayout& layout);
 
-/// Makes values[order[i]] the i-th; a value is `width` items. Errors: cancelled; `values` is as it
-/// was then.
+/// Makes values[order[i]] the i-th; a value is `width` items, in room from `memory`. Errors: limit
+/// (memory), cancelled; `values` is as it was then.
 template <class Item>
-Status reorder(const Context& context, const std::vector<std::uint32_t>& order,
+Status reorder(const Context& context, const std::vector<std::uint32_t>& order, TableMemory& memory,
                std::vector<Item>& values, std::size_t width = 1) {
   std::vector<Item> moved;
-  if (Status status = resize_large(context, moved, width * order.size()); !status) return status;
+  Status status = memory.resize(context, moved, width * order.size());
+  if (!status) return status;
   constexpr std::size_t kValuesPerLook = 65536;
   for (std::size_t begin = 0; begin < order.size(); begin += kValuesPerLook) {
     if (context.cancelled()) return context.cancel_status();
@@ -37,8 +40,9 @@ Status reorder(const Context& context, const std::vector<std::uint32_t>& order,
         for (std::size_t k = 0; k < width; ++k) moved[width * i + k] = values[width * order[i] + k];
     }
   }
-  values = std::move(moved);
-  return ok_status();
+  values.swap(moved);
+  memory.free(moved);
+  return status;
 }
 
 }  // namespace sfumato::solve

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <functional>
 
-#include "base/large_vector.hpp"
 #include "base/poll.hpp"
 #include "solve/node_placer.hpp"
 
@@ -15,7 +14,8 @@ using mesh::TriangleMesh;
 /// The table of an update: nodes of triangles that did not change stay.
 class KeptNodes {
  public:
-  KeptNodes(NodeLayout& layout, LayoutHistory& history) : layout_(layout), history_(history) {}
+  KeptNodes(TableMemory& memory, NodeLayout& layout, LayoutHistory& history)
+      : memory_(memory), layout_(layout), history_(history) {}
 
   std::uint32_t& node_at(std::uint32_t triangle, std::uint32_t place) {
     return layout_.triangle_node[node_slot(triangle, place)];
@@ -78,22 +78,39 @@ class KeptNodes {
 
   Status make_room(const Context& context, std::size_t changed_triangles) {
     const auto channels = static_cast<std::size_t>(layout_.channel_count);
-    left_.reserve(kNodesPerTriangle * changed_triangles);
-    history_.fresh.reserve(5 * changed_triangles);
+    Status status = own_memory_.reserve(context, left_, kNodesPerTriangle * changed_triangles);
+    if (status) status = history_.memory.reserve(context, history_.fresh, 5 * changed_triangles);
+    if (!status) return status;
     // About five nodes to a triangle; more room at a time than that, since to move takes long.
     const std::size_t nodes = layout_.position.size(), least = nodes + 6 * changed_triangles;
     const std::size_t most = std::max(least, nodes / 4 * 5);
-    Status status = make_room(context, layout_.position, least, most);
-    if (status) status = make_room(context, layout_.is_fixed, least, most);
-    if (status) status = make_room(context, layout_.value, channels * least, channels * most);
-    return status ? make_room(context, history_.node_seen, least, most) : status;
+    const auto make_room = [&](TableMemory& memory, auto& table, std::size_t width) {
+      if (!status || table.capacity() >= width * least) return;
+      status = memory.reserve(context, table, width * most);
+    };
+    make_room(memory_, layout_.position, 1);
+    make_room(memory_, layout_.is_fixed, 1);
+    make_room(memory_, layout_.value, channels);
+    make_room(history_.memory, history_.node_seen, 1);
+    layout_bytes_ = layout_bytes();
+    history_bytes_ = history_bytes();
+    left_bytes_ = capacity_bytes(left_);
+    return status;
+  }
+
+  /// Charges what the tables have grown beyond that room.
+  Status settle(const Context& context) {
+    Status status = memory_.settle(context, layout_bytes(), layout_bytes_);
+    if (status) status = history_.memory.settle(context, history_bytes(), history_bytes_);
+    return status ? own_memory_.settle(context, capacity_bytes(left_), left_bytes_) : status;
   }
 
  private:
-  template <class Item>
-  static Status make_room(const Context& context, std::vector<Item>& table, std::size_t least,
-                          std::size_t most) {
-    return table.capacity() < least ? reserve_large(context, table, most) : ok_status();
+  std::size_t layout_bytes() const {
+    return capacity_bytes(layout_.position, layout_.is_fixed, layout_.value);
+  }
+  std::size_t history_bytes() const {
+    return capacity_bytes(history_.fresh, history_.unused, history_.node_seen);
   }
 
   bool is_met(std::uint32_t node) const { return history_.node_seen[node] == history_.updates; }
@@ -112,9 +129,12 @@ class KeptNodes {
     return layout_.node_count() - 1;
   }
 
+  TableMemory& memory_;  ///< of the layout
   NodeLayout& layout_;
   LayoutHistory& history_;
   std::vector<std::uint32_t> left_;  ///< nodes that triangles had before the update
+  TableMemory own_memory_{"patches"};
+  std::size_t layout_bytes_ = 0, history_bytes_ = 0, left_bytes_ = 0;  ///< that are charged
 };
 
 /// Of all half-edges that begin where h does the lowest.
@@ -133,18 +153,20 @@ std::uint32_t lowest_spoke(const TriangleMesh& mesh, std::uint32_t h) {
 
 class LayoutUpdate {
  public:
-  LayoutUpdate(Context& context, const TriangleMesh& mesh,
+  LayoutUpdate(const Context& context, const TriangleMesh& mesh,
                const curves::SegmentAttributes& attributes, const Seams& seams,
-               std::span<const std::uint32_t> changed, NodeLayout& layout, LayoutHistory& history)
+               std::span<const std::uint32_t> changed, TableMemory& memory, NodeLayout& layout,
+               LayoutHistory& history)
       : context_(context),
         poll_(context),
         mesh_(mesh),
         base_channels_(attributes.base_channels),
         seams_(seams),
         changed_(changed),
+        layout_memory_(memory),
         layout_(layout),
         history_(history),
-        table_(layout, history),
+        table_(memory, layout, history),
         placer_(mesh, seams, table_) {}
 
   Status run() {
@@ -153,7 +175,7 @@ class LayoutUpdate {
     if (!status) return status;
     status = leave_changed(old_triangles);
     if (status) status = find_vertices();
-    if (status) status = sort_large(context_, first_spokes_, std::less<>());
+    if (status) status = TableMemory::sort(context_, first_spokes_, std::less<>());
     if (status) status = place_changed();
     if (status) status = set_fixed_values();
     if (!status) return status;
@@ -168,12 +190,13 @@ class LayoutUpdate {
     history_.fresh.clear();
     const std::size_t triangles = mesh_.triangle_count(), most = triangles / 4 * 5;
     const std::size_t vertices = mesh_.vertex_position.size();
-    Status status = grow_large(context_, layout_.triangle_node, kNodesPerTriangle * triangles,
-                               kNodesPerTriangle * most, kNoNode);
-    if (status) status = grow_large(context_, layout_.edge_is_curve, 3 * triangles, 3 * most);
-    if (status) status = grow_large(context_, history_.is_changed, triangles, most);
-    if (status) status = grow_large(context_, history_.vertex_seen, vertices, vertices / 4 * 5);
-    if (status) status = resize_large(context_, history_.node_seen, layout_.node_count());
+    TableMemory &own = history_.memory, &of_layout = layout_memory_;
+    Status status = of_layout.grow(context_, layout_.triangle_node, kNodesPerTriangle * triangles,
+                                   kNodesPerTriangle * most, kNoNode);
+    if (status) status = of_layout.grow(context_, layout_.edge_is_curve, 3 * triangles, 3 * most);
+    if (status) status = own.grow(context_, history_.is_changed, triangles, most);
+    if (status) status = own.grow(context_, history_.vertex_seen, vertices, vertices / 4 * 5);
+    if (status) status = own.resize(context_, history_.node_seen, layout_.node_count());
     return status ? table_.make_room(context_, changed_.size()) : status;
   }
 
@@ -190,14 +213,14 @@ class LayoutUpdate {
 
   /// Lists the corners of triangles that changed, each once.
   Status find_vertices() {
-    first_spokes_.reserve(2 * changed_.size());
     for (const std::uint32_t t : changed_) {
       if (poll_.cancelled()) return context_.cancel_status();
       for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
         std::uint32_t& seen = history_.vertex_seen[mesh_.origin(h)];
         if (seen == history_.updates) continue;
         seen = history_.updates;
-        first_spokes_.push_back(lowest_spoke(mesh_, h));
+        Status status = memory_.push_back(context_, first_spokes_, lowest_spoke(mesh_, h));
+        if (!status) return status;
       }
     }
     return ok_status();
@@ -219,6 +242,9 @@ class LayoutUpdate {
         }
       }
       placer_.place_at_barycentre(t);
+      Status status = table_.settle(context_);
+      if (status) status = placer_.settle(context_);
+      if (!status) return status;
     }
     return ok_status();
   }
@@ -244,26 +270,28 @@ class LayoutUpdate {
     return ok_status();
   }
 
-  Context& context_;
+  const Context& context_;
   RarePoll<4096> poll_;
   const TriangleMesh& mesh_;
   int base_channels_;
   const Seams& seams_;
   std::span<const std::uint32_t> changed_;
+  TableMemory& layout_memory_;
   NodeLayout& layout_;
   LayoutHistory& history_;
   KeptNodes table_;
   NodePlacer<KeptNodes> placer_;
+  TableMemory memory_{"patches"};
   std::vector<std::uint32_t> first_spokes_;  ///< per vertex to lay out: its lowest half-edge
 };
 
 }  // namespace
 
-Status update_layout(Context& context, const TriangleMesh& mesh,
+Status update_layout(const Context& context, const TriangleMesh& mesh,
                      const curves::SegmentAttributes& attributes, const Seams& seams,
-                     std::span<const std::uint32_t> changed, NodeLayout& layout,
-                     LayoutHistory& history) {
-  return LayoutUpdate(context, mesh, attributes, seams, changed, layout, history).run();
+                     std::span<const std::uint32_t> changed, TableMemory& memory,
+                     NodeLayout& layout, LayoutHistory& history) {
+  return LayoutUpdate(context, mesh, attributes, seams, changed, memory, layout, history).run();
 }
 
 }  // namespace sfumato::solve

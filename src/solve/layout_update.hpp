@@ -16,6 +16,7 @@ struct LayoutHistory {
   std::vector<std::uint32_t> vertex_seen;  ///< per vertex, likewise
   std::vector<std::uint8_t> is_changed;    ///< per triangle; 0 between updates
   std::uint32_t updates = 0;
+  TableMemory memory{"patches"};
 };
 
 /// Lays out the nodes of the triangles that changed, and anew those at their corners: curves there
@@ -30,13 +31,14 @@ struct LayoutHistory {
 ///
 /// seams     of the mesh as it is now
 /// changed   triangles, new ones among them, ascending: Mesher::update_patch_mesh
+/// memory    that of the layout
 /// history   history.fresh: the free nodes whose values nobody knows, in the order in which
 ///           lay_out_nodes would put them
 /// Errors    limit (memory), cancelled; the layout is good for nothing then
 /// Cost      O(fans around changed triangles · log)
-Status update_layout(Context& context, const mesh::TriangleMesh& mesh,
+Status update_layout(const Context& context, const mesh::TriangleMesh& mesh,
                      const curves::SegmentAttributes& attributes, const Seams& seams,
-                     std::span<const std::uint32_t> changed, NodeLayout& layout,
-                     LayoutHistory& history);
+                     std::span<const std::uint32_t> changed, TableMemory& memory,
+                     NodeLayout& layout, LayoutHistory& history);
 
 }  // namespace sfumato::solve

@@ -108,6 +108,11 @@ class NodePlacer {
   /// What the curves give to the nodes that were put, in the order of that.
   const std::vector<FixedShare>& fixed() const { return fixed_; }
 
+  /// Charges what that list has grown. Error: limit (memory).
+  Status settle(const Context& context) {
+    return memory_.settle(context, capacity_bytes(fixed_), known_bytes_);
+  }
+
  private:
   using Sector = std::span<const std::uint32_t>;
 
@@ -206,6 +211,8 @@ class NodePlacer {
   Table& table_;
   Fan fan_;
   std::vector<FixedShare> fixed_;
+  TableMemory memory_{"patches along curves"};
+  std::size_t known_bytes_ = 0;
 };
 
 }  // namespace sfumato::solve

@@ -2,7 +2,6 @@
 
 #include <span>
 
-#include "base/large_vector.hpp"
 #include "base/poll.hpp"
 #include "solve/node_placer.hpp"
 
@@ -31,7 +30,8 @@ class NewNodes {
 };
 
 Status place_all(const Context& context, const mesh::TriangleMesh& mesh, const Seams& seams,
-                 NodeLayout& layout, NodePlacer<NewNodes>& placer) {
+                 TableMemory& memory, NodeLayout& layout, NodePlacer<NewNodes>& placer) {
+  std::size_t known = capacity_bytes(layout.position);
   RarePoll<4096> poll(context);
   for (std::uint32_t t = 0; t < mesh.triangle_count(); ++t) {
     if (poll.cancelled()) return context.cancel_status();
@@ -41,6 +41,9 @@ Status place_all(const Context& context, const mesh::TriangleMesh& mesh, const S
     }
     for (std::uint32_t k = 0; k < 3; ++k) placer.place_on_edge(t, k);
     placer.place_at_barycentre(t);
+    Status status = memory.settle(context, capacity_bytes(layout.position), known);
+    if (status) status = placer.settle(context);
+    if (!status) return status;
   }
   return ok_status();
 }
@@ -48,21 +51,22 @@ Status place_all(const Context& context, const mesh::TriangleMesh& mesh, const S
 }  // namespace
 
 Result<NodeLayout> lay_out_nodes(const Context& context, const mesh::TriangleMesh& mesh,
-                                 const curves::SegmentAttributes& attributes, const Seams& seams) {
+                                 const curves::SegmentAttributes& attributes, const Seams& seams,
+                                 TableMemory& memory) {
   NodeLayout layout;
   layout.channel_count = attributes.channel_count();
   const std::size_t triangles = mesh.triangle_count();
   Status status =
-      resize_large(context, layout.triangle_node, kNodesPerTriangle * triangles, kNoNode);
-  if (status) status = resize_large(context, layout.edge_is_curve, 3 * triangles);
+      memory.resize(context, layout.triangle_node, kNodesPerTriangle * triangles, kNoNode);
+  if (status) status = memory.resize(context, layout.edge_is_curve, 3 * triangles);
+  if (status) status = memory.reserve(context, layout.position, 5 * triangles);
   if (!status) return status;
-  layout.position.reserve(5 * triangles);
   NewNodes table(layout);
   NodePlacer placer(mesh, seams, table);
-  status = place_all(context, mesh, seams, layout, placer);
-  if (status) status = resize_large(context, layout.is_fixed, layout.node_count());
+  status = place_all(context, mesh, seams, memory, layout, placer);
+  if (status) status = memory.resize(context, layout.is_fixed, layout.node_count());
   const auto channels = static_cast<std::size_t>(layout.channel_count);
-  if (status) status = resize_large(context, layout.value, channels * layout.node_count());
+  if (status) status = memory.resize(context, layout.value, channels * layout.node_count());
   if (!status) return status;
   RarePoll<4096> poll(context);
   for (const FixedShare& fixed : placer.fixed()) {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/table_memory.hpp"
 #include "curves/attributes.hpp"
 #include "mesh/triangle_mesh.hpp"
 #include "sfumato/picture/picture.hpp"
@@ -32,9 +33,11 @@ struct NodeLayout {
 };
 
 /// Lays out the nodes in the order of the triangles, so that neighbours in the list are neighbours
-/// in the plane. `seams` is made of the same mesh and attributes. Errors: cancelled. Cost
-/// O(triangles). What follows a mesh that changes: solve/layout_update.hpp.
+/// in the plane. `seams` is made of the same mesh and attributes. The layout's room is taken from
+/// `memory`. Errors: limit (memory), cancelled. Cost: O(triangles). What follows a mesh that
+/// changes: solve/layout_update.hpp.
 Result<NodeLayout> lay_out_nodes(const Context& context, const mesh::TriangleMesh& mesh,
-                                 const curves::SegmentAttributes& attributes, const Seams& seams);
+                                 const curves::SegmentAttributes& attributes, const Seams& seams,
+                                 TableMemory& memory);
 
 }  // namespace sfumato::solve

@@ -143,9 +143,13 @@ bool bears_opacity(const Curve& curve) {
 }
 
 /// Per constraint: 1 where a curve on it bears the attribute, on either side.
-std::vector<std::uint8_t> bearing_constraints(const mesh::TriangleMesh& mesh,
-                                              const curves::SegmentAttributes& attributes) {
-  std::vector<std::uint8_t> bears(mesh.constraint.size(), 0);
+Result<std::vector<std::uint8_t>> bearing_constraints(const Context& context,
+                                                      const mesh::TriangleMesh& mesh,
+                                                      const curves::SegmentAttributes& attributes,
+                                                      TableMemory& memory) {
+  std::vector<std::uint8_t> bears;
+  Status status = memory.resize(context, bears, mesh.constraint.size());
+  if (!status) return status;
   for (std::size_t c = 0; c < bears.size(); ++c) {
     for (const mesh::SegmentPiece& piece : mesh.pieces(mesh.constraint[c])) {
       bears[c] |= attributes.left[piece.segment].kind != ShaderKind::open ||
@@ -167,16 +171,16 @@ Result<PreparedField> prepare_field(Context& context, const mesh::Mesher& mesher
                                     const mesh::TriangleMesh& visibility,
                                     curves::SegmentAttributes attributes, ScopedCharge charge,
                                     gather::Ends ends) {
-  const std::vector<std::uint8_t> bears = bearing_constraints(visibility, attributes);
-  ScopedCharge scratch;
+  TableMemory scratch("the visibility mesh");
+  const Result<std::vector<std::uint8_t>> bears =
+      bearing_constraints(context, visibility, attributes, scratch);
+  if (!bears) return bears.status();
   mesh::TriangleMesh thinned;
-  const bool is_thinned = is_thin(visibility, bears);
+  const bool is_thinned = is_thin(visibility, *bears);
   if (is_thinned) {
-    Result<mesh::TriangleMesh> mesh = mesher.thinned_mesh(context, visibility, bears);
+    Result<mesh::TriangleMesh> mesh = mesher.thinned_mesh(context, visibility, *bears, scratch);
     if (!mesh) return mesh.status();
     thinned = std::move(*mesh);
-    Status status = scratch.add(context, mesh::bytes_of(thinned), "the visibility mesh");
-    if (!status) return status;
   }
   Result<gather::Gatherer> gatherer =
       gather::Gatherer::create(context, is_thinned ? thinned : visibility, attributes, ends);

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "base/large_vector.hpp"
 #include "base/poll.hpp"
 #include "picture/patch.hpp"
 
@@ -65,8 +64,9 @@ Vec2 point(const mesh::TriangleMesh& mesh, std::uint32_t t, int kind) {
 Result<ProbeSet> place_probes(const Context& context, const mesh::TriangleMesh& mesh,
                               const NodeLayout& layout, std::span<const std::uint32_t> triangles) {
   ProbeSet probes;
+  TableMemory scratch("probes of patches");
   std::vector<std::uint8_t> is_asked;
-  Status status = resize_large(context, is_asked, mesh.triangle_count());
+  Status status = scratch.resize(context, is_asked, mesh.triangle_count());
   if (!status) return status;
   const auto add = [&](std::uint32_t half_edge, int place) {
     const int kind = place < kInnerProbes ? place : kInnerProbes + static_cast<int>(half_edge % 3);
@@ -78,6 +78,10 @@ Result<ProbeSet> place_probes(const Context& context, const mesh::TriangleMesh& 
   for (const std::uint32_t t : triangles) is_asked[t] = 1;
   for (const std::uint32_t t : triangles) {
     if (poll.cancelled()) return context.cancel_status();
+    status = probes.memory.make_room(context, probes.position, kProbeKinds);
+    if (status) status = probes.memory.make_room(context, probes.half_edge, kProbeKinds);
+    if (status) status = probes.memory.make_room(context, probes.place, kProbeKinds);
+    if (!status) return status;
     for (int place = 0; place < kInnerProbes; ++place) add(3 * t, place);
     for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
       if (layout.edge_is_curve[h]) continue;

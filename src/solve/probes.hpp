@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "base/table_memory.hpp"
 #include "mesh/triangle_mesh.hpp"
 #include "sfumato/picture/picture.hpp"
 #include "solve/nodes.hpp"
@@ -16,9 +17,10 @@ struct ProbeSet {
   std::vector<Vec2> position;            ///< layer frame
   std::vector<std::uint32_t> half_edge;  ///< inside triangle h / 3; see `place`
   std::vector<std::uint8_t> place;  ///< 0 to 2: inside, near that corner; 3: centre of the edge
+  TableMemory memory{"probes of patches"};
 };
 
-/// Probes of some triangles, ascending. Errors: cancelled.
+/// Probes of some triangles, ascending. Errors: limit (memory), cancelled.
 Result<ProbeSet> place_probes(const Context& context, const mesh::TriangleMesh& mesh,
                               const NodeLayout& layout, std::span<const std::uint32_t> triangles);
 

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "base/large_vector.hpp"
 #include "base/poll.hpp"
 
 namespace sfumato::solve {
@@ -48,9 +47,12 @@ bool same_value(const SeamValue& a, const SeamValue& b) {
 Result<Seams> Seams::create(const Context& context, const mesh::TriangleMesh& mesh,
                             const curves::SegmentAttributes& attributes) {
   Seams seams(mesh);
-  std::vector<std::uint32_t> all(mesh.triangle_count());
+  TableMemory scratch("patches along curves");
+  std::vector<std::uint32_t> all;
+  Status status = scratch.resize(context, all, mesh.triangle_count());
   std::iota(all.begin(), all.end(), 0u);
-  if (Status status = seams.update(context, attributes, all); !status) return status;
+  if (status) status = seams.update(context, attributes, all);
+  if (!status) return status;
   return seams;
 }
 
@@ -58,8 +60,8 @@ Status Seams::update(const Context& context, const curves::SegmentAttributes& at
                      std::span<const std::uint32_t> changed) {
   const std::size_t facings = 2 * mesh_.constraint.size();
   const std::size_t half_edges = mesh_.half_edge_constraint.size();
-  Status status = grow_large(context, facing_, facings, facings / 4 * 5);
-  if (status) status = grow_large(context, is_seam_, half_edges, half_edges / 4 * 5);
+  Status status = memory_.grow(context, facing_, facings, facings / 4 * 5);
+  if (status) status = memory_.grow(context, is_seam_, half_edges, half_edges / 4 * 5);
   if (!status) return status;
   RarePoll<16384> poll(context);
   const auto for_each_half_edge = [&](auto visit) {

@@ -25,12 +25,12 @@ bool same_value(const SeamValue& a, const SeamValue& b);
 /// Where the picture may jump: the constrained edges with a side that is not open.
 class Seams {
  public:
-  /// Of a mesh that outlives this. Errors: cancelled.
+  /// Of a mesh that outlives this. Errors: limit (memory), cancelled.
   static Result<Seams> create(const Context& context, const mesh::TriangleMesh& mesh,
                               const curves::SegmentAttributes& attributes);
 
-  /// Follows the mesh, of which these triangles changed, new ones among them. Errors: cancelled;
-  /// nothing else can be asked then.
+  /// Follows the mesh, of which these triangles changed, new ones among them. Errors: limit
+  /// (memory), cancelled; nothing else can be asked then.
   Status update(const Context& context, const curves::SegmentAttributes& attributes,
                 std::span<const std::uint32_t> changed);
 
@@ -71,6 +71,7 @@ class Seams {
   const mesh::TriangleMesh& mesh_;
   std::vector<gather::Facing> facing_;  ///< 2 per constraint: along it, against it
   std::vector<std::uint8_t> is_seam_;   ///< per half-edge
+  TableMemory memory_{"patches along curves"};
 };
 
 }  // namespace sfumato::solve

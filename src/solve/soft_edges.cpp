@@ -35,7 +35,10 @@ class SoftEdgeFinder {
   SoftEdgeFinder(const Context& context, const TriangleMesh& mesh, const EdgeBlurs& blurs)
       : context_(context), mesh_(mesh), blurs_(blurs), half_edges_(mesh.half_edge_twin.size()) {}
 
-  Result<std::vector<SoftEdge>> find(std::span<const std::uint8_t> keep) {
+  Result<std::vector<SoftEdge>> find(std::span<const std::uint8_t> keep, TableMemory& memory) {
+    Status status = memory_.resize(context_, number_, half_edges_ / 3, SoftEdge::kNone);
+    if (status) status = memory_.resize(context_, on_curve_, mesh_.vertex_position.size());
+    if (!status) return status;
     number_triangles(keep);
     mark_vertices();
     std::vector<SoftEdge> edges;
@@ -45,7 +48,9 @@ class SoftEdgeFinder {
       if (mesh_.half_edge_constraint[h] == mesh::kNone || mesh_.half_edge_twin[h] == mesh::kNone)
         continue;
       const float from = blurs_.fine_radius(h, 0), to = blurs_.fine_radius(h, 1);
-      if (from > 0 || to > 0) add(h, from, to, edges);
+      if (!(from > 0 || to > 0)) continue;
+      if (status = memory.make_room(context_, edges); !status) return status;
+      add(h, from, to, edges);
     }
     std::ranges::stable_sort(edges, {}, soft_edge_triangle);
     return edges;
@@ -61,14 +66,12 @@ class SoftEdgeFinder {
   }
 
   void number_triangles(std::span<const std::uint8_t> keep) {
-    number_.assign(half_edges_ / 3, SoftEdge::kNone);
     std::uint32_t next = 0;
     for (std::size_t t = 0; t < number_.size(); ++t)
       if (keep[t]) number_[t] = next++;
   }
 
   void mark_vertices() {
-    on_curve_.assign(mesh_.vertex_position.size(), 0);
     for (std::uint32_t h = 0; h < half_edges_; ++h)
       if (blurs_.is_curve(h)) on_curve_[mesh_.origin(h)] = on_curve_[mesh_.target(h)] = 1;
   }
@@ -134,6 +137,7 @@ class SoftEdgeFinder {
   const TriangleMesh& mesh_;
   const EdgeBlurs& blurs_;
   std::uint32_t half_edges_;
+  TableMemory memory_{"patches along curves"};
   std::vector<std::uint32_t> number_;   ///< per triangle, among those that are kept
   std::vector<std::uint8_t> on_curve_;  ///< per vertex
 };
@@ -142,8 +146,9 @@ class SoftEdgeFinder {
 
 Result<std::vector<SoftEdge>> find_soft_edges(const Context& context, const TriangleMesh& mesh,
                                               const EdgeBlurs& blurs,
-                                              std::span<const std::uint8_t> keep) {
-  return SoftEdgeFinder(context, mesh, blurs).find(keep);
+                                              std::span<const std::uint8_t> keep,
+                                              TableMemory& memory) {
+  return SoftEdgeFinder(context, mesh, blurs).find(keep, memory);
 }
 
 }  // namespace sfumato::solve

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "base/table_memory.hpp"
 #include "mesh/triangle_mesh.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/function_ref.hpp"
@@ -23,10 +24,12 @@ struct EdgeBlurs {
 
 /// The sides of edges with a fine blur, as they are in the layer of the triangles with keep[t].
 /// Where two edges of a face meet, the line that halves the angle parts their blurs; where another
-/// curve is near, half of the way to it is a blur's. Errors: cancelled.
+/// curve is near, half of the way to it is a blur's. Their room is taken from `memory`. Errors:
+/// limit (memory), cancelled.
 Result<std::vector<SoftEdge>> find_soft_edges(const Context& context,
                                               const mesh::TriangleMesh& mesh,
                                               const EdgeBlurs& blurs,
-                                              std::span<const std::uint8_t> keep);
+                                              std::span<const std::uint8_t> keep,
+                                              TableMemory& memory);
 
 }  // namespace sfumato::solve

@@ -30,7 +30,7 @@ std::vector<EdgeCode> codes_of(const Drawing& drawing) {
 struct Looked {
   explicit Looked(std::vector<Line> lines) : drawing(draw(std::move(lines))) {
     codes = codes_of(drawing);
-    Result<std::vector<std::uint8_t>> found = find_blind(context, drawing.mesh, codes);
+    Result<std::vector<std::uint8_t>> found = find_blind(context, drawing.mesh, codes, memory);
     EXPECT_TRUE(found.ok()) << found.status().message;
     if (found) blind = std::move(*found);
     EXPECT_EQ(blind.size(), codes.size());
@@ -66,6 +66,7 @@ struct Looked {
   }
 
   Context context;
+  TableMemory memory{"a test"};
   Drawing drawing;
   std::vector<EdgeCode> codes;
   std::vector<std::uint8_t> blind;
@@ -166,7 +167,7 @@ TEST(Blind, a_mesh_without_a_lattice_has_none) {
   Looked scene({open_right({{100, 100}, {400, 200}})});
   scene.drawing.mesh.lattice_step = 0;
   const Result<std::vector<std::uint8_t>> blind =
-      find_blind(scene.context, scene.drawing.mesh, scene.codes);
+      find_blind(scene.context, scene.drawing.mesh, scene.codes, scene.memory);
   ASSERT_TRUE(blind.ok());
   EXPECT_EQ(*blind, std::vector<std::uint8_t>(scene.codes.size(), 0));
 }

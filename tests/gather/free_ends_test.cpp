@@ -38,7 +38,9 @@ Gathered soft_at(Context& context, const Drawing& drawing, const std::vector<Vec
 
 std::vector<FreeEnd> ends_of(const Drawing& drawing) {
   Context context;
-  Result<std::vector<FreeEnd>> ends = find_free_ends(context, drawing.mesh, drawing.attributes);
+  TableMemory memory("a test");
+  Result<std::vector<FreeEnd>> ends =
+      find_free_ends(context, drawing.mesh, drawing.attributes, memory);
   EXPECT_TRUE(ends.ok());
   return ends ? std::move(*ends) : std::vector<FreeEnd>{};
 }

@@ -26,7 +26,7 @@ class SharedScene : public testing::TestWithParam<const char*> {
     mesh::MeshOptions options;
     options.frame = document->artboard;
     options.unit_size = side / 1024;
-    const Result<mesh::Mesher> mesher = mesh::Mesher::build(context, *flat, options);
+    Result<mesh::Mesher> mesher = mesh::Mesher::build(context, *flat, options);
     ASSERT_TRUE(mesher.ok());
     drawing_.frame = document->artboard;
     drawing_.attributes = curves::sample_colors(*flat, curves);

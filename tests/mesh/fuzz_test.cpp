@@ -85,7 +85,8 @@ TEST_P(MesherFuzz, a_thinned_mesh_is_valid_and_keeps_what_it_should) {
     for (std::uint32_t c = 0; c < keep.size(); ++c) {
       keep[c] = c % 3 != 0 && !whole.pieces(whole.constraint[c]).empty();
     }
-    const Result<TriangleMesh> thinned = mesher->thinned_mesh(context, whole, keep);
+    TableMemory memory("a test");
+    const Result<TriangleMesh> thinned = mesher->thinned_mesh(context, whole, keep, memory);
     ASSERT_TRUE(thinned.ok()) << thinned.status().message;
     const Status valid = is_valid(*thinned);
     ASSERT_TRUE(valid.ok()) << valid.message;

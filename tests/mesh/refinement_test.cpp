@@ -68,7 +68,7 @@ TEST_F(Refinement, triangles_outside_the_frame_are_left_alone) {
   options.max_area = 50;
   curves::FlatCurves flat = crossing_lines();
   add_polyline(flat, {{300, 0}, {300.5, 80}, {301, 0}});
-  const Mesher mesher = refined(flat, options);
+  Mesher mesher = refined(flat, options);
   const TriangleMesh whole = *mesher.visibility_mesh({});
   const auto count_outside = [](const TriangleMesh& mesh) {
     std::size_t count = 0;

@@ -48,7 +48,8 @@ LaidOut laid_out(const std::vector<Curve>& curves) {
   LaidOut result;
   result.mesh = *mesher->patch_mesh({});
   const Result<Seams> seams = Seams::create(context, result.mesh, attributes);
-  result.layout = *lay_out_nodes(context, result.mesh, attributes, *seams);
+  TableMemory memory("a test");
+  result.layout = *lay_out_nodes(context, result.mesh, attributes, *seams, memory);
   return result;
 }
 

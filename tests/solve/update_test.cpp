@@ -84,9 +84,11 @@ class Followers {
     for (const FieldSolver& field : fields_) {
       const auto& attributes = field.field().attributes;
       NodeLayout layout = field.layout();
-      ASSERT_TRUE(solve::put_in_order(context_, mesh_, layout).ok());
+      TableMemory memory("a test");
+      ASSERT_TRUE(solve::put_in_order(context_, mesh_, memory, layout).ok());
       const Result<Seams> seams = Seams::create(context_, anew, attributes);
-      ASSERT_EQ(difference_of(layout, *lay_out_nodes(context_, anew, attributes, *seams)), "");
+      ASSERT_EQ(difference_of(layout, *lay_out_nodes(context_, anew, attributes, *seams, memory)),
+                "");
     }
   }
 
@@ -213,7 +215,9 @@ TEST(LayoutUpdate, nodes_are_laid_out_on_the_mesh_of_the_last_round_for_blur) {
                          const FieldSolver*) {
     const auto& attributes = color.field().attributes;
     const Result<Seams> seams = Seams::create(context, mesh, attributes);
-    EXPECT_EQ(difference_of(color.layout(), *lay_out_nodes(context, mesh, attributes, *seams)), "");
+    TableMemory memory("a test");
+    const auto anew = lay_out_nodes(context, mesh, attributes, *seams, memory);
+    EXPECT_EQ(difference_of(color.layout(), *anew), "");
     double longest = 0;
     for (std::uint32_t h = 0; h < mesh.half_edge_twin.size(); ++h) {
       const Vec2 along =

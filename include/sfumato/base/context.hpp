@@ -125,7 +125,7 @@ SimdLevel detected_simd_level();
 struct Context {
   Executor* executor = nullptr;            ///< null: the calling thread alone
   Progress* progress = nullptr;            ///< null: nobody is told
-  Budget budget{};                         ///< memory that the computation may take
+  mutable Budget budget{};                 ///< memory that the computation may take
   Limits limits{};                         ///< how large inputs and intermediate results may be
   CancelFlag cancel{};                     ///< set it to stop the work
   std::optional<Deadline> deadline{};      ///< none: no limit on time
