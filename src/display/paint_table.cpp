@@ -5,7 +5,7 @@
 #include <utility>
 #include <variant>
 
-#include "base/large_vector.hpp"
+#include "base/table_memory.hpp"
 #include "raster/gradient.hpp"
 #include "raster/texture_pyramid.hpp"
 
@@ -26,15 +26,18 @@ class TableMaker {
     return add(index, std::get<Texture>(shader.paint));
   }
 
+  /// Once all are added: the table keeps what its texels took.
+  void finish() { table_.memory.take(std::move(texel_memory_)); }
+
  private:
   void put(double x, double y, double z, double w) {
     for (double value : {x, y, z, w}) table_.values.push_back(static_cast<float>(value));
   }
   void put(std::span<const double, 4> v) { put(v[0], v[1], v[2], v[3]); }
 
-  /// Room for `texels` more values, charged.
+  /// Room for `texels` more values.
   Status reserve(std::size_t texels) {
-    return table_.charge.add(context_, 4 * texels * sizeof(float), "the table of paints");
+    return table_.memory.make_room(context_, table_.values, 4 * texels);
   }
 
   Status add(std::uint32_t index, const GradientFill& fill) {
@@ -81,34 +84,38 @@ class TableMaker {
 
   Status add_texels(const raster::TexturePyramid& pyramid) {
     const std::size_t count = 4 * (pyramid.levels().back().offset + 1);
-    Status status = table_.charge.add(context_, count * sizeof(std::uint16_t), "texels");
-    if (!status) return status;
     const std::uint16_t* texels = pyramid.texels(pyramid.levels().front());
-    return append_large(context_, std::span(texels, count), table_.texels);
+    return texel_memory_.append(context_, std::span(texels, count), table_.texels);
   }
 
   Context& context_;
   PaintTexels texels_;
   PaintTable& table_;
+  TableMemory texel_memory_{"texels"};
 };
 
 }  // namespace
 
 Result<PaintTable> make_paint_table(Context& context, const Picture& picture, PaintTexels texels) {
   PaintTable table;
-  table.first_value.resize(picture.shaders.size());
-  table.paint_from_layer.resize(picture.shaders.size());
-  std::vector<bool> is_made(picture.shaders.size());
+  TableMemory mark_memory("the table of paints");
+  std::vector<std::uint8_t> is_made;
+  const std::size_t count = picture.shaders.size();
+  Status status =
+      table.memory.resize_all(context, count, table.first_value, table.paint_from_layer);
+  if (status) status = mark_memory.resize(context, is_made, count);
+  if (!status) return status;
   TableMaker maker(context, texels, table);
   for (const PatchLayer& layer : picture.layers) {
     for (const PatchField* field : {&layer.color, &layer.opacity}) {
       for (std::uint32_t index : field->shader) {
         if (is_made[index]) continue;
         is_made[index] = true;
-        if (Status status = maker.add(index, picture.shaders[index]); !status) return status;
+        if (status = maker.add(index, picture.shaders[index]); !status) return status;
       }
     }
   }
+  maker.finish();
   return table;
 }
 

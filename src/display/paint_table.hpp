@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/charge.hpp"
+#include "base/table_memory.hpp"
 #include "sfumato/base/affine.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/status.hpp"
@@ -20,7 +20,7 @@ struct PaintTable {
   std::vector<std::uint16_t> texels;       ///< four to a texel; empty unless kept
   std::vector<std::uint32_t> first_value;  ///< per shader of the picture: its first texel
   std::vector<Affine> paint_from_layer;    ///< per shader
-  ScopedCharge charge;
+  TableMemory memory{"the table of paints"};
 };
 
 /// Whether a table has the texels of its textures, or says only how many there are: the viewer of a
