@@ -33,14 +33,17 @@ bool bends(const PatchField& field, std::size_t triangle) {
 
 }  // namespace
 
-Result<std::vector<std::uint8_t>> bent_triangles(const Context& context, const PatchLayer& layer) {
-  std::vector<std::uint8_t> bent(layer.triangle_count());
+Result<std::vector<std::uint8_t>> bent_triangles(Context& context, const PatchLayer& layer,
+                                                 TableMemory& memory) {
+  std::vector<std::uint8_t> bent;
+  Status status = memory.resize(context, bent, layer.triangle_count());
+  if (!status) return status;
   RarePoll<16384> poll(context);
   for (std::size_t t = 0; t < bent.size(); ++t) {
     if (poll.cancelled()) return context.cancel_status();
     bent[t] = bends(layer.color, t) || (layer.opacity.channel_count > 0 && bends(layer.opacity, t));
   }
-  if (Status status = context.check(); !status) return status;
+  if (status = context.check(); !status) return status;
   return bent;
 }
 

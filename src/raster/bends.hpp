@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/table_memory.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/status.hpp"
 #include "sfumato/picture/picture.hpp"
@@ -11,7 +12,8 @@ namespace sfumato::raster {
 
 /// Per triangle of a layer that was checked, 1 where some value strays from what is linear in the
 /// triangle by more than a few code values, so that the mean over a part of it may not be its value
-/// at the part's centroid. Errors: cancelled. Cost: O(triangles).
-Result<std::vector<std::uint8_t>> bent_triangles(const Context& context, const PatchLayer& layer);
+/// at the part's centroid. Errors: limit (memory), cancelled. Cost: O(triangles).
+Result<std::vector<std::uint8_t>> bent_triangles(Context& context, const PatchLayer& layer,
+                                                 TableMemory& memory);
 
 }  // namespace sfumato::raster

@@ -46,8 +46,8 @@ void add_constant(const double (&value)[4], double width, double (&sum)[4]) {
 
 Result<Gradient> Gradient::create(Context& context, const GradientFill& fill) {
   Gradient gradient;
-  const std::size_t bytes = (fill.stops.size() + 1) * sizeof(GradientSegment);
-  if (Status status = gradient.charge_.add(context, bytes, "a gradient"); !status) return status;
+  Status status = gradient.memory_.reserve(context, gradient.segments_, fill.stops.size() + 1);
+  if (!status) return status;
   gradient.spread_ = fill.spread;
   gradient.add_segments(fill);
   std::visit([&](const auto& shape) { gradient.set_shape(shape); }, fill.shape);
@@ -58,7 +58,6 @@ Result<Gradient> Gradient::create(Context& context, const GradientFill& fill) {
 void Gradient::add_segments(const GradientFill& fill) {
   set_channels(fill.stops.front(), first_);
   set_channels(fill.stops.back(), last_);
-  segments_.reserve(fill.stops.size() + 1);
   double low = 0;
   double low_value[4];
   std::copy_n(first_, 4, low_value);

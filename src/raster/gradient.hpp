@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "base/charge.hpp"
+#include "base/table_memory.hpp"
 #include "raster/kernels/image_shader_row.hpp"
 #include "sfumato/base/affine.hpp"
 #include "sfumato/base/context.hpp"
@@ -73,7 +73,7 @@ class Gradient {
   bool is_radial_ = false;
   Affine frame_from_layer_;
   Vec2 center_from_focus_;
-  ScopedCharge charge_;
+  TableMemory memory_{"a gradient"};
 };
 
 }  // namespace sfumato::raster

@@ -35,10 +35,8 @@ Result<StrokeTree> StrokeTree::create(Context& context, std::span<const Box> box
     count = (count + kFan - 1) / kFan;
     total += count;
   }
-  if (Status status = tree.charge_.add(context, total * sizeof(Bounds), "a stroke"); !status) {
-    return status;
-  }
-  tree.bounds_.reserve(total);
+  Status status = tree.memory_.reserve(context, tree.bounds_, total);
+  if (!status) return status;
   // Coordinates are pixels of an image: this is more than their rounding.
   constexpr double kMargin = 0.01;
   tree.level_begin_.push_back(0);

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "base/charge.hpp"
+#include "base/table_memory.hpp"
 #include "sfumato/base/box.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/function_ref.hpp"
@@ -39,7 +39,7 @@ class StrokeTree {
 
   std::vector<Bounds> bounds_;            ///< level by level, the boxes themselves first
   std::vector<std::size_t> level_begin_;  ///< into bounds_; the last level is one box
-  ScopedCharge charge_;
+  TableMemory memory_{"a stroke"};
 };
 
 }  // namespace sfumato::raster

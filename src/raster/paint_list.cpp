@@ -47,6 +47,7 @@ class PaintList::Builder {
   Status add(const GroupBegin& group);
   Status add(const GroupEnd&);
   Status make_strokes();
+  Status place_layers();
   Status place_triangles(std::uint32_t layer, PaintItem* item);
   void touch(const TileRange& tiles);
   Status sort_into_rows();
@@ -115,15 +116,19 @@ Status PaintList::Builder::add(const PatchInstance& instance) {
 }
 
 Status PaintList::Builder::make_strokes() {
+  TableMemory memory("local curves"), kept_memory("local curves");
   std::vector<const LocalStroke*> strokes;
-  for (const PictureItem& item : picture_.stack)
-    if (const auto* stroke = std::get_if<LocalStroke>(&item)) strokes.push_back(stroke);
-  Status status = list_.charge_.add(
-      context_, strokes.size() * (sizeof(std::optional<StrokePainter>) + sizeof(Status)),
-      "local curves");
+  for (const PictureItem& item : picture_.stack) {
+    const auto* stroke = std::get_if<LocalStroke>(&item);
+    Status status = stroke ? memory.push_back(context_, strokes, stroke) : ok_status();
+    if (!status) return status;
+  }
+  std::vector<Status> statuses;
+  Status status = memory.resize(context_, statuses, strokes.size());
+  if (status) status = kept_memory.reserve(context_, list_.strokes_, strokes.size());
   if (!status) return status;
   list_.strokes_.resize(strokes.size());
-  std::vector<Status> statuses(strokes.size());
+  list_.memory_.take(std::move(kept_memory));
   constexpr std::size_t kGrain = 16;
   status = parallel_for(context_, strokes.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
@@ -174,43 +179,51 @@ Status PaintList::Builder::add(const GroupEnd&) {
 
 /// A counting sort, so that each row's list is in the order of the stack.
 Status PaintList::Builder::sort_into_rows() {
+  TableMemory memory("lists of instances"), next_memory("lists of instances");
   std::vector<std::size_t>& first = list_.row_first_;
-  first.assign(static_cast<std::size_t>(list_.grid_.rows()) + 1, 0);
+  std::vector<std::size_t> next;
+  Status status = memory.resize(context_, first, static_cast<std::size_t>(list_.grid_.rows()) + 1);
+  if (!status) return status;
   for (const PaintItem& item : list_.items_)
     for (int y = item.tiles.y0; y < item.tiles.y1; ++y) ++first[static_cast<std::size_t>(y) + 1];
   for (std::size_t i = 1; i < first.size(); ++i) first[i] += first[i - 1];
-  Status status = list_.charge_.add(context_, first.back() * 4, "lists of instances");
+  status = memory.resize(context_, list_.row_item_, first.back());
+  if (status) status = next_memory.append(context_, first, next);
   if (!status) return status;
-  list_.row_item_.resize(first.back());
-  std::vector<std::size_t> next(first.begin(), first.end() - 1);
   for (std::uint32_t i = 0; i < list_.items_.size(); ++i) {
     const TileRange& tiles = list_.items_[i].tiles;
     for (int y = tiles.y0; y < tiles.y1; ++y)
       list_.row_item_[next[static_cast<std::size_t>(y)]++] = i;
   }
+  list_.memory_.take(std::move(memory));
+  return ok_status();
+}
+
+Status PaintList::Builder::place_layers() {
+  const std::vector<PatchLayer>& layers = picture_.layers;
+  Status status = list_.memory_.reserve(context_, list_.layers_, layers.size());
+  if (!status) return status;
+  list_.layers_.resize(layers.size());
+  TableMemory mark_memory("marks of triangles");
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    for (Vec2 p : layers[i].vertex_position) list_.layers_[i].bounds.extend(p);
+    Result<std::vector<std::uint8_t>> bent = bent_triangles(context_, layers[i], mark_memory);
+    if (!bent) return bent.status();
+    list_.layers_[i].is_bent = std::move(*bent);
+  }
+  list_.memory_.take(std::move(mark_memory));
   return ok_status();
 }
 
 Status PaintList::Builder::build() {
-  Status status =
-      list_.charge_.add(context_, picture_.stack.size() * sizeof(PaintItem), "the picture's stack");
+  Status status = list_.memory_.reserve(context_, list_.items_, picture_.stack.size());
   if (!status) return status;
   Result<ShaderSet> shaders = ShaderSet::create(context_, picture_);
   if (!shaders) return shaders.status();
   list_.shaders_ = std::move(*shaders);
   list_.space_ = picture_.interpolation;
   if (status = make_strokes(); !status) return status;
-  list_.layers_.resize(picture_.layers.size());
-  for (std::size_t i = 0; i < picture_.layers.size(); ++i) {
-    const PatchLayer& layer = picture_.layers[i];
-    for (Vec2 p : layer.vertex_position) list_.layers_[i].bounds.extend(p);
-    status = list_.charge_.add(context_, layer.triangle_count(), "marks of triangles");
-    if (!status) return status;
-    Result<std::vector<std::uint8_t>> bent = bent_triangles(context_, layer);
-    if (!bent) return bent.status();
-    list_.layers_[i].is_bent = std::move(*bent);
-  }
-  list_.items_.reserve(picture_.stack.size());
+  if (status = place_layers(); !status) return status;
   for (const PictureItem& item : picture_.stack) {
     if (context_.cancelled()) return context_.cancel_status();
     status = std::visit([&](const auto& x) { return add(x); }, item);

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "base/charge.hpp"
+#include "base/table_memory.hpp"
 #include "raster/local_stroke.hpp"
 #include "raster/shader_set.hpp"
 #include "raster/tile_bins.hpp"
@@ -87,7 +87,7 @@ class PaintList {
   std::vector<std::uint32_t> row_item_;
   int group_depth_ = 0;
   bool is_plain_ = true;
-  ScopedCharge charge_;
+  TableMemory memory_{"the picture's stack"};
 };
 
 }  // namespace sfumato::raster

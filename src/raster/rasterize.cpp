@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "base/charge.hpp"
-#include "base/large_vector.hpp"
 #include "base/parallel.hpp"
 #include "base/public_verb.hpp"
+#include "base/table_memory.hpp"
 #include "picture/check_picture.hpp"
 #include "raster/compositor.hpp"
 #include "raster/kernels/span_kernels.hpp"
@@ -178,17 +178,18 @@ Result<Image> draw(Context& context, const Picture& picture, const RasterOptions
 
   Image image{options.width, options.height, options.format, {}};
   const std::size_t image_bytes = image.row_bytes() * static_cast<std::size_t>(options.height);
-  ScopedCharge charge;
-  status = charge.add(context, image_bytes, "the image");
+  TableMemory memory("the image");
+  status = memory.reserve(context, image.bytes, image_bytes);
   if (!status) return status;
   Result<PaintList> list = make_list(context, picture, options);
   if (!list) return list.status();
   job.list = std::move(*list);
-  status = charge.add(
+  ScopedCharge tile_charge;
+  status = tile_charge.add(
       context, static_cast<std::size_t>(context.thread_count()) * TilePainter::bytes(job.list),
       "tiles of the image");
   if (!status) return status;
-  status = resize_large(context, image.bytes, image_bytes);
+  status = memory.resize(context, image.bytes, image_bytes);
   if (!status) return status;
   job.target = {image.bytes.data(), image.row_bytes(), options.format, options.dither};
   status = paint_tiles(context, job);

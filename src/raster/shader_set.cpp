@@ -23,8 +23,11 @@ Status make_shaders(Context& context, const Picture& picture,
 
 Result<ShaderSet> ShaderSet::create(Context& context, const Picture& picture) {
   ShaderSet set;
-  set.color_.resize(picture.shaders.size());
-  set.opacity_.resize(picture.shaders.size());
+  for (auto* shaders : {&set.color_, &set.opacity_}) {
+    Status status = set.memory_.reserve(context, *shaders, picture.shaders.size());
+    if (!status) return status;
+    shaders->resize(picture.shaders.size());
+  }
   for (const PatchLayer& layer : picture.layers) {
     Status status =
         make_shaders(context, picture, layer.color.shader, picture.interpolation, &set.color_);

@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/table_memory.hpp"
 #include "raster/image_shader.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/status.hpp"
@@ -23,6 +24,7 @@ class ShaderSet {
 
  private:
   std::vector<std::optional<ImageShader>> color_, opacity_;
+  TableMemory memory_{"shaders"};
 };
 
 /// The opacity that a shader gives: alpha times the luminance of its code values, as masks of SVG

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "base/large_vector.hpp"
 #include "base/parallel.hpp"
 #include "raster/kernels/texture_kernels.hpp"
 
@@ -70,11 +69,7 @@ Result<TexturePyramid> TexturePyramid::create(Context& context, const Texture& t
   pyramid.lay_out(texture);
   const TextureLevel& last = pyramid.levels_.back();
   const std::size_t values = 4 * (last.offset + 1 + kTexelsReadPast);
-  if (Status status = pyramid.charge_.add(context, values * sizeof(std::uint16_t), "a texture");
-      !status) {
-    return status;
-  }
-  Status status = resize_large(context, pyramid.texels_, values);
+  Status status = pyramid.memory_.resize(context, pyramid.texels_, values);
   if (status) status = pyramid.fill_base(context, texture);
   for (std::size_t i = 1; status && i < pyramid.levels_.size(); ++i) {
     status = pyramid.fill_level(context, i);

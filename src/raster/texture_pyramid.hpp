@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/charge.hpp"
+#include "base/table_memory.hpp"
 #include "sfumato/base/affine.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/status.hpp"
@@ -55,7 +55,7 @@ class TexturePyramid {
   SimdLevel simd_ = SimdLevel::sse2;
   std::vector<TextureLevel> levels_;
   std::vector<std::uint16_t> texels_;
-  ScopedCharge charge_;
+  TableMemory memory_{"a texture"};
 };
 
 }  // namespace sfumato::raster

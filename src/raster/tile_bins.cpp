@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "base/charge.hpp"
 #include "base/parallel.hpp"
 #include "base/poll.hpp"
 
@@ -86,9 +85,8 @@ void Binner::for_each_tile(std::uint32_t triangle, const TileRange& range,
 
 Status Binner::sort(Context& context, const std::vector<TileRange>& ranges, TileBins* bins) const {
   const std::uint32_t triangle_count = static_cast<std::uint32_t>(ranges.size());
-  Status status = bins->charge.add(context, (grid_.tile_count() + 1) * 8, "lists of triangles");
+  Status status = bins->memory.resize(context, bins->first, grid_.tile_count() + 1);
   if (!status) return status;
-  bins->first.assign(grid_.tile_count() + 1, 0);
   RarePoll<16384> poll(context);
   for (std::uint32_t t = 0; t < triangle_count; ++t) {
     if (poll.cancelled()) return context.cancel_status();
@@ -97,11 +95,11 @@ Status Binner::sort(Context& context, const std::vector<TileRange>& ranges, Tile
   if (context.cancelled()) return context.cancel_status();
   for (std::size_t i = 1; i < bins->first.size(); ++i) bins->first[i] += bins->first[i - 1];
 
-  const std::uint64_t listed = bins->first.back();
-  status = bins->charge.add(context, listed * 4 + grid_.tile_count() * 8, "lists of triangles");
+  TableMemory next_memory("lists of triangles");
+  std::vector<std::uint64_t> next;
+  status = bins->memory.resize(context, bins->triangle, bins->first.back());
+  if (status) status = next_memory.append(context, bins->first, next);
   if (!status) return status;
-  bins->triangle.resize(listed);
-  std::vector<std::uint64_t> next(bins->first.begin(), bins->first.end() - 1);
   for (std::uint32_t t = 0; t < triangle_count; ++t) {
     if (poll.cancelled()) return context.cancel_status();
     for_each_tile(t, ranges[t], [&](std::size_t tile) { bins->triangle[next[tile]++] = t; });
@@ -134,11 +132,10 @@ TileRange tiles_of(const Box& box_px, const TileGrid& grid) {
 Result<TileBins> bin_triangles(Context& context, const LayerView& layer,
                                std::uint32_t triangle_count, const TileGrid& grid,
                                double margin_px) {
-  ScopedCharge range_charge;
-  Status status = range_charge.add(context, std::size_t{triangle_count} * sizeof(TileRange),
-                                   "places of triangles");
+  TableMemory range_memory("places of triangles");
+  std::vector<TileRange> ranges;
+  Status status = range_memory.resize(context, ranges, triangle_count);
   if (!status) return status;
-  std::vector<TileRange> ranges(triangle_count);
   const Binner binner(layer, grid, margin_px);
   constexpr std::size_t kGrain = 4096;
   status = parallel_for(context, triangle_count, kGrain, [&](std::size_t begin, std::size_t end) {

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/charge.hpp"
+#include "base/table_memory.hpp"
 #include "raster/kernels/tile.hpp"
 #include "sfumato/base/box.hpp"
 #include "sfumato/base/context.hpp"
@@ -39,7 +39,7 @@ TileRange tiles_of(const Box& box_px, const TileGrid& grid);
 struct TileBins {
   std::vector<std::uint64_t> first;  ///< tile_count + 1 offsets into `triangle`
   std::vector<std::uint32_t> triangle;
-  ScopedCharge charge;
+  TableMemory memory{"lists of triangles"};
 
   TriangleList of(std::size_t tile) const {
     return {triangle.data() + first[tile], static_cast<std::size_t>(first[tile + 1] - first[tile])};

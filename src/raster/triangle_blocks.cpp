@@ -36,9 +36,8 @@ Result<TriangleBlocks> make_triangle_blocks(Context& context, const PatchLayer& 
   TriangleBlocks blocks;
   blocks.triangle_count = layer.triangle_count();
   const std::size_t count = (blocks.triangle_count + kTrianglesPerBlock - 1) / kTrianglesPerBlock;
-  Status status = blocks.charge.add(context, count * sizeof(Box), "places of triangles");
+  Status status = blocks.memory.resize(context, blocks.box, count);
   if (!status) return status;
-  blocks.box.resize(count);
   constexpr std::size_t kGrain = 128;
   status = parallel_for(context, count, kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "base/charge.hpp"
+#include "base/table_memory.hpp"
 #include "raster/kernels/tile.hpp"
 #include "sfumato/base/box.hpp"
 #include "sfumato/base/context.hpp"
@@ -16,7 +16,7 @@ namespace sfumato::raster {
 struct TriangleBlocks {
   std::vector<Box> box;  ///< layer frame
   std::uint32_t triangle_count = 0;
-  ScopedCharge charge;
+  TableMemory memory{"places of triangles"};
 };
 
 inline constexpr std::uint32_t kTrianglesPerBlock = 32;

@@ -55,7 +55,9 @@ inline std::vector<ReferenceTriangle> reference_triangles(const Picture& picture
   const PatchLayer& layer = picture.layers[std::get<PatchInstance>(picture.stack[0]).layer];
   const Affine& artboard_from_layer = std::get<PatchInstance>(picture.stack[0]).artboard_from_layer;
   std::vector<ReferenceTriangle> triangles(layer.triangle_count());
-  const std::vector<std::uint8_t> is_bent = *raster::bent_triangles(Context(), layer);
+  Context context;
+  TableMemory memory("marks of triangles");
+  const std::vector<std::uint8_t> is_bent = *raster::bent_triangles(context, layer, memory);
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     triangles[t].order = layer.order;
     for (int k = 0; k < 3; ++k) {
