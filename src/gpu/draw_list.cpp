@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "base/charge.hpp"
 #include "raster/local_stroke.hpp"
 #include "raster/overlay.hpp"
 #include "raster/triangle_blocks.hpp"
@@ -86,8 +85,9 @@ class DrawList::Builder {
   DrawList& list_;
   std::vector<Box> bounds_;  ///< of the layers
   std::vector<std::uint32_t> open_groups_;
+  TableMemory memory_{"the picture's stack"};
   std::vector<float> segment_values_;
-  ScopedCharge segment_charge_;
+  TableMemory segment_memory_{"local curves"};
   bool needs_paints_ = false;
 };
 
@@ -140,8 +140,9 @@ Status DrawList::Builder::add(const LocalStroke& stroke) {
   item.index = static_cast<std::uint32_t>(list_.strokes_.size());
   item.rect = raster::pixels_in(prepared->bounds_px, image_);
   if (segments.empty() || item.rect.empty()) return ok_status();
-  const std::size_t bytes = segments.size() * 4 * kSegmentTexels * sizeof(float);
-  if (Status status = segment_charge_.add(context_, bytes, "local curves"); !status) return status;
+  Status status =
+      segment_memory_.make_room(context_, segment_values_, segments.size() * 4 * kSegmentTexels);
+  if (!status) return status;
   const Vec2 middle{0.5 * (item.rect.x0 + item.rect.x1), 0.5 * (item.rect.y0 + item.rect.y1)};
   const Vec2 origin = inverse(prepared->image_from_frame)(middle);
   DrawStroke placed;
@@ -195,23 +196,22 @@ Status DrawList::Builder::upload_paints() {
   Result<Table> texels = Table::create(context_, device_, kTexelTable, texel_count, "textures");
   if (!texels) return texels.status();
   texels->upload(0, texel_count, made->texels.data());
-  made->texels = {};
+  made->memory.free(made->texels);
   list_.paints_.emplace(PaintTables{std::move(*made), std::move(*values), std::move(*texels)});
   return ok_status();
 }
 
 Status DrawList::Builder::build() {
   const Picture& picture = *list_.picture_;
-  Status status =
-      list_.charge_.add(context_, picture.stack.size() * (sizeof(DrawItem) + sizeof(DrawStroke)),
-                        "the picture's stack");
+  TableMemory& memory = list_.memory_;
+  Status status = memory.reserve(context_, list_.items_, picture.stack.size());
+  if (status) status = memory.reserve(context_, list_.strokes_, picture.stack.size());
+  if (status) status = memory.reserve(context_, list_.layers_, picture.layers.size());
+  if (status) status = memory_.resize(context_, bounds_, picture.layers.size());
   if (!status) return status;
   list_.layers_.resize(picture.layers.size());
-  bounds_.resize(picture.layers.size());
   for (std::size_t i = 0; i < bounds_.size(); ++i)
     for (Vec2 p : picture.layers[i].vertex_position) bounds_[i].extend(p);
-  list_.items_.reserve(picture.stack.size());
-  list_.strokes_.reserve(picture.stack.size());
   for (const PictureItem& item : picture.stack) {
     if (context_.cancelled()) return context_.cancel_status();
     status = std::visit([&](const auto& x) { return add(x); }, item);

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "base/charge.hpp"
+#include "base/table_memory.hpp"
 #include "display/paint_table.hpp"
 #include "gpu/layer_tables.hpp"
 #include "raster/kernels/local_stroke_kernels.hpp"
@@ -66,7 +66,7 @@ class DrawList {
   Table segments_;
   std::optional<PaintTables> paints_;
   int group_depth_ = 0;
-  ScopedCharge charge_;
+  TableMemory memory_{"the picture's stack"};
 };
 
 }  // namespace sfumato::gpu

@@ -4,7 +4,7 @@
 #include <bit>
 #include <utility>
 
-#include "base/charge.hpp"
+#include "base/table_memory.hpp"
 #include "raster/bends.hpp"
 
 namespace sfumato::gpu {
@@ -44,14 +44,13 @@ class Uploader {
 
   /// Where `is_curve` is not 0.
   Status slots(const std::vector<std::uint8_t>& is_curve, Table* table, std::uint32_t* count) {
-    ScopedCharge charge;
     const auto marked = std::count_if(is_curve.begin(), is_curve.end(),
                                       [](std::uint8_t flag) { return flag != 0; });
     *count = static_cast<std::uint32_t>(marked);
-    Status status = charge.add(context_, sizeof(std::uint32_t) * *count, kPurpose);
-    if (!status) return status;
+    TableMemory memory(kPurpose);
     std::vector<std::uint32_t> slot;
-    slot.reserve(*count);
+    Status status = memory.reserve(context_, slot, *count);
+    if (!status) return status;
     for (std::size_t i = 0; i < is_curve.size(); ++i)
       if (is_curve[i] != 0) slot.push_back(static_cast<std::uint32_t>(i));
     return indices(kIndexTable, slot, table);
@@ -139,7 +138,8 @@ Result<LayerTables> upload_layer(Context& context, const Device& device, const P
     status = uploader.slots(layer.edge_is_curve, &tables.edge_slot, &tables.curve_edge_count);
   }
   if (status) {
-    const Result<std::vector<std::uint8_t>> bent = raster::bent_triangles(context, layer);
+    TableMemory memory(kPurpose);
+    const Result<std::vector<std::uint8_t>> bent = raster::bent_triangles(context, layer, memory);
     if (!bent) return bent.status();
     status = uploader.indices(kFlagTable, *bent, &tables.is_bent);
   }

@@ -5,10 +5,10 @@
 #include <utility>
 #include <vector>
 
-#include "base/charge.hpp"
 #include "base/no_throw.hpp"
 #include "base/parallel.hpp"
 #include "base/public_verb.hpp"
+#include "base/table_memory.hpp"
 #include "gpu/device.hpp"
 #include "gpu/draw_list.hpp"
 #include "gpu/painter.hpp"
@@ -85,10 +85,10 @@ Status paint_tiles(Context& context, gpu::Painter& painter, const RasterOptions&
                    const raster::ImageTarget& target) {
   const std::size_t values = std::size_t{4} * std::min(kTileSide, options.width) *
                              static_cast<std::size_t>(std::min(kTileSide, options.height));
-  ScopedCharge charge;
-  Status status = charge.add(context, values * sizeof(float), "an image on the GPU");
+  TableMemory memory("an image on the GPU");
+  std::vector<float> rgba;
+  Status status = memory.resize(context, rgba, values);
   if (!status) return status;
-  std::vector<float> rgba(values);
   for (int y = 0; y < options.height; y += kTileSide) {
     for (int x = 0; x < options.width; x += kTileSide) {
       const PixelRect rect{x, y, std::min(x + kTileSide, options.width),
@@ -111,8 +111,8 @@ Result<Image> render(Context& context, const Picture& picture, const RasterOptio
   if (!image_from_artboard) return image_from_artboard.status();
   Image image{options.width, options.height, options.format, {}};
   const std::size_t image_bytes = image.row_bytes() * static_cast<std::size_t>(options.height);
-  ScopedCharge charge;
-  status = charge.add(context, image_bytes, "the image");
+  TableMemory memory("the image");
+  status = memory.reserve(context, image.bytes, image_bytes);
   if (!status) return status;
 
   Result<std::unique_ptr<gpu::Device>> device = gpu::Device::create();
@@ -124,7 +124,8 @@ Result<Image> render(Context& context, const Picture& picture, const RasterOptio
   Result<gpu::Painter> painter =
       gpu::Painter::create(context, **device, *list, settings_of(**device, picture, options));
   if (!painter) return painter.status();
-  image.bytes.resize(image_bytes);
+  status = memory.resize(context, image.bytes, image_bytes);
+  if (!status) return status;
   status = paint_tiles(context, *painter, options,
                        {image.bytes.data(), image.row_bytes(), options.format, options.dither});
   if (!status) return status;
