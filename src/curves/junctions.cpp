@@ -6,9 +6,9 @@
 #include <tuple>
 #include <utility>
 
-#include "base/charge.hpp"
 #include "base/poll.hpp"
 #include "base/spatial_order.hpp"
+#include "base/table_memory.hpp"
 #include "curves/bezier.hpp"
 #include "sfumato/base/box.hpp"
 
@@ -21,8 +21,6 @@ constexpr int kPatience = 200;
 
 constexpr std::uint32_t kLeafSegments = 4;
 
-constexpr std::size_t kFirstJunctions = 1024;
-
 constexpr std::uint32_t kNobody = 0xffffffff;
 
 Cubic piece_of(const Curve& curve, double parameter_of_start) {
@@ -34,22 +32,15 @@ Cubic piece_of(const Curve& curve, double parameter_of_start) {
 /// All segments of the polylines, in a binary tree of the boxes of their stretches of curve.
 class SegmentTree {
  public:
-  /// Comes first. Errors: cancelled; nothing else can be asked then.
-  Status build(const Context& context, const FlatCurves& flat, std::span<const Curve> curves,
+  /// Comes first. Errors: limit, cancelled; nothing else can be asked then.
+  Status build(Context& context, const FlatCurves& flat, std::span<const Curve> curves,
                double reach) {
-    RarePoll<4096> poll(context);
-    std::vector<Vec2> middle;
-    std::vector<std::uint32_t> segment;
-    for (std::uint32_t v = 0; v < flat.vertex.size(); ++v) {
-      if (poll.cancelled()) return context.cancel_status();
-      if (!flat.begins_segment(v)) continue;
-      segment.push_back(v);
-      middle.push_back(lerp(flat.vertex[v], flat.vertex[v + 1], 0.5));
-    }
-    for (const std::uint32_t i : spatial_order(middle)) segment_.push_back(segment[i]);
+    if (Status status = order_segments(context, flat); !status) return status;
     leaf_count_ = (static_cast<std::uint32_t>(segment_.size()) + kLeafSegments - 1) / kLeafSegments;
     while (first_leaf_ < leaf_count_) first_leaf_ *= 2;
-    box_.resize(std::size_t{2} * first_leaf_);
+    Status status = memory_.resize(context, box_, std::size_t{2} * first_leaf_);
+    if (!status) return status;
+    RarePoll<4096> poll(context);
     for (std::size_t i = 0; i < segment_.size(); ++i) {
       if (poll.cancelled()) return context.cancel_status();
       Box& leaf = box_[first_leaf_ + i / kLeafSegments];
@@ -60,10 +51,6 @@ class SegmentTree {
       box_[node] = united(box_[std::size_t{2} * node], box_[std::size_t{2} * node + 1]);
     }
     return ok_status();
-  }
-
-  static std::size_t bytes(std::size_t segments) {
-    return segments * (sizeof(Box) + sizeof(Vec2) + 4 * sizeof(std::uint32_t));
   }
 
   /// Calls visit(segment) for those whose box, or that of a neighbour, holds the point.
@@ -88,6 +75,27 @@ class SegmentTree {
   }
 
  private:
+  Status order_segments(Context& context, const FlatCurves& flat) {
+    TableMemory working("flattening");
+    std::vector<Vec2> middle;
+    std::vector<std::uint32_t> segment, order;
+    Status status = working.reserve(context, middle, flat.segment_count());
+    if (status) status = working.reserve(context, segment, flat.segment_count());
+    if (!status) return status;
+    RarePoll<4096> poll(context);
+    for (std::uint32_t v = 0; v < flat.vertex.size(); ++v) {
+      if (poll.cancelled()) return context.cancel_status();
+      if (!flat.begins_segment(v)) continue;
+      segment.push_back(v);
+      middle.push_back(lerp(flat.vertex[v], flat.vertex[v + 1], 0.5));
+    }
+    status = spatial_order(context, middle, working, order);
+    if (status) status = memory_.reserve(context, segment_, segment.size());
+    if (!status) return status;
+    for (const std::uint32_t i : order) segment_.push_back(segment[i]);
+    return ok_status();
+  }
+
   static Box stretch_box(const FlatCurves& flat, std::span<const Curve> curves, std::uint32_t s) {
     const double from = flat.parameter[s], to = flat.parameter[s + 1], begin = std::floor(from);
     Box box;
@@ -102,15 +110,18 @@ class SegmentTree {
   std::uint32_t leaf_count_ = 0;
   std::uint32_t first_leaf_ = 1;
   std::vector<Box> box_;  ///< of node n, whose children are 2 n and 2 n + 1
+  TableMemory memory_{"flattening"};
 };
 
 /// Vertices that lie on each other: each knows the first of its place.
 class Places {
  public:
-  /// Comes first. Errors: cancelled; nothing else can be asked then.
-  Status build(const Context& context, std::span<const Vec2> vertex) {
-    first_.resize(vertex.size());
-    table_.assign(table_size(vertex.size()), kNobody);
+  /// Comes first. Errors: limit, cancelled; nothing else can be asked then.
+  Status build(Context& context, std::span<const Vec2> vertex) {
+    const std::size_t slots = std::bit_ceil(2 * vertex.size() + 1);
+    Status status = memory_.resize(context, first_, vertex.size());
+    if (status) status = memory_.resize(context, table_, slots, kNobody);
+    if (!status) return status;
     RarePoll<4096> poll(context);
     for (std::uint32_t v = 0; v < vertex.size(); ++v) {
       if (poll.cancelled()) return context.cancel_status();
@@ -124,15 +135,9 @@ class Places {
     return context.check();
   }
 
-  static std::size_t bytes(std::size_t vertices) {
-    return (vertices + table_size(vertices)) * sizeof(std::uint32_t);
-  }
-
   std::uint32_t first(std::uint32_t v) const { return first_[v]; }
 
  private:
-  static std::size_t table_size(std::size_t vertices) { return std::bit_ceil(2 * vertices + 1); }
-
   static std::size_t hash(Vec2 p) {
     // With 0 added both zeros are one.
     std::uint64_t mixed = std::bit_cast<std::uint64_t>(p.x + 0.0) * 0x9e3779b97f4a7c15u;
@@ -142,6 +147,7 @@ class Places {
 
   std::vector<std::uint32_t> first_;
   std::vector<std::uint32_t> table_;
+  TableMemory memory_{"flattening"};
 };
 
 class JunctionFinder {
@@ -149,10 +155,10 @@ class JunctionFinder {
   JunctionFinder(Context& context, std::span<const Curve> curves, const FlatCurves& flat,
                  double reach)
       : context_(context), curves_(curves), flat_(flat), reach_squared_(reach * reach) {
-    found_.pinned.assign(flat.vertex.size(), 0);
+    status_ = found_.memory.resize(context, found_.pinned, flat.vertex.size());
   }
 
-  /// limit: no more junctions are noted.
+  /// limit, cancelled: nothing else can be asked.
   const Status& status() const { return status_; }
 
   /// Notes that v lies on `first`, which is looked at for both.
@@ -188,10 +194,14 @@ class JunctionFinder {
     for (std::uint32_t v = 0; v < found_.pinned.size(); ++v) {
       found_.pinned[v] = found_.pinned[places.first(v)];
     }
-    std::vector<std::size_t> next(curves_.size() + 1, 0);
+    TableMemory working("flattening");
+    std::vector<std::size_t> next;
+    std::vector<Junction> sorted;
+    Status status = working.resize(context_, next, curves_.size() + 1);
+    if (status) status = found_.memory.resize(context_, sorted, found_.junction.size());
+    if (!status) return status;
     for (const Junction& at : found_.junction) ++next[at.curve + 1];
     for (std::size_t c = 1; c < next.size(); ++c) next[c] += next[c - 1];
-    std::vector<Junction> sorted(found_.junction.size());
     for (const Junction& at : found_.junction) sorted[next[at.curve]++] = at;
     RarePoll<16> poll(context_);
     std::size_t begin = 0;
@@ -203,21 +213,14 @@ class JunctionFinder {
                          std::tie(b.parameter, b.point.x, b.point.y);
                 });
     }
+    found_.memory.free(found_.junction);
     found_.junction = std::move(sorted);
     return std::move(found_);
   }
 
  private:
-  /// Twice the junctions, while they are sorted.
   void note(const Junction& junction) {
-    if (found_.junction.size() == room_ && status_.ok()) {
-      const std::size_t larger = std::max(2 * room_, kFirstJunctions);
-      status_ = charge_.add(context_, 2 * (larger - room_) * sizeof(Junction), "flattening");
-      if (!status_) return;
-      found_.junction.reserve(larger);
-      room_ = larger;
-    }
-    if (status_.ok()) found_.junction.push_back(junction);
+    if (status_.ok()) status_ = found_.memory.push_back(context_, found_.junction, junction);
   }
 
   static double lerp_parameter(double from, double to, double share) {
@@ -239,8 +242,6 @@ class JunctionFinder {
   const FlatCurves& flat_;
   double reach_squared_;
   Status status_;
-  ScopedCharge charge_;
-  std::size_t room_ = 0;  ///< junctions that are charged
   Junctions found_;
 };
 
@@ -248,13 +249,10 @@ class JunctionFinder {
 
 Result<Junctions> find_junctions(Context& context, std::span<const Curve> curves,
                                  const FlatCurves& flat, double reach) {
-  ScopedCharge charge;
   const std::size_t vertices = flat.vertex.size();
-  const std::size_t bytes = SegmentTree::bytes(vertices) + Places::bytes(vertices);
   SegmentTree tree;
   Places places;
-  Status status = charge.add(context, bytes, "flattening");
-  if (status) status = tree.build(context, flat, curves, reach);
+  Status status = tree.build(context, flat, curves, reach);
   if (status) status = places.build(context, flat.vertex);
   if (!status) return status;
   JunctionFinder finder(context, curves, flat, reach);

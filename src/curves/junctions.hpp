@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "base/table_memory.hpp"
 #include "curves/flatten.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/status.hpp"
@@ -20,6 +21,7 @@ struct Junction {
 struct Junctions {
   std::vector<Junction> junction;    ///< by curve, then parameter
   std::vector<std::uint8_t> pinned;  ///< per vertex of `flat`: 1 where it lies on another passage
+  TableMemory memory{"flattening"};
 };
 
 /// Where vertices of `flat`, which lie on their curves, lie within `reach` of another curve or of

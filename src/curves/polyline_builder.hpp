@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "base/charge.hpp"
 #include "base/poll.hpp"
+#include "base/table_memory.hpp"
 #include "curves/flatten.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/status.hpp"
@@ -34,8 +34,7 @@ class PolylineBuilder {
   Context& context_;
   RarePoll<1024> poll_;
   Status status_;
-  ScopedCharge charge_;
-  std::size_t room_ = 0;  ///< vertices that are charged
+  TableMemory memory_{"flattening"};
   FlatCurves flat_;
 };
 

@@ -30,12 +30,10 @@ inline const ScalarStops& in_space(const ScalarStops& list, InterpolationSpace) 
   return list;
 }
 
-/// The curve parameter of every stop of a list, never falling, clamped to the curve.
+/// Appends the curve parameter of every stop of a list, never falling, clamped to the curve.
 template <class Value>
-std::vector<double> stop_parameters(std::span<const Vec2> control_points,
-                                    const StopList<Value>& list) {
-  std::vector<double> parameters;
-  parameters.reserve(list.stops.size());
+void append_stop_parameters(std::span<const Vec2> control_points, const StopList<Value>& list,
+                            std::vector<double>& parameters) {
   const double end = static_cast<double>((control_points.size() - 1) / 3);
   std::vector<double> cumulative;
   if (list.space == StopSpace::arc_length) cumulative = cumulative_length(control_points);
@@ -48,6 +46,15 @@ std::vector<double> stop_parameters(std::span<const Vec2> control_points,
     if (!parameters.empty() && parameter < parameters.back()) parameter = parameters.back();
     parameters.push_back(parameter);
   }
+}
+
+/// The same, in a list of their own.
+template <class Value>
+std::vector<double> stop_parameters(std::span<const Vec2> control_points,
+                                    const StopList<Value>& list) {
+  std::vector<double> parameters;
+  parameters.reserve(list.stops.size());
+  append_stop_parameters(control_points, list, parameters);
   return parameters;
 }
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <utility>
 
-#include "base/charge.hpp"
 #include "base/limit_error.hpp"
+#include "base/table_memory.hpp"
 #include "curves/bezier.hpp"
 #include "curves/stop_parameters.hpp"
 
@@ -40,8 +40,14 @@ struct Stretch {
 template <class Value>
 class StopCursor {
  public:
-  StopCursor(std::span<const Vec2> control_points, const StopList<Value>& list)
-      : list_(list), parameters_(stop_parameters(control_points, list)) {}
+  explicit StopCursor(const StopList<Value>& list) : list_(list) {}
+
+  /// Comes first. Errors: limit (memory), cancelled.
+  Status prepare(Context& context, std::span<const Vec2> control_points, TableMemory& memory) {
+    Status status = memory.reserve(context, parameters_, list_.stops.size());
+    if (status) append_stop_parameters(control_points, list_, parameters_);
+    return status;
+  }
 
   const std::vector<double>& parameters() const { return parameters_; }
 
@@ -67,21 +73,6 @@ class StopCursor {
   std::size_t next_ = 0;
 };
 
-ScalarStops scaled(const ScalarStops& stops, double scale) {
-  ScalarStops result = stops;
-  if (result.stops.empty()) result.stops.push_back({0, 0});
-  for (Stop<float>& stop : result.stops) {
-    stop.value = static_cast<float>(std::min(stop.value * scale, kLargestRadius));
-  }
-  return result;
-}
-
-std::vector<Vec2> scaled(const std::vector<Vec2>& points, double scale) {
-  std::vector<Vec2> result = points;
-  for (Vec2& p : result) p = p * scale;
-  return result;
-}
-
 double largest_change(const SegmentValues<Rgb>& values) {
   const Rgb &a = values.start, &b = values.end;
   return std::max({std::fabs(b.r - a.r), std::fabs(b.g - a.g), std::fabs(b.b - a.b)});
@@ -89,23 +80,14 @@ double largest_change(const SegmentValues<Rgb>& values) {
 
 class SegmentMaker {
  public:
-  SegmentMaker(Context& context, const LocalCurve& curve, const StrokeOptions& options,
-               StrokeSegments& out)
+  SegmentMaker(Context& context, const StrokeOptions& options, StrokeSegments& out)
       : context_(context),
         options_(options),
         out_(out),
-        points_(scaled(curve.control_points, options.scale)),
-        total_length_(cumulative_length(points_).back()),
-        left_(in_space(curve.left_color.empty() ? curve.right_color : curve.left_color,
-                       options.interpolation)),
-        right_(in_space(curve.right_color.empty() ? curve.left_color : curve.right_color,
-                        options.interpolation)),
-        blur_(scaled(curve.blur_radius, options.scale)),
-        influence_(scaled(curve.influence_radius, options.scale)),
-        left_cursor_(points_, left_),
-        right_cursor_(points_, right_),
-        blur_cursor_(points_, blur_),
-        influence_cursor_(points_, influence_) {
+        left_cursor_(left_),
+        right_cursor_(right_),
+        blur_cursor_(blur_),
+        influence_cursor_(influence_) {
     const Affine& m = options.image_from_stroke;
     const double k = 1 / options.scale;
     image_from_frame_ = {m.a * k, m.b * k, m.c * k, m.d * k, m.e, m.f};
@@ -113,11 +95,12 @@ class SegmentMaker {
                          length({image_from_frame_.b, image_from_frame_.d})};
   }
 
-  Status run() {
-    if (!(total_length_ > 0)) return ok_status();
-    const std::vector<double> cuts = collect_cuts();
+  Status run(const LocalCurve& curve) {
+    Status status = copy(curve);
+    if (!status || !(total_length_ > 0)) return status;
+    std::vector<double> cuts;
+    if (status = collect_cuts(cuts); !status) return status;
     std::size_t next_cut = 0;
-    Status status;
     for (std::size_t i = 0; status && 3 * i + 3 < points_.size(); ++i) {
       if (context_.cancelled()) return context_.cancel_status();
       const Cubic cubic = piece(points_, i);
@@ -134,8 +117,46 @@ class SegmentMaker {
   }
 
  private:
-  std::vector<double> collect_cuts() const {
-    std::vector<double> cuts;
+  /// What of the curve the segments are made of, scaled and in the space of interpolation.
+  Status copy(const LocalCurve& curve) {
+    Status status = memory_.append(context_, std::span(curve.control_points), points_);
+    const auto copy_stops = [&](const auto& from, auto& to) {
+      to.space = from.space;
+      if (status) status = memory_.append(context_, std::span(from.stops), to.stops);
+    };
+    copy_stops(curve.left_color.empty() ? curve.right_color : curve.left_color, left_);
+    copy_stops(curve.right_color.empty() ? curve.left_color : curve.right_color, right_);
+    copy_stops(curve.blur_radius, blur_);
+    copy_stops(curve.influence_radius, influence_);
+    if (!status) return status;
+    for (Vec2& p : points_) p = p * options_.scale;
+    total_length_ = cumulative_length(points_).back();
+    left_ = in_space(std::move(left_), options_.interpolation);
+    right_ = in_space(std::move(right_), options_.interpolation);
+    scale(blur_);
+    scale(influence_);
+    const auto prepare = [&](auto& cursor) {
+      if (status) status = cursor.prepare(context_, points_, memory_);
+    };
+    prepare(left_cursor_);
+    prepare(right_cursor_);
+    prepare(blur_cursor_);
+    prepare(influence_cursor_);
+    return status;
+  }
+
+  void scale(ScalarStops& list) const {
+    if (list.stops.empty()) list.stops.push_back({0, 0});
+    for (Stop<float>& stop : list.stops) {
+      stop.value = static_cast<float>(std::min(stop.value * options_.scale, kLargestRadius));
+    }
+  }
+
+  Status collect_cuts(std::vector<double>& cuts) {
+    const std::size_t count = left_cursor_.parameters().size() + right_cursor_.parameters().size() +
+                              blur_cursor_.parameters().size() +
+                              influence_cursor_.parameters().size();
+    if (Status status = memory_.reserve(context_, cuts, count); !status) return status;
     const auto collect = [&](const std::vector<double>& parameters) {
       cuts.insert(cuts.end(), parameters.begin(), parameters.end());
     };
@@ -145,7 +166,7 @@ class SegmentMaker {
     collect(influence_cursor_.parameters());
     std::sort(cuts.begin(), cuts.end());
     cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
-    return cuts;
+    return ok_status();
   }
 
   /// Halves (t0, t1] of a piece until its parts are segments, left part first.
@@ -258,7 +279,7 @@ class SegmentMaker {
     return ok_status();
   }
 
-  /// Room for one more segment, charged before it is taken.
+  /// Room for one more segment.
   Status reserve() {
     const std::size_t capacity = out_.segment.capacity();
     if (out_.segment.size() < capacity) return ok_status();
@@ -268,18 +289,16 @@ class SegmentMaker {
                          "segments in one local curve; a larger radius makes fewer");
     }
     const std::size_t larger = std::min(std::max<std::size_t>(2 * capacity, 8), most);
-    const std::size_t bytes = (larger - capacity) * (sizeof(StrokeSegment) + sizeof(Box));
-    if (Status status = out_.charge.add(context_, bytes, "a local curve"); !status) return status;
-    out_.segment.reserve(larger);
-    out_.reach.reserve(larger);
-    return ok_status();
+    Status status = out_.memory.reserve(context_, out_.reach, larger);
+    return status ? out_.memory.reserve(context_, out_.segment, larger) : status;
   }
 
   Context& context_;
   const StrokeOptions& options_;
   StrokeSegments& out_;
+  TableMemory memory_{"a local curve"};  ///< of what is copied of the curve
   std::vector<Vec2> points_;
-  double total_length_;
+  double total_length_ = 0;
   ColorStops left_, right_;
   ScalarStops blur_, influence_;
   StopCursor<Rgb> left_cursor_, right_cursor_;
@@ -288,16 +307,6 @@ class SegmentMaker {
   Vec2 reach_per_radius_;
   double walked_ = 0;
 };
-
-/// What SegmentMaker copies of the curve.
-std::size_t working_bytes(const LocalCurve& curve) {
-  const std::size_t colors = curve.left_color.stops.size() + curve.right_color.stops.size();
-  const std::size_t scalars =
-      curve.blur_radius.stops.size() + curve.influence_radius.stops.size() + 1;
-  return curve.control_points.size() * (sizeof(Vec2) + sizeof(double)) +
-         2 * colors * (sizeof(Stop<Rgb>) + 2 * sizeof(double)) +
-         scalars * (sizeof(Stop<float>) + 2 * sizeof(double));
-}
 
 }  // namespace
 
@@ -308,13 +317,9 @@ bool is_two_sided(const LocalCurve& curve) {
 
 Result<StrokeSegments> stroke_segments(Context& context, const LocalCurve& curve,
                                        const StrokeOptions& options) {
-  ScopedCharge working;
-  if (Status status = working.add(context, working_bytes(curve), "a local curve"); !status) {
-    return status;
-  }
   StrokeSegments segments;
-  SegmentMaker maker(context, curve, options, segments);
-  if (Status status = maker.run(); !status) return status;
+  SegmentMaker maker(context, options, segments);
+  if (Status status = maker.run(curve); !status) return status;
   return segments;
 }
 

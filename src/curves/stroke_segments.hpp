@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "base/charge.hpp"
+#include "base/table_memory.hpp"
 #include "curves/attributes.hpp"
 #include "sfumato/base/affine.hpp"
 #include "sfumato/base/box.hpp"
@@ -46,7 +46,7 @@ struct StrokeOptions {
 struct StrokeSegments {
   std::vector<StrokeSegment> segment;
   std::vector<Box> reach;
-  ScopedCharge charge;
+  TableMemory memory{"a local curve"};
 };
 
 /// Whether the sides of a local curve differ: a side without colours takes the other's.
