@@ -54,7 +54,9 @@ std::unique_ptr<Prepared> prepare(benchmark::State& state, const std::string& na
   options.max_area = 0.04 * document->artboard.width() * document->artboard.height();
   Result<mesh::Mesher> mesher = mesh::Mesher::build(context, *flat, options);
   auto prepared = std::make_unique<Prepared>();
-  prepared->attributes = curves::sample_colors(*flat, curves);
+  TableMemory memory("a benchmark");
+  prepared->attributes =
+      *curves::sample_colors(context, *flat, curves, InterpolationSpace::srgb, memory);
   prepared->visibility = *mesher->visibility_mesh({});
   if (!mesher->refine(context)) return nullptr;
   const solve::NodeLayout layout = lay_out(*mesher->patch_mesh({}), prepared->attributes);

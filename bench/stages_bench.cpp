@@ -33,7 +33,9 @@ void flatten_and_sample(benchmark::State& state) {
   std::size_t segments = 0;
   for (auto _ : state) {
     Result<curves::FlatCurves> flat = curves::flatten(context, curves, {});
-    benchmark::DoNotOptimize(curves::sample_colors(*flat, curves));
+    TableMemory memory("a benchmark");
+    benchmark::DoNotOptimize(
+        curves::sample_colors(context, *flat, curves, InterpolationSpace::srgb, memory));
     segments = flat->segment_count();
   }
   state.counters["segments"] = static_cast<double>(segments);
@@ -44,7 +46,10 @@ void lay_out_nodes(benchmark::State& state) {
   if (!document) return;
   Context context;
   Result<curves::FlatCurves> flat = curves::flatten(context, document->layers[0].curves, {});
-  const auto attributes = curves::sample_colors(*flat, document->layers[0].curves);
+  TableMemory memory("a benchmark");
+  const auto sampled = curves::sample_colors(context, *flat, document->layers[0].curves,
+                                             InterpolationSpace::srgb, memory);
+  const curves::SegmentAttributes& attributes = *sampled;
   mesh::MeshOptions options;
   options.frame = document->artboard;
   Result<mesh::Mesher> mesher = mesh::Mesher::build(context, *flat, options);
@@ -52,8 +57,9 @@ void lay_out_nodes(benchmark::State& state) {
   const mesh::TriangleMesh mesh = *mesher->patch_mesh({});
   for (auto _ : state) {
     const Result<solve::Seams> seams = solve::Seams::create(context, mesh, attributes);
-    TableMemory memory("a benchmark");
-    benchmark::DoNotOptimize(solve::lay_out_nodes(context, mesh, attributes, *seams, memory));
+    TableMemory layout_memory("a benchmark");
+    benchmark::DoNotOptimize(
+        solve::lay_out_nodes(context, mesh, attributes, *seams, layout_memory));
   }
   state.counters["triangles"] = mesh.triangle_count();
 }

@@ -70,17 +70,19 @@ template <class Value, class ShaderOf>
 class AttributeSampler {
  public:
   AttributeSampler(const FlatCurves& flat, std::span<const Curve> curves, ShaderOf shader_of,
-                   InterpolationSpace space = InterpolationSpace::srgb)
+                   InterpolationSpace space)
       : flat_(flat), curves_(curves), shader_of_(shader_of) {
     attributes_.space = space;
   }
 
-  SegmentAttributes run() {
-    attributes_.left.resize(flat_.vertex.size());
-    attributes_.right.resize(flat_.vertex.size());
-    attributes_.weight.resize(flat_.vertex.size(), 1.0f);
-    attributes_.curve = flat_.vertex_curve;
-    attributes_.vertex = flat_.vertex;
+  Result<SegmentAttributes> run(const Context& context, TableMemory& memory) {
+    SegmentAttributes& out = attributes_;
+    const std::size_t count = flat_.vertex.size();
+    Status status = memory.resize_all(context, count, out.left, out.right);
+    if (status) status = memory.resize(context, out.weight, count, 1.0f);
+    if (status) status = memory.append(context, flat_.vertex_curve, out.curve);
+    if (status) status = memory.append(context, flat_.vertex, out.vertex);
+    if (!status) return status;
     for (std::uint32_t i = 0; i < flat_.curve_count(); ++i) {
       sample_side(i, curves_[i].left, attributes_.left);
       sample_side(i, curves_[i].right, attributes_.right);
@@ -123,17 +125,21 @@ class AttributeSampler {
 
 }  // namespace
 
-SegmentAttributes sample_colors(const FlatCurves& flat, std::span<const Curve> curves,
-                                InterpolationSpace space) {
+Result<SegmentAttributes> sample_colors(const Context& context, const FlatCurves& flat,
+                                        std::span<const Curve> curves, InterpolationSpace space,
+                                        TableMemory& memory) {
   const auto color_of = [](const Side& side) -> const SideShader<Rgb>& { return side.color; };
-  return AttributeSampler<Rgb, decltype(color_of)>(flat, curves, color_of, space).run();
+  AttributeSampler<Rgb, decltype(color_of)> sampler(flat, curves, color_of, space);
+  return sampler.run(context, memory);
 }
 
-SegmentAttributes sample_opacities(const FlatCurves& flat, std::span<const Curve> curves) {
+Result<SegmentAttributes> sample_opacities(const Context& context, const FlatCurves& flat,
+                                           std::span<const Curve> curves, TableMemory& memory) {
   const auto opacity_of = [](const Side& side) -> const SideShader<float>& { return side.opacity; };
-  SegmentAttributes attributes =
-      AttributeSampler<float, decltype(opacity_of)>(flat, curves, opacity_of).run();
-  attributes.base_channels = 1;
+  AttributeSampler<float, decltype(opacity_of)> sampler(flat, curves, opacity_of,
+                                                        InterpolationSpace::srgb);
+  Result<SegmentAttributes> attributes = sampler.run(context, memory);
+  if (attributes) attributes->base_channels = 1;
   return attributes;
 }
 
@@ -145,10 +151,18 @@ bool opacity_goes_with_color(std::span<const Curve> curves) {
   });
 }
 
-SegmentAttributes sample_colors_and_opacities(const FlatCurves& flat, std::span<const Curve> curves,
-                                              InterpolationSpace space) {
-  SegmentAttributes both = sample_colors(flat, curves, space);
-  const SegmentAttributes opacities = sample_opacities(flat, curves);
+Result<SegmentAttributes> sample_colors_and_opacities(const Context& context,
+                                                      const FlatCurves& flat,
+                                                      std::span<const Curve> curves,
+                                                      InterpolationSpace space,
+                                                      TableMemory& memory) {
+  Result<SegmentAttributes> colors = sample_colors(context, flat, curves, space, memory);
+  if (!colors) return colors;
+  SegmentAttributes& both = *colors;
+  TableMemory scratch("attributes");
+  const Result<SegmentAttributes> sampled = sample_opacities(context, flat, curves, scratch);
+  if (!sampled) return sampled.status();
+  const SegmentAttributes& opacities = *sampled;
   const auto join = [](std::vector<SegmentSide>& sides, const std::vector<SegmentSide>& from) {
     for (std::size_t i = 0; i < sides.size(); ++i) {
       sides[i].value.start.channel[3] = from[i].value.start.channel[0];
@@ -158,7 +172,7 @@ SegmentAttributes sample_colors_and_opacities(const FlatCurves& flat, std::span<
   join(both.left, opacities.left);
   join(both.right, opacities.right);
   both.base_channels = 4;
-  return both;
+  return colors;
 }
 
 void remove_blur(SegmentAttributes& attributes) {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/table_memory.hpp"
 #include "curves/flatten.hpp"
 #include "sfumato/base/color.hpp"
 #include "sfumato/base/color_space.hpp"
@@ -64,26 +65,26 @@ struct SegmentAttributes {
   int channel_count() const { return base_channels + static_cast<int>(shader.size()); }
 };
 
-/// What one attribute of a polyline's segments takes in memory.
-inline std::size_t attribute_bytes(const FlatCurves& flat) {
-  return flat.vertex.size() *
-         (2 * sizeof(SegmentSide) + sizeof(float) + sizeof(Vec2) + sizeof(std::uint32_t));
-}
+/// Colours on the sides of the curves, interpolated between stops and given in `space`, in tables
+/// from `memory`. Errors: limit (memory), cancelled.
+Result<SegmentAttributes> sample_colors(const Context& context, const FlatCurves& flat,
+                                        std::span<const Curve> curves, InterpolationSpace space,
+                                        TableMemory& memory);
 
-/// Colours on the sides of the curves, interpolated between stops and given in `space`.
-SegmentAttributes sample_colors(const FlatCurves& flat, std::span<const Curve> curves,
-                                InterpolationSpace space = InterpolationSpace::srgb);
-
-/// Opacities.
-SegmentAttributes sample_opacities(const FlatCurves& flat, std::span<const Curve> curves);
+/// Opacities, likewise.
+Result<SegmentAttributes> sample_opacities(const Context& context, const FlatCurves& flat,
+                                           std::span<const Curve> curves, TableMemory& memory);
 
 /// Whether each side of each curve has a colour where it has an opacity, none of them
 /// image-domain: the rays of both attributes are the same then.
 bool opacity_goes_with_color(std::span<const Curve> curves);
 
 /// Both at once. Precondition: opacity_goes_with_color.
-SegmentAttributes sample_colors_and_opacities(const FlatCurves& flat, std::span<const Curve> curves,
-                                              InterpolationSpace space);
+Result<SegmentAttributes> sample_colors_and_opacities(const Context& context,
+                                                      const FlatCurves& flat,
+                                                      std::span<const Curve> curves,
+                                                      InterpolationSpace space,
+                                                      TableMemory& memory);
 
 /// Makes all sides sharp.
 void remove_blur(SegmentAttributes& attributes);

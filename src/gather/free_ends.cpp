@@ -73,7 +73,9 @@ Status FreeEnds::build_tree(Context& context) {
   if (status) status = memory_.resize(context, box_, 2 * std::size_t{leaf_count_});
   if (!status) return status;
   for (const FreeEnd& end : end_) position.push_back(end.position);
-  for (std::uint32_t i : spatial_order(position)) sorted.push_back(end_[i]);
+  std::vector<std::uint32_t> order;
+  if (status = spatial_order(context, position, scratch, order); !status) return status;
+  for (const std::uint32_t i : order) sorted.push_back(end_[i]);
   end_.swap(sorted);
   memory_.free(sorted);
   for (std::uint32_t i = 0; i < count; ++i) {

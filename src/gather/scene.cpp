@@ -58,7 +58,8 @@ class SceneBuilder {
         center[t] = center[t] + mesh_.vertex_position[mesh_.origin(h)];
       }
     }
-    order_ = spatial_order(center);
+    status = spatial_order(context_, center, memory_, order_);
+    if (!status) return status;
     for (std::uint32_t i = 0; i < order_.size(); ++i) new_index_[order_[i]] = i;
     return status;
   }

@@ -5,7 +5,6 @@
 #include <span>
 #include <vector>
 
-#include "base/charge.hpp"
 #include "base/table_memory.hpp"
 #include "curves/attributes.hpp"
 #include "gather/gather.hpp"
@@ -23,7 +22,7 @@ namespace sfumato::solve {
 /// One attribute of a layer, ready to be gathered.
 struct PreparedField {
   curves::SegmentAttributes attributes;
-  ScopedCharge charge;  ///< of the attributes
+  TableMemory memory;  ///< of the attributes
   gather::Gatherer gatherer;
 };
 

@@ -7,6 +7,7 @@
 
 #include "base/charge.hpp"
 #include "base/stopwatch.hpp"
+#include "base/table_memory.hpp"
 #include "curves/flatten.hpp"
 #include "sfumato/base/limits.hpp"
 #include "solve/layer_view.hpp"
@@ -169,7 +170,7 @@ bool is_thin(const mesh::TriangleMesh& mesh, const std::vector<std::uint8_t>& be
 
 Result<PreparedField> prepare_field(Context& context, const mesh::Mesher& mesher,
                                     const mesh::TriangleMesh& visibility,
-                                    curves::SegmentAttributes attributes, ScopedCharge charge,
+                                    curves::SegmentAttributes attributes, TableMemory memory,
                                     gather::Ends ends) {
   TableMemory scratch("the visibility mesh");
   const Result<std::vector<std::uint8_t>> bears =
@@ -185,7 +186,7 @@ Result<PreparedField> prepare_field(Context& context, const mesh::Mesher& mesher
   Result<gather::Gatherer> gatherer =
       gather::Gatherer::create(context, is_thinned ? thinned : visibility, attributes, ends);
   if (!gatherer) return gatherer.status();
-  return PreparedField{std::move(attributes), std::move(charge), std::move(*gatherer)};
+  return PreparedField{std::move(attributes), std::move(memory), std::move(*gatherer)};
 }
 
 /// What may be looked at: the triangles' vertices are coordinates like any others.
@@ -260,16 +261,14 @@ Result<PreparedLayer> prepare_layer(Context& context, const Document& document, 
   Result<curves::FlatCurves> flat = curves::flatten(context, curves, units.flatten_options());
   if (!flat) return flat.status();
   const bool is_joint = use == LayerUse::patches && curves::opacity_goes_with_color(curves);
-  // The polyline, and two attributes while they become one.
-  ScopedCharge flat_charge, color_charge, opacity_charge;
+  ScopedCharge flat_charge;
   Status status = flat_charge.add(context, curves::bytes_of(*flat), "flattening");
-  if (status) status = color_charge.add(context, curves::attribute_bytes(*flat), "attributes");
-  if (status && is_joint) {
-    status = flat_charge.add(context, curves::attribute_bytes(*flat), "attributes");
-  }
   if (!status) return status;
   const auto sample = is_joint ? curves::sample_colors_and_opacities : curves::sample_colors;
-  curves::SegmentAttributes colors = sample(*flat, curves, document.interpolation);
+  TableMemory color_memory("attributes");
+  Result<curves::SegmentAttributes> colors =
+      sample(context, *flat, curves, document.interpolation, color_memory);
+  if (!colors) return colors.status();
   const double geometry_seconds = geometry_watch.seconds();
 
   const Stopwatch mesh_watch;
@@ -285,18 +284,19 @@ Result<PreparedLayer> prepare_layer(Context& context, const Document& document, 
     if (options.ignore_blur) curves::remove_blur(attributes);
     if (use == LayerUse::patches) curves::set_fine_blur(attributes, units.smallest_radius());
   };
-  drop_blur(colors);
-  Result<PreparedField> color = prepare_field(context, *mesher, visibility, std::move(colors),
-                                              std::move(color_charge), options.ends);
+  drop_blur(*colors);
+  Result<PreparedField> color = prepare_field(context, *mesher, visibility, std::move(*colors),
+                                              std::move(color_memory), options.ends);
   if (!color) return color.status();
   std::optional<PreparedField> opacity;
   if (!is_joint && std::ranges::any_of(curves, bears_opacity)) {
-    status = opacity_charge.add(context, curves::attribute_bytes(*flat), "attributes");
-    if (!status) return status;
-    curves::SegmentAttributes opacities = curves::sample_opacities(*flat, curves);
-    drop_blur(opacities);
-    Result<PreparedField> field = prepare_field(context, *mesher, visibility, std::move(opacities),
-                                                std::move(opacity_charge), options.ends);
+    TableMemory memory("attributes");
+    Result<curves::SegmentAttributes> opacities =
+        curves::sample_opacities(context, *flat, curves, memory);
+    if (!opacities) return opacities.status();
+    drop_blur(*opacities);
+    Result<PreparedField> field = prepare_field(context, *mesher, visibility, std::move(*opacities),
+                                                std::move(memory), options.ends);
     if (!field) return field.status();
     opacity.emplace(std::move(*field));
   }

@@ -22,8 +22,10 @@ Sampled sampled(const Curve& curve) {
   Context context;
   const std::vector<Curve> curves{curve};
   Result<FlatCurves> flat = flatten(context, curves, {});
-  SegmentAttributes attributes = sample_colors(*flat, curves);
-  return {std::move(*flat), std::move(attributes)};
+  TableMemory memory("a test");
+  Result<SegmentAttributes> attributes =
+      sample_colors(context, *flat, curves, InterpolationSpace::srgb, memory);
+  return {std::move(*flat), std::move(*attributes)};
 }
 
 TEST(Attributes, colours_are_linear_between_stops) {

@@ -29,7 +29,9 @@ class SharedScene : public testing::TestWithParam<const char*> {
     Result<mesh::Mesher> mesher = mesh::Mesher::build(context, *flat, options);
     ASSERT_TRUE(mesher.ok());
     drawing_.frame = document->artboard;
-    drawing_.attributes = curves::sample_colors(*flat, curves);
+    TableMemory memory("a test");
+    drawing_.attributes =
+        *curves::sample_colors(context, *flat, curves, InterpolationSpace::srgb, memory);
     drawing_.mesh = *mesher->visibility_mesh({});
     points_ = points_off_the_curves();
   }

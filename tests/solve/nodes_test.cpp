@@ -37,7 +37,9 @@ struct LaidOut {
 LaidOut laid_out(const std::vector<Curve>& curves) {
   Context context;
   Result<curves::FlatCurves> flat = curves::flatten(context, curves, {});
-  const curves::SegmentAttributes attributes = curves::sample_colors(*flat, curves);
+  TableMemory memory("a test");
+  const curves::SegmentAttributes attributes =
+      *curves::sample_colors(context, *flat, curves, InterpolationSpace::srgb, memory);
   mesh::MeshOptions options;
   options.frame = {{-1, -1}, {101, 101}};
   options.unit_size = 0.1;
@@ -48,7 +50,6 @@ LaidOut laid_out(const std::vector<Curve>& curves) {
   LaidOut result;
   result.mesh = *mesher->patch_mesh({});
   const Result<Seams> seams = Seams::create(context, result.mesh, attributes);
-  TableMemory memory("a test");
   result.layout = *lay_out_nodes(context, result.mesh, attributes, *seams, memory);
   return result;
 }
