@@ -117,6 +117,12 @@ class TableMemory {
     Table().swap(table);
   }
 
+  /// Charges a table that allocated elsewhere, as a verb's result has: from now on as if made here.
+  template <class Table>
+  Status adopt(Context& context, const Table& table) {
+    return charge_.add(context, capacity_bytes(table), purpose_);
+  }
+
   /// Takes over what `other` holds, together with its tables.
   void take(TableMemory&& other) { charge_.take(std::move(other.charge_)); }
 

@@ -63,6 +63,18 @@ TEST(TableMemory, moves_with_its_tables) {
   EXPECT_EQ(context.budget.used(), capacity_bytes(kept));
 }
 
+TEST(TableMemory, adopts_what_was_made_elsewhere) {
+  Context context;
+  TableMemory memory("a test");
+  std::vector<int> numbers(300, 4);
+  ASSERT_TRUE(memory.adopt(context, numbers).ok());
+  EXPECT_EQ(context.budget.used(), capacity_bytes(numbers));
+  ASSERT_TRUE(memory.resize(context, numbers, 1000).ok());
+  EXPECT_EQ(context.budget.used(), capacity_bytes(numbers));
+  memory.free(numbers);
+  EXPECT_EQ(context.budget.used(), 0u);
+}
+
 TEST(TableMemory, refuses_before_it_allocates) {
   Context context{.budget = Budget(10'000)};
   TableMemory memory("a test");
