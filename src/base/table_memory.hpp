@@ -119,7 +119,7 @@ class TableMemory {
 
   /// Charges a table that allocated elsewhere, as a verb's result has: from now on as if made here.
   template <class Table>
-  Status adopt(Context& context, const Table& table) {
+  Status adopt(const Context& context, const Table& table) {
     return charge_.add(context, capacity_bytes(table), purpose_);
   }
 

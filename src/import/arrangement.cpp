@@ -9,9 +9,8 @@
 #include <tuple>
 #include <utility>
 
-#include "base/charge.hpp"
-#include "base/large_vector.hpp"
 #include "base/poll.hpp"
+#include "base/table_memory.hpp"
 #include "sfumato/base/box.hpp"
 
 namespace sfumato::svg_import {
@@ -121,26 +120,29 @@ class Arrangement {
   Status snap_round();
   Status merge_coincident();
   Status find_windings();
-  Result<std::vector<BoundaryEdge>> boundary(ScopedCharge& charge) const;
+  Result<BoundaryEdges> boundary() const;
 
  private:
-  Status find_intersections(std::vector<LatticePoint>& intersections, bool& meet);
-  Status find_snaps(std::vector<LatticePoint> points, std::vector<Snap>& snaps);
+  Status find_intersections(TableMemory& memory, std::vector<LatticePoint>& intersections,
+                            bool& meet);
+  Status find_snaps(TableMemory& memory, std::vector<LatticePoint>& points,
+                    std::vector<Snap>& snaps);
   Status check_counts(std::size_t pairs, std::size_t found);
   Status split_pieces(std::vector<Snap>& snaps);
-  Status charge(std::size_t pieces);
   int winding_by_ray(const Edge& edge) const;
-  std::vector<std::size_t> take_star(LatticePoint vertex);
-  void propagate_winding(LatticePoint vertex, std::size_t known, std::vector<std::size_t>& reached);
+  void take_star(LatticePoint vertex);
+  void propagate_winding(LatticePoint vertex, std::size_t known);
   bool is_inside(int winding) const { return even_odd_ ? winding % 2 != 0 : winding != 0; }
 
   Context& context_;
-  ScopedCharge charge_;
+  TableMemory memory_{kWhat};
   bool even_odd_;
   std::vector<Piece> pieces_;
   std::vector<Edge> edges_;
   std::vector<std::pair<LatticePoint, std::size_t>> edge_at_;  ///< both ends of each, sorted
-  std::vector<bool> is_taken_;  ///< per entry of edge_at_ that is the first of its vertex
+  std::vector<std::uint8_t> is_taken_;  ///< per entry of edge_at_ that is the first of its vertex
+  std::vector<std::size_t> star_;       ///< that was taken last
+  std::vector<std::size_t> reached_;    ///< edges whose winding is known, to be carried on
   Sweep sweep_ = Sweep::along_x;
   std::size_t pairs_ = 0;
 };
@@ -149,7 +151,8 @@ Status Arrangement::round_to_lattice(const std::vector<Chord>& chords, double st
   Box box;
   for (const Chord& chord : chords) box.extend(chord.from);
   if (box.empty()) return ok_status();
-  if (Status status = charge(chords.size()); !status) return status;
+  Status status = memory_.reserve(context_, pieces_, chords.size());
+  if (!status) return status;
   step = std::max(step, std::max(box.width(), box.height()) / kLatticeSize);
   sweep_ = box.width() >= box.height() ? Sweep::along_x : Sweep::along_y;
   const auto rounded = [&](Vec2 p) {
@@ -168,14 +171,19 @@ Status Arrangement::round_to_lattice(const std::vector<Chord>& chords, double st
 }
 
 /// Where pieces cross. `meet`: whether any cross, or snap to an end of another.
-Status Arrangement::find_intersections(std::vector<LatticePoint>& intersections, bool& meet) {
-  std::vector<std::uint32_t> order(pieces_.size()), active;
+Status Arrangement::find_intersections(TableMemory& memory,
+                                       std::vector<LatticePoint>& intersections, bool& meet) {
+  TableMemory working(kWhat);
+  std::vector<std::uint32_t> order, active;
+  std::vector<Extent> extent;
+  Status status = working.resize(context_, order, pieces_.size());
+  if (status) status = working.reserve(context_, active, pieces_.size());
+  if (status) status = working.reserve(context_, extent, pieces_.size());
+  if (!status) return status;
   std::iota(order.begin(), order.end(), 0u);
   const auto key = [&](std::uint32_t i) { return std::pair(lowest(pieces_[i], sweep_), i); };
-  Status sorted = sort_large(context_, order, [&](auto a, auto b) { return key(a) < key(b); });
-  if (!sorted) return sorted;
-  std::vector<Extent> extent;
-  extent.reserve(pieces_.size());
+  status = TableMemory::sort(context_, order, [&](auto a, auto b) { return key(a) < key(b); });
+  if (!status) return status;
   for (const Piece& piece : pieces_) {
     extent.push_back(
         {lowest(piece, across(sweep_)) - kSnapDistance, highest(piece, across(sweep_))});
@@ -188,12 +196,13 @@ Status Arrangement::find_intersections(std::vector<LatticePoint>& intersections,
     const Piece& piece = pieces_[i];
     const std::int64_t begin = lowest(piece, sweep_) - kSnapDistance;
     std::erase_if(active, [&](std::uint32_t k) { return highest(pieces_[k], sweep_) < begin; });
-    if (Status status = check_counts(active.size(), intersections.size()); !status) return status;
+    if (status = check_counts(active.size(), intersections.size()); !status) return status;
     for (const std::uint32_t k : active) {
       if (extent[i].low > extent[k].high || extent[k].low > extent[i].high) continue;
       const Piece& other = pieces_[k];
       const auto point = intersection_of(piece, other);
-      if (point) intersections.push_back(*point);
+      if (point) status = memory.push_back(context_, intersections, *point);
+      if (!status) return status;
       meet = meet || point || ends_snap(piece, other) || ends_snap(other, piece);
     }
     active.push_back(i);
@@ -208,14 +217,17 @@ Status Arrangement::check_counts(std::size_t pairs, std::size_t found) {
 }
 
 /// For every piece the points that it snaps to: ends of pieces, and `points`.
-Status Arrangement::find_snaps(std::vector<LatticePoint> points, std::vector<Snap>& snaps) {
+Status Arrangement::find_snaps(TableMemory& memory, std::vector<LatticePoint>& points,
+                               std::vector<Snap>& snaps) {
+  Status status = memory.reserve(context_, points, points.size() + 2 * pieces_.size());
+  if (!status) return status;
   for (const Piece& piece : pieces_) {
     points.push_back(piece.from);
     points.push_back(piece.to);
   }
   const auto key = [&](LatticePoint p) { return std::pair(coordinate(p, sweep_), p); };
-  Status sorted = sort_large(context_, points, [&](auto a, auto b) { return key(a) < key(b); });
-  if (!sorted) return sorted;
+  status = TableMemory::sort(context_, points, [&](auto a, auto b) { return key(a) < key(b); });
+  if (!status) return status;
   const auto repeated = std::ranges::unique(points);
   points.erase(repeated.begin(), repeated.end());
   const auto coordinate_of = [&](LatticePoint p) { return coordinate(p, sweep_); };
@@ -226,18 +238,13 @@ Status Arrangement::find_snaps(std::vector<LatticePoint> points, std::vector<Sna
     const auto low = std::ranges::lower_bound(points, begin, {}, coordinate_of);
     const auto high = std::ranges::upper_bound(points, end, {}, coordinate_of);
     const auto size = static_cast<std::size_t>(high - low);
-    if (Status status = check_counts(size, snaps.size()); !status) return status;
+    if (status = check_counts(size, snaps.size()); !status) return status;
     for (const LatticePoint point : std::span(low, high)) {
-      if (snaps_to(pieces_[i], point)) snaps.push_back({i, point});
+      if (snaps_to(pieces_[i], point)) status = memory.push_back(context_, snaps, {i, point});
+      if (!status) return status;
     }
   }
   return ok_status();
-}
-
-/// Of pieces, and of what is made of each.
-Status Arrangement::charge(std::size_t pieces) {
-  return charge_.add(context_, pieces * (2 * sizeof(Piece) + sizeof(Snap) + 2 * sizeof(Edge)),
-                     kWhat);
 }
 
 /// Splits pieces, in the order in which their contour meets the points. The snaps are sorted.
@@ -253,12 +260,11 @@ Status Arrangement::split_pieces(std::vector<Snap>& snaps) {
   const auto place = [&](const Snap& snap) {
     return std::tuple(snap.piece, share_of(snap), snap.point);
   };
-  Status status = sort_large(context_, snaps,
-                             [&](const Snap& a, const Snap& b) { return place(a) < place(b); });
-  if (status) status = charge(snaps.size());
-  if (!status) return status;
+  Status status = TableMemory::sort(
+      context_, snaps, [&](const Snap& a, const Snap& b) { return place(a) < place(b); });
   std::vector<Piece> result;
-  result.reserve(pieces_.size() + snaps.size());
+  if (status) status = memory_.reserve(context_, result, pieces_.size() + snaps.size());
+  if (!status) return status;
   auto snap = snaps.begin();
   for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
     Piece rest = pieces_[i];
@@ -274,6 +280,7 @@ Status Arrangement::split_pieces(std::vector<Snap>& snaps) {
     }
     result.push_back(rest);
   }
+  memory_.free(pieces_);
   pieces_ = std::move(result);
   return ok_status();
 }
@@ -283,12 +290,14 @@ Status Arrangement::split_pieces(std::vector<Snap>& snaps) {
 /// until no piece snaps to a point (Halperin and Packer 2002).
 Status Arrangement::snap_round() {
   for (int round = 0; round < kMaxRounds; ++round) {
-    std::vector<LatticePoint> intersections;
+    TableMemory memory(kWhat);
+    std::vector<LatticePoint> points;
     bool meet = false;
-    if (Status status = find_intersections(intersections, meet); !status) return status;
+    if (Status status = find_intersections(memory, points, meet); !status) return status;
     if (!meet) return ok_status();
     std::vector<Snap> snaps;
-    if (Status status = find_snaps(std::move(intersections), snaps); !status) return status;
+    if (Status status = find_snaps(memory, points, snaps); !status) return status;
+    memory.free(points);
     if (snaps.empty()) return ok_status();  // they cross in their ends, but for rounding
     if (Status status = split_pieces(snaps); !status) return status;
   }
@@ -303,8 +312,8 @@ Status Arrangement::merge_coincident() {
     return std::tuple(LatticePoint(upper), LatticePoint(lower), piece.source.contour,
                       piece.source.begin);
   };
-  Status status = sort_large(context_, pieces_,
-                             [&](const Piece& a, const Piece& b) { return place(a) < place(b); });
+  Status status = TableMemory::sort(
+      context_, pieces_, [&](const Piece& a, const Piece& b) { return place(a) < place(b); });
   if (!status) return status;
   RarePoll<1024> poll(context_);
   for (std::size_t i = 0; i < pieces_.size();) {
@@ -315,15 +324,18 @@ Status Arrangement::merge_coincident() {
       edge.net += pieces_[i].from == upper ? 1 : -1;
     }
     edge.piece_end = i;
-    if (edge.net != 0) edges_.push_back(edge);
+    if (edge.net != 0) status = memory_.push_back(context_, edges_, edge);
+    if (!status) return status;
   }
+  status = memory_.reserve(context_, edge_at_, 2 * edges_.size());
+  if (status) status = memory_.resize(context_, is_taken_, 2 * edges_.size());
+  if (!status) return status;
   for (std::size_t i = 0; i < edges_.size(); ++i) {
     if (poll.cancelled()) return context_.cancel_status();
     edge_at_.emplace_back(edges_[i].upper, i);
     edge_at_.emplace_back(edges_[i].lower, i);
   }
-  is_taken_.resize(edge_at_.size());
-  return sort_large(context_, edge_at_, std::less<>());
+  return TableMemory::sort(context_, edge_at_, std::less<>());
 }
 
 /// The winding number on the edge's right. A ray runs to the right from the edge's middle, a little
@@ -340,40 +352,38 @@ int Arrangement::winding_by_ray(const Edge& edge) const {
   return edge.upper.y == edge.lower.y ? number : number + edge.net;
 }
 
-/// The star of a vertex, clockwise on the screen; nothing where that was asked before.
-std::vector<std::size_t> Arrangement::take_star(LatticePoint vertex) {
+/// Makes star_ the star of a vertex, clockwise on the screen; empty where that was asked before.
+void Arrangement::take_star(LatticePoint vertex) {
   const auto of_vertex = [](const auto& entry) { return entry.first; };
   const auto entries = std::ranges::equal_range(edge_at_, vertex, {}, of_vertex);
   const auto first = static_cast<std::size_t>(entries.begin() - edge_at_.begin());
-  std::vector<std::size_t> star;
-  if (is_taken_[first]) return star;
-  is_taken_[first] = true;
-  for (const auto& [at, edge] : entries) star.push_back(edge);
+  star_.clear();
+  if (is_taken_[first]) return;
+  is_taken_[first] = 1;
+  for (const auto& [at, edge] : entries) star_.push_back(edge);
   // Those that lead down from the vertex first, which canonical edges do from their upper end.
-  std::ranges::sort(star, [&](std::size_t a, std::size_t b) {
+  std::ranges::sort(star_, [&](std::size_t a, std::size_t b) {
     const bool a_leads_on = edges_[a].upper == vertex, b_leads_on = edges_[b].upper == vertex;
     if (a_leads_on != b_leads_on) return a_leads_on;
     return orient2d(vertex, far_end(edges_[a], vertex), far_end(edges_[b], vertex)) > 0;
   });
-  return star;
 }
 
 /// Round a vertex from an edge whose winding is known to those where it is not; once for each.
-void Arrangement::propagate_winding(LatticePoint vertex, std::size_t known,
-                                    std::vector<std::size_t>& reached) {
-  const std::vector<std::size_t> star = take_star(vertex);
-  if (star.empty()) return;
-  const std::size_t first = static_cast<std::size_t>(std::ranges::find(star, known) - star.begin());
+void Arrangement::propagate_winding(LatticePoint vertex, std::size_t known) {
+  take_star(vertex);
+  if (star_.empty()) return;
+  const auto first = static_cast<std::size_t>(std::ranges::find(star_, known) - star_.begin());
   const Edge& begin = edges_[known];
   int winding = *begin.right_winding - (begin.upper == vertex ? 0 : begin.net);
-  for (std::size_t i = 1; i < star.size(); ++i) {
-    const std::size_t index = star[(first + i) % star.size()];
+  for (std::size_t i = 1; i < star_.size(); ++i) {
+    const std::size_t index = star_[(first + i) % star_.size()];
     Edge& edge = edges_[index];
     const bool leads_on = edge.upper == vertex;
     const int beyond = winding + (leads_on ? edge.net : -edge.net);
     if (!edge.right_winding) {
       edge.right_winding = leads_on ? beyond : winding;
-      reached.push_back(index);
+      reached_.push_back(index);
     }
     winding = beyond;
   }
@@ -381,6 +391,10 @@ void Arrangement::propagate_winding(LatticePoint vertex, std::size_t known,
 
 /// Counted once for all edges that hang together, and carried on round their vertices.
 Status Arrangement::find_windings() {
+  // An edge is reached once at most, and in a star once.
+  Status status = memory_.reserve(context_, reached_, edges_.size());
+  if (status) status = memory_.reserve(context_, star_, edges_.size());
+  if (!status) return status;
   std::size_t ray_edges = 0;
   for (std::size_t i = 0; i < edges_.size(); ++i) {
     if (edges_[i].right_winding) continue;
@@ -389,51 +403,54 @@ Status Arrangement::find_windings() {
       return make_error(StatusCode::limit, "the shape crosses itself too often");
     }
     edges_[i].right_winding = winding_by_ray(edges_[i]);
-    for (std::vector<std::size_t> reached{i}; !reached.empty();) {
-      const std::size_t at = reached.back();
-      reached.pop_back();
+    for (reached_.push_back(i); !reached_.empty();) {
+      const std::size_t at = reached_.back();
+      reached_.pop_back();
       if (context_.cancelled()) return context_.cancel_status();
-      propagate_winding(edges_[at].upper, at, reached);
-      propagate_winding(edges_[at].lower, at, reached);
+      propagate_winding(edges_[at].upper, at);
+      propagate_winding(edges_[at].lower, at);
     }
   }
   return ok_status();
 }
 
-Result<std::vector<BoundaryEdge>> Arrangement::boundary(ScopedCharge& charge) const {
-  const std::size_t bytes = edges_.size() * sizeof(BoundaryEdge) + pieces_.size() * sizeof(Source);
-  if (Status status = charge.add(context_, 2 * bytes, kWhat); !status) return status;
-  std::vector<BoundaryEdge> result;
+Result<BoundaryEdges> Arrangement::boundary() const {
+  BoundaryEdges result;
+  Status status = result.memory.reserve(context_, result.edge, edges_.size());
+  if (status) status = result.memory.reserve(context_, result.source, pieces_.size());
+  if (!status) return status;
   RarePoll<1024> poll(context_);
   for (const Edge& edge : edges_) {
     if (poll.cancelled()) return context_.cancel_status();
     const bool right = is_inside(*edge.right_winding);
     const bool left = is_inside(*edge.right_winding - edge.net);
     if (left == right) continue;
-    BoundaryEdge& added = result.emplace_back();
+    BoundaryEdge& added = result.edge.emplace_back();
+    added.first_source = result.source.size();
     added.from = right ? edge.upper : edge.lower;
     added.to = right ? edge.lower : edge.upper;
     for (std::size_t i = edge.first_piece; i < edge.piece_end; ++i) {
       Source source = pieces_[i].source;
       source.begin = pieces_[i].since;
       if (pieces_[i].from != added.from) std::swap(source.begin, source.end);
-      added.sources.push_back(source);
+      result.source.push_back(source);
     }
+    added.source_end = result.source.size();
   }
   return result;
 }
 
 }  // namespace
 
-Result<std::vector<BoundaryEdge>> boundary_edges(Context& context, const std::vector<Chord>& chords,
-                                                 bool even_odd, double step, ScopedCharge& charge) {
+Result<BoundaryEdges> boundary_edges(Context& context, const std::vector<Chord>& chords,
+                                     bool even_odd, double step) {
   Arrangement arrangement(context, even_odd);
   Status status = arrangement.round_to_lattice(chords, step);
   if (status) status = arrangement.snap_round();
   if (status) status = arrangement.merge_coincident();
   if (status) status = arrangement.find_windings();
   if (!status) return status;
-  return arrangement.boundary(charge);
+  return arrangement.boundary();
 }
 
 }  // namespace sfumato::svg_import

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <compare>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
-#include "base/charge.hpp"
+#include "base/table_memory.hpp"
 #include "import/chords.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/status.hpp"
@@ -30,7 +32,18 @@ struct Source {
 struct BoundaryEdge {
   LatticePoint from;
   LatticePoint to;
-  std::vector<Source> sources;  ///< one at least; more where contours coincide
+  std::size_t first_source = 0;
+  std::size_t source_end = 0;  ///< one source at least; more where contours coincide
+};
+
+struct BoundaryEdges {
+  std::vector<BoundaryEdge> edge;
+  std::vector<Source> source;
+  TableMemory memory{"the boundary of a shape"};
+
+  std::span<const Source> sources_of(const BoundaryEdge& of) const {
+    return std::span(source).subspan(of.first_source, of.source_end - of.first_source);
+  }
 };
 
 /// The boundary of what closed chains of chords fill. The chords are rounded to a lattice of the
@@ -40,11 +53,10 @@ struct BoundaryEdge {
 /// one.
 ///
 /// step     of the lattice, in the chords' units, above 0
-/// charge   gets the memory of the edges
 /// Errors   limit (memory, too many pairs that lie near each other), cancelled.
 /// Cost     O(n log n), the pairs whose boxes overlap along the longer side of what all chords
 ///          cover, and edges × parts that do not touch.
-Result<std::vector<BoundaryEdge>> boundary_edges(Context& context, const std::vector<Chord>& chords,
-                                                 bool even_odd, double step, ScopedCharge& charge);
+Result<BoundaryEdges> boundary_edges(Context& context, const std::vector<Chord>& chords,
+                                     bool even_odd, double step);
 
 }  // namespace sfumato::svg_import

@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <cstdint>
+#include <functional>
+#include <span>
 #include <tuple>
 #include <utility>
 
-#include "base/charge.hpp"
-#include "base/large_vector.hpp"
 #include "base/poll.hpp"
+#include "base/table_memory.hpp"
 #include "curves/bezier.hpp"
 #include "import/arrangement.hpp"
 #include "import/chords.hpp"
@@ -16,20 +17,14 @@
 namespace sfumato::svg_import {
 namespace {
 
-constexpr int kMostChords = 64;  ///< of one Bézier piece
 constexpr std::size_t kChords = 2'000'000;
-constexpr std::size_t kFirstChords = 256;
+constexpr const char* kWhat = "the boundary of a shape";
 constexpr double kParallel = 1e-9;  ///< sine of an angle
 
 using curves::Cubic;
 
-int chord_count(const Cubic& cubic, double tolerance) {
-  const curves::ChordDeviation deviation = curves::chord_deviation(cubic);
-  const double wanted = std::sqrt(std::max(deviation.across, deviation.along / 8) / tolerance);
-  return static_cast<int>(std::clamp(std::ceil(wanted), 1.0, double{kMostChords}));
-}
-
-/// By a straight line, or where hardly anything is missing, by moving the end.
+/// By a straight line, for which there is room, or where hardly anything is missing, by moving the
+/// end.
 void close(std::vector<Vec2>& chain, double tolerance) {
   const Vec2 begin = chain.front(), end = chain.back();
   if (length(end - begin) <= tolerance) {
@@ -44,21 +39,21 @@ using Run = Source;
 
 class Boundary {
  public:
-  Boundary(Context& context, Contours contours, bool even_odd, double tolerance)
-      : context_(context),
-        contours_(std::move(contours)),
-        even_odd_(even_odd),
-        tolerance_(tolerance) {}
+  Boundary(Context& context, bool even_odd, double tolerance, TableMemory& loop_memory)
+      : context_(context), even_odd_(even_odd), tolerance_(tolerance), loop_memory_(loop_memory) {}
 
-  Result<Contours> find();
+  Result<Contours> find(const Contours& contours);
 
  private:
+  Status copy_closed(const Contours& contours);
   Status flatten();
-  Status charge_chords();
   Status link();
+  Status order_begins(const BoundaryEdges& edges);
+  std::size_t next_after(const BoundaryEdges& edges, std::size_t at, const std::vector<Run>& runs);
+  Status go_on(std::vector<Run>& runs, const Source& source);
   Vec2 join(Run& before, Run& after) const;
   bool refine(Run& before, Run& after, Vec2& point) const;
-  void keep(std::vector<Run> runs);
+  Status keep(std::vector<Run>& runs);
   bool is_sliver(const std::vector<Vec2>& loop) const;
   Vec2 point_of(std::uint32_t contour, double parameter) const;
   Cubic piece_of(const Run& run, double parameter, double& base) const;
@@ -67,19 +62,35 @@ class Boundary {
   Contours contours_;
   bool even_odd_;
   double tolerance_;
+  TableMemory memory_{kWhat};
+  TableMemory& loop_memory_;
   std::vector<Chord> chords_;
-  std::size_t charged_ = 0;  ///< chords, twice: their edges become loops
-  ScopedCharge charge_;
+  std::vector<std::pair<LatticePoint, std::size_t>> begins_;  ///< of edges, sorted
+  /// Per entry of begins_ that is the first of its point: how many of these are taken for sure.
+  std::vector<std::size_t> gone_;
+  std::vector<std::uint8_t> is_taken_;  ///< per edge
   Contours loops_;
 };
 
+Status Boundary::copy_closed(const Contours& contours) {
+  Status status = memory_.reserve(context_, contours_, contours.size());
+  for (std::size_t c = 0; status && c < contours.size(); ++c) {
+    std::vector<Vec2>& chain = contours_.emplace_back();
+    status = memory_.reserve(context_, chain, contours[c].size() + 3);
+    if (status) status = memory_.append(context_, contours[c], chain);
+    if (status) close(chain, tolerance_);
+  }
+  return status;
+}
+
 Status Boundary::flatten() {
   for (std::size_t c = 0; c < contours_.size(); ++c) {
-    close(contours_[c], tolerance_);
     for (std::size_t i = 0; 3 * i + 3 < contours_[c].size(); ++i) {
       const Cubic cubic = curves::piece(contours_[c], i);
       const int count = chord_count(cubic, tolerance_);
       const auto base = static_cast<double>(i);
+      Status status = memory_.make_room(context_, chords_, static_cast<std::size_t>(count));
+      if (!status) return status;
       Vec2 from = cubic[0];
       for (int k = 0; k < count; ++k) {
         const double t0 = double{1} * k / count, t1 = double{1} * (k + 1) / count;
@@ -91,18 +102,9 @@ Status Boundary::flatten() {
         return make_error(StatusCode::limit, "a shape of the drawing is too long");
       }
       if (context_.cancelled()) return context_.cancel_status();
-      if (Status status = charge_chords(); !status) return status;
     }
   }
   return ok_status();
-}
-
-/// In steps that double.
-Status Boundary::charge_chords() {
-  if (chords_.size() <= charged_) return ok_status();
-  const std::size_t more = std::max(charged_, kFirstChords);
-  charged_ += more;
-  return charge_.add(context_, 2 * more * sizeof(Chord), "the boundary of a shape");
 }
 
 Vec2 Boundary::point_of(std::uint32_t contour, double parameter) const {
@@ -162,39 +164,51 @@ Vec2 Boundary::join(Run& before, Run& after) const {
 }
 
 /// A loop: its runs one after another.
-void Boundary::keep(std::vector<Run> runs) {
+Status Boundary::keep(std::vector<Run>& runs) {
   Run &first = runs.front(), &last = runs.back();
   if (runs.size() > 1 && last.contour == first.contour && last.end == first.begin &&
       (last.begin < last.end) == (first.begin < first.end)) {
     first.begin = last.begin;
     runs.pop_back();
   }
-  std::vector<Vec2> joints(runs.size());  // where each begins
+  TableMemory working(kWhat);
+  std::vector<Vec2> joints, points;  // where each begins; of one
+  Status status = working.resize(context_, joints, runs.size());
+  if (!status) return status;
   for (std::size_t i = 0; i < runs.size(); ++i) {
     joints[(i + 1) % runs.size()] = join(runs[i], runs[(i + 1) % runs.size()]);
   }
-  std::vector<Vec2> loop{joints[0]};
-  for (std::size_t i = 0; i < runs.size(); ++i) {
+  std::vector<Vec2> loop;
+  status = loop_memory_.push_back(context_, loop, joints[0]);
+  for (std::size_t i = 0; status && i < runs.size(); ++i) {
     const auto& [contour, begin, end] = runs[i];
-    std::vector<Vec2> points =
-        stretch(contours_[contour], std::min(begin, end), std::max(begin, end));
-    if (points.empty()) continue;
+    points.clear();
+    status = append_stretch(context_, contours_[contour], std::min(begin, end),
+                            std::max(begin, end), working, points);
+    if (!status || points.empty()) continue;
     if (end < begin) std::ranges::reverse(points);
-    loop.insert(loop.end(), points.begin() + 1, points.end());
+    status = loop_memory_.append(context_, std::span(points).subspan(1), loop);
     loop.back() = joints[(i + 1) % runs.size()];
   }
+  if (!status) return status;
   loop.back() = loop.front();
-  if (loop.size() >= 4 && !is_sliver(loop)) loops_.push_back(std::move(loop));
+  if (loop.size() >= 4 && !is_sliver(loop)) {
+    return loop_memory_.push_back(context_, loops_, std::move(loop));
+  }
+  loop_memory_.free(loop);
+  return ok_status();
 }
 
 /// A loop so thin that nobody sees it: what is left where contours nearly touch.
 bool Boundary::is_sliver(const std::vector<Vec2>& loop) const {
-  const std::vector<Vec2> polygon = flattened(loop, tolerance_);
+  const Vec2 origin = loop.front();
+  Vec2 before = origin;
   double area = 0, around = 0;
-  for (std::size_t i = 1; i < polygon.size(); ++i) {
-    area += cross(polygon[i - 1] - polygon[0], polygon[i] - polygon[0]) / 2;
-    around += length(polygon[i] - polygon[i - 1]);
-  }
+  for_each_chord_end(loop, tolerance_, [&](Vec2 end) {
+    area += cross(before - origin, end - origin) / 2;
+    around += length(end - before);
+    before = end;
+  });
   return std::abs(area) <= 2 * tolerance_ * around;
 }
 
@@ -204,69 +218,90 @@ bool goes_on_from(const Source& before, const Source& after) {
 }
 
 /// Of the contours that an edge lies on, that which the loop has followed so far.
-const Source& source_after(const BoundaryEdge& edge, const std::vector<Run>& runs) {
+const Source& source_after(std::span<const Source> sources, const std::vector<Run>& runs) {
   const auto goes_on = [&](const Source& source) {
     return !runs.empty() && goes_on_from(runs.back(), source);
   };
-  const auto found = std::ranges::find_if(edge.sources, goes_on);
-  return found == edge.sources.end() ? edge.sources.front() : *found;
+  const auto found = std::ranges::find_if(sources, goes_on);
+  return found == sources.end() ? sources.front() : *found;
 }
 
-void go_on(std::vector<Run>& runs, const Source& source) {
-  if (!runs.empty() && goes_on_from(runs.back(), source)) {
-    runs.back().end = source.end;
-  } else {
-    runs.push_back(source);
+Status Boundary::go_on(std::vector<Run>& runs, const Source& source) {
+  if (runs.empty() || !goes_on_from(runs.back(), source)) {
+    return memory_.push_back(context_, runs, source);
   }
+  runs.back().end = source.end;
+  return ok_status();
+}
+
+Status Boundary::order_begins(const BoundaryEdges& edges) {
+  const std::size_t count = edges.edge.size();
+  Status status = memory_.reserve(context_, begins_, count);
+  if (status) status = memory_.resize(context_, gone_, count);
+  if (status) status = memory_.resize(context_, is_taken_, count);
+  if (!status) return status;
+  RarePoll<256> poll(context_);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (poll.cancelled()) return context_.cancel_status();
+    begins_.emplace_back(edges.edge[i].from, i);
+  }
+  return TableMemory::sort(context_, begins_, std::less<>());
+}
+
+/// Of the edges that begin where edge `at` ends and are not taken: that which goes on along the
+/// contour, or the first; `at` where there is none.
+std::size_t Boundary::next_after(const BoundaryEdges& edges, std::size_t at,
+                                 const std::vector<Run>& runs) {
+  const auto point_of_entry = [](const auto& entry) { return entry.first; };
+  const auto entries = std::ranges::equal_range(begins_, edges.edge[at].to, {}, point_of_entry);
+  if (entries.empty()) return at;
+  std::size_t& gone = gone_[static_cast<std::size_t>(entries.begin() - begins_.begin())];
+  while (gone < entries.size() && is_taken_[entries[gone].second]) ++gone;
+  const auto left = std::span(entries).subspan(gone);
+  const auto is_free = [&](const auto& entry) { return !is_taken_[entry.second]; };
+  auto next = std::ranges::find_if(left, [&](const auto& entry) {
+    const auto sources = edges.sources_of(edges.edge[entry.second]);
+    return is_free(entry) && goes_on_from(runs.back(), source_after(sources, runs));
+  });
+  if (next == left.end()) next = std::ranges::find_if(left, is_free);
+  return next == left.end() ? at : next->second;
 }
 
 /// Edges one after another where one ends in the other's beginning: every end has its beginning.
 Status Boundary::link() {
-  Result<std::vector<BoundaryEdge>> found =
-      boundary_edges(context_, chords_, even_odd_, tolerance_ / 64, charge_);
+  Result<BoundaryEdges> found = boundary_edges(context_, chords_, even_odd_, tolerance_ / 64);
   if (!found) return found.status();
-  std::vector<BoundaryEdge>& edges = *found;
-  const auto place = [](const BoundaryEdge& edge) {
-    const Source& source = edge.sources.front();
+  const BoundaryEdges& edges = *found;
+  const auto place = [&](const BoundaryEdge& edge) {
+    const Source& source = edges.source[edge.first_source];
     return std::tuple(source.contour, std::min(source.begin, source.end), edge.from, edge.to);
   };
-  const Status sorted =
-      sort_large(context_, edges,
-                 [&](const BoundaryEdge& a, const BoundaryEdge& b) { return place(a) < place(b); });
-  if (!sorted) return sorted;
-  std::multimap<LatticePoint, std::size_t> begins;
+  Status status = TableMemory::sort(
+      context_, found->edge,
+      [&](const BoundaryEdge& a, const BoundaryEdge& b) { return place(a) < place(b); });
+  if (status) status = order_begins(edges);
+  if (!status) return status;
   RarePoll<256> poll(context_);
-  for (std::size_t i = 0; i < edges.size(); ++i) {
-    if (poll.cancelled()) return context_.cancel_status();
-    begins.emplace(edges[i].from, i);
-  }
-  std::vector<bool> is_taken(edges.size(), false);
-  for (std::size_t i = 0; i < edges.size(); ++i) {
-    if (is_taken[i]) continue;
-    std::vector<Run> runs;
-    for (std::size_t at = i; !is_taken[at];) {
+  std::vector<Run> runs;
+  for (std::size_t i = 0; i < edges.edge.size(); ++i) {
+    if (is_taken_[i]) continue;
+    runs.clear();
+    for (std::size_t at = i; !is_taken_[at];) {
       if (poll.cancelled()) return context_.cancel_status();
-      is_taken[at] = true;
-      go_on(runs, source_after(edges[at], runs));
-      if (edges[at].to == edges[i].from) break;
-      auto [low, high] = begins.equal_range(edges[at].to);
-      while (low != high && is_taken[low->second]) low = begins.erase(low);
-      auto next = std::find_if(low, high, [&](const auto& entry) {
-        return !is_taken[entry.second] &&
-               goes_on_from(runs.back(), source_after(edges[entry.second], runs));
-      });
-      if (next == high) {
-        next = std::find_if(low, high, [&](const auto& entry) { return !is_taken[entry.second]; });
-      }
-      if (next != high) at = next->second;
+      is_taken_[at] = 1;
+      status = go_on(runs, source_after(edges.sources_of(edges.edge[at]), runs));
+      if (!status) return status;
+      if (edges.edge[at].to == edges.edge[i].from) break;
+      at = next_after(edges, at, runs);
     }
-    keep(std::move(runs));
+    if (status = keep(runs); !status) return status;
   }
   return ok_status();
 }
 
-Result<Contours> Boundary::find() {
-  Status status = flatten();
+Result<Contours> Boundary::find(const Contours& contours) {
+  Status status = copy_closed(contours);
+  if (status) status = flatten();
   if (status) status = link();
   if (!status) return status;
   return std::move(loops_);
@@ -274,21 +309,10 @@ Result<Contours> Boundary::find() {
 
 }  // namespace
 
-Result<Contours> fill_boundary(Context& context, Contours contours, bool even_odd,
-                               double tolerance) {
-  return Boundary(context, std::move(contours), even_odd, tolerance).find();
-}
-
-std::vector<Vec2> flattened(const std::vector<Vec2>& chain, double tolerance) {
-  std::vector<Vec2> polygon{chain.front()};
-  for (std::size_t i = 0; 3 * i + 3 < chain.size(); ++i) {
-    const Cubic cubic = curves::piece(chain, i);
-    const int count = chord_count(cubic, tolerance);
-    for (int k = 1; k <= count; ++k) {
-      polygon.push_back(curves::point_at(cubic, double{1} * k / count));
-    }
-  }
-  return polygon;
+Result<Contours> fill_boundary(Context& context, const Contours& contours, bool even_odd,
+                               double tolerance, TableMemory* memory) {
+  TableMemory own(kWhat);
+  return Boundary(context, even_odd, tolerance, memory ? *memory : own).find(contours);
 }
 
 }  // namespace sfumato::svg_import

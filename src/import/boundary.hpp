@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "base/table_memory.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/status.hpp"
 #include "sfumato/base/vec2.hpp"
@@ -18,11 +19,9 @@ using Contours = std::vector<std::vector<Vec2>>;
 /// that reach out from them.
 ///
 /// tolerance   how exactly crossings are looked for, in the contours' units
+/// memory      of the boundary, for as long as it lives; null: it is given back
 /// Errors      limit, cancelled.
-Result<Contours> fill_boundary(Context& context, Contours contours, bool even_odd,
-                               double tolerance);
-
-/// The chain as a polygon, within the tolerance.
-std::vector<Vec2> flattened(const std::vector<Vec2>& chain, double tolerance);
+Result<Contours> fill_boundary(Context& context, const Contours& contours, bool even_odd,
+                               double tolerance, TableMemory* memory = nullptr);
 
 }  // namespace sfumato::svg_import

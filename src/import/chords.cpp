@@ -1,10 +1,14 @@
 #include "import/chords.hpp"
 
 #include <algorithm>
-
-#include "curves/bezier.hpp"
+#include <cmath>
 
 namespace sfumato::svg_import {
+namespace {
+
+constexpr int kMostChords = 64;  ///< of one Bézier piece
+
+}  // namespace
 
 int winding_number(const std::vector<Chord>& chords, Vec2 point) {
   int number = 0;
@@ -18,19 +22,26 @@ int winding_number(const std::vector<Chord>& chords, Vec2 point) {
   return number;
 }
 
-std::vector<Vec2> stretch(const std::vector<Vec2>& chain, double begin, double end) {
-  std::vector<Vec2> points;
+Status append_stretch(Context& context, const std::vector<Vec2>& chain, double begin, double end,
+                      TableMemory& memory, std::vector<Vec2>& points) {
   const std::size_t count = (chain.size() - 1) / 3;
   for (double low = begin; low < end;) {
     const auto i = std::min(static_cast<std::size_t>(low), count - 1);
     const auto base = static_cast<double>(i);
     const double high = std::min(end, base + 1);
     const curves::Cubic part = curves::subcurve(curves::piece(chain, i), low - base, high - base);
+    if (Status status = memory.make_room(context, points, part.size()); !status) return status;
     if (points.empty()) points.push_back(part[0]);
     points.insert(points.end(), part.begin() + 1, part.end());
     low = high;
   }
-  return points;
+  return ok_status();
+}
+
+int chord_count(const curves::Cubic& cubic, double tolerance) {
+  const curves::ChordDeviation deviation = curves::chord_deviation(cubic);
+  const double wanted = std::sqrt(std::max(deviation.across, deviation.along / 8) / tolerance);
+  return static_cast<int>(std::clamp(std::ceil(wanted), 1.0, double{kMostChords}));
 }
 
 }  // namespace sfumato::svg_import

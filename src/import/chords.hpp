@@ -1,8 +1,13 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
+#include "base/table_memory.hpp"
+#include "curves/bezier.hpp"
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/status.hpp"
 #include "sfumato/base/vec2.hpp"
 
 namespace sfumato::svg_import {
@@ -19,7 +24,22 @@ struct Chord {
 /// How often the contours go round a point, clockwise as seen on the screen; O(chords).
 int winding_number(const std::vector<Chord>& chords, Vec2 point);
 
-/// The stretch of a chain of cubics (3 n + 1 points) between two parameters, begin < end.
-std::vector<Vec2> stretch(const std::vector<Vec2>& chain, double begin, double end);
+/// Appends the stretch of a chain of cubics (3 n + 1 points) between two parameters, begin < end,
+/// to no points. Errors: limit (memory), cancelled.
+Status append_stretch(Context& context, const std::vector<Vec2>& chain, double begin, double end,
+                      TableMemory& memory, std::vector<Vec2>& points);
+
+/// Chords that keep to the tolerance, 1 to 64.
+int chord_count(const curves::Cubic& cubic, double tolerance);
+
+/// Calls visit(end) for the chords of a chain of cubics that keep to the tolerance.
+template <class Visit>
+void for_each_chord_end(const std::vector<Vec2>& chain, double tolerance, Visit visit) {
+  for (std::size_t i = 0; 3 * i + 3 < chain.size(); ++i) {
+    const curves::Cubic cubic = curves::piece(chain, i);
+    const int count = chord_count(cubic, tolerance);
+    for (int k = 1; k <= count; ++k) visit(curves::point_at(cubic, double{1} * k / count));
+  }
+}
 
 }  // namespace sfumato::svg_import

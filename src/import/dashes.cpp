@@ -38,13 +38,17 @@ std::vector<Vec2> dot_at(const std::vector<Vec2>& chain, double parameter,
 }
 
 void dash_one(PointMeter& meter, const std::vector<Vec2>& chain, const std::vector<double>& lengths,
-              const svg::StrokeStyle& style, Contours& dashes) {
+              const svg::StrokeStyle& style, TableMemory& memory, Contours& dashes) {
   const double total = lengths.back();
   const double period = std::accumulate(style.dashes.begin(), style.dashes.end(), 0.0);
   double at = -std::fmod(style.dash_offset, period);
   if (at > 0) at -= period;
   if (!(total > 0)) {
-    if (begins_with_dash(style, at) && meter.take(chain.size())) dashes.push_back(chain);
+    std::vector<Vec2> points;
+    if (begins_with_dash(style, at) && meter.take(chain.size()) &&
+        meter.keep(memory.append(meter.context(), chain, points))) {
+      meter.keep(memory.push_back(meter.context(), dashes, std::move(points)));
+    }
     return;
   }
   // A dot on the end of a closed subpath is that on its beginning.
@@ -63,18 +67,29 @@ void dash_one(PointMeter& meter, const std::vector<Vec2>& chain, const std::vect
     const auto parameter = [&](double distance) {
       return curves::parameter_at_fraction(chain, lengths, distance / total);
     };
-    std::vector<Vec2> points = is_dot ? dot_at(chain, parameter(begin), style)
-                                      : stretch(chain, parameter(begin), parameter(end));
+    std::vector<Vec2> points;
+    Status status;
+    if (is_dot) {
+      status = memory.append(meter.context(), dot_at(chain, parameter(begin), style), points);
+    } else {
+      status =
+          append_stretch(meter.context(), chain, parameter(begin), parameter(end), memory, points);
+    }
+    if (!meter.keep(std::move(status))) return;
     // Two searches along the curve, each of a millisecond where it turns back in cusps.
     if (!meter.look() || !meter.take(points.size())) return;
-    if (points.size() >= 4) dashes.push_back(std::move(points));
+    if (points.size() < 4) {
+      memory.free(points);
+    } else {
+      meter.keep(memory.push_back(meter.context(), dashes, std::move(points)));
+    }
   }
 }
 
 }  // namespace
 
-Result<Contours> dashed(PointMeter& meter, const Contours& subpaths,
-                        const svg::StrokeStyle& style) {
+Result<Contours> dashed(PointMeter& meter, const Contours& subpaths, const svg::StrokeStyle& style,
+                        TableMemory& memory) {
   Contours dashes;
   const double period = std::accumulate(style.dashes.begin(), style.dashes.end(), 0.0);
   for (const std::vector<Vec2>& chain : subpaths) {
@@ -82,7 +97,7 @@ Result<Contours> dashed(PointMeter& meter, const Contours& subpaths,
         curves::cumulative_length(chain, [&] { return meter.take(1); });
     // A dash costs a search along the curve: what would be far too many is refused at once.
     if (!meter.failed() && lengths.back() / period > kDashes) meter.fail(too_many());
-    dash_one(meter, chain, lengths, style, dashes);
+    dash_one(meter, chain, lengths, style, memory, dashes);
     if (meter.failed()) return meter.status();
   }
   return dashes;

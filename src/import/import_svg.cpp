@@ -6,8 +6,8 @@
 #include <optional>
 #include <utility>
 
-#include "base/charge.hpp"
 #include "base/public_verb.hpp"
+#include "base/table_memory.hpp"
 #include "codecs/gunzip.hpp"
 #include "formats/svg/plain_svg.hpp"
 #include "import/boundary.hpp"
@@ -50,12 +50,11 @@ class Importer {
   };
 
   Status paint(const LayerInstance& instance, const Source& source);
-  Result<Contours> boundary_of(const Source& source) const;
+  Result<Contours> boundary_of(const Source& source, TableMemory& memory) const;
   Region region_of(const svg::PlainShape& shape, const svg::PlainPaint& paint);
   std::optional<SideShader<float>> gradient_opacity(std::uint32_t shader);
   Status paint_region(const LayerInstance& instance, const Region& region);
   void end_layer();
-  Status charge(const Contours& contours);
   void forget_empty_groups();
 
   Context& context_;
@@ -65,25 +64,34 @@ class Importer {
   std::vector<StackItem> stack_;
   std::optional<PaintedLayer> open_;  ///< of the stack's last item
   std::map<std::uint32_t, std::uint32_t> opacity_shader_;
-  ScopedCharge charge_;
+  TableMemory memory_{"the curves"};  ///< of the layers and the stack
 };
 
-Result<Contours> Importer::boundary_of(const Source& source) const {
-  const svg::PlainShape& shape = *source.shape;
-  Contours contours = shape.subpaths;
-  ScopedCharge outline_charge;
-  if (source.is_stroke) {
-    const double scale = std::sqrt(std::abs(shape.artboard_from_user.determinant()));
-    Result<Contours> outline = svg_import::stroke_outline(context_, contours, shape.style,
-                                                          tolerance_ / scale, &outline_charge);
-    if (!outline) return outline;
-    contours = std::move(*outline);
+Result<Contours> copy_of(Context& context, const Contours& from, TableMemory& memory) {
+  Contours to;
+  Status status = memory.reserve(context, to, from.size());
+  for (std::size_t i = 0; status && i < from.size(); ++i) {
+    status = memory.append(context, from[i], to.emplace_back());
   }
+  if (!status) return status;
+  return to;
+}
+
+Result<Contours> Importer::boundary_of(const Source& source, TableMemory& memory) const {
+  const svg::PlainShape& shape = *source.shape;
+  TableMemory working("the curves");
+  const double scale = std::sqrt(std::abs(shape.artboard_from_user.determinant()));
+  Result<Contours> made = source.is_stroke
+                              ? svg_import::stroke_outline(context_, shape.subpaths, shape.style,
+                                                           tolerance_ / scale, &working)
+                              : copy_of(context_, shape.subpaths, working);
+  if (!made) return made;
+  Contours& contours = *made;
   for (std::vector<Vec2>& contour : contours) {
     for (Vec2& point : contour) point = shape.artboard_from_user(point);
   }
-  return svg_import::fill_boundary(context_, std::move(contours),
-                                   !source.is_stroke && shape.even_odd, tolerance_);
+  return svg_import::fill_boundary(context_, contours, !source.is_stroke && shape.even_odd,
+                                   tolerance_, &memory);
 }
 
 /// A paint of the alphas of a gradient's stops; none where all are 1.
@@ -122,7 +130,7 @@ Region Importer::region_of(const svg::PlainShape& shape, const svg::PlainPaint& 
 }
 
 void Importer::end_layer() {
-  if (open_) layers_.back().curves = open_->take_curves();
+  if (open_) layers_.back().curves = open_->take_curves(memory_);
   open_.reset();
 }
 
@@ -136,29 +144,23 @@ Status Importer::paint_region(const LayerInstance& instance, const Region& regio
   end_layer();
   LayerInstance placed = instance;
   placed.layer = static_cast<std::uint32_t>(layers_.size());
-  layers_.emplace_back();
-  stack_.emplace_back(placed);
   PaintedLayer layer(tolerance_);
-  layer.add(region);
+  Status status = memory_.push_back(context_, layers_, {});
+  if (status) status = memory_.push_back(context_, stack_, placed);
+  if (status) status = layer.add(context_, region);
+  if (!status) return status;
   if (is_plain) {
     open_.emplace(std::move(layer));
   } else {
-    layers_.back().curves = layer.take_curves();
+    layers_.back().curves = layer.take_curves(memory_);
   }
   return ok_status();
 }
 
-Status Importer::charge(const Contours& contours) {
-  std::size_t points = 0;
-  for (const auto& contour : contours) points += contour.size();
-  return charge_.add(context_, 4 * (points * sizeof(Vec2) + contours.size() * sizeof(Curve)),
-                     "the curves");
-}
-
 Status Importer::paint(const LayerInstance& instance, const Source& source) {
-  const Result<Contours> boundary = boundary_of(source);
+  TableMemory memory("the curves");
+  Result<Contours> boundary = boundary_of(source, memory);
   if (!boundary) return boundary.status();
-  if (Status status = charge(*boundary); !status) return status;
   if (boundary->empty()) return ok_status();
   const svg::PlainShape& shape = *source.shape;
   Region region = region_of(shape, source.is_stroke ? *shape.stroke : *shape.fill);
@@ -192,12 +194,16 @@ Status Importer::run() {
       continue;
     }
     end_layer();
-    stack_.push_back(item);
+    if (Status status = memory_.push_back(context_, stack_, item); !status) return status;
     forget_empty_groups();
     if (!instance) continue;
     const auto [entry, is_new] =
         kept.emplace(instance->layer, static_cast<std::uint32_t>(layers_.size()));
-    if (is_new) layers_.push_back(std::move(document.layers[instance->layer]));
+    if (is_new) {
+      Status status =
+          memory_.push_back(context_, layers_, std::move(document.layers[instance->layer]));
+      if (!status) return status;
+    }
     std::get<LayerInstance>(stack_.back()).layer = entry->second;
   }
   end_layer();

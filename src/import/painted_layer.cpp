@@ -42,24 +42,32 @@ bool are_near(const Chord& a, const Chord& b, double distance) {
 
 }  // namespace
 
-PaintedLayer::Shape PaintedLayer::shape_of(const Region& region) const {
+Result<PaintedLayer::Shape> PaintedLayer::shape_of(Context& context, const Region& region) const {
   Shape shape{{}, {}, region.color, region.is_opaque};
   for (std::uint32_t c = 0; c < region.boundary.size(); ++c) {
-    const std::vector<Vec2> polygon = flattened(region.boundary[c], tolerance_);
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-      shape.box.extend(polygon[i]);
-      if (i > 0) shape.chords.push_back({polygon[i - 1], polygon[i], 0, 0, c});
-    }
+    Vec2 from = region.boundary[c].front();
+    shape.box.extend(from);
+    Status status;
+    for_each_chord_end(region.boundary[c], tolerance_, [&](Vec2 to) {
+      if (!status) return;
+      shape.box.extend(to);
+      status = shape.memory.push_back(context, shape.chords, {from, to, 0, 0, c});
+      from = to;
+    });
+    if (!status) return status;
   }
   return shape;
 }
 
 /// Whether no boundaries meet.
-Result<bool> PaintedLayer::keeps_apart(const Context& context, const Shape& a, const Shape& b) {
+Result<bool> PaintedLayer::keeps_apart(Context& context, const Shape& a, const Shape& b) {
   const double distance = 4 * tolerance_;
   const Box box = a.box.grown_by(distance);
   if (!overlap(box, b.box)) return true;
+  TableMemory working("the shapes");
   std::vector<const Chord*> near;
+  Status status = working.reserve(context, near, b.chords.size());
+  if (!status) return status;
   for (const Chord& chord : b.chords) {
     if (overlap(box, box_of(chord))) near.push_back(&chord);
   }
@@ -91,8 +99,10 @@ void PaintedLayer::note_shader(const SideShader<Rgb>& side) {
   if (std::ranges::find(shaders_, side.shader) == shaders_.end()) shaders_.push_back(side.shader);
 }
 
-Result<bool> PaintedLayer::try_add(const Context& context, const Region& region) {
-  Shape shape = shape_of(region);
+Result<bool> PaintedLayer::try_add(Context& context, const Region& region) {
+  Result<Shape> made = shape_of(context, region);
+  if (!made) return made.status();
+  Shape& shape = *made;
   if (shapes_.empty() || shape.chords.empty() || shaders_.size() >= kShaders) return false;
   const Shape* ground = under(shape);
   if (ground && !(ground->is_opaque && region.is_opaque)) return false;
@@ -118,19 +128,23 @@ Result<bool> PaintedLayer::try_add(const Context& context, const Region& region)
       if (begins_loop && is_within(shape, chord.from)) return false;
     }
   }
-  append(region, std::move(shape), ground);
+  Status status = append(context, region, std::move(shape), ground);
+  if (!status) return status;
   return true;
 }
 
-void PaintedLayer::add(const Region& region) {
-  append(region, shape_of(region), nullptr);
+Status PaintedLayer::add(Context& context, const Region& region) {
+  Result<Shape> made = shape_of(context, region);
+  return made ? append(context, region, std::move(*made), nullptr) : made.status();
 }
 
-void PaintedLayer::append(const Region& region, Shape shape, const Shape* under) {
-  for (std::size_t i = 0; i < region.boundary.size(); ++i) {
+Status PaintedLayer::append(Context& context, const Region& region, Shape shape,
+                            const Shape* under) {
+  Status status = memory_.make_room(context, curves_, region.boundary.size());
+  for (std::size_t i = 0; status && i < region.boundary.size(); ++i) {
     Curve& curve = curves_.emplace_back();
     curve.id = region.id.empty() || i == 0 ? region.id : region.id + '-' + std::to_string(i + 1);
-    curve.control_points = region.boundary[i];
+    status = memory_.append(context, region.boundary[i], curve.control_points);
     curve.right.color = region.color;
     curve.left.color = under ? under->color : region.color;
     if (under) continue;
@@ -138,7 +152,7 @@ void PaintedLayer::append(const Region& region, Shape shape, const Shape* under)
     curve.left.opacity = {ShaderKind::curve_domain, {StopSpace::parameter, {{0, 0.0F}}}, 0};
   }
   note_shader(region.color);
-  shapes_.push_back(std::move(shape));
+  return status ? shape_memory_.push_back(context, shapes_, std::move(shape)) : status;
 }
 
 }  // namespace sfumato::svg_import

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/table_memory.hpp"
 #include "import/boundary.hpp"
 #include "import/chords.hpp"
 #include "sfumato/base/box.hpp"
@@ -30,12 +31,15 @@ class PaintedLayer {
 
   /// Paints the region where one layer can show it as it is: it lies wholly on one opaque region of
   /// the layer, in sight, or beside all of them; and covers none. False: nothing is changed.
-  /// Errors: cancelled; nothing is changed then.
-  Result<bool> try_add(const Context& context, const Region& region);
-  /// The first one.
-  void add(const Region& region);
+  /// Errors: limit (memory), cancelled.
+  Result<bool> try_add(Context& context, const Region& region);
+  /// The first one. Errors: as above.
+  Status add(Context& context, const Region& region);
 
-  std::vector<Curve> take_curves() { return std::move(curves_); }
+  std::vector<Curve> take_curves(TableMemory& memory) {
+    memory.take(std::move(memory_));
+    return std::move(curves_);
+  }
   std::size_t shader_count() const { return shaders_.size(); }
 
  private:
@@ -44,16 +48,18 @@ class PaintedLayer {
     Box box;
     SideShader<Rgb> color;
     bool is_opaque = true;
+    TableMemory memory{"the shapes"};
   };
 
-  Shape shape_of(const Region& region) const;
-  Result<bool> keeps_apart(const Context& context, const Shape& a, const Shape& b);
+  Result<Shape> shape_of(Context& context, const Region& region) const;
+  Result<bool> keeps_apart(Context& context, const Shape& a, const Shape& b);
   const Shape* under(const Shape& shape) const;
-  void append(const Region& region, Shape shape, const Shape* under);
+  Status append(Context& context, const Region& region, Shape shape, const Shape* under);
   bool is_within(const Shape& shape, Vec2 point) const;
   void note_shader(const SideShader<Rgb>& side);
 
   double tolerance_;
+  TableMemory shape_memory_{"the shapes"}, memory_{"the curves"};
   std::vector<Shape> shapes_;
   std::vector<Curve> curves_;
   std::vector<std::uint32_t> shaders_;

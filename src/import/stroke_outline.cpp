@@ -5,9 +5,10 @@
 #include <cmath>
 #include <limits>
 #include <set>
+#include <span>
 #include <utility>
 
-#include "base/charge.hpp"
+#include "base/table_memory.hpp"
 #include "curves/bezier.hpp"
 
 namespace sfumato::svg_import {
@@ -17,6 +18,7 @@ using curves::Cubic;
 
 constexpr int kDeepest = 24;  ///< halvings of one piece: so many only at a cusp, or nearly
 constexpr int kBisections = 40;
+constexpr const char* kWhat = "the outline of a stroke";
 /// Of the tolerance: what is shorter is no piece. That is 1/256 of a pixel of 1024, below which
 /// cairo sees nothing either, and Skia nothing below 1/4096.
 constexpr double kShortest = 1.0 / 16;
@@ -36,9 +38,9 @@ bool is_near(const Cubic& c, Vec2 point, double distance) {
 }
 
 /// The pieces of a subpath, without pieces and handles that nobody sees: their directions are of
-/// rounding's making, and would make joins and caps. What is left follows one another.
-std::vector<Cubic> pieces_of(const std::vector<Vec2>& subpath, double shortest) {
-  std::vector<Cubic> pieces;
+/// rounding's making, and would make joins and caps. What is left follows one another. There is
+/// room for all.
+void add_pieces(const std::vector<Vec2>& subpath, double shortest, std::vector<Cubic>& pieces) {
   Vec2 end = subpath.front();
   for (std::size_t i = 0; 3 * i + 3 < subpath.size(); ++i) {
     Cubic cubic = curves::piece(subpath, i);
@@ -52,7 +54,6 @@ std::vector<Cubic> pieces_of(const std::vector<Vec2>& subpath, double shortest) 
   if (!pieces.empty() && length(subpath.back() - end) <= shortest) {
     pieces.back()[3] = subpath.back();
   }
-  return pieces;
 }
 
 bool is_straight(Vec2 before, Vec2 after) {
@@ -73,14 +74,18 @@ bool is_outer(Vec2 before, Vec2 after) {
 /// the normals of the way sweep is taken away from the rest.
 class Side {
  public:
-  /// folds   where the contours of folds are added
-  Side(const svg::StrokeStyle& style, double tolerance, PointMeter& meter, Contours& folds)
+  /// folds    where the contours of folds are added
+  /// memory   of these, and of the points
+  Side(const svg::StrokeStyle& style, double tolerance, PointMeter& meter, Contours& folds,
+       TableMemory& memory)
       : radius_(style.width / 2),
         style_(style),
         tolerance_(tolerance),
         meter_(meter),
-        folds_(folds) {}
+        folds_(folds),
+        memory_(memory) {}
 
+  /// Comes first. Where the meter has failed then there may be no points.
   void walk(const std::vector<Cubic>& pieces, bool is_closed);
   /// From the left side of the end of `piece` round to its right side.
   void cap(const Cubic& piece);
@@ -88,6 +93,10 @@ class Side {
 
  private:
   Vec2 normal(Vec2 tangent) const { return radius_ * left_of(tangent); }
+  bool make_room(std::vector<Vec2>& points, std::size_t more) {
+    return meter_.keep(memory_.make_room(meter_.context(), points, more));
+  }
+  void add_center(Vec2 center);
   void line_to(Vec2 point);
   void quarter_to(Vec2 control1, Vec2 control2, Vec2 point);
   Vec2 offset_point(const Cubic& piece, double t) const {
@@ -116,6 +125,8 @@ class Side {
   double tolerance_;
   PointMeter& meter_;
   Contours& folds_;
+  TableMemory& memory_;
+  TableMemory center_memory_{kWhat};
   std::vector<Vec2> points_;
   std::vector<Vec2> centers_;   ///< of the parts of a fold that has begun
   std::size_t fold_begin_ = 0;  ///< where it begins in points_
@@ -123,12 +134,12 @@ class Side {
 
 void Side::line_to(Vec2 point) {
   const Vec2 from = points_.back();
-  if (from == point || !meter_.take(3)) return;
+  if (from == point || !meter_.take(3) || !make_room(points_, 3)) return;
   points_.insert(points_.end(), {lerp(from, point, 1.0 / 3), lerp(from, point, 2.0 / 3), point});
 }
 
 void Side::quarter_to(Vec2 control1, Vec2 control2, Vec2 point) {
-  if (!meter_.take(3)) return;
+  if (!meter_.take(3) || !make_room(points_, 3)) return;
   points_.insert(points_.end(), {control1, control2, point});
 }
 
@@ -233,20 +244,27 @@ void Side::fold(const Cubic& piece, double t0, double t1, int depth) {
     fold(piece, t0, middle, depth + 1);
     fold(piece, middle, t1, depth + 1);
   } else if (meter_.take(3)) {
-    centers_.push_back(center);
+    add_center(center);
   }
+}
+
+void Side::add_center(Vec2 center) {
+  meter_.keep(center_memory_.push_back(meter_.context(), centers_, center));
 }
 
 void Side::end_fold() {
   if (centers_.empty()) return;
   const auto begin = static_cast<std::ptrdiff_t>(fold_begin_);
-  std::vector<Vec2> contour(points_.begin() + begin, points_.end());
+  std::vector<Vec2> contour;
+  if (!make_room(contour, points_.size() - fold_begin_)) return;
+  contour.assign(points_.begin() + begin, points_.end());
   std::ranges::reverse(contour);
   points_.resize(fold_begin_ + 1);
   for (const Vec2 center : centers_) line_to(center);
   line_to(contour.front());
+  if (!make_room(contour, points_.size() - fold_begin_ - 1)) return;
   contour.insert(contour.end(), points_.begin() + begin + 1, points_.end());
-  folds_.push_back(std::move(contour));
+  meter_.keep(memory_.push_back(meter_.context(), folds_, std::move(contour)));
   centers_.clear();
 }
 
@@ -263,7 +281,7 @@ void Side::sweep(const Cubic& piece, double t0, double t1) {
     return line_to(to);
   }
   begin_fold();
-  centers_.push_back(center);
+  add_center(center);
   line_to(from);
   const auto begin = static_cast<std::ptrdiff_t>(points_.size()) - 1;
   points_.back() = to;
@@ -317,7 +335,8 @@ void Side::join(Vec2 corner, Vec2 before, Vec2 after) {
 }
 
 void Side::walk(const std::vector<Cubic>& pieces, bool is_closed) {
-  points_ = {pieces.front()[0] + normal(tangent_at(pieces.front(), 0))};
+  if (!make_room(points_, 1)) return;
+  points_.push_back(pieces.front()[0] + normal(tangent_at(pieces.front(), 0)));
   for (std::size_t i = 0; i < pieces.size() && !meter_.failed(); ++i) {
     if (i > 0) join(pieces[i][0], tangent_at(pieces[i - 1], 1), tangent_at(pieces[i], 0));
     offset(pieces[i], 0, 1, 0);
@@ -338,16 +357,30 @@ void Side::cap(const Cubic& piece) {
   line_to(end - side);
 }
 
-std::vector<Cubic> reversed(const std::vector<Cubic>& pieces) {
-  std::vector<Cubic> result(pieces.rbegin(), pieces.rend());
-  for (Cubic& cubic : result) std::ranges::reverse(cubic);
-  return result;
+/// There is room for them.
+void turn_round(std::vector<Cubic>& pieces) {
+  std::ranges::reverse(pieces);
+  for (Cubic& cubic : pieces) std::ranges::reverse(cubic);
+}
+
+/// `rest`, the other side, begins where the cap of `contour` ends.
+Status append_side(Context& context, std::vector<Vec2>& contour, std::vector<Vec2>& rest,
+                   TableMemory& memory) {
+  contour.back() = rest.front();
+  Status status = memory.append(context, std::span(rest).subspan(1), contour);
+  memory.free(rest);
+  contour.back() = contour.front();
+  return status;
 }
 
 void outline(PointMeter& meter, const std::vector<Vec2>& subpath, const svg::StrokeStyle& style,
-             double tolerance, Contours& contours) {
+             double tolerance, Contours& contours, TableMemory& memory) {
   if (!meter.take(2 * subpath.size())) return;  // the pieces, there and back
-  std::vector<Cubic> pieces = pieces_of(subpath, kShortest * tolerance);
+  TableMemory working(kWhat);
+  std::vector<Cubic> pieces;
+  const std::size_t most = std::max<std::size_t>(subpath.size() / 3, 1);
+  if (!meter.keep(working.reserve(meter.context(), pieces, most))) return;
+  add_pieces(subpath, kShortest * tolerance, pieces);
   if (pieces.empty()) {  // a dot, where caps make one
     if (style.cap == svg::StrokeCap::butt) return;
     const Vec2 along = subpath.back() - subpath.front();
@@ -356,26 +389,22 @@ void outline(PointMeter& meter, const std::vector<Vec2>& subpath, const svg::Str
     pieces.push_back(curves::piece(dot(subpath.front(), direction, style), 0));
   }
   const bool is_closed = pieces.front()[0] == pieces.back()[3];
-  const std::vector<Cubic> back = reversed(pieces);
-  Side side(style, tolerance, meter, contours);
+  Side side(style, tolerance, meter, contours, memory);
   side.walk(pieces, is_closed);
-  if (is_closed) {
-    contours.push_back(side.take());
-    Side other(style, tolerance, meter, contours);
-    other.walk(back, true);
-    contours.push_back(other.take());
-    return;
+  if (meter.failed()) return;
+  if (!is_closed) side.cap(pieces.back());
+  if (is_closed && !meter.keep(memory.push_back(meter.context(), contours, side.take()))) return;
+  turn_round(pieces);
+  Side other(style, tolerance, meter, contours, memory);
+  other.walk(pieces, is_closed);
+  if (meter.failed()) return;
+  if (!is_closed) other.cap(pieces.back());
+  std::vector<Vec2> contour = is_closed ? other.take() : side.take();
+  if (!is_closed) {
+    std::vector<Vec2> rest = other.take();
+    meter.keep(append_side(meter.context(), contour, rest, memory));
   }
-  side.cap(pieces.back());
-  Side other(style, tolerance, meter, contours);
-  other.walk(back, false);
-  other.cap(back.back());
-  std::vector<Vec2> contour = side.take(), rest = other.take();
-  // The cap ends where the other side begins.
-  contour.back() = rest.front();
-  contour.insert(contour.end(), rest.begin() + 1, rest.end());
-  contour.back() = contour.front();
-  contours.push_back(std::move(contour));
+  meter.keep(memory.push_back(meter.context(), contours, std::move(contour)));
 }
 
 /// The largest coordinate of a stroke, or nearly.
@@ -411,20 +440,24 @@ std::vector<Vec2> dot(Vec2 point, Vec2 direction, const svg::StrokeStyle& style)
 
 Result<Contours> stroke_outline(Context& context, const Contours& subpaths,
                                 const svg::StrokeStyle& style, double tolerance,
-                                ScopedCharge* charge) {
-  ScopedCharge own_charge;
-  PointMeter meter(context, charge ? *charge : own_charge);
-  Result<Contours> dashes = style.dashes.empty() ? subpaths : dashed(meter, subpaths, style);
-  if (!dashes) return dashes.status();
+                                TableMemory* memory) {
+  TableMemory own(kWhat), dash_memory(kWhat);
+  PointMeter meter(context);
+  Contours dashes;
+  if (!style.dashes.empty()) {
+    Result<Contours> made = dashed(meter, subpaths, style, dash_memory);
+    if (!made) return made;
+    dashes = std::move(*made);
+  }
   tolerance = std::max(tolerance, kRounding * reach(subpaths, style));
   Contours contours;
   std::set<std::pair<double, double>> dots;
-  for (const std::vector<Vec2>& subpath : *dashes) {
+  for (const std::vector<Vec2>& subpath : style.dashes.empty() ? subpaths : dashes) {
     if (context.cancelled()) return context.cancel_status();
     const Vec2 first = subpath.front();
     const bool is_dot = std::ranges::all_of(subpath, [&](Vec2 p) { return p == first; });
     if (is_dot && !dots.emplace(first.x, first.y).second) continue;  // there is one here
-    outline(meter, subpath, style, tolerance, contours);
+    outline(meter, subpath, style, tolerance, contours, memory ? *memory : own);
     if (meter.failed()) return meter.status();
   }
   std::erase_if(contours, [](const auto& contour) { return contour.size() < 4; });

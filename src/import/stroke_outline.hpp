@@ -1,6 +1,6 @@
 #pragma once
 
-#include "base/charge.hpp"
+#include "base/table_memory.hpp"
 #include "curves/bezier.hpp"
 #include "formats/svg/plain_svg.hpp"
 #include "import/boundary.hpp"
@@ -17,11 +17,11 @@ namespace sfumato::svg_import {
 /// began is closed.
 ///
 /// tolerance   in the subpaths' units; held above what rounding does to their coordinates
-/// charge      takes the memory of the contours, for as long as they live; null: it is given back
+/// memory      of the contours, for as long as they live; null: it is given back
 /// Errors      limit (memory, too many dashes or points), cancelled.
 Result<Contours> stroke_outline(Context& context, const Contours& subpaths,
                                 const svg::StrokeStyle& style, double tolerance,
-                                ScopedCharge* charge = nullptr);
+                                TableMemory* memory = nullptr);
 
 /// A subpath so short that its caps are all that is seen of it: a disk, or a square that stands
 /// along `direction`, a unit vector.
@@ -33,6 +33,7 @@ Vec2 tangent_at(const curves::Cubic& cubic, double t);
 
 /// The parts of the subpaths that dashes leave; a dash of no length is a dot.
 /// Errors: limit, cancelled.
-Result<Contours> dashed(PointMeter& meter, const Contours& subpaths, const svg::StrokeStyle& style);
+Result<Contours> dashed(PointMeter& meter, const Contours& subpaths, const svg::StrokeStyle& style,
+                        TableMemory& memory);
 
 }  // namespace sfumato::svg_import

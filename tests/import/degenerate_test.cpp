@@ -12,6 +12,7 @@
 #include "import/chords.hpp"
 #include "import/stroke_outline.hpp"
 #include "sfumato/base/box.hpp"
+#include "support/flattened.hpp"
 
 namespace sfumato {
 namespace {
@@ -29,7 +30,7 @@ void line_to(std::vector<Vec2>& chain, Vec2 to) {
 std::vector<Chord> chords_of(const Contours& contours, double tolerance) {
   std::vector<Chord> chords;
   for (std::uint32_t c = 0; c < contours.size(); ++c) {
-    const std::vector<Vec2> polygon = svg_import::flattened(contours[c], tolerance);
+    const std::vector<Vec2> polygon = test::flattened(contours[c], tolerance);
     for (std::size_t i = 1; i < polygon.size(); ++i) {
       chords.push_back({polygon[i - 1], polygon[i], 0, 0, c});
     }

@@ -11,6 +11,7 @@
 #include "import/boundary.hpp"
 #include "import/stroke_outline.hpp"
 #include "sfumato/formats/svg/svg_write.hpp"
+#include "support/flattened.hpp"
 
 namespace sfumato {
 namespace {
@@ -268,7 +269,7 @@ TEST(ImportSvg, limits_and_cancelling_hold) {
 double area(const svg_import::Contours& contours) {
   double sum = 0;
   for (const auto& contour : contours) {
-    const auto polygon = svg_import::flattened(contour, 1e-4);
+    const auto polygon = test::flattened(contour, 1e-4);
     for (std::size_t i = 1; i < polygon.size(); ++i) sum += cross(polygon[i - 1], polygon[i]) / 2;
   }
   return sum;

@@ -6,11 +6,12 @@
 #include <limits>
 #include <random>
 
-#include "base/charge.hpp"
+#include "base/table_memory.hpp"
 #include "curves/bezier.hpp"
 #include "import/chords.hpp"
 #include "import/stroke_outline.hpp"
 #include "sfumato/base/box.hpp"
+#include "support/flattened.hpp"
 #include "support/poll_recorder.hpp"
 
 namespace sfumato {
@@ -30,9 +31,9 @@ Contours curls(int count) {
 TEST(StrokeOutline, charges_its_points_for_as_long_as_they_live) {
   Context context;
   {
-    ScopedCharge charge;
+    TableMemory memory("a test");
     const auto outline =
-        svg_import::stroke_outline(context, curls(1000), {.width = 2}, kTolerance, &charge);
+        svg_import::stroke_outline(context, curls(1000), {.width = 2}, kTolerance, &memory);
     ASSERT_TRUE(outline);
     std::size_t points = 0;
     for (const auto& contour : *outline) points += contour.size();
@@ -75,7 +76,7 @@ std::vector<svg_import::Chord> chords_of(const Contours& contours) {
   std::vector<svg_import::Chord> chords;
   for (const auto& contour : contours) {
     EXPECT_EQ(contour.front(), contour.back());
-    const std::vector<Vec2> polygon = svg_import::flattened(contour, kTolerance / 8);
+    const std::vector<Vec2> polygon = test::flattened(contour, kTolerance / 8);
     for (std::size_t i = 1; i < polygon.size(); ++i) {
       chords.push_back({polygon[i - 1], polygon[i]});
     }
@@ -137,7 +138,7 @@ void expect_what_normals_sweep(const std::vector<Vec2>& path, const svg::StrokeS
       ASSERT_TRUE(is_inside(chords, p, along)) << name << " at " << t << ", " << away;
     }
   }
-  const std::vector<Vec2> axis = svg_import::flattened(path, kTolerance / 4);
+  const std::vector<Vec2> axis = test::flattened(path, kTolerance / 4);
   Box box;
   for (const Vec2 p : path) box.extend(p);
   box = box.grown_by(style.width);
