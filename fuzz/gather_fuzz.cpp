@@ -201,7 +201,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   mesh::MeshOptions options;
   options.frame = {{0, 0}, {kSide, kSide}};
   options.unit_size = kSide / 1024;
-  const Result<mesh::Mesher> mesher = mesh::Mesher::build(context, drawing.flat, options);
+  Result<mesh::Mesher> mesher = mesh::Mesher::build(context, drawing.flat, options);
   fuzz::require_ok(mesher.status(), "no mesh");
   drawing.mesh = *mesher->visibility_mesh({});
   const std::vector<float> values = gather_at(SimdLevel::sse2, drawing, points);

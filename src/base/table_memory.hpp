@@ -7,6 +7,7 @@
 #include <limits>
 #include <span>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -16,10 +17,16 @@
 
 namespace sfumato {
 
-/// Bytes that tables (vectors, strings) have allocated.
+/// Bytes that tables (vectors, strings) have allocated; a short string lies in the object itself.
 template <class... Table>
 std::size_t capacity_bytes(const Table&... tables) {
-  return (std::size_t{0} + ... + (tables.capacity() * sizeof(typename Table::value_type)));
+  const auto bytes = [](const auto& table) {
+    using Kind = std::remove_cvref_t<decltype(table)>;
+    return table.capacity() > Kind().capacity()
+               ? table.capacity() * sizeof(typename Kind::value_type)
+               : std::size_t{0};
+  };
+  return (std::size_t{0} + ... + bytes(tables));
 }
 
 /// A Context's Budget as a resource of memory for tables (vectors, strings). A table's room is
@@ -154,6 +161,10 @@ Status TableMemory::reserve(const Context& context, Table& table, std::size_t co
   if (!status) return status;
   Table moved;
   moved.reserve(count);
+  if (const std::size_t bytes = capacity_bytes(moved); bytes > count * sizeof(Item)) {
+    status = charge_.add(context, bytes - count * sizeof(Item), purpose_);  // as strings round up
+    if (!status) return status;
+  }
   for (std::size_t i = 0; i < table.size(); i += kPart<Table>) {
     if (context.cancelled()) {
       charge_.release(count * sizeof(Item));

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "base/charge.hpp"
-#include "base/large_vector.hpp"
+#include "base/table_memory.hpp"
 #include "codecs/base64.hpp"
 #include "sfumato/codecs/png.hpp"
 
@@ -28,11 +27,9 @@ Result<std::vector<std::uint8_t>> texture_png(Context& context, const Texture& t
       StatusCode::bad_input,
       "a texture that came from no file cannot be saved here; expected a PNG or JPEG");
 #else
-  ScopedCharge charge;
-  Status status = charge.add(context, texture.rgba.size(), "a texture to be saved");
-  if (!status) return status;
+  TableMemory memory("a texture to be saved");
   Image image{texture.width, texture.height, PixelFormat::rgba8, {}};
-  status = copy_large(context, texture.rgba, image.bytes);
+  Status status = memory.append(context, texture.rgba, image.bytes);
   if (!status) return status;
   return encode_png(context, image);
 #endif

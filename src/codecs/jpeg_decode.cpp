@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "base/charge.hpp"
-#include "base/large_vector.hpp"
+#include "base/table_memory.hpp"
 #include "codecs/image_file.hpp"
 
 namespace sfumato::codecs {
@@ -186,13 +186,14 @@ Result<RgbaImage> decode(Context& context, Session& session, std::span<const std
   const std::size_t channels = is_cmyk ? 4 : 3;
   const std::size_t pixel_count = std::size_t{decoder.image_width} * decoder.image_height;
   ScopedCharge charge;
-  Status status = charge.add(context, kWorkingBytes + pixel_count * (kWorkingBytesPerPixel + 4),
-                             "a JPEG image");
+  Status status =
+      charge.add(context, kWorkingBytes + pixel_count * kWorkingBytesPerPixel, "a JPEG image");
   if (!status) return status;
   std::vector<std::uint8_t> row(channels * decoder.image_width);
   RgbaImage image{
       static_cast<int>(decoder.image_width), static_cast<int>(decoder.image_height), {}};
-  if (status = resize_large(context, image.rgba, 4 * pixel_count); !status) return status;
+  TableMemory memory("a JPEG image");
+  if (status = memory.resize(context, image.rgba, 4 * pixel_count); !status) return status;
   if (!read_pixels(session, channels, row.data(), image.rgba.data())) return failure(session);
   return image;
 }

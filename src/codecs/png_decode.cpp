@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "base/charge.hpp"
-#include "base/large_vector.hpp"
 #include "base/limit_error.hpp"
 #include "base/public_verb.hpp"
+#include "base/table_memory.hpp"
 #include "sfumato/base/limits.hpp"
 #include "sfumato/codecs/png.hpp"
 
@@ -62,6 +62,7 @@ class Decoder {
   spng_ihdr header_{};
   bool has_alpha_ = false;
   ScopedCharge charge_;
+  TableMemory memory_{"a PNG image"};
 };
 
 /// Whether the chunks lead to an IEND chunk: the library reads no farther than it needs pixels.
@@ -181,10 +182,11 @@ Status Decoder::decode_rows(int spng_format, int flags, Image& image) {
 Result<Image> Decoder::decode_as(int spng_format, PixelFormat format) {
   Image image{static_cast<int>(header_.width), static_cast<int>(header_.height), format, {}};
   const std::size_t size = image.row_bytes() * header_.height;
-  if (Status status = charge(size); !status) return status;
-  if (Status status = resize_large(context_, image.bytes, size); !status) return status;
+  Status status = memory_.resize(context_, image.bytes, size);
+  if (status.code == StatusCode::limit) status.where.file = file_;
+  if (!status) return status;
   const int flags = has_alpha_ ? SPNG_DECODE_TRNS : 0;
-  Status status = decode_rows(spng_format, flags, image);
+  status = decode_rows(spng_format, flags, image);
   if (status) status = status_of(spng_decode_chunks(png_.get()));
   if (!status) return status;
   if (!is_whole(bytes_)) {

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <set>
 
-#include "base/charge.hpp"
 #include "base/number_text.hpp"
 #include "base/poll.hpp"
+#include "base/table_memory.hpp"
 #include "gather/free_ends.hpp"
 #include "gather/scene.hpp"
 #include "lint/curve_hints.hpp"
@@ -72,9 +72,7 @@ class MeetingCheck {
         attributes_(test.prepared.color.attributes) {}
 
   Status run() {
-    const std::size_t bytes = mesh_.vertex_position.size() * sizeof(Meeting);
-    ScopedCharge charge;
-    Status status = charge.add(context_, bytes, "meetings of curves");
+    Status status = memory_.resize(context_, meeting_, mesh_.vertex_position.size());
     if (status) status = find_meetings();
     if (status) status = check_crossings();
     return status ? check_ends() : status;
@@ -102,7 +100,6 @@ class MeetingCheck {
   }
 
   Status find_meetings() {
-    meeting_.resize(mesh_.vertex_position.size());
     for (std::uint32_t h = 0; h < mesh_.triangle_vertex.size(); ++h) {
       if (poll_.cancelled()) return context_.cancel_status();
       if (!mesh_.has_curves(h)) continue;
@@ -321,6 +318,7 @@ class MeetingCheck {
   LayerUnderTest& test_;
   const TriangleMesh& mesh_;
   const curves::SegmentAttributes& attributes_;
+  TableMemory memory_{"meetings of curves"};
   std::vector<Meeting> meeting_;    ///< per vertex
   std::set<std::uint32_t> eights_;  ///< curves that were told of
   int looks_left_ = kMostLooks;

@@ -123,6 +123,9 @@ TEST(TableMemory, appends) {
   const std::string more(1 << 20, 'x');
   ASSERT_TRUE(memory.append(context, std::span<const char>(more), text).ok());
   EXPECT_EQ(text, "diffusion " + more);
+  EXPECT_EQ(context.budget.used(), capacity_bytes(bytes, text));
+  memory.free(text);
+  EXPECT_EQ(context.budget.used(), capacity_bytes(bytes));
 }
 
 TEST(TableMemory, sorts_and_gives_the_charge_back) {

@@ -6,11 +6,11 @@
 #include <optional>
 #include <utility>
 
-#include "base/charge.hpp"
 #include "base/limit_error.hpp"
 #include "base/number.hpp"
 #include "base/poll.hpp"
 #include "base/public_verb.hpp"
+#include "base/table_memory.hpp"
 #include "formats/text/warnings.hpp"
 #include "formats/text/xml_source.hpp"
 #include "sfumato/base/limits.hpp"
@@ -78,7 +78,9 @@ class OrzanReader {
   Dialect dialect_ = kOrzan;
   Document document_;
   text::Warnings warnings_;
-  ScopedCharge charge_;
+  TableMemory curve_memory_{"the curves"};
+  TableMemory point_memory_{"control points"};
+  TableMemory stop_memory_{"stops"};
   std::size_t control_point_count_ = 0;
   std::size_t stop_count_ = 0;
 };
@@ -145,11 +147,7 @@ Status OrzanReader::reserve_curves(pugi::xml_node root, std::size_t count) {
   if (count > context_.limits.curves) {
     return limit_error(context_.limits, &Limits::curves, "curves", xml_.place(root));
   }
-  if (Status status = charge_.add(context_, count * sizeof(Curve), "the curves"); !status) {
-    return status;
-  }
-  document_.layers.front().curves.reserve(count);
-  return ok_status();
+  return curve_memory_.reserve(context_, document_.layers.front().curves, count);
 }
 
 Status OrzanReader::read_curve_set(pugi::xml_node set) {
@@ -205,10 +203,8 @@ Status OrzanReader::read_control_points(pugi::xml_node curve_element, Curve& cur
   if (control_point_count_ > context_.limits.control_points) {
     return limit_error(context_.limits, &Limits::control_points, "control points", xml_.place(set));
   }
-  if (Status status = charge_.add(context_, count * sizeof(Vec2), "control points"); !status) {
-    return status;
-  }
-  curve.control_points.reserve(count);
+  Status reserved = point_memory_.reserve(context_, curve.control_points, count);
+  if (!reserved) return reserved;
   for (const pugi::xml_node element : set.children("control_point")) {
     Vec2& point = curve.control_points.emplace_back();
     Status status = coordinate_in(element, dialect_.right_coordinate, point.x);
@@ -243,11 +239,8 @@ Status OrzanReader::read_stops(pugi::xml_node set, const char* name, StopList<Va
     return limit_error(context_.limits, &Limits::stops_per_list, "stops in one list",
                        xml_.place(set));
   }
-  // Blur serves both sides: twice the stops.
-  if (Status status = charge_.add(context_, 2 * count * sizeof(Stop<Value>), "stops"); !status) {
-    return status;
-  }
-  list.stops.reserve(list.stops.size() + count);
+  Status reserved = stop_memory_.reserve(context_, list.stops, list.stops.size() + count);
+  if (!reserved) return reserved;
   for (const pugi::xml_node element : set.children(name)) {
     Stop<Value>& stop = list.stops.emplace_back();
     Status status = number_in(element, "globalID", stop.offset);

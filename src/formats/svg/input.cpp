@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "base/ascii.hpp"
-#include "base/large_vector.hpp"
 #include "base/limit_error.hpp"
+#include "base/table_memory.hpp"
 #include "formats/svg/namespaces.hpp"
 #include "formats/svg/vocabulary.hpp"
 #include "formats/text/suggestion.hpp"
@@ -72,7 +72,7 @@ bool Input::comes_before(const IdElement& a, const IdElement& b) {
 
 /// Sorts the ids, and warns of the first that was given before.
 Status Input::sort_ids() {
-  if (Status status = sort_large(context_, ids_, comes_before); !status) return status;
+  if (Status status = TableMemory::sort(context_, ids_, comes_before); !status) return status;
   const IdElement* repeated = nullptr;
   for (std::size_t i = 1; i < ids_.size(); ++i) {
     if (Status status = check(); !status) return status;

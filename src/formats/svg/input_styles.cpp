@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "base/ascii.hpp"
-#include "base/large_vector.hpp"
+#include "base/table_memory.hpp"
 #include "formats/css/media.hpp"
 #include "formats/css/value.hpp"
 #include "formats/svg/input.hpp"
@@ -49,7 +49,7 @@ bool Input::is_before(const Styled& a, const Styled& b) {
 }
 
 Status Input::sort_styles() {
-  return sort_large(context_, styles_, is_before);
+  return TableMemory::sort(context_, styles_, is_before);
 }
 
 void Input::warn_of_dropped(Element element, const std::optional<css::Declaration>& dropped) {
