@@ -33,13 +33,13 @@ FacetMesh facets(std::uint32_t seed) {
 }
 
 FacetLinks linked(const FacetMesh& mesh) {
-  Context context;
-  return *link_facets(context, mesh);
+  static Context context;  // outlives what is charged to it
+  return std::move(*link_facets(context, mesh));
 }
 
 FacetOutlines outlined(const FacetMesh& mesh, double outside) {
-  Context context;
-  return *underlapped(context, mesh, linked(mesh), {kReach, outside});
+  static Context context;  // outlives what is charged to it
+  return std::move(*underlapped(context, mesh, linked(mesh), {kReach, outside}));
 }
 
 /// How often a closed line goes around a point.
@@ -133,22 +133,23 @@ TEST(Underlap, reaches_beyond_the_mesh_only_where_it_is_asked_to) {
 
 TEST(Silhouette, goes_around_the_mesh_and_knows_the_frame) {
   FacetMesh mesh = facets(4);
-  const Context context;
-  const Silhouette whole = *silhouette(context, mesh, linked(mesh), kBox);
+  Context context;
+  const Silhouette whole = std::move(*silhouette(context, mesh, linked(mesh), kBox));
   ASSERT_EQ(whole.loops.size(), 1u);
   EXPECT_TRUE(whole.is_frame);
   EXPECT_EQ(std::abs(winding(whole.loops[0], {5, 4})), 1);
   EXPECT_FALSE(silhouette(context, mesh, linked(mesh), kBox.grown_by(1))->is_frame);
   mesh.facet_vertex.erase(mesh.facet_vertex.begin() + 60, mesh.facet_vertex.begin() + 63);
-  const Silhouette broken = *silhouette(context, mesh, linked(mesh), kBox);
+  const Silhouette broken = std::move(*silhouette(context, mesh, linked(mesh), kBox));
   EXPECT_FALSE(broken.is_frame && broken.loops.size() == 1);
 }
 
 TEST(SmallFacets, are_grown_and_stay_away_from_the_end) {
   const FacetMesh mesh = facets(5);
   const FacetLinks links = linked(mesh);
-  const Context context;
-  const auto all = *small_facets(context, mesh, links, 100, 0.1, false);
+  Context context;
+  TableMemory memory("a test");
+  const auto all = *small_facets(context, mesh, links, 100, 0.1, false, memory);
   EXPECT_EQ(all.size(), facet_count(mesh));
   for (const SmallFacet& small : all) {
     for (std::uint32_t k = 0; k < 3; ++k) {
@@ -157,8 +158,8 @@ TEST(SmallFacets, are_grown_and_stay_away_from_the_end) {
       EXPECT_LE(length(small.grown[k] - corner), 0.3 + 1e-9);
     }
   }
-  EXPECT_TRUE(small_facets(context, mesh, links, 1e-9, 0.1, false)->empty());
-  const auto inner = *small_facets(context, mesh, links, 100, 0.1, true);
+  EXPECT_TRUE(small_facets(context, mesh, links, 1e-9, 0.1, false, memory)->empty());
+  const auto inner = *small_facets(context, mesh, links, 100, 0.1, true, memory);
   for (const SmallFacet& small : inner)
     for (const Vec2 p : small.grown) EXPECT_TRUE(kBox.contains(p));
 }

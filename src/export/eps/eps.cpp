@@ -136,9 +136,9 @@ Status EpsWriter::add_layer(std::uint32_t index, double scale) {
                   1 / (scale * pixels_per_unit()));
   if (!mesh) return mesh.status();
   notes_->triangle_count += mesh->facet_vertex.size() / 3;
-  ScopedCharge charge;
+  TableMemory memory("a mesh's bytes");
   const Box box = decode_box(triangles_box(layer));
-  const auto bytes = mesh_bytes(context_, *mesh, box, &charge);
+  const auto bytes = mesh_bytes(context_, *mesh, box, memory);
   if (!bytes) return bytes.status();
   if (Status status = add_data("D" + number, *bytes); !status) return status;
   text_ += "/S" + number + " { D" + number + " 0 setfileposition << /ShadingType 4 /ColorSpace " +

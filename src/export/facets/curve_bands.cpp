@@ -24,8 +24,12 @@ constexpr int kMostColumns = 8;
 /// What may be missed along a column; it shows in pixels that a curve cuts.
 constexpr double kColumnError = 1.5 / 255;
 
-/// Of the corner of a triangle in facets and paths, which grow twofold.
-constexpr std::size_t kCornerBytes = 400;
+/// Triangles looked at around a vertex. None has so many; a picture that is no mesh might turn for
+/// ever.
+constexpr int kMostTurns = 1000;
+/// Vertices, and facets, that an edge or a vertex adds to a mesh at most: three strips, and corners
+/// around a vertex.
+constexpr std::size_t kMostAdded = 3 * (2 * kMostColumns + 2) + 3 * kMostTurns;
 /// Among so many vertices a new one is looked for.
 constexpr std::size_t kLastVertices = 8;
 /// Less than a step of what is written.
@@ -46,29 +50,28 @@ class BandBuilder {
  public:
   BandBuilder(const PatchLayer& layer, InterpolationSpace space, const FacetSource& source,
               const CurveEdges& edges, double width, CurveBands* bands)
-      : layer_(layer),
-        space_(space),
-        source_(source),
-        edges_(edges),
-        width_(width),
-        bands_(bands),
-        is_on_curve_(layer.vertex_position.size()) {
-    for (std::uint32_t side : edges.side)
-      for (std::uint32_t h : {side, next_half_edge(side)})
-        is_on_curve_[layer.triangle_vertex[h]] = true;
+      : layer_(layer), space_(space), source_(source), edges_(edges), width_(width), bands_(bands) {
     bands->under.channel_count = bands->over.channel_count = channel_count_of(source);
   }
 
   /// What reaches beyond curves before the bands of other curves, and over the ground of others.
   Status build(Context& context) {
+    const std::size_t vertices = layer_.vertex_position.size();
+    Status status = memory_.resize_all(context, vertices, is_on_curve_, is_done_);
+    if (status) status = memory_.resize(context, is_whole_, layer_.triangle_count());
+    if (!status) return status;
+    for (std::uint32_t side : edges_.side)
+      for (std::uint32_t h : {side, next_half_edge(side)})
+        is_on_curve_[layer_.triangle_vertex[h]] = 1;
     for (Part part : {Part::ground, Part::beyond, Part::band}) {
-      is_done_.assign(layer_.vertex_position.size(), false);
-      is_whole_.assign(layer_.triangle_count(), false);
+      std::ranges::fill(is_done_, std::uint8_t{0});
+      std::ranges::fill(is_whole_, std::uint8_t{0});
       for (std::uint32_t side : edges_.side) {
         if (context.cancelled()) return context.cancel_status();
+        if (status = make_room(context); !status) return status;
         paint(side, part);
       }
-      if (Status status = paint_rest(context, band_of(part)); !status) return status;
+      if (status = paint_rest(context, band_of(part)); !status) return status;
     }
     return ok_status();
   }
@@ -76,7 +79,7 @@ class BandBuilder {
  private:
   enum class Part { ground, beyond, band };
 
-  /// Facets, and the path around them.
+  /// Facets, and the path around them; null where nobody needs it.
   struct Band {
     FacetMesh* mesh;
     std::vector<std::array<Vec2, 4>>* clip;
@@ -88,7 +91,7 @@ class BandBuilder {
   };
 
   Band band_of(Part part) {
-    return part == Part::band ? Band{&bands_->over, &bands_->clip} : Band{&bands_->under, &unused_};
+    return part == Part::band ? Band{&bands_->over, &bands_->clip} : Band{&bands_->under, nullptr};
   }
   FacetPatch patch(std::uint32_t half_edge) const {
     return {layer_, space_, source_, half_edge / 3, kColumnError};
@@ -96,6 +99,7 @@ class BandBuilder {
   Vec2 position(std::uint32_t half_edge) const {
     return layer_.vertex_position[layer_.triangle_vertex[half_edge]];
   }
+  Status make_room(Context& context);
   bool is_mask() const { return !reads_color(source_); }
   bool is_seen(std::uint32_t half_edge) const;
   double height(std::uint32_t half_edge) const;
@@ -131,12 +135,20 @@ class BandBuilder {
   const CurveEdges& edges_;
   double width_;
   CurveBands* bands_;
-  std::vector<bool> is_on_curve_;  ///< per vertex
-  std::vector<bool> is_done_;      ///< per vertex: a band goes on around it
-  std::vector<bool> is_whole_;     ///< per triangle: a band holds all of it
+  TableMemory memory_{"bands along curves"};
+  std::vector<std::uint8_t> is_on_curve_;  ///< per vertex
+  std::vector<std::uint8_t> is_done_;      ///< per vertex: a band goes on around it
+  std::vector<std::uint8_t> is_whole_;     ///< per triangle: a band holds all of it
   std::vector<Reached> reached_;
-  std::vector<std::array<Vec2, 4>> unused_;  ///< the path around the ground
 };
+
+/// For one edge, or what lies around one vertex.
+Status BandBuilder::make_room(Context& context) {
+  Status status = bands_->under.make_room(context, kMostAdded, kMostAdded);
+  if (status) status = bands_->over.make_room(context, kMostAdded, kMostAdded);
+  if (status) status = bands_->memory.make_room(context, bands_->clip, kMostTurns + 1);
+  return status ? memory_.make_room(context, reached_, 2 * kMostTurns + 1) : status;
+}
 
 /// Whether a side has opacity at the middle of an edge or its ends.
 bool BandBuilder::is_seen(std::uint32_t half_edge) const {
@@ -288,8 +300,7 @@ void BandBuilder::carry_corner(std::uint32_t leaving, double width, const Value&
 template <class Visit>
 void BandBuilder::for_each_between(std::uint32_t side, const Visit& visit) const {
   std::uint32_t leaving = next_half_edge(side);
-  // No vertex has so many triangles; a picture that is no mesh might turn for ever.
-  for (int turns = 0; layer_.edge_is_curve[leaving] == 0 && turns < 1000; ++turns) {
+  for (int turns = 0; layer_.edge_is_curve[leaving] == 0 && turns < kMostTurns; ++turns) {
     const std::uint32_t across = edges_.twin[leaving];
     if (across == kNoHalfEdge) return;
     leaving = next_half_edge(across);
@@ -322,16 +333,18 @@ void BandBuilder::paint_corner(std::uint32_t leaving, double width, Band* band) 
     at[i] = lerp(position(leaving), position(end[i]), far);
     band->mesh->facet_vertex.push_back(add(at[i], corner.shown(place), band->mesh));
   }
-  band->clip->push_back({at[0], at[1], at[2], at[2]});
-  is_whole_[leaving / 3] = is_whole;
+  if (band->clip) band->clip->push_back({at[0], at[1], at[2], at[2]});
+  is_whole_[leaving / 3] = is_whole ? 1 : 0;
 }
 
 /// The colours of a side along its edge and around the edge's end.
 void BandBuilder::paint_band(std::uint32_t side, Band band) {
   paint_strip(side, width_, band.mesh);
   const double share = inwards(side, width_);
-  band.clip->push_back(
-      {inner(side, 0, 0), inner(side, 1, 0), inner(side, 1, share), inner(side, 0, share)});
+  if (band.clip) {
+    band.clip->push_back(
+        {inner(side, 0, 0), inner(side, 1, 0), inner(side, 1, share), inner(side, 0, share)});
+  }
   if (share == 1) reach_vertex(last_half_edge(side), height(side));
   for_each_between(side, [&](std::uint32_t leaving) {
     paint_corner(leaving, kCornerShare * width_, &band);
@@ -346,7 +359,7 @@ void BandBuilder::paint_band(std::uint32_t side, Band band) {
 void BandBuilder::reach_vertex(std::uint32_t leaving, double depth) {
   const std::uint32_t vertex = layer_.triangle_vertex[leaving];
   if (is_on_curve_[vertex] || is_done_[vertex]) return;
-  is_done_[vertex] = true;
+  is_done_[vertex] = 1;
   reached_.push_back({leaving, depth});
 }
 
@@ -357,17 +370,13 @@ Status BandBuilder::paint_rest(Context& context, Band band) {
     const auto [leaving, depth] = reached_.back();
     reached_.pop_back();
     if (context.cancelled()) return context.cancel_status();
+    if (Status status = make_room(context); !status) return status;
     std::uint32_t h = leaving;
-    // No vertex has so many triangles; a picture that is no mesh might turn for ever.
-    for (int turns = 0; h != kNoHalfEdge && turns < 1000; ++turns) {
+    for (int turns = 0; h != kNoHalfEdge && turns < kMostTurns; ++turns) {
       const std::uint32_t ends[2] = {next_half_edge(h), last_half_edge(h)};
       const bool is_at_curve = is_on_curve_[layer_.triangle_vertex[ends[0]]] ||
                                is_on_curve_[layer_.triangle_vertex[ends[1]]];
-      if (!is_at_curve && !is_whole_[h / 3]) {
-        if (Status status = bands_->charge.add(context, kCornerBytes, "bands"); !status)
-          return status;
-        paint_corner(h, width_, &band);
-      }
+      if (!is_at_curve && !is_whole_[h / 3]) paint_corner(h, width_, &band);
       for (std::uint32_t end : ends) {
         const double way = depth + length(position(end) - position(h));
         if (way < width_) reach_vertex(end, way);
@@ -418,12 +427,9 @@ Result<CurveBands> make_curve_bands(Context& context, const PatchLayer& layer,
                                     InterpolationSpace space, const FacetSource& source,
                                     const CurveEdges& edges, double width) {
   CurveBands bands;
-  // Four strips of columns for every edge, and corners between them.
-  const std::size_t bytes = edges.side.size() * (4 * (2 * kMostColumns + 8) * 40 + 12 * 64) +
-                            layer.vertex_position.size() + layer.triangle_count();
-  Status status = bands.charge.add(context, bytes, "bands along curves");
-  if (!status) return status;
-  status = BandBuilder(layer, space, source, edges, width, &bands).build(context);
+  for (FacetMesh* mesh : {&bands.under, &bands.over})
+    mesh->memory = TableMemory("bands along curves");
+  Status status = BandBuilder(layer, space, source, edges, width, &bands).build(context);
   if (!status) return status;
   return bands;
 }

@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "base/charge.hpp"
+#include "base/table_memory.hpp"
 #include "export/facets/curve_edges.hpp"
 #include "export/facets/facets.hpp"
 
@@ -16,7 +16,7 @@ namespace sfumato::outputs {
 struct CurveBands {
   FacetMesh under, over;
   std::vector<std::array<Vec2, 4>> clip;  ///< quadrangles, all turning as triangles do
-  ScopedCharge charge;
+  TableMemory memory{"bands along curves"};
 };
 
 /// width  of what `over` paints on its own side, layer frame; less where triangles are lower than

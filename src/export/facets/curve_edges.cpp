@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <tuple>
 
-#include "base/large_vector.hpp"
 #include "base/poll.hpp"
+#include "base/table_memory.hpp"
 
 namespace sfumato::outputs {
 namespace {
@@ -23,10 +23,12 @@ std::uint32_t to_vertex(const PatchLayer& layer, std::uint32_t half_edge) {
 }
 
 /// Half-edges that run against each other between the same two vertices.
-Status pair_sides(Context& context, const PatchLayer& layer, std::vector<std::uint32_t>* twin) {
+Status pair_sides(Context& context, const PatchLayer& layer, CurveEdges* edges) {
+  TableMemory memory("edges on curves");
   std::vector<Side> sides;
-  Status status = resize_large(context, sides, layer.triangle_vertex.size());
-  if (status) status = resize_large(context, *twin, sides.size(), std::uint32_t{kNoHalfEdge});
+  std::vector<std::uint32_t>& twin = edges->twin;
+  Status status = memory.resize(context, sides, layer.triangle_vertex.size());
+  if (status) status = edges->memory.resize(context, twin, sides.size(), kNoHalfEdge);
   if (!status) return status;
   RarePoll<kTurnsPerPoll> poll(context);
   for (std::uint32_t h = 0; h < sides.size(); ++h) {
@@ -34,7 +36,7 @@ Status pair_sides(Context& context, const PatchLayer& layer, std::vector<std::ui
     const std::uint32_t from = from_vertex(layer, h), to = to_vertex(layer, h);
     sides[h] = {std::min(from, to), std::max(from, to), h};
   }
-  status = sort_large(context, sides, [](const Side& a, const Side& b) {
+  status = TableMemory::sort(context, sides, [](const Side& a, const Side& b) {
     return std::tie(a.low, a.high, a.half_edge) < std::tie(b.low, b.high, b.half_edge);
   });
   if (!status) return status;
@@ -43,8 +45,8 @@ Status pair_sides(Context& context, const PatchLayer& layer, std::vector<std::ui
     const Side &a = sides[i], &b = sides[i + 1];
     if (a.low != b.low || a.high != b.high) continue;
     if (from_vertex(layer, a.half_edge) != to_vertex(layer, b.half_edge)) continue;
-    (*twin)[a.half_edge] = b.half_edge;
-    (*twin)[b.half_edge] = a.half_edge;
+    twin[a.half_edge] = b.half_edge;
+    twin[b.half_edge] = a.half_edge;
     ++i;
   }
   return ok_status();
@@ -58,15 +60,20 @@ class CurveTracer {
   Status trace(Context& context) {
     const std::size_t count = layer_.edge_is_curve.size();
     std::vector<std::uint8_t> is_done;
-    Status status = resize_large(context, at_vertex_, layer_.vertex_position.size());
-    if (status) status = resize_large(context, edges_.onward, count, std::uint32_t{kNoHalfEdge});
-    if (status) status = resize_large(context, is_done, count);
+    Status status = memory_.resize(context, at_vertex_, layer_.vertex_position.size());
+    if (status) status = edges_.memory.resize(context, edges_.onward, count, kNoHalfEdge);
+    if (status) status = memory_.resize(context, is_done, count);
     if (!status) return status;
     RarePoll<kTurnsPerPoll> poll(context);
+    std::size_t edge_count = 0;
     for (std::uint32_t h = 0; h < count; ++h) {
       if (poll.cancelled()) return context.cancel_status();
-      if (is_first_side(h)) add_ends(h);
+      if (!is_first_side(h)) continue;
+      add_ends(h);
+      ++edge_count;
     }
+    status = edges_.memory.reserve(context, edges_.side, edge_count);
+    if (!status) return status;
     for (std::uint32_t h = 0; h < count; ++h) {
       if (poll.cancelled()) return context.cancel_status();
       if (!is_first_side(h) || is_done[h]) continue;
@@ -158,6 +165,7 @@ class CurveTracer {
 
   const PatchLayer& layer_;
   CurveEdges& edges_;
+  TableMemory memory_{"edges on curves"};
   std::vector<Ends> at_vertex_;
 };
 
@@ -165,10 +173,7 @@ class CurveTracer {
 
 Result<CurveEdges> find_curve_edges(Context& context, const PatchLayer& layer) {
   CurveEdges edges;
-  const std::size_t bytes =
-      layer.triangle_vertex.size() * (sizeof(Side) + 16) + layer.vertex_position.size() * 12;
-  if (Status status = edges.charge.add(context, bytes, "edges on curves"); !status) return status;
-  Status status = pair_sides(context, layer, &edges.twin);
+  Status status = pair_sides(context, layer, &edges);
   if (status) status = CurveTracer(layer, &edges).trace(context);
   if (!status) return status;
   return edges;

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/charge.hpp"
+#include "base/table_memory.hpp"
 #include "export/facets/half_edge.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/status.hpp"
@@ -19,7 +19,7 @@ struct CurveEdges {
   /// Per half-edge of `side`, and of their twins: the one that goes on along the curve, on the same
   /// side of it; kNoHalfEdge elsewhere, at ends and junctions.
   std::vector<std::uint32_t> onward;
-  ScopedCharge charge;
+  TableMemory memory{"edges on curves"};
 };
 
 /// Errors: limit (memory). Cost: O(n log n) in the triangles.

@@ -12,6 +12,8 @@ namespace {
 /// What colours may miss: they show in pixels that a curve cuts.
 constexpr double kColorError = 1.5 / 255;
 constexpr int kMostColumns = 8;
+/// Columns written for an edge at most, two where it meets what was before; and the last one.
+constexpr std::size_t kMostWritten = 2 * (kMostColumns + 2);
 /// Sine of the turn of a curve at a vertex that the band needs no corner for.
 constexpr double kSmallTurn = 0.35;
 /// How far a band may miss the curve, of its width: it lies under the mesh there, or ends before
@@ -170,18 +172,21 @@ bool has_ends(const CurveEdges& edges) {
 Result<FacetMesh> make_end_band(Context& context, const PatchLayer& layer, InterpolationSpace space,
                                 const FacetSource& source, const CurveEdges& edges, double width) {
   FacetMesh mesh;
-  const auto count = static_cast<std::size_t>(std::ranges::count_if(
-      edges.side, [&](std::uint32_t side) { return edges.twin[side] == kNoHalfEdge; }));
-  // Columns, and the corner that an edge may have, of two vertices and two facets each.
-  const std::size_t bytes = count * (kMostColumns + 2) * 2 * (sizeof(Vec2) + 4 * 4 + 3 * 4);
-  Status status = mesh.charge.add(context, bytes, "bands beyond curves");
-  if (!status) return status;
+  mesh.memory = TableMemory("bands beyond curves");
   EndBand band(layer, space, source, width, &mesh);
-  status = for_each_end_loop(context, edges.twin, [&](std::uint32_t half_edge, bool is_first) {
+  const auto make_room = [&] {
+    return mesh.make_room(context, 2 * kMostWritten, 2 * kMostWritten);
+  };
+  const auto add = [&](std::uint32_t half_edge, bool is_first) {
     const bool is_curve = layer.edge_is_curve[half_edge] != 0;
+    Status status = make_room();
+    if (!status) return status;
     if (is_first || !is_curve) band.finish();
     if (is_curve) band.add_edge(half_edge);
-  });
+    return status;
+  };
+  Status status = for_each_end_loop(context, edges.twin, add);
+  if (status) status = make_room();
   if (!status) return status;
   band.finish();
   return mesh;
@@ -190,13 +195,13 @@ Result<FacetMesh> make_end_band(Context& context, const PatchLayer& layer, Inter
 Result<LayerOutline> outline_of_ends(Context& context, const PatchLayer& layer,
                                      const CurveEdges& edges, double margin) {
   LayerOutline outline;
-  const auto count = static_cast<std::size_t>(std::ranges::count(edges.twin, kNoHalfEdge));
-  // Lines grow twofold, and hold two points for an edge of the frame.
-  Status status = outline.charge.add(context, 4 * count * sizeof(Vec2), "outlines");
-  if (!status) return status;
   bool is_seen = false;  // what the last line is around, not a gap between triangles
-  status = for_each_end_loop(context, edges.twin, [&](std::uint32_t h, bool is_first) {
-    if (is_first && (is_seen || outline.loop.empty())) outline.loop.emplace_back();
+  const auto add = [&](std::uint32_t h, bool is_first) {
+    Status room;
+    if (is_first && (is_seen || outline.loop.empty()))
+      room = outline.memory.push_back(context, outline.loop, {});
+    if (room) room = outline.memory.make_room(context, outline.loop.back(), 2);
+    if (!room) return room;
     std::vector<Vec2>& loop = outline.loop.back();
     if (is_first) {
       loop.clear();
@@ -209,9 +214,14 @@ Result<LayerOutline> outline_of_ends(Context& context, const PatchLayer& layer,
     const Vec2 outwards = left_of(b - a) * (is_frame ? margin / length(b - a) : 0);
     if (loop.empty() || loop.back() != a + outwards) loop.push_back(a + outwards);
     loop.push_back(b + outwards);
-  });
+    return room;
+  };
+  Status status = for_each_end_loop(context, edges.twin, add);
   if (!status) return status;
-  if (!is_seen && !outline.loop.empty()) outline.loop.pop_back();
+  if (!is_seen && !outline.loop.empty()) {
+    outline.memory.free(outline.loop.back());
+    outline.loop.pop_back();
+  }
   return outline;
 }
 

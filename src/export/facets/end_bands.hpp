@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "base/charge.hpp"
+#include "base/table_memory.hpp"
 #include "export/facets/curve_edges.hpp"
 #include "export/facets/facets.hpp"
 
@@ -22,7 +22,7 @@ Result<FacetMesh> make_end_band(Context& context, const PatchLayer& layer, Inter
 /// curves where it ends, and stay `margin` (layer frame) outside of its frame.
 struct LayerOutline {
   std::vector<std::vector<Vec2>> loop;
-  ScopedCharge charge;
+  TableMemory memory{"outlines"};
 };
 
 /// Errors: limit (memory), cancelled.

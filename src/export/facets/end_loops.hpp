@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/poll.hpp"
+#include "base/table_memory.hpp"
 #include "export/facets/half_edge.hpp"
 #include "sfumato/base/box.hpp"
 #include "sfumato/base/context.hpp"
@@ -35,19 +36,23 @@ inline bool is_on_frame(Vec2 a, Vec2 b, const Box& frame) {
 
 /// Calls visit(half_edge, is_first) for all half-edges without another side: the closed lines
 /// around what a mesh covers, one after another, which turn as triangles do around the mesh and the
-/// other way around its holes. Cost: O(half-edges). Error: cancelled.
+/// other way around its holes. Cost: O(half-edges). Errors: limit (memory), cancelled, what visit
+/// returns.
 template <class Visit>
-Status for_each_end_loop(const Context& context, std::span<const std::uint32_t> twin,
+Status for_each_end_loop(Context& context, std::span<const std::uint32_t> twin,
                          const Visit& visit) {
   RarePoll<4096> poll(context);
-  std::vector<bool> is_done(twin.size());
+  TableMemory memory("lines around a mesh");
+  std::vector<std::uint8_t> is_done;
+  Status status = memory.resize(context, is_done, twin.size());
+  if (!status) return status;
   for (std::uint32_t first = 0; first < twin.size(); ++first) {
     if (poll.cancelled()) return context.cancel_status();
     if (twin[first] != kNoHalfEdge || is_done[first]) continue;
     for (std::uint32_t edge = first; !is_done[edge]; edge = next_at_end(twin, edge)) {
       if (poll.cancelled()) return context.cancel_status();
-      is_done[edge] = true;
-      visit(edge, edge == first);
+      is_done[edge] = 1;
+      if (status = visit(edge, edge == first); !status) return status;
     }
   }
   return ok_status();

@@ -4,9 +4,9 @@
 #include <array>
 #include <tuple>
 
-#include "base/large_vector.hpp"
 #include "base/parallel.hpp"
 #include "base/poll.hpp"
+#include "base/table_memory.hpp"
 #include "export/facets/half_edge.hpp"
 
 namespace sfumato::outputs {
@@ -34,9 +34,9 @@ EdgeNodes nodes_on(const PatchLayer& layer, const PatchField& field, std::uint32
 }
 
 Result<std::vector<Side>> sorted_sides(Context& context, const PatchLayer& layer,
-                                       const PatchField& field) {
+                                       const PatchField& field, TableMemory& memory) {
   std::vector<Side> sides;
-  Status status = resize_large(context, sides, layer.triangle_vertex.size());
+  Status status = memory.resize(context, sides, layer.triangle_vertex.size());
   if (!status) return status;
   RarePoll<kTurnsPerPoll> poll(context);
   for (std::uint32_t h = 0; h < sides.size(); ++h) {
@@ -45,7 +45,7 @@ Result<std::vector<Side>> sorted_sides(Context& context, const PatchLayer& layer
     const std::uint32_t to = layer.triangle_vertex[next_half_edge(h)];
     sides[h] = {std::min(from, to), std::max(from, to), h};
   }
-  status = sort_large(context, sides, [&](const Side& a, const Side& b) {
+  status = TableMemory::sort(context, sides, [&](const Side& a, const Side& b) {
     if (a.low != b.low || a.high != b.high)
       return std::tie(a.low, a.high) < std::tie(b.low, b.high);
     const EdgeNodes on_a = nodes_on(layer, field, a.half_edge);
@@ -79,14 +79,18 @@ std::uint64_t steps_of(const std::vector<FacetPatch>& along, double length, doub
 }
 
 /// Numbers the edges; cuts->edge lies in the order of `sides`, and edges between the same vertices
-/// follow one another. Returns the first edge between each two vertices, and how many there are.
+/// follow one another. Returns the first edge between each two vertices, and how many there are, in
+/// a table of `memory`.
 Result<std::vector<std::uint32_t>> number_edges(Context& context, const PatchLayer& layer,
-                                                const PatchField& field, FacetCuts* cuts) {
-  const Result<std::vector<Side>> sorted = sorted_sides(context, layer, field);
+                                                const PatchField& field, FacetCuts* cuts,
+                                                TableMemory& memory) {
+  TableMemory side_memory("cuts of patches");
+  const Result<std::vector<Side>> sorted = sorted_sides(context, layer, field, side_memory);
   if (!sorted) return sorted.status();
   const std::vector<Side>& sides = *sorted;
   std::vector<std::uint32_t> first;
-  if (Status status = resize_large(context, cuts->edge_of, sides.size()); !status) return status;
+  Status status = cuts->memory.resize(context, cuts->edge_of, sides.size());
+  if (!status) return status;
   RarePoll<kTurnsPerPoll> poll(context);
   for (std::size_t i = 0; i < sides.size(); ++i) {
     if (poll.cancelled()) return context.cancel_status();
@@ -95,11 +99,14 @@ Result<std::vector<std::uint32_t>> number_edges(Context& context, const PatchLay
     const bool is_same_edge = is_same_place && nodes_on(layer, field, sides[i].half_edge) ==
                                                    nodes_on(layer, field, sides[i - 1].half_edge);
     const auto index = static_cast<std::uint32_t>(cuts->edge.size());
-    if (!is_same_place) first.push_back(index);
-    if (!is_same_edge) cuts->edge.push_back({0, sides[i].half_edge});
+    if (!is_same_place) status = memory.push_back(context, first, index);
+    if (status && !is_same_edge)
+      status = cuts->memory.push_back(context, cuts->edge, {0, sides[i].half_edge});
+    if (!status) return status;
     cuts->edge_of[sides[i].half_edge] = static_cast<std::uint32_t>(cuts->edge.size() - 1);
   }
-  first.push_back(static_cast<std::uint32_t>(cuts->edge.size()));
+  status = memory.push_back(context, first, static_cast<std::uint32_t>(cuts->edge.size()));
+  if (!status) return status;
   return first;
 }
 
@@ -130,13 +137,9 @@ std::array<EdgeCuts, 3> FacetCuts::of(const PatchLayer& layer, std::uint32_t tri
 Result<FacetCuts> find_cuts(Context& context, const PatchLayer& layer, InterpolationSpace space,
                             const FacetSource& source, double max_error, double smallest_side) {
   FacetCuts cuts;
-  const std::size_t count = layer.triangle_count();
-  // At most three edges to a triangle, and the sides while they are sorted.
-  const std::size_t bytes = 3 * count * (8 + sizeof(FacetEdge) + sizeof(Side));
-  Status status = cuts.charge.add(context, bytes, "cuts of patches");
-  if (!status) return status;
+  TableMemory memory("cuts of patches");
   const Result<std::vector<std::uint32_t>> numbered =
-      number_edges(context, layer, field_of(layer, source), &cuts);
+      number_edges(context, layer, field_of(layer, source), &cuts, memory);
   if (!numbered) return numbered.status();
   const std::vector<std::uint32_t>& first = *numbered;
   const auto cut = [&](std::size_t place) {
@@ -150,9 +153,10 @@ Result<FacetCuts> find_cuts(Context& context, const PatchLayer& layer, Interpola
     const std::uint64_t steps = steps_of(along, length_of(layer, half_edge), smallest_side);
     for (std::uint32_t e = first[place]; e < first[place + 1]; ++e) cuts.edge[e].steps = steps;
   };
-  status = parallel_for(context, first.size() - 1, kGrain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t place = begin; place < end; ++place) cut(place);
-  });
+  Status status =
+      parallel_for(context, first.size() - 1, kGrain, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t place = begin; place < end; ++place) cut(place);
+      });
   if (!status) return status;
   return cuts;
 }

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/charge.hpp"
+#include "base/table_memory.hpp"
 #include "export/facets/facet_tree.hpp"
 #include "export/facets/facets.hpp"
 #include "sfumato/base/context.hpp"
@@ -21,7 +21,7 @@ struct FacetEdge {
 struct FacetCuts {
   std::vector<std::uint32_t> edge_of;  ///< per triangle and side: index into `edge`
   std::vector<FacetEdge> edge;
-  ScopedCharge charge;
+  TableMemory memory{"cuts of patches"};
 
   std::array<EdgeCuts, 3> of(const PatchLayer& layer, std::uint32_t triangle) const;
 };

@@ -4,26 +4,27 @@
 #include <numeric>
 #include <tuple>
 
-#include "base/charge.hpp"
-#include "base/large_vector.hpp"
 #include "base/poll.hpp"
+#include "base/table_memory.hpp"
 
 namespace sfumato::outputs {
 namespace {
 
 constexpr std::uint32_t kTurnsPerPoll = 65'536;
 
-/// One number for all vertices at one position.
-Result<std::vector<std::uint32_t>> number_positions(Context& context, const FacetMesh& mesh) {
+/// One number for all vertices at one position, in a table of `memory`.
+Result<std::vector<std::uint32_t>> number_positions(Context& context, const FacetMesh& mesh,
+                                                    TableMemory& memory) {
   const std::vector<Vec2>& position = mesh.vertex_position;
-  std::vector<std::uint32_t> order(position.size()), number;
+  TableMemory order_memory("the edges of facets");
+  std::vector<std::uint32_t> order, number;
+  Status status = order_memory.resize(context, order, position.size());
+  if (status) status = memory.resize(context, number, position.size());
+  if (!status) return status;
   std::iota(order.begin(), order.end(), 0u);
   const auto key = [&](std::uint32_t v) { return std::tuple(position[v].x, position[v].y, v); };
-  Status status = resize_large(context, number, position.size());
-  if (status) {
-    status = sort_large(context, order,
-                        [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
-  }
+  status = TableMemory::sort(context, order,
+                             [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
   if (!status) return status;
   RarePoll<kTurnsPerPoll> poll(context);
   for (std::size_t i = 0; i < order.size(); ++i) {
@@ -57,15 +58,12 @@ void pair_up(const Edge* begin, const Edge* end, std::vector<std::uint32_t>* twi
 
 Result<FacetLinks> link_facets(Context& context, const FacetMesh& mesh) {
   const std::size_t count = mesh.facet_vertex.size();
-  ScopedCharge charge;
-  Status status = charge.add(context, count * (sizeof(Edge) + 4) + mesh.vertex_position.size() * 8,
-                             "the edges of facets");
-  if (!status) return status;
-  const Result<std::vector<std::uint32_t>> numbered = number_positions(context, mesh);
+  TableMemory memory("the edges of facets");
+  const Result<std::vector<std::uint32_t>> numbered = number_positions(context, mesh, memory);
   if (!numbered) return numbered.status();
   const std::vector<std::uint32_t>& number = *numbered;
   std::vector<Edge> edges;
-  status = resize_large(context, edges, count);
+  Status status = memory.resize(context, edges, count);
   if (!status) return status;
   RarePoll<kTurnsPerPoll> poll(context);
   for (std::uint32_t i = 0; i < count; ++i) {
@@ -74,11 +72,11 @@ Result<FacetLinks> link_facets(Context& context, const FacetMesh& mesh) {
                         b = number[mesh.facet_vertex[next_edge(i)]];
     edges[i] = {std::min(a, b), std::max(a, b), i, a < b};
   }
-  status = sort_large(context, edges, [](const Edge& a, const Edge& b) {
+  status = TableMemory::sort(context, edges, [](const Edge& a, const Edge& b) {
     return std::tie(a.low, a.high, a.index) < std::tie(b.low, b.high, b.index);
   });
   FacetLinks links;
-  if (status) status = resize_large(context, links.twin, count, std::uint32_t{kNoEdge});
+  if (status) status = links.memory.resize(context, links.twin, count, kNoEdge);
   if (!status) return status;
   for (std::size_t begin = 0, end; begin < count; begin = end) {
     if (poll.cancelled()) return context.cancel_status();

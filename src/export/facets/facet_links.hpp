@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/table_memory.hpp"
 #include "export/facets/facets.hpp"
 
 namespace sfumato::outputs {
@@ -20,6 +21,7 @@ constexpr std::uint32_t previous_edge(std::uint32_t edge) {
 /// Which facets lie side by side, by the positions of their corners: values may differ there.
 struct FacetLinks {
   std::vector<std::uint32_t> twin;  ///< per half-edge: that which runs back, or kNoEdge
+  TableMemory memory{"the edges of facets"};
 };
 
 /// Where more than two facets share an edge, they are paired in their order. Errors: limit,

@@ -4,10 +4,9 @@
 #include <bit>
 #include <limits>
 
-#include "base/charge.hpp"
-#include "base/large_vector.hpp"
 #include "base/parallel.hpp"
 #include "base/poll.hpp"
+#include "base/table_memory.hpp"
 #include "export/facets/facet_cuts.hpp"
 #include "export/facets/facet_patch.hpp"
 #include "export/facets/facet_tree.hpp"
@@ -52,6 +51,7 @@ class FacetBuilder {
   double max_error_;
   double smallest_side_;
   const FacetCuts& cuts_;
+  TableMemory memory_{"places of facets"};
   std::vector<std::uint32_t> corner_vertex_;  ///< 3 per triangle
   std::vector<std::uint32_t> corner_owner_;   ///< per corner vertex, a triangle's corner
   std::vector<std::uint64_t> edge_first_;     ///< first vertex of an edge
@@ -70,9 +70,10 @@ Status FacetBuilder::number_corners(Context& context) {
   const PatchField& field = field_of(layer_, source_);
   const std::size_t channels = static_cast<std::size_t>(field.channel_count);
   const std::size_t nodes = field.node_value.size() / channels;
+  TableMemory node_memory("places of facets");
   std::vector<std::uint32_t> of_node;
-  Status status = resize_large(context, of_node, nodes, std::uint32_t{kNone});
-  if (status) status = resize_large(context, corner_vertex_, layer_.triangle_vertex.size());
+  Status status = node_memory.resize(context, of_node, nodes, kNone);
+  if (status) status = memory_.resize(context, corner_vertex_, layer_.triangle_vertex.size());
   if (!status) return status;
   RarePoll<kTurnsPerPoll> poll(context);
   for (std::uint32_t corner = 0; corner < corner_vertex_.size(); ++corner) {
@@ -81,7 +82,7 @@ Status FacetBuilder::number_corners(Context& context) {
     if (vertex == kNone ||
         layer_.triangle_vertex[corner_owner_[vertex]] != layer_.triangle_vertex[corner]) {
       vertex = static_cast<std::uint32_t>(corner_owner_.size());
-      corner_owner_.push_back(corner);
+      if (status = memory_.push_back(context, corner_owner_, corner); !status) return status;
     }
     corner_vertex_[corner] = vertex;
   }
@@ -91,8 +92,14 @@ Status FacetBuilder::number_corners(Context& context) {
 /// Counts facets and places vertices.
 Status FacetBuilder::count(Context& context, FacetMesh* mesh) {
   const std::size_t triangles = layer_.triangle_count();
-  std::vector<std::uint32_t> facets(triangles), inside(triangles);
-  Status status = parallel_for(context, triangles, kGrain, [&](std::size_t begin, std::size_t end) {
+  TableMemory count_memory("places of facets");
+  std::vector<std::uint32_t> facets, inside;
+  Status status = count_memory.resize_all(context, triangles, facets, inside);
+  if (status) status = memory_.reserve(context, edge_first_, cuts_.edge.size());
+  if (status) status = memory_.reserve(context, inside_first_, triangles + 1);
+  if (status) status = mesh->memory.reserve(context, mesh->patch_first_facet, triangles + 1);
+  if (!status) return status;
+  status = parallel_for(context, triangles, kGrain, [&](std::size_t begin, std::size_t end) {
     for (auto t = static_cast<std::uint32_t>(begin); t < end; ++t) {
       const FacetPatch patch(layer_, space_, source_, t, max_error_);
       const FacetTree tree = tree_of(t, patch);
@@ -103,15 +110,12 @@ Status FacetBuilder::count(Context& context, FacetMesh* mesh) {
   if (!status) return status;
   std::uint64_t vertex = corner_owner_.size();
   RarePoll<kTurnsPerPoll> poll(context);
-  edge_first_.reserve(cuts_.edge.size());
   for (const FacetEdge& edge : cuts_.edge) {
     if (poll.cancelled()) return context.cancel_status();
     edge_first_.push_back(vertex);
     vertex += static_cast<unsigned>(std::popcount(edge.steps));
   }
   std::uint64_t facet = 0;
-  mesh->patch_first_facet.reserve(triangles + 1);
-  inside_first_.reserve(triangles + 1);
   for (std::size_t t = 0; t < triangles; ++t) {
     if (poll.cancelled()) return context.cancel_status();
     mesh->patch_first_facet.push_back(static_cast<std::uint32_t>(facet));
@@ -130,12 +134,10 @@ Status FacetBuilder::allocate(Context& context, FacetMesh* mesh) const {
   const std::uint64_t vertices = inside_first_.back();
   const std::uint64_t facets = mesh->patch_first_facet.back();
   const auto channels = static_cast<std::size_t>(mesh->channel_count);
-  const std::size_t bytes =
-      vertices * (sizeof(Vec2) + channels * sizeof(float)) + facets * 3 * sizeof(std::uint32_t);
-  Status status = mesh->charge.add(context, bytes, "facets");
-  if (status) status = resize_large(context, mesh->vertex_position, vertices);
-  if (status) status = resize_large(context, mesh->vertex_value, vertices * channels);
-  if (status) status = resize_large(context, mesh->facet_vertex, facets * 3);
+  TableMemory& memory = mesh->memory;
+  Status status = memory.resize(context, mesh->vertex_position, vertices);
+  if (status) status = memory.resize(context, mesh->vertex_value, vertices * channels);
+  if (status) status = memory.resize(context, mesh->facet_vertex, facets * 3);
   return status;
 }
 
@@ -214,16 +216,10 @@ void FacetBuilder::fill(std::uint32_t triangle, FacetMesh* mesh) const {
 }
 
 Status FacetBuilder::build(Context& context, FacetMesh* mesh) {
-  // Corners, edges and patches: their places.
-  ScopedCharge places;
   const std::size_t triangles = layer_.triangle_count();
-  const PatchField& field = field_of(layer_, source_);
-  const std::size_t bytes =
-      triangles * (12 + 12 + 4 + 8 + 8) + cuts_.edge.size() * 8 + field.node_value.size() * 4;
-  Status status = places.add(context, bytes, "places of facets");
-  if (!status) return status;
   mesh->channel_count = channel_count_of(source_);
-  if (status = number_corners(context); !status) return status;
+  Status status = number_corners(context);
+  if (!status) return status;
   if (status = count(context, mesh); !status) return status;
   if (status = allocate(context, mesh); !status) return status;
   return parallel_for(context, triangles, kGrain, [&](std::size_t begin, std::size_t end) {

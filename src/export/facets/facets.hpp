@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "base/charge.hpp"
+#include "base/table_memory.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/status.hpp"
 #include "sfumato/picture/picture.hpp"
@@ -46,7 +46,15 @@ struct FacetMesh {
   std::vector<float> vertex_value;               ///< channel_count per vertex, 0 to 1
   std::vector<std::uint32_t> facet_vertex;       ///< 3 per facet, cross(01, 02) > 0
   std::vector<std::uint32_t> patch_first_facet;  ///< triangle_count + 1
-  ScopedCharge charge;
+  TableMemory memory{"facets"};
+
+  /// Room for so many vertices and facets more.
+  Status make_room(Context& context, std::size_t vertices, std::size_t facets) {
+    const auto channels = static_cast<std::size_t>(channel_count);
+    Status status = memory.make_room(context, vertex_position, vertices);
+    if (status) status = memory.make_room(context, vertex_value, channels * vertices);
+    return status ? memory.make_room(context, facet_vertex, 3 * facets) : status;
+  }
 
   /// value   channel_count of them are read
   std::uint32_t add_vertex(Vec2 at, std::span<const double> value) {

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "base/charge.hpp"
 #include "base/poll.hpp"
 
 namespace sfumato::outputs {
@@ -122,13 +121,13 @@ Box decode_box(Box box) {
 }
 
 Result<std::vector<std::uint8_t>> mesh_bytes(Context& context, const FacetMesh& mesh,
-                                             const Box& box, ScopedCharge* charge) {
+                                             const Box& box, TableMemory& memory) {
   const std::size_t record = 7 + static_cast<std::size_t>(mesh.channel_count);
   const std::size_t most = mesh.facet_vertex.size() * record;
-  if (Status status = charge->add(context, most, "a mesh's bytes"); !status) return status;
   std::vector<std::uint8_t> bytes;
-  bytes.reserve(most);
-  if (Status status = MeshWriter(mesh, box, &bytes).write(context); !status) return status;
+  Status status = memory.reserve(context, bytes, most);
+  if (!status) return status;
+  if (status = MeshWriter(mesh, box, &bytes).write(context); !status) return status;
   return bytes;
 }
 

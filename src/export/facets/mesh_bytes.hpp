@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/charge.hpp"
+#include "base/table_memory.hpp"
 #include "export/facets/facets.hpp"
 #include "sfumato/base/box.hpp"
 #include "sfumato/base/context.hpp"
@@ -22,8 +22,8 @@ Box decode_box(Box box);
 /// Facets as the data of a shading of type 4 (ISO 32000-1, 8.7.4.5.5), which PDF and PostScript
 /// share: a byte of flag, 24 bits for each coordinate, a byte for each channel. Facets that follow
 /// one another across a side are strips. `box` is not empty.
-/// Error: limit (memory, charged to `charge`).
+/// The bytes are a table of `memory`. Errors: limit (memory), cancelled.
 Result<std::vector<std::uint8_t>> mesh_bytes(Context& context, const FacetMesh& mesh,
-                                             const Box& box, ScopedCharge* charge);
+                                             const Box& box, TableMemory& memory);
 
 }  // namespace sfumato::outputs

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/charge.hpp"
 #include "base/poll.hpp"
+#include "base/table_memory.hpp"
 #include "export/facets/end_loops.hpp"
 
 namespace sfumato::outputs {
@@ -153,20 +153,24 @@ void for_each_around(const FacetLinks& links, std::uint32_t edge, Visit visit) {
 }
 
 /// Facets that have a corner at the end of the mesh, and their neighbours.
-Status mark_near_end(const Context& context, const FacetLinks& links, std::vector<bool>& near_end) {
+Status mark_near_end(Context& context, const FacetLinks& links,
+                     std::vector<std::uint8_t>& near_end) {
   const std::size_t edges = links.twin.size();
   RarePoll<kFacetsPerCheck> poll(context);
-  std::vector<bool> at_end(edges / 3);
+  TableMemory memory("the outlines of facets");
+  std::vector<std::uint8_t> at_end;
+  Status status = memory.resize(context, at_end, edges / 3);
+  if (!status) return status;
   for (std::uint32_t edge = 0; edge < edges; ++edge) {
     if (poll.cancelled()) return context.cancel_status();
     if (links.twin[edge] != kNoEdge) continue;
-    for_each_around(links, edge, [&](std::uint32_t around) { at_end[around / 3] = true; });
+    for_each_around(links, edge, [&](std::uint32_t around) { at_end[around / 3] = 1; });
   }
   for (std::uint32_t edge = 0; edge < edges; ++edge) {
     if (poll.cancelled()) return context.cancel_status();
     if (!at_end[edge / 3]) continue;
-    near_end[edge / 3] = true;
-    for_each_around(links, edge, [&](std::uint32_t around) { near_end[around / 3] = true; });
+    near_end[edge / 3] = 1;
+    for_each_around(links, edge, [&](std::uint32_t around) { near_end[around / 3] = 1; });
   }
   return ok_status();
 }
@@ -176,31 +180,33 @@ Status mark_near_end(const Context& context, const FacetLinks& links, std::vecto
 Result<FacetOutlines> underlapped(Context& context, const FacetMesh& mesh, const FacetLinks& links,
                                   const UnderlapReach& reach) {
   const std::size_t count = mesh.facet_vertex.size() / 3;
-  ScopedCharge charge;
-  Status status =
-      charge.add(context, count * (kPointsPerFacet * sizeof(Vec2) + 4), "the outlines of facets");
-  if (!status) return status;
   FacetOutlines outlines;
-  outlines.point.reserve(count * kPointsPerFacet);
-  outlines.first.reserve(count + 1);
-  Outliner outliner(mesh, links, reach, &outlines.point);
+  TableMemory& memory = outlines.memory;
+  Status status = memory.reserve(context, outlines.point, count * kPointsPerFacet);
+  if (status) status = memory.reserve(context, outlines.first, count + 1);
+  if (!status) return status;
+  std::vector<Vec2> outline;  // of one facet
+  Outliner outliner(mesh, links, reach, &outline);
   RarePoll<kFacetsPerCheck> poll(context);
   for (std::uint32_t facet = 0; facet < count; ++facet) {
     if (poll.cancelled()) return context.cancel_status();
     outlines.first.push_back(static_cast<std::uint32_t>(outlines.point.size()));
+    outline.clear();
     outliner.add(facet);
+    if (status = memory.append(context, outline, outlines.point); !status) return status;
   }
   outlines.first.push_back(static_cast<std::uint32_t>(outlines.point.size()));
   return outlines;
 }
 
-Result<std::vector<SmallFacet>> small_facets(const Context& context, const FacetMesh& mesh,
+Result<std::vector<SmallFacet>> small_facets(Context& context, const FacetMesh& mesh,
                                              const FacetLinks& links, double radius, double margin,
-                                             bool keeps_outline) {
-  std::vector<bool> is_near_end(mesh.facet_vertex.size() / 3);
-  if (keeps_outline) {
-    if (Status status = mark_near_end(context, links, is_near_end); !status) return status;
-  }
+                                             bool keeps_outline, TableMemory& memory) {
+  TableMemory mark_memory("the outlines of facets");
+  std::vector<std::uint8_t> is_near_end;
+  Status status = mark_memory.resize(context, is_near_end, mesh.facet_vertex.size() / 3);
+  if (status && keeps_outline) status = mark_near_end(context, links, is_near_end);
+  if (!status) return status;
   RarePoll<kFacetsPerCheck> poll(context);
   std::vector<SmallFacet> result;
   for (std::uint32_t facet = 0; 3 * facet < mesh.facet_vertex.size(); ++facet) {
@@ -214,6 +220,7 @@ Result<std::vector<SmallFacet>> small_facets(const Context& context, const Facet
     const double inradius = cross(p[1] - p[0], p[2] - p[0]) / perimeter;
     if (!(inradius > 0) || inradius >= radius) continue;
     const Vec2 center = (p[0] * side[0] + p[1] * side[1] + p[2] * side[2]) / perimeter;
+    if (status = memory.make_room(context, result); !status) return status;
     SmallFacet& small = result.emplace_back();
     small.facet = facet;
     for (int k = 0; k < 3; ++k) {
@@ -224,17 +231,20 @@ Result<std::vector<SmallFacet>> small_facets(const Context& context, const Facet
   return result;
 }
 
-Result<Silhouette> silhouette(const Context& context, const FacetMesh& mesh,
-                              const FacetLinks& links, const Box& frame) {
+Result<Silhouette> silhouette(Context& context, const FacetMesh& mesh, const FacetLinks& links,
+                              const Box& frame) {
   Silhouette result;
   const auto start = [&](std::uint32_t edge) {
     return mesh.vertex_position[mesh.facet_vertex[edge]];
   };
-  Status status = for_each_end_loop(context, links.twin, [&](std::uint32_t edge, bool is_first) {
-    if (is_first) result.loops.emplace_back();
-    result.loops.back().push_back(start(edge));
+  const auto add = [&](std::uint32_t edge, bool is_first) {
+    Status room;
+    if (is_first) room = result.memory.push_back(context, result.loops, {});
+    if (room) room = result.memory.push_back(context, result.loops.back(), start(edge));
     result.is_frame &= is_on_frame(start(edge), start(next_half_edge(edge)), frame);
-  });
+    return room;
+  };
+  Status status = for_each_end_loop(context, links.twin, add);
   if (!status) return status;
   return result;
 }

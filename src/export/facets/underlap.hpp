@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "base/table_memory.hpp"
 #include "export/facets/facet_links.hpp"
 
 namespace sfumato::outputs {
@@ -21,6 +22,7 @@ struct UnderlapReach {
 struct FacetOutlines {
   std::vector<Vec2> point;           ///< layer frame
   std::vector<std::uint32_t> first;  ///< facet count + 1
+  TableMemory memory{"the outlines of facets"};
 
   std::span<const Vec2> of(std::uint32_t facet) const {
     return std::span(point).subspan(first[facet], first[facet + 1] - first[facet]);
@@ -39,20 +41,21 @@ struct SmallFacet {
 };
 
 /// Facets whose inscribed circle has a radius below `radius`; not those near the mesh's end where
-/// `keeps_outline` is set. Cost: O(facets). Error: cancelled.
-Result<std::vector<SmallFacet>> small_facets(const Context& context, const FacetMesh& mesh,
+/// `keeps_outline` is set; a table of `memory`. Cost: O(facets). Errors: limit, cancelled.
+Result<std::vector<SmallFacet>> small_facets(Context& context, const FacetMesh& mesh,
                                              const FacetLinks& links, double radius, double margin,
-                                             bool keeps_outline);
+                                             bool keeps_outline, TableMemory& memory);
 
 /// The closed lines around what the mesh covers, for filling by the even-odd rule; whether there is
 /// any of which not both ends lie on one side of `frame`.
 struct Silhouette {
   std::vector<std::vector<Vec2>> loops;
   bool is_frame = true;
+  TableMemory memory{"the outlines of facets"};
 };
 
-/// Cost: O(facets). Error: cancelled.
-Result<Silhouette> silhouette(const Context& context, const FacetMesh& mesh,
-                              const FacetLinks& links, const Box& frame);
+/// Cost: O(facets). Errors: limit, cancelled.
+Result<Silhouette> silhouette(Context& context, const FacetMesh& mesh, const FacetLinks& links,
+                              const Box& frame);
 
 }  // namespace sfumato::outputs

@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "base/charge.hpp"
 #include "base/poll.hpp"
+#include "base/table_memory.hpp"
 #include "export/facets/mesh_bytes.hpp"
 
 namespace sfumato::outputs {
@@ -27,14 +27,12 @@ constexpr std::uint32_t kPixelsPerPoll = 1 << 16;
 
 /// Channels [first, first + count) of 8-bit pixels. Errors: limit, cancelled.
 Result<std::vector<std::uint8_t>> planes(Context& context, const Image& image, int first, int count,
-                                         ScopedCharge* charge) {
+                                         TableMemory& memory) {
   const auto stride = static_cast<std::size_t>(channel_count(image.format));
   const std::size_t pixels = image.bytes.size() / stride;
-  if (Status status = charge->add(context, pixels * static_cast<std::size_t>(count), "an image");
-      !status)
-    return status;
   std::vector<std::uint8_t> bytes;
-  bytes.reserve(pixels * static_cast<std::size_t>(count));
+  Status status = memory.reserve(context, bytes, pixels * static_cast<std::size_t>(count));
+  if (!status) return status;
   RarePoll<kPixelsPerPoll> poll(context);
   for (std::size_t i = 0; i < pixels; ++i) {
     if (poll.cancelled()) return context.cancel_status();
@@ -46,8 +44,8 @@ Result<std::vector<std::uint8_t>> planes(Context& context, const Image& image, i
 
 PdfRef add_planes(Context& context, PdfFile* file, const Image& image, int first, int count,
                   const std::string& entries) {
-  ScopedCharge charge;
-  const auto bytes = planes(context, image, first, count, &charge);
+  TableMemory memory("an image");
+  const auto bytes = planes(context, image, first, count, memory);
   if (bytes) return file->add_stream(entries, *bytes);
   file->fail(bytes.status());
   return 0;
@@ -57,8 +55,8 @@ PdfRef add_planes(Context& context, PdfFile* file, const Image& image, int first
 
 PdfRef add_mesh(Context& context, PdfFile* file, const FacetMesh& mesh, const Box& box) {
   if (mesh.facet_vertex.empty()) return 0;
-  ScopedCharge charge;
-  const auto bytes = mesh_bytes(context, mesh, box, &charge);
+  TableMemory memory("a mesh's bytes");
+  const auto bytes = mesh_bytes(context, mesh, box, memory);
   if (!bytes) {
     file->fail(bytes.status());
     return 0;

@@ -76,7 +76,7 @@ Result<SvgMesh> LayerWriter::mesh_of(const FacetMesh& facets, const FacetLinks& 
   mesh.mesh = &facets;
   mesh.outlines = std::move(*outlines);
   auto small = small_facets(context_, facets, links, layer_.pixel * kSmallRadius,
-                            layer_.pixel * kSmallMargin, outside == 0);
+                            layer_.pixel * kSmallMargin, outside == 0, mesh.memory);
   if (!small) return small.status();
   mesh.small = std::move(*small);
   mesh.grid_from_layer = grid_from_layer_;

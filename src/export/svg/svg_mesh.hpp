@@ -34,6 +34,7 @@ struct SvgMesh {
   std::vector<SmallFacet> small;
   std::string small_clip;  ///< what clips these: an attribute, with a blank before it, or nothing
   Affine grid_from_layer;  ///< to coordinates that are written as whole numbers
+  TableMemory memory{"the outlines of facets"};  ///< of `small`
 };
 
 /// One channel of all facets, in their order, each a path with a linear gradient of its own or,
