@@ -8,8 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "base/charge.hpp"
-#include "base/poll.hpp"
 #include "sfumato/base/context.hpp"
 
 namespace sfumato {
@@ -17,21 +15,8 @@ namespace sfumato {
 template <class Item>
 Status reserve_large(const Context& context, std::vector<Item>& items, std::size_t count);
 
-/// Makes room for `count` items and sets them, part by part: to touch memory for the first time
-/// takes 0.3 s a GiB. Charged before by who calls. Errors: cancelled; `items` is shorter then.
-template <class Item>
-Status resize_large(const Context& context, std::vector<Item>& items, std::size_t count,
-                    const Item& value = Item()) {
-  constexpr std::size_t kItems = (std::size_t{8} << 20) / sizeof(Item);
-  if (Status status = reserve_large(context, items, count); !status) return status;
-  while (items.size() < count) {
-    if (context.cancelled()) return context.cancel_status();
-    items.resize(std::min(count, items.size() + kItems), value);
-  }
-  return ok_status();
-}
-
-/// Appends a copy of `from` in the same way. Where room is lacking it doubles at least.
+/// Appends a copy of `from`, part by part, since that takes long; where room is lacking it doubles
+/// at least. Who calls has charged for it. Errors: cancelled; `to` is shorter then.
 template <class Item>
 Status append_large(const Context& context, std::span<const Item> from, std::vector<Item>& to) {
   constexpr std::size_t kItems = (std::size_t{8} << 20) / sizeof(Item);
@@ -55,11 +40,6 @@ inline Status append_text(const Context& context, std::string_view text,
   return append_large(context, std::span(bytes, text.size()), to);
 }
 
-template <class Item>
-Status copy_large(const Context& context, const std::vector<Item>& from, std::vector<Item>& to) {
-  return append_large(context, std::span<const Item>(from), to);
-}
-
 /// items.reserve(count), which copies what is there, in the same way. Errors: cancelled; nothing
 /// changes then.
 template <class Item>
@@ -67,54 +47,9 @@ Status reserve_large(const Context& context, std::vector<Item>& items, std::size
   if (count <= items.capacity()) return ok_status();
   std::vector<Item> moved;
   moved.reserve(count);
-  if (Status status = copy_large(context, items, moved); !status) return status;
-  items = std::move(moved);
-  return ok_status();
-}
-
-/// resize_large for what grows again and again: where room is lacking there is room for `most`
-/// then.
-template <class Item>
-Status grow_large(const Context& context, std::vector<Item>& items, std::size_t count,
-                  std::size_t most, const Item& value = Item()) {
-  if (count > items.capacity()) {
-    Status status = reserve_large(context, items, std::max(count, most));
-    if (!status) return status;
-  }
-  return resize_large(context, items, count, value);
-}
-
-/// Sorts by `less`, not stably: runs, and then these merged by twos into a second vector, which is
-/// charged. Errors: limit (memory), cancelled; the order is unspecified then.
-template <class Item, class Less>
-Status sort_large(Context& context, std::vector<Item>& items, Less less) {
-  constexpr std::size_t kRun = std::size_t{1} << 15;
-  const std::size_t count = items.size();
-  for (std::size_t begin = 0; begin < count; begin += kRun) {
-    if (context.cancelled()) return context.cancel_status();
-    const auto first = items.begin() + static_cast<std::ptrdiff_t>(begin);
-    std::sort(first, first + static_cast<std::ptrdiff_t>(std::min(kRun, count - begin)), less);
-  }
-  if (count <= kRun) return ok_status();
-  ScopedCharge charge;
-  Status status = charge.add(context, count * sizeof(Item), "sorting");
-  std::vector<Item> merged;
-  if (status) status = resize_large(context, merged, count);
+  Status status = append_large(context, std::span<const Item>(items), moved);
   if (!status) return status;
-  RarePoll<kRun> poll(context);
-  for (std::size_t run = kRun; run < count; run *= 2) {
-    std::size_t out = 0;
-    for (std::size_t begin = 0; begin < count; begin += 2 * run) {
-      std::size_t a = begin, b = std::min(begin + run, count);
-      const std::size_t a_end = b, b_end = std::min(b + run, count);
-      while (out < b_end) {
-        if (poll.cancelled()) return context.cancel_status();
-        const bool takes_b = a == a_end || (b < b_end && less(items[b], items[a]));
-        merged[out++] = items[takes_b ? b++ : a++];
-      }
-    }
-    items.swap(merged);
-  }
+  items = std::move(moved);
   return ok_status();
 }
 

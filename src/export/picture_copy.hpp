@@ -3,22 +3,22 @@
 #include <span>
 #include <vector>
 
-#include "base/charge.hpp"
+#include "base/table_memory.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/status.hpp"
 #include "sfumato/picture/picture.hpp"
 
-/// Copies of parts of a picture, for a picture of these alone: charged before they are made, and
-/// made piece by piece.
+/// Copies of parts of a picture, for a picture of these alone, in room from `memory`: made piece by
+/// piece.
 namespace sfumato::outputs {
 
 /// Appends a copy of a layer. Errors: limit (memory), cancelled.
-Status copy_layer(Context& context, const PatchLayer& layer, ScopedCharge* charge,
+Status copy_layer(const Context& context, const PatchLayer& layer, TableMemory& memory,
                   std::vector<PatchLayer>* to);
 
 /// Appends copies of shaders, textures without the files that they came from. Errors: limit
 /// (memory), cancelled.
-Status copy_shaders(Context& context, std::span<const Shader> shaders, ScopedCharge* charge,
+Status copy_shaders(const Context& context, std::span<const Shader> shaders, TableMemory& memory,
                     std::vector<Shader>* to);
 
 }  // namespace sfumato::outputs

@@ -111,10 +111,10 @@ Status bleed(const Context& context, Image* image) {
 
 Result<PixelPart> shader_pixels(Context& context, const Shader& shader, bool as_opacity,
                                 const Box& box, double pixels_per_unit) {
-  ScopedCharge copy;
+  TableMemory copy("a texture");
   Picture picture;
   picture.artboard = picture.viewport = box;
-  Status status = copy_shaders(context, {&shader, 1}, &copy, &picture.shaders);
+  Status status = copy_shaders(context, {&shader, 1}, copy, &picture.shaders);
   if (!status) return status;
   PatchLayer layer = box_layer(box);
   if (as_opacity) {
@@ -144,12 +144,12 @@ Result<Rgb> mean_opacity(const Context& context, const PixelPart& part) {
 
 Result<PixelPart> layer_pixels(Context& context, const Picture& picture, std::uint32_t layer,
                                const Box& box, double pixels_per_unit) {
-  ScopedCharge copy;
+  TableMemory copy("a layer to be painted");
   Picture alone;
   alone.artboard = alone.viewport = box;
   alone.interpolation = picture.interpolation;
-  Status status = copy_shaders(context, picture.shaders, &copy, &alone.shaders);
-  if (status) status = copy_layer(context, picture.layers[layer], &copy, &alone.layers);
+  Status status = copy_shaders(context, picture.shaders, copy, &alone.shaders);
+  if (status) status = copy_layer(context, picture.layers[layer], copy, &alone.layers);
   if (!status) return status;
   alone.stack.push_back(PatchInstance{});
   return painted(context, alone, box, size_of(box, pixels_per_unit), PixelFormat::rgba8);

@@ -72,9 +72,9 @@ class PartPicture {
     const auto known = std::ranges::find(copied_, instance.layer);
     const auto index = static_cast<std::uint32_t>(known - copied_.begin());
     if (known == copied_.end()) {
-      Status status = copy_layer(context_, layer, &charge_, &part_.layers);
+      Status status = copy_layer(context_, layer, memory_, &part_.layers);
       if (status && part_.shaders.empty()) {
-        status = copy_shaders(context_, whole_.shaders, &charge_, &part_.shaders);
+        status = copy_shaders(context_, whole_.shaders, memory_, &part_.shaders);
       }
       if (!status) return status;
       copied_.push_back(instance.layer);
@@ -85,16 +85,16 @@ class PartPicture {
     return push(instance, 0);
   }
 
-  /// The list doubles: as it moves, old and new are there.
+  /// bytes   that the item takes besides
   Status push(const PictureItem& item, std::size_t bytes) {
-    Status status = charge_.add(context_, 3 * sizeof(item) + bytes, "items to be painted");
-    if (status) part_.stack.push_back(item);
-    return status;
+    Status status = charge_.add(context_, bytes, "items to be painted");
+    return status ? memory_.push_back(context_, part_.stack, item) : status;
   }
 
   Context& context_;
   const Picture& whole_;
-  ScopedCharge charge_;
+  ScopedCharge charge_;  ///< of local curves
+  TableMemory memory_{"items to be painted"};
   Picture part_;
   std::vector<std::uint32_t> copied_;
   Box box_;

@@ -291,7 +291,7 @@ Result<std::vector<std::uint8_t>> GlbFile::finish(double metres_per_unit) {
   append_word(file, part_bytes_);
   append_word(file, kBinaryChunk);
   for (std::vector<std::uint8_t>& part : parts_) {
-    status = copy_large(context_, part, file);
+    status = append_large(context_, std::span<const std::uint8_t>(part), file);
     if (!status) return status;
     part = std::vector<std::uint8_t>();
   }

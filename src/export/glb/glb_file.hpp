@@ -10,6 +10,7 @@
 
 #include "base/charge.hpp"
 #include "base/json.hpp"
+#include "base/table_memory.hpp"
 #include "sfumato/base/affine.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/status.hpp"
@@ -22,7 +23,7 @@ struct GlbMesh {
   std::vector<std::uint16_t> color;  ///< linear r, g, b and alpha per vertex; or empty
   std::vector<float> texture;        ///< u, v per vertex; or empty
   std::vector<std::uint32_t> index;  ///< 3 per triangle
-  ScopedCharge charge;
+  TableMemory memory{"a GLB mesh"};
 };
 
 /// Puts a scene together and writes it as one file: https://registry.khronos.org/glTF/specs/2.0.

@@ -5,10 +5,9 @@
 #include <numeric>
 #include <utility>
 
-#include "base/charge.hpp"
-#include "base/large_vector.hpp"
 #include "base/parallel.hpp"
 #include "base/poll.hpp"
+#include "base/table_memory.hpp"
 #include "export/facets/facets.hpp"
 #include "sfumato/base/color_space.hpp"
 
@@ -24,29 +23,37 @@ struct NodePairs {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> node;
 };
 
-Result<NodePairs> pair_nodes(Context& context, const PatchField& color, const PatchField& opacity) {
+/// Their tables are of `memory`.
+Result<NodePairs> pair_nodes(Context& context, const PatchField& color, const PatchField& opacity,
+                             TableMemory& memory) {
   const std::size_t slots = color.triangle_node.size();
   const auto key = [&](std::uint32_t slot) {
     return std::pair(color.triangle_node[slot], opacity.triangle_node[slot]);
   };
-  std::vector<std::uint32_t> order(slots);
-  std::iota(order.begin(), order.end(), 0u);
+  TableMemory scratch("colours and opacity of a layer");
+  std::vector<std::uint32_t> order;
   NodePairs pairs;
-  Status status =
-      sort_large(context, order, [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
-  if (status) status = resize_large(context, pairs.triangle_node, slots);
+  Status status = scratch.resize(context, order, slots);
+  if (status) status = memory.resize(context, pairs.triangle_node, slots);
   if (!status) return status;
+  std::iota(order.begin(), order.end(), 0u);
+  const auto is_before = [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); };
+  if (status = TableMemory::sort(context, order, is_before); !status) return status;
   RarePoll<kTurnsPerPoll> poll(context);
   for (const std::uint32_t slot : order) {
     if (poll.cancelled()) return context.cancel_status();
-    if (pairs.node.empty() || pairs.node.back() != key(slot)) pairs.node.push_back(key(slot));
+    if (pairs.node.empty() || pairs.node.back() != key(slot)) {
+      status = memory.push_back(context, pairs.node, key(slot));
+      if (!status) return status;
+    }
     pairs.triangle_node[slot] = static_cast<std::uint32_t>(pairs.node.size() - 1);
   }
   return pairs;
 }
 
 /// Colour and opacity as one field of four channels.
-Result<PatchField> joined(Context& context, const PatchField& color, const PatchField& opacity) {
+Result<PatchField> joined(Context& context, const PatchField& color, const PatchField& opacity,
+                          TableMemory& memory) {
   const auto channels = static_cast<std::size_t>(color.channel_count);
   PatchField both{4, {}, {}, {}};
   const auto add = [&](std::size_t color_node, float alpha) {
@@ -55,19 +62,21 @@ Result<PatchField> joined(Context& context, const PatchField& color, const Patch
   };
   RarePoll<kTurnsPerPoll> poll(context);
   if (opacity.channel_count == 0) {
-    Status status = copy_large(context, color.triangle_node, both.triangle_node);
+    const std::size_t values = color.node_value.size() / channels * 4;
+    Status status = memory.append(context, color.triangle_node, both.triangle_node);
+    if (status) status = memory.reserve(context, both.node_value, values);
     if (!status) return status;
-    both.node_value.reserve(color.node_value.size() / channels * 4);
     for (std::size_t i = 0; i * channels < color.node_value.size(); ++i) {
       if (poll.cancelled()) return context.cancel_status();
       add(i, 1);
     }
     return both;
   }
-  Result<NodePairs> pairs = pair_nodes(context, color, opacity);
+  Result<NodePairs> pairs = pair_nodes(context, color, opacity, memory);
   if (!pairs) return pairs.status();
   both.triangle_node = std::move(pairs->triangle_node);
-  both.node_value.reserve(4 * pairs->node.size());
+  Status status = memory.reserve(context, both.node_value, 4 * pairs->node.size());
+  if (!status) return status;
   const auto stride = static_cast<std::size_t>(opacity.channel_count);
   for (const auto& [c, o] : pairs->node) {
     if (poll.cancelled()) return context.cancel_status();
@@ -77,28 +86,17 @@ Result<PatchField> joined(Context& context, const PatchField& color, const Patch
 }
 
 /// What facets of light are made from.
-Result<PatchLayer> light_layer(Context& context, const PatchLayer& layer) {
+Result<PatchLayer> light_layer(Context& context, const PatchLayer& layer, TableMemory& memory) {
   PatchLayer light;
   light.frame = layer.frame;
   light.order = layer.order;
-  Status status = copy_large(context, layer.vertex_position, light.vertex_position);
-  if (status) status = copy_large(context, layer.triangle_vertex, light.triangle_vertex);
+  Status status = memory.append(context, layer.vertex_position, light.vertex_position);
+  if (status) status = memory.append(context, layer.triangle_vertex, light.triangle_vertex);
   if (!status) return status;
-  Result<PatchField> color = joined(context, layer.color, layer.opacity);
+  Result<PatchField> color = joined(context, layer.color, layer.opacity, memory);
   if (!color) return color.status();
   light.color = std::move(*color);
   return light;
-}
-
-/// Bytes of it at most, and of what is needed meanwhile.
-std::size_t light_bytes(const PatchLayer& layer) {
-  const std::size_t slots = layer.color.triangle_node.size();
-  const std::size_t nodes =
-      layer.opacity.channel_count > 0
-          ? slots
-          : layer.color.node_value.size() / static_cast<std::size_t>(layer.color.channel_count);
-  return layer.vertex_position.size() * sizeof(Vec2) + layer.triangle_vertex.size() * 4 +
-         slots * 8 + nodes * (16 + 8);
 }
 
 std::uint16_t share_of_16_bits(double value) {
@@ -127,25 +125,22 @@ Result<GlbMesh> make_glb_layer(Context& context, const PatchLayer& layer, Interp
                                Vec2 origin, double max_error, double smallest_side) {
   GlbMesh mesh;
   if (layer.triangle_count() == 0) return mesh;
-  ScopedCharge copy;
-  Status status = copy.add(context, light_bytes(layer), "colours and opacity of a layer");
-  if (!status) return status;
-  const Result<PatchLayer> light = light_layer(context, layer);
+  TableMemory copy("colours and opacity of a layer");
+  const Result<PatchLayer> light = light_layer(context, layer, copy);
   if (!light) return light.status();
   const FacetSource source{FacetSource::Kind::light, 0};
   const auto facets = make_facets(context, *light, space, source, max_error, smallest_side);
   if (!facets) return facets.status();
   const std::size_t vertices = facets->vertex_position.size();
-  status = mesh.charge.add(context, vertices * 20 + facets->facet_vertex.size() * 4, "a GLB mesh");
+  Status status = mesh.memory.reserve(context, mesh.position, 3 * vertices);
+  if (status) status = mesh.memory.resize(context, mesh.color, 4 * vertices);
+  if (status) status = mesh.memory.reserve(context, mesh.index, facets->facet_vertex.size());
   if (!status) return status;
   RarePoll<kTurnsPerPoll> poll(context);
-  mesh.position.reserve(3 * vertices);
   for (const Vec2 p : facets->vertex_position) {
     if (poll.cancelled()) return context.cancel_status();
     add_vertex(mesh, p, origin);
   }
-  status = resize_large(context, mesh.color, 4 * vertices);
-  if (!status) return status;
   status = parallel_for(context, vertices, kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = 4 * begin; i < 4 * end; ++i) {
       const double value = facets->vertex_value[i];
@@ -154,7 +149,6 @@ Result<GlbMesh> make_glb_layer(Context& context, const PatchLayer& layer, Interp
   });
   if (!status) return status;
   // Turned over with the y axis, they run the other way.
-  mesh.index.reserve(facets->facet_vertex.size());
   for (std::size_t i = 0; i < facets->facet_vertex.size(); i += 3) {
     if (poll.cancelled()) return context.cancel_status();
     const std::uint32_t* corner = facets->facet_vertex.data() + i;

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <utility>
 
-#include "base/large_vector.hpp"
 #include "base/poll.hpp"
+#include "base/table_memory.hpp"
 
 namespace sfumato::outputs {
 namespace {
@@ -65,7 +65,8 @@ class Walker {
       const std::uint32_t a = start(h), b = end(h);
       keys[h] = {std::min(a, b), std::max(a, b), h};
     }
-    Status status = sort_large(context_, keys, [](const Key& a, const Key& b) { return a < b; });
+    Status status =
+        TableMemory::sort(context_, keys, [](const Key& a, const Key& b) { return a < b; });
     if (!status) return status;
     RarePoll<65536> poll(context_);
     half_edge_.resize(keys.size());

@@ -6,7 +6,6 @@
 #include <cstdio>
 #include <utility>
 
-#include "base/large_vector.hpp"
 #include "base/utf8.hpp"
 #include "codecs/deflate.hpp"
 
@@ -85,13 +84,12 @@ void PdfFile::append(std::string_view text) {
   bytes_.insert(bytes_.end(), text.begin(), text.end());
 }
 
-/// For so many bytes more, charged before; the table doubles.
+/// For so many bytes more; the table doubles.
 void PdfFile::make_room(std::size_t bytes) {
   const std::size_t needed = bytes_.size() + bytes + kHeader.size();
   if (needed <= bytes_.capacity()) return;
   const std::size_t larger = std::max(needed, 2 * bytes_.capacity());
-  fail(charge_.add(context_, larger - bytes_.capacity(), "objects of a PDF"));
-  if (status_) fail(reserve_large(context_, bytes_, larger));
+  fail(memory_.reserve(context_, bytes_, larger));
 }
 
 PdfRef PdfFile::begin_object() {
@@ -125,7 +123,7 @@ PdfRef PdfFile::add_stream(std::string_view entries, std::span<const std::uint8_
   append("<< ");
   append(entries);
   append(" /Filter /FlateDecode /Length " + std::to_string(packed->size()) + " >>\nstream\n");
-  fail(copy_large(context_, *packed, bytes_));
+  fail(memory_.append(context_, *packed, bytes_));
   append("\nendstream\nendobj\n");
   return ref;
 }

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/charge.hpp"
+#include "base/table_memory.hpp"
 #include "sfumato/base/affine.hpp"
 #include "sfumato/base/box.hpp"
 #include "sfumato/base/context.hpp"
@@ -54,7 +54,7 @@ class PdfFile {
   void append(std::string_view text);
 
   Context& context_;
-  ScopedCharge charge_;
+  TableMemory memory_{"objects of a PDF"};
   Status status_;
   std::vector<std::uint8_t> bytes_;
   std::vector<std::size_t> offset_;  ///< of object i + 1
