@@ -17,6 +17,8 @@ namespace {
 constexpr double kSide = 64;
 /// Beyond this a run would take too long, and show nothing that a smaller one does not.
 constexpr std::uint32_t kManyTriangles = 20'000;
+/// Kept free while a mesh is refined: what a limit stopped can be extracted and checked.
+constexpr std::size_t kRoomOfPatchMesh = fuzz::kBudgetBytes;
 
 /// Points as bytes say: on a grid, near or between those before, on the frame, far away.
 class DrawingReader {
@@ -118,20 +120,35 @@ void check_thinned(Context& context, const mesh::Mesher& mesher, const mesh::Tri
   fuzz::require_ok(is_valid(*thinned), "the thinned mesh is not valid");
 }
 
+/// Runs `step` without the room that extracting what it leaves will take.
+template <class Step>
+Status refine_by(Context& context, Step step) {
+  fuzz::require_ok(context.budget.charge(kRoomOfPatchMesh, "a patch mesh"), "room to extract");
+  Status status = step();
+  context.budget.release(kRoomOfPatchMesh);
+  return status;
+}
+
+/// The patch mesh, valid.
+mesh::TriangleMesh patch_mesh(Context& context, mesh::Mesher& mesher, std::string_view name) {
+  Result<mesh::TriangleMesh> patch = mesher.patch_mesh(context);
+  fuzz::require_ok(patch.status(), name);
+  fuzz::require_ok(is_valid(*patch), name);
+  return std::move(*patch);
+}
+
 /// Every third triangle is made smaller. A limit may stop it; the mesh stays valid.
 void check_refinement(Context& context, mesh::Mesher& mesher, double smallest_edge) {
-  const Status refined = mesher.refine(context);
-  mesh::TriangleMesh patch = *mesher.patch_mesh({});
-  fuzz::require_ok(is_valid(patch), "the patch mesh is not valid");
+  const Status refined = refine_by(context, [&] { return mesher.refine(context); });
+  const mesh::TriangleMesh patch = patch_mesh(context, mesher, "the patch mesh");
   if (!refined) return fuzz::require_honest(refined);
   if (patch.triangle_count() > kManyTriangles) return;
   std::vector<std::uint32_t> every_third;
   for (std::uint32_t t = 0; t < patch.triangle_count(); t += 3) every_third.push_back(t);
-  if (const Status finer = mesher.refine_triangles(context, every_third, smallest_edge); !finer) {
-    fuzz::require_honest(finer);
-  }
-  patch = *mesher.patch_mesh({});
-  fuzz::require_ok(is_valid(patch), "the finer patch mesh is not valid");
+  const Status finer = refine_by(
+      context, [&] { return mesher.refine_triangles(context, every_third, smallest_edge); });
+  if (!finer) fuzz::require_honest(finer);
+  patch_mesh(context, mesher, "the finer patch mesh");
 }
 
 }  // namespace
@@ -140,14 +157,16 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   DrawingReader drawing({data, size});
   const mesh::MeshOptions options = drawing.options();
   const curves::FlatCurves flat = drawing.curves();
-  Context context{.budget = Budget(fuzz::kBudgetBytes)};
+  Context context{.budget = Budget(fuzz::kBudgetBytes + kRoomOfPatchMesh)};
   {
     Result<mesh::Mesher> mesher = mesh::Mesher::build(context, flat, options);
     if (!mesher) {
       fuzz::require_honest(mesher.status());
       return 0;
     }
-    const mesh::TriangleMesh whole = *mesher->visibility_mesh({});
+    const Result<mesh::TriangleMesh> extracted = mesher->visibility_mesh(context);
+    fuzz::require_ok(extracted.status(), "the visibility mesh");
+    const mesh::TriangleMesh& whole = *extracted;
     fuzz::require_ok(is_valid(whole), "the visibility mesh is not valid");
     const double weld =
         std::max(options.weld_px * options.unit_size, mesh::kLeastWeldSteps * whole.lattice_step);

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <string_view>
+#include <utility>
 
 #include "sfumato/base/context.hpp"
 
@@ -17,9 +18,8 @@ class ScopedCharge {
   ScopedCharge() = default;
   /// Of this Budget, before anything is charged.
   explicit ScopedCharge(Budget& budget) : budget_(&budget) {}
-  ScopedCharge(ScopedCharge&& other) noexcept : budget_(other.budget_), bytes_(other.bytes_) {
-    other.budget_ = nullptr;
-  }
+  ScopedCharge(ScopedCharge&& other) noexcept
+      : budget_(std::exchange(other.budget_, nullptr)), bytes_(std::exchange(other.bytes_, 0)) {}
   ScopedCharge& operator=(ScopedCharge&& other) noexcept;
   ~ScopedCharge();
 

@@ -32,12 +32,13 @@ std::size_t capacity_bytes(const Table&... tables) {
 /// A Context's Budget as a resource of memory for tables (vectors, strings). A table's room is
 /// charged as it is allocated, to the byte; a table that moves to a larger room is charged twice
 /// while both exist. Everything is given back at the end of this object's scope: it stands beside
-/// the tables, and moves with them. What makes a table from it grows that table through it alone.
+/// the tables, and moves with them. A table may grow through another TableMemory than the one that
+/// made it, of the same Budget: that one pays for the difference.
 ///
 /// Every verb may fail with limit (memory) or cancelled; what the table holds is unspecified then.
-/// Memory is touched for the first time in parts, with a look at the cancel
-/// flag between them, since that takes 0.3 s a GiB. An allocation of the machine that fails throws
-/// std::bad_alloc, see no_throw.
+/// Memory is touched for the first time in parts, with a look at the cancel flag between them,
+/// since that takes 0.3 s a GiB. An allocation of the machine that fails throws std::bad_alloc, see
+/// no_throw.
 ///
 /// Belongs to one Budget, as ScopedCharge does. Not thread-safe.
 class TableMemory {
@@ -124,12 +125,6 @@ class TableMemory {
     Table().swap(table);
   }
 
-  /// Charges a table that allocated elsewhere, as a verb's result has: from now on as if made here.
-  template <class Table>
-  Status adopt(const Context& context, const Table& table) {
-    return charge_.add(context, capacity_bytes(table), purpose_);
-  }
-
   /// Takes over what `other` holds, together with its tables.
   void take(TableMemory&& other) { charge_.take(std::move(other.charge_)); }
 
@@ -167,7 +162,7 @@ Status TableMemory::reserve(const Context& context, Table& table, std::size_t co
   }
   for (std::size_t i = 0; i < table.size(); i += kPart<Table>) {
     if (context.cancelled()) {
-      charge_.release(count * sizeof(Item));
+      charge_.release(capacity_bytes(moved));
       return context.cancel_status();
     }
     const auto first = table.begin() + static_cast<std::ptrdiff_t>(i);

@@ -5,18 +5,16 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "base/charge.hpp"
-
 namespace sfumato::codecs {
 namespace {
 
 constexpr int kLevel = 9;
 
-/// Bytes given out at once.
+/// Bytes by which the result grows at least.
 constexpr std::size_t kPiece = std::size_t{64} << 10;
 /// Taken in at once; between them the cancel flag is looked at. Where bytes
 /// have few values, the best level looks at thousands of places before each: microseconds.
-constexpr std::size_t kBytesPerPoll = std::size_t{4} << 10;
+constexpr std::size_t kBytesPerPoll = std::size_t{1} << 10;
 
 /// A deflater that ends with its scope.
 class Deflater {
@@ -37,14 +35,12 @@ class Deflater {
     stream_.avail_in = static_cast<uInt>(bytes.size());
   }
 
-  /// Appends at most a piece to `out`; true at the end of the stream.
-  bool drain(bool is_last, std::vector<std::uint8_t>& out) {
-    const std::size_t before = out.size();
-    out.resize(before + kPiece);
-    stream_.next_out = out.data() + before;
-    stream_.avail_out = static_cast<uInt>(kPiece);
+  /// Writes to `room`, and sets `written`; true at the end of the stream.
+  bool drain(bool is_last, std::span<std::uint8_t> room, std::size_t& written) {
+    stream_.next_out = room.data();
+    stream_.avail_out = static_cast<uInt>(room.size());
     const int code = deflate(&stream_, is_last ? Z_FINISH : Z_NO_FLUSH);
-    out.resize(out.size() - stream_.avail_out);
+    written = room.size() - stream_.avail_out;
     return code == Z_STREAM_END;
   }
 
@@ -55,23 +51,30 @@ class Deflater {
 
 }  // namespace
 
-Result<std::vector<std::uint8_t>> deflated(Context& context, std::span<const std::uint8_t> bytes) {
-  ScopedCharge charge;
-  const std::size_t most = compressBound(static_cast<uLong>(bytes.size())) + 2 * kPiece;
-  if (Status status = charge.add(context, most, "packed bytes"); !status) return status;
+Result<std::vector<std::uint8_t>> deflated(const Context& context,
+                                           std::span<const std::uint8_t> bytes,
+                                           TableMemory& memory) {
   Deflater deflater;
   if (!deflater.ready()) return make_error(StatusCode::out_of_memory, "no memory to pack bytes");
   std::vector<std::uint8_t> packed;
-  std::size_t fed = 0;
+  std::size_t fed = 0, size = 0;
   for (bool is_done = false; !is_done;) {
     if (context.cancelled()) return context.cancel_status();
-    if (deflater.is_hungry()) {
-      const std::size_t size = std::min(kBytesPerPoll, bytes.size() - fed);
-      deflater.feed(bytes.subspan(fed, size));
-      fed += size;
+    if (size == packed.size()) {
+      const std::size_t larger = size + std::max(size / 2, kPiece);
+      if (Status status = memory.resize(context, packed, larger); !status) return status;
     }
-    is_done = deflater.drain(fed == bytes.size(), packed);
+    if (deflater.is_hungry()) {
+      const std::size_t taken = std::min(kBytesPerPoll, bytes.size() - fed);
+      deflater.feed(bytes.subspan(fed, taken));
+      fed += taken;
+    }
+    const auto room = std::span(packed).subspan(size, std::min(kPiece, packed.size() - size));
+    std::size_t written = 0;
+    is_done = deflater.drain(fed == bytes.size(), room, written);
+    size += written;
   }
+  packed.resize(size);
   return packed;
 }
 

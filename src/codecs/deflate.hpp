@@ -4,13 +4,16 @@
 #include <span>
 #include <vector>
 
+#include "base/table_memory.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/status.hpp"
 
 namespace sfumato::codecs {
 
 /// `bytes` in zlib's format (RFC 1950), level 9: what PDF calls FlateDecode, and a browser
-/// "deflate". Errors: limit (memory), out_of_memory, cancelled. Memory: as much as the result.
-Result<std::vector<std::uint8_t>> deflated(Context& context, std::span<const std::uint8_t> bytes);
+/// "deflate". Its room is charged to `memory`. Errors: limit (memory), out_of_memory, cancelled.
+Result<std::vector<std::uint8_t>> deflated(const Context& context,
+                                           std::span<const std::uint8_t> bytes,
+                                           TableMemory& memory);
 
 }  // namespace sfumato::codecs

@@ -101,7 +101,7 @@ class Arrangement {
   std::vector<Subsegment> to_insert_;
   std::vector<Edge> crossed_edges_;
   std::vector<Edge> new_edges_;
-  ScopedCharge charge_;  ///< of these three
+  ScopedCharge charge_;  ///< of these three and of the mesh's lists
 };
 
 }  // namespace sfumato::mesh

@@ -63,18 +63,6 @@ TEST(TableMemory, moves_with_its_tables) {
   EXPECT_EQ(context.budget.used(), capacity_bytes(kept));
 }
 
-TEST(TableMemory, adopts_what_was_made_elsewhere) {
-  Context context;
-  TableMemory memory("a test");
-  std::vector<int> numbers(300, 4);
-  ASSERT_TRUE(memory.adopt(context, numbers).ok());
-  EXPECT_EQ(context.budget.used(), capacity_bytes(numbers));
-  ASSERT_TRUE(memory.resize(context, numbers, 1000).ok());
-  EXPECT_EQ(context.budget.used(), capacity_bytes(numbers));
-  memory.free(numbers);
-  EXPECT_EQ(context.budget.used(), 0u);
-}
-
 TEST(TableMemory, refuses_before_it_allocates) {
   Context context{.budget = Budget(10'000)};
   TableMemory memory("a test");
@@ -145,6 +133,22 @@ TEST(TableMemory, sorting_is_charged_and_ends_when_cancelled) {
   Context context;
   context.cancel = true;
   EXPECT_EQ(TableMemory::sort(context, numbers, std::less<>()).code, StatusCode::cancelled);
+}
+
+TEST(ScopedCharge, holds_nothing_once_it_has_moved) {
+  Context first, second;
+  ScopedCharge charge;
+  ASSERT_TRUE(charge.add(first, 100, "a test").ok());
+  {
+    const ScopedCharge moved = std::move(charge);
+    ASSERT_TRUE(charge.add(second, 30, "a test").ok());
+    charge.release(1000);
+    EXPECT_EQ(second.budget.used(), 0u);
+    EXPECT_EQ(first.budget.used(), 100u);
+    ASSERT_TRUE(charge.raise_to(second, 40, "a test").ok());
+    EXPECT_EQ(second.budget.used(), 40u);
+  }
+  EXPECT_EQ(first.budget.used(), 0u);
 }
 
 TEST(ScopedCharge, is_raised_and_released_but_not_below_zero) {

@@ -185,7 +185,10 @@ TEST(Polls, packing_bytes_of_two_values_looks_often) {
     noise = noise * 1'664'525 + 1'013'904'223;
     byte = noise >> 24 & 1;
   }
-  expect_polls("deflate", [&](Context& c) { return codecs::deflated(c, bytes); });
+  expect_polls("deflate", [&](Context& c) {
+    TableMemory memory("packed bytes");
+    return codecs::deflated(c, bytes, memory);
+  });
 }
 
 TEST(Polls, exporters_of_large_textures_look_often) {

@@ -123,11 +123,11 @@ SimdLevel detected_simd_level();
 /// is to stop, and returns cancel_status(). docs/limits.md has measurements, and the exception: the
 /// passes of libwebp over a large image.
 struct Context {
-  Executor* executor = nullptr;            ///< null: the calling thread alone
-  Progress* progress = nullptr;            ///< null: nobody is told
-  mutable Budget budget{};                 ///< memory that the computation may take
-  Limits limits{};                         ///< how large inputs and intermediate results may be
-  CancelFlag cancel{};                     ///< set it to stop the work
+  Executor* executor = nullptr;  ///< null: the calling thread alone
+  Progress* progress = nullptr;  ///< null: nobody is told
+  mutable Budget budget{};  ///< memory that the computation may take, charged by const work too
+  Limits limits{};          ///< how large inputs and intermediate results may be
+  CancelFlag cancel{};      ///< set it to stop the work
   std::optional<Deadline> deadline{};      ///< none: no limit on time
   SimdLevel simd = detected_simd_level();  ///< at most what the machine has
   PollWatch* poll_watch = nullptr;         ///< for tests

@@ -113,7 +113,8 @@ void EpsWriter::begin() {
 
 /// Defines `name` as a stream that can be read again and again: "name 0 setfileposition".
 Status EpsWriter::add_data(const std::string& name, std::span<const std::uint8_t> bytes) {
-  const Result<std::vector<std::uint8_t>> packed = codecs::deflated(context_, bytes);
+  TableMemory memory("packed bytes");
+  const Result<std::vector<std::uint8_t>> packed = codecs::deflated(context_, bytes, memory);
   if (!packed) return packed.status();
   if (Status status = charge_.add(context_, packed->size() * 3, "an EPS's text"); !status)
     return status;

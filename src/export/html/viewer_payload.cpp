@@ -149,7 +149,8 @@ Result<std::vector<std::uint8_t>> viewer_payload(Context& context, const Picture
   if (Status status = check_size(context.limits, picture); !status) return status;
   PayloadWriter writer(context, picture);
   if (Status status = writer.run(background); !status) return status;
-  return codecs::deflated(context, writer.take());
+  TableMemory memory("the viewer's payload");
+  return codecs::deflated(context, writer.take(), memory);
 }
 
 }  // namespace sfumato::outputs

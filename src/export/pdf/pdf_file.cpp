@@ -112,7 +112,8 @@ PdfRef PdfFile::add(std::string_view object) {
 
 PdfRef PdfFile::add_stream(std::string_view entries, std::span<const std::uint8_t> bytes) {
   if (!status_) return 0;
-  const Result<std::vector<std::uint8_t>> packed = codecs::deflated(context_, bytes);
+  TableMemory memory("packed bytes");
+  const Result<std::vector<std::uint8_t>> packed = codecs::deflated(context_, bytes, memory);
   if (!packed) {
     fail(packed.status());
     return 0;
