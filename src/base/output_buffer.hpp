@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "base/table_memory.hpp"
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/status.hpp"
+
+namespace sfumato {
+
+/// A file, text or bytes, while it is written: its room comes from the Context's Budget, and
+/// doubles where it has to grow. A failure stays: from then on nothing is appended, and status()
+/// and finish() return it, so that a writer need not look after each piece. Loops over many pieces
+/// look now and then, and at the cancel flag too. Not thread-safe.
+class OutputBuffer {
+ public:
+  /// purpose   what is written, in the message of a limit: "the SVG"; a literal
+  OutputBuffer(const Context& context, std::string_view purpose)
+      : context_(context), memory_(purpose) {}
+
+  OutputBuffer& operator+=(std::string_view text) {
+    append({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+    return *this;
+  }
+  OutputBuffer& operator+=(char c) { return *this += std::string_view(&c, 1); }
+
+  void append(std::span<const std::uint8_t> bytes) {
+    if (bytes.size() > bytes_.capacity() - bytes_.size() || bytes.size() > kSmall) {
+      append_large(bytes);
+    } else {
+      bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
+    }
+  }
+
+  /// Room for `size` more bytes, so that what follows need not move.
+  void reserve(std::size_t size);
+
+  /// Bytes so far.
+  std::size_t size() const { return bytes_.size(); }
+  /// Ok, or why nothing is appended any more: limit (memory), cancelled, or what fail() was given.
+  const Status& status() const { return status_; }
+  /// Ends the writing for this reason, unless it has ended or the reason is ok.
+  void fail(Status status);
+
+  /// What was written, or the failure. The charge lasts as long as this object.
+  Result<std::vector<std::uint8_t>> finish();
+
+ private:
+  static constexpr std::size_t kSmall = std::size_t{64} << 10;
+
+  void append_large(std::span<const std::uint8_t> bytes);
+
+  const Context& context_;
+  TableMemory memory_;
+  std::vector<std::uint8_t> bytes_;
+  Status status_;
+};
+
+}  // namespace sfumato
