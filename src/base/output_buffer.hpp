@@ -39,6 +39,10 @@ class OutputBuffer {
   /// Room for `size` more bytes, so that what follows need not move.
   void reserve(std::size_t size);
 
+  /// What was written so far, until more is; nothing after a failure.
+  std::string_view text() const {
+    return {reinterpret_cast<const char*>(bytes_.data()), bytes_.size()};
+  }
   /// Bytes so far.
   std::size_t size() const { return bytes_.size(); }
   /// Ok, or why nothing is appended any more: limit (memory), cancelled, or what fail() was given.

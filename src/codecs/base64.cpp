@@ -60,15 +60,14 @@ std::string encode_base64(std::span<const std::uint8_t> bytes) {
   return text;
 }
 
-Status append_base64(const Context& context, std::span<const std::uint8_t> bytes,
-                     std::string& text) {
-  constexpr std::size_t kPart = std::size_t{3} << 20;
-  text.reserve(text.size() + base64_length(bytes.size()));
-  for (std::size_t i = 0; i < bytes.size(); i += kPart) {
-    if (context.cancelled()) return context.cancel_status();
-    append_part(bytes.subspan(i, std::min(kPart, bytes.size() - i)), text);
+void append_base64(const Context& context, std::span<const std::uint8_t> bytes,
+                   OutputBuffer& text) {
+  constexpr std::size_t kPart = std::size_t{3} << 14;
+  text.reserve(base64_length(bytes.size()));
+  for (std::size_t i = 0; i < bytes.size() && text.status(); i += kPart) {
+    if (context.cancelled()) return text.fail(context.cancel_status());
+    text += encode_base64(bytes.subspan(i, std::min(kPart, bytes.size() - i)));
   }
-  return ok_status();
 }
 
 Result<std::vector<std::uint8_t>> decode_base64(std::string_view text) {

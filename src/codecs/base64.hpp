@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/output_buffer.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/status.hpp"
 
@@ -15,9 +16,8 @@ namespace sfumato::codecs {
 std::string encode_base64(std::span<const std::uint8_t> bytes);
 std::size_t base64_length(std::size_t byte_count);
 
-/// Appends it. Error: cancelled; a part is there then.
-Status append_base64(const Context& context, std::span<const std::uint8_t> bytes,
-                     std::string& text);
+/// Appends it, part by part with a look at the cancel flag before each.
+void append_base64(const Context& context, std::span<const std::uint8_t> bytes, OutputBuffer& text);
 
 /// Decodes base64 (RFC 4648, section 4); blanks are skipped, padding may be missing. Memory: three
 /// quarters of the text. Errors: bad_input, without a place.

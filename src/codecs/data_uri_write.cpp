@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include "base/table_memory.hpp"
 #include "codecs/base64.hpp"
 #include "sfumato/codecs/png.hpp"
 
@@ -41,23 +40,27 @@ std::string_view image_media_type(std::span<const std::uint8_t> file) {
   return {};
 }
 
-Status append_data_uri(const Context& context, std::string_view media_type,
-                       std::span<const std::uint8_t> bytes, std::string& text) {
-  text.append("data:").append(media_type).append(";base64,");
-  return append_base64(context, bytes, text);
+void append_data_uri(const Context& context, std::string_view media_type,
+                     std::span<const std::uint8_t> bytes, OutputBuffer& text) {
+  ((text += "data:") += media_type) += ";base64,";
+  append_base64(context, bytes, text);
 }
 
-Result<std::string> data_uri(Context& context, const Texture& texture) {
-  std::string text;
-  Status status;
+Result<std::string> data_uri(Context& context, const Texture& texture, TableMemory& memory) {
+  OutputBuffer buffer(context, "a data: URI");
   if (const std::string_view type = image_media_type(texture.file); !type.empty()) {
-    status = append_data_uri(context, type, texture.file, text);
+    append_data_uri(context, type, texture.file, buffer);
   } else {
     const auto png = texture_png(context, texture);
     if (!png) return png.status();
-    status = append_data_uri(context, "image/png", *png, text);
+    append_data_uri(context, "image/png", *png, buffer);
   }
-  if (!status) return status;
+  const auto bytes = buffer.finish();
+  if (!bytes) return bytes.status();
+  std::string text;
+  const std::span<const char> characters(reinterpret_cast<const char*>(bytes->data()),
+                                         bytes->size());
+  if (Status status = memory.append(context, characters, text); !status) return status;
   return text;
 }
 

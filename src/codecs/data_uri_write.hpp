@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/output_buffer.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/status.hpp"
 #include "sfumato/document/shader.hpp"
@@ -19,12 +20,12 @@ std::string_view image_media_type(std::span<const std::uint8_t> file);
 /// bad_input.
 Result<std::vector<std::uint8_t>> texture_png(Context& context, const Texture& texture);
 
-/// Appends "data:TYPE;base64,…" on one line. Error: cancelled.
-Status append_data_uri(const Context& context, std::string_view media_type,
-                       std::span<const std::uint8_t> bytes, std::string& text);
+/// Appends "data:TYPE;base64,…" on one line.
+void append_data_uri(const Context& context, std::string_view media_type,
+                     std::span<const std::uint8_t> bytes, OutputBuffer& text);
 
-/// The texture's own file where it is a PNG or JPEG, else its texels encoded as PNG.
-/// Errors: those of texture_png.
-Result<std::string> data_uri(Context& context, const Texture& texture);
+/// The texture's own file where it is a PNG or JPEG, else its texels encoded as PNG. The text's
+/// room is charged to `memory`. Errors: those of texture_png.
+Result<std::string> data_uri(Context& context, const Texture& texture, TableMemory& memory);
 
 }  // namespace sfumato::codecs

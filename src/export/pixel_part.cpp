@@ -35,9 +35,6 @@ Result<PixelPart> painted(Context& context, const Picture& picture, const Box& b
                           const Size& size, PixelFormat format) {
   PixelPart part;
   part.box = box;
-  const std::size_t bytes =
-      std::size_t{4} * static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
-  if (Status status = part.charge.add(context, bytes, "pixels"); !status) return status;
   RasterOptions options;
   options.width = size.width;
   options.height = size.height;
@@ -46,6 +43,8 @@ Result<PixelPart> painted(Context& context, const Picture& picture, const Box& b
   Result<Image> image = rasterize(context, picture, options);
   if (!image) return image.status();
   part.image = std::move(*image);
+  Status status = part.charge.add(context, capacity_bytes(part.image.bytes), "pixels");
+  if (!status) return status;
   return part;
 }
 

@@ -14,7 +14,7 @@ namespace sfumato::outputs {
 struct PixelPart {
   Box box;  ///< that the image fills; empty where there is nothing
   Image image;
-  ScopedCharge charge;
+  ScopedCharge charge;  ///< of the image
 };
 
 /// Most pixels of one part; above, it gets fewer to a unit.

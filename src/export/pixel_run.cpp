@@ -156,10 +156,15 @@ Result<PixelRun> paint_run(Context& context, const Picture& picture, std::size_t
   options.format = PixelFormat::rgba8;
   Result<Image> image = rasterize(context, part.on(result.box), options);
   if (!image) return image.status();
-  if (Status status = bleed(context, &*image); !status) return status;
+  ScopedCharge held;
+  Status status = held.add(context, capacity_bytes(image->bytes), "pixels");
+  if (status) status = bleed(context, &*image);
+  if (!status) return status;
   Result<std::vector<std::uint8_t>> png = encode_png(context, *image);
   if (!png) return png.status();
   result.png = std::move(*png);
+  status = result.charge.add(context, capacity_bytes(result.png), "pixels as PNG");
+  if (!status) return status;
   return result;
 }
 

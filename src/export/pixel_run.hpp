@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/charge.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/status.hpp"
 #include "sfumato/picture/picture.hpp"
@@ -16,6 +17,7 @@ struct PixelRun {
   int width = 0;
   int height = 0;
   std::vector<std::uint8_t> png;  ///< with alpha
+  ScopedCharge charge;            ///< of the file
 };
 
 /// Whether an item is a local curve, or a layer that image-domain shaders fill: what meshes of

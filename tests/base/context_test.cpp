@@ -5,13 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <numeric>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "base/charge.hpp"
-#include "base/large_vector.hpp"
 #include "base/limit_error.hpp"
 #include "base/parallel.hpp"
 #include "base/poll.hpp"
@@ -137,20 +135,6 @@ TEST(Poll, a_rare_poll_looks_once_in_its_turns) {
   RarePoll<8> poll(context);
   for (int i = 0; i < 80; ++i) EXPECT_FALSE(poll.cancelled());
   EXPECT_EQ(counter.count, 10);
-}
-
-TEST(LargeVector, room_is_made_whole_or_not_at_all) {
-  std::vector<std::uint32_t> numbers(100'000);
-  std::iota(numbers.begin(), numbers.end(), 0u);
-  const std::vector<std::uint32_t> before = numbers;
-  Context context;
-  EXPECT_TRUE(reserve_large(context, numbers, 2 * numbers.size()).ok());
-  EXPECT_GE(numbers.capacity(), 2 * before.size());
-  EXPECT_EQ(numbers, before);
-  context.cancel = true;
-  EXPECT_EQ(reserve_large(context, numbers, 4 * numbers.size()).code, StatusCode::cancelled);
-  EXPECT_LT(numbers.capacity(), 4 * before.size());
-  EXPECT_EQ(numbers, before);
 }
 
 TEST(Budget, charges_end_with_their_scope) {

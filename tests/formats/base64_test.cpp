@@ -36,12 +36,22 @@ TEST(Base64, gives_back_every_byte) {
 TEST(Base64, appended_in_parts_is_the_same_as_at_once) {
   const std::vector<std::uint8_t> bytes((std::size_t{6} << 20) + 1, 0xa5);
   Context context;
-  std::string text = "data:,";
-  ASSERT_TRUE(codecs::append_base64(context, bytes, text));
-  EXPECT_EQ(text, "data:," + codecs::encode_base64(bytes));
+  OutputBuffer text(context, "base64");
+  text += "data:,";
+  codecs::append_base64(context, bytes, text);
   EXPECT_EQ(text.size(), 6 + codecs::base64_length(bytes.size()));
+  const auto appended = text.finish();
+  ASSERT_TRUE(appended.ok());
+  EXPECT_EQ(std::string(appended->begin(), appended->end()),
+            "data:," + codecs::encode_base64(bytes));
+}
+
+TEST(Base64, appending_stops_when_cancelled) {
+  Context context;
   context.cancel = true;
-  EXPECT_EQ(codecs::append_base64(context, bytes, text).code, StatusCode::cancelled);
+  OutputBuffer text(context, "base64");
+  codecs::append_base64(context, std::vector<std::uint8_t>(1000), text);
+  EXPECT_EQ(text.status().code, StatusCode::cancelled);
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include <utility>
 #include <variant>
 
-#include "base/charge.hpp"
+#include "base/output_buffer.hpp"
 #include "base/poll.hpp"
 #include "base/public_verb.hpp"
 #include "codecs/deflate.hpp"
@@ -24,30 +24,29 @@ namespace {
 
 constexpr std::size_t kLineLength = 76;
 
-/// Bytes as ASCII base 85, with its end mark. Errors: cancelled.
-Status append_ascii85(const Context& context, std::span<const std::uint8_t> bytes,
-                      std::string* text) {
+/// Bytes as ASCII base 85, with its end mark.
+void append_ascii85(const Context& context, std::span<const std::uint8_t> bytes,
+                    OutputBuffer& text) {
   RarePoll<65536> poll(context);
-  std::size_t line_begin = text->size();
+  std::size_t line_begin = text.size();
   for (std::size_t i = 0; i < bytes.size(); i += 4) {
-    if (poll.cancelled()) return context.cancel_status();
+    if (poll.cancelled()) return text.fail(context.cancel_status());
     const std::size_t count = std::min<std::size_t>(4, bytes.size() - i);
     std::uint32_t word = 0;
     for (std::size_t k = 0; k < 4; ++k) word = word << 8 | (k < count ? bytes[i + k] : 0u);
     char digit[5];
     for (int k = 4; k >= 0; --k, word /= 85) digit[k] = static_cast<char>('!' + word % 85);
     if (count == 4 && std::string_view(digit, 5) == "!!!!!")
-      text->push_back('z');
+      text += 'z';
     else
-      text->append(digit, count + 1);
-    if (text->size() - line_begin < kLineLength) continue;
-    text->push_back('\n');
-    line_begin = text->size();
+      text += std::string_view(digit, count + 1);
+    if (text.size() - line_begin < kLineLength) continue;
+    text += '\n';
+    line_begin = text.size();
     // A line that begins with %% would be a comment of the document's structure.
-    if (i + 4 < bytes.size()) text->push_back(' ');
+    if (i + 4 < bytes.size()) text += ' ';
   }
-  *text += "~>\n";
-  return ok_status();
+  text += "~>\n";
 }
 
 /// Writes a picture.
@@ -59,7 +58,8 @@ class EpsWriter {
         picture_(picture),
         options_(options),
         points_per_unit_(points_per_unit),
-        notes_(notes) {}
+        notes_(notes),
+        text_(context, "the EPS") {}
 
   Result<std::vector<std::uint8_t>> write();
 
@@ -77,8 +77,7 @@ class EpsWriter {
   const EpsOptions& options_;
   double points_per_unit_;
   ExportNotes* notes_;
-  ScopedCharge charge_;
-  std::string text_;
+  OutputBuffer text_;
 };
 
 /// Whether everything just replaces what lies below.
@@ -103,9 +102,9 @@ void EpsWriter::begin() {
   std::copy_if(options_.title.begin(), options_.title.end(), std::back_inserter(title),
                [](char c) { return c >= ' ' && c <= '~'; });
   const std::string size = pdf_number(page.width) + " " + pdf_number(page.height);
-  text_ = "%!PS-Adobe-3.0 EPSF-3.0\n%%BoundingBox: 0 0 " + pdf_number(std::ceil(page.width)) + " " +
-          pdf_number(std::ceil(page.height)) + "\n%%HiResBoundingBox: 0 0 " + size +
-          "\n%%Creator: Sfumato\n";
+  text_ += "%!PS-Adobe-3.0 EPSF-3.0\n%%BoundingBox: 0 0 " + pdf_number(std::ceil(page.width)) +
+           " " + pdf_number(std::ceil(page.height)) + "\n%%HiResBoundingBox: 0 0 " + size +
+           "\n%%Creator: Sfumato\n";
   if (!title.empty()) text_ += "%%Title: " + title.substr(0, 200) + "\n";
   text_ += "%%LanguageLevel: 3\n%%EndComments\n";
   text_ += "10 dict begin gsave 0 0 " + size + " rectclip [" + pdf_matrix(up) + "] concat\n";
@@ -116,12 +115,10 @@ Status EpsWriter::add_data(const std::string& name, std::span<const std::uint8_t
   TableMemory memory("packed bytes");
   const Result<std::vector<std::uint8_t>> packed = codecs::deflated(context_, bytes, memory);
   if (!packed) return packed.status();
-  if (Status status = charge_.add(context_, packed->size() * 3, "an EPS's text"); !status)
-    return status;
   text_ += "/" + name + " currentfile /ASCII85Decode filter /ReusableStreamDecode filter\n";
-  if (Status status = append_ascii85(context_, *packed, &text_); !status) return status;
+  append_ascii85(context_, *packed, text_);
   text_ += "def\n";
-  return ok_status();
+  return text_.status();
 }
 
 /// Defines /Pi, which paints layer i: twice, as in PDF.
@@ -204,7 +201,7 @@ Result<std::vector<std::uint8_t>> EpsWriter::write() {
   Status status = is_opaque() ? paint_layers() : paint_pixels();
   if (!status) return status;
   text_ += "grestore end\n%%EOF\n";
-  return std::vector<std::uint8_t>(text_.begin(), text_.end());
+  return text_.finish();
 }
 
 Status check(const Context& context, const Picture& picture, const EpsOptions& options) {

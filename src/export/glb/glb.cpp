@@ -68,7 +68,7 @@ class GlbWriter {
   Status add(const PatchInstance& instance);
   Status add_pixels(std::size_t first, std::size_t end);
   Status make_layer(std::uint32_t layer);
-  Status add_node(std::uint32_t mesh, const Affine& place);
+  Status add_mesh(std::uint32_t geometry, const GlbFile::Material& material, const Affine& place);
   void tell(ExportNotes* notes) const;
   bool is_drawn(const PatchInstance& instance) const;
 
@@ -100,10 +100,13 @@ void GlbWriter::find_scales() {
 }
 
 /// `place` maps to the artboard, y up, its origin at the viewport's centre.
-Status GlbWriter::add_node(std::uint32_t mesh, const Affine& place) {
+Status GlbWriter::add_mesh(std::uint32_t geometry, const GlbFile::Material& material,
+                           const Affine& place) {
+  const auto mesh = file_.add_mesh(geometry, material);
+  if (!mesh) return mesh.status();
   const double items = static_cast<double>(picture_.stack.size()) + 1;
   const double step = side_ * std::min(kDepthStep, kMostDepth / items);
-  return file_.add_node(mesh, place, step * static_cast<double>(depth_++));
+  return file_.add_node(*mesh, place, step * static_cast<double>(depth_++));
 }
 
 Status GlbWriter::add_background() {
@@ -114,7 +117,7 @@ Status GlbWriter::add_background() {
       file_.add_geometry(outputs::make_glb_box(viewport, viewport.center(), *color));
   if (!geometry) return geometry.status();
   triangles_ += 2;
-  return add_node(file_.add_mesh(*geometry, {}), {});
+  return add_mesh(*geometry, {}, {});
 }
 
 Status GlbWriter::make_layer(std::uint32_t layer) {
@@ -147,8 +150,7 @@ Status GlbWriter::add(const PatchInstance& instance) {
       material.opacity < 1 || picture_.layers[instance.layer].opacity.channel_count > 0;
   const Affine& map = instance.artboard_from_layer;
   const Vec2 at = map(layer.origin) - picture_.viewport.center();
-  return add_node(file_.add_mesh(layer.geometry, material),
-                  {map.a, -map.b, -map.c, map.d, at.x, -at.y});
+  return add_mesh(layer.geometry, material, {map.a, -map.b, -map.c, map.d, at.x, -at.y});
 }
 
 Status GlbWriter::add_pixels(std::size_t first, std::size_t end) {
@@ -163,7 +165,7 @@ Status GlbWriter::add_pixels(std::size_t first, std::size_t end) {
   const auto geometry = file_.add_geometry(outputs::make_glb_picture(run->box, origin));
   if (!geometry) return geometry.status();
   triangles_ += 2;
-  return add_node(file_.add_mesh(*geometry, {group_opacity_.back(), true, *image}), {});
+  return add_mesh(*geometry, {group_opacity_.back(), true, *image}, {});
 }
 
 Status GlbWriter::add_stack() {

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <limits>
 
-#include "base/large_vector.hpp"
+#include "base/output_buffer.hpp"
 
 namespace sfumato::outputs {
 namespace {
@@ -20,8 +20,8 @@ constexpr int kLinear = 9729, kLinearMipmapLinear = 9987, kClampToEdge = 33071;
 
 constexpr std::uint32_t kMagic = 0x46546C67, kJsonChunk = 0x4E4F534A, kBinaryChunk = 0x004E4942;
 constexpr std::size_t kMostBytes = std::numeric_limits<std::uint32_t>::max();
-/// JSON of a node, a mesh, a material, a view with its accessor.
-constexpr std::size_t kElementBytes = 512;
+/// What a node of a std::map takes beside its value: three pointers and a colour.
+constexpr std::size_t kMapNodeBytes = 4 * sizeof(void*);
 
 using Matrix = std::array<double, 16>;
 
@@ -48,10 +48,8 @@ void write_matrix(JsonWriter& json, const Matrix& matrix) {
   json.end_array();
 }
 
-void append_word(std::vector<std::uint8_t>& bytes, std::size_t value) {
-  for (int shift = 0; shift < 32; shift += 8) {
-    bytes.push_back(static_cast<std::uint8_t>(value >> shift & 255));
-  }
+void append_word(OutputBuffer& bytes, std::size_t value) {
+  for (int shift = 0; shift < 32; shift += 8) bytes += static_cast<char>(value >> shift & 255);
 }
 
 std::size_t padded(std::size_t bytes) {
@@ -65,18 +63,17 @@ Status GlbFile::add_view(const void* data, std::size_t bytes, int target) {
   if (part_bytes_ + size > kMostBytes / 2) {
     return make_error(StatusCode::limit, "a GLB of more than 2 GiB: allow a larger error");
   }
-  // Once here, once in the file.
-  if (Status status = charge_.add(context_, 2 * size + kElementBytes, "the GLB"); !status) {
-    return status;
+  Status status = memory_.push_back(context_, views_, {part_bytes_, bytes, target});
+  std::vector<std::uint8_t> part;
+  if (status) status = memory_.reserve(context_, part, size);
+  if (status) {
+    const std::span whole(static_cast<const std::uint8_t*>(data), bytes);
+    status = memory_.append(context_, whole, part);
   }
-  views_.push_back({part_bytes_, bytes, target});
+  if (!status) return status;
+  part.resize(size);
   part_bytes_ += size;
-  std::vector<std::uint8_t>& part = parts_.emplace_back();
-  part.reserve(size);
-  Status status =
-      append_large(context_, std::span(static_cast<const std::uint8_t*>(data), bytes), part);
-  if (status) part.resize(size);
-  return status;
+  return memory_.push_back(context_, parts_, std::move(part));
 }
 
 Result<std::uint32_t> GlbFile::add_geometry(const GlbMesh& mesh) {
@@ -106,31 +103,43 @@ Result<std::uint32_t> GlbFile::add_geometry(const GlbMesh& mesh) {
   }
   if (!status) return status;
   accessor_count_ += 2u + geometry.has_color + geometry.has_texture;
-  geometries_.push_back(geometry);
+  status = memory_.push_back(context_, geometries_, geometry);
+  if (!status) return status;
   return static_cast<std::uint32_t>(geometries_.size() - 1);
 }
 
 Result<std::uint32_t> GlbFile::add_image(std::span<const std::uint8_t> png) {
-  if (Status status = add_view(png.data(), png.size(), 0); !status) return status;
-  image_view_.push_back(static_cast<std::uint32_t>(views_.size() - 1));
+  Status status = add_view(png.data(), png.size(), 0);
+  const auto view = static_cast<std::uint32_t>(views_.size() - 1);
+  if (status) status = memory_.push_back(context_, image_view_, view);
+  if (!status) return status;
   return static_cast<std::uint32_t>(image_view_.size() - 1);
 }
 
-std::uint32_t GlbFile::add_mesh(std::uint32_t geometry, const Material& material) {
-  const auto [of_material, is_new] =
-      known_materials_.try_emplace(material, static_cast<std::uint32_t>(materials_.size()));
-  if (is_new) materials_.push_back(material);
-  const auto [of_mesh, is_new_mesh] = known_meshes_.try_emplace(
-      {geometry, of_material->second}, static_cast<std::uint32_t>(meshes_.size()));
-  if (is_new_mesh) meshes_.push_back({geometry, of_material->second});
-  return of_mesh->second;
+template <class Map, class Item>
+Result<std::uint32_t> GlbFile::number_of(const typename Map::key_type& key, const Item& item,
+                                         Map& known, std::vector<Item>& items) {
+  if (const auto found = known.find(key); found != known.end()) return found->second;
+  constexpr std::size_t kNodeBytes = sizeof(typename Map::value_type) + kMapNodeBytes;
+  Status status = map_charge_.add(context_, kNodeBytes, "the GLB");
+  if (status) status = memory_.push_back(context_, items, item);
+  if (!status) return status;
+  const auto number = static_cast<std::uint32_t>(items.size() - 1);
+  known.emplace(key, number);
+  return number;
+}
+
+Result<std::uint32_t> GlbFile::add_mesh(std::uint32_t geometry, const Material& material) {
+  const auto of_material = number_of(material, material, known_materials_, materials_);
+  if (!of_material) return of_material;
+  return number_of({geometry, *of_material}, Mesh{geometry, *of_material}, known_meshes_, meshes_);
 }
 
 Status GlbFile::add_node(std::uint32_t mesh, const Affine& place, double z) {
-  // With a mesh and a material of its own, at most.
-  Status status = charge_.add(context_, 4 * kElementBytes, "the GLB");
+  Status status =
+      memory_.push_back(context_, top_nodes_, static_cast<std::uint32_t>(nodes_.size()));
+  if (status) status = memory_.make_room(context_, nodes_, 2);
   if (!status) return status;
-  top_nodes_.push_back(static_cast<std::uint32_t>(nodes_.size()));
   if (is_scaled_rotation(place)) {
     nodes_.push_back({mesh, matrix_of(place, z)});
     return ok_status();
@@ -142,14 +151,22 @@ Status GlbFile::add_node(std::uint32_t mesh, const Affine& place, double z) {
   return ok_status();
 }
 
+/// Charges what the text has grown by.
+Status GlbFile::settle(const JsonWriter& json) {
+  return memory_.settle(context_, capacity_bytes(json.text()), json_bytes_);
+}
+
 /// Root: node 0; node i of ours is i + 1.
-void GlbFile::write_scene(JsonWriter& json, double metres_per_unit) const {
+Status GlbFile::write_scene(JsonWriter& json, double metres_per_unit) {
   json.member("scene", 0).key("scenes").begin_array().begin_object();
   json.key("nodes").begin_array().value(0).end_array().end_object().end_array();
   json.key("nodes").begin_array().begin_object().member("name", "picture");
   if (!top_nodes_.empty()) {
     json.key("children").begin_array();
-    for (const std::uint32_t node : top_nodes_) json.value(node + 1);
+    for (const std::uint32_t node : top_nodes_) {
+      json.value(node + 1);
+      if (Status status = settle(json); !status) return status;
+    }
     json.end_array();
   }
   json.key("scale").begin_array();
@@ -164,11 +181,13 @@ void GlbFile::write_scene(JsonWriter& json, double metres_per_unit) const {
     }
     if (nodes_[i].matrix != matrix_of({}, 0)) write_matrix(json, nodes_[i].matrix);
     json.end_object();
+    if (Status status = settle(json); !status) return status;
   }
   json.end_array();
+  return settle(json);
 }
 
-void GlbFile::write_materials(JsonWriter& json) const {
+Status GlbFile::write_materials(JsonWriter& json) {
   json.key("materials").begin_array();
   for (const Material& material : materials_) {
     json.begin_object().key("pbrMetallicRoughness").begin_object();
@@ -185,11 +204,13 @@ void GlbFile::write_materials(JsonWriter& json) const {
     json.key("doubleSided").truth(true);
     json.key("extensions").begin_object().key("KHR_materials_unlit").begin_object().end_object();
     json.end_object().end_object();
+    if (Status status = settle(json); !status) return status;
   }
   json.end_array();
+  return settle(json);
 }
 
-void GlbFile::write_meshes(JsonWriter& json) const {
+Status GlbFile::write_meshes(JsonWriter& json) {
   json.key("meshes").begin_array();
   for (const Mesh& mesh : meshes_) {
     const Geometry& geometry = geometries_[mesh.geometry];
@@ -200,11 +221,13 @@ void GlbFile::write_meshes(JsonWriter& json) const {
     if (geometry.has_texture) json.member("TEXCOORD_0", first + (geometry.has_color ? 3 : 2));
     json.end_object().member("indices", first).member("material", mesh.material);
     json.end_object().end_array().end_object();
+    if (Status status = settle(json); !status) return status;
   }
   json.end_array();
+  return settle(json);
 }
 
-void GlbFile::write_accessors(JsonWriter& json) const {
+Status GlbFile::write_accessors(JsonWriter& json) {
   json.key("accessors").begin_array();
   for (const Geometry& geometry : geometries_) {
     std::uint32_t view = geometry.first_view;
@@ -229,11 +252,13 @@ void GlbFile::write_accessors(JsonWriter& json) const {
       begin(kFloat, "VEC2", geometry.vertices);
       json.end_object();
     }
+    if (Status status = settle(json); !status) return status;
   }
   json.end_array();
+  return settle(json);
 }
 
-void GlbFile::write_buffers(JsonWriter& json) const {
+Status GlbFile::write_buffers(JsonWriter& json) {
   json.key("buffers").begin_array().begin_object();
   json.member("byteLength", part_bytes_).end_object().end_array();
   json.key("bufferViews").begin_array();
@@ -242,60 +267,67 @@ void GlbFile::write_buffers(JsonWriter& json) const {
     json.member("byteLength", view.bytes);
     if (view.target != 0) json.member("target", view.target);
     json.end_object();
+    if (Status status = settle(json); !status) return status;
   }
   json.end_array();
+  return settle(json);
 }
 
-void GlbFile::write_images(JsonWriter& json) const {
+Status GlbFile::write_images(JsonWriter& json) {
   json.key("samplers").begin_array().begin_object();
   json.member("magFilter", kLinear).member("minFilter", kLinearMipmapLinear);
   json.member("wrapS", kClampToEdge).member("wrapT", kClampToEdge).end_object().end_array();
   json.key("images").begin_array();
   for (const std::uint32_t view : image_view_) {
     json.begin_object().member("bufferView", view).member("mimeType", "image/png").end_object();
+    if (Status status = settle(json); !status) return status;
   }
   json.end_array().key("textures").begin_array();
   for (std::size_t i = 0; i < image_view_.size(); ++i) {
     json.begin_object().member("sampler", 0).member("source", i).end_object();
+    if (Status status = settle(json); !status) return status;
   }
   json.end_array();
+  return settle(json);
 }
 
 Result<std::vector<std::uint8_t>> GlbFile::finish(double metres_per_unit) {
   JsonWriter json;
   json.begin_object().key("asset").begin_object();
   json.member("version", "2.0").member("generator", "Sfumato").end_object();
-  write_scene(json, metres_per_unit);
-  if (!meshes_.empty()) {
+  Status status = write_scene(json, metres_per_unit);
+  if (status && !meshes_.empty()) {
     json.key("extensionsUsed").begin_array().value("KHR_materials_unlit").end_array();
-    write_meshes(json);
-    write_materials(json);
-    write_accessors(json);
-    write_buffers(json);
+    status = write_meshes(json);
+    if (status) status = write_materials(json);
+    if (status) status = write_accessors(json);
+    if (status) status = write_buffers(json);
   }
-  if (!image_view_.empty()) write_images(json);
-  std::string text = json.end_object().text();
-  text.resize(padded(text.size()), ' ');
-  Status status = charge_.add(context_, 2 * text.size(), "the GLB");
+  if (status && !image_view_.empty()) status = write_images(json);
   if (!status) return status;
-  std::vector<std::uint8_t> file;
+  return join(json.end_object().text());
+}
+
+/// The file: a header, the JSON, the binary chunk.
+Result<std::vector<std::uint8_t>> GlbFile::join(std::string_view json) {
+  const std::size_t text_bytes = padded(json.size());
   const std::size_t binary_bytes = part_bytes_ == 0 ? 0 : 8 + part_bytes_;
-  file.reserve(20 + text.size() + binary_bytes);
-  append_word(file, kMagic);
-  append_word(file, 2);
-  append_word(file, 20 + text.size() + binary_bytes);
-  append_word(file, text.size());
-  append_word(file, kJsonChunk);
-  file.insert(file.end(), text.begin(), text.end());
-  if (binary_bytes == 0) return file;
+  OutputBuffer file(context_, "the GLB");
+  file.reserve(20 + text_bytes + binary_bytes);
+  for (const std::size_t word :
+       {std::size_t{kMagic}, std::size_t{2}, 20 + text_bytes + binary_bytes, text_bytes,
+        std::size_t{kJsonChunk}}) {
+    append_word(file, word);
+  }
+  (file += json) += std::string(text_bytes - json.size(), ' ');
+  if (binary_bytes == 0) return file.finish();
   append_word(file, part_bytes_);
   append_word(file, kBinaryChunk);
   for (std::vector<std::uint8_t>& part : parts_) {
-    status = append_large(context_, std::span<const std::uint8_t>(part), file);
-    if (!status) return status;
-    part = std::vector<std::uint8_t>();
+    file.append(part);
+    memory_.free(part);
   }
-  return file;
+  return file.finish();
 }
 
 }  // namespace sfumato::outputs

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <span>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -44,8 +45,8 @@ class GlbFile {
     std::int64_t image = -1;
     friend auto operator<=>(const Material&, const Material&) = default;
   };
-  /// A mesh: a geometry with a material. The same twice is one.
-  std::uint32_t add_mesh(std::uint32_t geometry, const Material& material);
+  /// A mesh: a geometry with a material. The same twice is one. Errors: limit.
+  Result<std::uint32_t> add_mesh(std::uint32_t geometry, const Material& material);
 
   /// A mesh at a place of the root's frame: (x, y) → place(x, y), with z. Errors: limit.
   Status add_node(std::uint32_t mesh, const Affine& place, double z);
@@ -72,16 +73,23 @@ class GlbFile {
     std::array<double, 16> matrix;
   };
 
+  template <class Map, class Item>
+  Result<std::uint32_t> number_of(const typename Map::key_type& key, const Item& item, Map& known,
+                                  std::vector<Item>& items);
   Status add_view(const void* data, std::size_t bytes, int target);
-  void write_scene(JsonWriter& json, double metres_per_unit) const;
-  void write_materials(JsonWriter& json) const;
-  void write_meshes(JsonWriter& json) const;
-  void write_buffers(JsonWriter& json) const;
-  void write_accessors(JsonWriter& json) const;
-  void write_images(JsonWriter& json) const;
+  Status write_scene(JsonWriter& json, double metres_per_unit);
+  Status write_materials(JsonWriter& json);
+  Status write_meshes(JsonWriter& json);
+  Status write_buffers(JsonWriter& json);
+  Status write_accessors(JsonWriter& json);
+  Status write_images(JsonWriter& json);
+  Status settle(const JsonWriter& json);
+  Result<std::vector<std::uint8_t>> join(std::string_view json);
 
   Context& context_;
-  ScopedCharge charge_;
+  TableMemory memory_{"the GLB"};
+  ScopedCharge map_charge_;                       ///< of the nodes of maps
+  std::size_t json_bytes_ = 0;                    ///< of it, charged for the JSON
   std::vector<std::vector<std::uint8_t>> parts_;  ///< of the binary chunk, one for each view
   std::size_t part_bytes_ = 0;
   std::vector<View> views_;

@@ -1,12 +1,11 @@
 #include "sfumato/export/html/html.hpp"
 
 #include <algorithm>
-#include <array>
+#include <span>
 #include <string_view>
-#include <utility>
 
 #include "base/charge.hpp"
-#include "base/large_vector.hpp"
+#include "base/output_buffer.hpp"
 #include "base/public_verb.hpp"
 #include "codecs/base64.hpp"
 #include "codecs/data_uri_write.hpp"
@@ -56,36 +55,37 @@ bool is_media_type(std::string_view type) {
          });
 }
 
-Result<std::string> fallback(const Context& context, const HtmlOptions& options) {
-  std::string text;
-  if (options.fallback.empty()) return text;
-  text = "<img id=\"fallback\" alt=\"" + escaped_html(options.title) + "\" src=\"";
-  Status status = codecs::append_data_uri(context, options.fallback_type, options.fallback, text);
-  if (!status) return status;
-  return text += "\">";
+void append_fallback(const Context& context, const HtmlOptions& options, OutputBuffer& page) {
+  if (options.fallback.empty()) return;
+  page += "<img id=\"fallback\" alt=\"" + escaped_html(options.title) + "\" src=\"";
+  codecs::append_data_uri(context, options.fallback_type, options.fallback, page);
+  page += "\">";
 }
 
-/// The page with its marks, {{name}}, replaced; what replaces them is not looked through.
-Result<std::vector<std::uint8_t>> filled(
-    const Context& context, std::string_view page,
-    const std::array<std::pair<std::string_view, std::string>, 6>& values) {
-  std::size_t bytes = page.size();
-  for (const auto& [key, value] : values) bytes += value.size();
-  std::vector<std::uint8_t> file;
-  file.reserve(bytes);
-  while (true) {
-    const std::size_t begin = page.find("{{");
-    const std::string_view before = page.substr(0, begin);
-    file.insert(file.end(), before.begin(), before.end());
-    if (begin == std::string_view::npos) return file;
-    const std::size_t end = page.find("}}", begin);
-    const std::string_view name = page.substr(begin + 2, end - begin - 2);
-    for (const auto& [key, value] : values) {
-      if (key != name) continue;
-      if (Status status = append_text(context, value, file); !status) return status;
-    }
-    page.remove_prefix(end + 2);
+/// What stands for the mark {{name}} of the page.
+void append_part(const Context& context, std::string_view name, const HtmlOptions& options,
+                 std::span<const std::uint8_t> payload, OutputBuffer& page) {
+  if (name == "title") page += escaped_html(options.title);
+  if (name == "style") page += condensed(display::embedded_file("viewer.css"));
+  if (name == "fallback") append_fallback(context, options, page);
+  if (name == "shaders") page += shaders();
+  if (name == "payload") codecs::append_base64(context, payload, page);
+  if (name == "script") page += scripts();
+}
+
+/// The page with its marks replaced; what replaces them is not looked through.
+Result<std::vector<std::uint8_t>> filled(const Context& context, const HtmlOptions& options,
+                                         std::span<const std::uint8_t> payload) {
+  OutputBuffer page(context, "the HTML file");
+  std::string_view rest = display::embedded_file("page.html");
+  for (std::size_t begin; (begin = rest.find("{{")) != std::string_view::npos;) {
+    page += rest.substr(0, begin);
+    const std::size_t end = rest.find("}}", begin);
+    append_part(context, rest.substr(begin + 2, end - begin - 2), options, payload, page);
+    rest.remove_prefix(end + 2);
   }
+  page += rest;
+  return page.finish();
 }
 
 Rgb background_of(const Picture& picture, const HtmlOptions& options) {
@@ -100,24 +100,12 @@ Result<std::vector<std::uint8_t>> write(Context& context, const Picture& picture
   if (Status status = rules::check_background(options.background); !status) return status;
   const auto payload = outputs::viewer_payload(context, picture, background_of(picture, options));
   if (!payload) return payload.status();
-  ScopedCharge charge;
-  // Base64 is a third longer, and stands in a part and in the page.
-  const std::size_t bytes =
-      3 * (payload->size() + options.fallback.size()) + 16 * options.title.size() + (1 << 20);
-  if (Status status = charge.add(context, bytes, "the HTML file"); !status) return status;
-  Result<std::string> image = fallback(context, options);
-  if (!image) return image.status();
-  std::string packed;
-  if (Status status = codecs::append_base64(context, *payload, packed); !status) return status;
+  ScopedCharge held;
+  Status status = held.add(context, capacity_bytes(*payload), "the viewer's payload");
+  if (!status) return status;
   if (notes)
     for (const PatchLayer& layer : picture.layers) notes->triangle_count += layer.triangle_count();
-  return filled(context, display::embedded_file("page.html"),
-                {{{"title", escaped_html(options.title)},
-                  {"style", condensed(display::embedded_file("viewer.css"))},
-                  {"fallback", std::move(*image)},
-                  {"shaders", shaders()},
-                  {"payload", std::move(packed)},
-                  {"script", scripts()}}});
+  return filled(context, options, *payload);
 }
 
 }  // namespace

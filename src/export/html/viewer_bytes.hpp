@@ -3,17 +3,19 @@
 #include <bit>
 #include <cstdint>
 #include <span>
-#include <utility>
 #include <vector>
 
-#include "base/large_vector.hpp"
+#include "base/output_buffer.hpp"
 
 namespace sfumato::outputs {
 
-/// Bytes of the viewer's payload (docs/viewer.md, "Payload"), least significant first.
+/// Bytes of the viewer's payload (docs/viewer.md, "Payload"), least significant first. What fails
+/// stays, as in OutputBuffer.
 class ByteWriter {
  public:
-  void u8(std::uint8_t value) { bytes_.push_back(value); }
+  explicit ByteWriter(const Context& context) : bytes_(context, "the viewer's payload") {}
+
+  void u8(std::uint8_t value) { bytes_.append({&value, 1}); }
   void f32(float value) { little_endian(std::bit_cast<std::uint32_t>(value), 4); }
   void f64(double value) { little_endian(std::bit_cast<std::uint64_t>(value), 8); }
 
@@ -23,9 +25,7 @@ class ByteWriter {
     u8(static_cast<std::uint8_t>(value));
   }
 
-  void raw(std::span<const std::uint8_t> bytes) {
-    bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
-  }
+  void raw(std::span<const std::uint8_t> bytes) { bytes_.append(bytes); }
 
   /// Their number, then the bytes.
   void counted(std::span<const std::uint8_t> bytes) {
@@ -33,31 +33,25 @@ class ByteWriter {
     raw(bytes);
   }
 
-  /// The same for bytes that take long to be copied. Error: cancelled.
-  Status counted_large(const Context& context, std::span<const std::uint8_t> bytes) {
-    varint(bytes.size());
-    const std::size_t size = bytes_.size() + bytes.size();
-    Status status = ok_status();
-    // With room for what follows, which would move all else.
-    if (size > bytes_.capacity()) status = reserve_large(context, bytes_, 2 * size);
-    return status ? append_large(context, bytes, bytes_) : status;
-  }
-
   /// The lowest bytes of all values, then the next, `byte_count` of each: alike stands beside
   /// alike, which is what deflate makes small.
   void planes(std::span<const std::uint32_t> values, int byte_count) {
+    bytes_.reserve(values.size() * static_cast<std::size_t>(byte_count));
     for (int shift = 0; shift < 8 * byte_count; shift += 8)
       for (std::uint32_t value : values) u8(static_cast<std::uint8_t>(value >> shift));
   }
 
-  std::vector<std::uint8_t> take() { return std::move(bytes_); }
+  const Status& status() const { return bytes_.status(); }
+
+  /// What was written, or why it failed; the charge lasts as long as this object.
+  Result<std::vector<std::uint8_t>> finish() { return bytes_.finish(); }
 
  private:
   void little_endian(std::uint64_t value, int byte_count) {
     for (int i = 0; i < byte_count; ++i) u8(static_cast<std::uint8_t>(value >> (8 * i)));
   }
 
-  std::vector<std::uint8_t> bytes_;
+  OutputBuffer bytes_;
 };
 
 /// A signed number as an unsigned one that is small where the number is: 0, -1, 1, -2, …

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "base/charge.hpp"
 #include "base/poll.hpp"
+#include "base/table_memory.hpp"
 
 namespace sfumato::outputs {
 namespace {
@@ -18,11 +18,6 @@ constexpr int kNodesLookedAt = 200;
 
 constexpr int kResidualBytes = 3;
 
-/// Per triangle and channel: ten nodes at most, each with a value and a residual; and the nodes.
-constexpr std::size_t kBytesPerChannel =
-    kNodesPerTriangle * (sizeof(std::int32_t) + sizeof(std::uint32_t) + 3);
-constexpr std::size_t kBytesPerTriangle = kNodesPerTriangle * 4 * sizeof(std::uint32_t);
-
 std::int32_t floor_divided(std::int32_t value, std::int32_t by) {
   const std::int32_t quotient = value / by;
   return quotient * by > value ? quotient - 1 : quotient;
@@ -30,38 +25,53 @@ std::int32_t floor_divided(std::int32_t value, std::int32_t by) {
 
 class FieldWriter {
  public:
-  FieldWriter(const PatchField& field, const ViewerMesh& mesh, double step, ByteWriter& out)
-      : field_(field),
+  FieldWriter(Context& context, const PatchField& field, const ViewerMesh& mesh, double step,
+              ByteWriter& out)
+      : context_(context),
+        field_(field),
         mesh_(mesh),
         channels_(static_cast<std::size_t>(field.channel_count)),
         step_(channels_, viewer_step(InterpolationSpace::srgb)),
-        node_(std::size_t{kNodesPerTriangle} * mesh.triangle_count()),
         misses_(channels_),
         out_(out) {
     std::fill(step_.begin(), step_.end() - static_cast<std::ptrdiff_t>(field.shader.size()), step);
   }
 
-  Status run(Context& context) {
+  Status run() {
+    Status status = memory_.resize(context_, node_, mesh_.triangle_count() * kNodesPerTriangle);
+    if (status) status = memory_.resize(context_, first_at_vertex_, mesh_.vertex.size(), kNoNode);
+    if (!status) return status;
     for (double step : step_) out_.f32(static_cast<float>(step));
-    if (Status status = for_each_triangle(context, &FieldWriter::add_corners); !status)
-      return status;
-    flush();
-    if (Status status = for_each_triangle(context, &FieldWriter::add_edges); !status) return status;
-    flush();
-    if (Status status = for_each_triangle(context, &FieldWriter::add_center); !status)
-      return status;
-    flush();
-    return ok_status();
+    for (const auto part :
+         {&FieldWriter::add_corners, &FieldWriter::add_edges, &FieldWriter::add_center}) {
+      status = for_each_triangle(part);
+      if (!status) return status;
+      flush();
+    }
+    return out_.status();
   }
 
  private:
-  Status for_each_triangle(Context& context, void (FieldWriter::*body)(std::uint32_t)) {
-    RarePoll<4096> poll(context);
+  Status for_each_triangle(void (FieldWriter::*body)(std::uint32_t)) {
+    RarePoll<4096> poll(context_);
     for (std::uint32_t t = 0; t < mesh_.triangle_count(); ++t) {
-      if (poll.cancelled()) return context.cancel_status();
+      if (poll.cancelled()) return context_.cancel_status();
+      if (Status status = make_room(); !status) return status;
       (this->*body)(t);
     }
     return ok_status();
+  }
+
+  /// For what one triangle can add.
+  Status make_room() {
+    Status status = memory_.make_room(context_, source_, kNodesPerTriangle);
+    if (status) status = memory_.make_room(context_, next_at_vertex_, kNodesPerTriangle);
+    if (status) status = memory_.make_room(context_, value_, kNodesPerTriangle * channels_);
+    if (status) status = memory_.make_room(context_, codes_, kNodesPerTriangle);
+    for (std::size_t c = 0; c < channels_ && status; ++c) {
+      status = memory_.make_room(context_, misses_[c], kNodesPerTriangle);
+    }
+    return status;
   }
 
   /// The layer's node of a slot (PatchField's order) of triangle t in the viewer's order.
@@ -119,7 +129,6 @@ class FieldWriter {
   }
 
   void add_corners(std::uint32_t t) {
-    if (first_at_vertex_.empty()) first_at_vertex_.assign(mesh_.vertex.size(), kNoNode);
     for (std::uint32_t k = 0; k < 3; ++k) {
       const std::uint32_t vertex = mesh_.corner_vertex[3 * std::size_t{t} + k];
       const std::uint32_t first = first_at_vertex_[vertex];
@@ -197,9 +206,11 @@ class FieldWriter {
     codes_.clear();
   }
 
+  Context& context_;
   const PatchField& field_;
   const ViewerMesh& mesh_;
   std::size_t channels_;
+  TableMemory memory_{"the viewer's nodes"};
   std::vector<double> step_;                        ///< per channel
   std::vector<std::uint32_t> node_;                 ///< kNodesPerTriangle per triangle
   std::vector<std::uint32_t> source_;               ///< per node: the layer's
@@ -227,12 +238,7 @@ double viewer_step(InterpolationSpace space) {
 
 Status write_field(Context& context, const PatchField& field, const ViewerMesh& mesh, double step,
                    ByteWriter& out) {
-  ScopedCharge charge;
-  const std::size_t channels = static_cast<std::size_t>(field.channel_count);
-  const std::size_t bytes =
-      mesh.triangle_count() * (kBytesPerTriangle + channels * kBytesPerChannel);
-  if (Status status = charge.add(context, bytes, "the viewer's nodes"); !status) return status;
-  return FieldWriter(field, mesh, step, out).run(context);
+  return FieldWriter(context, field, mesh, step, out).run();
 }
 
 }  // namespace sfumato::outputs

@@ -19,22 +19,17 @@ constexpr std::size_t kTrianglesOnEdge = 4;
 /// Cells of the grid along an axis.
 constexpr double kGridCells = (1 << 22) - 1;
 
-constexpr std::size_t kTriangleBytes = 160;
-
 /// Walks over the triangles and numbers them. A gate is a half-edge whose other side was not
 /// looked at yet.
 class Walker {
  public:
   Walker(Context& context, const PatchLayer& layer, ViewerMesh& mesh)
-      : context_(context),
-        layer_(layer),
-        mesh_(mesh),
-        edge_(layer.triangle_vertex.size()),
-        is_placed_(layer.triangle_count(), false),
-        vertex_number_(layer.vertex_position.size(), kUnseen) {}
+      : context_(context), layer_(layer), mesh_(mesh), codes_(context) {}
 
   Status run() {
-    if (Status status = find_edges(); !status) return status;
+    Status status = make_tables();
+    if (status) status = find_edges();
+    if (!status) return status;
     for (std::uint32_t t = 0; t < layer_.triangle_count(); ++t) {
       if (is_placed_[t]) continue;
       for (std::uint32_t k = 0; k < 3; ++k) {
@@ -43,13 +38,32 @@ class Walker {
         see(vertex, kNoMate);
       }
       place(t, 0);
-      if (Status status = follow_gates(); !status) return status;
+      if (status = follow_gates(); !status) return status;
     }
-    mesh_.codes = codes_.take();
-    return ok_status();
+    const auto codes = codes_.finish();
+    if (!codes) return codes.status();
+    return mesh_.memory.append(context_, *codes, mesh_.codes);
   }
 
  private:
+  /// With room for all that they will hold.
+  Status make_tables() {
+    const std::size_t triangles = layer_.triangle_count(), corners = 3 * triangles;
+    const std::size_t vertices = layer_.vertex_position.size();
+    Status status = memory_.resize_all(context_, corners, edge_, half_edge_);
+    if (status) status = memory_.reserve(context_, gates_, corners);
+    if (status) status = memory_.resize(context_, is_placed_, triangles);
+    if (status) status = memory_.resize(context_, vertex_number_, vertices, kUnseen);
+    TableMemory& kept = mesh_.memory;
+    if (status) status = kept.reserve(context_, mesh_.triangle, triangles);
+    if (status) status = kept.reserve(context_, mesh_.first_corner, triangles);
+    if (status) status = kept.reserve(context_, mesh_.corner_vertex, corners);
+    if (status) status = kept.reserve(context_, mesh_.mate, corners);
+    if (status) status = kept.reserve(context_, mesh_.vertex, vertices);
+    if (status) status = kept.reserve(context_, mesh_.apex, vertices);
+    return status;
+  }
+
   /// Half-edges on one edge get one number, and are found by it.
   Status find_edges() {
     struct Key {
@@ -60,27 +74,28 @@ class Walker {
                    : half_edge < other.half_edge;
       }
     };
-    std::vector<Key> keys(edge_.size());
+    TableMemory memory("the viewer's triangles");
+    std::vector<Key> keys;
+    Status status = memory.resize(context_, keys, edge_.size());
+    if (!status) return status;
     for (std::uint32_t h = 0; h < keys.size(); ++h) {
       const std::uint32_t a = start(h), b = end(h);
       keys[h] = {std::min(a, b), std::max(a, b), h};
     }
-    Status status =
-        TableMemory::sort(context_, keys, [](const Key& a, const Key& b) { return a < b; });
+    status = TableMemory::sort(context_, keys, [](const Key& a, const Key& b) { return a < b; });
     if (!status) return status;
     RarePoll<65536> poll(context_);
-    half_edge_.resize(keys.size());
     for (std::size_t i = 0; i < keys.size(); ++i) {
       if (poll.cancelled()) return context_.cancel_status();
       const bool is_new =
           i == 0 || keys[i].low != keys[i - 1].low || keys[i].high != keys[i - 1].high;
-      if (is_new) first_half_edge_.push_back(i);
+      if (is_new) status = memory_.push_back(context_, first_half_edge_, i);
+      if (!status) return status;
       half_edge_[i] = keys[i].half_edge;
       edge_[keys[i].half_edge] = static_cast<std::uint32_t>(first_half_edge_.size() - 1);
     }
-    last_on_edge_.assign(first_half_edge_.size(), kNoMate);
-    first_half_edge_.push_back(keys.size());
-    return ok_status();
+    status = memory_.resize(context_, last_on_edge_, first_half_edge_.size(), kNoMate);
+    return status ? memory_.push_back(context_, first_half_edge_, keys.size()) : status;
   }
 
   /// Of the layer's half-edges.
@@ -109,7 +124,7 @@ class Walker {
     const std::uint32_t base = 3 * mesh_.triangle_count();
     mesh_.triangle.push_back(t);
     mesh_.first_corner.push_back(static_cast<std::uint8_t>(first_corner));
-    is_placed_[t] = true;
+    is_placed_[t] = 1;
     for (std::uint32_t k = 0; k < 3; ++k) {
       const std::uint32_t h = 3 * t + (first_corner + k) % 3;
       mesh_.corner_vertex.push_back(vertex_number_[start(h)]);
@@ -162,11 +177,12 @@ class Walker {
   RarePoll<4096> poll_{context_};  ///< of all parts of the mesh together
   const PatchLayer& layer_;
   ViewerMesh& mesh_;
+  TableMemory memory_{"the viewer's triangles"};
   std::vector<std::uint32_t> edge_;           ///< of the layer's half-edges
   std::vector<std::uint32_t> half_edge_;      ///< of the layer, by edge
   std::vector<std::size_t> first_half_edge_;  ///< edges + 1 offsets into half_edge_
   std::vector<std::uint32_t> last_on_edge_;   ///< half-edge of the new order
-  std::vector<bool> is_placed_;
+  std::vector<std::uint8_t> is_placed_;       ///< 1: has its place in the new order
   std::vector<std::uint32_t> vertex_number_;
   std::vector<Gate> gates_;
   ByteWriter codes_;
@@ -187,15 +203,19 @@ GridPoint predicted(const ViewerMesh& mesh, const std::vector<GridPoint>& known,
   return {a.x + b.x - c.x, a.y + b.y - c.y};
 }
 
-void write_positions(const PatchLayer& layer, const ViewerMesh& mesh, ByteWriter& out) {
+Status write_positions(const Context& context, const PatchLayer& layer, const ViewerMesh& mesh,
+                       ByteWriter& out) {
   Box bounds;
   for (std::uint32_t v : mesh.vertex) bounds.extend(layer.vertex_position[v]);
   if (mesh.vertex.empty()) bounds = {{0, 0}, {0, 0}};
   const auto step_of = [](double extent) { return extent > 0 ? extent / kGridCells : 1; };
   const Vec2 step{step_of(bounds.width()), step_of(bounds.height())};
   for (double value : {bounds.min.x, bounds.min.y, step.x, step.y}) out.f64(value);
-  std::vector<GridPoint> grid(mesh.vertex.size());
-  std::vector<std::uint32_t> miss_x(grid.size()), miss_y(grid.size());
+  TableMemory memory("the viewer's positions");
+  std::vector<GridPoint> grid;
+  std::vector<std::uint32_t> miss_x, miss_y;
+  Status status = memory.resize_all(context, mesh.vertex.size(), grid, miss_x, miss_y);
+  if (!status) return status;
   for (std::uint32_t i = 0; i < grid.size(); ++i) {
     const Vec2 p = layer.vertex_position[mesh.vertex[i]] - bounds.min;
     grid[i] = {static_cast<std::int32_t>(std::lround(p.x / step.x)),
@@ -207,25 +227,23 @@ void write_positions(const PatchLayer& layer, const ViewerMesh& mesh, ByteWriter
   constexpr int kBytes = 4;
   out.planes(miss_x, kBytes);
   out.planes(miss_y, kBytes);
+  return out.status();
 }
 
 }  // namespace
 
 Result<ViewerMesh> order_for_viewer(Context& context, const PatchLayer& layer) {
   ViewerMesh mesh;
-  const std::size_t bytes = kTriangleBytes * layer.triangle_count() +
-                            layer.vertex_position.size() * (4 * sizeof(std::uint32_t));
-  if (Status status = mesh.charge.add(context, bytes, "the viewer's triangles"); !status)
-    return status;
   if (Status status = Walker(context, layer, mesh).run(); !status) return status;
   return mesh;
 }
 
-void write_mesh(const PatchLayer& layer, const ViewerMesh& mesh, ByteWriter& out) {
+Status write_mesh(const Context& context, const PatchLayer& layer, const ViewerMesh& mesh,
+                  ByteWriter& out) {
   out.varint(mesh.triangle_count());
   out.varint(mesh.vertex.size());
   out.counted(mesh.codes);
-  write_positions(layer, mesh, out);
+  if (Status status = write_positions(context, layer, mesh, out); !status) return status;
   for (std::uint32_t t = 0; t < mesh.triangle_count(); ++t) {
     std::uint8_t curves = 0;
     for (std::uint32_t k = 0; k < 3; ++k) {
@@ -235,6 +253,7 @@ void write_mesh(const PatchLayer& layer, const ViewerMesh& mesh, ByteWriter& out
     }
     out.u8(curves);
   }
+  return out.status();
 }
 
 }  // namespace sfumato::outputs

@@ -4,7 +4,7 @@
 #include <limits>
 #include <vector>
 
-#include "base/charge.hpp"
+#include "base/table_memory.hpp"
 #include "export/html/viewer_bytes.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/status.hpp"
@@ -26,16 +26,17 @@ struct ViewerMesh {
   std::vector<std::uint32_t> mate;  ///< per half-edge: the last one before it on its edge, kNoMate
   std::vector<std::uint8_t> codes;  ///< varints: which vertices the triangles have
   std::vector<std::uint32_t> apex;  ///< per vertex: the half-edge that it was seen across, kNoMate
-  ScopedCharge charge;
+  TableMemory memory{"the viewer's triangles"};
 
   std::uint32_t triangle_count() const { return static_cast<std::uint32_t>(triangle.size()); }
 };
 
-/// Errors: limit (memory), cancelled. Cost: O(n log n); 160 bytes a triangle.
+/// Errors: limit (memory), cancelled. Cost: O(n log n).
 Result<ViewerMesh> order_for_viewer(Context& context, const PatchLayer& layer);
 
 /// Positions on a grid over the layer's bounds, 22 bits on each axis, then topology and curve
-/// edges.
-void write_mesh(const PatchLayer& layer, const ViewerMesh& mesh, ByteWriter& out);
+/// edges. Errors: limit (memory), cancelled.
+Status write_mesh(const Context& context, const PatchLayer& layer, const ViewerMesh& mesh,
+                  ByteWriter& out);
 
 }  // namespace sfumato::outputs

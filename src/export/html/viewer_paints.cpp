@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <bit>
 #include <string_view>
-#include <utility>
 #include <variant>
 #include <vector>
 
+#include "base/charge.hpp"
+#include "base/table_memory.hpp"
 #include "codecs/data_uri_write.hpp"
 #include "display/paint_table.hpp"
 
@@ -22,27 +23,28 @@ bool may_be_turned(std::span<const std::uint8_t> file) {
   return std::search(file.begin(), file.end(), kMark.begin(), kMark.end()) != file.end();
 }
 
-struct TextureFile {
-  PaintFile type = PaintFile::png;
-  std::vector<std::uint8_t> bytes;
-};
-
-Result<TextureFile> file_of(Context& context, const Texture& texture) {
-  const std::string_view type = codecs::image_media_type(texture.file);
-  if (!type.empty() && !may_be_turned(texture.file))
-    return TextureFile{type == "image/png" ? PaintFile::png : PaintFile::jpeg, texture.file};
-  auto png = codecs::texture_png(context, texture);
-  if (!png) return png.status();
-  return TextureFile{PaintFile::png, std::move(*png)};
-}
-
-Status write_texture(Context& context, const Texture& texture, ByteWriter& out) {
-  const Result<TextureFile> file = file_of(context, texture);
-  if (!file) return file.status();
-  out.u8(static_cast<std::uint8_t>(file->type));
+void write_file(const Texture& texture, PaintFile type, std::span<const std::uint8_t> file,
+                ByteWriter& out) {
+  out.u8(static_cast<std::uint8_t>(type));
   out.varint(static_cast<std::uint64_t>(texture.width));
   out.varint(static_cast<std::uint64_t>(texture.height));
-  return out.counted_large(context, file->bytes);
+  out.counted(file);
+}
+
+/// The texture's own file, or its texels as PNG.
+Status write_texture(Context& context, const Texture& texture, ByteWriter& out) {
+  const std::string_view type = codecs::image_media_type(texture.file);
+  if (!type.empty() && !may_be_turned(texture.file)) {
+    write_file(texture, type == "image/png" ? PaintFile::png : PaintFile::jpeg, texture.file, out);
+    return out.status();
+  }
+  const auto png = codecs::texture_png(context, texture);
+  if (!png) return png.status();
+  ScopedCharge held;
+  Status status = held.add(context, capacity_bytes(*png), "a texture's file");
+  if (!status) return status;
+  write_file(texture, PaintFile::png, *png, out);
+  return out.status();
 }
 
 std::vector<bool> used_shaders(const Picture& picture) {
@@ -54,12 +56,15 @@ std::vector<bool> used_shaders(const Picture& picture) {
   return is_used;
 }
 
-void write_values(const std::vector<float>& values, ByteWriter& out) {
-  std::vector<std::uint32_t> bits(values.size());
+Status write_values(const Context& context, const std::vector<float>& values, ByteWriter& out) {
+  TableMemory memory("the viewer's paints");
+  std::vector<std::uint32_t> bits;
+  if (Status status = memory.resize(context, bits, values.size()); !status) return status;
   std::transform(values.begin(), values.end(), bits.begin(),
                  [](float value) { return std::bit_cast<std::uint32_t>(value); });
   out.varint(values.size() / 4);
   out.planes(bits, sizeof(float));
+  return out.status();
 }
 
 }  // namespace
@@ -68,7 +73,7 @@ Status write_paints(Context& context, const Picture& picture, ByteWriter& out) {
   const Result<display::PaintTable> table =
       display::make_paint_table(context, picture, display::PaintTexels::counted);
   if (!table) return table.status();
-  write_values(table->values, out);
+  if (Status status = write_values(context, table->values, out); !status) return status;
   out.varint(table->texel_count);
   const std::vector<bool> is_used = used_shaders(picture);
   out.varint(picture.shaders.size());
@@ -83,7 +88,7 @@ Status write_paints(Context& context, const Picture& picture, ByteWriter& out) {
     }
     if (Status status = write_texture(context, *texture, out); !status) return status;
   }
-  return ok_status();
+  return out.status();
 }
 
 }  // namespace sfumato::outputs

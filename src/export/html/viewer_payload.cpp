@@ -7,7 +7,6 @@
 #include <utility>
 #include <variant>
 
-#include "base/charge.hpp"
 #include "base/limit_error.hpp"
 #include "codecs/deflate.hpp"
 #include "document/rules.hpp"
@@ -48,7 +47,8 @@ Status check_size(const Limits& limits, const Picture& picture) {
 
 class PayloadWriter {
  public:
-  PayloadWriter(Context& context, const Picture& picture) : context_(context), picture_(picture) {}
+  PayloadWriter(Context& context, const Picture& picture)
+      : context_(context), picture_(picture), out_(context) {}
 
   Status run(const Rgb& background) {
     out_.raw({reinterpret_cast<const std::uint8_t*>(kMagic.data()), kMagic.size()});
@@ -57,7 +57,6 @@ class PayloadWriter {
     write_box(picture_.viewport, out_);
     out_.u8(static_cast<std::uint8_t>(picture_.interpolation));
     for (float value : {background.r, background.g, background.b}) out_.f32(value);
-    if (Status status = charge_textures(); !status) return status;
     if (Status status = write_paints(context_, picture_, out_); !status) return status;
     out_.varint(picture_.layers.size());
     for (const PatchLayer& layer : picture_.layers)
@@ -67,36 +66,20 @@ class PayloadWriter {
       Status status = std::visit([this](const auto& x) { return write_item(x); }, item);
       if (!status) return status;
     }
-    return ok_status();
+    return out_.status();
   }
 
-  std::vector<std::uint8_t> take() { return out_.take(); }
+  Result<std::vector<std::uint8_t>> finish() { return out_.finish(); }
 
  private:
-  /// Their files, or their texels as PNG.
-  Status charge_textures() {
-    std::size_t bytes = 0;
-    for (const Shader& shader : picture_.shaders) {
-      if (const auto* texture = std::get_if<Texture>(&shader.paint))
-        bytes += 2 * texture->rgba.size() + texture->file.size();
-    }
-    return charge_.add(context_, bytes, "the files of textures");
-  }
-
   Status write_layer(const PatchLayer& layer) {
     Result<ViewerMesh> mesh = order_for_viewer(context_, layer);
     if (!mesh) return mesh.status();
-    // What the writer grows by, at most.
-    const std::size_t channels = static_cast<std::size_t>(layer.color.channel_count) +
-                                 static_cast<std::size_t>(layer.opacity.channel_count);
-    const std::size_t bytes = layer.triangle_count() * (60 + 60 * channels);
-    if (Status status = charge_.add(context_, bytes, "the viewer's payload"); !status)
-      return status;
     out_.u8(static_cast<std::uint8_t>(layer.order));
-    write_mesh(layer, *mesh, out_);
+    Status status = write_mesh(context_, layer, *mesh, out_);
+    if (!status) return status;
     write_shaders(layer.color, out_);
-    Status status =
-        write_field(context_, layer.color, *mesh, viewer_step(picture_.interpolation), out_);
+    status = write_field(context_, layer.color, *mesh, viewer_step(picture_.interpolation), out_);
     if (!status) return status;
     out_.u8(layer.opacity.channel_count > 0 ? 1 : 0);
     if (layer.opacity.channel_count == 0) return ok_status();
@@ -138,7 +121,6 @@ class PayloadWriter {
   const Picture& picture_;
   ByteWriter out_;
   std::size_t segment_count_ = 0;
-  ScopedCharge charge_;
 };
 
 }  // namespace
@@ -149,8 +131,10 @@ Result<std::vector<std::uint8_t>> viewer_payload(Context& context, const Picture
   if (Status status = check_size(context.limits, picture); !status) return status;
   PayloadWriter writer(context, picture);
   if (Status status = writer.run(background); !status) return status;
+  const auto payload = writer.finish();
+  if (!payload) return payload.status();
   TableMemory memory("the viewer's payload");
-  return codecs::deflated(context, writer.take(), memory);
+  return codecs::deflated(context, *payload, memory);
 }
 
 }  // namespace sfumato::outputs

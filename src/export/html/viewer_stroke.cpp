@@ -6,8 +6,8 @@
 #include <cmath>
 #include <string>
 
-#include "base/charge.hpp"
 #include "base/limit_error.hpp"
+#include "base/table_memory.hpp"
 #include "curves/stroke_segments.hpp"
 
 namespace sfumato::outputs {
@@ -63,13 +63,17 @@ std::uint32_t difference(float value, float guess) {
 
 /// Columns of numbers, each as planes. A segment is expected to go on where the one before ended:
 /// what is stored of its start is the bits that differ.
-void write_segments(const curves::StrokeSegments& segments, Vec2 origin, ByteWriter& out) {
+Status write_segments(const Context& context, const curves::StrokeSegments& segments, Vec2 origin,
+                      ByteWriter& out) {
   const std::size_t count = segments.segment.size();
+  TableMemory memory("a local curve");
   std::vector<StoredSegment> rows;
-  rows.reserve(count);
+  std::vector<std::uint32_t> column;
+  Status status = memory.reserve(context, rows, count);
+  if (status) status = memory.resize(context, column, count);
+  if (!status) return status;
   for (const curves::StrokeSegment& segment : segments.segment)
     rows.push_back(stored(segment, origin));
-  std::vector<std::uint32_t> column(count);
   const auto write = [&](int bytes, const auto& value) {
     for (std::size_t i = 0; i < count; ++i) column[i] = value(i);
     out.planes(column, bytes);
@@ -95,6 +99,7 @@ void write_segments(const curves::StrokeSegments& segments, Vec2 origin, ByteWri
       return difference(rows[i].attribute[1][a], rows[i].attribute[0][a]);
     });
   }
+  return out.status();
 }
 
 }  // namespace
@@ -107,7 +112,6 @@ Status write_stroke(Context& context, const LocalStroke& stroke, InterpolationSp
   const bool is_seen = scale > 0 && std::isfinite(1 / scale) &&
                        (!curve.left_color.empty() || !curve.right_color.empty());
   curves::StrokeSegments segments;
-  ScopedCharge charge;
   if (is_seen) {
     curves::StrokeOptions options;
     options.image_from_stroke = m;
@@ -126,15 +130,12 @@ Status write_stroke(Context& context, const LocalStroke& stroke, InterpolationSp
     return limit_error(context.limits, &Limits::viewer_stroke_segments,
                        "segments of local curves in the viewer");
   }
-  const std::size_t bytes = 3 * count * sizeof(StoredSegment);
-  if (Status status = charge.add(context, bytes, "a local curve"); !status) return status;
   const Vec2 origin = count > 0 ? segments.segment.front().start : Vec2{};
   for (double value : {m.a, m.b, m.c, m.d, m.e, m.f, origin.x, origin.y}) out.f64(value);
   out.f32(static_cast<float>(curve.alpha));
   out.u8(curves::is_two_sided(curve) ? 1 : 0);
   out.varint(count);
-  write_segments(segments, origin, out);
-  return ok_status();
+  return write_segments(context, segments, origin, out);
 }
 
 }  // namespace sfumato::outputs

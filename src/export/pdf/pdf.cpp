@@ -54,7 +54,9 @@ class PdfWriter {
         options_(options),
         points_per_unit_(points_per_unit),
         notes_(notes),
-        file_(context) {}
+        file_(context) {
+    levels_.push_back({{}, PdfContent(context)});
+  }
 
   Result<std::vector<std::uint8_t>> write();
 
@@ -69,6 +71,7 @@ class PdfWriter {
   void paint_strokes();
   void add_state(float opacity, BlendMode blend, std::string* operators);
   void paint_background();
+  void begin_page();
   PdfRef add_page();
 
   /// A group that is open, and what stands in it; the first is the page.
@@ -85,7 +88,7 @@ class PdfWriter {
   PdfFile file_;
   std::vector<PdfRef> layer_;  ///< 0: shows nothing
   std::vector<std::tuple<float, BlendMode, PdfRef>> states_;
-  std::vector<Level> levels_{1};
+  std::vector<Level> levels_;
   std::size_t item_ = 0;          ///< of the stack
   std::size_t stroke_count_ = 0;  ///< local curves before it that are not painted yet
 };
@@ -160,7 +163,7 @@ void PdfWriter::operator()(const PatchInstance& instance) {
 
 void PdfWriter::operator()(const GroupBegin& group) {
   paint_strokes();
-  levels_.push_back({group, {}});
+  levels_.push_back({group, PdfContent(context_)});
 }
 
 void PdfWriter::operator()(const GroupEnd&) {
@@ -198,16 +201,27 @@ void PdfWriter::paint_background() {
                              pdf_number(box.height()) + " re f");
 }
 
+/// How much larger than a point the page's unit is.
+double user_unit_of(const Page& page) {
+  return std::max(1.0, std::max(page.width, page.height) / kMostPageUnits);
+}
+
+void PdfWriter::begin_page() {
+  const Page page = make_page(picture_.viewport, points_per_unit_);
+  const double scale = 1 / user_unit_of(page);
+  const Affine up{scale, 0, 0, -scale, 0, page.height / user_unit_of(page)};
+  levels_.front().content.add("q " + pdf_matrix(up * page.page_from_artboard) + " cm");
+  paint_background();
+}
+
 PdfRef PdfWriter::add_page() {
   const Page page = make_page(picture_.viewport, points_per_unit_);
-  const double user_unit = std::max(1.0, std::max(page.width, page.height) / kMostPageUnits);
+  const double user_unit = user_unit_of(page);
   const Vec2 size{page.width / user_unit, page.height / user_unit};
-  const double scale = 1 / user_unit;
-  const Affine up{scale, 0, 0, -scale, 0, size.y};
-  const PdfContent& content = levels_.front().content;
-  const std::string text =
-      "q " + pdf_matrix(up * page.page_from_artboard) + " cm\n" + content.text() + "Q\n";
-  const PdfRef stream = file_.add_stream("", text);
+  PdfContent& content = levels_.front().content;
+  content.add("Q");
+  if (!content.status()) file_.fail(content.status());
+  const PdfRef stream = file_.add_stream("", content.text());
   std::string object = "<< /Type /Page /Parent " + pdf_reference(stream + 2) + " /MediaBox " +
                        pdf_rectangle({{0, 0}, size});
   if (user_unit > 1) object += " /UserUnit " + pdf_number(user_unit);
@@ -218,7 +232,7 @@ PdfRef PdfWriter::add_page() {
 
 Result<std::vector<std::uint8_t>> PdfWriter::write() {
   add_layers();
-  paint_background();
+  begin_page();
   for (; item_ < picture_.stack.size(); ++item_) {
     if (!file_.status()) return file_.status();
     std::visit(*this, picture_.stack[item_]);

@@ -29,9 +29,10 @@ std::string PdfContent::resources() const {
 }
 
 PdfRef PdfContent::make_form_with(PdfFile* file, const Box& bounds, std::string_view group) const {
+  if (!status()) file->fail(status());
   return file->add_stream("/Type /XObject /Subtype /Form /BBox " + pdf_rectangle(bounds) + " " +
                               std::string(group) + resources(),
-                          text_);
+                          text());
 }
 
 PdfRef PdfContent::make_form(PdfFile* file, const Box& bounds, bool is_group) const {

@@ -76,56 +76,34 @@ std::string pdf_reference(PdfRef ref) {
   return std::to_string(ref) + " 0 R";
 }
 
-void PdfFile::fail(Status status) {
-  if (status_) status_ = std::move(status);
-}
-
-void PdfFile::append(std::string_view text) {
-  bytes_.insert(bytes_.end(), text.begin(), text.end());
-}
-
-/// For so many bytes more; the table doubles.
-void PdfFile::make_room(std::size_t bytes) {
-  const std::size_t needed = bytes_.size() + bytes + kHeader.size();
-  if (needed <= bytes_.capacity()) return;
-  const std::size_t larger = std::max(needed, 2 * bytes_.capacity());
-  fail(memory_.reserve(context_, bytes_, larger));
-}
-
 PdfRef PdfFile::begin_object() {
-  if (offset_.empty()) append(kHeader);
-  offset_.push_back(bytes_.size());
+  if (offset_.empty()) bytes_ += kHeader;
+  fail(memory_.push_back(context_, offset_, bytes_.size()));
   const PdfRef ref = static_cast<PdfRef>(offset_.size());
-  append(std::to_string(ref) + " 0 obj\n");
+  bytes_ += std::to_string(ref) + " 0 obj\n";
   return ref;
 }
 
 PdfRef PdfFile::add(std::string_view object) {
-  if (!status_) return 0;
-  make_room(object.size() + 64);
-  if (!status_) return 0;
+  if (!status()) return 0;
   const PdfRef ref = begin_object();
-  append(object);
-  append("\nendobj\n");
+  (bytes_ += object) += "\nendobj\n";
   return ref;
 }
 
 PdfRef PdfFile::add_stream(std::string_view entries, std::span<const std::uint8_t> bytes) {
-  if (!status_) return 0;
+  if (!status()) return 0;
   TableMemory memory("packed bytes");
   const Result<std::vector<std::uint8_t>> packed = codecs::deflated(context_, bytes, memory);
   if (!packed) {
     fail(packed.status());
     return 0;
   }
-  make_room(packed->size() + entries.size() + 128);
-  if (!status_) return 0;
   const PdfRef ref = begin_object();
-  append("<< ");
-  append(entries);
-  append(" /Filter /FlateDecode /Length " + std::to_string(packed->size()) + " >>\nstream\n");
-  fail(memory_.append(context_, *packed, bytes_));
-  append("\nendstream\nendobj\n");
+  (bytes_ += "<< ") += entries;
+  bytes_ += " /Filter /FlateDecode /Length " + std::to_string(packed->size()) + " >>\nstream\n";
+  bytes_.append(*packed);
+  bytes_ += "\nendstream\nendobj\n";
   return ref;
 }
 
@@ -135,20 +113,20 @@ PdfRef PdfFile::add_stream(std::string_view entries, std::string_view text) {
 }
 
 Result<std::vector<std::uint8_t>> PdfFile::finish(PdfRef root, PdfRef info) {
-  if (!status_) return status_;
+  if (!status()) return status();
   const std::size_t table = bytes_.size();
   const std::string count = std::to_string(offset_.size() + 1);
-  append("xref\n0 " + count + "\n0000000000 65535 f \n");
+  bytes_ += "xref\n0 " + count + "\n0000000000 65535 f \n";
   for (std::size_t offset : offset_) {
     if (offset > 9'999'999'999)
       return make_error(StatusCode::limit, "a PDF of more than 10 GB, which its table cannot hold");
     char line[24];
     std::snprintf(line, sizeof line, "%010zu 00000 n \n", offset);
-    append(line);
+    bytes_ += line;
   }
-  append("trailer\n<< /Size " + count + " /Root " + pdf_reference(root) + " /Info " +
-         pdf_reference(info) + " >>\nstartxref\n" + std::to_string(table) + "\n%%EOF\n");
-  return std::move(bytes_);
+  bytes_ += "trailer\n<< /Size " + count + " /Root " + pdf_reference(root) + " /Info " +
+            pdf_reference(info) + " >>\nstartxref\n" + std::to_string(table) + "\n%%EOF\n";
+  return bytes_.finish();
 }
 
 }  // namespace sfumato::outputs

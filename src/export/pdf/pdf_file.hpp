@@ -4,8 +4,10 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "base/output_buffer.hpp"
 #include "base/table_memory.hpp"
 #include "sfumato/base/affine.hpp"
 #include "sfumato/base/box.hpp"
@@ -31,7 +33,7 @@ std::string pdf_reference(PdfRef ref);
 /// The objects of a PDF 1.7 file (ISO 32000-1), in memory. The same calls give the same bytes.
 class PdfFile {
  public:
-  explicit PdfFile(Context& context) : context_(context) {}
+  explicit PdfFile(const Context& context) : context_(context), bytes_(context, "the PDF") {}
 
   /// An object without streams: "<< /Type /Page >>".
   PdfRef add(std::string_view object);
@@ -42,21 +44,18 @@ class PdfFile {
   PdfRef add_stream(std::string_view entries, std::string_view text);
 
   /// The first error; what is added after it is dropped.
-  const Status& status() const { return status_; }
-  void fail(Status status);
+  const Status& status() const { return bytes_.status(); }
+  void fail(Status status) { bytes_.fail(std::move(status)); }
 
   /// The whole file. Nothing may be added afterwards.
   Result<std::vector<std::uint8_t>> finish(PdfRef root, PdfRef info);
 
  private:
-  void make_room(std::size_t bytes);
   PdfRef begin_object();
-  void append(std::string_view text);
 
-  Context& context_;
-  TableMemory memory_{"objects of a PDF"};
-  Status status_;
-  std::vector<std::uint8_t> bytes_;
+  const Context& context_;
+  OutputBuffer bytes_;
+  TableMemory memory_{"the PDF"};
   std::vector<std::size_t> offset_;  ///< of object i + 1
 };
 

@@ -4,7 +4,6 @@
 #include <string_view>
 #include <utility>
 
-#include "base/charge.hpp"
 #include "base/poll.hpp"
 #include "export/facets/curve_bands.hpp"
 #include "export/facets/end_bands.hpp"
@@ -29,9 +28,6 @@ constexpr double kBandWidth = 1.75;
 /// centre in there, and a narrow gap keeps the colours of both its sides.
 constexpr double kBeyondWidth = 1;
 
-/// Of a point of a path: two numbers and an operator.
-constexpr std::size_t kPointBytes = 32;
-
 /// How exactly points of paths are written, points of the page.
 constexpr double kPathStep = 0.002;
 
@@ -40,33 +36,26 @@ double steps_per_unit(double points_per_unit) {
   return std::pow(10, std::ceil(std::log10(points_per_unit / kPathStep)));
 }
 
-/// Operators that fill the union of closed lines, which all turn alike but around holes, with
-/// white. Errors: limit, cancelled.
+/// Fills the union of closed lines, which all turn alike but around holes, with white.
 template <class Lines>
-Result<std::string> white_fill(Context& context, const Lines& lines, double steps_per_unit,
-                               ScopedCharge* charge) {
+void fill_white(Context& context, const Lines& lines, double steps_per_unit, PdfContent* content) {
   const auto number = [&](double value) {
     const double steps = value * steps_per_unit;
     return pdf_number(std::isfinite(steps) ? std::round(steps) / steps_per_unit : value);
   };
-  std::size_t points = 0;
-  for (const auto& line : lines) points += line.size();
-  // The text here, and in the mask, which doubles.
-  Status status = charge->add(context, 4 * kPointBytes * points, "a PDF's text");
-  if (!status) return status;
-  std::string path = "1 g ";
+  content->begin("1 g ");
   RarePoll<4096> poll(context);
   for (const auto& line : lines) {
     const char* operation = " m ";
     for (const Vec2& point : line) {
-      if (poll.cancelled()) return context.cancel_status();
+      if (poll.cancelled()) return content->fail(context.cancel_status());
       if (&point != &line.front() && point == *(&point - 1)) continue;
-      path += number(point.x) + " " + number(point.y) + operation;
+      content->begin(number(point.x) + " " + number(point.y) + operation);
       operation = " l ";
     }
-    path += "h\n";
+    content->add("h");
   }
-  return path + "f";
+  content->add("f");
 }
 
 /// Writes one layer.
@@ -103,7 +92,7 @@ class LayerWriter {
   void paint_beyond(const FacetSource& source, PdfContent* content);
   void paint_bands(const FacetSource& source, PdfContent* content);
   void paint_once(const FacetMesh& mesh, PdfContent* content);
-  void paint_clipped(const FacetMesh& mesh, std::string_view white, PdfContent* content);
+  void paint_clipped(const FacetMesh& mesh, const PdfContent& white, PdfContent* content);
   double band_width() const { return kBandWidth / options_.points_per_unit; }
   void paint_field(bool is_opacity, PdfContent* content);
   Paint add_shader(bool is_opacity, std::uint32_t shader);
@@ -157,21 +146,18 @@ void LayerWriter::paint_bands(const FacetSource& source, PdfContent* content) {
   if (!bands) return file_->fail(bands.status());
   paint_once(bands->under, content);
   if (bands->clip.empty()) return;
-  ScopedCharge charge;
-  const Result<std::string> white =
-      white_fill(context_, bands->clip, steps_per_unit(options_.points_per_unit), &charge);
-  if (!white) return file_->fail(white.status());
-  paint_clipped(bands->over, *white, content);
+  PdfContent white(context_);
+  fill_white(context_, bands->clip, steps_per_unit(options_.points_per_unit), &white);
+  paint_clipped(bands->over, white, content);
 }
 
 /// Where a path is white, by a soft mask: a filled path is antialiased in all programs, a clip path
 /// not in Splash and Ghostscript.
-void LayerWriter::paint_clipped(const FacetMesh& mesh, std::string_view white,
+void LayerWriter::paint_clipped(const FacetMesh& mesh, const PdfContent& white,
                                 PdfContent* content) {
   const Box box = decode_box(mesh.vertex_position);
-  PdfContent mask, clipped;
-  mask.add(white);
-  const PdfRef state = add_mask(file_, mask.make_mask_form(file_, box));
+  const PdfRef state = add_mask(file_, white.make_mask_form(file_, box));
+  PdfContent clipped(context_);
   // Twice, as the mesh: what lies below has another colour, and would show in pixels left out.
   notes_->triangle_count += mesh.facet_vertex.size() / 3;
   paint_mesh(add_mesh(context_, file_, mesh, box), kShift / options_.points_per_unit, &clipped);
@@ -238,7 +224,7 @@ void LayerWriter::paint_field(bool is_opacity, PdfContent* content) {
   paint_facets(base, content);
   for (std::uint32_t s = 0; s < field.shader.size(); ++s) {
     if (paints[s].image == 0) continue;
-    PdfContent mask;
+    PdfContent mask(context_);
     paint_facets({is_opacity ? Kind::opacity_mask : Kind::color_mask, s, {}}, &mask);
     const PdfRef state = add_mask(file_, mask.make_mask_form(file_, box_));
     content->add("q " + content->name(Resource::graphics_state, state) + " gs");
@@ -258,16 +244,12 @@ void LayerWriter::paint_pixels(PdfContent* content) {
 void LayerWriter::fill_outline(PdfContent* mask) {
   const Result<LayerOutline> outline = outline_of_ends(context_, layer_, edges_, band_width());
   if (!outline) return file_->fail(outline.status());
-  ScopedCharge charge;
-  const Result<std::string> white =
-      white_fill(context_, outline->loop, steps_per_unit(options_.points_per_unit), &charge);
-  if (!white) return file_->fail(white.status());
-  mask->add(*white);
+  fill_white(context_, outline->loop, steps_per_unit(options_.points_per_unit), mask);
 }
 
 PdfRef LayerWriter::write() {
   if (layer_.triangle_count() == 0) return 0;
-  PdfContent content;
+  PdfContent content(context_);
   Result<CurveEdges> edges = find_curve_edges(context_, layer_);
   if (!edges) {
     file_->fail(edges.status());
@@ -281,7 +263,7 @@ PdfRef LayerWriter::write() {
   paint_field(false, &content);
   if (!has_opacity() && !is_outlined())
     return content.make_form(file_, box_, options_.is_group || !layer_.color.shader.empty());
-  PdfContent mask, masked;
+  PdfContent mask(context_), masked(context_);
   if (has_opacity()) {
     paint_field(true, &mask);
   } else {

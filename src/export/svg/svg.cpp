@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "base/charge.hpp"
-#include "base/large_vector.hpp"
 #include "base/limit_error.hpp"
 #include "base/number_text.hpp"
+#include "base/output_buffer.hpp"
 #include "base/public_verb.hpp"
 #include "codecs/data_uri_write.hpp"
 #include "document/blend_names.hpp"
@@ -33,6 +33,8 @@ constexpr double kUnitsPerInch = 96;
 /// that size and at any larger one.
 constexpr double kNominalSide = 512;
 
+constexpr std::string_view kFileEnd = "</svg>\n";
+
 double pixels_per_unit(const SvgOptions& options) {
   return options.scale * options.dpi / kUnitsPerInch;
 }
@@ -54,47 +56,39 @@ Status check(const Context& context, const Picture& picture, const SvgOptions& o
   return picture::check_picture(context, picture);
 }
 
-void append_attribute(std::string& text, std::string_view name, double value) {
+void append_attribute(OutputBuffer& text, std::string_view name, double value) {
   ((text += ' ') += name) += "=\"" + number_text(value) + '"';
 }
 
-void append_box(std::string& text, const Box& box) {
+void append_box(OutputBuffer& text, const Box& box) {
   append_attribute(text, "x", box.min.x);
   append_attribute(text, "y", box.min.y);
   append_attribute(text, "width", box.width());
   append_attribute(text, "height", box.height());
 }
 
-void append_compositing(std::string& text, float opacity, BlendMode blend) {
+void append_compositing(OutputBuffer& text, float opacity, BlendMode blend) {
   if (opacity != 1) append_attribute(text, "opacity", opacity);
   if (blend == BlendMode::normal) return;
   text += " style=\"mix-blend-mode:" + std::string(blend_name(blend)) + '"';
 }
 
-Status append_image(const Context& context, const Box& box, BlendMode blend,
-                    const std::vector<std::uint8_t>& png, std::string& text) {
+void append_image(const Context& context, const Box& box, BlendMode blend,
+                  const std::vector<std::uint8_t>& png, OutputBuffer& text) {
   text += "<image";
   append_box(text, box);
   append_compositing(text, 1, blend);
   text += " preserveAspectRatio=\"none\" xlink:href=\"";
-  Status status = codecs::append_data_uri(context, "image/png", png, text);
+  codecs::append_data_uri(context, "image/png", png, text);
   text += "\"/>\n";
-  return status;
 }
 
-void begin_file(std::string& text, const Box& viewport, double scale) {
+void begin_file(OutputBuffer& text, const Box& viewport, double scale) {
   text += "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\"";
   append_attribute(text, "width", scale * viewport.width());
   append_attribute(text, "height", scale * viewport.height());
   text += " viewBox=\"" + number_text(viewport.min.x) + ' ' + number_text(viewport.min.y) + ' ' +
           number_text(viewport.width()) + ' ' + number_text(viewport.height()) + "\">\n";
-}
-
-Result<std::vector<std::uint8_t>> end_file(const Context& context, std::string& text) {
-  text += "</svg>\n";
-  std::vector<std::uint8_t> file;
-  if (Status status = append_text(context, text, file); !status) return status;
-  return file;
 }
 
 Result<std::vector<std::uint8_t>> image_file(Context& context, const Picture& picture,
@@ -112,14 +106,14 @@ Result<std::vector<std::uint8_t>> image_file(Context& context, const Picture& pi
   if (!image) return image.status();
   const auto png = encode_png(context, *image);
   if (!png) return png.status();
-  ScopedCharge charge;
-  Status status = charge.add(context, 3 * png->size() + 1024, "the image as SVG");
+  ScopedCharge held;
+  Status status = held.add(context, capacity_bytes(*png), "the image as PNG");
   if (!status) return status;
-  std::string text;
+  OutputBuffer text(context, "the image as SVG");
   begin_file(text, viewport, options.scale);
-  status = append_image(context, viewport, BlendMode::normal, *png, text);
-  if (!status) return status;
-  return end_file(context, text);
+  append_image(context, viewport, BlendMode::normal, *png, text);
+  text += kFileEnd;
+  return text.finish();
 }
 
 double scale_of(const Affine& map) {
@@ -137,7 +131,11 @@ class VectorWriter {
  public:
   VectorWriter(Context& context, const Picture& picture, const SvgOptions& options,
                ExportNotes* notes)
-      : context_(context), picture_(picture), options_(options), notes_(notes) {}
+      : context_(context),
+        picture_(picture),
+        options_(options),
+        notes_(notes),
+        text_(context, "the SVG") {}
 
   Result<std::vector<std::uint8_t>> write();
 
@@ -151,7 +149,6 @@ class VectorWriter {
   Status write_layers();
   Status write_stack();
   Status write_pixels(std::size_t first, std::size_t end);
-  Status charge(std::size_t bytes);
 
   Context& context_;
   const Picture& picture_;
@@ -161,16 +158,8 @@ class VectorWriter {
   std::vector<SvgLayer> layers_;
   std::uint64_t stored_ = 0;
   bool has_pixels_ = false;
-  ScopedCharge charge_;
-  std::size_t charged_ = 0;
-  std::string text_;
+  OutputBuffer text_;
 };
-
-Status VectorWriter::charge(std::size_t bytes) {
-  Status status = charge_.add(context_, bytes, "the SVG");
-  if (status) charged_ += bytes;
-  return status;
-}
 
 bool VectorWriter::is_drawn(const PatchInstance& instance) const {
   return scale_of(instance.artboard_from_layer) > 0 &&
@@ -225,7 +214,6 @@ Status VectorWriter::make_layers() {
     stored_ += layer->facet_count();
     painted += use.count * layer->facet_count();
     status = check_count(painted);
-    if (status) status = charge(outputs::text_bytes(*layer));
     if (!status) return status;
     layers_[i] = std::move(*layer);
   }
@@ -267,9 +255,8 @@ Status VectorWriter::write_pixels(std::size_t first, std::size_t end) {
   const auto part = outputs::paint_run(context_, picture_, first, end, pixels_per_unit(options_));
   if (!part) return part.status();
   if (part->box.empty()) return ok_status();
-  Status status = charge(3 * part->png.size());
-  if (!status) return status;
-  return append_image(context_, part->box, outputs::run_blend(picture_, first), part->png, text_);
+  append_image(context_, part->box, outputs::run_blend(picture_, first), part->png, text_);
+  return text_.status();
 }
 
 Status VectorWriter::write_stack() {
@@ -292,28 +279,26 @@ Status VectorWriter::write_stack() {
       append_compositing(text_, instance.opacity, instance.blend);
       text_ += "/>\n";
     }
+    if (!text_.status()) break;
   }
-  return ok_status();
+  return text_.status();
 }
 
 Result<std::vector<std::uint8_t>> VectorWriter::write() {
   find_uses();
-  Status status = charge(picture_.stack.size() * 512 + 4096);
-  if (status) status = make_layers();
-  if (!status) return status;
+  if (Status status = make_layers(); !status) return status;
   tell();
-  text_.reserve(charged_);  // to move a long text takes long
   begin_file(text_, picture_.viewport, options_.scale);
   if (const auto& color = options_.background ? options_.background : picture_.background) {
     text_ += "<rect";
     append_box(text_, picture_.viewport);
     text_ += " fill=\"" + color_text(*color) + "\"/>\n";
   }
-  status = write_layers();
+  Status status = write_layers();
   if (status) status = write_stack();
-  if (status) status = charge(text_.size());
   if (!status) return status;
-  return end_file(context_, text_);
+  text_ += kFileEnd;
+  return text_.finish();
 }
 
 Result<std::vector<std::uint8_t>> write(Context& context, const Picture& picture,

@@ -9,8 +9,6 @@
 namespace sfumato::outputs {
 namespace {
 
-/// Text of a facet in one channel, at most and roughly.
-constexpr std::size_t kFacetBytes = 320;
 /// The layer's longer side in steps of its grid, at least, if no instance is much smaller than
 /// others.
 constexpr double kGridSteps = 5e4;
@@ -46,7 +44,7 @@ Affine grid_of(const Box& box, double pixel, double largest_pixel) {
 /// Writes one layer, what it refers to first.
 class LayerWriter {
  public:
-  LayerWriter(Context& context, const SvgLayer& layer, SvgIds& ids, std::string& text)
+  LayerWriter(Context& context, const SvgLayer& layer, SvgIds& ids, OutputBuffer& text)
       : context_(context),
         layer_(layer),
         grid_from_layer_(inverse(layer.layer_from_grid)),
@@ -65,7 +63,7 @@ class LayerWriter {
   const SvgLayer& layer_;
   Affine grid_from_layer_;
   SvgIds& ids_;
-  std::string& text_;
+  OutputBuffer& text_;
 };
 
 Result<SvgMesh> LayerWriter::mesh_of(const FacetMesh& facets, const FacetLinks& links,
@@ -89,7 +87,9 @@ std::string LayerWriter::write_clip(const Silhouette& shape) {
   for (const std::vector<Vec2>& loop : shape.loops) {
     std::vector<Vec2> points;
     for (const Vec2 p : loop) points.push_back(grid_from_layer_(p));
-    append_closed_path(text_, points);
+    std::string path;
+    append_closed_path(path, points);
+    text_ += path;
   }
   text_ += "\"/></clipPath>\n";
   return " clip-path=\"url(#" + id + ")\"";
@@ -107,11 +107,12 @@ Result<std::string> LayerWriter::write_mask() {
   if (!shape->is_frame && !mesh->small.empty()) mesh->small_clip = write_clip(*shape);
   const std::string id = short_id(ids_.next++);
   const Vec2 size = grid_from_layer_(layer_.box.max);
-  text_ += "<mask id=\"" + id + "\" maskUnits=\"userSpaceOnUse\" x=\"-1\" y=\"-1\" width=\"";
-  append_number(text_, size.x + 2, 0);
-  text_ += "\" height=\"";
-  append_number(text_, size.y + 2, 0);
-  text_ += "\">\n";
+  std::string line =
+      "<mask id=\"" + id + "\" maskUnits=\"userSpaceOnUse\" x=\"-1\" y=\"-1\" width=\"";
+  append_number(line, size.x + 2, 0);
+  line += "\" height=\"";
+  append_number(line, size.y + 2, 0);
+  text_ += line += "\">\n";
   Status status = append_channel(context_, *mesh, 0, kWhite, ids_, text_);
   if (!status) return status;
   text_ += "</mask>\n";
@@ -143,7 +144,7 @@ Status LayerWriter::write(const std::string& id) {
     text_ += "</g>\n";
   }
   text_ += "</g>\n";
-  return ok_status();
+  return text_.status();
 }
 
 }  // namespace
@@ -172,14 +173,8 @@ Result<SvgLayer> make_svg_layer(Context& context, const PatchLayer& layer, Inter
   return result;
 }
 
-std::size_t text_bytes(const SvgLayer& layer) {
-  const std::size_t facets =
-      layer.color.facet_vertex.size() + layer.opacity.facet_vertex.size() / 3;
-  return kFacetBytes * facets;
-}
-
 Status append_layer(Context& context, const SvgLayer& layer, const std::string& id, SvgIds& ids,
-                    std::string& text) {
+                    OutputBuffer& text) {
   return LayerWriter(context, layer, ids, text).write(id);
 }
 

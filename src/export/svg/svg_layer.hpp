@@ -36,11 +36,8 @@ Result<SvgLayer> make_svg_layer(Context& context, const PatchLayer& layer, Inter
                                 const SvgScale& scale);
 
 /// <g id="ID">: the layer in its own frame (docs/outputs.md, "SVG of triangles"), after what it
-/// refers to. Memory: a charge of what it adds to the text. Errors: limit (memory), cancelled.
+/// refers to. Errors: limit (memory), cancelled.
 Status append_layer(Context& context, const SvgLayer& layer, const std::string& id, SvgIds& ids,
-                    std::string& text);
-
-/// Bytes of text at most that a layer takes, roughly.
-std::size_t text_bytes(const SvgLayer& layer);
+                    OutputBuffer& text);
 
 }  // namespace sfumato::outputs

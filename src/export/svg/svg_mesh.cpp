@@ -35,11 +35,11 @@ class MeshWriter {
       : mesh_(mesh), ink_(ink), ids_(ids) {}
 
   /// One channel of all facets, in their order.
-  Status append(Context& context, int channel, std::string& text);
+  Status append(Context& context, int channel, OutputBuffer& text);
 
  private:
   /// What lies below small facets: the values of their centres.
-  Status append_small(const Context& context, int channel, std::string& text) const;
+  Status append_small(const Context& context, int channel, OutputBuffer& text) const;
   Affinity affinity(std::uint32_t facet, int channel) const;
   std::string gradient(const Affinity& field, std::string& text);
 
@@ -94,30 +94,33 @@ void append_fill(double value, const Ink& ink, std::string& text) {
   append_color(text, code(ink.full[0]), code(ink.full[1]), code(ink.full[2]));
 }
 
-Status MeshWriter::append_small(const Context& context, int channel, std::string& text) const {
+Status MeshWriter::append_small(const Context& context, int channel, OutputBuffer& text) const {
   if (mesh_.small.empty()) return ok_status();
   RarePoll<kFacetsPerCheck> poll(context);
   text += "<g" + mesh_.small_clip + ">\n";
+  std::string line;
   for (const SmallFacet& small : mesh_.small) {
     if (poll.cancelled()) return context.cancel_status();
     std::array<Vec2, 3> corner = small.grown;
     for (Vec2& p : corner) p = mesh_.grid_from_layer(p);
-    append_fill(affinity(small.facet, channel).value, ink_, text);
-    text += "\" d=\"";
-    append_closed_path(text, corner);
-    text += "\"/>\n";
+    line.clear();
+    append_fill(affinity(small.facet, channel).value, ink_, line);
+    line += "\" d=\"";
+    append_closed_path(line, corner);
+    text += line += "\"/>\n";
+    if (!text.status()) break;
   }
   text += "</g>\n";
-  return ok_status();
+  return text.status();
 }
 
-Status MeshWriter::append(Context& context, int channel, std::string& text) {
+Status MeshWriter::append(Context& context, int channel, OutputBuffer& text) {
   const auto count = static_cast<std::uint32_t>(mesh_.mesh->facet_vertex.size() / 3);
   if (Status status = append_small(context, channel, text); !status) return status;
   std::vector<Vec2> outline;
-  std::string path;
+  std::string path, line;
   RarePoll<kFacetsPerCheck> poll(context);
-  for (std::uint32_t facet = 0; facet < count; ++facet) {
+  for (std::uint32_t facet = 0; facet < count && text.status(); ++facet) {
     if (poll.cancelled()) return context.cancel_status();
     outline.clear();
     for (const Vec2 p : mesh_.outlines.of(facet)) outline.push_back(mesh_.grid_from_layer(p));
@@ -125,29 +128,30 @@ Status MeshWriter::append(Context& context, int channel, std::string& text) {
     append_closed_path(path, outline);
     if (path.empty()) continue;
     const Affinity field = affinity(facet, channel);
+    line.clear();
     if (field.is_flat) {
-      append_fill(field.value, ink_, text);
+      append_fill(field.value, ink_, line);
     } else {
-      const std::string id = gradient(field, text);
-      text += "<path fill=\"url(#" + id + ")";
+      const std::string id = gradient(field, line);
+      line += "<path fill=\"url(#" + id + ")";
     }
-    text += "\" d=\"" + path + "\"/>\n";
+    text += line += "\" d=\"" + path + "\"/>\n";
   }
-  return ok_status();
+  return text.status();
 }
 
 }  // namespace
 
 Status append_channel(Context& context, const SvgMesh& mesh, int channel, const Ink& ink,
-                      SvgIds& ids, std::string& text) {
+                      SvgIds& ids, OutputBuffer& text) {
   return MeshWriter(mesh, ink, ids).append(context, channel, text);
 }
 
-void append_stops(const Ink& ink, std::string& text) {
-  text += std::string("<linearGradient id=\"") + ink.stops +
-          "\" gradientUnits=\"userSpaceOnUse\"><stop/><stop offset=\"1\" stop-color=\"";
-  append_color(text, ink.full[0], ink.full[1], ink.full[2]);
-  text += "\"/></linearGradient>\n";
+void append_stops(const Ink& ink, OutputBuffer& text) {
+  std::string line = std::string("<linearGradient id=\"") + ink.stops +
+                     "\" gradientUnits=\"userSpaceOnUse\"><stop/><stop offset=\"1\" stop-color=\"";
+  append_color(line, ink.full[0], ink.full[1], ink.full[2]);
+  text += line += "\"/></linearGradient>\n";
 }
 
 }  // namespace sfumato::outputs

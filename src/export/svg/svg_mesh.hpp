@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/output_buffer.hpp"
 #include "export/facets/facets.hpp"
 #include "export/facets/underlap.hpp"
 
@@ -25,7 +26,7 @@ inline constexpr Ink kRed{"R", {255, 0, 0}}, kGreen{"G", {0, 255, 0}}, kBlue{"B"
     kWhite{"W", {255, 255, 255}};
 
 /// The gradient with the stops of an ink, which those of triangles refer to.
-void append_stops(const Ink& ink, std::string& text);
+void append_stops(const Ink& ink, OutputBuffer& text);
 
 /// Facets as they are painted.
 struct SvgMesh {
@@ -38,8 +39,8 @@ struct SvgMesh {
 };
 
 /// One channel of all facets, in their order, each a path with a linear gradient of its own or,
-/// where it hardly varies, a plain fill. Errors: cancelled.
+/// where it hardly varies, a plain fill. Errors: limit (memory), cancelled.
 Status append_channel(Context& context, const SvgMesh& mesh, int channel, const Ink& ink,
-                      SvgIds& ids, std::string& text);
+                      SvgIds& ids, OutputBuffer& text);
 
 }  // namespace sfumato::outputs

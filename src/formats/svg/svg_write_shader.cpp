@@ -52,7 +52,8 @@ Status write_texture(Context& context, ElementWriter& writer, const Texture& tex
     return make_error(StatusCode::bad_input,
                       "the texture \"" + id + "\" does not repeat; a pattern of SVG always does");
   }
-  Result<std::string> uri = codecs::data_uri(context, texture);
+  TableMemory memory("a data: URI");
+  Result<std::string> uri = codecs::data_uri(context, texture, memory);
   if (!uri) return uri.status();
   if (Status status = check_length(context, writer.text().size() + uri->size()); !status) {
     return status;
