@@ -1,6 +1,5 @@
 // WebAssembly: the codecs that libraries of the native build bring. Pictures are the browser's own
 // affair there.
-#include "base/charge.hpp"
 #include "codecs/gunzip.hpp"
 #include "codecs/image_file.hpp"
 
@@ -10,7 +9,7 @@ bool is_gzip(std::string_view bytes) {
   return bytes.starts_with("\x1f\x8b");
 }
 
-Result<std::string> gunzip(Context&, std::string_view, ScopedCharge&) {
+Result<std::string> gunzip(Context&, std::string_view, TableMemory&) {
   return make_error(StatusCode::bad_input, "gzip is not unpacked here; expected the SVG itself");
 }
 

@@ -4,9 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <utility>
 
-#include "base/charge.hpp"
 #include "base/limit_error.hpp"
 #include "sfumato/base/limits.hpp"
 
@@ -56,15 +54,6 @@ class Inflater {
   bool ready_ = false;
 };
 
-/// Both texts are there while one moves to the other.
-Status grow(Context& context, std::string& text, std::size_t size, ScopedCharge& charge) {
-  ScopedCharge larger;
-  if (Status status = larger.add(context, size, "unpacked gzip"); !status) return status;
-  text.resize(size);
-  charge = std::move(larger);
-  return ok_status();
-}
-
 Status too_long(const Limits& limits, std::size_t most) {
   if (most == limits.input_bytes) {
     return make_limit_error(
@@ -83,7 +72,7 @@ bool is_gzip(std::string_view bytes) {
   return bytes.starts_with("\x1f\x8b");
 }
 
-Result<std::string> gunzip(Context& context, std::string_view bytes, ScopedCharge& charge) {
+Result<std::string> gunzip(Context& context, std::string_view bytes, TableMemory& memory) {
   Inflater inflater(bytes);
   if (!inflater.ready()) return make_error(StatusCode::out_of_memory, "no memory to unpack gzip");
   const Limits& limits = context.limits;
@@ -95,8 +84,8 @@ Result<std::string> gunzip(Context& context, std::string_view bytes, ScopedCharg
     if (context.cancelled()) return context.cancel_status();
     if (size > most) break;
     if (size == text.size()) {
-      const std::size_t next = std::clamp(2 * size, kFirstBytes, most + 1);
-      if (Status status = grow(context, text, next, charge); !status) return status;
+      const std::size_t next = std::min(std::max(2 * size, kFirstBytes), most + 1);
+      if (Status status = memory.resize(context, text, next); !status) return status;
     }
     std::size_t written = 0;
     const std::size_t room = std::min(text.size() - size, kBytesPerPoll);

@@ -4,8 +4,8 @@
 #include <optional>
 #include <utility>
 
-#include "base/charge.hpp"
 #include "base/public_verb.hpp"
+#include "base/table_memory.hpp"
 #include "codecs/gunzip.hpp"
 #include "formats/text/xml_source.hpp"
 #include "sfumato/base/limits.hpp"
@@ -111,8 +111,8 @@ Result<ReadDocument> read_text(Context& context, std::string_view text, const st
 Result<ReadDocument> read_bytes(Context& context, std::string_view bytes, const std::string& file,
                                 const ResourceLoader* loader) {
   if (!codecs::is_gzip(bytes)) return read_text(context, bytes, file, loader);
-  ScopedCharge charge;
-  Result<std::string> text = codecs::gunzip(context, bytes, charge);
+  TableMemory memory("unpacked gzip");
+  Result<std::string> text = codecs::gunzip(context, bytes, memory);
   if (text) return read_text(context, *text, file, loader);
   Status status = text.status();
   status.where.file = file;

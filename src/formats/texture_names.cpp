@@ -3,9 +3,9 @@
 #include <optional>
 
 #include "base/ascii.hpp"
-#include "base/charge.hpp"
 #include "base/poll.hpp"
 #include "base/public_verb.hpp"
+#include "base/table_memory.hpp"
 #include "codecs/gunzip.hpp"
 #include "formats/svg/namespaces.hpp"
 #include "formats/svg/texture_files.hpp"
@@ -53,8 +53,8 @@ Status visit_in_text(Context& context, std::string_view text, const std::string&
 Status visit_in_bytes(Context& context, std::string_view bytes, const std::string& file,
                       const std::function<void(const std::string&)>& visit) {
   if (!codecs::is_gzip(bytes)) return visit_in_text(context, bytes, file, visit);
-  ScopedCharge charge;
-  const Result<std::string> text = codecs::gunzip(context, bytes, charge);
+  TableMemory memory("unpacked gzip");
+  const Result<std::string> text = codecs::gunzip(context, bytes, memory);
   return text ? visit_in_text(context, *text, file, visit) : text.status();
 }
 

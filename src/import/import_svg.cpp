@@ -214,10 +214,10 @@ Status Importer::run() {
 
 Result<ImportedSvg> import_text(Context& context, std::string_view text, const std::string& file,
                                 const ResourceLoader* loader) {
-  ScopedCharge charge;
+  TableMemory memory("unpacked gzip");
   std::string unpacked;
   if (codecs::is_gzip(text)) {
-    Result<std::string> bytes = codecs::gunzip(context, text, charge);
+    Result<std::string> bytes = codecs::gunzip(context, text, memory);
     if (!bytes) return bytes.status();
     unpacked = std::move(*bytes);
     text = unpacked;

@@ -97,6 +97,15 @@ TEST(ReadDocument, gzip_bomb_is_refused) {
             "a: unpacks to more than the limit of 67108864 bytes");
 }
 
+TEST(ReadDocument, unpacked_gzip_takes_its_room_from_the_budget) {
+  const std::string packed = gzipped(std::string(1'000'000, ' '));
+  Context context{.budget = Budget(1'000'000)};
+  const Status status = read_document(context, packed, "a").status();
+  EXPECT_EQ(status.code, StatusCode::limit);
+  EXPECT_NE(status.message.find("unpacked gzip"), std::string::npos) << status.message;
+  EXPECT_EQ(context.budget.used(), 0u);
+}
+
 TEST(ReadDocument, gzip_up_to_the_limits_is_read) {
   const std::string largest = gzipped(svg("") + std::string(limits::kInputBytes - 200, ' '));
   EXPECT_EQ(message_with(largest, &Limits::unpack_ratio, 1032), "");
