@@ -10,6 +10,7 @@
 #include "base/charge.hpp"
 #include "base/limit_error.hpp"
 #include "base/poll.hpp"
+#include "base/table_memory.hpp"
 #include "codecs/jpeg_decode.hpp"
 #include "sfumato/base/image.hpp"
 #include "sfumato/base/limits.hpp"
@@ -43,16 +44,20 @@ std::uint8_t rounded(const std::uint8_t* big_or_little) {
   return static_cast<std::uint8_t>((value * 255u + 32767u) / 65535u);
 }
 
-/// In place: the bytes of a pixel end up before those of the next.
-Status halve_depth(const Context& context, Image& image) {
+/// The bytes of an image of 16 bits become those of one of 8; meanwhile both are charged.
+Status halve_depth(const Context& context, std::vector<std::uint8_t>& bytes) {
+  ScopedCharge deep;
+  Status status = deep.add(context, capacity_bytes(bytes), "a PNG image of 16 bits");
+  if (!status) return status;
+  TableMemory memory("a PNG image of 16 bits");
+  std::vector<std::uint8_t> halved;
+  if (status = memory.resize(context, halved, bytes.size() / 2); !status) return status;
   RarePoll<65536> poll(context);
-  const std::size_t count = image.bytes.size() / 2;
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < halved.size(); ++i) {
     if (poll.cancelled()) return context.cancel_status();
-    image.bytes[i] = rounded(&image.bytes[2 * i]);
+    halved[i] = rounded(&bytes[2 * i]);
   }
-  image.bytes.resize(count);
-  image.bytes.shrink_to_fit();
+  bytes = std::move(halved);
   return ok_status();
 }
 
@@ -62,12 +67,8 @@ Result<RgbaImage> from_png(Context& context, std::span<const std::uint8_t> bytes
   if (!sized) return sized;
   Result<Image> image = decode_png_with_alpha(context, bytes, {});
   if (!image) return image.status();
-  ScopedCharge charge;  // of an image of 16 bits beside one of 8
   if (image->format == PixelFormat::rgba16) {
-    const std::size_t both = image->bytes.size() / 2 * 3;
-    Status status = charge.add(context, both, "a PNG image of 16 bits");
-    if (status) status = halve_depth(context, *image);
-    if (!status) return status;
+    if (Status status = halve_depth(context, image->bytes); !status) return status;
   }
   return RgbaImage{image->width, image->height, std::move(image->bytes)};
 }

@@ -189,11 +189,13 @@ Result<RgbaImage> decode(Context& context, Session& session, std::span<const std
   Status status =
       charge.add(context, kWorkingBytes + pixel_count * kWorkingBytesPerPixel, "a JPEG image");
   if (!status) return status;
-  std::vector<std::uint8_t> row(channels * decoder.image_width);
+  TableMemory memory("a JPEG image");
+  std::vector<std::uint8_t> row;
   RgbaImage image{
       static_cast<int>(decoder.image_width), static_cast<int>(decoder.image_height), {}};
-  TableMemory memory("a JPEG image");
-  if (status = memory.resize(context, image.rgba, 4 * pixel_count); !status) return status;
+  status = memory.resize(context, row, channels * decoder.image_width);
+  if (status) status = memory.resize(context, image.rgba, 4 * pixel_count);
+  if (!status) return status;
   if (!read_pixels(session, channels, row.data(), image.rgba.data())) return failure(session);
   return image;
 }

@@ -14,13 +14,14 @@
 #include "base/charge.hpp"
 #include "base/no_throw.hpp"
 #include "base/public_verb.hpp"
+#include "base/table_memory.hpp"
 
 namespace sfumato {
 namespace {
 
 /// The library's own memory: coefficients of a progressive file (16 bits, three channels), rows,
-/// tables; and the file, which is never longer than its pixels by much.
-constexpr std::size_t kWorkingBytesPerPixel = 6 + 4;
+/// tables. It allocates by itself, so that this is an estimate.
+constexpr std::size_t kWorkingBytesPerPixel = 6;
 constexpr std::size_t kWorkingBytes = std::size_t{1} << 20;
 constexpr std::size_t kFirstFileBytes = std::size_t{16} << 10;
 
@@ -41,7 +42,9 @@ struct Session {
   char message[JMSG_LENGTH_MAX] = "";
   bool no_memory = false;
   bool cancelled = false;
+  TableMemory memory{"a JPEG image"};
   std::vector<std::uint8_t> file;
+  Status grown{};  ///< why the file could not grow
 };
 
 [[noreturn]] void fail(j_common_ptr library) {
@@ -65,11 +68,11 @@ void watch(j_common_ptr library) {
 boolean enlarge_file(j_compress_ptr encoder) {
   auto* session = static_cast<Session*>(encoder->client_data);
   const std::size_t used = session->file.size();
-  session->no_memory = !no_throw([&] {
-                          session->file.resize(std::max(kFirstFileBytes, 2 * used));
-                          return ok_status();
-                        }).ok();
-  if (session->no_memory) std::longjmp(session->failed, 1);
+  session->grown = no_throw([&] {
+    return session->memory.resize(session->context, session->file,
+                                  std::max(kFirstFileBytes, 2 * used));
+  });
+  if (!session->grown) std::longjmp(session->failed, 1);
   session->destination.next_output_byte = session->file.data() + used;
   session->destination.free_in_buffer = session->file.size() - used;
   return TRUE;
@@ -131,9 +134,10 @@ bool write_image(Session& session, const Image& image, int quality) {
 
 Status failure(const Session& session) {
   if (session.cancelled) return session.context.cancel_status();
-  if (session.no_memory) {
+  if (session.no_memory || session.grown.code == StatusCode::out_of_memory) {
     return make_error(StatusCode::out_of_memory, "no memory to write the JPEG image");
   }
+  if (!session.grown) return session.grown;
   return make_error(StatusCode::internal, std::string("writing a JPEG: ") + session.message);
 }
 

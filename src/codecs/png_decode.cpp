@@ -6,8 +6,8 @@
 #include <string>
 #include <utility>
 
-#include "base/charge.hpp"
 #include "base/limit_error.hpp"
+#include "base/poll.hpp"
 #include "base/public_verb.hpp"
 #include "base/table_memory.hpp"
 #include "sfumato/base/limits.hpp"
@@ -47,9 +47,10 @@ class Decoder {
  private:
   Status read_header();
   Status check_header();
-  Status charge(std::size_t size);
+  Status make_room(Image& image);
   Status decode_rows(int spng_format, int flags, Image& image);
   Result<Image> decode_as(int spng_format, PixelFormat format);
+  Result<Image> without_alpha16(const Image& from);
   Status error(StatusCode code, std::string message) const;
   /// The status of one call of the library.
   Status status_of(int error_code) const;
@@ -61,7 +62,6 @@ class Decoder {
   SpngContext png_;
   spng_ihdr header_{};
   bool has_alpha_ = false;
-  ScopedCharge charge_;
   TableMemory memory_{"a PNG image"};
 };
 
@@ -76,16 +76,6 @@ bool is_whole(std::span<const std::uint8_t> png) {
     at += length + kChunkFrameBytes;
   }
   return false;
-}
-
-Image without_alpha16(const Image& from) {
-  Image to{from.width, from.height, PixelFormat::rgb16, {}};
-  const std::size_t pixel_count = from.bytes.size() / 8;
-  to.bytes.resize(6 * pixel_count);
-  for (std::size_t i = 0; i < pixel_count; ++i) {
-    std::memcpy(&to.bytes[6 * i], &from.bytes[8 * i], 6);
-  }
-  return to;
 }
 
 Status Decoder::error(StatusCode code, std::string message) const {
@@ -154,13 +144,25 @@ Result<Image> Decoder::decode() {
   // The library makes no gray image rgb16.
   Result<Image> image = decode_as(SPNG_FMT_RGBA16, PixelFormat::rgba16);
   if (!image) return image;
-  if (Status status = charge(image->bytes.size()); !status) return status;
   return without_alpha16(*image);
 }
 
-Status Decoder::charge(std::size_t size) {
-  Status status = charge_.add(context_, size, "a PNG image");
-  if (!status) status.where.file = file_;
+Result<Image> Decoder::without_alpha16(const Image& from) {
+  Image to{from.width, from.height, PixelFormat::rgb16, {}};
+  if (Status status = make_room(to); !status) return status;
+  RarePoll<65536> poll(context_);
+  const std::size_t pixel_count = from.bytes.size() / 8;
+  for (std::size_t i = 0; i < pixel_count; ++i) {
+    if (poll.cancelled()) return context_.cancel_status();
+    std::memcpy(&to.bytes[6 * i], &from.bytes[8 * i], 6);
+  }
+  return to;
+}
+
+Status Decoder::make_room(Image& image) {
+  const std::size_t size = image.row_bytes() * header_.height;
+  Status status = memory_.resize(context_, image.bytes, size);
+  if (status.code == StatusCode::limit) status.where.file = file_;
   return status;
 }
 
@@ -181,9 +183,7 @@ Status Decoder::decode_rows(int spng_format, int flags, Image& image) {
 
 Result<Image> Decoder::decode_as(int spng_format, PixelFormat format) {
   Image image{static_cast<int>(header_.width), static_cast<int>(header_.height), format, {}};
-  const std::size_t size = image.row_bytes() * header_.height;
-  Status status = memory_.resize(context_, image.bytes, size);
-  if (status.code == StatusCode::limit) status.where.file = file_;
+  Status status = make_room(image);
   if (!status) return status;
   const int flags = has_alpha_ ? SPNG_DECODE_TRNS : 0;
   status = decode_rows(spng_format, flags, image);

@@ -1,16 +1,16 @@
 #include <zlib.h>
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <initializer_list>
-#include <memory>
 #include <new>
 #include <string>
 #include <utility>
 
-#include "base/charge.hpp"
 #include "base/parallel.hpp"
 #include "base/public_verb.hpp"
+#include "base/table_memory.hpp"
 #include "codecs/png_filter.hpp"
 #include "sfumato/base/limits.hpp"
 #include "sfumato/codecs/png.hpp"
@@ -19,7 +19,11 @@ namespace sfumato {
 namespace {
 
 constexpr std::uint8_t kSignature[] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
-constexpr std::size_t kHeadBytes = 64;  // at least: signature, IHDR, sRGB
+constexpr std::size_t kEndBytes = 64;  // at least: signature, IHDR, sRGB; the last IDAT, IEND
+/// Length, type and CRC of a chunk.
+constexpr std::size_t kChunkFrameBytes = 12;
+/// zlib's: deflate with a window of 32 KiB, fast.
+constexpr std::array<std::uint8_t, 2> kDeflateHead{0x78, 0x01};
 constexpr std::uint8_t kTrueColor = 2;
 constexpr std::uint8_t kTrueColorAlpha = 6;
 constexpr std::uint8_t kPerceptual = 0;
@@ -52,31 +56,44 @@ void append_chunk(const char* type, Bytes& out, AppendData append_data) {
       static_cast<std::uint32_t>(crc32(0, &out[begin + 4], static_cast<uInt>(length + 4))), out);
 }
 
-struct EndDeflate {
-  void operator()(z_stream* stream) const { deflateEnd(stream); }
+/// Packs bytes as deflate blocks of which none is the last, ended on a whole byte, so that stripes
+/// made apart may be joined. Z_RLE, made for PNG, packs smooth images nearly as small as level 6 in
+/// a sixth of its time.
+class BlockDeflater {
+ public:
+  BlockDeflater() {
+    if (deflateInit2(&stream_, 1, Z_DEFLATED, -MAX_WBITS, MAX_MEM_LEVEL, Z_RLE) != Z_OK) {
+      throw std::bad_alloc();
+    }
+  }
+  BlockDeflater(const BlockDeflater&) = delete;
+  BlockDeflater& operator=(const BlockDeflater&) = delete;
+  ~BlockDeflater() { deflateEnd(&stream_); }
+
+  /// What so many bytes become at most.
+  std::size_t bound(std::size_t byte_count) {
+    constexpr std::size_t kSyncMarker = 16;
+    return deflateBound(&stream_, static_cast<uLong>(byte_count)) + kSyncMarker;
+  }
+
+  /// Call once.
+  void append(Bytes& bytes, Bytes& out) {
+    const std::size_t begin = out.size();
+    out.resize(begin + bound(bytes.size()));
+    stream_.next_in = bytes.data();
+    stream_.avail_in = static_cast<uInt>(bytes.size());
+    stream_.next_out = &out[begin];
+    stream_.avail_out = static_cast<uInt>(out.size() - begin);
+    deflate(&stream_, Z_SYNC_FLUSH);
+    out.resize(out.size() - stream_.avail_out);
+  }
+
+ private:
+  z_stream stream_{};
 };
 
-/// Appends `bytes` as deflate blocks of which none is the last, ended on a whole byte, so that
-/// stripes made apart may be joined. Z_RLE, made for PNG, packs smooth images nearly as small as
-/// level 6 in a sixth of its time.
-void append_deflate_blocks(Bytes& bytes, Bytes& out) {
-  z_stream stream{};
-  if (deflateInit2(&stream, 1, Z_DEFLATED, -MAX_WBITS, MAX_MEM_LEVEL, Z_RLE) != Z_OK) {
-    throw std::bad_alloc();
-  }
-  const std::unique_ptr<z_stream, EndDeflate> end(&stream);
-  const std::size_t begin = out.size();
-  constexpr std::size_t kSyncMarker = 16;
-  out.resize(begin + deflateBound(&stream, static_cast<uLong>(bytes.size())) + kSyncMarker);
-  stream.next_in = bytes.data();
-  stream.avail_in = static_cast<uInt>(bytes.size());
-  stream.next_out = &out[begin];
-  stream.avail_out = static_cast<uInt>(out.size() - begin);
-  deflate(&stream, Z_SYNC_FLUSH);
-  out.resize(out.size() - stream.avail_out);
-}
-
 struct Stripe {
+  TableMemory memory{"a PNG"};  // its own: stripes are made side by side
   Bytes chunk;
   std::uint32_t adler = 1;
   std::size_t filtered_bytes = 0;
@@ -94,12 +111,13 @@ class Encoder {
 
  private:
   Status encode_wave(std::size_t first_stripe, std::size_t stripe_count);
-  Stripe encode_stripe(std::size_t index) const;
-  Bytes filtered(std::size_t first_row, std::size_t end_row) const;
-  /// A row in the byte order of PNG: the image's own, or `scratch` with it.
+  Status encode_stripe(std::size_t index, Stripe& stripe) const;
+  Status filter_rows(std::size_t first_row, std::size_t end_row, TableMemory& memory,
+                     Bytes& filtered) const;
+  /// A row in the byte order of PNG: the image's own, or `scratch`, as long as a row, with it.
   const std::uint8_t* row(std::size_t y, Bytes& scratch) const;
-  Bytes head() const;
-  void finish_data();
+  Status write_head();
+  Status write_tail();
   Result<Bytes> joined_parts();
 
   Context& context_;
@@ -107,7 +125,7 @@ class Encoder {
   std::size_t row_bytes_;
   std::size_t rows_per_stripe_;
   std::vector<Bytes> parts_;
-  ScopedCharge charge_;
+  TableMemory memory_{"a PNG"};  ///< of parts_, and of what they become
   std::uint32_t adler_ = 1;
 };
 
@@ -116,29 +134,25 @@ Result<Bytes> Encoder::encode() {
   const std::size_t wave_stripes = std::max<std::size_t>(1, kWaveBytes / stripe_bytes);
   const auto rows = static_cast<std::size_t>(image_.height);
   const std::size_t stripe_count = (rows + rows_per_stripe_ - 1) / rows_per_stripe_;
-  // Filtered and packed bytes of a wave; packed ones are never much longer.
-  const std::size_t work_bytes = 3 * std::min(stripe_count, wave_stripes) * stripe_bytes;
-  if (Status status = charge_.add(context_, work_bytes, "writing a PNG"); !status) return status;
-  parts_.push_back(head());
+  if (Status status = write_head(); !status) return status;
   for (std::size_t first = 0; first < stripe_count; first += wave_stripes) {
     Status status = encode_wave(first, std::min(wave_stripes, stripe_count - first));
-    if (status) status = charge_.add(context_, parts_.back().size(), "a PNG");
     if (!status) return status;
   }
-  finish_data();
+  if (Status status = write_tail(); !status) return status;
   return joined_parts();
 }
 
 Status Encoder::encode_wave(std::size_t first_stripe, std::size_t stripe_count) {
   std::vector<Stripe> stripes(stripe_count);
-  Status status = parallel_for(context_, stripe_count, 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) stripes[i] = encode_stripe(first_stripe + i);
+  Status status = try_parallel_for(context_, stripe_count, 1, [&](std::size_t i, std::size_t) {
+    return encode_stripe(first_stripe + i, stripes[i]);
   });
   if (!status) return status;
   Bytes& part = parts_.emplace_back();
   std::size_t size = 0;
   for (const Stripe& stripe : stripes) size += stripe.chunk.size();
-  part.reserve(size);
+  if (status = memory_.reserve(context_, part, size); !status) return status;
   for (const Stripe& stripe : stripes) {
     part.insert(part.end(), stripe.chunk.begin(), stripe.chunk.end());
     adler_ = static_cast<std::uint32_t>(
@@ -147,47 +161,51 @@ Status Encoder::encode_wave(std::size_t first_stripe, std::size_t stripe_count) 
   return status;
 }
 
-Stripe Encoder::encode_stripe(std::size_t index) const {
+Status Encoder::encode_stripe(std::size_t index, Stripe& stripe) const {
   const std::size_t first_row = index * rows_per_stripe_;
   const std::size_t end_row =
       std::min(first_row + rows_per_stripe_, static_cast<std::size_t>(image_.height));
-  Bytes bytes = filtered(first_row, end_row);
-  Stripe stripe;
+  TableMemory memory("writing a PNG");
+  Bytes bytes;
+  Status status = filter_rows(first_row, end_row, memory, bytes);
+  if (!status) return status;
   stripe.filtered_bytes = bytes.size();
   stripe.adler =
       static_cast<std::uint32_t>(adler32(1, bytes.data(), static_cast<uInt>(bytes.size())));
+  BlockDeflater deflater;
+  const std::size_t room = kChunkFrameBytes + kDeflateHead.size() + deflater.bound(bytes.size());
+  if (status = stripe.memory.reserve(context_, stripe.chunk, room); !status) return status;
   append_chunk("IDAT", stripe.chunk, [&](Bytes& out) {
-    // zlib's header: deflate with a window of 32 KiB, fast.
-    if (index == 0) {
-      out.push_back(0x78);
-      out.push_back(0x01);
-    }
-    append_deflate_blocks(bytes, out);
+    if (index == 0) out.insert(out.end(), kDeflateHead.begin(), kDeflateHead.end());
+    deflater.append(bytes, out);
   });
-  return stripe;
+  return status;
 }
 
-Bytes Encoder::filtered(std::size_t first_row, std::size_t end_row) const {
+Status Encoder::filter_rows(std::size_t first_row, std::size_t end_row, TableMemory& memory,
+                            Bytes& filtered) const {
+  Bytes candidate, current_scratch, previous_scratch;
+  Status status = memory.resize(context_, filtered, (end_row - first_row) * (row_bytes_ + 1));
+  if (status) {
+    status = memory.resize_all(context_, row_bytes_, candidate, current_scratch, previous_scratch);
+  }
+  if (!status) return status;
   const int pixel_bytes = channel_count(image_.format) * bytes_per_channel(image_.format);
-  codecs::PngFilter filter(row_bytes_, static_cast<std::size_t>(pixel_bytes));
-  Bytes bytes((end_row - first_row) * (row_bytes_ + 1));
-  Bytes current_scratch;
-  Bytes previous_scratch(first_row == 0 ? row_bytes_ : 0);
+  codecs::PngFilter filter(static_cast<std::size_t>(pixel_bytes), candidate);
   const std::uint8_t* previous =
       first_row == 0 ? previous_scratch.data() : row(first_row - 1, previous_scratch);
   for (std::size_t y = first_row; y < end_row; ++y) {
     const std::uint8_t* current = row(y, current_scratch);
-    filter.filter(current, previous, &bytes[(y - first_row) * (row_bytes_ + 1)]);
+    filter.filter(current, previous, &filtered[(y - first_row) * (row_bytes_ + 1)]);
     previous = current;
     std::swap(current_scratch, previous_scratch);
   }
-  return bytes;
+  return status;
 }
 
 const std::uint8_t* Encoder::row(std::size_t y, Bytes& scratch) const {
   const std::uint8_t* source = &image_.bytes[y * row_bytes_];
   if (bytes_per_channel(image_.format) == 1) return source;
-  scratch.resize(row_bytes_);
   for (std::size_t i = 0; i < row_bytes_; i += 2) {
     std::uint16_t value;
     std::memcpy(&value, source + i, 2);
@@ -197,9 +215,9 @@ const std::uint8_t* Encoder::row(std::size_t y, Bytes& scratch) const {
   return scratch.data();
 }
 
-Bytes Encoder::head() const {
-  Bytes out;
-  out.reserve(kHeadBytes);
+Status Encoder::write_head() {
+  Bytes& out = parts_.emplace_back();
+  if (Status status = memory_.reserve(context_, out, kEndBytes); !status) return status;
   out.insert(out.end(), std::begin(kSignature), std::end(kSignature));
   append_chunk("IHDR", out, [&](Bytes& data) {
     append_big_endian(static_cast<std::uint32_t>(image_.width), data);
@@ -210,29 +228,31 @@ Bytes Encoder::head() const {
     data.insert(data.end(), {static_cast<std::uint8_t>(depth), color_type, 0, 0, 0});
   });
   append_chunk("sRGB", out, [](Bytes& data) { data.push_back(kPerceptual); });
-  return out;
+  return ok_status();
 }
 
-void Encoder::finish_data() {
+Status Encoder::write_tail() {
   Bytes& out = parts_.emplace_back();
+  if (Status status = memory_.reserve(context_, out, kEndBytes); !status) return status;
   append_chunk("IDAT", out, [&](Bytes& data) {
     data.push_back(3);  // with the next byte an empty last block
     data.push_back(0);
     append_big_endian(adler_, data);
   });
   append_chunk("IEND", out, [](Bytes&) {});
+  return ok_status();
 }
 
-/// One text of all parts; each part's memory is given back as soon as it is copied.
+/// One table of all parts; each part's memory is given back as soon as it is copied.
 Result<Bytes> Encoder::joined_parts() {
   std::size_t size = 0;
   for (const Bytes& part : parts_) size += part.size();
   Bytes joined;
-  joined.reserve(size);
+  if (Status status = memory_.reserve(context_, joined, size); !status) return status;
   for (Bytes& part : parts_) {
     if (context_.cancelled()) return context_.cancel_status();
     joined.insert(joined.end(), part.begin(), part.end());
-    part = Bytes();
+    memory_.free(part);
   }
   return joined;
 }

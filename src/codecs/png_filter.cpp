@@ -70,19 +70,16 @@ constexpr Apply kFilters[] = {apply<Nothing>, apply<Left>, apply<Up>, apply<Aver
 
 }  // namespace
 
-PngFilter::PngFilter(std::size_t row_bytes, std::size_t pixel_bytes)
-    : row_bytes_(row_bytes), pixel_bytes_(pixel_bytes), candidate_(row_bytes) {}
-
 void PngFilter::filter(const std::uint8_t* current, const std::uint8_t* previous,
                        std::uint8_t* out) {
   std::uint32_t best = 0;
   for (std::uint8_t number = 0; number < std::size(kFilters); ++number) {
     const std::uint32_t sum =
-        kFilters[number](current, previous, row_bytes_, pixel_bytes_, candidate_.data());
+        kFilters[number](current, previous, candidate_.size(), pixel_bytes_, candidate_.data());
     if (number > 0 && sum >= best) continue;
     best = sum;
     out[0] = number;
-    std::memcpy(out + 1, candidate_.data(), row_bytes_);
+    std::memcpy(out + 1, candidate_.data(), candidate_.size());
   }
 }
 

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <vector>
+#include <span>
 
 namespace sfumato::codecs {
 
@@ -11,16 +11,17 @@ namespace sfumato::codecs {
 class PngFilter {
  public:
   /// pixel_bytes: the distance to the pixel at the left, 1 to 8.
-  PngFilter(std::size_t row_bytes, std::size_t pixel_bytes);
+  /// candidate: as long as each row; filtered rows that are tried are put there.
+  PngFilter(std::size_t pixel_bytes, std::span<std::uint8_t> candidate)
+      : pixel_bytes_(pixel_bytes), candidate_(candidate) {}
 
-  /// Writes the filter's number and row_bytes filtered bytes to `out`.
-  /// current, previous: row_bytes each; previous is all 0 for the first row.
+  /// Writes the filter's number and a row of filtered bytes to `out`.
+  /// current, previous: a row each; previous is all 0 for the first row.
   void filter(const std::uint8_t* current, const std::uint8_t* previous, std::uint8_t* out);
 
  private:
-  std::size_t row_bytes_;
   std::size_t pixel_bytes_;
-  std::vector<std::uint8_t> candidate_;
+  std::span<std::uint8_t> candidate_;
 };
 
 }  // namespace sfumato::codecs

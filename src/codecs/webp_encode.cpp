@@ -7,13 +7,15 @@
 
 #include "base/charge.hpp"
 #include "base/public_verb.hpp"
+#include "base/table_memory.hpp"
 #include "codecs/webp_import.hpp"
 
 namespace sfumato {
 namespace {
 
-/// The library's own: the picture as ARGB or YUVA, statistics, and what the lossless coder keeps to
-/// look back (its hash chain and histograms), and the file.
+/// The library's own: the picture as ARGB or YUVA, statistics, what the lossless coder keeps to
+/// look back (its hash chain and histograms), and the file as it grows. It allocates by itself, so
+/// that this is an estimate.
 constexpr std::size_t kWorkingBytesPerPixel = 40;
 constexpr std::size_t kWorkingBytes = std::size_t{4} << 20;
 
@@ -97,7 +99,10 @@ Result<std::vector<std::uint8_t>> encode(Context& context, const Image& image,
                             : codecs::import_yuv(context, image, picture);
   if (!status) return status;
   if (WebPEncode(&config, &picture) == 0) return failure(picture);
-  return std::vector<std::uint8_t>(writer.mem, writer.mem + writer.size);
+  TableMemory memory("a WebP image");
+  std::vector<std::uint8_t> file;
+  if (status = memory.append(context, {writer.mem, writer.size}, file); !status) return status;
+  return file;
 }
 
 }  // namespace
