@@ -36,15 +36,15 @@ bool has_finite_points(const svg::Subpath& subpath) {
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text = fuzz::as_text({data, size});
   Context context;
-  const Result<std::vector<svg::Subpath>> path = svg::parse_path(context, text);
+  TableMemory memory("control points");
+  const Result<std::vector<svg::Subpath>> path = svg::parse_path(context, text, memory);
   if (path) {
-    std::size_t points = 0;
+    std::size_t bytes = capacity_bytes(*path);
     for (const svg::Subpath& subpath : *path) {
       check(subpath);
-      points += subpath.control_points.size();
+      bytes += capacity_bytes(subpath.control_points, subpath.segment_begin);
     }
-    fuzz::require(points <= svg::control_point_bound(context.limits, text),
-                  "more points than were foreseen");
+    fuzz::require(bytes == context.budget.used(), "what is charged is not what is there");
     const Box box = svg::bounds(*path);
     if (std::ranges::all_of(*path, has_finite_points)) {
       fuzz::require(box.empty() == path->empty(), "a box of nothing, or no box");

@@ -11,21 +11,23 @@ using namespace sfumato;
 namespace {
 
 template <class Value>
-void check(const Result<std::vector<svg::WrittenStop<Value>>>& written, std::string_view text) {
-  if (!written) return fuzz::require_honest(written.status());
-  fuzz::require(!written->empty(), "a list without a stop");
-  fuzz::require(written->size() <= svg::stop_bound(text), "more stops than were foreseen");
+void check(const Status& parsed, const std::vector<svg::WrittenStop<Value>>& written,
+           std::string_view text) {
+  fuzz::require(written.size() <= svg::stop_bound(text), "more stops than were foreseen");
+  if (!parsed) return fuzz::require_honest(parsed);
+  fuzz::require(!written.empty(), "a list without a stop");
   // Three segments of one, four and two pieces, as arcs have them.
   static constexpr std::uint32_t kSegmentBegin[] = {0, 1, 5, 7};
   bool beyond_end = false;
-  const StopList<Value> placed = svg::place_stops<Value>(*written, kSegmentBegin, beyond_end);
+  StopList<Value> placed;
+  svg::place_stops<Value>(written, kSegmentBegin, placed, beyond_end);
   const double end = placed.space == StopSpace::parameter ? 7 : 1;
   double last = 0;
   for (const Stop<Value>& stop : placed.stops) {
     fuzz::require(stop.offset >= last && stop.offset <= end, "an offset out of order");
     last = stop.offset;
   }
-  fuzz::require(placed.stops.size() == written->size(), "a stop is lost");
+  fuzz::require(placed.stops.size() == written.size(), "a stop is lost");
 }
 
 }  // namespace
@@ -33,17 +35,20 @@ void check(const Result<std::vector<svg::WrittenStop<Value>>>& written, std::str
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text = fuzz::as_text({data, size});
   css::TextPoll poll;
-  const auto colors = svg::parse_color_stops(text, poll);
-  check(colors, text);
-  const auto radii = svg::parse_scalar_stops(text, limits::kCoordinate, "a radius", poll);
-  check(radii, text);
-  if (radii) {
-    for (const auto& stop : *radii) {
+  std::vector<svg::WrittenStop<Rgb>> colors;
+  const Status has_colors = svg::parse_color_stops(text, poll, colors);
+  check(has_colors, colors, text);
+  std::vector<svg::WrittenStop<float>> radii;
+  const Status has_radii =
+      svg::parse_scalar_stops(text, limits::kCoordinate, "a radius", poll, radii);
+  check(has_radii, radii, text);
+  if (has_radii) {
+    for (const auto& stop : radii) {
       fuzz::require(stop.value >= 0 && stop.value <= limits::kCoordinate, "a radius out of range");
     }
   }
-  if (colors) {
-    for (const auto& stop : *colors) {
+  if (has_colors) {
+    for (const auto& stop : colors) {
       const auto is_share = [](float x) { return x >= 0 && x <= 1; };
       fuzz::require(is_share(stop.value.r) && is_share(stop.value.g) && is_share(stop.value.b),
                     "a colour out of range");

@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "base/ascii.hpp"
+#include "base/poll.hpp"
 
 namespace sfumato::codecs {
 namespace {
@@ -32,6 +33,15 @@ int hex_digit(char c) {
 
 Status bad(std::string message) {
   return make_error(StatusCode::bad_input, std::move(message));
+}
+
+/// The first byte of a text that is not empty: of %41 and the like what it stands for.
+std::uint8_t take_percent_coded(std::string_view& text) {
+  const char c = text.front();
+  const int high = c == '%' && text.size() > 2 ? hex_digit(text[1]) : kNoDigit;
+  const int low = high != kNoDigit ? hex_digit(text[2]) : kNoDigit;
+  text.remove_prefix(low != kNoDigit ? 3 : 1);
+  return static_cast<std::uint8_t>(low != kNoDigit ? 16 * high + low : c);
 }
 
 /// Whole threes of bytes, but at the end of all.
@@ -70,14 +80,17 @@ void append_base64(const Context& context, std::span<const std::uint8_t> bytes,
   }
 }
 
-Result<std::vector<std::uint8_t>> decode_base64(std::string_view text) {
-  std::vector<std::uint8_t> bytes;
-  bytes.reserve(text.size() / 4 * 3 + 3);
+Status decode_base64(const Context& context, std::string_view text, TableMemory& memory,
+                     std::vector<std::uint8_t>& bytes) {
+  Status status = memory.reserve(context, bytes, text.size() / 4 * 3 + 3);
+  if (!status) return status;
+  RarePoll<65536> poll(context);
   std::uint32_t bits = 0;
   int bit_count = 0;
   bool has_ended = false;
   std::size_t digit_count = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
+    if (poll.cancelled()) return context.cancel_status();
     const char c = text[i];
     if (is_blank(c)) continue;
     const int digit = base64_digit(c);
@@ -96,35 +109,41 @@ Result<std::vector<std::uint8_t>> decode_base64(std::string_view text) {
     }
   }
   if (digit_count % 4 == 1) return bad("the base64 is cut short");
-  return bytes;
+  return status;
 }
 
 std::vector<std::uint8_t> decode_percent(std::string_view text) {
   std::vector<std::uint8_t> bytes;
   bytes.reserve(text.size());
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] == '%' && i + 2 < text.size()) {
-      const int high = hex_digit(text[i + 1]), low = hex_digit(text[i + 2]);
-      if (high != kNoDigit && low != kNoDigit) {
-        bytes.push_back(static_cast<std::uint8_t>(16 * high + low));
-        i += 2;
-        continue;
-      }
-    }
-    bytes.push_back(static_cast<std::uint8_t>(text[i]));
-  }
+  while (!text.empty()) bytes.push_back(take_percent_coded(text));
   return bytes;
 }
 
-Result<std::vector<std::uint8_t>> decode_data_uri(std::string_view uri) {
+Status decode_data_uri(const Context& context, std::string_view uri, TableMemory& memory,
+                       std::vector<std::uint8_t>& bytes) {
+  constexpr std::string_view kBase64 = ";base64";
   const std::size_t comma = uri.find(',');
   if (comma == std::string_view::npos) return bad("the data: URI has no comma before its data");
-  const std::string header = ascii_lower(ascii_trimmed(uri.substr(0, comma)));
-  const std::string_view data = uri.substr(comma + 1);
-  if (!header.ends_with(";base64")) return decode_percent(data);
-  if (data.find('%') == std::string_view::npos) return decode_base64(data);
-  const std::vector<std::uint8_t> decoded = decode_percent(data);
-  return decode_base64({reinterpret_cast<const char*>(decoded.data()), decoded.size()});
+  const std::string_view header = ascii_trimmed(uri.substr(0, comma));
+  const std::string_view end =
+      header.substr(header.size() - std::min(header.size(), kBase64.size()));
+  std::string_view data = uri.substr(comma + 1);
+  const bool is_base64 = ascii_lower(end) == kBase64;
+  if (is_base64 && data.find('%') == std::string_view::npos) {
+    return decode_base64(context, data, memory, bytes);
+  }
+  TableMemory text_memory("a data: URI");
+  std::vector<std::uint8_t> text;
+  std::vector<std::uint8_t>& decoded = is_base64 ? text : bytes;
+  Status status = (is_base64 ? text_memory : memory).reserve(context, decoded, data.size());
+  RarePoll<65536> poll(context);
+  while (status && !data.empty()) {
+    if (poll.cancelled()) return context.cancel_status();
+    decoded.push_back(take_percent_coded(data));
+  }
+  if (!status || !is_base64) return status;
+  const auto* characters = reinterpret_cast<const char*>(text.data());
+  return decode_base64(context, {characters, text.size()}, memory, bytes);
 }
 
 }  // namespace sfumato::codecs

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/output_buffer.hpp"
+#include "base/table_memory.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/status.hpp"
 
@@ -19,15 +20,17 @@ std::size_t base64_length(std::size_t byte_count);
 /// Appends it, part by part with a look at the cancel flag before each.
 void append_base64(const Context& context, std::span<const std::uint8_t> bytes, OutputBuffer& text);
 
-/// Decodes base64 (RFC 4648, section 4); blanks are skipped, padding may be missing. Memory: three
-/// quarters of the text. Errors: bad_input, without a place.
-Result<std::vector<std::uint8_t>> decode_base64(std::string_view text);
+/// Decodes base64 (RFC 4648, section 4) into `bytes`, where there is nothing yet; blanks are
+/// skipped, padding may be missing. Errors: bad_input, limit, cancelled, without a place.
+Status decode_base64(const Context& context, std::string_view text, TableMemory& memory,
+                     std::vector<std::uint8_t>& bytes);
 
 /// Decodes %41 and the like; a percent sign without two digits stands for itself.
 std::vector<std::uint8_t> decode_percent(std::string_view text);
 
-/// The bytes of "data:[type][;base64],…" (RFC 2397); blanks in base64 may be percent-coded too.
-/// Errors: bad_input, without a place.
-Result<std::vector<std::uint8_t>> decode_data_uri(std::string_view uri);
+/// The bytes of "data:[type][;base64],…" (RFC 2397), into `bytes`, where there is nothing yet;
+/// blanks in base64 may be percent-coded too. Errors: bad_input, limit, cancelled, without a place.
+Status decode_data_uri(const Context& context, std::string_view uri, TableMemory& memory,
+                       std::vector<std::uint8_t>& bytes);
 
 }  // namespace sfumato::codecs

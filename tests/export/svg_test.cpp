@@ -84,10 +84,12 @@ TEST(SvgImage, is_the_raster_in_user_units) {
   EXPECT_NE(text.find("width=\"100\" height=\"60\" viewBox=\"0 0 100 60\""), std::string::npos);
   const std::string mark = "xlink:href=\"data:image/png;base64,";
   const std::size_t begin = text.find(mark) + mark.size();
-  const auto png = codecs::decode_base64(text.substr(begin, text.find('"', begin) - begin));
-  ASSERT_TRUE(png);
+  const std::string coded = text.substr(begin, text.find('"', begin) - begin);
   Context context;
-  const auto image = decode_png(context, *png, "png");
+  TableMemory memory("a test");
+  std::vector<std::uint8_t> png;
+  ASSERT_TRUE(codecs::decode_base64(context, coded, memory, png));
+  const auto image = decode_png(context, png, "png");
   ASSERT_TRUE(image);
   EXPECT_EQ(image->width, 200);
   EXPECT_EQ(image->height, 120);

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "base/ascii.hpp"
-#include "base/charge.hpp"
 #include "base/number.hpp"
 #include "formats/css/value.hpp"
 #include "formats/text/suggestion.hpp"
@@ -25,7 +24,8 @@ struct Found {
 
 class AttributeReader {
  public:
-  AttributeReader(Input& input, Element element) : input_(input), element_(element) {}
+  AttributeReader(Input& input, Element element, TableMemory& memory)
+      : input_(input), element_(element), memory_(memory) {}
 
   /// The attribute of that name, else the one for both sides, if there is one.
   std::optional<Found> find(const char* name, const char* for_both = nullptr) const;
@@ -36,10 +36,12 @@ class AttributeReader {
   Status read_number(const char* name, const char* expected, bool zero_allowed, double& number);
 
  private:
-  Status check_length(const Found& found);
+  template <class Value>
+  Status make_room(const Found& found, std::vector<WrittenStop<Value>>& stops);
 
   Input& input_;
   Element element_;
+  TableMemory& memory_;
 };
 
 std::optional<Found> AttributeReader::find(const char* name, const char* for_both) const {
@@ -53,41 +55,33 @@ std::optional<Found> AttributeReader::find(const char* name, const char* for_bot
   return std::nullopt;
 }
 
-Status AttributeReader::check_length(const Found& found) {
+template <class Value>
+Status AttributeReader::make_room(const Found& found, std::vector<WrittenStop<Value>>& stops) {
   const std::size_t count = stop_bound(found.text);
   if (count > input_.limits().stops_per_list) {
     return input_.in(element_, found.name,
                      input_.over_limit(element_, &Limits::stops_per_list, "stops in one list"));
   }
-  ScopedCharge charge;
-  return input_.placed(element_,
-                       charge.add(input_.context(), count * sizeof(WrittenStop<Rgb>), "stops"));
+  return input_.placed(element_, memory_.reserve(input_.context(), stops, count));
 }
 
 Status AttributeReader::read_colors(const Found& found, std::vector<WrittenStop<Rgb>>& stops) {
-  if (Status status = check_length(found); !status) return status;
-  auto parsed = parse_color_stops(found.text, input_.text_poll());
-  if (!parsed) return input_.in(element_, found.name, parsed.status());
-  stops = std::move(*parsed);
-  return ok_status();
+  if (Status status = make_room(found, stops); !status) return status;
+  return input_.in(element_, found.name, parse_color_stops(found.text, input_.text_poll(), stops));
 }
 
 Status AttributeReader::read_numbers(const Found& found, double largest, const char* what,
                                      std::vector<WrittenStop<float>>& stops) {
-  if (Status status = check_length(found); !status) return status;
-  auto parsed = parse_scalar_stops(found.text, largest, what, input_.text_poll());
-  if (!parsed) return input_.in(element_, found.name, parsed.status());
-  stops = std::move(*parsed);
-  return ok_status();
+  if (Status status = make_room(found, stops); !status) return status;
+  return input_.in(element_, found.name,
+                   parse_scalar_stops(found.text, largest, what, input_.text_poll(), stops));
 }
 
 Status AttributeReader::read_lengths(const Found& found, const char* what,
                                      std::vector<WrittenStop<float>>& stops) {
-  if (Status status = check_length(found); !status) return status;
-  auto parsed = parse_length_stops(found.text, what, input_.text_poll());
-  if (!parsed) return input_.in(element_, found.name, parsed.status());
-  stops = std::move(*parsed);
-  return ok_status();
+  if (Status status = make_room(found, stops); !status) return status;
+  return input_.in(element_, found.name,
+                   parse_length_stops(found.text, what, input_.text_poll(), stops));
 }
 
 /// `number` stays where the attribute is absent.
@@ -142,8 +136,8 @@ constexpr SideNames kLeft{"left", "left-opacity", "left-blur"};
 constexpr SideNames kRight{"right", "right-opacity", "right-blur"};
 
 Status read_side(Input& input, Paints& paints, const PaintedShape& shape, const SideNames& names,
-                 WrittenSide& side) {
-  AttributeReader reader(input, shape.element);
+                 TableMemory& memory, WrittenSide& side) {
+  AttributeReader reader(input, shape.element, memory);
   if (const auto found = reader.find(names.color)) {
     const Result<bool> whole = read_whole(input, paints, shape, *found, side.color);
     Status status = whole.status();
@@ -187,21 +181,21 @@ std::size_t LocalAttributes::stop_count() const {
 }
 
 Result<CurveAttributes> read_curve_attributes(Input& input, Paints& paints,
-                                              const PaintedShape& shape) {
+                                              const PaintedShape& shape, TableMemory& memory) {
   CurveAttributes attributes;
-  Status status = read_side(input, paints, shape, kLeft, attributes.left);
-  if (status) status = read_side(input, paints, shape, kRight, attributes.right);
+  Status status = read_side(input, paints, shape, kLeft, memory, attributes.left);
+  if (status) status = read_side(input, paints, shape, kRight, memory, attributes.right);
   if (status) {
-    AttributeReader reader(input, shape.element);
+    AttributeReader reader(input, shape.element, memory);
     status = reader.read_number("weight", "a number above 0", false, attributes.weight);
   }
   if (!status) return status;
   return attributes;
 }
 
-Result<LocalAttributes> read_local_attributes(Input& input, Element shape) {
+Result<LocalAttributes> read_local_attributes(Input& input, Element shape, TableMemory& memory) {
   LocalAttributes attributes;
-  AttributeReader reader(input, shape);
+  AttributeReader reader(input, shape, memory);
   Status status = ok_status();
   const auto read_side_colors = [&](const char* name, std::vector<WrittenStop<Rgb>>& stops) {
     const auto found = reader.find(name);
@@ -217,8 +211,10 @@ Result<LocalAttributes> read_local_attributes(Input& input, Element shape) {
   if (attributes.left_color.empty() && attributes.right_color.empty()) {
     return input.error(shape, "the local curve has no colour; expected sf:left, sf:right or both");
   }
-  if (attributes.left_color.empty()) attributes.left_color = attributes.right_color;
-  if (attributes.right_color.empty()) attributes.right_color = attributes.left_color;
+  std::vector<WrittenStop<Rgb>>&left = attributes.left_color, &right = attributes.right_color;
+  if (left.empty()) status = memory.append(input.context(), right, left);
+  if (right.empty()) status = memory.append(input.context(), left, right);
+  if (!status) return input.placed(shape, std::move(status));
   if (const auto found = reader.find("radius")) {
     status = reader.read_lengths(*found, "radius of influence", attributes.influence_radius);
   }

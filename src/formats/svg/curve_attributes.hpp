@@ -29,7 +29,7 @@ struct CurveAttributes {
   WrittenSide right{};
   double weight = 1;
 
-  /// How many stops each curve will have, and their bytes.
+  /// How many stops each curve will have.
   std::size_t stop_count() const;
 };
 
@@ -43,11 +43,12 @@ struct LocalAttributes {
   std::size_t stop_count() const;
 };
 
-/// Reads the attributes of a diffusion curve. Errors: bad_input, limit, out_of_memory.
+/// Reads the attributes of a diffusion curve; the room of their stops comes from `memory`.
+/// Errors: bad_input, limit, cancelled, out_of_memory.
 Result<CurveAttributes> read_curve_attributes(Input& input, Paints& paints,
-                                              const PaintedShape& shape);
+                                              const PaintedShape& shape, TableMemory& memory);
 
-/// Reads the attributes of a local curve. Errors: bad_input, limit.
-Result<LocalAttributes> read_local_attributes(Input& input, Element shape);
+/// Reads the attributes of a local curve; the same. Errors: bad_input, limit, cancelled.
+Result<LocalAttributes> read_local_attributes(Input& input, Element shape, TableMemory& memory);
 
 }  // namespace sfumato::svg

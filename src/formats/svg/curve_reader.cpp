@@ -12,9 +12,6 @@
 namespace sfumato::svg {
 namespace {
 
-/// A vector of curves while it grows holds them twice.
-constexpr std::size_t kGrowth = 2;
-
 bool has_no_length(const Subpath& subpath) {
   const Vec2 first = subpath.control_points.front();
   return std::ranges::all_of(subpath.control_points, [first](Vec2 p) { return p == first; });
@@ -26,35 +23,57 @@ std::string numbered(std::string_view id, std::size_t index) {
   return name;
 }
 
-template <class Value>
-SideShader<Value> placed_shader(const WrittenShader<Value>& written, const Subpath& subpath,
-                                bool& beyond_end) {
-  SideShader<Value> shader{written.kind, {}, written.shader};
-  if (written.kind == ShaderKind::curve_domain) {
-    shader.stops = place_stops(written.stops, subpath.segment_begin, beyond_end);
-  }
-  return shader;
-}
+/// Puts the stops of a shape on one of its subpaths.
+class StopPlacer {
+ public:
+  /// scale: of radii
+  StopPlacer(Input& input, Element shape, const Subpath& subpath, double scale)
+      : input_(input), shape_(shape), subpath_(subpath), scale_(scale) {}
 
-/// Radii times `scale`; no list where all are 0.
-ScalarStops placed_radii(const std::vector<WrittenStop<float>>& written, const Subpath& subpath,
-                         double scale, bool& beyond_end) {
-  const auto is_zero = [](const WrittenStop<float>& stop) { return stop.value == 0; };
-  if (std::ranges::all_of(written, is_zero)) return {};
-  ScalarStops stops = place_stops(written, subpath.segment_begin, beyond_end);
-  for (Stop<float>& stop : stops.stops) {
-    const double radius = std::min(stop.value * scale, limits::kCoordinate);
-    stop.value = static_cast<float>(radius);
+  Status place_side(const WrittenSide& written, Side& side) {
+    Status status = place_shader(written.color, side.color);
+    if (status) status = place_shader(written.opacity, side.opacity);
+    return status ? place_radii(written.blur_radius, side.blur_radius) : status;
   }
-  return stops;
-}
 
-Side placed_side(const WrittenSide& written, const Subpath& subpath, double scale,
-                 bool& beyond_end) {
-  return {placed_shader(written.color, subpath, beyond_end),
-          placed_shader(written.opacity, subpath, beyond_end),
-          placed_radii(written.blur_radius, subpath, scale, beyond_end)};
-}
+  /// No list where all are 0.
+  Status place_radii(const std::vector<WrittenStop<float>>& written, ScalarStops& list) {
+    const auto is_zero = [](const WrittenStop<float>& stop) { return stop.value == 0; };
+    if (std::ranges::all_of(written, is_zero)) return ok_status();
+    Status status = place(written, list);
+    for (Stop<float>& stop : list.stops) {
+      const double radius = std::min(stop.value * scale_, limits::kCoordinate);
+      stop.value = static_cast<float>(radius);
+    }
+    return status;
+  }
+
+  template <class Value>
+  Status place(const std::vector<WrittenStop<Value>>& written, StopList<Value>& list) {
+    Status status = input_.memory().stops.reserve(input_.context(), list.stops, written.size());
+    if (!status) return input_.placed(shape_, std::move(status));
+    place_stops<Value>(written, subpath_.segment_begin, list, beyond_end_);
+    return status;
+  }
+
+  /// Whether a stop was moved to the end.
+  bool beyond_end() const { return beyond_end_; }
+
+ private:
+  template <class Value>
+  Status place_shader(const WrittenShader<Value>& written, SideShader<Value>& shader) {
+    shader.kind = written.kind;
+    shader.shader = written.shader;
+    return written.kind == ShaderKind::curve_domain ? place(written.stops, shader.stops)
+                                                    : ok_status();
+  }
+
+  Input& input_;
+  Element shape_;
+  const Subpath& subpath_;
+  double scale_;
+  bool beyond_end_ = false;
+};
 
 void warn_of_end(Input& input, Element shape, bool beyond_end) {
   if (!beyond_end) return;
@@ -66,10 +85,13 @@ bool is_coordinate(Vec2 p) {
   return std::abs(p.x) <= limits::kCoordinate && std::abs(p.y) <= limits::kCoordinate;
 }
 
-Status map_points(Input& input, Element shape, const Affine& map, std::vector<Vec2>& points) {
-  for (Vec2& point : points) {
-    point = map(point);
-    if (is_coordinate(point)) continue;
+/// Maps points into a table that is as long as they are.
+Status map_points(Input& input, Element shape, const Affine& map, std::span<const Vec2> points,
+                  std::vector<Vec2>& mapped) {
+  Status status = input.memory().curves.reserve(input.context(), mapped, points.size());
+  if (!status) return input.placed(shape, std::move(status));
+  for (const Vec2& point : points) {
+    if (is_coordinate(mapped.emplace_back(map(point)))) continue;
     return input.error(shape, tag(shape) + " reaches farther than " +
                                   std::to_string(static_cast<long>(limits::kCoordinate)) +
                                   " from the origin; expected coordinates within that");
@@ -79,8 +101,8 @@ Status map_points(Input& input, Element shape, const Affine& map, std::vector<Ve
 
 }  // namespace
 
-Result<std::vector<Subpath>> CurveReader::read_subpaths(Element shape) {
-  Result<std::vector<Subpath>> subpaths = read_shape(input_, shape, viewport_);
+Result<std::vector<Subpath>> CurveReader::read_subpaths(Element shape, TableMemory& memory) {
+  Result<std::vector<Subpath>> subpaths = read_shape(input_, shape, viewport_, memory);
   if (!subpaths) return subpaths;
   std::size_t removed_points = 0;
   const std::size_t removed = std::erase_if(*subpaths, [&](const Subpath& subpath) {
@@ -98,57 +120,67 @@ Result<std::vector<Subpath>> CurveReader::read_subpaths(Element shape) {
 
 Status CurveReader::read_curves(Element shape, const Affine& layer_from_user, std::string_view id,
                                 std::vector<Curve>& curves) {
-  Result<std::vector<Subpath>> subpaths = read_subpaths(shape);
+  TableMemory point_memory("control points"), stop_memory("stops");
+  const Result<std::vector<Subpath>> subpaths = read_subpaths(shape, point_memory);
   if (!subpaths) return subpaths.status();
   if (subpaths->empty()) return ok_status();
-  const Result<CurveAttributes> attributes =
-      read_curve_attributes(input_, paints_, {shape, layer_from_user, bounds(*subpaths)});
+  const Result<CurveAttributes> attributes = read_curve_attributes(
+      input_, paints_, {shape, layer_from_user, bounds(*subpaths)}, stop_memory);
   if (!attributes) return attributes.status();
   const double determinant = layer_from_user.determinant();
   const double scale = std::sqrt(std::abs(determinant));
   bool beyond_end = false;
   for (std::size_t i = 0; i < subpaths->size(); ++i) {
-    Subpath& subpath = (*subpaths)[i];
-    Status status =
-        totals_.add_curve(shape, subpath.control_points.size(), kGrowth * sizeof(Curve));
-    if (status) status = totals_.add_stops(shape, attributes->stop_count(), sizeof(Stop<Rgb>));
-    if (status) status = map_points(input_, shape, layer_from_user, subpath.control_points);
+    const Subpath& subpath = (*subpaths)[i];
+    StopPlacer placer(input_, shape, subpath, scale);
+    Status status = begin_curve(shape, subpath, attributes->stop_count(), curves);
     if (!status) return status;
-    Curve& curve = curves.emplace_back();
+    Curve& curve = curves.back();
     curve.id = numbered(id, i);
     curve.weight = attributes->weight;
-    curve.left = placed_side(attributes->left, subpath, scale, beyond_end);
-    curve.right = placed_side(attributes->right, subpath, scale, beyond_end);
+    status =
+        map_points(input_, shape, layer_from_user, subpath.control_points, curve.control_points);
+    if (status) status = placer.place_side(attributes->left, curve.left);
+    if (status) status = placer.place_side(attributes->right, curve.right);
+    if (!status) return status;
     if (determinant < 0) std::swap(curve.left, curve.right);
-    curve.control_points = std::move(subpath.control_points);
+    beyond_end |= placer.beyond_end();
   }
   warn_of_end(input_, shape, beyond_end);
   return ok_status();
 }
 
+template <class AnyCurve>
+Status CurveReader::begin_curve(Element shape, const Subpath& subpath, std::size_t stop_count,
+                                std::vector<AnyCurve>& curves) {
+  Status status = totals_.count_curves(shape, 1, subpath.control_points.size());
+  if (status) status = totals_.count_stops(shape, stop_count);
+  return status ? input_.push_back(shape, input_.memory().curves, curves, {}) : status;
+}
+
 Status CurveReader::read_local_curves(Element shape, std::string_view id,
                                       std::vector<LocalCurve>& curves) {
-  Result<std::vector<Subpath>> subpaths = read_subpaths(shape);
+  TableMemory point_memory("control points"), stop_memory("stops");
+  const Result<std::vector<Subpath>> subpaths = read_subpaths(shape, point_memory);
   if (!subpaths) return subpaths.status();
-  const Result<LocalAttributes> attributes = read_local_attributes(input_, shape);
+  const Result<LocalAttributes> attributes = read_local_attributes(input_, shape, stop_memory);
   if (!attributes) return attributes.status();
   bool beyond_end = false;
   for (std::size_t i = 0; i < subpaths->size(); ++i) {
-    Subpath& subpath = (*subpaths)[i];
-    Status status =
-        totals_.add_curve(shape, subpath.control_points.size(), kGrowth * sizeof(LocalCurve));
-    if (status) status = totals_.add_stops(shape, attributes->stop_count(), sizeof(Stop<Rgb>));
-    if (status) status = map_points(input_, shape, {}, subpath.control_points);
+    const Subpath& subpath = (*subpaths)[i];
+    StopPlacer placer(input_, shape, subpath, 1);
+    Status status = begin_curve(shape, subpath, attributes->stop_count(), curves);
     if (!status) return status;
-    const auto& segments = subpath.segment_begin;
-    LocalCurve& curve = curves.emplace_back();
+    LocalCurve& curve = curves.back();
     curve.id = numbered(id, i);
-    curve.left_color = place_stops(attributes->left_color, segments, beyond_end);
-    curve.right_color = place_stops(attributes->right_color, segments, beyond_end);
-    curve.blur_radius = placed_radii(attributes->blur_radius, subpath, 1, beyond_end);
-    curve.influence_radius = placed_radii(attributes->influence_radius, subpath, 1, beyond_end);
     curve.alpha = attributes->alpha;
-    curve.control_points = std::move(subpath.control_points);
+    status = map_points(input_, shape, {}, subpath.control_points, curve.control_points);
+    if (status) status = placer.place(attributes->left_color, curve.left_color);
+    if (status) status = placer.place(attributes->right_color, curve.right_color);
+    if (status) status = placer.place_radii(attributes->blur_radius, curve.blur_radius);
+    if (status) status = placer.place_radii(attributes->influence_radius, curve.influence_radius);
+    if (!status) return status;
+    beyond_end |= placer.beyond_end();
   }
   warn_of_end(input_, shape, beyond_end);
   return ok_status();

@@ -31,7 +31,11 @@ class CurveReader {
   Status read_local_curves(Element shape, std::string_view id, std::vector<LocalCurve>& curves);
 
  private:
-  Result<std::vector<Subpath>> read_subpaths(Element shape);
+  Result<std::vector<Subpath>> read_subpaths(Element shape, TableMemory& memory);
+  /// Appends a curve in which nothing is yet, once the limits allow it.
+  template <class AnyCurve>
+  Status begin_curve(Element shape, const Subpath& subpath, std::size_t stop_count,
+                     std::vector<AnyCurve>& curves);
 
   Input& input_;
   Totals& totals_;

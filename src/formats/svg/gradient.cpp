@@ -48,6 +48,7 @@ class GradientReader {
   Status read_linear();
   Status read_radial();
   Status read_stops();
+  Status read_all_stops(Element parent);
   Status read_stop(Element element, GradientStop& stop);
   Status read_share(Element element, const char* name, std::string_view text, double& share);
   Status bad_share(Element element, const char* name, std::string_view text);
@@ -60,6 +61,7 @@ class GradientReader {
   bool in_box_;
   const Box& viewport_;
   GradientStops& last_;
+  TableMemory memory_{"stops"};
   GradientFill fill_;
 };
 
@@ -69,6 +71,7 @@ Result<GradientFill> GradientReader::read() {
   const bool is_linear = std::string_view(attributes_.paint().name()) == "linearGradient";
   if (status) status = is_linear ? read_linear() : read_radial();
   if (!status) return status;
+  input_.memory().stops.take(std::move(memory_));
   return std::move(fill_);
 }
 
@@ -138,25 +141,30 @@ Status GradientReader::read_stops() {
   if (!parent) {
     return input_.error(attributes_.paint(), "the gradient has no stops; expected one at least");
   }
-  if (parent == last_.parent) {
-    fill_.stops = last_.stops;
-    return totals_.add_stops(parent, fill_.stops.size(), sizeof(GradientStop));
-  }
+  Status status = parent == last_.parent ? totals_.count_stops(parent, last_.stops.size())
+                                         : read_all_stops(parent);
+  if (!status) return status;
+  return input_.placed(parent, memory_.append(input_.context(), last_.stops, fill_.stops));
+}
+
+/// Into `last_`, which has no parent where it fails.
+Status GradientReader::read_all_stops(Element parent) {
+  last_.parent = {};
+  last_.stops.clear();
   double largest = 0;
   for (const Element element : parent.children("stop")) {
-    if (fill_.stops.size() == input_.limits().stops_per_list) {
+    if (last_.stops.size() == input_.limits().stops_per_list) {
       return input_.over_limit(element, &Limits::stops_per_list, "stops in one gradient");
     }
-    if (Status status = totals_.add_stops(element, 1, sizeof(GradientStop)); !status) {
-      return status;
-    }
-    GradientStop& stop = fill_.stops.emplace_back();
-    Status status = input_.charge_text(element);
-    if (status) status = read_stop(element, stop);
+    Status status = totals_.count_stops(element, 1);
+    if (status) status = input_.push_back(element, last_.memory, last_.stops, {});
+    if (status) status = input_.charge_text(element);
+    if (status) status = read_stop(element, last_.stops.back());
     if (!status) return status;
-    stop.offset = largest = std::max(largest, stop.offset);
+    double& offset = last_.stops.back().offset;
+    offset = largest = std::max(largest, offset);
   }
-  last_ = {parent, fill_.stops};
+  last_.parent = parent;
   return ok_status();
 }
 

@@ -16,9 +16,6 @@
 namespace sfumato::svg {
 namespace {
 
-/// A vector of ids while it grows holds them twice.
-constexpr std::size_t kGrowth = 2;
-
 /// Elements up to this length are as cheap as any, and their number has a limit of its own.
 constexpr std::size_t kFreeBytes = 256;
 
@@ -50,8 +47,8 @@ Status Input::index(Element element) {
   if (const auto id = attribute(element, "id"); id && !id->empty()) {
     if (id->size() > limits().id_bytes)
       return over_limit(element, &Limits::id_bytes, "bytes of an id");
-    if (Status status = charge(element, kGrowth * sizeof(IdElement), "ids"); !status) return status;
-    ids_.push_back({id->data(), element});
+    Status status = push_back(element, id_memory_, ids_, {id->data(), element});
+    if (!status) return status;
   }
   if (Status status = read_style(element); !status) return status;
   if (std::strcmp(element.name(), "style") == 0) {
@@ -138,7 +135,7 @@ Status Input::in(Element element, std::string_view attribute, Status status) {
 }
 
 Status Input::placed(Element element, Status status) {
-  if (!status) status.where = xml_.place(element);
+  if (!status && status.code != StatusCode::cancelled) status.where = xml_.place(element);
   return status;
 }
 
@@ -184,10 +181,6 @@ Status Input::charge_text(Element element) {
   used_bytes_ += bytes - kFreeBytes;
   if (used_bytes_ <= limits().used_bytes) return ok_status();
   return over_limit(element, &Limits::used_bytes, "bytes read again through <use> or for paints");
-}
-
-Status Input::charge(Element element, std::size_t bytes, std::string_view purpose) {
-  return placed(element, charge_.add(context_, bytes, purpose));
 }
 
 }  // namespace sfumato::svg

@@ -7,11 +7,13 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
-#include "base/charge.hpp"
 #include "base/poll.hpp"
+#include "base/table_memory.hpp"
 #include "formats/css/style.hpp"
 #include "formats/css/style_sheet.hpp"
 #include "formats/text/warnings.hpp"
@@ -22,6 +24,17 @@
 namespace sfumato::svg {
 
 using Element = pugi::xml_node;
+
+/// Of the tables of the document that is read; they are charged until its reader is done.
+struct DocumentMemory {
+  TableMemory curves{"the curves"};
+  TableMemory stops{"stops"};
+  TableMemory textures{"textures"};
+  TableMemory texture_files{"texture files"};
+  TableMemory shaders{"shaders"};
+  TableMemory stack{"the stack"};
+  TableMemory shapes{"shapes"};
+};
 
 /// The document as a tree without syntax: prefixes are resolved, elements of other namespaces are
 /// gone, ids are found, styles are looked up. And the one place where complaints get theirs.
@@ -82,8 +95,13 @@ class Input {
   Status charge_reading(Element element, std::string_view what);
   /// Counts its text alone.
   Status charge_text(Element element);
-  /// Charges memory that is held until the reader is done.
-  Status charge(Element element, std::size_t bytes, std::string_view purpose);
+  DocumentMemory& memory() { return memory_; }
+  /// table.push_back(item) with room of `memory`; a failure gets the element's place.
+  template <class Item>
+  Status push_back(Element element, TableMemory& memory, std::vector<Item>& table,
+                   std::type_identity_t<Item> item) {
+    return placed(element, memory.push_back(context_, table, std::move(item)));
+  }
   std::vector<Diagnostic> take_warnings() { return warnings_.take(); }
 
  private:
@@ -130,7 +148,10 @@ class Input {
   css::TextPoll text_poll_;
   text::XmlSource xml_;
   text::Warnings warnings_;
-  ScopedCharge charge_;
+  DocumentMemory memory_;
+  TableMemory id_memory_{"ids"};
+  TableMemory style_memory_{"styles"};
+  TableMemory sheet_memory_{"style sheets"};
   /// Sorted. No hash table: a document could choose ids of one hash.
   std::vector<IdElement> ids_;
   std::size_t used_elements_ = 0;

@@ -14,9 +14,6 @@
 namespace sfumato::svg {
 namespace {
 
-/// A vector while it grows holds its items twice.
-constexpr std::size_t kGrowth = 2;
-
 bool is_text(pugi::xml_node node) {
   return node.type() == pugi::node_pcdata || node.type() == pugi::node_cdata;
 }
@@ -37,8 +34,9 @@ Status Input::read_style(Element element) {
   for (std::size_t i = 0; i < css::kPropertyCount; ++i) {
     const auto property = static_cast<css::Property>(i);
     if (!style[property]) continue;
-    if (Status status = charge(element, kGrowth * sizeof(Styled), "styles"); !status) return status;
-    styles_.push_back({element.internal_object(), property, *style[property]});
+    Status status = push_back(element, style_memory_, styles_,
+                              {element.internal_object(), property, *style[property]});
+    if (!status) return status;
   }
   return ok_status();
 }
@@ -91,10 +89,11 @@ Status Input::read_style_sheet(Element element) {
       continue;
     }
     const bool is_second = sheet_texts_.empty() || sheet_texts_.back().data() != sheet.data();
-    const std::size_t bytes = kGrowth * ((is_second ? sheet.size() : 0) + piece.size());
-    if (Status status = charge(element, bytes, "style sheets"); !status) return status;
-    if (is_second) sheet_texts_.emplace_back(sheet);
-    sheet = sheet_texts_.back() += piece;
+    Status status;
+    if (is_second) status = sheet_memory_.append(context_, sheet, sheet_texts_.emplace_back());
+    if (status) status = sheet_memory_.append(context_, piece, sheet_texts_.back());
+    if (!status) return placed(element, std::move(status));
+    sheet = sheet_texts_.back();
   }
   const css::StyleSheet::Notes notes = sheet_.add(sheet, limits().style_values, text_poll_);
   if (Status status = text_poll_.status(); !status) return status;

@@ -60,20 +60,23 @@ Result<std::uint32_t> Paints::pattern(const PaintedShape& shape, Element paint) 
   const Key key = key_of(place->file, place->layer_from_texture, place->period);
   if (const auto known = known_.find(key); known != known_.end()) return known->second;
   const codecs::RgbaImage& image = place->file->image;
-  Status status = totals_.add_texture(paint, image.rgba.size() / 4);
-  if (status) status = input_.charge(paint, place->file->file.size(), "texture files");
+  Texture texture{image.width, image.height,  {}, place->layer_from_texture,
+                  true,        place->period, {}};
+  const Context& context = input_.context();
+  DocumentMemory& memory = input_.memory();
+  Status status = totals_.count_texture(paint, image.rgba.size() / 4);
   if (!status) return status;
-  return add(key, paint,
-             {{},
-              Texture{image.width, image.height, image.rgba, place->layer_from_texture, true,
-                      place->period, place->file->file}});
+  status = memory.textures.append(context, image.rgba, texture.rgba);
+  if (status) status = memory.texture_files.append(context, place->file->file, texture.file);
+  if (!status) return input_.placed(paint, std::move(status));
+  return add(key, paint, {{}, std::move(texture)});
 }
 
 Result<std::uint32_t> Paints::add(const Key& key, Element paint, Shader shader) {
-  if (Status status = input_.charge(paint, sizeof(Shader), "shaders"); !status) return status;
   shader.id = paint.attribute("id").value();
   const auto index = static_cast<std::uint32_t>(shaders_.size());
-  shaders_.push_back(std::move(shader));
+  Status status = input_.push_back(paint, input_.memory().shaders, shaders_, std::move(shader));
+  if (!status) return status;
   known_.emplace(key, index);
   return index;
 }

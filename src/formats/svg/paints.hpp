@@ -27,6 +27,7 @@ struct PaintedShape {
 /// The stops of the gradient that was read last: boxes of many shapes make one gradient many.
 struct GradientStops {
   Element parent;  ///< none yet: null
+  TableMemory memory{"stops"};
   std::vector<GradientStop> stops{};
 };
 

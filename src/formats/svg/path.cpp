@@ -96,6 +96,13 @@ std::vector<Vec2> split_arc(const UnitArc& arc, bool sweep) {
 
 }  // namespace
 
+template <class Table>
+bool PathBuilder::make_room(Table& table, std::size_t more) {
+  if (more <= table.capacity() - table.size()) return status_.ok();
+  if (status_) status_ = memory_.make_room(context_, table, more);
+  return status_.ok();
+}
+
 void PathBuilder::move_to(Vec2 point) {
   finish_subpath();
   current_ = begin_ = point;
@@ -104,6 +111,9 @@ void PathBuilder::move_to(Vec2 point) {
 
 void PathBuilder::begin_segment() {
   is_moved_ = false;
+  // Of a first piece, or of one more; of where it begins, and where the subpath ends.
+  const std::size_t points = open_.control_points.empty() ? 4 : 3;
+  if (!make_room(open_.control_points, points) || !make_room(open_.segment_begin, 2)) return;
   if (open_.control_points.empty()) {
     open_.control_points.push_back(current_);
     ++control_point_count_;
@@ -112,9 +122,10 @@ void PathBuilder::begin_segment() {
 }
 
 void PathBuilder::add_piece(Vec2 control1, Vec2 control2, Vec2 point) {
+  current_ = point;
+  if (!make_room(open_.control_points, 3)) return;
   open_.control_points.insert(open_.control_points.end(), {control1, control2, point});
   control_point_count_ += 3;
-  current_ = point;
 }
 
 void PathBuilder::line_to(Vec2 point) {
@@ -180,13 +191,14 @@ void PathBuilder::close() {
 }
 
 void PathBuilder::finish_subpath() {
-  if (open_.control_points.empty()) return;
+  if (open_.control_points.empty() || !make_room(done_, 1)) return;
   open_.segment_begin.push_back(static_cast<std::uint32_t>(open_.control_points.size() / 3));
   done_.push_back(std::exchange(open_, {}));
 }
 
-std::vector<Subpath> PathBuilder::take() {
+Result<std::vector<Subpath>> PathBuilder::take() {
   finish_subpath();
+  if (!status_) return status_;
   return std::move(done_);
 }
 

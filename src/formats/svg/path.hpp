@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/table_memory.hpp"
 #include "sfumato/base/affine.hpp"
 #include "sfumato/base/box.hpp"
 #include "sfumato/base/context.hpp"
@@ -24,9 +25,12 @@ struct Subpath {
   std::vector<std::uint32_t> segment_begin;
 };
 
-/// Builds subpaths from the commands of a path. A closed one ends exactly where it began.
+/// Builds subpaths from the commands of a path. A closed one ends exactly where it began. Their
+/// room comes from `memory`; a failure stays: nothing is added from then on.
 class PathBuilder {
  public:
+  PathBuilder(const Context& context, TableMemory& memory) : context_(context), memory_(memory) {}
+
   void move_to(Vec2 point);
   void line_to(Vec2 point);
   void quadratic_to(Vec2 control, Vec2 point);
@@ -42,14 +46,21 @@ class PathBuilder {
   std::size_t control_point_count() const { return control_point_count_; }
   std::size_t subpath_count() const { return done_.size(); }
 
-  /// The subpaths that have a segment. Call once, last.
-  std::vector<Subpath> take();
+  /// Ok, or why nothing is added any more: limit (memory), cancelled.
+  const Status& status() const { return status_; }
+  /// The subpaths that have a segment, or the failure. Call once, last.
+  Result<std::vector<Subpath>> take();
 
  private:
+  template <class Table>
+  bool make_room(Table& table, std::size_t more);
   void begin_segment();
   void add_piece(Vec2 control1, Vec2 control2, Vec2 point);
   void finish_subpath();
 
+  const Context& context_;
+  TableMemory& memory_;
+  Status status_;
   std::vector<Subpath> done_;
   Subpath open_;
   Vec2 current_;
@@ -59,12 +70,9 @@ class PathBuilder {
 };
 
 /// Reads the d attribute of a path (SVG 1.1, section 8.3; a mistake is an error, not the end of the
-/// path). "none" and blanks are no subpath. Errors: bad_input, limit (control points), without a
-/// place.
-Result<std::vector<Subpath>> parse_path(Context& context, std::string_view text);
-
-/// How many control points the path will have at most, from a glance at its text.
-std::size_t control_point_bound(const Limits& limits, std::string_view text);
+/// path). "none" and blanks are no subpath. Errors: bad_input, limit, cancelled, without a place.
+Result<std::vector<Subpath>> parse_path(const Context& context, std::string_view text,
+                                        TableMemory& memory);
 
 /// The box of the curves themselves, not of their control points.
 Box bounds(const std::vector<Subpath>& subpaths);

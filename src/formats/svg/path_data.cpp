@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
@@ -14,21 +13,10 @@
 namespace sfumato::svg {
 namespace {
 
-/// Fits a byte.
-constexpr std::size_t kCountedAtOnce = 255;
-
-bool is_letter(char c) {
-  return ((c >= 'A') & (c <= 'Z')) | ((c >= 'a') & (c <= 'z'));
-}
-
-bool begins_number(char before, char c) {
-  return (is_digit(c) > is_digit(before)) | (c == '.');
-}
-
 class PathReader {
  public:
-  PathReader(Context& context, std::string_view text)
-      : context_(context), poll_(context), scanner_(text) {}
+  PathReader(const Context& context, std::string_view text, TableMemory& memory)
+      : context_(context), poll_(context), scanner_(text), builder_(context, memory) {}
 
   Result<std::vector<Subpath>> read();
 
@@ -43,7 +31,7 @@ class PathReader {
   Status take_number(double& value);
   bool next_is_number() const;
 
-  Context& context_;
+  const Context& context_;
   css::TextPoll poll_;
   Scanner scanner_;
   PathBuilder builder_;
@@ -66,6 +54,7 @@ Result<std::vector<Subpath>> PathReader::read() {
     const std::size_t begin = scanner_.position();
     if (Status status = take_command(); !status) return status;
     if (Status status = draw(); !status) return status;
+    if (!builder_.status()) return builder_.status();
     if (builder_.control_point_count() > context_.limits.control_points) {
       return limit_error(context_.limits, &Limits::control_points, "control points");
     }
@@ -204,31 +193,9 @@ Status PathReader::take_point(Vec2& point) {
 
 }  // namespace
 
-Result<std::vector<Subpath>> parse_path(Context& context, std::string_view text) {
-  return PathReader(context, text).read();
-}
-
-std::size_t control_point_bound(const Limits& limits, std::string_view text) {
-  // A piece takes a number or a closing letter at least; an arc's flags may stand in one number.
-  std::size_t numbers = 0, letters = 0;
-  char last = ' ';
-  // Counts that fit a byte are added sixteen or more at a time.
-  for (std::size_t begin = 0; begin < text.size(); begin += kCountedAtOnce) {
-    const std::string_view block = text.substr(begin, kCountedAtOnce);
-    std::uint8_t block_numbers = begins_number(last, block.front()), block_letters = 0;
-    for (std::size_t i = 1; i < block.size(); ++i) {
-      block_numbers =
-          static_cast<std::uint8_t>(block_numbers + begins_number(block[i - 1], block[i]));
-    }
-    for (const char c : block) {
-      block_letters = static_cast<std::uint8_t>(block_letters + is_letter(c));
-    }
-    numbers += block_numbers;
-    letters += block_letters;
-    last = block.back();
-  }
-  const std::size_t pieces = kMaxPieces * numbers / 5 + numbers + letters;
-  return std::min(3 * pieces + 1, limits.control_points + 3 * kMaxPieces + 1);
+Result<std::vector<Subpath>> parse_path(const Context& context, std::string_view text,
+                                        TableMemory& memory) {
+  return PathReader(context, text, memory).read();
 }
 
 }  // namespace sfumato::svg

@@ -16,7 +16,8 @@ Status StackReader::visit_plain(Element element, const Place& place) {
 }
 
 Status StackReader::read_plain(Element element, const Place& place) {
-  Result<std::vector<Subpath>> subpaths = read_shape(input_, element, document_.artboard);
+  TableMemory memory("control points");
+  const auto subpaths = read_shape(input_, element, document_.artboard, memory);
   if (!subpaths) return subpaths.status();
   if (subpaths->empty()) return ok_status();
   std::vector<Element> around;
@@ -40,36 +41,50 @@ Status StackReader::read_plain(Element element, const Place& place) {
     if (shape.style.width > 0) shape.stroke = *stroke;
   }
   if (!shape.fill && !shape.stroke) return ok_status();
-  for (Subpath& subpath : *subpaths) {
-    const std::size_t points = subpath.control_points.size();
-    if (Status status = totals_.add_curve(element, points, 2 * sizeof(Curve)); !status) {
-      return status;
-    }
-    shape.subpaths.push_back(std::move(subpath.control_points));
+  TableMemory shape_memory("shapes");
+  Status status = keep_subpaths(element, *subpaths, shape_memory, shape.subpaths);
+  if (status) status = add_plain(element, place, std::move(shape));
+  if (status) input_.memory().shapes.take(std::move(shape_memory));
+  return status;
+}
+
+/// Copies the control points to tables that are as long as they are.
+Status StackReader::keep_subpaths(Element element, std::span<const Subpath> subpaths,
+                                  TableMemory& memory, std::vector<std::vector<Vec2>>& kept) {
+  const Context& context = input_.context();
+  Status status = input_.placed(element, memory.reserve(context, kept, subpaths.size()));
+  for (const Subpath& subpath : subpaths) {
+    if (status) status = totals_.count_curves(element, 1, subpath.control_points.size());
+    if (!status) return status;
+    std::vector<Vec2>& points = kept.emplace_back();
+    status = input_.placed(element, memory.append(context, subpath.control_points, points));
   }
-  return add_plain(element, place, std::move(shape));
+  return status;
 }
 
 /// Stands for the shape in the stack.
 Status StackReader::add_plain(Element element, const Place& place, PlainShape shape) {
   const Result<OpenGroup> group = open_group(element, place);
   if (!group) return group.status();
-  const auto add_layer = [&](const std::optional<PlainPaint>& paint, std::uint32_t& layer) {
-    if (!paint) return ok_status();
-    if (Status status = totals_.add_stack_item(element); !status) return status;
-    layer = static_cast<std::uint32_t>(document_.layers.size());
-    document_.layers.emplace_back();
-    document_.stack.emplace_back(LayerInstance{layer, {}, paint->opacity, BlendMode::normal});
-    return ok_status();
-  };
   Status status = ok_status();
-  if (shape.stroke_first) status = add_layer(shape.stroke, shape.stroke_layer);
-  if (status) status = add_layer(shape.fill, shape.fill_layer);
-  if (status && !shape.stroke_first) status = add_layer(shape.stroke, shape.stroke_layer);
-  if (status) status = input_.charge(element, 2 * sizeof(PlainShape), "shapes");
+  if (shape.stroke_first) status = add_plain_layer(element, shape.stroke, shape.stroke_layer);
+  if (status) status = add_plain_layer(element, shape.fill, shape.fill_layer);
+  if (status && !shape.stroke_first) {
+    status = add_plain_layer(element, shape.stroke, shape.stroke_layer);
+  }
+  if (status) {
+    status = input_.push_back(element, input_.memory().shapes, *plain_, std::move(shape));
+  }
+  return status ? close_group(element, *group) : status;
+}
+
+Status StackReader::add_plain_layer(Element element, const std::optional<PlainPaint>& paint,
+                                    std::uint32_t& layer) {
+  if (!paint) return ok_status();
+  layer = static_cast<std::uint32_t>(document_.layers.size());
+  Status status = push_item(element, LayerInstance{layer, {}, paint->opacity, BlendMode::normal});
   if (!status) return status;
-  plain_->push_back(std::move(shape));
-  return close_group(element, *group);
+  return input_.push_back(element, input_.memory().stack, document_.layers, {});
 }
 
 }  // namespace sfumato::svg

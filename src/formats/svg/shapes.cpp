@@ -5,7 +5,6 @@
 #include <string_view>
 #include <utility>
 
-#include "base/charge.hpp"
 #include "formats/svg/scanner.hpp"
 
 namespace sfumato::svg {
@@ -13,16 +12,17 @@ namespace {
 
 using Subpaths = std::vector<Subpath>;
 
-/// Memory of a vector while it grows: the old one, the new one and room to spare.
-constexpr std::size_t kGrowth = 3;
-
 /// Of the coordinates: shorter sides are none.
 constexpr double kNoSide = 1e-12;
 
 class ShapeReader {
  public:
-  ShapeReader(Input& input, Element element, const Box& viewport)
-      : input_(input), element_(element), viewport_(viewport) {}
+  ShapeReader(Input& input, Element element, const Box& viewport, TableMemory& memory)
+      : input_(input),
+        element_(element),
+        viewport_(viewport),
+        memory_(memory),
+        builder_(input.context(), memory) {}
 
   Result<Subpaths> read();
 
@@ -35,12 +35,16 @@ class ShapeReader {
   Result<Subpaths> read_rounded_rect();
   Status length(const char* name, Axis axis, double& value);
   Status not_negative(const char* name, double value);
-  Status charge_bound(std::string_view text, ScopedCharge& charge);
+  Result<Subpaths> built();
+  void add_ellipse(Vec2 center, Vec2 radii);
+  void add_rounded_rect(const Box& box, Vec2 radii);
   bool is_auto(const char* name);
 
   Input& input_;
   Element element_;
   const Box& viewport_;
+  TableMemory& memory_;
+  PathBuilder builder_;
 };
 
 Result<Subpaths> ShapeReader::read() {
@@ -66,30 +70,22 @@ Status ShapeReader::not_negative(const char* name, double value) {
       element_, std::string(name) + " of " + tag(element_) + " is negative; expected 0 or more");
 }
 
-Status ShapeReader::charge_bound(std::string_view text, ScopedCharge& charge) {
-  Status status = charge.add(input_.context(),
-                             kGrowth * control_point_bound(input_.limits(), text) * sizeof(Vec2),
-                             "control points");
-  if (!status) return input_.placed(element_, status);
-  // A long text has been looked through once by now.
-  return text.size() < css::TextPoll::kBytes ? ok_status() : input_.context().check();
+Result<Subpaths> ShapeReader::built() {
+  Result<Subpaths> subpaths = builder_.take();
+  if (!subpaths) return input_.placed(element_, subpaths.status());
+  return subpaths;
 }
 
 Result<Subpaths> ShapeReader::read_path() {
   const std::string_view data = input_.attribute(element_, "d").value_or("");
-  ScopedCharge charge;
-  if (Status status = charge_bound(data, charge); !status) return status;
-  Result<Subpaths> subpaths = parse_path(input_.context(), data);
+  Result<Subpaths> subpaths = parse_path(input_.context(), data, memory_);
   if (!subpaths) return input_.in(element_, "d", subpaths.status());
   return subpaths;
 }
 
 Result<Subpaths> ShapeReader::read_points(bool closed) {
   const std::string_view text = input_.attribute(element_, "points").value_or("");
-  ScopedCharge charge;
-  if (Status status = charge_bound(text, charge); !status) return status;
   Scanner scanner(text);
-  PathBuilder builder;
   bool first = true;
   for (scanner.skip_blanks(); !scanner.at_end(); scanner.skip_separator()) {
     const std::size_t begin = scanner.position();
@@ -100,13 +96,14 @@ Result<Subpaths> ShapeReader::read_points(bool closed) {
     if (!status) return input_.in(element_, "points", status);
     if (!input_.text_poll().go_on(scanner.position() - begin)) return input_.text_poll().status();
     if (std::exchange(first, false)) {
-      builder.move_to(point);
+      builder_.move_to(point);
     } else {
-      builder.line_to(point);
+      builder_.line_to(point);
     }
+    if (!builder_.status()) break;
   }
-  if (closed) builder.close();
-  return builder.take();
+  if (closed) builder_.close();
+  return built();
 }
 
 Result<Subpaths> ShapeReader::read_line() {
@@ -116,23 +113,20 @@ Result<Subpaths> ShapeReader::read_line() {
   if (status) status = length("x2", Axis::x, to.x);
   if (status) status = length("y2", Axis::y, to.y);
   if (!status) return status;
-  PathBuilder builder;
-  builder.move_to(from);
-  builder.line_to(to);
-  return builder.take();
+  builder_.move_to(from);
+  builder_.line_to(to);
+  return built();
 }
 
 /// Clockwise on the screen from its right end, in quarters.
-Subpaths ellipse(Vec2 center, Vec2 radii) {
-  if (radii.x == 0 || radii.y == 0) return {};
-  PathBuilder builder;
-  builder.move_to(center + Vec2{radii.x, 0});
+void ShapeReader::add_ellipse(Vec2 center, Vec2 radii) {
+  if (radii.x == 0 || radii.y == 0) return;
+  builder_.move_to(center + Vec2{radii.x, 0});
   for (const Vec2 end : {Vec2{0, radii.y}, Vec2{-radii.x, 0}, Vec2{0, -radii.y}}) {
-    builder.arc_to(radii, 0, false, true, center + end);
+    builder_.arc_to(radii, 0, false, true, center + end);
   }
-  builder.arc_to(radii, 0, false, true, center + Vec2{radii.x, 0});
-  builder.close();
-  return builder.take();
+  builder_.arc_to(radii, 0, false, true, center + Vec2{radii.x, 0});
+  builder_.close();
 }
 
 Result<Subpaths> ShapeReader::read_circle() {
@@ -143,7 +137,8 @@ Result<Subpaths> ShapeReader::read_circle() {
   if (status) status = length("r", Axis::diagonal, radius);
   if (status) status = not_negative("r", radius);
   if (!status) return status;
-  return ellipse(center, {radius, radius});
+  add_ellipse(center, {radius, radius});
+  return built();
 }
 
 bool ShapeReader::is_auto(const char* name) {
@@ -161,23 +156,23 @@ Result<Subpaths> ShapeReader::read_ellipse() {
   if (!status) return status;
   if (is_auto("rx")) radii.x = radii.y;
   if (is_auto("ry")) radii.y = radii.x;
-  return ellipse(center, radii);
+  add_ellipse(center, radii);
+  return built();
 }
 
 /// Clockwise on the screen from the left end of the upper side.
-Subpaths rounded_rect(const Box& box, Vec2 radii) {
+void ShapeReader::add_rounded_rect(const Box& box, Vec2 radii) {
   const auto [x0, y0] = box.min;
   const auto [x1, y1] = box.max;
   // Corners of half the width leave no side between them, but for rounding.
   const double extent = std::max({std::abs(x0), std::abs(x1), std::abs(y0), std::abs(y1)});
-  PathBuilder builder;
   const auto corner = [&](Vec2 point) {
-    if (radii.x > 0 && radii.y > 0) builder.arc_to(radii, 0, false, true, point);
+    if (radii.x > 0 && radii.y > 0) builder_.arc_to(radii, 0, false, true, point);
   };
   const auto side = [&](Vec2 point) {
-    if (sfumato::length(point - builder.current()) > kNoSide * extent) builder.line_to(point);
+    if (sfumato::length(point - builder_.current()) > kNoSide * extent) builder_.line_to(point);
   };
-  builder.move_to({x0 + radii.x, y0});
+  builder_.move_to({x0 + radii.x, y0});
   side({x1 - radii.x, y0});
   corner({x1, y0 + radii.y});
   side({x1, y1 - radii.y});
@@ -186,8 +181,7 @@ Subpaths rounded_rect(const Box& box, Vec2 radii) {
   corner({x0, y1 - radii.y});
   side({x0, y0 + radii.y});
   corner({x0 + radii.x, y0});
-  builder.close();
-  return builder.take();
+  builder_.close();
 }
 
 Result<Subpaths> ShapeReader::read_rounded_rect() {
@@ -203,8 +197,9 @@ Result<Subpaths> ShapeReader::read_rounded_rect() {
   if (is_auto("ry")) radii.y = radii.x;
   if (box->width() == 0 || box->height() == 0) return Subpaths();
   if (radii.x == 0 || radii.y == 0) radii = {};
-  return rounded_rect(*box,
-                      {std::min(radii.x, box->width() / 2), std::min(radii.y, box->height() / 2)});
+  add_rounded_rect(*box,
+                   {std::min(radii.x, box->width() / 2), std::min(radii.y, box->height() / 2)});
+  return built();
 }
 
 }  // namespace
@@ -233,8 +228,9 @@ Result<Box> read_rect(Input& input, Element element, const Box& viewport) {
   return Box{{*x, *y}, {*x + *width, *y + *height}};
 }
 
-Result<Subpaths> read_shape(Input& input, Element element, const Box& viewport) {
-  return ShapeReader(input, element, viewport).read();
+Result<Subpaths> read_shape(Input& input, Element element, const Box& viewport,
+                            TableMemory& memory) {
+  return ShapeReader(input, element, viewport, memory).read();
 }
 
 }  // namespace sfumato::svg

@@ -14,9 +14,10 @@ Result<double> length_of(Input& input, Element element, const char* name, const 
                          Axis axis, double absent);
 
 /// The subpaths of a shape (SVG 2, section 10: basic shapes as the paths that they are equal to),
-/// in its user space. A shape of no size has none. `viewport`: of percentages.
-/// Precondition: is_shape(element.name()). Errors: bad_input, limit.
-Result<std::vector<Subpath>> read_shape(Input& input, Element element, const Box& viewport);
+/// in its user space; their room comes from `memory`. A shape of no size has none. `viewport`: of
+/// percentages. Precondition: is_shape(element.name()). Errors: bad_input, limit, cancelled.
+Result<std::vector<Subpath>> read_shape(Input& input, Element element, const Box& viewport,
+                                        TableMemory& memory);
 
 /// A <rect> without its corners' radii. Errors: bad_input.
 Result<Box> read_rect(Input& input, Element element, const Box& viewport);

@@ -329,10 +329,12 @@ Status StackReader::draw_strokes(Element element, const Place& place) {
   if (!group) return group.status();
   Status status = curves_.read_local_curves(element, id_for(element, place), strokes);
   for (LocalCurve& stroke : strokes) {
-    if (status) status = totals_.add_stack_item(element);
+    if (status) {
+      status = push_item(element, LocalStroke{std::move(stroke), place.frame_from_user});
+    }
     if (!status) return status;
-    document_.stack.emplace_back(LocalStroke{std::move(stroke), place.frame_from_user});
   }
+  input_.memory().curves.free(strokes);
   return status ? close_group(element, *group) : status;
 }
 
@@ -347,10 +349,13 @@ Status StackReader::draw_layer(Element element, const Place& place) {
   if (!compositing) return compositing.status();
   const Result<std::uint32_t> layer = layer_of(element, place);
   if (!layer) return layer.status();
-  if (Status status = totals_.add_stack_item(element); !status) return status;
-  document_.stack.emplace_back(
-      LayerInstance{*layer, place.frame_from_user, compositing->opacity, compositing->blend});
-  return ok_status();
+  return push_item(element, LayerInstance{*layer, place.frame_from_user, compositing->opacity,
+                                          compositing->blend});
+}
+
+Status StackReader::push_item(Element element, StackItem item) {
+  if (Status status = totals_.count_stack_item(element); !status) return status;
+  return input_.push_back(element, input_.memory().stack, document_.stack, std::move(item));
 }
 
 /// The layer's index; reads it where this is its first place.
@@ -374,7 +379,9 @@ Result<std::uint32_t> StackReader::layer_of(Element element, const Place& place)
     return input_.over_limit(element, &Limits::shaders_per_layer, "paints in one layer");
   }
   const auto index = static_cast<std::uint32_t>(document_.layers.size());
-  document_.layers.push_back(std::move(layer));
+  Status status =
+      input_.push_back(element, input_.memory().stack, document_.layers, std::move(layer));
+  if (!status) return status;
   layer_of_.emplace(element.internal_object(), index);
   return index;
 }
@@ -393,10 +400,10 @@ Result<StackReader::OpenGroup> StackReader::open_group(Element element, const Pl
     return group;
   }
   if (compositing->is_plain()) return group;
-  if (Status status = totals_.add_stack_item(element); !status) return status;
+  Status status = push_item(element, GroupBegin{compositing->opacity, compositing->blend});
+  if (!status) return status;
   group.is_open = true;
   group_height_ = 0;
-  document_.stack.emplace_back(GroupBegin{compositing->opacity, compositing->blend});
   return group;
 }
 
@@ -422,9 +429,7 @@ Status StackReader::close_group(Element element, const OpenGroup& group) {
                              "groups within each other that are composited by themselves");
   }
   group_height_ = std::max(group_height_, height + 1);
-  if (Status status = totals_.add_stack_item(element); !status) return status;
-  stack.emplace_back(GroupEnd{});
-  return ok_status();
+  return push_item(element, GroupEnd{});
 }
 
 }  // namespace sfumato::svg

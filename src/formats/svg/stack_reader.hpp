@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <unordered_map>
 #include <vector>
 
@@ -79,7 +80,12 @@ class StackReader {
   Status visit_shape(Element element, const Place& place);
   Status visit_plain(Element element, const Place& place);
   Status read_plain(Element element, const Place& place);
+  Status keep_subpaths(Element element, std::span<const Subpath> subpaths, TableMemory& memory,
+                       std::vector<std::vector<Vec2>>& kept);
   Status add_plain(Element element, const Place& place, PlainShape shape);
+  Status add_plain_layer(Element element, const std::optional<PlainPaint>& paint,
+                         std::uint32_t& layer);
+  Status push_item(Element element, StackItem item);
   Status visit_use(Element element, Place place);
   Status visit_used(Element target, Element use, Place place);
   Status visit_symbol(Element symbol, const Place& place);

@@ -104,10 +104,8 @@ Status parse_item(const Item& item, WrittenStop<Value>& stop, ParseValue parse_v
 }
 
 template <class Value, class ParseValue>
-Result<std::vector<WrittenStop<Value>>> parse_stops(std::string_view text, css::TextPoll& poll,
-                                                    ParseValue parse_value) {
-  std::vector<WrittenStop<Value>> stops;
-  stops.reserve(stop_bound(text));
+Status parse_stops(std::string_view text, css::TextPoll& poll, ParseValue parse_value,
+                   std::vector<WrittenStop<Value>>& stops) {
   css::Tokenizer tokens(text, poll);
   for (bool goes_on = true; goes_on;) {
     const Item item = take_item(tokens);
@@ -117,7 +115,7 @@ Result<std::vector<WrittenStop<Value>>> parse_stops(std::string_view text, css::
       return bad("is empty; expected a list of stops");
     if (Status status = parse_item(item, stops.emplace_back(), parse_value); !status) return status;
   }
-  return stops;
+  return ok_status();
 }
 
 /// Whether the text is what a side can be instead of a list.
@@ -185,16 +183,16 @@ std::string share_hint(std::string_view text, double largest) {
   return "; did you mean " + rounded_number_text(*percent / 100, 6) + "?";
 }
 
-Result<std::vector<WrittenStop<Rgb>>> parse_color_stops(std::string_view text,
-                                                        css::TextPoll& poll) {
-  return parse_stops<Rgb>(text, poll, [&poll](std::string_view value, Rgb& color) {
+Status parse_color_stops(std::string_view text, css::TextPoll& poll,
+                         std::vector<WrittenStop<Rgb>>& stops) {
+  const auto parse_value = [&poll](std::string_view value, Rgb& color) {
     return parse_opaque(value, poll, color);
-  });
+  };
+  return parse_stops(text, poll, parse_value, stops);
 }
 
-Result<std::vector<WrittenStop<float>>> parse_scalar_stops(std::string_view text, double largest,
-                                                           std::string_view what,
-                                                           css::TextPoll& poll) {
+Status parse_scalar_stops(std::string_view text, double largest, std::string_view what,
+                          css::TextPoll& poll, std::vector<WrittenStop<float>>& stops) {
   const auto parse_value = [largest, what](std::string_view token, float& value) {
     const std::optional<double> number = parse_number(token);
     if (!number || !(*number >= 0 && *number <= largest)) {
@@ -205,12 +203,11 @@ Result<std::vector<WrittenStop<float>>> parse_scalar_stops(std::string_view text
     value = static_cast<float>(*number);
     return ok_status();
   };
-  return parse_stops<float>(text, poll, parse_value);
+  return parse_stops(text, poll, parse_value, stops);
 }
 
-Result<std::vector<WrittenStop<float>>> parse_length_stops(std::string_view text,
-                                                           std::string_view what,
-                                                           css::TextPoll& poll) {
+Status parse_length_stops(std::string_view text, std::string_view what, css::TextPoll& poll,
+                          std::vector<WrittenStop<float>>& stops) {
   const auto parse_value = [what](std::string_view token, float& value) {
     static constexpr Box kNone{{0, 0}, {1, 1}};
     const bool is_share = token.ends_with('%');
@@ -225,7 +222,7 @@ Result<std::vector<WrittenStop<float>>> parse_length_stops(std::string_view text
     value = static_cast<float>(*length);
     return ok_status();
   };
-  return parse_stops<float>(text, poll, parse_value);
+  return parse_stops(text, poll, parse_value, stops);
 }
 
 std::size_t stop_bound(std::string_view text) {
@@ -233,16 +230,15 @@ std::size_t stop_bound(std::string_view text) {
 }
 
 template <class Value>
-StopList<Value> place_stops(const std::vector<WrittenStop<Value>>& written,
-                            std::span<const std::uint32_t> segment_begin, bool& beyond_end) {
-  StopList<Value> list;
+void place_stops(std::span<const WrittenStop<Value>> written,
+                 std::span<const std::uint32_t> segment_begin, StopList<Value>& list,
+                 bool& beyond_end) {
   const auto has_segments = [](const WrittenStop<Value>& stop) {
     return stop.unit == OffsetUnit::segment;
   };
   const bool in_parameter = std::ranges::any_of(written, has_segments);
   list.space = in_parameter ? StopSpace::parameter : StopSpace::arc_length;
   const double end = in_parameter ? static_cast<double>(segment_begin.size() - 1) : 1;
-  list.stops.reserve(written.size());
   for (const WrittenStop<Value>& stop : written) {
     const double offset = stop.unit == OffsetUnit::percent ? stop.offset * end : stop.offset;
     beyond_end |= stop.unit != OffsetUnit::none && offset > end;
@@ -250,14 +246,13 @@ StopList<Value> place_stops(const std::vector<WrittenStop<Value>>& written,
     list.stops.push_back({has_offset ? std::min(offset, end) : std::nan(""), stop.value});
   }
   spread(list.stops, end);
-  if (!in_parameter) return list;
+  if (!in_parameter) return;
   for (Stop<Value>& stop : list.stops) stop.offset = piece_parameter(stop.offset, segment_begin);
-  return list;
 }
 
-template StopList<Rgb> place_stops(const std::vector<WrittenStop<Rgb>>&,
-                                   std::span<const std::uint32_t>, bool&);
-template StopList<float> place_stops(const std::vector<WrittenStop<float>>&,
-                                     std::span<const std::uint32_t>, bool&);
+template void place_stops(std::span<const WrittenStop<Rgb>>, std::span<const std::uint32_t>,
+                          StopList<Rgb>&, bool&);
+template void place_stops(std::span<const WrittenStop<float>>, std::span<const std::uint32_t>,
+                          StopList<float>&, bool&);
 
 }  // namespace sfumato::svg

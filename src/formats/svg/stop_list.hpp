@@ -27,19 +27,19 @@ struct WrittenStop {
   OffsetUnit unit = OffsetUnit::none;
 };
 
-/// `value [offset]? (, value [offset]?)*` with CSS colours. Colours that are not opaque are errors.
-/// Errors: bad_input, without a place; what the poll says.
-Result<std::vector<WrittenStop<Rgb>>> parse_color_stops(std::string_view text, css::TextPoll& poll);
+/// `value [offset]? (, value [offset]?)*` with CSS colours, into `stops`, where there is nothing
+/// yet, but room for stop_bound(text). Colours that are not opaque are errors. Errors: bad_input,
+/// without a place; what the poll says.
+Status parse_color_stops(std::string_view text, css::TextPoll& poll,
+                         std::vector<WrittenStop<Rgb>>& stops);
 
 /// The same with numbers from 0 to `largest`. `what` names them in messages: "an opacity".
-Result<std::vector<WrittenStop<float>>> parse_scalar_stops(std::string_view text, double largest,
-                                                           std::string_view what,
-                                                           css::TextPoll& poll);
+Status parse_scalar_stops(std::string_view text, double largest, std::string_view what,
+                          css::TextPoll& poll, std::vector<WrittenStop<float>>& stops);
 
 /// The same with lengths of 0 or more, in user units.
-Result<std::vector<WrittenStop<float>>> parse_length_stops(std::string_view text,
-                                                           std::string_view what,
-                                                           css::TextPoll& poll);
+Status parse_length_stops(std::string_view text, std::string_view what, css::TextPoll& poll,
+                          std::vector<WrittenStop<float>>& stops);
 
 /// "; did you mean 0.4?" of 40% where a number up to `largest` is expected; else nothing.
 std::string share_hint(std::string_view text, double largest);
@@ -47,11 +47,12 @@ std::string share_hint(std::string_view text, double largest);
 /// How many stops the text can hold.
 std::size_t stop_bound(std::string_view text);
 
-/// The list on a subpath: offsets as CSS spreads and orders them; in the parameter where any is
-/// written with @, else in arc length. What lies beyond the end is moved there; then
-/// `beyond_end` becomes true.
+/// The list on a subpath, into `list`, where there is nothing yet, but room for all: offsets as CSS
+/// spreads and orders them; in the parameter where any is written with @, else in arc length. What
+/// lies beyond the end is moved there; then `beyond_end` becomes true.
 template <class Value>
-StopList<Value> place_stops(const std::vector<WrittenStop<Value>>& written,
-                            std::span<const std::uint32_t> segment_begin, bool& beyond_end);
+void place_stops(std::span<const WrittenStop<Value>> written,
+                 std::span<const std::uint32_t> segment_begin, StopList<Value>& list,
+                 bool& beyond_end);
 
 }  // namespace sfumato::svg

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "base/ascii.hpp"
-#include "base/charge.hpp"
 #include "codecs/base64.hpp"
 #include "formats/text/suggestion.hpp"
 #include "sfumato/base/limits.hpp"
@@ -49,28 +48,30 @@ Result<const TextureFile*> TextureFiles::read(Element image) {
   if (!attribute) return input_.error(image, "<image> has no href");
   const std::string_view href = ascii_trimmed(*attribute);
   if (const auto known = files_.find(href); known != files_.end()) return &known->second;
-  Result<std::vector<std::uint8_t>> bytes = load(image, href);
-  if (!bytes) return bytes.status();
-  Status status = input_.charge(image, bytes->size(), "texture files");
+  TextureFile loaded;
+  Status status = load(image, href, loaded);
+  if (status) status = decode(image, href, loaded);
   if (!status) return status;
-  Result<codecs::RgbaImage> decoded = codecs::decode_image(input_.context(), *bytes);
-  if (decoded) status = input_.charge(image, decoded->rgba.size(), "textures");
-  if (!decoded) status = decoded.status();
+  return &files_.emplace(href, std::move(loaded)).first->second;
+}
+
+Status TextureFiles::decode(Element image, std::string_view href, TextureFile& loaded) {
+  const Context& context = input_.context();
+  Result<codecs::RgbaImage> decoded = codecs::decode_image(input_.context(), loaded.file);
+  Status status = decoded ? loaded.measured.add(context, capacity_bytes(decoded->rgba), "textures")
+                          : decoded.status();
   if (!status) {
     status.message = shown(href) + ": " + status.message;
     return input_.placed(image, std::move(status));
   }
-  return &files_.emplace(href, TextureFile{std::move(*decoded), std::move(*bytes)}).first->second;
+  loaded.image = std::move(*decoded);
+  return status;
 }
 
-Result<std::vector<std::uint8_t>> TextureFiles::load(Element image, std::string_view href) {
+Status TextureFiles::load(Element image, std::string_view href, TextureFile& loaded) {
   if (scheme_of(href) == "data") {
-    ScopedCharge charge;
-    Status status = charge.add(input_.context(), 2 * href.size(), "a data: URI");
-    if (!status) return input_.placed(image, std::move(status));
-    Result<std::vector<std::uint8_t>> bytes = codecs::decode_data_uri(href);
-    if (!bytes) return input_.in(image, "href", bytes.status());
-    return bytes;
+    return input_.in(image, "href",
+                     codecs::decode_data_uri(input_.context(), href, loaded.memory, loaded.file));
   }
   if (is_elsewhere(href)) {
     return input_.error(image, text::quoted(href) +
@@ -83,7 +84,11 @@ Result<std::vector<std::uint8_t>> TextureFiles::load(Element image, std::string_
                                    (loader_ ? "a PNG or JPEG file" : "a data: URI"));
   }
   Result<std::vector<std::uint8_t>> bytes = loader_->load(*name);
-  if (bytes) return bytes;
+  if (bytes) {
+    loaded.file = std::move(*bytes);
+    return input_.placed(
+        image, loaded.measured.add(input_.context(), capacity_bytes(loaded.file), "texture files"));
+  }
   Status status = bytes.status();
   status.message = text::quoted(href) + ": " + status.message;
   return input_.placed(image, std::move(status));

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "base/charge.hpp"
+#include "base/table_memory.hpp"
 #include "codecs/image_file.hpp"
 #include "formats/svg/input.hpp"
 #include "sfumato/formats/text/reading.hpp"
@@ -14,6 +16,8 @@
 namespace sfumato::svg {
 
 struct TextureFile {
+  TableMemory memory{"texture files"};  ///< of a file that stood in a data: URI
+  ScopedCharge measured;                ///< what a loader and decoders have made
   codecs::RgbaImage image;
   std::vector<std::uint8_t> file;  ///< as it was loaded
 };
@@ -33,7 +37,8 @@ class TextureFiles {
 
  private:
   Result<const TextureFile*> read(Element image);
-  Result<std::vector<std::uint8_t>> load(Element image, std::string_view href);
+  Status load(Element image, std::string_view href, TextureFile& loaded);
+  Status decode(Element image, std::string_view href, TextureFile& loaded);
 
   Input& input_;
   const ResourceLoader* loader_;

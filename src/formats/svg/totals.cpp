@@ -1,7 +1,6 @@
 #include "formats/svg/totals.hpp"
 
 #include "sfumato/base/limits.hpp"
-#include "sfumato/document/document.hpp"
 
 namespace sfumato::svg {
 
@@ -16,18 +15,13 @@ Status Totals::count_curves(Element element, std::size_t curves, std::size_t con
   return ok_status();
 }
 
-Status Totals::add_curve(Element element, std::size_t control_points, std::size_t curve_bytes) {
-  if (Status status = count_curves(element, 1, control_points); !status) return status;
-  return input_.charge(element, curve_bytes + control_points * sizeof(Vec2), "the curves");
-}
-
-Status Totals::add_stops(Element element, std::size_t count, std::size_t stop_bytes) {
+Status Totals::count_stops(Element element, std::size_t count) {
   stops_ += count;
   if (stops_ > input_.limits().stops) return input_.over_limit(element, &Limits::stops, "stops");
-  return input_.charge(element, count * stop_bytes, "stops");
+  return ok_status();
 }
 
-Status Totals::add_texture(Element element, std::size_t texels) {
+Status Totals::count_texture(Element element, std::size_t texels) {
   if (++textures_ > input_.limits().textures) {
     return input_.over_limit(element, &Limits::textures, "textures");
   }
@@ -35,15 +29,15 @@ Status Totals::add_texture(Element element, std::size_t texels) {
   if (texels_ > input_.limits().texels) {
     return input_.over_limit(element, &Limits::texels, "texels of textures");
   }
-  return input_.charge(element, 4 * texels, "textures");
+  return ok_status();
 }
 
-Status Totals::add_stack_item(Element element) {
+Status Totals::count_stack_item(Element element) {
   if (++stack_items_ > input_.limits().stack_items) {
     return input_.over_limit(element, &Limits::stack_items,
                              "layers, local curves and groups after every use was followed");
   }
-  return input_.charge(element, sizeof(StackItem), "the stack");
+  return ok_status();
 }
 
 }  // namespace sfumato::svg

@@ -6,19 +6,17 @@
 
 namespace sfumato::svg {
 
-/// What the document holds so far: held against the limits and charged before it is allocated.
+/// What the document holds so far, held against the limits before it is allocated.
 class Totals {
  public:
   explicit Totals(Input& input) : input_(input) {}
 
-  /// Counts curves that are read and left out: reading them took time. Errors: limit.
+  /// Errors: limit; nothing is to be allocated then. Curves that are read and left out count too:
+  /// reading them took time.
   Status count_curves(Element element, std::size_t curves, std::size_t control_points);
-
-  /// Errors: limit; nothing is to be allocated then.
-  Status add_curve(Element element, std::size_t control_points, std::size_t curve_bytes);
-  Status add_stops(Element element, std::size_t count, std::size_t stop_bytes);
-  Status add_texture(Element element, std::size_t texels);
-  Status add_stack_item(Element element);
+  Status count_stops(Element element, std::size_t count);
+  Status count_texture(Element element, std::size_t texels);
+  Status count_stack_item(Element element);
 
  private:
   Input& input_;
