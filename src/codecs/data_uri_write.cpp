@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/charge.hpp"
 #include "codecs/base64.hpp"
 #include "sfumato/codecs/png.hpp"
 
@@ -53,6 +54,9 @@ Result<std::string> data_uri(Context& context, const Texture& texture, TableMemo
   } else {
     const auto png = texture_png(context, texture);
     if (!png) return png.status();
+    ScopedCharge held;
+    Status status = held.add(context, capacity_bytes(*png), "a texture to be saved");
+    if (!status) return status;
     append_data_uri(context, "image/png", *png, buffer);
   }
   const auto bytes = buffer.finish();

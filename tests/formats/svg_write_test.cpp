@@ -284,10 +284,14 @@ TEST(SvgWrite, refuses_what_could_not_be_read_again) {
   EXPECT_EQ(text.status().code, StatusCode::limit);
 }
 
-TEST(SvgWrite, charges_the_budget_before_it_writes) {
+TEST(SvgWrite, takes_its_room_from_the_budget) {
   Document document = one_layer({short_curve()});
   document.layers[0].curves.resize(10'000, short_curve());
-  Context context{.budget = Budget(1 << 20)};
+  Context large;
+  const Result<std::string> whole = write_svg(large, document);
+  ASSERT_TRUE(whole.ok());
+  EXPECT_EQ(large.budget.used(), 0u);
+  Context context{.budget = Budget(whole->size() - 1)};
   const Result<std::string> text = write_svg(context, document);
   ASSERT_FALSE(text.ok());
   EXPECT_EQ(text.status().code, StatusCode::limit);

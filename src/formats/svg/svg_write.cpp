@@ -4,10 +4,10 @@
 #include <cmath>
 #include <variant>
 
-#include "base/charge.hpp"
 #include "base/number_text.hpp"
 #include "base/poll.hpp"
 #include "base/public_verb.hpp"
+#include "base/table_memory.hpp"
 #include "document/blend_names.hpp"
 #include "formats/svg/svg_write_curve.hpp"
 #include "formats/svg/svg_write_ids.hpp"
@@ -22,44 +22,6 @@ namespace {
 /// into attributes of other namespaces, and from dropping fills that nobody sees.
 constexpr const char* kStyle = "*{stroke-linejoin:round}";
 
-/// Bytes of text at most: of a point, a stop, an element with its other attributes.
-constexpr std::size_t kPointBytes = 64;
-constexpr std::size_t kStopBytes = 128;
-constexpr std::size_t kElementBytes = 1024;
-
-/// An upper bound of the text's size, without ids.
-std::size_t estimated_bytes(const Document& document) {
-  std::size_t points = 0, stops = 0, image_bytes = 0;
-  std::size_t elements = document.stack.size() + document.layers.size() + 8;
-  const auto count_side = [&stops](const Side& side) {
-    stops += side.color.stops.stops.size() + side.opacity.stops.stops.size() +
-             side.blur_radius.stops.size();
-  };
-  for (const Layer& layer : document.layers) {
-    elements += layer.curves.size();
-    for (const Curve& curve : layer.curves) {
-      points += curve.control_points.size();
-      count_side(curve.left);
-      count_side(curve.right);
-    }
-  }
-  for (const StackItem& item : document.stack) {
-    const auto* stroke = std::get_if<LocalStroke>(&item);
-    if (!stroke) continue;
-    points += stroke->curve.control_points.size();
-    stops += stroke->curve.left_color.stops.size() + stroke->curve.right_color.stops.size() +
-             stroke->curve.blur_radius.stops.size() + stroke->curve.influence_radius.stops.size();
-  }
-  for (const Shader& shader : document.shaders) {
-    ++elements;
-    if (const auto* fill = std::get_if<GradientFill>(&shader.paint)) stops += fill->stops.size();
-    if (const auto* texture = std::get_if<Texture>(&shader.paint)) {
-      image_bytes += texture->file.empty() ? texture->rgba.size() : texture->file.size();
-    }
-  }
-  return points * kPointBytes + stops * kStopBytes + elements * kElementBytes + image_bytes / 3 * 4;
-}
-
 /// A length with start + length == end where there is one: that is how a reader gets `end` back.
 double length_between(double start, double end) {
   const double length = end - start;
@@ -73,11 +35,15 @@ double length_between(double start, double end) {
 /// Which shader stands where in <defs>: in the order of first use, then those that nothing uses.
 class UseOrder {
  public:
-  explicit UseOrder(std::size_t count) : seen_(count, false) {}
+  /// Of so many; before all else.
+  Status begin(const Context& context, TableMemory& memory, std::size_t count) {
+    Status status = memory.resize(context, seen_, count);
+    return status ? memory.reserve(context, order_, count) : status;
+  }
 
   void note(std::size_t index) {
-    if (seen_[index]) return;
-    seen_[index] = true;
+    if (seen_[index] != 0) return;
+    seen_[index] = 1;
     order_.push_back(static_cast<std::uint32_t>(index));
   }
 
@@ -92,22 +58,21 @@ class UseOrder {
   }
 
  private:
-  std::vector<bool> seen_;
+  std::vector<std::uint8_t> seen_;
   std::vector<std::uint32_t> order_;
 };
 
 class SvgWriter {
  public:
   SvgWriter(Context& context, const Document& document)
-      : context_(context),
-        document_(document),
-        writer_(context),
-        use_count_(document.layers.size(), 0) {}
+      : context_(context), document_(document), writer_(context) {}
 
   Result<std::string> write();
 
  private:
-  void order_and_name();
+  Status make_orders();
+  Status make_names();
+  Status charge_ids() { return id_memory_.settle(context_, ids_.bytes(), id_bytes_); }
   svg::Attributes root_attributes() const;
   Status write_defs();
   void write_background();
@@ -118,7 +83,7 @@ class SvgWriter {
   Status write_item(const GroupEnd&);
   Status write_layer(std::uint32_t layer, const svg::Attributes& attributes);
   /// What the text is so far, against what can be read back.
-  Status check_progress() const;
+  Status check_progress();
 
   bool has_references() const;
   bool is_in_place(std::uint32_t layer) const { return use_count_[layer] == 1; }
@@ -126,6 +91,9 @@ class SvgWriter {
   Context& context_;
   const Document& document_;
   svg::ElementWriter writer_;
+  TableMemory memory_{"layers and shaders"};
+  TableMemory id_memory_{"ids"};
+  std::size_t id_bytes_ = 0;
   svg::IdPool ids_;
   std::vector<std::uint32_t> use_count_;    ///< per layer
   std::vector<std::uint32_t> layer_order_;  ///< layers as they stand in the text
@@ -136,10 +104,12 @@ class SvgWriter {
 };
 
 Result<std::string> SvgWriter::write() {
-  order_and_name();
+  Status status = make_orders();
+  if (status) status = make_names();
+  if (!status) return status;
   writer_.open("svg", root_attributes());
   writer_.text_element("style", kStyle);
-  Status status = write_defs();
+  status = write_defs();
   if (!status) return status;
   write_background();
   status = write_stack();
@@ -148,8 +118,12 @@ Result<std::string> SvgWriter::write() {
   return writer_.take();
 }
 
-void SvgWriter::order_and_name() {
-  UseOrder layers(document_.layers.size());
+Status SvgWriter::make_orders() {
+  UseOrder layers, shaders;
+  Status status = memory_.resize(context_, use_count_, document_.layers.size());
+  if (status) status = layers.begin(context_, memory_, document_.layers.size());
+  if (status) status = shaders.begin(context_, memory_, document_.shaders.size());
+  if (!status) return status;
   for (const StackItem& item : document_.stack) {
     const auto* instance = std::get_if<LayerInstance>(&item);
     if (!instance) continue;
@@ -157,7 +131,6 @@ void SvgWriter::order_and_name() {
     layers.note(instance->layer);
   }
   layer_order_ = layers.complete();
-  UseOrder shaders(document_.shaders.size());
   for (const std::uint32_t layer : layer_order_) {
     for (const Curve& curve : document_.layers[layer].curves) {
       shaders.note_shader(curve.left.color);
@@ -167,12 +140,17 @@ void SvgWriter::order_and_name() {
     }
   }
   shader_order_ = shaders.complete();
-  shader_id_.resize(document_.shaders.size());
+  return status;
+}
+
+Status SvgWriter::make_names() {
+  Status status = memory_.resize(context_, shader_id_, document_.shaders.size());
+  if (status) status = memory_.resize(context_, layer_id_, document_.layers.size());
+  if (!status) return status;
   for (const std::uint32_t i : shader_order_) {
     const Shader& shader = document_.shaders[i];
     shader_id_[i] = ids_.claim_or_make(shader.id, svg::kind_of(shader));
   }
-  layer_id_.resize(document_.layers.size());
   for (const std::uint32_t i : layer_order_) {
     const std::string& id = document_.layers[i].id;
     if (!id.empty() || !is_in_place(i)) layer_id_[i] = ids_.claim_or_make(id, "layer");
@@ -180,6 +158,7 @@ void SvgWriter::order_and_name() {
   // About a pixel where the picture is shown at 512.
   const Box& artboard = document_.artboard;
   stroke_width_ = rounded_number_text(std::max(artboard.width(), artboard.height()) / 512, 2);
+  return charge_ids();
 }
 
 svg::Attributes SvgWriter::root_attributes() const {
@@ -250,8 +229,9 @@ Status SvgWriter::write_stack() {
   return ok_status();
 }
 
-Status SvgWriter::check_progress() const {
+Status SvgWriter::check_progress() {
   if (!writer_.status()) return writer_.status();
+  if (Status status = charge_ids(); !status) return status;
   if (context_.cancelled()) return context_.cancel_status();
   return svg::check_length(context_, writer_.text().size());
 }
@@ -296,8 +276,10 @@ Status SvgWriter::write_layer(std::uint32_t layer, const svg::Attributes& attrib
     if (!curve.id.empty()) path.add("id", ids_.claim(curve.id));
     if (has_classes) path.add("class", "curve");
     Status status = svg::add_curve(context_, path, curve, shader_id_);
+    if (status) status = charge_ids();
     if (!status) return status;
     writer_.leaf("path", path);
+    if (!writer_.status()) return writer_.status();
   }
   writer_.close("g");
   return ok_status();
@@ -328,10 +310,6 @@ Status SvgWriter::write_item(const GroupEnd&) {
 
 Result<std::string> write(Context& context, const Document& document) {
   if (Status status = validate(context, document); !status) return status;
-  ScopedCharge charge;
-  // The text grows by doubling: as it moves, both copies are there.
-  const std::size_t bytes = std::min(estimated_bytes(document), 2 * context.limits.input_bytes);
-  if (Status status = charge.add(context, 2 * bytes, "the document as SVG"); !status) return status;
   return SvgWriter(context, document).write();
 }
 

@@ -141,36 +141,43 @@ void add_preview(Attributes& attributes, const Curve& curve,
   }
 }
 
-/// Two numbers of seventeen digits, points, signs, and what is between them.
-constexpr std::size_t kBytesPerPoint = 40;
-
 double mean_radius(const ScalarStops& list) {
   double sum = 0;
   for (const Stop<float>& stop : list.stops) sum += static_cast<double>(stop.value);
   return sum / static_cast<double>(list.stops.size());
 }
 
-}  // namespace
+/// Two numbers of seventeen digits, points, signs, and what is between them: in use, and at most.
+constexpr std::size_t kUsualPointBytes = 40;
+constexpr std::size_t kPointBytes = 64;
 
-Result<std::string> path_data(const Context& context, std::span<const Vec2> control_points) {
-  std::string text = "M";
+/// Adds cubics in absolute coordinates; a chain that ends where it begins is closed.
+/// Precondition: 3 n + 1 points, n ≥ 1. Errors: limit (memory), cancelled.
+Status add_path_data(const Context& context, Attributes& attributes, std::span<const Vec2> points) {
+  std::string text;
   // To move tens of megabytes to a larger place takes longer than the flag may go without a look.
-  text.reserve(kBytesPerPoint * control_points.size());
+  TableMemory& memory = attributes.memory();
+  Status status = memory.reserve(context, text, kUsualPointBytes * points.size() + kPointBytes);
   RarePoll<1024> poll(context);
-  for (std::size_t i = 0; i < control_points.size(); ++i) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (status) status = memory.make_room(context, text, kPointBytes);
+    if (!status) return status;
     if (poll.cancelled()) return context.cancel_status();
-    if (i > 0) text += i == 1 ? "\nC" : "\n";
-    text += number_text(control_points[i].x) + ' ' + number_text(control_points[i].y);
+    text += i == 0 ? "M" : i == 1 ? "\nC" : "\n";
+    text += number_text(points[i].x) + ' ' + number_text(points[i].y);
   }
-  if (control_points.front() == control_points.back()) text += "\nZ";
-  return text;
+  if (status = memory.make_room(context, text, kPointBytes); !status) return status;
+  if (points.front() == points.back()) text += "\nZ";
+  attributes.add("d", std::move(text));
+  return status;
 }
+
+}  // namespace
 
 Status add_curve(const Context& context, Attributes& attributes, const Curve& curve,
                  std::span<const std::string> shader_id) {
-  Result<std::string> data = path_data(context, curve.control_points);
-  if (!data) return data.status();
-  attributes.add("d", std::move(*data));
+  Status status = add_path_data(context, attributes, curve.control_points);
+  if (!status) return status;
   add_shader(attributes, "sf:left", curve.left.color, shader_id);
   add_shader(attributes, "sf:right", curve.right.color, shader_id);
   if (curve.left.opacity == curve.right.opacity) {
@@ -191,9 +198,8 @@ Status add_curve(const Context& context, Attributes& attributes, const Curve& cu
 }
 
 Status add_local_curve(const Context& context, Attributes& attributes, const LocalCurve& curve) {
-  Result<std::string> data = path_data(context, curve.control_points);
-  if (!data) return data.status();
-  attributes.add("d", std::move(*data));
+  Status status = add_path_data(context, attributes, curve.control_points);
+  if (!status) return status;
   add_stops(attributes, "sf:left", curve.left_color);
   add_stops(attributes, "sf:right", curve.right_color);
   add_radii(attributes, "sf:blur", curve.blur_radius);

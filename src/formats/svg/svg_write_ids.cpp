@@ -2,10 +2,14 @@
 
 #include <algorithm>
 
+#include "base/table_memory.hpp"
 #include "base/utf8.hpp"
 
 namespace sfumato::svg {
 namespace {
+
+/// Of a set or a map, beside the item: three links and a colour.
+constexpr std::size_t kNodeBytes = 4 * sizeof(void*);
 
 bool is_letter(unsigned char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
@@ -42,17 +46,26 @@ std::string as_name(std::string_view text) {
 
 }  // namespace
 
+/// False where it is taken already.
+bool IdPool::take(const std::string& id) {
+  const auto [entry, is_new] = taken_.insert(id);
+  if (is_new) bytes_ += kNodeBytes + sizeof(std::string) + capacity_bytes(*entry);
+  return is_new;
+}
+
 std::string IdPool::numbered(const std::string& base, std::size_t first) {
-  std::size_t& number = next_number_.try_emplace(base, first).first->second;
+  const auto [entry, is_new] = next_number_.try_emplace(base, first);
+  if (is_new) bytes_ += kNodeBytes + sizeof(*entry) + capacity_bytes(entry->first);
+  std::size_t& number = entry->second;
   for (;;) {
     std::string id = base + '-' + std::to_string(number++);
-    if (taken_.insert(id).second) return id;
+    if (take(id)) return id;
   }
 }
 
 std::string IdPool::claim(std::string_view wanted) {
   std::string name = as_name(wanted);
-  if (taken_.insert(name).second) return name;
+  if (take(name)) return name;
   return numbered(name, 2);
 }
 

@@ -18,12 +18,17 @@ class IdPool {
   /// As above, or "KIND-1", "KIND-2"… where nothing is wanted.
   std::string claim_or_make(std::string_view wanted, std::string_view kind);
 
+  /// What the ids take here that were given out so far.
+  std::size_t bytes() const { return bytes_; }
+
  private:
+  bool take(const std::string& id);
   std::string numbered(const std::string& base, std::size_t first);
 
   // No hash tables: a document could choose ids of one hash.
   std::set<std::string> taken_;
   std::map<std::string, std::size_t> next_number_;
+  std::size_t bytes_ = 0;
 };
 
 }  // namespace sfumato::svg

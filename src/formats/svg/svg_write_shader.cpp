@@ -52,8 +52,8 @@ Status write_texture(Context& context, ElementWriter& writer, const Texture& tex
     return make_error(StatusCode::bad_input,
                       "the texture \"" + id + "\" does not repeat; a pattern of SVG always does");
   }
-  TableMemory memory("a data: URI");
-  Result<std::string> uri = codecs::data_uri(context, texture, memory);
+  Attributes image;
+  Result<std::string> uri = codecs::data_uri(context, texture, image.memory());
   if (!uri) return uri.status();
   if (Status status = check_length(context, writer.text().size() + uri->size()); !status) {
     return status;
@@ -67,7 +67,6 @@ Status write_texture(Context& context, ElementWriter& writer, const Texture& tex
   pattern.add("width", number_text(period.x)).add("height", number_text(period.y));
   add_frame(pattern, "patternTransform", texture.layer_from_texture);
   writer.open("pattern", pattern);
-  Attributes image;
   image.add("width", std::to_string(texture.width)).add("height", std::to_string(texture.height));
   writer.leaf("image", image.add("xlink:href", std::move(*uri)));
   writer.close("pattern");

@@ -13,38 +13,6 @@ constexpr std::size_t kColumns = 100;
 /// What may follow a value: `"/>`.
 constexpr std::size_t kEndColumns = 3;
 
-void append_on_one_line(std::string& text, const std::string& value) {
-  const std::size_t begin = text.size();
-  text += value;
-  std::replace(text.begin() + static_cast<std::ptrdiff_t>(begin), text.end(), '\n', ' ');
-}
-
-/// Appends the value from column `indent` on, with as much on each line as fits. Errors: cancelled.
-Status append_broken(const Context& context, std::string& text, std::string_view value,
-                     std::size_t indent) {
-  RarePoll<4096> poll(context);
-  // Once, before the value is there to be moved too; half as much again for the indents.
-  text.reserve(text.size() + value.size() + value.size() / 2);
-  std::size_t column = indent;
-  for (bool first = true;; first = false) {
-    if (poll.cancelled()) return context.cancel_status();
-    const std::size_t end = value.find('\n');
-    const std::string_view part = value.substr(0, end);
-    if (!first && column + 1 + part.size() > kColumns - kEndColumns) {
-      text += '\n';
-      text.append(indent, ' ');
-      column = indent;
-    } else if (!first) {
-      text += ' ';
-      ++column;
-    }
-    text += part;
-    column += part.size();
-    if (end == std::string_view::npos) return ok_status();
-    value.remove_prefix(end + 1);
-  }
-}
-
 }  // namespace
 
 Status check_length(const Context& context, std::size_t bytes) {
@@ -54,38 +22,81 @@ Status check_length(const Context& context, std::size_t bytes) {
                               limit_text(context.limits, &Limits::input_bytes, "bytes"));
 }
 
+void ElementWriter::append(std::string_view text) {
+  const bool has_room = text.size() <= text_.capacity() - text_.size();
+  if (!has_room && status_) status_ = memory_.make_room(context_, text_, text.size());
+  if (status_) text_ += text;
+}
+
+void ElementWriter::append_blanks(std::size_t count) {
+  constexpr std::string_view kBlanks = "                                ";
+  for (; count > kBlanks.size(); count -= kBlanks.size()) append(kBlanks);
+  append(kBlanks.substr(0, count));
+}
+
+void ElementWriter::append_on_one_line(std::string_view value) {
+  const std::size_t begin = text_.size();
+  append(value);
+  std::replace(text_.begin() + static_cast<std::ptrdiff_t>(begin), text_.end(), '\n', ' ');
+}
+
+/// Appends the value from column `indent` on, with as much on each line as fits.
+void ElementWriter::append_broken(std::string_view value, std::size_t indent) {
+  RarePoll<4096> poll(context_);
+  // Once, before the value is there to be moved too; half as much again for the indents.
+  const std::size_t room = value.size() + value.size() / 2;
+  if (status_) status_ = memory_.make_room(context_, text_, room);
+  std::size_t column = indent;
+  for (bool first = true; status_; first = false) {
+    if (poll.cancelled()) status_ = context_.cancel_status();
+    const std::size_t end = value.find('\n');
+    const std::string_view part = value.substr(0, end);
+    if (!first && column + 1 + part.size() > kColumns - kEndColumns) {
+      append("\n");
+      append_blanks(indent);
+      column = indent;
+    } else if (!first) {
+      append(" ");
+      ++column;
+    }
+    append(part);
+    column += part.size();
+    if (end == std::string_view::npos) return;
+    value.remove_prefix(end + 1);
+  }
+}
+
 void ElementWriter::element(std::string_view name, const Attributes& attributes,
                             std::string_view end) {
   const std::size_t indent = 2 * depth_;
-  text_.append(indent, ' ');
-  text_ += '<';
-  text_ += name;
+  append_blanks(indent);
+  append("<");
+  append(name);
   const std::size_t key_column = indent + name.size() + 2;
   std::size_t column = key_column - 1;
   for (const auto& [key, value] : attributes.list()) {
     const std::size_t length = key.size() + value.size() + 2;  // with =" before the value
     if (column + 1 + length + kEndColumns <= kColumns || column < key_column) {
-      text_ += ' ';
+      append(" ");
       ++column;
     } else {
-      text_ += '\n';
-      text_.append(key_column, ' ');
+      append("\n");
+      append_blanks(key_column);
       column = key_column;
     }
-    text_ += key;
-    text_ += "=\"";
+    append(key);
+    append("=\"");
     if (column + length + kEndColumns <= kColumns) {
-      append_on_one_line(text_, value);
+      append_on_one_line(value);
       column += length + 1;
     } else {
-      Status status = append_broken(context_, text_, value, column + key.size() + 2);
-      if (!status) status_ = std::move(status);
+      append_broken(value, column + key.size() + 2);
       column = kColumns;  // nothing beside the end of a broken value
     }
-    text_ += '"';
+    append("\"");
   }
-  text_ += end;
-  text_ += '\n';
+  append(end);
+  append("\n");
 }
 
 void ElementWriter::open(std::string_view name, const Attributes& attributes) {
@@ -94,19 +105,19 @@ void ElementWriter::open(std::string_view name, const Attributes& attributes) {
 }
 
 void ElementWriter::text_element(std::string_view name, std::string_view text) {
-  text_.append(2 * depth_, ' ');
+  append_blanks(2 * depth_);
   for (const std::string_view part : {std::string_view("<"), name, std::string_view(">"), text,
                                       std::string_view("</"), name, std::string_view(">\n")}) {
-    text_ += part;
+    append(part);
   }
 }
 
 void ElementWriter::close(std::string_view name) {
   --depth_;
-  text_.append(2 * depth_, ' ');
-  text_ += "</";
-  text_ += name;
-  text_ += ">\n";
+  append_blanks(2 * depth_);
+  append("</");
+  append(name);
+  append(">\n");
 }
 
 void ElementWriter::leaf(std::string_view name, const Attributes& attributes) {

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/table_memory.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/status.hpp"
 
@@ -25,15 +26,19 @@ class Attributes {
 
   const std::vector<std::pair<std::string_view, std::string>>& list() const { return list_; }
 
+  /// For values that are long.
+  TableMemory& memory() { return memory_; }
+
  private:
+  TableMemory memory_{"the document as SVG"};
   std::vector<std::pair<std::string_view, std::string>> list_;
 };
 
 /// Writes elements, indented by two columns for each that is open. Lines end at 100 columns:
-/// attributes go on below the first one, and values are broken where they may.
+/// attributes go on below the first one, and values are broken where they may. The text's room
+/// comes from the budget; a failure stays: from then on nothing is written.
 class ElementWriter {
  public:
-  /// Long values are cut short where `context` says to stop: see status().
   explicit ElementWriter(const Context& context) : context_(context) {}
 
   void open(std::string_view name, const Attributes& attributes);
@@ -43,15 +48,20 @@ class ElementWriter {
   void leaf(std::string_view name, const Attributes& attributes);
 
   const std::string& text() const { return text_; }
-  /// Ok, or cancelled: the text is not whole.
+  /// Ok, or why the text is not whole: limit (memory), cancelled.
   const Status& status() const { return status_; }
   /// All that was written, or status().
   Result<std::string> take();
 
  private:
   void element(std::string_view name, const Attributes& attributes, std::string_view end);
+  void append(std::string_view text);
+  void append_blanks(std::size_t count);
+  void append_on_one_line(std::string_view value);
+  void append_broken(std::string_view value, std::size_t indent);
 
   const Context& context_;
+  TableMemory memory_{"the document as SVG"};
   std::string text_;
   Status status_;
   std::size_t depth_ = 0;
