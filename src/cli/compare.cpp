@@ -4,6 +4,7 @@
 
 #include "base/charge.hpp"
 #include "base/json.hpp"
+#include "base/table_memory.hpp"
 #include "cli/commands.hpp"
 #include "cli/difference.hpp"
 #include "cli/interrupt.hpp"
@@ -61,13 +62,10 @@ std::string as_json(const Difference& difference) {
 
 Status write_difference(Context& context, const CompareArguments& arguments, const Image& first,
                         const Image& second) {
-  ScopedCharge charge;
-  const std::size_t pixels = static_cast<std::size_t>(first.width) * first.height;
-  Status status = charge.add(context, 3 * pixels, "the difference picture");
-  if (!status) return status;
-  const Image picture = difference_image(context, first, second, arguments.scale);
-  if (context.cancelled()) return context.cancel_status();
-  const auto png = encode_png(context, picture);
+  TableMemory memory("the difference picture");
+  const Result<Image> picture = difference_image(context, first, second, arguments.scale, memory);
+  if (!picture) return picture.status();
+  const auto png = encode_png(context, *picture);
   if (!png) return png.status();
   return write_file(arguments.output, *png, &context);
 }
@@ -75,13 +73,13 @@ Status write_difference(Context& context, const CompareArguments& arguments, con
 Status compare_files(Context& context, const CompareArguments& arguments,
                      const std::string& first_bytes, const std::string& second_bytes) {
   ScopedCharge charge;
-  Status status = charge.add(context, first_bytes.size() + second_bytes.size(), "the input");
+  Status status = charge.add(context, capacity_bytes(first_bytes, second_bytes), "the input");
   if (!status) return status;
   const Result<Image> first = read_png(context, arguments.first, first_bytes);
   if (!first) return first.status();
   const Result<Image> second = read_png(context, arguments.second, second_bytes);
   if (!second) return second.status();
-  status = charge.add(context, first->bytes.size() + second->bytes.size(), "the pictures");
+  status = charge.add(context, capacity_bytes(first->bytes, second->bytes), "the pictures");
   if (!status) return status;
   if (first->width != second->width || first->height != second->height) {
     return make_error(StatusCode::bad_input,

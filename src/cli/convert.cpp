@@ -1,5 +1,6 @@
 #include <span>
 
+#include "base/charge.hpp"
 #include "cli/commands.hpp"
 #include "cli/document_input.hpp"
 #include "cli/interrupt.hpp"
@@ -14,6 +15,9 @@ namespace {
 Status convert_document(Context& context, const ConvertArguments& arguments) {
   const Result<ReadDocument> read = read_drawing(context, arguments);
   if (!read) return read.status();
+  ScopedCharge charge;
+  Status status = charge.add(context, bytes_of(read->document), "the document");
+  if (!status) return status;
   const Result<std::string> svg = write_svg(context, read->document);
   if (!svg) return svg.status();
   if (context.cancelled()) return context.cancel_status();

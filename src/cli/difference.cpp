@@ -92,9 +92,11 @@ double Difference::percentile(int per_mille) const {
   return static_cast<double>(units) / kUnitsPerCode;
 }
 
-Image difference_image(const Context& context, const Image& a, const Image& b, double scale) {
+Result<Image> difference_image(const Context& context, const Image& a, const Image& b, double scale,
+                               TableMemory& memory) {
   Image image{a.width, a.height, PixelFormat::rgb8, {}};
-  image.bytes.reserve(image.row_bytes() * static_cast<std::size_t>(a.height));
+  const std::size_t size = image.row_bytes() * static_cast<std::size_t>(a.height);
+  if (Status status = memory.reserve(context, image.bytes, size); !status) return status;
   for_each_pixel_difference(context, a, b, [&](const std::array<std::uint32_t, 4>& difference) {
     for (std::size_t c = 0; c < 3; ++c) {
       const double units = std::max(difference[c], difference[3]);
@@ -102,6 +104,7 @@ Image difference_image(const Context& context, const Image& a, const Image& b, d
       image.bytes.push_back(static_cast<std::uint8_t>(code));
     }
   });
+  if (context.cancelled()) return context.cancel_status();
   return image;
 }
 

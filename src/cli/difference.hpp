@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/table_memory.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/image.hpp"
 
@@ -35,8 +36,9 @@ class Difference {
 };
 
 /// |a − b| · scale in each colour channel, clamped, as rgb8; a greater difference in alpha shows in
-/// all three. Precondition: the images have one size. Rows are missing where the context is
-/// cancelled before the end.
-Image difference_image(const Context& context, const Image& a, const Image& b, double scale);
+/// all three; the room of the picture comes from `memory`. Precondition: the images have one size.
+/// Errors: limit (memory), cancelled.
+Result<Image> difference_image(const Context& context, const Image& a, const Image& b, double scale,
+                               TableMemory& memory);
 
 }  // namespace sfumato::cli

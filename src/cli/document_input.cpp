@@ -4,6 +4,7 @@
 
 #include "base/charge.hpp"
 #include "base/limit_error.hpp"
+#include "base/table_memory.hpp"
 #include "cli/folder_loader.hpp"
 #include "cli/paths.hpp"
 
@@ -28,7 +29,8 @@ Result<ReadDocument> read_drawing(Context& context, const DocumentArguments& arg
   const Result<std::string> bytes = read_drawing_text(context, arguments.input);
   if (!bytes) return bytes.status();
   ScopedCharge charge;
-  if (Status status = charge.add(context, bytes->size(), "the input"); !status) return status;
+  Status status = charge.add(context, capacity_bytes(*bytes), "the input");
+  if (!status) return status;
   const FolderLoader loader(arguments, context);
   Result<ReadDocument> read =
       read_document(context, *bytes, display_name(arguments.input), &loader);

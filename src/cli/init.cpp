@@ -1,4 +1,5 @@
 #include "base/charge.hpp"
+#include "base/table_memory.hpp"
 #include "cli/commands.hpp"
 #include "cli/document_input.hpp"
 #include "cli/file_uses.hpp"
@@ -16,18 +17,25 @@ namespace sfumato::cli {
 namespace {
 
 /// The <title> as the first of what stands in <svg>.
-std::string with_title(std::string svg, std::string_view title) {
+Result<std::string> with_title(const Context& context, std::string svg, std::string_view title) {
   if (title.empty()) return svg;
   const std::size_t end = svg.find('>', svg.find("<svg"));
   if (end == std::string::npos) return svg;
-  return svg.insert(end + 1, "\n  <title>" + outputs::escaped_html(title) + "</title>");
+  const std::string element = "\n  <title>" + outputs::escaped_html(title) + "</title>";
+  TableMemory memory("the new drawing");
+  std::size_t charged = 0;
+  Status status = memory.settle(context, capacity_bytes(svg), charged);
+  if (status) status = memory.reserve(context, svg, svg.size() + element.size());
+  if (!status) return status;
+  return svg.insert(end + 1, element);
 }
 
 Result<std::string> imported(Context& context, const InitArguments& arguments) {
   const Result<std::string> bytes = read_drawing_text(context, arguments.input);
   if (!bytes) return bytes.status();
   ScopedCharge charge;
-  if (Status status = charge.add(context, bytes->size(), "the input"); !status) return status;
+  Status status = charge.add(context, capacity_bytes(*bytes), "the input");
+  if (!status) return status;
   const FolderLoader loader(arguments, context);
   const Result<ImportedSvg> made =
       import_svg(context, *bytes, display_name(arguments.input), &loader);
@@ -35,9 +43,11 @@ Result<std::string> imported(Context& context, const InitArguments& arguments) {
   if (!arguments.quiet) {
     for (const Diagnostic& warning : made->warnings) report_warning(warning);
   }
+  status = charge.add(context, bytes_of(made->document), "the new drawing");
+  if (!status) return status;
   Result<std::string> svg = write_svg(context, made->document);
   if (!svg) return svg;
-  return with_title(std::move(*svg), made->title);
+  return with_title(context, std::move(*svg), made->title);
 }
 
 std::string template_text(std::string_view name) {

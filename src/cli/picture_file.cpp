@@ -8,6 +8,7 @@
 
 #include "base/charge.hpp"
 #include "base/stopwatch.hpp"
+#include "base/table_memory.hpp"
 #include "cli/image_output.hpp"
 #include "cli/messages.hpp"
 #include "sfumato/api/render_pixels.hpp"
@@ -140,12 +141,11 @@ Result<Bytes> PictureMaker::make_image(Document& document) {
   }
   if (!*image) return image->status();
   charge_ = {};
-  if (Status status = charge_.add(context_, (*image)->bytes.size(), "the image"); !status) {
-    return status;
-  }
+  Status status = charge_.add(context_, capacity_bytes((*image)->bytes), "the image");
+  if (!status) return status;
   const Stopwatch watch;
   if (!arguments_.no_background) {
-    if (Status status = drop_opaque_alpha(context_, **image); !status) return status;
+    if (status = drop_opaque_alpha(context_, **image); !status) return status;
   }
   Result<Bytes> file = encode_image(context_, **image, arguments_.output);
   stats_.write_seconds = watch.seconds();

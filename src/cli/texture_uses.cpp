@@ -4,6 +4,7 @@
 #include <system_error>
 
 #include "base/charge.hpp"
+#include "base/table_memory.hpp"
 #include "cli/document_input.hpp"
 #include "cli/file_uses.hpp"
 #include "cli/folder_loader.hpp"
@@ -52,7 +53,7 @@ void TextureUses::look_at(const std::string& drawing) {
   context_.deadline = deadline_of(arguments_.resources);
   const Result<std::string> bytes = read_drawing_text(context_, drawing);
   ScopedCharge charge;
-  if (!bytes || !charge.add(context_, bytes->size(), "the input")) return;
+  if (!bytes || !charge.add(context_, capacity_bytes(*bytes), "the input")) return;
   // What is wrong with the drawing is said when it is drawn.
   [[maybe_unused]] const Status visited = formats::visit_texture_names(
       context_, *bytes, display_name(drawing),

@@ -7,6 +7,7 @@
 
 #include "base/charge.hpp"
 #include "base/stopwatch.hpp"
+#include "base/table_memory.hpp"
 #include "cli/commands.hpp"
 #include "cli/document_input.hpp"
 #include "cli/file_watch.hpp"
@@ -72,7 +73,8 @@ Result<ReadDocument> Watching::read() {
   const Result<std::string> bytes = read_drawing_text(context_, arguments_.input);
   if (!bytes) return bytes.status();
   ScopedCharge charge;
-  if (Status status = charge.add(context_, bytes->size(), "the input"); !status) return status;
+  Status status = charge.add(context_, capacity_bytes(*bytes), "the input");
+  if (!status) return status;
   const FolderLoader loader(arguments_, context_);
   const NotingLoader noting(loader, arguments_.input, named_);
   return read_document(context_, *bytes, display_name(arguments_.input), &noting);

@@ -13,7 +13,6 @@ namespace sfumato::test {
 namespace {
 
 using cli::Difference;
-using cli::difference_image;
 
 /// Channel c of pixel x of the only row is value_of(x, c), of 255 or 65535.
 Image row_image(int width, PixelFormat format, const std::function<int(int x, int c)>& value_of) {
@@ -82,30 +81,47 @@ TEST(Difference, takes_16_bits_as_fractions_of_a_code_value) {
   EXPECT_DOUBLE_EQ(Difference(Context(), eight, finer).rms(), 64 / 257.0);
 }
 
+Image picture_of(const Image& a, const Image& b, double scale) {
+  const Context context;
+  TableMemory memory("a test");
+  Result<Image> picture = cli::difference_image(context, a, b, scale, memory);
+  EXPECT_TRUE(picture.ok());
+  return picture ? std::move(*picture) : Image();
+}
+
+TEST(Difference, picture_takes_its_room_from_the_budget) {
+  const Context context{.budget = Budget(299)};
+  TableMemory memory("a test");
+  const auto picture = cli::difference_image(context, black(), nearly_black(), 1, memory);
+  EXPECT_EQ(picture.status().code, StatusCode::limit);
+}
+
 TEST(Difference, takes_an_image_without_alpha_as_opaque) {
   const Image clear = row_image(100, PixelFormat::rgba8, [](int x, int c) {
     return c == 3 && x != 0 ? 255 : 0;  // the first pixel is transparent
   });
   EXPECT_EQ(Difference(Context(), black(), clear).maximum(), 255);
   EXPECT_DOUBLE_EQ(Difference(Context(), black(), clear).rms(), 255 / std::sqrt(400.0));
-  EXPECT_EQ(difference_image(Context(), black(), clear, 1).bytes[0], 255);
-  EXPECT_EQ(difference_image(Context(), black(), clear, 1).bytes[3], 0);
+  EXPECT_EQ(picture_of(black(), clear, 1).bytes[0], 255);
+  EXPECT_EQ(picture_of(black(), clear, 1).bytes[3], 0);
 }
 
 TEST(Difference, picture_is_scaled_and_clamped) {
-  const Image picture = difference_image(Context(), black(), nearly_black(), 12.5);
+  const Image picture = picture_of(black(), nearly_black(), 12.5);
   EXPECT_EQ(picture.format, PixelFormat::rgb8);
   EXPECT_EQ(picture.width, 100);
   EXPECT_EQ(picture.bytes[97 * 3], 0);
   EXPECT_EQ(picture.bytes[98 * 3], 25);
   EXPECT_EQ(picture.bytes[99 * 3 + 2], 125);
-  EXPECT_EQ(difference_image(Context(), black(), nearly_black(), 128).bytes[99 * 3], 255);
+  EXPECT_EQ(picture_of(black(), nearly_black(), 128).bytes[99 * 3], 255);
 }
 
 TEST(Difference, ends_at_the_first_row_after_cancelling) {
   Context context;
   context.cancel = true;
-  EXPECT_TRUE(difference_image(context, black(), nearly_black(), 1).bytes.empty());
+  TableMemory memory("a test");
+  const auto picture = cli::difference_image(context, black(), nearly_black(), 1, memory);
+  EXPECT_EQ(picture.status().code, StatusCode::cancelled);
   EXPECT_EQ(Difference(context, black(), nearly_black()).rms(), 0);
 }
 
@@ -154,7 +170,7 @@ TEST(Compare, draws_the_difference) {
   EXPECT_EQ(run_sfumato({"compare", a, b, "-o", output, "--scale", "20"}).exit_code, 0);
   const Image picture = image_of(read_whole(output));
   ASSERT_EQ(picture.width, 100);
-  EXPECT_EQ(picture.bytes, difference_image(Context(), black(), nearly_black(), 20).bytes);
+  EXPECT_EQ(picture.bytes, picture_of(black(), nearly_black(), 20).bytes);
 }
 
 TEST(Compare, refuses_images_of_two_sizes) {
