@@ -46,8 +46,8 @@ std::uint8_t rounded(const std::uint8_t* big_or_little) {
 
 /// The bytes of an image of 16 bits become those of one of 8; meanwhile both are charged.
 Status halve_depth(const Context& context, std::vector<std::uint8_t>& bytes) {
-  ScopedCharge deep;
-  Status status = deep.add(context, capacity_bytes(bytes), "a PNG image of 16 bits");
+  ScopedCharge held;
+  Status status = held.add(context, capacity_bytes(bytes), "a PNG image of 16 bits");
   if (!status) return status;
   TableMemory memory("a PNG image of 16 bits");
   std::vector<std::uint8_t> halved;

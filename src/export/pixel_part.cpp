@@ -181,8 +181,8 @@ Result<PixelPart> stroke_pixels(Context& context, std::span<const PictureItem> s
   Box bounds;
   Picture picture;
   picture.interpolation = space;
-  ScopedCharge copies;
-  if (Status status = copies.add(context, stroke_bytes(strokes), "local curves"); !status) {
+  ScopedCharge charge;
+  if (Status status = charge.add(context, stroke_bytes(strokes), "local curves"); !status) {
     return status;
   }
   picture.stack.reserve(strokes.size());

@@ -53,7 +53,8 @@ class PartPicture {
   Status add(const PictureItem& item) {
     if (const auto* stroke = std::get_if<LocalStroke>(&item)) {
       box_ = united(box_, reach(*stroke));
-      return push(*stroke, bytes_of(stroke->curve));
+      Status status = charge_.add(context_, bytes_of(stroke->curve), "items to be painted");
+      return status ? memory_.push_back(context_, part_.stack, item) : status;
     }
     return add(std::get<PatchInstance>(item));
   }
@@ -82,13 +83,7 @@ class PartPicture {
     box_ = united(box_, reach(instance, layer));
     instance.layer = index;
     instance.blend = BlendMode::normal;
-    return push(instance, 0);
-  }
-
-  /// bytes   that the item takes besides
-  Status push(const PictureItem& item, std::size_t bytes) {
-    Status status = charge_.add(context_, bytes, "items to be painted");
-    return status ? memory_.push_back(context_, part_.stack, item) : status;
+    return memory_.push_back(context_, part_.stack, instance);
   }
 
   Context& context_;

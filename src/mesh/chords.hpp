@@ -49,8 +49,8 @@ class ChordStore {
   /// Charges what the tables have come to take. One that is nearly full counts as if it had grown.
   /// Error: limit (memory).
   Status charge(const Context& context) {
-    const std::size_t bytes = room_bytes(chord_) + room_bytes(owner_) + room_bytes(free_chord_);
-    return charge_.raise_to(context, bytes, "curve pieces");
+    return charge_.raise_to(
+        context, room_bytes(chord_) + room_bytes(owner_) + room_bytes(free_chord_), "curve pieces");
   }
 
   const Owner& owner(std::int32_t index) const { return owner_[index]; }

@@ -105,8 +105,8 @@ struct Deadline {
 
 /// Instruction sets that the inner loops are compiled for. All give the same bits.
 enum class SimdLevel : std::uint8_t {
-  sse2,  ///< what every x86-64 machine has; portable code on other machines and in WebAssembly
-  avx2,
+  sse2,   ///< what every x86-64 machine has; portable code on other machines and in WebAssembly
+  avx2,   ///< AVX2
   avx512  ///< AVX-512 with F, DQ, BW and VL
 };
 

@@ -21,22 +21,22 @@ namespace sfumato {
 /// How the colours of an item mix with those below it: the modes of CSS `mix-blend-mode`, as
 /// defined in the W3C's Compositing and Blending Level 1, on sRGB code values.
 enum class BlendMode : std::uint8_t {
-  normal,
-  multiply,
-  screen,
-  overlay,
-  darken,
-  lighten,
-  color_dodge,
-  color_burn,
-  hard_light,
-  soft_light,
-  difference,
-  exclusion,
-  hue,
-  saturation,
-  color,
-  luminosity
+  normal,       ///< covers what lies below
+  multiply,     ///< the product of both: darkens
+  screen,       ///< the product of both complements: lightens
+  overlay,      ///< multiply or screen, as the colour below is dark or light
+  darken,       ///< the smaller of both, in each channel
+  lighten,      ///< the larger of both, in each channel
+  color_dodge,  ///< brightens what lies below by the item's colour
+  color_burn,   ///< darkens what lies below by the item's colour
+  hard_light,   ///< multiply or screen, as the item's colour is dark or light
+  soft_light,   ///< the same, softer
+  difference,   ///< the absolute difference of both
+  exclusion,    ///< the same with less contrast
+  hue,          ///< the item's hue; saturation and luminosity of what lies below
+  saturation,   ///< the item's saturation
+  color,        ///< the item's hue and saturation
+  luminosity    ///< the item's luminosity; hue and saturation of what lies below
 };
 
 /// Curves that are solved together: one mesh, one solution. Their coordinates are in a frame of the

@@ -58,7 +58,7 @@ Result<const TextureFile*> TextureFiles::read(Element image) {
 Status TextureFiles::decode(Element image, std::string_view href, TextureFile& loaded) {
   const Context& context = input_.context();
   Result<codecs::RgbaImage> decoded = codecs::decode_image(input_.context(), loaded.file);
-  Status status = decoded ? loaded.measured.add(context, capacity_bytes(decoded->rgba), "textures")
+  Status status = decoded ? loaded.charge.add(context, capacity_bytes(decoded->rgba), "textures")
                           : decoded.status();
   if (!status) {
     status.message = shown(href) + ": " + status.message;
@@ -87,7 +87,7 @@ Status TextureFiles::load(Element image, std::string_view href, TextureFile& loa
   if (bytes) {
     loaded.file = std::move(*bytes);
     return input_.placed(
-        image, loaded.measured.add(input_.context(), capacity_bytes(loaded.file), "texture files"));
+        image, loaded.charge.add(input_.context(), capacity_bytes(loaded.file), "texture files"));
   }
   Status status = bytes.status();
   status.message = text::quoted(href) + ": " + status.message;

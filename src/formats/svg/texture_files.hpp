@@ -17,7 +17,7 @@ namespace sfumato::svg {
 
 struct TextureFile {
   TableMemory memory{"texture files"};  ///< of a file that stood in a data: URI
-  ScopedCharge measured;                ///< what a loader and decoders have made
+  ScopedCharge charge;                  ///< what a loader and decoders have made
   codecs::RgbaImage image;
   std::vector<std::uint8_t> file;  ///< as it was loaded
 };

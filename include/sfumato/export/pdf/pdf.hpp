@@ -17,8 +17,8 @@ enum class PdfFlatten : std::uint8_t {
   /// None, unless the picture paints so many triangles, counting every instance, that some programs
   /// would take minutes: then the layers that paint most of them.
   automatic,
-  always,
-  never
+  always,  ///< all of them
+  never    ///< none
 };
 
 /// Options of export_pdf().
