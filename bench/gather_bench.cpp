@@ -26,6 +26,7 @@ constexpr const char* kScenes[] = {"lady_bug.xml", "tomatos.xml", "dolphin.xml"}
 
 /// A public scene, meshed, and the points that its patches ask for.
 struct Prepared {
+  Context context;  // what the rest is charged to
   mesh::TriangleMesh visibility;
   curves::SegmentAttributes attributes;
   std::vector<Vec2> points;
@@ -43,7 +44,8 @@ solve::NodeLayout lay_out(const mesh::TriangleMesh& mesh,
 std::unique_ptr<Prepared> prepare(benchmark::State& state, const std::string& name) {
   const std::optional<Document> document = bench::scene(state, name);
   if (!document) return nullptr;
-  Context context;
+  auto prepared = std::make_unique<Prepared>();
+  Context& context = prepared->context;
   const std::vector<Curve>& curves = document->layers[0].curves;
   const double side = std::max(document->artboard.width(), document->artboard.height());
   const double tolerance = side * 0.1 / 512;
@@ -53,7 +55,6 @@ std::unique_ptr<Prepared> prepare(benchmark::State& state, const std::string& na
   options.unit_size = side / 1024;
   options.max_area = 0.04 * document->artboard.width() * document->artboard.height();
   Result<mesh::Mesher> mesher = mesh::Mesher::build(context, *flat, options);
-  auto prepared = std::make_unique<Prepared>();
   TableMemory memory("a benchmark");
   prepared->attributes =
       *curves::sample_colors(context, *flat, curves, InterpolationSpace::srgb, memory);
@@ -66,7 +67,6 @@ std::unique_ptr<Prepared> prepare(benchmark::State& state, const std::string& na
   Result<gather::Scene> scene =
       gather::build_scene(context, prepared->visibility, prepared->attributes);
   prepared->scene = std::move(*scene);
-  prepared->scene.charge = {};
   return prepared;
 }
 

@@ -1,5 +1,9 @@
 #include "cli/resources.hpp"
 
+#if defined(__GLIBC__)
+#include <malloc.h>
+#endif
+
 #include <algorithm>
 #include <cstdint>
 #include <string>
@@ -60,6 +64,14 @@ void set_limits(const std::vector<std::string>& texts, Limits& limits) {
   }
 }
 
+/// Freed blocks of a MiB go back to the system, where glibc would keep up to 64 MiB of them beside
+/// what is charged. Costs 3 to 5% of the time: for those only who give a bound.
+void return_freed_memory() {
+#if defined(__GLIBC__)
+  mallopt(M_MMAP_THRESHOLD, 1 << 20);
+#endif
+}
+
 }  // namespace
 
 void add_resources(CLI::App& app, Resources& resources) {
@@ -69,6 +81,7 @@ void add_resources(CLI::App& app, Resources& resources) {
       [&bytes = resources.memory_bytes](const std::string& text) {
         const auto value = parse_whole(text, 1, kLargestMemoryMib);
         bytes = static_cast<std::size_t>(value.value_or(0)) << 20;
+        return_freed_memory();
         return value.has_value();
       })
       ->group(kGroup);
