@@ -28,6 +28,11 @@ class OutputBuffer {
   }
   OutputBuffer& operator+=(char c) { return *this += std::string_view(&c, 1); }
 
+  void push_back(std::uint8_t byte) {
+    if (bytes_.size() == bytes_.capacity()) return append_large({&byte, 1});
+    bytes_.push_back(byte);
+  }
+
   void append(std::span<const std::uint8_t> bytes) {
     if (bytes.size() > bytes_.capacity() - bytes_.size() || bytes.size() > kSmall) {
       append_large(bytes);

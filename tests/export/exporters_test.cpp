@@ -79,6 +79,40 @@ TEST(Exporters, write_the_same_for_any_number_of_threads) {
   }
 }
 
+/// Of a file that a budget was too small for.
+void expect_limit_or(const Bytes& whole, const Exporter& exporter, const Picture& picture,
+                     std::size_t budget, std::size_t& successes) {
+  Context context{.budget = Budget(budget)};
+  const auto file = exporter.write(context, picture);
+  if (file.ok()) {
+    ++successes;
+    EXPECT_TRUE(*file == whole) << exporter.name << " lacks something at " << budget << " bytes";
+  } else {
+    EXPECT_EQ(file.status().code, StatusCode::limit) << exporter.name;
+    EXPECT_EQ(file.status().limit, "memory") << exporter.name;
+  }
+  EXPECT_EQ(context.budget.used(), 0u) << exporter.name;
+}
+
+TEST(Exporters, whatever_the_budget_nothing_is_left_out_in_silence) {
+  Picture picture = of_one_triangle();
+  const PictureItem one = picture.stack.front();
+  picture.stack.push_back(GroupBegin{.opacity = 0.5f});
+  picture.stack.insert(picture.stack.end(), 4000, one);
+  picture.stack.push_back(GroupEnd{});
+  for (const Exporter& exporter : kExporters) {
+    Context context;
+    const auto whole = exporter.write(context, picture);
+    ASSERT_TRUE(whole.ok()) << exporter.name << ": " << to_string(whole.status());
+    std::size_t successes = 0, tries = 0;
+    for (double budget = 20 << 10; successes < 3; budget *= 1.1, ++tries) {
+      expect_limit_or(*whole, exporter, picture, static_cast<std::size_t>(budget), successes);
+      if (testing::Test::HasFailure()) return;
+    }
+    EXPECT_GT(tries, 5u) << exporter.name;
+  }
+}
+
 TEST(Exporters, a_small_budget_is_a_limit_and_nothing_stays_charged) {
   const Picture picture =
       test::make_picture(test::make_layer(test::jittered_grid(kBox, 120, 3), sloped));

@@ -15,7 +15,7 @@ class ByteWriter {
  public:
   explicit ByteWriter(const Context& context) : bytes_(context, "the viewer's payload") {}
 
-  void u8(std::uint8_t value) { bytes_.append({&value, 1}); }
+  void u8(std::uint8_t value) { bytes_.push_back(value); }
   void f32(float value) { little_endian(std::bit_cast<std::uint32_t>(value), 4); }
   void f64(double value) { little_endian(std::bit_cast<std::uint64_t>(value), 8); }
 

@@ -28,7 +28,8 @@ class PdfContent {
   /// "/R12" for an object, which becomes one of the stream's resources.
   std::string name(Resource kind, PdfRef ref);
 
-  bool empty() const { return text_.size() == 0; }
+  /// Whether nothing was to be added; what failed is not empty.
+  bool empty() const { return text_.status().ok() && text_.size() == 0; }
   std::string_view text() const { return text_.text(); }
   /// "/Resources << ... >>".
   std::string resources() const;

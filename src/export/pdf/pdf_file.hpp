@@ -38,8 +38,8 @@ class PdfFile {
   /// An object without streams: "<< /Type /Page >>".
   PdfRef add(std::string_view object);
 
-  /// A deflated stream; `entries` are those of its dictionary but Length and Filter. On an error,
-  /// 0, and status() says which: limit (memory), cancelled, out_of_memory.
+  /// A deflated stream; `entries` are those of its dictionary but Length and Filter. On an error
+  /// status() says which: limit (memory), cancelled, out_of_memory; the result names nothing then.
   PdfRef add_stream(std::string_view entries, std::span<const std::uint8_t> bytes);
   PdfRef add_stream(std::string_view entries, std::string_view text);
 
