@@ -66,12 +66,14 @@ bool Refiner::make_room() {
 bool Refiner::make_room(std::size_t vertex_count) {
   Status status = mesh_.grow(*context_, vertex_count);
   if (status) status = memory_.reserve(*context_, origin_, mesh_.point.capacity());
-  if (status) status = list_charge_.raise_to(*context_, list_bytes(), "the triangle mesh");
-  if (!status) {
-    if (status_.ok()) status_ = status;
-    return false;
-  }
-  return true;
+  if (!status && status_.ok()) status_ = status;
+  charge_lists();
+  return status_.ok();
+}
+
+void Refiner::charge_lists() {
+  Status status = list_charge_.raise_to(*context_, list_bytes(), "the triangle mesh");
+  if (!status && status_.ok()) status_ = status;
 }
 
 /// Bytes of the queues and of the mesh's lists, which follow the size of its tables.
@@ -316,10 +318,12 @@ Status Refiner::run(const Context& context) {
   split_queued_subsegments();
   Bad bad;
   RarePoll<kStepsPerCancelCheck> poll(context);
+  std::uint32_t step = 0;
   while (status_.ok() && next_bad(bad)) {
     if (mesh_.triangle[triangle_of(bad.shortest_edge)].stamp != bad.stamp) continue;
     if (poll.cancelled()) status_ = context.cancel_status();
     refine_triangle(bad);
+    if (++step % kStepsPerCancelCheck == 0) charge_lists();
   }
   mesh_.tracking = false;
   mesh_.take_touched([](std::int32_t) {});

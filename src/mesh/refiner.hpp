@@ -107,6 +107,7 @@ class Refiner {
   HalfEdge longest_edge(std::int32_t t) const;
   bool make_room();
   bool make_room(std::size_t vertex_count);
+  void charge_lists();
   std::size_t list_bytes() const;
   bool count_pieces(const Chord& chord);
 

@@ -139,9 +139,10 @@ struct Triangulation {
     take(changed, kChanged, visit);
   }
 
-  /// Room for one more insertion; `grow` makes it.
+  /// Room for one more insertion; `grow` makes it. Chords have theirs last: where that failed the
+  /// other tables' room is of no use.
   bool has_room() const {
-    return triangle.size() + 2 <= triangle.capacity() && point.size() < point.capacity();
+    return 4 * (triangle.size() + 2) <= chord.size() && point.size() < point.capacity();
   }
   Status grow(const Context& context, std::size_t vertex_count);
 

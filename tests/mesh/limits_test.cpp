@@ -2,8 +2,10 @@
 
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <vector>
 
+#include "base/charge.hpp"
 #include "mesh/flat_input.hpp"
 #include "mesh/fuzz_kinds.hpp"
 #include "mesh/is_valid.hpp"
@@ -138,6 +140,37 @@ TEST(MesherLimits, an_area_that_asks_for_more_than_the_budget_is_refused) {
   Result<Mesher> mesher = Mesher::build(context, flat_curves({{{10, 10}, {90, 80}}}), options);
   ASSERT_TRUE(mesher.ok());
   EXPECT_EQ(mesher->refine(context).code, StatusCode::limit);
+}
+
+/// With `room` bytes left in the budget.
+Status refine_with_room(Context& context, Mesher& mesher, std::size_t room) {
+  ScopedCharge held;
+  const std::size_t taken = context.budget.room() - room;
+  Status status = held.add(context, taken, "what others hold");
+  return status ? mesher.refine(context) : status;
+}
+
+TEST(MesherLimits, after_a_refinement_without_memory_the_mesh_is_valid_and_goes_on) {
+  std::size_t failures = 0;
+  for (std::size_t room = 1000; failures < 40; room += 1 + room / 6) {
+    Context context;
+    Result<Mesher> mesher =
+        Mesher::build(context, fuzz_scene(FuzzKind::crossings, 2), options_100());
+    ASSERT_TRUE(mesher.ok()) << mesher.status().message;
+    const Status status = refine_with_room(context, *mesher, room);
+    if (status) break;
+    ++failures;
+    ASSERT_EQ(status.limit, "memory") << room;
+    Status valid = is_valid(*mesher->visibility_mesh({}));
+    ASSERT_TRUE(valid.ok()) << valid.message << ", room " << room;
+    std::vector<std::uint32_t> all(mesher->patch_mesh({})->triangle_count());
+    std::iota(all.begin(), all.end(), 0u);
+    ASSERT_TRUE(mesher->refine_triangles(context, all, 1).ok()) << room;
+    ASSERT_TRUE(mesher->refine(context).ok()) << room;
+    valid = is_valid(*mesher->patch_mesh({}));
+    ASSERT_TRUE(valid.ok()) << valid.message << ", room " << room;
+  }
+  EXPECT_GT(failures, 10u);
 }
 
 TEST(MesherLimits, pieces_of_overlapping_curves_are_charged) {
