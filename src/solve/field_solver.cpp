@@ -59,7 +59,7 @@ Status FieldSolver::follow(Context& context, const mesh::TriangleMesh& mesh,
 
 Status FieldSolver::put_in_order(Context& context, const mesh::TriangleMesh& mesh) {
   if (history_.updates == 0) return ok_status();
-  history_ = {};
+  history_.free(layout_memory_);
   Result<std::vector<std::uint32_t>> order =
       solve::put_in_order(context, mesh, layout_memory_, layout_);
   if (!order) return order.status();

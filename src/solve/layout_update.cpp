@@ -79,38 +79,34 @@ class KeptNodes {
   Status make_room(const Context& context, std::size_t changed_triangles) {
     const auto channels = static_cast<std::size_t>(layout_.channel_count);
     Status status = own_memory_.reserve(context, left_, kNodesPerTriangle * changed_triangles);
-    if (status) status = history_.memory.reserve(context, history_.fresh, 5 * changed_triangles);
+    if (status) status = memory_.reserve(context, history_.fresh, 5 * changed_triangles);
     if (!status) return status;
     // About five nodes to a triangle; more room at a time than that, since to move takes long.
     const std::size_t nodes = layout_.position.size(), least = nodes + 6 * changed_triangles;
     const std::size_t most = std::max(least, nodes / 4 * 5);
-    const auto make_room = [&](TableMemory& memory, auto& table, std::size_t width) {
+    const auto make_room = [&](auto& table, std::size_t width) {
       if (!status || table.capacity() >= width * least) return;
-      status = memory.reserve(context, table, width * most);
+      status = memory_.reserve(context, table, width * most);
     };
-    make_room(memory_, layout_.position, 1);
-    make_room(memory_, layout_.is_fixed, 1);
-    make_room(memory_, layout_.value, channels);
-    make_room(history_.memory, history_.node_seen, 1);
-    layout_bytes_ = layout_bytes();
-    history_bytes_ = history_bytes();
+    make_room(layout_.position, 1);
+    make_room(layout_.is_fixed, 1);
+    make_room(layout_.value, channels);
+    make_room(history_.node_seen, 1);
+    kept_bytes_ = kept_bytes();
     left_bytes_ = capacity_bytes(left_);
     return status;
   }
 
   /// Charges what the tables have grown beyond that room.
   Status settle(const Context& context) {
-    Status status = memory_.settle(context, layout_bytes(), layout_bytes_);
-    if (status) status = history_.memory.settle(context, history_bytes(), history_bytes_);
+    Status status = memory_.settle(context, kept_bytes(), kept_bytes_);
     return status ? own_memory_.settle(context, capacity_bytes(left_), left_bytes_) : status;
   }
 
  private:
-  std::size_t layout_bytes() const {
-    return capacity_bytes(layout_.position, layout_.is_fixed, layout_.value);
-  }
-  std::size_t history_bytes() const {
-    return capacity_bytes(history_.fresh, history_.unused, history_.node_seen);
+  std::size_t kept_bytes() const {
+    return capacity_bytes(layout_.position, layout_.is_fixed, layout_.value, history_.fresh,
+                          history_.unused, history_.node_seen);
   }
 
   bool is_met(std::uint32_t node) const { return history_.node_seen[node] == history_.updates; }
@@ -129,12 +125,12 @@ class KeptNodes {
     return layout_.node_count() - 1;
   }
 
-  TableMemory& memory_;  ///< of the layout
+  TableMemory& memory_;  ///< of the layout and its history
   NodeLayout& layout_;
   LayoutHistory& history_;
   std::vector<std::uint32_t> left_;  ///< nodes that triangles had before the update
   TableMemory own_memory_{"patches"};
-  std::size_t layout_bytes_ = 0, history_bytes_ = 0, left_bytes_ = 0;  ///< that are charged
+  std::size_t kept_bytes_ = 0, left_bytes_ = 0;  ///< that are charged
 };
 
 /// Of all half-edges that begin where h does the lowest.
@@ -181,6 +177,7 @@ class LayoutUpdate {
     if (!status) return status;
     for (const std::uint32_t t : changed_) history_.is_changed[t] = 0;
     status = table_.free_unmet(context_, poll_);
+    if (status) status = table_.settle(context_);
     return status ? context_.check() : status;
   }
 
@@ -190,13 +187,13 @@ class LayoutUpdate {
     history_.fresh.clear();
     const std::size_t triangles = mesh_.triangle_count(), most = triangles / 4 * 5;
     const std::size_t vertices = mesh_.vertex_position.size();
-    TableMemory &own = history_.memory, &of_layout = layout_memory_;
-    Status status = of_layout.grow(context_, layout_.triangle_node, kNodesPerTriangle * triangles,
-                                   kNodesPerTriangle * most, kNoNode);
-    if (status) status = of_layout.grow(context_, layout_.edge_is_curve, 3 * triangles, 3 * most);
-    if (status) status = own.grow(context_, history_.is_changed, triangles, most);
-    if (status) status = own.grow(context_, history_.vertex_seen, vertices, vertices / 4 * 5);
-    if (status) status = own.resize(context_, history_.node_seen, layout_.node_count());
+    TableMemory& memory = layout_memory_;
+    Status status = memory.grow(context_, layout_.triangle_node, kNodesPerTriangle * triangles,
+                                kNodesPerTriangle * most, kNoNode);
+    if (status) status = memory.grow(context_, layout_.edge_is_curve, 3 * triangles, 3 * most);
+    if (status) status = memory.grow(context_, history_.is_changed, triangles, most);
+    if (status) status = memory.grow(context_, history_.vertex_seen, vertices, vertices / 4 * 5);
+    if (status) status = memory.resize(context_, history_.node_seen, layout_.node_count());
     return status ? table_.make_room(context_, changed_.size()) : status;
   }
 
@@ -286,6 +283,14 @@ class LayoutUpdate {
 };
 
 }  // namespace
+
+void LayoutHistory::free(TableMemory& memory) {
+  for (std::vector<std::uint32_t>* table : {&fresh, &unused, &node_seen, &vertex_seen}) {
+    memory.free(*table);
+  }
+  memory.free(is_changed);
+  updates = 0;
+}
 
 Status update_layout(const Context& context, const TriangleMesh& mesh,
                      const curves::SegmentAttributes& attributes, const Seams& seams,

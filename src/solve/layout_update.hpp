@@ -16,7 +16,9 @@ struct LayoutHistory {
   std::vector<std::uint32_t> vertex_seen;  ///< per vertex, likewise
   std::vector<std::uint8_t> is_changed;    ///< per triangle; 0 between updates
   std::uint32_t updates = 0;
-  TableMemory memory{"patches"};
+
+  /// Gives back to `memory`, the layout's, what the tables took from it.
+  void free(TableMemory& memory);
 };
 
 /// Lays out the nodes of the triangles that changed, and anew those at their corners: curves there
@@ -31,7 +33,7 @@ struct LayoutHistory {
 ///
 /// seams     of the mesh as it is now
 /// changed   triangles, new ones among them, ascending: Mesher::update_patch_mesh
-/// memory    that of the layout
+/// memory    that of the layout, and of the history's tables
 /// history   history.fresh: the free nodes whose values nobody knows, in the order in which
 ///           lay_out_nodes would put them
 /// Errors    limit (memory), cancelled; the layout is good for nothing then

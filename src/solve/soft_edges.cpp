@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "base/poll.hpp"
 
@@ -52,11 +53,26 @@ class SoftEdgeFinder {
       if (status = memory.make_room(context_, edges); !status) return status;
       add(h, from, to, edges);
     }
-    std::ranges::stable_sort(edges, {}, soft_edge_triangle);
-    return edges;
+    return sorted(edges, memory);
   }
 
  private:
+  /// By their triangles; those of one stay in order.
+  Result<std::vector<SoftEdge>> sorted(std::vector<SoftEdge>& edges, TableMemory& memory) const {
+    TableMemory scratch("soft edges");
+    std::vector<std::uint64_t> order;  // the triangle, then the place
+    Status status = scratch.reserve(context_, order, edges.size());
+    for (std::size_t i = 0; status && i < edges.size(); ++i)
+      order.push_back(std::uint64_t{soft_edge_triangle(edges[i])} << 32 | i);
+    if (status) status = TableMemory::sort(context_, order, std::less<>());
+    std::vector<SoftEdge> result;
+    if (status) status = memory.reserve(context_, result, edges.size());
+    if (!status) return status;
+    for (const std::uint64_t place : order) result.push_back(edges[place & 0xffffffff]);
+    memory.free(edges);
+    return result;
+  }
+
   Vec2 position(std::uint32_t vertex) const { return mesh_.vertex_position[vertex]; }
 
   /// From the origin of a half-edge to its target, 1 long.

@@ -186,12 +186,12 @@ TEST(LayoutUpdate, whichever_look_sees_the_flag_the_answer_is_cancelled) {
   bool is_done = false;
   std::uint64_t polls = 0;
   for (std::uint64_t k = 1; !is_done; k += 1 + k / 8) {
-    // The tables that follow a mesh are charged to this context: it lives longer than they.
-    Context context, cancelled;
+    Context context;
     std::mt19937 random(7);
     Followers followers(context, prepared(context, document, 0));
     ASSERT_NO_FATAL_FAILURE(followers.lay_out_and_gather());
     ASSERT_NO_FATAL_FAILURE(followers.refine_some(random));
+    Context cancelled;
     test::CancelAt watch(k, cancelled.cancel);
     cancelled.poll_watch = &watch;
     const Status status = followers.follow(cancelled);
