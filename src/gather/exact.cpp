@@ -98,7 +98,7 @@ class ExactGather {
     while (!kernel_(scene_, batch, stack.view())) {
       const Status status = stack.grow();
       if (status) continue;
-      if (status.code == StatusCode::cancelled) return status;
+      if (status.limit != "memory") return status;
       return make_limit_error("memory",
                               "memory limit reached: the gather's stack on this mesh needs more");
     }

@@ -2,6 +2,7 @@
 
 #include <bit>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -62,8 +63,23 @@ class PollPlaces : public PollWatch {
   std::uint64_t polls_ = 0;
 };
 
+/// Sets a deadline that has passed at a poll.
+class LateAt : public PollWatch {
+ public:
+  LateAt(std::uint64_t poll, std::optional<Deadline>& deadline)
+      : left_(poll), deadline_(deadline) {}
+  bool wants_every_turn() const override { return left_ > 0; }
+  void polled() override {
+    if (left_ > 0 && --left_ == 0) deadline_ = Deadline{.at_ns = 1, .seconds = 1};
+  }
+
+ private:
+  std::uint64_t left_;
+  std::optional<Deadline>& deadline_;
+};
+
 /// Runs `work` to its end, then again and again, cancelled at chosen polls of every place in the
-/// code that looks at the flag.
+/// code that looks at the flag; and now and then out of time at them.
 template <class Work>
 void expect_cancelled_at_every_poll(const std::string& name, const Work& work) {
   Context context;
@@ -82,6 +98,13 @@ void expect_cancelled_at_every_poll(const std::string& name, const Work& work) {
       ASSERT_EQ(result.status().code, StatusCode::cancelled) << name << ", poll " << k;
     }
     ASSERT_EQ(cancelled.budget.used(), 0u) << name << ", poll " << k;
+    if (k % 4 != 0) continue;
+    Context late;
+    LateAt clock(k, late.deadline);
+    late.poll_watch = &clock;
+    const auto result = work(late);
+    ASSERT_EQ(result.status().code, StatusCode::limit) << name << ", poll " << k;
+    ASSERT_EQ(result.status().limit, "time") << name << ", poll " << k;
   }
 }
 

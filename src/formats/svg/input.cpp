@@ -135,7 +135,8 @@ Status Input::in(Element element, std::string_view attribute, Status status) {
 }
 
 Status Input::placed(Element element, Status status) {
-  if (!status && status.code != StatusCode::cancelled) status.where = xml_.place(element);
+  const bool is_ended = status.code == StatusCode::cancelled || status.limit == "time";
+  if (!status && !is_ended) status.where = xml_.place(element);
   return status;
 }
 
