@@ -158,7 +158,10 @@ Status TableMemory::reserve(const Context& context, Table& table, std::size_t co
   moved.reserve(count);
   if (const std::size_t bytes = capacity_bytes(moved); bytes > count * sizeof(Item)) {
     status = charge_.add(context, bytes - count * sizeof(Item), purpose_);  // as strings round up
-    if (!status) return status;
+    if (!status) {
+      charge_.release(count * sizeof(Item));
+      return status;
+    }
   }
   for (std::size_t i = 0; i < table.size(); i += kPart<Table>) {
     if (context.cancelled()) {
@@ -199,7 +202,10 @@ Status TableMemory::sort(const Context& context, std::vector<Item>& items, Less 
   if (count <= kRun) return ok_status();
   TableMemory memory("sorting");
   std::vector<Item> merged;
-  if (Status status = memory.resize(context, merged, count); !status) return status;
+  // Of the same room, since the two tables may change places.
+  Status status = memory.reserve(context, merged, items.capacity());
+  if (status) status = memory.resize(context, merged, count);
+  if (!status) return status;
   RarePoll<kRun> poll(context);
   for (std::size_t run = kRun; run < count; run *= 2) {
     std::size_t out = 0;

@@ -57,6 +57,20 @@ void append_part(std::span<const std::uint8_t> bytes, std::string& text) {
   }
 }
 
+/// Calls take(text) for the base64 of part after part, with a look at the cancel flag before each.
+template <class Take>
+Status for_each_part(const Context& context, std::span<const std::uint8_t> bytes, Take take) {
+  constexpr std::size_t kPart = std::size_t{3} << 14;
+  std::string text;
+  for (std::size_t i = 0; i < bytes.size(); i += kPart) {
+    if (context.cancelled()) return context.cancel_status();
+    text.clear();
+    append_part(bytes.subspan(i, std::min(kPart, bytes.size() - i)), text);
+    take(text);
+  }
+  return ok_status();
+}
+
 }  // namespace
 
 std::size_t base64_length(std::size_t byte_count) {
@@ -72,12 +86,16 @@ std::string encode_base64(std::span<const std::uint8_t> bytes) {
 
 void append_base64(const Context& context, std::span<const std::uint8_t> bytes,
                    OutputBuffer& text) {
-  constexpr std::size_t kPart = std::size_t{3} << 14;
-  text.reserve(base64_length(bytes.size()));
-  for (std::size_t i = 0; i < bytes.size() && text.status(); i += kPart) {
-    if (context.cancelled()) return text.fail(context.cancel_status());
-    text += encode_base64(bytes.subspan(i, std::min(kPart, bytes.size() - i)));
-  }
+  const std::size_t length = base64_length(bytes.size());
+  text.reserve(length + length / 8);  // so that what follows need not move all of it
+  text.fail(for_each_part(context, bytes, [&](std::string_view part) { text += part; }));
+}
+
+Status append_base64(const Context& context, std::span<const std::uint8_t> bytes,
+                     TableMemory& memory, std::string& text) {
+  Status status = memory.make_room(context, text, base64_length(bytes.size()));
+  if (!status) return status;
+  return for_each_part(context, bytes, [&](std::string_view part) { text += part; });
 }
 
 Status decode_base64(const Context& context, std::string_view text, TableMemory& memory,

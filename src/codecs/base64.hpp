@@ -20,6 +20,10 @@ std::size_t base64_length(std::size_t byte_count);
 /// Appends it, part by part with a look at the cancel flag before each.
 void append_base64(const Context& context, std::span<const std::uint8_t> bytes, OutputBuffer& text);
 
+/// The same, in room from `memory`. Errors: limit (memory), cancelled.
+Status append_base64(const Context& context, std::span<const std::uint8_t> bytes,
+                     TableMemory& memory, std::string& text);
+
 /// Decodes base64 (RFC 4648, section 4) into `bytes`, where there is nothing yet; blanks are
 /// skipped, padding may be missing. Errors: bad_input, limit, cancelled, without a place.
 Status decode_base64(const Context& context, std::string_view text, TableMemory& memory,

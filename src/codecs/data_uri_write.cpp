@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "base/charge.hpp"
 #include "codecs/base64.hpp"
@@ -48,23 +49,20 @@ void append_data_uri(const Context& context, std::string_view media_type,
 }
 
 Result<std::string> data_uri(Context& context, const Texture& texture, TableMemory& memory) {
-  OutputBuffer buffer(context, "a data: URI");
-  if (const std::string_view type = image_media_type(texture.file); !type.empty()) {
-    append_data_uri(context, type, texture.file, buffer);
-  } else {
-    const auto png = texture_png(context, texture);
-    if (!png) return png.status();
-    ScopedCharge held;
-    Status status = held.add(context, capacity_bytes(*png), "a texture to be saved");
+  std::string_view type = image_media_type(texture.file);
+  std::vector<std::uint8_t> png;
+  ScopedCharge held;
+  if (type.empty()) {
+    auto made = texture_png(context, texture);
+    if (!made) return made.status();
+    png = std::move(*made);
+    type = "image/png";
+    Status status = held.add(context, capacity_bytes(png), "a texture to be saved");
     if (!status) return status;
-    append_data_uri(context, "image/png", *png, buffer);
   }
-  const auto bytes = buffer.finish();
-  if (!bytes) return bytes.status();
-  std::string text;
-  const std::span<const char> characters(reinterpret_cast<const char*>(bytes->data()),
-                                         bytes->size());
-  if (Status status = memory.append(context, characters, text); !status) return status;
+  std::string text = "data:" + std::string(type) + ";base64,";
+  Status status = append_base64(context, png.empty() ? texture.file : png, memory, text);
+  if (!status) return status;
   return text;
 }
 

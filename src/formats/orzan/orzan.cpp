@@ -174,8 +174,14 @@ Status OrzanReader::read_curve(pugi::xml_node element, Curve& curve) {
   finish_stops(curve.right.color.stops, curve.piece_count());
   finish_stops(curve.left.blur_radius, curve.piece_count());
   const auto is_sharp = [](const Stop<float>& stop) { return stop.value == 0; };
-  if (std::ranges::all_of(curve.left.blur_radius.stops, is_sharp)) curve.left.blur_radius = {};
-  curve.right.blur_radius = curve.left.blur_radius;
+  ScalarStops &left = curve.left.blur_radius, &right = curve.right.blur_radius;
+  if (std::ranges::all_of(left.stops, is_sharp)) {
+    stop_memory_.free(left.stops);
+    left = {};
+  }
+  right.space = left.space;
+  Status status = stop_memory_.append(context_, left.stops, right.stops);
+  if (!status) return status;
   if (dialect_.sides_swapped) std::swap(curve.left, curve.right);
   return ok_status();
 }
