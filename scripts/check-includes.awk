@@ -160,7 +160,7 @@ function check_charge(code, name) {
   if (!charged) return
   charge_text = charge_text code
   if (code !~ /;|\{/) return
-  if (charge_text !~ /bytes(_of)?\(/) {
+  if (charge_text !~ /(^|[^A-Za-z0-9_])(bytes_of|capacity_bytes|list_bytes|room_bytes|stroke_bytes)\(/) {
     print FILENAME ":" charged ": a charge has to measure what it is for: bytes_of, capacity_bytes"
     broken = 1
   }
