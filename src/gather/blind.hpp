@@ -12,22 +12,23 @@
 
 namespace sfumato::gather {
 
-/// Half-edges that rays may walk through and behind which they meet no side that stops them: the
-/// walk need not follow them. Two reasons are found, exactly but for what rounding to the lattice
-/// lets a ray graze:
+/// Half-edges that rays may walk through and behind which no side stops them, so that the walk need
+/// not follow them. Two cases are found, exactly except for rays that graze an edge because of
+/// rounding to the lattice:
 ///
 /// - all hit edges lie on the near side of the half-edge's line, or on it;
-/// - it is an open side of a curve, and no hit edge that can be reached behind it faces it: as from
-///   the insides of concentric circles that bear colours outside, and behind parallel lines.
+/// - it is an open side of a curve, and no hit edge that can be reached behind it faces it.
+///   Examples are the insides of concentric circles with colours on the outside, and parallel
+///   lines.
 ///
-/// Without this, rays that pass the open side of a curve would be cut at each vertex of it, and
-/// walked on to the border piece by piece.
+/// Without this, windows that pass the open side of a curve would be split at each of its vertices,
+/// and every piece would be walked to the border.
 ///
-/// code     per half-edge of the mesh: an EdgeCode; which passage or hit edge it is does not matter
-/// memory   the result's room is taken from it
-/// Returns  per half-edge 1 where it is blind. Not every blind half-edge is found: the work is at
-///          most a constant for each, which ordinary drawings use a small part of. None are found
-///          where the mesh has no lattice.
+/// code     per half-edge of the mesh: an EdgeCode, of which only the kind matters
+/// memory   the result is allocated from it
+/// Returns  per half-edge 1 where it is blind. Not every blind half-edge is found: the work for
+///          each is bounded by a constant, of which ordinary drawings need a small part. In a mesh
+///          without a lattice none are found.
 /// Cost     O(h log h) for h half-edges.
 /// Errors   limit (memory), cancelled.
 Result<std::vector<std::uint8_t>> find_blind(Context& context, const mesh::TriangleMesh& mesh,

@@ -13,28 +13,30 @@
 
 namespace sfumato::gather {
 
-/// Where a curve ends by itself, with two sides that differ.
+/// An end of a curve that touches no other curve and whose two sides differ.
 struct FreeEnd {
-  Vec2 position;     ///< layer frame
-  Vec2 direction;    ///< unit vector, out of the curve
-  double bend = 0;   ///< sin of the angle by which the curve, r away, has left its line, over r
-  double reach = 0;  ///< ρ: the term is 0 from here on, and nothing but the own curve is nearer
-  /// The constraint at ρ; kNone: ρ is the curve's length to a junction or its other end. The end's
-  /// own one where its curve does not follow an arc any farther, or no more was looked at.
+  Vec2 position;    ///< layer frame
+  Vec2 direction;   ///< unit vector, out of the curve
+  double bend = 0;  ///< sin(angle by which the curve, at distance r, has left its tangent line) / r
+  double reach = 0;  ///< ρ: the term is 0 from this distance on; no other curve is nearer
+  /// The constraint that determines ρ. kNone: ρ is the curve's length to a junction or to its other
+  /// end. The constraint of the end itself: its curve follows an arc no farther, or the search
+  /// ended there.
   std::int32_t nearest = mesh::kNone;
   float weight = 1;  ///< k
-  /// Of the sides where cross(direction, unbent(p - position)) is above 0, and below.
+  /// Values of the sides where cross(direction, unbent(p - position)) is positive and negative.
   curves::FieldValue positive, negative;
   float blur_positive = 0, blur_negative = 0;
 
-  /// d from the end, turned about it so that the curve lies on its line: an arc of a circle that is
-  /// 1 / (2 bend) in radius does exactly.
+  /// d, relative to the end, rotated about it so that the curve is mapped to its tangent line;
+  /// exact for a circular arc of radius 1 / (2 bend).
   Vec2 unbent(Vec2 d) const;
 };
 
 /// The free ends of a field, in the order of their vertices. Those whose reach is below a lattice
-/// step are left out. Cost: O(triangles), and for each end the triangles within its reach, at most
-/// 1024: where they are more, the reach is what they cover. Their room is taken from `memory`.
+/// step are left out. Cost: O(triangles), and for each end the triangles within its reach. Of these
+/// at most 1024 are visited, and the reach is limited to what they cover. The list is allocated
+/// from `memory`.
 /// Errors: limit (memory), cancelled.
 Result<std::vector<FreeEnd>> find_free_ends(Context& context, const mesh::TriangleMesh& mesh,
                                             const curves::SegmentAttributes& attributes,
@@ -58,7 +60,7 @@ class FreeEnds {
   bool touches(const Box& box) const;
 
   /// Adds the terms of the ends that reach p to a value of weight W: base channels, then shares of
-  /// shaders. True where there were any.
+  /// shaders. Returns whether there were any.
   bool add(Vec2 p, float weight, std::span<float> value) const;
 
  private:
@@ -69,7 +71,7 @@ class FreeEnds {
   int base_channels_ = 3;
   std::vector<FreeEnd> end_;  ///< neighbours are near each other
   std::uint32_t leaf_count_ = 0;
-  std::vector<Box> box_;  ///< of node i, whose children are 2 i and 2 i + 1; the root is 1
+  std::vector<Box> box_;  ///< per node; the children of node i are 2 i and 2 i + 1; the root is 1
   TableMemory memory_{"free ends of curves"};
 };
 

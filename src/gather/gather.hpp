@@ -11,13 +11,13 @@
 namespace sfumato::gather {
 
 /// One attribute gathered at points (paper eq. 2–11), closed form over the exact visible set, or
-/// Monte Carlo rays. Holds what both need to know of one visibility mesh.
+/// Monte Carlo rays. Holds the data of one visibility mesh that both methods need.
 ///
-/// Channels of a gathered value: those of Z_C / W (SegmentAttributes::base_channels), then one
-/// W_s / W for each of SegmentAttributes::shader.
+/// Channels of a gathered value: Z_C / W (SegmentAttributes::base_channels of them), then one W_s /
+/// W for each of SegmentAttributes::shader.
 class Gatherer {
  public:
-  /// `visibility` is validated; it is read, not kept. `ends`: the terms of free ends, or none.
+  /// `visibility` is validated; it is read, not kept. `ends`: the terms of free ends; may be empty.
   /// Errors: limit, cancelled.
   static Result<Gatherer> create(Context& context, const mesh::TriangleMesh& visibility,
                                  const curves::SegmentAttributes& attributes,
@@ -34,7 +34,7 @@ class Gatherer {
   /// out      channel_count() floats per point. Where nothing is hit: 0.
   /// hit      optional, per point: 1 where any ray hits, else 0.
   /// Errors   limit, cancelled (out unspecified). The same bits for any thread count and SIMD
-  /// level.
+  ///          level.
   Status gather(Context& context, std::span<const Vec2> points, const GatherOptions& options,
                 std::span<float> out, std::span<std::uint8_t> hit = {}) const;
 

@@ -10,7 +10,7 @@
 namespace sfumato::gather {
 
 /// Points of one gather call in the scene's frame (single precision, relative to its origin), and
-/// the visibility triangle that each lies in.
+/// the visibility triangle in which each lies.
 struct LocatedPoints {
   std::vector<float> x;
   std::vector<float> y;
@@ -18,9 +18,9 @@ struct LocatedPoints {
   TableMemory memory{"the points to gather at"};
 };
 
-/// Finds triangles by walking: from the triangle of the point before where that is near, else from
-/// the triangle at the centre of the point's cell in a regular grid with about as many cells as
-/// triangles. A point outside the hull gets a triangle at the hull.
+/// Finds triangles by walking: from the previous point's triangle if that is near, else from the
+/// triangle at the centre of the point's cell in a regular grid with about as many cells as
+/// triangles. A point outside the hull is assigned a triangle at the hull.
 class Locator {
  public:
   /// Errors: limit, cancelled. `scene` has at least one triangle and is kept by the caller.

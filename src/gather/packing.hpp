@@ -16,7 +16,7 @@ struct Packet {
   std::uint8_t lane_count = 0;
 };
 
-/// All points of one gather call as packets. What is in a packet depends on the points alone.
+/// All points of one gather call as packets. The content of a packet depends on the points alone.
 struct Packing {
   std::vector<std::uint32_t> point;  ///< indices of the caller's points, by triangle
   std::vector<PacketTriangle> triangle;
@@ -24,8 +24,8 @@ struct Packing {
   TableMemory memory{"packets of points"};
 };
 
-/// Fills packets triangle by triangle; one that is short grows breadth-first over edges that rays
-/// pass both ways, to kPacketTriangles at most. Errors: limit.
+/// Fills packets triangle by triangle. A packet that is not full grows breadth-first over edges
+/// that rays pass in both directions, to at most kPacketTriangles triangles. Errors: limit.
 Result<Packing> pack(Context& context, const Scene& scene, const LocatedPoints& points);
 
 }  // namespace sfumato::gather

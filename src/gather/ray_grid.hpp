@@ -9,7 +9,7 @@
 
 namespace sfumato::gather {
 
-/// What a ray meets first.
+/// The first hit of a ray.
 struct RayHit {
   const HitEdge* edge = nullptr;  ///< null: nothing, or a barrier
   float fraction = 0;             ///< along the edge, from a to b
@@ -29,7 +29,8 @@ class RayGrid {
  private:
   static constexpr int kSide = 192;
 
-  /// An edge a → b: what it is to one who has it counter-clockwise (cross > 0), and to one behind.
+  /// An edge a → b: the codes of the side from which it is counter-clockwise (cross > 0), and of
+  /// its back.
   struct Wall {
     float ax, ay;
     float bx, by;
@@ -47,7 +48,7 @@ class RayGrid {
   float min_x_ = 0, min_y_ = 0;
   float cell_width_ = 1, cell_height_ = 1;
   std::vector<std::uint32_t> cell_begin_;  ///< first of each cell in cell_wall_
-  std::vector<Wall> cell_wall_;            ///< a wall stands in every cell that it touches
+  std::vector<Wall> cell_wall_;            ///< a wall is listed in every cell that it touches
   TableMemory memory_{"the grid of rays"};
 };
 

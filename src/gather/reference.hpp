@@ -25,17 +25,17 @@ struct ReferenceSums {
 };
 
 /// w₁ and w₂ (docs/mathematics.md) in double precision, from D = atan2: the visible part from q1
-/// (right end) to q2 (left end), relative to the point, with k = 1. Both 0 where cross(q1, q2) <=
-/// 0.
+/// (right end) to q2 (left end), relative to the point, with k = 1. Both are 0 where cross(q1, q2)
+/// <= 0.
 struct ReferenceWeights {
   double right = 0;
   double left = 0;
 };
 ReferenceWeights reference_weights(Vec2 q1, Vec2 q2);
 
-/// The slow, readable gather: one point, double precision, straight on the mesh. It is what every
-/// fast path is compared with. Precondition: p lies in triangle `triangle`, not on a vertex.
-/// ends   their terms are added. Cost: O(triangles that the windows cross + ends).
+/// The slow, readable gather: one point, double precision, directly on the mesh. Every fast path is
+/// compared with it. Precondition: p lies in triangle `triangle`, not on a vertex.
+/// ends   their terms are added. Cost: O(triangles that the windows cross + ends)
 ReferenceSums gather_reference(const mesh::TriangleMesh& mesh,
                                const curves::SegmentAttributes& attributes, Vec2 p,
                                std::uint32_t triangle, std::span<const FreeEnd> ends = {});

@@ -13,10 +13,10 @@
 
 namespace sfumato::gather {
 
-/// What a ray meets at a constrained edge, seen from one side. Where several pieces lie on the edge
-/// it is the curve that was drawn last, of those whose facing side is not open; where that curve
-/// lies along itself, the passage that reached farthest to this side before the weld, the last of
-/// equals.
+/// The curve that a ray meets at a constrained edge, seen from one side. If several pieces lie on
+/// the edge, this is the curve drawn last among those whose facing side is not open. If that curve
+/// overlaps itself there, it is the passage that reached farthest to this side before welding; of
+/// equal passages, the last.
 struct Facing {
   ShaderKind kind = ShaderKind::open;
   std::uint32_t shader = 0;
@@ -38,20 +38,21 @@ struct Facing {
 Facing facing_side(const mesh::TriangleMesh& mesh, const curves::SegmentAttributes& attributes,
                    std::uint32_t half_edge);
 
-/// z_B of eq. 7: what the other side of the edge shows to those who look at it. Not has_value()
-/// where there is nothing to blur with.
+/// z_B of eq. 7: the value of the edge's other side. Not has_value() if there is nothing to blur
+/// with.
 Facing back_side(const mesh::TriangleMesh& mesh, const curves::SegmentAttributes& attributes,
                  std::uint32_t half_edge);
 
 /// The visibility mesh in the layout of the gather: single-precision coordinates relative to
-/// `origin`. Half-edges whose facing side is open are walked through. Triangles stand in an order
-/// of their own, neighbours near each other in memory too: a walk is bound by its loads.
+/// `origin`. Half-edges whose facing side is open are walked through. Triangles have an order of
+/// their own, in which neighbours are also near in memory, because memory access limits the speed
+/// of a walk.
 struct Scene {
   Vec2 origin;                          ///< layer frame
   std::vector<EdgeBeyond> edge_beyond;  ///< of half-edges that rays walk through
   std::vector<HitEdge> hit_edge;
   std::vector<HitBlend> blend;  ///< per hit edge; empty where all sides are sharp and curve_domain
-  float weight_unit = 1;        ///< weights k are in units of it: the largest
+  float weight_unit = 1;        ///< the largest weight k; weights are in units of it
   int base_channels = 3;        ///< as SegmentAttributes
   int shader_count = 0;
   std::vector<SceneTriangle> triangle;

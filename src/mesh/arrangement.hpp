@@ -22,8 +22,8 @@ namespace sfumato::mesh {
 /// drawn.
 ///
 /// Why it ends: a subsegment is split only into two strictly shorter ones, in exact arithmetic.
-/// Where rounding leaves no shorter pair the step is done without welding; what a bound on the
-/// steps still leaves of a segment is discarded.
+/// Where rounding leaves no shorter pair, the step is done without welding. The number of steps is
+/// bounded; whatever remains of a segment after that many is discarded.
 class Arrangement {
  public:
   Arrangement(const Context& context, Triangulation& mesh, ChordStore& chords,
@@ -38,27 +38,27 @@ class Arrangement {
   void insert_segment(Vertex from, Vertex to, std::uint32_t segment);
   void insert_frame_side(Vertex from, Vertex to);
 
-  /// limit, cancelled, internal: all later calls do nothing.
+  /// After limit, cancelled or internal all later calls do nothing.
   const Status& status() const { return status_; }
   const Context& context() const { return context_; }
 
  private:
-  /// A part of a constraint that is yet to be inserted.
+  /// A part of a constraint that has not been inserted yet.
   struct Subsegment {
     Vertex from;
     Vertex to;
     Load load;
   };
 
-  /// What a subsegment meets first on its way from its start: an edge to its end, a vertex on it
-  /// (collinear), or an edge opposite the start that it crosses.
+  /// What a subsegment meets first from its start: an edge that leads to its end, a vertex on it
+  /// (collinear), or an edge opposite its start that it crosses.
   enum class Meets : std::uint8_t { edge, vertex, crossing, lost };
   struct Direction {
     Meets meets;
     HalfEdge edge;  ///< edge: the edge itself; vertex: ends there; crossing: the crossed edge
   };
 
-  void end_if_cancelled();  ///< asks the Context now
+  void end_if_cancelled();  ///< checks the Context now
   void insert_constraint(Subsegment part);
   void insert_subsegment(const Subsegment& part);
   Direction find_direction(Vertex a, Vertex b) const;
@@ -101,7 +101,7 @@ class Arrangement {
   std::vector<Subsegment> to_insert_;
   std::vector<Edge> crossed_edges_;
   std::vector<Edge> new_edges_;
-  ScopedCharge charge_;  ///< of these three and of the mesh's lists
+  ScopedCharge charge_;  ///< for these three and the mesh's lists
 };
 
 }  // namespace sfumato::mesh

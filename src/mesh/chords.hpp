@@ -36,18 +36,18 @@ struct Chord {
   Load load;
 };
 
-/// Live owners of one arrangement, for each segment that a layer may have: overlapping curves that
-/// many others cross multiply them.
+/// Limit of live owners in one arrangement, per segment that a layer may have. Each crossing of
+/// overlapping curves multiplies their owners.
 inline constexpr std::size_t kOwnersPerSegment = 4;
 
-/// All chords and their owners. Slots of removed ones are used again.
+/// All chords and their owners. Slots of removed ones are reused.
 class ChordStore {
  public:
   const Chord& operator[](std::int32_t index) const { return chord_[index]; }
   std::size_t size() const { return chord_.size(); }
   std::size_t live_owner_count() const { return live_owners_; }
-  /// Charges what the tables have come to take. One that is nearly full counts as if it had grown.
-  /// Error: limit (memory).
+  /// Charges what the tables have grown to. A table that is nearly full counts as if it had grown
+  /// already. Error: limit (memory).
   Status charge(const Context& context) {
     return charge_.raise_to(
         context, room_bytes(chord_) + room_bytes(owner_) + room_bytes(free_chord_), "curve pieces");
@@ -63,16 +63,16 @@ class ChordStore {
 
   std::int32_t add(Vertex from, Vertex to, Load load);
 
-  /// Adds `load`, which runs from `from`, to that of a chord.
+  /// Adds `load`, which starts at `from`, to the load of a chord.
   void merge(std::int32_t chord_index, Vertex from, Load load);
 
-  /// Frees the chord and gives back what lay on it, from its `from` to its `to`.
+  /// Frees the chord and returns its load, in the direction from its `from` to its `to`.
   Load remove(std::int32_t chord_index);
 
   void discard(Load load);
 
-  /// Ends the arrangement: the owners of each chord stand in a row, in drawing order. Errors: limit
-  /// (memory, of a second table of owners meanwhile), cancelled.
+  /// Ends the arrangement: stores the owners of each chord consecutively, in drawing order. Errors:
+  /// limit (memory; a second table of owners exists meanwhile), cancelled.
   Status seal(const Context& context);
 
   /// After `seal`: the owners of a chord.

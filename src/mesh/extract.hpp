@@ -15,7 +15,7 @@
 
 namespace sfumato::mesh {
 
-/// What a TriangleMesh is made from.
+/// The input from which a TriangleMesh is extracted.
 struct ExtractSource {
   const Triangulation& mesh;
   const ChordStore& chords;
@@ -24,18 +24,18 @@ struct ExtractSource {
   const Numbering& numbering;
 };
 
-/// The numbered part of a triangulation as flat arrays, whose room is taken from `memory`. Errors:
-/// limit (memory), cancelled. Cost: O(slots + pieces).
+/// The numbered part of a triangulation as flat arrays, allocated from `memory`. Errors: limit
+/// (memory), cancelled. Cost: O(slots + pieces).
 Result<TriangleMesh> extract(const Context& context, const ExtractSource& from,
                              TableMemory& memory);
 
-/// Brings `out`, which `extract` made from `memory`, up to date in place. Numbers of triangles,
-/// vertices and constraints that are still there stay; beside the numbers of its constraints it is
-/// what `extract` would make.
+/// Updates in place `out`, which `extract` made from `memory`. Triangles, vertices and constraints
+/// that still exist keep their numbers. Except for the numbers of constraints, the result is what
+/// `extract` would make.
 ///
-/// changed   the slots that changed since then, new ones among them; all are numbered
-/// Errors    limit (memory), cancelled; `out` is good for nothing then
-/// Cost      O(changed + new vertices), and now and then that of moving to more room
+/// changed   the slots that changed since then, including new ones; all are numbered
+/// Errors    limit (memory), cancelled; `out` is unusable then
+/// Cost      O(changed + new vertices), and occasionally the cost of moving to larger arrays
 Status update_extract(const Context& context, const ExtractSource& from,
                       std::span<const std::int32_t> changed, TableMemory& memory,
                       TriangleMesh& out);

@@ -12,9 +12,9 @@
 namespace sfumato::mesh {
 
 /// Indices of `points` in a biased randomised order (Amenta, Choi, Rote 2003): rounds that double
-/// in size, each along a Hilbert curve, so that walks are short and no input order is bad. A
-/// point's round is a hash of its index: deterministic. The list's room is taken from `memory`.
-/// Errors: limit (memory), cancelled. Cost: O(n).
+/// in size, each along a Hilbert curve, so that walks are short whatever the input order. A point's
+/// round is a hash of its index, hence deterministic. The list is allocated from `memory`. Errors:
+/// limit (memory), cancelled. Cost: O(n).
 Result<std::vector<std::uint32_t>> insertion_order(const Context& context,
                                                    std::span<const Point> points,
                                                    std::int32_t extent, TableMemory& memory);

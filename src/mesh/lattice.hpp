@@ -24,7 +24,8 @@ struct Point {
 /// determinants into 128.
 inline constexpr int kLatticeBits = 29;
 
-/// The least weld, in steps: below four, duplicates of curves can no longer be told from noise.
+/// The least weld, in steps. Below four, duplicates of curves cannot be distinguished from rounding
+/// noise.
 inline constexpr double kLeastWeldSteps = 16;
 
 /// Twice the signed area of (a, b, c). Exact.
@@ -44,7 +45,7 @@ constexpr std::int64_t dot_from(Point a, Point b, Point c) {
   return std::int64_t{b.x - a.x} * (c.x - a.x) + std::int64_t{b.y - a.y} * (c.y - a.y);
 }
 
-/// Coordinates side by side, in one register where there are such.
+/// Two coordinates in one vector register, where the machine has such registers.
 typedef std::int32_t IntegerPair __attribute__((vector_size(8)));
 typedef double Pair __attribute__((vector_size(16)));
 
@@ -82,7 +83,7 @@ inline bool in_circle(const Point& a, const Point& b, const Point& c, const Poin
   return in_circle_exact(a, b, c, d);
 }
 
-/// Where vertex v stands along the chord from a to b: its projection as a fraction, 0 to 1.
+/// The position of vertex v along the chord from a to b: its projection as a fraction, 0 to 1.
 inline double fraction_along(Point a, Point b, Point v) {
   const double s =
       static_cast<double>(dot_from(a, b, v)) / static_cast<double>(distance_squared(a, b));
@@ -117,8 +118,8 @@ struct Lattice {
 };
 
 /// A step of about unit_size / 2^12 (a power of two), coarser where the padded bounding box of
-/// curves and frame would pass 2^kLatticeBits steps. The weld is at least kLeastWeldSteps, and at
-/// most 1/32 of the frame's shorter side where that allows.
+/// curves and frame would exceed 2^kLatticeBits steps. The weld is at most 1/32 of the frame's
+/// shorter side, but never below kLeastWeldSteps.
 /// Errors: bad_input (a coordinate that is not finite or beyond limits::kCoordinate, an empty
 /// frame, a unit size or weld that is not above 0).
 Result<Lattice> choose_lattice(const curves::FlatCurves& flat, const MeshOptions& options);

@@ -21,7 +21,8 @@ struct MeshOptions {
   double weld_px = 1.0 / 16;  ///< weld distance in multiples of unit_size, at least 2^-8
   double min_angle_deg = 22;  ///< 0 to 33
   double max_area = 0;        ///< user units²; 0: none
-  double small_edge = 0;      ///< triangles with no longer edge may have smaller angles
+  /// A triangle whose longest edge is at most this may have smaller angles.
+  double small_edge = 0;
 };
 
 /// Curves to constrained Delaunay triangulations on an integer lattice.
@@ -31,8 +32,8 @@ struct MeshOptions {
 ///
 /// No finite input within limits::kCoordinate makes it loop, crash or return an invalid mesh.
 /// Deterministic; single-threaded. Memory is charged to the Budget of build's Context, which must
-/// outlive this, and with it that of the mesh that visibility_mesh or patch_mesh gave last. Each
-/// call may have a Context of its own, which says when to stop and is not kept.
+/// outlive this; so is the memory of the mesh that visibility_mesh or patch_mesh returned last.
+/// Each call may have its own Context, which can cancel it and is not kept.
 class Mesher {
  public:
   /// Errors: bad_input (coordinates or options that are not finite or out of range, an empty
@@ -44,14 +45,14 @@ class Mesher {
   Mesher& operator=(Mesher&&) noexcept;
   ~Mesher();
 
-  /// All triangles, also those outside the frame. Call before `refine`. Errors: limit (memory),
-  /// cancelled.
+  /// All triangles, including those outside the frame. Call before `refine`. Errors: limit
+  /// (memory), cancelled.
   Result<TriangleMesh> visibility_mesh(const Context& context);
 
   /// The constrained Delaunay triangulation of those constraints c of `visibility`, which is
-  /// visibility_mesh(), that have keep[c]; their pieces stay what they are. What the rays of an
-  /// attribute do not meet only cuts their windows to pieces. Its room is taken from `memory`.
-  /// Errors: limit, cancelled.
+  /// visibility_mesh(), that have keep[c]; their pieces are unchanged. Edges that the attribute's
+  /// rays pass through would only split their windows. The mesh is allocated from `memory`. Errors:
+  /// limit, cancelled.
   Result<TriangleMesh> thinned_mesh(const Context& context, const TriangleMesh& visibility,
                                     std::span<const std::uint8_t> keep, TableMemory& memory) const;
 
@@ -59,9 +60,8 @@ class Mesher {
   Status refine(const Context& context);
 
   /// Makes every triangle of `triangles` (indices of the patch mesh) smaller, then restores
-  /// the angle bound. Triangles with no edge longer than `smallest_edge` are left alone. A round
-  /// with all triangles listed doubles their number. Errors: limit, cancelled; the mesh stays
-  /// valid.
+  /// the angle bound. A triangle whose longest edge is at most `smallest_edge` is left unchanged.
+  /// Refining all triangles doubles their number. Errors: limit, cancelled; the mesh stays valid.
   Status refine_triangles(const Context& context, std::span<const std::uint32_t> triangles,
                           double smallest_edge);
 
@@ -69,10 +69,10 @@ class Mesher {
   /// next, and to update_patch_mesh. Errors: limit (memory), cancelled.
   Result<TriangleMesh> patch_mesh(const Context& context);
 
-  /// Brings `mesh`, which is the last patch_mesh, up to date in place; beside the order of its
-  /// constraints it is what patch_mesh would give now.
-  /// changed   out: the triangles that are not what they were, new ones among them, ascending
-  /// Errors    limit (memory), cancelled; `mesh` is good for nothing then
+  /// Updates in place `mesh`, the result of the last patch_mesh. Except for the order of its
+  /// constraints it becomes what patch_mesh would return now.
+  /// changed   out: the triangles that changed, including new ones, ascending
+  /// Errors    limit (memory), cancelled; `mesh` is unusable then
   /// Cost      O(changed · log)
   Status update_patch_mesh(const Context& context, TriangleMesh& mesh,
                            std::vector<std::uint32_t>& changed);

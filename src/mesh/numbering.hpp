@@ -9,7 +9,7 @@
 
 namespace sfumato::mesh {
 
-/// Which triangles and vertices leave, and under which numbers: kNone stays.
+/// The number under which each triangle and vertex is extracted; kNone: not extracted.
 struct Numbering {
   std::vector<std::int32_t> triangle;  ///< per slot of the triangulation
   std::vector<std::int32_t> vertex;    ///< per vertex of the triangulation
@@ -21,10 +21,10 @@ struct Numbering {
 /// All triangles and vertices, in their own order. Errors: limit (memory), cancelled.
 Status number_everything(const Context& context, const Triangulation& mesh, Numbering& numbering);
 
-/// Triangles inside the frame and their vertices: at first from neighbour to neighbour, later ones
-/// in their own order. Vertices that `numbering` has already keep their numbers; more are appended.
-/// Triangles do too, since slots are never freed. Errors: limit (memory), cancelled; the numbering
-/// is good for nothing then.
+/// Numbers the triangles inside the frame and their vertices: the first call from neighbour to
+/// neighbour, later calls append new ones in the triangulation's order. Those that `numbering` has
+/// already keep their numbers, since slots are never freed. Errors: limit (memory), cancelled; the
+/// numbering is unusable then.
 Status number_inside(const Context& context, const Triangulation& mesh, Numbering& numbering);
 
 }  // namespace sfumato::mesh

@@ -32,39 +32,42 @@ inline float fraction_at(const Chord& c, std::int32_t chord_index, Vertex v, Ver
 /// Delaunay refinement of the triangles inside the frame, after Ruppert 1995 and Shewchuk 2002:
 /// off-centres (Üngör 2004), encroachment by diametral lenses, splits on concentric shells around
 /// vertices where chords meet, and no splitting of triangles that span a small input angle between
-/// two shells (Miller, Pav, Walkington 2003). Shortest edges first. Chords are cut on the straight,
-/// so that the mesh keeps the arrangement's shape. A point that is put beside a small chord, which
-/// is not cut for it, keeps its distance to all vertices: what comes of it is a flat small
-/// triangle.
+/// two shells (Miller, Pav, Walkington 2003). Shortest edges come first. Chords are cut on their
+/// straight lines, so that the mesh keeps the arrangement's shape. A small chord is not cut because
+/// of a point inserted beside it. Such a point keeps its distance to all vertices, so that only a
+/// flat small triangle results.
 class Refiner {
  public:
-  /// Memory is of `budget`.
+  /// Charges its memory to `budget`.
   Refiner(Triangulation& mesh, const ChordStore& chords, Budget& budget)
       : mesh_(mesh), chords_(chords), memory_("the triangle mesh", budget), list_charge_(budget) {}
 
   /// min_angle_deg  0 to 33
   /// doubled_area   largest 2 · area in steps², or infinity
   /// weld           steps
-  /// small_edge     steps: a triangle none of whose edges is longer is not refined for its angles,
-  ///                nor is a chord that is not longer cut because of a point near it
+  /// small_edge     steps: a triangle whose longest edge is at most this is not refined for its
+  ///                angles, and a chord of at most this length is not cut because of a point near
+  ///                it
   void set_quality(double min_angle_deg, double doubled_area, double weld, double small_edge);
 
   /// Refines all triangles inside. Errors: limit, cancelled.
-  /// area   of the frame, steps²: where it must have more triangles than fit that is told at once
+  /// area   of the frame, steps². If the frame needs more triangles than the limit, this fails at
+  ///        once.
   Status refine_all(const Context& context, double area);
 
-  /// Makes the triangles smaller whose stamp is still `stamp[i]` and whose longest edge is longer
-  /// than `smallest_edge` steps, then restores the quality around.
+  /// A triangle to be made smaller, unless its stamp has changed.
   struct Target {
     std::int32_t triangle;
     std::int32_t stamp;
   };
+  /// Makes those targets smaller whose longest edge exceeds `smallest_edge` steps, then restores
+  /// the quality around them.
   Status refine_targets(const Context& context, std::span<const Target> targets,
                         double smallest_edge);
 
   /// Per vertex of the triangulation.
   const std::vector<VertexOrigin>& origins() const { return origin_; }
-  /// Call once, before all but set_quality. Errors: limit (memory), cancelled.
+  /// Call once, before everything except set_quality. Errors: limit (memory), cancelled.
   Status start(const Context& context) {
     return memory_.resize(context, origin_, mesh_.point.size());
   }

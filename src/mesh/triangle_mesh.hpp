@@ -16,10 +16,10 @@ inline constexpr std::int32_t kNone = -1;
 struct SegmentPiece {
   std::uint32_t segment = 0;
   float u_from = 0;
-  float u_to = 1;  ///< below u_from where the segment runs against the constraint
+  float u_to = 1;  ///< less than u_from if the segment runs against the constraint
 };
 
-/// An edge of the mesh that curves (or only the frame) lie on.
+/// An edge of the mesh on which curves, or only the frame, lie.
 struct Constraint {
   std::uint32_t from = 0;  ///< vertex
   std::uint32_t to = 0;    ///< vertex
@@ -50,7 +50,7 @@ struct TriangleMesh {
   std::span<const SegmentPiece> pieces(const Constraint& c) const {
     return {piece.data() + c.piece_begin, piece.data() + c.piece_end};
   }
-  /// Whether a curve lies on the half-edge: the frame and the edges between triangles are none.
+  /// Whether a curve lies on the half-edge. False for free edges and where only the frame runs.
   bool has_curves(std::uint32_t h) const {
     const std::int32_t c = half_edge_constraint[h];
     return c != kNone && !pieces(constraint[static_cast<std::size_t>(c)]).empty();

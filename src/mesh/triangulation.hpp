@@ -38,7 +38,7 @@ struct alignas(32) Triangle {
   std::int32_t stamp;  ///< counts the changes of this slot
   std::int32_t across[3];
   std::int16_t inside;  ///< 1 where the triangle lies inside the frame
-  std::int16_t listed;  ///< kTouched and kChanged, where it stands in these lists
+  std::int16_t listed;  ///< kTouched, kChanged: the lists that it is in
 };
 inline constexpr std::int32_t kHull = -1;
 inline constexpr std::int16_t kTouched = 1;
@@ -61,15 +61,15 @@ struct CavityEdge {
 };
 
 /// A constrained Delaunay triangulation of the lattice rectangle: storage, point location,
-/// insertion (Bowyer–Watson with chords as walls) and flips. Slots are never freed. Knows nothing
-/// of welding or quality. Every vertex but the four corners lies strictly inside the rectangle.
+/// insertion (Bowyer–Watson with chords as walls) and flips. Slots are never freed. Does not deal
+/// with welding or quality. Every vertex but the four corners lies strictly inside the rectangle.
 struct Triangulation {
   std::vector<Point> point;
   std::vector<HalfEdge> spoke;  ///< per vertex: a half-edge that starts there
   std::vector<Triangle> triangle;
   std::vector<std::int32_t> chord;    ///< per half-edge: meaningful where it is constrained
   std::vector<std::int32_t> touched;  ///< triangles inside that changed while `tracking`
-  std::vector<std::int32_t> changed;  ///< the same, for who asks more rarely
+  std::vector<std::int32_t> changed;  ///< the same, emptied less often
   bool tracking = false;
   std::int32_t width = 0;
   std::int32_t height = 0;
@@ -104,7 +104,8 @@ struct Triangulation {
   /// The half-edge from u to w, or kNone.
   HalfEdge find_edge(Vertex u, Vertex w) const;
 
-  /// Visibility walk from triangle `start`. A walk that stops at walls does so at the first.
+  /// Visibility walk from triangle `start`. A walk that is blocked by walls stops at the first
+  /// wall.
   template <bool blocked_by_walls>
   Location locate(Point p, std::int32_t start_triangle);
 
@@ -115,19 +116,20 @@ struct Triangulation {
   /// Replaces the cavity of the last `find_cavity` by the star of a new vertex at p.
   Vertex star_cavity(Point p);
 
-  /// Splits a constrained edge at p, which may lie a little off it but must see the four edges
-  /// around (`can_split_edge`); both parts keep the chord. Delaunay again when it returns.
+  /// Splits a constrained edge at p, which may lie slightly off the edge but must see the four
+  /// edges around it (`can_split_edge`). Both parts keep the chord. The result is Delaunay again.
   Vertex split_edge(HalfEdge e, Point p);
   bool can_split_edge(HalfEdge e, Point p) const;
 
   /// Replaces the edge by the other diagonal. Precondition: free, convex quadrilateral.
   void flip_edge(HalfEdge e);
 
-  /// Flips `pending` and what follows until the mesh is constrained Delaunay (Lawson).
+  /// Flips the edges in `pending`, and those that this makes illegal, until the mesh is constrained
+  /// Delaunay (Lawson).
   void legalize();
   std::vector<HalfEdge> pending;
 
-  /// Calls visit(t) for what stands in `touched` and empties it.
+  /// Calls visit(t) for each triangle in `touched` and empties the list.
   template <class Visit>
   void take_touched(Visit visit) {
     take(touched, kTouched, visit);
@@ -139,8 +141,8 @@ struct Triangulation {
     take(changed, kChanged, visit);
   }
 
-  /// Room for one more insertion; `grow` makes it. Chords have theirs last: where that failed the
-  /// other tables' room is of no use.
+  /// Whether there is room for one more insertion; `grow` makes it. `grow` reserves the chords
+  /// last, so room for them implies room in the other tables.
   bool has_room() const {
     return 4 * (triangle.size() + 2) <= chord.size() && point.size() < point.capacity();
   }
@@ -151,7 +153,7 @@ struct Triangulation {
 
   std::vector<CavityEdge> cavity;  ///< boundary of the last `find_cavity`
   bool cavity_has_chords = false;
-  std::int32_t last = 0;  ///< a triangle near the last place worked at
+  std::int32_t last = 0;  ///< a triangle near the last change or search
 
  private:
   template <class Visit>

@@ -28,8 +28,8 @@ struct GrowingBlur {
   F distance;  ///< r⊥
 };
 
-/// Means over the part, weighted as its light is: of 1 - β, and of (1 - β) T, T the fraction of the
-/// way from the near end to the far one.
+/// Means over the part, with the weights of the gather: of 1 - β, and of (1 - β) T, where T is the
+/// fraction of the way from the near end to the far end.
 template <class F>
 struct BackMeans {
   F share;
@@ -46,11 +46,12 @@ inline constexpr float kBlurNodeWeight[kBlurNodes] = {0.0057848131f, 0.061111317
 /// Gauss's rule in the angle, by τ with tan(angle off the middle / 2) = τ tan(D / 4): all of it is
 /// rational then. With k = tan²(D / 4), A = r_far (1 - τ)(1 + kτ), B = r_near (1 + τ)(1 - kτ):
 ///
-///     w dθ ∝ (A + B)² / (1 + kτ²)³ dτ,   T = B / (A + B),   r⊥/R = r⊥ (A + B) / (R_near A + R_far
-///     B)
+///     w dθ ∝ (A + B)² / (1 + kτ²)³ dτ,   T = B / (A + B),
+///     r⊥/R = r⊥ (A + B) / (R_near A + R_far B)
 ///
-/// Nodes crowd at the near end (τ = 2x² - 1), where 1 - β = (1 - y)² (2 + y) / 4, y = r⊥/R, changes
-/// fastest: six of them miss the mean by 0.001 at most, however the radius grows.
+/// Nodes are densest at the near end (τ = 2x² - 1), where 1 - β = (1 - y)² (2 + y) / 4, y = r⊥/R,
+/// changes fastest. With six nodes the error of the mean is at most 0.001, however the radius
+/// grows.
 template <class F>
 SFUMATO_INLINE BackMeans<F> back_means(const GrowingBlur<F>& part) {
   const F cosine = min(max(part.cosine, F(-1)), F(1));

@@ -5,8 +5,8 @@
 /// The closed form of docs/mathematics.md in lanes, single precision.
 namespace sfumato::gather::inline SFUMATO_ISA {
 
-/// ∫ w dθ over a visible part, with k = 1, and how it leans: its weights w₁ of the right end and w₂
-/// of the left are (W ∓ lean) / 2.
+/// ∫ w dθ over a visible part, with k = 1, and its asymmetry `lean`: the weights w₁ of the right
+/// end and w₂ of the left end are (W ∓ lean) / 2.
 template <class F>
 struct PartWeight {
   F weight;  ///< W = w₁ + w₂
@@ -26,17 +26,18 @@ SFUMATO_INLINE F h1_of_cosine(const F& c) {
 }
 
 /// The visible part from q1 (right end) to q2 (left end), relative to the point, with
-/// G₁ = s h₁ and G₂ = s (1 - 2 c h₁) comes down to
+/// G₁ = s h₁ and G₂ = s (1 - 2 c h₁), reduces to
 ///
 ///     W = u₁u₂ s (1 + h₁ u₁u₂ |q2 - q1|²)      w₂ - w₁ = u₁u₂ s h₁ u₁u₂ (r₁² - r₂²)
 ///
 /// with u₁u₂ = 1/√(r₁² r₂²): no angle, no normal, no distance, and all terms of W positive.
 ///
-/// cross_q   q1 × q2 in its most precise form. It is used where D <= 90°; above, q1 × q2 itself is
-///           better (the point is near the segment), and s is kept off 0: the point may lie on it.
-///           Below 90° s may be 0: an edge-on part near a tip must not get a weight from a clamp.
+/// cross_q   q1 × q2 in its most precise form, used where D <= 90°. Above 90° the point is near the
+///           segment, q1 × q2 itself is better, and s is kept off 0, as the point may lie on the
+///           segment. Below 90° s may be 0: a part seen edge-on near a tip must not get a weight
+///           from a clamp.
 /// length_squared   |q2 - q1|²
-/// lanes     those that are asked for; the others get 0.
+/// lanes     the lanes to compute; the others get 0.
 template <class F>
 SFUMATO_INLINE PartWeight<F> part_weight(const F& q1x, const F& q1y, const F& q2x, const F& q2y,
                                          const F& cross_q, const F& length_squared,

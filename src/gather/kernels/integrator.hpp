@@ -9,17 +9,17 @@
 
 namespace sfumato::gather::inline SFUMATO_ISA {
 
-/// A window that cannot add more than this share of the weight found so far is not followed. Chosen
-/// so that the error stays below 0.01 of a code value of 255 on the public scenes. On dolphin, full
-/// of far cracks, it saves four steps of ten.
+/// A window that cannot add more than this share of the weight found so far is not followed. The
+/// share is chosen so that the error stays below 0.01 of a code value of 255 on the public scenes.
+/// On dolphin, which has many distant cracks, it saves four steps of ten.
 inline constexpr float kNegligible = 1e-5f;
 
-/// A radius that differs from its mean on the edge by no more than this share c is not integrated:
-/// that misses by 0.75 c² of the contrast at most, less than the quadrature may. Flattened curves
-/// have few others.
+/// A radius that differs from its mean on the edge by at most this share c is treated as constant.
+/// The error is at most 0.75 c² of the contrast, less than that of the quadrature. On flattened
+/// curves few radii vary more.
 inline constexpr float kEvenChange = 1.0f / 32;
 
-/// An edge as one register of lanes sees it.
+/// An edge as seen by one register of lanes.
 template <int W>
 struct EdgeView {
   const HitEdge* edge;
@@ -27,7 +27,7 @@ struct EdgeView {
   LaneBits lanes;  ///< W bits
 };
 
-/// An edge that some of the lanes see a part of.
+/// An edge of which some of the lanes see a part.
 template <int W>
 struct CutEdgeView : EdgeView<W> {
   LaneBits whole_right;
@@ -36,10 +36,11 @@ struct CutEdgeView : EdgeView<W> {
   Direction<Lanes<W>> left;
 };
 
-/// W and Σ w z of one packet. Visible edges are collected and then integrated several at a time:
-/// the closed form is one long chain of dependent steps, and side by side they fill the machine.
-/// Edges that every lane sees whole, and those that are cut for some, are two lists. When they are
-/// emptied depends on the packet alone, not on W, and so does the order of every lane's sum.
+/// W and Σ w z of one packet. Visible edges are collected and then integrated several at a time,
+/// because the closed form is one long chain of dependent steps and several chains side by side use
+/// the processor fully. There is one list for edges that every lane sees whole and one for edges
+/// that are cut for some lanes. When the lists are emptied depends on the packet alone, not on W,
+/// and so does the order of every lane's sum.
 ///
 /// kChannels: of the values, 3 or 4.
 /// kBlends: sides have blur radii or image-domain shaders (SceneView::blend is there).
@@ -80,7 +81,7 @@ class Integrator {
     }
   }
 
-  /// What the walk need not look for: kNegligible of the weight that was integrated so far.
+  /// Weight below which a window is not followed: kNegligible times the weight integrated so far.
   SFUMATO_INLINE const Lanes<W, K>& negligible_weight() const { return negligible_; }
 
   void end(PacketResult& out) {
@@ -101,7 +102,7 @@ class Integrator {
 
  private:
   static constexpr int kTogether = 4;
-  static constexpr int kFirstEdges = 12;  ///< few: the walk asks for the weight so far
+  static constexpr int kFirstEdges = 12;  ///< few, because the walk needs the weight so far
   static constexpr int kWholeEdges = 96;
   static constexpr int kCutEdges = 24;
   using F = Lanes<W, kTogether>;
@@ -109,7 +110,7 @@ class Integrator {
   template <class View, int kEdges>
   struct ViewList {
     int count = 0;
-    int room = kEdges;  ///< edges until the list is emptied; an edge is up to K views
+    int room = kEdges;  ///< edges until the list is emptied; an edge has up to K views
     View view[kEdges * K + kTogether];
   };
 
@@ -150,7 +151,7 @@ class Integrator {
     negligible_ = weight_ * Lanes<W, K>(kNegligible);
   }
 
-  /// One number of each view, side by side.
+  /// The same number of each view, one per lane.
   template <class Get>
   SFUMATO_INLINE static F side_by_side(Get get) {
     F r;
@@ -229,7 +230,7 @@ class Integrator {
     sum_all(view, s, {t1, t2, w.weight, lean});
   }
 
-  /// A visible part: from t1 to t2 of its edge, and what it weighs.
+  /// A visible part: the range t1 to t2 of its edge, and its weight.
   template <class L>
   struct Part {
     L t1, t2;
@@ -250,7 +251,7 @@ class Integrator {
     }
   }
 
-  /// Where the line through a along e is parallel to a ray, as a fraction of e, kept on the edge.
+  /// Where a ray cuts the line through a along e, as a fraction of e, clamped to the edge.
   SFUMATO_INLINE static F cut(const Direction<F>& a, const Direction<F>& e,
                               const Direction<F>& ray) {
     const F t = (a.y * ray.x - a.x * ray.y) * reciprocal(e.x * ray.y - e.y * ray.x);
@@ -266,7 +267,7 @@ class Integrator {
     weight_.part[view.row] = (weight_.row(view.row) + weight * Lanes<W>(view.edge->weight)).part[0];
   }
 
-  // The value is linear along the edge: w₁ z₁ + w₂ z₂ from its middle and half its change.
+  // The value is linear along the edge: w₁ z₁ + w₂ z₂ from its mean and half its change.
   SFUMATO_INLINE void add_value(int row, const Lanes<W>& weight, const Lanes<W>& lean,
                                 const float (&middle)[kValueChannels],
                                 const float (&half_change)[kValueChannels]) {
@@ -296,7 +297,7 @@ class Integrator {
              blend.back_half_change);
   }
 
-  /// What of a part's weight the side behind it gets.
+  /// The share of a part's weight that goes to the side behind it.
   struct BackPart {
     Lanes<W> weight;
     Lanes<W> lean;
@@ -306,7 +307,7 @@ class Integrator {
     return max(s.area * Lanes<W>(blend.inverse_length), Lanes<W>(0));
   }
 
-  /// With the radius where the part's weight has its mean.
+  /// Uses the radius at the weighted mean of the part.
   SFUMATO_INLINE static BackPart back_of_even(const HitBlend& blend, const Seen<Lanes<W>>& s,
                                               const Part<Lanes<W>>& part) {
     using R = Lanes<W>;
@@ -316,8 +317,9 @@ class Integrator {
     return {part.weight * back, part.lean * back};
   }
 
-  /// Where the radius is below the distance, β is 1: only the rest of the part is asked. Arguments
-  /// are values: references would keep them in memory for edges that never come here.
+  /// Where the radius is below the distance, β is 1, so that only the rest of the part is
+  /// integrated. Arguments are passed by value: references would keep them in memory also for edges
+  /// that never come here.
   __attribute__((noinline)) static BackPart back_of_growing(const HitBlend& blend, Seen<Lanes<W>> s,
                                                             Part<Lanes<W>> part) {
     using R = Lanes<W>;

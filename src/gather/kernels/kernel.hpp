@@ -4,11 +4,11 @@
 #include "gather/kernels/scene_layout.hpp"
 #include "gather/kernels/window.hpp"
 
-/// The exact gather of a packet (triangular expansion): windows of directions are
-/// walked outward through the visibility mesh, narrowed at every edge that rays pass, integrated at
-/// every edge that stops them. One text for all widths; F = Lanes<W, 16 / W>.
+/// The exact gather of a packet (triangular expansion): windows of directions are walked outward
+/// through the visibility mesh, narrowed at every edge that rays pass, and integrated at every edge
+/// that stops them. One source for all widths; F = Lanes<W, 16 / W>.
 ///
-/// Every lane's arithmetic depends on that lane and on decisions over the whole packet alone; hence
+/// Every lane's arithmetic depends only on that lane and on decisions over the whole packet, hence
 /// the same bits for every W.
 namespace sfumato::gather::inline SFUMATO_ISA {
 
@@ -55,12 +55,13 @@ class PacketWalk {
     ++size_;
   }
 
-  /// Follows one window until nothing of it is left; what parts from it waits on the stack.
+  /// Follows one window until nothing of it is left; windows that split off it are pushed on the
+  /// stack.
   SFUMATO_INLINE bool walk(Window<F> window, EdgeCode edge) {
     for (;;) {
       if (--steps_left_ < 0) return true;
       const EdgeBeyond& beyond = scene_.edge_beyond[edge];
-      // At every second step: the question costs as much as the step.
+      // At every second step, because the test costs as much as the step.
       if (steps_left_ % 2 != 0) window.lanes &= ~negligible(window, beyond);
       const Split<F> split(window, {F(beyond.apex_x) - px_, F(beyond.apex_y) - py_});
       bool goes_right = split.right != 0;
@@ -89,9 +90,9 @@ class PacketWalk {
     }
   }
 
-  // Behind an edge at distance d nothing is nearer than d: a window of angle D weighs at most D/d²
-  // (weights k are at most 1). tan D stands for D, and below 90° is greater; above, cos D is
-  // negative and nothing is dropped.
+  // Behind an edge at distance d nothing is nearer than d, so that a window of angle D weighs at
+  // most D/d² (weights k are at most 1). tan D is used as an upper bound of D below 90°; above, cos
+  // D is negative and nothing is dropped.
   SFUMATO_INLINE LaneBits negligible(const Window<F>& w, const EdgeBeyond& beyond) const {
     const F d = F(beyond.normal_x) * px_ + (F(beyond.normal_y) * py_ + F(beyond.offset));
     const F sine = w.right.x * w.left.y - w.right.y * w.left.x;
@@ -113,8 +114,8 @@ class PacketWalk {
     return {F(t.x[k]) - px_, F(t.y[k]) - py_};
   }
 
-  /// The windows of a triangle's own points through its edge k. Their signs are not asked: a point
-  /// may lie on the edge, which it sees under 180 degrees.
+  /// The windows of a triangle's own points through its edge k. Their signs are not tested, because
+  /// a point may lie on the edge, which it then sees under 180 degrees.
   SFUMATO_INLINE Window<F> own_window(const PacketTriangle& member, const SceneTriangle& t,
                                       int k) const {
     const LaneBits lanes = (1u << member.lane_end) - (1u << member.lane_begin);
@@ -126,8 +127,9 @@ class PacketWalk {
     for (int k = 0; k < 3; ++k) start(own_window(packet.triangle[0], t, k), t.edge[k]);
   }
 
-  /// The windows of all lanes that leave `member` through its edge k: its own points', and those
-  /// that came in through the two other edges. Lanes differ, so they are one window.
+  /// The windows of all lanes that leave `member` through its edge k: those of its own points, and
+  /// those that entered through the two other edges. These have different lanes and therefore form
+  /// one window.
   Window<F> leaving(const PacketTriangle& member, const Window<F> (&entering)[3], int k) const {
     const SceneTriangle& t = scene_.triangle[member.triangle];
     const int next = (k + 1) % 3, previous = (k + 2) % 3;
@@ -153,8 +155,8 @@ class PacketWalk {
     out.whole_left = out.whole_left | (in.whole_left & in.lanes);
   }
 
-  /// Windows pass through the edges of the tree, first towards the root, then away from it; what
-  /// leaves by other edges starts the walk.
+  /// Windows pass through the edges of the tree, first towards the root, then away from it. Windows
+  /// that leave by other edges start the walk.
   void start_in_tree(const PacketInput& packet) {
     const PacketTriangle* member = packet.triangle;
     Window<F> entering[kPacketTriangles][3];
@@ -199,7 +201,7 @@ bool walk_packets(const SceneView& scene, const PacketBatch& batch, const Packet
   return true;
 }
 
-/// A batch of packets with W lanes to a register. False: the stack is too small.
+/// Gathers a batch of packets with W lanes to a register. False: the stack is too small.
 template <int W>
 bool gather_packets(const SceneView& scene, const PacketBatch& batch, const PacketStack& stack) {
   if (scene.blend) return walk_packets<W, kValueChannels, true>(scene, batch, stack);

@@ -10,7 +10,7 @@ namespace sfumato::gather {
 using PacketKernel = bool(const SceneView& scene, const PacketBatch& batch,
                           const PacketStack& stack);
 
-PacketKernel gather_packets_sse2;  ///< 4 lanes to a register; also for machines that are not x86
+PacketKernel gather_packets_sse2;  ///< 4 lanes to a register; also for processors other than x86
 #if defined(__x86_64__)
 PacketKernel gather_packets_avx2;
 PacketKernel gather_packets_avx512;

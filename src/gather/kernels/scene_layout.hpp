@@ -5,12 +5,11 @@
 #include "base/inline.hpp"
 
 /// The layer as the kernels read it: plain structures in single precision, coordinates relative to
-/// the scene's origin. Kernels are compiled for several instruction sets and see nothing else.
+/// the scene's origin. Kernels are compiled for several instruction sets and use no other types.
 namespace sfumato::gather {
 
-/// What a ray finds at an edge of a triangle, as one number: an EdgeBeyond to walk through (>= 0),
-/// the end of everything (kBorder; a barrier too, as it stops rays and gives nothing), or a
-/// HitEdge.
+/// What lies at an edge of a triangle, as one number: an EdgeBeyond to walk through (>= 0), kBorder
+/// (the border, or a barrier: it stops rays and adds nothing), or a HitEdge.
 using EdgeCode = std::int32_t;
 inline constexpr EdgeCode kBorder = -1;
 
@@ -26,7 +25,7 @@ SFUMATO_INLINE constexpr std::uint32_t hit_index(EdgeCode code) {
 }
 
 /// A half-edge that rays walk through, and the triangle behind it: its third corner, and the two
-/// edges that a ray may leave it by, seen by one who looks through the half-edge.
+/// edges by which a ray may leave it, right and left as seen through the half-edge.
 struct alignas(32) EdgeBeyond {
   float apex_x;
   float apex_y;
@@ -37,7 +36,7 @@ struct alignas(32) EdgeBeyond {
   float offset;
 };
 
-/// Channels of a curve_domain value: SegmentAttributes::base_channels of them mean something.
+/// Channels of a curve_domain value, of which SegmentAttributes::base_channels are used.
 inline constexpr int kValueChannels = 4;
 
 /// A half-edge a → b that stops rays, seen from its own triangle: a is the right end, b the left.
@@ -52,7 +51,8 @@ struct alignas(64) HitEdge {
   float half_change[kValueChannels];  ///< weight × half of (value at b - value at a)
 };
 
-/// What blur and image-domain shaders add to a HitEdge (paper eq. 7–11). `back` is the other side.
+/// The data for blur and image-domain shaders at a HitEdge (paper eq. 7–11). `back` is the other
+/// side.
 struct alignas(64) HitBlend {
   float inverse_length;
   float blur_middle;  ///< R of eq. 8 is linear from a to b: middle ∓ half_change; 0: sharp
@@ -63,7 +63,7 @@ struct alignas(64) HitBlend {
   float back_half_change[kValueChannels];
 };
 
-/// A triangle with what lies at its edges; edge k joins corner k and corner (k + 1) % 3.
+/// A triangle and the codes of its edges; edge k joins corner k and corner (k + 1) % 3.
 struct SceneTriangle {
   float x[3];
   float y[3];
@@ -78,7 +78,8 @@ struct SceneView {
   int base_channels;
   int shader_count;
   const SceneTriangle* triangle;
-  std::int64_t step_limit;  ///< triangles that one packet may enter: a guard against a bad mesh
+  std::int64_t
+      step_limit;  ///< the number of triangles that one packet may enter; guards against a bad mesh
 };
 
 inline constexpr int kPacketLanes = 16;
@@ -96,8 +97,7 @@ struct PacketTriangle {
   std::uint8_t own_edge;     ///< this triangle's edge towards the parent
 };
 
-/// One packet: neighbouring points that are walked through the mesh together. Lanes that are not
-/// used repeat a point.
+/// One packet: neighbouring points that are gathered together. Unused lanes repeat a point.
 struct PacketInput {
   const PacketTriangle* triangle;
   int triangle_count;
@@ -105,7 +105,7 @@ struct PacketInput {
   alignas(64) float y[kPacketLanes];
 };
 
-/// W and Z_C / W of eq. 6, per lane; where W is 0, so is the rest.
+/// W and Z_C / W of eq. 6, per lane; where W is 0, all other results are 0.
 struct PacketResult {
   alignas(64) float weight[kPacketLanes];
   alignas(64) float value[kValueChannels][kPacketLanes];  ///< base_channels of them
@@ -119,7 +119,7 @@ struct PacketBatch {
   int count;
 };
 
-/// Room for one window that waits on the kernel's stack, in any width.
+/// Room for one window on the kernel's stack, in any width.
 struct alignas(64) StackSlot {
   unsigned char bytes[6 * 64];
 };

@@ -4,7 +4,8 @@
 
 #include "base/lanes.hpp"
 
-/// What the points of a packet see through an edge of the visibility mesh.
+/// Windows: the directions in which the points of a packet see through an edge of the visibility
+/// mesh.
 namespace sfumato::gather::inline SFUMATO_ISA {
 
 template <class F>
@@ -27,12 +28,13 @@ template <class F>
 struct Window {
   Direction<F> right;
   Direction<F> left;
-  LaneBits lanes;        ///< the others hold anything
-  LaneBits whole_right;  ///< lanes whose right ray points to the edge's right end: it is not cut
+  LaneBits lanes;  ///< the values of other lanes are unspecified
+  LaneBits
+      whole_right;  ///< lanes whose right ray points to the edge's right end, which is thus not cut
   LaneBits whole_left;
 };
 
-/// What a window becomes at a triangle's apex.
+/// How a window splits at a triangle's apex.
 template <class F>
 struct Split {
   Direction<F> apex;
