@@ -44,34 +44,35 @@ struct FieldValue {
 struct SegmentSide {
   ShaderKind kind = ShaderKind::open;
   std::uint32_t shader = 0;            ///< index into SegmentAttributes::shader
-  SegmentValues<FieldValue> value{};   ///< of curve_domain
+  SegmentValues<FieldValue> value{};   ///< for curve_domain
   SegmentValues<float> blur_radius{};  ///< user units; 0: sharp
-  SegmentValues<float> fine_radius{};  ///< of a blur that is too fine for a mesh; else 0
+  SegmentValues<float> fine_radius{};  ///< radius of a blur too fine for a mesh; else 0
 };
 
 /// One attribute on every segment of `flat` (index = segment = its first vertex; the entries of
 /// vertices that begin no segment are open).
 struct SegmentAttributes {
-  int base_channels = 3;  ///< 3 of a colour, 1 of an opacity, 4 of both
+  int base_channels = 3;  ///< 3 for a colour, 1 for an opacity, 4 for both
   InterpolationSpace space = InterpolationSpace::srgb;  ///< of colours
   std::vector<SegmentSide> left;
   std::vector<SegmentSide> right;
-  std::vector<float> weight;         ///< the curve's
+  std::vector<float> weight;         ///< weight of the curve
   std::vector<Vec2> vertex;          ///< FlatCurves::vertex: segment s joins s and s + 1
-  std::vector<std::uint32_t> curve;  ///< index of the curve: later ones are drawn over earlier
-  /// The image-domain shaders on sides, in the order of their first use: Document::shaders.
+  std::vector<std::uint32_t> curve;  ///< index of the curve; later ones are drawn over earlier
+  /// The image-domain shaders on sides, as indices into Document::shaders in the order of their
+  /// first use.
   std::vector<std::uint32_t> shader;
 
   int channel_count() const { return base_channels + static_cast<int>(shader.size()); }
 };
 
 /// Colours on the sides of the curves, interpolated between stops and given in `space`, in tables
-/// from `memory`. Errors: limit (memory), cancelled.
+/// allocated from `memory`. Errors: limit (memory), cancelled.
 Result<SegmentAttributes> sample_colors(const Context& context, const FlatCurves& flat,
                                         std::span<const Curve> curves, InterpolationSpace space,
                                         TableMemory& memory);
 
-/// Opacities, likewise.
+/// The same for opacities.
 Result<SegmentAttributes> sample_opacities(const Context& context, const FlatCurves& flat,
                                            std::span<const Curve> curves, TableMemory& memory);
 
@@ -89,7 +90,7 @@ Result<SegmentAttributes> sample_colors_and_opacities(const Context& context,
 /// Makes all sides sharp.
 void remove_blur(SegmentAttributes& attributes);
 
-/// Makes the radii of segments that do not exceed `radius` fine ones.
+/// Turns the radii of segments whose radii are at most `radius` into fine ones.
 void set_fine_blur(SegmentAttributes& attributes, double radius);
 
 }  // namespace sfumato::curves

@@ -25,8 +25,8 @@ Vec2 derivative_at(const Cubic& cubic, double t);
 /// The stretch of the cubic from t0 to t1.
 Cubic subcurve(const Cubic& cubic, double t0, double t1);
 
-/// How far a cubic strays from its chord traversed at constant speed, C(t) − lerp(P0, P3, t),
-/// largest over t: across the chord and along it.
+/// The largest deviation over t of a cubic from its chord traversed at constant speed, C(t) −
+/// lerp(P0, P3, t): across the chord and along it.
 struct ChordDeviation {
   double across = 0;
   double along = 0;
@@ -34,8 +34,8 @@ struct ChordDeviation {
 
 ChordDeviation chord_deviation(const Cubic& cubic);
 
-/// The mean over t of C(t) − lerp(P0, P3, t), across the chord: how far the chord lies beside its
-/// arc.
+/// The mean over t of the component of C(t) − lerp(P0, P3, t) across the chord: the mean distance
+/// of the arc from its chord.
 Vec2 mean_deviation(const Cubic& cubic);
 
 /// A parameter of the point nearest to `point`, by Newton's method from one that is close.

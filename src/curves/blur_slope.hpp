@@ -6,15 +6,15 @@
 
 namespace sfumato::curves {
 
-/// How steeply the picture may change across a blurred curve: there a chord that strays shows as a
-/// wrong colour, not as a displaced edge (docs/mathematics.md).
+/// The steepest change of the picture across a blurred curve. At such a curve a chord that deviates
+/// from it shows as a wrong colour, not as a displaced edge (docs/mathematics.md).
 class BlurSlope {
  public:
-  /// Radii below `sharp_radius` are none.
+  /// Radii below `sharp_radius` count as 0.
   BlurSlope(const Curve& curve, double sharp_radius);
 
-  /// In the middle of a stretch of the curve's parameter, code values (0 to 255) to a user unit; 0
-  /// where it is sharp.
+  /// The slope in the middle of a range of the curve's parameter, code values (0 to 255) per user
+  /// unit; 0 where the curve is sharp.
   double between(double from, double to) const;
 
  private:
@@ -27,7 +27,7 @@ class BlurSlope {
 
   std::vector<std::vector<RadiusStop>> radii_;  ///< of the sides that blur
   double sharp_radius_;
-  double step_ = 0;  ///< the largest from side to side, code values
+  double step_ = 0;  ///< the largest difference between the sides, code values
 };
 
 }  // namespace sfumato::curves

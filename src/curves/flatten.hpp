@@ -11,9 +11,10 @@
 
 namespace sfumato::curves {
 
-/// Distances between chord and curve, user units, above 0, where something looks at a box. Outside
-/// of it (grown by a tenth) the coarser `outside_tolerance` is enough, and where it is more,
-/// 1/16384 of the distance: it changes colours in the box by less than 0.25 code values.
+/// Allowed distances between chord and curve, user units, above 0, for a box that is shown. Outside
+/// the box (grown by a tenth) the allowed distance is the coarser `outside_tolerance` or, if that
+/// is larger, 1/16384 of the distance from the box: this changes colours in the box by less than
+/// 0.25 code values.
 struct FlattenFocus {
   Box box;
   double tolerance = 0.1;
@@ -21,24 +22,25 @@ struct FlattenFocus {
 };
 
 struct FlattenOptions {
-  double tolerance = 0.1;               ///< as FlattenFocus has it, where nothing looks
-  std::vector<FlattenFocus> focuses{};  ///< what the finest of them asks for counts
-  /// Curves that come this close to one another's vertices pass through them, user units; 0: only
-  /// those that meet them exactly.
+  double tolerance = 0.1;               ///< as in FlattenFocus; used if there is no focus
+  std::vector<FlattenFocus> focuses{};  ///< the smallest allowed distance of all counts
+  /// A curve that comes this close to a vertex of another curve gets a vertex there, user units; 0:
+  /// only if it meets the vertex exactly.
   double reach = 0;
-  /// Curves whose radius of blur is below this show as edges; others may be flattened finer, by the
-  /// errors in colour that show.
+  /// Curves whose blur radius is below this show as edges; others may be flattened finer, so that
+  /// no error in colour shows.
   double sharp_radius = 0;
-  /// A radius of blur that grows beyond this has a vertex there; 0: none.
+  /// A vertex is placed where a blur radius passes this value; 0: none.
   double split_radius = 0;
 };
 
 /// Curves as polylines that keep the curve parameter. Segment s joins vertex s and vertex s + 1;
 /// the last vertex of a curve begins no segment. Every stop of a stop list is a vertex, so that
-/// attributes are linear on each segment; it lies on the chord that there is without it, so that
+/// attributes are linear on each segment; it lies on the chord that exists without it, so that
 /// curves of one shape have one polyline, whatever their stops. Chords lie in the middle of their
-/// arcs: at ends, corners and where other curves pass, vertices lie on the curve; elsewhere
-/// outside, by the mean that chords between points of the curve would lie inside.
+/// arcs: at ends, corners and where other curves pass, vertices lie on the curve. Elsewhere they
+/// lie outside the curve by the mean distance by which chords between points of the curve would lie
+/// inside.
 struct FlatCurves {
   std::vector<Vec2> vertex;        ///< layer frame
   std::vector<double> parameter;   ///< per vertex: Bézier piece + t
@@ -53,7 +55,7 @@ struct FlatCurves {
   std::size_t segment_count() const { return vertex.size() - curve_count(); }
 };
 
-/// What a polyline takes in memory.
+/// Bytes of memory that a polyline occupies.
 inline std::size_t bytes_of(const FlatCurves& flat) {
   return flat.vertex.capacity() * sizeof(Vec2) +
          (flat.parameter.capacity() + flat.arc_length.capacity()) * sizeof(double) +

@@ -4,12 +4,12 @@
 
 #include "base/inline.hpp"
 
-/// β of eq. 8: the share that the side in front of a curve has in the picture. Its one source: what
-/// else knows β (strips of soft edges, the closed forms of kernels/blur_kernel.hpp, shaders, and
-/// gather/reference.cpp, the witness) is held to this by tests.
+/// β of eq. 8: the share of the side in front of a curve in the picture. This is its one source.
+/// Tests compare all other forms of β with it: the strips of soft edges, the closed forms of
+/// kernels/blur_kernel.hpp, the shaders, and gather/reference.cpp, the witness.
 namespace sfumato::curves {
 
-/// The polynomial of β: from 0 at 0 to 1 at 1, level at both.
+/// The polynomial of β: from 0 at 0 to 1 at 1, with slope 0 at both.
 template <class F>
 SFUMATO_INLINE constexpr F smoothstep(const F& x) {
   return x * x * (F(3) - F(2) * x);
@@ -27,7 +27,7 @@ constexpr F front_share(F distance, F radius) {
   return smoothstep(F(0.5) + F(0.5) * distance / radius);
 }
 
-/// Its derivative by the distance on the curve itself, times the radius.
+/// The derivative of β with respect to the distance, on the curve itself, times the radius.
 inline constexpr double kFrontShareSlope = 0.5 * smoothstep_slope(0.5);
 
 }  // namespace sfumato::curves

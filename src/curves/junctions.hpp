@@ -11,10 +11,10 @@
 
 namespace sfumato::curves {
 
-/// A vertex of one passage that lies on another, which is to pass through it too.
+/// A vertex of one passage of a curve that lies on another passage, which must pass through it too.
 struct Junction {
-  std::uint32_t curve = 0;  ///< the one to pass through it…
-  double parameter = 0;     ///< …here
+  std::uint32_t curve = 0;  ///< the curve that must pass through it…
+  double parameter = 0;     ///< …at this parameter
   Vec2 point;
 };
 
@@ -24,10 +24,10 @@ struct Junctions {
   TableMemory memory{"flattening"};
 };
 
-/// Where vertices of `flat`, which lie on their curves, lie within `reach` of another curve or of
-/// another passage of their own. With every such vertex in both, what lies on one another has the
-/// same chords, however the curves are cut into pieces, and an end that touches a curve touches its
-/// chords. A vertex that is near hundreds of others may be missed.
+/// Finds the vertices of `flat` (which lie on their curves) that are within `reach` of another
+/// curve or of another passage of their own. If both passages have every such vertex, curves that
+/// overlap have the same chords, however they are cut into pieces, and an end that touches a curve
+/// touches its chords. A vertex that is near hundreds of others may be missed.
 /// Errors: limit, cancelled. Cost: O(vertices log vertices).
 Result<Junctions> find_junctions(Context& context, std::span<const Curve> curves,
                                  const FlatCurves& flat, double reach);

@@ -11,12 +11,12 @@
 
 namespace sfumato::curves {
 
-/// Lengths of a curve's Bézier pieces, summed: entry i is the length before piece i, the last the
-/// whole length. One entry more than pieces.
+/// Cumulative lengths of a curve's Bézier pieces: entry i is the length before piece i, the last
+/// entry the whole length. One entry more than pieces.
 std::vector<double> cumulative_length(std::span<const Vec2> control_points);
 
-/// The same, for long chains: asks before each piece, and ends with fewer entries where the answer
-/// is no.
+/// The same, for long chains: calls the predicate before each piece, and ends with fewer entries if
+/// it returns false.
 std::vector<double> cumulative_length(std::span<const Vec2> control_points,
                                       FunctionRef<bool()> may_go_on);
 
@@ -24,13 +24,14 @@ std::vector<double> cumulative_length(std::span<const Vec2> control_points,
 double parameter_at_fraction(std::span<const Vec2> control_points,
                              std::span<const double> cumulative, double fraction);
 
-/// Colour stops as they are interpolated: their values in the coordinates of `space`.
+/// Colour stops with their values converted to the coordinates of `space`, in which they are
+/// interpolated.
 ColorStops in_space(ColorStops list, InterpolationSpace space);
 inline const ScalarStops& in_space(const ScalarStops& list, InterpolationSpace) {
   return list;
 }
 
-/// Appends the curve parameter of every stop of a list, never falling, clamped to the curve.
+/// Appends the curve parameter of every stop of a list, non-decreasing and clamped to the curve.
 template <class Value>
 void append_stop_parameters(std::span<const Vec2> control_points, const StopList<Value>& list,
                             std::vector<double>& parameters) {
@@ -48,7 +49,7 @@ void append_stop_parameters(std::span<const Vec2> control_points, const StopList
   }
 }
 
-/// The same, in a list of their own.
+/// The same, in a new list.
 template <class Value>
 std::vector<double> stop_parameters(std::span<const Vec2> control_points,
                                     const StopList<Value>& list) {

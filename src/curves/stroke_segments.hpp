@@ -23,8 +23,8 @@ inline constexpr int kStrokeNodes = 16;
 struct StrokeSegment {
   Vec2 start;
   float coefficient[3][2];  ///< x, y of start + u (c[0] + u (c[1] + u c[2]))
-  /// Length that a node stands for, divided by the speed |d position / du| there: chosen so that
-  /// the nodes' lengths add up to the segment's.
+  /// Length that a node represents, divided by the speed |d position / du| there; chosen so that
+  /// the nodes' lengths add up to the segment's length.
   float length_per_speed = 0;
   int node_count = 1;
   SegmentValues<float> influence_radius;
@@ -36,24 +36,24 @@ struct StrokeSegment {
 struct StrokeOptions {
   double scale = 1;          ///< of the segments' frame, per user unit
   Affine image_from_stroke;  ///< user units → pixels
-  Box image;                 ///< pixels: what cannot reach it is left out
+  Box image;                 ///< pixels; segments that cannot reach it are left out
   InterpolationSpace interpolation = InterpolationSpace::srgb;
-  double smallest_radius = 1;   ///< an influence radius below it counts as it; scaled frame
-  double nodes_per_radius = 8;  ///< nodes stand at most 1 / this of the local radius apart
+  double smallest_radius = 1;   ///< smaller influence radii are raised to it; scaled frame
+  double nodes_per_radius = 8;  ///< nodes are at most (local radius / this) apart
 };
 
-/// The segments of a stroke in walking order, and what each can reach, pixels.
+/// The segments of a stroke in the order along it, and the box that each can reach, pixels.
 struct StrokeSegments {
   std::vector<StrokeSegment> segment;
   std::vector<Box> reach;
   TableMemory memory{"a local curve"};
 };
 
-/// Whether the sides of a local curve differ: a side without colours takes the other's.
+/// Whether the sides of a local curve differ. A side without colours takes the other side's.
 bool is_two_sided(const LocalCurve& curve);
 
 /// Cuts a local curve into segments: at every stop, and until nodes are close enough and turn
-/// little from one to the next. Where one side has no colours it takes the other's.
+/// little from one to the next. A side without colours takes the other side's.
 ///
 /// Precondition: the curve was validated; one side has colours.
 /// Errors: limit (segments, memory), cancelled. Cost: O(pieces + segments).

@@ -13,27 +13,27 @@
 
 namespace sfumato::solve {
 
-/// What is seen of a layer, as the border finder asks for it.
+/// Callbacks by which the border finder learns what a layer's points see.
 struct Sight {
-  /// Whether a node of a triangle sees a curve: places as in PatchLayer.
+  /// Whether a node of a triangle sees a curve; places as in PatchLayer.
   FunctionRef<bool(std::uint32_t triangle, std::size_t place)> node_sees;
-  /// Whether something jumps across the edge, so that its sides see different curves.
+  /// Whether the field may jump across the edge, so that its sides see different curves.
   FunctionRef<bool(std::uint32_t half_edge)> is_seam;
   /// The same as node_sees for any points. Errors: limit, cancelled.
   FunctionRef<Status(std::span<const Vec2> points, std::span<std::uint8_t> seen)> look;
 };
 
-/// What takes the place of the triangles that lie across the border of what is seen: their parts
-/// on the seen side.
+/// Replacements of the triangles that the border of the seen region cuts: their parts on the seen
+/// side.
 struct BorderCuts {
   static constexpr std::int32_t kInside = -1;  ///< an edge between two parts of a triangle
   static constexpr std::int32_t kBorder = -2;  ///< an edge on the border
 
-  std::vector<std::uint8_t> is_cut;            ///< per triangle of the mesh; empty: none is
-  std::vector<Vec2> vertex;                    ///< follow the vertices of the mesh
+  std::vector<std::uint8_t> is_cut;  ///< per triangle of the mesh; empty: no triangle is cut
+  std::vector<Vec2> vertex;          ///< new vertices, numbered after those of the mesh
   std::vector<std::uint32_t> triangle_vertex;  ///< 3 per part
-  std::vector<std::int32_t> edge;     ///< 3 per part: the half-edge that it lies on, or as above
-  std::vector<std::uint32_t> parent;  ///< per part: the triangle that was cut
+  std::vector<std::int32_t> edge;              ///< 3 per part: its half-edge, kInside or kBorder
+  std::vector<std::uint32_t> parent;           ///< per part: the triangle that was cut
   /// kNodesPerTriangle per part: a place in the parent, or -1 - index in `point`.
   std::vector<std::int32_t> node;
   std::vector<Vec2> point;  ///< where new nodes are gathered: inside, on the seen side
@@ -42,13 +42,14 @@ struct BorderCuts {
   std::size_t part_count() const { return parent.size(); }
 };
 
-/// Cuts the triangles of a patch mesh along the border between what sees a curve and what sees
-/// none: straight lines through ends of curves. Where it crosses an edge is found by bisection;
-/// both triangles at the edge get the same vertex there.
+/// Cuts the triangles of a patch mesh along the border between the points that see a curve and
+/// those that see none. It consists of straight lines through ends of curves. Its crossing with an
+/// edge is found by bisection; both triangles at the edge get the same vertex there.
 ///
-/// accuracy  of these vertices, layer units
+/// accuracy  accuracy of these vertices, layer units
 /// Errors    limit (memory), cancelled
-/// Cost      O(triangles) to look for a border; the bits of a crossing for each edge across it
+/// Cost      O(triangles) to look for a border; for each edge that it crosses one bisection step
+///           per bit
 Result<BorderCuts> cut_at_border(Context& context, const mesh::TriangleMesh& mesh,
                                  const Sight& sight, double accuracy);
 

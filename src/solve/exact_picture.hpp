@@ -10,11 +10,11 @@
 
 namespace sfumato::solve {
 
-/// A document solved at whatever points are asked for, in place of patches: the ground truth that
-/// pictures are held against. Colours of a pixel are those of its centre.
+/// A document solved at any requested points, without patches: the ground truth with which pictures
+/// are compared. The colour of a pixel is that of its centre.
 class ExactPicture final : public picture::FieldSource {
  public:
-  /// options  those of mesh and patches are ignored
+  /// options  options for mesh and patches are ignored
   /// stats    optional: curves, segments and times are added
   /// Both context and document must outlive this. Errors: as diffuse().
   static Result<ExactPicture> create(Context& context, const Document& document,

@@ -12,21 +12,21 @@ inline std::int32_t next_spoke(const mesh::TriangleMesh& mesh, std::uint32_t h) 
   return mesh.half_edge_twin[mesh::TriangleMesh::previous(h)];
 }
 
-/// The one before it, likewise.
+/// The spoke before h; kNone at the hull.
 inline std::int32_t previous_spoke(const mesh::TriangleMesh& mesh, std::uint32_t h) {
   const std::int32_t twin = mesh.half_edge_twin[h];
   if (twin == mesh::kNone) return mesh::kNone;
   return static_cast<std::int32_t>(mesh::TriangleMesh::next(static_cast<std::uint32_t>(twin)));
 }
 
-/// The triangles around a vertex: spoke i, a half-edge that begins there, is of triangle
-/// spoke[i] / 3.
+/// The triangles around a vertex: spoke i is a half-edge that begins at the vertex; it belongs to
+/// triangle spoke[i] / 3.
 struct Fan {
   std::vector<std::uint32_t> spoke;  ///< in the direction of positive turns
-  bool is_closed = false;            ///< all round; else from hull to hull
+  bool is_closed = false;            ///< goes all the way round; else from hull to hull
 
-  /// The fan of h's origin. It begins at the hull where it is open; else at the last seam that is
-  /// met on the way back round the vertex from h, or behind h where there is none.
+  /// The fan of h's origin. An open fan begins at the hull. A closed one begins at the last seam
+  /// met when going backwards round the vertex from h, or behind h if there is no seam.
   template <class IsSeam>
   void collect(const mesh::TriangleMesh& mesh, std::uint32_t h, IsSeam is_seam) {
     const auto start = static_cast<std::int32_t>(h);

@@ -15,17 +15,17 @@
 
 namespace sfumato::solve {
 
-/// Sees each round of a layer's solution, for tests: its mesh, and the fields as they were
-/// gathered; opacity is null where `color` holds it or there is none.
+/// Called after each round of a layer's solution, for tests, with its mesh and the gathered fields.
+/// opacity is null if `color` holds it or there is none.
 using RoundWatch = FunctionRef<void(const mesh::TriangleMesh& mesh, const FieldSolver& color,
                                     const FieldSolver* opacity)>;
 
 /// Solves one layer: patch mesh, node values of colour and opacity, error-driven refinement.
 ///
-/// A round gathers the nodes that are new and compares the new patches with the exact gather at
-/// probe points; triangles that miss by more than `max_error` are made smaller for the next round,
-/// and mesh and nodes follow where they changed. At the end the nodes are numbered as if they had
-/// been laid out on that mesh.
+/// A round gathers the new nodes and compares the new patches with the exact gather at probe
+/// points. Triangles whose error exceeds `max_error` are made smaller for the next round, and mesh
+/// and nodes are updated where they changed. At the end the nodes are numbered as if they had been
+/// laid out on the final mesh.
 class LayerSolver {
  public:
   LayerSolver(Context& context, PreparedLayer prepared, const DiffuseOptions& options,
@@ -77,7 +77,7 @@ class LayerSolver {
   mesh::TriangleMesh mesh_;
   std::vector<std::uint32_t> changed_;  ///< triangles that are new in this round, ascending
   BorderCuts cuts_;                     ///< their parts follow the mesher's triangles
-  TableMemory memory_{"patches"};       ///< of lists of triangles, and of parts in the mesh
+  TableMemory memory_{"patches"};       ///< for lists of triangles, and for parts in the mesh
 };
 
 }  // namespace sfumato::solve

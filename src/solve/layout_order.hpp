@@ -12,17 +12,17 @@
 namespace sfumato::solve {
 
 /// Numbers the nodes of an updated layout as lay_out_nodes would, and drops those that no triangle
-/// has. Returns per node of now the number that it had. What else is kept for each node is to be
-/// put in the same order (`reorder`).
-/// memory   that of the layout, which the list's room is taken from too
-/// Errors   limit (memory), cancelled; the layout is good for nothing then
+/// uses. Returns the old number of each node. Other per-node data must be put in the same order
+/// (`reorder`).
+/// memory   the layout's memory, from which the list is allocated too
+/// Errors   limit (memory), cancelled; the layout is unusable then
 /// Cost     O(triangles)
 Result<std::vector<std::uint32_t>> put_in_order(const Context& context,
                                                 const mesh::TriangleMesh& mesh, TableMemory& memory,
                                                 NodeLayout& layout);
 
-/// Makes values[order[i]] the i-th; a value is `width` items, in room from `memory`. Errors: limit
-/// (memory), cancelled; `values` is as it was then.
+/// Moves values[order[i]] to place i; a value is `width` items, allocated from `memory`. Errors:
+/// limit (memory), cancelled; `values` is unchanged then.
 template <class Item>
 Status reorder(const Context& context, const std::vector<std::uint32_t>& order, TableMemory& memory,
                std::vector<Item>& values, std::size_t width = 1) {

@@ -35,24 +35,24 @@ inline void add_share(const FixedShare& fixed, int base_channels, NodeLayout& la
   }
 }
 
-/// Where the nodes of triangles stand, and which triangles share them: the rules, whatever table
-/// the nodes are put into. A Table has
+/// The rules that say where the nodes of triangles stand and which triangles share them,
+/// independent of the table that stores the nodes. A Table has
 ///
 ///   node_at(triangle, place)   a reference to the node of that place
-///   kept(spokes)               the node that stays at the origin of these spokes, or kNoNode
-///   own(spoke)                 the same of that triangle alone
-///   put_free(kept, position)   that node, there, or a new one: a node whose value is gathered
-///   put_fixed(kept, position)  the same for a node whose value a curve gives
-///   set(spoke, node)           what node_at(spoke / 3, spoke % 3) is from now on
+///   kept(spokes)               the node kept at the origin of these spokes, or kNoNode
+///   own(spoke)                 the same for that triangle alone
+///   put_free(kept, position)   places that node, or a new one, there; its value is gathered
+///   put_fixed(kept, position)  the same, but a curve gives its value
+///   set(spoke, node)           sets node_at(spoke / 3, spoke % 3)
 template <class Table>
 class NodePlacer {
  public:
   NodePlacer(const mesh::TriangleMesh& mesh, const Seams& seams, Table& table)
       : mesh_(mesh), seams_(seams), table_(table) {}
 
-  /// The nodes at h's origin, for every triangle of the fan: one for all where no seam ends here,
-  /// else one or more for each sector between seams. The places of sectors depend on h: of all
-  /// half-edges that begin there it is the lowest.
+  /// The nodes at h's origin, for every triangle of the fan: one for all if no seam ends here, else
+  /// one or more for each sector between seams. The order of the sectors depends on h, which must
+  /// be the lowest half-edge that begins there.
   void place_around_vertex(std::uint32_t h) {
     const auto is_seam = [&](std::uint32_t spoke) { return seams_.is_seam(spoke); };
     fan_.collect(mesh_, h, is_seam);
@@ -89,14 +89,14 @@ class NodePlacer {
     }
   }
 
-  /// The same where the neighbour on the other side of a free edge, whose half-edge `twin` is, has
-  /// these nodes already.
+  /// The same where the neighbour across a free edge has these nodes already; `twin` is the
+  /// neighbour's half-edge.
   void keep_on_edge(std::uint32_t h, std::uint32_t twin) {
     const std::uint32_t near = table_.node_at(twin / 3, 4 + 2 * (twin % 3));
     const std::uint32_t far = table_.node_at(twin / 3, 3 + 2 * (twin % 3));
     table_.node_at(h / 3, 3 + 2 * (h % 3)) = near;
     table_.node_at(h / 3, 4 + 2 * (h % 3)) = far;
-    // The first of both triangles says where they stand, to the last bit.
+    // The triangle with the lower half-edge determines their positions, to the last bit.
     table_.put_free(near, h < twin ? on_edge(h, 1.0 / 3) : on_edge(twin, 2.0 / 3));
     table_.put_free(far, h < twin ? on_edge(h, 2.0 / 3) : on_edge(twin, 1.0 / 3));
   }
@@ -105,10 +105,10 @@ class NodePlacer {
     table_.node_at(t, 9) = table_.put_free(kNoNode, barycentre(t));
   }
 
-  /// What the curves give to the nodes that were put, in the order of that.
+  /// The values that curves give to nodes, in the order in which these were placed.
   const std::vector<FixedShare>& fixed() const { return fixed_; }
 
-  /// Charges what that list has grown. Error: limit (memory).
+  /// Charges the growth of that list. Error: limit (memory).
   Status settle(const Context& context) {
     return memory_.settle(context, capacity_bytes(fixed_), known_bytes_);
   }
@@ -116,8 +116,9 @@ class NodePlacer {
  private:
   using Sector = std::span<const std::uint32_t>;
 
-  /// A free node that would stand on a curve is gathered this far towards its triangle's barycentre
-  /// (as a fraction): on the triangle's side of the curve, and still next to it.
+  /// A free node that would stand on a curve is moved by this fraction towards its triangle's
+  /// barycentre before it is gathered: it is then on the triangle's side of the curve and still
+  /// next to it.
   static constexpr double kNudge = 4e-3;
 
   Vec2 corner(std::uint32_t half_edge) const {
@@ -142,7 +143,7 @@ class NodePlacer {
     return node;
   }
 
-  /// True where the test holds for an edge that meets the fan's vertex.
+  /// Whether the test holds for some edge that meets the fan's vertex.
   template <class Test>
   bool touches(Test test) const {
     for (std::uint32_t spoke : fan_.spoke) {
@@ -164,8 +165,8 @@ class NodePlacer {
                              : table_.put_free(kept, vertex));
   }
 
-  /// The corner rule (docs/mathematics.md, paper Fig. 4) for a sector between its first spoke,
-  /// whose value is a, and its last, whose value is b.
+  /// The corner rule (docs/mathematics.md, paper Fig. 4) for a sector whose first spoke has the
+  /// value a and whose last has the value b.
   void place_in_sector(Sector sector) {
     const std::uint32_t first = sector.front(), last = mesh::TriangleMesh::previous(sector.back());
     const Vec2 vertex = corner(first);

@@ -15,12 +15,11 @@ namespace sfumato::solve {
 inline constexpr std::uint32_t kNoNode = 0xffffffff;
 
 /// The evaluation nodes of one attribute on a patch mesh (paper section 4, Fig. 3 and 4): which
-/// node stands at each of a triangle's ten places, and what is known of its value before anything
-/// is gathered.
+/// node stands at each of a triangle's ten places, and its value if this is known without a gather.
 ///
 /// Nodes off the curves that bear the attribute are shared by the triangles around them. On such a
-/// curve each side has nodes of its own; a side with a shader fixes their values, an open one
-/// leaves them free.
+/// curve each side has its own nodes; a side with a shader fixes their values, an open side leaves
+/// them free.
 struct NodeLayout {
   int channel_count = 0;                     ///< SegmentAttributes::channel_count()
   std::vector<std::uint32_t> triangle_node;  ///< as in PatchField
@@ -33,9 +32,9 @@ struct NodeLayout {
 };
 
 /// Lays out the nodes in the order of the triangles, so that neighbours in the list are neighbours
-/// in the plane. `seams` is made of the same mesh and attributes. The layout's room is taken from
-/// `memory`. Errors: limit (memory), cancelled. Cost: O(triangles). What follows a mesh that
-/// changes: solve/layout_update.hpp.
+/// in the plane. `seams` is made from the same mesh and attributes. The layout is allocated from
+/// `memory`. Errors: limit (memory), cancelled. Cost: O(triangles). For a mesh that changes see
+/// solve/layout_update.hpp.
 Result<NodeLayout> lay_out_nodes(const Context& context, const mesh::TriangleMesh& mesh,
                                  const curves::SegmentAttributes& attributes, const Seams& seams,
                                  TableMemory& memory);

@@ -12,35 +12,36 @@
 
 namespace sfumato::solve {
 
-/// What every way of evaluating a layer begins with: its curves flattened, meshed and made ready
-/// for gathering.
+/// The first step of every way to evaluate a layer: its curves flattened, meshed and prepared for
+/// gathering.
 struct PreparedLayer {
   mesh::Mesher mesher;
   PreparedField color;
-  /// Where any curve bears it, and color does not hold it too.
+  /// Present if any curve bears opacity and `color` does not hold it.
   std::optional<PreparedField> opacity;
   Box frame;             ///< what the patch mesh covers, layer frame
-  double smallest_edge;  ///< a triangle with no longer edge shows on no pixel, layer units
+  double smallest_edge;  ///< triangles with shorter edges show on no pixel, layer units
 };
 
 /// How some instances look at a layer.
 struct LayerView {
   Box window;    ///< the part of the layer frame that they bring into the viewport
-  double scale;  ///< artboard units to a layer unit, of the one that enlarges it most
+  double scale;  ///< artboard units per layer unit, for the instance that enlarges it most
 };
 
 /// How a layer is looked at.
 struct LayerSight {
   Box viewport;      ///< the part of the layer frame that any instance brings into the viewport
-  double scale = 1;  ///< artboard units to a layer unit, of the instance that enlarges it most
-  std::vector<LayerView> views{};  ///< instances whose scales share a power of two are one
+  double scale = 1;  ///< artboard units per layer unit, for the instance that enlarges it most
+  std::vector<LayerView> views{};  ///< instances whose scales share a power of two are combined
 };
 
 /// Empty viewport: no instance shows any of the layer.
 LayerSight sight_of_layer(const Document& document, std::uint32_t layer, const Box& viewport);
 
-/// What a layer is prepared for: single points, exactly; or patches, where one field may hold
-/// colour and opacity if the same curves bear both, and radii below a mesh's reach are fine ones.
+/// The purpose of the preparation. points: exact values at single points. patches: one field may
+/// hold colour and opacity if the same curves bear both, and blur radii too small for the mesh are
+/// treated as fine ones.
 enum class LayerUse : std::uint8_t { points, patches };
 
 /// Adds to `stats` if not null. Errors: limit (an instance shows more of its layer than coordinates
@@ -49,7 +50,7 @@ Result<PreparedLayer> prepare_layer(Context& context, const Document& document, 
                                     const LayerSight& sight, const DiffuseOptions& options,
                                     DiffuseStats* stats, LayerUse use = LayerUse::points);
 
-/// Checks lengths and counts of the options against what they mean.
+/// Checks that the lengths and counts in the options are within their ranges.
 Status validate(const DiffuseOptions& options);
 
 }  // namespace sfumato::solve

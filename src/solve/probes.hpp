@@ -11,8 +11,9 @@
 
 namespace sfumato::solve {
 
-/// Points where patches are compared with the exact gather: three inside a triangle and the centre
-/// of each edge that is not on a curve (there the patch is exact), once for both its triangles.
+/// Points at which patches are compared with the exact gather: three inside each triangle, and the
+/// centre of each edge, once for both its triangles. Edges on curves have none, since the patch is
+/// exact there.
 struct ProbeSet {
   std::vector<Vec2> position;            ///< layer frame
   std::vector<std::uint32_t> half_edge;  ///< inside triangle h / 3; see `place`
@@ -24,8 +25,8 @@ struct ProbeSet {
 Result<ProbeSet> place_probes(const Context& context, const mesh::TriangleMesh& mesh,
                               const NodeLayout& layout, std::span<const std::uint32_t> triangles);
 
-/// Foretells by how much triangle t's cubic patch is off at its probes at the most, from its nodes
-/// alone; for 99% of patches less than that. Writes layout.channel_count floats.
+/// Predicts from its nodes alone an upper bound of the error of triangle t's cubic patch at its
+/// probes; it holds for 99% of patches. Writes layout.channel_count floats.
 void foretell_miss(const NodeLayout& layout, std::uint32_t t, float* miss);
 
 /// The patch's value at probe i, layout.channel_count floats.

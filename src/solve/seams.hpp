@@ -11,8 +11,8 @@
 
 namespace sfumato::solve {
 
-/// What one side of a curve shows at a point of it (paper eq. 10 with the whole weight on that
-/// point): channels of the curve-domain share, and shares of image-domain shaders.
+/// The value of one side of a curve at a point of the curve (paper eq. 10 with the whole weight at
+/// that point): channels of the curve-domain share, and shares of image-domain shaders.
 struct SeamValue {
   curves::FieldValue base;
   std::uint32_t shader[2] = {};  ///< index into SegmentAttributes::shader
@@ -25,19 +25,19 @@ bool same_value(const SeamValue& a, const SeamValue& b);
 /// Where the picture may jump: the constrained edges with a side that is not open.
 class Seams {
  public:
-  /// Of a mesh that outlives this. Errors: limit (memory), cancelled.
+  /// The mesh must outlive this. Errors: limit (memory), cancelled.
   static Result<Seams> create(const Context& context, const mesh::TriangleMesh& mesh,
                               const curves::SegmentAttributes& attributes);
 
-  /// Follows the mesh, of which these triangles changed, new ones among them. Errors: limit
-  /// (memory), cancelled; nothing else can be asked then.
+  /// Follows the mesh, of which these triangles changed, including new ones. Errors: limit
+  /// (memory), cancelled; this object is unusable then.
   Status update(const Context& context, const curves::SegmentAttributes& attributes,
                 std::span<const std::uint32_t> changed);
 
   /// True for both half-edges of an edge that stops rays on either side.
   bool is_seam(std::uint32_t half_edge) const { return is_seam_[half_edge] != 0; }
 
-  /// What the triangle of a constrained half-edge sees of it.
+  /// The side of a constrained half-edge that its triangle sees.
   const gather::Facing& facing(std::uint32_t half_edge) const { return facing_[index(half_edge)]; }
 
   /// True where the side that the half-edge's triangle sees has a value of its own.
@@ -52,7 +52,7 @@ class Seams {
   /// The blur radius at fraction u; 0 where there is nothing to blur with.
   float blur_radius(std::uint32_t half_edge, float u) const;
 
-  /// That of a blur that is too fine for the mesh, likewise.
+  /// The radius at fraction u of a blur that is too fine for the mesh; 0 if there is none.
   float fine_radius(std::uint32_t half_edge, float u) const;
 
  private:
