@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <string_view>
 
-/// Runs of characters of one kind (is_kind(c)). Long ones are taken a block at a time, without a
-/// branch for each character: one as long as the largest input is passed sooner than the cancel
-/// flag has to be looked at.
+/// Runs of characters of one kind (is_kind(c)). Long runs are read a block at a time, without a
+/// branch for each character, so that even a run as long as the largest input takes less time than
+/// the longest interval between checks of the cancel flag.
 namespace sfumato {
 
 inline constexpr std::size_t kRunBlock = 64;
@@ -21,7 +21,7 @@ bool all_are(std::string_view block, IsKind is_kind) {
   return others == 0;
 }
 
-/// Where the run that stands at `begin` ends: `begin` where there is none.
+/// The end of the run that begins at `begin`; `begin` if there is none.
 template <class IsKind>
 std::size_t run_end(std::string_view text, std::size_t begin, IsKind is_kind) {
   const std::size_t near = std::min(text.size(), begin + kRunBlock);
@@ -35,7 +35,7 @@ std::size_t run_end(std::string_view text, std::size_t begin, IsKind is_kind) {
   return end;
 }
 
-/// Where the run begins that ends the text: its size where there is none.
+/// The begin of the run at the end of the text; the text's size if there is none.
 template <class IsKind>
 std::size_t run_begin(std::string_view text, IsKind is_kind) {
   std::size_t begin = text.size();

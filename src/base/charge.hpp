@@ -8,31 +8,32 @@
 
 namespace sfumato {
 
-/// A charge that gives itself back at the end of its scope. It belongs to one Budget, that of the
-/// first Context that it is charged to, which must outlive it. Movable.
+/// A charge that is released at the end of its scope. It belongs to one Budget, that of the first
+/// Context to which it is charged, which must outlive it. Movable.
 ///
-/// Tables take their room from a TableMemory, which charges what it allocates. This is for what
-/// allocates by itself: other libraries, and objects that bytes_of() measures once they are there.
+/// Tables are allocated from a TableMemory, which charges what it allocates. This class is for
+/// memory that is allocated elsewhere: by other libraries, and by objects that bytes_of() measures
+/// once they exist.
 class ScopedCharge {
  public:
   ScopedCharge() = default;
-  /// Of this Budget, before anything is charged.
+  /// Belongs to this Budget from the start.
   explicit ScopedCharge(Budget& budget) : budget_(&budget) {}
   ScopedCharge(ScopedCharge&& other) noexcept
       : budget_(std::exchange(other.budget_, nullptr)), bytes_(std::exchange(other.bytes_, 0)) {}
   ScopedCharge& operator=(ScopedCharge&& other) noexcept;
   ~ScopedCharge();
 
-  /// Charges `bytes` more; on failure nothing changes. What has a Budget already stays with it,
-  /// whichever Context does the work now.
+  /// Charges `bytes` more; on failure nothing changes. A charge that has a Budget already stays
+  /// with it, whatever the Context.
   Status add(const Context& context, std::size_t bytes, std::string_view purpose);
 
-  /// Charges what is lacking of `bytes` in all: for what grows and is measured now and then.
+  /// Raises the charge to `bytes` in all, for memory that grows and is measured from time to time.
   Status raise_to(const Context& context, std::size_t bytes, std::string_view purpose) {
     return bytes > bytes_ ? add(context, bytes - bytes_, purpose) : ok_status();
   }
 
-  /// Gives `bytes` back; more than is charged counts as all of it.
+  /// Releases `bytes`, but at most what is charged.
   void release(std::size_t bytes);
 
   /// Takes over the charge of `other`, which belongs to the same Budget or to none.

@@ -7,8 +7,8 @@
 
 namespace sfumato {
 
-/// Writes one JSON value, compact. Keys and values in the caller's order; infinities and NaN become
-/// null. Bytes of text that are no UTF-8 become U+FFFD.
+/// Writes one JSON value, compactly. Keys and values keep the caller's order; infinities and NaN
+/// become null; bytes of text that are not UTF-8 become U+FFFD.
 class JsonWriter {
  public:
   JsonWriter& begin_object() { return open('{'); }
@@ -22,7 +22,7 @@ class JsonWriter {
   JsonWriter& value(std::unsigned_integral auto number) { return raw(std::to_string(number)); }
   JsonWriter& value(std::signed_integral auto number) { return raw(std::to_string(number)); }
 
-  /// true or false; a function of its own, since text would turn into bool too.
+  /// true or false. A separate function, since text would convert to bool too.
   JsonWriter& truth(bool is_true) { return raw(is_true ? "true" : "false"); }
 
   template <class Value>
@@ -39,7 +39,7 @@ class JsonWriter {
   void separate();
 
   std::string text_;
-  bool first_ = true;  ///< nothing stands before the next value at this level
+  bool first_ = true;  ///< the next value is the first at this level
 };
 
 }  // namespace sfumato

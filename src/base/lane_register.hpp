@@ -20,9 +20,9 @@
 #define SFUMATO_ISA isa_base
 #endif
 
-/// One register of W lanes: what base/lanes.hpp is made of, and the only place of the project where
-/// intrinsics stand. They are used where compilers make poor code of vector types; each gives the
-/// bits of the plain expression beside it.
+/// One register of W lanes, on which base/lanes.hpp is built. This is the only place of the project
+/// that contains intrinsics. They are used where compilers generate poor code from vector types;
+/// each gives the bits of the plain expression beside it.
 namespace sfumato::inline SFUMATO_ISA::lane {
 
 template <int W>

@@ -48,8 +48,8 @@ struct LaneMask {
   }
 };
 
-/// 32-bit integers, one to a lane. Sums and products wrap: lanes that are not used hold anything.
-/// >> keeps the sign.
+/// 32-bit integers, one to a lane. Sums and products wrap; unused lanes may hold any value. >>
+/// keeps the sign.
 template <int W, int K = 1>
 struct IntLanes {
   using Register = lane::Int<W>;
@@ -235,9 +235,9 @@ SFUMATO_INLINE Lanes<W, K> to_float(const IntLanes<W, K>& a) {
   return r;
 }
 
-/// 1/a within 2e-6 of itself, for |a| from 1e-37 to 1e37: a seed from the exponent (5 % off), a
-/// balanced quadratic step (0.15 %) and a Newton step. Constants are scaled so that neither step
-/// multiplies by one. Elsewhere some number or infinity, the same in every width.
+/// 1/a with a relative error of at most 2e-6, for |a| from 1e-37 to 1e37: a seed from the exponent
+/// (error 5 %), a balanced quadratic step (0.15 %) and a Newton step. Constants are scaled so that
+/// neither step multiplies by one. For other a some number or infinity, the same in every width.
 template <int W, int K>
 SFUMATO_INLINE Lanes<W, K> reciprocal(const Lanes<W, K>& a) {
   using F = Lanes<W, K>;
@@ -246,7 +246,8 @@ SFUMATO_INLINE Lanes<W, K> reciprocal(const Lanes<W, K>& a) {
   return y * (F(2.00000072f) - a * y);
 }
 
-/// 1/sqrt(a) within 5e-7 of itself, for a from 1e-37 to 1e37; made as `reciprocal`.
+/// 1/sqrt(a) with a relative error of at most 5e-7, for a from 1e-37 to 1e37; computed like
+/// `reciprocal`.
 template <int W, int K>
 SFUMATO_INLINE Lanes<W, K> reciprocal_sqrt(const Lanes<W, K>& a) {
   using F = Lanes<W, K>;

@@ -8,15 +8,15 @@
 
 namespace sfumato {
 
-/// The limit in an error's words: "200000 curves".
+/// A limit as text for an error: "200000 curves".
 /// what    in the plural
 std::string limit_text(const Limits& limits, std::size_t Limits::*limit, std::string_view what);
 
-/// The error of passing a limit: `limit` becomes Status::limit, and lives for ever.
+/// The error of exceeding a limit. `limit` becomes Status::limit and must have static lifetime.
 Status make_limit_error(std::string_view limit, std::string message, SourcePlace where = {});
 Status make_limit_error(std::size_t Limits::*limit, std::string message, SourcePlace where = {});
 
-/// make_limit_error() with the usual words: "more than the limit of 200000 curves".
+/// make_limit_error() with the usual message: "more than the limit of 200000 curves".
 Status limit_error(const Limits& limits, std::size_t Limits::*limit, std::string_view what,
                    SourcePlace where = {});
 

@@ -5,14 +5,15 @@
 
 namespace sfumato {
 
-/// Without a branch, so that loops over characters become vectors.
+/// Branchless, so that loops over characters can be vectorized.
 constexpr bool is_digit(char c) {
   return (c >= '0') & (c <= '9');
 }
 
-/// Reads a decimal number: sign, digits, point, exponent, with blanks around it. The locale plays
-/// no part and the result is correctly rounded; what is too small becomes 0. Nothing where the text
-/// is anything else, longer than 2^20 characters, or too large for a double: never NaN or infinity.
+/// Reads a decimal number: sign, digits, point, exponent, with optional blanks around it. The
+/// result is independent of the locale and correctly rounded; a value that is too small becomes 0.
+/// No value if the text is anything else, is longer than 2^20 characters, or is too large for a
+/// double; never NaN or infinity.
 std::optional<double> parse_number(std::string_view text);
 
 }  // namespace sfumato

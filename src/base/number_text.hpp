@@ -12,21 +12,21 @@ namespace sfumato {
 /// "0.1", "-12", "1e-7"; zero has no sign.
 std::string number_text(double value);
 
-/// The shortest decimal that float(double(text)) turns into the value.
+/// The shortest decimal for which float(double(text)) is the value.
 std::string number_text(float value);
 
-/// The value rounded to so many significant digits, 1 to 17.
+/// The value rounded to `digits` significant digits, 1 to 17.
 std::string rounded_number_text(double value, int digits);
 
-/// A percentage p, without its sign: double(p) / 100 is `fraction` or, where no double is such a p,
-/// the quotient next to it. Written again, that one gives the same text.
+/// A percentage p, without the percent sign, such that double(p) / 100 is `fraction` or, if there
+/// is no such double, the nearest such quotient. That quotient gives the same text again.
 std::string percent_text(double fraction);
 
 /// "#rrggbb" where every channel is k / 255 to the bit, else "rgb(r% g% b%)" with
 /// float(double(r) / 100) == color.r, and so on.
 std::string color_text(const Rgb& color);
 
-/// "translate(x y)" or "matrix(a b c d e f)", as SVG and CSS have it.
+/// "translate(x y)" or "matrix(a b c d e f)", as in SVG and CSS.
 std::string transform_text(const Affine& map);
 
 }  // namespace sfumato

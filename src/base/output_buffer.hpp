@@ -12,13 +12,13 @@
 
 namespace sfumato {
 
-/// A file, text or bytes, while it is written: its room comes from the Context's Budget, and
-/// doubles where it has to grow. A failure stays: from then on nothing is appended, and status()
-/// and finish() return it, so that a writer need not look after each piece. Loops over many pieces
-/// look now and then, and at the cancel flag too. Not thread-safe.
+/// A file, text or bytes, while it is written. Its memory is charged to the Context's Budget, and
+/// its capacity at least doubles when it grows. A failure is kept: from then on nothing is
+/// appended, and status() and finish() return it, so that a writer need not check after each piece.
+/// Loops over many pieces check from time to time, and the cancel flag too. Not thread-safe.
 class OutputBuffer {
  public:
-  /// purpose   what is written, in the message of a limit: "the SVG"; a literal
+  /// purpose   what is written, for the message of a limit error: "the SVG"; a literal
   OutputBuffer(const Context& context, std::string_view purpose)
       : context_(context), memory_(purpose) {}
 
@@ -41,10 +41,10 @@ class OutputBuffer {
     }
   }
 
-  /// Room for `size` more bytes, so that what follows need not move.
+  /// Reserves room for `size` more bytes, so that appending them needs no reallocation.
   void reserve(std::size_t size);
 
-  /// What was written so far, until more is; nothing after a failure.
+  /// The text so far, valid until more is written; empty after a failure.
   std::string_view text() const {
     return {reinterpret_cast<const char*>(bytes_.data()), bytes_.size()};
   }
@@ -52,7 +52,7 @@ class OutputBuffer {
   std::size_t size() const { return bytes_.size(); }
   /// Ok, or why nothing is appended any more: limit (memory), cancelled, or what fail() was given.
   const Status& status() const { return status_; }
-  /// Ends the writing for this reason, unless it has ended or the reason is ok.
+  /// Stops the writing with this failure, unless it has failed already or `status` is ok.
   void fail(Status status);
 
   /// What was written, or the failure. The charge lasts as long as this object.

@@ -16,13 +16,13 @@ inline PixelRect intersection(const PixelRect& a, const PixelRect& b) {
   return {std::max(a.x0, b.x0), std::max(a.y0, b.y0), std::min(a.x1, b.x1), std::min(a.y1, b.y1)};
 }
 
-/// By at least `margin` pixels on each side.
+/// `rect` grown by at least `margin` pixels on each side.
 inline PixelRect grown(const PixelRect& rect, double margin) {
   const int by = static_cast<int>(margin) + 1;
   return {rect.x0 - by, rect.y0 - by, rect.x1 + by, rect.y1 + by};
 }
 
-/// The smallest that holds both; an empty one holds nothing.
+/// The smallest rectangle that contains both; empty ones are ignored.
 inline PixelRect united(const PixelRect& a, const PixelRect& b) {
   if (a.empty()) return b;
   if (b.empty()) return a;

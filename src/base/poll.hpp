@@ -7,18 +7,19 @@
 
 namespace sfumato {
 
-/// Told of every look at the cancel flag: how tests learn how often work looks. Called from any
-/// thread.
+/// Notified at each check of the cancel flag, so that tests can measure how often work checks it.
+/// Called from any thread.
 class PollWatch {
  public:
   virtual ~PollWatch() = default;
   virtual void polled() = 0;
-  /// Whether loops of short turns look at every turn: each may then be the first to see the flag.
+  /// Whether RarePoll checks the flag at every call, so that any of them may be the first to see
+  /// it.
   virtual bool wants_every_turn() const { return false; }
 };
 
-/// Looks at the cancel flag once in `kTurns` calls, for loops of short turns. What it has seen once
-/// it says at every later call: a loop that was ended early does not go on as the next one.
+/// Checks the cancel flag once in `kTurns` calls, for loops with short iterations. Once it has seen
+/// the flag it reports it on every later call, so that a second loop does not start.
 template <std::uint32_t kTurns>
 class RarePoll {
   static_assert(std::has_single_bit(kTurns));

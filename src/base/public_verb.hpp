@@ -7,8 +7,8 @@
 
 namespace sfumato {
 
-/// body(), which returns a Status or a Result, as every public verb does its work: with a Context
-/// that is as validate() wants it, and through no_throw.
+/// Runs body(), which returns a Status or a Result, as every public verb does: only with a Context
+/// that validate() accepts, and through no_throw.
 template <class Body>
 auto public_verb(const Context& context, Body&& body) -> decltype(body()) {
   return no_throw([&]() -> decltype(body()) {

@@ -17,7 +17,8 @@
 
 namespace sfumato {
 
-/// Bytes that tables (vectors, strings) have allocated; a short string lies in the object itself.
+/// Bytes that tables (vectors, strings) have allocated; a short string is stored in the object
+/// itself.
 template <class... Table>
 std::size_t capacity_bytes(const Table&... tables) {
   const auto bytes = [](const auto& table) {
@@ -29,31 +30,31 @@ std::size_t capacity_bytes(const Table&... tables) {
   return (std::size_t{0} + ... + bytes(tables));
 }
 
-/// A Context's Budget as a resource of memory for tables (vectors, strings). A table's room is
-/// charged as it is allocated, to the byte; a table that moves to a larger room is charged twice
-/// while both exist. Everything is given back at the end of this object's scope: it stands beside
-/// the tables, and moves with them. A table may grow through another TableMemory than the one that
-/// made it, of the same Budget: that one pays for the difference.
+/// A memory resource for tables (vectors, strings) that charges a Context's Budget. A table's
+/// capacity is charged as it is allocated, to the byte; while a table moves to a larger allocation
+/// both are charged. All charges are released at the end of this object's scope, so keep it beside
+/// its tables and move it with them. A table may grow through a TableMemory other than the one that
+/// made it, if both belong to the same Budget; that one is charged the difference.
 ///
-/// Every verb may fail with limit (memory) or cancelled; what the table holds is unspecified then.
-/// Memory is touched for the first time in parts, with a look at the cancel flag between them,
-/// since that takes 0.3 s a GiB. An allocation of the machine that fails throws std::bad_alloc, see
-/// no_throw.
+/// Every function that returns a Status may fail with limit (memory) or cancelled; the content of
+/// the table is unspecified then. New memory is first touched in parts, and the cancel flag is
+/// checked between them, since touching takes 0.3 s per GiB. If the system has no memory,
+/// std::bad_alloc is thrown; see no_throw.
 ///
-/// Belongs to one Budget, as ScopedCharge does. Not thread-safe.
+/// Belongs to one Budget, like ScopedCharge. Not thread-safe.
 class TableMemory {
  public:
-  /// purpose   what the tables are for, in the error's message: "textures"; a literal
+  /// purpose   what the tables are for, for the error's message: "textures"; a literal
   explicit TableMemory(std::string_view purpose) : purpose_(purpose) {}
-  /// Of this Budget, whichever Context comes first.
+  /// Belongs to this Budget from the start.
   TableMemory(std::string_view purpose, Budget& budget) : charge_(budget), purpose_(purpose) {}
 
-  /// Room for `count` items in all, and no more than that where it has to be made.
+  /// Reserves room for `count` items in all; a new allocation has exactly that size.
   template <class Table>
   Status reserve(const Context& context, Table& table, std::size_t count);
 
-  /// Room for `more` items behind those that are there; where it has to be made the room doubles at
-  /// least.
+  /// Reserves room for `more` items after the present ones; a new allocation is at least twice as
+  /// large.
   template <class Table>
   Status make_room(const Context& context, Table& table, std::size_t more = 1) {
     if (more <= table.capacity() - table.size()) return ok_status();
@@ -84,7 +85,7 @@ class TableMemory {
     return status;
   }
 
-  /// resize() for what grows again and again: where room has to be made there is room for `most`.
+  /// resize() for a table that grows repeatedly: a new allocation has room for `most` items.
   template <class Table>
   Status grow(const Context& context, Table& table, std::size_t count, std::size_t most,
               const typename Table::value_type& value = {}) {
@@ -104,13 +105,14 @@ class TableMemory {
     return append(context, std::span(data, text.size()), bytes);
   }
 
-  /// Sorts by `less`, not stably: runs, and then these merged by twos into a second table, which is
-  /// charged meanwhile. On failure the order is unspecified.
+  /// Sorts by `less`, not stably: sorts runs, then merges them in pairs into a second table, which
+  /// is charged meanwhile. On failure the order is unspecified.
   template <class Item, class Less>
   static Status sort(const Context& context, std::vector<Item>& items, Less less);
 
-  /// Charges what tables have grown by themselves, in loops too deep for a status. They take
-  /// `bytes` now, and took `known` before, which follows. Error: limit (memory).
+  /// Charges the growth of tables that grew without this object, in inner loops that cannot return
+  /// a Status. They occupy `bytes` now and occupied `known` before; `known` is updated. Error:
+  /// limit (memory).
   Status settle(const Context& context, std::size_t bytes, std::size_t& known) {
     if (bytes <= known) return ok_status();
     Status status = charge_.add(context, bytes - known, purpose_);
@@ -118,14 +120,14 @@ class TableMemory {
     return status;
   }
 
-  /// Empties the table and gives its room back.
+  /// Empties the table and releases its memory.
   template <class Table>
   void free(Table& table) {
     charge_.release(capacity_bytes(table));
     Table().swap(table);
   }
 
-  /// Takes over what `other` holds, together with its tables.
+  /// Takes over the charges of `other`, whose tables move too.
   void take(TableMemory&& other) { charge_.take(std::move(other.charge_)); }
 
  private:
@@ -157,7 +159,7 @@ Status TableMemory::reserve(const Context& context, Table& table, std::size_t co
   Table moved;
   moved.reserve(count);
   if (const std::size_t bytes = capacity_bytes(moved); bytes > count * sizeof(Item)) {
-    status = charge_.add(context, bytes - count * sizeof(Item), purpose_);  // as strings round up
+    status = charge_.add(context, bytes - count * sizeof(Item), purpose_);  // strings round up
     if (!status) {
       charge_.release(count * sizeof(Item));
       return status;
@@ -202,7 +204,7 @@ Status TableMemory::sort(const Context& context, std::vector<Item>& items, Less 
   if (count <= kRun) return ok_status();
   TableMemory memory("sorting");
   std::vector<Item> merged;
-  // Of the same room, since the two tables may change places.
+  // The same capacity, since the two tables may be swapped.
   Status status = memory.reserve(context, merged, items.capacity());
   if (status) status = memory.resize(context, merged, count);
   if (!status) return status;

@@ -9,22 +9,22 @@
 
 namespace sfumato {
 
-/// A file that appears under its name whole or not at all. It is written beside its place, as
-/// `.sfumato-NAME.N.tmp`, under a lock; the file of a process that was killed is not locked any
-/// more and is removed by the next one that writes NAME.
+/// A file that appears under its name whole or not at all. It is written in the same folder as
+/// `.sfumato-NAME.N.tmp`, under a lock. The temporary file of a process that was killed is no
+/// longer locked, and the next process that writes NAME removes it.
 class AtomicFile {
  public:
-  /// path: a regular file or nothing; no symbolic link. Nothing happens yet.
+  /// path: a regular file or nothing; not a symbolic link. Touches no file yet.
   explicit AtomicFile(std::string path);
-  /// Removes what `commit` did not put in place.
+  /// Removes the temporary file unless `commit` has put it in place.
   ~AtomicFile();
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
 
-  /// mode: of the file that is replaced; none: as the process's umask says. Errors: io.
+  /// mode: that of the file to be replaced; none: by the process's umask. Errors: io.
   Status open(std::optional<unsigned> mode);
   Status write(std::span<const std::uint8_t> bytes);
-  /// Syncs the bytes, gives them their name, syncs the folder.
+  /// Syncs the bytes, renames the file to its final name, syncs the folder. Errors: io.
   Status commit();
 
  private:

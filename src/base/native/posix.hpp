@@ -17,7 +17,7 @@ class FileDescriptor {
  public:
   FileDescriptor() = default;
   /// open(2), always close-on-exec and never on 0, 1 or 2, even where these are closed. Check
-  /// `is_open`; errno says why not.
+  /// `is_open`; if false, errno says why.
   FileDescriptor(const std::string& path, int flags, unsigned mode = 0);
   FileDescriptor(FileDescriptor&& other) noexcept : number_(other.release()) {}
   FileDescriptor& operator=(FileDescriptor&& other) noexcept;
@@ -27,15 +27,16 @@ class FileDescriptor {
   int number() const { return number_; }
   int release();
 
-  /// close(2), whose errors are those of late writes. False: errno says why.
+  /// close(2), which reports errors of delayed writes. False: errno says why.
   bool close();
 
  private:
   int number_ = -1;
 };
 
-/// While it lives, writing to a closed pipe or past the process's file size limit is an error of
-/// write(2) and no signal that kills. The thread's signal mask is as before at the end.
+/// During its lifetime, writing to a closed pipe or past the process's file size limit is an error
+/// of write(2), not a signal that kills the process. Its destructor restores the thread's signal
+/// mask.
 class WriteSignalGuard {
  public:
   WriteSignalGuard();
@@ -48,20 +49,20 @@ class WriteSignalGuard {
   sigset_t previous_mask_;
 };
 
-/// Waits until a descriptor can be read (POLLIN) or written (POLLOUT), and looks at `context`, if
-/// any, all the while. False: errno says why; ECANCELED: the context says to stop.
+/// Waits until a descriptor can be read (POLLIN) or written (POLLOUT), and meanwhile checks whether
+/// `context`, if any, is cancelled. False: errno says why; ECANCELED: the context is cancelled.
 bool wait_until_ready(int descriptor, short event, const Context* context = nullptr);
 
-/// Waits a moment before something is tried again. False, with ECANCELED: the context says to stop.
+/// Waits for a short time before a retry. False, with ECANCELED: the context is cancelled.
 bool wait_a_moment(const Context* context);
 
-/// Writes all bytes, over short writes and interruptions. What is no regular file is waited for as
-/// `wait_until_ready` does. False: errno says why.
+/// Writes all bytes, continuing after short writes and interruptions. For anything but a regular
+/// file it waits as `wait_until_ready` does. False: errno says why.
 bool write_all(int descriptor, std::span<const std::uint8_t> bytes,
                const Context* context = nullptr);
 
-/// An io error about `path`: "cannot be written: No space left on device". ECANCELED of the
-/// functions above: why `context` says to stop.
+/// An io error about `path`: "cannot be written: No space left on device". For ECANCELED from the
+/// functions above: the status of `context`'s cancellation.
 Status io_error(const std::string& path, const char* what, int error_number,
                 const Context* context = nullptr);
 
