@@ -8,8 +8,7 @@
 namespace sfumato {
 
 inline Status out_of_memory() {
-  return make_error(StatusCode::out_of_memory,
-                    "out of memory");  // short enough to need no allocation
+  return make_error(StatusCode::out_of_memory, "out of memory");  // needs no allocation
 }
 
 /// Calls body(), which returns a Status or a Result; returns out_of_memory if an allocation in it

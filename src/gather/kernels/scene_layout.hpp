@@ -78,8 +78,7 @@ struct SceneView {
   int base_channels;
   int shader_count;
   const SceneTriangle* triangle;
-  std::int64_t
-      step_limit;  ///< the number of triangles that one packet may enter; guards against a bad mesh
+  std::int64_t step_limit;  ///< triangles that one packet may enter; guards against a bad mesh
 };
 
 inline constexpr int kPacketLanes = 16;

@@ -28,9 +28,8 @@ template <class F>
 struct Window {
   Direction<F> right;
   Direction<F> left;
-  LaneBits lanes;  ///< the values of other lanes are unspecified
-  LaneBits
-      whole_right;  ///< lanes whose right ray points to the edge's right end, which is thus not cut
+  LaneBits lanes;        ///< the values of other lanes are unspecified
+  LaneBits whole_right;  ///< lanes whose right ray points to the edge's right end (not cut there)
   LaneBits whole_left;
 };
 
