@@ -13,27 +13,27 @@ struct PixelPart {
   float color[4] = {};   ///< mean over the part, premultiplied
 };
 
-/// Layers whose outlines abut within a pixel. Painted one over the other, by coverage alone, each
-/// would let a share of what lies below through the other's part. Parts that fill the pixel just
-/// once, which their area and their common centroid tell, are added up instead.
+/// Layers whose outlines abut within a pixel. If they were painted one over the other by coverage
+/// alone, the background would show through between the two parts. Parts that together fill the
+/// pixel exactly once, as their areas and their common centroid show, are added instead.
 ///
-/// Of one tile, whose layers are painted one after another.
+/// One object serves one tile, whose layers are painted one after another.
 class AbuttingParts {
  public:
-  /// Memory of one.
+  /// Upper bound of the memory of one object.
   static constexpr std::size_t kMostBytes = std::size_t{kTileWidth} * kTileHeight * 44;
 
-  /// Forgets the tile before.
+  /// Removes the data of the previous tile.
   void clear() { pixels_.clear(); }
 
-  /// Puts an opaque part onto what the pixel of the image held below it. Values are colour and
-  /// alpha, 1 where none is kept.
+  /// Paints an opaque part over the pixel's previous value `below`. Values are colour and alpha;
+  /// alpha is 1 in images without alpha.
   void paint(int x, int y, const PixelPart& part, const float (&below)[4], float (&out)[4]);
 
  private:
   struct Pixel {
     PixelPart sum;       ///< colours weighted by area
-    float left[4] = {};  ///< what was painted last
+    float left[4] = {};  ///< the value after the last part
   };
   static_assert(sizeof(Pixel) == 44);
 

@@ -10,9 +10,9 @@
 
 namespace sfumato::raster {
 
-/// Per triangle of a layer that was checked, 1 where some value strays from what is linear in the
-/// triangle by more than a few code values, so that the mean over a part of it may not be its value
-/// at the part's centroid. Errors: limit (memory), cancelled. Cost: O(triangles).
+/// Per triangle of a checked layer, 1 if some value deviates from a linear function on the triangle
+/// by more than a few code values, so that the mean over a part may differ from the value at the
+/// part's centroid. Errors: limit (memory), cancelled. Cost: O(triangles).
 Result<std::vector<std::uint8_t>> bent_triangles(Context& context, const PatchLayer& layer,
                                                  TableMemory& memory);
 

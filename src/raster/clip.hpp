@@ -29,7 +29,7 @@ ClipTriangle clip_triangle(Vec2 corner0, Vec2 corner1, Vec2 corner2);
 /// A triangle that lies in pixel (x, y), its corners clockwise on the screen.
 Coverage whole_coverage(Vec2 corner0, Vec2 corner1, Vec2 corner2, int x, int y);
 
-/// Exact to rounding: of all triangles of a triangulation the areas in one pixel sum to 1 within
+/// Exact up to rounding: the areas in one pixel of all triangles of a triangulation sum to 1 within
 /// 1e-12.
 Coverage pixel_coverage(const ClipTriangle& triangle, int x, int y);
 

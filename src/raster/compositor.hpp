@@ -10,26 +10,27 @@
 
 namespace sfumato::raster {
 
-/// Paints the stack of a picture into tiles, one after another: what is opaque straight, other
-/// layers and groups by themselves, blended where they painted something.
+/// Paints the stack of a picture into tiles, one after another. Opaque items are painted directly;
+/// other layers and groups are painted separately, then blended where they painted something.
 class Compositor {
  public:
-  /// All must outlive this. source: as LayerPainter's; the list must not be plain then.
+  /// All must outlive this. source: as in LayerPainter; if it is not null, the list must not be
+  /// plain.
   Compositor(const Context& context, const PaintList& list, const SpanKernels& kernels,
              bool antialias, const picture::FieldSource* source);
 
-  /// Paints onto what `root`, the whole tile, holds; some of it where it fails. Errors: cancelled,
-  /// those of the source.
+  /// Paints over the content of `root`, the whole tile. Errors: cancelled, those of the source; the
+  /// tile is then partly painted.
   Status paint(std::size_t tile_index, const Tile& root);
 
-  /// Memory of one.
+  /// Memory of one object.
   static std::size_t bytes(const PaintList& list);
 
  private:
-  /// What is painted on: the tile itself, or an open group.
+  /// A target of painting: the tile itself, or an open group.
   struct Level {
     Tile tile;
-    PixelRect painted;  ///< what a group holds outside is undefined
+    PixelRect painted;  ///< a group's pixels outside are undefined
   };
 
   Status paint_item(const PaintItem& item, std::size_t tile_index);
@@ -37,7 +38,8 @@ class Compositor {
   Status paint_shaded(const PaintItem& item, const TriangleList& triangles);
   Status paint_stroke(const StrokePainter& stroke);
   void close_group(const PaintItem& item);
-  /// The pixels of the uppermost level to paint on, transparent where nothing was painted.
+  /// The pixels in `rect` of the uppermost level, to be painted on; transparent where nothing was
+  /// painted.
   Tile target(const PixelRect& rect);
 
   const Context& context_;
@@ -48,7 +50,7 @@ class Compositor {
   std::optional<LayerPainter> layer_painter_;
   std::vector<TilePlanes> groups_;
   std::vector<Level> levels_;
-  std::vector<float> opaque_;  ///< the alpha of a tile that has none
+  std::vector<float> opaque_;  ///< the alpha of a tile without alpha
   std::vector<std::uint32_t> listed_;
 };
 

@@ -12,32 +12,33 @@
 
 namespace sfumato::raster {
 
-/// The antialiasing of one tile: pixels that a curve or its fine blur passes through get, instead
-/// of the value at their centre, the mean of the patches in them, each weighted by its exact area
-/// and read at the centroid of its part (exact for colours that are linear in the pixel). So do
-/// pixels of triangles so small that colours may bend within a pixel; these are read in each
-/// quarter of the pixel. Sums run in the order of the triangles, from the first colour on, so that
-/// one colour stays exactly itself. What fine blurs change (raster/soft_strip.hpp) is added at the
-/// end.
+/// The antialiasing of one tile. A pixel through which a curve or its fine blur passes gets,
+/// instead of the value at its centre, the mean of the patches in it, each weighted by its exact
+/// area and read at the centroid of its part (exact for colours that are linear in the pixel). The
+/// same holds for pixels with triangles so small that colours may bend within a pixel; these are
+/// read in each quarter of the pixel. Sums are taken relative to the first colour, in the order of
+/// the triangles, so that a constant colour stays exactly the same. The change by fine blurs
+/// (raster/soft_strip.hpp) is added at the end.
 ///
-/// Through the area that no triangle covers, what lies below shows. But the frame of a layer
-/// without opacity is no outline: a pixel that it cuts is covered by all or by nothing, as most of
-/// it is, so that frames side by side leave no seam.
+/// The background shows through the area that no triangle covers. But the frame of a layer without
+/// opacity is not an outline: a pixel that it cuts is covered entirely or not at all, as the larger
+/// part of it is, so that adjacent frames leave no seam.
 ///
 /// One object serves many tiles, one after another.
 class MixedPixels {
  public:
-  /// Comes before the first layer of a tile.
+  /// Call before the first layer of a tile.
   void start_tile() { abutting_.clear(); }
 
-  /// Marks the mixed pixels of `tile` and keeps what they hold before the list is drawn.
+  /// Marks the mixed pixels of `tile` and saves their values before the list is drawn.
   void begin(const LayerView& layer, const TriangleList& triangles, const Tile& tile);
 
-  /// Repaints them after draw_triangles painted the same list; `begin` came before that.
+  /// Repaints them after draw_triangles has painted the same list. Call `begin` before
+  /// draw_triangles.
   void paint(const LayerView& layer, const TriangleList& triangles, const Tile& tile);
 
   /// Marks and repaints the mixed pixels of a layer that was shaded and premultiplied, with nothing
-  /// below it; it is the premultiplied colours that are averaged.
+  /// below it. Premultiplied colours are averaged.
   void paint(PointShader* shader, const TriangleList& triangles, const Tile& tile);
 
  private:
@@ -50,24 +51,24 @@ class MixedPixels {
     float area = 0;
     float moment[2] = {};
     float below[4] = {};  ///< colour and alpha before the layer was painted
-    float blur[4] = {};   ///< what fine blurs change
+    float blur[4] = {};   ///< the change by fine blurs
 
     void add(const Coverage& part, const Color4& color);
   };
 
-  /// Pixels whose blur is found at a time.
+  /// Number of pixels whose blur is computed at a time.
   static constexpr std::size_t kMostBlurred = 256;
 
-  /// Of the soft edge at hand, in one pixel.
+  /// Data of the current soft edge in one pixel.
   struct BlurredPixel {
     std::uint32_t sum;
     int x, y;
     StripPart part;
-    Color4 side[2];  ///< the shader's values across, and on the side
+    Color4 side[2];  ///< the shader's values across the edge, and on its own side
   };
 
  public:
-  /// Memory of one object, should every pixel be mixed.
+  /// Memory of one object if every pixel is mixed.
   static constexpr std::size_t kMostBytes =
       std::size_t{kTileWidth} * kTileHeight * (sizeof(Sum) + 2) +
       kMostBlurred * sizeof(BlurredPixel) + AbuttingParts::kMostBytes;

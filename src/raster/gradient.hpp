@@ -23,9 +23,9 @@ struct GradientSegment {
 
 /// A gradient of SVG as a function of the plane: sRGB code values, not premultiplied.
 ///
-/// A sample is the mean over the pixel, taken along the gradient's own direction: steps between
-/// stops and the seams of a repeating gradient are smooth, and repeats finer than a pixel are grey
-/// and not noise. Away from stops the mean is the value itself.
+/// A sample is the mean over the pixel along the gradient's own direction. Hence steps between
+/// stops and the seams of a repeating gradient are smooth, and repeats finer than a pixel give
+/// their mean colour, not noise. Away from stops the mean is the value itself.
 class Gradient {
  public:
   /// Errors: limit (memory).
@@ -40,13 +40,13 @@ class Gradient {
   std::span<const double, 4> total() const { return total_; }  ///< integral, premultiplied
   SpreadMethod spread() const { return spread_; }
   bool is_radial() const { return is_radial_; }
-  /// Linear: the offset is the x of the frame. Radial: the focus is its origin, its unit the
-  /// radius.
+  /// Linear: the offset is the x coordinate of the frame. Radial: the frame's origin is the focus,
+  /// its unit the radius.
   const Affine& frame_from_layer() const { return frame_from_layer_; }
   Vec2 center_from_focus() const { return center_from_focus_; }  ///< radial, in radii
 
  private:
-  /// Where a sample lies along the gradient, and half of the pixel's width there.
+  /// The position of a sample along the gradient, and half of the pixel's width there.
   struct Offset {
     double t = 0;
     double half_width = 0;

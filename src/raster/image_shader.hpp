@@ -17,7 +17,7 @@ namespace sfumato::raster {
 /// around the point (docs/mathematics.md, "Image-domain shaders").
 ///
 /// Gradients and textures are interpolated and filtered in sRGB code values, as SVG and browsers
-/// do, and brought to the interpolation space afterwards.
+/// do, and converted to the interpolation space afterwards.
 class ImageShader {
  public:
   struct Sample {

@@ -11,33 +11,35 @@
 
 namespace sfumato::raster {
 
-/// Four planes of a tile, zero at first.
+/// Four planes of a tile, initially zero.
 class TilePlanes {
  public:
   TilePlanes() : values_(std::make_unique<float[]>(4 * kTileFloats)) {}
 
   static constexpr std::size_t kBytes = 4 * kTileFloats * sizeof(float);
 
-  /// The pixels of `rect`, at most a tile of them, with alpha.
+  /// The pixels of `rect`, which is at most as large as a tile, with alpha.
   Tile tile(const PixelRect& rect) const;
 
  private:
   std::unique_ptr<float[]> values_;
 };
 
-/// All four planes to 0.
+/// Sets all four planes to 0.
 void clear(const Tile& tile);
 
-/// Shades the instances of layers, one after another, each by itself: colours and opacity from the
+/// Shades the instances of layers, one after another and separately: colours and opacity from the
 /// patches, image-domain shaders at every pixel, curves antialiased.
 class LayerPainter {
  public:
-  /// source   null: the patches; else what is asked for every pixel, and nothing is antialiased
+  /// source   null: values come from the patches. Else they come from the source at every pixel,
+  ///          and nothing is antialiased.
   LayerPainter(const SpanKernels& kernels, bool antialias, const picture::FieldSource* source)
       : kernels_(kernels), antialias_(antialias), source_(source) {}
 
-  /// Code values and alpha, premultiplied, in the pixels of `rect`, which lie in one tile and hold
-  /// all that the triangles paint of that tile. Valid until the next call. Errors: the source's.
+  /// Code values and alpha, premultiplied, in the pixels of `rect`, which lie in one tile and
+  /// contain everything that the triangles paint in that tile. Valid until the next call. Errors:
+  /// the source's.
   Result<Tile> paint(const LayerView& layer, const ShadingInput& input,
                      const TriangleList& triangles, const PixelRect& rect);
 

@@ -11,7 +11,7 @@ namespace sfumato::raster {
 /// small that pixel coordinates would overflow).
 Result<Affine> image_from_artboard(const Picture& picture, const RasterOptions& options);
 
-/// Looks into the instance's layer, which must outlive the view.
+/// A view of the instance's layer, which must outlive the view.
 LayerView view_instance(const Picture& picture, const PatchInstance& instance,
                         const Affine& image_from_artboard);
 

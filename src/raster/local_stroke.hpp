@@ -16,13 +16,13 @@ namespace sfumato::raster {
 
 /// A local curve cut into segments for one image.
 struct PreparedStroke {
-  curves::StrokeSegments segments;  ///< none where there is nothing to see
+  curves::StrokeSegments segments;  ///< empty if the stroke is not visible
   StrokeFrame frame;
   Affine image_from_frame;  ///< the frame is that of the segments
   Box bounds_px;            ///< every pixel that the stroke can touch lies inside
 };
 
-/// As StrokePainter::create, which begins with it.
+/// The first step of StrokePainter::create; the same parameters, errors and cost.
 Result<PreparedStroke> prepare_stroke(Context& context, const LocalStroke& stroke,
                                       const Affine& image_from_artboard, InterpolationSpace space);
 
@@ -30,7 +30,7 @@ Result<PreparedStroke> prepare_stroke(Context& context, const LocalStroke& strok
 class StrokePainter {
  public:
   /// image_from_artboard  image coordinates are pixels; the image lies within
-  ///                      [0, limits::kImageSide]², what is outside is not painted.
+  ///                      [0, limits::kImageSide]², the rest is not painted.
   /// Precondition: the document of `stroke` was validated. Nothing of `stroke` is kept; the
   /// context must outlive the painter.
   /// Errors: limit (segments, memory), cancelled.
@@ -38,14 +38,14 @@ class StrokePainter {
   static Result<StrokePainter> create(Context& context, const LocalStroke& stroke,
                                       const Affine& image_from_artboard, InterpolationSpace space);
 
-  /// Every pixel that the stroke can touch lies inside; empty where there is none.
+  /// Contains every pixel that the stroke can touch; empty if there is none.
   Box bounds_px() const { return bounds_; }
 
   /// Composites the stroke onto the pixels [x0, x0 + width) × [y0, y0 + height), source over.
   /// r, g, b, alpha  premultiplied sRGB code values; pixel (x0 + i, y0 + j) at i + j * stride.
-  /// Errors: cancelled; some of it is painted then. Thread-safe; a pixel's value does not depend on
-  /// the rectangle it is painted in. Cost: O(pixels touched · nodes in reach of each) + O(log
-  /// segments) per 128 pixels.
+  /// Errors: cancelled; the stroke is then partly painted. Thread-safe; a pixel's value does not
+  /// depend on the rectangle it is painted in. Cost: O(pixels touched · nodes in reach of each) +
+  /// O(log segments) per 128 pixels.
   Status paint(int x0, int y0, int width, int height, float* r, float* g, float* b, float* alpha,
                std::size_t stride) const;
 

@@ -13,8 +13,8 @@
 
 namespace sfumato::raster {
 
-/// Finds the segments of a stroke whose reach meets a rectangle, in walking order. A tree of boxes
-/// over runs of eight neighbours: segments that follow one another lie near one another.
+/// Finds the segments of a stroke whose reach meets a rectangle, in the order along the stroke. A
+/// tree of boxes over runs of eight neighbours, since consecutive segments lie near one another.
 class StrokeTree {
  public:
   StrokeTree() = default;

@@ -12,13 +12,13 @@ namespace sfumato::raster {
 /// bad_input, limit.
 Status check_options(const Limits& limits, const RasterOptions& options);
 
-/// What a pixel shows where nothing is painted.
+/// The value of a pixel where nothing is painted.
 struct Backdrop {
   Rgb color;
   float alpha = 1;
 };
 
-/// The options' background, else the document's, else white or, in formats with alpha, nothing.
+/// The options' background, else the document's, else white or, in formats with alpha, transparent.
 Backdrop choose_backdrop(const RasterOptions& options, const std::optional<Rgb>& document);
 
 }  // namespace sfumato::raster

@@ -6,15 +6,15 @@
 
 namespace sfumato::raster {
 
-/// How far from an edge the overlay paints, in pixels.
+/// The distance from an edge up to which the overlay paints, in pixels.
 inline constexpr double kOverlayReachPx = 1.5;
 
 /// The lines of triangulations over one tile: thin for free edges, in black or white, whichever
-/// stands out; thicker and orange for edges that are curves. A line is antialiased by its distance
-/// to a pixel's centre, and edges that overlap do not add up.
+/// contrasts more; thicker and orange for edges on curves. A line is antialiased by its distance to
+/// a pixel's centre, and edges that overlap do not add up.
 class Overlay {
  public:
-  /// Forgets all lines.
+  /// Removes all lines.
   void clear();
   void add(const LayerView& layer, const TriangleList& triangles, const Tile& tile);
   void paint(const Tile& tile) const;

@@ -18,8 +18,8 @@ namespace sfumato::raster {
 /// One item of a picture's stack as it lies in the image.
 struct PaintItem {
   enum class Kind : std::uint8_t {
-    straight,  ///< an opaque instance in code values: painted as it is onto what lies below
-    shaded,    ///< any other instance: painted by itself, then blended
+    straight,  ///< an opaque instance in code values: painted directly onto the tile
+    shaded,    ///< any other instance: painted separately, then blended
     stroke,
     group_begin,
     group_end
@@ -28,20 +28,20 @@ struct PaintItem {
   Kind kind = Kind::straight;
   BlendMode blend = BlendMode::normal;  ///< of a group at its end
   float opacity = 1;
-  TileRange tiles;  ///< that it may touch; of a group: that what stands in it may touch
+  TileRange tiles;  ///< that it may touch; for a group: that its content may touch
   LayerView layer;
   Affine layer_from_image;
-  std::optional<std::uint32_t> bins;       ///< index into the list's bins, if it has its own
-  const TriangleBlocks* blocks = nullptr;  ///< else its layer's
+  std::optional<std::uint32_t> bins;       ///< index into the list's bins, if the item has its own
+  const TriangleBlocks* blocks = nullptr;  ///< else those of its layer
   const StrokePainter* stroke = nullptr;
 
   bool is_instance() const { return kind <= Kind::shaded; }
 };
 
-/// The stack of a picture, sorted into rows of tiles. Memory: 300 bytes an item and 4 for each row
-/// that it touches; lists of triangles for the instances that touch many tiles, for others
-/// (or when these lists have grown large) 1 byte a triangle of the layer, however often it stands
-/// in the stack.
+/// The stack of a picture, sorted into rows of tiles. Memory: 300 bytes per item and 4 for each row
+/// that it touches. In addition, lists of triangles for the instances that touch many tiles; for
+/// others (or when these lists have grown large) 1 byte per triangle of the layer, however often
+/// the layer is in the stack.
 class PaintList {
  public:
   /// The picture was checked and must outlive this. Triangles count as touching a tile when they
@@ -52,7 +52,7 @@ class PaintList {
 
   double margin_px() const { return margin_px_; }
 
-  /// Indices of the items that touch a row of tiles, bottom first.
+  /// Indices of the items that touch a row of tiles, from the bottom of the stack up.
   std::span<const std::uint32_t> row(int tile_row) const;
   const PaintItem& item(std::uint32_t index) const { return items_[index]; }
 
@@ -63,8 +63,8 @@ class PaintList {
   const TileGrid& grid() const { return grid_; }
   InterpolationSpace space() const { return space_; }
   const ShaderSet& shaders() const { return shaders_; }
-  int group_depth() const { return group_depth_; }  ///< groups within each other
-  /// Whether everything is painted straight into the image.
+  int group_depth() const { return group_depth_; }  ///< the deepest nesting of groups
+  /// Whether everything is painted directly into the image.
   bool is_plain() const { return is_plain_; }
 
  private:

@@ -8,7 +8,7 @@
 
 namespace sfumato::raster {
 
-/// What the shading of an instance's layer reads besides its patches.
+/// The input for the shading of an instance's layer besides its patches.
 struct ShadingInput {
   InterpolationSpace space = InterpolationSpace::srgb;
   const ShaderSet* shaders = nullptr;
@@ -34,16 +34,17 @@ class PointShader {
     return layer_.order == PatchOrder::cubic && layer_.color.shader_count == 0 &&
            layer_.opacity.shader_count == 0;
   }
-  /// At the centroid of a triangle, which need not be begun. Precondition: has_centers().
+  /// The value at the centroid of a triangle; needs no call of `begin` before. Precondition:
+  /// has_centers().
   Color4 at_center(std::uint32_t triangle) const;
 
-  /// At a point of the triangle, which stands for a part of a pixel, with the image-domain shaders
-  /// as that pixel has them, in pixels of the image.
+  /// The value at a point of the triangle that represents a part of a pixel. Image-domain shaders
+  /// are evaluated for the pixel at pixel_center, in pixels of the image.
   Color4 at(const PatchPoint& point, Vec2 pixel_center) const {
     return shown(value(point, pixel_center));
   }
 
-  /// The colour in the space of interpolation, and the opacity: what a blur mixes.
+  /// The colour in the interpolation space and the opacity, which a blur mixes.
   Color4 value(const PatchPoint& point, Vec2 pixel_center) const;
   Color4 shown(const Color4& value) const;
 

@@ -14,12 +14,12 @@ namespace sfumato::raster {
 /// The image-domain shaders of a picture, made once and read by every thread.
 class ShaderSet {
  public:
-  /// Makes those that a layer names. Errors: limit, cancelled.
+  /// Prepares those that some layer names. Errors: limit, cancelled.
   static Result<ShaderSet> create(Context& context, const Picture& picture);
 
-  /// A shader that some layer's colour names: in the picture's interpolation space.
+  /// A shader that some layer's colour names, in the picture's interpolation space.
   const ImageShader& of_color(std::uint32_t shader) const { return *color_[shader]; }
-  /// One that some layer's opacity names: in code values.
+  /// A shader that some layer's opacity names, in code values.
   const ImageShader& of_opacity(std::uint32_t shader) const { return *opacity_[shader]; }
 
  private:
@@ -27,8 +27,8 @@ class ShaderSet {
   TableMemory memory_{"shaders"};
 };
 
-/// The opacity that a shader gives: alpha times the luminance of its code values, as masks of SVG
-/// have it in browsers.
+/// The opacity that a shader gives: alpha times the luminance of its code values, as browsers
+/// compute it for SVG masks.
 inline float opacity_of(float r, float g, float b, float alpha) {
   return alpha * (0.2126f * r + 0.7152f * g + 0.0722f * b);
 }

@@ -13,12 +13,12 @@
 namespace sfumato::raster {
 
 /// One resolution of a texture. Texel (i, j) covers [i, i + 1) × [j, j + 1) of the level's frame,
-/// but for the last column and row of level 0 of a repeating texture: they end at the period.
+/// except that the last column and row of level 0 of a repeating texture end at the period.
 struct TextureLevel {
   int width = 0;
   int height = 0;
   Vec2 level_from_texture;  ///< scale: texels of the level per texel of the texture
-  Vec2 period;              ///< where a repeating texture starts again, texels of the level
+  Vec2 period;              ///< period of a repeating texture, texels of the level
   std::size_t offset = 0;   ///< of its first texel, in texels
 };
 

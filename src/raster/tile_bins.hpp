@@ -47,8 +47,8 @@ struct TileBins {
 };
 
 /// Sorts the triangles whose bounding box, grown by margin_px, meets the image into tiles; a
-/// counting sort, so that each tile's list is increasing. 8 bytes a triangle while it runs, 4 bytes
-/// a listed triangle to keep. Errors: limit, cancelled.
+/// counting sort, so that each tile's list is increasing. Memory: 8 bytes per triangle during the
+/// sort, 4 bytes per listed triangle in the result. Errors: limit, cancelled.
 Result<TileBins> bin_triangles(Context& context, const LayerView& layer,
                                std::uint32_t triangle_count, const TileGrid& grid,
                                double margin_px);

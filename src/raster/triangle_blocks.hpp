@@ -10,9 +10,9 @@
 
 namespace sfumato::raster {
 
-/// The triangles of a layer in runs of kTrianglesPerBlock with their bounding boxes: what finds
-/// those in a tile for any number of instances, with nothing stored for each. Good where
-/// triangles that follow one another lie together, right in any order.
+/// The triangles of a layer in runs of kTrianglesPerBlock with their bounding boxes. Finds the
+/// triangles in a tile for any number of instances without data per instance. Fast if consecutive
+/// triangles lie near each other; correct in any order.
 struct TriangleBlocks {
   std::vector<Box> box;  ///< layer frame
   std::uint32_t triangle_count = 0;
@@ -24,8 +24,7 @@ inline constexpr std::uint32_t kTrianglesPerBlock = 32;
 /// Errors: limit, cancelled.
 Result<TriangleBlocks> make_triangle_blocks(Context& context, const PatchLayer& layer);
 
-/// A box that holds the image of a box, a trifle wider for rounding; not a number where it
-/// overflows.
+/// A box that contains the image of a box, slightly enlarged for rounding; NaN where it overflows.
 Box mapped_bounds(const Affine& map, const Box& box);
 
 /// Lists, in increasing order, the triangles whose bounding box, grown by margin_px, meets `rect`.

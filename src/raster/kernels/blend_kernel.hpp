@@ -4,7 +4,8 @@
 #include "raster/kernels/tile.hpp"
 
 /// Blending of W3C Compositing and Blending Level 1, sections 5, 10.1 and 10.2, on code values in
-/// [0, 1]. Cb is the backdrop, Cs the source, as there. Compiled for every instruction set.
+/// [0, 1]. Cb is the backdrop, Cs the source, as in that document. Compiled for every instruction
+/// set.
 namespace sfumato::raster::inline SFUMATO_ISA {
 
 template <int W>
@@ -149,7 +150,7 @@ SFUMATO_INLINE Rgb3<W> unpremultiplied(const Rgba<W>& pixel) {
   return {divided(pixel.color.r), divided(pixel.color.g), divided(pixel.color.b)};
 }
 
-/// What lies painted straight into a tile may be out of range.
+/// Values painted directly into a tile may be out of range.
 template <int W>
 SFUMATO_INLINE Rgba<W> in_range(const Rgba<W>& pixel) {
   const auto clamped = [&](const Lanes<W>& c) { return min(max(c, Lanes<W>(0)), pixel.alpha); };
@@ -230,8 +231,8 @@ void blend(const Tile& source, float opacity, BlendMode mode, const Tile& target
   }
 }
 
-/// Colours that a layer's patches gave, in the coordinates of `space`, to what `blend` takes: code
-/// values in [0, 1], times the alpha, which is clamped too.
+/// Converts colours of a layer's patches from the coordinates of `space` to the input of `blend`:
+/// code values in [0, 1], premultiplied by the alpha, which is clamped too.
 template <int W>
 void finish_shading(InterpolationSpace space, const Tile& tile) {
   using F = Lanes<W>;
@@ -251,7 +252,7 @@ void finish_shading(InterpolationSpace space, const Tile& tile) {
   }
 }
 
-/// For images, whose colours are not premultiplied. What is opaque stays as it is.
+/// For images, whose colours are not premultiplied. Opaque pixels are unchanged.
 template <int W>
 void unpremultiply(const Tile& tile) {
   using F = Lanes<W>;

@@ -2,7 +2,7 @@
 
 namespace sfumato::raster {
 
-/// Where the colours of a row of samples go: one plane to a channel, not premultiplied.
+/// Destination of the colours of a row of samples: one plane per channel, not premultiplied.
 struct ShaderRow {
   float* r = nullptr;
   float* g = nullptr;

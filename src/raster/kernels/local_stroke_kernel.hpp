@@ -28,10 +28,10 @@ struct NodeRows {
   int node, first, last;
 };
 
-// A blur of variance v, however it came about, is made by one of radius sqrt(5 v): smoothstep's
-// derivative over ±R has variance R²/5. A pixel's square adds its extent² / 12 across the curve;
-// what a node stands for adds (half its range of r⊥)² / 3, or a hard side would switch node by
-// node.
+// A blur of variance v, whatever its cause, is represented by one of radius sqrt(5 v), since
+// smoothstep's derivative over ±R has variance R²/5. A pixel's square adds extent² / 12, its extent
+// across the curve. The stretch that a node represents adds (half its range of r⊥)² / 3; without
+// this a hard side would switch node by node.
 inline constexpr float kPixelVariance = 5.0f / 12;
 inline constexpr float kRangeVariance = 5.0f / 3;
 
@@ -56,7 +56,7 @@ SFUMATO_INLINE void make_colors(const curves::StrokeSegment& s, const F& u, int 
   }
 }
 
-/// Nodes k, k + 1, …, as many as F has lanes.
+/// Computes nodes k, k + 1, …, as many as F has lanes.
 template <class F>
 SFUMATO_INLINE void make_nodes(const StrokeFrame& frame, const curves::StrokeSegment& s,
                                Vec2 center, int k, StrokeNodes& nodes) {
@@ -80,7 +80,7 @@ SFUMATO_INLINE void make_nodes(const StrokeFrame& frame, const curves::StrokeSeg
   const F radius = max(influence, F(frame.smallest_radius));
   const F inverse_squared = F(1) / (radius * radius);
   const F arc = length * F(s.length_per_speed);
-  // A stroke thinner than a pixel is drawn that wide and as much fainter.
+  // A stroke thinner than a pixel is drawn one pixel wide and correspondingly fainter.
   const F weight = arc * influence * inverse_squared;
   const auto& m = frame.image_from_frame;
   const auto& j = frame.frame_from_image;
@@ -106,10 +106,10 @@ SFUMATO_INLINE void make_nodes(const StrokeFrame& frame, const curves::StrokeSeg
   (F(kRangeVariance / 4) * angle * angle).store(nodes.turn + k);
 }
 
-/// Those nodes that reach the block, in order.
+/// Lists the nodes that reach the block, in order, and returns their number.
 inline int reaching_nodes(const StrokeNodes& nodes, int count, NodeRows* reaching) {
   constexpr float kHalfWidth = 0.5f * kStrokeBlockWidth, kHalfHeight = 0.5f * kStrokeBlockHeight;
-  // Rows stand at their pixels' centres; a little more than the reach, for its rounding.
+  // Rows are at their pixels' centres. The margin allows for rounding of the reach.
   constexpr float kMargin = 0.01f;
   int found = 0;
   for (int k = 0; k < count; ++k) {
@@ -126,8 +126,8 @@ inline int reaching_nodes(const StrokeNodes& nodes, int count, NodeRows* reachin
   return found;
 }
 
-/// beta of eq. 16, the left side's share, at (dx, dy) from node k. r⊥ changes by the node's turn
-/// times the distance along the tangent over the length that the node stands for.
+/// beta of eq. 16, the left side's share, at (dx, dy) from node k. Over the length that the node
+/// represents, r⊥ changes by the node's turn times the distance along the tangent.
 template <class F>
 SFUMATO_INLINE F beta(const StrokeNodes& nodes, int k, const F& dx, const F& dy) {
   const F tx(nodes.tangent_x[k]), ty(nodes.tangent_y[k]);

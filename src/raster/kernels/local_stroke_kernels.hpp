@@ -11,25 +11,26 @@
 
 namespace sfumato::raster {
 
-/// A stroke is evaluated in blocks of pixels whose corners are multiples of this, whatever
+/// A stroke is evaluated in blocks of pixels whose corners are multiples of this, whichever
 /// rectangle is painted.
 inline constexpr int kStrokeBlockWidth = 16;
 inline constexpr int kStrokeBlockHeight = 8;
 
-/// W and W Z of the pixels of a block (eq. 12–13); `finish` makes opacity and sRGB colour of them.
+/// W and W Z of the pixels of a block (eq. 12–13); `finish` turns them into opacity and sRGB
+/// colour.
 struct StrokeSums {
   float weight[kStrokeBlockHeight][kStrokeBlockWidth];
   float color[3][kStrokeBlockHeight][kStrokeBlockWidth];
 };
 
-/// What all blocks of a stroke share. The frame is that of its segments.
+/// Data common to all blocks of a stroke. The frame is that of its segments.
 struct StrokeFrame {
   float frame_from_image[2][2] = {};  ///< linear part: rows x, y; columns of the image's x, y
   float image_from_frame[2][2] = {};
   float reach_per_radius[2] = {};  ///< half the bounds of a unit circle in the image, pixels
   float smallest_radius = 1;
   float alpha = 1;
-  bool two_sided = false;  ///< the sides' colours differ somewhere
+  bool two_sided = false;  ///< the colours of the two sides differ somewhere
   InterpolationSpace interpolation = InterpolationSpace::srgb;
 };
 

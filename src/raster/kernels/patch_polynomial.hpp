@@ -11,7 +11,7 @@ namespace sfumato::raster::inline SFUMATO_ISA {
 /// Up to four channels: red, green, blue and opacity, or the weights of four shaders.
 using Color4 = Lanes<4>;
 
-/// Of a triangle's ten nodes the one at its centroid.
+/// The place, among a triangle's ten nodes, of the one at its centroid.
 inline constexpr int kCenterNode = 9;
 
 /// node_order[3 top + middle]: the ten nodes of a triangle as top, middle, bottom, then tm, mt, mb,
@@ -65,8 +65,8 @@ SFUMATO_INLINE Color4 color4(float x, float y, float z, float w) {
   return color;
 }
 
-/// The channels that the lanes of a patch are read from; `slot` is a node_slot(). This one: the
-/// colour of a layer, and an unused lane.
+/// Reads the channels for the lanes of a patch; `slot` is a node_slot(). ColorChannels: the colour
+/// of a layer, and an unused lane.
 struct ColorChannels {
   static constexpr int kCount = 3;
 
@@ -118,7 +118,7 @@ struct WeightChannels {
   int first, count;
 };
 
-/// Cubic of s in [0, 1] that is 0 at 0, then near, far and end at 1/3, 2/3 and 1.
+/// The cubic of s in [0, 1] that is 0 at 0, near at 1/3, far at 2/3 and end at 1.
 SFUMATO_INLINE void edge_monomials(const Color4& near, const Color4& far, const Color4& end,
                                    Color4* c1, Color4* c2, Color4* c3) {
   *c1 = Color4(9) * near - Color4(4.5f) * far + end;
@@ -131,7 +131,7 @@ SFUMATO_INLINE void edge_monomials(const Color4& near, const Color4& far, const 
 SFUMATO_INLINE void cubic_monomials(const Color4 (&d)[kNodesPerTriangle], PatchPolynomial* p) {
   edge_monomials(d[3], d[4], d[1], &p->c10, &p->c20, &p->c30);
   edge_monomials(d[8], d[7], d[2], &p->c01, &p->c02, &p->c03);
-  // What the two edge cubics leave at mb, bm and the centre is u v (c11 + c21 u + c12 v).
+  // The rest at mb, bm and the centre, after the two edge cubics, is u v (c11 + c21 u + c12 v).
   const Color4 a = Color4(4.5f) * (d[5] - d[4] - d[8]);
   const Color4 b = Color4(4.5f) * (d[6] - d[3] - d[7]);
   const Color4 c = Color4(9) * (d[9] - d[3] - d[8]);
@@ -205,7 +205,7 @@ struct PatchPoint {
   float u, q;
 };
 
-/// Of a point of the image in the triangle, or next to it by rounding.
+/// The PatchPoint of an image point in the triangle, or outside it only by rounding.
 SFUMATO_INLINE PatchPoint patch_point(const TriangleFrame& frame, double x, double y) {
   const double q = clamp_unit((y - frame.top_y) * frame.inverse_height);
   const double u = clamp_unit((x - frame.long_edge_x(y)) * frame.inverse_width);

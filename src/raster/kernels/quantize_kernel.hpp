@@ -7,7 +7,7 @@
 /// Code values to bytes. Compiled for every instruction set.
 namespace sfumato::raster::inline SFUMATO_ISA {
 
-/// A row of the dither's thresholds, (rank + 1/2) / 256; the first once more behind the last, so
+/// A row of the dither's thresholds, (rank + 1/2) / 256; the first ones repeated after the last, so
 /// that a register may be read from any column.
 struct DitherRow {
   float threshold[kBlueNoiseSide + 16];
@@ -20,15 +20,16 @@ struct DitherRow {
   }
 };
 
-/// Neighbours that differ by no more, a two-thousandth of a code value, are of one colour: that is
-/// what rounding leaves in an even area, and a slope that takes 2000 pixels for a step.
+/// Neighbours that differ by at most this, 1/2000 of a code value, count as one colour. Such
+/// differences come from rounding in an even area, or from a slope of one step in 2000 pixels.
 inline constexpr float kEvenStep = 2e-6f;
 
-/// A row of a plane and its neighbours; beyond the tile stand those of the other side.
+/// A row of a plane and its neighbours. A neighbour beyond the tile's edge is replaced by the one
+/// on the opposite side of the pixel.
 struct DitheredRow {
   const float* above;
   const float* below;
-  float value[kTileStride + 32];  ///< that of column x at x + 1
+  float value[kTileStride + 32];  ///< the value of column x is at x + 1
 
   DitheredRow(const float* plane, int row, int width, int height) {
     const float* here = plane + static_cast<std::ptrdiff_t>(row) * kTileStride;
@@ -40,7 +41,8 @@ struct DitheredRow {
     value[width + 1] = here[width > 1 ? width - 2 : 0];
   }
 
-  /// What is even is rounded: noise on it would show. Beside an edge the other side decides.
+  /// Even areas are rounded, because noise would be visible there. Beside an edge the side away
+  /// from it decides.
   template <int W>
   SFUMATO_INLINE LaneMask<W> is_even(int x) const {
     using F = Lanes<W>;
@@ -51,8 +53,8 @@ struct DitheredRow {
   }
 };
 
-/// round(maximum clamp(v)), or with the thresholds of the dither floor(maximum clamp(v) + t): as t
-/// lies inside (0, 1), a value that is a whole number of steps stays itself.
+/// round(maximum clamp(v)), or with the thresholds t of the dither, floor(maximum clamp(v) + t). As
+/// 0 < t < 1, a value that is a whole number of steps is unchanged.
 template <int W>
 SFUMATO_INLINE Lanes<W> quantized(const float* value, float maximum, const Lanes<W>& threshold) {
   using F = Lanes<W>;
@@ -93,7 +95,7 @@ struct CodeRow {
       for (int c = 0; c < channels; ++c) round_row<W>(plane(c), row, tile, channel[c]);
       return;
     }
-    // One noise for all colours keeps greys grey; that of alpha is another part of the table.
+    // The same noise for all colours keeps greys grey. Alpha uses another part of the table.
     const int y = tile.y0 + row;
     const DitherRow thresholds(y);
     for (int c = 0; c < 3; ++c) dither_row<W>(plane(c), row, tile, thresholds, tile.x0, channel[c]);
@@ -113,8 +115,8 @@ SFUMATO_INLINE void pack_words(const CodeRow& row, int width, std::int32_t* word
   }
 }
 
-/// Three bytes to a pixel, written four at a time but for the last: the tile to the right may be
-/// written by another thread.
+/// Three bytes per pixel, written four at a time except for the last pixel, since another thread
+/// may be writing the tile to the right.
 SFUMATO_INLINE void write_rgb8(const std::int32_t* word, int width, std::uint8_t* out) {
   for (int x = 0; x + 1 < width; ++x) __builtin_memcpy(out + 3 * x, word + x, 4);
   __builtin_memcpy(out + 3 * (width - 1), word + (width - 1), 3);

@@ -58,7 +58,7 @@ SFUMATO_INLINE Lanes<W> cubic(const float (&k)[4], const Lanes<W>& u) {
   return F(k[0]) + u * (F(k[1]) + u * (F(k[2]) + u * F(k[3])));
 }
 
-/// Three channels are the colour of what is opaque; four are the colour and alpha.
+/// Three channels: the colour of an opaque layer; four: colour and alpha.
 template <int W, int kChannels>
 SFUMATO_INLINE void draw_span(const RowPolynomial& row, const Span& span, const Tile& tile) {
   using F = Lanes<W>;

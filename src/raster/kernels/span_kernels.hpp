@@ -6,18 +6,19 @@
 
 namespace sfumato::raster {
 
-/// Where and how the pixels of a tile become bytes of the image.
+/// Where and in which format the pixels of a tile are written to the image.
 struct ImageTarget {
   std::uint8_t* bytes = nullptr;
   std::size_t row_bytes = 0;
   PixelFormat format = PixelFormat::rgb8;
-  bool dither = false;  ///< 8-bit formats only, what changes
+  bool dither = false;  ///< 8-bit formats only; even areas are not dithered
 };
 
 /// The inner loops, compiled for one instruction set. All sets give the same bits.
 struct SpanKernels {
   /// Paints each pixel whose centre lies in a triangle with the patch's value there. Triangles that
-  /// share an edge share its crossings with the rows, so that no centre between them is left out.
+  /// share an edge use the same crossings with the rows, so that no pixel centre between them is
+  /// left out.
   void (*draw_triangles)(const LayerView& layer, const TriangleList& triangles, const Tile& tile);
 
   /// The same for a layer's colour and opacity: color and alpha, not premultiplied.
@@ -29,8 +30,8 @@ struct SpanKernels {
   void (*draw_weights)(const LayerView& layer, const FieldView& field, int first_channel,
                        const TriangleList& triangles, const Tile& tile);
 
-  /// Makes what these painted, a colour of `space` and an opacity, what `blend` takes: code values
-  /// and alpha, clamped to [0, 1] and premultiplied.
+  /// Converts the results of these, a colour of `space` and an opacity, to the input of `blend`:
+  /// code values and alpha, clamped to [0, 1] and premultiplied.
   void (*finish_shading)(InterpolationSpace space, const Tile& tile);
 
   /// Composites `source`, its alpha times `opacity`, onto `target`: the same pixels.

@@ -13,7 +13,7 @@ using FourTexels = Lanes<W, 16 / W>;
 /// Red, green, blue and alpha.
 using OneTexel = Lanes<4>;
 
-/// Longest row of texels under a tent whose area and height are in bounds.
+/// The longest row of texels under a tent whose area and height are within the bounds.
 inline constexpr int kLongestRow = 2 * static_cast<int>(kLargestFootprint) + 4;
 
 template <int W>
@@ -51,7 +51,8 @@ SFUMATO_INLINE void write_texels(const float* colors, bool opaque, int begin, in
   }
 }
 
-/// Texels [column, column + 4) of a row of any place, copied together where they do not lie so.
+/// Texels [column, column + 4) of any row of the endless texture; copied if they are not
+/// contiguous.
 SFUMATO_INLINE const std::uint16_t* four_texels(const TextureSource& source, int row, int column,
                                                 std::uint16_t* copy) {
   for (int n = 0; n < 4; ++n) {
@@ -91,7 +92,7 @@ SFUMATO_INLINE int floor_above(double x, int count) {
   return static_cast<int>(x + shift) - shift;
 }
 
-/// Where points lie: the texel before each, and how far past its centre.
+/// Positions of points: the texel before each, and the distance past its centre.
 struct CubicPoints {
   int column[kPoints], row[kPoints];
   CubicWeights across, down;
@@ -162,7 +163,8 @@ SFUMATO_INLINE void narrow(double low, double run, int& begin, int& end) {
   if (to < end - 1) end = to > begin ? static_cast<int>(to) + 1 : begin;
 }
 
-/// Texels [column, column + count) of a row of any place; room for kTexelsReadPast more.
+/// Texels [column, column + count) of any row of the endless texture; kTexelsReadPast more may be
+/// read.
 SFUMATO_INLINE const std::uint16_t* row_of_texels(const TextureSource& source, int row, int column,
                                                   int count, std::uint16_t* copy) {
   if (column >= 0 && column + count <= source.x.count) return source.at(row, column);
@@ -173,7 +175,7 @@ SFUMATO_INLINE const std::uint16_t* row_of_texels(const TextureSource& source, i
   return copy;
 }
 
-/// Sums over the texels of one tent; `weight` in every lane is of the texel of the lane.
+/// Sums over the texels of one tent; each lane of `weight` is the weight of that lane's texel.
 template <int W>
 struct TentSum {
   using F = FourTexels<W>;

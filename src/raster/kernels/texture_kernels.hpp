@@ -12,25 +12,25 @@ namespace sfumato::raster {
 /// Texels are read four at a time: this many may be read past the last of a row.
 inline constexpr std::size_t kTexelsReadPast = 3;
 
-/// A level is read where the shorter side of a pixel is at most this many of its texels: a tent
-/// over the texels of the next level, which are means of 2 × 2, weighs them by steps, and what that
-/// misses falls with the square of this. It is below 2 code values of 255 for black and white
-/// noise.
+/// A level is used if the shorter side of a pixel is at most this many of its texels. A tent over
+/// the texels of the next level, which are means of 2 × 2, weights the finer texels in steps; the
+/// error of this falls with the square of this number and is below 2 code values of 255 for black
+/// and white noise.
 inline constexpr double kMostTexelsAcross = 14;
 
-/// Largest area of a pixel in texels of the level that is read; at most 2 · 2 times as many texels
-/// and those cut at the tent's border are summed.
+/// Largest area of a pixel in texels of the level that is used. At most 2 · 2 times as many texels
+/// are summed, and those cut by the tent's border.
 inline constexpr double kLargestFootprint = 512;
 
-/// One axis of a level: texels [0, count), and what stands beyond them.
+/// One axis of a level: texels [0, count), and the continuation beyond them.
 struct TextureAxis {
   int count = 1;
-  double period = 1;  ///< where a repeating texture starts again, texels
+  double period = 1;  ///< period of a repeating texture, texels
   bool repeats = false;
 
-  /// x brought to [0, period), or near to the texture where it does not repeat. Not a number is 0.
+  /// x reduced to [0, period), or moved near the texture if it does not repeat. NaN gives 0.
   double reduced(double x) const;
-  /// The texel that stands at place i of the endless row of texels.
+  /// The texel at place i of the endless row of texels.
   int texel(int i) const;
 };
 
@@ -45,12 +45,12 @@ struct TextureSource {
   }
 };
 
-/// A tent of two pixels' width about a sample, seen from a level: weight
-/// (1 - |across · d|) (1 - |down · d|) where both are above 0, at distance d in texels.
+/// A tent two pixels wide around a sample, in a level's coordinates: weight (1 - |across · d|) (1 -
+/// |down · d|) where both are above 0, at distance d in texels.
 struct TextureTent {
   Vec2 across, down;
   Vec2 reach;              ///< half of its bounds, texels
-  double run[2] = {1, 1};  ///< 1 / across.x and 1 / down.x; 0 where those are next to nothing
+  double run[2] = {1, 1};  ///< 1 / across.x and 1 / down.x; 0 where those are almost 0
   double area = 1;
   double shorter_side = 1;
 };

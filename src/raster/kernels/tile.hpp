@@ -11,21 +11,22 @@
 #include "sfumato/base/vec2.hpp"
 #include "sfumato/picture/picture.hpp"
 
-/// What the parts of the rasterizer hand to one another: plain data that kernels of every
-/// instruction set read alike.
+/// The data that the parts of the rasterizer pass to one another: plain structures, the same for
+/// kernels of every instruction set.
 ///
 /// Frames: image coordinates are pixels, x right, y down; pixel (i, j) is the square from (i, j) to
 /// (i + 1, j + 1), its centre at (i + 1/2, j + 1/2).
 namespace sfumato::raster {
 
-/// The image is cut into tiles of this size from its upper left corner, whatever runs them.
+/// The image is cut into tiles of this size from its upper left corner, whichever thread paints
+/// them.
 inline constexpr int kTileWidth = 256;
 inline constexpr int kTileHeight = 64;
-/// Floats from one row of a tile to the next: whole registers may be written past a row's end.
+/// Floats from one row of a tile to the next; leaves room for whole registers past a row's end.
 inline constexpr int kTileStride = kTileWidth + 16;
 inline constexpr std::size_t kTileFloats = std::size_t{kTileStride} * kTileHeight;
 
-/// A PatchField of a picture that was checked.
+/// A PatchField of a checked picture.
 struct FieldView {
   const std::uint32_t* triangle_node = nullptr;
   const float* node_value = nullptr;
@@ -37,13 +38,13 @@ struct FieldView {
   bool is_opacity() const { return first_weight() == 1; }
 };
 
-/// A patch layer as it lies in the image. The pointers are those of a PatchLayer that was checked.
+/// A patch layer placed in the image. The pointers are those of a checked PatchLayer.
 struct LayerView {
   std::uint32_t index = 0;  ///< in Picture::layers
   const Vec2* vertex_position = nullptr;
   const std::uint32_t* triangle_vertex = nullptr;
   const std::uint8_t* edge_is_curve = nullptr;
-  const std::uint8_t* is_bent = nullptr;  ///< per triangle, raster/bends.hpp; null: none is known
+  const std::uint8_t* is_bent = nullptr;  ///< per triangle, raster/bends.hpp; null: not known
   const SoftEdge* soft_edge = nullptr;
   std::size_t soft_edge_count = 0;
   FieldView color;
@@ -51,11 +52,11 @@ struct LayerView {
   PatchOrder order = PatchOrder::cubic;
   Box frame;  ///< PatchLayer::frame
   Affine image_from_layer;
-  bool mirrored = false;  ///< image_from_layer turns clockwise triangles round
+  bool mirrored = false;  ///< image_from_layer reverses the orientation of triangles
 };
 
 /// The pixels of one tile, or of a rectangle in it, while they are painted: code values, one plane
-/// to a channel, premultiplied by alpha. Row j begins at j kTileStride.
+/// per channel, premultiplied by alpha. Row j begins at j kTileStride.
 struct Tile {
   int x0 = 0;  ///< pixels of the image
   int y0 = 0;
@@ -66,7 +67,7 @@ struct Tile {
 
   PixelRect rect() const { return {x0, y0, x0 + width, y0 + height}; }
 
-  /// The part of it in `rect`, which must lie in it.
+  /// The part in `rect`, which must lie inside the tile.
   Tile part(const PixelRect& rect) const {
     const std::ptrdiff_t offset = std::ptrdiff_t{rect.y0 - y0} * kTileStride + (rect.x0 - x0);
     return {rect.x0,

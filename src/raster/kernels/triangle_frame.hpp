@@ -4,7 +4,7 @@
 #include "raster/kernels/tile.hpp"
 
 /// A triangle in the image and the coordinates in which its patch is evaluated. Compiled for every
-/// instruction set: only operators here, nothing that could be shared with another copy.
+/// instruction set: uses only operators, and no function whose copies the linker could merge.
 ///
 /// Corners are sorted by y: top, middle, bottom; the long edge joins top and bottom. A point is
 /// (u, q): u is the barycentric weight of the middle corner, which is 0 on the long edge, q runs
@@ -19,17 +19,17 @@ struct TriangleFrame {
   double inverse_width;                         ///< u per pixel of x
   double middle_q;
   int corner_order;      ///< 3 top + middle, each one of the triangle's corners 0, 1, 2
-  bool middle_on_right;  ///< of the long edge; from the winding, not from rounded numbers
+  bool middle_on_right;  ///< than the long edge; from the winding, not from rounded numbers
 
   SFUMATO_INLINE double long_edge_x(double y) const { return top_x + (y - top_y) * long_slope; }
-  /// The other side of the triangle: top to middle to bottom.
+  /// x on the other side of the triangle, from top over middle to bottom.
   SFUMATO_INLINE double short_edges_x(double y) const {
     return y < middle_y ? top_x + (y - top_y) * upper_slope
                         : middle_x + (y - middle_y) * lower_slope;
   }
 };
 
-/// dx/dy of an edge from its upper to its lower end: both triangles of an edge get the same bits. 0
+/// dx/dy of an edge from its upper to its lower end: both triangles at an edge get the same bits. 0
 /// for a horizontal edge, which no row of pixel centres crosses.
 SFUMATO_INLINE double slope(double dx, double dy) {
   return dy > 0 ? dx / dy : 0;
@@ -64,7 +64,8 @@ SFUMATO_INLINE TriangleFrame triangle_frame(const PixelPoint (&corner)[3], bool 
   f.middle_q = (middle.y - top.y) * f.inverse_height;
   f.corner_order = 3 * at[0] + at[1];
   f.middle_on_right = (at[1] == (at[0] == 2 ? 0 : at[0] + 1)) != mirrored;
-  // Too thin to tell from a line: u stays 0, the colour of the long edge.
+  // Triangles too thin to be distinguished from a line: u stays 0, which gives the colour of the
+  // long edge.
   constexpr double kThinnest = 1e-12;
   const double width = middle.x - f.long_edge_x(middle.y);
   const double outward = f.middle_on_right ? width : -width;
