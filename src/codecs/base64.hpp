@@ -13,27 +13,27 @@
 
 namespace sfumato::codecs {
 
-/// Base64 (RFC 4648, section 4) on one line, padded; its length.
+/// Base64 (RFC 4648, section 4) on one line, padded; and its length.
 std::string encode_base64(std::span<const std::uint8_t> bytes);
 std::size_t base64_length(std::size_t byte_count);
 
-/// Appends it, part by part with a look at the cancel flag before each.
+/// Appends it in parts and checks the cancel flag before each.
 void append_base64(const Context& context, std::span<const std::uint8_t> bytes, OutputBuffer& text);
 
-/// The same, in room from `memory`. Errors: limit (memory), cancelled.
+/// The same, into a table of `memory`. Errors: limit (memory), cancelled.
 Status append_base64(const Context& context, std::span<const std::uint8_t> bytes,
                      TableMemory& memory, std::string& text);
 
-/// Decodes base64 (RFC 4648, section 4) into `bytes`, where there is nothing yet; blanks are
-/// skipped, padding may be missing. Errors: bad_input, limit, cancelled, without a place.
+/// Decodes base64 (RFC 4648, section 4) into `bytes`, which must be empty; blanks are skipped,
+/// padding may be missing. Errors: bad_input, limit, cancelled, without a place.
 Status decode_base64(const Context& context, std::string_view text, TableMemory& memory,
                      std::vector<std::uint8_t>& bytes);
 
-/// Decodes %41 and the like; a percent sign without two digits stands for itself.
+/// Decodes percent codes such as %41; a percent sign without two digits is kept.
 std::vector<std::uint8_t> decode_percent(std::string_view text);
 
-/// The bytes of "data:[type][;base64],…" (RFC 2397), into `bytes`, where there is nothing yet;
-/// blanks in base64 may be percent-coded too. Errors: bad_input, limit, cancelled, without a place.
+/// The bytes of "data:[type][;base64],…" (RFC 2397), into `bytes`, which must be empty; blanks in
+/// base64 may be percent-coded too. Errors: bad_input, limit, cancelled, without a place.
 Status decode_data_uri(const Context& context, std::string_view uri, TableMemory& memory,
                        std::vector<std::uint8_t>& bytes);
 

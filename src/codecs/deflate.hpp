@@ -10,8 +10,8 @@
 
 namespace sfumato::codecs {
 
-/// `bytes` in zlib's format (RFC 1950), level 9: what PDF calls FlateDecode, and a browser
-/// "deflate". Its room is charged to `memory`. Errors: limit (memory), out_of_memory, cancelled.
+/// `bytes` in zlib's format (RFC 1950), level 9: PDF calls this FlateDecode, browsers "deflate".
+/// The result is charged to `memory`. Errors: limit (memory), out_of_memory, cancelled.
 Result<std::vector<std::uint8_t>> deflated(const Context& context,
                                            std::span<const std::uint8_t> bytes,
                                            TableMemory& memory);

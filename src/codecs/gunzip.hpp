@@ -9,12 +9,12 @@
 
 namespace sfumato::codecs {
 
-/// Whether the bytes begin as gzip's do.
+/// Whether the bytes begin like a gzip file.
 bool is_gzip(std::string_view bytes);
 
-/// Unpacks gzip, one stream or several one behind the other, up to the limits of an input's bytes
-/// and of how many a packed byte may become; bytes behind them are passed over, as gzip does;
-/// the text's room comes from `memory`.
+/// Unpacks one or several consecutive gzip streams, up to Limits::input_bytes and
+/// Limits::unpack_ratio. Bytes after the streams are ignored, as gzip does. The text is charged to
+/// `memory`.
 /// Errors: bad_input, limit, cancelled, out_of_memory, without a place.
 Result<std::string> gunzip(Context& context, std::string_view bytes, TableMemory& memory);
 

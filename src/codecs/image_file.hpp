@@ -15,13 +15,13 @@ struct RgbaImage {
   std::vector<std::uint8_t> rgba;  ///< row by row, 4 × width × height, not premultiplied
 };
 
-/// Decodes a PNG or a JPEG by its first bytes. 16 bits are rounded to 8; colour profiles and
-/// orientation tags are not applied. The size is held against the limits of a side and of texels,
-/// and memory is charged while decoding, before it is taken. Errors: bad_input, limit, cancelled,
-/// out_of_memory, without a place.
+/// Decodes a PNG or a JPEG, whichever its first bytes show. 16 bits are rounded to 8; colour
+/// profiles and orientation tags are not applied. The size is checked against the limits of a side
+/// and of texels, and memory is charged before it is allocated. Errors: bad_input, limit,
+/// cancelled, out_of_memory, without a place.
 Result<RgbaImage> decode_image(Context& context, std::span<const std::uint8_t> bytes);
 
-/// Whether a texture may be as large as a file's header says. Errors: limit.
+/// Checks the size in a file's header against the limits of a texture. Errors: limit.
 Status check_image_size(const Limits& limits, std::uint64_t width, std::uint64_t height);
 
 }  // namespace sfumato::codecs

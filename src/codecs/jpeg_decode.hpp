@@ -9,10 +9,10 @@
 
 namespace sfumato::codecs {
 
-/// Decodes a JPEG: gray, YCbCr, RGB, and CMYK and YCCK as Adobe writes them, inverted (without
-/// their profile: colours are near, not exact). The size is held against limits::kImageSide and
-/// kTexels and memory is charged before it is taken. A file that ends early is an error, not a
-/// gray rest. Errors: bad_input, limit, out_of_memory, without a place.
+/// Decodes a JPEG: gray, YCbCr, RGB, and CMYK and YCCK inverted, as Adobe writes them (without
+/// their profile, so that colours are approximate). The size is checked against limits::kImageSide
+/// and kTexels, and memory is charged before it is allocated. A file that ends early is an error;
+/// the rest is not filled with gray. Errors: bad_input, limit, out_of_memory, without a place.
 Result<RgbaImage> decode_jpeg(Context& context, std::span<const std::uint8_t> bytes);
 
 }  // namespace sfumato::codecs

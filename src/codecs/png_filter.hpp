@@ -6,12 +6,12 @@
 
 namespace sfumato::codecs {
 
-/// PNG's five row filters, and the choice between them: the one whose bytes, as signed numbers,
-/// have the smallest sum of magnitudes.
+/// Applies that of PNG's five row filters whose bytes, as signed numbers, have the smallest sum of
+/// magnitudes.
 class PngFilter {
  public:
   /// pixel_bytes: the distance to the pixel at the left, 1 to 8.
-  /// candidate: as long as each row; filtered rows that are tried are put there.
+  /// candidate: a buffer as long as a row, for the filtered rows that are tried.
   PngFilter(std::size_t pixel_bytes, std::span<std::uint8_t> candidate)
       : pixel_bytes_(pixel_bytes), candidate_(candidate) {}
 

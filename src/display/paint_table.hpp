@@ -23,13 +23,13 @@ struct PaintTable {
   TableMemory memory{"the table of paints"};
 };
 
-/// Whether a table has the texels of its textures, or says only how many there are: the viewer of a
-/// page makes them from the textures' files.
+/// Whether a table contains the texels of its textures or only their number. The viewer of a page
+/// makes the texels from the textures' files.
 enum class PaintTexels : bool { counted, kept };
 
-/// Takes the shaders that a layer names; others have no values.
+/// Includes the shaders that some layer names; the others have no values.
 ///
-/// Precondition: the picture's tables fit (raster::check_picture).
+/// Precondition: picture::check_picture() has accepted the picture.
 /// Errors: limit (memory), cancelled. Cost: O(stops + texels).
 Result<PaintTable> make_paint_table(Context& context, const Picture& picture, PaintTexels texels);
 

@@ -14,24 +14,24 @@
 #include "sfumato/base/status.hpp"
 #include "sfumato/document/document.hpp"
 
-/// What holds of the parts of documents wherever they stand: in a Document, in a Picture that took
-/// them over, in options. Each fact is stated here alone.
+/// Invariants of the parts of documents, wherever the parts are: in a Document, in a Picture that
+/// took them over, in options. Each invariant is stated only here.
 namespace sfumato::rules {
 
 bool is_coordinate(double value);  ///< at most limits::kCoordinate in magnitude
 bool is_coordinate(Vec2 p);
 bool is_share(double value);  ///< 0 to 1
 bool is_color(const Rgb& color);
-/// Coordinates, width and height above 0.
+/// Whether its corners are coordinates and width and height are above 0.
 bool has_area(const Box& box);
-/// Coordinates, and there is an inverse.
+/// Whether its entries are coordinates and it has an inverse.
 bool is_usable(const Affine& map);
 
 Status check_interpolation(InterpolationSpace space);
 Status check_background(const std::optional<Rgb>& background);
 Status check_compositing(float opacity, BlendMode blend);
 
-/// `status` with the place put before its message.
+/// `status` with the place prepended to its message.
 Status inside(const std::string& place, Status status);
 
 /// Checks the items of a stack one after another: instances of layers, strokes, groups.
@@ -50,7 +50,7 @@ class StackChecker {
   Status operator()(const GroupBegin& group);
   Status operator()(const GroupEnd&);
 
-  /// After the last item.
+  /// Call after the last item.
   Status finish() const;
 
  private:
@@ -62,7 +62,7 @@ class StackChecker {
   std::size_t open_groups_ = 0;
 };
 
-/// Of more items than the limit of them.
+/// The error if there are more items than the limit.
 Status check_stack_size(const Context& context, std::size_t item_count);
 
 /// A whole stack, a document's or a picture's. Errors: bad_input, limit, cancelled.

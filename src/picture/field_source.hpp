@@ -13,10 +13,10 @@ namespace sfumato::picture {
 struct FieldPixels {
   std::vector<float> color;       ///< color.channel_count floats a pixel
   std::vector<float> opacity;     ///< opacity.channel_count floats a pixel; empty: opaque
-  std::vector<std::uint8_t> hit;  ///< 0 where no colour is seen: transparent
+  std::vector<std::uint8_t> hit;  ///< 0: no colour is seen, the pixel is transparent
 };
 
-/// Where the fields of layers come from if not from their patches. Asked from several threads.
+/// A source of the fields of layers, used in place of their patches. Called from several threads.
 class FieldSource {
  public:
   virtual ~FieldSource() = default;
