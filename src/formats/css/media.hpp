@@ -7,15 +7,15 @@
 
 namespace sfumato::css {
 
-/// Whether a list of media queries means a picture on a screen.
+/// Whether a list of media queries matches a picture on a screen.
 enum class Media : std::uint8_t {
   matches,
   differs,
-  unknown  ///< it asks for features, which are not looked at
+  unknown  ///< it tests features, which are not evaluated
 };
 
-/// Reads "screen", "all and (color), not print" and the like; an empty list matches, what is no
-/// query matches nothing.
+/// Reads "screen", "all and (color), not print" and the like; an empty list matches, an invalid
+/// query does not.
 Media media_of(std::string_view queries, TextPoll& poll);
 
 }  // namespace sfumato::css

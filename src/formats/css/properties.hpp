@@ -10,7 +10,7 @@
 
 namespace sfumato::css {
 
-/// The properties of CSS that documents are asked for.
+/// The CSS properties that are read from documents.
 enum class Property : std::uint8_t {
   clip_path,
   color,
@@ -43,25 +43,25 @@ enum class Property : std::uint8_t {
 
 inline constexpr std::size_t kPropertyCount = 27;
 
-/// "clip-path"; ends with a zero.
+/// The name, such as "clip-path"; null-terminated.
 const char* property_name(Property property);
 
-/// The property of a name as it is written: in any case, with escapes.
+/// The property with this name as written: in any case, with escapes.
 std::optional<Property> property_of(std::string_view raw_name);
 
-/// Whether an element takes the value of its parent where it has none itself.
+/// Whether an element without a value takes its parent's.
 bool is_inherited(Property property);
 
-/// The words that any property may have for a value.
+/// The keywords that any property accepts.
 enum class WideKeyword : std::uint8_t { none, inherit, initial, unset, revert, revert_layer };
 
-/// Which of them a value is; none where it is none of them.
+/// The keyword that a value is; WideKeyword::none for other values.
 WideKeyword wide_keyword(std::string_view value, TextPoll& poll);
 
 /// Whether CSS keeps a declaration with this value, as far as the property is understood here.
 bool is_value(Property property, std::string_view value, TextPoll& poll);
 
-/// "; did you mean screen?" of a value that CSS drops; nothing where no word is near.
+/// "; did you mean screen?" for a value that CSS drops; empty if no word is similar.
 std::string value_hint(Property property, std::string_view value, TextPoll& poll);
 
 }  // namespace sfumato::css

@@ -7,14 +7,14 @@
 
 namespace sfumato::css {
 
-/// What one selector of a list is.
+/// One selector of a list.
 struct Selector {
   enum class Kind : std::uint8_t {
     any,       ///< *
     element,   ///< name
     of_class,  ///< .name
     id,        ///< #name
-    other,     ///< CSS has such, but it is none of these
+    other,     ///< valid CSS, but not one of these
     invalid    ///< CSS drops the rule
   };
 
@@ -24,7 +24,7 @@ struct Selector {
   bool is_last = false;
 };
 
-/// Takes the next selector of a list, up to its comma or the end of the text.
+/// Consumes the next selector of a list, up to its comma or the end of the text.
 Selector take_selector(Tokenizer& tokens);
 
 }  // namespace sfumato::css

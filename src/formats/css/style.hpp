@@ -10,25 +10,25 @@
 
 namespace sfumato::css {
 
-/// What one source says of a property.
+/// The value of a property from one source.
 struct Setting {
-  std::string_view value{};  ///< raw; CSS keeps it
+  std::string_view value{};  ///< raw; valid
   bool is_important = false;
 };
 
-/// What a block of declarations sets: of several of one property the last important one, else the
-/// last. Declarations that CSS drops set nothing.
+/// The properties that a block of declarations sets. Of several declarations of one property the
+/// last important one wins, else the last. Declarations that CSS drops set nothing.
 class Style {
  public:
-  /// Takes the next declaration.
+  /// Adds the next declaration.
   void add(const Declaration& declaration, TextPoll& poll);
 
   const std::optional<Setting>& operator[](Property property) const {
     return settings_[static_cast<std::size_t>(property)];
   }
-  /// How many declarations were taken, of whatever property.
+  /// The number of declarations added, of any property.
   std::size_t declaration_count() const { return declaration_count_; }
-  /// The first that was dropped though its property is known.
+  /// The first declaration of a known property that was dropped.
   const std::optional<Declaration>& dropped() const { return dropped_; }
 
  private:

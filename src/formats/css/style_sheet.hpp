@@ -16,22 +16,22 @@ namespace sfumato::css {
 /// the top or in @media that a screen matches.
 class StyleSheet {
  public:
-  /// What a sheet has that sets nothing, the first of each kind.
+  /// Parts of a sheet that set nothing, the first of each kind.
   struct Notes {
-    std::string_view left_out{};  ///< a selector or an at-rule that is not read
+    std::string_view left_out{};  ///< a selector or an at-rule that is not supported
     std::optional<Declaration> dropped{};
   };
 
-  /// Adds the rules of a sheet; the text must outlive this. Beyond `most_values` none are added.
+  /// Adds the rules of a sheet; the text must outlive this. Stops after `most_values` values.
   Notes add(std::string_view text, std::size_t most_values, TextPoll& poll);
 
   bool empty() const { return values_.empty(); }
-  /// Values that the rules set, selector by selector, whatever their property; more than the most
-  /// where there were more.
+  /// Number of values that the rules set, counted per selector, of any property; exceeds
+  /// `most_values` if there were more.
   std::size_t value_count() const { return count_; }
 
-  /// What the rules say of an element: what is important before the rest, then the id's rule
-  /// before the classes' before the name's, then the later.
+  /// The value that the rules set for an element. Important values precede the rest; then rules for
+  /// the id precede rules for classes, and these rules for the name; then later rules win.
   std::optional<Setting> find(std::string_view name, std::string_view id, std::string_view classes,
                               Property property) const;
 
@@ -55,7 +55,7 @@ class StyleSheet {
   const Value* value_of(const Key& key) const;
 
   std::map<Key, Value> values_;
-  std::deque<std::string> names_;  ///< those that were written with escapes
+  std::deque<std::string> names_;  ///< names that were written with escapes
   std::size_t count_ = 0;
 };
 

@@ -9,8 +9,8 @@
 
 namespace sfumato::css {
 
-/// Counts the bytes of texts that are walked through, and looks at the cancel flag of its Context
-/// once in kBytes of them, however many texts these are. Without a Context it never stops.
+/// Counts the bytes of all texts that are read, and checks the cancel flag of its Context once
+/// every kBytes of them. Without a Context it never stops the work.
 class TextPoll {
  public:
   static constexpr std::size_t kBytes = std::size_t{1} << 16;
@@ -18,7 +18,7 @@ class TextPoll {
   TextPoll() = default;
   explicit TextPoll(const Context& context) : context_(&context) {}
 
-  /// False where work is to stop: the rest of the text is passed over then.
+  /// False if work must stop; the rest of the text is then skipped.
   bool go_on(std::size_t bytes) {
     bytes_ += bytes;
     if (bytes_ < kBytes || context_ == nullptr) return !cancelled_;
@@ -26,7 +26,7 @@ class TextPoll {
     cancelled_ = cancelled_ || context_->cancelled();
     return !cancelled_;
   }
-  /// Ok, or why the work ended. What was read from the texts means nothing then.
+  /// Ok, or why the work ended. Results read from the texts are then meaningless.
   Status status() const { return cancelled_ ? context_->cancel_status() : ok_status(); }
 
  private:
@@ -35,13 +35,13 @@ class TextPoll {
   bool cancelled_ = false;
 };
 
-/// The tokens of CSS Syntax 3, section 4, but for <unicode-range-token>.
+/// The tokens of CSS Syntax 3, section 4, except <unicode-range-token>.
 enum class TokenType : std::uint8_t {
   end,
   ident,
   function,    ///< the name and its parenthesis
-  at_keyword,  ///< the name behind @
-  hash,        ///< the name behind #
+  at_keyword,  ///< the name after @
+  hash,        ///< the name after #
   string,
   bad_string,
   url,  ///< url(…) without quotes; with quotes it is a function and a string
@@ -64,26 +64,26 @@ enum class TokenType : std::uint8_t {
   close_curly
 };
 
-/// One token. Its texts lie in the text that was read, escapes and all: unescaped().
+/// One token. Its texts are parts of the input, with escapes; see unescaped().
 struct Token {
   TokenType type = TokenType::end;
   std::string_view text{};   ///< all of it
-  std::string_view value{};  ///< the name, what a string or an url holds, the number
+  std::string_view value{};  ///< the name, the content of a string or url, or the number
   std::string_view unit{};   ///< of a dimension
-  bool is_id = false;        ///< of a hash: what is behind # is an identifier
+  bool is_id = false;        ///< of a hash: the name after # is an identifier
 
   bool is(TokenType asked) const { return type == asked; }
   bool is_delim(char c) const { return type == TokenType::delim && text.front() == c; }
 };
 
-/// Cuts a text into tokens, from the front, in linear time; comments are passed over. Where the
-/// poll stops, the next token is the end.
+/// Splits a text into tokens in linear time; comments are skipped. After the poll has stopped the
+/// work, the next token is the end.
 class Tokenizer {
  public:
   Tokenizer(std::string_view text, TextPoll& poll);
 
   Token next();
-  /// Where the next token begins, or a comment before it.
+  /// The position of the next token, or of a comment before it.
   std::size_t position() const { return at_; }
   /// Goes back to a position.
   void rewind(std::size_t position) { at_ = told_ = position; }
@@ -118,17 +118,18 @@ class Tokenizer {
   std::string_view text_;
   TextPoll& poll_;
   std::size_t at_ = 0;
-  std::size_t told_ = 0;  ///< to where the poll knows
+  std::size_t told_ = 0;  ///< the position up to which the poll has counted
 };
 
-/// A name or a string without its escapes; what they name stands in UTF-8.
+/// A name or a string with its escapes replaced by the characters in UTF-8.
 std::string unescaped(std::string_view raw);
 
-/// Whether a name is `lower`, which is in lower case, but for ASCII case and escapes.
+/// Whether a name equals `lower`, which is in lower case, apart from ASCII case and escapes.
 bool is_named(std::string_view raw, std::string_view lower);
 
-/// Consumes what belongs to a token that was taken: of a bracket or a function all up to its end,
-/// brackets in it included. Beyond 1,000 brackets in each other the rest is taken whole.
+/// Consumes the rest of the component that begins with `first`: for a bracket or a function
+/// everything up to its end, including nested brackets. Beyond 1,000 nested brackets the rest of
+/// the text is consumed.
 void skip_component(Tokenizer& tokens, const Token& first);
 
 }  // namespace sfumato::css

@@ -7,8 +7,8 @@ struct SinCos {
   double cos = 1;
 };
 
-/// Sine and cosine to the last bits, exact at multiples of 90, the same bits on every machine:
-/// control points come from them.
+/// Sine and cosine with an error of a few last bits, exact at multiples of 90. The bits are the
+/// same on every machine, because control points are computed from them.
 SinCos sin_cos_degrees(double degrees);
 
 }  // namespace sfumato::svg

@@ -11,11 +11,11 @@ namespace sfumato::svg {
 
 /// An ordinary <rect> as the document's background.
 struct BackgroundRect {
-  bool covers = false;         ///< it is an upright rect over the whole artboard, in one colour
-  std::optional<Rgb> color{};  ///< its fill; nothing where that is none
+  bool covers = false;         ///< an upright rect of one colour that covers the whole artboard
+  std::optional<Rgb> color{};  ///< its fill; no value for `none`
 };
 
-/// Looks at a shape that may be the background. Errors: bad_input.
+/// Reads a shape that may be the background. Errors: bad_input.
 Result<BackgroundRect> read_background_rect(Input& input, Element shape,
                                             const Affine& artboard_from_user, const Box& artboard);
 

@@ -7,16 +7,16 @@
 
 namespace sfumato::svg {
 
-/// Why a shape in a layer, which bears no attribute of Sfumato, draws nothing, and what to write:
-/// attributes without their prefix, or in style="", are named.
+/// Explains why a shape in a layer without attributes of Sfumato draws nothing, and what to write.
+/// Attributes without their prefix, or in style="", are named.
 std::string why_bare(Input& input, Element shape);
 
 /// Whether any curve of the document gives a colour.
 bool gives_color(const Document& document);
 
-/// Why a document without a colour is an empty picture, and what to write.
+/// Explains why a document without a colour gives an empty picture, and what to write.
 struct EmptyCause {
-  std::string text;         ///< empty: nothing more than that there is no colour
+  std::string text;         ///< empty: no cause is known except that there is no colour
   bool is_foreign = false;  ///< there is no attribute of Sfumato at all
 };
 

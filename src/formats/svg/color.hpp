@@ -5,7 +5,7 @@
 
 namespace sfumato::svg {
 
-/// A property that is a colour; black where the element has none. currentColor is the element's
+/// The value of a colour property; black if the element has none. currentColor is the element's
 /// `color`. Errors: bad_input, cancelled.
 Result<css::Color> read_color(Input& input, Element element, css::Property property);
 

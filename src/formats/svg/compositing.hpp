@@ -5,7 +5,7 @@
 
 namespace sfumato::svg {
 
-/// How an element is put onto what lies below it.
+/// How an element is composited onto the backdrop.
 struct Compositing {
   float opacity = 1;
   BlendMode blend = BlendMode::normal;
@@ -14,11 +14,11 @@ struct Compositing {
   bool is_plain() const { return opacity == 1 && blend == BlendMode::normal && !isolated; }
 };
 
-/// opacity, mix-blend-mode and isolation of an element. Blend modes that are not known are normal,
+/// opacity, mix-blend-mode and isolation of an element. Unknown blend modes are treated as normal,
 /// with a warning. Errors: bad_input.
 Result<Compositing> read_compositing(Input& input, Element element);
 
-/// Warns of properties that would change the picture and are not read.
+/// Warns about properties that would change the picture but are not supported.
 void warn_of_effects(Input& input, Element element);
 
 }  // namespace sfumato::svg

@@ -10,7 +10,7 @@
 
 namespace sfumato::svg {
 
-/// What a side says, before it meets a subpath.
+/// The attributes of a side before they are applied to a subpath.
 template <class Value>
 struct WrittenShader {
   ShaderKind kind = ShaderKind::open;
@@ -29,7 +29,7 @@ struct CurveAttributes {
   WrittenSide right{};
   double weight = 1;
 
-  /// How many stops each curve will have.
+  /// The number of stops that each curve will have.
   std::size_t stop_count() const;
 };
 
@@ -43,12 +43,12 @@ struct LocalAttributes {
   std::size_t stop_count() const;
 };
 
-/// Reads the attributes of a diffusion curve; the room of their stops comes from `memory`.
+/// Reads the attributes of a diffusion curve; their stops are allocated from `memory`.
 /// Errors: bad_input, limit, cancelled, out_of_memory.
 Result<CurveAttributes> read_curve_attributes(Input& input, Paints& paints,
                                               const PaintedShape& shape, TableMemory& memory);
 
-/// Reads the attributes of a local curve; the same. Errors: bad_input, limit, cancelled.
+/// The same for the attributes of a local curve. Errors: bad_input, limit, cancelled.
 Result<LocalAttributes> read_local_attributes(Input& input, Element shape, TableMemory& memory);
 
 }  // namespace sfumato::svg

@@ -6,9 +6,9 @@
 
 namespace sfumato::svg {
 
-/// The coordinates that a gradient is written in.
+/// The coordinate system of a gradient.
 struct GradientFrame {
-  bool in_box = true;  ///< shares of the shape's bounding box, not user units
+  bool in_box = true;  ///< fractions of the shape's bounding box, not user units
   Affine layer_from_gradient;
 };
 
@@ -16,9 +16,9 @@ struct GradientFrame {
 Result<GradientFrame> read_gradient_frame(Input& input, const PaintAttributes& attributes,
                                           const PaintedShape& shape);
 
-/// Reads a linearGradient or radialGradient (SVG 1.1, chapter 13). What SVG paints in the last
-/// stop's colour, gradients of no length, has that one stop. Errors: bad_input, limit.
-/// last   taken over where it is the same gradient's, else replaced
+/// Reads a linearGradient or radialGradient (SVG 1.1, chapter 13). A gradient of length 0, which
+/// SVG paints in the last stop's colour, gets only that stop. Errors: bad_input, limit.
+/// last   reused if it belongs to the same gradient, else replaced
 Result<GradientFill> read_gradient(Input& input, Totals& totals, const PaintAttributes& attributes,
                                    const GradientFrame& frame, const Box& viewport,
                                    GradientStops& last);

@@ -25,7 +25,7 @@ namespace sfumato::svg {
 
 using Element = pugi::xml_node;
 
-/// Of the tables of the document that is read; they are charged until its reader is done.
+/// The charges for the tables of the document that is being read; held until the reader is done.
 struct DocumentMemory {
   TableMemory curves{"the curves"};
   TableMemory stops{"stops"};
@@ -37,7 +37,8 @@ struct DocumentMemory {
 };
 
 /// The document as a tree without syntax: prefixes are resolved, elements of other namespaces are
-/// gone, ids are found, styles are looked up. And the one place where complaints get theirs.
+/// gone, ids are found, styles are looked up. It is also the only place that adds positions to
+/// errors and warnings.
 class Input {
  public:
   Input(Context& context, std::string_view text, const std::string& file)
@@ -48,7 +49,7 @@ class Input {
 
   Element root() const { return xml_.root(); }
   Context& context() const { return context_; }
-  /// Ok, or why to stop; looks at the cancel flag now and then.
+  /// Ok, or why to stop; checks the cancel flag from time to time.
   Status check() { return poll_.cancelled() ? context_.cancel_status() : ok_status(); }
   const Limits& limits() const { return context_.limits; }
 
@@ -57,46 +58,46 @@ class Input {
   /// An attribute of Sfumato's namespace, without its prefix.
   std::optional<std::string_view> sf(Element element, const char* name) const;
   bool has_sf(Element element) const;
-  /// What an element says of a property.
+  /// The value of a property that is specified for an element.
   struct Cascaded {
     css::WideKeyword keyword = css::WideKeyword::none;  ///< never revert_layer
-    std::optional<std::string_view> value{};            ///< raw; nothing where there is a keyword
+    std::optional<std::string_view> value{};            ///< raw; no value if there is a keyword
   };
 
-  /// The winner among style="", the style sheets and the element's attribute, as CSS orders them.
-  /// What style="" and the sheets say is as CSS keeps it, an attribute is as it was written.
+  /// The winner among style="", the style sheets and the element's attribute, in the order of CSS.
+  /// Values from style="" and the sheets are valid CSS; an attribute is as it was written.
   Cascaded cascaded(Element element, css::Property property);
-  /// The element's value of a property, its parent's where CSS says so; nothing where it is
-  /// initial. Properties that are inherited go by the document's tree, through no <use>.
+  /// The element's value of a property, or its parent's if CSS inherits it; no value if it is
+  /// initial. Inheritance follows the document's tree, not <use>.
   std::optional<std::string_view> property(Element element, css::Property property);
-  /// A property that is one keyword, in lower case; empty where it is none.
+  /// The value of a property that is one keyword, in lower case; empty if it is not a keyword.
   std::string keyword(Element element, css::Property property);
   /// Whether style="" or a style sheet gives a property a value other than `none`.
   bool is_styled(Element element, css::Property property);
-  /// Of texts that are read by the tokens of CSS.
+  /// The poll for texts that are read with the CSS tokenizer.
   css::TextPoll& text_poll() { return text_poll_; }
 
   /// The element that href="" refers to. Errors: bad_input.
   Result<Element> referred(Element element);
-  /// The element of that id. Errors: bad_input; `element` refers to it.
+  /// The element with that id, to which `element` refers. Errors: bad_input.
   Result<Element> element_of(Element element, std::string_view id);
 
   Status error(Element element, std::string message);
   /// "more than the limit of N curves", with the place.
   Status over_limit(Element element, std::size_t Limits::*limit, std::string_view what);
-  /// A status of a parser: puts "d of <path>: " before its message, and the place.
+  /// A parser's status with "d of <path>: " prepended to its message, and with the place.
   Status in(Element element, std::string_view attribute, Status status);
   /// The status with the element's place.
   Status placed(Element element, Status status);
   /// One warning for each kind.
   void warn(std::string_view kind, Element element, std::string message);
-  /// Counts an element that is read again, where `what` ("<use>") leads to it, and its text.
+  /// Counts an element that is read again because `what` ("<use>") refers to it, and its text.
   /// Errors: limit.
   Status charge_reading(Element element, std::string_view what);
   /// Counts its text alone.
   Status charge_text(Element element);
   DocumentMemory& memory() { return memory_; }
-  /// table.push_back(item) with room of `memory`; a failure gets the element's place.
+  /// table.push_back(item), charged to `memory`; a failure gets the element's place.
   template <class Item>
   Status push_back(Element element, TableMemory& memory, std::vector<Item>& table,
                    std::type_identity_t<Item> item) {
@@ -117,13 +118,13 @@ class Input {
     css::Setting setting;
   };
 
-  /// What an element's own style="" says.
+  /// The content of an element's own style="".
   struct ElementStyle {
     const void* element = nullptr;
     std::span<const Styled> settings{};
   };
 
-  /// What was last asked of the parents of elements.
+  /// The last results for the parents of elements.
   struct Inherited {
     const void* parent = nullptr;
     std::optional<std::string_view> value{};
@@ -152,14 +153,14 @@ class Input {
   TableMemory id_memory_{"ids"};
   TableMemory style_memory_{"styles"};
   TableMemory sheet_memory_{"style sheets"};
-  /// Sorted. No hash table: a document could choose ids of one hash.
+  /// Sorted. Not a hash table, because a document could contain ids with equal hashes.
   std::vector<IdElement> ids_;
   std::size_t used_elements_ = 0;
   std::size_t used_bytes_ = 0;
-  /// Of elements with many children, by their place in memory: a paint is read for each curve.
+  /// Number of children of elements with many, by address; a paint is read for each curve.
   std::unordered_map<std::size_t, std::size_t> counted_children_;
   css::StyleSheet sheet_;
-  std::deque<std::string> sheet_texts_;  ///< of those that are in several pieces
+  std::deque<std::string> sheet_texts_;  ///< texts of sheets that consist of several pieces
   std::vector<Styled> styles_;           ///< sorted by element and property
   ElementStyle last_styled_;
   std::array<Inherited, css::kPropertyCount> inherited_{};

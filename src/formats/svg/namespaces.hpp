@@ -5,9 +5,10 @@
 
 namespace sfumato::svg {
 
-/// Makes names plain: elements of SVG lose their prefix, xlink:href becomes href, attributes of
-/// Sfumato's namespace are called ":left" whatever their prefix was; elements of other namespaces
-/// are taken out. Errors: bad_input where Sfumato's namespace is used in a way that means nothing.
+/// Normalizes names: elements of SVG lose their prefix, xlink:href becomes href, attributes of
+/// Sfumato's namespace are called ":left" whatever their prefix was, and elements of other
+/// namespaces are removed. Errors: bad_input if Sfumato's namespace is used in a way that has no
+/// meaning.
 Status resolve_namespaces(const Context& context, text::XmlSource& xml);
 
 }  // namespace sfumato::svg

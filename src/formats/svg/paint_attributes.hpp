@@ -11,17 +11,18 @@
 
 namespace sfumato::svg {
 
-/// A paint server with those that it inherits from by href, itself first.
+/// A paint server and those from which it inherits by href, itself first.
 class PaintAttributes {
  public:
-  /// Follows the chain. Errors: bad_input where it is a circle or refers to what is no paint.
+  /// Follows the chain. Errors: bad_input if the chain is a cycle or refers to an element that is
+  /// not a paint server.
   static Result<PaintAttributes> read(Input& input, Element paint);
 
   Element paint() const { return chain_.front(); }
-  /// The first of the chain that has the attribute; null where none has. `same_kind`: only paints
-  /// of the first one's element name are asked.
+  /// The first in the chain that has the attribute; null if none has. `same_kind`: considers only
+  /// paint servers with the element name of the first.
   Element bearer(const char* name, bool same_kind = false) const;
-  /// The first of the chain that is as asked; null where none is.
+  /// The first in the chain for which the predicate holds; null if there is none.
   template <class IsWanted>
   Element first_with(IsWanted is_wanted) const {
     for (const Element element : chain_) {
@@ -31,12 +32,12 @@ class PaintAttributes {
   }
   std::optional<std::string_view> text(const char* name) const;
 
-  /// Whether the attribute says objectBoundingBox. Errors: bad_input for other words.
+  /// Whether the attribute says objectBoundingBox. Errors: bad_input for unknown values.
   Result<bool> in_bounding_box(const char* name, bool by_default) const;
-  /// A length in user units, or where `in_box`, as a share of the bounding box.
+  /// A length in user units or, if `in_box`, as a fraction of the bounding box.
   Result<double> length(const char* name, bool in_box, const Box& viewport, Axis axis,
                         double share_by_default) const;
-  /// gradientTransform or patternTransform. Errors: bad_input, also where it has no inverse.
+  /// gradientTransform or patternTransform. Errors: bad_input, also if it has no inverse.
   Result<Affine> transform(const char* name) const;
 
  private:
@@ -47,7 +48,7 @@ class PaintAttributes {
   std::vector<Element> chain_;
 };
 
-/// The map from the unit square onto the bounding box. Errors: bad_input where it has no area.
+/// The map from the unit square onto the bounding box. Errors: bad_input if the box has no area.
 Result<Affine> user_from_bounds(Input& input, const PaintedShape& shape, Element paint);
 
 /// Whether the map can be inverted and is within the limits.

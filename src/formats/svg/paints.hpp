@@ -19,20 +19,21 @@ namespace sfumato::svg {
 
 /// The shape that a paint is for.
 struct PaintedShape {
-  Element element;  ///< the paint's complaints that concern the shape name it
+  Element element;  ///< named in errors of the paint that concern the shape
   Affine layer_from_user;
-  Box bounds;  ///< user space; what objectBoundingBox means
+  Box bounds;  ///< user space; used for objectBoundingBox
 };
 
-/// The stops of the gradient that was read last: boxes of many shapes make one gradient many.
+/// The stops of the gradient that was read last, kept because one gradient becomes many for the
+/// bounding boxes of many shapes.
 struct GradientStops {
-  Element parent;  ///< none yet: null
+  Element parent;  ///< null: none yet
   TableMemory memory{"stops"};
   std::vector<GradientStop> stops{};
 };
 
-/// Turns paint servers into shaders of the document. One shader serves all that use the same paint
-/// in the same place.
+/// Turns paint servers into shaders of the document. All shapes that use the same paint in the same
+/// place share one shader.
 class Paints {
  public:
   /// The paint, its frame and the period of its texture.
@@ -45,7 +46,7 @@ class Paints {
   /// The index of the shader for url(#id). Errors: bad_input, limit.
   Result<std::uint32_t> shader(const PaintedShape& shape, std::string_view id);
 
-  /// Whether a curve refers to the paint, by itself or through another paint's href.
+  /// Whether a curve refers to the paint, directly or through another paint's href.
   bool is_used(Element paint) const { return used_.contains(paint.internal_object()); }
 
   std::vector<Shader> take() { return std::move(shaders_); }

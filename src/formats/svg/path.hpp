@@ -14,19 +14,19 @@
 
 namespace sfumato::svg {
 
-/// The pieces of a long arc: no segment has more.
+/// The largest number of pieces of a segment, reached by long arcs.
 inline constexpr std::size_t kMaxPieces = 16;
 
 /// One subpath as a chain of cubic Béziers, in the user space of its shape.
 struct Subpath {
   std::vector<Vec2> control_points;  ///< 3 n + 1
-  /// The first piece of each segment, then the number of pieces. A segment is what one command of a
-  /// path draws: one piece, or for an arc a power of two.
+  /// The first piece of each segment, then the number of pieces. A segment is drawn by one path
+  /// command: one piece or, for an arc, a power of two.
   std::vector<std::uint32_t> segment_begin;
 };
 
-/// Builds subpaths from the commands of a path. A closed one ends exactly where it began. Their
-/// room comes from `memory`; a failure stays: nothing is added from then on.
+/// Builds subpaths from the commands of a path. A closed subpath ends exactly where it began.
+/// Subpaths are allocated from `memory`. After a failure nothing more is added.
 class PathBuilder {
  public:
   PathBuilder(const Context& context, TableMemory& memory) : context_(context), memory_(memory) {}
@@ -37,16 +37,16 @@ class PathBuilder {
   void cubic_to(Vec2 control1, Vec2 control2, Vec2 point);
   /// SVG 1.1, appendix F.6: from the current point to `point` on an ellipse.
   void arc_to(Vec2 radii, double rotation_degrees, bool large, bool sweep, Vec2 point);
-  /// Right after move_to: a subpath of no length, which caps make a dot of (SVG 2, 9.5).
+  /// Right after move_to this makes a subpath of length 0, which caps turn into a dot (SVG 2, 9.5).
   void close();
 
   Vec2 current() const { return current_; }
-  /// Where close() leads.
+  /// The point to which close() draws.
   Vec2 subpath_begin() const { return begin_; }
   std::size_t control_point_count() const { return control_point_count_; }
   std::size_t subpath_count() const { return done_.size(); }
 
-  /// Ok, or why nothing is added any more: limit (memory), cancelled.
+  /// Ok, or why nothing more is added: limit (memory), cancelled.
   const Status& status() const { return status_; }
   /// The subpaths that have a segment, or the failure. Call once, last.
   Result<std::vector<Subpath>> take();
@@ -65,16 +65,16 @@ class PathBuilder {
   Subpath open_;
   Vec2 current_;
   Vec2 begin_;
-  bool is_moved_ = false;  ///< nothing was drawn since move_to
+  bool is_moved_ = false;  ///< nothing has been drawn since move_to
   std::size_t control_point_count_ = 0;
 };
 
 /// Reads the d attribute of a path (SVG 1.1, section 8.3; a mistake is an error, not the end of the
-/// path). "none" and blanks are no subpath. Errors: bad_input, limit, cancelled, without a place.
+/// path). "none" and blanks give no subpath. Errors: bad_input, limit, cancelled, without a place.
 Result<std::vector<Subpath>> parse_path(const Context& context, std::string_view text,
                                         TableMemory& memory);
 
-/// The box of the curves themselves, not of their control points.
+/// The bounding box of the curves themselves, not of their control points.
 Box bounds(const std::vector<Subpath>& subpaths);
 
 }  // namespace sfumato::svg

@@ -10,20 +10,20 @@
 
 namespace sfumato::svg {
 
-/// What width, height and preserveAspectRatio of <svg> make of its viewBox.
+/// The result of width, height and preserveAspectRatio of <svg> for its viewBox.
 struct PictureFrame {
-  Box artboard;                   ///< what the picture shows, the viewBox in it or cut by it
+  Box artboard;                   ///< the region shown; contains the viewBox or cuts it
   Affine artboard_from_view_box;  ///< a stretch, for preserveAspectRatio="none"; else the identity
   std::optional<Vec2> size_px;    ///< as Document::size_px
 };
 
-/// As browsers and resvg have it: one of width and height sets the other by the viewBox;
-/// percentages are of the viewBox, and count where both are; where the aspect differs, the picture
-/// shows more than the viewBox (meet), a part of it (slice), or is stretched (none). What cannot be
-/// read is told in a warning and left out.
+/// As in browsers and resvg: one of width and height determines the other by the viewBox;
+/// percentages refer to the viewBox, and count only if both are percentages; if the aspect differs,
+/// the picture shows more than the viewBox (meet), a part of it (slice), or is stretched (none). A
+/// value that cannot be read is ignored with a warning.
 PictureFrame read_picture_frame(Input& input, const Box& view_box);
 
-/// Sets the artboard and the size; a stretch goes to all that is painted.
+/// Sets the artboard and the size; a stretch is applied to everything that is painted.
 void show_in_frame(const PictureFrame& frame, Document& document);
 
 }  // namespace sfumato::svg

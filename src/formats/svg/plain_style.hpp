@@ -11,16 +11,17 @@
 
 namespace sfumato::svg {
 
-/// The properties of fills and strokes of one shape: its own, or those of what is drawn around it.
+/// The properties of fill and stroke of one shape: its own, or inherited from the elements around
+/// it.
 class PlainStyle {
  public:
-  /// around   elements that the shape is drawn in, the outermost first; a <use> stands before what
-  ///          it refers to
+  /// around   elements in which the shape is drawn, the outermost first; a <use> precedes the
+  ///          element to which it refers
   PlainStyle(Input& input, Element shape, std::span<const Element> around, const Box& viewport)
       : input_(input), shape_(shape), around_(around), viewport_(viewport) {}
 
-  /// What `fill` or `stroke` paints; none where that is nothing. A paint that cannot be read is
-  /// the colour that is written behind it, or nothing, with a warning.
+  /// The paint of `fill` or `stroke`; no value for no paint. A paint that cannot be read is
+  /// replaced by its fallback colour, or by no paint, with a warning.
   /// Errors: limit, cancelled, out_of_memory.
   Result<std::optional<PlainPaint>> paint(css::Property which, Paints& paints,
                                           const PaintedShape& shape);
@@ -46,7 +47,7 @@ class PlainStyle {
   const Box& viewport_;
 };
 
-/// Whether the import goes on with a warning where this went wrong.
+/// Whether the import continues with a warning after this error.
 inline bool can_be_left_out(const Status& status) {
   return status.code == StatusCode::bad_input;
 }

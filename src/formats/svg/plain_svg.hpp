@@ -13,7 +13,7 @@
 
 namespace sfumato::svg {
 
-/// What a shape of ordinary SVG is filled or stroked with.
+/// The paint of a fill or stroke in an ordinary SVG.
 struct PlainPaint {
   std::optional<Rgb> color;  ///< none: Document::shaders[shader]
   std::uint32_t shader = 0;
@@ -32,21 +32,22 @@ struct StrokeStyle {
   double dash_offset = 0;
 };
 
-/// A shape of ordinary SVG, painted where LayerInstances of its layers stand in the stack.
+/// A shape of an ordinary SVG. It is painted where the LayerInstances of its layers are in the
+/// stack.
 struct PlainShape {
   std::string id{};
   Affine artboard_from_user{};
   std::vector<std::vector<Vec2>> subpaths{};  ///< user space, 3 n + 1 control points each
   bool even_odd = false;
   std::optional<PlainPaint> fill{};
-  std::uint32_t fill_layer = 0;  ///< empty in the document, for the fill's curves
+  std::uint32_t fill_layer = 0;  ///< an empty layer of the document, for the fill's curves
   std::optional<PlainPaint> stroke{};
   std::uint32_t stroke_layer = 0;
-  bool stroke_first = false;  ///< it is painted below the fill
+  bool stroke_first = false;  ///< the stroke is painted below the fill
   StrokeStyle style{};
 };
 
-/// An ordinary SVG. Layers that it has already, of Sfumato's own attributes, are kept.
+/// An ordinary SVG. Layers that it already has, from Sfumato's own attributes, are kept.
 struct PlainSvg {
   Document document;  ///< with an empty layer, instanced once, for each fill and each stroke
   std::vector<PlainShape> shapes;  ///< bottom first
@@ -54,9 +55,9 @@ struct PlainSvg {
   std::vector<Diagnostic> warnings;
 };
 
-/// Reads fills and strokes of an ordinary SVG. What cannot be brought over (text, images, clip
-/// paths, masks, filters, patterns of vector content, a shape that is faulty) is left out with one
-/// warning for each kind. `file`, `loader`: as read_svg.
+/// Reads fills and strokes of an ordinary SVG. Unsupported content (text, images, clip paths,
+/// masks, filters, patterns of vector content, faulty shapes) is left out with one warning for each
+/// kind. `file`, `loader`: as in read_svg.
 /// Errors: bad_input, limit, cancelled, out_of_memory.
 Result<PlainSvg> read_plain_svg(Context& context, std::string_view text, const std::string& file,
                                 const ResourceLoader* loader = nullptr);

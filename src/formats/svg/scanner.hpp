@@ -9,8 +9,7 @@
 
 namespace sfumato::svg {
 
-/// Walks through the text of an attribute as SVG's grammars do. Positions in messages count
-/// characters from 1.
+/// Scans the text of an attribute by SVG's grammars. Positions in messages count characters from 1.
 class Scanner {
  public:
   explicit Scanner(std::string_view text) : text_(text) {}
@@ -18,7 +17,7 @@ class Scanner {
   bool at_end() const { return at_ == text_.size(); }
   /// The next character; 0 at the end.
   char peek() const { return at_end() ? '\0' : text_[at_]; }
-  /// Bytes that were taken.
+  /// Number of bytes consumed.
   std::size_t position() const { return at_; }
   std::string_view rest() const { return text_.substr(at_); }
   void skip_blanks();
@@ -27,7 +26,7 @@ class Scanner {
   bool take(char c);
   /// Letters and digits.
   std::string_view take_word();
-  /// A flag of an arc, 0 or 1, which needs no separator behind it.
+  /// A flag of an arc, 0 or 1, which needs no separator after it.
   Status take_flag(bool& flag);
   /// A number of at most limits::kCoordinate in magnitude.
   Status take_number(double& number);

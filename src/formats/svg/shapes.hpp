@@ -9,17 +9,17 @@
 
 namespace sfumato::svg {
 
-/// A length attribute; `absent` where the element has none. Errors: bad_input.
+/// A length attribute; `absent` if the element has none. Errors: bad_input.
 Result<double> length_of(Input& input, Element element, const char* name, const Box& viewport,
                          Axis axis, double absent);
 
-/// The subpaths of a shape (SVG 2, section 10: basic shapes as the paths that they are equal to),
-/// in its user space; their room comes from `memory`. A shape of no size has none. `viewport`: of
-/// percentages. Precondition: is_shape(element.name()). Errors: bad_input, limit, cancelled.
+/// The subpaths of a shape (SVG 2, section 10: basic shapes as their equivalent paths), in its user
+/// space, allocated from `memory`. A shape without extent has none. `viewport`: for percentages.
+/// Precondition: is_shape(element.name()). Errors: bad_input, limit, cancelled.
 Result<std::vector<Subpath>> read_shape(Input& input, Element element, const Box& viewport,
                                         TableMemory& memory);
 
-/// A <rect> without its corners' radii. Errors: bad_input.
+/// A <rect>; its corner radii are ignored. Errors: bad_input.
 Result<Box> read_rect(Input& input, Element element, const Box& viewport);
 
 }  // namespace sfumato::svg

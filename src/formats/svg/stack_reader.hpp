@@ -16,12 +16,12 @@
 
 namespace sfumato::svg {
 
-/// Walks through the document and builds layers and the stack. Each layer is read where it is first
-/// drawn; every further place that draws it is an instance.
+/// Traverses the document and builds layers and the stack. Each layer is read where it is first
+/// drawn; every later drawing of it is an instance.
 class StackReader {
  public:
   /// Fills document.layers, shaders, stack and, from a <rect>, background. The artboard is set.
-  /// plain   null, or what takes the shapes of ordinary SVG, which are ignored without it
+  /// plain   receives the shapes of ordinary SVG; null: these are ignored
   StackReader(Input& input, Document& document, const ResourceLoader* loader,
               std::vector<PlainShape>* plain = nullptr)
       : input_(input),
@@ -35,39 +35,40 @@ class StackReader {
   Status read();
 
  private:
-  /// Where the walk is.
+  /// The current place of the traversal.
   struct Place {
     Affine frame_from_user{};  ///< to the artboard or, in a layer, to the layer's frame
-    Layer* layer = nullptr;    ///< what curves go into; null outside of layers
+    Layer* layer = nullptr;    ///< the layer to which curves are added; null outside of layers
     bool is_visible = true;
     int depth = 0;
-    /// Set for what a <use> refers to directly: the <use>.
+    /// The <use>, for an element to which it refers directly.
     Element use{};
-    /// Somewhere in what a <use> refers to: copies do not bear the id of the original.
+    /// Whether this is inside content to which a <use> refers. Copies do not get the id of the
+    /// original.
     bool is_copy = false;
   };
 
-  /// What of a kind nothing draws.
+  /// The elements of one kind that are never drawn.
   struct Unused {
     Element first_layer{}, first_paint{};
     std::size_t layers = 0, paints = 0;
   };
 
-  /// What is painted between these two calls is composited as one.
+  /// Everything painted between these two calls is composited as one.
   struct OpenGroup {
     Compositing compositing;
-    std::size_t begin = 0;  ///< of its items in the stack, its GroupBegin first
+    std::size_t begin = 0;  ///< the index of its GroupBegin in the stack
     int outer_height = 0;
     bool is_open = false;
   };
 
-  /// An element whose end the walk has not reached.
+  /// An element whose end has not been reached.
   struct OpenElement {
     Element element;
-    Element next;  ///< the child, of any kind, that is visited next; null: its end
+    Element next;  ///< the child, of any kind, to be visited next; null: the end
     Place inside;
     std::optional<OpenGroup> group;
-    bool is_use = false;  ///< the last of used_ ends with it
+    bool is_use = false;  ///< its end removes the last entry of used_
   };
 
   Status visit(Element element, Place place);
@@ -112,8 +113,8 @@ class StackReader {
   CurveReader curves_;
   std::unordered_map<const void*, std::uint32_t> layer_of_;
   std::vector<OpenElement> open_;  ///< outermost first
-  std::vector<Element> used_;      ///< what the <use>s around this place refer to, outermost first
-  int group_height_ = 0;           ///< of the groups closed in the one that is open
+  std::vector<Element> used_;      ///< the targets of the <use>s around this place, outermost first
+  int group_height_ = 0;           ///< height of the closed groups in the open one
   bool may_be_background_ = true;
 };
 

@@ -12,14 +12,14 @@
 
 namespace sfumato::svg {
 
-/// How the place of a stop was written.
+/// How the offset of a stop was written.
 enum class OffsetUnit : std::uint8_t {
   none,     ///< left out
   percent,  ///< 40%: `offset` is 0.4
   segment   ///< @2.5: `offset` is 2.5
 };
 
-/// A stop before it meets a subpath.
+/// A stop before it is applied to a subpath.
 template <class Value>
 struct WrittenStop {
   Value value{};
@@ -27,9 +27,9 @@ struct WrittenStop {
   OffsetUnit unit = OffsetUnit::none;
 };
 
-/// `value [offset]? (, value [offset]?)*` with CSS colours, into `stops`, where there is nothing
-/// yet, but room for stop_bound(text). Colours that are not opaque are errors. Errors: bad_input,
-/// without a place; what the poll says.
+/// `value [offset]? (, value [offset]?)*` with CSS colours, into `stops`, which must be empty and
+/// have room for stop_bound(text). Colours that are not opaque are errors. Errors: bad_input,
+/// without a place; those of the poll.
 Status parse_color_stops(std::string_view text, css::TextPoll& poll,
                          std::vector<WrittenStop<Rgb>>& stops);
 
@@ -41,15 +41,15 @@ Status parse_scalar_stops(std::string_view text, double largest, std::string_vie
 Status parse_length_stops(std::string_view text, std::string_view what, css::TextPoll& poll,
                           std::vector<WrittenStop<float>>& stops);
 
-/// "; did you mean 0.4?" of 40% where a number up to `largest` is expected; else nothing.
+/// "; did you mean 0.4?" for 40% if a number up to `largest` is expected; else empty.
 std::string share_hint(std::string_view text, double largest);
 
-/// How many stops the text can hold.
+/// An upper bound of the number of stops in the text.
 std::size_t stop_bound(std::string_view text);
 
-/// The list on a subpath, into `list`, where there is nothing yet, but room for all: offsets as CSS
-/// spreads and orders them; in the parameter where any is written with @, else in arc length. What
-/// lies beyond the end is moved there; then `beyond_end` becomes true.
+/// Applies the list to a subpath and stores it in `list`, which must be empty and have room for all
+/// stops. Offsets are spread and ordered as in CSS; they are curve parameters if any is written
+/// with @, else arc lengths. Offsets beyond the end are moved to it, and `beyond_end` becomes true.
 template <class Value>
 void place_stops(std::span<const WrittenStop<Value>> written,
                  std::span<const std::uint32_t> segment_begin, StopList<Value>& list,

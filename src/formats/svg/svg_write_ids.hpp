@@ -9,23 +9,24 @@
 namespace sfumato::svg {
 
 /// Gives out ids that are XML names without a colon (letters, digits, '-', '_', '.', and what is
-/// not ASCII) and unique. An id that is both already stays as it is.
+/// not ASCII) and unique. An id that satisfies both already is unchanged.
 class IdPool {
  public:
-  /// The id to write for `wanted`: other characters become '_', one that is taken gets "-2", "-3"…
+  /// The id to write for `wanted`: other characters become '_', and an id that is in use gets "-2",
+  /// "-3"…
   std::string claim(std::string_view wanted);
 
-  /// As above, or "KIND-1", "KIND-2"… where nothing is wanted.
+  /// As above, or "KIND-1", "KIND-2"… if `wanted` is empty.
   std::string claim_or_make(std::string_view wanted, std::string_view kind);
 
-  /// What the ids take here that were given out so far.
+  /// Bytes of the ids given out so far.
   std::size_t bytes() const { return bytes_; }
 
  private:
   bool take(const std::string& id);
   std::string numbered(const std::string& base, std::size_t first);
 
-  // No hash tables: a document could choose ids of one hash.
+  // Not hash tables, because a document could contain ids with equal hashes.
   std::set<std::string> taken_;
   std::map<std::string, std::size_t> next_number_;
   std::size_t bytes_ = 0;

@@ -12,11 +12,12 @@
 
 namespace sfumato::svg {
 
-/// Error: limit, where a text of so many bytes is longer than what can be read.
+/// Error: limit, if a text of `bytes` bytes is too long to be read again.
 Status check_length(const Context& context, std::size_t bytes);
 
-/// The attributes of one element, in the order in which they are written. A '\n' in a value is a
-/// place where its line may be broken, else a space. Values hold nothing that XML would escape.
+/// The attributes of one element, in the order in which they are written. A '\n' in a value marks a
+/// place where its line may be broken; otherwise it is written as a space. Values contain nothing
+/// that XML would escape.
 class Attributes {
  public:
   Attributes& add(std::string_view name, std::string value) {
@@ -26,7 +27,7 @@ class Attributes {
 
   const std::vector<std::pair<std::string_view, std::string>>& list() const { return list_; }
 
-  /// For values that are long.
+  /// For long values.
   TableMemory& memory() { return memory_; }
 
  private:
@@ -35,20 +36,20 @@ class Attributes {
 };
 
 /// Writes elements, indented by two columns for each that is open. Lines end at 100 columns:
-/// attributes go on below the first one, and values are broken where they may. The text's room
-/// comes from the budget; a failure stays: from then on nothing is written.
+/// further attributes are aligned below the first one, and values are broken where this is allowed.
+/// The text is charged to the budget. After a failure nothing more is written.
 class ElementWriter {
  public:
   explicit ElementWriter(const Context& context) : context_(context) {}
 
   void open(std::string_view name, const Attributes& attributes);
   void close(std::string_view name);
-  /// <name>text</name>; the text holds nothing that XML would escape.
+  /// <name>text</name>; the text contains nothing that XML would escape.
   void text_element(std::string_view name, std::string_view text);
   void leaf(std::string_view name, const Attributes& attributes);
 
   const std::string& text() const { return text_; }
-  /// Ok, or why the text is not whole: limit (memory), cancelled.
+  /// Ok, or why the text is incomplete: limit (memory), cancelled.
   const Status& status() const { return status_; }
   /// All that was written, or status().
   Result<std::string> take();

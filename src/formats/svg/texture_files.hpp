@@ -16,14 +16,14 @@
 namespace sfumato::svg {
 
 struct TextureFile {
-  TableMemory memory{"texture files"};  ///< of a file that stood in a data: URI
-  ScopedCharge charge;                  ///< what a loader and decoders have made
+  TableMemory memory{"texture files"};  ///< for a file from a data: URI
+  ScopedCharge charge;                  ///< for results of a loader and of decoders
   codecs::RgbaImage image;
   std::vector<std::uint8_t> file;  ///< as it was loaded
 };
 
-/// The file that an <image>'s href names, percent signs decoded; nothing for what is no file beside
-/// the document: a data: URI, another scheme or host, a fragment.
+/// The file that an <image>'s href names, percent signs decoded; no value for anything but a local
+/// file: a data: URI, another scheme or host, a fragment.
 std::optional<std::string> file_name_in(std::string_view href);
 
 /// The images that a document refers to, each loaded and decoded once.
@@ -31,8 +31,8 @@ class TextureFiles {
  public:
   TextureFiles(Input& input, const ResourceLoader* loader) : input_(input), loader_(loader) {}
 
-  /// The file behind href="" of an <image>; lives as long as this. Errors: bad_input, limit,
-  /// out_of_memory.
+  /// The file to which href="" of an <image> refers; lives as long as this. Errors: bad_input,
+  /// limit, out_of_memory.
   Result<const TextureFile*> find(Element image);
 
  private:
@@ -43,7 +43,7 @@ class TextureFiles {
   Input& input_;
   const ResourceLoader* loader_;
   std::map<std::string_view, TextureFile> files_;  ///< by href
-  /// By element: a data: URI is long, and many curves may share its pattern.
+  /// By element, because a data: URI is long and many curves may share its pattern.
   std::map<const void*, const TextureFile*> file_of_image_;
 };
 

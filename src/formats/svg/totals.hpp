@@ -6,13 +6,13 @@
 
 namespace sfumato::svg {
 
-/// What the document holds so far, held against the limits before it is allocated.
+/// Counts the document's parts and checks them against the limits before they are allocated.
 class Totals {
  public:
   explicit Totals(Input& input) : input_(input) {}
 
-  /// Errors: limit; nothing is to be allocated then. Curves that are read and left out count too:
-  /// reading them took time.
+  /// Errors: limit; nothing may be allocated then. Curves that are read and then left out count
+  /// too, because reading them took time.
   Status count_curves(Element element, std::size_t curves, std::size_t control_points);
   Status count_stops(Element element, std::size_t count);
   Status count_texture(Element element, std::size_t texels);

@@ -10,11 +10,12 @@
 
 namespace sfumato::text {
 
-/// What a reader had to overlook: one warning for each kind, at most limits::kWarnings kinds, then
-/// one that counts the rest.
+/// A reader's warnings: one for each kind, at most limits::kWarnings kinds, then one that counts
+/// the rest.
 class Warnings {
  public:
-  /// True where a warning of this kind is still to be made: `add` it then. Else it is counted.
+  /// Returns true if there is no warning of this kind yet; the caller must then `add` one. Else
+  /// counts it.
   bool is_new(std::string_view kind);
 
   void add(std::string message, SourcePlace place);

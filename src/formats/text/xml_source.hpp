@@ -10,13 +10,13 @@
 
 namespace sfumato::text {
 
-/// An XML text as a tree whose elements know their place in the file. The text and the name must
-/// outlive it. Entities of a DTD are not expanded, nothing outside the text is ever opened.
+/// An XML text as a tree whose elements have a place in the file. The text and the name must
+/// outlive it. Entities of a DTD are not expanded, and no external resource is ever opened.
 class XmlSource {
  public:
   XmlSource(std::string_view text, const std::string& file) : text_(text), file_(file) {}
 
-  /// Builds the tree; its memory is charged before, and given back with this object.
+  /// Builds the tree; its memory is charged before, and released with this object.
   /// Errors: bad_input where the text is not well-formed; limit (bytes, elements, depth,
   /// attributes, memory), cancelled.
   Status parse(Context& context);
@@ -24,8 +24,8 @@ class XmlSource {
   /// The document element. Precondition: parse was ok.
   pugi::xml_node root() const { return tree_.document_element(); }
 
-  /// Where the element's `<` stands. Columns count bytes. Line and column are 0 where the text is
-  /// not UTF-8 and had to be converted.
+  /// The place of the element's `<`. Columns count bytes. Line and column are 0 if the text was not
+  /// UTF-8 and had to be converted.
   SourcePlace place(pugi::xml_node node);
 
  private:
@@ -40,10 +40,10 @@ class XmlSource {
   std::string_view text_;
   const std::string& file_;
   ScopedCharge charge_;
-  std::string copy_;  ///< the text of the tree, which is made in it; empty: the tree has its own
+  std::string copy_;  ///< the buffer in which the tree is built; empty: the tree has its own
   pugi::xml_document tree_;
   bool is_utf8_ = true;
-  // Places are mostly asked for in rising order: counting goes on from the last one.
+  // Places are mostly requested in rising order, so that counting continues from the last one.
   std::size_t counted_bytes_ = 0;
   std::size_t line_begin_ = 0;
   int counted_lines_ = 0;
