@@ -23,7 +23,7 @@ inline double artboard_pixel(const Document& document) {
 
 /// A layer that is painted, with what drawing it begins with. The hints go to `hints`.
 struct LayerUnderTest {
-  Context& context;  ///< where it is cancelled the hints are incomplete
+  Context& context;
   const Document& document;
   std::uint32_t layer;
   const solve::LayerSight& sight;

@@ -19,7 +19,7 @@ struct TriangleFrame {
   double inverse_width;                         ///< u per pixel of x
   double middle_q;
   int corner_order;      ///< 3 top + middle, each one of the triangle's corners 0, 1, 2
-  bool middle_on_right;  ///< than the long edge; from the winding, not from rounded numbers
+  bool middle_on_right;  ///< of the long edge; from the winding, not from rounded numbers
 
   SFUMATO_INLINE double long_edge_x(double y) const { return top_x + (y - top_y) * long_slope; }
   /// x on the other side of the triangle, from top over middle to bottom.
