@@ -15,6 +15,7 @@ namespace sfumato {
 ///
 /// Errors: bad_input (a format other than rgb8, a size that disagrees with the bytes, a quality out
 /// of range), limit, out_of_memory, cancelled.
+/// Cost: O(pixels), in the calling thread.
 Result<std::vector<std::uint8_t>> encode_jpeg(Context& context, const Image& image, int quality);
 
 }  // namespace sfumato

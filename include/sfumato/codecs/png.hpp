@@ -15,6 +15,7 @@ namespace sfumato {
 /// bytes for any thread count.
 ///
 /// Errors: bad_input (a size that disagrees with the bytes), limit, cancelled, out_of_memory.
+/// Cost: O(pixels), in stripes that the context's threads share.
 Result<std::vector<std::uint8_t>> encode_png(Context& context, const Image& image);
 
 /// Decodes any PNG: with 16 bits per channel where the file has 16, with alpha where the file has
@@ -23,6 +24,7 @@ Result<std::vector<std::uint8_t>> encode_png(Context& context, const Image& imag
 ///
 /// Errors: bad_input (damaged, or cut short), limit (size, memory), cancelled, out_of_memory. Where
 /// zlib is refused memory the error is bad_input, because libspng reports that as damage.
+/// Cost: O(pixels), in the calling thread.
 Result<Image> decode_png(Context& context, std::span<const std::uint8_t> bytes,
                          const std::string& file);
 

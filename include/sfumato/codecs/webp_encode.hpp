@@ -24,6 +24,8 @@ inline constexpr int kWebpSide = 16'383;
 /// range), limit (size, memory), out_of_memory, cancelled. libwebp does not always report memory
 /// that it was refused (tests/allocation/README.md), and its passes over a large image can delay a
 /// cancellation by seconds (docs/limits.md).
+/// Cost: O(pixels). The context's threads share the conversion to YUV of lossy images; the passes
+/// of libwebp run in the calling thread.
 Result<std::vector<std::uint8_t>> encode_webp(Context& context, const Image& image,
                                               const WebpOptions& options);
 

@@ -99,7 +99,8 @@ std::size_t bytes_of(const std::vector<Shader>& shaders);
 
 /// Checks every invariant of the model: sizes against the context's limits, finite numbers in
 /// range, indices, 3 n + 1 control points, sorted stop lists. Readers end with it; diffuse(),
-/// lint() and write_svg() begin with it. Errors: bad_input, limit, cancelled.
+/// lint() and write_svg() begin with it. Errors: bad_input, limit, cancelled. Cost: O(size of the
+/// document).
 Status validate(const Context& context, const Document& document);
 
 /// @name Parts that a Picture takes over from a Document

@@ -21,6 +21,8 @@ namespace sfumato {
 /// floating point; limit also where a table exceeds the device's textures.
 /// Memory on the device, charged to the Budget: tables of 100 to 300 bytes a triangle, 110 bytes a
 /// pixel of a tile of 1024², and 16 more for each group within a group.
+/// Cost: O(triangles + pixels) on the device. By Mesa's software driver about 13 times that of
+/// rasterize(), and 13 ms for the context and the programs (docs/gpu.md).
 Result<Image> render_on_gpu(Context& context, const Picture& picture, const RasterOptions& options);
 
 /// The name of the device that render_on_gpu() would use, as its driver gives it. Errors:

@@ -28,7 +28,9 @@ struct ImportedSvg {
 /// the outside is transparent. A stroke becomes its outline, filled. Groups, opacity and the order
 /// of painting are kept, and the curves bear the ids of their shapes.
 ///
-/// Errors: bad_input, limit, cancelled, out_of_memory.
+/// Errors: bad_input, limit, cancelled, out_of_memory, and those of the loader.
+/// Cost: that of read_document(), and for each fill and stroke O(n log n) in the chords of its
+/// outline and the pairs of chords whose boxes overlap. In the calling thread.
 Result<ImportedSvg> import_svg(Context& context, std::string_view text, const std::string& file,
                                const ResourceLoader* loader = nullptr);
 

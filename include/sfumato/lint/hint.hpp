@@ -44,7 +44,10 @@ std::string_view hint_name(HintKind kind);
 bool is_note(HintKind kind);
 
 /// A side of a Curve.
-enum class CurveSide : std::uint8_t { left, right };
+enum class CurveSide : std::uint8_t {
+  left,  ///< Curve::left
+  right  ///< Curve::right
+};
 
 /// A hint and its place in the document. Indices count from 0, and those that do not apply are
 /// empty.

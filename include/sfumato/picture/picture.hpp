@@ -25,7 +25,11 @@ constexpr std::size_t node_slot(std::size_t triangle, std::size_t place) {
 /// The polynomial that interpolates inside a triangle (paper appendix A). Ten nodes are stored for
 /// each order: a quadratic takes the middles of the edges from the cubics along them, and a linear
 /// patch uses the corners only.
-enum class PatchOrder : std::uint8_t { linear, quadratic, cubic };
+enum class PatchOrder : std::uint8_t {
+  linear,     ///< barycentric, from the corners
+  quadratic,  ///< eq. 17, from the corners and the middles of the edges
+  cubic       ///< eq. 18, from all ten nodes
+};
 
 /// Values that are interpolated over the triangles of a layer.
 ///

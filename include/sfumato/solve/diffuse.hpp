@@ -67,7 +67,11 @@ Result<Picture> picture_frame(Context& context, const Document& document, const 
 /// level.
 ///
 /// Errors: bad_input (an invalid document or option), limit, cancelled, out_of_memory.
-/// Memory and time grow with what is to be seen: curves, blurs and colours that change.
+/// Cost: O(n log n) in the segments for the triangulations, in the calling thread; then a gather at
+/// each node and probe, shared among the context's threads. In all 1.3 to 3.1 µs a node on one
+/// thread: 67 ms for 71 curves and 51,000 nodes, 1.9 s for 1521 curves and 626,000 nodes
+/// (docs/benchmarks.md, without blur). Visible curves, blurs and changes of colour determine the
+/// number of nodes.
 Result<Picture> diffuse(Context& context, const Document& document, const DiffuseOptions& options,
                         DiffuseStats* stats = nullptr);
 

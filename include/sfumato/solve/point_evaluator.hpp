@@ -26,7 +26,8 @@ class PointEvaluator {
   ///
   /// Of the options, those of the patch mesh (angles, areas, order) have no effect, but all have to
   /// be valid; DiffuseOptions::max_error counts only for the default tolerance. `stats`, unless
-  /// null, is added to: curves, segments and times. Errors: as diffuse().
+  /// null, is added to: curves, segments and times. Errors: as diffuse(). Cost: flattening and the
+  /// triangulation of all curves, O(n log n) in their segments.
   static Result<PointEvaluator> create(Context& context, const Document& document,
                                        const DiffuseOptions& options,
                                        DiffuseStats* stats = nullptr);

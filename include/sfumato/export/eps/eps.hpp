@@ -31,6 +31,8 @@ struct EpsOptions {
 ///
 /// Errors: bad_input (an empty viewport, an invalid picture, options that are not positive
 /// numbers), limit (memory, pixels), cancelled, out_of_memory.
+/// Cost: about 1.4 µs and 10 bytes of the file a facet (docs/benchmarks.md); for a picture stored
+/// as pixels that of rasterize().
 Result<std::vector<std::uint8_t>> export_eps(Context& context, const Picture& picture,
                                              const EpsOptions& options,
                                              ExportNotes* notes = nullptr);

@@ -13,6 +13,7 @@ namespace sfumato {
 /// (docs/format-orzan.md). `file` names the input in messages.
 ///
 /// Errors: bad_input, limit, cancelled, out_of_memory.
+/// Cost: O(bytes), in the calling thread.
 Result<ReadDocument> read_orzan(Context& context, std::string_view xml, const std::string& file);
 
 }  // namespace sfumato

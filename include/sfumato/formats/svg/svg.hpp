@@ -12,7 +12,8 @@ namespace sfumato {
 /// Reads the native format: SVG with the namespace urn:sfumato:1 (docs/format.md), not packed by
 /// gzip. `file` and `loader` are as for read_document(), which reads this format too.
 ///
-/// Errors: bad_input, limit, cancelled, out_of_memory.
+/// Errors: bad_input, limit, cancelled, out_of_memory, and those of the loader.
+/// Cost: as read_document().
 Result<ReadDocument> read_svg(Context& context, std::string_view text, const std::string& file,
                               const ResourceLoader* loader = nullptr);
 
