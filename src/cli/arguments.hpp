@@ -19,11 +19,11 @@
 
 namespace sfumato::cli {
 
-/// What every command is told that reads a document.
+/// Arguments of every command that reads a document.
 struct DocumentArguments {
   std::string input;
-  std::vector<std::string> allowed_folders;  ///< textures may come from there too; they exist
-  std::vector<std::string> outputs;          ///< that the call writes: no texture may be one
+  std::vector<std::string> allowed_folders;  ///< textures may be in these existing folders too
+  std::vector<std::string> outputs;  ///< files that the call writes; no texture may be one of them
   Resources resources;
   bool quiet = false;
 };
@@ -33,16 +33,16 @@ struct OutputOptions {
   OutputKind kind = OutputKind::png;
   int quality = 90;  ///< of JPEG and lossy WebP
   bool lossless = false;
-  // Of outputs that can be enlarged:
+  // For outputs that can be enlarged:
   double detail = 2;            ///< the mesh is made for a picture this many times larger
-  std::optional<double> dpi{};  ///< of what stands as pixels; none: as the format has it
+  std::optional<double> dpi{};  ///< of parts stored as pixels; none: the format's default
   SvgMode svg = SvgMode::image;
   bool force = false;  ///< a vector SVG of any size
   PdfFlatten pdf_flatten = PdfFlatten::automatic;
   std::string title;  ///< empty: the name of the drawing
 };
 
-/// `input` is of the job at hand.
+/// `input` is the input of the current job.
 struct RenderArguments : DocumentArguments {
   std::vector<RenderJob> jobs;
   bool many = false;  ///< --out-dir was given
@@ -51,9 +51,9 @@ struct RenderArguments : DocumentArguments {
   SizeRequest size;
   bool per_pixel = false;  ///< --method pixels
   bool on_gpu = false;     ///< --device gpu
-  /// As asked for, but for pixels_per_unit, which comes from the size.
+  /// As requested, except pixels_per_unit, which follows from the size.
   DiffuseOptions diffuse;
-  /// As asked for, but for width, height, viewport and the alpha channel.
+  /// As requested, except width, height, viewport and the alpha channel.
   RasterOptions raster;
   bool no_background = false;  ///< --background none: not even the drawing's own, always alpha
   int threads = 0;             ///< 0: all cores
@@ -68,15 +68,15 @@ struct InfoArguments : DocumentArguments {
   bool json = false;
 };
 
-/// `input` is the one at hand.
+/// `input` is the current one.
 struct LintArguments : DocumentArguments {
   std::vector<std::string> inputs;
-  bool verbose = false;  ///< with notes, which ask for nothing
+  bool verbose = false;  ///< report notes too, which need no action
   bool strict = false;   ///< a hint is a failure
   bool json = false;
 };
 
-/// `input`: what curves are made of; empty: the template.
+/// `input`: the SVG from which curves are made; empty: the template is used.
 struct InitArguments : DocumentArguments {
   std::string output;
   std::string template_name = "shape";
@@ -85,8 +85,8 @@ struct InitArguments : DocumentArguments {
 
 struct WatchArguments : DocumentArguments {
   int port = 0;                         ///< of 127.0.0.1; 0: any
-  RenderArguments page;                 ///< as PNG, for the page
-  std::optional<RenderArguments> file;  ///< what is written besides
+  RenderArguments page;                 ///< the PNG for the page
+  std::optional<RenderArguments> file;  ///< the file that is written too
 };
 
 struct CompareArguments {
@@ -98,8 +98,8 @@ struct CompareArguments {
   bool json = false;
 };
 
-/// No command was given, or none is to be run: print `text` and return `exit_code`. The text
-/// belongs to standard output exactly where exit_code is kDone.
+/// No command was given, or none must be run: print `text` and return `exit_code`. The text goes to
+/// standard output if exit_code is kDone, else to standard error.
 struct NoCommand {
   std::string text;
   ExitCode exit_code = kBadUsage;

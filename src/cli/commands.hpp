@@ -13,7 +13,7 @@ int compare(const CompareArguments& arguments);
 int init(const InitArguments& arguments);
 int watch(const WatchArguments& arguments);
 
-/// The whole program: parses, runs, catches what other people's libraries throw.
+/// The whole program: parses, runs, and catches exceptions of third-party libraries.
 int run(int argc, const char* const* argv);
 
 }  // namespace sfumato::cli

@@ -10,13 +10,13 @@
 
 namespace sfumato::cli {
 
-/// How far two images are apart, channel by channel, counted exactly: a histogram of the absolute
-/// differences in 65535ths (a code value of 255 is 257 of them). Alpha counts where either image
-/// has it; an image without is opaque.
+/// The exact differences of two images: a histogram of the absolute differences of all channels, in
+/// 65535ths (a code value of 255 is 257 of them). Alpha counts if either image has it; an image
+/// without alpha is opaque.
 class Difference {
  public:
-  /// Precondition: the images have one size. It counts in part where the context is cancelled
-  /// before the end, which the caller asks it.
+  /// Precondition: the images have one size. The histogram is incomplete if the context is
+  /// cancelled meanwhile, which the caller must check.
   Difference(const Context& context, const Image& a, const Image& b);
 
   /// In code values of 255.
@@ -36,7 +36,7 @@ class Difference {
 };
 
 /// |a − b| · scale in each colour channel, clamped, as rgb8; a greater difference in alpha shows in
-/// all three; the room of the picture comes from `memory`. Precondition: the images have one size.
+/// all three. The picture is charged to `memory`. Precondition: the images have one size.
 /// Errors: limit (memory), cancelled.
 Result<Image> difference_image(const Context& context, const Image& a, const Image& b, double scale,
                                TableMemory& memory);

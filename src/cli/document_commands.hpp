@@ -3,7 +3,7 @@
 #include "cli/arguments.hpp"
 #include "cli/option_helpers.hpp"
 
-/// The options of the commands that read a document and do not draw it.
+/// Options of the commands that read a document but do not draw it.
 namespace sfumato::cli {
 
 CLI::App* add_info(CLI::App& root, InfoArguments& arguments);

@@ -9,15 +9,15 @@
 
 namespace sfumato::cli {
 
-/// The bytes of an input, if the budget has room for them; who calls charges for them.
+/// The bytes of an input, if the budget has room for them. The caller must charge them.
 /// Errors: bad_input, limit, out_of_memory.
 Result<std::string> read_drawing_text(Context& context, const std::string& path);
 
-/// Reads the document of arguments.input, with the textures that it may have, and reports the
+/// Reads the document of arguments.input, with the textures that it may use, and reports the
 /// reader's warnings. Errors: bad_input, limit, cancelled, out_of_memory.
 Result<ReadDocument> read_drawing(Context& context, const DocumentArguments& arguments);
 
-/// What the reader overlooked, and what of the command helps where it found nothing to draw.
+/// The reader's warnings and, if there is nothing to draw, which command or option helps.
 std::vector<Diagnostic> warnings_of(const ReadDocument& read);
 
 }  // namespace sfumato::cli

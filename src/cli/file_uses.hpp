@@ -7,12 +7,12 @@
 #include <string>
 #include <vector>
 
-/// No file that a call writes may be one that it reads, or another that it writes, however they are
-/// named.
+/// Checks that no file that a call writes is one that it reads, or another that it writes, however
+/// they are named.
 namespace sfumato::cli {
 
-/// What tells a file from every other: the file itself, behind all links, or, where there is none
-/// yet, the folder that will hold it and its name there.
+/// The identity of a file: the file itself, after all links are followed, or, if it does not exist
+/// yet, its future folder and its name there.
 struct FileIdentity {
   std::uint64_t device = 0;
   std::uint64_t inode = 0;
@@ -23,11 +23,11 @@ struct FileIdentity {
 
 enum class FileUse : std::uint8_t { reads, writes };
 
-/// Of a path as the command takes it: "-" is a standard stream. Nothing for what is no regular file
-/// (a pipe, /dev/null): writing there replaces nothing.
+/// The identity of the file at a command's path; "-" is a standard stream. No value if it is not a
+/// regular file (a pipe, /dev/null), because writing there replaces nothing.
 std::optional<FileIdentity> file_identity(const std::string& path, FileUse use);
 
-/// The files of a call by what they are; with how the call names them.
+/// The files of a call by their identity, with their names in the call.
 using FilesByIdentity = std::map<FileIdentity, std::string>;
 FilesByIdentity written_files(const std::vector<std::string>& outputs);
 
@@ -46,7 +46,7 @@ struct OutputFile {
 
 std::string in_quotes(const std::string& path);
 
-/// What is wrong with them together; empty: nothing.
+/// A message about a conflict between them; empty: none.
 std::string complaint_about(const std::vector<InputFile>& inputs,
                             const std::vector<OutputFile>& outputs);
 

@@ -8,9 +8,9 @@
 
 namespace sfumato::cli {
 
-/// Tells when files change, also where they are replaced by others of the same name or are not
-/// there for a while. Folders are watched by inotify; where that is refused, and for file systems
-/// of other machines, the files' times are looked at.
+/// Reports when files change, also if they are replaced by others of the same name or are missing
+/// for a while. Folders are watched with inotify; if that is refused, and on network file systems,
+/// the files' times are polled.
 class FileWatch {
  public:
   FileWatch();
@@ -18,16 +18,16 @@ class FileWatch {
   FileWatch(const FileWatch&) = delete;
   FileWatch& operator=(const FileWatch&) = delete;
 
-  /// The files from now on, as they were at the last `look`.
+  /// Sets the files to watch. Their state counts as unchanged since the last `look`.
   void set_files(std::vector<std::string> files);
-  /// Notes what the files are now: later changes count.
+  /// Records the current state of the files; later changes count.
   void look();
-  /// Whether a file has changed since `look`. Waits for that as long as `most`; returns early where
-  /// a signal comes.
+  /// Whether a file has changed since `look`. Waits at most `most` for a change; returns early on a
+  /// signal.
   bool wait(std::chrono::milliseconds most);
 
  private:
-  /// Device, inode, size, time of change: of what the name leads to, and of a link itself.
+  /// Device, inode, size, time of change: of the file that the name leads to, and of a link itself.
   using Signature = std::tuple<std::uint64_t, std::uint64_t, std::uint64_t, std::int64_t,
                                std::uint64_t, std::int64_t>;
 
@@ -35,7 +35,7 @@ class FileWatch {
   std::vector<Signature> signatures() const;
   void drain() const;
 
-  int notifier_ = -1;  ///< of inotify; −1: none
+  int notifier_ = -1;  ///< inotify's descriptor; −1: none
   std::vector<int> watches_;
   std::vector<std::string> files_;
   std::vector<Signature> seen_;

@@ -10,13 +10,13 @@
 
 namespace sfumato::cli {
 
-/// The format of as many bits that has alpha.
+/// The format with alpha and the same number of bits.
 PixelFormat with_alpha(PixelFormat format);
 
-/// Takes the alpha channel from an image that is opaque everywhere. Errors: cancelled.
+/// Removes the alpha channel if the image is opaque everywhere. Errors: cancelled.
 Status drop_opaque_alpha(Context& context, Image& image);
 
-/// The file of an image, of a kind that is made of pixels. Errors: limit, out_of_memory, cancelled.
+/// Encodes an image as a file of a pixel format. Errors: limit, out_of_memory, cancelled.
 Result<std::vector<std::uint8_t>> encode_image(Context& context, const Image& image,
                                                const OutputOptions& options);
 

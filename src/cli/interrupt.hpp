@@ -4,8 +4,8 @@
 
 namespace sfumato::cli {
 
-/// While it lives, the first SIGINT, SIGTERM or SIGHUP sets `cancel` and the second ends the
-/// process. At most one at a time.
+/// During its lifetime the first SIGINT, SIGTERM or SIGHUP sets `cancel` and the second ends the
+/// process. There may be only one at a time.
 class CancelOnSignal {
  public:
   explicit CancelOnSignal(CancelFlag& cancel);
@@ -15,10 +15,10 @@ class CancelOnSignal {
 };
 
 /// From now on writing to a closed pipe, or past the limit on a file's size, is an error of the
-/// write and no end of the process: standard error, too, is written.
+/// write and does not end the process. This holds for standard error too.
 void ignore_write_signals();
 
-/// The number of the signal that set a cancel flag; 0 where none has.
+/// The number of the signal that set a cancel flag; 0 if none has.
 int received_signal();
 
 }  // namespace sfumato::cli

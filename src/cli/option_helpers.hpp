@@ -15,20 +15,21 @@
 /// Options whose values our own parsers read, so that each failure says what was expected.
 namespace sfumato::cli {
 
-/// What an option takes, in words, and how the help writes it.
+/// A description of the values that an option accepts, and their form in the help.
 struct ValueText {
   std::string expected;
   std::string value_name;
-  std::vector<std::string> words{};  ///< all that it takes, where these are a few words
+  std::vector<std::string> words{};  ///< all accepted values, if these are a few words
 };
 
-/// One of these words; the help writes value_name for it, or, where that is empty, all of them.
+/// One of these words. The help shows value_name or, if that is empty, all words.
 ValueText one_of(std::vector<std::string> words, std::string value_name = {});
 
-/// "; did you mean X?" where the text is nearly one of the words; else nothing.
+/// "; did you mean X?" if the text is similar to one of the words; else empty.
 std::string word_hint(const std::string& text, const std::vector<std::string>& words);
 
-/// A long option, perhaps after a short one. `set(text)` returns false where the text is no value.
+/// A long option, perhaps after a short one. `set(text)` returns false if the text is not a valid
+/// value.
 template <class Set>
 CLI::Option* add_value(CLI::App& app, const std::string& name, const ValueText& value_text,
                        const std::string& help, Set set) {
@@ -42,7 +43,7 @@ CLI::Option* add_value(CLI::App& app, const std::string& name, const ValueText& 
   return app.add_option_function<std::string>(name, read, help)->type_name(value_text.value_name);
 }
 
-/// Sets `target` from what `parse` makes of the text; false where that is nothing.
+/// Sets `target` to the result of `parse`; false if that is empty.
 template <class Target, class Parse>
 auto into(Target& target, Parse parse) {
   return [&target, parse](const std::string& text) {
@@ -52,7 +53,7 @@ auto into(Target& target, Parse parse) {
   };
 }
 
-/// As `into`, for whole numbers in [lowest, highest].
+/// Like `into`, for whole numbers in [lowest, highest].
 template <class Target>
 auto whole_into(Target& target, std::uint64_t lowest, std::uint64_t highest) {
   return [&target, lowest, highest](const std::string& text) {
@@ -62,11 +63,11 @@ auto whole_into(Target& target, std::uint64_t lowest, std::uint64_t highest) {
   };
 }
 
-/// The option -o, whose value the help writes as value_name.
+/// The option -o, whose value is value_name in the help.
 CLI::Option* add_output(CLI::App& app, std::string& output, const OutputNames& names,
                         const std::string& value_name, const std::string& help);
 
-/// The document IN and --allow-files, which says where its textures may lie.
+/// The document IN, and --allow-files, which names folders for its textures.
 void add_document(CLI::App& app, DocumentArguments& arguments);
 
 /// --allow-files alone.
@@ -85,7 +86,7 @@ struct ChoiceOf<std::optional<Value>> {
   using Type = Value;
 };
 
-/// target: a Value, or an optional one, which stays empty where the option is not given.
+/// target: a Value, or an optional one, which stays empty if the option is not given.
 template <class Target, class Value = typename ChoiceOf<Target>::Type>
 CLI::Option* add_choice(CLI::App& app, const std::string& name, Choices<Value> choices,
                         const std::string& help, Target& target) {

@@ -10,7 +10,7 @@
 
 namespace sfumato::cli {
 
-/// What the user asked for: pixels, or pixels per user unit (not both).
+/// The size that the user requested: pixels, or pixels per user unit (not both).
 struct SizeRequest {
   std::optional<int> width{};
   std::optional<int> height{};
@@ -26,11 +26,11 @@ struct OutputSize {
 /// Pixels per user unit at the document's own size.
 Vec2 own_scale(const Document& document);
 
-/// Pixels per user unit of what was asked for, the larger of the two directions.
+/// Pixels per user unit of the requested size, the larger of the two directions.
 double output_scale(const SizeRequest& request, const Box& viewport, Vec2 own_scale = {1, 1});
 
 /// The size of the image that shows `viewport`. One of width and height alone sets the other by the
-/// viewport's aspect; both stretch the picture to them; neither: viewport × scale, default
+/// viewport's aspect; both stretch the picture; without them it is viewport × scale, by default
 /// own_scale. Sizes are rounded to the nearest pixel, at least 1. Errors: limit (of an image's
 /// side).
 Result<OutputSize> output_size(const Limits& limits, const SizeRequest& request,

@@ -11,9 +11,9 @@
 
 namespace sfumato::cli {
 
-/// Draws a document as the arguments ask and makes the bytes of the output of it. What the format
-/// cannot hold is reported as warnings. document: its background may be changed, and it is let go
-/// as soon as the picture is solved.
+/// Draws a document as the arguments say and returns the bytes of the output file. Content that the
+/// format cannot represent is reported as warnings. document: its background may be changed, and it
+/// is freed as soon as the picture is solved.
 /// Errors: those of diffuse, rasterize and the exporters.
 Result<std::vector<std::uint8_t>> make_picture_file(Context& context, Document& document,
                                                     const RenderArguments& arguments,

@@ -5,14 +5,14 @@
 
 namespace sfumato::cli {
 
-/// One document of a call of `sfumato render` and where its picture goes.
+/// One document of a call of `sfumato render` and the destination of its picture.
 struct RenderJob {
   std::string input;
   std::string output;
 };
 
-/// What becomes of `inputs`: one of them goes to `output`, or each, named as it is but for its
-/// extension, to `folder`. Either is given.
+/// The jobs for `inputs`: either a single input is written to `output`, or each input is written to
+/// `folder` under its own name with another extension. Exactly one of the two is given.
 std::vector<RenderJob> render_jobs(const std::vector<std::string>& inputs,
                                    const std::string& output, const std::string& folder,
                                    const std::string& extension);

@@ -14,13 +14,14 @@ enum class RenderDevice : std::uint8_t { cpu, gpu };
 
 enum class RenderMethod : std::uint8_t { exact, rays, pixels };
 
-/// What is set in several places of RenderArguments once all options are known.
+/// Options that affect several members of RenderArguments and are applied once all options are
+/// known.
 struct RenderChoices {
   std::vector<std::string> inputs;
   std::string output;
   std::string output_folder;
   std::optional<OutputKind> format;
-  std::string extension = "png";  ///< of the format, as it was given
+  std::string extension = "png";  ///< of the format, as given
   std::optional<int> quality;
   std::optional<double> detail;
   std::optional<SvgMode> svg;
@@ -37,7 +38,7 @@ void add_place_options(CLI::App& app, RenderArguments& arguments);
 
 CLI::App* add_render(CLI::App& root, RenderArguments& arguments, RenderChoices& choices);
 
-/// Fills in what choices mean; throws CLI::ValidationError where options do not go together.
+/// Applies the choices; throws CLI::ValidationError if options conflict.
 void settle(RenderArguments& arguments, const RenderChoices& choices);
 
 }  // namespace sfumato::cli

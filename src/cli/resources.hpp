@@ -6,22 +6,22 @@
 #include "sfumato/base/context.hpp"
 
 namespace CLI {
-class App;  // its header takes seconds to compile: only files that add options include it
+class App;  // its header takes seconds to compile, so only files that add options include it
 }
 
 namespace sfumato::cli {
 
-/// What a command may take of memory and time, and the limits on its input.
+/// Bounds on a command's memory and time, and the limits on its input.
 struct Resources {
   Limits limits{};
   std::size_t memory_bytes = limits::kMemoryBytes;
-  std::optional<double> seconds = limits::kSeconds;  ///< none: as long as it takes
+  std::optional<double> seconds = limits::kSeconds;  ///< none: no limit
 };
 
 /// --max-memory, --max-time and --limit.
 void add_resources(CLI::App& app, Resources& resources);
 
-/// From now on.
+/// The deadline, counted from now.
 std::optional<Deadline> deadline_of(const Resources& resources);
 
 }  // namespace sfumato::cli

@@ -4,13 +4,13 @@
 #include "cli/option_helpers.hpp"
 #include "cli/render_options.hpp"
 
-/// The options of the commands that a drawing begins with.
+/// Options of the commands with which a drawing begins.
 namespace sfumato::cli {
 
 CLI::App* add_init(CLI::App& root, InitArguments& arguments);
 CLI::App* add_watch(CLI::App& root, WatchArguments& arguments, RenderChoices& choices);
 
-/// Throw CLI::ValidationError where options do not go together.
+/// Throw CLI::ValidationError if options conflict.
 void settle(InitArguments& arguments);
 void settle(WatchArguments& arguments, const RenderChoices& choices);
 

@@ -5,13 +5,13 @@
 
 namespace sfumato::cli {
 
-/// A drawing to begin with.
+/// A drawing to start from.
 struct Template {
   std::string_view name;
   std::string_view document;
 };
 
-/// All, the one that is taken by default first. Those of docs/tutorial.md are its last steps.
+/// All templates; the first is the default. Those for docs/tutorial.md are its last steps.
 std::span<const Template> templates();
 
 }  // namespace sfumato::cli

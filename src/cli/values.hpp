@@ -6,8 +6,8 @@
 
 #include "sfumato/base/box.hpp"
 
-/// Values of options from text. The whole text must be the value: no white space, no locale, no
-/// infinity, no NaN. Empty results where it is not.
+/// Values of options from text. The whole text must be the value, without white space, infinity or
+/// NaN, and independent of the locale; otherwise the result is empty.
 namespace sfumato::cli {
 
 /// A finite decimal number: "12", "-0.5", "1e-3".
@@ -20,8 +20,8 @@ std::optional<double> parse_positive(std::string_view text);
 std::optional<std::uint64_t> parse_whole(std::string_view text, std::uint64_t lowest,
                                          std::uint64_t highest);
 
-/// The same from 0 to `highest`, perhaps with k, M or G (thousands), or KiB, MiB or GiB (1024s)
-/// behind it: "300k".
+/// The same from 0 to `highest`, with an optional suffix k, M or G (powers of 1000), or KiB, MiB or
+/// GiB (powers of 1024): "300k".
 std::optional<std::uint64_t> parse_count(std::string_view text, std::uint64_t highest);
 
 /// A fraction above 0 and at most 1: "0.04" or "4%".

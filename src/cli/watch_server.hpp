@@ -9,29 +9,30 @@
 
 namespace sfumato::cli {
 
-/// What the page shows.
+/// The state that the page shows.
 struct WatchState {
-  std::string name;                   ///< of the drawing
-  std::vector<std::uint8_t> picture;  ///< PNG, the last good one; empty: none so far
-  std::uint64_t picture_version = 0;  ///< of the picture alone
+  std::string name;  ///< name of the drawing
+  std::vector<std::uint8_t>
+      picture;  ///< PNG of the last drawing without errors; empty: none so far
+  std::uint64_t picture_version = 0;  ///< version of the picture alone
   std::vector<std::string> messages;  ///< lines
-  bool failed = false;                ///< the newest drawing could not be drawn
-  double seconds = 0;                 ///< that the picture took
+  bool failed = false;                ///< the latest drawing could not be drawn
+  double seconds = 0;                 ///< drawing time of the picture
 };
 
-/// A page on 127.0.0.1 that shows the newest state. Answers GET only, and only where Host names
-/// this address, so that no other site's page reaches it by a name of its own; serves no files.
-/// Runs a thread of its own, which blocks all signals.
+/// A page on 127.0.0.1 that shows the newest state. Answers only GET, and only if Host names this
+/// address, so that no other site's page can reach it under its own name. Serves no files. Runs its
+/// own thread, which blocks all signals.
 class WatchServer {
  public:
-  /// port   0: any that is free. Errors: io.
+  /// port   0: any free port. Errors: io.
   static Result<std::unique_ptr<WatchServer>> start(int port);
   ~WatchServer();
   WatchServer(const WatchServer&) = delete;
   WatchServer& operator=(const WatchServer&) = delete;
 
   int port() const;
-  /// Answers all that wait for a change.
+  /// Answers all requests that wait for a change.
   void publish(WatchState state);
 
  private:
