@@ -8,24 +8,23 @@
 
 namespace sfumato::outputs {
 
-/// Where a picture lies on a page, y down, the page's upper left corner at (0, 0).
+/// The place of a picture on a page, y down; the page's upper left corner is (0, 0).
 struct Page {
   double width = 0;  ///< units of the page
   double height = 0;
   Affine page_from_artboard;
 };
 
-/// Finite, and above 0.
+/// Whether it is finite and above 0.
 bool is_positive(double value);
 
-/// Error: bad_input, where a viewport is empty or beyond all coordinates.
+/// Error: bad_input, if the viewport is empty or beyond the range of coordinates.
 Status check_viewport(const Box& viewport);
 
-/// Points (1/72 inch) to a user unit on a page of that width; of its own, three quarters of one, as
-/// CSS has it.
+/// Points (1/72 inch) per user unit on a page of that width; without a width 3/4, as in CSS.
 double points_per_unit(const std::optional<double>& page_width_pt, const Box& viewport);
 
-/// The page that shows `viewport`, which is not empty, with `unit` page units to a user unit.
+/// The page that shows `viewport`, which is not empty, with `unit` page units per user unit.
 Page make_page(const Box& viewport, double unit);
 
 }  // namespace sfumato::outputs

@@ -8,7 +8,7 @@
 #include "sfumato/base/status.hpp"
 #include "sfumato/picture/picture.hpp"
 
-/// Copies of parts of a picture, for a picture of these alone, in room from `memory`: made piece by
+/// Copies of parts of a picture, for a picture of these alone, allocated from `memory` piece by
 /// piece.
 namespace sfumato::outputs {
 
@@ -16,8 +16,8 @@ namespace sfumato::outputs {
 Status copy_layer(const Context& context, const PatchLayer& layer, TableMemory& memory,
                   std::vector<PatchLayer>* to);
 
-/// Appends copies of shaders, textures without the files that they came from. Errors: limit
-/// (memory), cancelled.
+/// Appends copies of shaders; textures without their original files. Errors: limit (memory),
+/// cancelled.
 Status copy_shaders(const Context& context, std::span<const Shader> shaders, TableMemory& memory,
                     std::vector<Shader>* to);
 

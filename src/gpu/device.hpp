@@ -9,8 +9,8 @@
 namespace sfumato::gpu {
 
 /// A context of OpenGL ES 3 without a window, by EGL, current in the calling thread until this is
-/// gone; what was current before is current again then. libEGL and libGLESv2 are looked for at run
-/// time and stay loaded, since drivers leave threads behind.
+/// destroyed; then the previous context is current again. libEGL and libGLESv2 are loaded at run
+/// time and stay loaded, since drivers leave threads running.
 class Device {
  public:
   /// Tries hardware first, then Mesa's software driver. Errors: unavailable.
@@ -20,9 +20,9 @@ class Device {
   Device& operator=(const Device&) = delete;
 
   const Gl& gl() const { return gl_; }
-  /// As the driver calls itself ("llvmpipe (LLVM 15.0.6, 256 bits)").
+  /// The driver's name for the device ("llvmpipe (LLVM 15.0.6, 256 bits)").
   const std::string& name() const { return name_; }
-  /// Largest width and height of textures and of what can be drawn to.
+  /// Largest width and height of textures and of render targets.
   int largest_side() const { return largest_side_; }
   /// Whether 32-bit float targets can be drawn to, and blended.
   bool blends_floats() const { return blends_floats_; }

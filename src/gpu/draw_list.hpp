@@ -11,14 +11,14 @@
 
 namespace sfumato::gpu {
 
-/// One item of a picture's stack as it lies in the image.
+/// One item of a picture's stack, placed in the image.
 struct DrawItem {
   enum class Kind : std::uint8_t { instance, stroke, group_begin, group_end };
 
   Kind kind = Kind::instance;
   BlendMode blend = BlendMode::normal;  ///< of a group at its end
   float opacity = 1;
-  PixelRect rect;           ///< that it may touch; of a group: that what stands in it may touch
+  PixelRect rect;           ///< that it may touch; for a group: that its content may touch
   std::uint32_t index = 0;  ///< layer, or stroke
   Affine image_from_layer;
 };
@@ -37,11 +37,11 @@ struct PaintTables {
   Table values, texels;
 };
 
-/// What the painting of a tile reads, on the device where it is much.
+/// The input for painting a tile; large data is on the device.
 class DrawList {
  public:
   /// The picture was checked and must outlive this.
-  /// Errors: limit, cancelled. Cost: O(picture); what lies outside the image is left out.
+  /// Errors: limit, cancelled. Cost: O(picture); items outside the image are left out.
   static Result<DrawList> create(Context& context, const Device& device, const Picture& picture,
                                  const Affine& image_from_artboard, const PixelRect& image,
                                  bool with_overlay);
@@ -49,7 +49,7 @@ class DrawList {
   const Picture& picture() const { return *picture_; }
   const std::vector<DrawItem>& items() const { return items_; }
   int group_depth() const { return group_depth_; }
-  /// Of a layer that an item shows.
+  /// The tables of a layer that an item shows.
   const LayerTables& layer(std::uint32_t index) const { return *layers_[index]; }
   const DrawStroke& stroke(std::uint32_t index) const { return strokes_[index]; }
   bool has_strokes() const { return !strokes_.empty(); }

@@ -2,7 +2,7 @@
 
 #include <GLES3/gl3.h>
 
-/// OpenGL ES 3.0 as functions that were found at run time: nothing links to it.
+/// OpenGL ES 3.0 as functions that are loaded at run time; the library does not link to it.
 namespace sfumato::gpu {
 
 #define SFUMATO_GL_FUNCTIONS(F) \

@@ -24,16 +24,16 @@ struct LayerTables {
   std::optional<FieldTables> opacity;
   Table edge_slot;  ///< edges that are curves
   std::uint32_t curve_edge_count = 0;
-  Table is_bent;                    ///< a flag to a triangle
-  std::optional<Table> soft_edge;   ///< three numbers each; none where no edge is soft
-  std::optional<Table> soft_reach;  ///< a texel each
+  Table is_bent;                    ///< one flag per triangle
+  std::optional<Table> soft_edge;   ///< three numbers each; none if no edge is soft
+  std::optional<Table> soft_reach;  ///< one texel each
   std::uint32_t soft_edge_count = 0;
   std::optional<Table> edge_is_curve;
 };
 
-/// Uploads a layer of a picture that was checked.
-/// origin        layer frame: near to what is seen, where single precision is finest
-/// with_overlay  edge_is_curve too
+/// Uploads a layer of a checked picture.
+/// origin        layer frame; near the visible part, where single precision is finest
+/// with_overlay  uploads edge_is_curve too
 /// Errors: limit. Cost: O(triangles + nodes).
 Result<LayerTables> upload_layer(Context& context, const Device& device, const PatchLayer& layer,
                                  Vec2 origin, bool with_overlay);

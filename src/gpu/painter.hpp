@@ -18,12 +18,12 @@ struct PaintSettings {
   raster::Backdrop backdrop;
   bool antialias = true;
   bool overlay = false;
-  bool single_precision = true;  ///< else targets are of 16-bit floats
+  bool single_precision = true;  ///< else targets have 16-bit floats
 };
 
-/// Paints a list tile by tile: each item by itself, then composited (docs/gpu.md). Pixels that a
-/// layer's curves cut are means of the patches in them by area; elsewhere patches are read at pixel
-/// centres.
+/// Paints a list tile by tile: each item is painted separately, then composited (docs/gpu.md).
+/// Pixels that a layer's curves cut get the mean of the patches in them, weighted by area;
+/// elsewhere patches are read at pixel centres.
 class Painter {
  public:
   /// All must outlive this. Errors: limit, out_of_memory, unavailable, internal.

@@ -14,11 +14,12 @@ class Program {
  public:
   Program() = default;
 
-  /// Names as "patch.vert"; defines as "WITH_PAINTS". Errors: internal, with the compiler's words.
+  /// Names like "patch.vert"; defines like "WITH_PAINTS". Errors: internal, with the compiler's
+  /// message.
   static Result<Program> create(const Gl& gl, std::string_view vertex, std::string_view fragment,
                                 const std::vector<std::string_view>& defines);
 
-  /// The setters below are of the program that was used last.
+  /// Makes this the current program, to which the setters below apply.
   void use() const { gl_->UseProgram(object_.name()); }
   GLuint name() const { return object_.name(); }
 

@@ -11,10 +11,10 @@
 
 namespace sfumato::gpu {
 
-/// Texels to a row of a data texture (docs/gpu.md).
+/// Texels per row of a data texture (docs/gpu.md).
 inline constexpr std::size_t kTableWidth = 2048;
 
-/// What the texels of a data texture are.
+/// The format of the texels of a data texture.
 struct TableFormat {
   GLenum internal;
   GLenum format;
@@ -51,7 +51,7 @@ class Table {
     }
   }
 
-  /// Uploads texels [first, first + count) as they lie in memory; first begins a row.
+  /// Uploads texels [first, first + count) from consecutive memory; `first` is the begin of a row.
   void upload(std::size_t first, std::size_t count, const void* channels) const;
 
   GLuint name() const { return texture_.name(); }

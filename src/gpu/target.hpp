@@ -11,14 +11,14 @@ namespace sfumato::gpu {
 class Target {
  public:
   /// bytes         of a pixel's colour
-  /// with_stencil  8 bits beside it
+  /// with_stencil  8 bits in addition
   /// Errors: limit (the budget), out_of_memory or unavailable, as the driver refuses.
   static Result<Target> create(Context& context, const Device& device, GLenum format,
                                std::size_t bytes, int width, int height, bool with_stencil = false);
 
-  /// Draws go here from now on, and only to the pixels of `rect`.
+  /// Directs subsequent draws to this target, limited to the pixels of `rect`.
   void begin(const PixelRect& rect) const;
-  /// Colour, and the stencil to 0.
+  /// Sets the colour, and the stencil to 0.
   void clear(float r = 0, float g = 0, float b = 0, float a = 0) const;
   /// Copies the pixels of `rect` to the same place of another target.
   void copy_to(const Target& target, const PixelRect& rect) const;

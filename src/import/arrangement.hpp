@@ -15,25 +15,25 @@ namespace sfumato::svg_import {
 
 /// A point of an integer lattice, 0 to 2^29 in both directions.
 struct LatticePoint {
-  std::int64_t y = 0;  ///< first: points are in order from above
+  std::int64_t y = 0;  ///< first, so that points are ordered from the top
   std::int64_t x = 0;
 
   auto operator<=>(const LatticePoint&) const = default;
 };
 
-/// Where an edge runs along a contour; backwards where end < begin.
+/// The stretch of a contour along which an edge runs; backwards if end < begin.
 struct Source {
   std::uint32_t contour = 0;
   double begin = 0;  ///< parameters of the contour
   double end = 0;
 };
 
-/// An edge of the boundary of what chords fill, with the inside on its right.
+/// An edge of the boundary of the region that chords fill, with the inside on its right.
 struct BoundaryEdge {
   LatticePoint from;
   LatticePoint to;
   std::size_t first_source = 0;
-  std::size_t source_end = 0;  ///< one source at least; more where contours coincide
+  std::size_t source_end = 0;  ///< at least one source; more if contours coincide
 };
 
 struct BoundaryEdges {
@@ -46,16 +46,15 @@ struct BoundaryEdges {
   }
 };
 
-/// The boundary of what closed chains of chords fill. The chords are rounded to a lattice of the
-/// given step (wider where the chords reach farther than 2^29 steps), split where they cross, and
-/// snapped to the vertices within 66 steps of them, in integers: so every vertex is the end of as
-/// many edges as it is the beginning of, and chords that run nearer to each other than that become
-/// one.
+/// The boundary of the region that closed chains of chords fill. The chords are rounded to a
+/// lattice of the given step (wider if the chords extend over more than 2^29 steps), split where
+/// they cross, and snapped to vertices within 66 steps, in integers. Hence as many edges end at
+/// every vertex as begin there, and chords nearer to each other than that become one.
 ///
 /// step     of the lattice, in the chords' units, above 0
-/// Errors   limit (memory, too many pairs that lie near each other), cancelled.
-/// Cost     O(n log n), the pairs whose boxes overlap along the longer side of what all chords
-///          cover, and edges × parts that do not touch.
+/// Errors   limit (memory, too many pairs of near chords), cancelled.
+/// Cost     O(n log n), plus the pairs whose boxes overlap along the longer side of the chords'
+///          bounding box, plus edges × parts that do not touch.
 Result<BoundaryEdges> boundary_edges(Context& context, const std::vector<Chord>& chords,
                                      bool even_odd, double step);
 

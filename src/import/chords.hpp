@@ -12,7 +12,7 @@
 
 namespace sfumato::svg_import {
 
-/// A chord of a flattened contour. Chords of a contour follow one another.
+/// A chord of a flattened contour. Chords of a contour are consecutive.
 struct Chord {
   Vec2 from;
   Vec2 to;
@@ -21,18 +21,18 @@ struct Chord {
   std::uint32_t contour = 0;
 };
 
-/// How often the contours go round a point, clockwise as seen on the screen; O(chords).
+/// How many times the contours wind around a point, clockwise as seen on the screen; O(chords).
 int winding_number(const std::vector<Chord>& chords, Vec2 point);
 
 /// Appends the stretch of a chain of cubics (3 n + 1 points) between two parameters, begin < end,
-/// to no points. Errors: limit (memory), cancelled.
+/// to an empty list. Errors: limit (memory), cancelled.
 Status append_stretch(Context& context, const std::vector<Vec2>& chain, double begin, double end,
                       TableMemory& memory, std::vector<Vec2>& points);
 
-/// Chords that keep to the tolerance, 1 to 64.
+/// The number of chords that keep within the tolerance, 1 to 64.
 int chord_count(const curves::Cubic& cubic, double tolerance);
 
-/// Calls visit(end) for the chords of a chain of cubics that keep to the tolerance.
+/// Calls visit(end) for chords of a chain of cubics that keep within the tolerance.
 template <class Visit>
 void for_each_chord_end(const std::vector<Vec2>& chain, double tolerance, Visit visit) {
   for (std::size_t i = 0; 3 * i + 3 < chain.size(); ++i) {

@@ -20,20 +20,21 @@ struct Region {
   std::string id;
   Contours boundary;  ///< inside on the right
   SideShader<Rgb> color;
-  SideShader<float> opacity;  ///< of its inside
+  SideShader<float> opacity;  ///< opacity of the inside
   bool is_opaque = true;
 };
 
-/// The curves of one layer while shapes are painted into it, each over those before.
+/// The curves of one layer while shapes are painted into it, each over the previous ones.
 class PaintedLayer {
  public:
   explicit PaintedLayer(double tolerance) : tolerance_(tolerance) {}
 
-  /// Paints the region where one layer can show it as it is: it lies wholly on one opaque region of
-  /// the layer, in sight, or beside all of them; and covers none. False: nothing is changed.
+  /// Paints the region if the layer can show it unchanged: it covers no other region, and lies
+  /// either wholly on one visible opaque region of the layer or outside of all regions. False:
+  /// nothing has changed.
   /// Errors: limit (memory), cancelled.
   Result<bool> try_add(Context& context, const Region& region);
-  /// The first one. Errors: as above.
+  /// Paints the first region. Errors: as above.
   Status add(Context& context, const Region& region);
 
   std::vector<Curve> take_curves(TableMemory& memory) {

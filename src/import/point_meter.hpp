@@ -9,15 +9,15 @@
 
 namespace sfumato::svg_import {
 
-/// Counts the points that outlines are made of, and looks at the cancel flag. What makes them asks
-/// failed(), so that a long recursion needs no Result of its own.
+/// Counts the points of outlines and checks the cancel flag. Functions that make points call
+/// failed(), so that a deep recursion needs no Result.
 class PointMeter {
  public:
   explicit PointMeter(Context& context) : context_(context), poll_(context) {}
 
   Context& context() const { return context_; }
 
-  /// Counts points that are made now; false: stop, for status().
+  /// Counts new points; false: stop, because of status().
   bool take(std::size_t points) {
     if (!status_) return false;
     made_ += points;
@@ -28,13 +28,13 @@ class PointMeter {
     }
     return !failed();
   }
-  /// Looks at the flag now: for steps of a millisecond.
+  /// Checks the flag now, for steps of about a millisecond.
   bool look() {
     if (status_) status_ = context_.check();
     return !failed();
   }
   void fail(Status why) { status_ = std::move(why); }
-  /// Whether neither this nor anything before has failed.
+  /// Keeps the first failure; returns whether there is none.
   bool keep(Status status) {
     if (status_) status_ = std::move(status);
     return !failed();
@@ -43,7 +43,7 @@ class PointMeter {
   const Status& status() const { return status_; }
 
  private:
-  static constexpr std::size_t kMostPoints = 6'000'000;  ///< three make a chord at least
+  static constexpr std::size_t kMostPoints = 6'000'000;  ///< at least three make a chord
 
   Context& context_;
   RarePoll<16> poll_;

@@ -7,14 +7,14 @@
 
 namespace sfumato::lint_detail {
 
-/// How much of the artboard a layer paints, seen at points along its border and inside.
+/// How much of the artboard a layer paints, sampled at points along its border and inside.
 enum class Cover : std::uint8_t { none, some, all };
 
 /// Gathers colour and opacity at 68 points just inside the artboard's border and 25 spread over it,
-/// as this instance shows the layer.
-/// A point is painted where a ray from it meets a colour, and the layer's opacity there is at least
-/// half a code value or comes from a shader. Where it does not matter whether all are, `some` may
-/// stand for `all`, and is found sooner. Errors: limit, cancelled.
+/// as this instance shows the layer. A point is painted if a ray from it meets a colour, and the
+/// layer's opacity there is at least half a code value or comes from a shader. If the caller does
+/// not need to know whether all points are painted, `some` may be returned for `all`, which is
+/// faster. Errors: limit, cancelled.
 Result<Cover> cover_of(const LayerUnderTest& test, const Affine& artboard_from_layer,
                        bool all_matters);
 

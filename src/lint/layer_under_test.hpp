@@ -14,14 +14,14 @@ inline double longer_side(const Box& box) {
   return std::max(box.width(), box.height());
 }
 
-/// A pixel of an artboard that is 512 long, in its units: for this the curves are flattened and
-/// meshed, and against it hints measure what is small.
+/// The size of a pixel if the artboard is 512 pixels long, in artboard units. Curves are flattened
+/// and meshed for this resolution, and hints compare small lengths with it.
 inline double artboard_pixel(const Document& document) {
   constexpr double kArtboardPx = 512;
   return longer_side(document.artboard) / kArtboardPx;
 }
 
-/// A layer that is painted, with what drawing it begins with. The hints go to `hints`.
+/// A painted layer with its prepared data. Hints are added to `hints`.
 struct LayerUnderTest {
   Context& context;
   const Document& document;
@@ -48,7 +48,7 @@ bool has_value(const SideShader<Value>& shader) {
   return shader.kind == ShaderKind::curve_domain || shader.kind == ShaderKind::image_domain;
 }
 
-/// Whether rays of either attribute take notice of the side.
+/// Whether the side affects rays of colour or opacity.
 inline bool bears_anything(const Side& side) {
   return side.color.kind != ShaderKind::open || side.opacity.kind != ShaderKind::open;
 }

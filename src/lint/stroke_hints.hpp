@@ -8,7 +8,7 @@
 
 namespace sfumato::lint_detail {
 
-/// Hints that the local curve at a stack item gives: colours, radius, blur, place.
+/// Hints about the local curve at a stack item: colours, radius, blur, place.
 void check_stroke(const Document& document, std::uint32_t item, const LocalStroke& stroke,
                   std::vector<Hint>& hints);
 

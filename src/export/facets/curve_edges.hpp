@@ -11,13 +11,13 @@
 
 namespace sfumato::outputs {
 
-/// The edges of a layer that lie on curves, each once, by the half-edge (3 triangle + side) of one
-/// of its sides: along a curve always the same side, but at junctions.
+/// The edges of a layer that lie on curves. Each is listed once, by the half-edge (3 triangle +
+/// side) of one of its sides; along a curve this is always the same side, except at junctions.
 struct CurveEdges {
-  std::vector<std::uint32_t> twin;  ///< per half-edge the one across; kNoHalfEdge: none
+  std::vector<std::uint32_t> twin;  ///< per half-edge: the one on the other side; kNoHalfEdge: none
   std::vector<std::uint32_t> side;  ///< one half-edge of each edge
-  /// Per half-edge of `side`, and of their twins: the one that goes on along the curve, on the same
-  /// side of it; kNoHalfEdge elsewhere, at ends and junctions.
+  /// For each half-edge of `side` and its twin: the next one along the curve, on the same side;
+  /// kNoHalfEdge for other half-edges, at ends and at junctions.
   std::vector<std::uint32_t> onward;
   TableMemory memory{"edges on curves"};
 };

@@ -15,16 +15,16 @@
 
 namespace sfumato::outputs {
 
-/// The half-edge without another side that goes on where one ends, around what the mesh covers.
+/// The border half-edge that begins where `half_edge` ends, around the area that the mesh covers.
 ///
-/// twin   per half-edge the one across; kNoHalfEdge: none
+/// twin   per half-edge the one on the other side; kNoHalfEdge: none
 inline std::uint32_t next_at_end(std::span<const std::uint32_t> twin, std::uint32_t half_edge) {
   std::uint32_t next = next_half_edge(half_edge);
   while (twin[next] != kNoHalfEdge) next = next_half_edge(twin[next]);
   return next;
 }
 
-/// Whether two points lie on one side of a rectangle, nearly.
+/// Whether two points lie approximately on the same side of a rectangle.
 inline bool is_on_frame(Vec2 a, Vec2 b, const Box& frame) {
   const double near = 2e-6 * std::max(frame.width(), frame.height());
   const auto both = [&](double x, double y, double side) {
@@ -34,10 +34,9 @@ inline bool is_on_frame(Vec2 a, Vec2 b, const Box& frame) {
          both(a.y, b.y, frame.min.y) || both(a.y, b.y, frame.max.y);
 }
 
-/// Calls visit(half_edge, is_first) for all half-edges without another side: the closed lines
-/// around what a mesh covers, one after another, which turn as triangles do around the mesh and the
-/// other way around its holes. Cost: O(half-edges). Errors: limit (memory), cancelled, what visit
-/// returns.
+/// Calls visit(half_edge, is_first) for all border half-edges, one closed line after another. Lines
+/// around the mesh have the orientation of triangles, lines around its holes the opposite. Cost:
+/// O(half-edges). Errors: limit (memory), cancelled, those of visit.
 template <class Visit>
 Status for_each_end_loop(Context& context, std::span<const std::uint32_t> twin,
                          const Visit& visit) {

@@ -11,13 +11,13 @@
 
 namespace sfumato::outputs {
 
-/// An edge of one patch, or of two whose four nodes on it are the same.
+/// An edge of one patch, or of two patches with the same four nodes on it.
 struct FacetEdge {
   std::uint64_t steps = 0;      ///< EdgeCuts::steps, from its vertex with the lower index
   std::uint32_t half_edge = 0;  ///< 3 triangle + side of the first patch that has it
 };
 
-/// How the edges of a layer's patches are cut.
+/// The cuts of the edges of a layer's patches.
 struct FacetCuts {
   std::vector<std::uint32_t> edge_of;  ///< per triangle and side: index into `edge`
   std::vector<FacetEdge> edge;
@@ -30,9 +30,9 @@ struct FacetCuts {
 /// k.
 bool is_low_first(const PatchLayer& layer, std::uint32_t half_edge);
 
-/// Every edge as fine as `max_error` asks for and `smallest_side` allows, by its own nodes alone,
-/// so that neighbours agree; edges between the same two vertices, the two sides of a curve, are cut
-/// where any of them asks for it. Errors: limit, cancelled.
+/// Cuts every edge as finely as `max_error` requires and `smallest_side` allows. The cuts depend on
+/// the edge's own nodes alone, so that neighbours agree. Edges between the same two vertices (the
+/// two sides of a curve) get the cuts that any of them requires. Errors: limit, cancelled.
 Result<FacetCuts> find_cuts(Context& context, const PatchLayer& layer, InterpolationSpace space,
                             const FacetSource& source, double max_error, double smallest_side);
 

@@ -18,14 +18,14 @@ constexpr std::uint32_t previous_edge(std::uint32_t edge) {
   return edge % 3 == 0 ? edge + 2 : edge - 1;
 }
 
-/// Which facets lie side by side, by the positions of their corners: values may differ there.
+/// The adjacency of facets, by the positions of their corners; their values may differ there.
 struct FacetLinks {
-  std::vector<std::uint32_t> twin;  ///< per half-edge: that which runs back, or kNoEdge
+  std::vector<std::uint32_t> twin;  ///< per half-edge: the opposite one, or kNoEdge
   TableMemory memory{"the edges of facets"};
 };
 
-/// Where more than two facets share an edge, they are paired in their order. Errors: limit,
-/// cancelled. Cost: O(n log n).
+/// If more than two facets share an edge, they are paired in their order. Errors: limit, cancelled.
+/// Cost: O(n log n).
 Result<FacetLinks> link_facets(Context& context, const FacetMesh& mesh);
 
 }  // namespace sfumato::outputs

@@ -13,21 +13,23 @@ using Barycentric = std::array<double, 3>;
 
 Barycentric centroid(const Barycentric& a, const Barycentric& b, const Barycentric& c);
 
-/// Distance where the patch is an equilateral triangle of side 1.
+/// Distance in a frame in which the patch is an equilateral triangle of side 1.
 double side_length(const Barycentric& a, const Barycentric& b);
 
 /// Most parts of a patch's edge. A cubic whose Bézier ordinates lie in [0, 1] never needs more for
-/// an error of 0.5/255; one that needs more is cut so often and misses by more than was asked for.
+/// an error of 0.5/255. A patch that needs more gets this number, and its error exceeds the
+/// requested one.
 inline constexpr int kMostCuts = 64;
 
-/// The same for a patch that is clamped. Along the line where it leaves [0, 1] the picture is bent,
-/// and no number of cuts pays there: such patches are steep, and smaller than a pixel.
+/// The same for a patch that is clamped. The picture has a kink along the line where the patch
+/// leaves [0, 1], and more cuts do not help there: such patches are steep, and smaller than a
+/// pixel.
 inline constexpr int kMostClampedCuts = 16;
 
 /// A channel at the ten nodes of a patch.
 using NodeValues = std::array<double, kNodesPerTriangle>;
 
-/// One patch as an exporter shows it: values clamped to [0, 1], and what facets miss of them
+/// One patch as an exporter shows it: values clamped to [0, 1], and the error of facets
 /// (docs/mathematics.md, "Facets").
 class FacetPatch {
  public:
@@ -38,30 +40,30 @@ class FacetPatch {
   FacetPatch(const PatchLayer& layer, InterpolationSpace space, const FacetSource& source,
              std::uint32_t triangle, double max_error);
 
-  /// What is shown at a point: code values, an opacity or a weight. Never out of [0, 1].
+  /// The value at a point: code values, an opacity or a weight; always in [0, 1].
   Value shown(const Barycentric& at) const;
 
-  /// The patch that is edge k of this one along its edge 0 and nothing elsewhere, from its other
-  /// end if reversed: neighbours that share the edge's nodes get the same bits.
+  /// A patch whose edge 0 is edge k of this one, and that is 0 elsewhere; reversed: from the edge's
+  /// other end. Neighbours that share the edge's nodes get the same bits.
   FacetPatch edge(std::size_t k, bool is_reversed) const;
 
-  /// What a straight side between two points misses, at most.
+  /// An upper bound of the error of a straight side between two points.
   double bend(const Barycentric& a, const Barycentric& b) const;
 
-  /// Whether one of the patch's own edges is straight enough between two points of it, and whether
-  /// a side inside the patch is: edges must be straighter, so that sides next to them, which bend
-  /// as they do, never ask to be halved without end.
+  /// Whether one of the patch's own edges, or a side inside the patch, is straight enough between
+  /// two points of it. Edges must be straighter, so that sides next to them, which bend in the same
+  /// way, are not halved endlessly.
   bool is_straight_edge(const Barycentric& a, const Barycentric& b) const;
   bool is_straight(const Barycentric& a, const Barycentric& b) const;
 
-  /// Whether a facet with straight sides is near enough at points inside.
+  /// Whether a facet with straight sides is accurate enough at points inside.
   bool is_flat(const std::array<Barycentric, 3>& facet) const;
 
-  /// Into how many parts it may be cut, for all that it misses.
+  /// The largest number of parts, whatever the error.
   int most_cuts() const { return is_clamped_ ? kMostClampedCuts : kMostCuts; }
 
  private:
-  /// Second derivatives in a frame where the patch is an equilateral triangle of side 1.
+  /// Second derivatives in a frame in which the patch is an equilateral triangle of side 1.
   struct Hessian {
     double xx = 0, xy = 0, yy = 0;
     double along(Vec2 side) const;  ///< second derivative, times its length squared
@@ -72,7 +74,7 @@ class FacetPatch {
   void read(const PatchLayer& layer, const FacetSource& source, std::uint32_t triangle);
   void find_covered(const PatchLayer& layer, const FacetSource& source, std::uint32_t triangle);
   Value unclamped(const Barycentric& at) const;
-  /// The share that a quotient is over; 1 where there is none.
+  /// The denominator of a quotient; 1 if there is no quotient.
   double share(const Barycentric& at) const;
   void find_curvature();
   double find_curvature(int channel);
@@ -82,19 +84,19 @@ class FacetPatch {
   double sampled_bend(const Barycentric& a, const Barycentric& b) const;
 
   PatchOrder order_;
-  InterpolationSpace space_ = InterpolationSpace::srgb;  ///< weights and opacities stay as they are
+  InterpolationSpace space_ = InterpolationSpace::srgb;  ///< not of weights and opacities
   int channel_count_;
-  double asked_error_;  ///< before overshoot had its part of it
+  double asked_error_;  ///< before the part for overshoot is subtracted
   double max_error_;
   bool is_edge_ = false;  ///< made by edge()
   std::array<NodeValues, kMostChannels> node_{};
   bool has_share_ = false;
-  Value covered_{};     ///< shown where no share is left
-  NodeValues share_{};  ///< at the nodes: what values are divided by
+  Value covered_{};                                             ///< shown if no share is left
+  NodeValues share_{};                                          ///< denominators at the nodes
   std::array<std::array<Hessian, 3>, kMostChannels> corner_{};  ///< they are linear in between
   bool is_light_ = false;                                       ///< facets are linear in light
   bool is_clamped_ = false;  ///< an sRGB patch that leaves [0, 1]
-  bool is_sampled_ = false;  ///< clamping or conversion bend the patch: no bound by derivatives
+  bool is_sampled_ = false;  ///< clamping or conversion bends the patch: derivatives give no bound
 };
 
 int channel_count_of(const FacetSource& source);

@@ -10,32 +10,32 @@
 
 namespace sfumato::outputs {
 
-/// Into how many steps an edge may be cut.
+/// The number of steps on an edge, at which it may be cut.
 inline constexpr int kEdgeSteps = kMostCuts;
 static_assert(kEdgeSteps == 64, "a cut is a bit of 64");
 
-/// Where an edge of a patch is cut: bit i at i/64 of it, by halving. Bit 0 is never set.
+/// The cuts of a patch's edge, by halving: bit i is a cut at i/64 of the edge. Bit 0 is never set.
 struct EdgeCuts {
   std::uint64_t steps = 0;
-  bool is_reversed = false;  ///< counted from the end at which the patch's edge ends
+  bool is_reversed = false;  ///< counted from the end of the patch's edge
 
   int count() const { return std::popcount(steps); }
 };
 
-/// The facets of one patch. Sides that bend too much are halved, the patch's own edges where they
-/// are cut, until all facets are straight enough: long and thin where the patch bends one way only.
-/// Points: corners 0, 1, 2, then the inner points of edges 0, 1, 2 in their direction (edge k from
-/// corner k to the next), then those inside.
+/// The facets of one patch. Sides that bend too much are halved, the patch's own edges at their
+/// cuts, until all facets are straight enough. Facets are long and thin where the patch bends in
+/// one direction only. Points: corners 0, 1, 2, then the inner points of edges 0, 1, 2 in their
+/// direction (edge k from corner k to the next), then those inside.
 class FacetTree {
  public:
   /// corner         of the patch, layer frame
-  /// smallest_side  layer frame: no side inside becomes shorter
+  /// smallest_side  layer frame; no side inside becomes shorter
   FacetTree(const FacetPatch& patch, const std::array<EdgeCuts, 3>& cuts,
             const std::array<Vec2, 3>& corner, double smallest_side);
 
   const std::vector<Barycentric>& points() const { return point_; }
   std::size_t first_inside() const { return first_on_edge_[3]; }
-  /// Three points each, in the sense of the patch's corners.
+  /// Three points each, oriented like the patch's corners.
   const std::vector<std::array<std::uint32_t, 3>>& facets() const { return facet_; }
 
  private:
@@ -59,7 +59,7 @@ class FacetTree {
   std::array<Vec2, 3> corner_;
   double smallest_side_;
   std::vector<Barycentric> point_;
-  std::vector<int> edge_step_;  ///< of corners, which mean nothing, and points on edges
+  std::vector<int> edge_step_;  ///< of points on edges; entries of corners are unused
   std::array<std::size_t, 4> first_on_edge_{};
   std::unordered_map<std::uint64_t, std::uint32_t> middle_;  ///< of inner sides
   std::vector<Facet> facet_;

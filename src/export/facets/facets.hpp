@@ -12,15 +12,16 @@
 
 namespace sfumato::outputs {
 
-/// What a facet mesh carries: the colour of a layer in sRGB code values (3 channels) or its opacity
-/// (1 channel), both without what shaders add.
+/// The values of a facet mesh: the colour of a layer in sRGB code values (3 channels) or its
+/// opacity (1 channel), both without the contribution of shaders.
 ///
 /// `light` is for programs that interpolate linear light: colour and opacity at once (4 channels,
 /// of which the layer's colour field must have no others), cut so that their error, in code values
 /// too, is bounded.
 ///
-/// For composition by source-over (docs/pdf.md): `base` is what the curves give over their share of
-/// it all, and `mask` the weight of a shader over the share that the shaders after it leave.
+/// For composition by source-over (docs/pdf.md): `base` is the curves' contribution divided by
+/// their share, and `mask` the weight of a shader divided by the share that the shaders after it
+/// leave.
 struct FacetSource {
   enum class Kind : std::uint8_t {
     color,
@@ -33,8 +34,9 @@ struct FacetSource {
   };
   Kind kind = Kind::color;
   std::uint32_t shader = 0;  ///< of a mask: index into PatchField::shader
-  /// Of a base: roughly what each of the field's shaders shows, code values. Where a shader has all
-  /// of the share, that stands below it, in case it leaves a gap. Empty, or as many as shaders.
+  /// For a base: the approximate colour of each of the field's shaders, code values. Where a shader
+  /// has the whole share, this colour is painted below it, in case it leaves a gap. Empty, or one
+  /// per shader.
   std::vector<Rgb> shown{};
 };
 
@@ -48,7 +50,7 @@ struct FacetMesh {
   std::vector<std::uint32_t> patch_first_facet;  ///< triangle_count + 1
   TableMemory memory{"facets"};
 
-  /// Room for so many vertices and facets more.
+  /// Reserves room for more vertices and facets.
   Status make_room(Context& context, std::size_t vertices, std::size_t facets) {
     const auto channels = static_cast<std::size_t>(channel_count);
     Status status = memory.make_room(context, vertex_position, vertices);
@@ -66,15 +68,17 @@ struct FacetMesh {
 };
 
 /// Layer → facets. Sides that bend are halved until they are straight enough (docs/mathematics.md,
-/// "Facets"). Neighbours cut the edge between them alike, so that there are no T-junctions; where
-/// they share its nodes they share its vertices too, and elsewhere positions are the same bits.
+/// "Facets"). Neighbours cut their common edge in the same places, so that there are no
+/// T-junctions. If they share its nodes they share its vertices too; otherwise positions have the
+/// same bits.
 ///
-/// layer, source  of a picture that check_picture() passes; the field has channels
+/// layer, source  of a picture that check_picture() accepts; the field has channels
 /// max_error      above 0: largest difference to the patch, values of both cut to [0, 1]. Colours
 ///                of linear and OKLab pictures are converted to code values, and the bound holds
-///                there. A patch that needs more than 64 cuts misses it. What base and mask may
-///                miss counts by the share that shows it.
-/// smallest_side  patches are not cut into shorter sides, layer frame: the bound gives way
+///                there. A patch that needs more than 64 cuts exceeds it. Errors of base and mask
+///                are weighted with the share that shows them.
+/// smallest_side  patches are not cut into shorter sides, layer frame; it takes precedence over
+///                max_error
 /// Errors: limit (memory), cancelled. Cost: about 1 µs a facet on one thread; the same bytes for
 /// any thread count.
 Result<FacetMesh> make_facets(Context& context, const PatchLayer& layer, InterpolationSpace space,

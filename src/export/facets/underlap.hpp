@@ -10,15 +10,15 @@
 
 namespace sfumato::outputs {
 
-/// How far facets are to reach under their neighbours and beyond the mesh, layer frame.
+/// How far facets reach under their neighbours and beyond the mesh, layer frame.
 struct UnderlapReach {
   double inside = 0;
-  double outside = 0;  ///< 0: the mesh ends where it ends
+  double outside = 0;  ///< 0: facets do not reach beyond the mesh
 };
 
 /// Outlines of facets that can be painted one after another, each antialiased, with no seams
-/// between them: a facet reaches under those that are painted later, and the first at a corner
-/// under all around it. What shows in the end is the facets alone.
+/// between them: a facet reaches under those that are painted later, and the first facet at a
+/// corner under all others there. Only the facets themselves remain visible.
 struct FacetOutlines {
   std::vector<Vec2> point;           ///< layer frame
   std::vector<std::uint32_t> first;  ///< facet count + 1
@@ -33,21 +33,21 @@ struct FacetOutlines {
 Result<FacetOutlines> underlapped(Context& context, const FacetMesh& mesh, const FacetLinks& links,
                                   const UnderlapReach& reach);
 
-/// A facet too small for that: where it and its neighbours share pixels, what lies below shows
-/// through. Made larger by `margin` on all sides it is what to paint there first.
+/// A facet too small for that: the background shows through in pixels that it shares with its
+/// neighbours. It must first be painted enlarged by `margin` on all sides.
 struct SmallFacet {
   std::uint32_t facet = 0;
   std::array<Vec2, 3> grown;  ///< layer frame
 };
 
-/// Facets whose inscribed circle has a radius below `radius`; not those near the mesh's end where
-/// `keeps_outline` is set; a table of `memory`. Cost: O(facets). Errors: limit, cancelled.
+/// Facets whose inscribed circle has a radius below `radius`; if `keeps_outline` is set, not those
+/// near the mesh's end. A table of `memory`. Cost: O(facets). Errors: limit, cancelled.
 Result<std::vector<SmallFacet>> small_facets(Context& context, const FacetMesh& mesh,
                                              const FacetLinks& links, double radius, double margin,
                                              bool keeps_outline, TableMemory& memory);
 
-/// The closed lines around what the mesh covers, for filling by the even-odd rule; whether there is
-/// any of which not both ends lie on one side of `frame`.
+/// The closed lines around what the mesh covers, to be filled by the even-odd rule; and whether
+/// they have any edge that does not lie on a side of `frame`.
 struct Silhouette {
   std::vector<std::vector<Vec2>> loops;
   bool is_frame = true;

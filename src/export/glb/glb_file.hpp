@@ -18,7 +18,7 @@
 
 namespace sfumato::outputs {
 
-/// Triangles as glTF has them: y up, counter-clockwise from the front.
+/// Triangles as in glTF: y up, counter-clockwise from the front.
 struct GlbMesh {
   std::vector<float> position;       ///< x, y, z per vertex
   std::vector<std::uint16_t> color;  ///< linear r, g, b and alpha per vertex; or empty
@@ -33,22 +33,22 @@ class GlbFile {
  public:
   explicit GlbFile(Context& context) : context_(context) {}
 
-  /// The data of a mesh, which several may show. Errors: limit (memory, 4 GiB).
+  /// Adds the data of a mesh, which several meshes may share. Errors: limit (memory, 4 GiB).
   Result<std::uint32_t> add_geometry(const GlbMesh& mesh);
-  /// A PNG. Errors: limit.
+  /// Adds a PNG. Errors: limit.
   Result<std::uint32_t> add_image(std::span<const std::uint8_t> png);
 
-  /// A material of its own for a geometry: its alpha, whether it is blended, and an image or -1.
+  /// A material for a geometry: its alpha, whether it is blended, and an image or -1.
   struct Material {
     double opacity = 1;
     bool is_blended = false;
     std::int64_t image = -1;
     friend auto operator<=>(const Material&, const Material&) = default;
   };
-  /// A mesh: a geometry with a material. The same twice is one. Errors: limit.
+  /// Adds a mesh, a geometry with a material. Equal meshes are stored once. Errors: limit.
   Result<std::uint32_t> add_mesh(std::uint32_t geometry, const Material& material);
 
-  /// A mesh at a place of the root's frame: (x, y) → place(x, y), with z. Errors: limit.
+  /// Adds a mesh at a place in the root's frame: (x, y) → place(x, y), with z. Errors: limit.
   Status add_node(std::uint32_t mesh, const Affine& place, double z);
 
   /// The file; its root turns units into metres. Nothing more may be added. Errors: limit.
@@ -57,7 +57,7 @@ class GlbFile {
  private:
   struct View {
     std::size_t offset, bytes;
-    int target;  ///< of WebGL; 0: none
+    int target;  ///< the WebGL target; 0: none
   };
   struct Geometry {
     std::uint32_t first_view = 0, first_accessor = 0;
@@ -69,7 +69,7 @@ class GlbFile {
     std::uint32_t geometry, material;
   };
   struct Node {
-    std::int64_t mesh = -1;  ///< or, without one, the next node is its child
+    std::int64_t mesh = -1;  ///< -1: no mesh; the next node is the child
     std::array<double, 16> matrix;
   };
 
@@ -88,8 +88,8 @@ class GlbFile {
 
   Context& context_;
   TableMemory memory_{"the GLB"};
-  ScopedCharge map_charge_;                       ///< of the nodes of maps
-  std::size_t json_bytes_ = 0;                    ///< of it, charged for the JSON
+  ScopedCharge map_charge_;                       ///< for the nodes of maps
+  std::size_t json_bytes_ = 0;                    ///< part of the charge that is for the JSON
   std::vector<std::vector<std::uint8_t>> parts_;  ///< of the binary chunk, one for each view
   std::size_t part_bytes_ = 0;
   std::vector<View> views_;

@@ -6,11 +6,11 @@
 namespace sfumato::outputs {
 
 /// Text as the content of an element or an attribute in double quotes; control characters, which
-/// have no place in HTML, become blanks.
+/// HTML does not allow, become blanks.
 std::string escaped_html(std::string_view text);
 
 /// A script, a shader or a style sheet without its indentation, empty lines and the comments that
-/// begin a line. Lines stay lines. Precondition: no string or template goes over several lines.
+/// begin a line. Line breaks are kept. Precondition: no string or template spans several lines.
 std::string condensed(std::string_view source);
 
 }  // namespace sfumato::outputs

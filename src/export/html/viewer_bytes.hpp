@@ -9,8 +9,8 @@
 
 namespace sfumato::outputs {
 
-/// Bytes of the viewer's payload (docs/viewer.md, "Payload"), least significant first. What fails
-/// stays, as in OutputBuffer.
+/// Bytes of the viewer's payload (docs/viewer.md, "Payload"), least significant first. A failure is
+/// kept, as in OutputBuffer.
 class ByteWriter {
  public:
   explicit ByteWriter(const Context& context) : bytes_(context, "the viewer's payload") {}
@@ -33,8 +33,8 @@ class ByteWriter {
     raw(bytes);
   }
 
-  /// The lowest bytes of all values, then the next, `byte_count` of each: alike stands beside
-  /// alike, which is what deflate makes small.
+  /// The lowest bytes of all values, then the next ones, `byte_count` of each. Similar bytes are
+  /// then adjacent, which deflate compresses well.
   void planes(std::span<const std::uint32_t> values, int byte_count) {
     bytes_.reserve(values.size() * static_cast<std::size_t>(byte_count));
     for (int shift = 0; shift < 8 * byte_count; shift += 8)
@@ -54,7 +54,7 @@ class ByteWriter {
   OutputBuffer bytes_;
 };
 
-/// A signed number as an unsigned one that is small where the number is: 0, -1, 1, -2, …
+/// Maps a signed number to an unsigned one that is small if the magnitude is small: 0, -1, 1, -2, …
 constexpr std::uint32_t zigzag(std::int32_t value) {
   return static_cast<std::uint32_t>(value) << 1 ^ static_cast<std::uint32_t>(value >> 31);
 }

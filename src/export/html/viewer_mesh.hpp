@@ -15,17 +15,17 @@ namespace sfumato::outputs {
 /// No half-edge.
 inline constexpr std::uint32_t kNoMate = std::numeric_limits<std::uint32_t>::max();
 
-/// The triangles of a layer in the order in which the viewer gets them: each beside one that came
-/// before, as far as there is one, so that most of a triangle is known when it comes. Half-edge
-/// 3t + k runs from corner k of triangle t to the next.
+/// The triangles of a layer in the order in which the viewer reads them. If possible each is
+/// adjacent to an earlier one, so that most of its data is already known. Half-edge 3t + k runs
+/// from corner k of triangle t to the next.
 struct ViewerMesh {
   std::vector<std::uint32_t> triangle;       ///< of the layer
   std::vector<std::uint8_t> first_corner;    ///< the layer's corner that is corner 0 here
   std::vector<std::uint32_t> corner_vertex;  ///< 3 per triangle, numbered as they appear
-  std::vector<std::uint32_t> vertex;         ///< of the layer; those of no triangle are left out
-  std::vector<std::uint32_t> mate;  ///< per half-edge: the last one before it on its edge, kNoMate
-  std::vector<std::uint8_t> codes;  ///< varints: which vertices the triangles have
-  std::vector<std::uint32_t> apex;  ///< per vertex: the half-edge that it was seen across, kNoMate
+  std::vector<std::uint32_t> vertex;         ///< of the layer; unused vertices are left out
+  std::vector<std::uint32_t> mate;  ///< per half-edge: the last earlier one on its edge, or kNoMate
+  std::vector<std::uint8_t> codes;  ///< varints: the vertices of the triangles
+  std::vector<std::uint32_t> apex;  ///< per vertex: the half-edge it was reached across, or kNoMate
   TableMemory memory{"the viewer's triangles"};
 
   std::uint32_t triangle_count() const { return static_cast<std::uint32_t>(triangle.size()); }

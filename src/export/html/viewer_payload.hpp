@@ -11,10 +11,10 @@
 namespace sfumato::outputs {
 
 /// A picture as the bytes that the HTML viewer reads (docs/viewer.md, "Payload"), deflated (zlib).
-/// Positions are off by at most 2⁻²³ of the layer's extent, node values by a quarter of an 8-bit
-/// step.
+/// The error of positions is at most 2⁻²³ of the layer's extent, that of node values a quarter of
+/// an 8-bit step.
 ///
-/// Errors: bad_input (a picture whose tables do not fit), limit (kViewerTriangles,
+/// Errors: bad_input (a picture whose tables are inconsistent), limit (kViewerTriangles,
 /// kViewerStrokeSegments, memory), cancelled. Cost: about 1 µs a triangle.
 Result<std::vector<std::uint8_t>> viewer_payload(Context& context, const Picture& picture,
                                                  const Rgb& background);

@@ -11,32 +11,32 @@
 
 namespace sfumato::outputs {
 
-/// A content stream while it is written, with the resources that it names: object 12 is /R12.
+/// A content stream under construction, with the resources that it names: object 12 is /R12.
 class PdfContent {
  public:
   explicit PdfContent(const Context& context) : text_(context, "a page of a PDF") {}
 
   enum class Resource { graphics_state, shading, form };
 
-  /// Operators, one line.
+  /// Adds operators as one line.
   void add(std::string_view operators);
-  /// A part of a line, which add() ends.
+  /// Begins a line, which add() ends.
   void begin(std::string_view operators) { text_ += operators; }
-  /// Why nothing is added any more, or ok; make_form hands it to the file.
+  /// Ok, or why nothing more is added; make_form passes it to the file.
   const Status& status() const { return text_.status(); }
   void fail(Status status) { text_.fail(std::move(status)); }
   /// "/R12" for an object, which becomes one of the stream's resources.
   std::string name(Resource kind, PdfRef ref);
 
-  /// Whether nothing was to be added; what failed is not empty.
+  /// Whether nothing was added; false after a failure.
   bool empty() const { return text_.status().ok() && text_.size() == 0; }
   std::string_view text() const { return text_.text(); }
   /// "/Resources << ... >>".
   std::string resources() const;
 
-  /// The same as a form XObject; is_group: a transparency group by itself.
+  /// The stream as a form XObject; is_group: as an isolated transparency group.
   PdfRef make_form(PdfFile* file, const Box& bounds, bool is_group) const;
-  /// As a group in grey: its luminosity may be a mask.
+  /// The stream as a group in grey, whose luminosity can be a mask.
   PdfRef make_mask_form(PdfFile* file, const Box& bounds) const;
 
  private:

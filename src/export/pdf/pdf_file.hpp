@@ -19,13 +19,13 @@ namespace sfumato::outputs {
 /// The number of an object of a PDF file, from 1.
 using PdfRef = int;
 
-/// A number as PDF knows it: nine significant digits, no exponent. Precondition: finite.
+/// A number in PDF's syntax: nine significant digits, no exponent. Precondition: finite.
 std::string pdf_number(double value);
 /// "[x0 y0 x1 y1]".
 std::string pdf_rectangle(const Box& box);
-/// "a b c d e f", as the operator cm wants it.
+/// "a b c d e f", the operands of the operator cm.
 std::string pdf_matrix(const Affine& map);
-/// UTF-8 text as a string object: UTF-16 in hexadecimal where it is not plain ASCII.
+/// UTF-8 text as a string object: UTF-16 in hexadecimal if it is not plain ASCII.
 std::string pdf_text(std::string_view utf8);
 /// "12 0 R".
 std::string pdf_reference(PdfRef ref);
@@ -35,15 +35,16 @@ class PdfFile {
  public:
   explicit PdfFile(const Context& context) : context_(context), bytes_(context, "the PDF") {}
 
-  /// An object without streams: "<< /Type /Page >>".
+  /// Adds an object without a stream: "<< /Type /Page >>".
   PdfRef add(std::string_view object);
 
-  /// A deflated stream; `entries` are those of its dictionary but Length and Filter. On an error
-  /// status() says which: limit (memory), cancelled, out_of_memory; the result names nothing then.
+  /// Adds a deflated stream; `entries` are those of its dictionary except Length and Filter.
+  /// Errors, in status(): limit (memory), cancelled, out_of_memory; the result is then not a valid
+  /// object.
   PdfRef add_stream(std::string_view entries, std::span<const std::uint8_t> bytes);
   PdfRef add_stream(std::string_view entries, std::string_view text);
 
-  /// The first error; what is added after it is dropped.
+  /// The first error; everything added after it is dropped.
   const Status& status() const { return bytes_.status(); }
   void fail(Status status) { bytes_.fail(std::move(status)); }
 

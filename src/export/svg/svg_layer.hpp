@@ -8,14 +8,14 @@
 
 namespace sfumato::outputs {
 
-/// A layer as a mesh for SVG: what append_layer writes.
+/// A layer as a mesh for SVG, the input of append_layer.
 struct SvgLayer {
   FacetMesh color;
   FacetMesh opacity;  ///< empty: opaque
   Affine layer_from_grid;
   Box box;           ///< of the facets
-  Box frame;         ///< of the layer: where the mesh ends there, the picture does
-  double pixel = 1;  ///< of the smallest instance, layer frame
+  Box frame;         ///< of the layer; where the mesh ends at it, the picture ends
+  double pixel = 1;  ///< pixel size in the smallest instance, layer frame
   UnderlapReach reach;
 
   std::uint64_t facet_count() const {
@@ -23,11 +23,11 @@ struct SvgLayer {
   }
 };
 
-/// What of a layer's instances its mesh depends on.
+/// Properties of a layer's instances on which its mesh depends.
 struct SvgScale {
   double max_error = 0;  ///< of 1
-  double pixel = 1;      ///< of a picture of nominal size, user units
-  double smallest = 1;   ///< user units to a unit of the layer
+  double pixel = 1;      ///< pixel size in a picture of nominal size, user units
+  double smallest = 1;   ///< user units per unit of the layer
   double largest = 1;
 };
 
@@ -35,8 +35,8 @@ struct SvgScale {
 Result<SvgLayer> make_svg_layer(Context& context, const PatchLayer& layer, InterpolationSpace space,
                                 const SvgScale& scale);
 
-/// <g id="ID">: the layer in its own frame (docs/outputs.md, "SVG of triangles"), after what it
-/// refers to. Errors: limit (memory), cancelled.
+/// <g id="ID">: the layer in its own frame (docs/outputs.md, "SVG of triangles"), after the
+/// elements to which it refers. Errors: limit (memory), cancelled.
 Status append_layer(Context& context, const SvgLayer& layer, const std::string& id, SvgIds& ids,
                     OutputBuffer& text);
 

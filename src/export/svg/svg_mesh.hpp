@@ -11,12 +11,13 @@
 
 namespace sfumato::outputs {
 
-/// Numbers that ids are made from, over all of a file.
+/// Numbers from which ids are made, unique in a file.
 struct SvgIds {
   std::uint64_t next = 0;
 };
 
-/// A channel of paint: the id of the gradient that has its stops, from black on, and the last one.
+/// A channel of paint: the id of the gradient with its stops, the first of which is black, and the
+/// last stop.
 struct Ink {
   const char* stops;
   std::array<int, 3> full;
@@ -25,21 +26,21 @@ struct Ink {
 inline constexpr Ink kRed{"R", {255, 0, 0}}, kGreen{"G", {0, 255, 0}}, kBlue{"B", {0, 0, 255}},
     kWhite{"W", {255, 255, 255}};
 
-/// The gradient with the stops of an ink, which those of triangles refer to.
+/// The gradient with the stops of an ink, to which the gradients of triangles refer.
 void append_stops(const Ink& ink, OutputBuffer& text);
 
-/// Facets as they are painted.
+/// Facets in the form in which they are painted.
 struct SvgMesh {
   const FacetMesh* mesh = nullptr;
   FacetOutlines outlines;
   std::vector<SmallFacet> small;
-  std::string small_clip;  ///< what clips these: an attribute, with a blank before it, or nothing
-  Affine grid_from_layer;  ///< to coordinates that are written as whole numbers
-  TableMemory memory{"the outlines of facets"};  ///< of `small`
+  std::string small_clip;  ///< the clip of these: an attribute preceded by a blank, or empty
+  Affine grid_from_layer;  ///< to coordinates written as whole numbers
+  TableMemory memory{"the outlines of facets"};  ///< for `small`
 };
 
-/// One channel of all facets, in their order, each a path with a linear gradient of its own or,
-/// where it hardly varies, a plain fill. Errors: limit (memory), cancelled.
+/// One channel of all facets, in their order, each a path with its own linear gradient or, if it
+/// hardly varies, a plain fill. Errors: limit (memory), cancelled.
 Status append_channel(Context& context, const SvgMesh& mesh, int channel, const Ink& ink,
                       SvgIds& ids, OutputBuffer& text);
 

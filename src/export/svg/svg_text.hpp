@@ -7,27 +7,27 @@
 #include "sfumato/base/affine.hpp"
 #include "sfumato/base/vec2.hpp"
 
-/// Text of SVG that is short: files of triangles are mostly numbers.
+/// Compact text for SVG, since files of triangles are mostly numbers.
 namespace sfumato::outputs {
 
-/// The value rounded to a multiple of 10^power, with no zeros that say nothing: "-.5", "1200".
+/// The value rounded to a multiple of 10^power, without unnecessary zeros: "-.5", "1200".
 /// Precondition: |value| below 1e15.
 void append_number(std::string& text, double value, int power);
 
-/// Two of them; a blank between where the second has no sign.
+/// Two numbers, with a blank between them if the second has no sign.
 void append_numbers(std::string& text, Vec2 values, int power);
 
-/// "M10 20l3-4 5 6z" of points rounded to whole numbers; nothing where fewer than three of them
-/// differ from those before them.
+/// "M10 20l3-4 5 6z" of points rounded to whole numbers; nothing if fewer than three of them differ
+/// from their predecessors.
 void append_closed_path(std::string& text, std::span<const Vec2> points);
 
-/// An id by its number: "a", "b", … "z", "aa".
+/// The id with this number: "a", "b", … "z", "aa".
 std::string short_id(std::uint64_t number);
 
 /// "#rrggbb" or "#rgb"; channels of 8 bits.
 void append_color(std::string& text, int r, int g, int b);
 
-/// transform="…" with a blank before it; nothing for the identity.
+/// transform="…" preceded by a blank; empty for the identity.
 std::string transform_attribute(const Affine& map);
 
 }  // namespace sfumato::outputs
