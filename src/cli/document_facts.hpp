@@ -28,8 +28,7 @@ struct DocumentFacts {
   std::size_t opacity_stops = 0;
   std::size_t blurred_curves = 0;   ///< with a blur radius above 0 somewhere
   std::size_t weighted_curves = 0;  ///< with a weight that is not 1
-  std::size_t leaving_curves =
-      0;  ///< with a point outside the artboard, where they are first painted
+  std::size_t leaving_curves = 0;   ///< with a point outside the artboard, where first painted
   std::size_t linear_gradients = 0;
   std::size_t radial_gradients = 0;
   std::vector<const Texture*> textures{};  ///< of the document, which must outlive this

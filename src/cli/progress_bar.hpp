@@ -32,8 +32,7 @@ class ProgressBar : public Progress {
  private:
   using Clock = std::chrono::steady_clock;
 
-  std::mutex mutex_;  ///< guards all members below; a thread that finds it locked continues without
-                      ///< drawing
+  std::mutex mutex_;  ///< guards all below; a thread that finds it locked does not wait
   std::FILE* terminal_;
   Clock::time_point next_drawing_;
   std::size_t drawn_length_ = 0;

@@ -11,9 +11,8 @@ namespace sfumato::cli {
 
 /// The state that the page shows.
 struct WatchState {
-  std::string name;  ///< name of the drawing
-  std::vector<std::uint8_t>
-      picture;  ///< PNG of the last drawing without errors; empty: none so far
+  std::string name;                   ///< name of the drawing
+  std::vector<std::uint8_t> picture;  ///< PNG of the last good drawing; empty: none so far
   std::uint64_t picture_version = 0;  ///< version of the picture alone
   std::vector<std::string> messages;  ///< lines
   bool failed = false;                ///< the latest drawing could not be drawn

@@ -84,7 +84,7 @@ class FacetPatch {
   double sampled_bend(const Barycentric& a, const Barycentric& b) const;
 
   PatchOrder order_;
-  InterpolationSpace space_ = InterpolationSpace::srgb;  ///< not of weights and opacities
+  InterpolationSpace space_ = InterpolationSpace::srgb;  ///< not for weights and opacities
   int channel_count_;
   double asked_error_;  ///< before the part for overshoot is subtracted
   double max_error_;
