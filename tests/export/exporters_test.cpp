@@ -98,14 +98,14 @@ TEST(Exporters, whatever_the_budget_nothing_is_left_out_in_silence) {
   Picture picture = of_one_triangle();
   const PictureItem one = picture.stack.front();
   picture.stack.push_back(GroupBegin{.opacity = 0.5f});
-  picture.stack.insert(picture.stack.end(), 4000, one);
+  picture.stack.insert(picture.stack.end(), 20000, one);
   picture.stack.push_back(GroupEnd{});
   for (const Exporter& exporter : kExporters) {
     Context context;
     const auto whole = exporter.write(context, picture);
     ASSERT_TRUE(whole.ok()) << exporter.name << ": " << to_string(whole.status());
     std::size_t successes = 0, tries = 0;
-    for (double budget = 20 << 10; successes < 3; budget *= 1.1, ++tries) {
+    for (double budget = 20 << 10; successes < 3; budget *= 1.25, ++tries) {
       expect_limit_or(*whole, exporter, picture, static_cast<std::size_t>(budget), successes);
       if (testing::Test::HasFailure()) return;
     }
