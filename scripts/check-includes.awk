@@ -193,8 +193,7 @@ FNR == 1 {
          !is_native
   has_stops = folder ~ /^(base|document|curves|formats|import|raster|lint|export|cli)$/
   has_scenes = room ~ /^(gather|gather\/kernels|formats\/orzan|export\/glb)$/
-  looks_are_checked = FILENAME ~ /^src\// && folder != "cli" &&
-                      !(inner_path(FILENAME) in is_flag_itself)
+  looks_are_checked = FILENAME ~ /^src\// && !(inner_path(FILENAME) in is_flag_itself)
   charges_are_checked = FILENAME ~ /^src\// && !(inner_path(FILENAME) in is_estimate)
   if (!is_table && folder != "" && !(folder in is_folder)) {
     complain(folder " is not in scripts/folder-order.txt")
