@@ -19,9 +19,14 @@ struct PixelPart {
 ///
 /// Of one tile, whose layers are painted one after another.
 class AbuttingParts {
+  struct Pixel {
+    PixelPart sum;       ///< colours weighted by area
+    float left[4] = {};  ///< what was painted last
+  };
+
  public:
   /// Memory of one.
-  static constexpr std::size_t kMostBytes = std::size_t{kTileWidth} * kTileHeight * 44;
+  static constexpr std::size_t kMostBytes = std::size_t{kTileWidth} * kTileHeight * sizeof(Pixel);
 
   /// Forgets the tile before.
   void clear() { pixels_.clear(); }
@@ -31,12 +36,6 @@ class AbuttingParts {
   void paint(int x, int y, const PixelPart& part, const float (&below)[4], float (&out)[4]);
 
  private:
-  struct Pixel {
-    PixelPart sum;       ///< colours weighted by area
-    float left[4] = {};  ///< what was painted last
-  };
-  static_assert(sizeof(Pixel) == 44);
-
   std::vector<Pixel> pixels_;
 };
 

@@ -139,10 +139,11 @@ Status BorderCutter::make_tables() {
 /// Charges what the lists have grown.
 Status BorderCutter::settle() {
   const BorderCuts& c = cuts_;
-  const std::size_t cut_bytes =
-      capacity_bytes(c.vertex, c.triangle_vertex, c.edge, c.parent, c.node, c.point);
   Status status = memory_.settle(context_, capacity_bytes(edges_, mixed_), own_bytes_);
-  return status ? cuts_.memory.settle(context_, cut_bytes, cut_bytes_) : status;
+  if (!status) return status;
+  return cuts_.memory.settle(
+      context_, capacity_bytes(c.vertex, c.triangle_vertex, c.edge, c.parent, c.node, c.point),
+      cut_bytes_);
 }
 
 void BorderCutter::add_edges(std::uint32_t triangle) {
