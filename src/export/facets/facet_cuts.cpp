@@ -7,7 +7,7 @@
 #include "base/parallel.hpp"
 #include "base/poll.hpp"
 #include "base/table_memory.hpp"
-#include "export/facets/half_edge.hpp"
+#include "base/half_edge.hpp"
 
 namespace sfumato::outputs {
 namespace {

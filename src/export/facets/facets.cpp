@@ -10,7 +10,7 @@
 #include "export/facets/facet_cuts.hpp"
 #include "export/facets/facet_patch.hpp"
 #include "export/facets/facet_tree.hpp"
-#include "export/facets/half_edge.hpp"
+#include "base/half_edge.hpp"
 
 namespace sfumato::outputs {
 namespace {
