@@ -148,7 +148,7 @@ class NodePlacer {
     for (std::uint32_t spoke : fan_.spoke) {
       if (test(spoke)) return true;
     }
-    return test(mesh::TriangleMesh::previous(fan_.spoke.back()));
+    return test(previous_half_edge(fan_.spoke.back()));
   }
 
   void share(Sector sector, std::uint32_t node) {
@@ -167,7 +167,7 @@ class NodePlacer {
   /// The corner rule (docs/mathematics.md, paper Fig. 4) for a sector between its first spoke,
   /// whose value is a, and its last, whose value is b.
   void place_in_sector(Sector sector) {
-    const std::uint32_t first = sector.front(), last = mesh::TriangleMesh::previous(sector.back());
+    const std::uint32_t first = sector.front(), last = previous_half_edge(sector.back());
     const Vec2 vertex = corner(first);
     const bool knows_a = seams_.has_value(first), knows_b = seams_.has_value(last);
     const bool hull_a = !seams_.is_seam(first), hull_b = !seams_.is_seam(last);

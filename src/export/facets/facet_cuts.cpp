@@ -4,10 +4,10 @@
 #include <array>
 #include <tuple>
 
+#include "base/half_edge.hpp"
 #include "base/parallel.hpp"
 #include "base/poll.hpp"
 #include "base/table_memory.hpp"
-#include "base/half_edge.hpp"
 
 namespace sfumato::outputs {
 namespace {

@@ -158,7 +158,7 @@ class FieldWriter {
   void add_edges(std::uint32_t t) {
     for (std::uint32_t k = 0; k < 3; ++k) {
       const std::uint32_t mate = mesh_.mate[3 * std::size_t{t} + k];
-      if (mate != kNoMate) {
+      if (mate != kNoHalfEdge) {
         const bool shared = share_edge(t, k, mate);
         codes_.push_back(shared ? 1 : 0);
         if (shared) continue;

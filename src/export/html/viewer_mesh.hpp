@@ -1,9 +1,9 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <vector>
 
+#include "base/half_edge.hpp"
 #include "base/table_memory.hpp"
 #include "export/html/viewer_bytes.hpp"
 #include "sfumato/base/context.hpp"
@@ -11,9 +11,6 @@
 #include "sfumato/picture/picture.hpp"
 
 namespace sfumato::outputs {
-
-/// No half-edge.
-inline constexpr std::uint32_t kNoMate = std::numeric_limits<std::uint32_t>::max();
 
 /// The triangles of a layer in the order in which the viewer gets them: each beside one that came
 /// before, as far as there is one, so that most of a triangle is known when it comes. Half-edge
@@ -23,9 +20,9 @@ struct ViewerMesh {
   std::vector<std::uint8_t> first_corner;    ///< the layer's corner that is corner 0 here
   std::vector<std::uint32_t> corner_vertex;  ///< 3 per triangle, numbered as they appear
   std::vector<std::uint32_t> vertex;         ///< of the layer; those of no triangle are left out
-  std::vector<std::uint32_t> mate;  ///< per half-edge: the last one before it on its edge, kNoMate
+  std::vector<std::uint32_t> mate;  ///< per half-edge: the last before it on its edge, kNoHalfEdge
   std::vector<std::uint8_t> codes;  ///< varints: which vertices the triangles have
-  std::vector<std::uint32_t> apex;  ///< per vertex: the half-edge that it was seen across, kNoMate
+  std::vector<std::uint32_t> apex;  ///< per vertex: what it was seen across, kNoHalfEdge
   TableMemory memory{"the viewer's triangles"};
 
   std::uint32_t triangle_count() const { return static_cast<std::uint32_t>(triangle.size()); }
