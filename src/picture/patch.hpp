@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <concepts>
 
 #include "sfumato/picture/picture.hpp"
 
@@ -20,6 +21,24 @@ inline constexpr std::array<std::array<double, 3>, kNodesPerTriangle> kNodeBaryc
     {2.0 / 3, 0, 1.0 / 3},
     {1.0 / 3, 1.0 / 3, 1.0 / 3},
 }};
+
+/// Of a triangle's ten nodes the one at its centroid.
+inline constexpr int kCenterNode = 9;
+
+/// Of the two nodes on edge k, which runs from corner k to the next, the one nearer to corner k.
+constexpr auto near_node(std::integral auto k) {
+  return 3 + 2 * k;
+}
+
+/// The other one.
+constexpr auto far_node(std::integral auto k) {
+  return 4 + 2 * k;
+}
+
+/// The node a third of the way from corner i to corner j.
+constexpr int edge_node(int i, int j) {
+  return j == (i + 1) % 3 ? near_node(i) : far_node(j);
+}
 
 using PatchBasis = std::array<double, kNodesPerTriangle>;
 
@@ -42,8 +61,8 @@ constexpr PatchBasis quadratic_basis(double w, double u, double v) {
   for (int k = 0; k < 3; ++k) {
     basis[k] -= edge[k] / 16;
     basis[(k + 1) % 3] -= edge[k] / 16;
-    basis[3 + 2 * k] += 9 * edge[k] / 16;
-    basis[4 + 2 * k] += 9 * edge[k] / 16;
+    basis[near_node(k)] += 9 * edge[k] / 16;
+    basis[far_node(k)] += 9 * edge[k] / 16;
   }
   return basis;
 }

@@ -276,7 +276,7 @@ std::vector<Part> BorderCutter::seen_parts(std::uint32_t triangle) {
     run.back().edge = BorderCuts::kBorder;
     parts.push_back(std::move(run));
   }
-  if (parts.size() > 1 && sees(triangle, 9)) {
+  if (parts.size() > 1 && sees(triangle, kCenterNode)) {
     for (std::size_t i = 1; i < parts.size(); ++i)
       parts[0].insert(parts[0].end(), parts[i].begin(), parts[i].end());
     parts.resize(1);
@@ -345,7 +345,7 @@ void BorderCutter::add_nodes(std::uint32_t triangle, const Part& part,
     for (int i = 1; i <= 2; ++i) {
       const Vec2 p = lerp(from.position, to.position, i / 3.0);
       if (is_whole) {
-        add_old(2 + 2 * from.corner + i, p);
+        add_old(i == 1 ? near_node(from.corner) : far_node(from.corner), p);
       } else {
         add_new(is_free ? p : lerp(p, center, kNudge));
       }
