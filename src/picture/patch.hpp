@@ -44,7 +44,18 @@ using PatchBasis = std::array<double, kNodesPerTriangle>;
 
 namespace picture {
 
-/// Eq. 18.
+/// Eq. 18. Three other forms of this cubic stand where they are needed. Each rounds in its own
+/// order, so that none follows from this one to the bit:
+///
+/// raster/kernels/patch_polynomial.hpp: monomials of differences to one node, so that a constant is
+/// exact. Tests: RasterClosedForms.ten_nodes_reproduce_a_cubic_anywhere, and against this one
+/// RasterReference.random_pictures_agree_at_any_scale.
+///
+/// export/facets/facet_patch.cpp: Bézier ordinates, for bounds and second derivatives. Test:
+/// Facets.ordinates_and_basis_are_of_one_cubic.
+///
+/// web/viewer/shaders/patch.frag: in single precision on a graphics processor. Test:
+/// GpuRender.patches_of_every_order_agree.
 constexpr PatchBasis cubic_basis(double w, double u, double v) {
   return {0.5 * w * (3 * w - 1) * (3 * w - 2), 0.5 * u * (3 * u - 1) * (3 * u - 2),
           0.5 * v * (3 * v - 1) * (3 * v - 2), 4.5 * w * u * (3 * w - 1),
