@@ -20,14 +20,17 @@ BEGIN {
 }
 
 function allow_estimates() {
-  # What a ScopedCharge may be told without measuring what is there.
+  # Where memory may be charged by a figure, without measuring what is there.
   is_estimate["codecs/jpeg_decode.cpp"] = 1           # libjpeg allocates by itself
   is_estimate["codecs/jpeg_encode.cpp"] = 1
   is_estimate["codecs/webp_encode.cpp"] = 1           # libwebp does
   is_estimate["formats/text/xml_source.cpp"] = 1      # pugixml does
   is_estimate["gpu/target.cpp"] = 1                   # the GPU's driver does
   is_estimate["gpu/table.cpp"] = 1
+  is_estimate["codecs/webp_import.cpp"] = 1
   is_estimate["export/glb/glb_file.cpp"] = 1          # so do the nodes of a std::map
+  is_estimate["formats/svg/svg_write_ids.cpp"] = 1    # and those of a std::set
+  is_estimate["cli/document_input.cpp"] = 1           # bounds what is read of a pipe, not there yet
   is_estimate["raster/rasterize.cpp"] = 1             # tasks cannot fail: charged before they begin
   is_estimate["base/charge.hpp"] = is_estimate["base/charge.cpp"] = 1
   is_estimate["base/table_memory.hpp"] = 1
@@ -154,13 +157,16 @@ function check_charge(code, name) {
     sub(/[;(].*/, "", name)
     if (name !~ /(charge|held)_?$/) complain("a ScopedCharge is called charge or held: " name)
   }
+  if (code ~ /constexpr .* k[A-Za-z]*(NodeBytes|BytesPer[A-Z][A-Za-z]*) =/ && code !~ /BytesPerPoll/) {
+    complain("a figure of memory by hand: measure what is there")
+  }
   # One byte more than there is room for is how a refusal is made.
   if (code ~ /budget_?\.charge\(/ && code !~ /\(room \+ 1,/) complain("memory is charged by TableMemory or ScopedCharge")
-  if (!charged && code ~ /(charge|held)_?\.(add|raise_to)\(/) charged = FNR
+  if (!charged && code ~ /((charge|held)_?\.(add|raise_to)|memory_?\.settle)\(/) charged = FNR
   if (!charged) return
   charge_text = charge_text code
   if (code !~ /;|\{/) return
-  if (charge_text !~ /(^|[^A-Za-z0-9_])(bytes_of|capacity_bytes|list_bytes|room_bytes|stroke_bytes)\(/) {
+  if (charge_text !~ /(^|[^A-Za-z0-9_])(bytes_of|capacity_bytes|kept_bytes|list_bytes|room_bytes|stroke_bytes)\(/) {
     print FILENAME ":" charged ": a charge has to measure what it is for: bytes_of, capacity_bytes"
     broken = 1
   }
@@ -193,8 +199,7 @@ FNR == 1 {
          !is_native
   has_stops = folder ~ /^(base|document|curves|formats|import|raster|lint|export|cli)$/
   has_scenes = room ~ /^(gather|gather\/kernels|formats\/orzan|export\/glb)$/
-  looks_are_checked = FILENAME ~ /^src\// && folder != "cli" &&
-                      !(inner_path(FILENAME) in is_flag_itself)
+  looks_are_checked = FILENAME ~ /^src\// && !(inner_path(FILENAME) in is_flag_itself)
   charges_are_checked = FILENAME ~ /^src\// && !(inner_path(FILENAME) in is_estimate)
   if (!is_table && folder != "" && !(folder in is_folder)) {
     complain(folder " is not in scripts/folder-order.txt")

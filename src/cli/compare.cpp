@@ -91,9 +91,9 @@ Status compare_files(Context& context, const CompareArguments& arguments,
     status = write_difference(context, arguments, *first, *second);
     if (!status) return status;
   }
-  const Difference difference(context, *first, *second);
-  if (context.cancelled()) return context.cancel_status();
-  return print(arguments.json ? as_json(difference) : as_table(difference), &context);
+  const Result<Difference> difference = Difference::of(context, *first, *second);
+  if (!difference) return difference.status();
+  return print(arguments.json ? as_json(*difference) : as_table(*difference), &context);
 }
 
 }  // namespace

@@ -31,13 +31,14 @@ void expand_row(const Image& image, int y, std::vector<std::uint16_t>& rgba) {
 }
 
 /// Calls visit(difference) with the absolute differences of the four channels of every pixel, row
-/// by row; the rest are left out once the context is cancelled.
+/// by row. Error: cancelled.
 template <class Visit>
-void for_each_pixel_difference(const Context& context, const Image& a, const Image& b,
-                               Visit visit) {
+Status for_each_pixel_difference(const Context& context, const Image& a, const Image& b,
+                                 Visit visit) {
   std::vector<std::uint16_t> row_a(4 * static_cast<std::size_t>(a.width));
   std::vector<std::uint16_t> row_b(row_a.size());
-  for (int y = 0; y < a.height && !context.cancelled(); ++y) {
+  for (int y = 0; y < a.height; ++y) {
+    if (context.cancelled()) return context.cancel_status();
     expand_row(a, y, row_a);
     expand_row(b, y, row_b);
     for (std::size_t i = 0; i < row_a.size(); i += 4) {
@@ -48,19 +49,23 @@ void for_each_pixel_difference(const Context& context, const Image& a, const Ima
       visit(difference);
     }
   }
+  return ok_status();
 }
 
 }  // namespace
 
-Difference::Difference(const Context& context, const Image& a, const Image& b)
-    : count_of_(kUnitValues) {
+Result<Difference> Difference::of(const Context& context, const Image& a, const Image& b) {
   const std::size_t channels =
       static_cast<std::size_t>(std::max(channel_count(a.format), channel_count(b.format)));
-  for_each_pixel_difference(context, a, b, [&](const std::array<std::uint32_t, 4>& difference) {
-    for (std::size_t c = 0; c < channels; ++c) ++count_of_[difference[c]];
-  });
-  sample_count_ =
+  Difference counted;
+  counted.count_of_.resize(kUnitValues);
+  const auto count = [&](const std::array<std::uint32_t, 4>& difference) {
+    for (std::size_t c = 0; c < channels; ++c) ++counted.count_of_[difference[c]];
+  };
+  if (Status status = for_each_pixel_difference(context, a, b, count); !status) return status;
+  counted.sample_count_ =
       static_cast<std::uint64_t>(a.width) * static_cast<std::uint64_t>(a.height) * channels;
+  return counted;
 }
 
 double Difference::rms() const {
@@ -96,15 +101,17 @@ Result<Image> difference_image(const Context& context, const Image& a, const Ima
                                TableMemory& memory) {
   Image image{a.width, a.height, PixelFormat::rgb8, {}};
   const std::size_t size = image.row_bytes() * static_cast<std::size_t>(a.height);
-  if (Status status = memory.reserve(context, image.bytes, size); !status) return status;
-  for_each_pixel_difference(context, a, b, [&](const std::array<std::uint32_t, 4>& difference) {
+  Status status = memory.reserve(context, image.bytes, size);
+  if (!status) return status;
+  const auto append = [&](const std::array<std::uint32_t, 4>& difference) {
     for (std::size_t c = 0; c < 3; ++c) {
       const double units = std::max(difference[c], difference[3]);
       const double code = std::min(255.0, units / kUnitsPerCode * scale + 0.5);
       image.bytes.push_back(static_cast<std::uint8_t>(code));
     }
-  });
-  if (context.cancelled()) return context.cancel_status();
+  };
+  status = for_each_pixel_difference(context, a, b, append);
+  if (!status) return status;
   return image;
 }
 

@@ -7,6 +7,7 @@
 #include "base/table_memory.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/image.hpp"
+#include "sfumato/base/status.hpp"
 
 namespace sfumato::cli {
 
@@ -15,9 +16,8 @@ namespace sfumato::cli {
 /// without alpha is opaque.
 class Difference {
  public:
-  /// Precondition: the images have one size. The histogram is incomplete if the context is
-  /// cancelled meanwhile, which the caller must check.
-  Difference(const Context& context, const Image& a, const Image& b);
+  /// Precondition: the images have one size. Error: cancelled.
+  static Result<Difference> of(const Context& context, const Image& a, const Image& b);
 
   /// In code values of 255.
   double rms() const;
@@ -31,6 +31,8 @@ class Difference {
   double percentile(int per_mille) const;
 
  private:
+  Difference() = default;
+
   std::uint64_t sample_count_ = 0;
   std::vector<std::uint64_t> count_of_;  ///< 65536 counts
 };

@@ -20,7 +20,8 @@ Result<std::string> read_drawing_text(Context& context, const std::string& path)
   const std::size_t most = context.limits.input_bytes, room = context.budget.room();
   const std::size_t readable = path == "-" ? room / kBytesPerPipedByte : room;
   Result<std::string> bytes = read_input(context, path, std::min(most, readable));
-  if (bytes || bytes.status().code != StatusCode::limit || context.cancelled()) return bytes;
+  if (bytes || bytes.status().code != StatusCode::limit) return bytes;
+  if (context.cancelled()) return context.cancel_status();
   if (readable < most) return context.budget.charge(room + 1, "the input");
   return limit_error(context.limits, &Limits::input_bytes, "bytes of input", bytes.status().where);
 }

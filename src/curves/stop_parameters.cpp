@@ -2,21 +2,41 @@
 
 #include <algorithm>
 
+#include "base/poll.hpp"
 #include "curves/bezier.hpp"
 
 namespace sfumato::curves {
+namespace {
 
-std::vector<double> cumulative_length(std::span<const Vec2> control_points) {
-  return cumulative_length(control_points, [] { return true; });
+/// The next entry: the length up to the end of piece i.
+double next_length(const std::vector<double>& cumulative, std::span<const Vec2> control_points,
+                   std::size_t i) {
+  return cumulative.back() + arc_length(piece(control_points, i), 0, 1);
 }
 
-std::vector<double> cumulative_length(std::span<const Vec2> control_points,
-                                      FunctionRef<bool()> may_go_on) {
+}  // namespace
+
+std::vector<double> cumulative_length(std::span<const Vec2> control_points) {
   const std::size_t piece_count = (control_points.size() - 1) / 3;
   std::vector<double> cumulative{0};
   cumulative.reserve(piece_count + 1);
-  for (std::size_t i = 0; i < piece_count && may_go_on(); ++i) {
-    cumulative.push_back(cumulative.back() + arc_length(piece(control_points, i), 0, 1));
+  for (std::size_t i = 0; i < piece_count; ++i) {
+    cumulative.push_back(next_length(cumulative, control_points, i));
+  }
+  return cumulative;
+}
+
+Result<std::vector<double>> cumulative_length(const Context& context,
+                                              std::span<const Vec2> control_points,
+                                              TableMemory& memory) {
+  const std::size_t piece_count = (control_points.size() - 1) / 3;
+  std::vector<double> cumulative;
+  if (Status status = memory.reserve(context, cumulative, piece_count + 1); !status) return status;
+  RarePoll<16> poll(context);
+  cumulative.push_back(0);
+  for (std::size_t i = 0; i < piece_count; ++i) {
+    if (poll.cancelled()) return context.cancel_status();
+    cumulative.push_back(next_length(cumulative, control_points, i));
   }
   return cumulative;
 }

@@ -4,8 +4,10 @@
 #include <span>
 #include <vector>
 
+#include "base/table_memory.hpp"
 #include "sfumato/base/color_space.hpp"
-#include "sfumato/base/function_ref.hpp"
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/status.hpp"
 #include "sfumato/base/vec2.hpp"
 #include "sfumato/document/stops.hpp"
 
@@ -15,10 +17,11 @@ namespace sfumato::curves {
 /// entry the whole length. One entry more than pieces.
 std::vector<double> cumulative_length(std::span<const Vec2> control_points);
 
-/// The same, for long chains: calls the predicate before each piece, and ends with fewer entries if
-/// it returns false.
-std::vector<double> cumulative_length(std::span<const Vec2> control_points,
-                                      FunctionRef<bool()> may_go_on);
+/// The same, for long chains; the lengths are allocated from `memory`.
+/// Errors: limit (memory), cancelled.
+Result<std::vector<double>> cumulative_length(const Context& context,
+                                              std::span<const Vec2> control_points,
+                                              TableMemory& memory);
 
 /// The curve parameter (piece + t) at a fraction 0 to 1 of the curve's length.
 double parameter_at_fraction(std::span<const Vec2> control_points,
@@ -32,12 +35,13 @@ inline const ScalarStops& in_space(const ScalarStops& list, InterpolationSpace) 
 }
 
 /// Appends the curve parameter of every stop of a list, non-decreasing and clamped to the curve.
+///
+/// cumulative   cumulative_length() of the points; not used for a list by parameter
 template <class Value>
-void append_stop_parameters(std::span<const Vec2> control_points, const StopList<Value>& list,
+void append_stop_parameters(std::span<const Vec2> control_points,
+                            std::span<const double> cumulative, const StopList<Value>& list,
                             std::vector<double>& parameters) {
   const double end = static_cast<double>((control_points.size() - 1) / 3);
-  std::vector<double> cumulative;
-  if (list.space == StopSpace::arc_length) cumulative = cumulative_length(control_points);
   for (const auto& stop : list.stops) {
     double parameter = stop.offset;
     if (list.space == StopSpace::arc_length) {
@@ -53,9 +57,10 @@ void append_stop_parameters(std::span<const Vec2> control_points, const StopList
 template <class Value>
 std::vector<double> stop_parameters(std::span<const Vec2> control_points,
                                     const StopList<Value>& list) {
-  std::vector<double> parameters;
+  std::vector<double> parameters, cumulative;
   parameters.reserve(list.stops.size());
-  append_stop_parameters(control_points, list, parameters);
+  if (list.space == StopSpace::arc_length) cumulative = cumulative_length(control_points);
+  append_stop_parameters(control_points, cumulative, list, parameters);
   return parameters;
 }
 

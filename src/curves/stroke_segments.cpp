@@ -43,9 +43,10 @@ class StopCursor {
   explicit StopCursor(const StopList<Value>& list) : list_(list) {}
 
   /// Comes first. Errors: limit (memory), cancelled.
-  Status prepare(Context& context, std::span<const Vec2> control_points, TableMemory& memory) {
+  Status prepare(Context& context, std::span<const Vec2> control_points,
+                 std::span<const double> cumulative, TableMemory& memory) {
     Status status = memory.reserve(context, parameters_, list_.stops.size());
-    if (status) append_stop_parameters(control_points, list_, parameters_);
+    if (status) append_stop_parameters(control_points, cumulative, list_, parameters_);
     return status;
   }
 
@@ -130,13 +131,15 @@ class SegmentMaker {
     copy_stops(curve.influence_radius, influence_);
     if (!status) return status;
     for (Vec2& p : points_) p = p * options_.scale;
-    total_length_ = cumulative_length(points_).back();
+    const auto lengths = cumulative_length(context_, points_, memory_);
+    if (!lengths) return lengths.status();
+    total_length_ = lengths->back();
     left_ = in_space(std::move(left_), options_.interpolation);
     right_ = in_space(std::move(right_), options_.interpolation);
     scale(blur_);
     scale(influence_);
     const auto prepare = [&](auto& cursor) {
-      if (status) status = cursor.prepare(context_, points_, memory_);
+      if (status) status = cursor.prepare(context_, points_, *lengths, memory_);
     };
     prepare(left_cursor_);
     prepare(right_cursor_);

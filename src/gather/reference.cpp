@@ -89,12 +89,11 @@ class ReferenceGather {
     const bool reaches_right = cross(window.right, apex) > 0;
     const bool reaches_left = cross(apex, window.left) > 0;
     if (reaches_right) {
-      waiting_.push_back(
-          {TriangleMesh::next(twin), window.right, reaches_left ? apex : window.left});
+      waiting_.push_back({next_half_edge(twin), window.right, reaches_left ? apex : window.left});
     }
     if (reaches_left) {
       waiting_.push_back(
-          {TriangleMesh::previous(twin), reaches_right ? apex : window.right, window.left});
+          {previous_half_edge(twin), reaches_right ? apex : window.right, window.left});
     }
   }
 

@@ -184,8 +184,8 @@ class SceneBuilder {
     const bool blind = blind_[h] != 0;
     return {x(apex),
             y(apex),
-            blind ? kBorder : code_behind(mesh::TriangleMesh::next(twin)),
-            blind ? kBorder : code_behind(mesh::TriangleMesh::previous(twin)),
+            blind ? kBorder : code_behind(next_half_edge(twin)),
+            blind ? kBorder : code_behind(previous_half_edge(twin)),
             static_cast<float>(normal.x),
             static_cast<float>(normal.y),
             static_cast<float>(-dot(normal, a))};

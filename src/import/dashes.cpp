@@ -93,11 +93,13 @@ Result<Contours> dashed(PointMeter& meter, const Contours& subpaths, const svg::
   Contours dashes;
   const double period = std::accumulate(style.dashes.begin(), style.dashes.end(), 0.0);
   for (const std::vector<Vec2>& chain : subpaths) {
-    const std::vector<double> lengths =
-        curves::cumulative_length(chain, [&] { return meter.take(1); });
+    if (!meter.take((chain.size() - 1) / 3)) return meter.status();
+    TableMemory length_memory("the lengths of a stroke");
+    const auto lengths = curves::cumulative_length(meter.context(), chain, length_memory);
+    if (!lengths) return lengths.status();
     // A dash costs a search along the curve: what would be far too many is refused at once.
-    if (!meter.failed() && lengths.back() / period > kDashes) meter.fail(too_many());
-    dash_one(meter, chain, lengths, style, memory, dashes);
+    if (lengths->back() / period > kDashes) return too_many();
+    dash_one(meter, chain, *lengths, style, memory, dashes);
     if (meter.failed()) return meter.status();
   }
   return dashes;

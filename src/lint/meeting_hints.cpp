@@ -160,7 +160,7 @@ class MeetingCheck {
         if (count == cross.size()) return std::nullopt;
         cross[count++] = {h, curve_on(mesh_.half_edge_constraint[h])};
       }
-      const std::int32_t twin = mesh_.half_edge_twin[TriangleMesh::previous(h)];
+      const std::int32_t twin = mesh_.half_edge_twin[previous_half_edge(h)];
       if (twin == mesh::kNone) return std::nullopt;
       h = static_cast<std::uint32_t>(twin);
     } while (h != half_edge);
@@ -226,7 +226,7 @@ class MeetingCheck {
       const bool is_second = twin != mesh::kNone && static_cast<std::uint32_t>(twin) < h;
       if (is_second || !mesh_.has_curves(h)) continue;
       if (curve_on(mesh_.half_edge_constraint[h]) != curve) continue;
-      const Vec2 a = position(mesh_.origin(h)), b = position(mesh_.origin(TriangleMesh::next(h)));
+      const Vec2 a = position(mesh_.origin(h)), b = position(mesh_.origin(next_half_edge(h)));
       if ((a.y <= middle.y) == (b.y <= middle.y)) continue;
       const Vec2 upper = a.y < b.y ? a : b, lower = a.y < b.y ? b : a;
       if (cross(lower - upper, middle - upper) > 0) outside = !outside;

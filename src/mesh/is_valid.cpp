@@ -150,7 +150,7 @@ Fans find_fans(const TriangleMesh& mesh) {
       const std::int32_t twin = mesh.half_edge_twin[first];
       open = twin == kNone;
       if (open) break;
-      first = TriangleMesh::next(static_cast<std::uint32_t>(twin));
+      first = next_half_edge(static_cast<std::uint32_t>(twin));
       if (first == h) break;
     }
     const auto fan = static_cast<std::uint32_t>(fans.vertex_of_fan.size());
@@ -159,7 +159,7 @@ Fans find_fans(const TriangleMesh& mesh) {
     std::int32_t e = static_cast<std::int32_t>(first);
     do {
       fans.fan_of_corner[e] = fan;
-      e = mesh.half_edge_twin[TriangleMesh::previous(static_cast<std::uint32_t>(e))];
+      e = mesh.half_edge_twin[previous_half_edge(static_cast<std::uint32_t>(e))];
     } while (e != kNone && static_cast<std::uint32_t>(e) != first);
   }
   return fans;
@@ -220,9 +220,9 @@ std::uint32_t component_count(const TriangleMesh& mesh) {
 
 /// The next hull edge around the fan at the target of hull edge h.
 std::uint32_t next_on_hull(const TriangleMesh& mesh, std::uint32_t h) {
-  std::uint32_t e = TriangleMesh::next(h);
+  std::uint32_t e = next_half_edge(h);
   while (mesh.half_edge_twin[e] != kNone) {
-    e = TriangleMesh::next(static_cast<std::uint32_t>(mesh.half_edge_twin[e]));
+    e = next_half_edge(static_cast<std::uint32_t>(mesh.half_edge_twin[e]));
   }
   return e;
 }

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "base/half_edge.hpp"
 #include "sfumato/base/vec2.hpp"
 
 namespace sfumato::mesh {
@@ -43,10 +44,8 @@ struct TriangleMesh {
     return static_cast<std::uint32_t>(triangle_vertex.size() / 3);
   }
   std::uint32_t origin(std::uint32_t h) const { return triangle_vertex[h]; }
-  std::uint32_t target(std::uint32_t h) const { return triangle_vertex[next(h)]; }
-  std::uint32_t apex(std::uint32_t h) const { return triangle_vertex[previous(h)]; }
-  static std::uint32_t next(std::uint32_t h) { return h % 3 == 2 ? h - 2 : h + 1; }
-  static std::uint32_t previous(std::uint32_t h) { return h % 3 == 0 ? h + 2 : h - 1; }
+  std::uint32_t target(std::uint32_t h) const { return triangle_vertex[next_half_edge(h)]; }
+  std::uint32_t apex(std::uint32_t h) const { return triangle_vertex[previous_half_edge(h)]; }
   std::span<const SegmentPiece> pieces(const Constraint& c) const {
     return {piece.data() + c.piece_begin, piece.data() + c.piece_end};
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <concepts>
 
 #include "sfumato/picture/picture.hpp"
 
@@ -21,11 +22,40 @@ inline constexpr std::array<std::array<double, 3>, kNodesPerTriangle> kNodeBaryc
     {1.0 / 3, 1.0 / 3, 1.0 / 3},
 }};
 
+/// Of a triangle's ten nodes the one at its centroid.
+inline constexpr int kCenterNode = 9;
+
+/// Of the two nodes on edge k, which runs from corner k to the next, the one nearer to corner k.
+constexpr auto near_node(std::integral auto k) {
+  return 3 + 2 * k;
+}
+
+/// The other one.
+constexpr auto far_node(std::integral auto k) {
+  return 4 + 2 * k;
+}
+
+/// The node a third of the way from corner i to corner j.
+constexpr int edge_node(int i, int j) {
+  return j == (i + 1) % 3 ? near_node(i) : far_node(j);
+}
+
 using PatchBasis = std::array<double, kNodesPerTriangle>;
 
 namespace picture {
 
-/// Eq. 18.
+/// Eq. 18. Three other forms of this cubic stand where they are needed. Each rounds in its own
+/// order, so that none follows from this one to the bit:
+///
+/// raster/kernels/patch_polynomial.hpp: monomials of differences to one node, so that a constant is
+/// exact. Tests: RasterClosedForms.ten_nodes_reproduce_a_cubic_anywhere, and against this one
+/// RasterReference.random_pictures_agree_at_any_scale.
+///
+/// export/facets/facet_patch.cpp: Bézier ordinates, for bounds and second derivatives. Test:
+/// Facets.ordinates_and_basis_are_of_one_cubic.
+///
+/// web/viewer/shaders/patch.frag: in single precision on a graphics processor. Test:
+/// GpuRender.patches_of_every_order_agree.
 constexpr PatchBasis cubic_basis(double w, double u, double v) {
   return {0.5 * w * (3 * w - 1) * (3 * w - 2), 0.5 * u * (3 * u - 1) * (3 * u - 2),
           0.5 * v * (3 * v - 1) * (3 * v - 2), 4.5 * w * u * (3 * w - 1),
@@ -42,8 +72,8 @@ constexpr PatchBasis quadratic_basis(double w, double u, double v) {
   for (int k = 0; k < 3; ++k) {
     basis[k] -= edge[k] / 16;
     basis[(k + 1) % 3] -= edge[k] / 16;
-    basis[3 + 2 * k] += 9 * edge[k] / 16;
-    basis[4 + 2 * k] += 9 * edge[k] / 16;
+    basis[near_node(k)] += 9 * edge[k] / 16;
+    basis[far_node(k)] += 9 * edge[k] / 16;
   }
   return basis;
 }

@@ -19,9 +19,14 @@ struct PixelPart {
 ///
 /// One object serves one tile, whose layers are painted one after another.
 class AbuttingParts {
+  struct Pixel {
+    PixelPart sum;       ///< colours weighted by area
+    float left[4] = {};  ///< the value after the last part
+  };
+
  public:
   /// Upper bound of the memory of one object.
-  static constexpr std::size_t kMostBytes = std::size_t{kTileWidth} * kTileHeight * 44;
+  static constexpr std::size_t kMostBytes = std::size_t{kTileWidth} * kTileHeight * sizeof(Pixel);
 
   /// Removes the data of the previous tile.
   void clear() { pixels_.clear(); }
@@ -31,12 +36,6 @@ class AbuttingParts {
   void paint(int x, int y, const PixelPart& part, const float (&below)[4], float (&out)[4]);
 
  private:
-  struct Pixel {
-    PixelPart sum;       ///< colours weighted by area
-    float left[4] = {};  ///< the value after the last part
-  };
-  static_assert(sizeof(Pixel) == 44);
-
   std::vector<Pixel> pixels_;
 };
 

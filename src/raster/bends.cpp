@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/poll.hpp"
+#include "picture/patch.hpp"
 
 namespace sfumato::raster {
 namespace {
@@ -20,13 +21,13 @@ bool bends(const PatchField& field, std::size_t triangle) {
   for (std::size_t c = 0; c < channels; ++c) {
     for (std::size_t k = 0; k < 3; ++k) {
       const float from = node[k][c], to = node[(k + 1) % 3][c];
-      const float near = node[3 + 2 * k][c], far = node[4 + 2 * k][c];
+      const float near = node[near_node(k)][c], far = node[far_node(k)][c];
       const float step = (to - from) / 3;
       if (std::fabs(near - from - step) > kStraight || std::fabs(to - step - far) > kStraight)
         return true;
     }
     const float mean = (node[0][c] + node[1][c] + node[2][c]) / 3;
-    if (std::fabs(node[9][c] - mean) > kStraight) return true;
+    if (std::fabs(node[kCenterNode][c] - mean) > kStraight) return true;
   }
   return false;
 }

@@ -5,6 +5,8 @@
 #include <variant>
 #include <vector>
 
+#include "base/half_edge.hpp"
+
 namespace sfumato::raster {
 namespace {
 
@@ -70,7 +72,7 @@ Moments edge_integral(Vec2 a, Vec2 b) {
 SoftStrip soft_strip(const LayerView& layer, const SoftEdge& edge) {
   const bool is_front = edge.front != SoftEdge::kNone;
   const std::uint32_t slot = is_front ? edge.front : edge.back;
-  const std::uint32_t next = slot % 3 == 2 ? slot - 2 : slot + 1;
+  const std::uint32_t next = next_half_edge(slot);
   const auto corner = [&](std::uint32_t s) {
     return layer.image_from_layer(layer.vertex_position[layer.triangle_vertex[s]]);
   };

@@ -139,10 +139,11 @@ Status BorderCutter::make_tables() {
 /// Charges what the lists have grown.
 Status BorderCutter::settle() {
   const BorderCuts& c = cuts_;
-  const std::size_t cut_bytes =
-      capacity_bytes(c.vertex, c.triangle_vertex, c.edge, c.parent, c.node, c.point);
   Status status = memory_.settle(context_, capacity_bytes(edges_, mixed_), own_bytes_);
-  return status ? cuts_.memory.settle(context_, cut_bytes, cut_bytes_) : status;
+  if (!status) return status;
+  return cuts_.memory.settle(
+      context_, capacity_bytes(c.vertex, c.triangle_vertex, c.edge, c.parent, c.node, c.point),
+      cut_bytes_);
 }
 
 void BorderCutter::add_edges(std::uint32_t triangle) {
@@ -275,7 +276,7 @@ std::vector<Part> BorderCutter::seen_parts(std::uint32_t triangle) {
     run.back().edge = BorderCuts::kBorder;
     parts.push_back(std::move(run));
   }
-  if (parts.size() > 1 && sees(triangle, 9)) {
+  if (parts.size() > 1 && sees(triangle, kCenterNode)) {
     for (std::size_t i = 1; i < parts.size(); ++i)
       parts[0].insert(parts[0].end(), parts[i].begin(), parts[i].end());
     parts.resize(1);
@@ -344,7 +345,7 @@ void BorderCutter::add_nodes(std::uint32_t triangle, const Part& part,
     for (int i = 1; i <= 2; ++i) {
       const Vec2 p = lerp(from.position, to.position, i / 3.0);
       if (is_whole) {
-        add_old(2 + 2 * from.corner + i, p);
+        add_old(i == 1 ? near_node(from.corner) : far_node(from.corner), p);
       } else {
         add_new(is_free ? p : lerp(p, center, kNudge));
       }

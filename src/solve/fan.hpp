@@ -9,14 +9,14 @@ namespace sfumato::solve {
 
 /// The spoke after h around h's origin, in the direction of positive turns; kNone at the hull.
 inline std::int32_t next_spoke(const mesh::TriangleMesh& mesh, std::uint32_t h) {
-  return mesh.half_edge_twin[mesh::TriangleMesh::previous(h)];
+  return mesh.half_edge_twin[previous_half_edge(h)];
 }
 
 /// The spoke before h; kNone at the hull.
 inline std::int32_t previous_spoke(const mesh::TriangleMesh& mesh, std::uint32_t h) {
   const std::int32_t twin = mesh.half_edge_twin[h];
   if (twin == mesh::kNone) return mesh::kNone;
-  return static_cast<std::int32_t>(mesh::TriangleMesh::next(static_cast<std::uint32_t>(twin)));
+  return static_cast<std::int32_t>(next_half_edge(static_cast<std::uint32_t>(twin)));
 }
 
 /// The triangles around a vertex: spoke i is a half-edge that begins at the vertex; it belongs to

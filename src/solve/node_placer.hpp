@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "curves/attributes.hpp"
+#include "picture/patch.hpp"
 #include "solve/angle.hpp"
 #include "solve/fan.hpp"
 #include "solve/nodes.hpp"
@@ -69,8 +70,8 @@ class NodePlacer {
   /// The two nodes on edge k: shared with the neighbour unless the edge is a seam.
   void place_on_edge(std::uint32_t t, std::uint32_t k) {
     const std::uint32_t h = 3 * t + k;
-    std::uint32_t& near = table_.node_at(t, 3 + 2 * k);
-    std::uint32_t& far = table_.node_at(t, 4 + 2 * k);
+    std::uint32_t& near = table_.node_at(t, near_node(k));
+    std::uint32_t& far = table_.node_at(t, far_node(k));
     if (seams_.has_value(h)) {
       near = put_fixed(kNoNode, on_edge(h, 1.0 / 3), seams_.value(h, 1.0f / 3));
       far = put_fixed(kNoNode, on_edge(h, 2.0 / 3), seams_.value(h, 2.0f / 3));
@@ -83,8 +84,8 @@ class NodePlacer {
       if (const std::int32_t twin = mesh_.half_edge_twin[h]; twin != mesh::kNone) {
         const auto neighbour = static_cast<std::uint32_t>(twin) / 3;
         const auto slot = static_cast<std::uint32_t>(twin) % 3;
-        table_.node_at(neighbour, 3 + 2 * slot) = far;
-        table_.node_at(neighbour, 4 + 2 * slot) = near;
+        table_.node_at(neighbour, near_node(slot)) = far;
+        table_.node_at(neighbour, far_node(slot)) = near;
       }
     }
   }
@@ -92,17 +93,17 @@ class NodePlacer {
   /// The same where the neighbour across a free edge has these nodes already; `twin` is the
   /// neighbour's half-edge.
   void keep_on_edge(std::uint32_t h, std::uint32_t twin) {
-    const std::uint32_t near = table_.node_at(twin / 3, 4 + 2 * (twin % 3));
-    const std::uint32_t far = table_.node_at(twin / 3, 3 + 2 * (twin % 3));
-    table_.node_at(h / 3, 3 + 2 * (h % 3)) = near;
-    table_.node_at(h / 3, 4 + 2 * (h % 3)) = far;
+    const std::uint32_t near = table_.node_at(twin / 3, far_node(twin % 3));
+    const std::uint32_t far = table_.node_at(twin / 3, near_node(twin % 3));
+    table_.node_at(h / 3, near_node(h % 3)) = near;
+    table_.node_at(h / 3, far_node(h % 3)) = far;
     // The triangle with the lower half-edge determines their positions, to the last bit.
     table_.put_free(near, h < twin ? on_edge(h, 1.0 / 3) : on_edge(twin, 2.0 / 3));
     table_.put_free(far, h < twin ? on_edge(h, 2.0 / 3) : on_edge(twin, 1.0 / 3));
   }
 
   void place_at_barycentre(std::uint32_t t) {
-    table_.node_at(t, 9) = table_.put_free(kNoNode, barycentre(t));
+    table_.node_at(t, kCenterNode) = table_.put_free(kNoNode, barycentre(t));
   }
 
   /// The values that curves give to nodes, in the order in which these were placed.
@@ -149,7 +150,7 @@ class NodePlacer {
     for (std::uint32_t spoke : fan_.spoke) {
       if (test(spoke)) return true;
     }
-    return test(mesh::TriangleMesh::previous(fan_.spoke.back()));
+    return test(previous_half_edge(fan_.spoke.back()));
   }
 
   void share(Sector sector, std::uint32_t node) {
@@ -168,7 +169,7 @@ class NodePlacer {
   /// The corner rule (docs/mathematics.md, paper Fig. 4) for a sector whose first spoke has the
   /// value a and whose last has the value b.
   void place_in_sector(Sector sector) {
-    const std::uint32_t first = sector.front(), last = mesh::TriangleMesh::previous(sector.back());
+    const std::uint32_t first = sector.front(), last = previous_half_edge(sector.back());
     const Vec2 vertex = corner(first);
     const bool knows_a = seams_.has_value(first), knows_b = seams_.has_value(last);
     const bool hull_a = !seams_.is_seam(first), hull_b = !seams_.is_seam(last);

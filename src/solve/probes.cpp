@@ -127,12 +127,12 @@ void foretell_miss(const NodeLayout& layout, std::uint32_t t, float* miss) {
     float corners = 0, edges = 0;
     std::array<float, 3> term;
     for (std::size_t k = 0; k < term.size(); ++k) {
-      const float near = value[3 + 2 * k], far = value[4 + 2 * k];
+      const float near = value[near_node(k)], far = value[far_node(k)];
       corners += value[k];
       edges += near + far;
       term[k] = value[(k + 1) % 3] - value[k] + 3 * (near - far);
     }
-    const float center = 0.5f * (value[9] - 0.25f * edges + corners / 6);
+    const float center = 0.5f * (value[kCenterNode] - 0.25f * edges + corners / 6);
     float cubic_part = 0;
     for (std::size_t k = 0; k < term.size(); ++k) {
       const float difference = center + 0.125f * (term[k] - term[(k + 2) % 3]);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 
+#include "base/half_edge.hpp"
 #include "base/poll.hpp"
 
 namespace sfumato::solve {
@@ -19,14 +20,6 @@ constexpr double kSpikeCosine = -0.5;
 
 /// How far the blur of an edge reaches at a corner, in radii.
 constexpr double kSpikeReach = 2;
-
-std::uint32_t after(std::uint32_t h) {
-  return h % 3 == 2 ? h - 2 : h + 1;
-}
-
-std::uint32_t before(std::uint32_t h) {
-  return h % 3 == 0 ? h + 2 : h - 1;
-}
 
 /// How far that of an edge which meets the frame reaches along it, in radii.
 constexpr double kFrameReach = 8;
@@ -112,7 +105,7 @@ class SoftEdgeFinder {
 
   /// What part of a radius lies on the edge's half of the way to a curve across the triangle.
   double share_of_way(std::uint32_t h, double radius) const {
-    const std::uint32_t next = after(h), last = before(h);
+    const std::uint32_t next = next_half_edge(h), last = previous_half_edge(h);
     if (!on_curve_[mesh_.origin(last)] || blurs_.is_curve(next) || blurs_.is_curve(last)) return 1;
     const Vec2 apex = position(mesh_.origin(last)) - position(mesh_.origin(h));
     return std::min(1.0, 0.5 * cross(direction(h), apex) / radius);
@@ -139,12 +132,12 @@ class SoftEdgeFinder {
 
   /// The edge of the same face, or of the frame, that comes before a half-edge, or after it.
   std::uint32_t edge_in_face(std::uint32_t h, bool at_origin) const {
-    std::uint32_t edge = at_origin ? before(h) : after(h);
+    std::uint32_t edge = at_origin ? previous_half_edge(h) : next_half_edge(h);
     for (int turns = 0; turns < kMostTurns && !blurs_.is_curve(edge); ++turns) {
       const std::int32_t twin = mesh_.half_edge_twin[edge];
       if (twin == mesh::kNone) break;
       const auto across = static_cast<std::uint32_t>(twin);
-      edge = at_origin ? before(across) : after(across);
+      edge = at_origin ? previous_half_edge(across) : next_half_edge(across);
     }
     return edge;
   }

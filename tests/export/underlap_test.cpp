@@ -91,9 +91,9 @@ TEST(Underlap, beside_every_inner_edge_the_earlier_facet_lies_below) {
   int edges = 0;
   for (std::uint32_t edge = 0; edge < mesh.facet_vertex.size(); ++edge) {
     const std::uint32_t twin = links.twin[edge];
-    if (twin == kNoEdge || twin < edge) continue;
+    if (twin == kNoHalfEdge || twin < edge) continue;
     const Vec2 a = mesh.vertex_position[mesh.facet_vertex[edge]];
-    const Vec2 b = mesh.vertex_position[mesh.facet_vertex[next_edge(edge)]];
+    const Vec2 b = mesh.vertex_position[mesh.facet_vertex[next_half_edge(edge)]];
     const Vec2 beside = lerp(a, b, 0.5) + left_of(b - a) / length(b - a) * 0.05;
     EXPECT_TRUE(contains(mesh, twin / 3, beside));
     EXPECT_NE(winding(outlines.of(edge / 3), beside), 0) << edge;

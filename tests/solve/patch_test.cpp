@@ -32,6 +32,19 @@ double interpolate(PatchOrder order, const std::array<double, 3>& b, Function f)
   return sum;
 }
 
+TEST(PatchNodes, near_and_far_ones_lie_thirds_along_their_edge) {
+  for (int k = 0; k < 3; ++k) {
+    const int next = (k + 1) % 3;
+    EXPECT_EQ(kNodeBarycentric[near_node(k)][k], 2.0 / 3);
+    EXPECT_EQ(kNodeBarycentric[near_node(k)][next], 1.0 / 3);
+    EXPECT_EQ(kNodeBarycentric[far_node(k)][k], 1.0 / 3);
+    EXPECT_EQ(kNodeBarycentric[far_node(k)][next], 2.0 / 3);
+    EXPECT_EQ(edge_node(k, next), near_node(k));
+    EXPECT_EQ(edge_node(next, k), far_node(k));
+    EXPECT_EQ(kNodeBarycentric[kCenterNode][k], 1.0 / 3);
+  }
+}
+
 TEST(Patch, the_basis_sums_to_one) {
   std::mt19937 random(1);
   for (PatchOrder order : kOrders) {

@@ -1,6 +1,10 @@
 // The nodes of a layer's field, as src/export/html/viewer_field.cpp writes them: corners first, then
 // edges, then centres. Values are whole numbers of steps until the end.
 
+// Of a triangle; two of them on each edge, from EDGES on, and one at the centre.
+const NODES = 10;
+const EDGES = 3;
+const CENTER = 9;
 const NO_NODE = 0xffffffff;
 
 /**
@@ -8,7 +12,7 @@ const NO_NODE = 0xffffffff;
  * @property {number} channelCount
  * @property {number[]} shaders indices of the picture's shaders, the last channels
  * @property {number} nodeCount
- * @property {Uint32Array} triangleNode 10 a triangle: Z0 Z1 Z2 Z01 Z10 Z12 Z21 Z20 Z02 Z012
+ * @property {Uint32Array} triangleNode NODES a triangle: Z0 Z1 Z2 Z01 Z10 Z12 Z21 Z20 Z02 Z012
  * @property {Float32Array} value channelCount a node
  */
 
@@ -22,7 +26,7 @@ class FieldDecoder {
     this.reader = reader;
     this.topology = topology;
     this.channelCount = channelCount;
-    this.triangleNode = new Uint32Array(10 * topology.triangleCount);
+    this.triangleNode = new Uint32Array(NODES * topology.triangleCount);
     this.nodeCount = 0;
     this.firstAtVertex = new Uint32Array(topology.vertexCount).fill(NO_NODE);
     this.value = new Int32Array(0);
@@ -113,7 +117,7 @@ class FieldDecoder {
   /** @param {number} t */
   readCorners(t) {
     for (let k = 0; k < 3; ++k) {
-      const slot = 10 * t + k;
+      const slot = NODES * t + k;
       const vertex = this.topology.cornerVertex[3 * t + k];
       const first = this.firstAtVertex[vertex];
       if (first !== NO_NODE) {
@@ -137,7 +141,7 @@ class FieldDecoder {
    */
   cornerGuess(t, k, other, c) {
     const { channelCount: n, value, triangleNode } = this;
-    const corner = (/** @type {number} */ i) => value[n * triangleNode[10 * t + i] + c];
+    const corner = (/** @type {number} */ i) => value[n * triangleNode[NODES * t + i] + c];
     if (k === 2) return Math.floor((corner(0) + corner(1)) / 2);
     if (k === 1) return corner(0);
     if (other !== NO_NODE) return value[n * other + c];
@@ -148,17 +152,17 @@ class FieldDecoder {
   readEdges(t) {
     const { channelCount: n, value, triangleNode, topology } = this;
     for (let k = 0; k < 3; ++k) {
-      const slot = 10 * t + 3 + 2 * k,
+      const slot = NODES * t + EDGES + 2 * k,
         mate = topology.mate[3 * t + k];
       if (mate !== NO_MATE && this.codes.u8() > 0) {
         const sameWay = topology.cornerVertex[mate] === topology.cornerVertex[3 * t + k];
-        const other = 10 * Math.floor(mate / 3) + 3 + 2 * (mate % 3);
+        const other = NODES * Math.floor(mate / 3) + EDGES + 2 * (mate % 3);
         triangleNode[slot] = triangleNode[other + (sameWay ? 0 : 1)];
         triangleNode[slot + 1] = triangleNode[other + (sameWay ? 1 : 0)];
         continue;
       }
-      const a = n * triangleNode[10 * t + k],
-        b = n * triangleNode[10 * t + ((k + 1) % 3)];
+      const a = n * triangleNode[NODES * t + k],
+        b = n * triangleNode[NODES * t + ((k + 1) % 3)];
       this.addNode(slot, (c) => Math.floor((2 * value[a + c] + value[b + c] + 1) / 3));
       this.addNode(slot + 1, (c) => Math.floor((2 * value[b + c] + value[a + c] + 1) / 3));
     }
@@ -167,11 +171,11 @@ class FieldDecoder {
   /** @param {number} t */
   readCenter(t) {
     const { channelCount: n, value, triangleNode } = this;
-    this.addNode(10 * t + 9, (c) => {
+    this.addNode(NODES * t + CENTER, (c) => {
       let corners = 0,
         edges = 0;
-      for (let i = 0; i < 3; ++i) corners += value[n * triangleNode[10 * t + i] + c];
-      for (let i = 3; i < 9; ++i) edges += value[n * triangleNode[10 * t + i] + c];
+      for (let i = 0; i < 3; ++i) corners += value[n * triangleNode[NODES * t + i] + c];
+      for (let i = EDGES; i < CENTER; ++i) edges += value[n * triangleNode[NODES * t + i] + c];
       return Math.floor((3 * edges - 2 * corners + 6) / 12);
     });
   }

@@ -165,7 +165,7 @@ bool BandBuilder::is_seen(std::uint32_t half_edge) const {
 /// Of a triangle over one of its edges.
 double BandBuilder::height(std::uint32_t half_edge) const {
   const Vec2 a = position(half_edge), b = position(next_half_edge(half_edge));
-  return cross(b - a, position(last_half_edge(half_edge)) - a) / length(b - a);
+  return cross(b - a, position(previous_half_edge(half_edge)) - a) / length(b - a);
 }
 
 /// How much of the way to a vertex bands may take.
@@ -175,12 +175,12 @@ double BandBuilder::most_towards(std::uint32_t leaving) const {
 
 /// The share of a triangle's height that a width is.
 double BandBuilder::inwards(std::uint32_t half_edge, double width) const {
-  return std::min(most_towards(last_half_edge(half_edge)), width / height(half_edge));
+  return std::min(most_towards(previous_half_edge(half_edge)), width / height(half_edge));
 }
 
 Vec2 BandBuilder::inner(std::uint32_t half_edge, double t, double share) const {
   const Vec2 on_edge = lerp(position(half_edge), position(next_half_edge(half_edge)), t);
-  return lerp(on_edge, position(last_half_edge(half_edge)), share);
+  return lerp(on_edge, position(previous_half_edge(half_edge)), share);
 }
 
 Vec2 BandBuilder::outer(std::uint32_t half_edge, double t, double distance) const {
@@ -248,7 +248,7 @@ void BandBuilder::carry_strip(std::uint32_t from, std::uint32_t into, double wid
 /// what it does not cover shows.
 void BandBuilder::carry_under(std::uint32_t from, std::uint32_t into) {
   const double room = inwards(into, width_) * height(into);
-  const bool goes_on = most_towards(last_half_edge(into)) == 1;
+  const bool goes_on = most_towards(previous_half_edge(into)) == 1;
   if (room < (goes_on ? kLeastShareBefore : kLeastShare) * width_) return;
   carry_strip(from, into, kUnderShare * width_, &bands_->under);
 }
@@ -288,7 +288,7 @@ void BandBuilder::carry_corner(std::uint32_t leaving, double width, const Value&
                                FacetMesh* mesh) {
   const Vec2 v = position(leaving);
   mesh->facet_vertex.push_back(add(v, value, mesh));
-  for (std::uint32_t end : {next_half_edge(leaving), last_half_edge(leaving)}) {
+  for (std::uint32_t end : {next_half_edge(leaving), previous_half_edge(leaving)}) {
     const Vec2 at = lerp(v, position(end), reach(leaving, end, width));
     mesh->facet_vertex.push_back(add(at, value, mesh));
   }
@@ -321,7 +321,7 @@ void BandBuilder::paint_strip(std::uint32_t side, double width, FacetMesh* mesh)
 /// The corner of a triangle, as far as `width` reaches along its two sides.
 void BandBuilder::paint_corner(std::uint32_t leaving, double width, Band* band) {
   const FacetPatch corner = patch(leaving);
-  const std::uint32_t end[3] = {leaving, next_half_edge(leaving), last_half_edge(leaving)};
+  const std::uint32_t end[3] = {leaving, next_half_edge(leaving), previous_half_edge(leaving)};
   std::array<Vec2, 3> at;
   bool is_whole = true;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -345,10 +345,10 @@ void BandBuilder::paint_band(std::uint32_t side, Band band) {
     band.clip->push_back(
         {inner(side, 0, 0), inner(side, 1, 0), inner(side, 1, share), inner(side, 0, share)});
   }
-  if (share == 1) reach_vertex(last_half_edge(side), height(side));
+  if (share == 1) reach_vertex(previous_half_edge(side), height(side));
   for_each_between(side, [&](std::uint32_t leaving) {
     paint_corner(leaving, kCornerShare * width_, &band);
-    for (std::uint32_t end : {next_half_edge(leaving), last_half_edge(leaving)}) {
+    for (std::uint32_t end : {next_half_edge(leaving), previous_half_edge(leaving)}) {
       const double way = length(position(end) - position(leaving));
       if (way < width_) reach_vertex(end, way);
     }
@@ -373,7 +373,7 @@ Status BandBuilder::paint_rest(Context& context, Band band) {
     if (Status status = make_room(context); !status) return status;
     std::uint32_t h = leaving;
     for (int turns = 0; h != kNoHalfEdge && turns < kMostTurns; ++turns) {
-      const std::uint32_t ends[2] = {next_half_edge(h), last_half_edge(h)};
+      const std::uint32_t ends[2] = {next_half_edge(h), previous_half_edge(h)};
       const bool is_at_curve = is_on_curve_[layer_.triangle_vertex[ends[0]]] ||
                                is_on_curve_[layer_.triangle_vertex[ends[1]]];
       if (!is_at_curve && !is_whole_[h / 3]) paint_corner(h, width_, &band);
@@ -381,7 +381,7 @@ Status BandBuilder::paint_rest(Context& context, Band band) {
         const double way = depth + length(position(end) - position(h));
         if (way < width_) reach_vertex(end, way);
       }
-      h = edges_.twin[last_half_edge(h)];
+      h = edges_.twin[previous_half_edge(h)];
       if (h == leaving) break;
     }
   }

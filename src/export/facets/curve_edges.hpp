@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/half_edge.hpp"
 #include "base/table_memory.hpp"
-#include "export/facets/half_edge.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/status.hpp"
 #include "sfumato/picture/picture.hpp"

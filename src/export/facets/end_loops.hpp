@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
+#include "base/half_edge.hpp"
 #include "base/poll.hpp"
 #include "base/table_memory.hpp"
-#include "export/facets/half_edge.hpp"
 #include "sfumato/base/box.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/status.hpp"

@@ -4,10 +4,11 @@
 #include <array>
 #include <tuple>
 
+#include "base/half_edge.hpp"
 #include "base/parallel.hpp"
 #include "base/poll.hpp"
 #include "base/table_memory.hpp"
-#include "export/facets/half_edge.hpp"
+#include "picture/patch.hpp"
 
 namespace sfumato::outputs {
 namespace {
@@ -27,7 +28,7 @@ EdgeNodes nodes_on(const PatchLayer& layer, const PatchField& field, std::uint32
   const std::size_t first = node_slot(half_edge / 3, 0);
   const std::uint32_t k = half_edge % 3, next = (k + 1) % 3;
   const std::uint32_t* node = field.triangle_node.data() + first;
-  EdgeNodes nodes{node[k], node[3 + 2 * k], node[4 + 2 * k], node[next]};
+  EdgeNodes nodes{node[k], node[near_node(k)], node[far_node(k)], node[next]};
   const std::uint32_t* corner = layer.triangle_vertex.data() + (half_edge - k);
   if (corner[k] > corner[next]) std::reverse(nodes.begin(), nodes.end());
   return nodes;

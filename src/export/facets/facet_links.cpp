@@ -69,14 +69,14 @@ Result<FacetLinks> link_facets(Context& context, const FacetMesh& mesh) {
   for (std::uint32_t i = 0; i < count; ++i) {
     if (poll.cancelled()) return context.cancel_status();
     const std::uint32_t a = number[mesh.facet_vertex[i]],
-                        b = number[mesh.facet_vertex[next_edge(i)]];
+                        b = number[mesh.facet_vertex[next_half_edge(i)]];
     edges[i] = {std::min(a, b), std::max(a, b), i, a < b};
   }
   status = TableMemory::sort(context, edges, [](const Edge& a, const Edge& b) {
     return std::tie(a.low, a.high, a.index) < std::tie(b.low, b.high, b.index);
   });
   FacetLinks links;
-  if (status) status = links.memory.resize(context, links.twin, count, kNoEdge);
+  if (status) status = links.memory.resize(context, links.twin, count, kNoHalfEdge);
   if (!status) return status;
   for (std::size_t begin = 0, end; begin < count; begin = end) {
     if (poll.cancelled()) return context.cancel_status();

@@ -52,12 +52,12 @@ NodeValues bezier_ordinates(const NodeValues& z) {
   NodeValues b = z;
   double edges = 0;
   for (int k = 0; k < 3; ++k) {
-    const double from = z[k], to = z[(k + 1) % 3], near = z[3 + 2 * k], far = z[4 + 2 * k];
-    b[3 + 2 * k] = (-5 * from + 18 * near - 9 * far + 2 * to) / 6;
-    b[4 + 2 * k] = (2 * from - 9 * near + 18 * far - 5 * to) / 6;
-    edges += b[3 + 2 * k] + b[4 + 2 * k];
+    const double from = z[k], to = z[(k + 1) % 3], near = z[near_node(k)], far = z[far_node(k)];
+    b[near_node(k)] = (-5 * from + 18 * near - 9 * far + 2 * to) / 6;
+    b[far_node(k)] = (2 * from - 9 * near + 18 * far - 5 * to) / 6;
+    edges += b[near_node(k)] + b[far_node(k)];
   }
-  b[9] = (27 * z[9] - 3 * edges - z[0] - z[1] - z[2]) / 6;
+  b[kCenterNode] = (27 * z[kCenterNode] - 3 * edges - z[0] - z[1] - z[2]) / 6;
   return b;
 }
 
@@ -210,9 +210,11 @@ double FacetPatch::find_curvature(int channel) {
   const NodeValues b = bezier_ordinates(at_node);
   for (std::size_t k = 0; k < 3; ++k) {
     const std::size_t last = (k + 2) % 3;
-    const double u = b[3 + 2 * k], uu = b[4 + 2 * k], v = b[4 + 2 * last], vv = b[3 + 2 * last];
+    const double u = b[near_node(k)], uu = b[far_node(k)], v = b[far_node(last)],
+                 vv = b[near_node(last)];
     corner_[channel][k] =
-        turned(hessian(6 * (b[k] - 2 * u + uu), 6 * (b[k] - u - v + b[9]), 6 * (b[k] - 2 * v + vv)),
+        turned(hessian(6 * (b[k] - 2 * u + uu), 6 * (b[k] - u - v + b[kCenterNode]),
+                       6 * (b[k] - 2 * v + vv)),
                static_cast<int>(k));
   }
   double overshoot = 0;
@@ -240,7 +242,7 @@ FacetPatch FacetPatch::edge(std::size_t k, bool is_reversed) const {
   along.is_edge_ = true;
   along.is_sampled_ = along.is_clamped_ = false;
   along.max_error_ = asked_error_;
-  std::array<std::size_t, 4> from{k, (k + 1) % 3, 3 + 2 * k, 4 + 2 * k};
+  std::array<std::size_t, 4> from{k, (k + 1) % 3, near_node(k), far_node(k)};
   if (is_reversed) from = {from[1], from[0], from[3], from[2]};
   constexpr std::array<std::size_t, 4> kTo{0, 1, 3, 4};
   const auto move = [&](const NodeValues& nodes, NodeValues* moved) {

@@ -4,13 +4,13 @@
 #include <bit>
 #include <limits>
 
+#include "base/half_edge.hpp"
 #include "base/parallel.hpp"
 #include "base/poll.hpp"
 #include "base/table_memory.hpp"
 #include "export/facets/facet_cuts.hpp"
 #include "export/facets/facet_patch.hpp"
 #include "export/facets/facet_tree.hpp"
-#include "export/facets/half_edge.hpp"
 
 namespace sfumato::outputs {
 namespace {

@@ -50,7 +50,7 @@ class Outliner {
   /// Where the mesh ends between two edges of it that meet in `corner`.
   void add_gap(Vec2 corner, std::uint32_t last, std::uint32_t first);
   Vec2 outward(std::uint32_t edge) const {
-    return left_of(direction(start(edge), start(next_edge(edge)))) * reach_.outside;
+    return left_of(direction(start(edge), start(next_half_edge(edge)))) * reach_.outside;
   }
   Vec2 spoke(Vec2 corner, Vec2 end) const {
     return corner + direction(corner, end) * std::min(reach_.inside, 0.5 * length(end - corner));
@@ -64,14 +64,14 @@ class Outliner {
 
 bool Outliner::is_first_around(std::uint32_t edge) const {
   const std::uint32_t facet = edge / 3;
-  std::uint32_t leaving = twin(previous_edge(edge));
-  while (leaving != kNoEdge && leaving / 3 != facet) {
+  std::uint32_t leaving = twin(previous_half_edge(edge));
+  while (leaving != kNoHalfEdge && leaving / 3 != facet) {
     if (leaving / 3 < facet) return false;
-    leaving = twin(previous_edge(leaving));
+    leaving = twin(previous_half_edge(leaving));
   }
-  if (leaving != kNoEdge) return true;
-  for (std::uint32_t arriving = twin(edge); arriving != kNoEdge;
-       arriving = twin(next_edge(arriving))) {
+  if (leaving != kNoHalfEdge) return true;
+  for (std::uint32_t arriving = twin(edge); arriving != kNoHalfEdge;
+       arriving = twin(next_half_edge(arriving))) {
     if (arriving / 3 < facet) return false;
   }
   return true;
@@ -81,21 +81,21 @@ bool Outliner::is_first_around(std::uint32_t edge) const {
 void Outliner::add_cap(std::uint32_t edge) {
   const Vec2 corner = start(edge);
   const std::uint32_t facet = edge / 3;
-  std::uint32_t arriving = previous_edge(edge);
+  std::uint32_t arriving = previous_half_edge(edge);
   while (true) {
     const std::uint32_t leaving = twin(arriving);
-    if (leaving == kNoEdge) break;
-    arriving = previous_edge(leaving);
+    if (leaving == kNoHalfEdge) break;
+    arriving = previous_half_edge(leaving);
     const std::uint32_t across = twin(arriving);
-    if (across != kNoEdge && across / 3 == facet) return;
+    if (across != kNoHalfEdge && across / 3 == facet) return;
     out_.push_back(spoke(corner, start(arriving)));
   }
   // The mesh ends here; the spokes between there and `edge` come in the other order.
   const std::size_t gap = out_.size();
   std::uint32_t leaving = edge;
-  while (twin(leaving) != kNoEdge) {
-    leaving = next_edge(twin(leaving));
-    out_.push_back(spoke(corner, start(next_edge(leaving))));
+  while (twin(leaving) != kNoHalfEdge) {
+    leaving = next_half_edge(twin(leaving));
+    out_.push_back(spoke(corner, start(next_half_edge(leaving))));
   }
   std::vector<Vec2> others(out_.begin() + static_cast<std::ptrdiff_t>(gap), out_.end());
   out_.resize(gap);
@@ -111,13 +111,13 @@ void Outliner::add_gap(Vec2 corner, std::uint32_t last, std::uint32_t first) {
   const Vec2 a = outward(last), b = outward(first);
   out_.push_back(spoke(corner, start(last)) + a);
   out_.push_back(corner + direction({}, a + b) * (1.4 * reach_.outside));
-  out_.push_back(spoke(corner, start(next_edge(first))) + b);
+  out_.push_back(spoke(corner, start(next_half_edge(first))) + b);
 }
 
 void Outliner::add_edge(std::uint32_t edge) {
-  const Vec2 a = start(edge), b = start(next_edge(edge));
+  const Vec2 a = start(edge), b = start(next_half_edge(edge));
   const std::uint32_t other = twin(edge);
-  if (other == kNoEdge) {
+  if (other == kNoHalfEdge) {
     if (reach_.outside == 0) return;
     out_.push_back(a + outward(edge));
     out_.push_back(b + outward(edge));
@@ -126,7 +126,7 @@ void Outliner::add_edge(std::uint32_t edge) {
   if (other / 3 < edge / 3) return;
   // Inside the neighbour, as deep as its inscribed circle's centre at most, and there between the
   // bisectors of its angles: its other edges stay free.
-  const Vec2 c = start(previous_edge(other));
+  const Vec2 c = start(previous_half_edge(other));
   const double area = std::fabs(cross(b - a, c - a)), base = length(b - a);
   const double left = length(c - a), right = length(c - b);
   const double perimeter = base + left + right;
@@ -148,8 +148,8 @@ void for_each_around(const FacetLinks& links, std::uint32_t edge, Visit visit) {
   std::uint32_t leaving = edge;
   do {
     visit(leaving);
-    leaving = links.twin[previous_edge(leaving)];
-  } while (leaving != kNoEdge && leaving != edge);
+    leaving = links.twin[previous_half_edge(leaving)];
+  } while (leaving != kNoHalfEdge && leaving != edge);
 }
 
 /// Facets that have a corner at the end of the mesh, and their neighbours.
@@ -163,7 +163,7 @@ Status mark_near_end(Context& context, const FacetLinks& links,
   if (!status) return status;
   for (std::uint32_t edge = 0; edge < edges; ++edge) {
     if (poll.cancelled()) return context.cancel_status();
-    if (links.twin[edge] != kNoEdge) continue;
+    if (links.twin[edge] != kNoHalfEdge) continue;
     for_each_around(links, edge, [&](std::uint32_t around) { at_end[around / 3] = 1; });
   }
   for (std::uint32_t edge = 0; edge < edges; ++edge) {

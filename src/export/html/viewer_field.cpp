@@ -6,6 +6,7 @@
 
 #include "base/poll.hpp"
 #include "base/table_memory.hpp"
+#include "picture/patch.hpp"
 
 namespace sfumato::outputs {
 namespace {
@@ -79,7 +80,7 @@ class FieldWriter {
     const std::uint32_t turn = mesh_.first_corner[t];
     std::uint32_t from = slot;
     if (slot < 3) from = (slot + turn) % 3;
-    if (slot >= 3 && slot < 9) from = 3 + (slot - 3 + 2 * turn) % 6;
+    if (slot >= 3 && slot < kCenterNode) from = 3 + (slot - 3 + 2 * turn) % 6;
     return field_.triangle_node[node_slot(std::size_t{mesh_.triangle[t]}, from)];
   }
 
@@ -158,7 +159,7 @@ class FieldWriter {
   void add_edges(std::uint32_t t) {
     for (std::uint32_t k = 0; k < 3; ++k) {
       const std::uint32_t mate = mesh_.mate[3 * std::size_t{t} + k];
-      if (mate != kNoMate) {
+      if (mate != kNoHalfEdge) {
         const bool shared = share_edge(t, k, mate);
         codes_.push_back(shared ? 1 : 0);
         if (shared) continue;
@@ -169,29 +170,29 @@ class FieldWriter {
           return floor_divided(2 * value(near, c) + value(far, c) + 1, 3);
         };
       };
-      add_node(t, 3 + 2 * k, third(a, b));
-      add_node(t, 4 + 2 * k, third(b, a));
+      add_node(t, near_node(k), third(a, b));
+      add_node(t, far_node(k), third(b, a));
     }
   }
 
   bool share_edge(std::uint32_t t, std::uint32_t k, std::uint32_t mate) {
     const bool same_way = mesh_.corner_vertex[mate] == mesh_.corner_vertex[3 * std::size_t{t} + k];
-    const std::uint32_t other = mate / 3, slot = 3 + 2 * (mate % 3);
+    const std::uint32_t other = mate / 3, slot = near_node(mate % 3);
     const std::uint32_t first = node(other, slot + (same_way ? 0 : 1));
     const std::uint32_t second = node(other, slot + (same_way ? 1 : 0));
-    if (source_[first] != source(t, 3 + 2 * k) || source_[second] != source(t, 4 + 2 * k))
+    if (source_[first] != source(t, near_node(k)) || source_[second] != source(t, far_node(k)))
       return false;
-    node(t, 3 + 2 * k) = first;
-    node(t, 4 + 2 * k) = second;
+    node(t, near_node(k)) = first;
+    node(t, far_node(k)) = second;
     return true;
   }
 
   /// What a quadratic polynomial has in the centre.
   void add_center(std::uint32_t t) {
-    add_node(t, 9, [&](std::size_t c) {
+    add_node(t, kCenterNode, [&](std::size_t c) {
       std::int32_t corners = 0, edges = 0;
       for (std::uint32_t slot = 0; slot < 3; ++slot) corners += value(node(t, slot), c);
-      for (std::uint32_t slot = 3; slot < 9; ++slot) edges += value(node(t, slot), c);
+      for (std::uint32_t slot = 3; slot < kCenterNode; ++slot) edges += value(node(t, slot), c);
       return floor_divided(3 * edges - 2 * corners + 6, 12);
     });
   }

@@ -35,7 +35,7 @@ class Walker {
       for (std::uint32_t k = 0; k < 3; ++k) {
         const std::uint32_t vertex = layer_.triangle_vertex[3 * t + k];
         write(vertex_code(vertex));
-        see(vertex, kNoMate);
+        see(vertex, kNoHalfEdge);
       }
       place(t, 0);
       if (status = follow_gates(); !status) return status;
@@ -94,15 +94,13 @@ class Walker {
       half_edge_[i] = keys[i].half_edge;
       edge_[keys[i].half_edge] = static_cast<std::uint32_t>(first_half_edge_.size() - 1);
     }
-    status = memory_.resize(context_, last_on_edge_, first_half_edge_.size(), kNoMate);
+    status = memory_.resize(context_, last_on_edge_, first_half_edge_.size(), kNoHalfEdge);
     return status ? memory_.push_back(context_, first_half_edge_, keys.size()) : status;
   }
 
   /// Of the layer's half-edges.
   std::uint32_t start(std::uint32_t h) const { return layer_.triangle_vertex[h]; }
-  std::uint32_t end(std::uint32_t h) const {
-    return layer_.triangle_vertex[h % 3 == 2 ? h - 2 : h + 1];
-  }
+  std::uint32_t end(std::uint32_t h) const { return layer_.triangle_vertex[next_half_edge(h)]; }
 
   /// 0 for a vertex that was not seen, else how many numbers ago it was.
   std::uint32_t vertex_code(std::uint32_t vertex) const {
@@ -131,7 +129,7 @@ class Walker {
       mesh_.mate.push_back(std::exchange(last_on_edge_[edge_[h]], base + k));
     }
     for (std::uint32_t k = 3; k-- > 0;) {
-      if (mesh_.mate[base + k] != kNoMate) continue;
+      if (mesh_.mate[base + k] != kNoHalfEdge) continue;
       gates_.push_back({base + k, edge_[3 * t + (first_corner + k) % 3]});
     }
   }
@@ -143,11 +141,11 @@ class Walker {
       gates_.pop_back();
       if (last_on_edge_[gate.edge] != gate.half_edge) continue;
       const std::uint32_t next = across(gate);
-      if (next == kNoMate) {
+      if (next == kNoHalfEdge) {
         write(0);
         continue;
       }
-      const std::uint32_t apex = start(next - next % 3 + (next + 2) % 3);
+      const std::uint32_t apex = start(previous_half_edge(next));
       write(vertex_code(apex) + 1);
       see(apex, gate.half_edge);
       place(next / 3, next % 3);
@@ -162,15 +160,14 @@ class Walker {
 
   /// The layer's half-edge on the other side, of a triangle that has no place yet.
   std::uint32_t across(const Gate& gate) const {
-    const std::uint32_t k = gate.half_edge % 3;
-    const std::uint32_t from = mesh_.vertex[mesh_.corner_vertex[gate.half_edge - k + (k + 1) % 3]];
+    const std::uint32_t from = mesh_.vertex[mesh_.corner_vertex[next_half_edge(gate.half_edge)]];
     const std::size_t first = first_half_edge_[gate.edge];
     const std::size_t last = std::min(first_half_edge_[gate.edge + 1], first + kTrianglesOnEdge);
     for (std::size_t i = first; i < last; ++i) {
       const std::uint32_t h = half_edge_[i];
       if (!is_placed_[h / 3] && start(h) == from) return h;
     }
-    return kNoMate;
+    return kNoHalfEdge;
   }
 
   Context& context_;
@@ -196,7 +193,7 @@ struct GridPoint {
 GridPoint predicted(const ViewerMesh& mesh, const std::vector<GridPoint>& known,
                     std::uint32_t vertex) {
   const std::uint32_t across = mesh.apex[vertex];
-  if (across == kNoMate) return vertex > 0 ? known[vertex - 1] : GridPoint{};
+  if (across == kNoHalfEdge) return vertex > 0 ? known[vertex - 1] : GridPoint{};
   const std::uint32_t base = across - across % 3, k = across % 3;
   const auto corner = [&](std::uint32_t i) { return known[mesh.corner_vertex[base + i % 3]]; };
   const GridPoint a = corner(k), b = corner(k + 1), c = corner(k + 2);

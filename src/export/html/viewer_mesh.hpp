@@ -1,9 +1,9 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <vector>
 
+#include "base/half_edge.hpp"
 #include "base/table_memory.hpp"
 #include "export/html/viewer_bytes.hpp"
 #include "sfumato/base/context.hpp"
@@ -11,9 +11,6 @@
 #include "sfumato/picture/picture.hpp"
 
 namespace sfumato::outputs {
-
-/// No half-edge.
-inline constexpr std::uint32_t kNoMate = std::numeric_limits<std::uint32_t>::max();
 
 /// The triangles of a layer in the order in which the viewer reads them. If possible each is
 /// adjacent to an earlier one, so that most of its data is already known. Half-edge 3t + k runs
@@ -23,9 +20,9 @@ struct ViewerMesh {
   std::vector<std::uint8_t> first_corner;    ///< the layer's corner that is corner 0 here
   std::vector<std::uint32_t> corner_vertex;  ///< 3 per triangle, numbered as they appear
   std::vector<std::uint32_t> vertex;         ///< of the layer; unused vertices are left out
-  std::vector<std::uint32_t> mate;  ///< per half-edge: the last earlier one on its edge, or kNoMate
+  std::vector<std::uint32_t> mate;  ///< per half-edge: the last earlier one there, or kNoHalfEdge
   std::vector<std::uint8_t> codes;  ///< varints: the vertices of the triangles
-  std::vector<std::uint32_t> apex;  ///< per vertex: the half-edge it was reached across, or kNoMate
+  std::vector<std::uint32_t> apex;  ///< per vertex: the half-edge it was reached across, or none
   TableMemory memory{"the viewer's triangles"};
 
   std::uint32_t triangle_count() const { return static_cast<std::uint32_t>(triangle.size()); }

@@ -72,7 +72,7 @@ class SvgWriter {
  private:
   Status make_orders();
   Status make_names();
-  Status charge_ids() { return id_memory_.settle(context_, ids_.bytes(), id_bytes_); }
+  Status charge_ids() { return id_memory_.settle(context_, ids_.kept_bytes(), id_bytes_); }
   svg::Attributes root_attributes() const;
   Status write_defs();
   void write_background();

@@ -20,7 +20,7 @@ class IdPool {
   std::string claim_or_make(std::string_view wanted, std::string_view kind);
 
   /// Bytes of the ids given out so far.
-  std::size_t bytes() const { return bytes_; }
+  std::size_t kept_bytes() const { return bytes_; }
 
  private:
   bool take(const std::string& id);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/lanes.hpp"
+#include "picture/patch.hpp"
 #include "raster/kernels/triangle_frame.hpp"
 #include "sfumato/picture/picture.hpp"
 
@@ -11,18 +12,11 @@ namespace sfumato::raster::inline SFUMATO_ISA {
 /// Up to four channels: red, green, blue and opacity, or the weights of four shaders.
 using Color4 = Lanes<4>;
 
-/// The place, among a triangle's ten nodes, of the one at its centroid.
-inline constexpr int kCenterNode = 9;
-
 /// node_order[3 top + middle]: the ten nodes of a triangle as top, middle, bottom, then tm, mt, mb,
 /// bm, bt, tb (ij lies a third of the way from i to j), then the centre.
 struct NodeOrderTable {
   std::uint8_t node[9][kNodesPerTriangle];
 };
-
-constexpr int edge_node(int i, int j) {
-  return j == (i + 1) % 3 ? 3 + 2 * i : 4 + 2 * j;
-}
 
 constexpr NodeOrderTable make_node_order() {
   NodeOrderTable table{};

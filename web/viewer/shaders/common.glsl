@@ -4,6 +4,9 @@ precision highp int;
 precision highp sampler2D;
 precision highp usampler2D;
 
+/// Of a triangle, in the order of picture/patch.hpp.
+const int kNodes = 10;
+
 /// Where entry i of a data texture lies.
 ivec2 table_texel(int i) {
   return ivec2(i & 2047, i >> 11);

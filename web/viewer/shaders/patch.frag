@@ -20,7 +20,7 @@ uniform usampler2D triangle_opacity_node;
 uniform sampler2D node_opacity;
 #endif
 #elif !defined(WITH_MARKS)
-flat in vec4 node[10];
+flat in vec4 node[kNodes];
 #ifdef WITH_PAINTS
 flat in int triangle;
 uniform usampler2D triangle_node;
@@ -40,33 +40,31 @@ centroid in vec2 weight;
 
 out vec4 fragment;
 
-void cubic_basis(float w, float u, float v, out float basis[10]) {
-  basis = float[10](0.5 * w * (3.0 * w - 1.0) * (3.0 * w - 2.0),
-                    0.5 * u * (3.0 * u - 1.0) * (3.0 * u - 2.0),
-                    0.5 * v * (3.0 * v - 1.0) * (3.0 * v - 2.0),
-                    4.5 * w * u * (3.0 * w - 1.0), 4.5 * w * u * (3.0 * u - 1.0),
-                    4.5 * u * v * (3.0 * u - 1.0), 4.5 * u * v * (3.0 * v - 1.0),
-                    4.5 * v * w * (3.0 * v - 1.0), 4.5 * v * w * (3.0 * w - 1.0),
-                    27.0 * w * u * v);
+void cubic_basis(float w, float u, float v, out float basis[kNodes]) {
+  basis = float[kNodes](
+      0.5 * w * (3.0 * w - 1.0) * (3.0 * w - 2.0), 0.5 * u * (3.0 * u - 1.0) * (3.0 * u - 2.0),
+      0.5 * v * (3.0 * v - 1.0) * (3.0 * v - 2.0), 4.5 * w * u * (3.0 * w - 1.0),
+      4.5 * w * u * (3.0 * u - 1.0), 4.5 * u * v * (3.0 * u - 1.0), 4.5 * u * v * (3.0 * v - 1.0),
+      4.5 * v * w * (3.0 * v - 1.0), 4.5 * v * w * (3.0 * w - 1.0), 27.0 * w * u * v);
 }
 
 // The centre of an edge is read from the cubic through its nodes: (-Zi + 9 Zij + 9 Zji - Zj) / 16.
-void quadratic_basis(float w, float u, float v, out float basis[10]) {
+void quadratic_basis(float w, float u, float v, out float basis[kNodes]) {
   float a = 0.25 * w * u, b = 0.25 * u * v, c = 0.25 * v * w;
-  basis = float[10](w * (2.0 * w - 1.0) - a - c, u * (2.0 * u - 1.0) - a - b,
-                    v * (2.0 * v - 1.0) - b - c, 9.0 * a, 9.0 * a, 9.0 * b, 9.0 * b, 9.0 * c,
-                    9.0 * c, 0.0);
+  basis = float[kNodes](w * (2.0 * w - 1.0) - a - c, u * (2.0 * u - 1.0) - a - b,
+                        v * (2.0 * v - 1.0) - b - c, 9.0 * a, 9.0 * a, 9.0 * b, 9.0 * b, 9.0 * c,
+                        9.0 * c, 0.0);
 }
 
 /// weight: of corners 1 and 2.
-void patch_basis(vec2 weight, out float basis[10]) {
+void patch_basis(vec2 weight, out float basis[kNodes]) {
   float u = max(weight.x, 0.0), v = max(weight.y, 0.0), w = max(1.0 - u - v, 0.0);
   if (patch_order == 3) {
     cubic_basis(w, u, v, basis);
   } else if (patch_order == 2) {
     quadratic_basis(w, u, v, basis);
   } else {
-    basis = float[10](w, u, v, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+    basis = float[kNodes](w, u, v, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
   }
 }
 
@@ -80,17 +78,17 @@ uniform float paint_step;
 
 /// Four weights, of a field with `groups` times four of them.
 vec4 paint_weights(usampler2D nodes, sampler2D values, int triangle, int groups, int group,
-                   float basis[10]) {
-  vec4 first = table_value(values, groups * table_index(nodes, 10 * triangle) + group);
+                   float basis[kNodes]) {
+  vec4 first = table_value(values, groups * table_index(nodes, kNodes * triangle) + group);
   vec4 sum = first;
-  for (int i = 1; i < 10; ++i) {
-    int slot = table_index(nodes, 10 * triangle + i);
+  for (int i = 1; i < kNodes; ++i) {
+    int slot = table_index(nodes, kNodes * triangle + i);
     sum += basis[i] * (table_value(values, groups * slot + group) - first);
   }
   return sum;
 }
 
-void add_paints(int triangle, float basis[10], inout vec4 value) {
+void add_paints(int triangle, float basis[kNodes], inout vec4 value) {
   vec2 pixel = floor(gl_FragCoord.xy / paint_step) + 0.5;
   int groups = (paint_count.x + 3) / 4;
   vec4 weights;
@@ -122,11 +120,11 @@ vec4 shown(vec4 value) {
 
 #if !defined(WITH_STRIPS) && !defined(WITH_MARKS)
 vec4 patch_value(vec2 weight) {
-  float basis[10];
+  float basis[kNodes];
   patch_basis(weight, basis);
   // Differences to one node, so that a constant patch is exactly its constant.
   vec4 value = node[0];
-  for (int i = 1; i < 10; ++i) value += basis[i] * (node[i] - node[0]);
+  for (int i = 1; i < kNodes; ++i) value += basis[i] * (node[i] - node[0]);
 #ifdef WITH_PAINTS
   add_paints(triangle, basis, value);
 #endif
@@ -183,10 +181,10 @@ vec4 edge_value(int slot, float along) {
   vec3 corner_weight = vec3(0.0);
   corner_weight[k] = 1.0 - along;
   corner_weight[(k + 1) % 3] = along;
-  float basis[10];
+  float basis[kNodes];
   patch_basis(corner_weight.yz, basis);
-  vec4 first = node_value(10 * t), value = first;
-  for (int i = 1; i < 10; ++i) value += basis[i] * (node_value(10 * t + i) - first);
+  vec4 first = node_value(kNodes * t), value = first;
+  for (int i = 1; i < kNodes; ++i) value += basis[i] * (node_value(kNodes * t + i) - first);
 #ifdef WITH_PAINTS
   add_paints(t, basis, value);
 #endif

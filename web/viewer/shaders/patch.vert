@@ -39,7 +39,7 @@ centroid out vec2 weight;
 #endif
 
 #if !defined(WITH_STRIPS) && !defined(WITH_MARKS)
-flat out vec4 node[10];
+flat out vec4 node[kNodes];
 #ifdef WITH_PAINTS
 flat out int triangle;
 #endif
@@ -53,7 +53,7 @@ vec4 node_value(int slot) {
 }
 
 void send_nodes(int t, bool is_last) {
-  for (int i = 0; i < 10; ++i) node[i] = is_last ? node_value(10 * t + i) : vec4(0.0);
+  for (int i = 0; i < kNodes; ++i) node[i] = is_last ? node_value(kNodes * t + i) : vec4(0.0);
 #ifdef WITH_PAINTS
   triangle = t;
 #endif
