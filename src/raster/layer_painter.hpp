@@ -34,7 +34,7 @@ class LayerPainter {
  public:
   /// source   null: the patches; else what is asked for every pixel, and nothing is antialiased
   LayerPainter(const SpanKernels& kernels, bool antialias, const picture::FieldSource* source)
-      : kernels_(kernels), antialias_(antialias), source_(source) {}
+      : kernels_(kernels), antialias_(antialias), source_(source), mixed_(kernels) {}
 
   /// Code values and alpha, premultiplied, in the pixels of `rect`, which lie in one tile and hold
   /// all that the triangles paint of that tile. Valid until the next call. Errors: the source's.
