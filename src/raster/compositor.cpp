@@ -8,6 +8,7 @@ Compositor::Compositor(const Context& context, const PaintList& list, const Span
       list_(list),
       kernels_(kernels),
       antialias_(antialias),
+      mixed_(kernels),
       groups_(static_cast<std::size_t>(list.group_depth())) {
   if (!list.is_plain()) layer_painter_.emplace(kernels, antialias, source);
 }
@@ -39,17 +40,21 @@ Tile Compositor::target(const PixelRect& rect) {
 
 void Compositor::paint_straight(const PaintItem& item, const TriangleList& triangles) {
   const PixelRect whole = levels_.back().tile.rect();
-  const PixelRect rect = item.bins ? whole : pixels_of(item.layer, triangles, whole);
+  const PixelRect rect =
+      item.bins ? whole : pixels_in(kernels_.box_of_triangles(item.layer, triangles), whole);
   if (rect.empty()) return;
   const Tile tile = target(rect);
-  if (antialias_) mixed_.begin(item.layer, triangles, tile);
-  kernels_.draw_triangles(item.layer, triangles, tile);
+  if (antialias_) {
+    mixed_.mark(item.layer, triangles, tile);
+    mixed_.keep_below(tile);
+  }
+  kernels_.draw_triangles(item.layer, triangles, tile, nullptr);
   if (antialias_) mixed_.paint(item.layer, triangles, tile);
 }
 
 Status Compositor::paint_shaded(const PaintItem& item, const TriangleList& triangles) {
   const PixelRect whole = levels_.back().tile.rect();
-  PixelRect rect = pixels_of(item.layer, triangles, whole);
+  PixelRect rect = pixels_in(kernels_.box_of_triangles(item.layer, triangles), whole);
   if (rect.empty()) return ok_status();
   // Blurs fall on what is transparent, where a layer has no triangles.
   if (item.layer.soft_edge_count > 0) rect = intersection(grown(rect, list_.margin_px()), whole);

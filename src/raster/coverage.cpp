@@ -2,24 +2,15 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
-#include <cstring>
 
 #include "raster/clip.hpp"
 
 namespace sfumato::raster {
 namespace {
 
-/// floor(x), at least low and at most high; 0 <= low.
-int clamped_floor(double x, int low, int high) {
-  return static_cast<int>(std::clamp(x, static_cast<double>(low), static_cast<double>(high)));
-}
-
 struct Corners {
   PixelPoint at[3];
-
-  Vec2 vec(int k) const { return {at[k].x, at[k].y}; }
 };
 
 Corners corners_of(const LayerView& layer, std::uint32_t triangle) {
@@ -28,10 +19,49 @@ Corners corners_of(const LayerView& layer, std::uint32_t triangle) {
   return corners;
 }
 
-ClipTriangle clip_of(const LayerView& layer, const Vec2 (&corner)[3], double scale) {
-  const Vec2 a = corner[0] * scale, b = corner[1] * scale, c = corner[2] * scale;
-  return layer.mirrored ? clip_triangle(a, c, b) : clip_triangle(a, b, c);
-}
+/// Triangle i of those that were placed.
+struct Placed {
+  Placed(const PlacedTriangles& all, std::size_t i)
+      : box{{all.left[i], all.top[i]}, {all.right[i], all.bottom[i]}},
+        range{all.begin[i], all.end[i], all.first_row[i], all.end_row[i]} {
+    for (int k = 0; k < 3; ++k) corner[k] = {all.x[k][i], all.y[k][i]};
+  }
+
+  Vec2 corner[3];
+  Box box;
+  PixelRange range;
+};
+
+/// The parts of a triangle in unit squares.
+class TriangleParts {
+ public:
+  /// The corners clockwise on the screen, unless the layer is mirrored; `cells` is for its use.
+  TriangleParts(const Placed& placed, bool mirrored, double scale, CellCoverage* cells)
+      : cells_(cells) {
+    const Vec2 a = placed.corner[0] * scale;
+    const Vec2 b = placed.corner[mirrored ? 2 : 1] * scale;
+    const Vec2 c = placed.corner[mirrored ? 1 : 2] * scale;
+    if (!cells_->cut({a, b, c}, {placed.box.min * scale, placed.box.max * scale})) {
+      cells_ = nullptr;
+      clip_ = clip_triangle(a, b, c);
+    }
+  }
+
+  Coverage in(int x, int y) const {
+    return cells_ ? cells_->in(x, y) : pixel_coverage(clip_, x, y);
+  }
+  /// Of a triangle of double size, the part of a pixel's quarter as one of the pixel.
+  Coverage in_quarter(int x, int y, int quarter) const {
+    const Vec2 corner{1.0 * (quarter & 1), 1.0 * (quarter >> 1)};
+    const Coverage part = in(2 * x + (quarter & 1), 2 * y + (quarter >> 1));
+    if (part.area == 0) return {};
+    return {0.25 * part.area, 0.5 * (corner + part.centroid)};
+  }
+
+ private:
+  CellCoverage* cells_;  ///< null: not small
+  ClipTriangle clip_;
+};
 
 /// Shades what is painted straight into a tile: opaque, in code values.
 class OpaqueShader {
@@ -76,12 +106,6 @@ class FrameInImage {
   Affine layer_from_image_;
 };
 
-/// Bits from `begin` up to but not `end`, both in [0, 64].
-std::uint64_t bit_range(int begin, int end) {
-  if (begin >= end) return 0;
-  return (~std::uint64_t{0} << begin) & (~std::uint64_t{0} >> (64 - end));
-}
-
 /// Of a pixel in the tile's planes.
 std::size_t offset(int x, int row) {
   return static_cast<std::size_t>(row) * kTileStride + static_cast<std::size_t>(x);
@@ -101,14 +125,20 @@ double longest_edge_squared(const Vec2 (&corner)[3]) {
   return longest;
 }
 
+bool may_be_small(const LayerView& layer, std::uint32_t triangle) {
+  return layer.is_bent && layer.is_bent[triangle];
+}
+
 bool is_small(const LayerView& layer, std::uint32_t triangle, const Vec2 (&corner)[3]) {
-  return layer.is_bent && layer.is_bent[triangle] &&
+  return may_be_small(layer, triangle) &&
          longest_edge_squared(corner) <= kSmallTrianglePx * kSmallTrianglePx;
 }
 
 bool is_read_in_quarters(const LayerView& layer, std::uint32_t triangle, const Vec2 (&corner)[3]) {
-  return is_small(layer, triangle, corner) &&
-         longest_edge_squared(corner) > kWholeTrianglePx * kWholeTrianglePx;
+  if (!may_be_small(layer, triangle)) return false;
+  const double longest = longest_edge_squared(corner);
+  return longest <= kSmallTrianglePx * kSmallTrianglePx &&
+         longest > kWholeTrianglePx * kWholeTrianglePx;
 }
 
 /// Finds the soft edges of triangles that are asked for in increasing order.
@@ -140,11 +170,6 @@ class SoftEdgeSearch {
   std::span<const SoftEdge> rest_;
 };
 
-/// Whether the box lies in a pixel of the image.
-bool is_in_pixel(const Box& box, int x, int y) {
-  return box.min.x >= x && box.max.x <= x + 1 && box.min.y >= y && box.max.y <= y + 1;
-}
-
 /// Of all strips of a soft edge.
 std::array<Vec2, 4> outline(const SoftStrip& strip) {
   constexpr double kReach = kStripReach[kStrips - 1];
@@ -152,140 +177,41 @@ std::array<Vec2, 4> outline(const SoftStrip& strip) {
           strip.end[0] + strip.reach[0] * kReach};
 }
 
-/// visit(row, begin, end) for the pixels of the tile, from its corner, that an edge passes through.
-template <class Visit>
-void for_each_row(Vec2 a, Vec2 b, const Tile& tile, const Visit& visit) {
-  if (a.y > b.y) std::swap(a, b);
-  const double x_low = std::min(a.x, b.x);
-  const double x_high = std::max(a.x, b.x);
-  const int last_x = tile.x0 + tile.width - 1;
-  if (b.y < tile.y0 || a.y > tile.y0 + tile.height) return;
-  if (x_high < tile.x0 || x_low > last_x + 1) return;
-  const double dx_dy = b.y > a.y ? (b.x - a.x) / (b.y - a.y) : 0;
-  const int first_row = clamped_floor(a.y, tile.y0, tile.y0 + tile.height - 1);
-  const int last_row = clamped_floor(b.y, tile.y0, tile.y0 + tile.height - 1);
-  for (int y = first_row; y <= last_row; ++y) {
-    // Where the edge enters and leaves the row; its ends where they lie in the row.
-    const double x_in = a.y >= y ? a.x : a.x + (y - a.y) * dx_dy;
-    const double x_out = b.y <= y + 1 ? b.x : a.x + (y + 1 - a.y) * dx_dy;
-    const double left = std::clamp(std::min(x_in, x_out), x_low, x_high);
-    const double right = std::clamp(std::max(x_in, x_out), x_low, x_high);
-    if (right < tile.x0 || left > last_x + 1) continue;
-    const int begin = clamped_floor(left, tile.x0, last_x) - tile.x0;
-    const int end = clamped_floor(right, tile.x0, last_x) - tile.x0 + 1;
-    visit(y - tile.y0, begin, end);
-  }
-}
-
-Box box_of(std::span<const Vec2> points) {
-  Box box;
-  for (Vec2 p : points) box.extend(p);
-  return box;
-}
-
-bool touches_quarter(const Box& box, int x, int y, int quarter) {
-  const double left = x + 0.5 * (quarter & 1), top = y + 0.5 * (quarter >> 1);
-  return box.min.x < left + 0.5 && box.max.x > left && box.min.y < top + 0.5 && box.max.y > top;
-}
-
-/// The part of a pixel's quarter that lies in a triangle of `doubled` size, as one of the pixel.
-Coverage quarter_coverage(const ClipTriangle& doubled, int x, int y, int quarter) {
-  const Vec2 corner{1.0 * (quarter & 1), 1.0 * (quarter >> 1)};
-  const Coverage part = pixel_coverage(doubled, 2 * x + (quarter & 1), 2 * y + (quarter >> 1));
-  return {0.25 * part.area, 0.5 * (corner + part.centroid)};
-}
-
 }  // namespace
 
-void MixedPixels::mark_row(int row, int begin, int end) {
-  for (int word = begin / 64; word <= (end - 1) / 64; ++word)
-    mask_[row][word] |= bit_range(std::max(begin - 64 * word, 0), std::min(end - 64 * word, 64));
-}
-
-void MixedPixels::mark_edge(Vec2 a, Vec2 b, const Tile& tile) {
-  for_each_row(a, b, tile, [&](int row, int begin, int end) { mark_row(row, begin, end); });
-}
-
-/// What the corners' convex hull touches.
-void MixedPixels::mark_convex(std::span<const Vec2> corners, const Tile& tile) {
-  const Box box = box_of(corners);
-  const PixelRange range = pixels_in(box, tile);
-  if (is_in_pixel(box, tile.x0 + range.begin, tile.y0 + range.first_row))
-    return mark_row(range.first_row, range.begin, range.begin + 1);
-  int first[kTileHeight], last[kTileHeight];
-  for (int row = range.first_row; row < range.end_row; ++row)
-    first[row] = kTileWidth, last[row] = 0;
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    for_each_row(corners[i], corners[(i + 1) % corners.size()], tile,
-                 [&](int row, int begin, int end) {
-                   first[row] = std::min(first[row], begin);
-                   last[row] = std::max(last[row], end);
-                 });
+/// visit(triangle, place in placed_) for those of a list, one after another.
+template <class Visit>
+void MixedPixels::for_each_placed(const LayerView& layer, const TriangleList& triangles,
+                                  const Tile& tile, const Visit& visit) {
+  for (std::size_t first = 0; first < triangles.count; first += PlacedTriangles::kMost) {
+    const std::size_t count = std::min(triangles.count - first, PlacedTriangles::kMost);
+    kernels_.place_triangles(layer, triangles.triangle + first, count, tile, &placed_);
+    for (std::size_t i = 0; i < count; ++i) visit(triangles.triangle[first + i], i);
   }
-  for (int row = range.first_row; row < range.end_row; ++row)
-    if (first[row] < last[row]) mark_row(row, first[row], last[row]);
 }
 
 void MixedPixels::mark(const LayerView& layer, const TriangleList& triangles, const Tile& tile) {
-  std::memset(mask_, 0, sizeof(mask_));
+  marks_.clear();
   SoftEdgeSearch soft_edges(layer);
-  for (std::size_t i = 0; i < triangles.count; ++i) {
-    const std::uint32_t t = triangles.triangle[i];
-    const std::uint8_t* is_curve = layer.edge_is_curve + std::size_t{3} * t;
-    const bool may_be_small = layer.is_bent && layer.is_bent[t];
-    if (!may_be_small && !(is_curve[0] | is_curve[1] | is_curve[2])) continue;
-    const Corners corners = corners_of(layer, t);
-    const Vec2 corner[3] = {corners.vec(0), corners.vec(1), corners.vec(2)};
-    if (is_small(layer, t, corner)) mark_convex(corner, tile);
-    for (int k = 0; k < 3; ++k)
-      if (is_curve[k]) mark_edge(corner[k], corner[(k + 1) % 3], tile);
+  for_each_placed(layer, triangles, tile, [&](std::uint32_t t, std::size_t place) {
+    mark_triangle(layer, t, place, tile);
     for (const SoftEdge& edge : soft_edges.of(t))
-      mark_convex(outline(soft_strip(layer, edge)), tile);
-  }
+      marks_.mark_convex(outline(soft_strip(layer, edge)), tile);
+  });
+  sum_.assign(marks_.number(), Sum{});
 }
 
-void MixedPixels::number_pixels() {
-  std::uint32_t count = 0;
-  for (int row = 0; row < kTileHeight; ++row) {
-    for (int word = 0; word < kWordsPerRow; ++word) {
-      first_sum_[row][word] = count;
-      count += static_cast<std::uint32_t>(std::popcount(mask_[row][word]));
-    }
-  }
-  sum_.assign(count, Sum{});
-}
-
-/// visit(x, index of its sum) for the marked pixels of a row from begin up to but not end.
-template <class Visit>
-void MixedPixels::for_each_pixel(int row, int begin, int end, const Visit& visit) const {
-  for (int word = begin / 64; word <= (end - 1) / 64; ++word) {
-    const std::uint64_t marked = mask_[row][word];
-    const int first_bit = std::max(begin - 64 * word, 0);
-    std::uint64_t left = marked & bit_range(first_bit, std::min(end - 64 * word, 64));
-    if (left == 0) continue;
-    std::uint32_t index =
-        first_sum_[row][word] +
-        static_cast<std::uint32_t>(std::popcount(marked & bit_range(0, first_bit)));
-    for (; left != 0; left &= left - 1) visit(64 * word + std::countr_zero(left), index++);
-  }
-}
-
-bool MixedPixels::any_marked(const PixelRange& range) const {
-  for (int row = range.first_row; row < range.end_row; ++row) {
-    for (int word = range.begin / 64; word <= (range.end - 1) / 64; ++word) {
-      const int begin = std::max(range.begin - 64 * word, 0);
-      if (mask_[row][word] & bit_range(begin, std::min(range.end - 64 * word, 64))) return true;
-    }
-  }
-  return false;
-}
-
-MixedPixels::PixelRange MixedPixels::pixels_in(const Box& box, const Tile& tile) {
-  const int last_x = tile.width - 1, last_y = tile.height - 1;
-  return {clamped_floor(box.min.x - tile.x0, 0, last_x),
-          clamped_floor(box.max.x - tile.x0, 0, last_x) + 1,
-          clamped_floor(box.min.y - tile.y0, 0, last_y),
-          clamped_floor(box.max.y - tile.y0, 0, last_y) + 1};
+void MixedPixels::mark_triangle(const LayerView& layer, std::uint32_t triangle, std::size_t place,
+                                const Tile& tile) {
+  const std::uint8_t* is_curve = layer.edge_is_curve + std::size_t{3} * triangle;
+  if (!may_be_small(layer, triangle) && !(is_curve[0] | is_curve[1] | is_curve[2])) return;
+  const Placed placed(placed_, place);
+  // Where triangles are smaller than pixels, others have marked these before.
+  if (holds_all(marks_.mask(), placed.range)) return;
+  const auto& corner = placed.corner;
+  if (is_small(layer, triangle, corner)) marks_.mark_convex(corner, tile);
+  for (int k = 0; k < 3; ++k)
+    if (is_curve[k]) marks_.mark_edge(corner[k], corner[(k + 1) % 3], tile);
 }
 
 void MixedPixels::Sum::add(const Coverage& part, const Color4& color) {
@@ -311,36 +237,40 @@ void MixedPixels::add_whole_triangle(const Shader& shader, std::uint32_t triangl
   const auto add = [&](int, std::uint32_t index) {
     sum_[index].add(part, shader.at_center(triangle));
   };
-  for_each_pixel(range.first_row, range.begin, range.begin + 1, add);
+  marks_.for_each(range.first_row, range.begin, range.begin + 1, add);
 }
 
 template <class Shader>
-void MixedPixels::add_triangle(Shader* shader, std::uint32_t triangle, const Tile& tile) {
-  const Corners corners = corners_of(shader->layer(), triangle);
-  const Vec2 corner[3] = {corners.vec(0), corners.vec(1), corners.vec(2)};
-  const Box box = box_of(corner);
-  const PixelRange range = pixels_in(box, tile);
-  if (!any_marked(range)) return;
+void MixedPixels::add_triangle(Shader* shader, std::uint32_t triangle, std::size_t place,
+                               const Tile& tile) {
+  const Placed placed(placed_, place);
+  const PixelRange& range = placed.range;
+  if (!holds_any(marks_.mask(), range)) return;
+  const auto& corner = placed.corner;
   const bool in_quarters = is_read_in_quarters(shader->layer(), triangle, corner);
   if (!in_quarters && shader->has_centers() &&
-      is_in_pixel(box, tile.x0 + range.begin, tile.y0 + range.first_row))
+      is_in_pixel(placed.box, tile.x0 + range.begin, tile.y0 + range.first_row))
     return add_whole_triangle(*shader, triangle, corner, range, tile);
-  const ClipTriangle clip = clip_of(shader->layer(), corner, in_quarters ? 2 : 1);
-  const TriangleFrame frame = triangle_frame(corners.at, shader->layer().mirrored);
-  shader->begin_triangle(triangle, frame);
+  const bool mirrored = shader->layer().mirrored;
+  const TriangleParts parts(placed, mirrored, in_quarters ? 2 : 1, &cells_);
+  const TriangleFrame frame = triangle_frame(
+      {{corner[0].x, corner[0].y}, {corner[1].x, corner[1].y}, {corner[2].x, corner[2].y}},
+      mirrored);
+  bool has_begun = false;
   const auto add = [&](const Coverage& part, int x, int y, std::uint32_t index) {
     if (!(part.area > 0)) return;
+    if (!has_begun) shader->begin_triangle(triangle, frame);
+    has_begun = true;
     const Vec2 p{x + part.centroid.x, y + part.centroid.y};
     // Shaders are filtered over the pixel's square already: they are asked at its centre.
     sum_[index].add(part, shader->at(patch_point(frame, p.x, p.y), {x + 0.5, y + 0.5}));
   };
   for (int row = range.first_row; row < range.end_row; ++row) {
-    for_each_pixel(row, range.begin, range.end, [&](int column, std::uint32_t index) {
+    marks_.for_each(row, range.begin, range.end, [&](int column, std::uint32_t index) {
       const int x = tile.x0 + column, y = tile.y0 + row;
-      if (!in_quarters) return add(pixel_coverage(clip, x, y), x, y, index);
+      if (!in_quarters) return add(parts.in(x, y), x, y, index);
       for (int quarter = 0; quarter < 4; ++quarter)
-        if (touches_quarter(box, x, y, quarter))
-          add(quarter_coverage(clip, x, y, quarter), x, y, index);
+        add(parts.in_quarter(x, y, quarter), x, y, index);
     });
   }
 }
@@ -368,7 +298,7 @@ void MixedPixels::add_blur(Shader* shader, const SoftEdge& edge, const Tile& til
   const SoftStrip strip = soft_strip(shader->layer(), edge);
   const PixelRange range = pixels_in(box_of(outline(strip)), tile);
   for (int row = range.first_row; row < range.end_row; ++row) {
-    for_each_pixel(row, range.begin, range.end, [&](int column, std::uint32_t index) {
+    marks_.for_each(row, range.begin, range.end, [&](int column, std::uint32_t index) {
       const int x = tile.x0 + column, y = tile.y0 + row;
       const StripPart part = strip_part(strip, x, y);
       if (part.empty()) return;
@@ -416,7 +346,7 @@ void MixedPixels::add_blurs(Shader* shader, const TriangleList& triangles, const
 template <class Visit>
 void MixedPixels::for_each_marked(const Tile& tile, const Visit& visit) const {
   for (int row = 0; row < tile.height; ++row) {
-    for_each_pixel(row, 0, tile.width, [&](int x, std::uint32_t index) { visit(x, row, index); });
+    marks_.for_each(row, 0, tile.width, [&](int x, std::uint32_t index) { visit(x, row, index); });
   }
 }
 
@@ -460,14 +390,13 @@ void MixedPixels::write(const LayerView& layer, const Tile& tile, bool is_straig
 template <class Shader>
 void MixedPixels::add_triangles(Shader* shader, const TriangleList& triangles, const Tile& tile) {
   if (sum_.empty()) return;
-  for (std::size_t i = 0; i < triangles.count; ++i)
-    add_triangle(shader, triangles.triangle[i], tile);
+  for_each_placed(shader->layer(), triangles, tile, [&](std::uint32_t t, std::size_t place) {
+    add_triangle(shader, t, place, tile);
+  });
   add_blurs(shader, triangles, tile);
 }
 
-void MixedPixels::begin(const LayerView& layer, const TriangleList& triangles, const Tile& tile) {
-  mark(layer, triangles, tile);
-  number_pixels();
+void MixedPixels::keep_below(const Tile& tile) {
   for_each_marked(tile, [&](int x, int row, std::uint32_t index) {
     const std::size_t at = offset(x, row);
     for (int c = 0; c < 3; ++c) sum_[index].below[c] = tile.color[c][at];
@@ -482,8 +411,6 @@ void MixedPixels::paint(const LayerView& layer, const TriangleList& triangles, c
 }
 
 void MixedPixels::paint(PointShader* shader, const TriangleList& triangles, const Tile& tile) {
-  mark(shader->layer(), triangles, tile);
-  number_pixels();
   add_triangles(shader, triangles, tile);
   write(shader->layer(), tile, false);
 }

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "raster/abutting.hpp"
+#include "raster/cell_coverage.hpp"
 #include "raster/clip.hpp"
+#include "raster/kernels/span_kernels.hpp"
 #include "raster/kernels/tile.hpp"
+#include "raster/pixel_marks.hpp"
 #include "raster/point_shader.hpp"
 #include "raster/soft_strip.hpp"
 
@@ -27,24 +29,28 @@ namespace sfumato::raster {
 /// One object serves many tiles, one after another.
 class MixedPixels {
  public:
+  explicit MixedPixels(const SpanKernels& kernels) : kernels_(kernels) {}
+
   /// Call before the first layer of a tile.
   void start_tile() { abutting_.clear(); }
 
-  /// Marks the mixed pixels of `tile` and saves their values before the list is drawn.
-  void begin(const LayerView& layer, const TriangleList& triangles, const Tile& tile);
+  /// Marks the mixed pixels of `tile`. Call before they are painted.
+  void mark(const LayerView& layer, const TriangleList& triangles, const Tile& tile);
 
-  /// Repaints them after draw_triangles has painted the same list. Call `begin` before
-  /// draw_triangles.
+  /// The pixels that were marked last. If the layer has an opacity, `paint` writes all of them.
+  const PixelMask& marked() const { return marks_.mask(); }
+
+  /// Saves the values of the marked pixels before the list is drawn.
+  void keep_below(const Tile& tile);
+
+  /// Repaints them after draw_triangles painted the same list; `keep_below` came before that.
   void paint(const LayerView& layer, const TriangleList& triangles, const Tile& tile);
 
-  /// Marks and repaints the mixed pixels of a layer that was shaded and premultiplied, with nothing
-  /// below it. Premultiplied colours are averaged.
+  /// Repaints the mixed pixels of a layer that was shaded and premultiplied, with nothing below it.
+  /// Premultiplied colours are averaged.
   void paint(PointShader* shader, const TriangleList& triangles, const Tile& tile);
 
  private:
-  static constexpr int kWordsPerRow = kTileWidth / 64;
-  static_assert(kTileWidth % 64 == 0);
-
   struct Sum {
     float first[4] = {};  ///< the first triangle's colour
     float rest[4] = {};   ///< area times difference to it
@@ -70,29 +76,23 @@ class MixedPixels {
  public:
   /// Memory of one object if every pixel is mixed.
   static constexpr std::size_t kMostBytes =
-      std::size_t{kTileWidth} * kTileHeight * (sizeof(Sum) + 2) +
-      kMostBlurred * sizeof(BlurredPixel) + AbuttingParts::kMostBytes;
+      sizeof(PlacedTriangles) + sizeof(PixelMarks) + sizeof(CellCoverage) +
+      std::size_t{kTileWidth} * kTileHeight * sizeof(Sum) + kMostBlurred * sizeof(BlurredPixel) +
+      AbuttingParts::kMostBytes;
 
  private:
-  /// Pixels of the tile, from its upper left corner.
-  struct PixelRange {
-    int begin, end, first_row, end_row;
-  };
-
-  void mark_row(int row, int begin, int end);
-  void mark_edge(Vec2 a, Vec2 b, const Tile& tile);
-  void mark_convex(std::span<const Vec2> corners, const Tile& tile);
-  void mark(const LayerView& layer, const TriangleList& triangles, const Tile& tile);
-  void number_pixels();
-  static PixelRange pixels_in(const Box& box, const Tile& tile);
-  bool any_marked(const PixelRange& range) const;
+  template <class Visit>
+  void for_each_placed(const LayerView& layer, const TriangleList& triangles, const Tile& tile,
+                       const Visit& visit);
+  void mark_triangle(const LayerView& layer, std::uint32_t triangle, std::size_t place,
+                     const Tile& tile);
   template <class Shader>
   void add_triangles(Shader* shader, const TriangleList& triangles, const Tile& tile);
   template <class Shader>
   void add_whole_triangle(const Shader& shader, std::uint32_t triangle, const Vec2 (&corner)[3],
                           const PixelRange& range, const Tile& tile);
   template <class Shader>
-  void add_triangle(Shader* shader, std::uint32_t triangle, const Tile& tile);
+  void add_triangle(Shader* shader, std::uint32_t triangle, std::size_t place, const Tile& tile);
   template <class Shader>
   void add_blurs(Shader* shader, const TriangleList& triangles, const Tile& tile);
   template <class Shader>
@@ -104,12 +104,12 @@ class MixedPixels {
   void write(const LayerView& layer, const Tile& tile, bool is_straight);
 
   template <class Visit>
-  void for_each_pixel(int row, int begin, int end, const Visit& visit) const;
-  template <class Visit>
   void for_each_marked(const Tile& tile, const Visit& visit) const;
 
-  std::uint64_t mask_[kTileHeight][kWordsPerRow];  ///< bit x % 64 of word x / 64 of a row
-  std::uint32_t first_sum_[kTileHeight][kWordsPerRow];
+  const SpanKernels& kernels_;
+  PlacedTriangles placed_;
+  PixelMarks marks_;
+  CellCoverage cells_;
   std::vector<Sum> sum_;  ///< of the marked pixels, row by row
   std::vector<BlurredPixel> blurred_;
   AbuttingParts abutting_;

@@ -75,7 +75,7 @@ void LayerPainter::add_shaders(const LayerView& layer, const FieldView& field,
                  std::back_inserter(weighted_),
                  [&](std::uint32_t t) { return has_weight(field, first, t); });
     const TriangleList weighted{weighted_.data(), weighted_.size()};
-    const PixelRect rect = pixels_of(layer, weighted, tile.rect());
+    const PixelRect rect = pixels_in(kernels_.box_of_triangles(layer, weighted), tile.rect());
     if (rect.empty()) continue;
     const Tile weights = weights_.tile(rect);
     clear(weights);
@@ -137,7 +137,7 @@ void LayerPainter::draw_patches(const LayerView& layer, const ShadingInput& inpu
                                 const TriangleList& triangles, const Tile& tile) {
   const bool has_opacity = layer.opacity.channel_count > 0;
   const auto draw = has_opacity ? kernels_.draw_color_opacity : kernels_.draw_triangles;
-  draw(layer, triangles, tile);
+  draw(layer, triangles, tile, antialias_ && has_opacity ? &mixed_.marked() : nullptr);
   add_shaders(layer, layer.color, input, triangles, tile);
   add_shaders(layer, layer.opacity, input, triangles, tile);
 }
@@ -150,6 +150,7 @@ Result<Tile> LayerPainter::paint(const LayerView& layer, const ShadingInput& inp
     Status status = read_source(layer, input, tile);
     if (!status) return status;
   } else {
+    if (antialias_) mixed_.mark(layer, triangles, tile);
     draw_patches(layer, input, triangles, tile);
   }
   kernels_.finish_shading(input.space, tile);

@@ -35,7 +35,7 @@ class LayerPainter {
   /// source   null: values come from the patches. Else they come from the source at every pixel,
   ///          and nothing is antialiased.
   LayerPainter(const SpanKernels& kernels, bool antialias, const picture::FieldSource* source)
-      : kernels_(kernels), antialias_(antialias), source_(source) {}
+      : kernels_(kernels), antialias_(antialias), source_(source), mixed_(kernels) {}
 
   /// Code values and alpha, premultiplied, in the pixels of `rect`, which lie in one tile and
   /// contain everything that the triangles paint in that tile. Valid until the next call. Errors:

@@ -1,7 +1,5 @@
 #include "raster/point_shader.hpp"
 
-#include "raster/kernels/color_space_kernel.hpp"
-
 namespace sfumato::raster {
 
 bool has_weight(const FieldView& field, int first_channel, std::uint32_t triangle) {
@@ -51,10 +49,10 @@ Color4 PointShader::at_center(std::uint32_t triangle) const {
   return shown(ColorChannels(layer_).at(slot) + color4(0, 0, 0, 1));
 }
 
-Color4 PointShader::value(const PatchPoint& point, Vec2 pixel_center) const {
+Color4 PointShader::with_shaders(const Color4& patch, const PatchPoint& point,
+                                 Vec2 pixel_center) const {
   float value[4];
-  patch_color(patch_, point).store(value);
-  if (layer_.opacity.channel_count == 0) value[3] = 1;
+  patch.store(value);
   for (const WeightPatch& weights : weights_) {
     float weight[4];
     patch_color(weights.patch, point).store(weight);
@@ -66,11 +64,10 @@ Color4 PointShader::value(const PatchPoint& point, Vec2 pixel_center) const {
   return Color4::load(value);
 }
 
-Color4 PointShader::shown(const Color4& value) const {
+Color4 PointShader::shown_from(const Color4& value) const {
   const Rgb3<1> code =
       clamped_srgb<1>(input_.space, {Lanes<1>(value[0]), Lanes<1>(value[1]), Lanes<1>(value[2])});
-  const Color4 alpha = clamped_unit(Color4(value[3]));
-  return alpha * color4(code.r[0], code.g[0], code.b[0], 1);
+  return premultiplied(color4(code.r[0], code.g[0], code.b[0], clamped_unit(value)[3]));
 }
 
 }  // namespace sfumato::raster

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "raster/kernels/color_space_kernel.hpp"
 #include "raster/kernels/patch_polynomial.hpp"
 #include "raster/shader_set.hpp"
 
@@ -45,8 +46,15 @@ class PointShader {
   }
 
   /// The colour in the interpolation space and the opacity, which a blur mixes.
-  Color4 value(const PatchPoint& point, Vec2 pixel_center) const;
-  Color4 shown(const Color4& value) const;
+  Color4 value(const PatchPoint& point, Vec2 pixel_center) const {
+    Color4 patch = patch_color(patch_, point);
+    if (layer_.opacity.channel_count == 0) patch.part[0][3] = 1;
+    return weights_.empty() ? patch : with_shaders(patch, point, pixel_center);
+  }
+  Color4 shown(const Color4& value) const {
+    return input_.space == InterpolationSpace::srgb ? premultiplied(clamped_unit(value))
+                                                    : shown_from(value);
+  }
 
  private:
   /// Four weights over the triangle.
@@ -56,6 +64,14 @@ class PointShader {
     int first_channel;
   };
 
+  static Color4 premultiplied(Color4 color) {
+    const Color4 alpha(color.part[0][3]);
+    color.part[0][3] = 1;
+    return alpha * color;
+  }
+  /// Of a colour in a space other than sRGB.
+  Color4 shown_from(const Color4& value) const;
+  Color4 with_shaders(const Color4& patch, const PatchPoint& point, Vec2 pixel_center) const;
   void add_weights(const FieldView& field, std::uint32_t triangle, const TriangleFrame& frame);
   void add_shader(const FieldView& field, int channel, float weight, Vec2 pixel_center,
                   float (&value)[4]) const;

@@ -6,12 +6,16 @@
 
 #include "base/parallel.hpp"
 #include "base/poll.hpp"
+#include "raster/kernels/span_kernels.hpp"
 
 namespace sfumato::raster {
 namespace {
 
+/// 0 where the pixel is no number.
 std::uint16_t tile_index(double pixel, int tile_side, int count) {
-  return static_cast<std::uint16_t>(std::clamp(std::floor(pixel / tile_side), 0.0, count - 1.0));
+  const double tile = pixel / tile_side, last = count - 1;
+  const double lifted = tile > 0 ? tile : 0;
+  return static_cast<std::uint16_t>(lifted < last ? lifted : last);
 }
 
 /// Lists triangles of one layer by tile.
@@ -20,9 +24,11 @@ class Binner {
   Binner(const LayerView& layer, const TileGrid& grid, double margin_px)
       : layer_(layer), grid_(grid), margin_px_(margin_px) {}
 
-  TileRange range(std::uint32_t triangle) const;
+  /// ranges[t] of the tiles that a triangle may touch, for those from `begin` up to but not `end`.
+  void find_ranges(const SpanKernels& kernels, std::size_t begin, std::size_t end,
+                   TileRange* ranges) const;
 
-  /// Counting sort by tile; `ranges` as of range().
+  /// Counting sort by tile; `ranges` as of find_ranges().
   Status sort(Context& context, const std::vector<TileRange>& ranges, TileBins* bins) const;
 
  private:
@@ -40,10 +46,19 @@ class Binner {
   double margin_px_;
 };
 
-TileRange Binner::range(std::uint32_t triangle) const {
-  Box box;
-  for (int k = 0; k < 3; ++k) box.extend(corner(triangle, k));
-  return tiles_of(box.grown_by(margin_px_), grid_);
+void Binner::find_ranges(const SpanKernels& kernels, std::size_t begin, std::size_t end,
+                         TileRange* ranges) const {
+  PlacedTriangles placed;
+  std::uint32_t triangle[PlacedTriangles::kMost];
+  for (std::size_t first = begin; first < end; first += PlacedTriangles::kMost) {
+    const std::size_t count = std::min(end - first, PlacedTriangles::kMost);
+    for (std::size_t i = 0; i < count; ++i) triangle[i] = static_cast<std::uint32_t>(first + i);
+    kernels.place_triangles(layer_, triangle, count, Tile{}, &placed);
+    for (std::size_t i = 0; i < count; ++i) {
+      const Box box{{placed.left[i], placed.top[i]}, {placed.right[i], placed.bottom[i]}};
+      ranges[first + i] = tiles_of(box.grown_by(margin_px_), grid_);
+    }
+  }
 }
 
 /// The columns of tiles that a long triangle may touch in one row of tiles: a needle across the
@@ -76,10 +91,12 @@ TileRange Binner::range_in_row(std::uint32_t triangle, const TileRange& whole, i
 template <class Visit>
 void Binner::for_each_tile(std::uint32_t triangle, const TileRange& range,
                            const Visit& visit) const {
+  const auto columns = static_cast<std::size_t>(grid_.columns());
+  if (range.count() == 1) return visit(range.y0 * columns + range.x0);
   const bool is_long = range.y1 - range.y0 > 1 && range.x1 - range.x0 > 1;
   for (int y = range.y0; y < range.y1; ++y) {
     const TileRange row = is_long ? range_in_row(triangle, range, y) : range;
-    for (int x = row.x0; x < row.x1; ++x) visit(static_cast<std::size_t>(y) * grid_.columns() + x);
+    for (int x = row.x0; x < row.x1; ++x) visit(static_cast<std::size_t>(y) * columns + x);
   }
 }
 
@@ -137,10 +154,10 @@ Result<TileBins> bin_triangles(Context& context, const LayerView& layer,
   Status status = range_memory.resize(context, ranges, triangle_count);
   if (!status) return status;
   const Binner binner(layer, grid, margin_px);
+  const SpanKernels& kernels = span_kernels(context.simd);
   constexpr std::size_t kGrain = 4096;
   status = parallel_for(context, triangle_count, kGrain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t t = begin; t < end; ++t)
-      ranges[t] = binner.range(static_cast<std::uint32_t>(t));
+    binner.find_ranges(kernels, begin, end, ranges.data());
   });
   if (!status) return status;
   TileBins bins;

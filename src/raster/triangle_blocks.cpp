@@ -86,11 +86,4 @@ PixelRect pixels_in(const Box& box, const PixelRect& rect) {
   return pixels.empty() ? PixelRect{} : pixels;
 }
 
-PixelRect pixels_of(const LayerView& layer, const TriangleList& triangles, const PixelRect& rect) {
-  Box box;
-  for (std::size_t i = 0; i < triangles.count; ++i)
-    box = united(box, triangle_box(layer, triangles.triangle[i]));
-  return pixels_in(box, rect);
-}
-
 }  // namespace sfumato::raster

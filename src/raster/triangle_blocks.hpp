@@ -34,7 +34,4 @@ void list_triangles(const LayerView& layer, const TriangleBlocks& blocks, const 
 /// The pixels of `rect` that a box meets.
 PixelRect pixels_in(const Box& box, const PixelRect& rect);
 
-/// The pixels of `rect` that the triangles' bounding boxes meet.
-PixelRect pixels_of(const LayerView& layer, const TriangleList& triangles, const PixelRect& rect);
-
 }  // namespace sfumato::raster

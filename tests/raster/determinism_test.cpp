@@ -111,6 +111,22 @@ TEST(RasterDeterminism, any_number_of_threads_gives_the_same_bytes) {
   }
 }
 
+TEST(RasterDeterminism, an_image_that_is_made_in_bands_is_the_same_for_any_number_of_threads) {
+  const Picture picture = wavy_picture();
+  const RasterOptions options = image_size(1500, 1601, PixelFormat::rgba16);
+  const Image alone = rasterized(picture, options);
+  ASSERT_EQ(alone.bytes.size(), std::size_t{8} * 1500 * 1601);
+  for (int threads : {2, 7}) {
+    ThreadPool executor(threads);
+    Context context;
+    context.executor = &executor;
+    const Result<Image> image = rasterize(context, picture, options);
+    ASSERT_TRUE(image.ok());
+    EXPECT_EQ(image->bytes, alone.bytes) << threads << " threads";
+    EXPECT_EQ(context.budget.used(), 0u);
+  }
+}
+
 TEST(RasterDeterminism, any_instruction_set_gives_the_same_bytes) {
   const Picture picture = wavy_picture();
   for (PixelFormat format :

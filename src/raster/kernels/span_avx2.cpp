@@ -8,8 +8,8 @@
 namespace sfumato::raster {
 
 const SpanKernels kSpanKernelsAvx2{
-    draw_triangles<8>, draw_color_opacity<8>, draw_weights<8>, finish_shading<8>,
-    blend<8>,          unpremultiply<8>,      write_pixels<8>};
+    place_triangles,   box_of_triangles, draw_triangles<8>, draw_color_opacity<8>, draw_weights<8>,
+    finish_shading<8>, blend<8>,         unpremultiply<8>,  write_pixels<8>};
 
 }  // namespace sfumato::raster
 

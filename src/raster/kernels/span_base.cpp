@@ -6,7 +6,7 @@
 namespace sfumato::raster {
 
 const SpanKernels kSpanKernelsBase{
-    draw_triangles<4>, draw_color_opacity<4>, draw_weights<4>, finish_shading<4>,
-    blend<4>,          unpremultiply<4>,      write_pixels<4>};
+    place_triangles,   box_of_triangles, draw_triangles<4>, draw_color_opacity<4>, draw_weights<4>,
+    finish_shading<4>, blend<4>,         unpremultiply<4>,  write_pixels<4>};
 
 }  // namespace sfumato::raster

@@ -1,6 +1,8 @@
 #pragma once
 
 #include "raster/kernels/patch_polynomial.hpp"
+#include "raster/kernels/pixel_mask.hpp"
+#include "raster/kernels/placed_triangles.hpp"
 
 /// Interior pixels: the patch's value at pixel centres. Compiled for every instruction set.
 namespace sfumato::raster::inline SFUMATO_ISA {
@@ -87,15 +89,25 @@ SFUMATO_INLINE void draw_span(const RowPolynomial& row, const Span& span, const 
   for (i = 0; i < span.count; ++i) tile.alpha[span.offset + i] = 1;
 }
 
+/// Whether triangle i shows nothing but pixels that are `skipped`. Its bounding box tells, as long
+/// as an edge's crossing with a row is less than half a pixel wrong.
+SFUMATO_INLINE bool is_skipped(const PlacedTriangles& placed, std::size_t i,
+                               const PixelMask& skipped) {
+  constexpr double kExactBelowPx = 1e9;
+  return placed.left[i] > -kExactBelowPx && placed.right[i] < kExactBelowPx &&
+         holds_all(skipped,
+                   {placed.begin[i], placed.end[i], placed.first_row[i], placed.end_row[i]});
+}
+
 template <int W, class Channels>
 SFUMATO_INLINE void draw_triangle(const LayerView& layer, const Channels& channels,
-                                  std::uint32_t triangle, const Tile& tile) {
-  PixelPoint corner[3];
-  for (int k = 0; k < 3; ++k) corner[k] = corner_position(layer, triangle, k);
-  const TriangleFrame frame = triangle_frame(corner, layer.mirrored);
+                                  std::uint32_t triangle, const PixelPoint (&corner)[3], double top,
+                                  double bottom, const Tile& tile, const PixelMask* skipped) {
   const int y_end = tile.y0 + tile.height;
-  const int first_row = clamped_ceil(frame.top_y - 0.5, tile.y0, y_end);
-  const int end_row = clamped_ceil(frame.bottom_y - 0.5, tile.y0, y_end);
+  const int first_row = clamped_ceil(top - 0.5, tile.y0, y_end);
+  const int end_row = clamped_ceil(bottom - 0.5, tile.y0, y_end);
+  if (first_row >= end_row) return;
+  const TriangleFrame frame = triangle_frame(corner, layer.mirrored);
 
   PatchPolynomial patch;
   bool patch_is_known = false;
@@ -109,12 +121,13 @@ SFUMATO_INLINE void draw_triangle(const LayerView& layer, const Channels& channe
     const int begin = clamped_ceil(left - 0.5, tile.x0, x_end);
     const int end = clamped_ceil(right - 0.5, tile.x0, x_end);
     if (begin >= end) continue;
+    const int row = y - tile.y0;
+    if (skipped && holds_all(*skipped, {begin - tile.x0, end - tile.x0, row, row + 1})) continue;
     if (!patch_is_known) patch = patch_polynomial(channels, layer.order, triangle, frame);
     patch_is_known = true;
     const double q = (center_y - frame.top_y) * frame.inverse_height;
     const double u0 = clamp_unit((begin + 0.5 - long_x) * frame.inverse_width);
-    const std::size_t offset =
-        static_cast<std::size_t>(y - tile.y0) * kTileStride + (begin - tile.x0);
+    const std::size_t offset = static_cast<std::size_t>(row) * kTileStride + (begin - tile.x0);
     draw_span<W, Channels::kCount>(
         row_polynomial(patch, static_cast<float>(q)),
         {offset, end - begin, static_cast<float>(u0), static_cast<float>(frame.inverse_width)},
@@ -124,25 +137,41 @@ SFUMATO_INLINE void draw_triangle(const LayerView& layer, const Channels& channe
 
 template <int W, class Channels>
 SFUMATO_INLINE void draw_channels(const LayerView& layer, const Channels& channels,
-                                  const TriangleList& triangles, const Tile& tile) {
-  for (std::size_t i = 0; i < triangles.count; ++i)
-    draw_triangle<W>(layer, channels, triangles.triangle[i], tile);
+                                  const TriangleList& triangles, const Tile& tile,
+                                  const PixelMask* skipped) {
+  PlacedTriangles placed;
+  for (std::size_t first = 0; first < triangles.count; first += PlacedTriangles::kMost) {
+    const std::uint32_t* triangle = triangles.triangle + first;
+    const std::size_t rest = triangles.count - first;
+    const std::size_t count = rest < PlacedTriangles::kMost ? rest : PlacedTriangles::kMost;
+    place_triangles(layer, triangle, count, tile, &placed);
+    for (std::size_t i = 0; i < count; ++i) {
+      if (skipped && is_skipped(placed, i, *skipped)) continue;
+      const PixelPoint corner[3] = {{placed.x[0][i], placed.y[0][i]},
+                                    {placed.x[1][i], placed.y[1][i]},
+                                    {placed.x[2][i], placed.y[2][i]}};
+      draw_triangle<W>(layer, channels, triangle[i], corner, placed.top[i], placed.bottom[i], tile,
+                       skipped);
+    }
+  }
 }
 
 template <int W>
-void draw_triangles(const LayerView& layer, const TriangleList& triangles, const Tile& tile) {
-  draw_channels<W>(layer, ColorChannels(layer), triangles, tile);
+void draw_triangles(const LayerView& layer, const TriangleList& triangles, const Tile& tile,
+                    const PixelMask* skipped) {
+  draw_channels<W>(layer, ColorChannels(layer), triangles, tile, skipped);
 }
 
 template <int W>
-void draw_color_opacity(const LayerView& layer, const TriangleList& triangles, const Tile& tile) {
-  draw_channels<W>(layer, ColorOpacityChannels(layer), triangles, tile);
+void draw_color_opacity(const LayerView& layer, const TriangleList& triangles, const Tile& tile,
+                        const PixelMask* skipped) {
+  draw_channels<W>(layer, ColorOpacityChannels(layer), triangles, tile, skipped);
 }
 
 template <int W>
 void draw_weights(const LayerView& layer, const FieldView& field, int first_channel,
                   const TriangleList& triangles, const Tile& tile) {
-  draw_channels<W>(layer, WeightChannels(field, first_channel), triangles, tile);
+  draw_channels<W>(layer, WeightChannels(field, first_channel), triangles, tile, nullptr);
 }
 
 }  // namespace sfumato::raster::inline SFUMATO_ISA

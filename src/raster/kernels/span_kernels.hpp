@@ -1,5 +1,7 @@
 #pragma once
 
+#include "raster/kernels/pixel_mask.hpp"
+#include "raster/kernels/placed_triangles.hpp"
 #include "raster/kernels/tile.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/image.hpp"
@@ -16,14 +18,22 @@ struct ImageTarget {
 
 /// The inner loops, compiled for one instruction set. All sets give the same bits.
 struct SpanKernels {
+  /// Places triangles of a layer, from 1 to PlacedTriangles::kMost of them.
+  void (*place_triangles)(const LayerView& layer, const std::uint32_t* triangle, std::size_t count,
+                          const Tile& tile, PlacedTriangles* placed);
+
+  /// The box of a list's triangles in the image; empty where there are none.
+  Box (*box_of_triangles)(const LayerView& layer, const TriangleList& triangles);
+
   /// Paints each pixel whose centre lies in a triangle with the patch's value there. Triangles that
   /// share an edge use the same crossings with the rows, so that no pixel centre between them is
-  /// left out.
-  void (*draw_triangles)(const LayerView& layer, const TriangleList& triangles, const Tile& tile);
+  /// left out. Pixels in `skipped`, unless that is null, may be left out: they are repainted later.
+  void (*draw_triangles)(const LayerView& layer, const TriangleList& triangles, const Tile& tile,
+                         const PixelMask* skipped);
 
   /// The same for a layer's colour and opacity: color and alpha, not premultiplied.
   void (*draw_color_opacity)(const LayerView& layer, const TriangleList& triangles,
-                             const Tile& tile);
+                             const Tile& tile, const PixelMask* skipped);
 
   /// The same for channels [first_channel, first_channel + 4) of one of the layer's fields, into
   /// color and alpha; 0 beyond the field's last.
