@@ -148,19 +148,20 @@ Status Encoder::encode_stripe(std::size_t index, Stripe& stripe) const {
 
 Status Encoder::filter_rows(std::size_t first_row, std::size_t end_row, TableMemory& memory,
                             Bytes& filtered) const {
-  Bytes candidate, current_scratch, previous_scratch;
+  Bytes current_scratch, previous_scratch;
   Status status = memory.resize(context_, filtered, (end_row - first_row) * (row_bytes_ + 1));
   if (status) {
-    status = memory.resize_all(context_, row_bytes_, candidate, current_scratch, previous_scratch);
+    status = memory.resize_all(context_, row_bytes_, current_scratch, previous_scratch);
   }
   if (!status) return status;
-  const int pixel_bytes = channel_count(image_.format) * bytes_per_channel(image_.format);
-  codecs::PngFilter filter(static_cast<std::size_t>(pixel_bytes), candidate);
+  const auto pixel_bytes =
+      static_cast<std::size_t>(channel_count(image_.format) * bytes_per_channel(image_.format));
   const std::uint8_t* previous =
       first_row == 0 ? previous_scratch.data() : row(first_row - 1, previous_scratch);
   for (std::size_t y = first_row; y < end_row; ++y) {
     const std::uint8_t* current = row(y, current_scratch);
-    filter.filter(current, previous, &filtered[(y - first_row) * (row_bytes_ + 1)]);
+    codecs::filter_row(current, previous, row_bytes_, pixel_bytes,
+                       &filtered[(y - first_row) * (row_bytes_ + 1)]);
     previous = current;
     std::swap(current_scratch, previous_scratch);
   }
