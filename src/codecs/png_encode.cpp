@@ -4,7 +4,6 @@
 #include <array>
 #include <cstring>
 #include <initializer_list>
-#include <new>
 #include <string>
 #include <utility>
 
@@ -12,6 +11,7 @@
 #include "base/public_verb.hpp"
 #include "base/table_memory.hpp"
 #include "codecs/png_filter.hpp"
+#include "codecs/png_pack.hpp"
 #include "sfumato/base/limits.hpp"
 #include "sfumato/codecs/png.hpp"
 
@@ -30,7 +30,7 @@ constexpr std::uint8_t kPerceptual = 0;
 
 /// Filtered bytes of one stripe, which is packed by itself into one IDAT chunk. The cut depends on
 /// the image alone, so that its bytes do not depend on the number of threads.
-constexpr std::size_t kStripeBytes = std::size_t{1} << 17;
+constexpr std::size_t kStripeBytes = codecs::kPackBlockBytes;
 /// Filtered bytes of the stripes that are in work at one time.
 constexpr std::size_t kWaveBytes = std::size_t{1} << 24;
 
@@ -56,42 +56,6 @@ void append_chunk(const char* type, Bytes& out, AppendData append_data) {
       static_cast<std::uint32_t>(crc32(0, &out[begin + 4], static_cast<uInt>(length + 4))), out);
 }
 
-/// Packs bytes as deflate blocks of which none is the last, ended on a whole byte, so that stripes
-/// made apart may be joined. Z_RLE, made for PNG, packs smooth images nearly as small as level 6 in
-/// a sixth of its time.
-class BlockDeflater {
- public:
-  BlockDeflater() {
-    if (deflateInit2(&stream_, 1, Z_DEFLATED, -MAX_WBITS, MAX_MEM_LEVEL, Z_RLE) != Z_OK) {
-      throw std::bad_alloc();
-    }
-  }
-  BlockDeflater(const BlockDeflater&) = delete;
-  BlockDeflater& operator=(const BlockDeflater&) = delete;
-  ~BlockDeflater() { deflateEnd(&stream_); }
-
-  /// What so many bytes become at most.
-  std::size_t bound(std::size_t byte_count) {
-    constexpr std::size_t kSyncMarker = 16;
-    return deflateBound(&stream_, static_cast<uLong>(byte_count)) + kSyncMarker;
-  }
-
-  /// Call once.
-  void append(Bytes& bytes, Bytes& out) {
-    const std::size_t begin = out.size();
-    out.resize(begin + bound(bytes.size()));
-    stream_.next_in = bytes.data();
-    stream_.avail_in = static_cast<uInt>(bytes.size());
-    stream_.next_out = &out[begin];
-    stream_.avail_out = static_cast<uInt>(out.size() - begin);
-    deflate(&stream_, Z_SYNC_FLUSH);
-    out.resize(out.size() - stream_.avail_out);
-  }
-
- private:
-  z_stream stream_{};
-};
-
 struct Stripe {
   TableMemory memory{"a PNG"};  // its own: stripes are made side by side
   Bytes chunk;
@@ -105,7 +69,7 @@ class Encoder {
       : context_(context),
         image_(image),
         row_bytes_(image.row_bytes()),
-        rows_per_stripe_((kStripeBytes + row_bytes_) / (row_bytes_ + 1)) {}
+        rows_per_stripe_(std::max<std::size_t>(1, kStripeBytes / (row_bytes_ + 1))) {}
 
   Result<Bytes> encode();
 
@@ -172,31 +136,32 @@ Status Encoder::encode_stripe(std::size_t index, Stripe& stripe) const {
   stripe.filtered_bytes = bytes.size();
   stripe.adler =
       static_cast<std::uint32_t>(adler32(1, bytes.data(), static_cast<uInt>(bytes.size())));
-  BlockDeflater deflater;
-  const std::size_t room = kChunkFrameBytes + kDeflateHead.size() + deflater.bound(bytes.size());
+  const std::size_t room =
+      kChunkFrameBytes + kDeflateHead.size() + codecs::packed_bound(bytes.size());
   if (status = stripe.memory.reserve(context_, stripe.chunk, room); !status) return status;
   append_chunk("IDAT", stripe.chunk, [&](Bytes& out) {
     if (index == 0) out.insert(out.end(), kDeflateHead.begin(), kDeflateHead.end());
-    deflater.append(bytes, out);
+    codecs::pack_runs(bytes, out);
   });
   return status;
 }
 
 Status Encoder::filter_rows(std::size_t first_row, std::size_t end_row, TableMemory& memory,
                             Bytes& filtered) const {
-  Bytes candidate, current_scratch, previous_scratch;
+  Bytes current_scratch, previous_scratch;
   Status status = memory.resize(context_, filtered, (end_row - first_row) * (row_bytes_ + 1));
   if (status) {
-    status = memory.resize_all(context_, row_bytes_, candidate, current_scratch, previous_scratch);
+    status = memory.resize_all(context_, row_bytes_, current_scratch, previous_scratch);
   }
   if (!status) return status;
-  const int pixel_bytes = channel_count(image_.format) * bytes_per_channel(image_.format);
-  codecs::PngFilter filter(static_cast<std::size_t>(pixel_bytes), candidate);
+  const auto pixel_bytes =
+      static_cast<std::size_t>(channel_count(image_.format) * bytes_per_channel(image_.format));
   const std::uint8_t* previous =
       first_row == 0 ? previous_scratch.data() : row(first_row - 1, previous_scratch);
   for (std::size_t y = first_row; y < end_row; ++y) {
     const std::uint8_t* current = row(y, current_scratch);
-    filter.filter(current, previous, &filtered[(y - first_row) * (row_bytes_ + 1)]);
+    codecs::filter_row(current, previous, row_bytes_, pixel_bytes,
+                       &filtered[(y - first_row) * (row_bytes_ + 1)]);
     previous = current;
     std::swap(current_scratch, previous_scratch);
   }

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cstring>
+#include <iterator>
+#include <random>
 #include <string>
 
 #include "sfumato/base/limits.hpp"
@@ -84,13 +86,44 @@ TEST(Png, every_format_and_odd_size_comes_back_as_it_was) {
   }
 }
 
+/// Rows in bands: noise, one colour, gradients with and without dither; all from the seed.
+Image random_image(std::uint32_t seed) {
+  std::mt19937 random(seed);
+  const auto side = [&random] { return 1 + static_cast<int>(random() % (1u << (random() % 11))); };
+  const int width = side(), height = side();
+  Image image = blank_image(width, height, kFormats[random() % std::size(kFormats)]);
+  const std::size_t channels = static_cast<std::size_t>(channel_count(image.format));
+  const std::size_t row = image.row_bytes();
+  for (std::size_t begin = 0; begin < image.bytes.size();) {
+    const std::size_t rows = 1 + random() % (1u << (random() % 8));
+    const std::size_t end = std::min(image.bytes.size(), begin + rows * row);
+    const unsigned kind = random() % 4, slope = 1 + random() % 50, color = random();
+    for (; begin < end; ++begin) {
+      unsigned value = color >> (8 * (begin % channels));
+      if (kind == 1) value = random();
+      if (kind > 1) value = static_cast<unsigned>(begin % row + begin / row) / slope;
+      if (kind == 3) value += random() % 2;
+      image.bytes[begin] = static_cast<std::uint8_t>(value);
+    }
+  }
+  return image;
+}
+
+TEST(Png, any_image_comes_back_as_it_was) {
+  for (std::uint32_t seed = 0; seed < 150; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    expect_round_trip(random_image(seed));
+  }
+}
+
 TEST(Png, image_of_many_waves_of_stripes_comes_back_as_it_was) {
   expect_round_trip(drawing(3000, 3000, PixelFormat::rgba8));
 }
 
 TEST(Png, bytes_are_the_same_for_any_number_of_threads) {
-  for (const PixelFormat format : kFormats) {
-    const Image image = drawing(700, 500, format);
+  std::vector<Image> images{drawing(1500, 4000, PixelFormat::rgb8)};  // waves of stripes
+  for (const PixelFormat format : kFormats) images.push_back(drawing(700, 500, format));
+  for (const Image& image : images) {
     const std::vector<std::uint8_t> expected = encoded(image);
     for (const int thread_count : {1, 2, 3, 8}) {
       ThreadPool executor(thread_count);
