@@ -1,10 +1,13 @@
 #include "solve/layer_solver.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <numeric>
 #include <utility>
 
 #include "base/limit_error.hpp"
+#include "base/no_throw.hpp"
+#include "base/parallel.hpp"
 #include "base/poll.hpp"
 #include "base/stopwatch.hpp"
 #include "base/table_memory.hpp"
@@ -61,7 +64,7 @@ bool any_blur(const PreparedLayer& prepared, Radius radius) {
 }  // namespace
 
 LayerSolver::LayerSolver(Context& context, PreparedLayer prepared, const DiffuseOptions& options,
-                         DiffuseStats* stats, std::optional<RoundWatch> watch)
+                         DiffuseStats* stats, std::optional<RoundWatch> watch, SolveWay way)
     : context_(context),
       mesher_(std::move(prepared.mesher)),
       is_blurred_(any_blur(prepared, &curves::SegmentSide::blur_radius)),
@@ -71,12 +74,24 @@ LayerSolver::LayerSolver(Context& context, PreparedLayer prepared, const Diffuse
       smallest_edge_(prepared.smallest_edge),
       options_(options),
       stats_(stats),
-      watch_(watch) {
+      watch_(watch),
+      way_(way) {
   if (prepared.opacity) opacity_.emplace(std::move(*prepared.opacity));
 }
 
 bool LayerSolver::is_joint() const {
   return color_.field().attributes.base_channels > kOpacityChannel;
+}
+
+Status LayerSolver::for_fields_side_by_side(FunctionRef<Status(FieldSolver&)> body) {
+  if (!opacity_ || !way_.side_by_side) return for_each_field(body);
+  FieldSolver* const field[] = {&color_, &*opacity_};
+  Status failure[2];
+  Status status = parallel_for(context_, 2, 1, [&](std::size_t i, std::size_t) {
+    failure[i] = no_throw([&] { return body(*field[i]); });
+  });
+  if (!status) return status;
+  return failure[0] ? failure[1] : failure[0];
 }
 
 Result<PatchLayer> LayerSolver::solve() {
@@ -92,7 +107,7 @@ Result<PatchLayer> LayerSolver::solve() {
   if (status) status = lay_out();
   std::vector<std::uint32_t> missed;
   for (int round = 0; status; ++round) {
-    if (context_.progress) context_.progress->report("gather", round / double{kMaxRounds});
+    if (way_.progress) (*way_.progress)(round / double{kMaxRounds});
     status = gather(refines ? gather::GatherOptions{} : options_.gather, false);
     if (!status || !refines || round == kMaxRounds) break;
     status = find_misses(missed);
@@ -120,7 +135,8 @@ Status LayerSolver::take_mesh() {
   mesh_ = std::move(*mesh);
   Status status = check_limits(context_.limits, mesh_);
   if (status)
-    status = for_each_field([&](FieldSolver& field) { return field.start(context_, mesh_); });
+    status =
+        for_fields_side_by_side([&](FieldSolver& field) { return field.start(context_, mesh_); });
   if (stats_) stats_->triangulation_seconds += watch.seconds();
   return status;
 }
@@ -131,8 +147,8 @@ Status LayerSolver::update_mesh() {
   Status status = mesher_.update_patch_mesh(context_, mesh_, changed_);
   if (status) status = check_limits(context_.limits, mesh_);
   if (status) {
-    status =
-        for_each_field([&](FieldSolver& field) { return field.follow(context_, mesh_, changed_); });
+    status = for_fields_side_by_side(
+        [&](FieldSolver& field) { return field.follow(context_, mesh_, changed_); });
   }
   if (stats_) stats_->triangulation_seconds += watch.seconds();
   return status;
@@ -142,7 +158,7 @@ Status LayerSolver::update_mesh() {
 Status LayerSolver::lay_out() {
   const Stopwatch watch;
   Status status =
-      for_each_field([&](FieldSolver& field) { return field.lay_out(context_, mesh_); });
+      for_fields_side_by_side([&](FieldSolver& field) { return field.lay_out(context_, mesh_); });
   if (status) status = list_all_triangles();
   if (stats_) stats_->triangulation_seconds += watch.seconds();
   return status;
@@ -150,8 +166,8 @@ Status LayerSolver::lay_out() {
 
 Status LayerSolver::put_in_order() {
   const Stopwatch watch;
-  Status status =
-      for_each_field([&](FieldSolver& field) { return field.put_in_order(context_, mesh_); });
+  Status status = for_fields_side_by_side(
+      [&](FieldSolver& field) { return field.put_in_order(context_, mesh_); });
   if (stats_) stats_->triangulation_seconds += watch.seconds();
   return status;
 }
@@ -190,12 +206,14 @@ Status LayerSolver::follow_blur() {
 
 Status LayerSolver::gather(const gather::GatherOptions& options, bool all) {
   const Stopwatch watch;
-  Status status = for_each_field([&](FieldSolver& field) {
+  std::atomic<std::size_t> gathered{0};
+  Status status = for_fields_side_by_side([&](FieldSolver& field) {
     const Result<std::size_t> nodes = field.gather(context_, options, all);
     if (!nodes) return nodes.status();
-    if (stats_) stats_->nodes += *nodes;
+    gathered += *nodes;
     return ok_status();
   });
+  if (stats_) stats_->nodes += gathered;
   if (stats_) stats_->gather_seconds += watch.seconds();
   if (status && watch_) (*watch_)(mesh_, color_, opacity_ ? &*opacity_ : nullptr);
   return status;
