@@ -15,6 +15,7 @@
 #include "solve/border.hpp"
 #include "solve/layout_update.hpp"
 #include "solve/nodes.hpp"
+#include "solve/probes.hpp"
 #include "solve/seams.hpp"
 
 namespace sfumato::solve {
@@ -110,6 +111,9 @@ class FieldSolver {
                                                    float max_error, PatchOrder order,
                                                    FunctionRef<float(std::uint32_t)> color_weight,
                                                    TableMemory& memory) const;
+  /// By how much the patch misses at probe i, for each channel; changes the exact value, too.
+  void measure_miss(const ProbeSet& probes, std::size_t i, PatchOrder order, float* exact,
+                    float* miss) const;
   /// Whether one of a value's misses, one a channel, is more than max_error where those of colours
   /// count color_weight, which is asked only if it matters.
   bool is_more(std::span<const float> miss, float max_error, std::uint32_t triangle,
