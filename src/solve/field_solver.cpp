@@ -41,12 +41,13 @@ Status FieldSolver::start(Context& context, const mesh::TriangleMesh& mesh) {
   return seams.status();
 }
 
-Status FieldSolver::lay_out(Context& context, const mesh::TriangleMesh& mesh) {
+Status FieldSolver::lay_out(Context& context, const mesh::TriangleMesh& mesh, std::size_t spare) {
   Result<NodeLayout> layout =
-      lay_out_nodes(context, mesh, field_.attributes, *seams_, layout_memory_);
+      lay_out_nodes(context, mesh, field_.attributes, *seams_, layout_memory_, spare);
   if (!layout) return layout.status();
   layout_ = std::move(*layout);
   Status status = list_free_nodes(context);
+  if (status) status = memory_.reserve(context, node_hit_, layout_.position.capacity());
   return status ? memory_.resize(context, node_hit_, layout_.node_count(), 1) : status;
 }
 

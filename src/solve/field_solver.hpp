@@ -40,8 +40,9 @@ class FieldSolver {
   /// cancelled.
   Status start(Context& context, const mesh::TriangleMesh& mesh);
 
-  /// Lays out the nodes; all free ones are left to gather. Errors: limit (memory), cancelled.
-  Status lay_out(Context& context, const mesh::TriangleMesh& mesh);
+  /// Lays out the nodes; all free ones are left to gather. There is room for `spare` triangles
+  /// more. Errors: limit (memory), cancelled.
+  Status lay_out(Context& context, const mesh::TriangleMesh& mesh, std::size_t spare = 0);
 
   /// Follows the mesh, of which the triangles of `changed` (ascending, new ones among them) are not
   /// what they were. If the nodes are laid out, they are updated: free nodes of other triangles

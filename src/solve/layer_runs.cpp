@@ -102,7 +102,7 @@ Status LayerRuns::run_side_by_side() {
 
 /// Layers behind one that failed are left: nobody will ask for them.
 void LayerRuns::run_beside(std::uint32_t index) {
-  if (index > first_failed_ || context_.cancelled()) return;
+  if (index > first_failed_) return;
   Status& status = runs_[index].status;
   status = no_throw([&] { return solve(index, true); });
   std::uint32_t first = first_failed_;

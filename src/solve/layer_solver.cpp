@@ -27,6 +27,8 @@ constexpr double kProbedEdgePerRadius = 1.5;
 /// A triangle that is nowhere more opaque than this shows in no pixel.
 constexpr float kInvisibleOpacity = 1.0f / 4096;
 
+constexpr std::size_t kTrianglesPerTask = 4096;
+
 /// Where the border of what is seen crosses an edge is found to this share of the smallest edge.
 constexpr double kBorderPerEdge = 1e-4;
 
@@ -157,8 +159,9 @@ Status LayerSolver::update_mesh() {
 /// All triangles are new then.
 Status LayerSolver::lay_out() {
   const Stopwatch watch;
-  Status status =
-      for_fields_side_by_side([&](FieldSolver& field) { return field.lay_out(context_, mesh_); });
+  const std::size_t spare = options_.max_error > 0 ? mesh_.triangle_count() / 2 : 0;
+  Status status = for_fields_side_by_side(
+      [&](FieldSolver& field) { return field.lay_out(context_, mesh_, spare); });
   if (status) status = list_all_triangles();
   if (stats_) stats_->triangulation_seconds += watch.seconds();
   return status;
@@ -287,21 +290,24 @@ Result<std::vector<std::uint8_t>> LayerSolver::edges_of_curves(std::span<const s
   std::vector<std::uint8_t> marks;
   Status status = memory.resize(context_, marks, mesh_.triangle_vertex.size());
   if (!status) return status;
-  RarePoll<16384> poll(context_);
-  for (std::size_t i = 0; i < marks.size(); ++i) {
-    if (poll.cancelled()) return context_.cancel_status();
-    const std::int32_t edge = i < whole ? static_cast<std::int32_t>(i) : cuts_.edge[i - whole];
-    if (edge < 0) {
-      marks[i] = edge == BorderCuts::kBorder;
-      continue;
-    }
-    const std::int32_t twin = mesh_.half_edge_twin[edge];
-    const auto beyond = static_cast<std::size_t>(twin) / 3;
-    const bool is_end =
-        twin != mesh::kNone && !keep[beyond] && (cuts_.is_cut.empty() || !cuts_.is_cut[beyond]);
-    marks[i] = is_end || is_curve(static_cast<std::uint32_t>(edge));
-  }
+  status = parallel_for(context_, marks.size(), kTrianglesPerTask,
+                        [&](std::size_t begin, std::size_t end) {
+                          for (std::size_t i = begin; i < end; ++i) {
+                            const std::int32_t edge =
+                                i < whole ? static_cast<std::int32_t>(i) : cuts_.edge[i - whole];
+                            marks[i] = edge < 0 ? edge == BorderCuts::kBorder : is_end(edge, keep);
+                          }
+                        });
+  if (!status) return status;
   return marks;
+}
+
+/// Whether an edge of the mesher's triangles lies on a curve, or nothing is kept beyond it.
+bool LayerSolver::is_end(std::int32_t half_edge, std::span<const std::uint8_t> keep) const {
+  const std::int32_t twin = mesh_.half_edge_twin[half_edge];
+  const auto beyond = static_cast<std::uint32_t>(twin) / 3;
+  return (twin != mesh::kNone && !keep[beyond] && !is_cut(beyond)) ||
+         is_curve(static_cast<std::uint32_t>(half_edge));
 }
 
 /// Adds the triangles beside them to those to keep: a blur mixes the colours of what is
@@ -344,12 +350,14 @@ Result<std::vector<std::uint8_t>> LayerSolver::visible_triangles(TableMemory& me
   std::vector<std::uint8_t> keep;
   Status status = memory.resize(context_, keep, mesh_.triangle_count());
   if (!status) return status;
-  RarePoll<16384> poll(context_);
-  for (std::uint32_t t = 0; t < mesh_.triangle_count(); ++t) {
-    if (poll.cancelled()) return context_.cancel_status();
-    keep[t] = !is_cut(t) && color_.sees_curves(t) &&
-              largest_opacity(t, kInvisibleOpacity) >= kInvisibleOpacity;
-  }
+  status = parallel_for(context_, keep.size(), kTrianglesPerTask,
+                        [&](std::size_t begin, std::size_t end) {
+                          for (auto t = static_cast<std::uint32_t>(begin); t < end; ++t) {
+                            keep[t] = !is_cut(t) && color_.sees_curves(t) &&
+                                      largest_opacity(t, kInvisibleOpacity) >= kInvisibleOpacity;
+                          }
+                        });
+  if (!status) return status;
   return keep;
 }
 

@@ -51,6 +51,7 @@ class LayerSolver {
   Status make_smaller(const std::vector<std::uint32_t>& triangles);
   Status cut_at_border();
   bool is_curve(std::uint32_t half_edge) const;
+  bool is_end(std::int32_t half_edge, std::span<const std::uint8_t> keep) const;
   bool is_cut(std::uint32_t triangle) const {
     return triangle < cuts_.is_cut.size() && cuts_.is_cut[triangle] != 0;
   }

@@ -50,8 +50,14 @@ class NewNodes {
 class FirstLayout {
  public:
   FirstLayout(const Context& context, const mesh::TriangleMesh& mesh,
-              const curves::SegmentAttributes& attributes, const Seams& seams, TableMemory& memory)
-      : context_(context), mesh_(mesh), attributes_(attributes), seams_(seams), memory_(memory) {
+              const curves::SegmentAttributes& attributes, const Seams& seams, TableMemory& memory,
+              std::size_t spare)
+      : context_(context),
+        mesh_(mesh),
+        attributes_(attributes),
+        seams_(seams),
+        memory_(memory),
+        spare_(spare) {
     layout_.channel_count = attributes.channel_count();
   }
 
@@ -69,13 +75,22 @@ class FirstLayout {
   Status make_tables() {
     const std::size_t triangles = mesh_.triangle_count();
     const std::size_t parts = (triangles + kTrianglesPerPart - 1) / kTrianglesPerPart;
-    Status status =
-        memory_.resize(context_, layout_.triangle_node, kNodesPerTriangle * triangles, kNoNode);
-    if (status) status = memory_.resize(context_, layout_.edge_is_curve, 3 * triangles);
+    Status status = make_table(layout_.triangle_node, kNodesPerTriangle, triangles, spare_);
+    if (status) status = make_table(layout_.edge_is_curve, 3, triangles, spare_);
     if (status) status = scratch_.reserve(context_, parts_, parts);
     for (std::size_t i = 0; status && i < parts; ++i) parts_.emplace_back();
     return status;
   }
+
+  /// With `width` items for each of `count` things, and room for those of `spare` more.
+  template <class Table>
+  Status make_table(Table& table, std::size_t width, std::size_t count, std::size_t spare) {
+    Status status = memory_.reserve(context_, table, width * (count + spare));
+    return status ? memory_.resize(context_, table, width * count) : status;
+  }
+
+  /// About five to a triangle.
+  std::size_t spare_nodes() const { return 5 * spare_; }
 
   /// The lowest half-edge at each vertex: what NodePlacer::place_around_vertex begins with.
   Status find_first_spokes() {
@@ -129,7 +144,7 @@ class FirstLayout {
       part.first_node = count;
       count += static_cast<std::uint32_t>(part.position.size());
     }
-    Status status = memory_.resize(context_, layout_.position, count);
+    Status status = make_table(layout_.position, 1, count, spare_nodes());
     if (!status) return status;
     return parallel_for(context_, parts_.size(), 1, [&](std::size_t i, std::size_t) {
       Part& part = parts_[i];
@@ -162,8 +177,8 @@ class FirstLayout {
   Status set_fixed_values() {
     const std::size_t nodes = layout_.position.size();
     const auto channels = static_cast<std::size_t>(layout_.channel_count);
-    Status status = memory_.resize(context_, layout_.is_fixed, nodes);
-    if (status) status = memory_.resize(context_, layout_.value, channels * nodes);
+    Status status = make_table(layout_.is_fixed, 1, nodes, spare_nodes());
+    if (status) status = make_table(layout_.value, channels, nodes, spare_nodes());
     if (!status) return status;
     return parallel_for(context_, parts_.size(), 1, [&](std::size_t i, std::size_t) {
       for (FixedShare fixed : parts_[i].fixed) {
@@ -179,6 +194,7 @@ class FirstLayout {
   const curves::SegmentAttributes& attributes_;
   const Seams& seams_;
   TableMemory& memory_;
+  std::size_t spare_;  ///< triangles
   NodeLayout layout_;
   TableMemory scratch_{"patches"};
   std::vector<std::uint32_t> first_spoke_;  ///< per vertex
@@ -189,8 +205,8 @@ class FirstLayout {
 
 Result<NodeLayout> lay_out_nodes(const Context& context, const mesh::TriangleMesh& mesh,
                                  const curves::SegmentAttributes& attributes, const Seams& seams,
-                                 TableMemory& memory) {
-  return FirstLayout(context, mesh, attributes, seams, memory).run();
+                                 TableMemory& memory, std::size_t spare) {
+  return FirstLayout(context, mesh, attributes, seams, memory, spare).run();
 }
 
 }  // namespace sfumato::solve

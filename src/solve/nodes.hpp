@@ -33,11 +33,11 @@ struct NodeLayout {
 };
 
 /// Lays out the nodes in the order of the triangles, so that neighbours in the list are neighbours
-/// in the plane. `seams` is made of the same mesh and attributes. The layout's room is taken from
-/// `memory`. Errors: limit (memory), cancelled. Cost: O(triangles). What follows a mesh that
-/// changes: solve/layout_update.hpp.
+/// in the plane. `seams` is made of the same mesh and attributes. The layout's room, with that for
+/// about as many triangles more as `spare`, is taken from `memory`. Errors: limit (memory),
+/// cancelled. Cost: O(triangles). What follows a mesh that changes: solve/layout_update.hpp.
 Result<NodeLayout> lay_out_nodes(const Context& context, const mesh::TriangleMesh& mesh,
                                  const curves::SegmentAttributes& attributes, const Seams& seams,
-                                 TableMemory& memory);
+                                 TableMemory& memory, std::size_t spare = 0);
 
 }  // namespace sfumato::solve
