@@ -130,9 +130,9 @@ void exact(benchmark::State& state) {
   const auto packing = gather::pack(context, p->scene, *located);
   std::vector<float> out(p->points.size() * 3);
   for (auto _ : state) {
-    benchmark::DoNotOptimize(
-        gather::gather_exact(context, p->scene, gather::FreeEnds(), *located, *packing, out, {})
-            .ok());
+    benchmark::DoNotOptimize(gather::gather_exact(context, p->scene, gather::FreeEnds(), p->points,
+                                                  *located, *packing, out, {})
+                                 .ok());
   }
   count_points(state, p->points.size());
 }

@@ -8,7 +8,7 @@
 
 namespace sfumato {
 
-Status try_parallel_for(Context& context, std::size_t count, std::size_t grain,
+Status try_parallel_for(const Context& context, std::size_t count, std::size_t grain,
                         FunctionRef<Status(std::size_t, std::size_t)> body) {
   const std::size_t task_count = (count + grain - 1) / grain;
   Status failure;
@@ -35,7 +35,7 @@ Status try_parallel_for(Context& context, std::size_t count, std::size_t grain,
   return failure;
 }
 
-Status parallel_for(Context& context, std::size_t count, std::size_t grain,
+Status parallel_for(const Context& context, std::size_t count, std::size_t grain,
                     FunctionRef<void(std::size_t, std::size_t)> body) {
   return try_parallel_for(context, count, grain, [&](std::size_t begin, std::size_t end) {
     body(begin, end);

@@ -11,12 +11,12 @@ namespace sfumato {
 /// shorter). The cut does not depend on the number of threads; a body writes only its own slots.
 /// After cancellation the remaining ranges are skipped and the status is cancelled. If an
 /// allocation in a body fails, the remaining ranges are skipped and the status is out_of_memory.
-Status parallel_for(Context& context, std::size_t count, std::size_t grain,
+Status parallel_for(const Context& context, std::size_t count, std::size_t grain,
                     FunctionRef<void(std::size_t begin, std::size_t end)> body);
 
 /// parallel_for() with a body that may fail. After a failure the remaining ranges are skipped, and
 /// its status is returned. If several ranges fail, which status is returned depends on the threads.
-Status try_parallel_for(Context& context, std::size_t count, std::size_t grain,
+Status try_parallel_for(const Context& context, std::size_t count, std::size_t grain,
                         FunctionRef<Status(std::size_t begin, std::size_t end)> body);
 
 }  // namespace sfumato

@@ -49,8 +49,8 @@ struct alignas(64) SharesOfPacket {
 
 class ExactGather {
  public:
-  ExactGather(Context& context, const Scene& scene, const FreeEnds& ends,
-              const LocatedPoints& points, const Packing& packing, std::span<float> out,
+  ExactGather(Context& context, const Scene& scene, const FreeEnds& ends, const PointList& points,
+              const LocatedPoints& located, const Packing& packing, std::span<float> out,
               std::span<std::uint8_t> hit)
       : context_(context),
         kernel_(packet_kernel(context.simd)),
@@ -59,6 +59,7 @@ class ExactGather {
         channel_count_(static_cast<std::size_t>(scene.channel_count())),
         ends_(ends),
         points_(points),
+        located_(located),
         packing_(packing),
         packets_per_poll_(std::clamp<std::size_t>(kTrianglesPerPoll / (scene.triangle.size() + 1),
                                                   1, kPacketsPerTask)),
@@ -111,8 +112,8 @@ class ExactGather {
     input.triangle_count = packet.triangle_count;
     int lane = 0;
     for_each_point(packet, [&](int used_lane, std::uint32_t point) {
-      input.x[used_lane] = points_.x[point];
-      input.y[used_lane] = points_.y[point];
+      input.x[used_lane] = located_.x[point];
+      input.y[used_lane] = located_.y[point];
       lane = used_lane;
     });
     for (int i = lane + 1; i < kPacketLanes; ++i) {
@@ -125,7 +126,8 @@ class ExactGather {
   void store(const Packet& packet, const PacketResult& result) {
     const bool is_near_end = touches_end(packet);
     for_each_point(packet, [&](int lane, std::uint32_t point) {
-      const std::span<float> value = out_.subspan(point * channel_count_, channel_count_);
+      const std::size_t slot = points_.slot(point);
+      const std::span<float> value = out_.subspan(slot * channel_count_, channel_count_);
       float* out = value.data();
       for (int c = 0; c < base_channels_; ++c) *out++ = result.value[c][lane];
       for (int s = 0; s < scene_.shader_count; ++s) {
@@ -133,10 +135,10 @@ class ExactGather {
       }
       bool is_hit = result.weight[lane] > 0;
       if (is_near_end) {
-        const Vec2 at{points_.x[point], points_.y[point]};
+        const Vec2 at{located_.x[point], located_.y[point]};
         is_hit |= ends_.add(at, result.weight[lane], value);
       }
-      if (!hit_.empty()) hit_[point] = is_hit;
+      if (!hit_.empty()) hit_[slot] = is_hit;
     });
   }
 
@@ -144,7 +146,7 @@ class ExactGather {
     if (ends_.empty()) return false;
     Box box;
     for_each_point(packet, [&](int, std::uint32_t point) {
-      box.extend({points_.x[point], points_.y[point]});
+      box.extend({located_.x[point], located_.y[point]});
     });
     return ends_.touches(box);
   }
@@ -166,7 +168,8 @@ class ExactGather {
   int base_channels_;
   std::size_t channel_count_;
   const FreeEnds& ends_;
-  const LocatedPoints& points_;
+  const PointList& points_;
+  const LocatedPoints& located_;
   const Packing& packing_;
   std::size_t packets_per_poll_;
   std::span<float> out_;
@@ -176,9 +179,9 @@ class ExactGather {
 }  // namespace
 
 Status gather_exact(Context& context, const Scene& scene, const FreeEnds& ends,
-                    const LocatedPoints& points, const Packing& packing, std::span<float> out,
-                    std::span<std::uint8_t> hit) {
-  return ExactGather(context, scene, ends, points, packing, out, hit).run();
+                    const PointList& points, const LocatedPoints& located, const Packing& packing,
+                    std::span<float> out, std::span<std::uint8_t> hit) {
+  return ExactGather(context, scene, ends, points, located, packing, out, hit).run();
 }
 
 }  // namespace sfumato::gather

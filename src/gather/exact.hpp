@@ -13,7 +13,7 @@ namespace sfumato::gather {
 /// Z of eq. 2 at every point of a packing, in closed form over the exact visible set. `out` and
 /// `hit` as in Gatherer::gather. Errors: limit (memory), cancelled.
 Status gather_exact(Context& context, const Scene& scene, const FreeEnds& ends,
-                    const LocatedPoints& points, const Packing& packing, std::span<float> out,
-                    std::span<std::uint8_t> hit);
+                    const PointList& points, const LocatedPoints& located, const Packing& packing,
+                    std::span<float> out, std::span<std::uint8_t> hit);
 
 }  // namespace sfumato::gather

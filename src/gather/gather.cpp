@@ -18,6 +18,19 @@ struct Gatherer::State {
   std::optional<Locator> locator;  ///< empty where the mesh has no triangle
 };
 
+namespace {
+
+/// What is gathered where there is nothing to see.
+void leave_empty(const PointList& points, std::size_t channels, std::span<float> out,
+                 std::span<std::uint8_t> hit) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    std::ranges::fill(out.subspan(channels * points.slot(i), channels), 0.0f);
+    if (!hit.empty()) hit[points.slot(i)] = 0;
+  }
+}
+
+}  // namespace
+
 Gatherer::Gatherer(std::unique_ptr<State> state) : state_(std::move(state)) {}
 Gatherer::Gatherer(Gatherer&&) noexcept = default;
 Gatherer& Gatherer::operator=(Gatherer&&) noexcept = default;
@@ -47,9 +60,8 @@ int Gatherer::channel_count() const {
   return state_->scene.channel_count();
 }
 
-Status Gatherer::gather(Context& context, std::span<const Vec2> points,
-                        const GatherOptions& options, std::span<float> out,
-                        std::span<std::uint8_t> hit) const {
+Status Gatherer::gather(Context& context, const PointList& points, const GatherOptions& options,
+                        std::span<float> out, std::span<std::uint8_t> hit) const {
   if (points.size() > context.limits.nodes) {
     return limit_error(context.limits, &Limits::nodes, "points to gather at");
   }
@@ -57,15 +69,14 @@ Status Gatherer::gather(Context& context, std::span<const Vec2> points,
     return gather_rays(context, state_->scene, state_->ends, points, options, out, hit);
   }
   if (!state_->locator) {
-    std::fill(out.begin(), out.end(), 0.0f);
-    std::fill(hit.begin(), hit.end(), std::uint8_t{0});
+    leave_empty(points, static_cast<std::size_t>(channel_count()), out, hit);
     return ok_status();
   }
   const Result<LocatedPoints> located = state_->locator->locate(context, points);
   if (!located) return located.status();
   const Result<Packing> packing = pack(context, state_->scene, *located);
   if (!packing) return packing.status();
-  return gather_exact(context, state_->scene, state_->ends, *located, *packing, out, hit);
+  return gather_exact(context, state_->scene, state_->ends, points, *located, *packing, out, hit);
 }
 
 }  // namespace sfumato::gather

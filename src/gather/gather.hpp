@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "gather/point_list.hpp"
 #include "gather/scene.hpp"
 #include "sfumato/gather/options.hpp"
 
@@ -31,11 +32,11 @@ class Gatherer {
 
   /// points   layer frame, inside the visibility mesh's hull; neighbours in the list should be
   ///          neighbours in the plane. Not on a curve that bears the attribute, nor on a vertex.
-  /// out      channel_count() floats per point. Where nothing is hit: 0.
-  /// hit      optional, per point: 1 where any ray hits, else 0.
+  /// out      channel_count() floats per slot. Where nothing is hit: 0.
+  /// hit      optional, per slot: 1 where any ray hits, else 0.
   /// Errors   limit, cancelled (out unspecified). The same bits for any thread count and SIMD
   ///          level.
-  Status gather(Context& context, std::span<const Vec2> points, const GatherOptions& options,
+  Status gather(Context& context, const PointList& points, const GatherOptions& options,
                 std::span<float> out, std::span<std::uint8_t> hit = {}) const;
 
  private:

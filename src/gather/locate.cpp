@@ -115,7 +115,7 @@ std::uint32_t Locator::start_triangle(float x, float y) const {
                         cell_of(x - min_x_, cells_per_unit_x_, side_)];
 }
 
-Result<LocatedPoints> Locator::locate(Context& context, std::span<const Vec2> points) const {
+Result<LocatedPoints> Locator::locate(Context& context, const PointList& points) const {
   LocatedPoints located;
   Status status =
       located.memory.resize_all(context, points.size(), located.x, located.y, located.triangle);
@@ -124,8 +124,8 @@ Result<LocatedPoints> Locator::locate(Context& context, std::span<const Vec2> po
     float last_x = std::numeric_limits<float>::infinity(), last_y = 0;
     std::uint32_t t = 0;
     for (std::size_t i = begin; i < end; ++i) {
-      auto x = static_cast<float>(points[i].x - scene_->origin.x);
-      auto y = static_cast<float>(points[i].y - scene_->origin.y);
+      const Vec2 point = points[i] - scene_->origin;
+      auto x = static_cast<float>(point.x), y = static_cast<float>(point.y);
       const float cells_away = std::max(std::fabs(x - last_x) * cells_per_unit_x_,
                                         std::fabs(y - last_y) * cells_per_unit_y_);
       if (!(cells_away < 1)) t = start_triangle(x, y);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/table_memory.hpp"
+#include "gather/point_list.hpp"
 #include "gather/scene.hpp"
 
 namespace sfumato::gather {
@@ -27,7 +28,7 @@ class Locator {
   static Result<Locator> create(Context& context, const Scene& scene);
 
   /// Cost: a few steps for each point. Errors: limit, cancelled.
-  Result<LocatedPoints> locate(Context& context, std::span<const Vec2> points) const;
+  Result<LocatedPoints> locate(Context& context, const PointList& points) const;
 
  private:
   std::uint32_t start_triangle(float x, float y) const;

@@ -127,7 +127,7 @@ PointSums sample(const Scene& scene, const RayGrid& grid, float x, float y,
 }  // namespace
 
 Status gather_rays(Context& context, const Scene& scene, const FreeEnds& ends,
-                   std::span<const Vec2> points, const GatherOptions& options, std::span<float> out,
+                   const PointList& points, const GatherOptions& options, std::span<float> out,
                    std::span<std::uint8_t> hit) {
   if (options.rays_per_node < 1 || options.rays_per_node > limits::kRays) {
     return make_error(StatusCode::limit,
@@ -145,10 +145,11 @@ Status gather_rays(Context& context, const Scene& scene, const FreeEnds& ends,
                           const auto x = static_cast<float>(points[i].x - scene.origin.x);
                           const auto y = static_cast<float>(points[i].y - scene.origin.y);
                           const PointSums sums = sample(scene, *grid, x, y, options, shares);
-                          const auto value = out.subspan(i * channel_count, channel_count);
+                          const std::size_t slot = points.slot(i);
+                          const auto value = out.subspan(slot * channel_count, channel_count);
                           sums.store(value.data());
                           const bool at_end = ends.add({x, y}, sums.weight() * per_ray, value);
-                          if (!hit.empty()) hit[i] = sums.hit() || at_end;
+                          if (!hit.empty()) hit[slot] = sums.hit() || at_end;
                         }
                       });
 }

@@ -13,7 +13,7 @@ namespace sfumato::gather {
 /// share of the circle, through a regular grid; Z = Σ w z / Σ w with w = k r⁻² at the first hit.
 /// Random numbers are a hash of (seed, point, ray). Errors: limit, cancelled.
 Status gather_rays(Context& context, const Scene& scene, const FreeEnds& ends,
-                   std::span<const Vec2> points, const GatherOptions& options, std::span<float> out,
+                   const PointList& points, const GatherOptions& options, std::span<float> out,
                    std::span<std::uint8_t> hit);
 
 }  // namespace sfumato::gather

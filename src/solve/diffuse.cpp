@@ -5,22 +5,11 @@
 #include "base/charge.hpp"
 #include "base/public_verb.hpp"
 #include "base/table_memory.hpp"
-#include "solve/layer_solver.hpp"
+#include "solve/layer_runs.hpp"
 #include "solve/prepare_layer.hpp"
 
 namespace sfumato {
 namespace {
-
-Result<PatchLayer> solve_layer(Context& context, const Document& document, std::uint32_t index,
-                               const Box& viewport, const DiffuseOptions& options,
-                               DiffuseStats* stats) {
-  const solve::LayerSight sight = solve::sight_of_layer(document, index, viewport);
-  if (sight.viewport.empty() || document.layers[index].curves.empty()) return PatchLayer{};
-  Result<solve::PreparedLayer> prepared = solve::prepare_layer(
-      context, document, index, sight, options, stats, solve::LayerUse::patches);
-  if (!prepared) return prepared.status();
-  return solve::LayerSolver(context, std::move(*prepared), options, stats).solve();
-}
 
 PictureItem picture_item(const LayerInstance& instance) {
   return PatchInstance{instance.layer, instance.artboard_from_layer, instance.opacity,
@@ -88,16 +77,14 @@ Result<Picture> solve_layers(Context& context, const Document& document,
       make_frame(context, document, options.viewport.value_or(document.artboard));
   if (!frame) return frame.status();
   Picture picture = std::move(*frame);
-  ScopedCharge charge;  // of the frame and the layers that are done, while others are solved
+  ScopedCharge charge;  // of the frame, while layers are solved
   Status status = charge.add(context, bytes_of(picture), "the picture");
   if (!status) return status;
-  for (std::uint32_t i = 0; i < document.layers.size(); ++i) {
-    Result<PatchLayer> layer = solve_layer(context, document, i, picture.viewport, options, stats);
-    if (!layer) return layer.status();
-    status = charge.add(context, bytes_of(*layer), "patches");
-    if (!status) return status;
-    picture.layers.push_back(std::move(*layer));
-  }
+  solve::LayerRuns runs(context, document, picture.viewport, options);
+  status = runs.run();
+  if (stats) runs.add_to(*stats);
+  if (!status) return status;
+  picture.layers = runs.take();
   return picture;
 }
 

@@ -1,19 +1,28 @@
 #include "solve/field_solver.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <numeric>
 #include <utility>
 
+#include "base/parallel.hpp"
 #include "base/poll.hpp"
 #include "picture/patch.hpp"
 #include "solve/layout_order.hpp"
-#include "solve/probes.hpp"
 
 namespace sfumato::solve {
 namespace {
 
 constexpr std::size_t kNodes = kNodesPerTriangle;
+
+constexpr std::size_t kTrianglesPerTask = 1024;
+constexpr std::size_t kProbesPerTask = 2048;
+
+/// Several threads may mark one at the same time.
+void mark(std::uint8_t& is_marked) {
+  std::atomic_ref(is_marked).store(1, std::memory_order_relaxed);
+}
 
 double longest_edge(const mesh::TriangleMesh& mesh, std::uint32_t t) {
   double longest = 0;
@@ -32,12 +41,13 @@ Status FieldSolver::start(Context& context, const mesh::TriangleMesh& mesh) {
   return seams.status();
 }
 
-Status FieldSolver::lay_out(Context& context, const mesh::TriangleMesh& mesh) {
+Status FieldSolver::lay_out(Context& context, const mesh::TriangleMesh& mesh, std::size_t spare) {
   Result<NodeLayout> layout =
-      lay_out_nodes(context, mesh, field_.attributes, *seams_, layout_memory_);
+      lay_out_nodes(context, mesh, field_.attributes, *seams_, layout_memory_, spare);
   if (!layout) return layout.status();
   layout_ = std::move(*layout);
   Status status = list_free_nodes(context);
+  if (status) status = memory_.reserve(context, node_hit_, layout_.position.capacity());
   return status ? memory_.resize(context, node_hit_, layout_.node_count(), 1) : status;
 }
 
@@ -85,29 +95,11 @@ Result<std::size_t> FieldSolver::gather(Context& context, const gather::GatherOp
   if (all) {
     if (Status status = list_free_nodes(context); !status) return status;
   }
-  const std::vector<std::uint32_t>& nodes = to_gather_;
-  const std::size_t count = nodes.size();
-  const auto channels = static_cast<std::size_t>(layout_.channel_count);
-  TableMemory scratch("nodes to gather");
-  std::vector<Vec2> points;
-  std::vector<float> values;
-  std::vector<std::uint8_t> hits;
-  Status status = scratch.reserve(context, points, count);
-  if (status) status = scratch.resize(context, values, count * channels);
-  if (status) status = scratch.resize(context, hits, count);
-  if (!status) return status;
-  RarePoll<65536> poll(context);
-  for (const std::uint32_t node : nodes) {
-    if (poll.cancelled()) return context.cancel_status();
-    points.push_back(layout_.position[node]);
-  }
-  status = field_.gatherer.gather(context, points, options, values, hits);
-  if (!status) return status;
-  for (std::size_t i = 0; i < count; ++i) {
-    if (poll.cancelled()) return context.cancel_status();
-    float* const value = layout_.value.data() + channels * nodes[i];
-    for (std::size_t c = 0; c < channels; ++c) value[c] = values[channels * i + c];
-    node_hit_[nodes[i]] = hits[i];
+  const std::size_t count = to_gather_.size();
+  if (count > 0) {
+    Status status = field_.gatherer.gather(context, {layout_.position, to_gather_}, options,
+                                           layout_.value, node_hit_);
+    if (!status) return status;
   }
   memory_.free(to_gather_);
   return count;
@@ -129,22 +121,27 @@ Status FieldSolver::find_misses(Context& context, const mesh::TriangleMesh& mesh
   Status status = scratch.resize(context, exact, probes.position.size() * channels);
   if (status) status = field_.gatherer.gather(context, probes.position, {}, exact);
   if (!status) return status;
-  std::vector<float> value(channels);
-  RarePoll<4096> poll(context);
-  for (std::size_t i = 0; i < probes.position.size(); ++i) {
-    if (poll.cancelled()) return context.cancel_status();
-    patch_value_at_probe(probes, i, layout_, order, value.data());
-    float* const exact_value = exact.data() + channels * i;
-    show_as_code_values(value.data());
-    show_as_code_values(exact_value);
-    for (std::size_t c = 0; c < channels; ++c) value[c] = std::fabs(value[c] - exact_value[c]);
-    const std::uint32_t t = probes.half_edge[i] / 3;
-    if (!is_more(value, max_error, t, color_weight)) continue;
-    misses[t] = 1;
-    const std::int32_t twin = mesh.half_edge_twin[probes.half_edge[i]];
-    if (probes.place[i] == 3 && twin != mesh::kNone) misses[twin / 3] = 1;
-  }
-  return ok_status();
+  return parallel_for(context, probes.position.size(), kProbesPerTask,
+                      [&](std::size_t begin, std::size_t end) {
+                        std::vector<float> miss(channels);
+                        for (std::size_t i = begin; i < end; ++i) {
+                          measure_miss(probes, i, order, exact.data() + channels * i, miss.data());
+                          const std::uint32_t t = probes.half_edge[i] / 3;
+                          if (!is_more(miss, max_error, t, color_weight)) continue;
+                          mark(misses[t]);
+                          const std::int32_t twin = mesh.half_edge_twin[probes.half_edge[i]];
+                          if (probes.place[i] == 3 && twin != mesh::kNone) mark(misses[twin / 3]);
+                        }
+                      });
+}
+
+void FieldSolver::measure_miss(const ProbeSet& probes, std::size_t i, PatchOrder order,
+                               float* exact, float* miss) const {
+  patch_value_at_probe(probes, i, layout_, order, miss);
+  show_as_code_values(miss);
+  show_as_code_values(exact);
+  const auto channels = static_cast<std::size_t>(layout_.channel_count);
+  for (std::size_t c = 0; c < channels; ++c) miss[c] = std::fabs(miss[c] - exact[c]);
 }
 
 Result<std::vector<std::uint32_t>> FieldSolver::find_doubtful(
@@ -159,13 +156,21 @@ Result<std::vector<std::uint32_t>> FieldSolver::find_doubtful(
   if (status && !foretells) status = memory.append(context, triangles, doubtful);
   if (!status) return status;
   if (!foretells) return doubtful;
-  std::vector<float> miss(static_cast<std::size_t>(layout_.channel_count));
-  RarePoll<4096> poll(context);
-  for (const std::uint32_t t : triangles) {
-    if (poll.cancelled()) return context.cancel_status();
-    foretell_miss(layout_, t, miss.data());
-    if (is_more(miss, max_error, t, color_weight)) doubtful.push_back(t);
-  }
+  std::vector<std::uint8_t> is_doubtful;
+  TableMemory scratch("probes of patches");
+  status = scratch.resize(context, is_doubtful, triangles.size());
+  if (!status) return status;
+  status = parallel_for(context, triangles.size(), kTrianglesPerTask,
+                        [&](std::size_t begin, std::size_t end) {
+                          std::vector<float> miss(static_cast<std::size_t>(layout_.channel_count));
+                          for (std::size_t i = begin; i < end; ++i) {
+                            foretell_miss(layout_, triangles[i], miss.data());
+                            is_doubtful[i] = is_more(miss, max_error, triangles[i], color_weight);
+                          }
+                        });
+  if (!status) return status;
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+    if (is_doubtful[i]) doubtful.push_back(triangles[i]);
   return doubtful;
 }
 

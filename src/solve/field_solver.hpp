@@ -15,6 +15,7 @@
 #include "solve/border.hpp"
 #include "solve/layout_update.hpp"
 #include "solve/nodes.hpp"
+#include "solve/probes.hpp"
 #include "solve/seams.hpp"
 
 namespace sfumato::solve {
@@ -40,8 +41,9 @@ class FieldSolver {
   /// Errors: limit (memory), cancelled.
   Status start(Context& context, const mesh::TriangleMesh& mesh);
 
-  /// Lays out the nodes and lists all free ones to be gathered. Errors: limit (memory), cancelled.
-  Status lay_out(Context& context, const mesh::TriangleMesh& mesh);
+  /// Lays out the nodes and lists all free ones to be gathered. Reserves room for `spare` more
+  /// triangles. Errors: limit (memory), cancelled.
+  Status lay_out(Context& context, const mesh::TriangleMesh& mesh, std::size_t spare = 0);
 
   /// Follows the mesh, of which the triangles in `changed` (ascending, including new ones) have
   /// changed. If the nodes are laid out, they are updated: free nodes of other triangles keep their
@@ -114,6 +116,9 @@ class FieldSolver {
                                                    float max_error, PatchOrder order,
                                                    FunctionRef<float(std::uint32_t)> color_weight,
                                                    TableMemory& memory) const;
+  /// The patch's error at probe i in each channel; converts the exact value in place, too.
+  void measure_miss(const ProbeSet& probes, std::size_t i, PatchOrder order, float* exact,
+                    float* miss) const;
   /// Whether the error of any channel exceeds max_error. Errors of colours are multiplied by
   /// color_weight, which is called only if it affects the result.
   bool is_more(std::span<const float> miss, float max_error, std::uint32_t triangle,

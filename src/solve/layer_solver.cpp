@@ -1,10 +1,13 @@
 #include "solve/layer_solver.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <numeric>
 #include <utility>
 
 #include "base/limit_error.hpp"
+#include "base/no_throw.hpp"
+#include "base/parallel.hpp"
 #include "base/poll.hpp"
 #include "base/stopwatch.hpp"
 #include "base/table_memory.hpp"
@@ -23,6 +26,8 @@ constexpr double kProbedEdgePerRadius = 1.5;
 
 /// A triangle that is nowhere more opaque than this shows in no pixel.
 constexpr float kInvisibleOpacity = 1.0f / 4096;
+
+constexpr std::size_t kTrianglesPerTask = 4096;
 
 /// Where the border of what is seen crosses an edge is found to this share of the smallest edge.
 constexpr double kBorderPerEdge = 1e-4;
@@ -61,7 +66,7 @@ bool any_blur(const PreparedLayer& prepared, Radius radius) {
 }  // namespace
 
 LayerSolver::LayerSolver(Context& context, PreparedLayer prepared, const DiffuseOptions& options,
-                         DiffuseStats* stats, std::optional<RoundWatch> watch)
+                         DiffuseStats* stats, std::optional<RoundWatch> watch, SolveWay way)
     : context_(context),
       mesher_(std::move(prepared.mesher)),
       is_blurred_(any_blur(prepared, &curves::SegmentSide::blur_radius)),
@@ -71,12 +76,24 @@ LayerSolver::LayerSolver(Context& context, PreparedLayer prepared, const Diffuse
       smallest_edge_(prepared.smallest_edge),
       options_(options),
       stats_(stats),
-      watch_(watch) {
+      watch_(watch),
+      way_(way) {
   if (prepared.opacity) opacity_.emplace(std::move(*prepared.opacity));
 }
 
 bool LayerSolver::is_joint() const {
   return color_.field().attributes.base_channels > kOpacityChannel;
+}
+
+Status LayerSolver::for_fields_side_by_side(FunctionRef<Status(FieldSolver&)> body) {
+  if (!opacity_ || !way_.side_by_side) return for_each_field(body);
+  FieldSolver* const field[] = {&color_, &*opacity_};
+  Status failure[2];
+  Status status = parallel_for(context_, 2, 1, [&](std::size_t i, std::size_t) {
+    failure[i] = no_throw([&] { return body(*field[i]); });
+  });
+  if (!status) return status;
+  return failure[0] ? failure[1] : failure[0];
 }
 
 Result<PatchLayer> LayerSolver::solve() {
@@ -92,7 +109,7 @@ Result<PatchLayer> LayerSolver::solve() {
   if (status) status = lay_out();
   std::vector<std::uint32_t> missed;
   for (int round = 0; status; ++round) {
-    if (context_.progress) context_.progress->report("gather", round / double{kMaxRounds});
+    if (way_.progress) (*way_.progress)(round / double{kMaxRounds});
     status = gather(refines ? gather::GatherOptions{} : options_.gather, false);
     if (!status || !refines || round == kMaxRounds) break;
     status = find_misses(missed);
@@ -120,7 +137,8 @@ Status LayerSolver::take_mesh() {
   mesh_ = std::move(*mesh);
   Status status = check_limits(context_.limits, mesh_);
   if (status)
-    status = for_each_field([&](FieldSolver& field) { return field.start(context_, mesh_); });
+    status =
+        for_fields_side_by_side([&](FieldSolver& field) { return field.start(context_, mesh_); });
   if (stats_) stats_->triangulation_seconds += watch.seconds();
   return status;
 }
@@ -131,8 +149,8 @@ Status LayerSolver::update_mesh() {
   Status status = mesher_.update_patch_mesh(context_, mesh_, changed_);
   if (status) status = check_limits(context_.limits, mesh_);
   if (status) {
-    status =
-        for_each_field([&](FieldSolver& field) { return field.follow(context_, mesh_, changed_); });
+    status = for_fields_side_by_side(
+        [&](FieldSolver& field) { return field.follow(context_, mesh_, changed_); });
   }
   if (stats_) stats_->triangulation_seconds += watch.seconds();
   return status;
@@ -141,8 +159,9 @@ Status LayerSolver::update_mesh() {
 /// All triangles are new then.
 Status LayerSolver::lay_out() {
   const Stopwatch watch;
-  Status status =
-      for_each_field([&](FieldSolver& field) { return field.lay_out(context_, mesh_); });
+  const std::size_t spare = options_.max_error > 0 ? mesh_.triangle_count() / 2 : 0;
+  Status status = for_fields_side_by_side(
+      [&](FieldSolver& field) { return field.lay_out(context_, mesh_, spare); });
   if (status) status = list_all_triangles();
   if (stats_) stats_->triangulation_seconds += watch.seconds();
   return status;
@@ -150,8 +169,8 @@ Status LayerSolver::lay_out() {
 
 Status LayerSolver::put_in_order() {
   const Stopwatch watch;
-  Status status =
-      for_each_field([&](FieldSolver& field) { return field.put_in_order(context_, mesh_); });
+  Status status = for_fields_side_by_side(
+      [&](FieldSolver& field) { return field.put_in_order(context_, mesh_); });
   if (stats_) stats_->triangulation_seconds += watch.seconds();
   return status;
 }
@@ -190,12 +209,14 @@ Status LayerSolver::follow_blur() {
 
 Status LayerSolver::gather(const gather::GatherOptions& options, bool all) {
   const Stopwatch watch;
-  Status status = for_each_field([&](FieldSolver& field) {
+  std::atomic<std::size_t> gathered{0};
+  Status status = for_fields_side_by_side([&](FieldSolver& field) {
     const Result<std::size_t> nodes = field.gather(context_, options, all);
     if (!nodes) return nodes.status();
-    if (stats_) stats_->nodes += *nodes;
+    gathered += *nodes;
     return ok_status();
   });
+  if (stats_) stats_->nodes += gathered;
   if (stats_) stats_->gather_seconds += watch.seconds();
   if (status && watch_) (*watch_)(mesh_, color_, opacity_ ? &*opacity_ : nullptr);
   return status;
@@ -269,21 +290,24 @@ Result<std::vector<std::uint8_t>> LayerSolver::edges_of_curves(std::span<const s
   std::vector<std::uint8_t> marks;
   Status status = memory.resize(context_, marks, mesh_.triangle_vertex.size());
   if (!status) return status;
-  RarePoll<16384> poll(context_);
-  for (std::size_t i = 0; i < marks.size(); ++i) {
-    if (poll.cancelled()) return context_.cancel_status();
-    const std::int32_t edge = i < whole ? static_cast<std::int32_t>(i) : cuts_.edge[i - whole];
-    if (edge < 0) {
-      marks[i] = edge == BorderCuts::kBorder;
-      continue;
-    }
-    const std::int32_t twin = mesh_.half_edge_twin[edge];
-    const auto beyond = static_cast<std::size_t>(twin) / 3;
-    const bool is_end =
-        twin != mesh::kNone && !keep[beyond] && (cuts_.is_cut.empty() || !cuts_.is_cut[beyond]);
-    marks[i] = is_end || is_curve(static_cast<std::uint32_t>(edge));
-  }
+  status = parallel_for(context_, marks.size(), kTrianglesPerTask,
+                        [&](std::size_t begin, std::size_t end) {
+                          for (std::size_t i = begin; i < end; ++i) {
+                            const std::int32_t edge =
+                                i < whole ? static_cast<std::int32_t>(i) : cuts_.edge[i - whole];
+                            marks[i] = edge < 0 ? edge == BorderCuts::kBorder : is_end(edge, keep);
+                          }
+                        });
+  if (!status) return status;
   return marks;
+}
+
+/// Whether an edge of the mesher's triangles lies on a curve, or nothing is kept beyond it.
+bool LayerSolver::is_end(std::int32_t half_edge, std::span<const std::uint8_t> keep) const {
+  const std::int32_t twin = mesh_.half_edge_twin[half_edge];
+  const auto beyond = static_cast<std::uint32_t>(twin) / 3;
+  return (twin != mesh::kNone && !keep[beyond] && !is_cut(beyond)) ||
+         is_curve(static_cast<std::uint32_t>(half_edge));
 }
 
 /// Adds the triangles beside them to those to keep: a blur mixes the colours of what is
@@ -326,12 +350,14 @@ Result<std::vector<std::uint8_t>> LayerSolver::visible_triangles(TableMemory& me
   std::vector<std::uint8_t> keep;
   Status status = memory.resize(context_, keep, mesh_.triangle_count());
   if (!status) return status;
-  RarePoll<16384> poll(context_);
-  for (std::uint32_t t = 0; t < mesh_.triangle_count(); ++t) {
-    if (poll.cancelled()) return context_.cancel_status();
-    keep[t] = !is_cut(t) && color_.sees_curves(t) &&
-              largest_opacity(t, kInvisibleOpacity) >= kInvisibleOpacity;
-  }
+  status = parallel_for(context_, keep.size(), kTrianglesPerTask,
+                        [&](std::size_t begin, std::size_t end) {
+                          for (auto t = static_cast<std::uint32_t>(begin); t < end; ++t) {
+                            keep[t] = !is_cut(t) && color_.sees_curves(t) &&
+                                      largest_opacity(t, kInvisibleOpacity) >= kInvisibleOpacity;
+                          }
+                        });
+  if (!status) return status;
   return keep;
 }
 

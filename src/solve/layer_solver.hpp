@@ -20,6 +20,12 @@ namespace sfumato::solve {
 using RoundWatch = FunctionRef<void(const mesh::TriangleMesh& mesh, const FieldSolver& color,
                                     const FieldSolver* opacity)>;
 
+/// How a layer is solved, beside what its options say.
+struct SolveWay {
+  bool side_by_side = false;  ///< colour and opacity at the same time, which takes more memory
+  std::optional<FunctionRef<void(double fraction)>> progress{};  ///< told how far it has come
+};
+
 /// Solves one layer: patch mesh, node values of colour and opacity, error-driven refinement.
 ///
 /// A round gathers the new nodes and compares the new patches with the exact gather at probe
@@ -29,7 +35,7 @@ using RoundWatch = FunctionRef<void(const mesh::TriangleMesh& mesh, const FieldS
 class LayerSolver {
  public:
   LayerSolver(Context& context, PreparedLayer prepared, const DiffuseOptions& options,
-              DiffuseStats* stats, std::optional<RoundWatch> watch = {});
+              DiffuseStats* stats, std::optional<RoundWatch> watch = {}, SolveWay way = {});
 
   Result<PatchLayer> solve();
 
@@ -45,6 +51,7 @@ class LayerSolver {
   Status make_smaller(const std::vector<std::uint32_t>& triangles);
   Status cut_at_border();
   bool is_curve(std::uint32_t half_edge) const;
+  bool is_end(std::int32_t half_edge, std::span<const std::uint8_t> keep) const;
   bool is_cut(std::uint32_t triangle) const {
     return triangle < cuts_.is_cut.size() && cuts_.is_cut[triangle] != 0;
   }
@@ -63,6 +70,9 @@ class LayerSolver {
     return status && opacity_ ? body(*opacity_) : status;
   }
 
+  /// The same, of both at the same time if the way says so.
+  Status for_fields_side_by_side(FunctionRef<Status(FieldSolver&)> body);
+
   Context& context_;
   mesh::Mesher mesher_;
   bool is_blurred_;
@@ -74,6 +84,7 @@ class LayerSolver {
   const DiffuseOptions& options_;
   DiffuseStats* stats_;
   std::optional<RoundWatch> watch_;
+  SolveWay way_;
   mesh::TriangleMesh mesh_;
   std::vector<std::uint32_t> changed_;  ///< triangles that are new in this round, ascending
   BorderCuts cuts_;                     ///< their parts follow the mesher's triangles

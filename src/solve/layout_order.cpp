@@ -1,77 +1,157 @@
 #include "solve/layout_order.hpp"
 
+#include <algorithm>
+#include <utility>
+
+#include "base/parallel.hpp"
 #include "base/poll.hpp"
 #include "solve/fan.hpp"
 
 namespace sfumato::solve {
 namespace {
 
-/// Goes through the triangles as lay_out_nodes does.
+/// A node counts to the part with the first triangle that comes to it, as in lay_out_nodes.
+constexpr std::uint32_t kTrianglesPerPart = 2048;
+
+/// Counts through the nodes in the order of lay_out_nodes: in each part by itself, then all.
 class NodeNumbering {
  public:
   NodeNumbering(const Context& context, const mesh::TriangleMesh& mesh, NodeLayout& layout)
       : context_(context), mesh_(mesh), layout_(layout) {}
 
   Result<std::vector<std::uint32_t>> run(TableMemory& memory) {
-    Status status = memory_.resize(context_, number_, layout_.node_count(), kNoNode);
-    if (status) status = memory_.resize(context_, vertex_, mesh_.vertex_position.size(), kPlain);
-    if (status) status = memory.reserve(context_, order_, layout_.node_count());
-    if (status) status = find_seams();
+    Status status = make_tables();
+    if (status) status = find_vertices();
+    if (status) {
+      status = for_each_part([&](std::size_t begin, std::size_t end) {
+        return count_part(static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end));
+      });
+    }
+    if (status) status = join_parts(memory);
     if (status) status = number_triangles();
     if (!status) return status;
     return std::move(order_);
   }
 
  private:
-  /// Only at the ends of seams do the triangles of a fan have more than one node.
-  enum Vertex : std::uint8_t { kPlain, kOnSeam, kDone };
+  struct Part {
+    std::vector<std::uint32_t> order;  ///< its nodes
+    std::size_t first = 0;             ///< place of these in the whole
+    TableMemory memory{"patches"};
+  };
 
-  Status find_seams() {
+  template <class Body>
+  Status for_each_part(Body body) {
+    return try_parallel_for(context_, mesh_.triangle_count(), kTrianglesPerPart, body);
+  }
+
+  Status make_tables() {
+    const std::size_t vertices = mesh_.vertex_position.size();
+    const std::size_t parts = (mesh_.triangle_count() + kTrianglesPerPart - 1) / kTrianglesPerPart;
+    Status status = memory_.resize(context_, number_, layout_.node_count(), kNoNode);
+    if (status) status = memory_.resize(context_, is_on_seam_, vertices);
+    if (status) status = memory_.resize(context_, first_spoke_, vertices, kNoNode);
+    if (status) status = memory_.reserve(context_, parts_, parts);
+    for (std::size_t i = 0; status && i < parts; ++i) parts_.emplace_back();
+    return status;
+  }
+
+  /// Only at the ends of seams do the triangles of a fan have more than one node.
+  Status find_vertices() {
     RarePoll<65536> poll(context_);
     for (std::uint32_t h = 0; h < layout_.edge_is_curve.size(); ++h) {
       if (poll.cancelled()) return context_.cancel_status();
-      if (layout_.edge_is_curve[h]) vertex_[mesh_.origin(h)] = vertex_[mesh_.target(h)] = kOnSeam;
+      std::uint32_t& first = first_spoke_[mesh_.origin(h)];
+      first = std::min(first, h);
+      if (layout_.edge_is_curve[h]) is_on_seam_[mesh_.origin(h)] = is_on_seam_[mesh_.target(h)] = 1;
     }
     return ok_status();
   }
 
-  /// A triangle is not looked at again once its nodes are numbered: fans begin at their first.
-  Status number_triangles() {
-    RarePoll<4096> poll(context_);
-    for (std::uint32_t t = 0; t < mesh_.triangle_count(); ++t) {
-      if (poll.cancelled()) return context_.cancel_status();
-      std::uint32_t* const node = layout_.triangle_node.data() + node_slot(t, 0);
-      for (std::uint32_t k = 0; k < 3; ++k) number_corner(3 * t + k, node[k]);
-      for (std::uint32_t i = 3; i < kNodesPerTriangle; ++i) give_number(node[i]);
-      for (std::uint32_t i = 0; i < kNodesPerTriangle; ++i) node[i] = number_[node[i]];
+  Status count_part(std::uint32_t begin, std::uint32_t end) {
+    Part& part = parts_[begin / kTrianglesPerPart];
+    Status status = part.memory.reserve(context_, part.order, 5 * (end - begin));
+    Fan fan;
+    for (std::uint32_t t = begin; status && t < end; ++t) {
+      for (std::uint32_t h = 3 * t; status && h < 3 * t + 3; ++h)
+        status = count_at_vertex(h, fan, part);
+      if (status) status = part.memory.make_room(context_, part.order, 7);
+      if (status) count_in_triangle(t, part);
     }
-    return context_.check();
+    return status;
   }
 
-  void number_corner(std::uint32_t h, std::uint32_t node) {
-    Vertex& vertex = vertex_[mesh_.origin(h)];
-    if (vertex == kPlain) return give_number(node);
-    if (vertex == kDone) return;
-    vertex = kDone;
-    fan_.collect(mesh_, h, [&](std::uint32_t spoke) { return layout_.edge_is_curve[spoke] != 0; });
-    for (const std::uint32_t spoke : fan_.spoke)
-      give_number(layout_.triangle_node[node_slot(spoke / 3, spoke % 3)]);
+  Status count_at_vertex(std::uint32_t h, Fan& fan, Part& part) {
+    const std::uint32_t vertex = mesh_.origin(h);
+    if (first_spoke_[vertex] != h) return ok_status();
+    fan.spoke.assign(1, h);
+    if (is_on_seam_[vertex])
+      fan.collect(mesh_, h, [&](std::uint32_t spoke) { return layout_.edge_is_curve[spoke] != 0; });
+    Status status = part.memory.make_room(context_, part.order, fan.spoke.size());
+    if (!status) return status;
+    for (const std::uint32_t spoke : fan.spoke) count(node_at(spoke / 3, spoke % 3), part);
+    return status;
   }
 
-  void give_number(std::uint32_t node) {
+  /// Those of its edges and its barycentre.
+  void count_in_triangle(std::uint32_t t, Part& part) {
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const std::uint32_t h = 3 * t + k;
+      const std::int32_t twin = mesh_.half_edge_twin[h];
+      const bool is_other =
+          !layout_.edge_is_curve[h] && twin != mesh::kNone && static_cast<std::uint32_t>(twin) < h;
+      if (is_other) continue;
+      count(node_at(t, 3 + 2 * k), part);
+      count(node_at(t, 4 + 2 * k), part);
+    }
+    count(node_at(t, 9), part);
+  }
+
+  /// A node stands at one vertex, edge or barycentre: no other part comes to it.
+  void count(std::uint32_t node, Part& part) {
     if (number_[node] != kNoNode) return;
-    number_[node] = static_cast<std::uint32_t>(order_.size());
-    order_.push_back(node);
+    number_[node] = static_cast<std::uint32_t>(part.order.size());
+    part.order.push_back(node);
+  }
+
+  Status join_parts(TableMemory& memory) {
+    std::size_t nodes = 0;
+    for (Part& part : parts_) {
+      part.first = nodes;
+      nodes += part.order.size();
+    }
+    Status status = memory.resize(context_, order_, nodes);
+    if (!status) return status;
+    return parallel_for(context_, parts_.size(), 1, [&](std::size_t i, std::size_t) {
+      std::size_t place = parts_[i].first;
+      for (const std::uint32_t node : parts_[i].order) {
+        number_[node] = static_cast<std::uint32_t>(place);
+        order_[place++] = node;
+      }
+    });
+  }
+
+  Status number_triangles() {
+    return for_each_part([&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = kNodesPerTriangle * begin; i < kNodesPerTriangle * end; ++i)
+        layout_.triangle_node[i] = number_[layout_.triangle_node[i]];
+      return ok_status();
+    });
+  }
+
+  std::uint32_t node_at(std::uint32_t triangle, std::uint32_t place) const {
+    return layout_.triangle_node[node_slot(triangle, place)];
   }
 
   const Context& context_;
   const mesh::TriangleMesh& mesh_;
   NodeLayout& layout_;
   TableMemory memory_{"patches"};
-  std::vector<std::uint32_t> number_;  ///< per node: its new number
-  std::vector<std::uint32_t> order_;   ///< and back
-  std::vector<Vertex> vertex_;         ///< per vertex of the mesh
-  Fan fan_;
+  std::vector<std::uint32_t> number_;       ///< per node: its new number
+  std::vector<std::uint32_t> order_;        ///< and back
+  std::vector<std::uint32_t> first_spoke_;  ///< per vertex of the mesh: its lowest half-edge
+  std::vector<std::uint8_t> is_on_seam_;    ///< per vertex
+  std::vector<Part> parts_;
 };
 
 }  // namespace

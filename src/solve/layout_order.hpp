@@ -1,10 +1,11 @@
 #pragma once
 
-#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
 
+#include "base/parallel.hpp"
 #include "base/table_memory.hpp"
 #include "sfumato/base/context.hpp"
 #include "solve/nodes.hpp"
@@ -29,17 +30,16 @@ Status reorder(const Context& context, const std::vector<std::uint32_t>& order, 
   std::vector<Item> moved;
   Status status = memory.resize(context, moved, width * order.size());
   if (!status) return status;
-  constexpr std::size_t kValuesPerLook = 65536;
-  for (std::size_t begin = 0; begin < order.size(); begin += kValuesPerLook) {
-    if (context.cancelled()) return context.cancel_status();
-    const std::size_t end = std::min(order.size(), begin + kValuesPerLook);
+  constexpr std::size_t kValuesPerTask = 16384;
+  status = parallel_for(context, order.size(), kValuesPerTask, [&](auto begin, auto end) {
     if (width == 1) {
       for (std::size_t i = begin; i < end; ++i) moved[i] = values[order[i]];
     } else {
       for (std::size_t i = begin; i < end; ++i)
         for (std::size_t k = 0; k < width; ++k) moved[width * i + k] = values[width * order[i] + k];
     }
-  }
+  });
+  if (!status) return status;
   values.swap(moved);
   memory.free(moved);
   return status;

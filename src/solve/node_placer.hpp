@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <numbers>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "curves/attributes.hpp"
@@ -67,9 +68,11 @@ class NodePlacer {
     }
   }
 
-  /// The two nodes on edge k: shared with the neighbour unless the edge is a seam.
+  /// The two nodes on edge k: shared with the neighbour unless the edge is a seam. The first of
+  /// both triangles puts them.
   void place_on_edge(std::uint32_t t, std::uint32_t k) {
     const std::uint32_t h = 3 * t + k;
+    const std::int32_t twin = mesh_.half_edge_twin[h];
     std::uint32_t& near = table_.node_at(t, near_node(k));
     std::uint32_t& far = table_.node_at(t, far_node(k));
     if (seams_.has_value(h)) {
@@ -78,10 +81,10 @@ class NodePlacer {
     } else if (seams_.is_seam(h)) {
       near = put_free_inside(kNoNode, on_edge(h, 1.0 / 3), t);
       far = put_free_inside(kNoNode, on_edge(h, 2.0 / 3), t);
-    } else if (near == kNoNode) {
+    } else if (twin == mesh::kNone || static_cast<std::uint32_t>(twin) > h) {
       near = table_.put_free(kNoNode, on_edge(h, 1.0 / 3));
       far = table_.put_free(kNoNode, on_edge(h, 2.0 / 3));
-      if (const std::int32_t twin = mesh_.half_edge_twin[h]; twin != mesh::kNone) {
+      if (twin != mesh::kNone) {
         const auto neighbour = static_cast<std::uint32_t>(twin) / 3;
         const auto slot = static_cast<std::uint32_t>(twin) % 3;
         table_.node_at(neighbour, near_node(slot)) = far;
@@ -108,6 +111,12 @@ class NodePlacer {
 
   /// The values that curves give to nodes, in the order in which these were placed.
   const std::vector<FixedShare>& fixed() const { return fixed_; }
+
+  /// Moves out that list; its charge goes to `memory`.
+  std::vector<FixedShare> take_fixed(TableMemory& memory) {
+    memory.take(std::move(memory_));
+    return std::move(fixed_);
+  }
 
   /// Charges the growth of that list. Error: limit (memory).
   Status settle(const Context& context) {

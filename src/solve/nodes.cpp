@@ -1,17 +1,33 @@
 #include "solve/nodes.hpp"
 
+#include <algorithm>
 #include <span>
+#include <utility>
 
+#include "base/limit_error.hpp"
+#include "base/parallel.hpp"
 #include "base/poll.hpp"
 #include "solve/node_placer.hpp"
 
 namespace sfumato::solve {
 namespace {
 
+/// Nodes around a vertex or on an edge are of the part whose triangle comes to them first.
+constexpr std::uint32_t kTrianglesPerPart = 2048;
+
+/// The nodes of some triangles, whose numbers begin at 0.
+struct Part {
+  std::vector<Vec2> position;
+  std::vector<FixedShare> fixed;
+  std::uint32_t first_node = 0;  ///< what the number 0 will be
+  TableMemory memory{"patches"};
+};
+
 /// The table of a first layout: every node is a new one.
 class NewNodes {
  public:
-  explicit NewNodes(NodeLayout& layout) : layout_(layout) {}
+  NewNodes(NodeLayout& layout, std::vector<Vec2>& position)
+      : layout_(layout), position_(position) {}
 
   std::uint32_t& node_at(std::uint32_t triangle, std::uint32_t place) {
     return layout_.triangle_node[node_slot(triangle, place)];
@@ -19,63 +35,178 @@ class NewNodes {
   std::uint32_t kept(std::span<const std::uint32_t>) const { return kNoNode; }
   std::uint32_t own(std::uint32_t) const { return kNoNode; }
   std::uint32_t put_free(std::uint32_t, Vec2 position) {
-    layout_.position.push_back(position);
-    return layout_.node_count() - 1;
+    position_.push_back(position);
+    return static_cast<std::uint32_t>(position_.size()) - 1;
   }
   std::uint32_t put_fixed(std::uint32_t kept, Vec2 position) { return put_free(kept, position); }
   void set(std::uint32_t spoke, std::uint32_t node) { node_at(spoke / 3, spoke % 3) = node; }
 
  private:
   NodeLayout& layout_;
+  std::vector<Vec2>& position_;
 };
 
-Status place_all(const Context& context, const mesh::TriangleMesh& mesh, const Seams& seams,
-                 TableMemory& memory, NodeLayout& layout, NodePlacer<NewNodes>& placer) {
-  std::size_t known = capacity_bytes(layout.position);
-  RarePoll<4096> poll(context);
-  for (std::uint32_t t = 0; t < mesh.triangle_count(); ++t) {
-    if (poll.cancelled()) return context.cancel_status();
-    for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
-      layout.edge_is_curve[h] = seams.is_seam(h);
-      if (layout.triangle_node[node_slot(t, h % 3)] == kNoNode) placer.place_around_vertex(h);
-    }
-    for (std::uint32_t k = 0; k < 3; ++k) placer.place_on_edge(t, k);
-    placer.place_at_barycentre(t);
-    Status status = memory.settle(context, capacity_bytes(layout.position), known);
-    if (status) status = placer.settle(context);
-    if (!status) return status;
+/// Lays out parts of the mesh side by side, and then counts the nodes through.
+class FirstLayout {
+ public:
+  FirstLayout(const Context& context, const mesh::TriangleMesh& mesh,
+              const curves::SegmentAttributes& attributes, const Seams& seams, TableMemory& memory,
+              std::size_t spare)
+      : context_(context),
+        mesh_(mesh),
+        attributes_(attributes),
+        seams_(seams),
+        memory_(memory),
+        spare_(spare) {
+    layout_.channel_count = attributes.channel_count();
   }
-  return ok_status();
-}
+
+  Result<NodeLayout> run() {
+    Status status = make_tables();
+    if (status) status = find_first_spokes();
+    if (status) status = place_parts();
+    if (status) status = number_nodes();
+    if (status) status = set_fixed_values();
+    if (!status) return status;
+    return std::move(layout_);
+  }
+
+ private:
+  Status make_tables() {
+    const std::size_t triangles = mesh_.triangle_count();
+    const std::size_t parts = (triangles + kTrianglesPerPart - 1) / kTrianglesPerPart;
+    Status status = make_table(layout_.triangle_node, kNodesPerTriangle, triangles, spare_);
+    if (status) status = make_table(layout_.edge_is_curve, 3, triangles, spare_);
+    if (status) status = scratch_.reserve(context_, parts_, parts);
+    for (std::size_t i = 0; status && i < parts; ++i) parts_.emplace_back();
+    return status;
+  }
+
+  /// With `width` items for each of `count` things, and room for those of `spare` more.
+  template <class Table>
+  Status make_table(Table& table, std::size_t width, std::size_t count, std::size_t spare) {
+    Status status = memory_.reserve(context_, table, width * (count + spare));
+    return status ? memory_.resize(context_, table, width * count) : status;
+  }
+
+  /// About five to a triangle.
+  std::size_t spare_nodes() const { return 5 * spare_; }
+
+  /// The lowest half-edge at each vertex: what NodePlacer::place_around_vertex begins with.
+  Status find_first_spokes() {
+    Status status = scratch_.resize(context_, first_spoke_, mesh_.vertex_position.size(), kNoNode);
+    if (!status) return status;
+    RarePoll<65536> poll(context_);
+    for (std::uint32_t h = 0; h < mesh_.triangle_vertex.size(); ++h) {
+      if (poll.cancelled()) return context_.cancel_status();
+      std::uint32_t& first = first_spoke_[mesh_.origin(h)];
+      first = std::min(first, h);
+    }
+    return status;
+  }
+
+  /// Which part is the first that lacks memory depends on the threads: the error does not say it.
+  Status place_parts() {
+    Status status = try_parallel_for(context_, mesh_.triangle_count(), kTrianglesPerPart,
+                                     [&](std::size_t begin, std::size_t end) {
+                                       return place_part(static_cast<std::uint32_t>(begin),
+                                                         static_cast<std::uint32_t>(end));
+                                     });
+    if (status.limit != "memory") return status;
+    return make_limit_error("memory", "memory limit reached: the nodes of patches need more");
+  }
+
+  Status place_part(std::uint32_t begin, std::uint32_t end) {
+    Part& part = parts_[begin / kTrianglesPerPart];
+    Status status = part.memory.reserve(context_, part.position, 5 * (end - begin));
+    std::size_t known = capacity_bytes(part.position);
+    NewNodes table(layout_, part.position);
+    NodePlacer placer(mesh_, seams_, table);
+    RarePoll<1024> poll(context_);
+    for (std::uint32_t t = begin; status && t < end; ++t) {
+      if (poll.cancelled()) return context_.cancel_status();
+      for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
+        layout_.edge_is_curve[h] = seams_.is_seam(h);
+        if (first_spoke_[mesh_.origin(h)] == h) placer.place_around_vertex(h);
+      }
+      for (std::uint32_t k = 0; k < 3; ++k) placer.place_on_edge(t, k);
+      placer.place_at_barycentre(t);
+      status = part.memory.settle(context_, capacity_bytes(part.position), known);
+      if (status) status = placer.settle(context_);
+    }
+    part.fixed = placer.take_fixed(part.memory);
+    return status;
+  }
+
+  Status number_nodes() {
+    std::uint32_t count = 0;
+    for (Part& part : parts_) {
+      part.first_node = count;
+      count += static_cast<std::uint32_t>(part.position.size());
+    }
+    Status status = make_table(layout_.position, 1, count, spare_nodes());
+    if (!status) return status;
+    return parallel_for(context_, parts_.size(), 1, [&](std::size_t i, std::size_t) {
+      Part& part = parts_[i];
+      std::ranges::copy(part.position, layout_.position.begin() + part.first_node);
+      part.memory.free(part.position);
+      const auto begin = static_cast<std::uint32_t>(i) * kTrianglesPerPart;
+      const std::uint32_t end = std::min(mesh_.triangle_count(), begin + kTrianglesPerPart);
+      for (std::uint32_t t = begin; t < end; ++t) number_triangle(t);
+    });
+  }
+
+  void number_triangle(std::uint32_t t) {
+    std::uint32_t* const node = layout_.triangle_node.data() + node_slot(t, 0);
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const std::uint32_t h = 3 * t + k;
+      node[k] += first_node_at(first_spoke_[mesh_.origin(h)]);
+      const std::int32_t twin = seams_.is_seam(h) ? mesh::kNone : mesh_.half_edge_twin[h];
+      const std::uint32_t first =
+          first_node_at(twin == mesh::kNone ? h : std::min(h, static_cast<std::uint32_t>(twin)));
+      node[3 + 2 * k] += first;
+      node[4 + 2 * k] += first;
+    }
+    node[9] += first_node_at(3 * t);
+  }
+
+  std::uint32_t first_node_at(std::uint32_t half_edge) const {
+    return parts_[half_edge / 3 / kTrianglesPerPart].first_node;
+  }
+
+  Status set_fixed_values() {
+    const std::size_t nodes = layout_.position.size();
+    const auto channels = static_cast<std::size_t>(layout_.channel_count);
+    Status status = make_table(layout_.is_fixed, 1, nodes, spare_nodes());
+    if (status) status = make_table(layout_.value, channels, nodes, spare_nodes());
+    if (!status) return status;
+    return parallel_for(context_, parts_.size(), 1, [&](std::size_t i, std::size_t) {
+      for (FixedShare fixed : parts_[i].fixed) {
+        fixed.node += parts_[i].first_node;
+        layout_.is_fixed[fixed.node] = 1;
+        add_share(fixed, attributes_.base_channels, layout_);
+      }
+    });
+  }
+
+  const Context& context_;
+  const mesh::TriangleMesh& mesh_;
+  const curves::SegmentAttributes& attributes_;
+  const Seams& seams_;
+  TableMemory& memory_;
+  std::size_t spare_;  ///< triangles
+  NodeLayout layout_;
+  TableMemory scratch_{"patches"};
+  std::vector<std::uint32_t> first_spoke_;  ///< per vertex
+  std::vector<Part> parts_;
+};
 
 }  // namespace
 
 Result<NodeLayout> lay_out_nodes(const Context& context, const mesh::TriangleMesh& mesh,
                                  const curves::SegmentAttributes& attributes, const Seams& seams,
-                                 TableMemory& memory) {
-  NodeLayout layout;
-  layout.channel_count = attributes.channel_count();
-  const std::size_t triangles = mesh.triangle_count();
-  Status status =
-      memory.resize(context, layout.triangle_node, kNodesPerTriangle * triangles, kNoNode);
-  if (status) status = memory.resize(context, layout.edge_is_curve, 3 * triangles);
-  if (status) status = memory.reserve(context, layout.position, 5 * triangles);
-  if (!status) return status;
-  NewNodes table(layout);
-  NodePlacer placer(mesh, seams, table);
-  status = place_all(context, mesh, seams, memory, layout, placer);
-  if (status) status = memory.resize(context, layout.is_fixed, layout.node_count());
-  const auto channels = static_cast<std::size_t>(layout.channel_count);
-  if (status) status = memory.resize(context, layout.value, channels * layout.node_count());
-  if (!status) return status;
-  RarePoll<4096> poll(context);
-  for (const FixedShare& fixed : placer.fixed()) {
-    if (poll.cancelled()) return context.cancel_status();
-    layout.is_fixed[fixed.node] = 1;
-    add_share(fixed, attributes.base_channels, layout);
-  }
-  if (status = context.check(); !status) return status;
-  return layout;
+                                 TableMemory& memory, std::size_t spare) {
+  return FirstLayout(context, mesh, attributes, seams, memory, spare).run();
 }
 
 }  // namespace sfumato::solve

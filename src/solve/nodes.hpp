@@ -33,10 +33,10 @@ struct NodeLayout {
 
 /// Lays out the nodes in the order of the triangles, so that neighbours in the list are neighbours
 /// in the plane. `seams` is made from the same mesh and attributes. The layout is allocated from
-/// `memory`. Errors: limit (memory), cancelled. Cost: O(triangles). For a mesh that changes see
-/// solve/layout_update.hpp.
+/// `memory`, with room for about `spare` more triangles. Errors: limit (memory), cancelled. Cost:
+/// O(triangles). For a mesh that changes see solve/layout_update.hpp.
 Result<NodeLayout> lay_out_nodes(const Context& context, const mesh::TriangleMesh& mesh,
                                  const curves::SegmentAttributes& attributes, const Seams& seams,
-                                 TableMemory& memory);
+                                 TableMemory& memory, std::size_t spare = 0);
 
 }  // namespace sfumato::solve

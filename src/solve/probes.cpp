@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
-#include "base/poll.hpp"
+#include "base/parallel.hpp"
 #include "picture/patch.hpp"
 
 namespace sfumato::solve {
@@ -61,39 +62,85 @@ Vec2 point(const mesh::TriangleMesh& mesh, std::uint32_t t, int kind) {
 
 }  // namespace
 
-Result<ProbeSet> place_probes(const Context& context, const mesh::TriangleMesh& mesh,
-                              const NodeLayout& layout, std::span<const std::uint32_t> triangles) {
-  ProbeSet probes;
-  TableMemory scratch("probes of patches");
-  std::vector<std::uint8_t> is_asked;
-  Status status = scratch.resize(context, is_asked, mesh.triangle_count());
-  if (!status) return status;
-  const auto add = [&](std::uint32_t half_edge, int place) {
-    const int kind = place < kInnerProbes ? place : kInnerProbes + static_cast<int>(half_edge % 3);
-    probes.position.push_back(point(mesh, half_edge / 3, kind));
-    probes.half_edge.push_back(half_edge);
-    probes.place.push_back(static_cast<std::uint8_t>(place));
-  };
-  RarePoll<4096> poll(context);
-  for (const std::uint32_t t : triangles) is_asked[t] = 1;
-  for (const std::uint32_t t : triangles) {
-    if (poll.cancelled()) return context.cancel_status();
-    status = probes.memory.make_room(context, probes.position, kProbeKinds);
-    if (status) status = probes.memory.make_room(context, probes.half_edge, kProbeKinds);
-    if (status) status = probes.memory.make_room(context, probes.place, kProbeKinds);
+namespace {
+
+/// Finds the place of each triangle's probes in the list, and puts them there.
+class ProbePlacer {
+ public:
+  ProbePlacer(const Context& context, const mesh::TriangleMesh& mesh, const NodeLayout& layout,
+              std::span<const std::uint32_t> triangles)
+      : context_(context), mesh_(mesh), layout_(layout), triangles_(triangles) {}
+
+  Result<ProbeSet> run() {
+    const std::size_t ranges = (triangles_.size() + kTrianglesPerTask - 1) / kTrianglesPerTask;
+    Status status = scratch_.resize(context_, is_asked_, mesh_.triangle_count());
+    if (status) status = scratch_.resize(context_, first_, ranges + 1);
     if (!status) return status;
-    for (int place = 0; place < kInnerProbes; ++place) add(3 * t, place);
+    for (const std::uint32_t t : triangles_) is_asked_[t] = 1;
+    status = for_each_range([&](std::size_t begin, std::size_t end) {
+      std::size_t& count = first_[begin / kTrianglesPerTask + 1];
+      for (std::size_t i = begin; i < end; ++i)
+        for_each_probe(triangles_[i], [&](std::uint32_t, int) { ++count; });
+    });
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+    ProbeSet probes;
+    if (status) {
+      status = probes.memory.resize_all(context_, first_.back(), probes.position, probes.half_edge,
+                                        probes.place);
+    }
+    if (status) status = fill(probes);
+    if (!status) return status;
+    return probes;
+  }
+
+ private:
+  static constexpr std::size_t kTrianglesPerTask = 1024;
+
+  Status for_each_range(FunctionRef<void(std::size_t, std::size_t)> body) {
+    return parallel_for(context_, triangles_.size(), kTrianglesPerTask, body);
+  }
+
+  Status fill(ProbeSet& probes) {
+    return for_each_range([&](std::size_t begin, std::size_t end) {
+      std::size_t i = first_[begin / kTrianglesPerTask];
+      const auto put = [&](std::uint32_t half_edge, int place) {
+        probes.half_edge[i] = half_edge;
+        probes.place[i] = static_cast<std::uint8_t>(place);
+        probes.position[i] = point(mesh_, half_edge / 3, kind_of(probes, i));
+        ++i;
+      };
+      for (std::size_t k = begin; k < end; ++k) for_each_probe(triangles_[k], put);
+    });
+  }
+
+  /// Calls visit(half_edge, place) for those that triangle t has to place.
+  template <class Visit>
+  void for_each_probe(std::uint32_t t, Visit visit) const {
+    for (int place = 0; place < kInnerProbes; ++place) visit(3 * t, place);
     for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
-      if (layout.edge_is_curve[h]) continue;
-      const std::int32_t twin = mesh.half_edge_twin[h];
+      if (layout_.edge_is_curve[h]) continue;
+      const std::int32_t twin = mesh_.half_edge_twin[h];
       const bool other_asks = twin != mesh::kNone &&
-                              is_asked[static_cast<std::uint32_t>(twin) / 3] &&
+                              is_asked_[static_cast<std::uint32_t>(twin) / 3] &&
                               static_cast<std::uint32_t>(twin) < h;
-      if (!other_asks) add(h, kInnerProbes);
+      if (!other_asks) visit(h, kInnerProbes);
     }
   }
-  if (status = context.check(); !status) return status;
-  return probes;
+
+  const Context& context_;
+  const mesh::TriangleMesh& mesh_;
+  const NodeLayout& layout_;
+  std::span<const std::uint32_t> triangles_;
+  TableMemory scratch_{"probes of patches"};
+  std::vector<std::uint8_t> is_asked_;  ///< per triangle of the mesh
+  std::vector<std::size_t> first_;      ///< per range of triangles_: its first probe
+};
+
+}  // namespace
+
+Result<ProbeSet> place_probes(const Context& context, const mesh::TriangleMesh& mesh,
+                              const NodeLayout& layout, std::span<const std::uint32_t> triangles) {
+  return ProbePlacer(context, mesh, layout, triangles).run();
 }
 
 void patch_value_at_probe(const ProbeSet& probes, std::size_t i, const NodeLayout& layout,

@@ -4,13 +4,15 @@
 #include <cmath>
 #include <numeric>
 
-#include "base/poll.hpp"
+#include "base/parallel.hpp"
 
 namespace sfumato::solve {
 namespace {
 
 /// Values of a curve's two neighbouring pieces at their common vertex differ by rounding alone.
 constexpr float kSameValue = 1.0f / (255 * 64);
+
+constexpr std::size_t kTrianglesPerTask = 1024;
 
 bool same(float a, float b) {
   return std::fabs(a - b) <= kSameValue;
@@ -63,13 +65,12 @@ Status Seams::update(const Context& context, const curves::SegmentAttributes& at
   Status status = memory_.grow(context, facing_, facings, facings / 4 * 5);
   if (status) status = memory_.grow(context, is_seam_, half_edges, half_edges / 4 * 5);
   if (!status) return status;
-  RarePoll<16384> poll(context);
   const auto for_each_half_edge = [&](auto visit) {
-    for (const std::uint32_t t : changed) {
-      if (poll.cancelled()) return context.cancel_status();
-      for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) visit(h);
-    }
-    return ok_status();
+    return parallel_for(context, changed.size(), kTrianglesPerTask,
+                        [&](std::size_t begin, std::size_t end) {
+                          for (std::size_t i = begin; i < end; ++i)
+                            for (std::uint32_t k = 0; k < 3; ++k) visit(3 * changed[i] + k);
+                        });
   };
   status = for_each_half_edge([&](std::uint32_t h) {
     is_seam_[h] = 0;
@@ -82,7 +83,7 @@ Status Seams::update(const Context& context, const curves::SegmentAttributes& at
     if (mesh_.half_edge_constraint[h] == mesh::kNone) return;
     is_seam_[h] = facing(h).kind != ShaderKind::open || back(h).kind != ShaderKind::open;
   });
-  return status ? context.check() : status;
+  return status;
 }
 
 float Seams::blur_radius(std::uint32_t half_edge, float u) const {

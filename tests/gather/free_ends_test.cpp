@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 #include "gather/reference.hpp"
 #include "gather/scenes.hpp"
@@ -262,7 +263,7 @@ TEST(FreeEnds, a_value_does_not_depend_on_the_points_beside_it) {
   std::vector<float> alone(channels);
   double worst = 0;
   for (std::size_t i = 0; i < points.size(); i += 7) {
-    ASSERT_TRUE(gatherer->gather(context, {&points[i], 1}, {}, alone).ok());
+    ASSERT_TRUE(gatherer->gather(context, std::span(&points[i], 1), {}, alone).ok());
     for (std::size_t c = 0; c < channels; ++c) {
       worst = std::max(worst, std::fabs(double{alone[c]} - together[channels * i + c]));
     }

@@ -21,6 +21,11 @@ class Executor {
 
   /// Calls task(i) exactly once for every i in [0, task_count), in any order, and returns when all
   /// calls have returned. The library's tasks never throw.
+  ///
+  /// A task may call run() of the same executor in its turn: layers are solved side by side, the
+  /// fields of each too, and all of them run loops. So a call must not wait for threads to become
+  /// free, which may all wait in calls of their own. Where the calling thread takes tasks, too, and
+  /// waits only for those that other threads have begun, every call ends.
   virtual void run(std::size_t task_count, FunctionRef<void(std::size_t)> task);
 
   /// How many tasks may run at the same time, from 1 to limits::kThreads. Some working memory is
@@ -61,7 +66,7 @@ class Progress {
   virtual ~Progress() = default;
   /// Called now and then during a stage. `stage` is one short word, "gather" for the solver or
   /// "rasterise" for pixels, and `fraction` is the part of it that is done, from 0 to 1. The solver
-  /// begins at 0 again for each layer, and may end before it reaches 1.
+  /// counts all layers as one whole, whose fraction never falls and may end below 1.
   virtual void report(std::string_view stage, double fraction) = 0;
 };
 

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "sfumato/base/vec2.hpp"
+
+namespace sfumato::gather {
+
+/// Points to gather at: all of a table, or those of a list of its indices. Tables of results have a
+/// slot for each point of the table; those of points that are not listed stay as they are.
+class PointList {
+ public:
+  PointList(std::span<const Vec2> all) : table_(all) {}                               // NOLINT
+  PointList(const std::vector<Vec2>& all) : PointList(std::span<const Vec2>(all)) {}  // NOLINT
+  PointList(std::span<const Vec2> table, std::span<const std::uint32_t> chosen)
+      : table_(table), chosen_(chosen), is_chosen_(true) {}
+
+  std::size_t size() const { return is_chosen_ ? chosen_.size() : table_.size(); }
+  /// The index in the table of the i-th of them.
+  std::size_t slot(std::size_t i) const { return is_chosen_ ? chosen_[i] : i; }
+  Vec2 operator[](std::size_t i) const { return table_[slot(i)]; }
+
+ private:
+  std::span<const Vec2> table_;
+  std::span<const std::uint32_t> chosen_;
+  bool is_chosen_ = false;
+};
+
+}  // namespace sfumato::gather

@@ -1,0 +1,154 @@
+#include "solve/layer_runs.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+#include "base/no_throw.hpp"
+#include "base/parallel.hpp"
+#include "solve/prepare_layer.hpp"
+
+namespace sfumato::solve {
+namespace {
+
+/// With more threads than this the others help with the loops of each: every layer at work takes
+/// memory, and stack of a thread that waits for its helpers and solves another one meanwhile.
+constexpr std::size_t kLayersAtOnce = 8;
+
+bool is_lack_of_memory(const Status& status) {
+  return status.code == StatusCode::out_of_memory ||
+         (status.code == StatusCode::limit && status.limit == "memory");
+}
+
+void add(const DiffuseStats& part, DiffuseStats& sum) {
+  sum.curves += part.curves;
+  sum.segments += part.segments;
+  sum.triangles += part.triangles;
+  sum.vertices += part.vertices;
+  sum.nodes += part.nodes;
+  sum.geometry_seconds += part.geometry_seconds;
+  sum.triangulation_seconds += part.triangulation_seconds;
+  sum.gather_seconds += part.gather_seconds;
+}
+
+}  // namespace
+
+void SharedProgress::add(double done) {
+  done_.fetch_add(done);
+  if (!progress_ || is_telling_.test_and_set()) return;
+  progress_->report("gather", std::min(1.0, done_.load() / total_));
+  is_telling_.clear();
+}
+
+LayerRuns::LayerRuns(Context& context, const Document& document, const Box& viewport,
+                     const DiffuseOptions& options)
+    : context_(context),
+      document_(document),
+      viewport_(viewport),
+      options_(options),
+      progress_(context.progress, total_work()),
+      first_failed_(layer_count()) {}
+
+std::uint32_t LayerRuns::layer_count() const {
+  return static_cast<std::uint32_t>(document_.layers.size());
+}
+
+/// As far as it can be told beforehand.
+double LayerRuns::work_of(std::uint32_t index) const {
+  return static_cast<double>(document_.layers[index].curves.size());
+}
+
+double LayerRuns::total_work() const {
+  double sum = 0;
+  for (std::uint32_t i = 0; i < layer_count(); ++i) sum += work_of(i);
+  return std::max(sum, 1.0);
+}
+
+Status LayerRuns::run() {
+  Status status = make_tables();
+  if (status && context_.thread_count() > 1) status = run_side_by_side();
+  return status && first_failed_ < layer_count() ? run_one_by_one() : status;
+}
+
+Status LayerRuns::make_tables() {
+  Status status = memory_.reserve(context_, runs_, layer_count());
+  if (status) status = memory_.resize(context_, order_, layer_count());
+  if (!status) return status;
+  for (std::uint32_t i = 0; i < layer_count(); ++i) runs_.emplace_back();
+  std::iota(order_.begin(), order_.end(), 0u);
+  std::ranges::sort(order_, [&](std::uint32_t a, std::uint32_t b) {
+    return work_of(a) != work_of(b) ? work_of(a) > work_of(b) : a < b;
+  });
+  if (context_.thread_count() == 1) first_failed_ = 0;
+  return status;
+}
+
+Status LayerRuns::run_side_by_side() {
+  const auto threads = static_cast<std::size_t>(context_.thread_count());
+  const bool takes_turns = threads > kLayersAtOnce && order_.size() > kLayersAtOnce;
+  const std::size_t tasks = takes_turns ? kLayersAtOnce : order_.size();
+  std::atomic<std::size_t> next{0};
+  Status status = parallel_for(context_, tasks, 1, [&](std::size_t, std::size_t) {
+    do {
+      const std::size_t i = next++;
+      if (i >= order_.size()) return;
+      run_beside(order_[i]);
+    } while (takes_turns);
+  });
+  if (!status || first_failed_ == layer_count()) return status;
+  const Status& failure = runs_[first_failed_].status;
+  return is_lack_of_memory(failure) ? ok_status() : failure;
+}
+
+/// Layers behind one that failed are left: nobody will ask for them.
+void LayerRuns::run_beside(std::uint32_t index) {
+  if (index > first_failed_) return;
+  Status& status = runs_[index].status;
+  status = no_throw([&] { return solve(index, true); });
+  std::uint32_t first = first_failed_;
+  while (!status && index < first && !first_failed_.compare_exchange_weak(first, index)) continue;
+}
+
+Status LayerRuns::run_one_by_one() {
+  for (std::uint32_t i = first_failed_; i < layer_count(); ++i)
+    runs_[i] = Run{{}, {}, {}, {}, runs_[i].told};
+  for (std::uint32_t i = first_failed_; i < layer_count(); ++i) {
+    if (Status status = solve(i, false); !status) return status;
+  }
+  return ok_status();
+}
+
+Status LayerRuns::solve(std::uint32_t index, bool side_by_side) {
+  Run& run = runs_[index];
+  const auto tell = [&](double fraction) {
+    if (fraction <= run.told) return;
+    progress_.add(work_of(index) * (fraction - std::exchange(run.told, fraction)));
+  };
+  Result<PatchLayer> layer = solve_layer(index, run.stats, {side_by_side, tell});
+  if (!layer) return layer.status();
+  run.layer = std::move(*layer);
+  tell(1);
+  return run.charge.add(context_, bytes_of(run.layer), "patches");
+}
+
+Result<PatchLayer> LayerRuns::solve_layer(std::uint32_t index, DiffuseStats& stats, SolveWay way) {
+  const LayerSight sight = sight_of_layer(document_, index, viewport_);
+  if (sight.viewport.empty() || document_.layers[index].curves.empty()) return PatchLayer{};
+  Result<PreparedLayer> prepared =
+      prepare_layer(context_, document_, index, sight, options_, &stats, LayerUse::patches);
+  if (!prepared) return prepared.status();
+  return LayerSolver(context_, std::move(*prepared), options_, &stats, {}, way).solve();
+}
+
+void LayerRuns::add_to(DiffuseStats& stats) const {
+  for (const Run& run : runs_) add(run.stats, stats);
+}
+
+std::vector<PatchLayer> LayerRuns::take() {
+  std::vector<PatchLayer> layers;
+  layers.reserve(runs_.size());
+  for (Run& run : runs_) layers.push_back(std::move(run.layer));
+  return layers;
+}
+
+}  // namespace sfumato::solve

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <vector>
+
+#include "base/charge.hpp"
+#include "base/table_memory.hpp"
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/status.hpp"
+#include "sfumato/document/document.hpp"
+#include "sfumato/picture/picture.hpp"
+#include "sfumato/solve/diffuse.hpp"
+#include "solve/layer_solver.hpp"
+
+namespace sfumato::solve {
+
+/// What Context::progress is told while several layers are solved at the same time: the share of
+/// the whole that is done, which never falls.
+class SharedProgress {
+ public:
+  /// total   of what add() adds
+  SharedProgress(Progress* progress, double total) : progress_(progress), total_(total) {}
+
+  /// From any thread. Where two come at once, one of them tells.
+  void add(double done);
+
+ private:
+  Progress* progress_;
+  double total_;
+  std::atomic<double> done_{0};
+  std::atomic_flag is_telling_;
+};
+
+/// Solves the layers of a document.
+///
+/// With threads all layers are solved side by side, the largest first, and so are their fields.
+/// That takes more memory than one after another: where it is not enough, layers from the first on
+/// that failed are solved again as they are on one thread, one after another. So what is enough for
+/// one thread is enough for many. Any other failure is that of the first layer that fails.
+class LayerRuns {
+ public:
+  /// What is referred to outlives this.
+  LayerRuns(Context& context, const Document& document, const Box& viewport,
+            const DiffuseOptions& options);
+
+  /// Errors: limit, cancelled, out_of_memory.
+  Status run();
+
+  /// Adds what all layers took.
+  void add_to(DiffuseStats& stats) const;
+
+  /// The layers, in their order. Their charges end.
+  std::vector<PatchLayer> take();
+
+ private:
+  struct Run {
+    PatchLayer layer;
+    DiffuseStats stats;
+    ScopedCharge charge;  ///< of the layer
+    Status status;
+    double told = 0;  ///< of the progress
+  };
+
+  Status make_tables();
+  Status run_side_by_side();
+  void run_beside(std::uint32_t index);
+  Status run_one_by_one();
+  Status solve(std::uint32_t index, bool side_by_side);
+  Result<PatchLayer> solve_layer(std::uint32_t index, DiffuseStats& stats, SolveWay way);
+  double work_of(std::uint32_t index) const;
+  double total_work() const;
+  std::uint32_t layer_count() const;
+
+  Context& context_;
+  const Document& document_;
+  Box viewport_;
+  const DiffuseOptions& options_;
+  SharedProgress progress_;
+  std::vector<Run> runs_;             ///< per layer
+  std::vector<std::uint32_t> order_;  ///< the largest layer first
+  std::atomic<std::uint32_t> first_failed_;
+  TableMemory memory_{"layers"};
+};
+
+}  // namespace sfumato::solve
