@@ -101,8 +101,8 @@ class NodeNumbering {
       const bool is_other =
           !layout_.edge_is_curve[h] && twin != mesh::kNone && static_cast<std::uint32_t>(twin) < h;
       if (is_other) continue;
-      count(node_at(t, 3 + 2 * k), part);
-      count(node_at(t, 4 + 2 * k), part);
+      count(node_at(t, near_node(k)), part);
+      count(node_at(t, far_node(k)), part);
     }
     count(node_at(t, 9), part);
   }

@@ -164,10 +164,10 @@ class FirstLayout {
       const std::int32_t twin = seams_.is_seam(h) ? mesh::kNone : mesh_.half_edge_twin[h];
       const std::uint32_t first =
           first_node_at(twin == mesh::kNone ? h : std::min(h, static_cast<std::uint32_t>(twin)));
-      node[3 + 2 * k] += first;
-      node[4 + 2 * k] += first;
+      node[near_node(k)] += first;
+      node[far_node(k)] += first;
     }
-    node[9] += first_node_at(3 * t);
+    node[kCenterNode] += first_node_at(3 * t);
   }
 
   std::uint32_t first_node_at(std::uint32_t half_edge) const {
