@@ -5,6 +5,7 @@
 
 #include "base/parallel.hpp"
 #include "base/poll.hpp"
+#include "picture/patch.hpp"
 #include "solve/fan.hpp"
 
 namespace sfumato::solve {
