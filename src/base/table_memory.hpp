@@ -38,8 +38,8 @@ std::size_t capacity_bytes(const Table&... tables) {
 ///
 /// Every function that returns a Status may fail with limit (memory) or cancelled; the content of
 /// the table is unspecified then. New memory is first touched in parts, and the cancel flag is
-/// checked between them, since touching takes 0.3 s per GiB. If the system has no memory,
-/// std::bad_alloc is thrown; see no_throw.
+/// checked between them, since touching takes 0.3 s per GiB, and up to 4 s in a virtual machine. If
+/// the system has no memory, std::bad_alloc is thrown; see no_throw.
 ///
 /// Belongs to one Budget, like ScopedCharge. Not thread-safe.
 class TableMemory {
@@ -132,7 +132,7 @@ class TableMemory {
 
  private:
   template <class Table>
-  static constexpr std::size_t kPart = (std::size_t{8} << 20) / sizeof(typename Table::value_type);
+  static constexpr std::size_t kPart = (std::size_t{2} << 20) / sizeof(typename Table::value_type);
 
   template <class Table>
   Status fill(const Context& context, Table& table, std::size_t count,

@@ -118,7 +118,7 @@ Status Encoder::encode_wave(std::size_t first_stripe, std::size_t stripe_count) 
   for (const Stripe& stripe : stripes) size += stripe.chunk.size();
   if (status = memory_.reserve(context_, part, size); !status) return status;
   for (const Stripe& stripe : stripes) {
-    part.insert(part.end(), stripe.chunk.begin(), stripe.chunk.end());
+    if (status = memory_.append(context_, stripe.chunk, part); !status) return status;
     adler_ = static_cast<std::uint32_t>(
         adler32_combine(adler_, stripe.adler, static_cast<z_off_t>(stripe.filtered_bytes)));
   }
@@ -215,8 +215,7 @@ Result<Bytes> Encoder::joined_parts() {
   Bytes joined;
   if (Status status = memory_.reserve(context_, joined, size); !status) return status;
   for (Bytes& part : parts_) {
-    if (context_.cancelled()) return context_.cancel_status();
-    joined.insert(joined.end(), part.begin(), part.end());
+    if (Status status = memory_.append(context_, part, joined); !status) return status;
     memory_.free(part);
   }
   return joined;

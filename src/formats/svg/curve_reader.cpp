@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "base/poll.hpp"
 #include "formats/svg/curve_attributes.hpp"
 #include "formats/svg/shapes.hpp"
 #include "sfumato/base/limits.hpp"
@@ -90,7 +91,9 @@ Status map_points(Input& input, Element shape, const Affine& map, std::span<cons
                   std::vector<Vec2>& mapped) {
   Status status = input.memory().curves.reserve(input.context(), mapped, points.size());
   if (!status) return input.placed(shape, std::move(status));
+  RarePoll<16384> poll(input.context());
   for (const Vec2& point : points) {
+    if (poll.cancelled()) return input.context().cancel_status();
     if (is_coordinate(mapped.emplace_back(map(point)))) continue;
     return input.error(shape, tag(shape) + " reaches farther than " +
                                   std::to_string(static_cast<long>(limits::kCoordinate)) +

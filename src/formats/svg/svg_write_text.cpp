@@ -1,6 +1,7 @@
 #include "formats/svg/svg_write_text.hpp"
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
 #include "base/limit_error.hpp"
@@ -12,6 +13,8 @@ namespace {
 constexpr std::size_t kColumns = 100;
 /// What may follow a value: `"/>`.
 constexpr std::size_t kEndColumns = 3;
+/// Bytes that are appended without a check of the cancel flag.
+constexpr std::size_t kSmall = std::size_t{64} << 10;
 
 }  // namespace
 
@@ -24,8 +27,12 @@ Status check_length(const Context& context, std::size_t bytes) {
 
 void ElementWriter::append(std::string_view text) {
   const bool has_room = text.size() <= text_.capacity() - text_.size();
-  if (!has_room && status_) status_ = memory_.make_room(context_, text_, text.size());
-  if (status_) text_ += text;
+  if (!status_) return;
+  if (has_room && text.size() <= kSmall) {
+    text_ += text;
+  } else {
+    status_ = memory_.append(context_, std::span<const char>(text), text_);
+  }
 }
 
 void ElementWriter::append_blanks(std::size_t count) {
