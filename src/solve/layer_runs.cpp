@@ -96,8 +96,13 @@ Status LayerRuns::run_side_by_side() {
     } while (takes_turns);
   });
   if (!status || first_failed_ == layer_count()) return status;
-  const Status& failure = runs_[first_failed_].status;
-  return is_lack_of_memory(failure) ? ok_status() : failure;
+  const Run& failed = runs_[first_failed_];
+  return may_succeed_by_itself(failed) ? ok_status() : failed.status;
+}
+
+/// A layer that had all memory for itself is not prepared with less of it the next time.
+bool LayerRuns::may_succeed_by_itself(const Run& failed) const {
+  return is_lack_of_memory(failed.status) && (failed.is_prepared || layer_count() > 1);
 }
 
 /// Layers behind one that failed are left: nobody will ask for them.
@@ -111,7 +116,7 @@ void LayerRuns::run_beside(std::uint32_t index) {
 
 Status LayerRuns::run_one_by_one() {
   for (std::uint32_t i = first_failed_; i < layer_count(); ++i)
-    runs_[i] = Run{{}, {}, {}, {}, runs_[i].told};
+    runs_[i] = Run{{}, {}, {}, {}, runs_[i].told, false};
   for (std::uint32_t i = first_failed_; i < layer_count(); ++i) {
     if (Status status = solve(i, false); !status) return status;
   }
@@ -137,6 +142,7 @@ Result<PatchLayer> LayerRuns::solve_layer(std::uint32_t index, DiffuseStats& sta
   Result<PreparedLayer> prepared =
       prepare_layer(context_, document_, index, sight, options_, &stats, LayerUse::patches);
   if (!prepared) return prepared.status();
+  runs_[index].is_prepared = true;
   return LayerSolver(context_, std::move(*prepared), options_, &stats, {}, way).solve();
 }
 

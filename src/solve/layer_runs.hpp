@@ -59,12 +59,14 @@ class LayerRuns {
     DiffuseStats stats;
     ScopedCharge charge;  ///< of the layer
     Status status;
-    double told = 0;  ///< of the progress
+    double told = 0;           ///< of the progress
+    bool is_prepared = false;  ///< after the part that is the same in both ways
   };
 
   Status make_tables();
   Status run_side_by_side();
   void run_beside(std::uint32_t index);
+  bool may_succeed_by_itself(const Run& failed) const;
   Status run_one_by_one();
   Status solve(std::uint32_t index, bool side_by_side);
   Result<PatchLayer> solve_layer(std::uint32_t index, DiffuseStats& stats, SolveWay way);
