@@ -127,8 +127,10 @@ Status CurveReader::read_curves(Element shape, const Affine& layer_from_user, st
   const Result<std::vector<Subpath>> subpaths = read_subpaths(shape, point_memory);
   if (!subpaths) return subpaths.status();
   if (subpaths->empty()) return ok_status();
-  const Result<CurveAttributes> attributes = read_curve_attributes(
-      input_, paints_, {shape, layer_from_user, bounds(*subpaths)}, stop_memory);
+  const Result<Box> box = bounds(input_.context(), *subpaths);
+  if (!box) return box.status();
+  const Result<CurveAttributes> attributes =
+      read_curve_attributes(input_, paints_, {shape, layer_from_user, *box}, stop_memory);
   if (!attributes) return attributes.status();
   const double determinant = layer_from_user.determinant();
   const double scale = std::sqrt(std::abs(determinant));

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/poll.hpp"
 #include "formats/svg/angle.hpp"
 
 namespace sfumato::svg {
@@ -202,12 +203,14 @@ Result<std::vector<Subpath>> PathBuilder::take() {
   return std::move(done_);
 }
 
-Box bounds(const std::vector<Subpath>& subpaths) {
+Result<Box> bounds(const Context& context, const std::vector<Subpath>& subpaths) {
   Box box;
+  RarePoll<16384> poll(context);
   for (const Subpath& subpath : subpaths) {
     const std::vector<Vec2>& points = subpath.control_points;
     box.extend(points.front());
     for (std::size_t i = 0; i + 3 < points.size(); i += 3) {
+      if (poll.cancelled()) return context.cancel_status();
       const std::array<Vec2, 4> p{points[i], points[i + 1], points[i + 2], points[i + 3]};
       box.extend(p[3]);
       extend_by_extrema(p, p[0].x, p[1].x, p[2].x, p[3].x, box);

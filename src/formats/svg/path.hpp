@@ -74,7 +74,7 @@ class PathBuilder {
 Result<std::vector<Subpath>> parse_path(const Context& context, std::string_view text,
                                         TableMemory& memory);
 
-/// The bounding box of the curves themselves, not of their control points.
-Box bounds(const std::vector<Subpath>& subpaths);
+/// The bounding box of the curves themselves, not of their control points. Error: cancelled.
+Result<Box> bounds(const Context& context, const std::vector<Subpath>& subpaths);
 
 }  // namespace sfumato::svg

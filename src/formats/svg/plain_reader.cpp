@@ -28,7 +28,9 @@ Status StackReader::read_plain(Element element, const Place& place) {
   shape.artboard_from_user = place.frame_from_user;
   shape.even_odd = style.even_odd();
   shape.stroke_first = style.stroke_first();
-  const PaintedShape painted{element, place.frame_from_user, bounds(*subpaths)};
+  const Result<Box> box = bounds(input_.context(), *subpaths);
+  if (!box) return box.status();
+  const PaintedShape painted{element, place.frame_from_user, *box};
   auto fill = style.paint(css::Property::fill, paints_, painted);
   if (!fill) return fill.status();
   auto stroke = style.paint(css::Property::stroke, paints_, painted);

@@ -138,7 +138,7 @@ Status XmlSource::check_shape(const Context& context) {
 /// pugixml would copy the text and parse it without a look at the flag between. What may have to
 /// be converted is left to it.
 Status XmlSource::copy_text(const Context& context) {
-  constexpr std::size_t kPart = std::size_t{8} << 20;
+  constexpr std::size_t kPart = std::size_t{1} << 20;
   if (!is_plainly_utf8(text_)) return context.check();
   copy_.reserve(text_.size());
   while (copy_.size() < text_.size()) {
