@@ -20,7 +20,7 @@ struct PreparedLayer {
   /// Present if any curve bears opacity and `color` does not hold it.
   std::optional<PreparedField> opacity;
   Box frame;             ///< what the patch mesh covers, layer frame
-  double smallest_edge;  ///< triangles with shorter edges show on no pixel, layer units
+  double smallest_edge;  ///< triangles with no edge longer than this (layer units) show on no pixel
 };
 
 /// How some instances look at a layer.

@@ -136,7 +136,7 @@ struct Context {
   std::optional<Deadline> deadline{};      ///< none: no limit on time
   SimdLevel simd = detected_simd_level();  ///< at most what the machine has
   PollWatch* poll_watch = nullptr;         ///< for tests
-  /// The Context of the work that contains this work; cancelling it cancels this too.
+  /// The Context of the work that contains this work; its flag and its deadline stop this too.
   const Context* outer = nullptr;
 
   /// Whether to stop, because of the flag or the deadline, here or in `outer`. It reads the clock
