@@ -245,7 +245,8 @@ Status OrzanReader::read_stops(pugi::xml_node set, const char* name, StopList<Va
     return limit_error(context_.limits, &Limits::stops_per_list, "stops in one list",
                        xml_.place(set));
   }
-  Status reserved = stop_memory_.reserve(context_, list.stops, list.stops.size() + count);
+  // A curve may have many sets of one kind.
+  Status reserved = stop_memory_.make_room(context_, list.stops, count);
   if (!reserved) return reserved;
   for (const pugi::xml_node element : set.children(name)) {
     Stop<Value>& stop = list.stops.emplace_back();
