@@ -170,10 +170,13 @@ Status TableMemory::reserve(const Context& context, Table& table, std::size_t co
       charge_.release(capacity_bytes(moved));
       return context.cancel_status();
     }
-    const auto first = table.begin() + static_cast<std::ptrdiff_t>(i);
-    const auto items = static_cast<std::ptrdiff_t>(std::min(kPart<Table>, table.size() - i));
-    moved.insert(moved.end(), std::make_move_iterator(first),
-                 std::make_move_iterator(first + items));
+    Item* const first = table.data() + i;
+    Item* const last = first + std::min(kPart<Table>, table.size() - i);
+    if constexpr (std::is_trivially_copyable_v<Item>) {
+      moved.insert(moved.end(), first, last);  // a string would take a moved range byte by byte
+    } else {
+      moved.insert(moved.end(), std::make_move_iterator(first), std::make_move_iterator(last));
+    }
   }
   charge_.release(capacity_bytes(table));
   table = std::move(moved);
