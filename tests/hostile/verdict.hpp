@@ -18,10 +18,12 @@ constexpr std::size_t kMostBytes = std::size_t{256} << 20;
 /// What is wrong with how a case ended, in one line; "" where nothing is.
 ///
 /// before, after   names in its folder, sorted
+/// slowness        of the machine as the case ran: 1, or more and the case may take more time
+/// (pace.hpp)
 std::string complaint(const Case& of, const Ended& ended, const std::vector<std::string>& before,
-                      const std::vector<std::string>& after);
+                      const std::vector<std::string>& after, double slowness);
 
 /// Of that what is about time and memory.
-std::string complaint_of_cost(const Ended& ended);
+std::string complaint_of_cost(const Ended& ended, double slowness);
 
 }  // namespace sfumato::hostile
