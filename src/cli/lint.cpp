@@ -89,7 +89,8 @@ int lint(const LintArguments& arguments) {
   LintArguments one = arguments;
   int exit_code = kDone;
   for (const std::string& input : arguments.inputs) {
-    if (context.cancel.load()) break;
+    if (exit_code >= kSignalled) break;
+    if (context.cancel.load()) return fail(context.cancel_status());
     one.input = input;
     const int code = lint_one(context, one);
     // Of the first that failed; an interrupt goes before.

@@ -63,11 +63,13 @@ class Rendering {
   std::string stats_;
   int exit_code_ = kDone;
   std::size_t failed_ = 0;
+  bool is_cancelled_ = false;  ///< and that was reported
 };
 
 void Rendering::report_failure(const Status& status) {
   const int code = fail(status);
-  if (failed_++ == 0 || status.code == StatusCode::cancelled) exit_code_ = code;
+  if (status.code == StatusCode::cancelled) is_cancelled_ = true;
+  if (failed_++ == 0 || is_cancelled_) exit_code_ = code;
 }
 
 void Rendering::run_job(std::size_t index) {
@@ -87,15 +89,18 @@ void Rendering::run_job(std::size_t index) {
 }
 
 int Rendering::run() {
-  for (std::size_t i = 0; i < arguments_.jobs.size() && !interrupted(); ++i) run_job(i);
+  for (std::size_t i = 0; i < arguments_.jobs.size() && !is_cancelled_; ++i) {
+    // Also where the signal came between two jobs, or before the first.
+    interrupted() ? report_failure(context_.cancel_status()) : run_job(i);
+  }
   if (bar_) bar_->erase();
-  if (!arguments_.stats.empty() && (arguments_.many || failed_ == 0) && !interrupted()) {
+  if (!arguments_.stats.empty() && (arguments_.many || failed_ == 0) && !is_cancelled_) {
     const Status written = write_file(
         arguments_.stats, {reinterpret_cast<const std::uint8_t*>(stats_.data()), stats_.size()},
         &context_);
     if (!written) report_failure(written);
   }
-  if (arguments_.many && failed_ > 0 && !interrupted()) {
+  if (arguments_.many && failed_ > 0 && !is_cancelled_) {
     std::fprintf(stderr, "sfumato: %zu of %zu drawings failed\n", failed_, arguments_.jobs.size());
   }
   return exit_code_;
