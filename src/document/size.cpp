@@ -12,11 +12,6 @@ std::size_t bytes_of(const Side& side) {
   return bytes_of(side.color.stops) + bytes_of(side.opacity.stops) + bytes_of(side.blur_radius);
 }
 
-std::size_t bytes_of(const Curve& curve) {
-  return curve.control_points.capacity() * sizeof(Vec2) + bytes_of(curve.left) +
-         bytes_of(curve.right);
-}
-
 std::size_t bytes_of(const GradientFill& fill) {
   return fill.stops.capacity() * sizeof(GradientStop);
 }
@@ -26,6 +21,11 @@ std::size_t bytes_of(const Texture& texture) {
 }
 
 }  // namespace
+
+std::size_t bytes_of(const Curve& curve) {
+  return curve.control_points.capacity() * sizeof(Vec2) + bytes_of(curve.left) +
+         bytes_of(curve.right);
+}
 
 std::size_t bytes_of(const LocalCurve& curve) {
   return curve.control_points.capacity() * sizeof(Vec2) + bytes_of(curve.left_color) +
@@ -41,14 +41,19 @@ std::size_t bytes_of(const std::vector<Shader>& shaders) {
   return bytes;
 }
 
+std::size_t bytes_of(const std::vector<StackItem>& stack) {
+  std::size_t bytes = stack.capacity() * sizeof(StackItem);
+  for (const StackItem& item : stack) {
+    if (const auto* stroke = std::get_if<LocalStroke>(&item)) bytes += bytes_of(stroke->curve);
+  }
+  return bytes;
+}
+
 std::size_t bytes_of(const Document& document) {
-  std::size_t bytes = bytes_of(document.shaders) + document.stack.capacity() * sizeof(StackItem);
+  std::size_t bytes = bytes_of(document.shaders) + bytes_of(document.stack);
   for (const Layer& layer : document.layers) {
     bytes += layer.curves.capacity() * sizeof(Curve);
     for (const Curve& curve : layer.curves) bytes += bytes_of(curve);
-  }
-  for (const StackItem& item : document.stack) {
-    if (const auto* stroke = std::get_if<LocalStroke>(&item)) bytes += bytes_of(stroke->curve);
   }
   return bytes;
 }

@@ -93,7 +93,9 @@ struct Document {
 /// charge these to the Budget only while they read; a caller who keeps a document may charge them
 /// again.
 std::size_t bytes_of(const Document& document);
+std::size_t bytes_of(const Curve& curve);
 std::size_t bytes_of(const LocalCurve& curve);
+std::size_t bytes_of(const std::vector<StackItem>& stack);
 std::size_t bytes_of(const std::vector<Shader>& shaders);
 /// @}
 

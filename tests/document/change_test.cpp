@@ -1,0 +1,153 @@
+#include "sfumato/document/change.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "support/drawing.hpp"
+#include "support/same_document.hpp"
+
+namespace sfumato {
+namespace {
+
+using test::circle_curve;
+using test::colored;
+using test::kBlue;
+using test::kRed;
+using test::same_document;
+using test::straight_curve;
+
+Document some_document() {
+  Document document = test::one_layer({colored(straight_curve({10, 10}, {90, 80}), kRed, kBlue),
+                                       colored(circle_curve({50, 50}, 20), kBlue, kRed)});
+  document.layers.push_back({"other", {colored(circle_curve({20, 20}, 5), kRed, kBlue)}});
+  document.stack.push_back(LayerInstance{1, {}});
+  return document;
+}
+
+Curve some_curve() {
+  return colored(straight_curve({0, 50}, {100, 50}), kBlue, kRed);
+}
+
+Change one_of(int kind) {
+  Document document = some_document();
+  switch (kind) {
+    case 0:
+      return ReplaceCurve{0, 1, some_curve()};
+    case 1:
+      return InsertCurve{0, 1, some_curve()};
+    case 2:
+      return InsertCurve{1, 1, some_curve()};
+    case 3:
+      return RemoveCurve{0, 0};
+    case 4:
+      return RemoveCurve{1, 0};
+    case 5:
+      return ReplaceStack{{document.stack[1], document.stack[0]}};
+    default:
+      document.artboard = {{5, 5}, {70, 60}};
+      document.layers.pop_back();
+      document.stack.pop_back();
+      return ReplaceDocument{std::move(document)};
+  }
+}
+
+constexpr int kKinds = 7;
+
+Change take(Result<Change> change) {
+  EXPECT_TRUE(change.ok()) << to_string(change.status());
+  return std::move(*change);
+}
+
+TEST(Change, is_taken_back_by_what_it_returns_and_made_again_by_what_that_returns) {
+  for (int kind = 0; kind < kKinds; ++kind) {
+    SCOPED_TRACE(kind);
+    Document document = some_document();
+    const Change inverse = take(apply_change({}, document, one_of(kind)));
+    const Document changed = document;
+    EXPECT_FALSE(same_document(changed, some_document()));
+    const Change again = take(apply_change({}, document, inverse));
+    EXPECT_TRUE(same_document(document, some_document()));
+    take(apply_change({}, document, again));
+    EXPECT_TRUE(same_document(document, changed));
+  }
+}
+
+TEST(Change, does_what_it_says) {
+  Document document = some_document();
+  const std::vector<Curve> before = document.layers[0].curves;
+  take(apply_change({}, document, InsertCurve{0, 1, some_curve()}));
+  EXPECT_EQ(document.layers[0].curves, (std::vector{before[0], some_curve(), before[1]}));
+  take(apply_change({}, document, InsertCurve{0, 3, before[0]}));
+  EXPECT_EQ(document.layers[0].curves,
+            (std::vector{before[0], some_curve(), before[1], before[0]}));
+  take(apply_change({}, document, RemoveCurve{0, 0}));
+  EXPECT_EQ(document.layers[0].curves, (std::vector{some_curve(), before[1], before[0]}));
+  take(apply_change({}, document, ReplaceCurve{0, 2, before[1]}));
+  EXPECT_EQ(document.layers[0].curves, (std::vector{some_curve(), before[1], before[1]}));
+}
+
+void expect_refused(const Context& context, const Change& change, StatusCode code) {
+  Document document = some_document();
+  const auto result = apply_change(context, document, change);
+  EXPECT_EQ(result.status().code, code) << to_string(result.status());
+  EXPECT_TRUE(same_document(document, some_document()));
+}
+
+TEST(Change, of_what_is_not_there_is_refused_and_changes_nothing) {
+  constexpr std::uint32_t kHuge = std::numeric_limits<std::uint32_t>::max();
+  for (const std::uint32_t layer : {2u, kHuge}) {
+    expect_refused({}, ReplaceCurve{layer, 0, some_curve()}, StatusCode::bad_input);
+    expect_refused({}, InsertCurve{layer, 0, some_curve()}, StatusCode::bad_input);
+    expect_refused({}, RemoveCurve{layer, 0}, StatusCode::bad_input);
+  }
+  expect_refused({}, ReplaceCurve{0, 2, some_curve()}, StatusCode::bad_input);
+  expect_refused({}, RemoveCurve{0, 2}, StatusCode::bad_input);
+  expect_refused({}, RemoveCurve{0, kHuge}, StatusCode::bad_input);
+  expect_refused({}, InsertCurve{0, 3, some_curve()}, StatusCode::bad_input);
+  expect_refused({}, InsertCurve{0, kHuge, some_curve()}, StatusCode::bad_input);
+}
+
+TEST(Change, that_would_make_the_document_invalid_is_refused_and_changes_nothing) {
+  Curve short_one = some_curve();
+  short_one.control_points.pop_back();
+  Curve far = some_curve();
+  far.control_points[2].x = std::numeric_limits<double>::quiet_NaN();
+  Curve shaderless = some_curve();
+  shaderless.left.color = {ShaderKind::image_domain, {}, 0};
+  for (const Curve& curve : {short_one, far, shaderless}) {
+    expect_refused({}, ReplaceCurve{0, 0, curve}, StatusCode::bad_input);
+    expect_refused({}, InsertCurve{0, 0, curve}, StatusCode::bad_input);
+  }
+  expect_refused({}, ReplaceStack{{LayerInstance{2, {}}}}, StatusCode::bad_input);
+  expect_refused({}, ReplaceStack{{GroupBegin{}}}, StatusCode::bad_input);
+  expect_refused({}, ReplaceDocument{}, StatusCode::bad_input);
+}
+
+TEST(Change, beyond_a_limit_is_refused_and_changes_nothing) {
+  Context context;
+  context.limits.curves = 3;
+  expect_refused(context, InsertCurve{0, 0, some_curve()}, StatusCode::limit);
+  Document document = some_document();
+  take(apply_change(context, document, ReplaceCurve{0, 0, some_curve()}));
+}
+
+TEST(Change, that_is_cancelled_changes_nothing) {
+  Context context;
+  context.cancel = true;
+  for (int kind = 0; kind < kKinds; ++kind) {
+    SCOPED_TRACE(kind);
+    expect_refused(context, one_of(kind), StatusCode::cancelled);
+  }
+}
+
+TEST(Change, knows_the_memory_of_what_it_brings) {
+  EXPECT_EQ(bytes_of(Change(RemoveCurve{0, 0})), 0u);
+  const std::size_t points = some_curve().control_points.size() * sizeof(Vec2);
+  EXPECT_GE(bytes_of(Change(ReplaceCurve{0, 0, some_curve()})), points);
+  EXPECT_GE(bytes_of(Change(InsertCurve{0, 0, some_curve()})), points);
+  EXPECT_GE(bytes_of(one_of(6)), 2 * points);
+}
+
+}  // namespace
+}  // namespace sfumato
