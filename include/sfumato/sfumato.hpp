@@ -22,6 +22,7 @@
 #include "sfumato/codecs/png.hpp"
 #include "sfumato/codecs/webp_encode.hpp"
 #include "sfumato/document/build.hpp"
+#include "sfumato/document/change.hpp"
 #include "sfumato/document/document.hpp"
 #include "sfumato/export/eps/eps.hpp"
 #include "sfumato/export/glb/glb.hpp"
@@ -39,3 +40,4 @@
 #include "sfumato/raster/rasterize.hpp"
 #include "sfumato/solve/diffuse.hpp"
 #include "sfumato/solve/point_evaluator.hpp"
+#include "sfumato/solve/solution.hpp"

@@ -20,4 +20,7 @@ Status make_limit_error(std::size_t Limits::*limit, std::string message, SourceP
 Status limit_error(const Limits& limits, std::size_t Limits::*limit, std::string_view what,
                    SourcePlace where = {});
 
+/// Whether the Budget or the system had too little memory.
+bool is_lack_of_memory(const Status& status);
+
 }  // namespace sfumato

@@ -84,4 +84,9 @@ Status limit_error(const Limits& limits, std::size_t Limits::*limit, std::string
                           std::move(where));
 }
 
+bool is_lack_of_memory(const Status& status) {
+  return status.code == StatusCode::out_of_memory ||
+         (status.code == StatusCode::limit && status.limit == "memory");
+}
+
 }  // namespace sfumato

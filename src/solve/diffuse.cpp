@@ -69,8 +69,8 @@ Result<Picture> make_frame(Context& context, const Document& document, const Box
   return picture;
 }
 
-Result<Picture> solve_layers(Context& context, const Document& document,
-                             const DiffuseOptions& options, DiffuseStats* stats) {
+Result<Picture> solve_document(Context& context, const Document& document,
+                               const DiffuseOptions& options, DiffuseStats* stats) {
   if (Status status = solve::validate(options); !status) return status;
   if (Status status = validate(context, document); !status) return status;
   Result<Picture> frame =
@@ -80,7 +80,12 @@ Result<Picture> solve_layers(Context& context, const Document& document,
   ScopedCharge charge;  // of the frame, while layers are solved
   Status status = charge.add(context, bytes_of(picture), "the picture");
   if (!status) return status;
-  solve::LayerRuns runs(context, document, picture.viewport, options);
+  Result<std::vector<solve::LayerSight>> sights =
+      solve::sights_of_layers(context, document, picture.viewport);
+  if (!sights) return sights.status();
+  std::vector<solve::LayerTask> tasks(sights->size());
+  for (std::uint32_t i = 0; i < tasks.size(); ++i) tasks[i] = {i, std::move((*sights)[i])};
+  solve::LayerRuns runs(context, document, tasks, options);
   status = runs.run();
   if (stats) runs.add_to(*stats);
   if (!status) return status;
@@ -96,7 +101,7 @@ Result<Picture> picture_frame(Context& context, const Document& document, const 
 
 Result<Picture> diffuse(Context& context, const Document& document, const DiffuseOptions& options,
                         DiffuseStats* stats) {
-  return public_verb(context, [&] { return solve_layers(context, document, options, stats); });
+  return public_verb(context, [&] { return solve_document(context, document, options, stats); });
 }
 
 }  // namespace sfumato

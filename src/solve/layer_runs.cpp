@@ -4,9 +4,9 @@
 #include <numeric>
 #include <utility>
 
+#include "base/limit_error.hpp"
 #include "base/no_throw.hpp"
 #include "base/parallel.hpp"
-#include "solve/prepare_layer.hpp"
 
 namespace sfumato::solve {
 namespace {
@@ -14,11 +14,6 @@ namespace {
 /// With more threads than this the others help with the loops of each: every layer at work takes
 /// memory, and stack of a thread that waits for its helpers and solves another one meanwhile.
 constexpr std::size_t kLayersAtOnce = 8;
-
-bool is_lack_of_memory(const Status& status) {
-  return status.code == StatusCode::out_of_memory ||
-         (status.code == StatusCode::limit && status.limit == "memory");
-}
 
 void add(const DiffuseStats& part, DiffuseStats& sum) {
   sum.curves += part.curves;
@@ -40,41 +35,37 @@ void SharedProgress::add(double done) {
   is_telling_.clear();
 }
 
-LayerRuns::LayerRuns(Context& context, const Document& document, const Box& viewport,
+LayerRuns::LayerRuns(Context& context, const Document& document, std::span<const LayerTask> tasks,
                      const DiffuseOptions& options)
     : context_(context),
       document_(document),
-      viewport_(viewport),
+      tasks_(tasks),
       options_(options),
       progress_(context.progress, total_work()),
-      first_failed_(layer_count()) {}
-
-std::uint32_t LayerRuns::layer_count() const {
-  return static_cast<std::uint32_t>(document_.layers.size());
-}
+      first_failed_(task_count()) {}
 
 /// As far as it can be told beforehand.
 double LayerRuns::work_of(std::uint32_t index) const {
-  return static_cast<double>(document_.layers[index].curves.size());
+  return static_cast<double>(document_.layers[tasks_[index].layer].curves.size());
 }
 
 double LayerRuns::total_work() const {
   double sum = 0;
-  for (std::uint32_t i = 0; i < layer_count(); ++i) sum += work_of(i);
+  for (std::uint32_t i = 0; i < task_count(); ++i) sum += work_of(i);
   return std::max(sum, 1.0);
 }
 
 Status LayerRuns::run() {
   Status status = make_tables();
   if (status && context_.thread_count() > 1) status = run_side_by_side();
-  return status && first_failed_ < layer_count() ? run_one_by_one() : status;
+  return status && first_failed_ < task_count() ? run_one_by_one() : status;
 }
 
 Status LayerRuns::make_tables() {
-  Status status = memory_.reserve(context_, runs_, layer_count());
-  if (status) status = memory_.resize(context_, order_, layer_count());
+  Status status = memory_.reserve(context_, runs_, task_count());
+  if (status) status = memory_.resize(context_, order_, task_count());
   if (!status) return status;
-  for (std::uint32_t i = 0; i < layer_count(); ++i) runs_.emplace_back();
+  for (std::uint32_t i = 0; i < task_count(); ++i) runs_.emplace_back();
   std::iota(order_.begin(), order_.end(), 0u);
   std::ranges::sort(order_, [&](std::uint32_t a, std::uint32_t b) {
     return work_of(a) != work_of(b) ? work_of(a) > work_of(b) : a < b;
@@ -95,17 +86,17 @@ Status LayerRuns::run_side_by_side() {
       run_beside(order_[i]);
     } while (takes_turns);
   });
-  if (!status || first_failed_ == layer_count()) return status;
+  if (!status || first_failed_ == task_count()) return status;
   const Run& failed = runs_[first_failed_];
   return may_succeed_by_itself(failed) ? ok_status() : failed.status;
 }
 
 /// A layer that had all memory for itself is not prepared with less of it the next time.
 bool LayerRuns::may_succeed_by_itself(const Run& failed) const {
-  return is_lack_of_memory(failed.status) && (failed.is_prepared || layer_count() > 1);
+  return is_lack_of_memory(failed.status) && (failed.is_prepared || task_count() > 1);
 }
 
-/// Layers behind one that failed are left: nobody will ask for them.
+/// Layers behind one that failed are left: run() ends with the first that failed.
 void LayerRuns::run_beside(std::uint32_t index) {
   if (index > first_failed_) return;
   Status& status = runs_[index].status;
@@ -115,9 +106,9 @@ void LayerRuns::run_beside(std::uint32_t index) {
 }
 
 Status LayerRuns::run_one_by_one() {
-  for (std::uint32_t i = first_failed_; i < layer_count(); ++i)
-    runs_[i] = Run{{}, {}, {}, {}, runs_[i].told, false};
-  for (std::uint32_t i = first_failed_; i < layer_count(); ++i) {
+  for (std::uint32_t i = first_failed_; i < task_count(); ++i)
+    runs_[i] = Run{{}, {}, {}, {}, runs_[i].told, false, false};
+  for (std::uint32_t i = first_failed_; i < task_count(); ++i) {
     if (Status status = solve(i, false); !status) return status;
   }
   return ok_status();
@@ -133,14 +124,16 @@ Status LayerRuns::solve(std::uint32_t index, bool side_by_side) {
   if (!layer) return layer.status();
   run.layer = std::move(*layer);
   tell(1);
-  return run.charge.add(context_, bytes_of(run.layer), "patches");
+  Status status = run.charge.add(context_, bytes_of(run.layer), "patches");
+  run.is_finished = status.ok();
+  return status;
 }
 
 Result<PatchLayer> LayerRuns::solve_layer(std::uint32_t index, DiffuseStats& stats, SolveWay way) {
-  const LayerSight sight = sight_of_layer(document_, index, viewport_);
-  if (sight.viewport.empty() || document_.layers[index].curves.empty()) return PatchLayer{};
+  const auto& [layer, sight] = tasks_[index];
+  if (sight.viewport.empty() || document_.layers[layer].curves.empty()) return PatchLayer{};
   Result<PreparedLayer> prepared =
-      prepare_layer(context_, document_, index, sight, options_, &stats, LayerUse::patches);
+      prepare_layer(context_, document_, layer, sight, options_, &stats, LayerUse::patches);
   if (!prepared) return prepared.status();
   runs_[index].is_prepared = true;
   return LayerSolver(context_, std::move(*prepared), options_, &stats, {}, way).solve();
@@ -155,6 +148,12 @@ std::vector<PatchLayer> LayerRuns::take() {
   layers.reserve(runs_.size());
   for (Run& run : runs_) layers.push_back(std::move(run.layer));
   return layers;
+}
+
+std::optional<PatchLayer> LayerRuns::take_finished(std::uint32_t task) {
+  if (task >= runs_.size() || !std::exchange(runs_[task].is_finished, false)) return std::nullopt;
+  runs_[task].charge = {};
+  return std::move(runs_[task].layer);
 }
 
 }  // namespace sfumato::solve

@@ -2,6 +2,8 @@
 
 #include <atomic>
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "base/charge.hpp"
@@ -12,6 +14,7 @@
 #include "sfumato/picture/picture.hpp"
 #include "sfumato/solve/diffuse.hpp"
 #include "solve/layer_solver.hpp"
+#include "solve/prepare_layer.hpp"
 
 namespace sfumato::solve {
 
@@ -32,7 +35,13 @@ class SharedProgress {
   std::atomic_flag is_telling_;
 };
 
-/// Solves the layers of a document.
+/// A layer to be solved.
+struct LayerTask {
+  std::uint32_t layer = 0;  ///< index into Document::layers
+  LayerSight sight{};       ///< sight_of_layer()
+};
+
+/// Solves layers of a document that validate() accepts.
 ///
 /// With threads all layers are solved side by side, the largest first, and so are their fields.
 /// That takes more memory than one after another: where it is not enough, layers from the first on
@@ -40,8 +49,8 @@ class SharedProgress {
 /// one thread is enough for many. Any other failure is that of the first layer that fails.
 class LayerRuns {
  public:
-  /// What is referred to outlives this.
-  LayerRuns(Context& context, const Document& document, const Box& viewport,
+  /// tasks   in the order of their layers. What is referred to outlives this.
+  LayerRuns(Context& context, const Document& document, std::span<const LayerTask> tasks,
             const DiffuseOptions& options);
 
   /// Errors: limit, cancelled, out_of_memory.
@@ -50,8 +59,12 @@ class LayerRuns {
   /// Adds what all layers took.
   void add_to(DiffuseStats& stats) const;
 
-  /// The layers, in their order. Their charges end.
+  /// The layers, in the order of the tasks. Their charges end.
   std::vector<PatchLayer> take();
+
+  /// The layer of a task that was finished, whether or not all were, unless it was taken. Its
+  /// charge ends.
+  std::optional<PatchLayer> take_finished(std::uint32_t task);
 
  private:
   struct Run {
@@ -61,6 +74,7 @@ class LayerRuns {
     Status status;
     double told = 0;           ///< of the progress
     bool is_prepared = false;  ///< after the part that is the same in both ways
+    bool is_finished = false;
   };
 
   Status make_tables();
@@ -72,15 +86,15 @@ class LayerRuns {
   Result<PatchLayer> solve_layer(std::uint32_t index, DiffuseStats& stats, SolveWay way);
   double work_of(std::uint32_t index) const;
   double total_work() const;
-  std::uint32_t layer_count() const;
+  std::uint32_t task_count() const { return static_cast<std::uint32_t>(tasks_.size()); }
 
   Context& context_;
   const Document& document_;
-  Box viewport_;
+  std::span<const LayerTask> tasks_;
   const DiffuseOptions& options_;
   SharedProgress progress_;
-  std::vector<Run> runs_;             ///< per layer
-  std::vector<std::uint32_t> order_;  ///< the largest layer first
+  std::vector<Run> runs_;             ///< per task
+  std::vector<std::uint32_t> order_;  ///< of tasks, the largest layer first
   std::atomic<std::uint32_t> first_failed_;
   TableMemory memory_{"layers"};
 };

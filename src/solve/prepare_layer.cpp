@@ -6,6 +6,7 @@
 #include <string>
 
 #include "base/charge.hpp"
+#include "base/poll.hpp"
 #include "base/stopwatch.hpp"
 #include "base/table_memory.hpp"
 #include "curves/flatten.hpp"
@@ -201,6 +202,15 @@ Status check_sight(const LayerSight& sight, const Layer& layer) {
                         ": a transform or the viewport reaches too far");
 }
 
+void add_instance(const LayerInstance& instance, const Box& viewport, LayerSight& sight) {
+  const Affine& map = instance.artboard_from_layer;
+  const LayerView view{bounds_of_mapped(inverse(map), viewport), largest_scale(map)};
+  sight.viewport = united(sight.viewport, view.window);
+  if (!(view.scale > 0)) return;
+  sight.scale = sight.views.empty() ? view.scale : std::max(sight.scale, view.scale);
+  add_view(view, sight.views);
+}
+
 }  // namespace
 
 Status validate(const DiffuseOptions& options) {
@@ -236,18 +246,26 @@ Status validate(const DiffuseOptions& options) {
 
 LayerSight sight_of_layer(const Document& document, std::uint32_t layer, const Box& viewport) {
   LayerSight sight;
-  double scale = 0;
   for (const StackItem& item : document.stack) {
     const auto* instance = std::get_if<LayerInstance>(&item);
-    if (!instance || instance->layer != layer) continue;
-    const Affine& map = instance->artboard_from_layer;
-    const LayerView view{bounds_of_mapped(inverse(map), viewport), largest_scale(map)};
-    sight.viewport = united(sight.viewport, view.window);
-    scale = std::max(scale, view.scale);
-    if (view.scale > 0) add_view(view, sight.views);
+    if (instance && instance->layer == layer) add_instance(*instance, viewport, sight);
   }
-  if (scale > 0) sight.scale = scale;
   return sight;
+}
+
+Result<std::vector<LayerSight>> sights_of_layers(const Context& context, const Document& document,
+                                                 const Box& viewport) {
+  std::vector<LayerSight> sights;
+  TableMemory memory("layers");
+  Status status = memory.resize(context, sights, document.layers.size());
+  if (!status) return status;
+  RarePoll<1024> poll(context);
+  for (const StackItem& item : document.stack) {
+    if (poll.cancelled()) return context.cancel_status();
+    const auto* instance = std::get_if<LayerInstance>(&item);
+    if (instance) add_instance(*instance, viewport, sights[instance->layer]);
+  }
+  return sights;
 }
 
 Result<PreparedLayer> prepare_layer(Context& context, const Document& document, std::uint32_t layer,

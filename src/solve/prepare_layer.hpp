@@ -27,6 +27,8 @@ struct PreparedLayer {
 struct LayerView {
   Box window;    ///< the part of the layer frame that they bring into the viewport
   double scale;  ///< artboard units per layer unit, for the instance that enlarges it most
+
+  friend bool operator==(const LayerView&, const LayerView&) = default;
 };
 
 /// How a layer is looked at.
@@ -34,10 +36,16 @@ struct LayerSight {
   Box viewport;      ///< the part of the layer frame that any instance brings into the viewport
   double scale = 1;  ///< artboard units per layer unit, for the instance that enlarges it most
   std::vector<LayerView> views{};  ///< instances whose scales share a power of two are combined
+
+  friend bool operator==(const LayerSight&, const LayerSight&) = default;
 };
 
 /// Empty viewport: no instance shows any of the layer.
 LayerSight sight_of_layer(const Document& document, std::uint32_t layer, const Box& viewport);
+
+/// sight_of_layer() of every layer. Errors: limit (memory), cancelled. Cost: O(stack items).
+Result<std::vector<LayerSight>> sights_of_layers(const Context& context, const Document& document,
+                                                 const Box& viewport);
 
 /// The purpose of the preparation. points: exact values at single points. patches: one field may
 /// hold colour and opacity if the same curves bear both, and blur radii too small for the mesh are

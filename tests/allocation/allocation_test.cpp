@@ -8,6 +8,7 @@
 
 #include "allocation/documents.hpp"
 #include "allocation/every_allocation.hpp"
+#include "base/no_throw.hpp"
 #include "base/parallel.hpp"
 #include "sfumato/api/render_pixels.hpp"
 #include "sfumato/base/native/file.hpp"
@@ -25,6 +26,7 @@
 #include "sfumato/lint/lint.hpp"
 #include "sfumato/raster/rasterize.hpp"
 #include "sfumato/solve/diffuse.hpp"
+#include "sfumato/solve/solution.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace sfumato::test {
@@ -68,6 +70,10 @@ std::string digest(const Picture& picture) {
     append(text, layer.opacity.node_value);
   }
   return text;
+}
+
+std::string digest(const Solution& solution) {
+  return digest(solution.picture());
 }
 
 std::string digest(const Image& image) {
@@ -118,6 +124,26 @@ TEST_P(Allocation, lint) {
 TEST_P(Allocation, diffuse) {
   const Document document = document_of(GetParam().text);
   check("diffuse", [&](Context& context) { return diffuse(context, document, {}); });
+}
+
+/// Solved, changed, and solved again.
+TEST_P(Allocation, solution) {
+  const Document document = document_of(GetParam().text);
+  const auto make = [&](Context& context) -> Result<Solution> {
+    Result<Solution> solution = Solution::create(context, document);
+    Status status = solution ? solution->solve(context, {}) : solution.status();
+    if (status && !document.layers.empty() && !document.layers[0].curves.empty()) {
+      const Curve& curve = document.layers[0].curves[0];
+      status = solution->apply(context, InsertCurve{0, 0, curve}).status();
+      if (status) status = solution->apply(context, RemoveCurve{0, 1}).status();
+    }
+    if (status) status = solution->apply(context, ReplaceStack{document.stack}).status();
+    if (status) status = solution->solve(context, {});
+    return status ? std::move(solution) : Result<Solution>(std::move(status));
+  };
+  // The copies of what is given are the caller's.
+  check("solution", [&](Context& context) { return no_throw([&] { return make(context); }); },
+        {.every = 5});
 }
 
 TEST_P(Allocation, rasterize) {
@@ -268,6 +294,39 @@ TEST(AllocationOf, a_whole_render_on_many_threads) {
   ThreadPool executor(4);
   check("render", whole_render(document_with_everything(), 128, 96),
         {.every = 41, .executor = &executor, .also = StatusCode::bad_input});
+}
+
+/// Whatever is refused while a solution changes and is solved, it goes on as if nothing had been.
+TEST(AllocationOf, a_solution_that_goes_on) {
+  const Document document = document_of(small_documents().front().text);
+  ASSERT_FALSE(document.layers.empty());
+  const Curve curve = document.layers[0].curves.at(0);
+  std::size_t changed = 0, refused = 0;
+  for (const Refusal refusal : {Refusal::one, Refusal::all_from}) {
+    bool was_refused = true;
+    for (std::size_t k = 0; was_refused; k += 1 + k / 64) {
+      SCOPED_TRACE(k);
+      Context context;
+      Solution solution = std::move(*Solution::create(context, document));
+      ASSERT_TRUE(solution.solve(context, {}).ok());
+      {
+        const RefusedAllocations refused_allocations(k, refusal);
+        const auto change = no_throw([&] {
+          return solution.apply(context, InsertCurve{0, 0, curve});
+        });
+        const Status status = solution.solve(context, {});
+        was_refused = RefusedAllocations::requests() > k;
+        change ? ++changed : ++refused;
+        ASSERT_TRUE(status.ok() || status.code == StatusCode::out_of_memory) << to_string(status);
+      }
+      ASSERT_TRUE(solution.solve(context, {}).ok());
+      ASSERT_TRUE(digest(solution) == digest(picture_of(solution.document())));
+      ASSERT_EQ(context.budget.used(),
+                bytes_of(solution.document()) + bytes_of(solution.picture()));
+    }
+  }
+  EXPECT_GT(changed, 0u);
+  EXPECT_GT(refused, 0u);
 }
 
 TEST(AllocationOf, a_loop_on_many_threads) {

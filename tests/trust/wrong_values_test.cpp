@@ -32,6 +32,7 @@
 #include "sfumato/lint/lint.hpp"
 #include "sfumato/raster/rasterize.hpp"
 #include "sfumato/solve/diffuse.hpp"
+#include "sfumato/solve/solution.hpp"
 
 namespace sfumato::test {
 namespace {
@@ -333,6 +334,16 @@ class Verbs {
     ask([&](Context& c) { return write_svg(c, document_); });
     ask([&](Context& c) { return lint(c, document_); });
     ask([&](Context& c) { return diffuse(c, document_, {}); });
+    ask([&](Context& c) {
+      Document changed = document_;
+      return apply_change(c, changed, RemoveCurve{0, 0});
+    });
+    ask([&](Context& c) {
+      Result<Solution> solution = Solution::create(c, document_);
+      Status status = solution.status();
+      if (status) status = solution->apply(c, RemoveCurve{0, 0}).status();
+      return status ? solution->solve(c, {}) : status;
+    });
     ask([&](Context& c) { return render_pixels(c, document_, {}, kSmall); });
     ask([&](Context& c) { return rasterize(c, picture_, kSmall); });
     if (expected) ask([&](Context& c) { return render_on_gpu(c, picture_, kSmall); });

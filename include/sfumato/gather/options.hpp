@@ -16,6 +16,9 @@ struct GatherOptions {
   Method method = Method::exact;  ///< DiffuseOptions::gather and diffuse() have more on rays
   int rays_per_node = 64;         ///< from 1 to limits::kRays; counts for Method::rays
   std::uint64_t seed = 0;         ///< of Method::rays: the same seed gives the same rays
+
+  /// Exact comparison of all members.
+  friend bool operator==(const GatherOptions&, const GatherOptions&) = default;
 };
 
 /// What the picture shows ahead of the free end of an open curve (docs/mathematics.md, "Free

@@ -36,6 +36,9 @@ struct DiffuseOptions {
   gather::GatherOptions gather{};
   gather::Ends ends = gather::Ends::soft;  ///< what is ahead of the ends of open curves
   bool ignore_blur = false;  ///< draw diffusion curves sharp, as if their blur radii were 0
+
+  /// Exact comparison of all members.
+  friend bool operator==(const DiffuseOptions&, const DiffuseOptions&) = default;
 };
 
 /// Sizes and times of the solution of a document, summed over the layers that are painted.

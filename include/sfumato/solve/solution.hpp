@@ -1,0 +1,78 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/status.hpp"
+#include "sfumato/document/change.hpp"
+#include "sfumato/document/document.hpp"
+#include "sfumato/picture/picture.hpp"
+#include "sfumato/solve/diffuse.hpp"
+
+namespace sfumato {
+
+/// What of a Solution's picture is new.
+struct PictureDelta {
+  /// Whether anything but the layers may be: stack, shaders, background, artboard, viewport,
+  /// interpolation, or how many layers there are.
+  bool frame = false;
+  std::vector<std::uint32_t> layers;  ///< indices into Picture::layers, ascending
+
+  /// Whether nothing is new.
+  bool empty() const { return !frame && layers.empty(); }
+};
+
+/// A document that is being solved: it takes changes, and solves anew only the layers that these
+/// touched. Its picture is the one that diffuse() makes of the document, to the bit.
+///
+/// One thread at a time may call a Solution. Its document and picture stay charged to the Context
+/// that was given to create(), which must therefore outlive it; the Contexts of later calls lend
+/// their threads, their limits and the memory of the work itself. A moved-from Solution can only be
+/// assigned to or destroyed.
+class Solution {
+ public:
+  /// Takes a document over; nothing is solved yet, and the picture is an empty one.
+  /// Errors: bad_input (an invalid document), limit, cancelled, out_of_memory.
+  static Result<Solution> create(Context& context, Document document);
+
+  /// Takes over what `other` holds.
+  Solution(Solution&& other) noexcept : state_(other.state_) { other.state_ = nullptr; }
+  /// Exchanges what the two hold.
+  Solution& operator=(Solution&& other) noexcept;
+  ~Solution();
+
+  /// The document with all changes that were applied.
+  const Document& document() const;
+
+  /// Changes the document, and returns the change that takes this one back. The picture stays as it
+  /// is until solve(). Errors: as apply_change(); nothing has changed then.
+  Result<Change> apply(Context& context, Change change);
+
+  /// Makes the picture that diffuse() would make of the document with these options. A layer is
+  /// solved where its curves changed since the last picture, where the stack shows it at another
+  /// scale or shows another part of it, and where the options, the artboard or the document's
+  /// interpolation changed; the others are kept.
+  ///
+  /// `stats`, unless null, is added to: what was solved now.
+  ///
+  /// Errors: as diffuse(). The picture is the last one then, and layers that this call finished are
+  /// kept for the next one, unless it was memory that was lacking. Limits of the Context hold for
+  /// what is solved now.
+  Status solve(Context& context, const DiffuseOptions& options, DiffuseStats* stats = nullptr);
+
+  /// The last picture that solve() finished.
+  const Picture& picture() const;
+
+  /// What of picture() is new since the last call of this function. The first call after the first
+  /// picture names everything.
+  PictureDelta take_delta();
+
+ private:
+  struct State;
+
+  explicit Solution(State* state) : state_(state) {}
+  State* state_;  ///< owned
+};
+
+}  // namespace sfumato

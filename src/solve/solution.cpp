@@ -1,0 +1,306 @@
+#include "sfumato/solve/solution.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <utility>
+
+#include "base/charge.hpp"
+#include "base/no_throw.hpp"
+#include "base/public_verb.hpp"
+#include "base/table_memory.hpp"
+#include "solve/layer_runs.hpp"
+
+namespace sfumato {
+namespace {
+
+using solve::LayerSight;
+using solve::LayerTask;
+
+constexpr std::string_view kPurpose = "the solution of a document";
+
+/// What is known of one of the document's layers.
+struct LayerState {
+  LayerSight sight{};                         ///< that its patches were solved for
+  std::optional<std::uint32_t> in_picture{};  ///< the picture's layer that has them
+  std::optional<PatchLayer> fresh{};          ///< or they, where no picture has them yet
+
+  bool is_solved() const { return in_picture || fresh; }
+};
+
+/// The layer that a change to a curve touches; none of other changes.
+std::optional<std::uint32_t> layer_of(const Change& change) {
+  if (const auto* replace = std::get_if<ReplaceCurve>(&change)) return replace->layer;
+  if (const auto* insert = std::get_if<InsertCurve>(&change)) return insert->layer;
+  if (const auto* remove = std::get_if<RemoveCurve>(&change)) return remove->layer;
+  return {};
+}
+
+}  // namespace
+
+struct Solution::State {
+  State(Context& context, Document d)
+      : document(std::move(d)), layers(document.layers.size()), held(context.budget) {}
+
+  /// Comes first: charges the document.
+  Status start(const Context& context) { return hold(context, document); }
+  Result<Change> apply(Context& context, Change change);
+  Status solve(Context& context, const DiffuseOptions& wanted, DiffuseStats* stats);
+
+  Document document;
+  Picture picture;
+  PictureDelta delta;
+
+ private:
+  /// At the end of its scope no more is charged than is held. While it lives, what was charged for
+  /// something that then failed may still be.
+  class SpareRelease {
+   public:
+    explicit SpareRelease(State& state) : state_(state) {}
+    ~SpareRelease() { state_.release_spare(); }
+    SpareRelease(const SpareRelease&) = delete;
+    SpareRelease& operator=(const SpareRelease&) = delete;
+
+   private:
+    State& state_;
+  };
+
+  void follow(const Change& inverse, std::vector<LayerState> next);
+  void carry_over(const Document& old, std::vector<LayerState> next);
+  std::optional<std::size_t> find_same(const Document& old, std::size_t index) const;
+  void forget(const DiffuseOptions& wanted);
+  Result<std::vector<LayerTask>> tasks(const Context& context, const Box& viewport) const;
+  Status keep(const Context& context, std::span<LayerTask> tasks, solve::LayerRuns& runs);
+  Status assemble(Context& context, const Box& viewport);
+  PictureDelta delta_with_news() const;
+  Status make_room(const Context& context, const InsertCurve& insert);
+  std::size_t bytes() const;
+
+  /// Charges what is about to be held.
+  template <class Thing>
+  Status hold(const Context& context, const Thing& thing) {
+    Status status = held.add(context, bytes_of(thing), kPurpose);
+    if (status) charged += bytes_of(thing);
+    return status;
+  }
+
+  void release_spare() {
+    const std::size_t spare = charged - std::min(charged, bytes());
+    held.release(spare);
+    charged -= spare;
+  }
+
+  std::vector<LayerState> layers;
+  std::optional<DiffuseOptions> options;  ///< that the layers were solved with
+  bool frame_changed = true;              ///< since the picture was made
+  ScopedCharge held;
+  std::size_t charged = 0;
+
+  friend class Solution;
+};
+
+std::size_t Solution::State::bytes() const {
+  std::size_t bytes = bytes_of(document) + bytes_of(picture);
+  for (const LayerState& layer : layers) bytes += layer.fresh ? bytes_of(*layer.fresh) : 0;
+  return bytes;
+}
+
+/// Whatever may fail comes before the state of the layers follows.
+Result<Change> Solution::State::apply(Context& context, Change change) {
+  const SpareRelease release(*this);
+  if (Status status = hold(context, change); !status) return status;
+  if (const auto* insert = std::get_if<InsertCurve>(&change)) {
+    if (Status status = make_room(context, *insert); !status) return status;
+  }
+  std::vector<LayerState> next;
+  if (const auto* whole = std::get_if<ReplaceDocument>(&change)) {
+    next.resize(whole->value.layers.size());
+  }
+  Result<Change> inverse = apply_change(context, document, std::move(change));
+  if (inverse) follow(*inverse, std::move(next));
+  return inverse;
+}
+
+/// For a curve that is inserted, if the layer is there: the list of curves does not grow
+/// afterwards.
+Status Solution::State::make_room(const Context& context, const InsertCurve& insert) {
+  if (insert.layer >= document.layers.size()) return ok_status();
+  std::vector<Curve>& curves = document.layers[insert.layer].curves;
+  if (curves.size() < curves.capacity()) return ok_status();
+  std::vector<Curve> larger;
+  larger.reserve(std::max<std::size_t>(4, 2 * curves.size()));
+  Status status = held.add(context, capacity_bytes(larger), kPurpose);
+  if (!status) return status;
+  charged += capacity_bytes(larger);
+  std::ranges::move(curves, std::back_inserter(larger));
+  curves = std::move(larger);
+  return status;
+}
+
+void Solution::State::follow(const Change& inverse, std::vector<LayerState> next) {
+  if (const auto* whole = std::get_if<ReplaceDocument>(&inverse)) {
+    carry_over(whole->value, std::move(next));
+  } else if (const std::optional<std::uint32_t> layer = layer_of(inverse)) {
+    layers[*layer] = {};
+  } else {
+    frame_changed = true;
+  }
+}
+
+/// Layers whose curves are the same in the new document stay solved.
+void Solution::State::carry_over(const Document& old, std::vector<LayerState> next) {
+  frame_changed = true;
+  const bool is_alike =
+      old.interpolation == document.interpolation && old.artboard == document.artboard;
+  for (std::size_t i = 0; is_alike && i < next.size(); ++i) {
+    if (const auto same = find_same(old, i)) next[i] = std::exchange(layers[*same], {});
+  }
+  layers = std::move(next);
+}
+
+/// Among the layers that are solved: at the same place from the front, from the back, or with the
+/// same id.
+std::optional<std::size_t> Solution::State::find_same(const Document& old,
+                                                      std::size_t index) const {
+  const Layer& layer = document.layers[index];
+  const auto is_same = [&](std::size_t i) {
+    return i < old.layers.size() && layers[i].is_solved() && old.layers[i].curves == layer.curves;
+  };
+  const std::size_t from_back = index + old.layers.size() - document.layers.size();
+  if (is_same(index)) return index;
+  if (is_same(from_back)) return from_back;
+  const auto named = std::ranges::find(old.layers, layer.id, &Layer::id);
+  const auto i = static_cast<std::size_t>(named - old.layers.begin());
+  return is_same(i) ? std::optional(i) : std::nullopt;
+}
+
+Result<std::vector<LayerTask>> Solution::State::tasks(const Context& context,
+                                                      const Box& viewport) const {
+  Result<std::vector<LayerSight>> sights = solve::sights_of_layers(context, document, viewport);
+  if (!sights) return sights.status();
+  std::vector<LayerTask> tasks;
+  for (std::uint32_t i = 0; i < layers.size(); ++i) {
+    LayerSight& sight = (*sights)[i];
+    if (layers[i].is_solved() && layers[i].sight == sight) continue;
+    tasks.push_back({i, std::move(sight)});
+  }
+  return tasks;
+}
+
+Status Solution::State::solve(Context& context, const DiffuseOptions& wanted, DiffuseStats* stats) {
+  const SpareRelease release(*this);
+  if (Status status = solve::validate(wanted); !status) return status;
+  if (Status status = validate(context, document); !status) return status;
+  if (!options || !(*options == wanted)) forget(wanted);
+  const Box viewport = wanted.viewport.value_or(document.artboard);
+  Result<std::vector<LayerTask>> to_solve = tasks(context, viewport);
+  if (!to_solve) return to_solve.status();
+  const bool is_shown = std::ranges::all_of(
+      layers, [](const LayerState& layer) { return layer.in_picture.has_value(); });
+  if (to_solve->empty() && is_shown && !frame_changed) return ok_status();
+  solve::LayerRuns runs(context, document, *to_solve, wanted);
+  Status status = no_throw([&] { return runs.run(); });
+  if (stats) runs.add_to(*stats);
+  Status kept = keep(context, *to_solve, runs);
+  if (!status) return status;
+  return kept ? assemble(context, viewport) : kept;
+}
+
+/// Nothing that was solved with other options counts.
+void Solution::State::forget(const DiffuseOptions& wanted) {
+  for (LayerState& layer : layers) layer = {};
+  frame_changed = true;
+  options = wanted;
+  release_spare();
+}
+
+/// What was finished, although other layers may have failed.
+Status Solution::State::keep(const Context& context, std::span<LayerTask> tasks,
+                             solve::LayerRuns& runs) {
+  for (std::uint32_t i = 0; i < tasks.size(); ++i) {
+    std::optional<PatchLayer> layer = runs.take_finished(i);
+    if (!layer) continue;
+    if (Status status = hold(context, *layer); !status) return status;
+    layers[tasks[i].layer] = {std::move(tasks[i].sight), std::nullopt, std::move(layer)};
+  }
+  return ok_status();
+}
+
+/// The delta as it will be once the picture has the layers that are fresh.
+PictureDelta Solution::State::delta_with_news() const {
+  PictureDelta result{delta.frame || frame_changed, {}};
+  auto known = delta.layers.begin();
+  for (std::uint32_t i = 0; i < layers.size(); ++i) {
+    const bool is_known = known != delta.layers.end() && *known == i;
+    if (is_known) ++known;
+    if (is_known || layers[i].in_picture != i) result.layers.push_back(i);
+  }
+  return result;
+}
+
+/// All that may fail comes first: the last picture stays whole until the next one is.
+Status Solution::State::assemble(Context& context, const Box& viewport) {
+  std::optional<Picture> frame;
+  if (frame_changed) {
+    Result<Picture> made = picture_frame(context, document, viewport);
+    if (!made) return made.status();
+    if (Status status = hold(context, *made); !status) return status;
+    frame.emplace(std::move(*made));
+  }
+  std::vector<PatchLayer> patches(layers.size());
+  PictureDelta news = delta_with_news();
+  for (std::uint32_t i = 0; i < layers.size(); ++i) {
+    LayerState& layer = layers[i];
+    patches[i] = std::move(layer.fresh ? *layer.fresh : picture.layers[*layer.in_picture]);
+    layer.fresh.reset();
+    layer.in_picture = i;
+  }
+  if (frame) picture = std::move(*frame);
+  picture.layers = std::move(patches);
+  delta = std::move(news);
+  frame_changed = false;
+  return ok_status();
+}
+
+Solution& Solution::operator=(Solution&& other) noexcept {
+  std::swap(state_, other.state_);
+  return *this;
+}
+
+Solution::~Solution() {
+  delete state_;
+}
+
+Result<Solution> Solution::create(Context& context, Document document) {
+  return public_verb(context, [&]() -> Result<Solution> {
+    if (Status status = validate(context, document); !status) return status;
+    auto state = std::make_unique<State>(context, std::move(document));
+    if (Status status = state->start(context); !status) return status;
+    return Solution(state.release());
+  });
+}
+
+const Document& Solution::document() const {
+  return state_->document;
+}
+
+Result<Change> Solution::apply(Context& context, Change change) {
+  return public_verb(context, [&] { return state_->apply(context, std::move(change)); });
+}
+
+Status Solution::solve(Context& context, const DiffuseOptions& options, DiffuseStats* stats) {
+  return public_verb(context, [&] { return state_->solve(context, options, stats); });
+}
+
+const Picture& Solution::picture() const {
+  return state_->picture;
+}
+
+PictureDelta Solution::take_delta() {
+  return std::exchange(state_->delta, {});
+}
+
+}  // namespace sfumato
