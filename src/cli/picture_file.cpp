@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "base/charge.hpp"
 #include "base/stopwatch.hpp"
@@ -34,8 +35,9 @@ constexpr int kFallbackQuality = 80;
 /// Draws a document as one output asks for it.
 class PictureMaker {
  public:
-  PictureMaker(Context& context, const RenderArguments& arguments, RenderStats& stats)
-      : context_(context), arguments_(arguments), stats_(stats) {}
+  PictureMaker(Context& context, const RenderArguments& arguments, RenderStats& stats,
+               std::optional<Solution>* kept)
+      : context_(context), arguments_(arguments), stats_(stats), kept_(kept) {}
 
   Result<Bytes> make(Document& document);
 
@@ -44,7 +46,8 @@ class PictureMaker {
   Status choose_options(const Document& document);
   Result<Image> draw_pixels(const Document& document);
   Result<Image> draw_picture(const Picture& picture);
-  Result<Picture> solve(Document& document);
+  Result<const Picture*> solve(Document& document);
+  Result<const Picture*> solve_kept(Document document);
   Result<Bytes> make_image(Document& document);
   Result<Bytes> make_drawing(Document& document);
   Result<Bytes> export_picture(const Picture& picture, ExportNotes* notes);
@@ -55,6 +58,8 @@ class PictureMaker {
   Context& context_;
   const RenderArguments& arguments_;
   RenderStats& stats_;
+  std::optional<Solution>* kept_;
+  Picture picture_;      ///< where no solution is kept
   ScopedCharge charge_;  ///< of what is held: the document, then its picture, then the image
   DiffuseOptions diffuse_;
   RasterOptions raster_;
@@ -117,15 +122,34 @@ Result<Image> PictureMaker::draw_picture(const Picture& picture) {
   return rasterize(context_, picture, raster_);
 }
 
-/// Holds either the document or its picture, never both for longer than it takes.
-Result<Picture> PictureMaker::solve(Document& document) {
+/// Holds either the document or its picture, never both for longer than it takes; a solution that
+/// is kept holds both.
+Result<const Picture*> PictureMaker::solve(Document& document) {
+  if (kept_) return solve_kept(std::exchange(document, {}));
   Result<Picture> picture = diffuse(context_, document, diffuse_, &stats_.diffuse);
-  if (!picture) return picture;
+  if (!picture) return picture.status();
+  picture_ = std::move(*picture);
   document = {};
   charge_ = {};
-  Status status = charge_.add(context_, bytes_of(*picture), "the picture");
+  Status status = charge_.add(context_, bytes_of(picture_), "the picture");
   if (!status) return status;
-  return picture;
+  return &picture_;
+}
+
+/// A solution charges what it holds by itself.
+Result<const Picture*> PictureMaker::solve_kept(Document document) {
+  charge_ = {};
+  Status status;
+  if (*kept_) {
+    status = (*kept_)->apply(context_, ReplaceDocument{std::move(document)}).status();
+  } else {
+    Result<Solution> made = Solution::create(context_, std::move(document));
+    if (made) kept_->emplace(std::move(*made));
+    status = made.status();
+  }
+  if (status) status = (*kept_)->solve(context_, diffuse_, &stats_.diffuse);
+  if (!status) return status;
+  return &(*kept_)->picture();
 }
 
 Result<Bytes> PictureMaker::make_image(Document& document) {
@@ -133,11 +157,12 @@ Result<Bytes> PictureMaker::make_image(Document& document) {
   if (arguments_.per_pixel) {
     image = draw_pixels(document);
   } else {
-    const Result<Picture> picture = solve(document);
+    const Result<const Picture*> picture = solve(document);
     if (!picture) return picture.status();
     const Stopwatch watch;
-    image = draw_picture(*picture);
+    image = draw_picture(**picture);
     stats_.rasterise_seconds = watch.seconds();
+    picture_ = {};
   }
   if (!*image) return image->status();
   charge_ = {};
@@ -206,11 +231,11 @@ Result<Bytes> PictureMaker::export_picture(const Picture& picture, ExportNotes* 
 }
 
 Result<Bytes> PictureMaker::make_drawing(Document& document) {
-  const Result<Picture> picture = solve(document);
+  const Result<const Picture*> picture = solve(document);
   if (!picture) return picture.status();
   const Stopwatch watch;
   ExportNotes notes;
-  Result<Bytes> file = export_picture(*picture, &notes);
+  Result<Bytes> file = export_picture(**picture, &notes);
   stats_.export_seconds = watch.seconds();
   for (const std::string& lost : notes.lost) warn(lost);
   return file;
@@ -227,8 +252,9 @@ Result<Bytes> PictureMaker::make(Document& document) {
 }  // namespace
 
 Result<Bytes> make_picture_file(Context& context, Document& document,
-                                const RenderArguments& arguments, RenderStats& stats) {
-  return PictureMaker(context, arguments, stats).make(document);
+                                const RenderArguments& arguments, RenderStats& stats,
+                                std::optional<Solution>* kept) {
+  return PictureMaker(context, arguments, stats, kept).make(document);
 }
 
 }  // namespace sfumato::cli

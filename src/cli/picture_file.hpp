@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "cli/arguments.hpp"
@@ -8,15 +9,18 @@
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/status.hpp"
 #include "sfumato/document/document.hpp"
+#include "sfumato/solve/solution.hpp"
 
 namespace sfumato::cli {
 
 /// Draws a document as the arguments say and returns the bytes of the output file. Content that the
 /// format cannot represent is reported as warnings. document: its background may be changed, and it
-/// is freed as soon as the picture is solved.
+/// is freed as soon as the picture is solved. kept: unless null, a solution of an earlier state of
+/// the drawing, or none; it follows the document, and layers that did not change are not solved.
 /// Errors: those of diffuse, rasterize and the exporters.
 Result<std::vector<std::uint8_t>> make_picture_file(Context& context, Document& document,
                                                     const RenderArguments& arguments,
-                                                    RenderStats& stats);
+                                                    RenderStats& stats,
+                                                    std::optional<Solution>* kept = nullptr);
 
 }  // namespace sfumato::cli

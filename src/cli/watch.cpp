@@ -2,10 +2,12 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <set>
 #include <utility>
 
 #include "base/charge.hpp"
+#include "base/limit_error.hpp"
 #include "base/stopwatch.hpp"
 #include "base/table_memory.hpp"
 #include "cli/commands.hpp"
@@ -56,7 +58,10 @@ class Watching {
  private:
   Status draw();
   Result<ReadDocument> read();
-  Status make(Document& document);
+  Status make(const Document& document);
+  Result<std::vector<std::uint8_t>> make_file(const Document& document,
+                                              const RenderArguments& arguments,
+                                              std::optional<Solution>& kept);
   void update();
   void settle_down();
   bool interrupted() const { return context_.cancel.load(); }
@@ -67,6 +72,7 @@ class Watching {
   FileWatch files_;
   std::set<std::string> named_;  ///< by the newest drawing
   WatchState state_;
+  std::optional<Solution> page_solution_, file_solution_;  ///< of the two outputs
 };
 
 Result<ReadDocument> Watching::read() {
@@ -80,17 +86,30 @@ Result<ReadDocument> Watching::read() {
   return read_document(context_, *bytes, display_name(arguments_.input), &noting);
 }
 
-Status Watching::make(Document& document) {
+/// Solutions that are kept leave less memory to the work: where that is too little they are
+/// dropped, and all is drawn anew.
+Result<std::vector<std::uint8_t>> Watching::make_file(const Document& document,
+                                                      const RenderArguments& arguments,
+                                                      std::optional<Solution>& kept) {
   RenderStats stats;
   Document copy = document;
-  auto picture = make_picture_file(context_, copy, arguments_.page, stats);
+  auto file = make_picture_file(context_, copy, arguments, stats, &kept);
+  if (file || !is_lack_of_memory(file.status())) return file;
+  page_solution_.reset();
+  file_solution_.reset();
+  copy = document;
+  return make_picture_file(context_, copy, arguments, stats);
+}
+
+Status Watching::make(const Document& document) {
+  auto picture = make_file(document, arguments_.page, page_solution_);
   if (!picture) return picture.status();
   state_.picture = std::move(*picture);
   ++state_.picture_version;
   if (!arguments_.file) return ok_status();
   const std::string& output = arguments_.file->jobs.front().output;
   if (arguments_.file->output.kind == OutputKind::png) return write_file(output, state_.picture);
-  const auto file = make_picture_file(context_, document, *arguments_.file, stats);
+  const auto file = make_file(document, *arguments_.file, file_solution_);
   return file ? write_file(output, *file) : file.status();
 }
 
