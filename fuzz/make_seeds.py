@@ -204,6 +204,9 @@ def seeds():
     yield 'round_trip', documents + orzan + list(noise(4, 40, 300))
     yield 'export', [bytes([kind]) + text for kind in range(6)
                      for text in documents[:8] + list(noise(kind, 8, 250))]
+    steps = random.Random(5)
+    yield 'solution', [bytes(steps.randrange(256) for _ in range(24)) + text
+                       for text in documents[:12] + list(noise(6, 40, 300))]
 
 
 def main():
