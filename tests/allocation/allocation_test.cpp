@@ -257,7 +257,7 @@ TEST(AllocationOfOutput, svg_of_triangles) {
 
 TEST(AllocationOfOutput, glb) {
   check_output(
-      [](Context& context, const Picture& picture) { return export_glb(context, picture, {}); });
+      [](Context& context, const Picture& picture) { return export_glb(context, picture, {}); }, 7);
 }
 
 TEST(AllocationOf, files) {
