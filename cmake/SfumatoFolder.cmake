@@ -25,24 +25,37 @@ if(SFUMATO_SANITIZE)
   target_link_options(sfumato_flags INTERFACE -fsanitize=${SFUMATO_SANITIZE})
 endif()
 
-# sfumato_precompile(TARGET WHETHER [HEADER...]): where WHETHER, what most files include, and the
-# headers named, are read once for the target.
-function(sfumato_precompile target is_on)
-  if(is_on)
-    target_precompile_headers(${target} PRIVATE <algorithm> <array> <cmath> <cstdint> <functional> <map>
-                              <memory> <optional> <span> <string> <string_view> <variant> <vector>
-                              ${ARGN})
+# sfumato_precompiled_headers(NAME [HEADER...]): a target of no code that reads once what most files
+# include, and the headers named. Its usage requirements and options are to be set as those of the
+# targets that share it.
+function(sfumato_precompiled_headers name)
+  set(source ${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp)
+  file(CONFIGURE OUTPUT ${source} CONTENT "")
+  add_library(${name} OBJECT EXCLUDE_FROM_ALL ${source})
+  target_precompile_headers(${name} PRIVATE <algorithm> <array> <cmath> <cstdint> <functional> <map>
+                            <memory> <optional> <span> <string> <string_view> <variant> <vector>
+                            ${ARGN})
+endfunction()
+
+# sfumato_precompile(TARGET HEADERS): TARGET takes what HEADERS has read, where there is such a target.
+function(sfumato_precompile target headers)
+  if(TARGET ${headers})
+    target_precompile_headers(${target} REUSE_FROM ${headers})
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-      # The warning of PR 105329 has this second name where std::string is precompiled.
-      target_compile_options(${target} PRIVATE -Wno-array-bounds)
+      # The false warning of PR 105329 has these further names where std::string is precompiled.
+      target_compile_options(${target} PRIVATE -Wno-array-bounds -Wno-stringop-overread)
     endif()
   endif()
 endfunction()
 
-# sfumato_folder(NAME [USES folder...]): library sfumato_NAME from every .cpp in folder NAME but
-# main.cpp. Files that end in _avx2.cpp and _avx512.cpp are compiled for these instruction sets.
+# sfumato_folder(NAME [USES folder...] [PRECOMPILED headers]): library sfumato_NAME from every .cpp in
+# folder NAME but main.cpp, with sfumato_headers where no other headers are named. Files that end in
+# _avx2.cpp and _avx512.cpp are compiled for these instruction sets.
 function(sfumato_folder name)
-  cmake_parse_arguments(ARG "" "" "USES" ${ARGN})
+  cmake_parse_arguments(ARG "" "PRECOMPILED" "USES" ${ARGN})
+  if(NOT ARG_PRECOMPILED)
+    set(ARG_PRECOMPILED sfumato_headers)
+  endif()
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp)
   list(FILTER sources EXCLUDE REGEX "/main\\.cpp$")
   if(SFUMATO_WASM)
@@ -63,7 +76,7 @@ function(sfumato_folder name)
   target_include_directories(sfumato_${name} PUBLIC ${PROJECT_SOURCE_DIR}/include
                              ${PROJECT_SOURCE_DIR}/src)
   target_link_libraries(sfumato_${name} PUBLIC sfumato_flags)
-  sfumato_precompile(sfumato_${name} "${SFUMATO_PRECOMPILE}")
+  sfumato_precompile(sfumato_${name} ${ARG_PRECOMPILED})
   if(SFUMATO_SANITIZE MATCHES "fuzzer" AND NOT name MATCHES "^(base|document|codecs|formats)$")
     # A fuzzer that is told what was compared guesses words of a grammar. Kernels would only spend
     # half of their time on it.
