@@ -49,7 +49,13 @@ void Arrangement::end_if_cancelled() {
 Vertex Arrangement::insert_point(Point p) {
   if ((++steps_ & (kStepsPerCancelCheck - 1)) == 0) end_if_cancelled();
   if (!status_.ok()) return 0;
-  return insert_vertex(p, true);
+  welding_ = true;
+  const std::size_t vertex_count = mesh_.point.size();
+  const Vertex v = insert_vertex(p, true);
+  if (chords_.size() == 0) return v;
+  if (mesh_.point.size() > vertex_count) snap_near_chords_to(v);
+  insert_pending();
+  return v;
 }
 
 void Arrangement::insert_segment(Vertex from, Vertex to, std::uint32_t segment) {
@@ -64,8 +70,12 @@ void Arrangement::insert_frame_side(Vertex from, Vertex to) {
 
 void Arrangement::insert_constraint(Subsegment part) {
   welding_ = true;
-  std::uint32_t steps = 0;
   to_insert_.assign(1, part);
+  insert_pending();
+}
+
+void Arrangement::insert_pending() {
+  std::uint32_t steps = 0;
   while (!to_insert_.empty()) {
     const Subsegment now = to_insert_.back();
     to_insert_.pop_back();
@@ -176,6 +186,7 @@ void Arrangement::insert_along_edge(const Subsegment& part, HalfEdge e) {
 /// Makes e, which starts at part.from, a chord with the subsegment's load, or adds the load to the
 /// chord that it is; loads that cancel out leave a free edge.
 void Arrangement::constrain_edge(const Subsegment& part, HalfEdge e) {
+  moved_frame_ |= part.load.frame;
   if (!mesh_.is_constrained(e)) {
     mesh_.constrain(e, chords_.add(mesh_.origin(e), mesh_.target(e), part.load));
     return;
@@ -310,6 +321,7 @@ void Arrangement::intersect_chord(const Subsegment& part, HalfEdge e) {
 Arrangement::Subsegment Arrangement::remove_constraint(HalfEdge e) {
   const std::int32_t index = mesh_.chord[e];
   const Chord chord = chords_[index];
+  moved_frame_ |= chord.load.frame;
   mesh_.unconstrain(e);
   mesh_.pending.push_back(e);
   mesh_.legalize();

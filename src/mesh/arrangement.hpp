@@ -30,13 +30,18 @@ class Arrangement {
               std::int64_t weld_squared)
       : context_(context), mesh_(mesh), chords_(chords), weld_squared_(weld_squared) {}
 
-  /// The vertex at p, or the one that p welds to. Call for all points before the first segment.
+  /// The vertex at p, or the one that p welds to. Call for all points before the first segment
+  /// that begins or ends there.
   Vertex insert_point(Point p);
 
   /// drawn   lattice points: segment s was drawn from drawn[s] to drawn[s + 1]. Kept.
   void set_segments(std::span<const Point> drawn) { drawn_ = drawn; }
   void insert_segment(Vertex from, Vertex to, std::uint32_t segment);
   void insert_frame_side(Vertex from, Vertex to);
+
+  /// Whether a part of the frame was taken off, be it for a moment: triangles may have changed
+  /// sides.
+  bool moved_frame() const { return moved_frame_; }
 
   /// After limit, cancelled or internal all later calls do nothing.
   const Status& status() const { return status_; }
@@ -60,6 +65,7 @@ class Arrangement {
 
   void end_if_cancelled();  ///< checks the Context now
   void insert_constraint(Subsegment part);
+  void insert_pending();
   void insert_subsegment(const Subsegment& part);
   Direction find_direction(Vertex a, Vertex b) const;
   void insert_along_edge(const Subsegment& part, HalfEdge e);
@@ -91,6 +97,7 @@ class Arrangement {
   std::int64_t weld_squared_;
   std::span<const Point> drawn_;
   bool welding_ = true;
+  bool moved_frame_ = false;
   Status status_;
   std::uint32_t steps_ = 0;
 

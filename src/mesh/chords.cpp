@@ -4,6 +4,19 @@
 
 namespace sfumato::mesh {
 
+Status ChordStore::copy_from(const Context& context, const ChordStore& other) {
+  Status status = charge_.raise_to(
+      context, room_bytes(other.chord_) + room_bytes(other.owner_) + room_bytes(other.free_chord_),
+      "curve pieces");
+  if (!status) return status;
+  chord_ = other.chord_;
+  owner_ = other.owner_;
+  free_chord_ = other.free_chord_;
+  free_owner_ = other.free_owner_;
+  live_owners_ = other.live_owners_;
+  return context.check();
+}
+
 std::int32_t ChordStore::new_owner(Owner owner) {
   ++live_owners_;
   if (free_owner_ == kNone) {
@@ -77,6 +90,34 @@ void ChordStore::discard(Load load) {
   }
 }
 
+bool ChordStore::take_off(std::int32_t chord_index, std::span<const std::uint8_t> is_removed) {
+  Load& load = chord_[chord_index].load;
+  Load removed, kept{kNone, 0, load.frame};
+  for (std::int32_t i = load.first; i != kNone;) {
+    const std::int32_t after = owner_[i].next;
+    Load& list = is_removed[owner_[i].segment] ? removed : kept;
+    owner_[i].next = std::exchange(list.first, i);
+    ++list.count;
+    i = after;
+  }
+  load = kept;
+  discard(removed);
+  return removed.count > 0;
+}
+
+std::int32_t ChordStore::add_part(const ChordStore& other, const Chord& whole, Vertex from,
+                                  Vertex to, double at_from, double at_to) {
+  Load load{kNone, 0, whole.load.frame};
+  for (std::int32_t i = whole.load.first; i != kNone; i = other.owner_[i].next) {
+    const Owner& owner = other.owner_[i];
+    const double u0 = owner.u_from, u1 = owner.u_to;
+    load.first = new_owner({owner.segment, static_cast<float>(u0 * (1 - at_from) + u1 * at_from),
+                            static_cast<float>(u0 * (1 - at_to) + u1 * at_to), load.first});
+    ++load.count;
+  }
+  return add(from, to, load);
+}
+
 Status ChordStore::seal(const Context& context) {
   TableMemory memory("curve pieces");
   std::vector<Owner> sorted;
@@ -85,15 +126,16 @@ Status ChordStore::seal(const Context& context) {
     const auto first = static_cast<std::int32_t>(sorted.size());
     for (std::int32_t i = chord.load.first; i != kNone; i = owner_[i].next) {
       sorted.push_back(owner_[i]);
-      sorted.back().next = kNone;
     }
-    chord.load.first = first;
+    if (chord.load.count > 0) chord.load.first = first;
     // One segment can lie on a chord twice, where it was snapped to a vertex and back.
     const auto drawn_before = [](const Owner& a, const Owner& b) {
       if (a.segment != b.segment) return a.segment < b.segment;
       return std::min(a.u_from, a.u_to) < std::min(b.u_from, b.u_to);
     };
     if (chord.load.count > 1) std::sort(sorted.begin() + first, sorted.end(), drawn_before);
+    const auto end = static_cast<std::int32_t>(sorted.size());
+    for (std::int32_t i = first; i < end; ++i) sorted[i].next = i + 1 < end ? i + 1 : kNone;
   }
   owner_ = std::move(sorted);
   free_owner_ = kNone;

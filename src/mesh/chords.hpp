@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -16,7 +17,7 @@ struct Owner {
   std::uint32_t segment = 0;
   float u_from = 0;
   float u_to = 1;
-  std::int32_t next = kNone;  ///< the next owner of the same chord, until `seal`
+  std::int32_t next = kNone;  ///< the next owner of the same chord
 };
 
 /// What lies on a stretch of a constraint: a list of owners, and whether the frame runs here.
@@ -43,6 +44,10 @@ inline constexpr std::size_t kOwnersPerSegment = 4;
 /// All chords and their owners. Slots of removed ones are reused.
 class ChordStore {
  public:
+  ChordStore() = default;
+  /// Charges its memory to `budget`, whatever Context it grows in.
+  explicit ChordStore(Budget& budget) : charge_(budget) {}
+
   const Chord& operator[](std::int32_t index) const { return chord_[index]; }
   std::size_t size() const { return chord_.size(); }
   std::size_t live_owner_count() const { return live_owners_; }
@@ -52,6 +57,9 @@ class ChordStore {
     return charge_.raise_to(
         context, room_bytes(chord_) + room_bytes(owner_) + room_bytes(free_chord_), "curve pieces");
   }
+
+  /// Becomes the same. Errors: limit (memory), cancelled.
+  Status copy_from(const Context& context, const ChordStore& other);
 
   const Owner& owner(std::int32_t index) const { return owner_[index]; }
 
@@ -71,12 +79,22 @@ class ChordStore {
 
   void discard(Load load);
 
-  /// Ends the arrangement: stores the owners of each chord consecutively, in drawing order. Errors:
-  /// limit (memory; a second table of owners exists meanwhile), cancelled.
+  /// Takes the owners whose segment s has is_removed[s] off a chord. True if any was taken.
+  bool take_off(std::int32_t chord_index, std::span<const std::uint8_t> is_removed);
+
+  /// Adds a chord from one vertex to another that lie at these fractions of `whole`, a chord of
+  /// `other`, with its part of the owners.
+  std::int32_t add_part(const ChordStore& other, const Chord& whole, Vertex from, Vertex to,
+                        double at_from, double at_to);
+
+  /// Ends an arrangement: stores the owners of each chord consecutively, in drawing order, until
+  /// the next change. Errors: limit (memory; a second table of owners exists meanwhile), cancelled.
   Status seal(const Context& context);
 
   /// After `seal`: the owners of a chord.
-  const Owner* begin(const Chord& c) const { return owner_.data() + c.load.first; }
+  const Owner* begin(const Chord& c) const {
+    return c.load.count > 0 ? owner_.data() + c.load.first : nullptr;
+  }
 
  private:
   template <class Item>

@@ -37,6 +37,11 @@ Status checked_box(const curves::FlatCurves& flat, const MeshOptions& options, B
     if (!in_range(v)) return make_error(StatusCode::bad_input, "curve vertex is out of range");
     box.extend(v);
   }
+  if (options.room.empty()) return ok_status();
+  if (!in_range(options.room.min) || !in_range(options.room.max)) {
+    return make_error(StatusCode::bad_input, "mesh room is out of range");
+  }
+  box = united(box, options.room);
   return ok_status();
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <numeric>
 #include <span>
 #include <string>
 #include <utility>
@@ -12,41 +13,11 @@
 #include "base/poll.hpp"
 #include "base/table_memory.hpp"
 #include "mesh/arrangement.hpp"
-#include "mesh/chords.hpp"
-#include "mesh/extract.hpp"
 #include "mesh/insertion_order.hpp"
-#include "mesh/lattice.hpp"
-#include "mesh/refiner.hpp"
-#include "mesh/triangulation.hpp"
+#include "mesh/inside.hpp"
+#include "mesh/mesher_state.hpp"
 
 namespace sfumato::mesh {
-
-struct Mesher::State {
-  explicit State(Budget& account)
-      : budget(account),
-        refiner(mesh, chords, account),
-        numbering{{}, {}, 0, 0, {kPurpose, account}},
-        memory(kPurpose, account),
-        extracted(kPurpose, account) {}
-
-  static constexpr std::string_view kPurpose = "the triangle mesh";
-
-  Budget& budget;
-  Lattice lattice;
-  Triangulation mesh;
-  ChordStore chords;
-  Refiner refiner;
-  Numbering numbering;                   ///< of the patch mesh, as it was made or updated last
-  std::vector<Refiner::Target> patched;  ///< per triangle of it: slot and stamp
-  TableMemory memory;                    ///< of `patched`, and of lists of what changed
-  TableMemory extracted;                 ///< of the mesh that was handed out last
-
-  /// The mesh with these numbers; the charge of the one before it ends.
-  Result<TriangleMesh> extract_anew(const Context& context, const Numbering& numbers) {
-    extracted = TableMemory(kPurpose, budget);
-    return extract(context, {mesh, chords, refiner.origins(), lattice, numbers}, extracted);
-  }
-};
 
 namespace {
 
@@ -89,38 +60,6 @@ Status arrange(Arrangement& arrangement, const curves::FlatCurves& flat, const L
     if (flat.begins_segment(s)) arrangement.insert_segment(vertex_of[s], vertex_of[s + 1], s);
   }
   return arrangement.status();
-}
-
-/// Marks the triangles inside the frame: those that an odd number of frame chords separates from
-/// the hull.
-Status flood_inside(const Context& context, Triangulation& mesh, const ChordStore& chords) {
-  constexpr std::int16_t kUnknown = -1;
-  for (Triangle& t : mesh.triangle) t.inside = kUnknown;
-  TableMemory memory("the triangle mesh");
-  std::vector<std::int32_t> stack;
-  Status status = memory.push_back(context, stack, triangle_of(mesh.spoke[0]));
-  if (!status) return status;
-  mesh.triangle[stack[0]].inside = 0;
-  RarePoll<4096> poll(context);
-  while (!stack.empty()) {
-    if (poll.cancelled()) return context.cancel_status();
-    const std::int32_t t = stack.back();
-    stack.pop_back();
-    if (status = memory.make_room(context, stack, 3); !status) return status;
-    for (HalfEdge e = 4 * t; e < 4 * t + 3; ++e) {
-      if (mesh.across(e) == kHull) continue;
-      const bool frame = mesh.is_wall(e) && chords[mesh.chord[e]].load.frame;
-      const auto inside = static_cast<std::int16_t>(mesh.triangle[t].inside ^ int{frame});
-      Triangle& other = mesh.triangle[triangle_of(mesh.twin(e))];
-      if (other.inside == kUnknown) {
-        other.inside = inside;
-        stack.push_back(triangle_of(mesh.twin(e)));
-      } else if (other.inside != inside) {
-        return make_error(StatusCode::internal, "mesh: the frame is not closed");
-      }
-    }
-  }
-  return ok_status();
 }
 
 /// Constraints that are meshed again: constraint[i] runs from point 2 i to point 2 i + 1.
@@ -187,6 +126,7 @@ Result<Mesher> Mesher::build(Context& context, const curves::FlatCurves& flat,
   Result<Lattice> lattice = choose_lattice(flat, options);
   if (!lattice) return lattice.status();
   auto state = std::make_unique<State>(context.budget);
+  state->options = options;
   state->lattice = *lattice;
   Status status = state->mesh.grow(context, flat.vertex.size() * 5 / 4 + 64);
   if (!status) return status;
@@ -197,12 +137,7 @@ Result<Mesher> Mesher::build(Context& context, const curves::FlatCurves& flat,
   if (status) status = flood_inside(context, state->mesh, state->chords);
   if (status) status = state->refiner.start(context);
   if (!status) return status;
-  const double step = lattice->step;
-  state->refiner.set_quality(options.min_angle_deg,
-                             options.max_area > 0 ? 2 * options.max_area / (step * step)
-                                                  : std::numeric_limits<double>::infinity(),
-                             std::sqrt(static_cast<double>(lattice->weld_squared)),
-                             options.small_edge / step);
+  state->set_quality();
   return Mesher(std::move(state));
 }
 
@@ -251,6 +186,7 @@ Result<TriangleMesh> Mesher::thinned_mesh(const Context& context, const Triangle
 }
 
 Status Mesher::refine(const Context& context) {
+  state_->has_cut_chords = true;
   const Point low = state_->lattice.frame_min, high = state_->lattice.frame_max;
   return state_->refiner.refine_all(context, double(high.x - low.x) * double(high.y - low.y));
 }
@@ -265,6 +201,7 @@ Status Mesher::refine_triangles(const Context& context, std::span<const std::uin
   for (const std::uint32_t t : triangles) {
     if (t < s.patched.size()) targets.push_back(s.patched[t]);
   }
+  s.has_cut_chords = true;
   return s.refiner.refine_targets(context, targets, smallest_edge / s.lattice.step);
 }
 
@@ -286,6 +223,14 @@ Result<TriangleMesh> Mesher::patch_mesh(const Context& context) {
 Status Mesher::update_patch_mesh(const Context& context, TriangleMesh& mesh,
                                  std::vector<std::uint32_t>& changed) {
   State& s = *state_;
+  if (s.numbering.triangle_count == 0) {
+    Result<TriangleMesh> anew = patch_mesh(context);
+    if (!anew) return anew.status();
+    mesh = std::move(*anew);
+    Status status = s.memory.resize(context, changed, mesh.triangle_count());
+    if (status) std::iota(changed.begin(), changed.end(), 0u);
+    return status;
+  }
   Status status = number_inside(context, s.mesh, s.numbering);
   if (status) {
     status =

@@ -23,12 +23,24 @@ struct MeshOptions {
   double max_area = 0;        ///< user units²; 0: none
   /// A triangle whose longest edge is at most this may have smaller angles.
   double small_edge = 0;
+  /// Segments may be inserted later anywhere in this box. Empty: where the first ones lie.
+  Box room{};
+};
+
+/// What a mesh is to gain and to lose.
+struct MeshEdit {
+  /// Per vertex of the polylines before the edit: 1 where the segment that begins there is taken
+  /// out. Empty: none is.
+  std::span<const std::uint8_t> is_removed{};
+  /// Segments that begin at this vertex or behind it are new.
+  std::uint32_t first_inserted = 0;
 };
 
 /// Curves to constrained Delaunay triangulations on an integer lattice.
 ///
 /// build    arrangement and constrained Delaunay triangulation of all segments: the visibility mesh
 /// refine   Delaunay refinement of the triangles inside the frame: the patch mesh
+/// edit     curves taken out of either, and put in
 ///
 /// No finite input within limits::kCoordinate makes it loop, crash or return an invalid mesh.
 /// Deterministic; single-threaded. Memory is charged to the Budget of build's Context, which must
@@ -65,12 +77,42 @@ class Mesher {
   Status refine_triangles(const Context& context, std::span<const std::uint32_t> triangles,
                           double smallest_edge);
 
+  /// A mesher of its own with the same mesh, that can be edited without this one. Its memory is
+  /// charged to this Context's Budget. Errors: limit (memory), cancelled. Cost: O(triangles).
+  Result<Mesher> copy(const Context& context) const;
+
+  /// Whether the polylines from this vertex on lie within the lattice, so that `edit` can insert
+  /// them.
+  bool holds(const curves::FlatCurves& flat, std::uint32_t first) const;
+
+  /// Takes segments out of the mesh and inserts others, on the same lattice: constrained Delaunay
+  /// again, with an arrangement as good as that of `build`. Vertices of what is taken out stay.
+  /// What is inserted is drawn last.
+  ///
+  /// flat     the polylines of `build`, as they were, and after them those of this edit and of
+  /// those
+  ///          before it. Segments that were taken out stay in the list and must not be asked for
+  ///          again
+  /// refines  whether the triangles that change are then refined as `refine` would
+  ///
+  /// Errors: bad_input (not holds()), limit, cancelled. After all but bad_input this mesher can
+  /// only be destroyed or assigned to.
+  Status edit(const Context& context, const curves::FlatCurves& flat, const MeshEdit& edit,
+              bool refines);
+
   /// The triangles inside the frame. Triangles and vertices keep their indices from one call to the
   /// next, and to update_patch_mesh. Errors: limit (memory), cancelled.
   Result<TriangleMesh> patch_mesh(const Context& context);
 
+  /// The triangles of the last patch_mesh of `before`, of which this is a copy that was edited
+  /// since: the index of each in this one's last patch_mesh, or kNone where its corners changed.
+  /// The list is allocated from `memory`. Errors: limit (memory), cancelled.
+  Result<std::vector<std::int32_t>> kept_triangles(const Context& context, const Mesher& before,
+                                                   TableMemory& memory) const;
+
   /// Updates in place `mesh`, the result of the last patch_mesh. Except for the order of its
-  /// constraints it becomes what patch_mesh would return now.
+  /// constraints it becomes what patch_mesh would return now. After an edit it is that mesh, all of
+  /// whose triangles count as changed.
   /// changed   out: the triangles that changed, including new ones, ascending
   /// Errors    limit (memory), cancelled; `mesh` is unusable then
   /// Cost      O(changed · log)

@@ -362,6 +362,13 @@ Status Refiner::refine_all(const Context& context, double area) {
   return run(context);
 }
 
+Status Refiner::refine_touched(const Context& context) {
+  context_ = &context;
+  status_ = ok_status();
+  check_touched();
+  return run(context);
+}
+
 HalfEdge Refiner::longest_edge(std::int32_t t) const {
   HalfEdge longest = 4 * t;
   std::int64_t most = 0;

@@ -50,6 +50,13 @@ class Refiner {
   ///                it
   void set_quality(double min_angle_deg, double doubled_area, double weld, double small_edge);
 
+  /// Takes over the origins of another mesh's vertices, of which its own is a copy. Errors: limit
+  /// (memory), cancelled.
+  Status copy_origins(const Context& context, const Refiner& other) {
+    origin_.clear();
+    return memory_.append(context, other.origin_, origin_);
+  }
+
   /// Refines all triangles inside. Errors: limit, cancelled.
   /// area   of the frame, steps². If the frame needs more triangles than the limit, this fails at
   ///        once.
@@ -65,9 +72,15 @@ class Refiner {
   Status refine_targets(const Context& context, std::span<const Target> targets,
                         double smallest_edge);
 
+  /// Refines the triangles that changed while the mesh was tracked, and what this changes. Errors:
+  /// limit, cancelled.
+  Status refine_touched(const Context& context);
+
   /// Per vertex of the triangulation.
   const std::vector<VertexOrigin>& origins() const { return origin_; }
-  /// Call once, before everything except set_quality. Errors: limit (memory), cancelled.
+  std::vector<VertexOrigin>& origins() { return origin_; }
+  /// Call before everything except set_quality, and whenever an arrangement has added vertices.
+  /// Errors: limit (memory), cancelled.
   Status start(const Context& context) {
     return memory_.resize(context, origin_, mesh_.point.size());
   }

@@ -39,6 +39,19 @@ Status Triangulation::grow(const Context& context, std::size_t vertex_count) {
   return status;
 }
 
+Status Triangulation::copy_from(const Context& context, const Triangulation& other) {
+  Status status = grow(context, other.point.size() * 9 / 8 + 256);
+  if (status) status = memory_.append(context, other.point, point);
+  if (status) status = memory_.append(context, other.spoke, spoke);
+  if (status) status = memory_.append(context, other.triangle, triangle);
+  if (!status) return status;
+  std::copy_n(other.chord.begin(), std::min(chord.size(), 4 * triangle.size()), chord.begin());
+  for (Triangle& t : triangle) t.listed = 0;
+  width = other.width;
+  height = other.height;
+  return status;
+}
+
 void Triangulation::set_across(HalfEdge e, std::int32_t value, std::int32_t chord_index) {
   triangle[triangle_of(e)].across[corner_of(e)] = value;
   if (value & 1) chord[e] = chord_index;

@@ -148,6 +148,10 @@ struct Triangulation {
   }
   Status grow(const Context& context, std::size_t vertex_count);
 
+  /// Becomes the same mesh, with room for some more. Not while triangles are listed as touched.
+  /// Errors: limit (memory), cancelled.
+  Status copy_from(const Context& context, const Triangulation& other);
+
   /// Bytes of the lists that grow during an insertion.
   std::size_t list_bytes() const { return capacity_bytes(touched, pending, cavity, dead_, stack_); }
 

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <string_view>
+#include <vector>
+
+#include "base/table_memory.hpp"
+#include "mesh/chords.hpp"
+#include "mesh/extract.hpp"
+#include "mesh/lattice.hpp"
+#include "mesh/mesher.hpp"
+#include "mesh/numbering.hpp"
+#include "mesh/refiner.hpp"
+#include "mesh/triangulation.hpp"
+
+namespace sfumato::mesh {
+
+struct Mesher::State {
+  explicit State(Budget& account)
+      : budget(account),
+        refiner(mesh, chords, account),
+        numbering{{}, {}, 0, 0, {kPurpose, account}},
+        memory(kPurpose, account),
+        extracted(kPurpose, account),
+        drawn_memory(kPurpose, account) {}
+
+  static constexpr std::string_view kPurpose = "the triangle mesh";
+
+  Budget& budget;
+  MeshOptions options;
+  Lattice lattice;
+  Triangulation mesh;
+  ChordStore chords;
+  Refiner refiner;
+  Numbering numbering;                   ///< of the patch mesh, as it was made or updated last
+  std::vector<Refiner::Target> patched;  ///< per triangle of it: slot and stamp
+  TableMemory memory;                    ///< of `patched`, and of lists of what changed
+  TableMemory extracted;                 ///< of the mesh that was handed out last
+  std::vector<Point> drawn;              ///< once it was edited: per vertex of the polylines
+  TableMemory drawn_memory;
+  bool has_cut_chords = false;  ///< refinement may have cut edges, so that chords are not edges
+
+  /// Sets what lattice and options ask of the refiner.
+  void set_quality() {
+    const double step = lattice.step;
+    refiner.set_quality(options.min_angle_deg,
+                        options.max_area > 0 ? 2 * options.max_area / (step * step)
+                                             : std::numeric_limits<double>::infinity(),
+                        std::sqrt(static_cast<double>(lattice.weld_squared)),
+                        options.small_edge / step);
+  }
+
+  /// The mesh with these numbers; the charge of the one before it ends.
+  Result<TriangleMesh> extract_anew(const Context& context, const Numbering& numbers) {
+    extracted = TableMemory(kPurpose, budget);
+    return extract(context, {mesh, chords, refiner.origins(), lattice, numbers}, extracted);
+  }
+};
+
+}  // namespace sfumato::mesh

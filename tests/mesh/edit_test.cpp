@@ -1,0 +1,238 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <random>
+#include <vector>
+
+#include "base/charge.hpp"
+#include "mesh/arrangement_check.hpp"
+#include "mesh/flat_input.hpp"
+#include "mesh/fuzz_kinds.hpp"
+#include "mesh/is_valid.hpp"
+#include "mesh/mesh_facts.hpp"
+#include "mesh/mesher.hpp"
+#include "support/cancel_at.hpp"
+#include "support/sanitizers.hpp"
+
+/// Curves that are taken out of a mesh and put in, on the same lattice.
+namespace sfumato::mesh::test {
+namespace {
+
+using sfumato::test::CancelAt;
+
+constexpr int kSeeds = SFUMATO_HAS_SANITIZER ? 1 : 5;
+
+MeshOptions fuzz_options() {
+  MeshOptions options;
+  options.frame = {{0, 0}, {kFuzzSide, kFuzzSide}};
+  return options;
+}
+
+double weld_of(const MeshOptions& options) {
+  return options.unit_size * options.weld_px;
+}
+
+/// Curve c of `from`, moved, at the end of `to`.
+void append_curve(const curves::FlatCurves& from, std::uint32_t c, Vec2 by,
+                  curves::FlatCurves& to) {
+  std::vector<Vec2> polyline(from.vertex.begin() + from.curve_begin[c],
+                             from.vertex.begin() + from.curve_begin[c + 1]);
+  for (Vec2& p : polyline) p = p + by;
+  add_polyline(to, polyline);
+}
+
+/// A drawing that is edited, and which of its segments are there.
+struct Edited {
+  curves::FlatCurves flat;
+  std::vector<std::uint8_t> is_gone;  ///< per vertex
+
+  std::vector<std::uint8_t> removal(std::uint32_t curve) {
+    std::vector<std::uint8_t> is_removed(flat.vertex.size(), 0);
+    for (std::uint32_t v = flat.curve_begin[curve]; v < flat.curve_begin[curve + 1]; ++v) {
+      is_removed[v] = is_gone[v] = 1;
+    }
+    return is_removed;
+  }
+
+  /// Those curves that are there, without the numbers of the others.
+  curves::FlatCurves present() const {
+    curves::FlatCurves result;
+    result.curve_begin.push_back(0);
+    for (std::uint32_t c = 0; c < flat.curve_count(); ++c) {
+      if (!is_gone[flat.curve_begin[c]]) append_curve(flat, c, {}, result);
+    }
+    return result;
+  }
+};
+
+/// The pieces on the mesh are of segments that are there, and renumbered as in present().
+void renumber(const Edited& edited, TriangleMesh& mesh) {
+  std::vector<std::uint32_t> number(edited.flat.vertex.size(), 0);
+  std::uint32_t count = 0;
+  for (std::size_t v = 0; v < number.size(); ++v) {
+    number[v] = count;
+    if (!edited.is_gone[v]) ++count;
+  }
+  for (SegmentPiece& piece : mesh.piece) {
+    ASSERT_FALSE(edited.is_gone[piece.segment]) << "a segment that was taken out";
+    piece.segment = number[piece.segment];
+  }
+}
+
+void expect_good(const Edited& edited, Mesher& mesher, double weld) {
+  TriangleMesh mesh = *mesher.visibility_mesh({});
+  const Status valid = is_valid(mesh);
+  ASSERT_TRUE(valid.ok()) << valid.message;
+  ASSERT_NO_FATAL_FAILURE(renumber(edited, mesh));
+  const ArrangementFacts facts = check_arrangement(mesh, edited.present(), weld);
+  ASSERT_EQ(facts.broken, "");
+  ASSERT_LE(facts.input_to_mesh, 2.5 * weld);
+  ASSERT_LE(facts.mesh_to_input, 2.5 * weld);
+}
+
+class MeshEdits : public testing::TestWithParam<int> {
+ protected:
+  FuzzKind kind() const { return static_cast<FuzzKind>(GetParam()); }
+};
+
+/// A curve is taken out and, moved a little, put in again; whatever it is and however often.
+void edit_once(std::mt19937& random, Edited& edited, Mesher& mesher, bool refines) {
+  const std::uint32_t curve = random() % edited.flat.curve_count();
+  const std::vector<std::uint8_t> is_removed = edited.removal(curve);
+  const auto first = static_cast<std::uint32_t>(edited.flat.vertex.size());
+  const Vec2 by{double(random() % 9) - 4, double(random() % 9) - 4};
+  curves::FlatCurves moved = edited.flat;
+  append_curve(edited.flat, curve, by, moved);
+  if (mesher.holds(moved, first)) edited.flat = moved;
+  edited.is_gone.resize(edited.flat.vertex.size(), 0);
+  const Status status = mesher.edit({}, edited.flat, {is_removed, first}, refines);
+  ASSERT_TRUE(status.ok()) << status.message;
+}
+
+/// Scenes of the kind, each built and handed to `body` with a source of random numbers.
+template <class Body>
+void for_each_scene(FuzzKind kind, Body body) {
+  for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
+    SCOPED_TRACE(seed);
+    Context context;
+    std::mt19937 random(static_cast<std::uint32_t>(seed));
+    Edited edited{fuzz_scene(kind, seed), {}};
+    edited.is_gone.resize(edited.flat.vertex.size(), 0);
+    if (edited.flat.curve_begin.empty() || edited.flat.curve_count() == 0) continue;
+    Result<Mesher> mesher = Mesher::build(context, edited.flat, fuzz_options());
+    ASSERT_TRUE(mesher.ok());
+    ASSERT_NO_FATAL_FAILURE(body(context, random, edited, *mesher));
+  }
+}
+
+TEST_P(MeshEdits, leave_a_valid_arrangement_of_the_curves_that_are_there) {
+  for_each_scene(kind(), [](Context&, std::mt19937& random, Edited& edited, Mesher& mesher) {
+    for (int step = 0; step < 6; ++step) {
+      SCOPED_TRACE("step " + std::to_string(step));
+      ASSERT_NO_FATAL_FAILURE(edit_once(random, edited, mesher, false));
+      ASSERT_NO_FATAL_FAILURE(expect_good(edited, mesher, weld_of(fuzz_options())));
+    }
+  });
+}
+
+TEST_P(MeshEdits, leave_a_valid_patch_mesh) {
+  for_each_scene(kind(),
+                 [](Context& context, std::mt19937& random, Edited& edited, Mesher& mesher) {
+                   ASSERT_TRUE(mesher.refine(context).ok());
+                   TriangleMesh patch = *mesher.patch_mesh({});
+                   for (int step = 0; step < 3 && patch.triangle_count() < 100'000; ++step) {
+                     SCOPED_TRACE("step " + std::to_string(step));
+                     ASSERT_NO_FATAL_FAILURE(edit_once(random, edited, mesher, true));
+                     std::vector<std::uint32_t> changed;
+                     ASSERT_TRUE(mesher.update_patch_mesh(context, patch, changed).ok());
+                     const Status valid = is_valid(patch);
+                     ASSERT_TRUE(valid.ok()) << valid.message;
+                     ASSERT_EQ(changed.size(), patch.triangle_count());
+                     ASSERT_NO_FATAL_FAILURE(expect_good(edited, mesher, weld_of(fuzz_options())));
+                   }
+                 });
+}
+
+/// Two curves, of which the first has been taken out and a third put in.
+struct SmallEdit {
+  curves::FlatCurves flat = flat_curves({{{10, 10}, {90, 80}}, {{20, 90}, {30, 10}}});
+  std::vector<std::uint8_t> is_removed{1, 1, 0, 0};
+  std::uint32_t first = 4;
+
+  SmallEdit() { add_polyline(flat, {{5, 50}, {95, 55}}); }
+
+  Result<Mesher> built(Context& context) const {
+    const curves::FlatCurves before = flat_curves({{{10, 10}, {90, 80}}, {{20, 90}, {30, 10}}});
+    Result<Mesher> mesher = Mesher::build(context, before, options_100());
+    if (!mesher) return mesher;
+    Status status = mesher->refine(context);
+    if (!status) return status;
+    return mesher;
+  }
+};
+
+TEST(MeshEdit, that_reaches_beyond_the_lattice_is_refused_and_changes_nothing) {
+  Context context;
+  SmallEdit edit;
+  Result<Mesher> mesher = edit.built(context);
+  ASSERT_TRUE(mesher.ok());
+  const std::uint64_t before = mesh_hash(*mesher->patch_mesh({}));
+  for (const double far : {1e4, -1e4, 1e300, std::numeric_limits<double>::quiet_NaN()}) {
+    curves::FlatCurves flat = edit.flat;
+    flat.vertex.back().y = far;
+    EXPECT_FALSE(mesher->holds(flat, edit.first));
+    EXPECT_EQ(mesher->edit(context, flat, {edit.is_removed, edit.first}, true).code,
+              StatusCode::bad_input);
+  }
+  EXPECT_EQ(mesh_hash(*mesher->patch_mesh({})), before);
+}
+
+TEST(MeshEdit, ends_at_any_poll_that_finds_it_cancelled) {
+  SmallEdit edit;
+  int cancelled = 0;
+  for (std::uint64_t poll = 1;; ++poll) {
+    Context context;
+    Result<Mesher> mesher = edit.built(context);
+    ASSERT_TRUE(mesher.ok());
+    CancelAt watch(poll, context.cancel);
+    context.poll_watch = &watch;
+    const Status status = mesher->edit(context, edit.flat, {edit.is_removed, edit.first}, true);
+    if (status.ok()) {
+      EXPECT_TRUE(is_valid(*mesher->visibility_mesh({})).ok());
+      if (!context.cancelled()) break;
+    } else {
+      EXPECT_EQ(status.code, StatusCode::cancelled);
+      ++cancelled;
+    }
+  }
+  EXPECT_GT(cancelled, 5);
+}
+
+TEST(MeshEdit, ends_where_memory_is_short_and_gives_back_what_it_took) {
+  SmallEdit edit;
+  int failures = 0;
+  bool fitted = false;
+  for (std::size_t room = 0; !fitted; room += 256) {
+    Context context;
+    {
+      Result<Mesher> mesher = edit.built(context);
+      ASSERT_TRUE(mesher.ok());
+      ScopedCharge taken;
+      ASSERT_TRUE(taken.add(context, context.budget.room() - room, "the test").ok());
+      const Status status = mesher->edit(context, edit.flat, {edit.is_removed, edit.first}, true);
+      fitted = status.ok();
+      if (!fitted) {
+        ASSERT_EQ(status.code, StatusCode::limit);
+        ++failures;
+      }
+    }
+    EXPECT_EQ(context.budget.used(), 0u);
+  }
+  EXPECT_GT(failures, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, MeshEdits, testing::Range(0, kFuzzKindCount));
+
+}  // namespace
+}  // namespace sfumato::mesh::test
