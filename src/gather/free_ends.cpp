@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/poll.hpp"
 #include "base/spatial_order.hpp"
 #include "curves/front_share.hpp"
 
@@ -22,6 +23,17 @@ constexpr double kKnee = 25;
 
 Box reach_box(const FreeEnd& end) {
   return Box{end.position, end.position}.grown_by(end.reach);
+}
+
+/// But for rounding, and for what the mesh around an end decides.
+bool have_the_same_term(const FreeEnd& a, float unit_a, const FreeEnd& b, float unit_b) {
+  constexpr double kSame = 1e-4;
+  const auto about = [](double x, double y) { return std::fabs(x - y) <= kSame * std::fabs(x); };
+  return a.position == b.position && a.positive == b.positive && a.negative == b.negative &&
+         a.blur_positive == b.blur_positive && a.blur_negative == b.blur_negative &&
+         length(a.direction - b.direction) <= kSame && about(a.reach, b.reach) &&
+         std::fabs(a.bend - b.bend) * a.reach <= kSame &&
+         about(double{a.weight} * unit_a, double{b.weight} * unit_b);
 }
 
 /// The share τ of the positive side in z_e, at d from the end, unbent.
@@ -52,6 +64,7 @@ Result<FreeEnds> FreeEnds::create(Context& context, const mesh::TriangleMesh& me
   Result<std::vector<FreeEnd>> found = find_free_ends(context, mesh, attributes, ends.memory_);
   if (!found) return found.status();
   ends.base_channels_ = attributes.base_channels;
+  ends.weight_unit_ = weight_unit;
   ends.end_ = std::move(*found);
   for (FreeEnd& end : ends.end_) {
     end.position = end.position - origin;
@@ -106,20 +119,60 @@ void FreeEnds::visit_leaves(const Box& box, Visit visit) const {
   }
 }
 
+std::span<const FreeEnd> FreeEnds::of_leaf(std::uint32_t leaf) const {
+  const std::size_t first = std::size_t{kEndsPerLeaf} * leaf;
+  if (first >= end_.size()) return {};
+  return std::span(end_).subspan(first, std::min<std::size_t>(kEndsPerLeaf, end_.size() - first));
+}
+
 bool FreeEnds::touches(const Box& box) const {
   bool found = false;
   visit_leaves(box, [&](std::uint32_t) { return !(found = true); });
   return found;
 }
 
+bool FreeEnds::reach(Vec2 p) const {
+  bool found = false;
+  visit_leaves({p, p}, [&](std::uint32_t leaf) {
+    for (const FreeEnd& end : of_leaf(leaf)) {
+      found |= length_squared(p - end.position) < end.reach * end.reach;
+    }
+    return !found;
+  });
+  return found;
+}
+
+bool FreeEnds::is_in(const FreeEnds& other, const FreeEnd& end) const {
+  bool found = false;
+  other.visit_leaves({end.position, end.position}, [&](std::uint32_t leaf) {
+    for (const FreeEnd& candidate : other.of_leaf(leaf)) {
+      found |= have_the_same_term(end, weight_unit_, candidate, other.weight_unit_);
+    }
+    return !found;
+  });
+  return found;
+}
+
+Result<FreeEnds> FreeEnds::without(Context& context, const FreeEnds& other) const {
+  FreeEnds rest;
+  rest.base_channels_ = base_channels_;
+  rest.weight_unit_ = weight_unit_;
+  RarePoll<1024> poll(context);
+  for (const FreeEnd& end : end_) {
+    if (poll.cancelled()) return context.cancel_status();
+    if (is_in(other, end)) continue;
+    Status status = rest.memory_.push_back(context, rest.end_, end);
+    if (!status) return status;
+  }
+  if (Status status = rest.build_tree(context); !status) return status;
+  return rest;
+}
+
 bool FreeEnds::add(Vec2 p, float weight, std::span<float> value) const {
   double sum = weight;
   bool any = false;
   visit_leaves({p, p}, [&](std::uint32_t leaf) {
-    const std::size_t last =
-        std::min<std::size_t>(kEndsPerLeaf * (std::size_t{leaf} + 1), end_.size());
-    for (std::size_t i = std::size_t{kEndsPerLeaf} * leaf; i < last; ++i) {
-      const FreeEnd& end = end_[i];
+    for (const FreeEnd& end : of_leaf(leaf)) {
       const Vec2 d = p - end.position;
       const double r_squared = length_squared(d);
       const double x = r_squared / (end.reach * end.reach);

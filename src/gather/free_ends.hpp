@@ -59,16 +59,28 @@ class FreeEnds {
   /// Whether any end may reach into the box.
   bool touches(const Box& box) const;
 
+  /// Whether any end reaches p.
+  bool reach(Vec2 p) const;
+
+  /// Those of them that `other` has not at the same place with the same term, but for rounding.
+  /// Both have the same origin. Errors: limit (memory), cancelled. Cost: O(n log n).
+  Result<FreeEnds> without(Context& context, const FreeEnds& other) const;
+
   /// Adds the terms of the ends that reach p to a value of weight W: base channels, then shares of
   /// shaders. Returns whether there were any.
   bool add(Vec2 p, float weight, std::span<float> value) const;
 
  private:
   Status build_tree(Context& context);
+  std::span<const FreeEnd> of_leaf(std::uint32_t leaf) const;
   template <class Visit>
   void visit_leaves(const Box& box, Visit visit) const;
 
+  /// Whether the other set has the same term at the same place.
+  bool is_in(const FreeEnds& other, const FreeEnd& end) const;
+
   int base_channels_ = 3;
+  float weight_unit_ = 1;
   std::vector<FreeEnd> end_;  ///< neighbours are near each other
   std::uint32_t leaf_count_ = 0;
   std::vector<Box> box_;  ///< per node; the children of node i are 2 i and 2 i + 1; the root is 1

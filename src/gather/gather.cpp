@@ -5,10 +5,12 @@
 #include <utility>
 
 #include "base/limit_error.hpp"
+#include "base/parallel.hpp"
 #include "gather/exact.hpp"
 #include "gather/locate.hpp"
 #include "gather/packing.hpp"
 #include "gather/rays.hpp"
+#include "gather/weak_visibility.hpp"
 
 namespace sfumato::gather {
 
@@ -19,6 +21,8 @@ struct Gatherer::State {
 };
 
 namespace {
+
+constexpr std::size_t kPointsPerTask = 1024;
 
 /// What is gathered where there is nothing to see.
 void leave_empty(const PointList& points, std::size_t channels, std::span<float> out,
@@ -37,8 +41,9 @@ Gatherer& Gatherer::operator=(Gatherer&&) noexcept = default;
 Gatherer::~Gatherer() = default;
 
 Result<Gatherer> Gatherer::create(Context& context, const mesh::TriangleMesh& visibility,
-                                  const curves::SegmentAttributes& attributes, Ends ends) {
-  Result<Scene> scene = build_scene(context, visibility, attributes);
+                                  const curves::SegmentAttributes& attributes, Ends ends,
+                                  std::span<const std::uint8_t> is_watched) {
+  Result<Scene> scene = build_scene(context, visibility, attributes, is_watched);
   if (!scene) return scene.status();
   auto state = std::make_unique<State>();
   state->scene = std::move(*scene);
@@ -77,6 +82,42 @@ Status Gatherer::gather(Context& context, const PointList& points, const GatherO
   const Result<Packing> packing = pack(context, state_->scene, *located);
   if (!packing) return packing.status();
   return gather_exact(context, state_->scene, state_->ends, points, *located, *packing, out, hit);
+}
+
+Status Gatherer::find_changes(Context& context, const Gatherer& before, const PointList& points,
+                              std::span<std::uint8_t> may_differ) const {
+  Status status = mark_viewers(context, *state_, points, may_differ);
+  if (status) status = mark_viewers(context, *before.state_, points, may_differ);
+  if (!status) return status;
+  const Result<FreeEnds> gone = before.state_->ends.without(context, state_->ends);
+  if (!gone) return gone.status();
+  const Result<FreeEnds> fresh = state_->ends.without(context, before.state_->ends);
+  if (!fresh) return fresh.status();
+  if (gone->empty() && fresh->empty()) return ok_status();
+  return parallel_for(context, points.size(), kPointsPerTask,
+                      [&](std::size_t begin, std::size_t end) {
+                        for (std::size_t i = begin; i < end; ++i) {
+                          const Vec2 p = points[i] - state_->scene.origin;
+                          if (gone->reach(p) || fresh->reach(p)) may_differ[points.slot(i)] = 1;
+                        }
+                      });
+}
+
+Status Gatherer::mark_viewers(Context& context, const State& state, const PointList& points,
+                              std::span<std::uint8_t> sees) {
+  if (state.scene.watched.empty()) return ok_status();
+  TableMemory memory("who sees a curve");
+  const Result<std::vector<std::uint8_t>> triangle_sees =
+      find_viewers(context, state.scene, memory);
+  if (!triangle_sees) return triangle_sees.status();
+  const Result<LocatedPoints> located = state.locator->locate(context, points);
+  if (!located) return located.status();
+  return parallel_for(context, points.size(), kPointsPerTask,
+                      [&](std::size_t begin, std::size_t end) {
+                        for (std::size_t i = begin; i < end; ++i) {
+                          if ((*triangle_sees)[located->triangle[i]]) sees[points.slot(i)] = 1;
+                        }
+                      });
 }
 
 }  // namespace sfumato::gather

@@ -19,10 +19,11 @@ namespace sfumato::gather {
 class Gatherer {
  public:
   /// `visibility` is validated; it is read, not kept. `ends`: the terms of free ends; may be empty.
-  /// Errors: limit, cancelled.
+  /// `is_watched`: per segment, for find_changes; may be empty. Errors: limit, cancelled.
   static Result<Gatherer> create(Context& context, const mesh::TriangleMesh& visibility,
                                  const curves::SegmentAttributes& attributes,
-                                 Ends ends = Ends::paper);
+                                 Ends ends = Ends::paper,
+                                 std::span<const std::uint8_t> is_watched = {});
 
   Gatherer(Gatherer&&) noexcept;
   Gatherer& operator=(Gatherer&&) noexcept;
@@ -39,8 +40,17 @@ class Gatherer {
   Status gather(Context& context, const PointList& points, const GatherOptions& options,
                 std::span<float> out, std::span<std::uint8_t> hit = {}) const;
 
+  /// Sets may_differ[slot] to 1 for points at which gather() may give another value than that of
+  /// `before`, where the two meshes, on one lattice, differ by the watched segments of either.
+  /// Never too few, but for what the weld moves. Other slots stay as they are. Points as for
+  /// gather(). Errors: limit (memory), cancelled.
+  Status find_changes(Context& context, const Gatherer& before, const PointList& points,
+                      std::span<std::uint8_t> may_differ) const;
+
  private:
   struct State;
+  static Status mark_viewers(Context& context, const State& state, const PointList& points,
+                             std::span<std::uint8_t> sees);
   explicit Gatherer(std::unique_ptr<State> state);
   std::unique_ptr<State> state_;
 };

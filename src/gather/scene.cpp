@@ -46,7 +46,30 @@ class SceneBuilder {
     return context_.check();
   }
 
+  /// Lists the half-edges on which a watched segment lies and stops rays.
+  Status watch(std::span<const std::uint8_t> is_watched) {
+    for (std::uint32_t i = 0; i < order_.size(); ++i) {
+      if (poll_.cancelled()) return context_.cancel_status();
+      for (std::uint32_t k = 0; k < 3; ++k) {
+        const std::uint32_t h = 3 * order_[i] + k;
+        if (codes_[h] >= 0 || !is_on(is_watched, h)) continue;
+        Status status = scene_.memory.push_back(context_, scene_.watched, 3 * i + k);
+        if (!status) return status;
+      }
+    }
+    return ok_status();
+  }
+
  private:
+  /// Whether a segment with is_chosen lies on a half-edge.
+  bool is_on(std::span<const std::uint8_t> is_chosen, std::uint32_t h) const {
+    const std::int32_t constraint = mesh_.half_edge_constraint[h];
+    if (constraint == mesh::kNone) return false;
+    const auto pieces = mesh_.pieces(mesh_.constraint[static_cast<std::size_t>(constraint)]);
+    return std::ranges::any_of(
+        pieces, [&](const mesh::SegmentPiece& piece) { return is_chosen[piece.segment] != 0; });
+  }
+
   Status order_triangles() {
     TableMemory scratch("the visibility mesh");
     std::vector<Vec2> center;
@@ -234,11 +257,13 @@ SceneView Scene::view() const {
 }
 
 Result<Scene> build_scene(Context& context, const mesh::TriangleMesh& mesh,
-                          const curves::SegmentAttributes& attributes) {
+                          const curves::SegmentAttributes& attributes,
+                          std::span<const std::uint8_t> is_watched) {
   Scene scene;
-  if (Status status = SceneBuilder(context, mesh, attributes, scene).build(); !status) {
-    return status;
-  }
+  SceneBuilder builder(context, mesh, attributes, scene);
+  Status status = builder.build();
+  if (status && !is_watched.empty()) status = builder.watch(is_watched);
+  if (!status) return status;
   return scene;
 }
 

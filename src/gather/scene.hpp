@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "base/table_memory.hpp"
@@ -56,14 +57,18 @@ struct Scene {
   int base_channels = 3;        ///< as SegmentAttributes
   int shader_count = 0;
   std::vector<SceneTriangle> triangle;
+  /// Half-edges, 3 · triangle + corner, that stop rays and on which a watched segment lies.
+  std::vector<std::uint32_t> watched;
   TableMemory memory{"the visibility mesh"};
 
   SceneView view() const;
   int channel_count() const { return base_channels + shader_count; }
 };
 
-/// Errors: limit, cancelled.
+/// is_watched   per segment; empty: none is
+/// Errors       limit, cancelled
 Result<Scene> build_scene(Context& context, const mesh::TriangleMesh& mesh,
-                          const curves::SegmentAttributes& attributes);
+                          const curves::SegmentAttributes& attributes,
+                          std::span<const std::uint8_t> is_watched = {});
 
 }  // namespace sfumato::gather

@@ -1,0 +1,148 @@
+#include "gather/weak_visibility.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+
+#include "base/poll.hpp"
+
+namespace sfumato::gather {
+namespace {
+
+/// Windows through which several ways lead into the same triangles are followed on each way. On
+/// drawings they are a few percent of the triangles; from here on it is cheaper to mark all.
+constexpr std::size_t kStepsPerTriangle = 16;
+
+std::uint32_t next(std::uint32_t h) {
+  return h % 3 == 2 ? h - 2 : h + 1;
+}
+std::uint32_t previous(std::uint32_t h) {
+  return h % 3 == 0 ? h + 2 : h - 1;
+}
+
+/// Positive where c lies to the left of the line from a to b. Differences of single-precision
+/// coordinates are exact or nearly so.
+double side_of(Vec2 a, Vec2 b, Vec2 c) {
+  return cross(b - a, c - a);
+}
+
+/// A line that bounds what is seen: from a pivot, an obstacle's corner on one hand or an end of the
+/// source, through a corner on the other hand.
+struct Limit {
+  Vec2 pivot;
+  Vec2 corner;
+};
+
+/// What is seen through a half-edge that is left outwards: right of the left limit and left of the
+/// right one.
+struct Window {
+  std::uint32_t portal;
+  Limit right;  ///< the pivot is on the left
+  Limit left;   ///< the pivot is on the right
+};
+
+class ViewerSearch {
+ public:
+  ViewerSearch(const Scene& scene, std::span<std::uint8_t> sees) : scene_(scene), sees_(sees) {}
+
+  Status run(const Context& context) {
+    RarePoll<1024> poll(context);
+    const std::size_t most = kStepsPerTriangle * scene_.triangle.size();
+    std::size_t steps = 0;
+    for (const std::uint32_t h : scene_.watched) {
+      start_from(h);
+      while (!waiting_.empty()) {
+        if (poll.cancelled()) return context.cancel_status();
+        if (++steps > most) {
+          std::ranges::fill(sees_, std::uint8_t{1});
+          return ok_status();
+        }
+        const Window window = waiting_.back();
+        waiting_.pop_back();
+        Status status = memory_.make_room(context, waiting_, 2);
+        if (!status) return status;
+        follow(window);
+      }
+    }
+    return ok_status();
+  }
+
+  /// Room for the windows of a source.
+  Status start(const Context& context) { return memory_.reserve(context, waiting_, 64); }
+
+ private:
+  Vec2 origin(std::uint32_t h) const {
+    const SceneTriangle& t = scene_.triangle[h / 3];
+    return {t.x[h % 3], t.y[h % 3]};
+  }
+  Vec2 target(std::uint32_t h) const { return origin(next(h)); }
+  std::int32_t twin(std::uint32_t h) const { return scene_.triangle[h / 3].twin[h % 3]; }
+
+  /// Whether someone beyond looks in through it.
+  bool is_passed(std::uint32_t h) const {
+    const std::int32_t beyond = twin(h);
+    return beyond >= 0 && scene_.triangle[beyond / 3].edge[beyond % 3] >= 0;
+  }
+
+  /// The source as its own triangle sees it, looking inwards: its origin is the left end.
+  void start_from(std::uint32_t source) {
+    sees_[source / 3] = 1;
+    const Vec2 left_end = origin(source), right_end = target(source);
+    for (const std::uint32_t h : {next(source), previous(source)}) {
+      if (!is_passed(h)) continue;
+      waiting_.push_back({h, {left_end, origin(h)}, {right_end, target(h)}});
+    }
+  }
+
+  void follow(const Window& window) {
+    const auto entered = static_cast<std::uint32_t>(twin(window.portal));
+    sees_[entered / 3] = 1;
+    const Vec2 apex = origin(previous(entered));
+    const bool reaches_left = side_of(window.left.pivot, window.left.corner, apex) <= 0;
+    const bool reaches_right = side_of(window.right.pivot, window.right.corner, apex) >= 0;
+    if (reaches_left && is_passed(previous(entered))) {
+      Window beyond = window;
+      beyond.portal = previous(entered);
+      if (reaches_right) beyond.right = right_limit(window, apex);
+      waiting_.push_back(beyond);
+    }
+    if (reaches_right && is_passed(next(entered))) {
+      Window beyond = window;
+      beyond.portal = next(entered);
+      if (reaches_left) beyond.left = left_limit(window, apex);
+      waiting_.push_back(beyond);
+    }
+  }
+
+  /// The limits of a window that the apex narrows: of two pivots the one that bounds it more. There
+  /// may be one between them that bounds it even more; without it too much is seen.
+  static Limit right_limit(const Window& window, Vec2 apex) {
+    const Vec2 pivot = window.right.pivot, other = window.left.corner;
+    return {side_of(pivot, apex, other) < 0 ? other : pivot, apex};
+  }
+  static Limit left_limit(const Window& window, Vec2 apex) {
+    const Vec2 pivot = window.left.pivot, other = window.right.corner;
+    return {side_of(pivot, apex, other) > 0 ? other : pivot, apex};
+  }
+
+  const Scene& scene_;
+  std::span<std::uint8_t> sees_;
+  std::vector<Window> waiting_;
+  TableMemory memory_{"who sees a curve"};
+};
+
+}  // namespace
+
+Result<std::vector<std::uint8_t>> find_viewers(const Context& context, const Scene& scene,
+                                               TableMemory& memory) {
+  std::vector<std::uint8_t> sees;
+  Status status = memory.resize(context, sees, scene.triangle.size());
+  if (!status) return status;
+  ViewerSearch search(scene, sees);
+  status = search.start(context);
+  if (status) status = search.run(context);
+  if (!status) return status;
+  return sees;
+}
+
+}  // namespace sfumato::gather

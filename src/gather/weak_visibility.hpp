@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "base/table_memory.hpp"
+#include "gather/scene.hpp"
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/status.hpp"
+
+namespace sfumato::gather {
+
+/// Per triangle of the scene: 1 where some point of it may see some point of Scene::watched (weak
+/// visibility from edges: Avis and Toussaint 1981). Never too few, and nearly none too many:
+/// windows are followed through the triangulation, bounded by the lines that touch the obstacles on
+/// either side. The list is allocated from `memory`.
+///
+/// Errors: limit (memory), cancelled. Cost: O(windows), at most some steps for each triangle: if
+/// there are more, all triangles are marked.
+Result<std::vector<std::uint8_t>> find_viewers(const Context& context, const Scene& scene,
+                                               TableMemory& memory);
+
+}  // namespace sfumato::gather
