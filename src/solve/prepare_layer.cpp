@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
+#include <utility>
 
 #include "base/charge.hpp"
 #include "base/poll.hpp"
@@ -11,116 +11,11 @@
 #include "base/table_memory.hpp"
 #include "curves/flatten.hpp"
 #include "sfumato/base/limits.hpp"
+#include "solve/layer_units.hpp"
 #include "solve/layer_view.hpp"
 
 namespace sfumato::solve {
 namespace {
-
-struct Tolerance {
-  /// Chords stray from their curve by at most this, as a fraction of the artboard's longer side…
-  double per_side;
-  /// …and inside the viewport by at most this many pixels, so that no facet shows at any zoom.
-  double px;
-};
-
-/// One pixel of a thousand shows that chords are not the curve.
-constexpr Tolerance kTolerance{0.05 / 512, 0.04};
-
-/// Of the paper's mesh, which is the one without a bound on the error.
-constexpr Tolerance kPaperTolerance{0.1 / 512, 0.2};
-
-/// A mesh as fine as a smaller radius would be all triangles: antialiasing shows those blurs.
-constexpr double kSmallestRadiusPx = 0.75;
-
-/// Chords of a curve that is blurred by less than this are those of an edge.
-constexpr double kEdgeRadiusPx = 0.25;
-
-/// Lengths of the mesher are counted in pixels of an artboard that is this many pixels long.
-constexpr double kNominalSidePx = 1024;
-
-/// Below this weld, in nominal pixels, nearly coincident curves make slivers without end.
-constexpr double kFinestWeldPx = 1.0 / 128;
-
-/// Refinement stops where a triangle's longest edge falls below this many pixels…
-constexpr double kSmallestEdgePx = 1.0;
-/// …and below this many no triangle is made smaller for its angles, or n curves within a pixel
-/// would take n times n triangles. Those of a whole pixel show where colours change within a tenth
-/// of one.
-constexpr double kSmallAnglesEdgePx = 0.5;
-
-double longer_side(const Box& box) {
-  return std::max(box.width(), box.height());
-}
-
-Box within_coordinates(const Box& box) {
-  const auto clamped = [](Vec2 p) {
-    return Vec2{std::clamp(p.x, -limits::kCoordinate, limits::kCoordinate),
-                std::clamp(p.y, -limits::kCoordinate, limits::kCoordinate)};
-  };
-  return {clamped(box.min), clamped(box.max)};
-}
-
-/// Lengths and areas of the artboard as they are in a layer's frame.
-class LayerUnits {
- public:
-  LayerUnits(const Box& artboard, const LayerSight& sight, const DiffuseOptions& options)
-      : sight_(sight), options_(options), artboard_side_(longer_side(artboard) / sight.scale) {
-    const Box whole = united(artboard, options.viewport.value_or(artboard));
-    // A small instance shows far more of the layer than the artboard's size. What is thinner than
-    // a pixel is drawn on a frame of some pixels: a share of its area would be out of proportion.
-    const auto side = [&](double length) { return std::max(length / sight.scale, pixel()); };
-    whole_area_ = std::max(side(whole.width()) * side(whole.height()),
-                           sight.viewport.width() * sight.viewport.height());
-  }
-
-  double pixel() const { return 1 / (options_.pixels_per_unit * sight_.scale); }
-
-  /// Of the blurs that a mesh shows.
-  double smallest_radius() const { return kSmallestRadiusPx * pixel(); }
-
-  curves::FlattenOptions flatten_options() const {
-    const mesh::MeshOptions meshing = mesh_options();
-    curves::FlattenOptions flatten;
-    flatten.reach = meshing.weld_px * meshing.unit_size;
-    flatten.sharp_radius =
-        options_.ignore_blur ? std::numeric_limits<double>::infinity() : kEdgeRadiusPx * pixel();
-    flatten.split_radius = smallest_radius();
-    if (options_.tolerance) {
-      flatten.tolerance = *options_.tolerance / sight_.scale;
-      return flatten;
-    }
-    const Tolerance& tolerance = options_.max_error > 0 ? kTolerance : kPaperTolerance;
-    for (const LayerView& view : sight_.views) {
-      const double outside = tolerance.per_side * artboard_side_ * (sight_.scale / view.scale);
-      const double inside = tolerance.px / (options_.pixels_per_unit * view.scale);
-      flatten.focuses.push_back({view.window, std::min(outside, inside), outside});
-    }
-    return flatten;
-  }
-
-  mesh::MeshOptions mesh_options() const {
-    mesh::MeshOptions mesh;
-    mesh.unit_size = std::min(artboard_side_ / kNominalSidePx, pixel());
-    // Beyond the viewport by more than the weld can move the frame, where there are coordinates.
-    mesh.frame = within_coordinates(sight_.viewport.grown_by(2 * mesh.unit_size));
-    // The weld moves curves: it must not undo a finer tolerance that was asked for.
-    if (options_.tolerance) {
-      const double tolerance = *options_.tolerance / sight_.scale;
-      mesh.weld_px = std::clamp(0.5 * tolerance / mesh.unit_size, kFinestWeldPx, mesh.weld_px);
-    }
-    mesh.min_angle_deg = options_.min_angle_deg;
-    mesh.max_area = options_.max_area_fraction * whole_area_;
-    // Without a bound on the error the mesh is the paper's.
-    if (options_.max_error > 0) mesh.small_edge = kSmallAnglesEdgePx * pixel();
-    return mesh;
-  }
-
- private:
-  const LayerSight& sight_;
-  const DiffuseOptions& options_;
-  double artboard_side_;
-  double whole_area_;
-};
 
 /// The longest image of a unit vector.
 double largest_scale(const Affine& m) {
@@ -170,9 +65,9 @@ bool is_thin(const mesh::TriangleMesh& mesh, const std::vector<std::uint8_t>& be
 }
 
 Result<PreparedField> prepare_field(Context& context, const mesh::Mesher& mesher,
-                                    const mesh::TriangleMesh& visibility,
-                                    curves::SegmentAttributes attributes, TableMemory memory,
-                                    gather::Ends ends) {
+                                    const mesh::TriangleMesh& visibility, SampledField sampled,
+                                    gather::Ends ends, std::span<const std::uint8_t> is_watched) {
+  const curves::SegmentAttributes& attributes = sampled.attributes;
   TableMemory scratch("the visibility mesh");
   const Result<std::vector<std::uint8_t>> bears =
       bearing_constraints(context, visibility, attributes, scratch);
@@ -184,10 +79,11 @@ Result<PreparedField> prepare_field(Context& context, const mesh::Mesher& mesher
     if (!mesh) return mesh.status();
     thinned = std::move(*mesh);
   }
-  Result<gather::Gatherer> gatherer =
-      gather::Gatherer::create(context, is_thinned ? thinned : visibility, attributes, ends);
+  Result<gather::Gatherer> gatherer = gather::Gatherer::create(
+      context, is_thinned ? thinned : visibility, attributes, ends, is_watched);
   if (!gatherer) return gatherer.status();
-  return PreparedField{std::move(attributes), std::move(memory), std::move(*gatherer)};
+  return PreparedField{std::move(sampled.attributes), std::move(sampled.memory),
+                       std::move(*gatherer)};
 }
 
 /// What may be looked at: the triangles' vertices are coordinates like any others.
@@ -268,56 +164,84 @@ Result<std::vector<LayerSight>> sights_of_layers(const Context& context, const D
   return sights;
 }
 
+Result<curves::FlatCurves> flatten_layer(Context& context, const Layer& layer,
+                                         const LayerSight& sight, const LayerUnits& units) {
+  if (Status status = check_sight(sight, layer); !status) return status;
+  return curves::flatten(context, layer.curves, units.flatten_options());
+}
+
+Result<SampledFields> sample_fields(const Context& context, const FlatLayer& layer,
+                                    const DiffuseOptions& options,
+                                    std::optional<double> fine_radius) {
+  const auto drop_blur = [&](curves::SegmentAttributes& attributes) {
+    if (options.ignore_blur) curves::remove_blur(attributes);
+    if (fine_radius) curves::set_fine_blur(attributes, *fine_radius);
+  };
+  const auto sample = layer.is_joint ? curves::sample_colors_and_opacities : curves::sample_colors;
+  TableMemory memory("attributes");
+  Result<curves::SegmentAttributes> colors =
+      sample(context, layer.flat, layer.curves, layer.interpolation, memory);
+  if (!colors) return colors.status();
+  drop_blur(*colors);
+  SampledFields fields{{std::move(*colors), std::move(memory)}, {}};
+  if (layer.is_joint || std::ranges::none_of(layer.curves, bears_opacity)) return fields;
+  TableMemory opacity_memory("attributes");
+  Result<curves::SegmentAttributes> opacities =
+      curves::sample_opacities(context, layer.flat, layer.curves, opacity_memory);
+  if (!opacities) return opacities.status();
+  drop_blur(*opacities);
+  fields.opacity.emplace(SampledField{std::move(*opacities), std::move(opacity_memory)});
+  return fields;
+}
+
+Result<PreparedFields> prepare_fields(Context& context, const mesh::Mesher& mesher,
+                                      const mesh::TriangleMesh& visibility, SampledFields sampled,
+                                      gather::Ends ends, std::span<const std::uint8_t> is_watched) {
+  Result<PreparedField> color =
+      prepare_field(context, mesher, visibility, std::move(sampled.color), ends, is_watched);
+  if (!color) return color.status();
+  PreparedFields fields{std::move(*color), {}};
+  if (!sampled.opacity) return fields;
+  Result<PreparedField> opacity =
+      prepare_field(context, mesher, visibility, std::move(*sampled.opacity), ends, is_watched);
+  if (!opacity) return opacity.status();
+  fields.opacity.emplace(std::move(*opacity));
+  return fields;
+}
+
 Result<PreparedLayer> prepare_layer(Context& context, const Document& document, std::uint32_t layer,
                                     const LayerSight& sight, const DiffuseOptions& options,
                                     DiffuseStats* stats, LayerUse use) {
   const Stopwatch geometry_watch;
   const std::vector<Curve>& curves = document.layers[layer].curves;
   const LayerUnits units(document.artboard, sight, options);
-  const mesh::MeshOptions meshing = units.mesh_options();
-  if (Status status = check_sight(sight, document.layers[layer]); !status) return status;
-  Result<curves::FlatCurves> flat = curves::flatten(context, curves, units.flatten_options());
+  const Result<curves::FlatCurves> flat =
+      flatten_layer(context, document.layers[layer], sight, units);
   if (!flat) return flat.status();
-  const bool is_joint = use == LayerUse::patches && curves::opacity_goes_with_color(curves);
   ScopedCharge flat_charge;
   Status status = flat_charge.add(context, curves::bytes_of(*flat), "flattening");
   if (!status) return status;
-  const auto sample = is_joint ? curves::sample_colors_and_opacities : curves::sample_colors;
-  TableMemory color_memory("attributes");
-  Result<curves::SegmentAttributes> colors =
-      sample(context, *flat, curves, document.interpolation, color_memory);
-  if (!colors) return colors.status();
+  const bool for_patches = use == LayerUse::patches;
+  const FlatLayer flat_layer{*flat, curves, document.interpolation,
+                             for_patches && curves::opacity_goes_with_color(curves)};
+  Result<SampledFields> sampled =
+      sample_fields(context, flat_layer, options,
+                    for_patches ? std::optional(units.smallest_radius()) : std::optional<double>());
+  if (!sampled) return sampled.status();
   const double geometry_seconds = geometry_watch.seconds();
 
   const Stopwatch mesh_watch;
+  const mesh::MeshOptions meshing = units.mesh_options();
   Result<mesh::Mesher> mesher = mesh::Mesher::build(context, *flat, meshing);
   if (!mesher) return mesher.status();
-  const Result<mesh::TriangleMesh> visible = mesher->visibility_mesh(context);
-  if (!visible) return visible.status();
-  const mesh::TriangleMesh& visibility = *visible;
+  const Result<mesh::TriangleMesh> visibility = mesher->visibility_mesh(context);
+  if (!visibility) return visibility.status();
   const double mesh_seconds = mesh_watch.seconds();
 
   const Stopwatch gather_watch;
-  const auto drop_blur = [&](curves::SegmentAttributes& attributes) {
-    if (options.ignore_blur) curves::remove_blur(attributes);
-    if (use == LayerUse::patches) curves::set_fine_blur(attributes, units.smallest_radius());
-  };
-  drop_blur(*colors);
-  Result<PreparedField> color = prepare_field(context, *mesher, visibility, std::move(*colors),
-                                              std::move(color_memory), options.ends);
-  if (!color) return color.status();
-  std::optional<PreparedField> opacity;
-  if (!is_joint && std::ranges::any_of(curves, bears_opacity)) {
-    TableMemory memory("attributes");
-    Result<curves::SegmentAttributes> opacities =
-        curves::sample_opacities(context, *flat, curves, memory);
-    if (!opacities) return opacities.status();
-    drop_blur(*opacities);
-    Result<PreparedField> field = prepare_field(context, *mesher, visibility, std::move(*opacities),
-                                                std::move(memory), options.ends);
-    if (!field) return field.status();
-    opacity.emplace(std::move(*field));
-  }
+  Result<PreparedFields> fields =
+      prepare_fields(context, *mesher, *visibility, std::move(*sampled), options.ends);
+  if (!fields) return fields.status();
   if (stats) {
     stats->curves += curves.size();
     stats->segments += flat->segment_count();
@@ -325,8 +249,8 @@ Result<PreparedLayer> prepare_layer(Context& context, const Document& document, 
     stats->triangulation_seconds += mesh_seconds;
     stats->gather_seconds += gather_watch.seconds();
   }
-  return PreparedLayer{std::move(*mesher), std::move(*color), std::move(opacity), meshing.frame,
-                       kSmallestEdgePx * units.pixel()};
+  return PreparedLayer{std::move(*mesher), std::move(fields->color), std::move(fields->opacity),
+                       meshing.frame, units.smallest_edge()};
 }
 
 }  // namespace sfumato::solve

@@ -1,8 +1,13 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
+#include "base/table_memory.hpp"
+#include "curves/attributes.hpp"
+#include "curves/flatten.hpp"
 #include "mesh/mesher.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/status.hpp"
@@ -51,6 +56,51 @@ Result<std::vector<LayerSight>> sights_of_layers(const Context& context, const D
 /// hold colour and opacity if the same curves bear both, and blur radii too small for the mesh are
 /// treated as fine ones.
 enum class LayerUse : std::uint8_t { points, patches };
+
+/// A layer's curves as polylines, with what of the document goes into its fields.
+struct FlatLayer {
+  const curves::FlatCurves& flat;
+  std::span<const Curve> curves;
+  InterpolationSpace interpolation = InterpolationSpace::srgb;
+  bool is_joint = false;  ///< one field holds colour and opacity: opacity_goes_with_color
+};
+
+/// One attribute, before its gatherer is made.
+struct SampledField {
+  curves::SegmentAttributes attributes;
+  TableMemory memory;  ///< of the attributes
+};
+
+struct SampledFields {
+  SampledField color;
+  std::optional<SampledField> opacity;  ///< as PreparedLayer
+};
+
+struct PreparedFields {
+  PreparedField color;
+  std::optional<PreparedField> opacity;  ///< as PreparedLayer
+};
+
+class LayerUnits;
+
+/// Errors: limit (an instance shows more of its layer than coordinates reach, memory, counts),
+/// cancelled.
+Result<curves::FlatCurves> flatten_layer(Context& context, const Layer& layer,
+                                         const LayerSight& sight, const LayerUnits& units);
+
+/// fine_radius   blurs of at most this radius become fine ones; empty: none do
+/// Errors        limit (memory), cancelled
+Result<SampledFields> sample_fields(const Context& context, const FlatLayer& layer,
+                                    const DiffuseOptions& options,
+                                    std::optional<double> fine_radius);
+
+/// visibility   mesher.visibility_mesh()
+/// is_watched   as Gatherer::create
+/// Errors       limit, cancelled
+Result<PreparedFields> prepare_fields(Context& context, const mesh::Mesher& mesher,
+                                      const mesh::TriangleMesh& visibility, SampledFields sampled,
+                                      gather::Ends ends,
+                                      std::span<const std::uint8_t> is_watched = {});
 
 /// Adds to `stats` if not null. Errors: limit (an instance shows more of its layer than coordinates
 /// reach, memory, counts), cancelled.

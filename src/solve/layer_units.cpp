@@ -1,0 +1,112 @@
+#include "solve/layer_units.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "sfumato/base/limits.hpp"
+
+namespace sfumato::solve {
+namespace {
+
+struct Tolerance {
+  /// Chords stray from their curve by at most this, as a fraction of the artboard's longer side…
+  double per_side;
+  /// …and inside the viewport by at most this many pixels, so that no facet shows at any zoom.
+  double px;
+};
+
+/// One pixel of a thousand shows that chords are not the curve.
+constexpr Tolerance kTolerance{0.05 / 512, 0.04};
+
+/// Of the paper's mesh, which is the one without a bound on the error.
+constexpr Tolerance kPaperTolerance{0.1 / 512, 0.2};
+
+/// A mesh as fine as a smaller radius would be all triangles: antialiasing shows those blurs.
+constexpr double kSmallestRadiusPx = 0.75;
+
+/// Chords of a curve that is blurred by less than this are those of an edge.
+constexpr double kEdgeRadiusPx = 0.25;
+
+/// Lengths of the mesher are counted in pixels of an artboard that is this many pixels long.
+constexpr double kNominalSidePx = 1024;
+
+/// Below this weld, in nominal pixels, nearly coincident curves make slivers without end.
+constexpr double kFinestWeldPx = 1.0 / 128;
+
+/// Refinement stops where a triangle's longest edge falls below this many pixels…
+constexpr double kSmallestEdgePx = 1.0;
+/// …and below this many no triangle is made smaller for its angles, or n curves within a pixel
+/// would take n times n triangles. Those of a whole pixel show where colours change within a tenth
+/// of one.
+constexpr double kSmallAnglesEdgePx = 0.5;
+
+double longer_side(const Box& box) {
+  return std::max(box.width(), box.height());
+}
+
+Box within_coordinates(const Box& box) {
+  const auto clamped = [](Vec2 p) {
+    return Vec2{std::clamp(p.x, -limits::kCoordinate, limits::kCoordinate),
+                std::clamp(p.y, -limits::kCoordinate, limits::kCoordinate)};
+  };
+  return {clamped(box.min), clamped(box.max)};
+}
+
+}  // namespace
+
+LayerUnits::LayerUnits(const Box& artboard, const LayerSight& sight, const DiffuseOptions& options)
+    : sight_(sight), options_(options), artboard_side_(longer_side(artboard) / sight.scale) {
+  const Box whole = united(artboard, options.viewport.value_or(artboard));
+  // A small instance shows far more of the layer than the artboard's size. What is thinner than
+  // a pixel is drawn on a frame of some pixels: a share of its area would be out of proportion.
+  const auto side = [&](double length) { return std::max(length / sight.scale, pixel()); };
+  whole_area_ = std::max(side(whole.width()) * side(whole.height()),
+                         sight.viewport.width() * sight.viewport.height());
+}
+
+double LayerUnits::smallest_radius() const {
+  return kSmallestRadiusPx * pixel();
+}
+
+double LayerUnits::smallest_edge() const {
+  return kSmallestEdgePx * pixel();
+}
+
+curves::FlattenOptions LayerUnits::flatten_options() const {
+  const mesh::MeshOptions meshing = mesh_options();
+  curves::FlattenOptions flatten;
+  flatten.reach = meshing.weld_px * meshing.unit_size;
+  flatten.sharp_radius =
+      options_.ignore_blur ? std::numeric_limits<double>::infinity() : kEdgeRadiusPx * pixel();
+  flatten.split_radius = smallest_radius();
+  if (options_.tolerance) {
+    flatten.tolerance = *options_.tolerance / sight_.scale;
+    return flatten;
+  }
+  const Tolerance& tolerance = options_.max_error > 0 ? kTolerance : kPaperTolerance;
+  for (const LayerView& view : sight_.views) {
+    const double outside = tolerance.per_side * artboard_side_ * (sight_.scale / view.scale);
+    const double inside = tolerance.px / (options_.pixels_per_unit * view.scale);
+    flatten.focuses.push_back({view.window, std::min(outside, inside), outside});
+  }
+  return flatten;
+}
+
+mesh::MeshOptions LayerUnits::mesh_options() const {
+  mesh::MeshOptions mesh;
+  mesh.unit_size = std::min(artboard_side_ / kNominalSidePx, pixel());
+  // Beyond the viewport by more than the weld can move the frame, where there are coordinates.
+  mesh.frame = within_coordinates(sight_.viewport.grown_by(2 * mesh.unit_size));
+  // The weld moves curves: it must not undo a finer tolerance that was asked for.
+  if (options_.tolerance) {
+    const double tolerance = *options_.tolerance / sight_.scale;
+    mesh.weld_px = std::clamp(0.5 * tolerance / mesh.unit_size, kFinestWeldPx, mesh.weld_px);
+  }
+  mesh.min_angle_deg = options_.min_angle_deg;
+  mesh.max_area = options_.max_area_fraction * whole_area_;
+  // Without a bound on the error the mesh is the paper's.
+  if (options_.max_error > 0) mesh.small_edge = kSmallAnglesEdgePx * pixel();
+  return mesh;
+}
+
+}  // namespace sfumato::solve

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "curves/flatten.hpp"
+#include "mesh/mesher.hpp"
+#include "sfumato/base/box.hpp"
+#include "sfumato/solve/diffuse.hpp"
+#include "solve/prepare_layer.hpp"
+
+namespace sfumato::solve {
+
+/// Lengths and areas of the artboard as they are in a layer's frame.
+class LayerUnits {
+ public:
+  /// Keeps references to sight and options.
+  LayerUnits(const Box& artboard, const LayerSight& sight, const DiffuseOptions& options);
+
+  double pixel() const { return 1 / (options_.pixels_per_unit * sight_.scale); }
+
+  /// Of the blurs that a mesh shows.
+  double smallest_radius() const;
+
+  /// Triangles with no edge longer than this show on no pixel.
+  double smallest_edge() const;
+
+  curves::FlattenOptions flatten_options() const;
+  mesh::MeshOptions mesh_options() const;
+
+ private:
+  const LayerSight& sight_;
+  const DiffuseOptions& options_;
+  double artboard_side_;
+  double whole_area_;
+};
+
+}  // namespace sfumato::solve
