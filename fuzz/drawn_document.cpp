@@ -261,4 +261,21 @@ std::optional<Document> drawn_document(Context& context, Bytes bytes) {
   return std::move(read->document);
 }
 
+bool is_small(const Document& document) {
+  constexpr std::size_t kCurves = 8, kItems = 12;
+  std::size_t curves = 0;
+  for (const Layer& layer : document.layers) curves += layer.curves.size();
+  return curves <= kCurves && document.stack.size() <= kItems;
+}
+
+DiffuseOptions coarse_options(const Document& document) {
+  constexpr double kSide = 32;
+  constexpr double kMostScale = 1e9;  // an artboard may be so small that a quotient is infinite
+  DiffuseOptions options;
+  const double side = std::max(document.artboard.width(), document.artboard.height());
+  options.pixels_per_unit = std::min(kSide / side, kMostScale);
+  options.max_error = 16;
+  return options;
+}
+
 }  // namespace sfumato::fuzz

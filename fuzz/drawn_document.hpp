@@ -4,6 +4,7 @@
 
 #include "fuzz.hpp"
 #include "sfumato/document/document.hpp"
+#include "sfumato/solve/diffuse.hpp"
 
 namespace sfumato::fuzz {
 
@@ -12,5 +13,11 @@ namespace sfumato::fuzz {
 /// kind of side, paint, instance and group, with points that coincide or nearly do.
 bool is_file(Bytes bytes);
 std::optional<Document> drawn_document(Context& context, Bytes bytes);
+
+/// Few enough curves and items to be solved again and again.
+bool is_small(const Document& document);
+
+/// Those of a picture of a few pixels.
+DiffuseOptions coarse_options(const Document& document);
 
 }  // namespace sfumato::fuzz

@@ -207,6 +207,8 @@ def seeds():
     steps = random.Random(5)
     yield 'solution', [bytes(steps.randrange(256) for _ in range(24)) + text
                        for text in documents[:12] + list(noise(6, 40, 300))]
+    yield 'drag', [bytes(steps.randrange(256) for _ in range(42)) + text
+                   for text in documents[:12] + list(noise(7, 60, 300))]
 
 
 def main():

@@ -16,29 +16,9 @@ using namespace sfumato;
 
 namespace {
 
-constexpr std::size_t kCurves = 8;
-constexpr std::size_t kItems = 12;
 constexpr int kMostSteps = 6;
 /// What comes before the document.
 constexpr std::size_t kStepBytes = 4 * kMostSteps;
-
-constexpr double kSide = 32;
-/// An artboard may be so small that a quotient is infinite.
-constexpr double kMostScale = 1e9;
-
-DiffuseOptions coarse_options(const Document& document) {
-  DiffuseOptions options;
-  const double side = std::max(document.artboard.width(), document.artboard.height());
-  options.pixels_per_unit = std::min(kSide / side, kMostScale);
-  options.max_error = 16;
-  return options;
-}
-
-bool is_small(const Document& document) {
-  std::size_t curves = 0;
-  for (const Layer& layer : document.layers) curves += layer.curves.size();
-  return curves <= kCurves && document.stack.size() <= kItems;
-}
 
 /// A curve of the document, moved.
 Curve moved_curve(fuzz::ByteReader& bytes, const Document& document, std::uint32_t layer) {
@@ -81,7 +61,7 @@ void apply(Context& context, Solution& solution, const Change& change) {
 }
 
 void solve(Context& context, Solution& solution, unsigned cancelled_at) {
-  const DiffuseOptions options = coarse_options(solution.document());
+  const DiffuseOptions options = fuzz::coarse_options(solution.document());
   if (cancelled_at > 0) {
     Context hurried{.budget = Budget(fuzz::kBudgetBytes)};
     test::CancelAt watch(cancelled_at, hurried.cancel);
@@ -113,7 +93,7 @@ void run(Context& context, fuzz::ByteReader steps, const Document& document) {
   solve(context, *solution, steps.byte());
   while (!steps.at_end()) {
     apply(context, *solution, next_change(steps, solution->document(), document));
-    if (steps.below(2) == 0 && is_small(solution->document())) {
+    if (steps.below(2) == 0 && fuzz::is_small(solution->document())) {
       solve(context, *solution, 8 * steps.byte());
     }
   }
@@ -127,7 +107,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const fuzz::Bytes steps = bytes.first(std::min(size, kStepBytes));
   const std::optional<Document> document =
       fuzz::drawn_document(context, bytes.subspan(steps.size()));
-  if (!document || !is_small(*document)) return 0;
+  if (!document || !fuzz::is_small(*document)) return 0;
   run(context, fuzz::ByteReader(steps), *document);
   fuzz::require(context.budget.used() == 0, "a solution keeps what it charged");
   return 0;

@@ -26,6 +26,24 @@ void show(const Picture& picture, const PictureDelta& delta) {
               delta.layers.size(), picture.layers.size());
 }
 
+/// What the pointer did to it.
+Curve lowered(Curve curve, double by) {
+  for (Vec2& point : curve.control_points) point.y += by;
+  return curve;
+}
+
+Status drag_the_sun(Context& context, Solution& solution) {
+  const Curve sun = solution.document().layers[kSunLayer].curves[0];
+  Status status = solution.begin_drag(context, kSunLayer, 0);
+  for (int y = 0; status && y < 30; y += 10) {
+    status = solution.drag(context, lowered(sun, y));  // for looking at, while the pointer moves
+    show(solution.picture(), solution.take_delta());
+  }
+  if (status) status = solution.solve(context, DiffuseOptions{});  // once it rests: exact
+  solution.end_drag();
+  return status;
+}
+
 Status run() {
   Context context;
   Result<Solution> solution = Solution::create(context, sky_and_sun());
@@ -34,15 +52,14 @@ Status run() {
   if (!status) return status;
   show(solution->picture(), solution->take_delta());
 
-  Curve sun = solution->document().layers[kSunLayer].curves[0];
-  for (Vec2& point : sun.control_points) point.y += 40;
+  const Curve sun = lowered(solution->document().layers[kSunLayer].curves[0], 40);
   // What takes the change back is what an editor's undo keeps.
   const Result<Change> undo = solution->apply(context, ReplaceCurve{kSunLayer, 0, sun});
   if (!undo) return undo.status();
   status = solution->solve(context, DiffuseOptions{});
   if (!status) return status;
   show(solution->picture(), solution->take_delta());  // one layer is new
-  return status;
+  return drag_the_sun(context, *solution);
 }
 
 int main() {

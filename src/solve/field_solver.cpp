@@ -67,6 +67,53 @@ Status FieldSolver::follow(Context& context, const mesh::TriangleMesh& mesh,
   return ok_status();
 }
 
+Status FieldSolver::copy_values(const Context& context, const FieldSolver& before,
+                                std::span<const std::int32_t> kept, std::span<std::uint8_t> asks,
+                                TableMemory& memory, std::vector<std::uint32_t>& carried) {
+  const NodeLayout& old = before.layout_;
+  const auto channels = static_cast<std::size_t>(layout_.channel_count);
+  Status status = memory.reserve(context, carried, layout_.node_count());
+  if (!status) return status;
+  RarePoll<16384> poll(context);
+  for (std::size_t t = 0; t < kept.size(); ++t) {
+    if (poll.cancelled()) return context.cancel_status();
+    if (kept[t] == mesh::kNone) continue;
+    for (std::size_t place = 0; place < kNodesPerTriangle; ++place) {
+      const auto now = kNodesPerTriangle * static_cast<std::size_t>(kept[t]) + place;
+      const std::uint32_t node = layout_.triangle_node[now];
+      const std::uint32_t from = old.triangle_node[kNodesPerTriangle * t + place];
+      if (!asks[node] || old.is_fixed[from] || !(layout_.position[node] == old.position[from])) {
+        continue;
+      }
+      std::copy_n(old.value.begin() + static_cast<std::ptrdiff_t>(channels * from), channels,
+                  layout_.value.begin() + static_cast<std::ptrdiff_t>(channels * node));
+      node_hit_[node] = before.node_hit_[from];
+      asks[node] = 0;
+      carried.push_back(node);
+    }
+  }
+  return ok_status();
+}
+
+Status FieldSolver::carry_over(Context& context, const FieldSolver& before,
+                               std::span<const std::int32_t> kept) {
+  if (field_.attributes.shader != before.field_.attributes.shader) return ok_status();
+  TableMemory scratch("patches");
+  std::vector<std::uint8_t> asks;
+  Status status = scratch.resize(context, asks, layout_.node_count());
+  if (!status) return status;
+  for (const std::uint32_t node : to_gather_) asks[node] = 1;
+  std::vector<std::uint32_t> carried;
+  status = copy_values(context, before, kept, asks, scratch, carried);
+  const gather::PointList points(layout_.position, carried);
+  if (status) {
+    status = field_.gatherer.find_changes(context, before.field_.gatherer, points, asks);
+  }
+  if (!status) return status;
+  std::erase_if(to_gather_, [&](std::uint32_t node) { return !asks[node]; });
+  return ok_status();
+}
+
 Status FieldSolver::put_in_order(Context& context, const mesh::TriangleMesh& mesh) {
   if (history_.updates == 0) return ok_status();
   history_.free(layout_memory_);

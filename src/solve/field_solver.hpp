@@ -52,6 +52,14 @@ class FieldSolver {
   Status follow(Context& context, const mesh::TriangleMesh& mesh,
                 std::span<const std::uint32_t> changed);
 
+  /// After lay_out: takes over what `before`, whose mesh this one was edited from, knows of nodes
+  /// that stand where they stood and that watched segments or free ends of neither reach. The rest
+  /// stays listed to be gathered.
+  /// kept     per triangle of the mesh of `before`: which of this mesh it is, or mesh::kNone
+  /// Errors   limit (memory), cancelled
+  Status carry_over(Context& context, const FieldSolver& before,
+                    std::span<const std::int32_t> kept);
+
   /// Numbers the nodes as lay_out would now. Call once, after the last `follow`.
   Status put_in_order(Context& context, const mesh::TriangleMesh& mesh);
 
@@ -129,6 +137,11 @@ class FieldSolver {
   Status make_room_for_means(Context& context);
   /// Lists all free nodes to be gathered.
   Status list_free_nodes(const Context& context);
+  /// Copies values of nodes of `before` that are at the same place, free in both, lists these in
+  /// `carried` and clears asks[node]. Errors: limit (memory), cancelled.
+  Status copy_values(const Context& context, const FieldSolver& before,
+                     std::span<const std::int32_t> kept, std::span<std::uint8_t> asks,
+                     TableMemory& memory, std::vector<std::uint32_t>& carried);
   bool has_code_values() const;
   void show_as_code_values(float* value) const;
 

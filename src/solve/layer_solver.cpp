@@ -97,13 +97,23 @@ Status LayerSolver::for_fields_side_by_side(FunctionRef<Status(FieldSolver&)> bo
 }
 
 Result<PatchLayer> LayerSolver::solve() {
+  const std::uint64_t nodes_before = stats_ ? stats_->nodes : 0;
+  Status status = refine();
+  if (status) status = put_in_order();
+  if (status && options_.max_error > 0 && options_.gather.method != gather::Method::exact) {
+    if (stats_) stats_->nodes = nodes_before;
+    status = gather(options_.gather, true);
+  }
+  if (!status) return status;
+  return take();
+}
+
+/// The exact gather decides where to refine; rays are shot once, on the mesh that comes of it.
+Status LayerSolver::refine() {
   const Stopwatch watch;
   if (Status status = mesher_.refine(context_); !status) return status;
   if (stats_) stats_->triangulation_seconds += watch.seconds();
-  // The exact gather decides where to refine; rays are shot once, on the mesh that comes of it.
   const bool refines = options_.max_error > 0;
-  const std::uint64_t nodes_before = stats_ ? stats_->nodes : 0;
-  const bool exact = options_.gather.method == gather::Method::exact;
   Status status = take_mesh();
   if (status && is_blurred_) status = follow_blur();
   if (status) status = lay_out();
@@ -117,12 +127,28 @@ Result<PatchLayer> LayerSolver::solve() {
     status = make_smaller(missed);
     if (status) status = update_mesh();
   }
-  if (status) status = put_in_order();
-  if (status && refines && !exact) {
-    if (stats_) stats_->nodes = nodes_before;
-    status = gather(options_.gather, true);
+  return status;
+}
+
+Status LayerSolver::continue_from(const LayerSolver& before) {
+  Status status = take_mesh();
+  if (status && is_blurred_) status = follow_blur();
+  if (status) status = lay_out();
+  if (!status) return status;
+  TableMemory scratch("patches");
+  const Result<std::vector<std::int32_t>> kept =
+      mesher_.kept_triangles(context_, before.mesher_, scratch);
+  if (!kept) return kept.status();
+  status = color_.carry_over(context_, before.color_, *kept);
+  if (status && opacity_ && before.opacity_) {
+    status = opacity_->carry_over(context_, *before.opacity_, *kept);
   }
-  if (status) status = cut_at_border();
+  if (status) status = gather(gather::GatherOptions{}, false);
+  return status;
+}
+
+Result<PatchLayer> LayerSolver::take() {
+  Status status = cut_at_border();
   if (!status) return status;
   Result<PatchLayer> layer = take_patches();
   if (context_.cancelled()) return context_.cancel_status();

@@ -39,6 +39,20 @@ class LayerSolver {
 
   Result<PatchLayer> solve();
 
+  /// solve() without its last steps: afterwards the mesh is as fine as it has to be, its nodes have
+  /// their values, and others may continue from it. Errors: limit, cancelled.
+  Status refine();
+
+  /// In place of refine(): the mesher was copied from that of `before`, which was refined, and
+  /// edited since. Nodes keep the values that they have there unless the edit may change them;
+  /// nothing is made finer than the edit left it, except at blurs. Errors: limit, cancelled.
+  Status continue_from(const LayerSolver& before);
+
+  /// The patches, after refine() or continue_from(). Errors: limit, cancelled.
+  Result<PatchLayer> take();
+
+  const mesh::Mesher& mesher() const { return mesher_; }
+
  private:
   Status take_mesh();
   Status update_mesh();

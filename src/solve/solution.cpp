@@ -12,6 +12,7 @@
 #include "base/no_throw.hpp"
 #include "base/public_verb.hpp"
 #include "base/table_memory.hpp"
+#include "solve/layer_drag.hpp"
 #include "solve/layer_runs.hpp"
 
 namespace sfumato {
@@ -29,6 +30,13 @@ struct LayerState {
   std::optional<PatchLayer> fresh{};          ///< or they, where no picture has them yet
 
   bool is_solved() const { return in_picture || fresh; }
+};
+
+/// A curve that is being dragged.
+struct Drag {
+  std::uint32_t layer;
+  std::uint32_t curve;
+  std::optional<solve::LayerDrag> engine;  ///< none where nothing shows the layer
 };
 
 /// The layer that a change to a curve touches; none of other changes.
@@ -49,10 +57,13 @@ struct Solution::State {
   Status start(const Context& context) { return hold(context, document); }
   Result<Change> apply(Context& context, Change change);
   Status solve(Context& context, const DiffuseOptions& wanted, DiffuseStats* stats);
+  Status begin_drag(Context& context, std::uint32_t layer, std::uint32_t curve);
+  Status drag_to(Context& context, Curve curve, DiffuseStats* stats);
 
   Document document;
   Picture picture;
   PictureDelta delta;
+  std::optional<Drag> drag;
 
  private:
   /// At the end of its scope no more is charged than is held. While it lives, what was charged for
@@ -77,6 +88,8 @@ struct Solution::State {
   Status assemble(Context& context, const Box& viewport);
   PictureDelta delta_with_news() const;
   Status make_room(const Context& context, const InsertCurve& insert);
+  Status show(Context& context, Curve curve, DiffuseStats* stats);
+  void note_new(std::uint32_t layer);
   std::size_t bytes() const;
 
   /// Charges what is about to be held.
@@ -194,7 +207,10 @@ Status Solution::State::solve(Context& context, const DiffuseOptions& wanted, Di
   const SpareRelease release(*this);
   if (Status status = solve::validate(wanted); !status) return status;
   if (Status status = validate(context, document); !status) return status;
-  if (!options || !(*options == wanted)) forget(wanted);
+  if (!options || !(*options == wanted)) {
+    drag.reset();
+    forget(wanted);
+  }
   const Box viewport = wanted.viewport.value_or(document.artboard);
   Result<std::vector<LayerTask>> to_solve = tasks(context, viewport);
   if (!to_solve) return to_solve.status();
@@ -265,6 +281,62 @@ Status Solution::State::assemble(Context& context, const Box& viewport) {
   return ok_status();
 }
 
+Status Solution::State::begin_drag(Context& context, std::uint32_t layer, std::uint32_t curve) {
+  drag.reset();
+  if (layer >= layers.size() || curve >= document.layers[layer].curves.size()) {
+    return make_error(StatusCode::bad_input, "there is no such curve to drag");
+  }
+  const LayerState& state = layers[layer];
+  if (!options || !state.in_picture || frame_changed) {
+    return make_error(StatusCode::bad_input, "the document is to be solved before a drag");
+  }
+  Drag begun{layer, curve, {}};
+  if (!state.sight.views.empty()) {
+    Result<solve::LayerDrag> engine =
+        solve::LayerDrag::begin(context, document, layer, curve, state.sight, *options);
+    if (!engine) return engine.status();
+    begun.engine.emplace(std::move(*engine));
+  }
+  drag.emplace(std::move(begun));
+  return ok_status();
+}
+
+/// What fails leaves the curve and its layer as they were.
+Status Solution::State::drag_to(Context& context, Curve curve, DiffuseStats* stats) {
+  if (!drag) return make_error(StatusCode::bad_input, "no curve is dragged");
+  const SpareRelease release(*this);
+  if (Status status = hold(context, curve); !status) return status;
+  const ReplaceCurve change{drag->layer, drag->curve, curve};
+  Result<Change> inverse = apply_change(context, document, change);
+  if (!inverse) return inverse.status();
+  LayerState& layer = layers[drag->layer];
+  LayerState before = std::exchange(layer, {});
+  if (!drag->engine) return ok_status();
+  Status status = no_throw([&] { return show(context, std::move(curve), stats); });
+  if (status) return status;
+  layer = std::move(before);
+  std::swap(document.layers[drag->layer].curves[drag->curve],
+            std::get<ReplaceCurve>(*inverse).value);
+  return status;
+}
+
+/// The picture with the curve that is dragged, which the document has already.
+Status Solution::State::show(Context& context, Curve curve, DiffuseStats* stats) {
+  Result<PatchLayer> patches = drag->engine->frame(context, curve, stats);
+  if (patches.status().code == StatusCode::bad_input) return solve(context, *options, stats);
+  if (!patches) return patches.status();
+  if (Status status = hold(context, *patches); !status) return status;
+  delta.layers.reserve(delta.layers.size() + 1);
+  note_new(drag->layer);
+  picture.layers[drag->layer] = std::move(*patches);
+  return ok_status();
+}
+
+void Solution::State::note_new(std::uint32_t layer) {
+  const auto place = std::ranges::lower_bound(delta.layers, layer);
+  if (place == delta.layers.end() || *place != layer) delta.layers.insert(place, layer);
+}
+
 Solution& Solution::operator=(Solution&& other) noexcept {
   std::swap(state_, other.state_);
   return *this;
@@ -288,11 +360,27 @@ const Document& Solution::document() const {
 }
 
 Result<Change> Solution::apply(Context& context, Change change) {
-  return public_verb(context, [&] { return state_->apply(context, std::move(change)); });
+  return public_verb(context, [&] {
+    Result<Change> inverse = state_->apply(context, std::move(change));
+    if (inverse) state_->drag.reset();
+    return inverse;
+  });
 }
 
 Status Solution::solve(Context& context, const DiffuseOptions& options, DiffuseStats* stats) {
   return public_verb(context, [&] { return state_->solve(context, options, stats); });
+}
+
+Status Solution::begin_drag(Context& context, std::uint32_t layer, std::uint32_t curve) {
+  return public_verb(context, [&] { return state_->begin_drag(context, layer, curve); });
+}
+
+Status Solution::drag(Context& context, Curve curve, DiffuseStats* stats) {
+  return public_verb(context, [&] { return state_->drag_to(context, std::move(curve), stats); });
+}
+
+void Solution::end_drag() {
+  state_->drag.reset();
 }
 
 const Picture& Solution::picture() const {

@@ -1,0 +1,110 @@
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "sfumato/formats/read_document.hpp"
+#include "sfumato/solve/diffuse.hpp"
+#include "solve/layer_drag.hpp"
+
+// What a frame costs in which a curve has moved, beside solving its layer: CPU time in milliseconds
+// of one thread.
+//
+//   build/bench/drag [--curves N] [--max-error E] FILE...
+//
+// N curves of the layer with the most, one after another, are dragged by five user units.
+namespace sfumato {
+namespace {
+
+constexpr int kFrames = 5;
+
+struct Options {
+  std::uint32_t curves = 12;
+  double max_error = 1;
+};
+
+double cpu_milliseconds() {
+  timespec time{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+  return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
+}
+
+struct Times {
+  double begin = 0;
+  double frame = 0;
+  double gathered = 0;
+  int frames = 0;
+};
+
+bool drag_one(Context& context, const Document& document, std::uint32_t layer, std::uint32_t curve,
+              const DiffuseOptions& options, Times& times) {
+  const solve::LayerSight sight = solve::sight_of_layer(document, layer, document.artboard);
+  const double start = cpu_milliseconds();
+  const Result<solve::LayerDrag> drag =
+      solve::LayerDrag::begin(context, document, layer, curve, sight, options);
+  if (!drag) return false;
+  times.begin += cpu_milliseconds() - start;
+  for (int i = 0; i < kFrames; ++i) {
+    Curve moved = document.layers[layer].curves[curve];
+    for (Vec2& p : moved.control_points) p = p + Vec2{1.0 + i, 2.0 - i};
+    DiffuseStats stats;
+    const double frame_start = cpu_milliseconds();
+    if (!drag->frame(context, moved, &stats)) return false;
+    times.frame += cpu_milliseconds() - frame_start;
+    times.gathered += static_cast<double>(stats.nodes);
+    ++times.frames;
+  }
+  return true;
+}
+
+bool measure(const std::string& path, const Options& asked) {
+  std::ifstream stream(path, std::ios::binary);
+  const std::string text(std::istreambuf_iterator<char>(stream), {});
+  const std::string name = path.substr(path.rfind('/') + 1);
+  Context context;
+  const Result<ReadDocument> read = read_document(context, text, name);
+  if (!read || read->document.layers.empty()) return false;
+  const Document& document = read->document;
+  const auto largest = std::ranges::max_element(
+      document.layers, {}, [](const Layer& layer) { return layer.curves.size(); });
+  const auto layer = static_cast<std::uint32_t>(largest - document.layers.begin());
+  const auto count = static_cast<std::uint32_t>(largest->curves.size());
+  DiffuseOptions options;
+  options.max_error = asked.max_error;
+  const double start = cpu_milliseconds();
+  if (!diffuse(context, document, options)) return false;
+  const double solve = cpu_milliseconds() - start;
+  Times times;
+  const std::uint32_t curves = std::min(asked.curves, count);
+  for (std::uint32_t i = 0; i < curves; ++i) {
+    if (!drag_one(context, document, layer, i * count / curves, options, times)) return false;
+  }
+  std::printf("%-24s solve %7.1f  begin %7.1f  frame %6.2f  nodes gathered in a frame %6.0f\n",
+              name.c_str(), solve, times.begin / curves, times.frame / times.frames,
+              times.gathered / times.frames);
+  return true;
+}
+
+}  // namespace
+}  // namespace sfumato
+
+int main(int argc, char** argv) {
+  sfumato::Options options;
+  bool is_good = argc > 1;
+  for (int i = 1; i < argc; ++i) {
+    const std::string argument = argv[i];
+    if (argument == "--curves" && i + 1 < argc) {
+      options.curves = static_cast<std::uint32_t>(std::max(1, std::atoi(argv[++i])));
+    } else if (argument == "--max-error" && i + 1 < argc) {
+      options.max_error = std::atof(argv[++i]);
+    } else if (!sfumato::measure(argument, options)) {
+      std::fprintf(stderr, "%s cannot be dragged\n", argument.c_str());
+      is_good = false;
+    }
+  }
+  return is_good ? 0 : 1;
+}

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/status.hpp"
+#include "sfumato/document/document.hpp"
+#include "sfumato/picture/picture.hpp"
+#include "sfumato/solve/diffuse.hpp"
+#include "solve/layer_solver.hpp"
+#include "solve/prepare_layer.hpp"
+
+namespace sfumato::solve {
+
+/// A curve of a layer that moves while all others stay: its layer solved without it, to which each
+/// frame adds it at another place. A frame depends on the layer and on the curve, not on the frames
+/// before it.
+///
+/// Frames are for looking at while something moves. Their nodes have their exact values, but the
+/// mesh is that of the layer as it was, no finer where the curve is now than the angles ask; and
+/// the curve is drawn over all others.
+///
+/// Memory stays charged to the Budget of the Context that begin() was given, which must outlive
+/// this; frames have a Context of their own.
+class LayerDrag {
+ public:
+  /// Solves the layer and takes the curve off it. `sight` is that of the layer, and not empty.
+  /// Errors: limit, cancelled. Cost: that of the layer's solution.
+  static Result<LayerDrag> begin(Context& context, const Document& document, std::uint32_t layer,
+                                 std::uint32_t curve, const LayerSight& sight,
+                                 const DiffuseOptions& options);
+
+  LayerDrag(LayerDrag&&) noexcept;
+  LayerDrag& operator=(LayerDrag&&) noexcept;
+  ~LayerDrag();
+
+  /// The layer's patches with the curve as it is now. `stats`, unless null, is added to: what was
+  /// gathered.
+  /// Errors   bad_input (it reaches farther beyond what is shown than the layer's mesh has room, or
+  ///          its sides ask for other fields than they did: solve the layer anew), limit, cancelled
+  Result<PatchLayer> frame(Context& context, const Curve& curve, DiffuseStats* stats = nullptr,
+                           std::optional<RoundWatch> watch = {}) const;
+
+ private:
+  struct State;
+  explicit LayerDrag(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace sfumato::solve

@@ -1,0 +1,238 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "sfumato/raster/rasterize.hpp"
+#include "sfumato/solve/solution.hpp"
+#include "support/cancel_at.hpp"
+#include "support/drawing.hpp"
+#include "support/random_document.hpp"
+#include "support/same_document.hpp"
+#include "support/same_picture.hpp"
+#include "support/sanitizers.hpp"
+
+/// Curves that are dragged in a document that is being solved.
+namespace sfumato {
+namespace {
+
+using test::circle_curve;
+using test::colored;
+using test::difference_of;
+using test::kBlue;
+using test::kGreen;
+using test::kRed;
+
+constexpr std::uint64_t kDocuments = SFUMATO_HAS_SANITIZER ? 2 : 10;
+
+Curve circle_at(Vec2 center) {
+  return colored(circle_curve(center, 12), kRed, kBlue);
+}
+
+/// Two circles in one layer, another layer over them.
+Document circles() {
+  Document document =
+      test::one_layer({circle_at({30, 30}), colored(circle_curve({50, 50}, 45), kBlue, kGreen)});
+  document.layers.push_back({"above", {colored(circle_curve({70, 70}, 9), kGreen, kRed)}});
+  document.stack.push_back(LayerInstance{1, {}, 0.5f});
+  return document;
+}
+
+Solution solved(Context& context, Document document, const DiffuseOptions& options = {}) {
+  Result<Solution> solution = Solution::create(context, std::move(document));
+  EXPECT_TRUE(solution.ok()) << to_string(solution.status());
+  const Status status = solution->solve(context, options);
+  EXPECT_TRUE(status.ok()) << to_string(status);
+  solution->take_delta();
+  return std::move(*solution);
+}
+
+Picture diffused(const Document& document, const DiffuseOptions& options = {}) {
+  Context context;
+  Result<Picture> picture = diffuse(context, document, options);
+  EXPECT_TRUE(picture.ok()) << to_string(picture.status());
+  return std::move(*picture);
+}
+
+/// Mean difference of two pictures in code values.
+double mean_difference(const Picture& a, const Picture& b) {
+  Context context;
+  RasterOptions options;
+  options.width = options.height = 128;
+  const Result<Image> one = rasterize(context, a, options);
+  const Result<Image> other = rasterize(context, b, options);
+  EXPECT_TRUE(one.ok() && other.ok());
+  double sum = 0;
+  const std::vector<std::uint8_t>& pixels = one->bytes;
+  const std::vector<std::uint8_t>& others = other->bytes;
+  EXPECT_EQ(pixels.size(), others.size());
+  for (std::size_t i = 0; i < pixels.size(); ++i) sum += std::abs(int{pixels[i]} - int{others[i]});
+  return sum / static_cast<double>(pixels.size());
+}
+
+TEST(Drag, shows_the_curve_where_it_is) {
+  Context context;
+  Solution solution = solved(context, circles());
+  ASSERT_TRUE(solution.begin_drag(context, 0, 0).ok());
+  EXPECT_TRUE(solution.take_delta().empty());
+  for (const Vec2 at : {Vec2{35, 33}, Vec2{60, 60}, Vec2{-8, 50}, Vec2{110, 110}, Vec2{30, 30}}) {
+    SCOPED_TRACE(std::to_string(at.x));
+    DiffuseStats stats;
+    ASSERT_TRUE(solution.drag(context, circle_at(at), &stats).ok());
+    EXPECT_EQ(solution.document().layers[0].curves[0], circle_at(at));
+    EXPECT_LT(mean_difference(solution.picture(), diffused(solution.document())), 0.3);
+    EXPECT_GT(stats.nodes, 0u);
+    const PictureDelta delta = solution.take_delta();
+    EXPECT_FALSE(delta.frame);
+    EXPECT_EQ(delta.layers, std::vector<std::uint32_t>{0});
+  }
+  ASSERT_TRUE(solution.solve(context, {}).ok());
+  EXPECT_EQ(difference_of(solution.picture(), diffused(solution.document())), "");
+}
+
+TEST(Drag, depends_on_where_the_curve_is_alone) {
+  Context context;
+  Solution solution = solved(context, circles());
+  ASSERT_TRUE(solution.begin_drag(context, 0, 0).ok());
+  ASSERT_TRUE(solution.drag(context, circle_at({41, 37})).ok());
+  const Picture straight = solution.picture();
+  ASSERT_TRUE(solution.drag(context, circle_at({80, 20})).ok());
+  EXPECT_NE(difference_of(solution.picture(), straight), "");
+  ASSERT_TRUE(solution.solve(context, {}).ok());
+  ASSERT_TRUE(solution.drag(context, circle_at({41, 37})).ok());
+  EXPECT_EQ(difference_of(solution.picture(), straight), "");
+}
+
+TEST(Drag, beyond_all_room_is_solved_anew) {
+  Context context;
+  Solution solution = solved(context, circles());
+  ASSERT_TRUE(solution.begin_drag(context, 0, 0).ok());
+  ASSERT_TRUE(solution.drag(context, circle_at({9000, -9000})).ok());
+  EXPECT_EQ(difference_of(solution.picture(), diffused(solution.document())), "");
+  ASSERT_TRUE(solution.drag(context, circle_at({40, 40})).ok());
+  EXPECT_LT(mean_difference(solution.picture(), diffused(solution.document())), 0.3);
+}
+
+TEST(Drag, ends_with_other_changes) {
+  Context context;
+  Solution solution = solved(context, circles());
+  EXPECT_EQ(solution.drag(context, circle_at({30, 30})).code, StatusCode::bad_input);
+  ASSERT_TRUE(solution.begin_drag(context, 0, 0).ok());
+  ASSERT_TRUE(solution.apply(context, RemoveCurve{0, 1}).ok());
+  EXPECT_EQ(solution.drag(context, circle_at({30, 30})).code, StatusCode::bad_input);
+  EXPECT_EQ(solution.begin_drag(context, 0, 0).code, StatusCode::bad_input) << "not solved";
+  ASSERT_TRUE(solution.solve(context, {}).ok());
+  ASSERT_TRUE(solution.begin_drag(context, 0, 0).ok());
+  solution.end_drag();
+  EXPECT_EQ(solution.drag(context, circle_at({30, 30})).code, StatusCode::bad_input);
+  ASSERT_TRUE(solution.begin_drag(context, 0, 0).ok());
+  DiffuseOptions finer;
+  finer.pixels_per_unit = 2;
+  ASSERT_TRUE(solution.solve(context, finer).ok());
+  EXPECT_EQ(solution.drag(context, circle_at({30, 30})).code, StatusCode::bad_input);
+}
+
+TEST(Drag, refuses_what_is_not_there_and_what_is_no_curve) {
+  Context context;
+  Solution solution = solved(context, circles());
+  EXPECT_EQ(solution.begin_drag(context, 2, 0).code, StatusCode::bad_input);
+  EXPECT_EQ(solution.begin_drag(context, 0, 2).code, StatusCode::bad_input);
+  ASSERT_TRUE(solution.begin_drag(context, 0, 0).ok());
+  const Document before = solution.document();
+  const Picture picture = solution.picture();
+  Curve bad = circle_at({30, 30});
+  bad.control_points[1].x = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(solution.drag(context, bad).code, StatusCode::bad_input);
+  bad.control_points.clear();
+  EXPECT_EQ(solution.drag(context, bad).code, StatusCode::bad_input);
+  EXPECT_EQ(solution.document().layers[0].curves, before.layers[0].curves);
+  EXPECT_EQ(difference_of(solution.picture(), picture), "");
+}
+
+TEST(Drag, of_a_layer_that_nothing_shows_changes_the_document_alone) {
+  Context context;
+  Document document = circles();
+  document.stack.pop_back();
+  Solution solution = solved(context, document);
+  ASSERT_TRUE(solution.begin_drag(context, 1, 0).ok());
+  ASSERT_TRUE(solution.drag(context, circle_at({10, 10})).ok());
+  EXPECT_EQ(solution.document().layers[1].curves[0], circle_at({10, 10}));
+  EXPECT_TRUE(solution.take_delta().empty());
+  ASSERT_TRUE(solution.solve(context, {}).ok());
+  EXPECT_EQ(difference_of(solution.picture(), diffused(solution.document())), "");
+}
+
+TEST(Drag, that_is_cancelled_leaves_everything_as_it_was) {
+  Context owner;
+  Solution solution = solved(owner, circles());
+  ASSERT_TRUE(solution.begin_drag(owner, 0, 0).ok());
+  const Picture picture = solution.picture();
+  int cancelled = 0;
+  for (std::uint64_t poll = 1;; poll += 1 + poll / 16) {
+    Context context;
+    test::CancelAt watch(poll, context.cancel);
+    context.poll_watch = &watch;
+    const Status status = solution.drag(context, circle_at({44, 52}));
+    if (status.ok()) break;
+    ++cancelled;
+    ASSERT_EQ(status.code, StatusCode::cancelled);
+    ASSERT_EQ(solution.document().layers[0].curves[0], circle_at({30, 30}));
+    ASSERT_EQ(difference_of(solution.picture(), picture), "");
+  }
+  EXPECT_GT(cancelled, 20);
+  ASSERT_TRUE(solution.solve(owner, {}).ok());
+  EXPECT_EQ(difference_of(solution.picture(), diffused(solution.document())), "");
+}
+
+TEST(Drag, gives_back_all_memory) {
+  Context context;
+  {
+    Solution solution = solved(context, circles());
+    const std::size_t solved_bytes = context.budget.used();
+    ASSERT_TRUE(solution.begin_drag(context, 0, 0).ok());
+    EXPECT_GT(context.budget.used(), solved_bytes);
+    ASSERT_TRUE(solution.drag(context, circle_at({44, 52})).ok());
+    solution.end_drag();
+    ASSERT_TRUE(solution.drag(context, {}).code == StatusCode::bad_input);
+    ASSERT_TRUE(solution.solve(context, {}).ok());
+    ASSERT_TRUE(solution.apply(context, ReplaceCurve{0, 0, circle_at({30, 30})}).ok());
+    ASSERT_TRUE(solution.solve(context, {}).ok());
+    EXPECT_EQ(context.budget.used(), solved_bytes);
+  }
+  EXPECT_EQ(context.budget.used(), 0u);
+}
+
+TEST(Drag, ends_in_the_picture_of_diffuse_whatever_is_dragged) {
+  for (std::uint64_t seed = 0; seed < kDocuments; ++seed) {
+    SCOPED_TRACE(seed);
+    Context context;
+    std::mt19937 random(static_cast<std::uint32_t>(seed));
+    DiffuseOptions options;
+    options.max_error = 4;
+    Solution solution = solved(context, test::random_document(100 + seed), options);
+    const auto layers = static_cast<std::uint32_t>(solution.document().layers.size());
+    for (int drag = 0; drag < 3; ++drag) {
+      const auto layer = static_cast<std::uint32_t>(random() % layers);
+      const auto count = solution.document().layers[layer].curves.size();
+      if (count == 0) continue;
+      const auto curve = static_cast<std::uint32_t>(random() % count);
+      const Status begun = solution.begin_drag(context, layer, curve);
+      ASSERT_TRUE(begun.ok()) << to_string(begun);
+      for (int frame = 0; frame < 3; ++frame) {
+        Curve moved = solution.document().layers[layer].curves[curve];
+        for (Vec2& p : moved.control_points) p = p + Vec2{double(random() % 30) - 15, 7};
+        const Status status = solution.drag(context, moved);
+        ASSERT_TRUE(status.ok()) << to_string(status);
+      }
+      ASSERT_TRUE(solution.solve(context, options).ok());
+      ASSERT_EQ(difference_of(solution.picture(), diffused(solution.document(), options)), "");
+    }
+  }
+}
+
+}  // namespace
+}  // namespace sfumato

@@ -1,0 +1,140 @@
+#include "solve/layer_drag.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "support/cancel_at.hpp"
+#include "support/drawing.hpp"
+#include "support/random_document.hpp"
+#include "support/sanitizers.hpp"
+
+/// A curve that moves while all others stay.
+namespace sfumato::solve {
+namespace {
+
+constexpr std::uint64_t kDocuments = SFUMATO_HAS_SANITIZER ? 4 : 40;
+
+/// A frame may be this much wrong. Windows too narrow to count are left out of a gather: which ones
+/// depends on the mesh around a point.
+constexpr float kMost = 1.0f / 255;
+
+/// Of a point at which two curves nearly touch one cannot say which side of them it lies on.
+constexpr double kAside = 1e-3;
+
+/// The free nodes of a frame against the gather of all of them.
+struct Comparison {
+  std::size_t nodes = 0;
+  float worst = 0;
+  Vec2 place{};
+
+  void add(Context& context, const FieldSolver& field) {
+    const NodeLayout& layout = field.layout();
+    const auto channels = static_cast<std::size_t>(layout.channel_count);
+    std::vector<float> exact(layout.value.size());
+    std::vector<std::uint32_t> free;
+    for (std::uint32_t n = 0; n < layout.node_count(); ++n) {
+      if (!layout.is_fixed[n]) free.push_back(n);
+    }
+    const gather::Gatherer& gatherer = field.field().gatherer;
+    ASSERT_TRUE(gatherer.gather(context, {layout.position, free}, {}, exact).ok());
+    nodes += free.size();
+    for (const std::uint32_t n : free) {
+      const float* const value = layout.value.data() + channels * n;
+      float miss = largest_miss(value, exact.data() + channels * n, channels);
+      if (miss > kMost) miss = least_miss_around(context, gatherer, layout.position[n], value);
+      if (!(miss <= worst)) worst = miss, place = layout.position[n];
+    }
+  }
+
+  static float largest_miss(const float* a, const float* b, std::size_t channels) {
+    float largest = 0;
+    for (std::size_t c = 0; c < channels; ++c) largest = std::max(largest, std::fabs(a[c] - b[c]));
+    return largest;
+  }
+
+  static float least_miss_around(Context& context, const gather::Gatherer& gatherer, Vec2 p,
+                                 const float* value) {
+    const auto channels = static_cast<std::size_t>(gatherer.channel_count());
+    const std::vector<Vec2> around{p + Vec2{kAside, kAside}, p + Vec2{-kAside, kAside},
+                                   p + Vec2{kAside, -kAside}, p + Vec2{-kAside, -kAside}};
+    std::vector<float> exact(channels * around.size());
+    EXPECT_TRUE(gatherer.gather(context, around, {}, exact).ok());
+    float least = 1;
+    for (std::size_t i = 0; i < around.size(); ++i) {
+      least = std::min(least, largest_miss(value, exact.data() + channels * i, channels));
+    }
+    return least;
+  }
+};
+
+Curve moved(const Curve& curve, Vec2 by, std::mt19937& random) {
+  Curve result = curve;
+  const std::size_t count = result.control_points.size();
+  const std::size_t only = random() % (2 * count);  // one point, or the whole curve
+  for (std::size_t i = 0; i < count; ++i) {
+    if (only >= count || only == i) result.control_points[i] = result.control_points[i] + by;
+  }
+  return result;
+}
+
+struct LayerCurve {
+  std::uint32_t layer;
+  std::uint32_t curve;
+};
+
+/// Layers that are shown, with one of their curves each.
+std::vector<LayerCurve> some_curves(const Document& document, std::mt19937& random) {
+  std::vector<LayerCurve> chosen;
+  for (std::uint32_t l = 0; l < document.layers.size(); ++l) {
+    const auto count = static_cast<std::uint32_t>(document.layers[l].curves.size());
+    if (count == 0 || sight_of_layer(document, l, document.artboard).views.empty()) continue;
+    chosen.push_back({l, static_cast<std::uint32_t>(random() % count)});
+  }
+  return chosen;
+}
+
+void expect_exact_frames(const Document& document, LayerCurve at, const DiffuseOptions& options,
+                         std::mt19937& random) {
+  Context context;
+  const LayerSight sight = sight_of_layer(document, at.layer, document.artboard);
+  Result<LayerDrag> drag = LayerDrag::begin(context, document, at.layer, at.curve, sight, options);
+  if (!drag && drag.status().code == StatusCode::limit) return;
+  ASSERT_TRUE(drag.ok()) << drag.status().message;
+  for (int frame = 0; frame < 3; ++frame) {
+    SCOPED_TRACE("frame " + std::to_string(frame));
+    const Vec2 by{double(random() % 21) - 10, double(random() % 21) - 10};
+    const Curve curve = moved(document.layers[at.layer].curves[at.curve], by, random);
+    Comparison seen;
+    const auto watch = [&](const mesh::TriangleMesh&, const FieldSolver& color,
+                           const FieldSolver* opacity) {
+      seen.add(context, color);
+      if (opacity) seen.add(context, *opacity);
+    };
+    const Result<PatchLayer> layer = drag->frame(context, curve, nullptr, watch);
+    if (!layer && layer.status().code == StatusCode::bad_input) continue;
+    ASSERT_TRUE(layer.ok()) << layer.status().message;
+    EXPECT_LE(seen.worst, kMost) << "at " << seen.place.x << ", " << seen.place.y;
+  }
+}
+
+TEST(LayerDrag, has_the_exact_values_at_all_nodes_of_its_frames) {
+  for (std::uint64_t seed = 0; seed < kDocuments; ++seed) {
+    const Document document = test::random_document(seed);
+    std::mt19937 random(static_cast<std::uint32_t>(seed));
+    DiffuseOptions options;
+    options.max_error = seed % 2 == 0 ? 0 : 4;
+    for (const LayerCurve at : some_curves(document, random)) {
+      SCOPED_TRACE("document " + std::to_string(seed) + ", layer " + std::to_string(at.layer) +
+                   ", curve " + std::to_string(at.curve));
+      ASSERT_NO_FATAL_FAILURE(expect_exact_frames(document, at, options, random));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace sfumato::solve
