@@ -4,7 +4,7 @@ include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 set(library_folders base document codecs curves formats picture import mesh gather raster solve display
-    export gpu api lint)
+    export gpu api lint options output)
 add_library(sfumato_library STATIC)
 add_library(sfumato::sfumato ALIAS sfumato_library)
 set_target_properties(sfumato_library PROPERTIES

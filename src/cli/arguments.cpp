@@ -11,8 +11,8 @@
 #include "cli/option_helpers.hpp"
 #include "cli/render_options.hpp"
 #include "cli/start_commands.hpp"
-#include "cli/values.hpp"
 #include "formats/text/suggestion.hpp"
+#include "options/values.hpp"
 
 namespace sfumato::cli {
 namespace {
@@ -46,7 +46,8 @@ CLI::App* add_compare(CLI::App& root, CompareArguments& arguments) {
   add_output(*app, arguments.output, {.only = OutputKind::png}, "OUT.png",
              "A picture of the differences, scaled");
   add_value(*app, "--scale", {"a number above 0", "NUMBER"},
-            "Factor of the differences in the picture [128]", into(arguments.scale, parse_positive))
+            "Factor of the differences in the picture [128]",
+            into(arguments.scale, options::parse_positive))
       ->needs(app->get_option("--output"));
   app->add_flag("--json", arguments.json, "Print one JSON object");
   add_resources(*app, arguments.resources);
@@ -151,7 +152,7 @@ std::string wrong_beside_help(const CLI::App& root, std::span<const char* const>
       return unknown_command(argument, root);
     }
     if (argument != "-h" || i + 1 == arguments.size()) continue;
-    if (parse_number(arguments[i + 1])) return "-h prints help; expected --height";
+    if (options::parse_number(arguments[i + 1])) return "-h prints help; expected --height";
   }
   return {};
 }

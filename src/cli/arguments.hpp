@@ -8,14 +8,11 @@
 #include <vector>
 
 #include "cli/messages.hpp"
-#include "cli/output_size.hpp"
 #include "cli/paths.hpp"
 #include "cli/render_jobs.hpp"
 #include "cli/resources.hpp"
-#include "sfumato/export/pdf/pdf.hpp"
-#include "sfumato/export/svg/svg.hpp"
-#include "sfumato/raster/rasterize.hpp"
-#include "sfumato/solve/diffuse.hpp"
+#include "options/output_kind.hpp"
+#include "options/settings.hpp"
 
 namespace sfumato::cli {
 
@@ -24,22 +21,8 @@ struct DocumentArguments {
   std::string input;
   std::vector<std::string> allowed_folders;  ///< textures may be in these existing folders too
   std::vector<std::string> outputs;  ///< files that the call writes; no texture may be one of them
-  Resources resources;
+  options::Resources resources = default_resources();
   bool quiet = false;
-};
-
-/// How a picture is written.
-struct OutputOptions {
-  OutputKind kind = OutputKind::png;
-  int quality = 90;  ///< of JPEG and lossy WebP
-  bool lossless = false;
-  // For outputs that can be enlarged:
-  double detail = 2;            ///< the mesh is made for a picture this many times larger
-  std::optional<double> dpi{};  ///< of parts stored as pixels; none: the format's default
-  SvgMode svg = SvgMode::image;
-  bool force = false;  ///< a vector SVG of any size
-  PdfFlatten pdf_flatten = PdfFlatten::automatic;
-  std::string title;  ///< empty: the name of the drawing
 };
 
 /// `input` is the input of the current job.
@@ -47,17 +30,9 @@ struct RenderArguments : DocumentArguments {
   std::vector<RenderJob> jobs;
   bool many = false;  ///< --out-dir was given
   std::string output_folder;
-  OutputOptions output;
-  SizeRequest size;
-  bool per_pixel = false;  ///< --method pixels
-  bool on_gpu = false;     ///< --device gpu
-  /// As requested, except pixels_per_unit, which follows from the size.
-  DiffuseOptions diffuse;
-  /// As requested, except width, height, viewport and the alpha channel.
-  RasterOptions raster;
-  bool no_background = false;  ///< --background none: not even the drawing's own, always alpha
-  int threads = 0;             ///< 0: all cores
-  std::string stats;           ///< where the JSON goes; empty: nowhere
+  OutputKind kind = OutputKind::png;
+  options::Settings settings;
+  std::string stats;  ///< where the JSON goes; empty: nowhere
 };
 
 struct ConvertArguments : DocumentArguments {
@@ -94,7 +69,7 @@ struct CompareArguments {
   std::string second;
   std::string output;  ///< of the difference picture; empty: none
   double scale = 128;
-  Resources resources;
+  options::Resources resources = default_resources();
   bool json = false;
 };
 

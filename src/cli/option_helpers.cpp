@@ -56,4 +56,47 @@ void add_allowed_folders(CLI::App& app, DocumentArguments& arguments) {
       ->check(CLI::Validator(complaint_about_folder, ""));
 }
 
+const char* heading(options::Group group) {
+  switch (group) {
+    case options::Group::none:
+      break;
+    case options::Group::place:
+      return "Part and size";
+    case options::Group::solution:
+      return "Solution";
+    case options::Group::mesh:
+      return "Mesh (no effect with --method pixels)";
+    case options::Group::image:
+      return "Image";
+    case options::Group::vector:
+      return "HTML, PDF, EPS, SVG and GLB";
+    case options::Group::running:
+      return "Running";
+    case options::Group::resources:
+      return "Limits";
+  }
+  return "Options";
+}
+
+CLI::Option* add_option(CLI::App& app, const options::OptionInfo& option,
+                        std::function<void(const options::Value&)> set) {
+  const std::string label = std::string("--") + option.key;
+  const std::string help = options::spelled(option.help, true);
+  CLI::Option* added = nullptr;
+  if (option.kind == options::ValueKind::flag) {
+    added = app.add_flag_callback(
+        label, [set] { set({}); }, help);
+  } else {
+    const auto read = [set, &option, label](const std::string& text) {
+      const std::optional<options::Value> value = options::parse_value(option, text);
+      if (!value) throw CLI::ValidationError(label, options::complaint_about_value(option, text));
+      set(*value);
+    };
+    added = app.add_option_function<std::string>(label, read, help)
+                ->type_name(options::value_name(option));
+  }
+  if (option.excludes) added->excludes(app.get_option(std::string("--") + option.excludes));
+  return added->group(heading(option.group));
+}
+
 }  // namespace sfumato::cli

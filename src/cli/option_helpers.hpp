@@ -2,7 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdint>
-#include <initializer_list>
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -10,7 +10,8 @@
 
 #include "cli/arguments.hpp"
 #include "cli/paths.hpp"
-#include "cli/values.hpp"
+#include "options/option.hpp"
+#include "options/values.hpp"
 
 /// Options whose values our own parsers read, so that each failure says what was expected.
 namespace sfumato::cli {
@@ -57,7 +58,7 @@ auto into(Target& target, Parse parse) {
 template <class Target>
 auto whole_into(Target& target, std::uint64_t lowest, std::uint64_t highest) {
   return [&target, lowest, highest](const std::string& text) {
-    const std::optional<std::uint64_t> value = parse_whole(text, lowest, highest);
+    const std::optional<std::uint64_t> value = options::parse_whole(text, lowest, highest);
     if (value) target = static_cast<int>(*value);
     return value.has_value();
   };
@@ -73,35 +74,18 @@ void add_document(CLI::App& app, DocumentArguments& arguments);
 /// --allow-files alone.
 void add_allowed_folders(CLI::App& app, DocumentArguments& arguments);
 
-/// One of a few words.
-template <class Value>
-using Choices = std::initializer_list<std::pair<const char*, Value>>;
+/// The heading of a group in the help.
+const char* heading(options::Group group);
 
-template <class Value>
-struct ChoiceOf {
-  using Type = Value;
-};
-template <class Value>
-struct ChoiceOf<std::optional<Value>> {
-  using Type = Value;
-};
+/// Adds an option that calls `set` with the texts that it accepts.
+CLI::Option* add_option(CLI::App& app, const options::OptionInfo& option,
+                        std::function<void(const options::Value&)> set);
 
-/// target: a Value, or an optional one, which stays empty if the option is not given.
-template <class Target, class Value = typename ChoiceOf<Target>::Type>
-CLI::Option* add_choice(CLI::App& app, const std::string& name, Choices<Value> choices,
-                        const std::string& help, Target& target) {
-  const std::vector<std::pair<std::string, Value>> known(choices.begin(), choices.end());
-  std::vector<std::string> words;
-  for (const auto& [word, value] : known) words.push_back(word);
-  const auto set = [known, &target](const std::string& text) {
-    for (const auto& [word, value] : known) {
-      if (word != text) continue;
-      target = value;
-      return true;
-    }
-    return false;
-  };
-  return add_value(app, name, one_of(std::move(words)), help, set);
+/// An option of a table of options/tables.hpp, which sets `target`.
+template <class Target>
+CLI::Option* add_option(CLI::App& app, const options::Option<Target>& option, Target& target) {
+  return add_option(app, option.info,
+                    [&option, &target](const options::Value& value) { option.set(target, value); });
 }
 
 }  // namespace sfumato::cli

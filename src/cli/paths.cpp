@@ -2,14 +2,13 @@
 
 #include <unistd.h>
 
-#include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
 #include <string_view>
 #include <utility>
 
+#include "base/ascii.hpp"
 #include "formats/text/suggestion.hpp"
 #include "sfumato/base/native/file.hpp"
 
@@ -17,26 +16,6 @@ namespace sfumato::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct KnownOutput {
-  std::string_view extension;  // lower case
-  OutputKind kind;
-};
-
-constexpr std::array kKnownOutputs{
-    KnownOutput{"png", OutputKind::png},   KnownOutput{"jpg", OutputKind::jpeg},
-    KnownOutput{"jpeg", OutputKind::jpeg}, KnownOutput{"webp", OutputKind::webp},
-    KnownOutput{"html", OutputKind::html}, KnownOutput{"pdf", OutputKind::pdf},
-    KnownOutput{"eps", OutputKind::eps},   KnownOutput{"svg", OutputKind::svg},
-    KnownOutput{"glb", OutputKind::glb}};
-
-std::string lower_case(std::string_view text) {
-  std::string lower(text);
-  for (char& c : lower) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  return lower;
-}
 
 /// Without its dot; empty: there is none.
 std::string extension_of(const std::string& path) {
@@ -46,7 +25,7 @@ std::string extension_of(const std::string& path) {
 
 std::vector<std::string_view> extensions_of(const OutputNames& names) {
   std::vector<std::string_view> extensions;
-  for (const KnownOutput& known : kKnownOutputs) {
+  for (const options::KnownOutput& known : options::known_outputs()) {
     if (!names.only || known.kind == *names.only) extensions.push_back(known.extension);
   }
   return extensions;
@@ -68,16 +47,8 @@ Status cannot_write(const std::string& path, const std::string& why) {
 
 }  // namespace
 
-std::optional<OutputKind> kind_of_extension(std::string_view extension) {
-  const std::string lower = lower_case(extension);
-  for (const KnownOutput& known : kKnownOutputs) {
-    if (known.extension == lower) return known.kind;
-  }
-  return std::nullopt;
-}
-
 std::optional<OutputKind> output_kind(const std::string& path) {
-  return kind_of_extension(extension_of(path));
+  return options::kind_of_extension(extension_of(path));
 }
 
 std::vector<std::string> known_extensions() {
@@ -90,7 +61,7 @@ std::string complaint_about_output(const std::string& name, const OutputNames& n
   const std::optional<OutputKind> kind = output_kind(name);
   if (kind && (!names.only || kind == names.only)) return {};
   const std::string_view meant =
-      text::nearest(lower_case(extension_of(name)), extensions_of(names));
+      text::nearest(ascii_lower(extension_of(name)), extensions_of(names));
   std::string text = "\"" + name + "\" given, expected " + expected_name(names);
   if (!meant.empty()) {
     text += "; did you mean " + fs::path(name).replace_extension(meant).string() + "?";

@@ -1,30 +1,20 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
+#include "options/output_kind.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/status.hpp"
 
 namespace sfumato::cli {
 
-/// The kinds of output files.
-enum class OutputKind : std::uint8_t { png, jpeg, webp, html, pdf, eps, svg, glb };
-
-/// Whether the kind consists of pixels alone.
-constexpr bool is_image(OutputKind kind) {
-  return kind <= OutputKind::webp;
-}
+using options::OutputKind;
 
 /// The kind for the extension of `path` (in any case); no value for "-".
 std::optional<OutputKind> output_kind(const std::string& path);
-
-/// The same for an extension without its dot: "png".
-std::optional<OutputKind> kind_of_extension(std::string_view extension);
 
 /// The extensions that output_kind knows, without their dots.
 std::vector<std::string> known_extensions();

@@ -10,16 +10,11 @@
 #include "base/charge.hpp"
 #include "base/stopwatch.hpp"
 #include "base/table_memory.hpp"
-#include "cli/image_output.hpp"
 #include "cli/messages.hpp"
+#include "output/export_picture.hpp"
+#include "output/image_output.hpp"
+#include "output/output_size.hpp"
 #include "sfumato/api/render_pixels.hpp"
-#include "sfumato/codecs/jpeg_encode.hpp"
-#include "sfumato/codecs/png.hpp"
-#include "sfumato/export/eps/eps.hpp"
-#include "sfumato/export/glb/glb.hpp"
-#include "sfumato/export/html/html.hpp"
-#include "sfumato/export/pdf/pdf.hpp"
-#include "sfumato/export/svg/svg.hpp"
 #include "sfumato/gpu/render.hpp"
 
 namespace sfumato::cli {
@@ -27,17 +22,16 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// The longer side of the picture that a browser without WebGL 2 shows, pixels, and its quality. It
-/// fills the window as the drawing would, of whatever size that is.
-constexpr int kFallbackSide = 640;
-constexpr int kFallbackQuality = 80;
-
 /// Draws a document as one output asks for it.
 class PictureMaker {
  public:
   PictureMaker(Context& context, const RenderArguments& arguments, RenderStats& stats,
                std::optional<Solution>* kept)
-      : context_(context), arguments_(arguments), stats_(stats), kept_(kept) {}
+      : context_(context),
+        arguments_(arguments),
+        settings_(arguments.settings),
+        stats_(stats),
+        kept_(kept) {}
 
   Result<Bytes> make(Document& document);
 
@@ -50,13 +44,12 @@ class PictureMaker {
   Result<const Picture*> solve_kept(Document document);
   Result<Bytes> make_image(Document& document);
   Result<Bytes> make_drawing(Document& document);
-  Result<Bytes> export_picture(const Picture& picture, ExportNotes* notes);
-  Result<Bytes> make_html(const Picture& picture, ExportNotes* notes);
   std::string title() const;
   void warn(const std::string& what) const;
 
   Context& context_;
   const RenderArguments& arguments_;
+  const options::Settings& settings_;
   RenderStats& stats_;
   std::optional<Solution>* kept_;
   Picture picture_;      ///< where no solution is kept
@@ -68,28 +61,29 @@ class PictureMaker {
 
 /// What was asked for goes before the drawing's own. Formats that know no alpha stand on white.
 void PictureMaker::choose_background(Document& document) {
-  if (arguments_.raster.background) document.background = arguments_.raster.background;
-  if (arguments_.no_background) document.background.reset();
-  const OutputKind kind = arguments_.output.kind;
+  if (settings_.raster.background) document.background = settings_.raster.background;
+  if (settings_.no_background) document.background.reset();
+  const OutputKind kind = arguments_.kind;
   const bool knows_no_alpha = kind == OutputKind::jpeg || kind == OutputKind::eps;
   if (knows_no_alpha && !document.background) document.background = Rgb{1, 1, 1};
 }
 
 Status PictureMaker::choose_options(const Document& document) {
-  const Box viewport = arguments_.diffuse.viewport.value_or(document.artboard);
-  const Vec2 own = own_scale(document);
-  scale_ = output_scale(arguments_.size, viewport, own);
-  diffuse_ = arguments_.diffuse;
+  const Box viewport = settings_.diffuse.viewport.value_or(document.artboard);
+  const Vec2 own = output::own_scale(document);
+  scale_ = output::output_scale(settings_.size, viewport, own);
+  diffuse_ = settings_.diffuse;
   diffuse_.viewport = viewport;
-  if (!is_image(arguments_.output.kind)) {
-    diffuse_.pixels_per_unit = scale_ * arguments_.output.detail;
+  if (!options::is_image(arguments_.kind)) {
+    diffuse_.pixels_per_unit = scale_ * *settings_.output.detail;
     return ok_status();
   }
-  const Result<OutputSize> size = output_size(context_.limits, arguments_.size, viewport, own);
+  const Result<output::OutputSize> size =
+      output::output_size(context_.limits, settings_.size, viewport, own);
   if (!size) return size.status();
   diffuse_.pixels_per_unit = size->pixels_per_unit;
-  raster_ = arguments_.raster;
-  if (!document.background) raster_.format = with_alpha(raster_.format);
+  raster_ = settings_.raster;
+  if (!document.background) raster_.format = output::with_alpha(raster_.format);
   raster_.viewport = viewport;
   raster_.width = size->width;
   raster_.height = size->height;
@@ -114,7 +108,7 @@ Result<Image> PictureMaker::draw_pixels(const Document& document) {
 
 /// Where a GPU cannot be had the CPU draws the same.
 Result<Image> PictureMaker::draw_picture(const Picture& picture) {
-  if (arguments_.on_gpu) {
+  if (settings_.device == options::Device::gpu) {
     Result<Image> image = render_on_gpu(context_, picture, raster_);
     if (image || image.status().code != StatusCode::unavailable) return image;
     warn(image.status().message + "; drawn on the CPU");
@@ -154,7 +148,7 @@ Result<const Picture*> PictureMaker::solve_kept(Document document) {
 
 Result<Bytes> PictureMaker::make_image(Document& document) {
   std::optional<Result<Image>> image;
-  if (arguments_.per_pixel) {
+  if (settings_.method == options::Method::pixels) {
     image = draw_pixels(document);
   } else {
     const Result<const Picture*> picture = solve(document);
@@ -169,65 +163,18 @@ Result<Bytes> PictureMaker::make_image(Document& document) {
   Status status = charge_.add(context_, capacity_bytes((*image)->bytes), "the image");
   if (!status) return status;
   const Stopwatch watch;
-  if (!arguments_.no_background) {
-    if (status = drop_opaque_alpha(context_, **image); !status) return status;
+  if (!settings_.no_background) {
+    if (status = output::drop_opaque_alpha(context_, **image); !status) return status;
   }
-  Result<Bytes> file = encode_image(context_, **image, arguments_.output);
+  Result<Bytes> file = output::encode_image(context_, **image, arguments_.kind, settings_.output);
   stats_.write_seconds = watch.seconds();
   return file;
 }
 
 std::string PictureMaker::title() const {
-  if (!arguments_.output.title.empty()) return arguments_.output.title;
+  if (!settings_.output.title.empty()) return settings_.output.title;
   if (arguments_.input == "-") return "Sfumato";
   return std::filesystem::path(arguments_.input).stem().string();
-}
-
-Result<Bytes> PictureMaker::make_html(const Picture& picture, ExportNotes* notes) {
-  RasterOptions small;
-  const Box& viewport = picture.viewport;
-  const double scale = kFallbackSide / std::max(viewport.width(), viewport.height());
-  small.width = std::max(1, static_cast<int>(std::round(viewport.width() * scale)));
-  small.height = std::max(1, static_cast<int>(std::round(viewport.height() * scale)));
-  const Result<Image> image = rasterize(context_, picture, small);
-  if (!image) return image.status();
-  Result<Bytes> fallback = encode_jpeg(context_, *image, kFallbackQuality);
-  if (!fallback) return fallback;
-  return export_html(
-      context_, picture,
-      {.title = title(), .fallback = std::move(*fallback), .fallback_type = "image/jpeg"}, notes);
-}
-
-Result<Bytes> PictureMaker::export_picture(const Picture& picture, ExportNotes* notes) {
-  const OutputOptions& output = arguments_.output;
-  switch (output.kind) {
-    case OutputKind::html:
-      return make_html(picture, notes);
-    case OutputKind::pdf: {
-      PdfOptions options{.title = title(), .flatten = output.pdf_flatten};
-      options.dpi = output.dpi.value_or(options.dpi);
-      options.page_width_pt = 0.75 * scale_ * picture.viewport.width();
-      return export_pdf(context_, picture, options, notes);
-    }
-    case OutputKind::eps: {
-      EpsOptions options{.title = title()};
-      options.dpi = output.dpi.value_or(options.dpi);
-      options.page_width_pt = 0.75 * scale_ * picture.viewport.width();
-      return export_eps(context_, picture, options, notes);
-    }
-    case OutputKind::glb: {
-      GlbOptions options;
-      options.dpi = output.dpi.value_or(options.dpi);
-      return export_glb(context_, picture, options, notes);
-    }
-    default: {
-      SvgOptions options{.mode = output.svg, .force = output.force};
-      options.scale = scale_;
-      options.dpi = output.dpi.value_or(options.dpi);
-      options.max_error = std::max(options.max_error, diffuse_.max_error);
-      return export_svg(context_, picture, options, notes);
-    }
-  }
 }
 
 Result<Bytes> PictureMaker::make_drawing(Document& document) {
@@ -235,7 +182,9 @@ Result<Bytes> PictureMaker::make_drawing(Document& document) {
   if (!picture) return picture.status();
   const Stopwatch watch;
   ExportNotes notes;
-  Result<Bytes> file = export_picture(**picture, &notes);
+  output::DrawingOptions drawing{arguments_.kind, settings_.output, scale_, diffuse_.max_error};
+  drawing.output.title = title();
+  Result<Bytes> file = output::export_picture(context_, **picture, drawing, &notes);
   stats_.export_seconds = watch.seconds();
   for (const std::string& lost : notes.lost) warn(lost);
   return file;
@@ -246,7 +195,7 @@ Result<Bytes> PictureMaker::make(Document& document) {
   Status status = choose_options(document);
   if (status) status = charge_.add(context_, bytes_of(document), "the document");
   if (!status) return status;
-  return is_image(arguments_.output.kind) ? make_image(document) : make_drawing(document);
+  return options::is_image(arguments_.kind) ? make_image(document) : make_drawing(document);
 }
 
 }  // namespace

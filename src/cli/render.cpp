@@ -117,7 +117,7 @@ Status prepare_outputs(const RenderArguments& arguments) {
 }  // namespace
 
 int render(const RenderArguments& arguments) {
-  ThreadPool executor(arguments.threads);
+  ThreadPool executor(arguments.settings.threads);
   std::optional<ProgressBar> progress;
   if (!arguments.quiet && isatty(STDERR_FILENO) != 0) progress.emplace(stderr, kProgressDelay);
   Context context{.executor = &executor,

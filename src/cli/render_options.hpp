@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,10 +9,6 @@
 
 namespace sfumato::cli {
 
-enum class RenderDevice : std::uint8_t { cpu, gpu };
-
-enum class RenderMethod : std::uint8_t { exact, rays, pixels };
-
 /// Options that affect several members of RenderArguments and are applied once all options are
 /// known.
 struct RenderChoices {
@@ -22,19 +17,10 @@ struct RenderChoices {
   std::string output_folder;
   std::optional<OutputKind> format;
   std::string extension = "png";  ///< of the format, as given
-  std::optional<int> quality;
-  std::optional<double> detail;
-  std::optional<SvgMode> svg;
-  RenderMethod method = RenderMethod::exact;
-  RenderDevice device = RenderDevice::cpu;
-  int depth = 8;
-  bool no_antialias = false;
-  std::optional<bool> dither;
-  bool sets_max_error = false;
 };
 
 /// --viewport, --width, --height and --scale.
-void add_place_options(CLI::App& app, RenderArguments& arguments);
+void add_place_options(CLI::App& app, options::Settings& settings);
 
 CLI::App* add_render(CLI::App& root, RenderArguments& arguments, RenderChoices& choices);
 

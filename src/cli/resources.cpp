@@ -5,55 +5,22 @@
 #endif
 
 #include <algorithm>
-#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "base/json.hpp"
 #include "cli/option_helpers.hpp"
-#include "cli/values.hpp"
-#include "formats/text/suggestion.hpp"
+#include "options/limit_option.hpp"
+#include "options/tables.hpp"
 
 namespace sfumato::cli {
 namespace {
 
-constexpr const char* kGroup = "Limits";
-constexpr std::uint64_t kLargestMemoryMib = std::uint64_t{1} << 24;
-constexpr double kLargestSeconds = 1e9;
-
-bool set_seconds(const std::string& text, std::optional<double>& seconds) {
-  seconds.reset();
-  if (text == "off") return true;
-  seconds = parse_positive(text);
-  return seconds && *seconds <= kLargestSeconds;
-}
-
-/// All names, and which of them was probably meant.
-std::string expected_names(std::string_view given) {
-  std::string list;
-  std::vector<std::string_view> names;
-  for (const LimitName& known : limit_names()) {
-    list += (list.empty() ? "" : ", ") + std::string(known.name);
-    names.push_back(known.name);
-  }
-  return list + text::did_you_mean(given, names);
-}
-
 /// What is wrong with "NAME=VALUE"; empty: nothing, and the limit is set.
 std::string complaint_about(std::string_view text, Limits& limits) {
   const std::size_t equals = std::min(text.find('='), text.size());
-  const std::string_view name = text.substr(0, equals);
-  const auto known = std::ranges::find(limit_names(), name, &LimitName::name);
-  if (known == limit_names().end()) return "NAME=VALUE, NAME one of " + expected_names(name);
-  const std::string_view digits = text.substr(std::min(equals + 1, text.size()));
-  const std::optional<std::uint64_t> value = parse_count(digits, known->highest);
-  if (!value) {
-    return std::string(name) + "= and a whole number from 0 to " + std::to_string(known->highest) +
-           ", perhaps with k, M, KiB or MiB behind it";
-  }
-  limits.*(known->value) = static_cast<std::size_t>(*value);
-  return {};
+  return options::set_limit(text.substr(0, equals), text.substr(std::min(equals + 1, text.size())),
+                            limits);
 }
 
 void set_limits(const std::vector<std::string>& texts, Limits& limits) {
@@ -88,25 +55,12 @@ void return_freed_memory() {
 
 }  // namespace
 
-void add_resources(CLI::App& app, Resources& resources) {
+void add_resources(CLI::App& app, options::Resources& resources) {
   keep_freed_memory();
-  add_value(
-      app, "--max-memory", {"a whole number of MiB, at least 1", "MIB"},
-      "Give up before taking more memory [" + std::to_string(limits::kMemoryBytes >> 20) + "]",
-      [&bytes = resources.memory_bytes](const std::string& text) {
-        const auto value = parse_whole(text, 1, kLargestMemoryMib);
-        bytes = static_cast<std::size_t>(value.value_or(0)) << 20;
-        return_freed_memory();
-        return value.has_value();
-      })
-      ->group(kGroup);
-  add_value(
-      app, "--max-time", {"a number of seconds above 0, or off", "SECONDS|off"},
-      "Give a drawing up after this time [" + JsonWriter().value(limits::kSeconds).text() + "]",
-      [&seconds = resources.seconds](const std::string& text) {
-        return set_seconds(text, seconds);
-      })
-      ->group(kGroup);
+  for (const options::Option<options::Resources>& option : options::resource_options()) {
+    add_option(app, option, resources);
+  }
+  app.get_option("--max-memory")->each([](const std::string&) { return_freed_memory(); });
   app.add_option_function<std::vector<std::string>>(
          "--limit",
          [&resources](const std::vector<std::string>& texts) {
@@ -115,12 +69,7 @@ void add_resources(CLI::App& app, Resources& resources) {
          "Set another limit on the input, as curves=300k; may be\ngiven several times")
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false)
-      ->group(kGroup);
-}
-
-std::optional<Deadline> deadline_of(const Resources& resources) {
-  if (!resources.seconds) return std::nullopt;
-  return Deadline::in(*resources.seconds);
+      ->group(heading(options::Group::resources));
 }
 
 }  // namespace sfumato::cli

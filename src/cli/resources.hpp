@@ -1,9 +1,6 @@
 #pragma once
 
-#include <cstddef>
-#include <optional>
-
-#include "sfumato/base/context.hpp"
+#include "options/settings.hpp"
 
 namespace CLI {
 class App;  // its header takes seconds to compile, so only files that add options include it
@@ -11,17 +8,12 @@ class App;  // its header takes seconds to compile, so only files that add optio
 
 namespace sfumato::cli {
 
-/// Bounds on a command's memory and time, and the limits on its input.
-struct Resources {
-  Limits limits{};
-  std::size_t memory_bytes = limits::kMemoryBytes;
-  std::optional<double> seconds = limits::kSeconds;  ///< none: no limit
-};
+/// Those of every command, where nothing else is asked for.
+inline options::Resources default_resources() {
+  return {.seconds = limits::kSeconds};
+}
 
 /// --max-memory, --max-time and --limit.
-void add_resources(CLI::App& app, Resources& resources);
-
-/// The deadline, counted from now.
-std::optional<Deadline> deadline_of(const Resources& resources);
+void add_resources(CLI::App& app, options::Resources& resources);
 
 }  // namespace sfumato::cli

@@ -75,10 +75,10 @@ CLI::App* add_watch(CLI::App& root, WatchArguments& arguments, RenderChoices& ch
             "Of the page on 127.0.0.1; 0: any that is free [0]",
             whole_into(arguments.port, 0, 65535));
   add_allowed_folders(*app, arguments);
-  add_place_options(*app, arguments.page);
-  add_value(*app, "--threads",
-            {"a whole number from 1 to " + std::to_string(limits::kThreads), "N"},
-            "Threads [all cores]", whole_into(arguments.page.threads, 1, limits::kThreads));
+  add_place_options(*app, arguments.page.settings);
+  add_value(
+      *app, "--threads", {"a whole number from 1 to " + std::to_string(limits::kThreads), "N"},
+      "Threads [all cores]", whole_into(arguments.page.settings.threads, 1, limits::kThreads));
   app->add_flag("--quiet", arguments.quiet, "No warnings, only the address and errors");
   add_resources(*app, arguments.resources);
   return app;

@@ -108,7 +108,7 @@ Status Watching::make(const Document& document) {
   ++state_.picture_version;
   if (!arguments_.file) return ok_status();
   const std::string& output = arguments_.file->jobs.front().output;
-  if (arguments_.file->output.kind == OutputKind::png) return write_file(output, state_.picture);
+  if (arguments_.file->kind == OutputKind::png) return write_file(output, state_.picture);
   const auto file = make_file(document, *arguments_.file, file_solution_);
   return file ? write_file(output, *file) : file.status();
 }
@@ -184,7 +184,7 @@ int watch(const WatchArguments& arguments) {
   }
   Result<std::unique_ptr<WatchServer>> server = WatchServer::start(arguments.port);
   if (!server) return fail(server.status());
-  ThreadPool executor(arguments.page.threads);
+  ThreadPool executor(arguments.page.settings.threads);
   Context context{.executor = &executor,
                   .budget = Budget(arguments.resources.memory_bytes),
                   .limits = arguments.resources.limits};

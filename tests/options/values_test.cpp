@@ -1,8 +1,8 @@
-#include "cli/values.hpp"
+#include "options/values.hpp"
 
 #include <gtest/gtest.h>
 
-namespace sfumato::cli {
+namespace sfumato::options {
 namespace {
 
 TEST(ParseNumber, takes_decimal_numbers) {
@@ -58,4 +58,4 @@ TEST(ParseViewport, refuses_what_has_no_area_or_not_four_numbers) {
 }
 
 }  // namespace
-}  // namespace sfumato::cli
+}  // namespace sfumato::options

@@ -8,7 +8,7 @@
 
 /// Values of options from text. The whole text must be the value, without white space, infinity or
 /// NaN, and independent of the locale; otherwise the result is empty.
-namespace sfumato::cli {
+namespace sfumato::options {
 
 /// A finite decimal number: "12", "-0.5", "1e-3".
 std::optional<double> parse_number(std::string_view text);
@@ -30,4 +30,4 @@ std::optional<double> parse_fraction(std::string_view text);
 /// "x,y,width,height" in user units: within limits::kCoordinate, width and height above 0.
 std::optional<Box> parse_viewport(std::string_view text);
 
-}  // namespace sfumato::cli
+}  // namespace sfumato::options

@@ -1,4 +1,4 @@
-#include "cli/values.hpp"
+#include "options/values.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 
 #include "sfumato/base/limits.hpp"
 
-namespace sfumato::cli {
+namespace sfumato::options {
 namespace {
 
 /// The whole of `text` as a number in `base_or_format`; empty where anything is left over.
@@ -85,4 +85,4 @@ std::optional<Box> parse_viewport(std::string_view text) {
   return box;
 }
 
-}  // namespace sfumato::cli
+}  // namespace sfumato::options

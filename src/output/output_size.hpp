@@ -1,21 +1,15 @@
 #pragma once
 
-#include <optional>
-
+#include "options/settings.hpp"
 #include "sfumato/base/box.hpp"
 #include "sfumato/base/limits.hpp"
 #include "sfumato/base/status.hpp"
 #include "sfumato/base/vec2.hpp"
 #include "sfumato/document/document.hpp"
 
-namespace sfumato::cli {
+namespace sfumato::output {
 
-/// The size that the user requested: pixels, or pixels per user unit (not both).
-struct SizeRequest {
-  std::optional<int> width{};
-  std::optional<int> height{};
-  std::optional<double> scale{};
-};
+using options::SizeRequest;
 
 struct OutputSize {
   int width = 0;
@@ -36,4 +30,4 @@ double output_scale(const SizeRequest& request, const Box& viewport, Vec2 own_sc
 Result<OutputSize> output_size(const Limits& limits, const SizeRequest& request,
                                const Box& viewport, Vec2 own_scale = {1, 1});
 
-}  // namespace sfumato::cli
+}  // namespace sfumato::output

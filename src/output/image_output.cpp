@@ -1,4 +1,4 @@
-#include "cli/image_output.hpp"
+#include "output/image_output.hpp"
 
 #include <algorithm>
 
@@ -6,7 +6,7 @@
 #include "sfumato/codecs/png.hpp"
 #include "sfumato/codecs/webp_encode.hpp"
 
-namespace sfumato::cli {
+namespace sfumato::output {
 namespace {
 
 bool is_opaque(const std::uint8_t* row, int width, int channel_bytes) {
@@ -48,16 +48,17 @@ Status drop_opaque_alpha(Context& context, Image& image) {
 }
 
 Result<std::vector<std::uint8_t>> encode_image(Context& context, const Image& image,
-                                               const OutputOptions& options) {
-  switch (options.kind) {
-    case OutputKind::jpeg:
-      return encode_jpeg(context, image, options.quality);
-    case OutputKind::webp:
+                                               options::OutputKind kind,
+                                               const options::OutputOptions& options) {
+  switch (kind) {
+    case options::OutputKind::jpeg:
+      return encode_jpeg(context, image, *options.quality);
+    case options::OutputKind::webp:
       return encode_webp(context, image,
-                         {.lossless = options.lossless, .quality = options.quality});
+                         {.lossless = options.lossless, .quality = *options.quality});
     default:
       return encode_png(context, image);
   }
 }
 
-}  // namespace sfumato::cli
+}  // namespace sfumato::output

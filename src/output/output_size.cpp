@@ -1,4 +1,4 @@
-#include "cli/output_size.hpp"
+#include "output/output_size.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include "base/limit_error.hpp"
 #include "sfumato/base/limits.hpp"
 
-namespace sfumato::cli {
+namespace sfumato::output {
 namespace {
 
 std::string in_pixels(double length) {
@@ -56,4 +56,4 @@ Result<OutputSize> output_size(const Limits& limits, const SizeRequest& request,
   return OutputSize{static_cast<int>(width), static_cast<int>(height), std::max(scale.x, scale.y)};
 }
 
-}  // namespace sfumato::cli
+}  // namespace sfumato::output

@@ -1,4 +1,4 @@
-#include "cli/output_size.hpp"
+#include "output/output_size.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 
 #include "sfumato/base/limits.hpp"
 
-namespace sfumato::cli {
+namespace sfumato::output {
 namespace {
 
 const Box kWide{{0, 0}, {400, 300}};
@@ -84,4 +84,4 @@ TEST(OutputSize, stops_at_the_limit_of_a_side) {
 }
 
 }  // namespace
-}  // namespace sfumato::cli
+}  // namespace sfumato::output

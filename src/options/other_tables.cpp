@@ -1,0 +1,80 @@
+#include <array>
+
+#include "options/tables.hpp"
+
+// The tables of options that bound work, and of those that the C interface alone has.
+
+namespace sfumato::options {
+namespace {
+
+constexpr std::uint64_t kLargestMemoryMib = std::uint64_t{1} << 24;
+constexpr double kLargestSeconds = 1e9;
+static_assert(limits::kMemoryBytes >> 20 == 2048 && limits::kSeconds == 60, "the help says so");
+
+constexpr Option<Resources> kResourceOptions[] = {
+    {{.key = "max-memory",
+      .kind = ValueKind::whole,
+      .wholes = {1, kLargestMemoryMib},
+      .expected = "a whole number of MiB, at least 1",
+      .value_name = "MIB",
+      .help = "Give up before taking more memory [2048]",
+      .group = Group::resources,
+      .calls = kContext},
+     [](Resources& r, const Value& v) {
+       r.memory_bytes = static_cast<std::size_t>(v.whole) << 20;
+     }},
+    {{.key = "max-time",
+      .kind = ValueKind::number,
+      .numbers = {0, kLargestSeconds},
+      .instead = "off",
+      .expected = "a number of seconds above 0, or off",
+      .value_name = "SECONDS|off",
+      .help = "Give a drawing up after this time [60]",
+      .group = Group::resources,
+      .calls = kContext},
+     [](Resources& r, const Value& v) { r.seconds = v.number; }},
+};
+
+constexpr std::string_view kSimdLevels[] = {"sse2", "avx2", "avx512"};
+
+constexpr Option<ContextSettings> kContextOptions[] = {
+    {{.key = "simd", .kind = ValueKind::word, .words = kSimdLevels, .calls = kContext},
+     [](ContextSettings& s, const Value& v) { s.simd = static_cast<SimdLevel>(v.word); }},
+};
+static_assert(static_cast<int>(SimdLevel::avx512) == 2, "in the order of the words");
+
+constexpr std::string_view kSpaces[] = {"srgb", "linear", "oklab"};
+
+constexpr Option<DocumentSettings> kDocumentOptions[] = {
+    {{.key = "artboard",
+      .kind = ValueKind::box,
+      .expected = "x,y,width,height in user units, width and height above 0, no edge beyond 1e7",
+      .calls = kNewDocument},
+     [](DocumentSettings& s, const Value& v) { s.artboard = v.box; }},
+    {{.key = "interpolation", .kind = ValueKind::word, .words = kSpaces, .calls = kNewDocument},
+     [](DocumentSettings& s, const Value& v) {
+       s.interpolation = std::array{InterpolationSpace::srgb, InterpolationSpace::linear,
+                                    InterpolationSpace::oklab}[v.word];
+     }},
+    {{.key = "background",
+      .kind = ValueKind::color,
+      .expected = "an opaque colour of CSS, as gold, #rrggbb or rgb(255 165 0), or none",
+      .calls = kNewDocument},
+     [](DocumentSettings& s, const Value& v) { s.background = v.color; }},
+};
+
+}  // namespace
+
+std::span<const Option<Resources>> resource_options() {
+  return kResourceOptions;
+}
+
+std::span<const Option<ContextSettings>> context_options() {
+  return kContextOptions;
+}
+
+std::span<const Option<DocumentSettings>> document_options() {
+  return kDocumentOptions;
+}
+
+}  // namespace sfumato::options

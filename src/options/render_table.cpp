@@ -1,0 +1,287 @@
+#include <array>
+
+#include "options/tables.hpp"
+
+// The table of options by which drawings are solved, drawn and written. A file of data: it grows by
+// an entry an option.
+
+namespace sfumato::options {
+namespace {
+
+constexpr std::uint64_t kLargestCount = 1'000'000'000;
+constexpr double kLargestMinAngleDeg = 33;
+constexpr double kLargestMaxError = 255;
+
+constexpr std::string_view kMethods[] = {"exact", "rays", "pixels"};
+constexpr std::string_view kEnds[] = {"soft", "paper"};
+constexpr std::string_view kOrders[] = {"linear", "quadratic", "cubic"};
+constexpr std::string_view kDepths[] = {"8", "16"};
+constexpr std::string_view kSvgModes[] = {"image", "vector"};
+constexpr std::string_view kPdfFlattens[] = {"auto", "always", "never"};
+constexpr std::string_view kDevices[] = {"cpu", "gpu"};
+
+/// What the words of an option stand for, in their order.
+template <auto... kMeanings>
+auto meaning(const Value& value) {
+  return std::array{kMeanings...}[value.word];
+}
+
+constexpr Option<Settings> kRenderOptions[] = {
+    {{.key = "viewport",
+      .kind = ValueKind::box,
+      .expected = "x,y,width,height in user units, width and height above 0, no edge beyond 1e7",
+      .value_name = "X,Y,W,H",
+      .help = "The part to draw, in user units [the artboard]",
+      .group = Group::place,
+      .calls = kSolve | kRaster | kExport | kField},
+     [](Settings& s, const Value& v) { s.diffuse.viewport = v.box; }},
+    {{.key = "width",
+      .kind = ValueKind::whole,
+      .wholes = {1, kLargestCount},
+      .expected = "a whole number of pixels, at least 1",
+      .value_name = "PIXELS",
+      .help = "Width; the height follows unless given [the drawing's]",
+      .group = Group::place,
+      .calls = kSolve | kExport | kField},
+     [](Settings& s, const Value& v) { s.size.width = static_cast<int>(v.whole); }},
+    {{.key = "height",
+      .kind = ValueKind::whole,
+      .wholes = {1, kLargestCount},
+      .expected = "a whole number of pixels, at least 1",
+      .value_name = "PIXELS",
+      .help = "Height; the width follows unless given [the drawing's]",
+      .group = Group::place,
+      .calls = kSolve | kExport | kField},
+     [](Settings& s, const Value& v) { s.size.height = static_cast<int>(v.whole); }},
+    {{.key = "scale",
+      .kind = ValueKind::number,
+      .expected = "a number above 0",
+      .value_name = "NUMBER",
+      .help =
+          "Instead: pixels per user unit [1, or what the drawing's\nown width and height make it]",
+      .group = Group::place,
+      .calls = kSolve | kExport | kField},
+     [](Settings& s, const Value& v) { s.size.scale = v.number; }},
+    {{.key = "method",
+      .kind = ValueKind::word,
+      .words = kMethods,
+      .help = "exact: closed form on a mesh; rays: random rays on a mesh;\npixels: closed form at "
+              "every pixel, slow [exact]",
+      .group = Group::solution,
+      .calls = kSolve},
+     [](Settings& s, const Value& v) {
+       s.method = meaning<Method::exact, Method::rays, Method::pixels>(v);
+     }},
+    {{.key = "rays",
+      .kind = ValueKind::whole,
+      .wholes = {1, limits::kRays},
+      .value_name = "N",
+      .help = "Rays per node of @method=rays [64]",
+      .group = Group::solution,
+      .calls = kSolve},
+     [](Settings& s, const Value& v) {
+       s.diffuse.gather.rays_per_node = static_cast<int>(v.whole);
+     }},
+    {{.key = "seed",
+      .kind = ValueKind::whole,
+      .expected = "a whole number",
+      .value_name = "N",
+      .help = "Of the random rays [0]",
+      .group = Group::solution,
+      .calls = kSolve},
+     [](Settings& s, const Value& v) { s.diffuse.gather.seed = v.whole; }},
+    {{.key = "tolerance",
+      .kind = ValueKind::number,
+      .expected = "a number of user units above 0",
+      .value_name = "UNITS",
+      .help = "Largest distance between a curve and its chords\n[0.04 pixels, at most 0.05 on an "
+              "artboard of 512]",
+      .group = Group::solution,
+      .calls = kSolve | kField},
+     [](Settings& s, const Value& v) { s.diffuse.tolerance = v.number; }},
+    {{.key = "ends",
+      .kind = ValueKind::word,
+      .words = kEnds,
+      .help = "Ahead of an open curve's end: its colours turn into each\nother, or meet in the "
+              "paper's sliver [soft]",
+      .group = Group::solution,
+      .calls = kSolve | kField},
+     [](Settings& s, const Value& v) {
+       s.diffuse.ends = meaning<gather::Ends::soft, gather::Ends::paper>(v);
+     }},
+    {{.key = "no-blur",
+      .kind = ValueKind::flag,
+      .help = "Draw every curve sharp",
+      .group = Group::solution,
+      .calls = kSolve | kField},
+     [](Settings& s, const Value&) { s.diffuse.ignore_blur = true; }},
+    {{.key = "max-error",
+      .kind = ValueKind::number,
+      .numbers = {0, kLargestMaxError},
+      .instead = "off",
+      .expected = "a number above 0 and at most 255, or off",
+      .value_name = "E|off",
+      .help = "Refine where a patch misses by more, in code values of\n255; off: the plain mesh "
+              "[1; with 16 bits 0.25]",
+      .group = Group::mesh,
+      .calls = kSolve | kField},
+     [](Settings& s, const Value& v) {
+       s.diffuse.max_error = v.number.value_or(0);
+       s.sets_max_error = true;
+     }},
+    {{.key = "max-area",
+      .kind = ValueKind::fraction,
+      .expected = "a fraction above 0 and at most 1, as 0.04 or 4%",
+      .value_name = "FRACTION",
+      .help = "Largest triangle, as a fraction of the artboard [4%]",
+      .group = Group::mesh,
+      .calls = kSolve},
+     [](Settings& s, const Value& v) { s.diffuse.max_area_fraction = *v.number; }},
+    {{.key = "min-angle",
+      .kind = ValueKind::number,
+      .numbers = {0, kLargestMinAngleDeg, false},
+      .expected = "degrees from 0 to 33",
+      .value_name = "DEGREES",
+      .help = "Smallest angle of a triangle, where the curves allow it [22]",
+      .group = Group::mesh,
+      .calls = kSolve},
+     [](Settings& s, const Value& v) { s.diffuse.min_angle_deg = *v.number; }},
+    {{.key = "order",
+      .kind = ValueKind::word,
+      .words = kOrders,
+      .help = "Interpolation inside a triangle [cubic]",
+      .group = Group::mesh,
+      .calls = kSolve},
+     [](Settings& s, const Value& v) {
+       s.diffuse.order = meaning<PatchOrder::linear, PatchOrder::quadratic, PatchOrder::cubic>(v);
+     }},
+    {{.key = "mesh-overlay",
+      .kind = ValueKind::flag,
+      .help = "Draw the mesh on top",
+      .group = Group::mesh,
+      .calls = kRaster | kExport},
+     [](Settings& s, const Value&) { s.raster.mesh_overlay = true; }},
+    {{.key = "background",
+      .kind = ValueKind::color,
+      .expected = "an opaque colour of CSS, as gold, #rrggbb or rgb(255 165 0), or none",
+      .value_name = "COLOR",
+      .help = "Behind transparent parts; none: not even the drawing's\nown [the drawing's own, "
+              "else none; JPEG and EPS: white]",
+      .group = Group::image,
+      .calls = kRaster | kExport},
+     [](Settings& s, const Value& v) {
+       s.raster.background = v.color;
+       s.no_background = !v.color;
+     }},
+    {{.key = "depth",
+      .kind = ValueKind::word,
+      .words = kDepths,
+      .help = "Bits per channel [8]",
+      .group = Group::image,
+      .calls = kExport},
+     [](Settings& s, const Value& v) { s.depth = meaning<8, 16>(v); }},
+    {{.key = "dither",
+      .kind = ValueKind::flag,
+      .help = "Blue noise below a code value where colours change, for 8\nbits [with PNG and WebP]",
+      .group = Group::image,
+      .calls = kRaster | kExport},
+     [](Settings& s, const Value&) { s.dither = true; }},
+    {{.key = "no-dither",
+      .kind = ValueKind::flag,
+      .excludes = "dither",
+      .help = "Round to the nearest code value [with JPEG]",
+      .group = Group::image,
+      .calls = kRaster | kExport},
+     [](Settings& s, const Value&) { s.dither = false; }},
+    {{.key = "quality",
+      .kind = ValueKind::whole,
+      .wholes = {1, 100},
+      .value_name = "N",
+      .help = "Of JPEG and WebP [90]",
+      .group = Group::image,
+      .calls = kExport | kEncode},
+     [](Settings& s, const Value& v) { s.output.quality = static_cast<int>(v.whole); }},
+    {{.key = "lossless",
+      .kind = ValueKind::flag,
+      .help = "WebP that keeps every pixel",
+      .group = Group::image,
+      .calls = kExport | kEncode},
+     [](Settings& s, const Value&) { s.output.lossless = true; }},
+    {{.key = "no-antialias",
+      .kind = ValueKind::flag,
+      .help = "Hard edges at curves",
+      .group = Group::image,
+      .calls = kRaster | kExport},
+     [](Settings& s, const Value&) { s.raster.antialias = false; }},
+    {{.key = "detail",
+      .kind = ValueKind::number,
+      .expected = "a number above 0",
+      .value_name = "NUMBER",
+      .help =
+          "Make the mesh for a picture this many times larger, to\nbe enlarged [2; vector SVG 1]",
+      .group = Group::vector,
+      .calls = kSolve},
+     [](Settings& s, const Value& v) { s.output.detail = v.number; }},
+    {{.key = "dpi",
+      .kind = ValueKind::number,
+      .expected = "a number above 0",
+      .value_name = "NUMBER",
+      .help = "Of what stands as pixels there; a user unit is 1/96\ninch [300; SVG and GLB 192]",
+      .group = Group::vector,
+      .calls = kExport},
+     [](Settings& s, const Value& v) { s.output.dpi = v.number; }},
+    {{.key = "svg",
+      .kind = ValueKind::word,
+      .words = kSvgModes,
+      .help = "image: one PNG in an SVG; vector: triangles of gradients\n[image]",
+      .group = Group::vector,
+      .calls = kExport},
+     [](Settings& s, const Value& v) {
+       s.output.svg = meaning<SvgMode::image, SvgMode::vector>(v);
+     }},
+    {{.key = "force",
+      .kind = ValueKind::flag,
+      .help = "A vector SVG however large it is",
+      .group = Group::vector,
+      .calls = kExport},
+     [](Settings& s, const Value&) { s.output.force = true; }},
+    {{.key = "pdf-flatten",
+      .kind = ValueKind::word,
+      .words = kPdfFlattens,
+      .help = "Layers of a PDF as pixels; auto: those that take some\nprograms minutes [auto]",
+      .group = Group::vector,
+      .calls = kExport},
+     [](Settings& s, const Value& v) {
+       s.output.pdf_flatten =
+           meaning<PdfFlatten::automatic, PdfFlatten::always, PdfFlatten::never>(v);
+     }},
+    {{.key = "title",
+      .kind = ValueKind::text,
+      .value_name = "TEXT",
+      .help = "Of HTML, PDF and EPS [the drawing's file name]",
+      .group = Group::vector,
+      .calls = kExport},
+     [](Settings& s, const Value& v) { s.output.title = v.text; }},
+    {{.key = "device",
+      .kind = ValueKind::word,
+      .words = kDevices,
+      .help = "What draws pixels; gpu: by OpenGL ES, where there is\none [cpu]",
+      .group = Group::running},
+     [](Settings& s, const Value& v) { s.device = meaning<Device::cpu, Device::gpu>(v); }},
+    {{.key = "threads",
+      .kind = ValueKind::whole,
+      .wholes = {1, limits::kThreads},
+      .value_name = "N",
+      .help = "Threads; the picture is the same for any number [all cores]",
+      .group = Group::running,
+      .calls = kContext},
+     [](Settings& s, const Value& v) { s.threads = static_cast<int>(v.whole); }},
+};
+
+}  // namespace
+
+std::span<const Option<Settings>> render_options() {
+  return kRenderOptions;
+}
+
+}  // namespace sfumato::options

@@ -1,0 +1,105 @@
+#include "options/settle.hpp"
+
+#include <array>
+#include <span>
+
+namespace sfumato::options {
+namespace {
+
+constexpr double kMaxErrorOf16Bits = 0.25;
+constexpr int kDefaultQuality = 90;
+
+/// A rule: what must hold, and the conflict where it does not.
+struct Rule {
+  bool holds;
+  Conflict conflict;
+};
+
+Conflict first_broken(std::span<const Rule> rules) {
+  for (const Rule& rule : rules) {
+    if (!rule.holds) return rule.conflict;
+  }
+  return {};
+}
+
+/// What only outputs have that can be enlarged.
+Conflict conflict_with_image(const Settings& given) {
+  constexpr std::string_view kComplaint = "expected with HTML, PDF, EPS, SVG and GLB only";
+  return first_broken(std::array<Rule, 3>{{{!given.output.detail, {"@detail", kComplaint}},
+                                           {!given.output.dpi, {"@dpi", kComplaint}},
+                                           {given.output.title.empty(), {"@title", kComplaint}}}});
+}
+
+std::string_view dither_key(const Settings& given) {
+  return given.dither.value_or(true) ? "@dither" : "@no-dither";
+}
+
+/// What only images have.
+Conflict conflict_with_drawing(const Settings& given) {
+  constexpr std::string_view kComplaint = "expected with images only";
+  return first_broken(
+      std::array<Rule, 6>{{{given.method != Method::pixels, {"@method=pixels", kComplaint}},
+                           {given.device == Device::cpu, {"@device=gpu", kComplaint}},
+                           {!given.raster.mesh_overlay, {"@mesh-overlay", kComplaint}},
+                           {!given.dither, {dither_key(given), kComplaint}},
+                           {given.raster.antialias, {"@no-antialias", kComplaint}},
+                           {!(given.size.width && given.size.height),
+                            {"@height", "expected without @width: only images are stretched"}}}});
+}
+
+/// What only some formats have.
+Conflict conflict_with_format(const Settings& given, OutputKind kind) {
+  const OutputOptions& output = given.output;
+  const bool is_svg = kind == OutputKind::svg, is_webp = kind == OutputKind::webp;
+  const bool has_quality = kind == OutputKind::jpeg || (is_webp && !output.lossless);
+  return first_broken(std::array<Rule, 7>{
+      {{is_svg || !output.svg, {"@svg", "expected with SVG only"}},
+       {!output.force || (is_svg && output.svg == SvgMode::vector),
+        {"@force", "expected with @svg=vector only"}},
+       {!output.lossless || is_webp, {"@lossless", "expected with WebP only"}},
+       {!output.quality || has_quality, {"@quality", "expected with JPEG and lossy WebP only"}},
+       {given.depth == 8 || kind == OutputKind::png,
+        {"@depth", "16 bits given, expected with PNG only"}},
+       {!given.no_background || kind != OutputKind::jpeg,
+        {"@background", "none given, but JPEG has no alpha channel"}},
+       {!given.dither || given.depth == 8, {dither_key(given), "expected with @depth=8 only"}}}});
+}
+
+Conflict conflict_among(const Settings& given) {
+  const bool has_mesh = given.method != Method::pixels;
+  return first_broken(
+      std::array<Rule, 3>{{{!given.size.scale || !(given.size.width || given.size.height),
+                            {"@scale", "expected without @width and @height"}},
+                           {!given.raster.mesh_overlay || has_mesh,
+                            {"@mesh-overlay", "@method=pixels has no mesh to draw"}},
+                           {given.device == Device::cpu || has_mesh,
+                            {"@device", "@method=pixels runs on the CPU only"}}}});
+}
+
+}  // namespace
+
+Conflict find_conflict(const Settings& given, OutputKind kind) {
+  Conflict found = is_image(kind) ? conflict_with_image(given) : conflict_with_drawing(given);
+  if (found.key.empty()) found = conflict_with_format(given, kind);
+  return found.key.empty() ? conflict_among(given) : found;
+}
+
+void settle(Settings& settings, OutputKind kind) {
+  OutputOptions& output = settings.output;
+  output.quality = output.quality.value_or(kDefaultQuality);
+  output.svg = output.svg.value_or(SvgMode::image);
+  // Triangles of a vector SVG are dear.
+  output.detail = output.detail.value_or(*output.svg == SvgMode::vector ? 1 : 2);
+  // A JPEG keeps too little of the noise to be worth its bytes.
+  const bool is_jpeg = kind == OutputKind::jpeg;
+  settings.raster.dither = settings.depth == 8 && settings.dither.value_or(!is_jpeg);
+  settings.raster.format = settings.depth == 8 ? PixelFormat::rgb8 : PixelFormat::rgb16;
+  // What is missed by a code value shows where there are 257 steps to one.
+  if (settings.depth == 16 && !settings.sets_max_error) {
+    settings.diffuse.max_error = kMaxErrorOf16Bits;
+  }
+  settings.diffuse.gather.method =
+      settings.method == Method::rays ? gather::Method::rays : gather::Method::exact;
+}
+
+}  // namespace sfumato::options

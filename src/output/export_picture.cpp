@@ -1,0 +1,83 @@
+#include "output/export_picture.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "sfumato/codecs/jpeg_encode.hpp"
+#include "sfumato/export/eps/eps.hpp"
+#include "sfumato/export/glb/glb.hpp"
+#include "sfumato/export/html/html.hpp"
+#include "sfumato/export/pdf/pdf.hpp"
+#include "sfumato/export/svg/svg.hpp"
+#include "sfumato/raster/rasterize.hpp"
+
+namespace sfumato::output {
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+using options::OutputKind;
+
+/// The longer side of the picture that a browser without WebGL 2 shows, pixels, and its quality. It
+/// fills the window as the drawing would, of whatever size that is.
+constexpr int kFallbackSide = 640;
+constexpr int kFallbackQuality = 80;
+
+Result<Bytes> make_html(Context& context, const Picture& picture, const std::string& title,
+                        ExportNotes* notes) {
+  RasterOptions small;
+  const Box& viewport = picture.viewport;
+  const double scale = kFallbackSide / std::max(viewport.width(), viewport.height());
+  small.width = std::max(1, static_cast<int>(std::round(viewport.width() * scale)));
+  small.height = std::max(1, static_cast<int>(std::round(viewport.height() * scale)));
+  const Result<Image> image = rasterize(context, picture, small);
+  if (!image) return image.status();
+  Result<Bytes> fallback = encode_jpeg(context, *image, kFallbackQuality);
+  if (!fallback) return fallback;
+  return export_html(
+      context, picture,
+      {.title = title, .fallback = std::move(*fallback), .fallback_type = "image/jpeg"}, notes);
+}
+
+Result<Bytes> make_svg(Context& context, const Picture& picture, const DrawingOptions& drawing,
+                       ExportNotes* notes) {
+  SvgOptions options{.mode = drawing.output.svg.value_or(SvgMode::image),
+                     .force = drawing.output.force};
+  options.scale = drawing.scale;
+  options.dpi = drawing.output.dpi.value_or(options.dpi);
+  options.max_error = std::max(options.max_error, drawing.max_error);
+  return export_svg(context, picture, options, notes);
+}
+
+}  // namespace
+
+Result<Bytes> export_picture(Context& context, const Picture& picture,
+                             const DrawingOptions& drawing, ExportNotes* notes) {
+  const options::OutputOptions& output = drawing.output;
+  const double page_width_pt = 0.75 * drawing.scale * picture.viewport.width();
+  switch (drawing.kind) {
+    case OutputKind::html:
+      return make_html(context, picture, output.title, notes);
+    case OutputKind::pdf: {
+      PdfOptions options{.title = output.title, .flatten = output.pdf_flatten};
+      options.dpi = output.dpi.value_or(options.dpi);
+      options.page_width_pt = page_width_pt;
+      return export_pdf(context, picture, options, notes);
+    }
+    case OutputKind::eps: {
+      EpsOptions options{.title = output.title};
+      options.dpi = output.dpi.value_or(options.dpi);
+      options.page_width_pt = page_width_pt;
+      return export_eps(context, picture, options, notes);
+    }
+    case OutputKind::glb: {
+      GlbOptions options;
+      options.dpi = output.dpi.value_or(options.dpi);
+      return export_glb(context, picture, options, notes);
+    }
+    default:
+      return make_svg(context, picture, drawing, notes);
+  }
+}
+
+}  // namespace sfumato::output
