@@ -26,7 +26,7 @@ build:
 	@scripts/setup build
 	@cmake --preset release -DSFUMATO_TESTS=OFF -DSFUMATO_BENCH=OFF \
 	  -DSFUMATO_WERROR=OFF --log-level=WARNING >/dev/null
-	@cmake --build $(build_folder) --parallel $(jobs) --target sfumato sfumato_library
+	@cmake --build $(build_folder) --parallel $(jobs) --target sfumato sfumato_library sfumato_c
 
 demo: build
 	@$(build_folder)/sfumato render $(scene) -o $(build_folder)/demo.png --scale 2

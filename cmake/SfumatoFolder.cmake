@@ -6,6 +6,12 @@ target_compile_options(sfumato_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow
 # The same bits for any compiler and instruction set: no contraction, and no vectorising of pairs of
 # rounded doubles, which g++ 12.2 gets wrong.
 target_compile_options(sfumato_flags INTERFACE -ffp-contract=off -fno-math-errno)
+if(NOT SFUMATO_WASM)
+  # One compilation for both libraries: what the shared one does not export costs it nothing to be
+  # position-independent.
+  target_compile_options(sfumato_flags INTERFACE -fPIC -fvisibility=hidden
+                         $<$<COMPILE_LANGUAGE:CXX>:-fvisibility-inlines-hidden>)
+endif()
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # g++ 12 warns of overlapping copies in "text" + std::string where there are none (PR 105329), and
   # of writes past a std::vector that has just grown (PR 105562).

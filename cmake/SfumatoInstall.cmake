@@ -1,10 +1,11 @@
-# sfumato::sfumato, the whole library as one archive, and what `cmake --install` puts where.
-# Afterwards another project says find_package(sfumato) and links sfumato::sfumato.
+# sfumato::sfumato, the whole library as one archive; sfumato::c, the C interface as a shared library;
+# and what `cmake --install` puts where. Afterwards another project says find_package(sfumato) and
+# links one of them, or asks pkg-config for the C interface.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 set(library_folders base document codecs curves formats picture import mesh gather raster solve display
-    export gpu api lint options output)
+    export gpu api lint options output capi)
 add_library(sfumato_library STATIC)
 add_library(sfumato::sfumato ALIAS sfumato_library)
 set_target_properties(sfumato_library PROPERTIES
@@ -19,14 +20,44 @@ target_include_directories(sfumato_library INTERFACE
 target_link_libraries(sfumato_library PUBLIC TBB::tbb
   PRIVATE pugixml::pugixml PkgConfig::SPNG PkgConfig::WEBP ZLIB::ZLIB JPEG::JPEG
   ${CMAKE_DL_LIBS})
+# The number of SFUMATO_ABI in sfumato.h.
+set(sfumato_abi 1)
+add_library(sfumato_c SHARED)
+add_library(sfumato::c ALIAS sfumato_c)
+set_target_properties(sfumato_c PROPERTIES OUTPUT_NAME sfumato EXPORT_NAME c LINKER_LANGUAGE CXX
+  VERSION ${sfumato_abi}.${PROJECT_VERSION} SOVERSION ${sfumato_abi})
+foreach(folder ${library_folders})
+  target_sources(sfumato_c PRIVATE $<TARGET_OBJECTS:sfumato_${folder}>)
+endforeach()
+target_include_directories(sfumato_c INTERFACE
+  $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
+  $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+target_link_libraries(sfumato_c PRIVATE TBB::tbb pugixml::pugixml PkgConfig::SPNG PkgConfig::WEBP
+  ZLIB::ZLIB JPEG::JPEG ${CMAKE_DL_LIBS})
+# Symbols of the C interface alone, under the version node of their ABI.
+set(exports ${PROJECT_SOURCE_DIR}/src/capi/exports.map)
+target_link_options(sfumato_c PRIVATE -Wl,--version-script=${exports} -Wl,--gc-sections
+  -Wl,--as-needed -Wl,--exclude-libs,ALL)
+set_target_properties(sfumato_c PROPERTIES LINK_DEPENDS ${exports})
+if(SFUMATO_SANITIZE)
+  target_link_options(sfumato_c PUBLIC -fsanitize=${SFUMATO_SANITIZE})
+else()
+  target_link_options(sfumato_c PRIVATE -Wl,-z,defs)  # sanitizers leave some to the program
+endif()
+
 if(SFUMATO_SANITIZE)
   target_link_options(sfumato_library INTERFACE -fsanitize=${SFUMATO_SANITIZE})
 endif()
 
 install(TARGETS sfumato RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(TARGETS sfumato_library EXPORT sfumato ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(TARGETS sfumato_c EXPORT sfumato LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/sfumato DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
-        FILES_MATCHING PATTERN *.hpp)
+        FILES_MATCHING PATTERN *.hpp PATTERN *.h)
+# From where the file lies to the prefix, which `cmake --install --prefix` may choose anew.
+file(RELATIVE_PATH sfumato_prefix_of_pc "/${CMAKE_INSTALL_LIBDIR}/pkgconfig" "/")
+configure_file(${PROJECT_SOURCE_DIR}/cmake/sfumato.pc.in ${PROJECT_BINARY_DIR}/sfumato.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/sfumato.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 
 install(FILES ${PROJECT_SOURCE_DIR}/docs/man/sfumato.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 install(FILES ${PROJECT_SOURCE_DIR}/completions/sfumato.bash RENAME sfumato

@@ -70,6 +70,10 @@ function check_project_include(path, parts, other, other_room) {
   if (is_public && path !~ /^sfumato\//) complain("a public header may not include " path)
   if (folder == "" || path !~ /\//) return
   sub(/^sfumato\//, "", path)
+  if (path == "sfumato.h") {
+    if (folder != "capi") complain("the C interface is for capi: " folder " may not include it")
+    return
+  }
   split(path, parts, "/")
   other = parts[1]
   other_room = room_of(path)
@@ -197,7 +201,7 @@ FNR == 1 {
   is_native = inner_path(FILENAME) ~ /^base\/native\//
   core = folder ~ /^(base|document|curves|picture|mesh|gather|raster|solve)$/ &&
          !is_native
-  has_stops = folder ~ /^(base|document|curves|formats|import|raster|lint|export|cli)$/
+  has_stops = folder ~ /^(base|document|curves|formats|import|raster|lint|export|options|capi|cli)$/
   has_scenes = room ~ /^(gather|gather\/kernels|formats\/orzan|export\/glb)$/
   looks_are_checked = FILENAME ~ /^src\// && !(inner_path(FILENAME) in is_flag_itself)
   charges_are_checked = FILENAME ~ /^src\// && !(inner_path(FILENAME) in is_estimate)
@@ -247,6 +251,7 @@ folder != "" && /^[ \t]*#[ \t]*include[ \t]*<sfumato\// {
 
 # Large headers are read by every file of an embedder. What is listed here costs 38,000 lines.
 is_public && /^[ \t]*#[ \t]*include[ \t]*</ &&
+    !(FILENAME ~ /\.h$/ && /<std(def|int)\.h>/) &&
     !/<(cassert|cstddef|cstdint|optional|span|string|string_view|type_traits|utility|variant|vector)>/ {
   complain("a public header may not include" substr($0, index($0, "include") + 7))
 }

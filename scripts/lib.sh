@@ -1,15 +1,15 @@
 # Shared by the scripts of this folder; sourced.
 
-# The C++ files of a project folder, relative to it, each ended by NUL: those that git tracks, or all
+# The files of C++ and C of a project folder, relative to it, each ended by NUL: those that git tracks, or all
 # where the folder is no working tree.
 cpp_files() {
   (
     cd "$1"
     if [[ -e .git ]] && command -v git >/dev/null; then
-      git ls-files -z -- '*.hpp' '*.cpp'
+      git ls-files -z -- '*.hpp' '*.cpp' '*.h' '*.c'
     else
       find . \( -name 'build*' -o -name '.*' -not -name . \) -prune -o \
-        -type f \( -name '*.hpp' -o -name '*.cpp' \) -print0 | sed -z 's|^\./||' | sort -z
+        -type f \( -name '*.hpp' -o -name '*.cpp' -o -name '*.h' -o -name '*.c' \) -print0 | sed -z 's|^\./||' | sort -z
     fi | while IFS= read -r -d '' file; do
       if [[ -f $file ]]; then printf '%s\0' "$file"; fi
     done

@@ -15,6 +15,7 @@
 #include "raster/options.hpp"
 #include "raster/overlay.hpp"
 #include "raster/paint_list.hpp"
+#include "raster/rasterize_into.hpp"
 #include "raster/rasterize_source.hpp"
 #include "raster/soft_strip.hpp"
 
@@ -139,18 +140,20 @@ class PainterPool {
 /// What is painted at a time.
 constexpr std::size_t kBandBytes = std::size_t{4} << 20;
 
+/// Bytes of an image that have their room, charged to `memory`, and are made band by band.
+struct ImageBytes {
+  TableMemory& memory;
+  Image& image;
+};
+
 /// Paints the tiles in bands, from the top. While those of a band are painted, the bytes of the
 /// next are made: to touch the memory of a large image takes a third of the time, which nobody
 /// would share with a thread that did it before.
 class ImagePainting {
  public:
-  /// The bytes have their room, which `memory` charges, and stand where the job's target says.
-  ImagePainting(Context& context, const TileJob& job, TableMemory& memory, Image& image)
-      : context_(context),
-        job_(job),
-        memory_(memory),
-        image_(image),
-        pool_(job, context.thread_count()) {}
+  /// to_make: what stands where the job's target says; null: that memory is there.
+  ImagePainting(Context& context, const TileJob& job, const ImageBytes* to_make)
+      : context_(context), job_(job), to_make_(to_make), pool_(job, context.thread_count()) {}
 
   Status paint();
 
@@ -160,17 +163,18 @@ class ImagePainting {
 
   Context& context_;
   const TileJob& job_;
-  TableMemory& memory_;
-  Image& image_;
+  const ImageBytes* to_make_;
   PainterPool pool_;
   std::atomic<std::size_t> done_{0};
 };
 
 /// Of all rows of tiles above `end_row`.
 Status ImagePainting::make_bytes(std::size_t end_row) {
+  if (!to_make_) return ok_status();
+  Image& image = to_make_->image;
   const std::size_t rows =
-      std::min(end_row * raster::kTileHeight, static_cast<std::size_t>(image_.height));
-  return memory_.resize(context_, image_.bytes, rows * image_.row_bytes());
+      std::min(end_row * raster::kTileHeight, static_cast<std::size_t>(image.height));
+  return to_make_->memory.resize(context_, image.bytes, rows * image.row_bytes());
 }
 
 Status ImagePainting::paint_tile(std::size_t tile) {
@@ -189,7 +193,7 @@ Status ImagePainting::paint() {
   const auto rows = static_cast<std::size_t>(job_.list.grid().rows());
   const auto columns = static_cast<std::size_t>(job_.list.grid().columns());
   const std::size_t band =
-      std::max(kBandBytes / (raster::kTileHeight * image_.row_bytes()), std::size_t{1});
+      std::max(kBandBytes / (raster::kTileHeight * job_.target.row_bytes), std::size_t{1});
   Status status = make_bytes(band);
   for (std::size_t row = 0; status && row < rows; row += band) {
     const std::size_t first = row * columns, count = std::min(band, rows - row) * columns;
@@ -213,32 +217,46 @@ Result<PaintList> make_list(Context& context, const Picture& picture,
                            TileGrid{options.width, options.height}, margin_px);
 }
 
-Result<Image> draw(Context& context, const Picture& picture, const RasterOptions& options,
-                   const picture::FieldSource* source) {
-  Status status = raster::check_options(context.limits, options);
-  if (!status) return status;
+/// What is drawn besides the options.
+struct Drawing {
+  const Picture& picture;
+  const std::optional<Rgb>& own_background;      ///< where the options have none
+  const picture::FieldSource* source = nullptr;  ///< null: the picture's patches
+};
+
+/// Draws into the target, whose bytes stand there or are `to_make`. The options are checked.
+Status draw_into(Context& context, const Drawing& drawing, const RasterOptions& options,
+                 const raster::ImageTarget& target, const ImageBytes* to_make) {
   TileJob job;
   job.options = &options;
   job.context = &context;
-  job.source = source;
+  job.source = drawing.source;
   job.kernels = &raster::span_kernels(context.simd);
-  job.backdrop = raster::choose_backdrop(options, picture.background);
+  job.backdrop = raster::choose_backdrop(options, drawing.own_background);
+  job.target = target;
+  Result<PaintList> list = make_list(context, drawing.picture, options);
+  if (!list) return list.status();
+  job.list = std::move(*list);
+  ScopedCharge tile_charge;
+  Status status = tile_charge.add(
+      context, static_cast<std::size_t>(context.thread_count()) * TilePainter::bytes(job.list),
+      "tiles of the image");
+  if (!status) return status;
+  return ImagePainting(context, job, to_make).paint();
+}
 
+Result<Image> draw(Context& context, const Drawing& drawing, const RasterOptions& options) {
+  Status status = raster::check_options(context.limits, options);
+  if (!status) return status;
   Image image{options.width, options.height, options.format, {}};
   const std::size_t image_bytes = image.row_bytes() * static_cast<std::size_t>(options.height);
   TableMemory memory("the image");
   status = memory.reserve(context, image.bytes, image_bytes);
   if (!status) return status;
-  Result<PaintList> list = make_list(context, picture, options);
-  if (!list) return list.status();
-  job.list = std::move(*list);
-  ScopedCharge tile_charge;
-  status = tile_charge.add(
-      context, static_cast<std::size_t>(context.thread_count()) * TilePainter::bytes(job.list),
-      "tiles of the image");
-  if (!status) return status;
-  job.target = {image.bytes.data(), image.row_bytes(), options.format, options.dither};
-  status = ImagePainting(context, job, memory, image).paint();
+  const ImageBytes to_make{memory, image};
+  const raster::ImageTarget target{image.bytes.data(), image.row_bytes(), options.format,
+                                   options.dither};
+  status = draw_into(context, drawing, options, target, &to_make);
   if (!status) return status;
   return image;
 }
@@ -246,7 +264,25 @@ Result<Image> draw(Context& context, const Picture& picture, const RasterOptions
 }  // namespace
 
 Result<Image> rasterize(Context& context, const Picture& picture, const RasterOptions& options) {
-  return public_verb(context, [&] { return draw(context, picture, options, nullptr); });
+  return raster::rasterize_on(context, picture, options, picture.background);
+}
+
+Result<Image> raster::rasterize_on(Context& context, const Picture& picture,
+                                   const RasterOptions& options,
+                                   const std::optional<Rgb>& own_background) {
+  return public_verb(context, [&] { return draw(context, {picture, own_background}, options); });
+}
+
+Status raster::rasterize_into(Context& context, const Picture& picture,
+                              const RasterOptions& options,
+                              const std::optional<Rgb>& own_background, std::uint8_t* bytes,
+                              std::size_t row_bytes) {
+  return public_verb(context, [&] {
+    Status status = raster::check_options(context.limits, options);
+    if (!status) return status;
+    const raster::ImageTarget target{bytes, row_bytes, options.format, options.dither};
+    return draw_into(context, {picture, own_background}, options, target, nullptr);
+  });
 }
 
 Result<Image> rasterize(Context& context, const Picture& picture, const RasterOptions& options,
@@ -260,7 +296,7 @@ Result<Image> rasterize(Context& context, const Picture& picture, const RasterOp
     if (std::ranges::any_of(picture.layers, is_opaque)) {
       return make_error(StatusCode::bad_input, "a source of fields for a layer without opacity");
     }
-    return draw(context, picture, plain, &source);
+    return draw(context, {picture, picture.background, &source}, plain);
   });
 }
 

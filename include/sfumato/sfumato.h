@@ -1,0 +1,379 @@
+#ifndef SFUMATO_H
+#define SFUMATO_H
+
+/** @file
+ * Sfumato's C interface, ABI 1: what other languages bind to. docs/c-api.md has a program.
+ *
+ * @code{.c}
+ * sfumato_context* c = sfumato_context_new("threads=4");
+ * sfumato_document* d = NULL;
+ * sfumato_picture* p = NULL;
+ * if (sfumato_read(c, bytes, size, "in.svg", NULL, &d) || sfumato_solve(c, d, "max-error=1", &p) ||
+ *     sfumato_raster(c, p, &image, "background=white"))
+ *   puts(sfumato_error_text(c));
+ * @endcode
+ *
+ * **Errors.** What can fail returns an int32_t of ::sfumato_status_code, SFUMATO_OK = 0. What it
+ * hands out through its last parameter is NULL where it fails. Reason and place wait in the context
+ * until its next call. Nothing is thrown or printed.
+ *
+ * **Ownership.** What a function hands out as T* or through a T** is given back by the `_free` of
+ * T, which takes NULL. The order does not matter: a context may be freed before what it made. No
+ * block of memory changes its owner.
+ *
+ * **Options** are one string, "key=value key key=value": keys and values are those of the command's
+ * long options (docs/cli.md). NULL and "" are the defaults. A value with blanks is quoted,
+ * title="A fish", with \\" and \\\\ for a quote and a backslash in it. A key that a call does not
+ * know, or a value that the key does not take, is SFUMATO_BAD_USAGE, and the text names it.
+ *
+ * **Views** of tables are borrowed: they last until their owner is changed or freed.
+ *
+ * **Threads.** A context serves one call at a time; different contexts may work at once. A
+ * document, picture or field may be read by several calls while none changes it. sfumato_cancel()
+ * is the one call for another thread, or for a signal handler.
+ *
+ * **Stability.** A library of ABI 1 serves every program that was built against an earlier header
+ * of ABI 1. Structs here are final; enumerations only grow at their end.
+ */
+
+#include <stddef.h>
+#include <stdint.h>
+
+#if defined(__GNUC__)
+/** Marks what the library exports. */
+#define SFUMATO_API __attribute__((visibility("default")))
+#else
+/** Marks what the library exports. */
+#define SFUMATO_API
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** The ABI of this header. */
+#define SFUMATO_ABI 1
+
+/** The version of the library that runs, as "0.1.0". */
+SFUMATO_API const char* sfumato_version(void);
+/** The ABI of the library that runs, to be compared with SFUMATO_ABI. */
+SFUMATO_API uint32_t sfumato_abi(void);
+
+/** @name Errors
+ * @{ */
+
+/** What functions return. */
+enum sfumato_status_code {
+  SFUMATO_OK = 0,            /**< success */
+  SFUMATO_BAD_INPUT = 1,     /**< the input cannot be understood or drawn */
+  SFUMATO_LIMIT = 2,         /**< a limit, the budget of memory, or the time */
+  SFUMATO_CANCELLED = 3,     /**< sfumato_cancel() was called */
+  SFUMATO_IO = 4,            /**< the system refused to read or write */
+  SFUMATO_OUT_OF_MEMORY = 5, /**< the system refused memory */
+  SFUMATO_UNAVAILABLE = 6,   /**< this library or machine lacks it */
+  SFUMATO_INTERNAL = 7,      /**< a mistake of the library's */
+  SFUMATO_BAD_USAGE = 8      /**< a NULL, an index, a size or an option that no call takes */
+};
+
+/** @}
+ * @name Contexts
+ * @{ */
+
+/** Threads, bounds on memory and time, and the last error. */
+typedef struct sfumato_context sfumato_context;
+
+/** Makes a context. NULL where memory is out. Where an option is wrong, sfumato_error_text() says
+ * so at once, and every call with the context fails by it.
+ *
+ * options: threads=N [all cores], max-memory=MIB of work and of the documents, pictures and fields
+ * that the context made [2048], max-time=SECONDS of each call [off], limit.NAME=VALUE
+ * (docs/limits.md), simd=sse2|avx2|avx512 [what the machine has]. */
+SFUMATO_API sfumato_context* sfumato_context_new(const char* options);
+/** Gives a context back. */
+SFUMATO_API void sfumato_context_free(sfumato_context* context);
+
+/** The words of the last call's error, without its place; "" after success. Never NULL. */
+SFUMATO_API const char* sfumato_error_text(const sfumato_context* context);
+/** The name of the input that the last error is about, or "". Never NULL. */
+SFUMATO_API const char* sfumato_error_file(const sfumato_context* context);
+/** Line and column (in bytes) of the last error, from 1; 0 where unknown. Either may be NULL. */
+SFUMATO_API void sfumato_error_place(const sfumato_context* context, int32_t* line,
+                                     int32_t* column);
+/** A warning of the last sfumato_read() or sfumato_export(), with its place; NULL past the last. */
+SFUMATO_API const char* sfumato_warning(const sfumato_context* context, size_t index);
+
+/** Hears how far work has come. `stage` is a word, as "gather"; `fraction` is from 0 to 1. It is
+ * called from any thread, also from several at once, and may call sfumato_cancel() alone. */
+typedef void (*sfumato_progress_fn)(void* user, const char* stage, double fraction);
+/** Says who hears of progress; NULL: nobody. */
+SFUMATO_API void sfumato_set_progress(sfumato_context* context, sfumato_progress_fn progress,
+                                      void* user);
+
+/** Ends the call that runs with SFUMATO_CANCELLED, within about 50 ms, and all later ones until
+ * sfumato_resume(). */
+SFUMATO_API void sfumato_cancel(sfumato_context* context);
+/** Lets the context work again. */
+SFUMATO_API void sfumato_resume(sfumato_context* context);
+
+/** @}
+ * @name Bytes and views
+ * @{ */
+
+/** Bytes of the library's, as of a file. */
+typedef struct sfumato_bytes sfumato_bytes;
+/** The first of them; NULL for none. */
+SFUMATO_API const uint8_t* sfumato_bytes_data(const sfumato_bytes* bytes);
+/** How many there are. */
+SFUMATO_API size_t sfumato_bytes_size(const sfumato_bytes* bytes);
+/** Gives bytes back. */
+SFUMATO_API void sfumato_bytes_free(sfumato_bytes* bytes);
+
+/** Types of the numbers in a table. */
+enum sfumato_number_type {
+  SFUMATO_U8 = 1,  /**< uint8_t */
+  SFUMATO_U32 = 2, /**< uint32_t */
+  SFUMATO_F32 = 3, /**< float */
+  SFUMATO_F64 = 4  /**< double */
+};
+
+/** A table of numbers: borrowed, and not to be written to. */
+typedef struct sfumato_view {
+  const void* data; /**< row by row; NULL where there are no rows */
+  size_t rows;      /**< how many rows there are */
+  size_t row_bytes; /**< from one row to the next */
+  uint32_t columns; /**< numbers of a row */
+  uint32_t type;    /**< of ::sfumato_number_type */
+} sfumato_view;
+
+/** @}
+ * @name Documents
+ * @{ */
+
+/** Diffusion curves as their author drew them. */
+typedef struct sfumato_document sfumato_document;
+
+/** Takes the bytes of a file from a loader; `sink` is what the loader was given. */
+typedef void (*sfumato_deliver_fn)(void* sink, const void* bytes, size_t byte_count);
+
+/** Brings the files that a document names: its textures. */
+typedef struct sfumato_loader {
+  /** Calls deliver(sink, bytes, byte_count) once and returns 0, or returns anything else where it
+   * will not. `href` is as in the document, percent signs decoded: guard against paths that lead
+   * elsewhere. */
+  int32_t (*load)(void* user, const char* href, sfumato_deliver_fn deliver, void* sink);
+  void* user; /**< handed to `load` */
+} sfumato_loader;
+
+/** Reads SVG or Orzan's XML, packed by gzip or not. `name` is for messages, or NULL. `loader` may
+ * be NULL: a document that names a file is an error then. */
+SFUMATO_API int32_t sfumato_read(sfumato_context* context, const void* bytes, size_t byte_count,
+                                 const char* name, const sfumato_loader* loader,
+                                 sfumato_document** document);
+/** Makes a document of one layer without curves, painted once.
+ *
+ * options: artboard=X,Y,W,H (to be given), interpolation=srgb|linear|oklab, background=COLOR. */
+SFUMATO_API int32_t sfumato_document_new(sfumato_context* context, const char* options,
+                                         sfumato_document** document);
+/** Copies a document, as for an undo. */
+SFUMATO_API int32_t sfumato_document_copy(sfumato_context* context, const sfumato_document* from,
+                                          sfumato_document** document);
+/** Gives a document back. */
+SFUMATO_API void sfumato_document_free(sfumato_document* document);
+/** Writes a document as SVG, exactly. */
+SFUMATO_API int32_t sfumato_document_write(sfumato_context* context,
+                                           const sfumato_document* document, sfumato_bytes** bytes);
+/** What is shown of the plane: x, y, width and height, in user units. */
+SFUMATO_API int32_t sfumato_document_artboard(const sfumato_document* document, double box[4]);
+/** How many layers there are. */
+SFUMATO_API uint32_t sfumato_layer_count(const sfumato_document* document);
+/** How many diffusion curves a layer has. */
+SFUMATO_API uint32_t sfumato_curve_count(const sfumato_document* document, uint32_t layer);
+/** The id of a layer, perhaps ""; NULL where there is no such layer. */
+SFUMATO_API const char* sfumato_layer_id(const sfumato_document* document, uint32_t layer);
+/** The id of a curve, perhaps ""; NULL where there is no such curve. */
+SFUMATO_API const char* sfumato_curve_id(const sfumato_document* document, uint32_t layer,
+                                         uint32_t curve);
+
+/** @}
+ * @name Curves
+ * Calls that change a document leave it as it was where they fail, and cost time in proportion to
+ * the document's curves and stops: all of it is checked.
+ * @{ */
+
+/** Sides of a curve, as seen on the screen by who walks along it. */
+enum sfumato_side {
+  SFUMATO_LEFT = 0, /**< to the left */
+  SFUMATO_RIGHT = 1 /**< to the right */
+};
+
+/** What a side may bear. */
+enum sfumato_attribute {
+  SFUMATO_COLOR = 0,   /**< rows of stops are offset, red, green, blue: sRGB code values, 0 to 1 */
+  SFUMATO_OPACITY = 1, /**< rows are offset, opacity from 0 to 1 */
+  SFUMATO_BLUR = 2     /**< rows are offset, radius in units of the layer */
+};
+
+/** What a side is to one attribute. */
+enum sfumato_kind {
+  SFUMATO_OPEN = 0,    /**< lets rays pass; for a blur: none */
+  SFUMATO_BARRIER = 1, /**< ends rays and gives nothing; not of a blur */
+  SFUMATO_STOPS = 2,   /**< gives what its stops say */
+  SFUMATO_PAINT = 3    /**< gives a gradient or texture, which only files make */
+};
+
+/** What the offsets of stops count. */
+enum sfumato_space {
+  SFUMATO_ARC_LENGTH = 0, /**< the share of the curve's length, 0 to 1 */
+  SFUMATO_PARAMETER = 1   /**< Bezier pieces: piece i at t is i + t */
+};
+
+/** The 3 n + 1 control points of a curve: f64, 2 columns, in the frame of its layer. */
+SFUMATO_API int32_t sfumato_curve_points(const sfumato_document* document, uint32_t layer,
+                                         uint32_t curve, sfumato_view* points);
+/** Moves a curve: `xy` are `point_count` pairs. */
+SFUMATO_API int32_t sfumato_set_curve_points(sfumato_context* context, sfumato_document* document,
+                                             uint32_t layer, uint32_t curve, const double* xy,
+                                             size_t point_count);
+/** Writes at most `capacity` stops into `rows`, of 4 doubles for colours and of 2 for others, and
+ * returns how many there are; 0 where there is no such side. `kind`, `space` and `rows` may be
+ * NULL. */
+SFUMATO_API size_t sfumato_curve_stops(const sfumato_document* document, uint32_t layer,
+                                       uint32_t curve, uint32_t side, uint32_t attribute,
+                                       int32_t* kind, int32_t* space, double* rows,
+                                       size_t capacity);
+/** Sets what a side bears: SFUMATO_STOPS with rows, or SFUMATO_OPEN or SFUMATO_BARRIER without. */
+SFUMATO_API int32_t sfumato_set_curve_stops(sfumato_context* context, sfumato_document* document,
+                                            uint32_t layer, uint32_t curve, uint32_t side,
+                                            uint32_t attribute, int32_t kind, int32_t space,
+                                            const double* rows, size_t row_count);
+/** Adds a curve whose sides bear nothing: before curve `at`, or with UINT32_MAX as the last. */
+SFUMATO_API int32_t sfumato_insert_curve(sfumato_context* context, sfumato_document* document,
+                                         uint32_t layer, uint32_t at, const double* xy,
+                                         size_t point_count);
+/** Takes a curve away. */
+SFUMATO_API int32_t sfumato_remove_curve(sfumato_context* context, sfumato_document* document,
+                                         uint32_t layer, uint32_t curve);
+
+/** @}
+ * @name Pictures
+ * @{ */
+
+/** A solved document, of no resolution. It keeps a copy of the document. */
+typedef struct sfumato_picture sfumato_picture;
+
+/** Solves a document.
+ *
+ * options: viewport, width, height, scale, detail, method=exact|rays, rays, seed, tolerance, ends,
+ * no-blur, max-error, max-area, min-angle, order. width, height and scale say how large the largest
+ * output will be, as in sfumato_export(); detail=NUMBER [1] multiplies it. */
+SFUMATO_API int32_t sfumato_solve(sfumato_context* context, const sfumato_document* document,
+                                  const char* options, sfumato_picture** picture);
+/** Makes a picture that of `document`, with the options that it was solved with: only layers whose
+ * curves differ from those of the last time are solved. The result equals that of sfumato_solve(),
+ * bit for bit. Where it fails the picture is as before.
+ *
+ * `quick` has to be 0: other numbers are kept for pictures that are good enough while a curve
+ * moves, and are SFUMATO_UNAVAILABLE in this version. */
+SFUMATO_API int32_t sfumato_solve_again(sfumato_context* context, const sfumato_document* document,
+                                        int32_t quick, sfumato_picture* picture);
+/** Gives a picture back. */
+SFUMATO_API void sfumato_picture_free(sfumato_picture* picture);
+/** The part that was solved: x, y, width and height, in user units. */
+SFUMATO_API int32_t sfumato_picture_viewport(const sfumato_picture* picture, double box[4]);
+/** How many layers there are; as many as the document has. */
+SFUMATO_API uint32_t sfumato_picture_layer_count(const sfumato_picture* picture);
+
+/** Tables of a solved layer. How layers are stacked, gradients, textures and blurs finer than
+ * triangles are not in them: to show a picture as it is takes sfumato_raster() or sfumato_export().
+ */
+enum sfumato_table {
+  SFUMATO_VERTICES = 0,      /**< f64, 2 columns: positions in the frame of the layer */
+  SFUMATO_TRIANGLES = 1,     /**< u32, 3 columns: vertices */
+  SFUMATO_CURVE_EDGES = 2,   /**< u8, 3 columns: 1 where colours may jump across the edge */
+  SFUMATO_COLOR_NODES = 3,   /**< u32, 10 columns: rows of the values, as sfumato::PatchField */
+  SFUMATO_COLOR_VALUES = 4,  /**< f32: 3 columns, and one for the weight of each paint */
+  SFUMATO_OPACITY_NODES = 5, /**< as the colour's; no rows where the layer is opaque */
+  SFUMATO_OPACITY_VALUES = 6 /**< f32: 1 column, and one for the weight of each paint */
+};
+
+/** A table of a layer, which lasts until the picture is solved again or freed. */
+SFUMATO_API int32_t sfumato_picture_table(const sfumato_picture* picture, uint32_t layer,
+                                          uint32_t table, sfumato_view* view);
+/** The rows of a table that the last sfumato_solve_again() made anew: u32, 2 columns, from and up
+ * to; all of them after sfumato_solve(). In this version a table is new as a whole or not at all.
+ */
+SFUMATO_API int32_t sfumato_picture_changes(const sfumato_picture* picture, uint32_t layer,
+                                            uint32_t table, sfumato_view* view);
+
+/** @}
+ * @name Pixels and files
+ * @{ */
+
+/** Formats of pixels; 16 bits are in the machine's byte order. */
+enum sfumato_pixel_format {
+  SFUMATO_RGB8 = 0,  /**< 3 bytes */
+  SFUMATO_RGBA8 = 1, /**< 4 bytes */
+  SFUMATO_RGB16 = 2, /**< 6 bytes */
+  SFUMATO_RGBA16 = 3 /**< 8 bytes */
+};
+
+/** Pixels of the caller's: sRGB, alpha not premultiplied. */
+typedef struct sfumato_image {
+  void* pixels;     /**< rows from the top */
+  size_t row_bytes; /**< from one row to the next; at least those of its pixels */
+  int32_t width;    /**< pixels */
+  int32_t height;   /**< pixels */
+  int32_t format;   /**< of ::sfumato_pixel_format */
+} sfumato_image;
+
+/** Draws a picture into the caller's pixels, which are unspecified where it fails; bytes between
+ * rows are left alone.
+ *
+ * options: viewport [the picture's], background=COLOR|none [the document's; without one
+ * transparent, or white where there is no alpha], dither [not], no-antialias, mesh-overlay. */
+SFUMATO_API int32_t sfumato_raster(sfumato_context* context, const sfumato_picture* picture,
+                                   const sfumato_image* image, const char* options);
+/** Makes a file of a picture: png, jpg, webp, html, pdf, eps, svg or glb, with the bytes that the
+ * command writes. What the format cannot show is a warning (sfumato_warning()).
+ *
+ * options: width, height, scale, background; of pixels also viewport, depth, dither, no-dither,
+ * no-antialias, mesh-overlay, quality, lossless; of others dpi, svg, force, pdf-flatten,
+ * title [Sfumato]. */
+SFUMATO_API int32_t sfumato_export(sfumato_context* context, const sfumato_picture* picture,
+                                   const char* format, const char* options, sfumato_bytes** bytes);
+/** Makes a file of the caller's pixels: png, jpg (SFUMATO_RGB8 alone) or webp (8 bits alone).
+ *
+ * options: quality, lossless. */
+SFUMATO_API int32_t sfumato_encode(sfumato_context* context, const sfumato_image* image,
+                                   const char* format, const char* options, sfumato_bytes** bytes);
+
+/** @}
+ * @name Fields
+ * @{ */
+
+/** The exact colours of one layer at points, without a mesh. */
+typedef struct sfumato_field sfumato_field;
+
+/** Prepares a layer; the document is not needed afterwards. Layers whose curves bear gradients or
+ * textures are SFUMATO_UNAVAILABLE in this version.
+ *
+ * options: viewport, width, height, scale, tolerance, ends, no-blur, max-error, as of
+ * sfumato_solve(). */
+SFUMATO_API int32_t sfumato_field_new(sfumato_context* context, const sfumato_document* document,
+                                      uint32_t layer, const char* options, sfumato_field** field);
+/** Gives a field back. */
+SFUMATO_API void sfumato_field_free(sfumato_field* field);
+/** Computes colours: `xy` are `point_count` pairs in the frame of the layer, inside what the
+ * viewport shows of it, and not on a curve; neighbours in the list should be neighbours in the
+ * plane. `rgba` receives 4 floats a point: sRGB code values, not premultiplied, and the opacity;
+ * all 0 where no colour is seen. */
+SFUMATO_API int32_t sfumato_field_colors(sfumato_context* context, const sfumato_field* field,
+                                         const double* xy, size_t point_count, float* rgba);
+
+/** @} */
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,161 @@
+#include "capi/document.hpp"
+
+#include <algorithm>
+#include <string>
+#include <variant>
+
+#include "capi/bytes.hpp"
+#include "options/option_reader.hpp"
+#include "options/tables.hpp"
+#include "sfumato/document/build.hpp"
+#include "sfumato/formats/svg/svg_write.hpp"
+
+namespace sfumato::capi {
+namespace {
+
+constexpr std::string_view kPurpose = "a document";
+
+void release_spare(sfumato_document& handle) {
+  const std::size_t needed = bytes_of(handle.document);
+  const std::size_t spare = handle.charged - std::min(handle.charged, needed);
+  handle.held.release(spare);
+  handle.charged -= spare;
+}
+
+/// What a list of curves may take more where a curve is inserted.
+std::size_t room_bytes(const Document& document, const Change& change) {
+  const auto* insert = std::get_if<InsertCurve>(&change);
+  if (!insert || insert->layer >= document.layers.size()) return 0;
+  return 2 * (document.layers[insert->layer].curves.size() + 1) * sizeof(Curve);
+}
+
+Outcome copy(sfumato_context* context, Workshop& workshop, const sfumato_document& from,
+             sfumato_document** out) {
+  ScopedCharge charge;
+  Status status = charge.add(workshop.context, bytes_of(from.document), kPurpose);
+  if (!status) return status;
+  Document document = from.document;
+  charge = {};
+  return hand_out(context, std::move(document), out);
+}
+
+Outcome make_empty(sfumato_context* context, const char* text, sfumato_document** out) {
+  options::DocumentSettings settings;
+  options::OptionReader reader(options::kNewDocument);
+  reader.take(options::document_options(), settings);
+  if (Status status = reader.read(text ? text : ""); !status) return bad_usage(std::move(status));
+  if (!settings.artboard) return bad_usage("artboard: expected");
+  Document document;
+  document.artboard = *settings.artboard;
+  document.interpolation = settings.interpolation;
+  document.background = settings.background;
+  add_layer(document, {});
+  if (Status status = validate(context->workshop->context, document); !status) return status;
+  return hand_out(context, std::move(document), out);
+}
+
+Outcome write(Workshop& workshop, const Document& document, sfumato_bytes** out) {
+  const Result<std::string> text = write_svg(workshop.context, document);
+  if (!text) return text.status();
+  *out = new sfumato_bytes{{text->begin(), text->end()}};
+  return {};
+}
+
+}  // namespace
+
+Outcome hand_out(sfumato_context* context, Document document, sfumato_document** out) {
+  auto handle = std::make_unique<sfumato_document>(context->workshop);
+  handle->document = std::move(document);
+  Context& work = context->workshop->context;
+  Status status = handle->held.add(work, bytes_of(handle->document), kPurpose);
+  if (!status) return status;
+  handle->charged = bytes_of(handle->document);
+  *out = handle.release();
+  return {};
+}
+
+Outcome change(const Context& context, sfumato_document& handle, Change change) {
+  const std::size_t bytes = bytes_of(change) + room_bytes(handle.document, change);
+  Status status =
+      handle.held.add(context, bytes_of(change) + room_bytes(handle.document, change), kPurpose);
+  if (!status) return status;
+  handle.charged += bytes;
+  const Result<Change> inverse = apply_change(context, handle.document, std::move(change));
+  release_spare(handle);
+  return inverse.status();
+}
+
+const Curve* find_curve(const sfumato_document* handle, std::uint32_t layer, std::uint32_t curve) {
+  if (!handle || layer >= handle->document.layers.size()) return nullptr;
+  const std::vector<Curve>& curves = handle->document.layers[layer].curves;
+  return curve < curves.size() ? &curves[curve] : nullptr;
+}
+
+Outcome no_such_curve(const sfumato_document* handle, std::uint32_t layer, std::uint32_t curve) {
+  if (!handle) return bad_usage("NULL given, expected a document");
+  return bad_usage("there is no curve " + std::to_string(curve) + " in layer " +
+                   std::to_string(layer));
+}
+
+}  // namespace sfumato::capi
+
+using sfumato::capi::bad_usage;
+using sfumato::capi::find_curve;
+using sfumato::capi::Outcome;
+using sfumato::capi::Workshop;
+
+int32_t sfumato_document_new(sfumato_context* context, const char* options,
+                             sfumato_document** document) {
+  return sfumato::capi::make(context, document, [&](Workshop&) {
+    return sfumato::capi::make_empty(context, options, document);
+  });
+}
+
+int32_t sfumato_document_copy(sfumato_context* context, const sfumato_document* from,
+                              sfumato_document** document) {
+  return sfumato::capi::make(context, document, [&](Workshop& workshop) -> Outcome {
+    if (!from) return bad_usage("NULL given, expected a document");
+    return sfumato::capi::copy(context, workshop, *from, document);
+  });
+}
+
+void sfumato_document_free(sfumato_document* document) {
+  delete document;
+}
+
+int32_t sfumato_document_write(sfumato_context* context, const sfumato_document* document,
+                               sfumato_bytes** bytes) {
+  return sfumato::capi::make(context, bytes, [&](Workshop& workshop) -> Outcome {
+    if (!document) return bad_usage("NULL given, expected a document");
+    return sfumato::capi::write(workshop, document->document, bytes);
+  });
+}
+
+int32_t sfumato_document_artboard(const sfumato_document* document, double box[4]) {
+  if (!document || !box) return SFUMATO_BAD_USAGE;
+  const sfumato::Box& artboard = document->document.artboard;
+  box[0] = artboard.min.x;
+  box[1] = artboard.min.y;
+  box[2] = artboard.width();
+  box[3] = artboard.height();
+  return SFUMATO_OK;
+}
+
+uint32_t sfumato_layer_count(const sfumato_document* document) {
+  return document ? static_cast<uint32_t>(document->document.layers.size()) : 0;
+}
+
+uint32_t sfumato_curve_count(const sfumato_document* document, uint32_t layer) {
+  if (layer >= sfumato_layer_count(document)) return 0;
+  return static_cast<uint32_t>(document->document.layers[layer].curves.size());
+}
+
+const char* sfumato_layer_id(const sfumato_document* document, uint32_t layer) {
+  if (layer >= sfumato_layer_count(document)) return nullptr;
+  return document->document.layers[layer].id.c_str();
+}
+
+const char* sfumato_curve_id(const sfumato_document* document, uint32_t layer, uint32_t curve) {
+  const sfumato::Curve* found = find_curve(document, layer, curve);
+  return found ? found->id.c_str() : nullptr;
+}

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <memory>
+#include <utility>
+
+#include "base/charge.hpp"
+#include "capi/context.hpp"
+#include "sfumato/document/change.hpp"
+#include "sfumato/document/document.hpp"
+
+struct sfumato_document {
+  explicit sfumato_document(std::shared_ptr<sfumato::capi::Workshop> w)
+      : workshop(std::move(w)), held(workshop->context.budget) {}
+
+  std::shared_ptr<sfumato::capi::Workshop> workshop;  ///< first: it outlives the charge
+  sfumato::ScopedCharge held;
+  std::size_t charged = 0;  ///< bytes of `held`
+  sfumato::Document document;
+};
+
+namespace sfumato::capi {
+
+/// Makes a handle of a document, which is charged to the workshop of `context`.
+Outcome hand_out(sfumato_context* context, Document document, sfumato_document** out);
+
+/// Changes a document, which stays as it was where that fails.
+Outcome change(const Context& context, sfumato_document& handle, Change change);
+
+/// The curve; null where there is none.
+const Curve* find_curve(const sfumato_document* handle, std::uint32_t layer, std::uint32_t curve);
+
+/// What is wrong with a document or an index that find_curve() does not know.
+Outcome no_such_curve(const sfumato_document* handle, std::uint32_t layer, std::uint32_t curve);
+
+}  // namespace sfumato::capi

@@ -1,0 +1,184 @@
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/charge.hpp"
+#include "base/table_memory.hpp"
+#include "capi/bytes.hpp"
+#include "capi/picture.hpp"
+#include "capi/pixels.hpp"
+#include "formats/text/suggestion.hpp"
+#include "options/option_reader.hpp"
+#include "options/settle.hpp"
+#include "options/tables.hpp"
+#include "output/export_picture.hpp"
+#include "output/image_output.hpp"
+#include "output/output_size.hpp"
+#include "raster/rasterize_into.hpp"
+
+namespace sfumato::capi {
+namespace {
+
+using options::OutputKind;
+using Bytes = std::vector<std::uint8_t>;
+
+constexpr const char* kDefaultTitle = "Sfumato";
+
+Outcome hand_out(Result<Bytes> file, sfumato_bytes** out) {
+  if (!file) return file.status();
+  *out = new sfumato_bytes{std::move(*file)};
+  return {};
+}
+
+/// The kind that a format's name stands for.
+Outcome read_format(const char* format, OutputKind& kind) {
+  if (!format) return bad_usage("NULL given, expected a format");
+  const std::optional<OutputKind> found = options::kind_of_extension(format);
+  if (found) {
+    kind = *found;
+    return {};
+  }
+  std::vector<std::string_view> names;
+  for (const options::KnownOutput& known : options::known_outputs()) {
+    names.push_back(known.extension);
+  }
+  return bad_usage("unknown format " + text::quoted(format) + text::did_you_mean(format, names));
+}
+
+/// Reads the options of a call that makes a file, and gives the others their defaults.
+Outcome read_file_options(const char* text, options::Call call, OutputKind kind,
+                          options::Settings& settings) {
+  options::OptionReader reader(call);
+  reader.take(options::render_options(), settings);
+  if (Status status = reader.read(text ? text : ""); !status) return bad_usage(std::move(status));
+  const options::Conflict conflict = options::find_conflict(settings, kind);
+  if (!conflict.key.empty()) {
+    return bad_usage(options::spelled(conflict.key, false) + ": " +
+                     options::spelled(conflict.complaint, false));
+  }
+  if (settings.diffuse.viewport && !options::is_image(kind)) {
+    return bad_usage("viewport: expected with images only; others show what was solved");
+  }
+  options::settle(settings, kind);
+  return {};
+}
+
+/// What stands behind the picture in the file: what was asked for, else the document's own, else
+/// white in formats that know no alpha.
+std::optional<Rgb> background_of(const options::Settings& settings, OutputKind kind,
+                                 const Picture& picture) {
+  std::optional<Rgb> background = picture.background;
+  if (settings.raster.background) background = settings.raster.background;
+  if (settings.no_background) background.reset();
+  const bool knows_no_alpha = kind == OutputKind::jpeg || kind == OutputKind::eps;
+  return knows_no_alpha && !background ? Rgb{1, 1, 1} : background;
+}
+
+Result<Bytes> make_image(Context& context, const sfumato_picture& handle, OutputKind kind,
+                         const options::Settings& settings) {
+  const Picture& picture = handle.solution.picture();
+  const std::optional<Rgb> background = background_of(settings, kind, picture);
+  const Box viewport = settings.diffuse.viewport.value_or(picture.viewport);
+  const Result<output::OutputSize> size =
+      output::output_size(context.limits, settings.size, viewport, handle.own_scale);
+  if (!size) return size.status();
+  RasterOptions options = settings.raster;
+  if (!background) options.format = output::with_alpha(options.format);
+  options.viewport = viewport;
+  options.width = size->width;
+  options.height = size->height;
+  Result<Image> image = raster::rasterize_on(context, picture, options, background);
+  if (!image) return image.status();
+  ScopedCharge charge;
+  Status status = charge.add(context, capacity_bytes(image->bytes), "the image");
+  if (status && !settings.no_background) status = output::drop_opaque_alpha(context, *image);
+  if (!status) return status;
+  return output::encode_image(context, *image, kind, settings.output);
+}
+
+/// The exporters take the background from the picture: where it is another, from a copy.
+Result<Bytes> make_drawing(Context& context, const sfumato_picture& handle, OutputKind kind,
+                           const options::Settings& settings, ExportNotes& notes) {
+  const Picture& picture = handle.solution.picture();
+  output::DrawingOptions drawing{kind, settings.output};
+  drawing.scale = output::output_scale(settings.size, picture.viewport, handle.own_scale);
+  drawing.max_error = handle.settings.diffuse.max_error;
+  if (drawing.output.title.empty()) drawing.output.title = kDefaultTitle;
+  const std::optional<Rgb> background = background_of(settings, kind, picture);
+  if (background == picture.background) {
+    return output::export_picture(context, picture, drawing, &notes);
+  }
+  ScopedCharge charge;
+  Status status = charge.add(context, bytes_of(picture), "a copy of the picture");
+  if (!status) return status;
+  Picture copy = picture;
+  copy.background = background;
+  return output::export_picture(context, copy, drawing, &notes);
+}
+
+Outcome export_file(sfumato_context* context, const sfumato_picture* handle, const char* format,
+                    const char* text, sfumato_bytes** out) {
+  context->warnings.clear();
+  if (!handle) return bad_usage("NULL given, expected a picture");
+  OutputKind kind{};
+  if (Outcome read = read_format(format, kind); read.code != SFUMATO_OK) return read;
+  options::Settings settings;
+  Outcome read = read_file_options(text, options::kExport, kind, settings);
+  if (read.code != SFUMATO_OK) return read;
+  Context& work = context->workshop->context;
+  if (options::is_image(kind)) return hand_out(make_image(work, *handle, kind, settings), out);
+  ExportNotes notes;
+  Result<Bytes> file = make_drawing(work, *handle, kind, settings, notes);
+  if (file) context->warnings = std::move(notes.lost);
+  return hand_out(std::move(file), out);
+}
+
+/// The caller's pixels, row behind row.
+Result<Image> copy_pixels(const Context& context, const sfumato_image& pixels, PixelFormat format,
+                          TableMemory& memory) {
+  Image image{pixels.width, pixels.height, format, {}};
+  const std::size_t row_bytes = image.row_bytes();
+  const auto height = static_cast<std::size_t>(pixels.height);
+  Status status = memory.reserve(context, image.bytes, row_bytes * height);
+  if (!status) return status;
+  const auto* row = static_cast<const std::uint8_t*>(pixels.pixels);
+  for (std::size_t y = 0; y < height; ++y, row += pixels.row_bytes) {
+    if (context.cancelled()) return context.cancel_status();
+    image.bytes.insert(image.bytes.end(), row, row + row_bytes);
+  }
+  return image;
+}
+
+Outcome encode(Workshop& workshop, const sfumato_image* pixels, const char* format_name,
+               const char* text, sfumato_bytes** out) {
+  const std::optional<PixelFormat> format = format_of(pixels);
+  if (!format) return bad_usage("no image: a NULL, a size, a format, or rows that are too short");
+  OutputKind kind{};
+  if (Outcome read = read_format(format_name, kind); read.code != SFUMATO_OK) return read;
+  if (!options::is_image(kind)) return bad_usage("the format is no image's");
+  options::Settings settings;
+  Outcome read = read_file_options(text, options::kEncode, kind, settings);
+  if (read.code != SFUMATO_OK) return read;
+  TableMemory memory("the image");
+  Result<Image> image = copy_pixels(workshop.context, *pixels, *format, memory);
+  if (!image) return image.status();
+  return hand_out(output::encode_image(workshop.context, *image, kind, settings.output), out);
+}
+
+}  // namespace
+}  // namespace sfumato::capi
+
+int32_t sfumato_export(sfumato_context* context, const sfumato_picture* picture, const char* format,
+                       const char* options, sfumato_bytes** bytes) {
+  return sfumato::capi::make(context, bytes, [&](sfumato::capi::Workshop&) {
+    return sfumato::capi::export_file(context, picture, format, options, bytes);
+  });
+}
+
+int32_t sfumato_encode(sfumato_context* context, const sfumato_image* image, const char* format,
+                       const char* options, sfumato_bytes** bytes) {
+  return sfumato::capi::make(context, bytes, [&](sfumato::capi::Workshop& workshop) {
+    return sfumato::capi::encode(workshop, image, format, options, bytes);
+  });
+}

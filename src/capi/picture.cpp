@@ -1,0 +1,88 @@
+#include "capi/picture.hpp"
+
+#include "capi/view.hpp"
+
+namespace sfumato::capi {
+namespace {
+
+sfumato_view view_of_nodes(const PatchField& field) {
+  return view_of(field.triangle_node, kNodesPerTriangle, SFUMATO_U32, sizeof(std::uint32_t));
+}
+
+sfumato_view view_of_values(const PatchField& field) {
+  return view_of(field.node_value, static_cast<std::uint32_t>(field.channel_count), SFUMATO_F32,
+                 sizeof(float));
+}
+
+/// The layer; null where there is none.
+const PatchLayer* find_layer(const sfumato_picture* handle, std::uint32_t layer) {
+  if (!handle || layer >= handle->solution.picture().layers.size()) return nullptr;
+  return &handle->solution.picture().layers[layer];
+}
+
+}  // namespace
+
+bool find_table(const PatchLayer& layer, std::uint32_t table, sfumato_view& view) {
+  switch (table) {
+    case SFUMATO_VERTICES:
+      view = view_of(layer.vertex_position, 2, SFUMATO_F64, sizeof(double));
+      return true;
+    case SFUMATO_TRIANGLES:
+      view = view_of(layer.triangle_vertex, 3, SFUMATO_U32, sizeof(std::uint32_t));
+      return true;
+    case SFUMATO_CURVE_EDGES:
+      view = view_of(layer.edge_is_curve, 3, SFUMATO_U8, sizeof(std::uint8_t));
+      return true;
+    case SFUMATO_COLOR_NODES:
+      view = view_of_nodes(layer.color);
+      return true;
+    case SFUMATO_COLOR_VALUES:
+      view = view_of_values(layer.color);
+      return true;
+    case SFUMATO_OPACITY_NODES:
+      view = view_of_nodes(layer.opacity);
+      return true;
+    case SFUMATO_OPACITY_VALUES:
+      view = view_of_values(layer.opacity);
+      return true;
+    default:
+      return false;
+  }
+}
+
+}  // namespace sfumato::capi
+
+int32_t sfumato_picture_viewport(const sfumato_picture* picture, double box[4]) {
+  if (!picture || !box) return SFUMATO_BAD_USAGE;
+  const sfumato::Box& viewport = picture->solution.picture().viewport;
+  box[0] = viewport.min.x;
+  box[1] = viewport.min.y;
+  box[2] = viewport.width();
+  box[3] = viewport.height();
+  return SFUMATO_OK;
+}
+
+uint32_t sfumato_picture_layer_count(const sfumato_picture* picture) {
+  return picture ? static_cast<uint32_t>(picture->solution.picture().layers.size()) : 0;
+}
+
+int32_t sfumato_picture_table(const sfumato_picture* picture, uint32_t layer, uint32_t table,
+                              sfumato_view* view) {
+  if (view) *view = {};
+  const sfumato::PatchLayer* found = sfumato::capi::find_layer(picture, layer);
+  if (!found || !view || !sfumato::capi::find_table(*found, table, *view)) return SFUMATO_BAD_USAGE;
+  return SFUMATO_OK;
+}
+
+int32_t sfumato_picture_changes(const sfumato_picture* picture, uint32_t layer, uint32_t table,
+                                sfumato_view* view) {
+  if (view) *view = {};
+  if (!picture || !view || layer >= picture->changed.size() ||
+      table >= picture->changed[layer].size()) {
+    return SFUMATO_BAD_USAGE;
+  }
+  const std::array<uint32_t, 2>& rows = picture->changed[layer][table];
+  const bool is_new = rows[1] > rows[0];
+  *view = {is_new ? rows.data() : nullptr, is_new ? 1U : 0U, sizeof rows, 2, SFUMATO_U32};
+  return SFUMATO_OK;
+}

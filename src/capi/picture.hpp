@@ -1,0 +1,41 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "capi/context.hpp"
+#include "options/option.hpp"
+#include "options/settings.hpp"
+#include "sfumato/base/vec2.hpp"
+#include "sfumato/solve/solution.hpp"
+
+namespace sfumato::capi {
+
+/// Rows from and up to, for each table of a layer.
+using ChangedRows = std::array<std::array<std::uint32_t, 2>, SFUMATO_OPACITY_VALUES + 1>;
+
+/// What the options of a solution say for a document. Errors: options that do not go together.
+DiffuseOptions solve_options(const options::Settings& settings, const Document& document);
+
+/// Reads the options by which a document is solved.
+Outcome read_solve_options(const char* text, options::Call call, options::Settings& settings);
+
+/// A table of a layer; false where there is no such table.
+bool find_table(const PatchLayer& layer, std::uint32_t table, sfumato_view& view);
+
+}  // namespace sfumato::capi
+
+struct sfumato_picture {
+  sfumato_picture(std::shared_ptr<sfumato::capi::Workshop> w, sfumato::Solution s,
+                  const sfumato::options::Settings& asked)
+      : workshop(std::move(w)), solution(std::move(s)), settings(asked) {}
+
+  std::shared_ptr<sfumato::capi::Workshop> workshop;  ///< first: it outlives the solution
+  sfumato::Solution solution;
+  sfumato::options::Settings settings;  ///< that it is solved with
+  sfumato::Vec2 own_scale{1, 1};        ///< pixels per user unit at the document's own size
+  std::vector<sfumato::capi::ChangedRows> changed;  ///< of each layer
+};

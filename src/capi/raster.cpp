@@ -1,0 +1,41 @@
+#include "capi/picture.hpp"
+#include "capi/pixels.hpp"
+#include "options/option_reader.hpp"
+#include "options/tables.hpp"
+#include "raster/rasterize_into.hpp"
+
+namespace sfumato::capi {
+namespace {
+
+constexpr const char* kNoImage = "no image: a NULL, a size, a format, or rows that are too short";
+
+Outcome draw(Workshop& workshop, const sfumato_picture* handle, const sfumato_image* image,
+             const char* text) {
+  if (!handle) return bad_usage("NULL given, expected a picture");
+  const std::optional<PixelFormat> format = format_of(image);
+  if (!format) return bad_usage(kNoImage);
+  options::Settings settings;
+  options::OptionReader reader(options::kRaster);
+  reader.take(options::render_options(), settings);
+  if (Status status = reader.read(text ? text : ""); !status) return bad_usage(std::move(status));
+  RasterOptions& options = settings.raster;
+  options.width = image->width;
+  options.height = image->height;
+  options.format = *format;
+  options.viewport = settings.diffuse.viewport;
+  options.dither = settings.dither.value_or(false);
+  const Picture& picture = handle->solution.picture();
+  const std::optional<Rgb> own = settings.no_background ? std::nullopt : picture.background;
+  return raster::rasterize_into(workshop.context, picture, options, own,
+                                static_cast<std::uint8_t*>(image->pixels), image->row_bytes);
+}
+
+}  // namespace
+}  // namespace sfumato::capi
+
+int32_t sfumato_raster(sfumato_context* context, const sfumato_picture* picture,
+                       const sfumato_image* image, const char* options) {
+  return sfumato::capi::call(context, [&](sfumato::capi::Workshop& workshop) {
+    return sfumato::capi::draw(workshop, picture, image, options);
+  });
+}

@@ -1,0 +1,83 @@
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "capi/document.hpp"
+#include "sfumato/formats/read_document.hpp"
+
+namespace sfumato::capi {
+namespace {
+
+/// What a loader's call to `deliver` fills.
+struct Delivery {
+  std::size_t most_bytes;
+  std::vector<std::uint8_t> bytes{};
+  Status status{};
+};
+
+/// Called by the loader, through which no exception may pass.
+void deliver(void* sink, const void* bytes, std::size_t byte_count) {
+  auto& delivery = *static_cast<Delivery*>(sink);
+  delivery.status = caught([&]() -> Outcome {
+                      if (!bytes && byte_count > 0) {
+                        return make_error(StatusCode::bad_input, "the loader gave NULL");
+                      }
+                      if (byte_count > delivery.most_bytes) {
+                        return make_error(StatusCode::limit, "a file over the limit of bytes");
+                      }
+                      const auto* first = static_cast<const std::uint8_t*>(bytes);
+                      delivery.bytes.assign(first, first + byte_count);
+                      return {};
+                    }).status;
+}
+
+/// A loader of C.
+class ForeignLoader final : public ResourceLoader {
+ public:
+  ForeignLoader(const sfumato_loader& loader, const Limits& limits)
+      : loader_(loader), limits_(limits) {}
+
+  Result<std::vector<std::uint8_t>> load(std::string_view href) const override {
+    Delivery delivery{limits_.image_file_bytes};
+    const std::string name(href);
+    const std::int32_t refused = loader_.load(loader_.user, name.c_str(), deliver, &delivery);
+    if (refused != 0) return make_error(StatusCode::bad_input, "the loader refused the file");
+    if (!delivery.status) return delivery.status;
+    return std::move(delivery.bytes);
+  }
+
+ private:
+  const sfumato_loader& loader_;
+  const Limits& limits_;
+};
+
+Outcome read(sfumato_context* context, std::string_view text, const char* name,
+             const sfumato_loader* loader, sfumato_document** out) {
+  Context& work = context->workshop->context;
+  context->warnings.clear();
+  std::optional<ForeignLoader> foreign;
+  if (loader) foreign.emplace(*loader, work.limits);
+  Result<ReadDocument> read =
+      read_document(work, text, name ? name : "", foreign ? &*foreign : nullptr);
+  if (!read) return read.status();
+  for (const Diagnostic& warning : read->warnings) {
+    context->warnings.push_back(to_string(warning));
+  }
+  return hand_out(context, std::move(read->document), out);
+}
+
+}  // namespace
+}  // namespace sfumato::capi
+
+int32_t sfumato_read(sfumato_context* context, const void* bytes, size_t byte_count,
+                     const char* name, const sfumato_loader* loader, sfumato_document** document) {
+  using sfumato::capi::bad_usage;
+  const auto body = [&](sfumato::capi::Workshop&) -> sfumato::capi::Outcome {
+    if (!bytes && byte_count > 0) return bad_usage("NULL given, expected bytes");
+    if (loader && !loader->load) return bad_usage("a loader without a function");
+    const std::string_view text(static_cast<const char*>(bytes), byte_count);
+    return sfumato::capi::read(context, text, name, loader, document);
+  };
+  return sfumato::capi::make(context, document, body);
+}

@@ -1,0 +1,127 @@
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "base/charge.hpp"
+#include "capi/document.hpp"
+#include "capi/picture.hpp"
+#include "options/option_reader.hpp"
+#include "options/tables.hpp"
+#include "output/output_size.hpp"
+
+namespace sfumato::capi {
+namespace {
+
+/// All rows of the layers that are new, and none of the others.
+void note_changes(const Picture& picture, const PictureDelta& delta,
+                  std::vector<ChangedRows>& changed) {
+  for (std::uint32_t i = 0; i < changed.size(); ++i) {
+    const bool is_new = std::ranges::binary_search(delta.layers, i);
+    for (std::uint32_t table = 0; table < changed[i].size(); ++table) {
+      sfumato_view view{};
+      find_table(picture.layers[i], table, view);
+      changed[i][table] = {0, is_new ? static_cast<std::uint32_t>(view.rows) : 0};
+    }
+  }
+}
+
+/// Brings the picture up to what its solution's document is. Whatever may fail comes before the
+/// handle changes.
+Status bring_up(Context& context, sfumato_picture& handle) {
+  const Document& document = handle.solution.document();
+  std::vector<ChangedRows> changed(document.layers.size());
+  const DiffuseOptions options = solve_options(handle.settings, document);
+  if (Status status = handle.solution.solve(context, options); !status) return status;
+  note_changes(handle.solution.picture(), handle.solution.take_delta(), changed);
+  handle.changed = std::move(changed);
+  handle.own_scale = output::own_scale(document);
+  return ok_status();
+}
+
+/// A copy of a document, whose bytes can be had.
+Result<Document> copy_of(const Context& context, const Document& document) {
+  ScopedCharge charge;
+  Status status = charge.add(context, bytes_of(document), "a document");
+  if (!status) return status;
+  return document;
+}
+
+Outcome solve(Workshop& workshop, sfumato_context* context, const Document& document,
+              const char* text, sfumato_picture** out) {
+  options::Settings settings;
+  Outcome read = read_solve_options(text, options::kSolve, settings);
+  if (read.code != SFUMATO_OK) return read;
+  Result<Document> copy = copy_of(workshop.context, document);
+  if (!copy) return copy.status();
+  Result<Solution> solution = Solution::create(workshop.context, std::move(*copy));
+  if (!solution) return solution.status();
+  auto handle =
+      std::make_unique<sfumato_picture>(context->workshop, std::move(*solution), settings);
+  if (Status status = bring_up(workshop.context, *handle); !status) return status;
+  *out = handle.release();
+  return {};
+}
+
+Outcome solve_again(Workshop& workshop, const sfumato_document* document, std::int32_t quick,
+                    sfumato_picture* handle) {
+  if (!document || !handle) return bad_usage("NULL given, expected a document and a picture");
+  if (quick != 0) {
+    return make_error(StatusCode::unavailable, "quick pictures are not in this version");
+  }
+  Result<Document> copy = copy_of(workshop.context, document->document);
+  if (!copy) return copy.status();
+  const Result<Change> old =
+      handle->solution.apply(workshop.context, ReplaceDocument{std::move(*copy)});
+  if (!old) return old.status();
+  return bring_up(workshop.context, *handle);
+}
+
+}  // namespace
+
+DiffuseOptions solve_options(const options::Settings& settings, const Document& document) {
+  DiffuseOptions options = settings.diffuse;
+  const Box viewport = options.viewport.value_or(document.artboard);
+  options.viewport = viewport;
+  options.pixels_per_unit =
+      output::output_scale(settings.size, viewport, output::own_scale(document)) *
+      settings.output.detail.value_or(1);
+  options.gather.method =
+      settings.method == options::Method::rays ? gather::Method::rays : gather::Method::exact;
+  return options;
+}
+
+Outcome read_solve_options(const char* text, options::Call call, options::Settings& settings) {
+  options::OptionReader reader(call);
+  reader.take(options::render_options(), settings);
+  if (Status status = reader.read(text ? text : ""); !status) return bad_usage(std::move(status));
+  if (settings.size.scale && (settings.size.width || settings.size.height)) {
+    return bad_usage("scale: expected without width and height");
+  }
+  if (settings.method == options::Method::pixels) {
+    return bad_usage("method: \"pixels\" given, which makes no picture; expected exact or rays");
+  }
+  return {};
+}
+
+}  // namespace sfumato::capi
+
+int32_t sfumato_solve(sfumato_context* context, const sfumato_document* document,
+                      const char* options, sfumato_picture** picture) {
+  using sfumato::capi::Outcome;
+  const auto body = [&](sfumato::capi::Workshop& workshop) -> Outcome {
+    if (!document) return sfumato::capi::bad_usage("NULL given, expected a document");
+    return sfumato::capi::solve(workshop, context, document->document, options, picture);
+  };
+  return sfumato::capi::make(context, picture, body);
+}
+
+int32_t sfumato_solve_again(sfumato_context* context, const sfumato_document* document,
+                            int32_t quick, sfumato_picture* picture) {
+  return sfumato::capi::call(context, [&](sfumato::capi::Workshop& workshop) {
+    return sfumato::capi::solve_again(workshop, document, quick, picture);
+  });
+}
+
+void sfumato_picture_free(sfumato_picture* picture) {
+  delete picture;
+}

@@ -1,0 +1,302 @@
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstring>
+#include <thread>
+
+#include "capi/handles.hpp"
+#include "cli/run_command.hpp"
+
+/// What the calls make of good input.
+namespace sfumato::test {
+namespace {
+
+ContextHandle context_of(const char* options = "threads=2") {
+  ContextHandle context(sfumato_context_new(options));
+  EXPECT_STREQ(sfumato_error_text(context.get()), "");
+  return context;
+}
+
+void move_first_point(sfumato_context* c, sfumato_document* document, std::uint32_t layer,
+                      std::uint32_t curve) {
+  sfumato_view view{};
+  ASSERT_EQ(sfumato_curve_points(document, layer, curve, &view), SFUMATO_OK);
+  ASSERT_EQ(view.columns, 2u);
+  std::vector<double> xy(static_cast<const double*>(view.data),
+                         static_cast<const double*>(view.data) + 2 * view.rows);
+  for (double& number : xy) number += 0.75;
+  ASSERT_EQ(sfumato_set_curve_points(c, document, layer, curve, xy.data(), view.rows), SFUMATO_OK);
+}
+
+TEST(CSolve, again_gives_the_bits_of_a_fresh_solution) {
+  const ContextHandle context = context_of();
+  sfumato_context* c = context.get();
+  const DocumentHandle document = read_text(c, example("portrait.svg"));
+  sfumato_document* d = document.get();
+  const PictureHandle picture = solve(c, d, "max-error=4");
+  const double rows[] = {0, 1, 0, 0, 1, 0, 1, 0};
+  const auto expect_fresh = [&](const char* after) {
+    ASSERT_EQ(sfumato_solve_again(c, d, 0, picture.get()), SFUMATO_OK) << after;
+    EXPECT_EQ(tables_of(picture.get()), tables_of(solve(c, d, "max-error=4").get())) << after;
+  };
+  move_first_point(c, d, 0, 0);
+  expect_fresh("a move");
+  const std::uint32_t last = sfumato_layer_count(d) - 1;
+  ASSERT_EQ(sfumato_set_curve_stops(c, d, last, 0, SFUMATO_LEFT, SFUMATO_COLOR, SFUMATO_STOPS,
+                                    SFUMATO_ARC_LENGTH, rows, 2),
+            SFUMATO_OK);
+  expect_fresh("a colour");
+  ASSERT_EQ(sfumato_remove_curve(c, d, last, 0), SFUMATO_OK);
+  expect_fresh("a removal");
+  const DocumentHandle other = read_text(c, example("evening.xml"));
+  ASSERT_EQ(sfumato_solve_again(c, other.get(), 0, picture.get()), SFUMATO_OK);
+  EXPECT_EQ(tables_of(picture.get()), tables_of(solve(c, other.get(), "max-error=4").get()));
+}
+
+TEST(CSolve, again_names_the_layers_that_are_new) {
+  const ContextHandle context = context_of();
+  sfumato_context* c = context.get();
+  const DocumentHandle document = read_text(c, example("portrait.svg"));
+  ASSERT_GT(sfumato_layer_count(document.get()), 1u);
+  const PictureHandle picture = solve(c, document.get(), "max-error=off");
+  const auto new_rows = [&](std::uint32_t layer) {
+    sfumato_view view{}, table{};
+    EXPECT_EQ(sfumato_picture_changes(picture.get(), layer, SFUMATO_TRIANGLES, &view), SFUMATO_OK);
+    EXPECT_EQ(sfumato_picture_table(picture.get(), layer, SFUMATO_TRIANGLES, &table), SFUMATO_OK);
+    if (view.rows == 0) return false;
+    const auto* rows = static_cast<const std::uint32_t*>(view.data);
+    EXPECT_EQ(rows[0], 0u);
+    EXPECT_EQ(rows[1], table.rows);
+    return true;
+  };
+  EXPECT_TRUE(new_rows(0) && new_rows(1));
+  move_first_point(c, document.get(), 1, 0);
+  ASSERT_EQ(sfumato_solve_again(c, document.get(), 0, picture.get()), SFUMATO_OK);
+  EXPECT_FALSE(new_rows(0));
+  EXPECT_TRUE(new_rows(1));
+}
+
+TEST(CSolve, that_fails_leaves_the_picture_as_it_was) {
+  const ContextHandle context = context_of(), small = context_of("threads=1 limit.segments=2");
+  const DocumentHandle document = read_text(context.get(), example("evening.xml"));
+  const PictureHandle picture = solve(context.get(), document.get());
+  const std::string before = tables_of(picture.get());
+  move_first_point(context.get(), document.get(), 0, 0);
+  EXPECT_EQ(sfumato_solve_again(small.get(), document.get(), 0, picture.get()), SFUMATO_LIMIT);
+  EXPECT_EQ(tables_of(picture.get()), before);
+  EXPECT_EQ(sfumato_solve_again(context.get(), document.get(), 0, picture.get()), SFUMATO_OK);
+  EXPECT_EQ(tables_of(picture.get()), tables_of(solve(context.get(), document.get()).get()));
+}
+
+TEST(CFiles, are_those_of_the_command) {
+  const ContextHandle context = context_of();
+  sfumato_context* c = context.get();
+  const std::string text = example("evening.xml");
+  const DocumentHandle document = read_text(c, text);
+  struct Case {
+    const char* format;
+    const char* solving;
+    const char* writing;
+    std::vector<std::string> arguments;
+  };
+  const std::vector<Case> cases{
+      {"png", "", "", {}},
+      {"png", "width=200", "width=200 no-dither", {"--width", "200", "--no-dither"}},
+      {"png",
+       "scale=0.5 max-error=0.25",
+       "scale=0.5 depth=16",
+       {"--scale", "0.5", "--depth", "16"}},
+      {"png", "", "background=none", {"--background", "none"}},
+      {"jpg", "", "quality=70", {"--quality", "70"}},
+      {"webp", "", "lossless background=gold", {"--lossless", "--background", "gold"}},
+      {"pdf", "detail=2", "", {}},
+      {"pdf",
+       "detail=2",
+       "title=\"A b\" background=gold",
+       {"--title", "A b", "--background", "gold"}},
+      {"eps", "detail=2", "", {}},
+      {"svg", "detail=2", "", {}},
+      {"svg", "", "svg=vector force", {"--svg", "vector", "--force"}},
+      {"html", "detail=2", "", {}},
+      {"glb", "detail=2", "dpi=100", {"--dpi", "100"}}};
+  for (const Case& one : cases) {
+    const PictureHandle picture = solve(c, document.get(), one.solving);
+    sfumato_bytes* bytes = nullptr;
+    ASSERT_EQ(sfumato_export(c, picture.get(), one.format, one.writing, &bytes), SFUMATO_OK)
+        << sfumato_error_text(c);
+    const BytesHandle file(bytes);
+    std::vector<std::string> arguments{"render", "-", "-o", "-", "--format", one.format, "--quiet"};
+    arguments.insert(arguments.end(), one.arguments.begin(), one.arguments.end());
+    const CommandResult result = run_sfumato(arguments, text);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_TRUE(text_of(file.get()) == result.out) << one.format << ' ' << one.writing;
+  }
+}
+
+TEST(CPixels, encoded_are_the_file_that_is_exported) {
+  const ContextHandle context = context_of();
+  sfumato_context* c = context.get();
+  const DocumentHandle document = read_text(c, example("evening.xml"));
+  const PictureHandle picture = solve(c, document.get());
+  double box[4];
+  ASSERT_EQ(sfumato_picture_viewport(picture.get(), box), SFUMATO_OK);
+  const auto width = static_cast<std::int32_t>(box[2]), height = static_cast<std::int32_t>(box[3]);
+  const std::size_t row_bytes = 3 * static_cast<std::size_t>(width) + 5;
+  std::vector<std::uint8_t> pixels(row_bytes * static_cast<std::size_t>(height), 0xa5);
+  const sfumato_image image{pixels.data(), row_bytes, width, height, SFUMATO_RGB8};
+  ASSERT_EQ(sfumato_raster(c, picture.get(), &image, "dither background=white"), SFUMATO_OK);
+  for (int y = 0; y < height; ++y) {
+    for (int i = 0; i < 5; ++i) {
+      const std::size_t between = static_cast<std::size_t>(y + 1) * row_bytes - 5;
+      ASSERT_EQ(pixels[between + static_cast<std::size_t>(i)], 0xa5) << y;
+    }
+  }
+  sfumato_bytes *encoded = nullptr, *exported = nullptr;
+  ASSERT_EQ(sfumato_encode(c, &image, "png", nullptr, &encoded), SFUMATO_OK);
+  const BytesHandle a(encoded);
+  ASSERT_EQ(sfumato_export(c, picture.get(), "png", "background=white", &exported), SFUMATO_OK);
+  const BytesHandle b(exported);
+  EXPECT_TRUE(text_of(a.get()) == text_of(b.get()));
+}
+
+TEST(CRead, gives_the_place_of_an_error) {
+  const ContextHandle context = context_of();
+  sfumato_document* document = nullptr;
+  const std::string text = "<svg xmlns='http://www.w3.org/2000/svg'>\n  <path d='M0 0'";
+  EXPECT_EQ(sfumato_read(context.get(), text.data(), text.size(), "x.svg", nullptr, &document),
+            SFUMATO_BAD_INPUT);
+  EXPECT_EQ(document, nullptr);
+  std::int32_t line = 0, column = 0;
+  sfumato_error_place(context.get(), &line, &column);
+  EXPECT_EQ(line, 2);
+  EXPECT_GT(column, 0);
+  EXPECT_STREQ(sfumato_error_file(context.get()), "x.svg");
+  EXPECT_STRNE(sfumato_error_text(context.get()), "");
+}
+
+TEST(CRead, takes_textures_from_the_loader_alone) {
+  const ContextHandle context = context_of();
+  const std::string text = example("textures.svg");
+  sfumato_document* document = nullptr;
+  EXPECT_EQ(sfumato_read(context.get(), text.data(), text.size(), "t", nullptr, &document),
+            SFUMATO_BAD_INPUT);
+  const auto load = [](void* user, const char* href, sfumato_deliver_fn deliver, void* sink) {
+    ++*static_cast<int*>(user);
+    const std::string bytes = example(href);
+    deliver(sink, bytes.data(), bytes.size());
+    return std::int32_t{0};
+  };
+  int count = 0;
+  const sfumato_loader loader{load, &count};
+  ASSERT_EQ(sfumato_read(context.get(), text.data(), text.size(), "t", &loader, &document),
+            SFUMATO_OK)
+      << sfumato_error_text(context.get());
+  const DocumentHandle freed(document);
+  EXPECT_GT(count, 0);
+}
+
+TEST(CRead, loaders_that_refuse_or_give_nothing_are_errors) {
+  const ContextHandle context = context_of();
+  const std::string text = example("textures.svg");
+  sfumato_document* document = nullptr;
+  const auto refuse = [](void*, const char*, sfumato_deliver_fn, void*) { return std::int32_t{1}; };
+  const auto silent = [](void*, const char*, sfumato_deliver_fn, void*) { return std::int32_t{0}; };
+  const auto null = [](void*, const char*, sfumato_deliver_fn deliver, void* sink) {
+    deliver(sink, nullptr, 10);
+    return std::int32_t{0};
+  };
+  const auto huge = [](void*, const char* href, sfumato_deliver_fn deliver, void* sink) {
+    deliver(sink, href, SIZE_MAX);
+    return std::int32_t{0};
+  };
+  const std::vector<sfumato_loader> loaders{
+      {refuse, nullptr}, {silent, nullptr}, {null, nullptr}, {huge, nullptr}};
+  for (const sfumato_loader& loader : loaders) {
+    const std::int32_t code =
+        sfumato_read(context.get(), text.data(), text.size(), "t", &loader, &document);
+    EXPECT_TRUE(code == SFUMATO_BAD_INPUT || code == SFUMATO_LIMIT) << code;
+    EXPECT_EQ(document, nullptr);
+  }
+}
+
+TEST(CContext, cancelled_from_another_thread_ends_and_can_be_resumed) {
+  const ContextHandle context = context_of();
+  sfumato_context* c = context.get();
+  const DocumentHandle document = read_text(c, example("portrait.svg"));
+  std::atomic<bool> begun = false;
+  const auto note = [](void* user, const char*, double) {
+    static_cast<std::atomic<bool>*>(user)->store(true);
+  };
+  sfumato_set_progress(c, note, &begun);
+  std::thread other([&] {
+    while (!begun) std::this_thread::yield();
+    sfumato_cancel(c);
+  });
+  sfumato_picture* picture = nullptr;
+  EXPECT_EQ(sfumato_solve(c, document.get(), "scale=8 max-error=0.05", &picture),
+            SFUMATO_CANCELLED);
+  EXPECT_EQ(picture, nullptr);
+  other.join();
+  EXPECT_EQ(sfumato_solve(c, document.get(), nullptr, &picture), SFUMATO_CANCELLED);
+  sfumato_resume(c);
+  sfumato_set_progress(c, nullptr, nullptr);
+  EXPECT_TRUE(solve(c, document.get(), "max-error=off"));
+}
+
+TEST(CContext, bounds_memory_time_and_what_an_input_asks_for) {
+  const std::string text = example("portrait.svg");
+  sfumato_document* document = nullptr;
+  sfumato_picture* picture = nullptr;
+  const ContextHandle few = context_of("limit.curves=3");
+  EXPECT_EQ(sfumato_read(few.get(), text.data(), text.size(), "in", nullptr, &document),
+            SFUMATO_LIMIT);
+  const ContextHandle rich = context_of(), poor = context_of("max-memory=2"),
+                      late = context_of("max-time=1e-6");
+  const DocumentHandle good = read_text(rich.get(), text);
+  EXPECT_EQ(sfumato_solve(poor.get(), good.get(), nullptr, &picture), SFUMATO_LIMIT);
+  EXPECT_EQ(sfumato_solve(late.get(), good.get(), nullptr, &picture), SFUMATO_LIMIT);
+}
+
+/// What is held is given back: otherwise a small budget would end after some rounds.
+TEST(CContext, has_its_memory_again_when_handles_are_freed) {
+  const ContextHandle context = context_of("max-memory=60 threads=1");
+  const std::string text = example("evening.xml");
+  for (int i = 0; i < 12; ++i) {
+    const DocumentHandle document = read_text(context.get(), text);
+    ASSERT_TRUE(solve(context.get(), document.get(), "max-error=off")) << i;
+    sfumato_field* field = nullptr;
+    ASSERT_EQ(sfumato_field_new(context.get(), document.get(), 0, nullptr, &field), SFUMATO_OK);
+    sfumato_field_free(field);
+  }
+}
+
+TEST(CDocument, has_the_stops_that_were_set) {
+  const ContextHandle context = context_of();
+  sfumato_document* made = nullptr;
+  ASSERT_EQ(sfumato_document_new(context.get(), "artboard=0,0,10,10 interpolation=oklab", &made),
+            SFUMATO_OK);
+  const DocumentHandle document(made);
+  const double line[] = {0, 5, 3, 5, 6, 5, 10, 5}, opacity[] = {0, 0.25, 1, 0.75};
+  ASSERT_EQ(sfumato_insert_curve(context.get(), made, 0, UINT32_MAX, line, 4), SFUMATO_OK);
+  ASSERT_EQ(sfumato_set_curve_stops(context.get(), made, 0, 0, SFUMATO_RIGHT, SFUMATO_OPACITY,
+                                    SFUMATO_STOPS, SFUMATO_PARAMETER, opacity, 2),
+            SFUMATO_OK);
+  std::int32_t kind = 0, space = 0;
+  double rows[4] = {9, 9, 9, 9};
+  EXPECT_EQ(sfumato_curve_stops(made, 0, 0, SFUMATO_RIGHT, SFUMATO_OPACITY, &kind, &space, rows, 1),
+            2u);
+  EXPECT_EQ(rows[1], 0.25);
+  EXPECT_EQ(rows[2], 9);
+  EXPECT_EQ(kind, SFUMATO_STOPS);
+  EXPECT_EQ(space, SFUMATO_PARAMETER);
+  EXPECT_EQ(sfumato_curve_stops(made, 0, 0, SFUMATO_LEFT, SFUMATO_COLOR, &kind, &space, rows, 1),
+            0u);
+  EXPECT_EQ(kind, SFUMATO_OPEN);
+  sfumato_document* copied = nullptr;
+  ASSERT_EQ(sfumato_document_copy(context.get(), made, &copied), SFUMATO_OK);
+  const DocumentHandle copy(copied);
+  EXPECT_EQ(written(context.get(), copied), written(context.get(), made));
+}
+
+}  // namespace
+}  // namespace sfumato::test
