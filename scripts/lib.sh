@@ -1,7 +1,7 @@
 # Shared by the scripts of this folder; sourced.
 
-# The files of C++ and C of a project folder, relative to it, each ended by NUL: those that git tracks, or all
-# where the folder is no working tree.
+# The files of C++ and C of a project folder, relative to it, each ended by NUL: those that git
+# tracks, or all where the folder is no working tree.
 cpp_files() {
   (
     cd "$1"

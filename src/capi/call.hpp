@@ -1,11 +1,9 @@
 #pragma once
 
-#include <exception>
-#include <new>
-#include <stdexcept>
 #include <string>
 #include <utility>
 
+#include "base/no_throw.hpp"
 #include "sfumato/base/status.hpp"
 #include "sfumato/sfumato.h"
 
@@ -33,20 +31,14 @@ inline Outcome bad_usage(Status status) {
   return {SFUMATO_BAD_USAGE, std::move(status)};
 }
 
-/// Runs body(), which returns an Outcome; what it throws becomes one. Needs no memory for that.
+/// Runs body(), which returns an Outcome; what it throws becomes one, also what a caller's function
+/// throws through it. Needs no memory for that.
 template <class Body>
 Outcome caught(Body&& body) noexcept {
-  const auto failed = [](StatusCode code, const char* short_text) {
-    return Outcome(make_error(code, short_text));
-  };
   try {
-    return body();
-  } catch (const std::bad_alloc&) {
-    return failed(StatusCode::out_of_memory, "out of memory");
-  } catch (const std::length_error&) {  // more elements than any memory holds
-    return failed(StatusCode::out_of_memory, "out of memory");
-  } catch (const std::exception&) {
-    return failed(StatusCode::internal, "an exception");
+    return no_throw(body);
+  } catch (...) {
+    return make_error(StatusCode::internal, "an exception");
   }
 }
 

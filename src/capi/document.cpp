@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "capi/bytes.hpp"
+#include "capi/view.hpp"
 #include "options/option_reader.hpp"
 #include "options/tables.hpp"
 #include "sfumato/document/build.hpp"
@@ -133,11 +134,7 @@ int32_t sfumato_document_write(sfumato_context* context, const sfumato_document*
 
 int32_t sfumato_document_artboard(const sfumato_document* document, double box[4]) {
   if (!document || !box) return SFUMATO_BAD_USAGE;
-  const sfumato::Box& artboard = document->document.artboard;
-  box[0] = artboard.min.x;
-  box[1] = artboard.min.y;
-  box[2] = artboard.width();
-  box[3] = artboard.height();
+  sfumato::capi::write_box(document->document.artboard, box);
   return SFUMATO_OK;
 }
 

@@ -153,7 +153,7 @@ Result<Image> copy_pixels(const Context& context, const sfumato_image& pixels, P
 Outcome encode(Workshop& workshop, const sfumato_image* pixels, const char* format_name,
                const char* text, sfumato_bytes** out) {
   const std::optional<PixelFormat> format = format_of(pixels);
-  if (!format) return bad_usage("no image: a NULL, a size, a format, or rows that are too short");
+  if (!format) return bad_usage(kNoImage);
   OutputKind kind{};
   if (Outcome read = read_format(format_name, kind); read.code != SFUMATO_OK) return read;
   if (!options::is_image(kind)) return bad_usage("the format is no image's");

@@ -54,11 +54,7 @@ bool find_table(const PatchLayer& layer, std::uint32_t table, sfumato_view& view
 
 int32_t sfumato_picture_viewport(const sfumato_picture* picture, double box[4]) {
   if (!picture || !box) return SFUMATO_BAD_USAGE;
-  const sfumato::Box& viewport = picture->solution.picture().viewport;
-  box[0] = viewport.min.x;
-  box[1] = viewport.min.y;
-  box[2] = viewport.width();
-  box[3] = viewport.height();
+  sfumato::capi::write_box(picture->solution.picture().viewport, box);
   return SFUMATO_OK;
 }
 

@@ -17,10 +17,11 @@ namespace sfumato::capi {
 /// Rows from and up to, for each table of a layer.
 using ChangedRows = std::array<std::array<std::uint32_t, 2>, SFUMATO_OPACITY_VALUES + 1>;
 
-/// What the options of a solution say for a document. Errors: options that do not go together.
+/// What the options of a solution say for a document.
 DiffuseOptions solve_options(const options::Settings& settings, const Document& document);
 
-/// Reads the options by which a document is solved.
+/// Reads the options by which a document is solved. Errors: bad usage, also where options do not
+/// go together.
 Outcome read_solve_options(const char* text, options::Call call, options::Settings& settings);
 
 /// A table of a layer; false where there is no such table.

@@ -7,6 +7,10 @@
 
 namespace sfumato::capi {
 
+/// What is said where format_of() finds none.
+inline constexpr const char* kNoImage =
+    "no image: a NULL, a size, a format, or rows that are too short";
+
 /// The format of the caller's pixels. None: they are no image, by a NULL, a size, a format, or rows
 /// that are shorter than their pixels or end beyond all memory.
 std::optional<PixelFormat> format_of(const sfumato_image* image);

@@ -7,8 +7,6 @@
 namespace sfumato::capi {
 namespace {
 
-constexpr const char* kNoImage = "no image: a NULL, a size, a format, or rows that are too short";
-
 Outcome draw(Workshop& workshop, const sfumato_picture* handle, const sfumato_image* image,
              const char* text) {
   if (!handle) return bad_usage("NULL given, expected a picture");

@@ -85,8 +85,6 @@ DiffuseOptions solve_options(const options::Settings& settings, const Document& 
   options.pixels_per_unit =
       output::output_scale(settings.size, viewport, output::own_scale(document)) *
       settings.output.detail.value_or(1);
-  options.gather.method =
-      settings.method == options::Method::rays ? gather::Method::rays : gather::Method::exact;
   return options;
 }
 

@@ -4,9 +4,18 @@
 #include <cstdint>
 #include <vector>
 
+#include "sfumato/base/box.hpp"
 #include "sfumato/sfumato.h"
 
 namespace sfumato::capi {
+
+/// x, y, width, height.
+inline void write_box(const Box& from, double to[4]) {
+  to[0] = from.min.x;
+  to[1] = from.min.y;
+  to[2] = from.width();
+  to[3] = from.height();
+}
 
 /// A view of `values` as rows of `columns` numbers of a type that takes `number_bytes`; an element
 /// may be several numbers.

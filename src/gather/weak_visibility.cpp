@@ -49,7 +49,9 @@ class ViewerSearch {
     RarePoll<1024> poll(context);
     const std::size_t most = kStepsPerTriangle * scene_.triangle.size();
     std::size_t steps = 0;
+    Status status = memory_.reserve(context, waiting_, 64);
     for (const std::uint32_t h : scene_.watched) {
+      if (!status) return status;
       start_from(h);
       while (!waiting_.empty()) {
         if (poll.cancelled()) return context.cancel_status();
@@ -59,16 +61,13 @@ class ViewerSearch {
         }
         const Window window = waiting_.back();
         waiting_.pop_back();
-        Status status = memory_.make_room(context, waiting_, 2);
+        status = memory_.make_room(context, waiting_, 2);
         if (!status) return status;
         follow(window);
       }
     }
-    return ok_status();
+    return status;
   }
-
-  /// Room for the windows of a source.
-  Status start(const Context& context) { return memory_.reserve(context, waiting_, 64); }
 
  private:
   Vec2 origin(std::uint32_t h) const {
@@ -138,9 +137,7 @@ Result<std::vector<std::uint8_t>> find_viewers(const Context& context, const Sce
   std::vector<std::uint8_t> sees;
   Status status = memory.resize(context, sees, scene.triangle.size());
   if (!status) return status;
-  ViewerSearch search(scene, sees);
-  status = search.start(context);
-  if (status) status = search.run(context);
+  status = ViewerSearch(scene, sees).run(context);
   if (!status) return status;
   return sees;
 }

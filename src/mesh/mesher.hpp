@@ -89,9 +89,8 @@ class Mesher {
   /// again, with an arrangement as good as that of `build`. Vertices of what is taken out stay.
   /// What is inserted is drawn last.
   ///
-  /// flat     the polylines of `build`, as they were, and after them those of this edit and of
-  /// those
-  ///          before it. Segments that were taken out stay in the list and must not be asked for
+  /// flat     the polylines of `build`, as they were, then those of earlier edits, then those of
+  ///          this one. Segments that were taken out stay in the list and are not to be taken out
   ///          again
   /// refines  whether the triangles that change are then refined as `refine` would
   ///

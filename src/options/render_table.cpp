@@ -71,6 +71,8 @@ constexpr Option<Settings> kRenderOptions[] = {
       .calls = kSolve},
      [](Settings& s, const Value& v) {
        s.method = meaning<Method::exact, Method::rays, Method::pixels>(v);
+       s.diffuse.gather.method =
+           s.method == Method::rays ? gather::Method::rays : gather::Method::exact;
      }},
     {{.key = "rays",
       .kind = ValueKind::whole,

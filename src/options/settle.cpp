@@ -98,8 +98,6 @@ void settle(Settings& settings, OutputKind kind) {
   if (settings.depth == 16 && !settings.sets_max_error) {
     settings.diffuse.max_error = kMaxErrorOf16Bits;
   }
-  settings.diffuse.gather.method =
-      settings.method == Method::rays ? gather::Method::rays : gather::Method::exact;
 }
 
 }  // namespace sfumato::options

@@ -9,6 +9,7 @@
 
 #include "sfumato/raster/rasterize.hpp"
 #include "sfumato/solve/solution.hpp"
+#include "solve/diffused.hpp"
 #include "support/cancel_at.hpp"
 #include "support/drawing.hpp"
 #include "support/random_document.hpp"
@@ -23,6 +24,7 @@ namespace {
 using test::circle_curve;
 using test::colored;
 using test::difference_of;
+using test::diffused;
 using test::kBlue;
 using test::kGreen;
 using test::kRed;
@@ -49,13 +51,6 @@ Solution solved(Context& context, Document document, const DiffuseOptions& optio
   EXPECT_TRUE(status.ok()) << to_string(status);
   solution->take_delta();
   return std::move(*solution);
-}
-
-Picture diffused(const Document& document, const DiffuseOptions& options = {}) {
-  Context context;
-  Result<Picture> picture = diffuse(context, document, options);
-  EXPECT_TRUE(picture.ok()) << to_string(picture.status());
-  return std::move(*picture);
 }
 
 /// Mean difference of two pictures in code values.

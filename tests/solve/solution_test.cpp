@@ -7,6 +7,7 @@
 #include <set>
 
 #include "sfumato/base/native/thread_pool.hpp"
+#include "solve/diffused.hpp"
 #include "support/cancel_at.hpp"
 #include "support/drawing.hpp"
 #include "support/random_document.hpp"
@@ -19,6 +20,7 @@ namespace {
 using test::circle_curve;
 using test::colored;
 using test::difference_of;
+using test::diffused;
 using test::kBlue;
 using test::kGreen;
 using test::kRed;
@@ -30,13 +32,6 @@ Solution solution_of(Context& context, Document document) {
   Result<Solution> solution = Solution::create(context, std::move(document));
   EXPECT_TRUE(solution.ok()) << to_string(solution.status());
   return std::move(*solution);
-}
-
-Picture diffused(const Document& document, const DiffuseOptions& options) {
-  Context context;
-  Result<Picture> picture = diffuse(context, document, options);
-  EXPECT_TRUE(picture.ok()) << to_string(picture.status());
-  return std::move(*picture);
 }
 
 void expect_as_diffused(const Solution& solution, const DiffuseOptions& options) {
