@@ -133,7 +133,9 @@ std::unique_ptr<Executor> make_tbb_executor(int thread_count) {
   if (thread_count <= 0) thread_count = tbb::info::default_concurrency();
   thread_count = std::min(thread_count, limits::kThreads);
   try {
-    return std::make_unique<TbbExecutor>(allowed_threads(thread_count));
+    // One thread has no use for oneTBB, which may wait for ever where its own start lacks memory.
+    const int allowed = allowed_threads(thread_count);
+    return allowed == 1 ? nullptr : std::make_unique<TbbExecutor>(allowed);
   } catch (const std::bad_alloc&) {
     return nullptr;
   }
