@@ -1,15 +1,17 @@
-// hostile [--binary FILE] [--jobs N] [--family NAME] [--case NAME] [--list | --table | --growth |
-// --keep DIR]
+// hostile [--binary FILE] [--jobs N] [--family NAME] [--case NAME] [--at-most N]
+//         [--list | --table | --growth | --keep DIR]
 //
 // Runs `sfumato` against the cases of this folder. Exit 1 where one fails; each failure is a line
 // "not ok FAMILY/CASE: why". The last lines count.
 //   --binary  another build of the command; also by SFUMATO_HOSTILE_BINARY
+//   --at-most N of each family that has more cases, evenly spread
 //   --table   what each family took at most, as the table of README.md
 //   --growth  runs the generators of growing.cpp instead, or the one that --family names
 //   --keep    writes the cases' files there, in FAMILY/CASE/, and runs nothing
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -31,6 +33,7 @@ struct Options {
   std::string name;
   std::string keep;
   int jobs = 1;
+  std::size_t at_most = SIZE_MAX;
   bool list = false;
   bool table = false;
   bool growth = false;
@@ -52,6 +55,8 @@ Options parse(int argc, char** argv) {
       options.binary = value();
     } else if (word == "--jobs") {
       options.jobs = std::max(1, std::atoi(value()));
+    } else if (word == "--at-most") {
+      options.at_most = static_cast<std::size_t>(std::max(1, std::atoi(value())));
     } else if (word == "--family") {
       options.family = value();
     } else if (word == "--case") {
@@ -72,18 +77,27 @@ Options parse(int argc, char** argv) {
   return options;
 }
 
+/// Whether the item at `index` of `count` is in an even sample of at most `most`.
+bool is_in_sample(std::size_t index, std::size_t count, std::size_t most) {
+  const std::size_t share = std::min(most, count);
+  return (index + 1) * share / count > index * share / count;
+}
+
 /// The cases that were asked for. A name that stands twice in a family is our mistake.
 std::vector<Job> jobs_of(const std::vector<Family>& families, const Options& options) {
   std::vector<Job> jobs;
   for (const Family& family : families) {
     if (!options.family.empty() && family.name() != options.family) continue;
     std::map<std::string, int> count_of;
+    std::size_t index = 0;
     for (const Case& attack : family.cases()) {
+      const bool is_chosen = is_in_sample(index++, family.cases().size(), options.at_most);
       if (++count_of[attack.name] > 1) fail("two cases " + family.name() + "/" + attack.name);
       if (attack.exit_code != kDone && attack.message.empty()) {
         fail(family.name() + "/" + attack.name + " expects no message");
       }
-      if (options.name.empty() || attack.name == options.name) jobs.push_back({&family, &attack});
+      if (!is_chosen || (!options.name.empty() && attack.name != options.name)) continue;
+      jobs.push_back({&family, &attack});
     }
   }
   if (jobs.empty()) fail("there is no such case");
