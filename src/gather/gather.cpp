@@ -35,6 +35,20 @@ void leave_empty(const PointList& points, std::size_t channels, std::span<float>
 
 }  // namespace
 
+/// Marks the points that lie in triangles that see something.
+Status Gatherer::mark_located(Context& context, const State& state,
+                              std::span<const std::uint8_t> triangle_sees, const PointList& points,
+                              std::span<std::uint8_t> sees) {
+  const Result<LocatedPoints> located = state.locator->locate(context, points);
+  if (!located) return located.status();
+  return parallel_for(context, points.size(), kPointsPerTask,
+                      [&](std::size_t begin, std::size_t end) {
+                        for (std::size_t i = begin; i < end; ++i) {
+                          if (triangle_sees[located->triangle[i]]) sees[points.slot(i)] = 1;
+                        }
+                      });
+}
+
 Gatherer::Gatherer(std::unique_ptr<State> state) : state_(std::move(state)) {}
 Gatherer::Gatherer(Gatherer&&) noexcept = default;
 Gatherer& Gatherer::operator=(Gatherer&&) noexcept = default;
@@ -84,10 +98,24 @@ Status Gatherer::gather(Context& context, const PointList& points, const GatherO
   return gather_exact(context, state_->scene, state_->ends, points, *located, *packing, out, hit);
 }
 
+Result<std::vector<std::uint32_t>> Gatherer::locate(Context& context, const PointList& points,
+                                                    TableMemory& memory) const {
+  std::vector<std::uint32_t> triangle;
+  Status status = memory.resize(context, triangle, points.size());
+  if (!status) return status;
+  if (!state_->locator) return triangle;
+  const Result<LocatedPoints> located = state_->locator->locate(context, points);
+  if (!located) return located.status();
+  for (std::size_t i = 0; i < triangle.size(); ++i) {
+    triangle[i] = state_->scene.source[located->triangle[i]];
+  }
+  return triangle;
+}
+
 Status Gatherer::find_changes(Context& context, const Gatherer& before, const PointList& points,
-                              std::span<std::uint8_t> may_differ) const {
-  Status status = mark_viewers(context, *state_, points, may_differ);
-  if (status) status = mark_viewers(context, *before.state_, points, may_differ);
+                              std::span<std::uint8_t> may_differ, const KnownPlaces& known) const {
+  Status status = mark_viewers(context, *state_, points, known, may_differ);
+  if (status) status = mark_viewers(context, *before.state_, points, {}, may_differ);
   if (!status) return status;
   const Result<FreeEnds> gone = before.state_->ends.without(context, state_->ends);
   if (!gone) return gone.status();
@@ -103,21 +131,32 @@ Status Gatherer::find_changes(Context& context, const Gatherer& before, const Po
                       });
 }
 
+/// Where a point's triangle is known and the same, that says it; the others are located.
 Status Gatherer::mark_viewers(Context& context, const State& state, const PointList& points,
-                              std::span<std::uint8_t> sees) {
+                              const KnownPlaces& known, std::span<std::uint8_t> sees) {
   if (state.scene.watched.empty()) return ok_status();
   TableMemory memory("who sees a curve");
   const Result<std::vector<std::uint8_t>> triangle_sees =
       find_viewers(context, state.scene, memory);
   if (!triangle_sees) return triangle_sees.status();
-  const Result<LocatedPoints> located = state.locator->locate(context, points);
-  if (!located) return located.status();
-  return parallel_for(context, points.size(), kPointsPerTask,
-                      [&](std::size_t begin, std::size_t end) {
-                        for (std::size_t i = begin; i < end; ++i) {
-                          if ((*triangle_sees)[located->triangle[i]]) sees[points.slot(i)] = 1;
-                        }
-                      });
+  if (known.triangle.empty()) return mark_located(context, state, *triangle_sees, points, sees);
+  std::vector<std::uint8_t> answer;  // per triangle of the visibility mesh
+  std::vector<std::uint32_t> unknown;
+  Status status = memory.resize(context, answer, triangle_sees->size());
+  if (status) status = memory.reserve(context, unknown, points.size());
+  if (!status) return status;
+  for (std::size_t t = 0; t < answer.size(); ++t)
+    answer[state.scene.source[t]] = (*triangle_sees)[t];
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const std::size_t slot = points.slot(i);
+    const std::uint32_t t = known.triangle[slot];
+    if (!known.is_same[t]) {
+      unknown.push_back(static_cast<std::uint32_t>(slot));
+    } else if (answer[t]) {
+      sees[slot] = 1;
+    }
+  }
+  return mark_located(context, state, *triangle_sees, points.among(unknown), sees);
 }
 
 }  // namespace sfumato::gather

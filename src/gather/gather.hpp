@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "base/table_memory.hpp"
 #include "gather/point_list.hpp"
 #include "gather/scene.hpp"
 #include "sfumato/gather/options.hpp"
@@ -40,16 +41,31 @@ class Gatherer {
   Status gather(Context& context, const PointList& points, const GatherOptions& options,
                 std::span<float> out, std::span<std::uint8_t> hit = {}) const;
 
+  /// Per point: the triangle of the visibility mesh in which it lies, in a list allocated from
+  /// `memory`. Points as for gather(). Errors: limit (memory), cancelled.
+  Result<std::vector<std::uint32_t>> locate(Context& context, const PointList& points,
+                                            TableMemory& memory) const;
+
+  /// Where points lie in the visibility mesh of `before`, and how that became this one's.
+  struct KnownPlaces {
+    std::span<const std::uint32_t> triangle;  ///< per slot, as by before.locate()
+    /// Per triangle of that mesh: 1 where this one's has the same at the same index.
+    std::span<const std::uint8_t> is_same;
+  };
+
   /// Sets may_differ[slot] to 1 for points at which gather() may give another value than that of
   /// `before`, where the two meshes, on one lattice, differ by the watched segments of either.
   /// Never too few, but for what the weld moves. Other slots stay as they are. Points as for
-  /// gather(). Errors: limit (memory), cancelled.
+  /// gather(). `known`, unless empty, spares most of the search. Errors: limit (memory), cancelled.
   Status find_changes(Context& context, const Gatherer& before, const PointList& points,
-                      std::span<std::uint8_t> may_differ) const;
+                      std::span<std::uint8_t> may_differ, const KnownPlaces& known = {}) const;
 
  private:
   struct State;
   static Status mark_viewers(Context& context, const State& state, const PointList& points,
+                             const KnownPlaces& known, std::span<std::uint8_t> sees);
+  static Status mark_located(Context& context, const State& state,
+                             std::span<const std::uint8_t> triangle_sees, const PointList& points,
                              std::span<std::uint8_t> sees);
   explicit Gatherer(std::unique_ptr<State> state);
   std::unique_ptr<State> state_;

@@ -18,6 +18,9 @@ class PointList {
   PointList(std::span<const Vec2> table, std::span<const std::uint32_t> chosen)
       : table_(table), chosen_(chosen), is_chosen_(true) {}
 
+  /// Those of the same table at these indices.
+  PointList among(std::span<const std::uint32_t> chosen) const { return {table_, chosen}; }
+
   std::size_t size() const { return is_chosen_ ? chosen_.size() : table_.size(); }
   /// The index in the table of the i-th of them.
   std::size_t slot(std::size_t i) const { return is_chosen_ ? chosen_[i] : i; }

@@ -33,13 +33,13 @@ class SceneBuilder {
     if (!blind) return blind.status();
     blind_ = std::move(*blind);
     status = scene_.memory.reserve(context_, scene_.edge_beyond, passage_count_);
-    if (status) status = scene_.memory.reserve(context_, scene_.triangle, order_.size());
+    if (status) status = scene_.memory.reserve(context_, scene_.triangle, scene_.source.size());
     if (!status) return status;
     status = for_each_half_edge([&](std::uint32_t h) {
       if (codes_[h] >= 0) scene_.edge_beyond.push_back(beyond(h));
     });
     if (!status) return status;
-    for (std::uint32_t t : order_) {
+    for (std::uint32_t t : scene_.source) {
       if (poll_.cancelled()) return context_.cancel_status();
       scene_.triangle.push_back(triangle(t));
     }
@@ -48,11 +48,11 @@ class SceneBuilder {
 
   /// Lists the half-edges on which a watched segment lies and stops rays.
   Status watch(std::span<const std::uint8_t> is_watched) {
-    for (std::uint32_t i = 0; i < order_.size(); ++i) {
+    for (std::uint32_t i = 0; i < scene_.source.size(); ++i) {
       if (poll_.cancelled()) return context_.cancel_status();
       for (std::uint32_t k = 0; k < 3; ++k) {
-        const std::uint32_t h = 3 * order_[i] + k;
-        if (codes_[h] >= 0 || !is_on(is_watched, h)) continue;
+        const std::uint32_t h = 3 * scene_.source[i] + k;
+        if (codes_[h] >= 0 || !mesh_.has_segment(h, is_watched)) continue;
         Status status = scene_.memory.push_back(context_, scene_.watched, 3 * i + k);
         if (!status) return status;
       }
@@ -61,15 +61,6 @@ class SceneBuilder {
   }
 
  private:
-  /// Whether a segment with is_chosen lies on a half-edge.
-  bool is_on(std::span<const std::uint8_t> is_chosen, std::uint32_t h) const {
-    const std::int32_t constraint = mesh_.half_edge_constraint[h];
-    if (constraint == mesh::kNone) return false;
-    const auto pieces = mesh_.pieces(mesh_.constraint[static_cast<std::size_t>(constraint)]);
-    return std::ranges::any_of(
-        pieces, [&](const mesh::SegmentPiece& piece) { return is_chosen[piece.segment] != 0; });
-  }
-
   Status order_triangles() {
     TableMemory scratch("the visibility mesh");
     std::vector<Vec2> center;
@@ -81,15 +72,15 @@ class SceneBuilder {
         center[t] = center[t] + mesh_.vertex_position[mesh_.origin(h)];
       }
     }
-    status = spatial_order(context_, center, memory_, order_);
+    status = spatial_order(context_, center, scene_.memory, scene_.source);
     if (!status) return status;
-    for (std::uint32_t i = 0; i < order_.size(); ++i) new_index_[order_[i]] = i;
+    for (std::uint32_t i = 0; i < scene_.source.size(); ++i) new_index_[scene_.source[i]] = i;
     return status;
   }
 
   /// Room for the hit edges of a triangle is made before its codes are asked for.
   Status find_codes() {
-    for (std::uint32_t t : order_) {
+    for (std::uint32_t t : scene_.source) {
       if (poll_.cancelled()) return context_.cancel_status();
       Status status = scene_.memory.make_room(context_, scene_.hit_edge, 3);
       if (status) status = scene_.memory.make_room(context_, scene_.blend, 3);
@@ -102,7 +93,7 @@ class SceneBuilder {
   /// In the order of the scene's triangles.
   template <class Body>
   Status for_each_half_edge(Body body) {
-    for (std::uint32_t t : order_) {
+    for (std::uint32_t t : scene_.source) {
       if (poll_.cancelled()) return context_.cancel_status();
       for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) body(h);
     }
@@ -239,8 +230,7 @@ class SceneBuilder {
   const curves::SegmentAttributes& attributes_;
   Scene& scene_;
   TableMemory memory_{"the visibility mesh"};
-  std::vector<std::uint32_t> order_;      ///< the mesh's triangles in the scene's order
-  std::vector<std::uint32_t> new_index_;  ///< its inverse
+  std::vector<std::uint32_t> new_index_;  ///< the inverse of Scene::source
   std::vector<EdgeCode> codes_;           ///< per half-edge of the mesh
   std::vector<std::uint8_t> blind_;       ///< per half-edge, see find_blind
   std::uint32_t passage_count_ = 0;

@@ -57,6 +57,7 @@ struct Scene {
   int base_channels = 3;        ///< as SegmentAttributes
   int shader_count = 0;
   std::vector<SceneTriangle> triangle;
+  std::vector<std::uint32_t> source;  ///< per triangle: which of the visibility mesh it is
   /// Half-edges, 3 · triangle + corner, that stop rays and on which a watched segment lies.
   std::vector<std::uint32_t> watched;
   TableMemory memory{"the visibility mesh"};

@@ -193,6 +193,7 @@ void Arrangement::constrain_edge(const Subsegment& part, HalfEdge e) {
   }
   const std::int32_t chord = mesh_.chord[e];
   chords_.merge(chord, part.from, part.load);
+  mesh_.touch_sides(e);
   if (!chords_[chord].load.empty()) return;
   chords_.remove(chord);
   mesh_.unconstrain(e);

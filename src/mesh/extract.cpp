@@ -165,8 +165,9 @@ Result<TriangleMesh> extract(const Context& context, const ExtractSource& from,
 
 namespace {
 
-/// Constraints whose edges are gone, by their number of pieces. Edges on chords are only ever cut,
-/// so that each of these finds a new edge in the same update.
+/// Constraints whose edges are gone, by their number of pieces. Refinement only cuts edges on
+/// chords, so that each of these finds a new edge in the same update; after an edit some may not,
+/// and stay without an edge.
 class FreedConstraints {
  public:
   Status add(const Context& context, const TriangleMesh& mesh, std::int32_t index) {
@@ -245,11 +246,14 @@ class MeshUpdate {
     for (std::vector<std::int32_t>* table : {&out_.half_edge_twin, &out_.half_edge_constraint})
       if (status) status = memory_.grow(context_, *table, half_edges, most, kNone);
     if (!status) return status;
-    // The newest vertices have the highest numbers, in their own order.
-    const std::size_t first = mesh.point.size() - (out_.vertex_position.size() - vertices);
-    for (std::size_t v = first; v < mesh.point.size(); ++v) {
+    // The newest vertices are the last, and have the highest numbers.
+    std::size_t more = out_.vertex_position.size() - vertices;
+    for (std::size_t v = mesh.point.size(); more > 0; --v) {
       if (poll_.cancelled()) return context_.cancel_status();
-      out_.vertex_position[from_.numbering.vertex[v]] = from_.lattice.position(mesh.point[v]);
+      const std::int32_t number = from_.numbering.vertex[v - 1];
+      if (number == kNone) continue;
+      out_.vertex_position[number] = from_.lattice.position(mesh.point[v - 1]);
+      --more;
     }
     return status;
   }

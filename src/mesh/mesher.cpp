@@ -207,8 +207,8 @@ Status Mesher::refine_triangles(const Context& context, std::span<const std::uin
 
 Result<TriangleMesh> Mesher::patch_mesh(const Context& context) {
   State& s = *state_;
-  s.mesh.take_changed([](std::int32_t) {});
   Status status = number_inside(context, s.mesh, s.numbering);
+  s.mesh.take_changed([](std::int32_t) {});
   if (status) status = s.memory.resize(context, s.patched, s.numbering.triangle_count);
   if (!status) return status;
   RarePoll<65536> poll(context);

@@ -78,7 +78,8 @@ class Mesher {
                           double smallest_edge);
 
   /// A mesher of its own with the same mesh, that can be edited without this one. Its memory is
-  /// charged to this Context's Budget. Errors: limit (memory), cancelled. Cost: O(triangles).
+  /// charged to this Context's Budget. Triangles and vertices of the patch mesh have the same
+  /// indices. Errors: limit (memory), cancelled. Cost: O(triangles).
   Result<Mesher> copy(const Context& context) const;
 
   /// Whether the polylines from this vertex on lie within the lattice, so that `edit` can insert
@@ -103,6 +104,25 @@ class Mesher {
   /// next, and to update_patch_mesh. Errors: limit (memory), cancelled.
   Result<TriangleMesh> patch_mesh(const Context& context);
 
+  /// Per triangle of the visibility_mesh() of `before`, of which this is a copy that was edited
+  /// since without refinement: 1 where that of this one has the same triangle at the same index,
+  /// with the same constraints. The list is allocated from `memory`. Errors: limit (memory),
+  /// cancelled.
+  Result<std::vector<std::uint8_t>> same_triangles(const Context& context, const Mesher& before,
+                                                   TableMemory& memory) const;
+
+  /// Prepares copies of this for `edit`, which is then the cheaper. Errors: limit (memory),
+  /// cancelled; this mesher can then only be destroyed or assigned to.
+  Status bake(const Context& context);
+
+  /// Whether update_patch_mesh will find what changed, rather than all.
+  bool follows_changes() const;
+
+  /// A copy of `mesh`, the last patch_mesh() of the mesher that this one is a copy of, for
+  /// update_patch_mesh to update. Its memory is charged as that of patch_mesh(). Errors: limit
+  /// (memory), cancelled.
+  Result<TriangleMesh> copy_patch_mesh(const Context& context, const TriangleMesh& mesh);
+
   /// The triangles of the last patch_mesh of `before`, of which this is a copy that was edited
   /// since: the index of each in this one's last patch_mesh, or kNone where its corners changed.
   /// The list is allocated from `memory`. Errors: limit (memory), cancelled.
@@ -110,8 +130,9 @@ class Mesher {
                                                    TableMemory& memory) const;
 
   /// Updates in place `mesh`, the result of the last patch_mesh. Except for the order of its
-  /// constraints it becomes what patch_mesh would return now. After an edit it is that mesh, all of
-  /// whose triangles count as changed.
+  /// constraints it becomes what patch_mesh would return now. After an edit that took segments out,
+  /// or one that crosses the frame, it is that mesh, all of whose triangles count as changed; after
+  /// others there may be constraints without an edge.
   /// changed   out: the triangles that changed, including new ones, ascending
   /// Errors    limit (memory), cancelled; `mesh` is unusable then
   /// Cost      O(changed · log)

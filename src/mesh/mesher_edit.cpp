@@ -59,6 +59,8 @@ Result<Mesher> Mesher::copy(const Context& context) const {
   if (status) status = copy->chords.copy_from(context, s.chords);
   if (status) status = copy->refiner.copy_origins(context, s.refiner);
   if (status) status = copy->drawn_memory.append(context, s.drawn, copy->drawn);
+  if (status) status = copy->numbering.copy_from(context, s.numbering);
+  if (status) status = copy->memory.append(context, s.patched, copy->patched);
   if (!status) return status;
   return Mesher(std::move(copy));
 }
@@ -78,6 +80,54 @@ Result<std::vector<std::int32_t>> Mesher::kept_triangles(const Context& context,
   return kept;
 }
 
+Result<std::vector<std::uint8_t>> Mesher::same_triangles(const Context& context,
+                                                         const Mesher& before,
+                                                         TableMemory& memory) const {
+  const std::vector<Triangle>& then = before.state_->mesh.triangle;
+  std::vector<std::uint8_t> is_same;
+  Status status = memory.resize(context, is_same, then.size());
+  if (!status) return status;
+  for (std::size_t t = 0; t < then.size(); ++t) {
+    is_same[t] = state_->mesh.triangle[t].stamp == then[t].stamp;
+  }
+  return is_same;
+}
+
+Result<TriangleMesh> Mesher::copy_patch_mesh(const Context& context, const TriangleMesh& mesh) {
+  State& s = *state_;
+  s.extracted = TableMemory(State::kPurpose, s.budget);
+  TriangleMesh out;
+  out.lattice_step = mesh.lattice_step;
+  Status status;
+  const auto copy = [&](const auto& from, auto& to, std::size_t more) {
+    if (status) status = s.extracted.reserve(context, to, from.size() + more);
+    if (status) status = s.extracted.append(context, from, to);
+  };
+  // What an edit has added by now.
+  const std::size_t vertices = s.mesh.point.size() - s.numbering.vertex.size();
+  const std::size_t half_edges = 3 * (s.mesh.triangle.size() - s.numbering.triangle.size());
+  copy(mesh.vertex_position, out.vertex_position, vertices);
+  copy(mesh.triangle_vertex, out.triangle_vertex, half_edges);
+  copy(mesh.half_edge_twin, out.half_edge_twin, half_edges);
+  copy(mesh.half_edge_constraint, out.half_edge_constraint, half_edges);
+  copy(mesh.constraint, out.constraint, half_edges);
+  copy(mesh.piece, out.piece, half_edges);
+  if (!status) return status;
+  return out;
+}
+
+bool Mesher::follows_changes() const {
+  return state_->numbering.triangle_count > 0;
+}
+
+Status Mesher::bake(const Context& context) {
+  State& s = *state_;
+  if (!s.has_cut_chords) return ok_status();
+  s.has_cut_chords = false;
+  Status status = bake_chords(context, s.budget, s.mesh, s.chords, s.refiner.origins());
+  return status ? s.chords.seal(context) : status;
+}
+
 bool Mesher::holds(const curves::FlatCurves& flat, std::uint32_t first) const {
   return std::all_of(flat.vertex.begin() + first, flat.vertex.end(),
                      [&](Vec2 p) { return is_within(state_->lattice, p); });
@@ -90,10 +140,7 @@ Status Mesher::edit(const Context& context, const curves::FlatCurves& flat, cons
     return make_error(StatusCode::bad_input, "a curve lies outside of the lattice of its mesh");
   }
   Status status = append_drawn(context, flat, s.lattice, s.drawn_memory, s.drawn);
-  if (status && s.has_cut_chords) {
-    status = bake_chords(context, s.budget, s.mesh, s.chords, s.refiner.origins());
-    s.has_cut_chords = false;
-  }
+  if (status) status = bake(context);
   s.mesh.tracking = true;
   if (status && !edit.is_removed.empty()) {
     status = take_segments_off(context, edit.is_removed, s.mesh, s.chords);
@@ -105,15 +152,19 @@ Status Mesher::edit(const Context& context, const curves::FlatCurves& flat, cons
   const bool moves_frame = arrangement.moved_frame();
   if (status && moves_frame) status = flood_inside(context, s.mesh, s.chords);
   if (status) status = s.refiner.start(context);
-  // Vertices outside may have come in, and constraints have gone: tables are extracted anew.
-  s.numbering = Numbering{{}, {}, 0, 0, {State::kPurpose, s.budget}};
+  // Vertices outside may have come in, or constraints have gone: tables are extracted anew.
+  if (moves_frame || !edit.is_removed.empty()) {
+    s.numbering = Numbering{{}, {}, 0, 0, {State::kPurpose, s.budget}};
+  }
   if (!status || !refines) {
     s.mesh.take_touched([](std::int32_t) {});
     return status;
   }
   if (moves_frame) return refine(context);  // what came in was not tracked
-  s.has_cut_chords = true;
-  return s.refiner.refine_touched(context);
+  const std::size_t vertices = s.mesh.point.size();
+  status = s.refiner.refine_touched(context);
+  s.has_cut_chords = s.mesh.point.size() > vertices;
+  return status;
 }
 
 }  // namespace sfumato::mesh

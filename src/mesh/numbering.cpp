@@ -7,6 +7,9 @@
 namespace sfumato::mesh {
 namespace {
 
+/// A vertex that is about to be numbered.
+constexpr std::int32_t kAwaited = -2;
+
 /// Numbers the triangles inside and their vertices from neighbour to neighbour: refinement left
 /// them in an order that jumps about, and what follows reads them again and again.
 Status number_depth_first(const Context& context, const Triangulation& mesh, Numbering& numbering) {
@@ -39,6 +42,13 @@ Status number_depth_first(const Context& context, const Triangulation& mesh, Num
 
 }  // namespace
 
+Status Numbering::copy_from(const Context& context, const Numbering& other) {
+  triangle_count = other.triangle_count;
+  vertex_count = other.vertex_count;
+  Status status = memory.append(context, other.triangle, triangle);
+  return status ? memory.append(context, other.vertex, vertex) : status;
+}
+
 Status number_everything(const Context& context, const Triangulation& mesh, Numbering& numbering) {
   Status status = numbering.memory.resize(context, numbering.triangle, mesh.triangle.size());
   if (status) status = numbering.memory.resize(context, numbering.vertex, mesh.point.size());
@@ -61,8 +71,13 @@ Status number_inside(const Context& context, const Triangulation& mesh, Numberin
   }
   if (!status) return status;
   if (known == 0) return number_depth_first(context, mesh, numbering);
-  // All later triangles and vertices come from refinement, which works inside and on the frame.
   RarePoll<65536> poll(context);
+  for (const std::int32_t t : mesh.changed) {
+    if (poll.cancelled()) return context.cancel_status();
+    for (const Vertex v : mesh.triangle[t].vertex) {
+      if (numbering.vertex[v] == kNone) numbering.vertex[v] = kAwaited;
+    }
+  }
   for (std::size_t t = known; t < mesh.triangle.size(); ++t) {
     if (poll.cancelled()) return context.cancel_status();
     if (mesh.triangle[t].inside) {
@@ -70,6 +85,7 @@ Status number_inside(const Context& context, const Triangulation& mesh, Numberin
     }
   }
   for (std::size_t v = known_vertices; v < mesh.point.size(); ++v) {
+    if (numbering.vertex[v] == kNone) continue;
     numbering.vertex[v] = static_cast<std::int32_t>(numbering.vertex_count++);
   }
   return context.check();

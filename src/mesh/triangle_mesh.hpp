@@ -54,6 +54,15 @@ struct TriangleMesh {
     const std::int32_t c = half_edge_constraint[h];
     return c != kNone && !pieces(constraint[static_cast<std::size_t>(c)]).empty();
   }
+  /// Whether a segment s with is_chosen[s] lies on the half-edge.
+  bool has_segment(std::uint32_t h, std::span<const std::uint8_t> is_chosen) const {
+    const std::int32_t c = half_edge_constraint[h];
+    if (c == kNone) return false;
+    for (const SegmentPiece& on_edge : pieces(constraint[static_cast<std::size_t>(c)])) {
+      if (is_chosen[on_edge.segment] != 0) return true;
+    }
+    return false;
+  }
 };
 
 }  // namespace sfumato::mesh

@@ -69,12 +69,14 @@ void Triangulation::constrain(HalfEdge e, std::int32_t chord_index) {
   const HalfEdge f = twin(e);
   set_across(e, f << 1 | 1, chord_index);
   set_across(f, e << 1 | 1, chord_index);
+  touch_sides(e);
 }
 
 void Triangulation::unconstrain(HalfEdge e) {
   const HalfEdge f = twin(e);
   set_across(e, f << 1, kNone);
   set_across(f, e << 1, kNone);
+  touch_sides(e);
 }
 
 HalfEdge Triangulation::find_edge(Vertex u, Vertex w) const {

@@ -97,9 +97,16 @@ struct Triangulation {
     return in_circle(point[t.vertex[0]], point[t.vertex[1]], point[t.vertex[2]], p);
   }
 
-  /// Puts a chord on an edge, or takes it off. Not on the hull.
+  /// Puts a chord on an edge, or takes it off. Not on the hull. The triangles on both sides count
+  /// as changed.
   void constrain(HalfEdge e, std::int32_t chord_index);
   void unconstrain(HalfEdge e);
+
+  /// The same for another load of the chord on an edge.
+  void touch_sides(HalfEdge e) {
+    touch(triangle_of(e));
+    touch(triangle_of(twin(e)));
+  }
 
   /// The half-edge from u to w, or kNone.
   HalfEdge find_edge(Vertex u, Vertex w) const;

@@ -97,7 +97,7 @@ Status FieldSolver::copy_values(const Context& context, const FieldSolver& befor
 
 Status FieldSolver::carry_over(Context& context, const FieldSolver& before,
                                std::span<const std::int32_t> kept) {
-  if (field_.attributes.shader != before.field_.attributes.shader) return ok_status();
+  if (!has_channels_of(before)) return ok_status();
   TableMemory scratch("patches");
   std::vector<std::uint8_t> asks;
   Status status = scratch.resize(context, asks, layout_.node_count());
@@ -111,6 +111,96 @@ Status FieldSolver::carry_over(Context& context, const FieldSolver& before,
   }
   if (!status) return status;
   std::erase_if(to_gather_, [&](std::uint32_t node) { return !asks[node]; });
+  return ok_status();
+}
+
+bool FieldSolver::has_channels_of(const FieldSolver& other) const {
+  return field_.attributes.shader == other.field_.attributes.shader &&
+         field_.attributes.base_channels == other.field_.attributes.base_channels;
+}
+
+Status FieldSolver::start_from(const Context& context, const FieldSolver& before,
+                               const mesh::TriangleMesh& mesh) {
+  Result<Seams> seams = before.seams_->copy(context, mesh);
+  if (!seams) return seams.status();
+  seams_.emplace(std::move(*seams));
+  return memory_.append(context, before.vertex_radius_, vertex_radius_);
+}
+
+Status FieldSolver::locate_nodes(Context& context) {
+  if (field_.is_thinned) return ok_status();
+  Result<std::vector<std::uint32_t>> places =
+      field_.gatherer.locate(context, layout_.position, memory_);
+  if (!places) return places.status();
+  node_place_ = std::move(*places);
+  return ok_status();
+}
+
+/// With room for what follows the change of so many triangles.
+Status FieldSolver::copy_layout(const Context& context, const FieldSolver& before,
+                                std::size_t changed) {
+  const NodeLayout& from = before.layout_;
+  const std::size_t triangles = seams_->half_edge_count() / 3;
+  const std::size_t nodes = from.node_count() + 6 * changed;
+  layout_.channel_count = from.channel_count;
+  const auto width = static_cast<std::size_t>(from.channel_count);
+  Status status;
+  const auto copy = [&](const auto& source, auto& to, TableMemory& memory, std::size_t room) {
+    if (status) status = memory.reserve(context, to, std::max(room, source.size()));
+    if (status) status = memory.append(context, source, to);
+  };
+  copy(from.triangle_node, layout_.triangle_node, layout_memory_, kNodes * triangles);
+  copy(from.edge_is_curve, layout_.edge_is_curve, layout_memory_, 3 * triangles);
+  copy(from.position, layout_.position, layout_memory_, nodes);
+  copy(from.is_fixed, layout_.is_fixed, layout_memory_, nodes);
+  copy(from.value, layout_.value, layout_memory_, width * nodes);
+  copy(before.node_hit_, node_hit_, memory_, nodes);
+  return status;
+}
+
+Status FieldSolver::list_standing(const Context& context, const FieldSolver& before,
+                                  TableMemory& memory, std::vector<std::uint32_t>& standing) {
+  const NodeLayout& old = before.layout_;
+  std::vector<std::uint8_t> is_done;  // known to be gathered, or used by nobody
+  Status status = memory.resize(context, is_done, layout_.node_count());
+  if (status) status = memory.reserve(context, standing, old.node_count());
+  if (status) status = memory_.make_room(context, to_gather_, old.node_count());
+  if (!status) return status;
+  for (const std::uint32_t node : to_gather_) is_done[node] = 1;
+  for (const std::uint32_t node : history_.unused) is_done[node] = 1;
+  RarePoll<65536> poll(context);
+  for (std::uint32_t node = 0; node < old.node_count(); ++node) {
+    if (poll.cancelled()) return context.cancel_status();
+    if (layout_.is_fixed[node]) node_hit_[node] = 1;
+    if (layout_.is_fixed[node] || is_done[node]) continue;
+    const bool stands = !old.is_fixed[node] && layout_.position[node] == old.position[node];
+    (stands ? standing : to_gather_).push_back(node);
+  }
+  return ok_status();
+}
+
+Status FieldSolver::lay_out_from(Context& context, const FieldSolver& before,
+                                 const mesh::TriangleMesh& mesh,
+                                 std::span<const std::uint32_t> changed,
+                                 std::span<const std::uint8_t> is_same) {
+  Status status = copy_layout(context, before, changed.size());
+  if (status) status = follow(context, mesh, changed);
+  if (!status) return status;
+  TableMemory scratch("patches");
+  std::vector<std::uint32_t> standing;
+  std::vector<std::uint8_t> may_differ;
+  status = list_standing(context, before, scratch, standing);
+  if (status) status = scratch.resize(context, may_differ, layout_.node_count());
+  gather::Gatherer::KnownPlaces known;
+  if (!field_.is_thinned) known = {before.node_place_, is_same};
+  if (status) {
+    status = field_.gatherer.find_changes(context, before.field_.gatherer,
+                                          {layout_.position, standing}, may_differ, known);
+  }
+  if (!status) return status;
+  for (const std::uint32_t node : standing) {
+    if (may_differ[node]) to_gather_.push_back(node);
+  }
   return ok_status();
 }
 

@@ -25,6 +25,7 @@ struct PreparedField {
   curves::SegmentAttributes attributes;
   TableMemory memory;  ///< of the attributes
   gather::Gatherer gatherer;
+  bool is_thinned = false;  ///< the gatherer's mesh lacks edges of the layer's visibility mesh
 };
 
 /// The channel of opacity in a field of colour and opacity.
@@ -59,6 +60,30 @@ class FieldSolver {
   /// Errors   limit (memory), cancelled
   Status carry_over(Context& context, const FieldSolver& before,
                     std::span<const std::int32_t> kept);
+
+  /// In place of start(): on a copy of the mesh of `before`, which has been laid out. Errors: limit
+  /// (memory), cancelled.
+  Status start_from(const Context& context, const FieldSolver& before,
+                    const mesh::TriangleMesh& mesh);
+
+  /// In place of lay_out(), after start_from() and follow() of what was changed then: takes over
+  /// the layout of `before`, whose nodes were gathered and located, and follows those changes.
+  /// Nodes keep their numbers and values; those that are new, and those that watched segments or
+  /// free ends of either may reach, are listed to be gathered.
+  /// changed   what follow() was told, and all triangles around the vertices of edges that have
+  ///           become constrained
+  /// is_same   as gather::Gatherer::KnownPlaces
+  /// Errors    limit (memory), cancelled
+  Status lay_out_from(Context& context, const FieldSolver& before, const mesh::TriangleMesh& mesh,
+                      std::span<const std::uint32_t> changed,
+                      std::span<const std::uint8_t> is_same);
+
+  /// Finds where the nodes lie, for others to lay_out_from() this. Errors: limit (memory),
+  /// cancelled.
+  Status locate_nodes(Context& context);
+
+  /// Whether another's layout can be taken over.
+  bool has_channels_of(const FieldSolver& other) const;
 
   /// Numbers the nodes as lay_out would now. Call once, after the last `follow`.
   Status put_in_order(Context& context, const mesh::TriangleMesh& mesh);
@@ -137,6 +162,11 @@ class FieldSolver {
   Status make_room_for_means(Context& context);
   /// Lists all free nodes to be gathered.
   Status list_free_nodes(const Context& context);
+  Status copy_layout(const Context& context, const FieldSolver& before, std::size_t changed);
+  /// Lists nodes that stand where they stood in `standing`, and all others of `before` that are
+  /// free in to_gather_.
+  Status list_standing(const Context& context, const FieldSolver& before, TableMemory& memory,
+                       std::vector<std::uint32_t>& standing);
   /// Copies values of nodes of `before` that are at the same place, free in both, lists these in
   /// `carried` and clears asks[node]. Errors: limit (memory), cancelled.
   Status copy_values(const Context& context, const FieldSolver& before,
@@ -151,9 +181,10 @@ class FieldSolver {
   NodeLayout layout_;
   TableMemory layout_memory_{"patches"};
   LayoutHistory history_;
-  std::vector<std::uint32_t> to_gather_;  ///< free nodes whose value is not known
-  std::vector<std::uint8_t> node_hit_;    ///< 0 where a free node sees no curve
-  TableMemory memory_{"patches"};         ///< for these two and vertex_radius_
+  std::vector<std::uint32_t> to_gather_;   ///< free nodes whose value is not known
+  std::vector<std::uint8_t> node_hit_;     ///< 0 where a free node sees no curve
+  std::vector<std::uint32_t> node_place_;  ///< as gather::Gatherer::locate; empty: unknown
+  TableMemory memory_{"patches"};          ///< for these three and vertex_radius_
 };
 
 /// Moves one channel out of a field into a field of its own over the same nodes, allocated from

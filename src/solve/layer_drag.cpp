@@ -153,11 +153,13 @@ Status LayerDrag::State::take_off(Context& context, const LayerSolver& whole,
   Result<mesh::Mesher> patches = whole.mesher().copy(context);
   if (!patches) return patches.status();
   status = patches->edit(context, flat, edit, true);
+  if (status) status = patches->bake(context);
   if (!status) return status;
   Result<LayerSolver> rest = solver(context, flat, curves, *visibility, std::move(*patches), {});
   if (!rest) return rest.status();
   base.emplace(std::move(*rest));
-  return base->continue_from(whole);
+  status = base->continue_from(whole);
+  return status ? base->prepare_to_be_edited() : status;
 }
 
 Result<Placed> LayerDrag::State::place(Context& context, const Curve& curve) const {
@@ -206,7 +208,10 @@ Result<PatchLayer> LayerDrag::State::frame(Context& context, const Curve& curve,
   Result<LayerSolver> now = solver(context, placed->flat, placed->curves, *seen,
                                    std::move(*patches), *moves, stats, watch);
   if (!now) return now.status();
-  status = now->continue_from(*base);
+  const Result<std::vector<std::uint8_t>> is_same =
+      seen->same_triangles(context, *visibility, memory);
+  if (!is_same) return is_same.status();
+  status = now->continue_inserted(*base, *moves, *is_same);
   if (!status) return status;
   return now->take();
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <functional>
 #include <numeric>
 #include <utility>
 
@@ -11,6 +12,7 @@
 #include "base/poll.hpp"
 #include "base/stopwatch.hpp"
 #include "base/table_memory.hpp"
+#include "solve/fan.hpp"
 #include "solve/soft_edges.hpp"
 
 namespace sfumato::solve {
@@ -115,6 +117,7 @@ Status LayerSolver::refine() {
   if (stats_) stats_->triangulation_seconds += watch.seconds();
   const bool refines = options_.max_error > 0;
   Status status = take_mesh();
+  if (status && is_blurred_) status = list_all_triangles();
   if (status && is_blurred_) status = follow_blur();
   if (status) status = lay_out();
   std::vector<std::uint32_t> missed;
@@ -132,6 +135,7 @@ Status LayerSolver::refine() {
 
 Status LayerSolver::continue_from(const LayerSolver& before) {
   Status status = take_mesh();
+  if (status && is_blurred_) status = list_all_triangles();
   if (status && is_blurred_) status = follow_blur();
   if (status) status = lay_out();
   if (!status) return status;
@@ -153,6 +157,69 @@ Result<PatchLayer> LayerSolver::take() {
   Result<PatchLayer> layer = take_patches();
   if (context_.cancelled()) return context_.cancel_status();
   return layer;
+}
+
+Status LayerSolver::prepare_to_be_edited() {
+  Status status = mesher_.bake(context_);
+  if (!status) return status;
+  return for_each_field([&](FieldSolver& field) { return field.locate_nodes(context_); });
+}
+
+Status LayerSolver::continue_inserted(const LayerSolver& before,
+                                      std::span<const std::uint8_t> is_inserted,
+                                      std::span<const std::uint8_t> is_same) {
+  const bool has_fields = color_.has_channels_of(before.color_) &&
+                          opacity_.has_value() == before.opacity_.has_value() &&
+                          (!opacity_ || opacity_->has_channels_of(*before.opacity_));
+  if (!has_fields || !mesher_.follows_changes()) return continue_from(before);
+  Result<mesh::TriangleMesh> mesh = mesher_.copy_patch_mesh(context_, before.mesh_);
+  if (!mesh) return mesh.status();
+  mesh_ = std::move(*mesh);
+  Status status = color_.start_from(context_, before.color_, mesh_);
+  if (status && opacity_) status = opacity_->start_from(context_, *before.opacity_, mesh_);
+  if (status) status = update_mesh();
+  if (status) status = follow_insertion(is_inserted);
+  if (status) status = color_.lay_out_from(context_, before.color_, mesh_, changed_, is_same);
+  if (status && opacity_)
+    status = opacity_->lay_out_from(context_, *before.opacity_, mesh_, changed_, is_same);
+  if (status) status = gather(gather::GatherOptions{}, false);
+  return status;
+}
+
+/// Lists in changed_ all that an insertion changes, with what blurs ask for then.
+Status LayerSolver::follow_insertion(std::span<const std::uint8_t> is_inserted) {
+  Status status = add_fans(is_inserted);
+  if (!status || !is_blurred_) return status;
+  std::vector<std::uint32_t> all_changed;
+  status = memory_.append(context_, changed_, all_changed);
+  if (status) status = follow_blur(&all_changed);
+  if (status) status = TableMemory::sort(context_, all_changed, std::less<>());
+  all_changed.erase(std::unique(all_changed.begin(), all_changed.end()), all_changed.end());
+  changed_ = std::move(all_changed);
+  return status;
+}
+
+/// Adds the triangles around the vertices of inserted curves to those that changed: such a curve
+/// parts what was one sector.
+Status LayerSolver::add_fans(std::span<const std::uint8_t> is_inserted) {
+  TableMemory scratch("patches");
+  std::vector<std::uint8_t> is_listed;
+  Status status = scratch.resize(context_, is_listed, mesh_.triangle_count());
+  if (!status) return status;
+  const std::size_t count = changed_.size();
+  for (const std::uint32_t t : changed_) is_listed[t] = 1;
+  Fan fan;
+  for (std::size_t i = 0; i < count && status; ++i) {
+    for (std::uint32_t h = 3 * changed_[i]; h < 3 * changed_[i] + 3 && status; ++h) {
+      if (!mesh_.has_segment(h, is_inserted)) continue;
+      fan.collect(mesh_, h, [](std::uint32_t) { return false; });
+      for (const std::uint32_t spoke : fan.spoke) {
+        if (std::exchange(is_listed[spoke / 3], std::uint8_t{1})) continue;
+        if (status) status = memory_.push_back(context_, changed_, spoke / 3);
+      }
+    }
+  }
+  return status ? TableMemory::sort(context_, changed_, std::less<>()) : status;
 }
 
 /// Takes the mesher's first mesh.
@@ -208,13 +275,14 @@ Status LayerSolver::list_all_triangles() {
   return status;
 }
 
-/// Makes the mesh at blurred curves as fine as their radii, before anything is gathered.
-Status LayerSolver::follow_blur() {
+/// Makes the mesh at blurred curves as fine as their radii, before anything is gathered: where it
+/// changed.
+Status LayerSolver::follow_blur(std::vector<std::uint32_t>* all_changed) {
   const double edge_per_radius = options_.max_error > 0 ? kProbedEdgePerRadius : kEdgePerRadius;
   TableMemory scratch("patches");
   std::vector<std::uint8_t> coarse;
   std::vector<std::uint32_t> triangles;
-  Status status = list_all_triangles();
+  Status status;
   for (int round = 0; status && round < kMaxRounds; ++round) {
     status = scratch.resize(context_, coarse, mesh_.triangle_count());
     if (!status) return status;
@@ -228,6 +296,7 @@ Status LayerSolver::follow_blur() {
     const std::uint32_t before = mesh_.triangle_count();
     status = make_smaller(triangles);
     if (status) status = update_mesh();
+    if (status && all_changed) status = memory_.append(context_, changed_, *all_changed);
     if (mesh_.triangle_count() == before) break;
   }
   return status;

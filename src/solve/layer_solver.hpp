@@ -48,7 +48,16 @@ class LayerSolver {
   /// nothing is made finer than the edit left it, except at blurs. Errors: limit, cancelled.
   Status continue_from(const LayerSolver& before);
 
-  /// The patches, after refine() or continue_from(). Errors: limit, cancelled.
+  /// The same for an edit that only inserted segments, at a cost of copies of the tables and of
+  /// what the edit changed. `before` was made ready by prepare_to_be_edited().
+  /// is_inserted   per segment
+  /// is_same       Mesher::same_triangles of the two visibility meshes
+  Status continue_inserted(const LayerSolver& before, std::span<const std::uint8_t> is_inserted,
+                           std::span<const std::uint8_t> is_same);
+  Status prepare_to_be_edited();
+
+  /// The patches, after refine(), continue_from() or continue_inserted(). Errors: limit,
+  /// cancelled.
   Result<PatchLayer> take();
 
   const mesh::Mesher& mesher() const { return mesher_; }
@@ -59,7 +68,10 @@ class LayerSolver {
   Status lay_out();
   Status put_in_order();
   Status list_all_triangles();
-  Status follow_blur();
+  /// `all_changed`, unless null, is added to: the triangles that change.
+  Status follow_blur(std::vector<std::uint32_t>* all_changed = nullptr);
+  Status follow_insertion(std::span<const std::uint8_t> is_inserted);
+  Status add_fans(std::span<const std::uint8_t> is_inserted);
   Status gather(const gather::GatherOptions& options, bool all);
   Status find_misses(std::vector<std::uint32_t>& missed);
   Status make_smaller(const std::vector<std::uint32_t>& triangles);

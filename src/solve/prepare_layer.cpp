@@ -83,7 +83,7 @@ Result<PreparedField> prepare_field(Context& context, const mesh::Mesher& mesher
       context, is_thinned ? thinned : visibility, attributes, ends, is_watched);
   if (!gatherer) return gatherer.status();
   return PreparedField{std::move(sampled.attributes), std::move(sampled.memory),
-                       std::move(*gatherer)};
+                       std::move(*gatherer), is_thinned};
 }
 
 /// What may be looked at: the triangles' vertices are coordinates like any others.

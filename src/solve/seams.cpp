@@ -58,12 +58,20 @@ Result<Seams> Seams::create(const Context& context, const mesh::TriangleMesh& me
   return seams;
 }
 
+Result<Seams> Seams::copy(const Context& context, const mesh::TriangleMesh& mesh) const {
+  Seams seams(mesh);
+  Status status = seams.memory_.append(context, facing_, seams.facing_);
+  if (status) status = seams.memory_.append(context, mark_, seams.mark_);
+  if (!status) return status;
+  return seams;
+}
+
 Status Seams::update(const Context& context, const curves::SegmentAttributes& attributes,
                      std::span<const std::uint32_t> changed) {
   const std::size_t facings = 2 * mesh_.constraint.size();
   const std::size_t half_edges = mesh_.half_edge_constraint.size();
   Status status = memory_.grow(context, facing_, facings, facings / 4 * 5);
-  if (status) status = memory_.grow(context, is_seam_, half_edges, half_edges / 4 * 5);
+  if (status) status = memory_.grow(context, mark_, half_edges, half_edges / 4 * 5);
   if (!status) return status;
   const auto for_each_half_edge = [&](auto visit) {
     return parallel_for(context, changed.size(), kTrianglesPerTask,
@@ -73,17 +81,23 @@ Status Seams::update(const Context& context, const curves::SegmentAttributes& at
                         });
   };
   status = for_each_half_edge([&](std::uint32_t h) {
-    is_seam_[h] = 0;
+    mark_[h] = 0;
     if (mesh_.half_edge_constraint[h] == mesh::kNone) return;
     facing_[index(h)] = gather::facing_side(mesh_, attributes, h);
     if (mesh_.half_edge_twin[h] == mesh::kNone) facing_[index(h) ^ 1] = {};
   });
   if (!status) return status;
   status = for_each_half_edge([&](std::uint32_t h) {
-    if (mesh_.half_edge_constraint[h] == mesh::kNone) return;
-    is_seam_[h] = facing(h).kind != ShaderKind::open || back(h).kind != ShaderKind::open;
+    if (mesh_.half_edge_constraint[h] != mesh::kNone) mark_[h] = mark_of(h);
   });
   return status;
+}
+
+std::uint8_t Seams::mark_of(std::uint32_t half_edge) const {
+  const gather::Facing &front = facing(half_edge), &behind = back(half_edge);
+  if (front.kind == ShaderKind::open && behind.kind == ShaderKind::open) return 0;
+  const bool is_fine = front.fine_from > 0 || front.fine_to > 0;
+  return is_fine && front.has_value() && behind.has_value() ? kSeam | kFineBlur : kSeam;
 }
 
 float Seams::blur_radius(std::uint32_t half_edge, float u) const {
@@ -92,7 +106,7 @@ float Seams::blur_radius(std::uint32_t half_edge, float u) const {
 }
 
 float Seams::fine_radius(std::uint32_t half_edge, float u) const {
-  if (!has_value(half_edge) || !back(half_edge).has_value()) return 0;
+  if (!(mark_[half_edge] & kFineBlur)) return 0;
   return lerp(facing(half_edge).fine_from, facing(half_edge).fine_to, u);
 }
 

@@ -29,13 +29,18 @@ class Seams {
   static Result<Seams> create(const Context& context, const mesh::TriangleMesh& mesh,
                               const curves::SegmentAttributes& attributes);
 
+  /// The same for a copy of the mesh, which must outlive it. Errors: limit (memory), cancelled.
+  Result<Seams> copy(const Context& context, const mesh::TriangleMesh& mesh) const;
+
   /// Follows the mesh, of which these triangles changed, including new ones. Errors: limit
   /// (memory), cancelled; this object is unusable then.
   Status update(const Context& context, const curves::SegmentAttributes& attributes,
                 std::span<const std::uint32_t> changed);
 
+  std::size_t half_edge_count() const { return mark_.size(); }
+
   /// True for both half-edges of an edge that stops rays on either side.
-  bool is_seam(std::uint32_t half_edge) const { return is_seam_[half_edge] != 0; }
+  bool is_seam(std::uint32_t half_edge) const { return (mark_[half_edge] & kSeam) != 0; }
 
   /// The side of a constrained half-edge that its triangle sees.
   const gather::Facing& facing(std::uint32_t half_edge) const { return facing_[index(half_edge)]; }
@@ -56,6 +61,9 @@ class Seams {
   float fine_radius(std::uint32_t half_edge, float u) const;
 
  private:
+  static constexpr std::uint8_t kSeam = 1;
+  static constexpr std::uint8_t kFineBlur = 2;  ///< fine_radius() may be above 0
+
   explicit Seams(const mesh::TriangleMesh& mesh) : mesh_(mesh) {}
 
   std::size_t index(std::uint32_t half_edge) const {
@@ -64,13 +72,15 @@ class Seams {
            (mesh_.origin(half_edge) == mesh_.constraint[constraint].from ? 0 : 1);
   }
 
+  std::uint8_t mark_of(std::uint32_t half_edge) const;
+
   const gather::Facing& back(std::uint32_t half_edge) const {
     return facing_[index(half_edge) ^ 1];
   }
 
   const mesh::TriangleMesh& mesh_;
   std::vector<gather::Facing> facing_;  ///< 2 per constraint: along it, against it
-  std::vector<std::uint8_t> is_seam_;   ///< per half-edge
+  std::vector<std::uint8_t> mark_;      ///< per half-edge: kSeam, kFineBlur
   TableMemory memory_{"patches along curves"};
 };
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "solve/same_layout.hpp"
 #include "support/cancel_at.hpp"
 #include "support/drawing.hpp"
 #include "support/random_document.hpp"
@@ -36,10 +37,10 @@ struct Comparison {
     const NodeLayout& layout = field.layout();
     const auto channels = static_cast<std::size_t>(layout.channel_count);
     std::vector<float> exact(layout.value.size());
-    std::vector<std::uint32_t> free;
-    for (std::uint32_t n = 0; n < layout.node_count(); ++n) {
-      if (!layout.is_fixed[n]) free.push_back(n);
-    }
+    std::vector<std::uint32_t> free = layout.triangle_node;
+    std::ranges::sort(free);
+    free.erase(std::unique(free.begin(), free.end()), free.end());
+    std::erase_if(free, [&](std::uint32_t n) { return layout.is_fixed[n] != 0; });
     const gather::Gatherer& gatherer = field.field().gatherer;
     ASSERT_TRUE(gatherer.gather(context, {layout.position, free}, {}, exact).ok());
     nodes += free.size();
@@ -110,10 +111,17 @@ void expect_exact_frames(const Document& document, LayerCurve at, const DiffuseO
     const Vec2 by{double(random() % 21) - 10, double(random() % 21) - 10};
     const Curve curve = moved(document.layers[at.layer].curves[at.curve], by, random);
     Comparison seen;
-    const auto watch = [&](const mesh::TriangleMesh&, const FieldSolver& color,
+    const auto watch = [&](const mesh::TriangleMesh& mesh, const FieldSolver& color,
                            const FieldSolver* opacity) {
-      seen.add(context, color);
-      if (opacity) seen.add(context, *opacity);
+      for (const FieldSolver* field : {&color, opacity}) {
+        if (!field) continue;
+        seen.add(context, *field);
+        const NodeLayout& layout = field->layout();
+        const bool has_parts =
+            layout.triangle_node.size() > kNodesPerTriangle * mesh.triangle_count();
+        if (has_parts) continue;
+        EXPECT_EQ(difference_from_new_layout(context, mesh, field->field().attributes, layout), "");
+      }
     };
     const Result<PatchLayer> layer = drag->frame(context, curve, nullptr, watch);
     if (!layer && layer.status().code == StatusCode::bad_input) continue;

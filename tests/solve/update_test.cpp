@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "solve/layer_solver.hpp"
-#include "solve/layout_order.hpp"
 #include "solve/prepare_layer.hpp"
+#include "solve/same_layout.hpp"
 #include "support/cancel_at.hpp"
 #include "support/drawing.hpp"
 #include "support/random_document.hpp"
@@ -24,21 +24,6 @@ PreparedLayer prepared(Context& context, const Document& document, std::uint32_t
       prepare_layer(context, document, layer, sight, options, nullptr, LayerUse::patches);
   EXPECT_TRUE(prepared.ok()) << prepared.status().message;
   return std::move(*prepared);
-}
-
-/// In what two layouts differ, beside the values of free nodes; empty: in nothing.
-std::string difference_of(const NodeLayout& layout, const NodeLayout& anew) {
-  if (layout.position != anew.position) return "positions";
-  if (layout.is_fixed != anew.is_fixed) return "fixed nodes";
-  if (layout.triangle_node != anew.triangle_node) return "nodes of triangles";
-  if (layout.edge_is_curve != anew.edge_is_curve) return "edges on curves";
-  if (layout.value.size() != anew.value.size()) return "number of values";
-  const auto channels = static_cast<std::size_t>(layout.channel_count);
-  for (std::size_t i = 0; i < layout.value.size(); ++i) {
-    if (layout.is_fixed[i / channels] && layout.value[i] != anew.value[i])
-      return "value of fixed node " + std::to_string(i / channels);
-  }
-  return "";
 }
 
 /// A mesh and its fields, refined here and there.
@@ -82,13 +67,8 @@ class Followers {
     const mesh::TriangleMesh anew = *mesher_.patch_mesh(context_);
     ASSERT_EQ(test::difference_of(mesh_, anew), "");
     for (const FieldSolver& field : fields_) {
-      const auto& attributes = field.field().attributes;
-      NodeLayout layout = field.layout();
-      TableMemory memory("a test");
-      ASSERT_TRUE(solve::put_in_order(context_, mesh_, memory, layout).ok());
-      const Result<Seams> seams = Seams::create(context_, anew, attributes);
-      ASSERT_EQ(difference_of(layout, *lay_out_nodes(context_, anew, attributes, *seams, memory)),
-                "");
+      ASSERT_EQ(
+          difference_from_new_layout(context_, anew, field.field().attributes, field.layout()), "");
     }
   }
 
