@@ -59,9 +59,13 @@ Vec2 FreeEnd::unbent(Vec2 d) const {
 
 Result<FreeEnds> FreeEnds::create(Context& context, const mesh::TriangleMesh& mesh,
                                   const curves::SegmentAttributes& attributes, Vec2 origin,
-                                  float weight_unit) {
+                                  float weight_unit, const FreeEnds* before,
+                                  std::span<const std::uint8_t> is_watched) {
   FreeEnds ends;
-  Result<std::vector<FreeEnd>> found = find_free_ends(context, mesh, attributes, ends.memory_);
+  KnownEnds known;
+  if (before) known = {before->end_, is_watched};
+  Result<std::vector<FreeEnd>> found =
+      find_free_ends(context, mesh, attributes, ends.memory_, known);
   if (!found) return found.status();
   ends.base_channels_ = attributes.base_channels;
   ends.weight_unit_ = weight_unit;

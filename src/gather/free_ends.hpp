@@ -18,7 +18,9 @@ struct FreeEnd {
   Vec2 position;    ///< layer frame
   Vec2 direction;   ///< unit vector, out of the curve
   double bend = 0;  ///< sin(angle by which the curve, at distance r, has left its tangent line) / r
-  double reach = 0;  ///< ρ: the term is 0 from this distance on; no other curve is nearer
+  double reach = 0;          ///< ρ: the term is 0 from this distance on; no other curve is nearer
+  double free_way = 0;       ///< the distance of the nearest curve in its way, or less; at least ρ
+  std::uint32_t vertex = 0;  ///< of the mesh
   /// The constraint that determines ρ. kNone: ρ is the curve's length to a junction or to its other
   /// end. The constraint of the end itself: its curve follows an arc no farther, or the search
   /// ended there.
@@ -33,6 +35,13 @@ struct FreeEnd {
   Vec2 unbent(Vec2 d) const;
 };
 
+/// Ends of a mesh into which the watched segments were inserted since. An end keeps its term, but
+/// for FreeEnd::nearest, where these are farther away than what was found.
+struct KnownEnds {
+  std::span<const FreeEnd> end;              ///< their positions are not used
+  std::span<const std::uint8_t> is_watched;  ///< per segment
+};
+
 /// The free ends of a field, in the order of their vertices. Those whose reach is below a lattice
 /// step are left out. Cost: O(triangles), and for each end the triangles within its reach. Of these
 /// at most 1024 are visited, and the reach is limited to what they cover. The list is allocated
@@ -40,19 +49,20 @@ struct FreeEnd {
 /// Errors: limit (memory), cancelled.
 Result<std::vector<FreeEnd>> find_free_ends(Context& context, const mesh::TriangleMesh& mesh,
                                             const curves::SegmentAttributes& attributes,
-                                            TableMemory& memory);
+                                            TableMemory& memory, const KnownEnds& known = {});
 
 /// The terms of a field's free ends, in a tree of boxes.
 class FreeEnds {
  public:
   FreeEnds() = default;
 
-  /// origin       positions are relative to it
-  /// weight_unit  weights are in units of it
+  /// before       unless null: those of a mesh into which the segments with is_watched were
+  /// inserted origin       positions are relative to it weight_unit  weights are in units of it
   /// Errors       limit (memory), cancelled
   static Result<FreeEnds> create(Context& context, const mesh::TriangleMesh& mesh,
                                  const curves::SegmentAttributes& attributes, Vec2 origin,
-                                 float weight_unit);
+                                 float weight_unit, const FreeEnds* before = nullptr,
+                                 std::span<const std::uint8_t> is_watched = {});
 
   bool empty() const { return end_.empty(); }
 

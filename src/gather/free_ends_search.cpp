@@ -60,11 +60,12 @@ double crossing(Vec2 a, Vec2 along, double radius) {
 class EndSearch {
  public:
   EndSearch(Context& context, const TriangleMesh& mesh, const curves::SegmentAttributes& attributes,
-            TableMemory& ends_memory)
+            const KnownEnds& known, TableMemory& ends_memory)
       : context_(context),
         poll_(context),
         mesh_(mesh),
         attributes_(attributes),
+        known_(known),
         ends_memory_(ends_memory) {}
 
   Result<std::vector<FreeEnd>> run() {
@@ -72,6 +73,7 @@ class EndSearch {
     if (status) status = memory_.resize(context_, edge_, mesh_.constraint.size());
     if (status) status = memory_.resize(context_, seen_from_, mesh_.triangle_count(), kNobody);
     if (status) status = find_edges();
+    if (status && !known_.end.empty()) status = find_known_ends();
     std::vector<FreeEnd> ends;
     for (std::uint32_t v = 0; status && v < meeting_.size(); ++v) {
       if (poll_.cancelled()) return context_.cancel_status();
@@ -98,6 +100,28 @@ class EndSearch {
   };
 
   Vec2 position(std::uint32_t v) const { return mesh_.vertex_position[v]; }
+
+  /// The known ends that no watched edge has come near.
+  Status find_known_ends() {
+    std::vector<std::uint32_t> watched;
+    Status status = memory_.resize(context_, known_end_, meeting_.size(), nullptr);
+    for (std::size_t c = 0; c < edge_.size() && status; ++c) {
+      const std::uint32_t h = edge_[c].half_edge;
+      if (h == kNobody || !mesh_.has_segment(h, known_.is_watched)) continue;
+      status = memory_.push_back(context_, watched, h);
+    }
+    if (!status) return status;
+    for (const FreeEnd& end : known_.end) {
+      if (poll_.cancelled()) return context_.cancel_status();
+      const Vec2 p = position(end.vertex);
+      const auto is_near = [&](std::uint32_t h) {
+        return segment_distance(position(mesh_.origin(h)) - p, position(mesh_.target(h)) - p) <=
+               end.free_way;
+      };
+      if (std::ranges::none_of(watched, is_near)) known_end_[end.vertex] = &end;
+    }
+    return ok_status();
+  }
 
   Status find_edges() {
     for (std::uint32_t h = 0; h < mesh_.triangle_vertex.size(); ++h) {
@@ -126,23 +150,35 @@ class EndSearch {
         negative.from == positive.to) {
       return ok_status();
     }
-    const Result<double> arc = follow_curve(v);
-    if (!arc) return arc.status();
-    const Result<double> reach = find_reach(v, out, *arc);
-    if (!reach) return reach.status();
     const Vec2 last = position(v) - position(mesh_.target(out));
     FreeEnd end{.position = position(v),
                 .direction = last / length(last),
-                .reach = *reach,
-                .nearest = nearest_,
+                .vertex = v,
                 .weight = negative.weight,
                 .positive = positive.to,
                 .negative = negative.from,
                 .blur_positive = positive.blur_to,
                 .blur_negative = negative.blur_from};
-    Status status = bend(v, end);
+    const Status status = find_term(out, end);
     if (!status || end.reach < mesh_.lattice_step) return status;
     return ends_memory_.push_back(context_, ends, end);
+  }
+
+  /// How far the end reaches, and along which arc. `out` is the half-edge that begins there.
+  Status find_term(std::uint32_t out, FreeEnd& end) {
+    if (const FreeEnd* known = known_end_.empty() ? nullptr : known_end_[end.vertex]) {
+      end.bend = known->bend;
+      end.reach = known->reach;
+      end.free_way = known->free_way;
+      return ok_status();
+    }
+    const Result<double> arc = follow_curve(end.vertex);
+    if (!arc) return arc.status();
+    const Result<double> reach = find_reach(end.vertex, out, *arc);
+    if (!reach) return reach.status();
+    end.reach = end.free_way = *reach;
+    end.nearest = nearest_;
+    return bend(end.vertex, end);
   }
 
   /// Finds the arc that follows the own curve, by where the curve is half the reach away; where it
@@ -265,21 +301,23 @@ class EndSearch {
   RarePoll<4096> poll_;
   const TriangleMesh& mesh_;
   const curves::SegmentAttributes& attributes_;
+  const KnownEnds& known_;
   TableMemory& ends_memory_;
   TableMemory memory_{"free ends of curves"};
-  std::vector<Meeting> meeting_;          ///< per vertex
-  std::vector<Edge> edge_;                ///< per constraint
-  std::vector<std::uint32_t> seen_from_;  ///< per triangle: the end that looked at it last
-  std::vector<Step> step_;                ///< a heap
-  std::int32_t nearest_ = mesh::kNone;    ///< the constraint that limits the reach asked for last
+  std::vector<Meeting> meeting_;           ///< per vertex
+  std::vector<Edge> edge_;                 ///< per constraint
+  std::vector<std::uint32_t> seen_from_;   ///< per triangle: the end that looked at it last
+  std::vector<Step> step_;                 ///< a heap
+  std::vector<const FreeEnd*> known_end_;  ///< per vertex: one that keeps its term; null: none
+  std::int32_t nearest_ = mesh::kNone;     ///< the constraint that limits the reach asked for last
 };
 
 }  // namespace
 
 Result<std::vector<FreeEnd>> find_free_ends(Context& context, const TriangleMesh& mesh,
                                             const curves::SegmentAttributes& attributes,
-                                            TableMemory& memory) {
-  return EndSearch(context, mesh, attributes, memory).run();
+                                            TableMemory& memory, const KnownEnds& known) {
+  return EndSearch(context, mesh, attributes, known, memory).run();
 }
 
 }  // namespace sfumato::gather

@@ -56,19 +56,33 @@ Gatherer::~Gatherer() = default;
 
 Result<Gatherer> Gatherer::create(Context& context, const mesh::TriangleMesh& visibility,
                                   const curves::SegmentAttributes& attributes, Ends ends,
-                                  std::span<const std::uint8_t> is_watched) {
-  Result<Scene> scene = build_scene(context, visibility, attributes, is_watched);
-  if (!scene) return scene.status();
+                                  const SceneUse& use, const Insertion& insertion) {
+  const State* const before = insertion.before ? insertion.before->state_.get() : nullptr;
+  std::optional<Scene> scene;
+  if (before) {
+    Result<std::optional<Scene>> extended = extend_scene(
+        context, visibility, attributes, use.is_watched, before->scene, insertion.is_same);
+    if (!extended) return extended.status();
+    scene = std::move(*extended);
+  }
+  const bool is_extended = scene.has_value();
+  if (!is_extended) {
+    Result<Scene> built = build_scene(context, visibility, attributes, use);
+    if (!built) return built.status();
+    scene.emplace(std::move(*built));
+  }
   auto state = std::make_unique<State>();
   state->scene = std::move(*scene);
   if (ends == Ends::soft) {
     Result<FreeEnds> found = FreeEnds::create(context, visibility, attributes, state->scene.origin,
-                                              state->scene.weight_unit);
+                                              state->scene.weight_unit,
+                                              before ? &before->ends : nullptr, use.is_watched);
     if (!found) return found.status();
     state->ends = std::move(*found);
   }
   if (!state->scene.triangle.empty()) {
-    Result<Locator> locator = Locator::create(context, state->scene);
+    Result<Locator> locator = is_extended ? Locator::extend(context, *before->locator, state->scene)
+                                          : Locator::create(context, state->scene);
     if (!locator) return locator.status();
     state->locator.emplace(std::move(*locator));
   }

@@ -12,6 +12,15 @@
 
 namespace sfumato::gather {
 
+class Gatherer;
+
+/// How a mesh came of another one, into which the watched segments were inserted.
+struct Insertion {
+  const Gatherer* before = nullptr;  ///< of that mesh, made with will_be_extended; null: none
+  /// Per triangle of that mesh: 1 where the present one has the same at the same index.
+  std::span<const std::uint8_t> is_same{};
+};
+
 /// One attribute gathered at points (paper eq. 2–11), closed form over the exact visible set, or
 /// Monte Carlo rays. Holds the data of one visibility mesh that both methods need.
 ///
@@ -19,12 +28,12 @@ namespace sfumato::gather {
 /// W for each of SegmentAttributes::shader.
 class Gatherer {
  public:
-  /// `visibility` is validated; it is read, not kept. `ends`: the terms of free ends; may be empty.
-  /// `is_watched`: per segment, for find_changes; may be empty. Errors: limit, cancelled.
+  /// `visibility` is validated; it is read, not kept. `ends`: the terms of free ends. `insertion`
+  /// saves work; nothing of it is kept. Errors: limit, cancelled.
   static Result<Gatherer> create(Context& context, const mesh::TriangleMesh& visibility,
                                  const curves::SegmentAttributes& attributes,
-                                 Ends ends = Ends::paper,
-                                 std::span<const std::uint8_t> is_watched = {});
+                                 Ends ends = Ends::paper, const SceneUse& use = {},
+                                 const Insertion& insertion = {});
 
   Gatherer(Gatherer&&) noexcept;
   Gatherer& operator=(Gatherer&&) noexcept;

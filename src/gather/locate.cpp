@@ -109,6 +109,18 @@ Result<Locator> Locator::create(Context& context, const Scene& scene) {
   return locator;
 }
 
+Result<Locator> Locator::extend(Context& context, const Locator& before, const Scene& scene) {
+  Locator locator;
+  Status status = locator.memory_.append(context, before.cell_triangle_, locator.cell_triangle_);
+  if (!status) return status;
+  locator.scene_ = &scene;
+  locator.min_x_ = before.min_x_, locator.min_y_ = before.min_y_;
+  locator.cells_per_unit_x_ = before.cells_per_unit_x_;
+  locator.cells_per_unit_y_ = before.cells_per_unit_y_;
+  locator.side_ = before.side_;
+  return locator;
+}
+
 std::uint32_t Locator::start_triangle(float x, float y) const {
   const auto side = static_cast<std::size_t>(side_);
   return cell_triangle_[cell_of(y - min_y_, cells_per_unit_y_, side_) * side +

@@ -27,6 +27,9 @@ class Locator {
   /// Errors: limit, cancelled. `scene` has at least one triangle and is kept by the caller.
   static Result<Locator> create(Context& context, const Scene& scene);
 
+  /// The same for a scene that was extended from that of `before`. Errors: limit, cancelled.
+  static Result<Locator> extend(Context& context, const Locator& before, const Scene& scene);
+
   /// Cost: a few steps for each point. Errors: limit, cancelled.
   Result<LocatedPoints> locate(Context& context, const PointList& points) const;
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/poll.hpp"
 #include "base/spatial_order.hpp"
@@ -11,28 +12,29 @@
 namespace sfumato::gather {
 namespace {
 
+/// Room in the tables of a scene that is extended, for the edges of some triangles that change.
+constexpr std::size_t kMoreEdges = 1024;
+
 class SceneBuilder {
  public:
   SceneBuilder(Context& context, const mesh::TriangleMesh& mesh,
                const curves::SegmentAttributes& attributes, Scene& scene)
       : context_(context), poll_(context), mesh_(mesh), attributes_(attributes), scene_(scene) {}
 
-  Status build() {
-    Box box;
-    for (Vec2 p : mesh_.vertex_position) box.extend(p);
-    scene_.origin = box.empty() ? Vec2{} : box.center();
+  Status build(bool finds_blind) {
+    scene_.origin = center_of_mesh();
     const auto half_edge_count = static_cast<std::uint32_t>(mesh_.triangle_vertex.size());
     Status status = order_triangles();
     if (status) status = memory_.resize(context_, codes_, half_edge_count);
     if (status) status = find_codes();
     if (status) status = context_.check();
     if (!status) return status;
-    normalize_weights();
+    set_weight_unit();
+    normalize_weights(0);
+    set_channels();
     drop_blend_if_plain();
-    Result<std::vector<std::uint8_t>> blind = find_blind(context_, mesh_, codes_, memory_);
-    if (!blind) return blind.status();
-    blind_ = std::move(*blind);
-    status = scene_.memory.reserve(context_, scene_.edge_beyond, passage_count_);
+    status = look_for_blind(finds_blind);
+    if (status) status = scene_.memory.reserve(context_, scene_.edge_beyond, passage_count_);
     if (status) status = scene_.memory.reserve(context_, scene_.triangle, scene_.source.size());
     if (!status) return status;
     status = for_each_half_edge([&](std::uint32_t h) {
@@ -50,17 +52,125 @@ class SceneBuilder {
   Status watch(std::span<const std::uint8_t> is_watched) {
     for (std::uint32_t i = 0; i < scene_.source.size(); ++i) {
       if (poll_.cancelled()) return context_.cancel_status();
-      for (std::uint32_t k = 0; k < 3; ++k) {
-        const std::uint32_t h = 3 * scene_.source[i] + k;
-        if (codes_[h] >= 0 || !mesh_.has_segment(h, is_watched)) continue;
-        Status status = scene_.memory.push_back(context_, scene_.watched, 3 * i + k);
-        if (!status) return status;
-      }
+      if (Status status = watch_triangle(i, is_watched); !status) return status;
     }
     return ok_status();
   }
 
+  /// extend_scene(). False: more would have to change.
+  Result<bool> extend(const Scene& before, std::span<const std::uint8_t> is_watched,
+                      std::span<const std::uint8_t> is_same) {
+    if (before.hit_edge.empty() || !(center_of_mesh() == before.origin)) return false;
+    Status status = copy(before);
+    if (status) status = list_changed(is_same);
+    if (status) status = copy_codes();
+    if (status) status = look_for_blind(false);
+    for (const std::uint32_t t : changed_) {
+      if (poll_.cancelled()) status = context_.cancel_status();
+      if (status) status = find_codes_of(t);
+    }
+    if (!status) return status;
+    for (std::size_t i = before.hit_edge.size(); i < scene_.hit_edge.size(); ++i)
+      if (scene_.hit_edge[i].weight > before.weight_unit) return false;
+    if (before.blend.empty() && !is_plain_) return false;
+    normalize_weights(before.hit_edge.size());
+    drop_blend_if_plain();
+    status = scene_.memory.resize(context_, scene_.edge_beyond, passage_count_);
+    for (const std::uint32_t t : changed_) {
+      if (poll_.cancelled()) status = context_.cancel_status();
+      if (!status) return status;
+      place_changed(t);
+      status = watch_triangle(new_index_[t], is_watched);
+    }
+    if (!status) return status;
+    return true;
+  }
+
  private:
+  Vec2 center_of_mesh() const {
+    Box box;
+    for (Vec2 p : mesh_.vertex_position) box.extend(p);
+    return box.empty() ? Vec2{} : box.center();
+  }
+
+  Status watch_triangle(std::uint32_t i, std::span<const std::uint8_t> is_watched) {
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const std::uint32_t h = 3 * scene_.source[i] + k;
+      if (codes_[h] >= 0 || !mesh_.has_segment(h, is_watched)) continue;
+      Status status = scene_.memory.push_back(context_, scene_.watched, 3 * i + k);
+      if (!status) return status;
+    }
+    return ok_status();
+  }
+
+  Status look_for_blind(bool finds_blind) {
+    if (!finds_blind) return memory_.resize(context_, blind_, codes_.size());
+    Result<std::vector<std::uint8_t>> blind = find_blind(context_, mesh_, codes_, memory_);
+    if (blind) blind_ = std::move(*blind);
+    return blind.status();
+  }
+
+  /// All of a scene but what is watched there, with room for the mesh's new triangles.
+  Status copy(const Scene& before) {
+    const std::size_t triangles = mesh_.triangle_count();
+    const std::size_t more = 3 * (triangles - before.triangle.size()) + kMoreEdges;
+    Status status;
+    const auto take = [&](const auto& from, auto& to, std::size_t most) {
+      if (status) status = scene_.memory.reserve(context_, to, most);
+      if (status) status = scene_.memory.append(context_, from, to);
+    };
+    take(before.edge_beyond, scene_.edge_beyond, before.edge_beyond.size() + more);
+    take(before.hit_edge, scene_.hit_edge, before.hit_edge.size() + more);
+    take(before.blend, scene_.blend, before.blend.empty() ? 0 : before.blend.size() + more);
+    take(before.triangle, scene_.triangle, triangles);
+    take(before.source, scene_.source, triangles);
+    scene_.origin = before.origin;
+    scene_.weight_unit = before.weight_unit;
+    passage_count_ = static_cast<std::uint32_t>(before.edge_beyond.size());
+    is_plain_ = before.blend.empty();
+    set_channels();
+    return status;
+  }
+
+  /// New triangles come last, in their own order.
+  Status list_changed(std::span<const std::uint8_t> is_same) {
+    const std::uint32_t count = mesh_.triangle_count();
+    Status status = memory_.resize(context_, new_index_, count);
+    if (status) status = scene_.memory.resize(context_, scene_.triangle, count);
+    if (!status) return status;
+    for (std::uint32_t i = 0; i < scene_.source.size(); ++i) new_index_[scene_.source[i]] = i;
+    for (auto t = static_cast<std::uint32_t>(scene_.source.size()); t < count; ++t) {
+      new_index_[t] = t;
+      scene_.source.push_back(t);
+    }
+    for (std::uint32_t t = 0; t < count && status; ++t) {
+      if (t < is_same.size() && is_same[t]) continue;
+      status = memory_.push_back(context_, changed_, t);
+    }
+    return status;
+  }
+
+  Status copy_codes() {
+    Status status = memory_.resize(context_, codes_, mesh_.triangle_vertex.size());
+    for (std::uint32_t i = 0; status && i < scene_.triangle.size(); ++i) {
+      std::copy_n(scene_.triangle[i].edge, 3, codes_.data() + 3 * std::size_t{scene_.source[i]});
+    }
+    return status;
+  }
+
+  /// A triangle that changed, and what its neighbours know of it.
+  void place_changed(std::uint32_t t) {
+    scene_.triangle[new_index_[t]] = triangle(t);
+    for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
+      if (codes_[h] >= 0) scene_.edge_beyond[static_cast<std::size_t>(codes_[h])] = beyond(h);
+      if (mesh_.half_edge_twin[h] == mesh::kNone) continue;
+      const auto twin = static_cast<std::uint32_t>(mesh_.half_edge_twin[h]);
+      scene_.triangle[new_index_[twin / 3]] = triangle(twin / 3);
+      if (codes_[twin] >= 0)
+        scene_.edge_beyond[static_cast<std::size_t>(codes_[twin])] = beyond(twin);
+    }
+  }
+
   Status order_triangles() {
     TableMemory scratch("the visibility mesh");
     std::vector<Vec2> center;
@@ -78,16 +188,21 @@ class SceneBuilder {
     return status;
   }
 
-  /// Room for the hit edges of a triangle is made before its codes are asked for.
   Status find_codes() {
     for (std::uint32_t t : scene_.source) {
       if (poll_.cancelled()) return context_.cancel_status();
-      Status status = scene_.memory.make_room(context_, scene_.hit_edge, 3);
-      if (status) status = scene_.memory.make_room(context_, scene_.blend, 3);
-      if (!status) return status;
-      for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) codes_[h] = code(h);
+      if (Status status = find_codes_of(t); !status) return status;
     }
     return ok_status();
+  }
+
+  /// Room for the hit edges of a triangle is made before its codes are asked for.
+  Status find_codes_of(std::uint32_t t) {
+    Status status = scene_.memory.make_room(context_, scene_.hit_edge, 3);
+    if (status) status = scene_.memory.make_room(context_, scene_.blend, 3);
+    if (!status) return status;
+    for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) codes_[h] = code(h);
+    return status;
   }
 
   /// In the order of the scene's triangles.
@@ -167,21 +282,28 @@ class SceneBuilder {
 
   /// The kernel without blur and image-domain shaders is the faster one.
   void drop_blend_if_plain() {
-    scene_.base_channels = attributes_.base_channels;
-    scene_.shader_count = static_cast<int>(attributes_.shader.size());
     if (is_plain_) scene_.memory.free(scene_.blend);
   }
 
+  void set_channels() {
+    scene_.base_channels = attributes_.base_channels;
+    scene_.shader_count = static_cast<int>(attributes_.shader.size());
+  }
+
   // Only ratios of weights matter; the largest becomes 1, so that no sum overflows.
-  void normalize_weights() {
+  void set_weight_unit() {
     float largest = 0;
     for (const HitEdge& edge : scene_.hit_edge) largest = std::max(largest, edge.weight);
-    if (!(largest > 0)) return;
-    scene_.weight_unit = largest;
-    for (std::size_t i = 0; i < scene_.hit_edge.size(); ++i) {
+    if (largest > 0) scene_.weight_unit = largest;
+  }
+
+  /// Of the hit edges from `first` on. The last of the blends are theirs.
+  void normalize_weights(std::size_t first) {
+    const std::size_t blends_before = scene_.hit_edge.size() - scene_.blend.size();
+    for (std::size_t i = first; i < scene_.hit_edge.size(); ++i) {
       HitEdge& edge = scene_.hit_edge[i];
-      HitBlend& blend = scene_.blend[i];
-      edge.weight /= largest;
+      HitBlend& blend = scene_.blend[i - blends_before];
+      edge.weight /= scene_.weight_unit;
       for (float* values :
            {edge.middle, edge.half_change, blend.back_middle, blend.back_half_change}) {
         for (int c = 0; c < kValueChannels; ++c) values[c] *= edge.weight;
@@ -233,6 +355,7 @@ class SceneBuilder {
   std::vector<std::uint32_t> new_index_;  ///< the inverse of Scene::source
   std::vector<EdgeCode> codes_;           ///< per half-edge of the mesh
   std::vector<std::uint8_t> blind_;       ///< per half-edge, see find_blind
+  std::vector<std::uint32_t> changed_;    ///< for extend(): triangles that are not the same
   std::uint32_t passage_count_ = 0;
   bool is_plain_ = true;
 };
@@ -247,13 +370,25 @@ SceneView Scene::view() const {
 }
 
 Result<Scene> build_scene(Context& context, const mesh::TriangleMesh& mesh,
-                          const curves::SegmentAttributes& attributes,
-                          std::span<const std::uint8_t> is_watched) {
+                          const curves::SegmentAttributes& attributes, const SceneUse& use) {
   Scene scene;
   SceneBuilder builder(context, mesh, attributes, scene);
-  Status status = builder.build();
-  if (status && !is_watched.empty()) status = builder.watch(is_watched);
+  Status status = builder.build(!use.will_be_extended);
+  if (status && !use.is_watched.empty()) status = builder.watch(use.is_watched);
   if (!status) return status;
+  return scene;
+}
+
+Result<std::optional<Scene>> extend_scene(Context& context, const mesh::TriangleMesh& mesh,
+                                          const curves::SegmentAttributes& attributes,
+                                          std::span<const std::uint8_t> is_watched,
+                                          const Scene& before,
+                                          std::span<const std::uint8_t> is_same) {
+  std::optional<Scene> scene(std::in_place);
+  const Result<bool> is_done =
+      SceneBuilder(context, mesh, attributes, *scene).extend(before, is_watched, is_same);
+  if (!is_done) return is_done.status();
+  if (!*is_done) scene.reset();
   return scene;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -66,10 +67,28 @@ struct Scene {
   int channel_count() const { return base_channels + shader_count; }
 };
 
-/// is_watched   per segment; empty: none is
-/// Errors       limit, cancelled
+/// What a scene is for, beside gathering.
+struct SceneUse {
+  std::span<const std::uint8_t> is_watched{};  ///< per segment; empty: none is
+  /// What only holds as long as no curve is inserted is left out: see extend_scene.
+  bool will_be_extended = false;
+};
+
+/// Errors: limit, cancelled.
 Result<Scene> build_scene(Context& context, const mesh::TriangleMesh& mesh,
-                          const curves::SegmentAttributes& attributes,
-                          std::span<const std::uint8_t> is_watched = {});
+                          const curves::SegmentAttributes& attributes, const SceneUse& use = {});
+
+/// Makes a copy of `before`, made with will_be_extended, the scene of a mesh into which the watched
+/// segments were inserted since. Triangles keep their indices.
+/// is_same   per triangle of the mesh of `before`: 1 where this one has the same at the same index
+/// Returns   nothing where more would have to change: a layer that was sharp is no more, or the
+///           weights need another unit
+/// Errors    limit, cancelled
+/// Cost      that of the copy and of the triangles that are not the same
+Result<std::optional<Scene>> extend_scene(Context& context, const mesh::TriangleMesh& mesh,
+                                          const curves::SegmentAttributes& attributes,
+                                          std::span<const std::uint8_t> is_watched,
+                                          const Scene& before,
+                                          std::span<const std::uint8_t> is_same);
 
 }  // namespace sfumato::gather

@@ -93,8 +93,7 @@ struct LayerDrag::State {
   /// The layer on a mesh, ready to be solved or continued.
   Result<LayerSolver> solver(Context& context, const curves::FlatCurves& polylines,
                              std::span<const Curve> of, mesh::Mesher& seen, mesh::Mesher patches,
-                             std::span<const std::uint8_t> is_watched,
-                             DiffuseStats* stats = nullptr,
+                             const FieldEdits& edits, DiffuseStats* stats = nullptr,
                              std::optional<RoundWatch> watch = {}) const;
   Status take_off(Context& context, const LayerSolver& whole,
                   std::span<const std::uint8_t> is_removed);
@@ -102,8 +101,7 @@ struct LayerDrag::State {
 
 Result<LayerSolver> LayerDrag::State::solver(Context& context, const curves::FlatCurves& polylines,
                                              std::span<const Curve> of, mesh::Mesher& seen,
-                                             mesh::Mesher patches,
-                                             std::span<const std::uint8_t> is_watched,
+                                             mesh::Mesher patches, const FieldEdits& edits,
                                              DiffuseStats* stats,
                                              std::optional<RoundWatch> watch) const {
   const Result<mesh::TriangleMesh> mesh = seen.visibility_mesh(context);
@@ -112,7 +110,7 @@ Result<LayerSolver> LayerDrag::State::solver(Context& context, const curves::Fla
                                                 options, units.smallest_radius());
   if (!sampled) return sampled.status();
   Result<PreparedFields> fields =
-      prepare_fields(context, seen, *mesh, std::move(*sampled), options.ends, is_watched);
+      prepare_fields(context, seen, *mesh, std::move(*sampled), options.ends, edits);
   if (!fields) return fields.status();
   return LayerSolver(
       context,
@@ -139,7 +137,7 @@ Status LayerDrag::State::begin(Context& context, const Layer& layer, std::uint32
   Result<mesh::Mesher> patches = visibility->copy(context);
   if (!patches) return patches.status();
   Result<LayerSolver> whole =
-      solver(context, flat, curves, *visibility, std::move(*patches), *moves);
+      solver(context, flat, curves, *visibility, std::move(*patches), {.use = {*moves}});
   if (!whole) return whole.status();
   status = whole->refine();
   return status ? take_off(context, *whole, *moves) : status;
@@ -155,7 +153,8 @@ Status LayerDrag::State::take_off(Context& context, const LayerSolver& whole,
   status = patches->edit(context, flat, edit, true);
   if (status) status = patches->bake(context);
   if (!status) return status;
-  Result<LayerSolver> rest = solver(context, flat, curves, *visibility, std::move(*patches), {});
+  Result<LayerSolver> rest = solver(context, flat, curves, *visibility, std::move(*patches),
+                                    {.use = {.will_be_extended = true}});
   if (!rest) return rest.status();
   base.emplace(std::move(*rest));
   status = base->continue_from(whole);
@@ -205,12 +204,13 @@ Result<PatchLayer> LayerDrag::State::frame(Context& context, const Curve& curve,
   if (!patches) return patches.status();
   status = patches->edit(context, placed->flat, edit, true);
   if (!status) return status;
-  Result<LayerSolver> now = solver(context, placed->flat, placed->curves, *seen,
-                                   std::move(*patches), *moves, stats, watch);
-  if (!now) return now.status();
   const Result<std::vector<std::uint8_t>> is_same =
       seen->same_triangles(context, *visibility, memory);
   if (!is_same) return is_same.status();
+  const FieldEdits edits{{*moves}, &base->color(), base->opacity(), *is_same};
+  Result<LayerSolver> now = solver(context, placed->flat, placed->curves, *seen,
+                                   std::move(*patches), edits, stats, watch);
+  if (!now) return now.status();
   status = now->continue_inserted(*base, *moves, *is_same);
   if (!status) return status;
   return now->take();

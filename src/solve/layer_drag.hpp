@@ -16,7 +16,8 @@ namespace sfumato::solve {
 
 /// A curve of a layer that moves while all others stay: its layer solved without it, to which each
 /// frame adds it at another place: in copies of the layer's tables, in which only what the curve
-/// changes is made anew. A frame depends on the layer and on the curve, not on the frames before it.
+/// changes is made anew. A frame depends on the layer and on the curve, not on the frames before
+/// it.
 ///
 /// Frames are for looking at while something moves. Their nodes have their exact values, but the
 /// mesh is that of the layer as it was, no finer where the curve is now than the angles ask; and

@@ -61,6 +61,8 @@ class LayerSolver {
   Result<PatchLayer> take();
 
   const mesh::Mesher& mesher() const { return mesher_; }
+  const PreparedField& color() const { return color_.field(); }
+  const PreparedField* opacity() const { return opacity_ ? &opacity_->field() : nullptr; }
 
  private:
   Status take_mesh();

@@ -66,7 +66,8 @@ bool is_thin(const mesh::TriangleMesh& mesh, const std::vector<std::uint8_t>& be
 
 Result<PreparedField> prepare_field(Context& context, const mesh::Mesher& mesher,
                                     const mesh::TriangleMesh& visibility, SampledField sampled,
-                                    gather::Ends ends, std::span<const std::uint8_t> is_watched) {
+                                    gather::Ends ends, const FieldEdits& edits,
+                                    const PreparedField* before) {
   const curves::SegmentAttributes& attributes = sampled.attributes;
   TableMemory scratch("the visibility mesh");
   const Result<std::vector<std::uint8_t>> bears =
@@ -79,8 +80,10 @@ Result<PreparedField> prepare_field(Context& context, const mesh::Mesher& mesher
     if (!mesh) return mesh.status();
     thinned = std::move(*mesh);
   }
+  gather::Insertion insertion;
+  if (before && !before->is_thinned && !is_thinned) insertion = {&before->gatherer, edits.is_same};
   Result<gather::Gatherer> gatherer = gather::Gatherer::create(
-      context, is_thinned ? thinned : visibility, attributes, ends, is_watched);
+      context, is_thinned ? thinned : visibility, attributes, ends, edits.use, insertion);
   if (!gatherer) return gatherer.status();
   return PreparedField{std::move(sampled.attributes), std::move(sampled.memory),
                        std::move(*gatherer), is_thinned};
@@ -196,14 +199,14 @@ Result<SampledFields> sample_fields(const Context& context, const FlatLayer& lay
 
 Result<PreparedFields> prepare_fields(Context& context, const mesh::Mesher& mesher,
                                       const mesh::TriangleMesh& visibility, SampledFields sampled,
-                                      gather::Ends ends, std::span<const std::uint8_t> is_watched) {
-  Result<PreparedField> color =
-      prepare_field(context, mesher, visibility, std::move(sampled.color), ends, is_watched);
+                                      gather::Ends ends, const FieldEdits& edits) {
+  Result<PreparedField> color = prepare_field(context, mesher, visibility, std::move(sampled.color),
+                                              ends, edits, edits.color_before);
   if (!color) return color.status();
   PreparedFields fields{std::move(*color), {}};
   if (!sampled.opacity) return fields;
-  Result<PreparedField> opacity =
-      prepare_field(context, mesher, visibility, std::move(*sampled.opacity), ends, is_watched);
+  Result<PreparedField> opacity = prepare_field(
+      context, mesher, visibility, std::move(*sampled.opacity), ends, edits, edits.opacity_before);
   if (!opacity) return opacity.status();
   fields.opacity.emplace(std::move(*opacity));
   return fields;

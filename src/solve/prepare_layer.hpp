@@ -94,13 +94,21 @@ Result<SampledFields> sample_fields(const Context& context, const FlatLayer& lay
                                     const DiffuseOptions& options,
                                     std::optional<double> fine_radius);
 
+/// For fields of a mesh that was edited or will be.
+struct FieldEdits {
+  gather::SceneUse use{};
+  /// Of the mesh before the watched segments were inserted; null: none were, or there is no such
+  /// field.
+  const PreparedField* color_before = nullptr;
+  const PreparedField* opacity_before = nullptr;
+  std::span<const std::uint8_t> is_same{};  ///< as gather::Insertion
+};
+
 /// visibility   mesher.visibility_mesh()
-/// is_watched   as Gatherer::create
 /// Errors       limit, cancelled
 Result<PreparedFields> prepare_fields(Context& context, const mesh::Mesher& mesher,
                                       const mesh::TriangleMesh& visibility, SampledFields sampled,
-                                      gather::Ends ends,
-                                      std::span<const std::uint8_t> is_watched = {});
+                                      gather::Ends ends, const FieldEdits& edits = {});
 
 /// Adds to `stats` if not null. Errors: limit (an instance shows more of its layer than coordinates
 /// reach, memory, counts), cancelled.

@@ -42,7 +42,7 @@ Seen look(const Drawing& drawing, const std::vector<Vec2>& points) {
   Context context;
   const std::vector<std::uint8_t> is_watched = first_curve(drawing);
   Result<Gatherer> gatherer =
-      Gatherer::create(context, drawing.mesh, drawing.attributes, Ends::paper, is_watched);
+      Gatherer::create(context, drawing.mesh, drawing.attributes, Ends::paper, {is_watched});
   EXPECT_TRUE(gatherer.ok());
   const auto channels = static_cast<std::size_t>(gatherer->channel_count());
   std::vector<float> value(channels * points.size());
@@ -82,7 +82,7 @@ TEST(WeakVisibility, ends_at_walls) {
   const Drawing drawing = draw({watched, wall});
   Context context;
   Result<Gatherer> gatherer = Gatherer::create(context, drawing.mesh, drawing.attributes,
-                                               Ends::paper, first_curve(drawing));
+                                               Ends::paper, {first_curve(drawing)});
   const std::vector<Vec2> points{{150, 250}, {20, 30}, {190, 500}, {300, 250}, {210, 100}};
   std::vector<std::uint8_t> sees(points.size(), 0);
   ASSERT_TRUE(gatherer->find_changes(context, *gatherer, points, sees).ok());
@@ -93,7 +93,7 @@ TEST(WeakVisibility, leaves_other_points_as_they_are) {
   const Drawing drawing = draw({plain_line({{100, 100}, {100, 400}}, {1, 0, 0})});
   Context context;
   Result<Gatherer> gatherer = Gatherer::create(context, drawing.mesh, drawing.attributes,
-                                               Ends::paper, first_curve(drawing));
+                                               Ends::paper, {first_curve(drawing)});
   const std::vector<Vec2> table{{150, 250}, {20, 30}, {300, 250}};
   const std::vector<std::uint32_t> chosen{1};
   std::vector<std::uint8_t> sees{7, 0, 9};
@@ -116,7 +116,7 @@ TEST(WeakVisibility, ends_when_it_is_cancelled) {
   for (std::uint64_t poll = 1;; ++poll) {
     Context context;
     Result<Gatherer> gatherer = Gatherer::create(context, drawing.mesh, drawing.attributes,
-                                                 Ends::paper, first_curve(drawing));
+                                                 Ends::paper, {first_curve(drawing)});
     const std::vector<Vec2> points = random_points(drawing, 3, 100, 1);
     std::vector<std::uint8_t> sees(points.size(), 0);
     CancelAt watch(poll, context.cancel);
