@@ -1,0 +1,185 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <random>
+#include <utility>
+#include <vector>
+
+#include "gather/gather.hpp"
+#include "gather/scenes.hpp"
+#include "mesh/mesher.hpp"
+#include "support/cancel_at.hpp"
+#include "support/sanitizers.hpp"
+
+/// What is gathered after a curve was inserted is what is gathered from a scene that is built anew.
+namespace sfumato::gather::test {
+namespace {
+
+using sfumato::test::CancelAt;
+
+constexpr std::uint32_t kSeeds = SFUMATO_HAS_SANITIZER ? 3 : 20;
+constexpr int kPoints = 600;
+
+/// Windows too narrow to count are left out of a gather: which ones depends on the mesh.
+constexpr float kMost = 1.0f / 255;
+
+/// The lines of a drawing without the last.
+curves::FlatCurves without_last(const curves::FlatCurves& flat) {
+  curves::FlatCurves rest = flat;
+  rest.curve_begin.pop_back();
+  const std::size_t count = rest.curve_begin.back();
+  rest.vertex.resize(count);
+  rest.parameter.resize(count);
+  rest.arc_length.resize(count);
+  rest.vertex_curve.resize(count);
+  return rest;
+}
+
+/// A drawing, with meshes without its last line and with that line inserted.
+class Inserted {
+ public:
+  Inserted(Context& context, const Drawing& drawing, Ends ends)
+      : context_(context), drawing_(drawing), ends_(ends) {
+    const curves::FlatCurves rest = without_last(drawing.flat);
+    const auto first = static_cast<std::uint32_t>(rest.vertex.size());
+    mesh::MeshOptions options;
+    options.frame = options.room = drawing.frame;
+    options.unit_size = std::max(drawing.frame.width(), drawing.frame.height()) / 1024;
+    Result<mesh::Mesher> without = mesh::Mesher::build(context, rest, options);
+    Result<Gatherer> made = Gatherer::create(context, *without->visibility_mesh(context),
+                                             drawing.attributes, ends, {.will_be_extended = true});
+    before.emplace(std::move(*made));
+    Result<mesh::Mesher> with = without->copy(context);
+    EXPECT_TRUE(with->edit(context, drawing.flat, {{}, first}, false).ok());
+    is_same = *with->same_triangles(context, *without, memory_);
+    mesh_ = *with->visibility_mesh(context);
+    is_inserted_.assign(drawing.flat.vertex.size(), 0);
+    std::fill(is_inserted_.begin() + first, is_inserted_.end(), std::uint8_t{1});
+  }
+
+  Result<Gatherer> extended(Context& context) const {
+    return Gatherer::create(context, mesh_, drawing_.attributes, ends_, {is_inserted_},
+                            {&*before, is_same});
+  }
+  Result<Gatherer> built_anew() const {
+    return Gatherer::create(context_, mesh_, drawing_.attributes, ends_, {is_inserted_});
+  }
+
+  std::optional<Gatherer> before;
+  std::vector<std::uint8_t> is_same;
+
+ private:
+  Context& context_;
+  const Drawing& drawing_;
+  Ends ends_;
+  TableMemory memory_{"a test"};
+  mesh::TriangleMesh mesh_;
+  std::vector<std::uint8_t> is_inserted_;
+};
+
+/// Random lines, and one that crosses some of them.
+Drawing crossed(std::uint32_t seed, float blur, float weight) {
+  std::vector<Line> lines = random_lines(seed, 40, 0.2, 0.1);
+  if (blur > 0) lines = with_blends(std::move(lines), seed, blur, 2);
+  std::mt19937 random(seed);
+  std::vector<Vec2> points;
+  for (int i = 0; i < 5; ++i)
+    points.push_back({double(random() % 480) + 16, double(random() % 480) + 16});
+  Line last = plain_line(points, {0.2f, 1, 0.4f});
+  last.right.assign(points.size(), {1, 0, 0.5f});
+  last.weight = weight;
+  lines.push_back(last);
+  return draw(std::move(lines));
+}
+
+std::vector<float> gathered(Context& context, const Gatherer& gatherer,
+                            const std::vector<Vec2>& points) {
+  std::vector<float> value(points.size() * static_cast<std::size_t>(gatherer.channel_count()));
+  EXPECT_TRUE(gatherer.gather(context, points, {}, value).ok());
+  return value;
+}
+
+float difference(const std::vector<float>& a, const std::vector<float>& b, std::size_t point,
+                 std::size_t count) {
+  const std::size_t channels = a.size() / count;
+  float largest = 0;
+  for (std::size_t c = channels * point; c < channels * (point + 1); ++c)
+    largest = std::max(largest, std::fabs(a[c] - b[c]));
+  return largest;
+}
+
+void expect_as_built_anew(const Drawing& drawing, std::uint32_t seed, Ends ends) {
+  Context context;
+  const Inserted inserted(context, drawing, ends);
+  const Result<Gatherer> extended = inserted.extended(context), anew = inserted.built_anew();
+  ASSERT_TRUE(extended.ok() && anew.ok());
+  const std::vector<Vec2> points = random_points(drawing, seed, kPoints, 0.5);
+  const std::vector<float> value = gathered(context, *extended, points);
+  const std::vector<float> expected = gathered(context, *anew, points);
+  const std::vector<float> earlier = gathered(context, *inserted.before, points);
+  TableMemory memory("a test");
+  const auto places = inserted.before->locate(context, points, memory);
+  std::vector<std::uint8_t> marked(points.size(), 0), marked_anew = marked;
+  ASSERT_TRUE(
+      extended->find_changes(context, *inserted.before, points, marked, {*places, inserted.is_same})
+          .ok());
+  ASSERT_TRUE(anew->find_changes(context, *inserted.before, points, marked_anew).ok());
+  int changed = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    ASSERT_LE(difference(value, expected, i, points.size()), kMost) << i;
+    const bool differs = difference(expected, earlier, i, points.size()) > kMost;
+    changed += differs;
+    ASSERT_TRUE(!differs || marked[i]) << i;
+  }
+  EXPECT_GT(changed, 0);
+  EXPECT_EQ(marked, marked_anew);
+}
+
+TEST(ExtendedScene, gathers_what_one_built_anew_does) {
+  for (std::uint32_t seed = 0; seed < kSeeds; ++seed) {
+    SCOPED_TRACE(seed);
+    ASSERT_NO_FATAL_FAILURE(expect_as_built_anew(crossed(seed, 0, 1), seed, Ends::paper));
+    ASSERT_NO_FATAL_FAILURE(expect_as_built_anew(crossed(seed, 9, 1), seed, Ends::soft));
+  }
+}
+
+TEST(ExtendedScene, keeps_the_terms_of_free_ends) {
+  for (std::uint32_t seed = 0; seed < kSeeds; ++seed) {
+    SCOPED_TRACE(seed);
+    ASSERT_NO_FATAL_FAILURE(expect_as_built_anew(crossed(seed, 0, 0.25f), seed, Ends::soft));
+  }
+}
+
+TEST(ExtendedScene, is_built_anew_for_the_heaviest_curve) {
+  ASSERT_NO_FATAL_FAILURE(expect_as_built_anew(crossed(1, 0, 40), 1, Ends::soft));
+}
+
+TEST(ExtendedScene, is_built_anew_for_the_first_curve) {
+  Context context;
+  const Drawing drawing = draw({plain_line({{16, 16}, {200, 300}}, {1, 0, 0})});
+  const Inserted inserted(context, drawing, Ends::soft);
+  const Result<Gatherer> extended = inserted.extended(context);
+  ASSERT_TRUE(extended.ok());
+  EXPECT_GT(gathered(context, *extended, {{300, 100}})[0], 0.99f);
+}
+
+TEST(ExtendedScene, ends_when_it_is_cancelled) {
+  Context context;
+  const Drawing drawing = crossed(2, 9, 1);
+  const Inserted inserted(context, drawing, Ends::soft);
+  std::uint64_t poll = 1;
+  for (;; poll += 5) {
+    Context cancelled;
+    CancelAt watch(poll, cancelled.cancel);
+    cancelled.poll_watch = &watch;
+    const Result<Gatherer> extended = inserted.extended(cancelled);
+    if (!cancelled.cancelled()) break;
+    ASSERT_TRUE(extended.ok() || extended.status().code == StatusCode::cancelled);
+  }
+  EXPECT_GT(poll, 100u);
+}
+
+}  // namespace
+}  // namespace sfumato::gather::test
