@@ -173,7 +173,8 @@ Status FieldSolver::list_standing(const Context& context, const FieldSolver& bef
     if (poll.cancelled()) return context.cancel_status();
     if (layout_.is_fixed[node]) node_hit_[node] = 1;
     if (layout_.is_fixed[node] || is_done[node]) continue;
-    const bool stands = !old.is_fixed[node] && layout_.position[node] == old.position[node];
+    const bool stands = !history_.was_met(node) ||
+                        (!old.is_fixed[node] && layout_.position[node] == old.position[node]);
     (stands ? standing : to_gather_).push_back(node);
   }
   return ok_status();

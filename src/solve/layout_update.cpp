@@ -109,7 +109,7 @@ class KeptNodes {
                           history_.unused, history_.node_seen);
   }
 
-  bool is_met(std::uint32_t node) const { return history_.node_seen[node] == history_.updates; }
+  bool is_met(std::uint32_t node) const { return history_.was_met(node); }
 
   std::uint32_t new_node() {
     if (!history_.unused.empty()) {

@@ -19,6 +19,9 @@ struct LayoutHistory {
 
   /// Releases the tables to `memory`, which is the layout's.
   void free(TableMemory& memory);
+
+  /// Whether the last update placed the node, or found it unused: others are as they were.
+  bool was_met(std::uint32_t node) const { return node_seen[node] == updates; }
 };
 
 /// Lays out the nodes of the triangles that changed, and again those at their corners, because

@@ -82,7 +82,8 @@ class SoftEdgeFinder {
 
   void mark_vertices() {
     for (std::uint32_t h = 0; h < half_edges_; ++h)
-      if (blurs_.is_curve(h)) on_curve_[mesh_.origin(h)] = on_curve_[mesh_.target(h)] = 1;
+      if (mesh_.half_edge_constraint[h] != mesh::kNone && blurs_.is_curve(h))
+        on_curve_[mesh_.origin(h)] = on_curve_[mesh_.target(h)] = 1;
   }
 
   std::uint32_t slot(std::uint32_t h) const {

@@ -15,7 +15,7 @@ namespace sfumato::solve {
 
 /// Blur of the half-edges of a layer's mesh, from the layer's fields.
 struct EdgeBlurs {
-  FunctionRef<bool(std::uint32_t half_edge)> is_curve;
+  FunctionRef<bool(std::uint32_t half_edge)> is_curve;  ///< true on constrained edges alone
   /// The radius of a fine blur at fraction u; 0: none. Precondition: a curve lies on the half-edge.
   FunctionRef<float(std::uint32_t half_edge, float u)> fine_radius;
   /// Whether the half-edge's triangle shows a blur by itself.
