@@ -272,8 +272,11 @@ SFUMATO_API int32_t sfumato_solve(sfumato_context* context, const sfumato_docume
  * curves differ from those of the last time are solved. The result equals that of sfumato_solve(),
  * bit for bit. Where it fails the picture is as before.
  *
- * `quick` has to be 0: other numbers are kept for pictures that are good enough while a curve
- * moves, and are SFUMATO_UNAVAILABLE in this version. */
+ * `quick`, unless 0: a picture for looking at while a curve moves. Where one curve of the document
+ * was set to other points or stops since the last time, and nothing else, its layer is not solved:
+ * values are exact, but the mesh is as fine as it was where the curve has come to, and the curve is
+ * drawn over the others of its layer. The first time for a curve costs as much as solving its
+ * layer; what that prepares lasts until the next call without `quick`, or for another curve. */
 SFUMATO_API int32_t sfumato_solve_again(sfumato_context* context, const sfumato_document* document,
                                         int32_t quick, sfumato_picture* picture);
 /** Gives a picture back. */

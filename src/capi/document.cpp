@@ -1,6 +1,7 @@
 #include "capi/document.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <variant>
 
@@ -81,7 +82,11 @@ Outcome change(const Context& context, sfumato_document& handle, Change change) 
       handle.held.add(context, bytes_of(change) + room_bytes(handle.document, change), kPurpose);
   if (!status) return status;
   handle.charged += bytes;
+  std::optional<CurvePlace> replaced;
+  if (const auto* replace = std::get_if<ReplaceCurve>(&change))
+    replaced = {replace->layer, replace->curve};
   const Result<Change> inverse = apply_change(context, handle.document, std::move(change));
+  if (inverse) handle.edits.note(replaced);
   release_spare(handle);
   return inverse.status();
 }

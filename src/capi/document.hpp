@@ -5,6 +5,7 @@
 
 #include "base/charge.hpp"
 #include "capi/context.hpp"
+#include "capi/edits.hpp"
 #include "sfumato/document/change.hpp"
 #include "sfumato/document/document.hpp"
 
@@ -16,6 +17,7 @@ struct sfumato_document {
   sfumato::ScopedCharge held;
   std::size_t charged = 0;  ///< bytes of `held`
   sfumato::Document document;
+  sfumato::capi::Edits edits;
 };
 
 namespace sfumato::capi {

@@ -3,10 +3,12 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "capi/context.hpp"
+#include "capi/edits.hpp"
 #include "options/option.hpp"
 #include "options/settings.hpp"
 #include "sfumato/base/vec2.hpp"
@@ -34,9 +36,12 @@ struct sfumato_picture {
                   const sfumato::options::Settings& asked)
       : workshop(std::move(w)), solution(std::move(s)), settings(asked) {}
 
-  std::shared_ptr<sfumato::capi::Workshop> workshop;  ///< first: it outlives the solution
+  std::shared_ptr<sfumato::capi::Workshop> workshop;         ///< first: it outlives the solution
+  std::shared_ptr<sfumato::capi::Workshop> drag_workshop{};  ///< so does that of its drag
   sfumato::Solution solution;
   sfumato::options::Settings settings;  ///< that it is solved with
   sfumato::Vec2 own_scale{1, 1};        ///< pixels per user unit at the document's own size
   std::vector<sfumato::capi::ChangedRows> changed;  ///< of each layer
+  sfumato::capi::Revision shown{};                  ///< what it is a picture of
+  std::optional<sfumato::capi::CurvePlace> dragged{};
 };

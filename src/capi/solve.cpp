@@ -46,34 +46,80 @@ Result<Document> copy_of(const Context& context, const Document& document) {
   return document;
 }
 
-Outcome solve(Workshop& workshop, sfumato_context* context, const Document& document,
+Outcome solve(Workshop& workshop, sfumato_context* context, const sfumato_document& document,
               const char* text, sfumato_picture** out) {
   options::Settings settings;
   Outcome read = read_solve_options(text, options::kSolve, settings);
   if (read.code != SFUMATO_OK) return read;
-  Result<Document> copy = copy_of(workshop.context, document);
+  Result<Document> copy = copy_of(workshop.context, document.document);
   if (!copy) return copy.status();
   Result<Solution> solution = Solution::create(workshop.context, std::move(*copy));
   if (!solution) return solution.status();
   auto handle =
       std::make_unique<sfumato_picture>(context->workshop, std::move(*solution), settings);
   if (Status status = bring_up(workshop.context, *handle); !status) return status;
+  handle->shown = document.edits.now();
   *out = handle.release();
   return {};
 }
 
-Outcome solve_again(Workshop& workshop, const sfumato_document* document, std::int32_t quick,
-                    sfumato_picture* handle) {
-  if (!document || !handle) return bad_usage("NULL given, expected a document and a picture");
-  if (quick != 0) {
-    return make_error(StatusCode::unavailable, "quick pictures are not in this version");
-  }
-  Result<Document> copy = copy_of(workshop.context, document->document);
+Outcome solve_exactly(Workshop& workshop, const sfumato_document& document,
+                      sfumato_picture& handle) {
+  Result<Document> copy = copy_of(workshop.context, document.document);
   if (!copy) return copy.status();
   const Result<Change> old =
-      handle->solution.apply(workshop.context, ReplaceDocument{std::move(*copy)});
+      handle.solution.apply(workshop.context, ReplaceDocument{std::move(*copy)});
   if (!old) return old.status();
-  return bring_up(workshop.context, *handle);
+  handle.dragged.reset();
+  handle.shown = {};  // until it is brought up
+  Status status = bring_up(workshop.context, handle);
+  if (status) handle.shown = document.edits.now();
+  return status;
+}
+
+/// Prepares the curve to be dragged; bad_input where its layer has to be solved first.
+Status take_hold(sfumato_context& context, CurvePlace place, sfumato_picture& handle) {
+  if (handle.dragged == place) return ok_status();
+  handle.solution.end_drag();
+  handle.dragged.reset();
+  handle.drag_workshop = context.workshop;
+  Status status = handle.solution.begin_drag(context.workshop->context, place.layer, place.curve);
+  if (status) handle.dragged = place;
+  return status;
+}
+
+/// The picture with one curve where it is now.
+Status drag(sfumato_context& context, CurvePlace place, const sfumato_document& document,
+            sfumato_picture& handle) {
+  if (Status status = take_hold(context, place, handle); !status) return status;
+  std::vector<ChangedRows> changed(handle.changed.size());
+  const Curve& curve = document.document.layers[place.layer].curves[place.curve];
+  Status status = handle.solution.drag(context.workshop->context, curve);
+  if (!status) return status;
+  note_changes(handle.solution.picture(), handle.solution.take_delta(), changed);
+  handle.changed = std::move(changed);
+  handle.shown = document.edits.now();
+  return status;
+}
+
+Outcome solve_quickly(sfumato_context& context, const sfumato_document& document,
+                      sfumato_picture& handle) {
+  if (handle.shown == document.edits.now()) {
+    for (ChangedRows& rows : handle.changed) rows = {};
+    return {};
+  }
+  if (const auto moved = document.edits.only_change_since(handle.shown)) {
+    Status status = drag(context, *moved, document, handle);
+    if (status.code != StatusCode::bad_input) return status;
+  }
+  return solve_exactly(*context.workshop, document, handle);
+}
+
+Outcome solve_again(sfumato_context& context, const sfumato_document* document, std::int32_t quick,
+                    sfumato_picture* handle) {
+  if (!document || !handle) return bad_usage("NULL given, expected a document and a picture");
+  return quick != 0 ? solve_quickly(context, *document, *handle)
+                    : solve_exactly(*context.workshop, *document, *handle);
 }
 
 }  // namespace
@@ -108,15 +154,15 @@ int32_t sfumato_solve(sfumato_context* context, const sfumato_document* document
   using sfumato::capi::Outcome;
   const auto body = [&](sfumato::capi::Workshop& workshop) -> Outcome {
     if (!document) return sfumato::capi::bad_usage("NULL given, expected a document");
-    return sfumato::capi::solve(workshop, context, document->document, options, picture);
+    return sfumato::capi::solve(workshop, context, *document, options, picture);
   };
   return sfumato::capi::make(context, picture, body);
 }
 
 int32_t sfumato_solve_again(sfumato_context* context, const sfumato_document* document,
                             int32_t quick, sfumato_picture* picture) {
-  return sfumato::capi::call(context, [&](sfumato::capi::Workshop& workshop) {
-    return sfumato::capi::solve_again(workshop, document, quick, picture);
+  return sfumato::capi::call(context, [&](sfumato::capi::Workshop&) {
+    return sfumato::capi::solve_again(*context, document, quick, picture);
   });
 }
 

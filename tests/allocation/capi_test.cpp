@@ -37,6 +37,7 @@ void use_picture(Session& session, sfumato_context* c, sfumato_document* documen
   const double green[] = {0, 0, 1, 0};
   if (!session.take(sfumato_solve(c, document, "max-error=off", &picture), &picture)) return;
   session.take(sfumato_set_curve_stops(c, document, 0, 0, 0, 0, SFUMATO_STOPS, 0, green, 1));
+  session.take(sfumato_solve_again(c, document, 1, picture));
   session.take(sfumato_solve_again(c, document, 0, picture));
   std::uint8_t pixels[8 * 8 * 3];
   const sfumato_image image{pixels, 24, 8, 8, SFUMATO_RGB8};

@@ -240,10 +240,5 @@ TEST_F(CUsage, a_context_of_wrong_options_says_so) {
   sfumato_set_progress(wrong.get(), nullptr, nullptr);
 }
 
-TEST_F(CUsage, quick_pictures_are_not_there) {
-  const PictureHandle picture = solve(c, document.get());
-  EXPECT_EQ(sfumato_solve_again(c, document.get(), 1, picture.get()), SFUMATO_UNAVAILABLE);
-}
-
 }  // namespace
 }  // namespace sfumato::test
