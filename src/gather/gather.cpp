@@ -56,7 +56,7 @@ Gatherer::~Gatherer() = default;
 
 Result<Gatherer> Gatherer::create(Context& context, const mesh::TriangleMesh& visibility,
                                   const curves::SegmentAttributes& attributes, Ends ends,
-                                  const SceneUse& use, const Insertion& insertion) {
+                                  const GatherUse& use, const Insertion& insertion) {
   const State* const before = insertion.before ? insertion.before->state_.get() : nullptr;
   std::optional<Scene> scene;
   if (before) {

@@ -32,7 +32,7 @@ class Gatherer {
   /// saves work; nothing of it is kept. Errors: limit, cancelled.
   static Result<Gatherer> create(Context& context, const mesh::TriangleMesh& visibility,
                                  const curves::SegmentAttributes& attributes,
-                                 Ends ends = Ends::paper, const SceneUse& use = {},
+                                 Ends ends = Ends::paper, const GatherUse& use = {},
                                  const Insertion& insertion = {});
 
   Gatherer(Gatherer&&) noexcept;

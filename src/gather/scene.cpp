@@ -370,7 +370,7 @@ SceneView Scene::view() const {
 }
 
 Result<Scene> build_scene(Context& context, const mesh::TriangleMesh& mesh,
-                          const curves::SegmentAttributes& attributes, const SceneUse& use) {
+                          const curves::SegmentAttributes& attributes, const GatherUse& use) {
   Scene scene;
   SceneBuilder builder(context, mesh, attributes, scene);
   Status status = builder.build(!use.will_be_extended);

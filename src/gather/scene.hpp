@@ -67,8 +67,8 @@ struct Scene {
   int channel_count() const { return base_channels + shader_count; }
 };
 
-/// What a scene is for, beside gathering.
-struct SceneUse {
+/// What a scene is for, beside being gathered from.
+struct GatherUse {
   std::span<const std::uint8_t> is_watched{};  ///< per segment; empty: none is
   /// What only holds as long as no curve is inserted is left out: see extend_scene.
   bool will_be_extended = false;
@@ -76,7 +76,7 @@ struct SceneUse {
 
 /// Errors: limit, cancelled.
 Result<Scene> build_scene(Context& context, const mesh::TriangleMesh& mesh,
-                          const curves::SegmentAttributes& attributes, const SceneUse& use = {});
+                          const curves::SegmentAttributes& attributes, const GatherUse& use = {});
 
 /// Makes a copy of `before`, made with will_be_extended, the scene of a mesh into which the watched
 /// segments were inserted since. Triangles keep their indices.

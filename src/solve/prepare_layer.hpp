@@ -96,7 +96,7 @@ Result<SampledFields> sample_fields(const Context& context, const FlatLayer& lay
 
 /// For fields of a mesh that was edited or will be.
 struct FieldEdits {
-  gather::SceneUse use{};
+  gather::GatherUse use{};
   /// Of the mesh before the watched segments were inserted; null: none were, or there is no such
   /// field.
   const PreparedField* color_before = nullptr;
