@@ -30,6 +30,8 @@ class Edits {
  public:
   const Revision& now() const { return now_; }
 
+  /// Notes an edit that replaced one curve, or any other. A run of edits of one curve begins with
+  /// the first of them; after any other edit no run has begun.
   void note(std::optional<CurvePlace> replaced) {
     if (!replaced || replaced != curve_) before_run_ = replaced ? now_.edits : now_.edits + 1;
     curve_ = replaced;

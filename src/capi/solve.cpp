@@ -71,6 +71,7 @@ Outcome solve_exactly(Workshop& workshop, const sfumato_document& document,
       handle.solution.apply(workshop.context, ReplaceDocument{std::move(*copy)});
   if (!old) return old.status();
   handle.dragged.reset();
+  handle.drag_workshop.reset();
   handle.shown = {};  // until it is brought up
   Status status = bring_up(workshop.context, handle);
   if (status) handle.shown = document.edits.now();
@@ -110,7 +111,8 @@ Outcome solve_quickly(sfumato_context& context, const sfumato_document& document
   }
   if (const auto moved = document.edits.only_change_since(handle.shown)) {
     Status status = drag(context, *moved, document, handle);
-    if (status.code != StatusCode::bad_input) return status;
+    // What a drag holds may be too much where the layer is not.
+    if (status.code != StatusCode::bad_input && status.code != StatusCode::limit) return status;
   }
   return solve_exactly(*context.workshop, document, handle);
 }

@@ -44,7 +44,8 @@ struct KnownEnds {
 
 /// The free ends of a field, in the order of their vertices. Those whose reach is below a lattice
 /// step are left out. Cost: O(triangles), and for each end the triangles within its reach. Of these
-/// at most 1024 are visited, and the reach is limited to what they cover. The list is allocated
+/// at most 1024 are visited, and the reach is limited to what they cover; as many watched edges are
+/// compared with a known end. The list is allocated
 /// from `memory`.
 /// Errors: limit (memory), cancelled.
 Result<std::vector<FreeEnd>> find_free_ends(Context& context, const mesh::TriangleMesh& mesh,
@@ -56,8 +57,9 @@ class FreeEnds {
  public:
   FreeEnds() = default;
 
-  /// before       unless null: those of a mesh into which the segments with is_watched were
-  /// inserted origin       positions are relative to it weight_unit  weights are in units of it
+  /// origin       positions are relative to it
+  /// weight_unit  weights are in units of it
+  /// before       unless null: of the mesh before the segments with is_watched were inserted
   /// Errors       limit (memory), cancelled
   static Result<FreeEnds> create(Context& context, const mesh::TriangleMesh& mesh,
                                  const curves::SegmentAttributes& attributes, Vec2 origin,

@@ -110,17 +110,18 @@ class EndSearch {
       if (h == kNobody || !mesh_.has_segment(h, known_.is_watched)) continue;
       status = memory_.push_back(context_, watched, h);
     }
-    if (!status) return status;
+    if (!status || watched.size() > kMostTriangles) return status;  // a search takes less
     for (const FreeEnd& end : known_.end) {
-      if (poll_.cancelled()) return context_.cancel_status();
       const Vec2 p = position(end.vertex);
-      const auto is_near = [&](std::uint32_t h) {
-        return segment_distance(position(mesh_.origin(h)) - p, position(mesh_.target(h)) - p) <=
-               end.free_way;
-      };
-      if (std::ranges::none_of(watched, is_near)) known_end_[end.vertex] = &end;
+      bool is_near = false;
+      for (std::size_t i = 0; i < watched.size() && !is_near; ++i) {
+        if (poll_.cancelled()) return context_.cancel_status();
+        is_near = segment_distance(position(mesh_.origin(watched[i])) - p,
+                                   position(mesh_.target(watched[i])) - p) <= end.free_way;
+      }
+      if (!is_near) known_end_[end.vertex] = &end;
     }
-    return ok_status();
+    return context_.check();
   }
 
   Status find_edges() {

@@ -12,6 +12,9 @@
 namespace sfumato::gather {
 namespace {
 
+/// Of so many hit edges one open side that is blind is borne.
+constexpr std::size_t kHitsPerBlindSide = 16;
+
 /// Room in the tables of a scene that is extended, for the edges of some triangles that change.
 constexpr std::size_t kMoreEdges = 1024;
 
@@ -21,7 +24,7 @@ class SceneBuilder {
                const curves::SegmentAttributes& attributes, Scene& scene)
       : context_(context), poll_(context), mesh_(mesh), attributes_(attributes), scene_(scene) {}
 
-  Status build(bool finds_blind) {
+  Status build(bool will_be_extended) {
     scene_.origin = center_of_mesh();
     const auto half_edge_count = static_cast<std::uint32_t>(mesh_.triangle_vertex.size());
     Status status = order_triangles();
@@ -33,7 +36,7 @@ class SceneBuilder {
     normalize_weights(0);
     set_channels();
     drop_blend_if_plain();
-    status = look_for_blind(finds_blind);
+    status = look_for_blind(will_be_extended);
     if (status) status = scene_.memory.reserve(context_, scene_.edge_beyond, passage_count_);
     if (status) status = scene_.memory.reserve(context_, scene_.triangle, scene_.source.size());
     if (!status) return status;
@@ -60,11 +63,14 @@ class SceneBuilder {
   /// extend_scene(). False: more would have to change.
   Result<bool> extend(const Scene& before, std::span<const std::uint8_t> is_watched,
                       std::span<const std::uint8_t> is_same) {
-    if (before.hit_edge.empty() || !(center_of_mesh() == before.origin)) return false;
+    if (before.hit_edge.empty() || before.has_blind_edges || !has_channels_of(before) ||
+        !(center_of_mesh() == before.origin)) {
+      return false;
+    }
     Status status = copy(before);
     if (status) status = list_changed(is_same);
     if (status) status = copy_codes();
-    if (status) status = look_for_blind(false);
+    if (status) status = memory_.resize(context_, blind_, codes_.size());
     for (const std::uint32_t t : changed_) {
       if (poll_.cancelled()) status = context_.cancel_status();
       if (status) status = find_codes_of(t);
@@ -87,6 +93,11 @@ class SceneBuilder {
   }
 
  private:
+  bool has_channels_of(const Scene& before) const {
+    return before.base_channels == attributes_.base_channels &&
+           static_cast<std::size_t>(before.shader_count) == attributes_.shader.size();
+  }
+
   Vec2 center_of_mesh() const {
     Box box;
     for (Vec2 p : mesh_.vertex_position) box.extend(p);
@@ -103,11 +114,19 @@ class SceneBuilder {
     return ok_status();
   }
 
-  Status look_for_blind(bool finds_blind) {
-    if (!finds_blind) return memory_.resize(context_, blind_, codes_.size());
+  /// Without them, unless many sides of curves are open and nothing is seen through them, which
+  /// makes a gather several times slower.
+  Status look_for_blind(bool will_be_extended) {
     Result<std::vector<std::uint8_t>> blind = find_blind(context_, mesh_, codes_, memory_);
-    if (blind) blind_ = std::move(*blind);
-    return blind.status();
+    if (!blind) return blind.status();
+    blind_ = std::move(*blind);
+    std::size_t open_sides = 0;
+    for (std::size_t h = 0; h < blind_.size(); ++h)
+      open_sides += blind_[h] && mesh_.half_edge_constraint[h] != mesh::kNone;
+    scene_.has_blind_edges =
+        !will_be_extended || open_sides > scene_.hit_edge.size() / kHitsPerBlindSide;
+    if (!scene_.has_blind_edges) std::ranges::fill(blind_, std::uint8_t{0});
+    return context_.check();
   }
 
   /// All of a scene but what is watched there, with room for the mesh's new triangles.
@@ -373,7 +392,7 @@ Result<Scene> build_scene(Context& context, const mesh::TriangleMesh& mesh,
                           const curves::SegmentAttributes& attributes, const GatherUse& use) {
   Scene scene;
   SceneBuilder builder(context, mesh, attributes, scene);
-  Status status = builder.build(!use.will_be_extended);
+  Status status = builder.build(use.will_be_extended);
   if (status && !use.is_watched.empty()) status = builder.watch(use.is_watched);
   if (!status) return status;
   return scene;

@@ -59,6 +59,7 @@ struct Scene {
   int shader_count = 0;
   std::vector<SceneTriangle> triangle;
   std::vector<std::uint32_t> source;  ///< per triangle: which of the visibility mesh it is
+  bool has_blind_edges = false;  ///< rays may end at passages behind which nothing is (find_blind)
   /// Half-edges, 3 · triangle + corner, that stop rays and on which a watched segment lies.
   std::vector<std::uint32_t> watched;
   TableMemory memory{"the visibility mesh"};
@@ -70,7 +71,8 @@ struct Scene {
 /// What a scene is for, beside being gathered from.
 struct GatherUse {
   std::span<const std::uint8_t> is_watched{};  ///< per segment; empty: none is
-  /// What only holds as long as no curve is inserted is left out: see extend_scene.
+  /// What only holds as long as no curve is inserted is left out, unless a gather would be much the
+  /// slower: see extend_scene.
   bool will_be_extended = false;
 };
 
@@ -81,8 +83,9 @@ Result<Scene> build_scene(Context& context, const mesh::TriangleMesh& mesh,
 /// Makes a copy of `before`, made with will_be_extended, the scene of a mesh into which the watched
 /// segments were inserted since. Triangles keep their indices.
 /// is_same   per triangle of the mesh of `before`: 1 where this one has the same at the same index
-/// Returns   nothing where more would have to change: a layer that was sharp is no more, or the
-///           weights need another unit
+/// attributes   as they were for `before`, and those of the inserted segments
+/// Returns   nothing where more would have to change: `before` was not made to be extended, a layer
+///           that was sharp is no more, there are other channels, or the weights need another unit
 /// Errors    limit, cancelled
 /// Cost      that of the copy and of the triangles that are not the same
 Result<std::optional<Scene>> extend_scene(Context& context, const mesh::TriangleMesh& mesh,

@@ -30,8 +30,8 @@ Result<TriangleMesh> extract(const Context& context, const ExtractSource& from,
                              TableMemory& memory);
 
 /// Updates in place `out`, which `extract` made from `memory`. Triangles, vertices and constraints
-/// that still exist keep their numbers. Except for the numbers of constraints, the result is what
-/// `extract` would make.
+/// that still exist keep their numbers. Except for the numbers of constraints, and for some that
+/// lie on no edge after curves were inserted, the result is what `extract` would make.
 ///
 /// changed   the slots that changed since then, including new ones; all are numbered
 /// Errors    limit (memory), cancelled; `out` is unusable then

@@ -104,10 +104,10 @@ class Mesher {
   /// next, and to update_patch_mesh. Errors: limit (memory), cancelled.
   Result<TriangleMesh> patch_mesh(const Context& context);
 
-  /// Per triangle of the visibility_mesh() of `before`, of which this is a copy that was edited
-  /// since without refinement: 1 where that of this one has the same triangle at the same index,
-  /// with the same constraints. The list is allocated from `memory`. Errors: limit (memory),
-  /// cancelled.
+  /// Per triangle of the visibility_mesh() of `before`, of which this is a copy into which segments
+  /// were inserted since, without refinement: 1 where that of this one has the same triangle at the
+  /// same index, with the same constraints. The list is allocated from `memory`. Errors: limit
+  /// (memory), cancelled.
   Result<std::vector<std::uint8_t>> same_triangles(const Context& context, const Mesher& before,
                                                    TableMemory& memory) const;
 

@@ -59,8 +59,10 @@ Result<Mesher> Mesher::copy(const Context& context) const {
   if (status) status = copy->chords.copy_from(context, s.chords);
   if (status) status = copy->refiner.copy_origins(context, s.refiner);
   if (status) status = copy->drawn_memory.append(context, s.drawn, copy->drawn);
-  if (status) status = copy->numbering.copy_from(context, s.numbering);
-  if (status) status = copy->memory.append(context, s.patched, copy->patched);
+  // A patch mesh that did not follow the last changes is extracted anew.
+  const bool is_followed = s.mesh.changed.empty();
+  if (status && is_followed) status = copy->numbering.copy_from(context, s.numbering);
+  if (status && is_followed) status = copy->memory.append(context, s.patched, copy->patched);
   if (!status) return status;
   return Mesher(std::move(copy));
 }

@@ -195,7 +195,8 @@ Status LayerSolver::follow_insertion(std::span<const std::uint8_t> is_inserted) 
   if (status) status = follow_blur(&all_changed);
   if (status) status = TableMemory::sort(context_, all_changed, std::less<>());
   all_changed.erase(std::unique(all_changed.begin(), all_changed.end()), all_changed.end());
-  changed_ = std::move(all_changed);
+  changed_.swap(all_changed);
+  memory_.free(all_changed);
   return status;
 }
 
@@ -203,15 +204,19 @@ Status LayerSolver::follow_insertion(std::span<const std::uint8_t> is_inserted) 
 /// parts what was one sector.
 Status LayerSolver::add_fans(std::span<const std::uint8_t> is_inserted) {
   TableMemory scratch("patches");
-  std::vector<std::uint8_t> is_listed;
+  std::vector<std::uint8_t> is_listed, is_met;
   Status status = scratch.resize(context_, is_listed, mesh_.triangle_count());
+  if (status) status = scratch.resize(context_, is_met, mesh_.vertex_position.size());
   if (!status) return status;
+  RarePoll<1024> poll(context_);
   const std::size_t count = changed_.size();
   for (const std::uint32_t t : changed_) is_listed[t] = 1;
   Fan fan;
   for (std::size_t i = 0; i < count && status; ++i) {
     for (std::uint32_t h = 3 * changed_[i]; h < 3 * changed_[i] + 3 && status; ++h) {
+      if (poll.cancelled()) return context_.cancel_status();
       if (!mesh_.has_segment(h, is_inserted)) continue;
+      if (std::exchange(is_met[mesh_.origin(h)], std::uint8_t{1})) continue;
       fan.collect(mesh_, h, [](std::uint32_t) { return false; });
       for (const std::uint32_t spoke : fan.spoke) {
         if (std::exchange(is_listed[spoke / 3], std::uint8_t{1})) continue;

@@ -49,11 +49,15 @@ class LayerSolver {
   Status continue_from(const LayerSolver& before);
 
   /// The same for an edit that only inserted segments, at a cost of copies of the tables and of
-  /// what the edit changed. `before` was made ready by prepare_to_be_edited().
+  /// what the edit changed; where a segment crosses the frame, or fields differ, at that of
+  /// continue_from(). `before` was made ready by prepare_to_be_edited().
   /// is_inserted   per segment
   /// is_same       Mesher::same_triangles of the two visibility meshes
   Status continue_inserted(const LayerSolver& before, std::span<const std::uint8_t> is_inserted,
                            std::span<const std::uint8_t> is_same);
+
+  /// After continue_from(): what continue_inserted() of others needs of this. Errors: limit
+  /// (memory), cancelled.
   Status prepare_to_be_edited();
 
   /// The patches, after refine(), continue_from() or continue_inserted(). Errors: limit,

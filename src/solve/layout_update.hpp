@@ -31,10 +31,11 @@ struct LayoutHistory {
 /// would make, except for the numbers of nodes, nodes that no triangle uses and the values of free
 /// nodes.
 ///
-/// Refinement keeps this simple. Curves are only cut, so that the sectors at a vertex and the sides
+/// Refinement keeps this simple: curves are only cut, so that the sectors at a vertex and the sides
 /// that have a value there stay the same. And which nodes a triangle shares with others depends
 /// only on its neighbours and on the fans at its corners, and no fan changes without a changed
-/// triangle in it.
+/// triangle in it. Where curves were inserted that does not hold at their vertices: all triangles
+/// there have to be in `changed`.
 ///
 /// seams     of the current mesh
 /// changed   triangles, including new ones, ascending; see Mesher::update_patch_mesh

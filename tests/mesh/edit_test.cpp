@@ -13,6 +13,7 @@
 #include "mesh/mesh_facts.hpp"
 #include "mesh/mesher.hpp"
 #include "support/cancel_at.hpp"
+#include "support/same_mesh.hpp"
 #include "support/sanitizers.hpp"
 
 /// Curves that are taken out of a mesh and put in, on the same lattice.
@@ -152,6 +153,56 @@ TEST_P(MeshEdits, leave_a_valid_patch_mesh) {
                      ASSERT_NO_FATAL_FAILURE(expect_good(edited, mesher, weld_of(fuzz_options())));
                    }
                  });
+}
+
+/// A copy with one more curve: its patch mesh follows, and becomes the one that is extracted anew.
+/// Whether it followed what changed alone.
+bool insert_into_copy(std::mt19937& random, const curves::FlatCurves& flat, const Mesher& mesher,
+                      const TriangleMesh& patch) {
+  Context context;
+  curves::FlatCurves more = flat;
+  const auto first = static_cast<std::uint32_t>(flat.vertex.size());
+  const Vec2 by{double(random() % 9) - 4, double(random() % 9) - 4};
+  append_curve(flat, static_cast<std::uint32_t>(random() % flat.curve_count()), by, more);
+  Result<Mesher> copy = mesher.copy(context);
+  EXPECT_TRUE(copy.ok());
+  if (!copy->holds(more, first)) return false;
+  EXPECT_TRUE(copy->edit(context, more, {{}, first}, true).ok());
+  const bool follows = copy->follows_changes();
+  TriangleMesh mesh = *copy->copy_patch_mesh(context, patch);
+  std::vector<std::uint32_t> changed;
+  EXPECT_TRUE(copy->update_patch_mesh(context, mesh, changed).ok());
+  EXPECT_EQ(sfumato::test::difference_on_edges(mesh, *copy->patch_mesh({})), "");
+  return follows && changed.size() < mesh.triangle_count();
+}
+
+TEST_P(MeshEdits, that_insert_are_followed_by_the_patch_mesh) {
+  int followed = 0;
+  for_each_scene(kind(),
+                 [&](Context& context, std::mt19937& random, Edited& edited, Mesher& mesher) {
+                   ASSERT_TRUE(mesher.refine(context).ok());
+                   ASSERT_TRUE(mesher.bake(context).ok());
+                   const TriangleMesh patch = *mesher.patch_mesh({});
+                   if (patch.triangle_count() > 100'000) return;
+                   for (int i = 0; i < 4; ++i)
+                     followed += insert_into_copy(random, edited.flat, mesher, patch);
+                 });
+  RecordProperty("followed", followed);
+}
+
+TEST(MeshEdit, of_a_copy_made_before_the_patch_mesh_followed_is_extracted_anew) {
+  Context context;
+  const curves::FlatCurves flat = flat_curves({{{10, 10}, {90, 80}}, {{20, 90}, {30, 10}}});
+  Result<Mesher> mesher = Mesher::build(context, flat, options_100());
+  ASSERT_TRUE(mesher->refine(context).ok());
+  ASSERT_TRUE(mesher->patch_mesh({}).ok());
+  const std::vector<std::uint32_t> all{0, 1, 2, 3};
+  ASSERT_TRUE(mesher->refine_triangles(context, all, 0.5).ok());
+  Result<Mesher> copy = mesher->copy(context);
+  ASSERT_TRUE(copy.ok());
+  const TriangleMesh mesh = *copy->patch_mesh({});
+  EXPECT_TRUE(is_valid(mesh).ok());
+  EXPECT_EQ(mesh.triangle_count(), mesher->patch_mesh({})->triangle_count());
 }
 
 /// Two curves, of which the first has been taken out and a third put in.

@@ -21,19 +21,25 @@ inline bool same_constraint(const mesh::TriangleMesh& a, const mesh::TriangleMes
          std::ranges::equal(a.pieces(c), b.pieces(d), same_piece);
 }
 
-/// In what two meshes differ, beside the numbers of their constraints; empty: in nothing.
-inline std::string difference_of(const mesh::TriangleMesh& a, const mesh::TriangleMesh& b) {
+/// In what two meshes differ, beside their lists of constraints: only what lies on edges is
+/// compared; empty: in nothing.
+inline std::string difference_on_edges(const mesh::TriangleMesh& a, const mesh::TriangleMesh& b) {
   if (a.lattice_step != b.lattice_step) return "lattice step";
   if (a.vertex_position != b.vertex_position) return "vertices";
   if (a.triangle_vertex != b.triangle_vertex) return "triangles";
   if (a.half_edge_twin != b.half_edge_twin) return "twins";
   if (a.half_edge_constraint.size() != b.half_edge_constraint.size()) return "half-edges";
-  if (a.constraint.size() != b.constraint.size()) return "number of constraints";
-  if (a.piece.size() != b.piece.size()) return "number of pieces";
   for (std::size_t h = 0; h < a.half_edge_constraint.size(); ++h) {
     if (!same_constraint(a, b, h)) return "what lies on half-edge " + std::to_string(h);
   }
   return "";
+}
+
+/// In what two meshes differ, beside the numbers of their constraints; empty: in nothing.
+inline std::string difference_of(const mesh::TriangleMesh& a, const mesh::TriangleMesh& b) {
+  if (a.constraint.size() != b.constraint.size()) return "number of constraints";
+  if (a.piece.size() != b.piece.size()) return "number of pieces";
+  return difference_on_edges(a, b);
 }
 
 }  // namespace sfumato::test
