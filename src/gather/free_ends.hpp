@@ -45,9 +45,8 @@ struct KnownEnds {
 /// The free ends of a field, in the order of their vertices. Those whose reach is below a lattice
 /// step are left out. Cost: O(triangles), and for each end the triangles within its reach. Of these
 /// at most 1024 are visited, and the reach is limited to what they cover; as many watched edges are
-/// compared with a known end. The list is allocated
-/// from `memory`.
-/// Errors: limit (memory), cancelled.
+/// compared with a known end. The list is allocated from `memory`. Errors: limit (memory),
+/// cancelled.
 Result<std::vector<FreeEnd>> find_free_ends(Context& context, const mesh::TriangleMesh& mesh,
                                             const curves::SegmentAttributes& attributes,
                                             TableMemory& memory, const KnownEnds& known = {});
