@@ -4,6 +4,7 @@
 #include <oneapi/tbb/info.h>
 #include <oneapi/tbb/task_arena.h>
 #include <oneapi/tbb/task_group.h>
+#include <sys/mman.h>
 
 #include <algorithm>
 #include <atomic>
@@ -24,7 +25,26 @@ namespace {
 constexpr double kStartSeconds = 0.005;
 constexpr double kStartSecondsPerThread = 0.001;
 
-/// The malloc of a new thread may take address space of its own. Not optimised away.
+/// Address space that a new thread may take: its stack, and what glibc's malloc maps to find an
+/// aligned arena in, which may come late, or only sometimes, as the addresses fall.
+constexpr std::size_t kStackBytes = std::size_t{8} << 20;
+constexpr std::size_t kArenaBytes = std::size_t{128} << 20;
+
+/// How many of `wanted` threads have room in the address space, as `ulimit -v` limits it; 1 at
+/// least.
+int threads_with_room(int wanted) {
+  for (; wanted > 1; wanted /= 2) {
+    const std::size_t bytes = static_cast<std::size_t>(wanted) * (kStackBytes + kArenaBytes);
+    void* const room =
+        mmap(nullptr, bytes, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    if (room == MAP_FAILED) continue;
+    munmap(room, bytes);
+    break;
+  }
+  return wanted;
+}
+
+/// The malloc of a new thread may take memory. Not optimised away.
 void take_memory() {
   std::unique_ptr<char> memory(new (std::nothrow) char);
   if (memory) *static_cast<volatile char*>(memory.get()) = 0;
@@ -35,6 +55,7 @@ void take_memory() {
 /// gave. oneTBB asks when it starts its threads, and ends the process where it is refused; and the
 /// work needs memory, too.
 int allowed_threads(int wanted) {
+  wanted = threads_with_room(wanted);
   if (wanted == 1) return 1;
   const std::size_t tried = static_cast<std::size_t>(wanted) + static_cast<std::size_t>(wanted) / 8;
   std::mutex gate;
