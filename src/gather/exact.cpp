@@ -18,8 +18,8 @@ constexpr std::size_t kPacketsPerTask = 16;
 /// looks at the cancel flag.
 constexpr std::size_t kTrianglesPerPoll = 500'000;
 
-/// Windows that wait during a walk: a few dozen at most on real scenes, as many as a ray crosses
-/// triangles on adversarial ones.
+/// Windows that wait during a walk: a few dozen on drawings, hundreds among thousands of short
+/// curves, as many as a ray crosses triangles on adversarial input.
 class GrowingStack {
  public:
   explicit GrowingStack(Context& context) : context_(context) {}
@@ -54,10 +54,9 @@ class ExactGather {
               std::span<std::uint8_t> hit)
       : context_(context),
         kernel_(packet_kernel(context.simd)),
-        scene_(scene.view()),
+        scene_(view_of(scene, ends)),
         base_channels_(scene.base_channels),
         channel_count_(static_cast<std::size_t>(scene.channel_count())),
-        ends_(ends),
         points_(points),
         located_(located),
         packing_(packing),
@@ -124,31 +123,21 @@ class ExactGather {
   }
 
   void store(const Packet& packet, const PacketResult& result) {
-    const bool is_near_end = touches_end(packet);
     for_each_point(packet, [&](int lane, std::uint32_t point) {
       const std::size_t slot = points_.slot(point);
-      const std::span<float> value = out_.subspan(slot * channel_count_, channel_count_);
-      float* out = value.data();
+      float* out = out_.data() + slot * channel_count_;
       for (int c = 0; c < base_channels_; ++c) *out++ = result.value[c][lane];
       for (int s = 0; s < scene_.shader_count; ++s) {
         *out++ = result.shader_share[s * kPacketLanes + lane];
       }
-      bool is_hit = result.weight[lane] > 0;
-      if (is_near_end) {
-        const Vec2 at{located_.x[point], located_.y[point]};
-        is_hit |= ends_.add(at, result.weight[lane], value);
-      }
-      if (!hit_.empty()) hit_[slot] = is_hit;
+      if (!hit_.empty()) hit_[slot] = result.weight[lane] > 0;
     });
   }
 
-  bool touches_end(const Packet& packet) const {
-    if (ends_.empty()) return false;
-    Box box;
-    for_each_point(packet, [&](int, std::uint32_t point) {
-      box.extend({located_.x[point], located_.y[point]});
-    });
-    return ends_.touches(box);
+  static SceneView view_of(const Scene& scene, const FreeEnds& ends) {
+    SceneView view = scene.view();
+    view.ends = ends.view();
+    return view;
   }
 
   template <class Body>
@@ -167,7 +156,6 @@ class ExactGather {
   SceneView scene_;
   int base_channels_;
   std::size_t channel_count_;
-  const FreeEnds& ends_;
   const PointList& points_;
   const LocatedPoints& located_;
   const Packing& packing_;

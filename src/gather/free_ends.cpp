@@ -8,21 +8,21 @@
 #include "base/poll.hpp"
 #include "base/spatial_order.hpp"
 #include "curves/front_share.hpp"
+#include "gather/kernels/end_tree.hpp"
 
 namespace sfumato::gather {
 namespace {
-
-constexpr std::uint32_t kEndsPerLeaf = 4;
 
 /// Beside a long straight curve its own weight is g(φ)/r², with g(90°) = π/4: near it, the term
 /// makes the turn from one side to the other nearly even.
 constexpr double kWeight = 0.8;
 
-/// The term bends down from c/r² at a fifth of the reach.
-constexpr double kKnee = 25;
-
-Box reach_box(const FreeEnd& end) {
-  return Box{end.position, end.position}.grown_by(end.reach);
+/// Rounded outwards.
+EndBox reach_box(const FreeEnd& end) {
+  const auto [x, y] = end.position;
+  const auto down = [](double v) { return std::nextafter(static_cast<float>(v), -HUGE_VALF); };
+  const auto up = [](double v) { return std::nextafter(static_cast<float>(v), HUGE_VALF); };
+  return {down(x - end.reach), down(y - end.reach), up(x + end.reach), up(y + end.reach)};
 }
 
 /// But for rounding, and for what the mesh around an end decides.
@@ -87,6 +87,7 @@ Status FreeEnds::build_tree(Context& context) {
   std::vector<FreeEnd> sorted;
   Status status = scratch.reserve(context, position, count);
   if (status) status = memory_.reserve(context, sorted, count);
+  if (status) status = memory_.reserve(context, term_, count);
   if (status) status = memory_.resize(context, box_, 2 * std::size_t{leaf_count_});
   if (!status) return status;
   for (const FreeEnd& end : end_) position.push_back(end.position);
@@ -96,7 +97,8 @@ Status FreeEnds::build_tree(Context& context) {
   end_.swap(sorted);
   memory_.free(sorted);
   for (std::uint32_t i = 0; i < count; ++i) {
-    Box& leaf = box_[leaf_count_ + i / kEndsPerLeaf];
+    term_.push_back(term_of(end_[i]));
+    EndBox& leaf = box_[leaf_count_ + i / kEndsPerLeaf];
     leaf = united(leaf, reach_box(end_[i]));
   }
   for (std::uint32_t i = leaf_count_ - 1; i > 0; --i)
@@ -104,23 +106,29 @@ Status FreeEnds::build_tree(Context& context) {
   return context.check();
 }
 
-/// Leaves that the box meets, in the order of their ends, until `visit` says false.
+EndTerm FreeEnds::term_of(const FreeEnd& end) const {
+  EndTerm term{};
+  term.x = static_cast<float>(end.position.x), term.y = static_cast<float>(end.position.y);
+  term.direction_x = static_cast<float>(end.direction.x);
+  term.direction_y = static_cast<float>(end.direction.y);
+  term.bend = static_cast<float>(end.bend);
+  term.inverse_reach_squared = static_cast<float>(1 / (end.reach * end.reach));
+  term.weight = static_cast<float>(kWeight * end.weight);
+  term.blur_positive = end.blur_positive, term.blur_negative = end.blur_negative;
+  std::ranges::copy(end.positive.channel, term.positive);
+  std::ranges::copy(end.negative.channel, term.negative);
+  return term;
+}
+
+EndTree FreeEnds::view() const {
+  return {term_.data(), box_.data(), static_cast<std::uint32_t>(end_.size()), leaf_count_};
+}
+
+/// As gather::visit_leaves.
 template <class Visit>
-void FreeEnds::visit_leaves(const Box& box, Visit visit) const {
-  if (end_.empty()) return;
-  std::uint32_t stack[34];  // a node of each level of a tree of 2³² leaves, and its sibling
-  int size = 0;
-  stack[size++] = 1;
-  while (size > 0) {
-    const std::uint32_t node = stack[--size];
-    if (!overlap(box_[node], box)) continue;
-    if (node < leaf_count_) {
-      stack[size++] = 2 * node + 1;
-      stack[size++] = 2 * node;
-    } else if (!visit(node - leaf_count_)) {
-      return;
-    }
-  }
+void FreeEnds::visit_leaves_at(Vec2 p, Visit visit) const {
+  const auto x = static_cast<float>(p.x), y = static_cast<float>(p.y);
+  visit_leaves(view(), {x, y, x, y}, visit);
 }
 
 std::span<const FreeEnd> FreeEnds::of_leaf(std::uint32_t leaf) const {
@@ -129,15 +137,9 @@ std::span<const FreeEnd> FreeEnds::of_leaf(std::uint32_t leaf) const {
   return std::span(end_).subspan(first, std::min<std::size_t>(kEndsPerLeaf, end_.size() - first));
 }
 
-bool FreeEnds::touches(const Box& box) const {
-  bool found = false;
-  visit_leaves(box, [&](std::uint32_t) { return !(found = true); });
-  return found;
-}
-
 bool FreeEnds::reach(Vec2 p) const {
   bool found = false;
-  visit_leaves({p, p}, [&](std::uint32_t leaf) {
+  visit_leaves_at(p, [&](std::uint32_t leaf) {
     for (const FreeEnd& end : of_leaf(leaf)) {
       found |= length_squared(p - end.position) < end.reach * end.reach;
     }
@@ -148,7 +150,7 @@ bool FreeEnds::reach(Vec2 p) const {
 
 bool FreeEnds::is_in(const FreeEnds& other, const FreeEnd& end) const {
   bool found = false;
-  other.visit_leaves({end.position, end.position}, [&](std::uint32_t leaf) {
+  other.visit_leaves_at(end.position, [&](std::uint32_t leaf) {
     for (const FreeEnd& candidate : other.of_leaf(leaf)) {
       found |= have_the_same_term(end, weight_unit_, candidate, other.weight_unit_);
     }
@@ -175,13 +177,14 @@ Result<FreeEnds> FreeEnds::without(Context& context, const FreeEnds& other) cons
 bool FreeEnds::add(Vec2 p, float weight, std::span<float> value) const {
   double sum = weight;
   bool any = false;
-  visit_leaves({p, p}, [&](std::uint32_t leaf) {
+  visit_leaves_at(p, [&](std::uint32_t leaf) {
     for (const FreeEnd& end : of_leaf(leaf)) {
       const Vec2 d = p - end.position;
       const double r_squared = length_squared(d);
       const double x = r_squared / (end.reach * end.reach);
       if (!(x < 1) || !(r_squared > 0)) continue;
-      const double more = kWeight * end.weight / r_squared * ((1 - x) * (1 - x) / (1 + kKnee * x));
+      const double more =
+          kWeight * end.weight / r_squared * ((1 - x) * (1 - x) / (1 + kEndKnee * x));
       sum += more;
       const auto mixed = static_cast<float>(more / sum);
       const auto turned = static_cast<float>(positive_share(end, end.unbent(d)));

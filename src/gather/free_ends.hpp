@@ -6,8 +6,8 @@
 
 #include "base/table_memory.hpp"
 #include "curves/attributes.hpp"
+#include "gather/kernels/scene_layout.hpp"
 #include "mesh/triangle_mesh.hpp"
-#include "sfumato/base/box.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/status.hpp"
 
@@ -67,8 +67,8 @@ class FreeEnds {
 
   bool empty() const { return end_.empty(); }
 
-  /// Whether any end may reach into the box.
-  bool touches(const Box& box) const;
+  /// The terms as the exact gather's kernels read them, as long as this lives.
+  EndTree view() const;
 
   /// Whether any end reaches p.
   bool reach(Vec2 p) const;
@@ -78,14 +78,15 @@ class FreeEnds {
   Result<FreeEnds> without(Context& context, const FreeEnds& other) const;
 
   /// Adds the terms of the ends that reach p to a value of weight W: base channels, then shares of
-  /// shaders. Returns whether there were any.
+  /// shaders. Returns whether there were any. EndTerms, in kernels/, does the same for packets.
   bool add(Vec2 p, float weight, std::span<float> value) const;
 
  private:
   Status build_tree(Context& context);
+  EndTerm term_of(const FreeEnd& end) const;
   std::span<const FreeEnd> of_leaf(std::uint32_t leaf) const;
   template <class Visit>
-  void visit_leaves(const Box& box, Visit visit) const;
+  void visit_leaves_at(Vec2 p, Visit visit) const;
 
   /// Whether the other set has the same term at the same place.
   bool is_in(const FreeEnds& other, const FreeEnd& end) const;
@@ -94,7 +95,8 @@ class FreeEnds {
   float weight_unit_ = 1;
   std::vector<FreeEnd> end_;  ///< neighbours are near each other
   std::uint32_t leaf_count_ = 0;
-  std::vector<Box> box_;  ///< per node; the children of node i are 2 i and 2 i + 1; the root is 1
+  std::vector<EndTerm> term_;  ///< per end
+  std::vector<EndBox> box_;    ///< per node of EndTree
   TableMemory memory_{"free ends of curves"};
 };
 

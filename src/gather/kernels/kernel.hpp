@@ -1,5 +1,6 @@
 #pragma once
 
+#include "gather/kernels/end_terms.hpp"
 #include "gather/kernels/integrator.hpp"
 #include "gather/kernels/scene_layout.hpp"
 #include "gather/kernels/window.hpp"
@@ -197,6 +198,7 @@ bool walk_packets(const SceneView& scene, const PacketBatch& batch, const Packet
   PacketWalk<W, kChannels, kBlends> walk(scene, stack);
   for (int i = 0; i < batch.count; ++i) {
     if (!walk.run(batch.packet[i], batch.result[i])) return false;
+    EndTerms<W>(scene, batch.packet[i], batch.result[i]).add();
   }
   return true;
 }

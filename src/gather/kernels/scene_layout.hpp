@@ -71,6 +71,38 @@ struct SceneTriangle {
   std::int32_t twin[3];  ///< half-edge on the other side, whatever lies between; -1 on the hull
 };
 
+/// A rectangle; the default is empty.
+struct EndBox {
+  float x0 = __builtin_huge_valf(), y0 = __builtin_huge_valf();
+  float x1 = -__builtin_huge_valf(), y1 = -__builtin_huge_valf();
+};
+
+/// The term of a FreeEnd, whose members it has.
+struct EndTerm {
+  float x, y;
+  float direction_x, direction_y;
+  float bend;
+  float inverse_reach_squared;
+  float weight;  ///< c k
+  float blur_positive, blur_negative;
+  float positive[kValueChannels];
+  float negative[kValueChannels];
+};
+
+/// The term bends down from c k / r² at a fifth of the reach.
+inline constexpr float kEndKnee = 25;
+
+inline constexpr std::uint32_t kEndsPerLeaf = 4;
+
+/// The children of node i are 2 i and 2 i + 1; the root is 1. Of the leaves, the last nodes, each
+/// has the next kEndsPerLeaf terms.
+struct EndTree {
+  const EndTerm* term = nullptr;
+  const EndBox* box = nullptr;  ///< per node: what its terms reach
+  std::uint32_t term_count = 0;
+  std::uint32_t leaf_count = 0;  ///< a power of two; 0 where there are no terms
+};
+
 struct SceneView {
   const EdgeBeyond* edge_beyond;
   const HitEdge* hit_edge;
@@ -79,6 +111,7 @@ struct SceneView {
   int shader_count;
   const SceneTriangle* triangle;
   std::int64_t step_limit;  ///< triangles that one packet may enter; guards against a bad mesh
+  EndTree ends{};
 };
 
 inline constexpr int kPacketLanes = 16;
@@ -104,7 +137,8 @@ struct PacketInput {
   alignas(64) float y[kPacketLanes];
 };
 
-/// W and Z_C / W of eq. 6, per lane; where W is 0, all other results are 0.
+/// W, and Z_C / W of eq. 6, per lane, both with the terms of free ends; where W is 0, all other
+/// results are 0.
 struct PacketResult {
   alignas(64) float weight[kPacketLanes];
   alignas(64) float value[kValueChannels][kPacketLanes];  ///< base_channels of them
