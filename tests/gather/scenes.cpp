@@ -132,6 +132,19 @@ std::vector<Line> random_lines(std::uint32_t seed, int count, double open_share,
   return lines;
 }
 
+std::vector<Line> specks(std::uint32_t seed, int count) {
+  std::mt19937 random(seed);
+  std::vector<Line> lines;
+  for (int i = 0; i < count; ++i) {
+    const Vec2 a{uniform(random, 4, 508), uniform(random, 4, 508)};
+    const double angle = uniform(random, 0, 6.2831853);
+    lines.push_back({.points = {a, a + 0.5 * Vec2{std::cos(angle), std::sin(angle)}},
+                     .left = {random_color(random), random_color(random)},
+                     .right = {random_color(random), random_color(random)}});
+  }
+  return lines;
+}
+
 std::vector<Line> with_blends(std::vector<Line> lines, std::uint32_t seed, float largest_radius,
                               std::uint32_t shader_count) {
   std::mt19937 random(seed);

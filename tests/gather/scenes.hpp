@@ -43,6 +43,9 @@ Drawing draw(std::vector<Line> lines, Box frame = {{0, 0}, {512, 512}});
 std::vector<Line> random_lines(std::uint32_t seed, int count, double open_share,
                                double barrier_share);
 
+/// Lines of half a unit that lie about in [0, 512]².
+std::vector<Line> specks(std::uint32_t seed, int count);
+
 /// Gives each line blur radii from 0 to `largest_radius`, and a third of the sides one of
 /// `shader_count` image-domain shaders.
 std::vector<Line> with_blends(std::vector<Line> lines, std::uint32_t seed, float largest_radius,

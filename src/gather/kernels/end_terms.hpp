@@ -46,8 +46,8 @@ class EndTerms {
     const auto lanes = (x < F(1)) & (r_squared > F(0));
     if (!any(lanes)) return;
     const F fade = F(1) - x;
-    const F more = zero_unless(
-        lanes, F(end.weight) * (fade * fade) / (r_squared * (F(1) + F(kEndKnee) * x)));
+    const F more =
+        zero_unless(lanes, F(end.weight) * (fade * fade) / (r_squared * (F(1) + F(kEndKnee) * x)));
     weight_ = weight_ + more;
     const F mixed = zero_unless(lanes, more / weight_);
     mix(end, positive_share(end, d, sqrt(r_squared)), mixed);
