@@ -4,6 +4,7 @@
 #include <ctime>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,8 +12,8 @@
 #include "sfumato/solve/diffuse.hpp"
 #include "solve/layer_drag.hpp"
 
-// What a frame costs in which a curve has moved, beside solving its layer: CPU time in milliseconds
-// of one thread.
+// What the begin of a drag costs and a frame in which a curve has moved, beside solving its layer:
+// CPU time in milliseconds of one thread.
 //
 //   build/bench/drag [--curves N] [--max-error E] FILE...
 //
@@ -40,12 +41,28 @@ struct Times {
   int frames = 0;
 };
 
+/// A layer that was solved.
+struct Solved {
+  solve::LayerSight sight;
+  std::optional<solve::RefinedLayer> refined;
+};
+
+bool solve_layer(Context& context, const Document& document, std::uint32_t layer,
+                 const DiffuseOptions& options, Solved& solved) {
+  solved.sight = solve::sight_of_layer(document, layer, document.artboard);
+  Result<solve::PreparedLayer> prepared = solve::prepare_layer(
+      context, document, layer, solved.sight, options, nullptr, solve::LayerUse::patches);
+  if (!prepared) return false;
+  return solve::LayerSolver(context, std::move(*prepared), options, nullptr)
+      .solve(&solved.refined)
+      .ok();
+}
+
 bool drag_one(Context& context, const Document& document, std::uint32_t layer, std::uint32_t curve,
-              const DiffuseOptions& options, Times& times) {
-  const solve::LayerSight sight = solve::sight_of_layer(document, layer, document.artboard);
+              const DiffuseOptions& options, Solved& solved, Times& times) {
   const double start = cpu_milliseconds();
-  const Result<solve::LayerDrag> drag =
-      solve::LayerDrag::begin(context, document, layer, curve, sight, options);
+  const Result<solve::LayerDrag> drag = solve::LayerDrag::begin(
+      context, document, layer, curve, solved.sight, options, solved.refined);
   if (!drag) return false;
   times.begin += cpu_milliseconds() - start;
   for (int i = 0; i < kFrames; ++i) {
@@ -75,13 +92,15 @@ bool measure(const std::string& path, const Options& asked) {
   const auto count = static_cast<std::uint32_t>(largest->curves.size());
   DiffuseOptions options;
   options.max_error = asked.max_error;
+  Solved solved;
   const double start = cpu_milliseconds();
-  if (!diffuse(context, document, options)) return false;
+  if (!solve_layer(context, document, layer, options, solved)) return false;
   const double solve = cpu_milliseconds() - start;
   Times times;
   const std::uint32_t curves = std::min(asked.curves, count);
   for (std::uint32_t i = 0; i < curves; ++i) {
-    if (!drag_one(context, document, layer, i * count / curves, options, times)) return false;
+    if (!drag_one(context, document, layer, i * count / curves, options, solved, times))
+      return false;
   }
   std::printf("%-24s solve %7.1f  begin %7.1f  frame %6.2f  nodes gathered in a frame %6.0f\n",
               name.c_str(), solve, times.begin / curves, times.frame / times.frames,

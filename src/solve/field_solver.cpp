@@ -136,6 +136,38 @@ Status FieldSolver::locate_nodes(Context& context) {
   return ok_status();
 }
 
+std::size_t FieldSolver::bytes_of_nodes() const {
+  return capacity_bytes(layout_.triangle_node, layout_.edge_is_curve, layout_.position,
+                        layout_.is_fixed, layout_.value, node_hit_);
+}
+
+Result<RefinedField> FieldSolver::copy_nodes(const Context& context) const {
+  RefinedField refined;
+  refined.layout.channel_count = layout_.channel_count;
+  Status status;
+  const auto copy = [&](const auto& source, auto& to) {
+    if (status) status = refined.memory.append(context, source, to);
+  };
+  copy(layout_.triangle_node, refined.layout.triangle_node);
+  copy(layout_.edge_is_curve, refined.layout.edge_is_curve);
+  copy(layout_.position, refined.layout.position);
+  copy(layout_.is_fixed, refined.layout.is_fixed);
+  copy(layout_.value, refined.layout.value);
+  copy(node_hit_, refined.node_hit);
+  if (!status) return status;
+  return refined;
+}
+
+void FieldSolver::resume(RefinedField refined) {
+  layout_ = std::move(refined.layout);
+  node_hit_ = std::move(refined.node_hit);
+  layout_memory_ = std::move(refined.memory);
+}
+
+RefinedField FieldSolver::release() {
+  return {std::move(layout_), std::move(node_hit_), std::move(layout_memory_)};
+}
+
 /// With room for what follows the change of so many triangles.
 Status FieldSolver::copy_layout(const Context& context, const FieldSolver& before,
                                 std::size_t changed) {

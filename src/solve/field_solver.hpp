@@ -31,6 +31,13 @@ struct PreparedField {
 /// The channel of opacity in a field of colour and opacity.
 inline constexpr int kOpacityChannel = 3;
 
+/// The nodes of a field whose layer was solved, kept for those who edit it.
+struct RefinedField {
+  NodeLayout layout;
+  std::vector<std::uint8_t> node_hit;  ///< as FieldSolver's
+  TableMemory memory{"a solved layer"};
+};
+
 /// Solves one attribute, or colour and opacity as one, on the patch mesh of its layer, which
 /// LayerSolver refines. Keeps the node values up to date with the mesh from round to round, and
 /// finds the patches' errors.
@@ -81,6 +88,19 @@ class FieldSolver {
   /// Finds where the nodes lie, for others to lay_out_from() this. Errors: limit (memory),
   /// cancelled.
   Status locate_nodes(Context& context);
+
+  /// What copy_nodes() takes.
+  std::size_t bytes_of_nodes() const;
+
+  /// A copy of the nodes and their values. Errors: limit (memory), cancelled.
+  Result<RefinedField> copy_nodes(const Context& context) const;
+
+  /// In place of start() and all that follows, for others to carry_over() from this: the nodes that
+  /// a solver of the same layer had in the end.
+  void resume(RefinedField refined);
+
+  /// Moves the nodes out again.
+  RefinedField release();
 
   /// Whether another's layout can be taken over.
   bool has_channels_of(const FieldSolver& other) const;

@@ -56,17 +56,18 @@ struct Placed {
 }  // namespace
 
 struct LayerDrag::State {
-  State(const Document& document, std::uint32_t layer, const LayerSight& layer_sight,
-        const DiffuseOptions& diffuse_options)
+  State(const Box& of_document, InterpolationSpace space, std::vector<Curve> of_layer,
+        std::uint32_t curve, const LayerSight& layer_sight, const DiffuseOptions& diffuse_options)
       : options(diffuse_options),
         sight(layer_sight),
-        artboard(document.artboard),
-        interpolation(document.interpolation),
-        curves(document.layers[layer].curves),
+        artboard(of_document),
+        interpolation(space),
+        curves(std::move(of_layer)),
+        moving(curve),
         is_joint(curves::opacity_goes_with_color(curves)),
         units(artboard, sight, options) {}
 
-  Status begin(Context& context, const Layer& layer, std::uint32_t curve);
+  Status begin(Context& context, std::optional<RefinedLayer>& refined);
   Result<PatchLayer> frame(Context& context, const Curve& curve, DiffuseStats* stats,
                            std::optional<RoundWatch> watch) const;
 
@@ -75,7 +76,9 @@ struct LayerDrag::State {
   Box artboard;
   InterpolationSpace interpolation;
   std::vector<Curve> curves;  ///< with the one that moves as it was
+  std::uint32_t moving;       ///< which of them it is
   bool is_joint;              ///< as FlatLayer
+  bool has_room = false;      ///< of the meshes
   LayerUnits units;
   ScopedCharge charge;                     ///< of the polylines and curves
   curves::FlatCurves flat;                 ///< of `curves`
@@ -119,28 +122,37 @@ Result<LayerSolver> LayerDrag::State::solver(Context& context, const curves::Fla
       options, stats, watch);
 }
 
-Status LayerDrag::State::begin(Context& context, const Layer& layer, std::uint32_t curve) {
-  Result<curves::FlatCurves> polylines = flatten_layer(context, layer, sight, units);
+Status LayerDrag::State::begin(Context& context, std::optional<RefinedLayer>& refined) {
+  Result<curves::FlatCurves> polylines = curves::flatten(context, curves, units.flatten_options());
   if (!polylines) return polylines.status();
   flat = std::move(*polylines);
   Status status = charge.add(context, curves::bytes_of(flat) + bytes_of_curves(), "a drag");
   if (!status) return status;
+  std::optional<RefinedLayer> known = std::exchange(refined, std::nullopt);
+  has_room = !known;
   mesh::MeshOptions meshing = units.mesh_options();
-  meshing.room = with_room(meshing.frame);
+  if (has_room) meshing.room = with_room(meshing.frame);
   Result<mesh::Mesher> built = mesh::Mesher::build(context, flat, meshing);
   if (!built) return built.status();
   visibility.emplace(std::move(*built));
   TableMemory memory("a drag");
   const Result<std::vector<std::uint8_t>> moves = marked(
-      context, flat.vertex.size(), flat.curve_begin[curve], flat.curve_begin[curve + 1], memory);
+      context, flat.vertex.size(), flat.curve_begin[moving], flat.curve_begin[moving + 1], memory);
   if (!moves) return moves.status();
-  Result<mesh::Mesher> patches = visibility->copy(context);
+  Result<mesh::Mesher> patches =
+      known ? Result<mesh::Mesher>(std::move(known->mesher)) : visibility->copy(context);
   if (!patches) return patches.status();
   Result<LayerSolver> whole =
       solver(context, flat, curves, *visibility, std::move(*patches), {.use = {*moves}});
   if (!whole) return whole.status();
-  status = whole->refine();
-  return status ? take_off(context, *whole, *moves) : status;
+  if (known) {
+    whole->resume(std::move(known->nodes));
+  } else {
+    status = whole->refine();
+  }
+  if (status) status = take_off(context, *whole, *moves);
+  if (status && known) refined.emplace(whole->release());
+  return status;
 }
 
 Status LayerDrag::State::take_off(Context& context, const LayerSolver& whole,
@@ -223,11 +235,27 @@ LayerDrag::~LayerDrag() = default;
 
 Result<LayerDrag> LayerDrag::begin(Context& context, const Document& document, std::uint32_t layer,
                                    std::uint32_t curve, const LayerSight& sight,
-                                   const DiffuseOptions& options) {
-  auto state = std::make_unique<State>(document, layer, sight, options);
-  Status status = state->begin(context, document.layers[layer], curve);
+                                   const DiffuseOptions& options,
+                                   std::optional<RefinedLayer>& refined) {
+  auto state = std::make_unique<State>(document.artboard, document.interpolation,
+                                       document.layers[layer].curves, curve, sight, options);
+  Status status = state->begin(context, refined);
   if (!status) return status;
   return LayerDrag(std::move(state));
+}
+
+bool LayerDrag::has_room() const {
+  return state_->has_room;
+}
+
+Status LayerDrag::make_room(Context& context) {
+  const State& now = *state_;
+  auto state = std::make_unique<State>(now.artboard, now.interpolation, now.curves, now.moving,
+                                       now.sight, now.options);
+  std::optional<RefinedLayer> none;
+  Status status = state->begin(context, none);
+  if (status) state_ = std::move(state);
+  return status;
 }
 
 Result<PatchLayer> LayerDrag::frame(Context& context, const Curve& curve, DiffuseStats* stats,

@@ -27,15 +27,26 @@ namespace sfumato::solve {
 /// this; frames have a Context of their own.
 class LayerDrag {
  public:
-  /// Solves the layer and takes the curve off it. `sight` is that of the layer, and not empty.
-  /// Errors: limit, cancelled. Cost: that of the layer's solution.
+  /// Takes the curve off the layer. `sight` is that of the layer, and not empty.
+  /// refined   what was kept of the layer as it is, solved for `sight` with `options`, in the
+  ///           context's Budget; it is used and given back. Nothing: the layer is solved first, on
+  ///           a mesh with room for a curve that is dragged beyond what is shown.
+  /// Errors    limit, cancelled; what was kept is gone then
   static Result<LayerDrag> begin(Context& context, const Document& document, std::uint32_t layer,
                                  std::uint32_t curve, const LayerSight& sight,
-                                 const DiffuseOptions& options);
+                                 const DiffuseOptions& options,
+                                 std::optional<RefinedLayer>& refined);
 
   LayerDrag(LayerDrag&&) noexcept;
   LayerDrag& operator=(LayerDrag&&) noexcept;
   ~LayerDrag();
+
+  /// Whether its mesh has more room than that of the layer alone.
+  bool has_room() const;
+
+  /// Begins anew with that room. Errors: limit, cancelled; nothing has changed then. Cost: that of
+  /// the layer's solution.
+  Status make_room(Context& context);
 
   /// The layer's patches with the curve as it is now. `stats`, unless null, is added to: what was
   /// gathered.

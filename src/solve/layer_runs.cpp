@@ -36,11 +36,12 @@ void SharedProgress::add(double done) {
 }
 
 LayerRuns::LayerRuns(Context& context, const Document& document, std::span<const LayerTask> tasks,
-                     const DiffuseOptions& options)
+                     const DiffuseOptions& options, bool keeps_refined)
     : context_(context),
       document_(document),
       tasks_(tasks),
       options_(options),
+      keeps_refined_(keeps_refined),
       progress_(context.progress, total_work()),
       first_failed_(task_count()) {}
 
@@ -136,7 +137,8 @@ Result<PatchLayer> LayerRuns::solve_layer(std::uint32_t index, DiffuseStats& sta
       prepare_layer(context_, document_, layer, sight, options_, &stats, LayerUse::patches);
   if (!prepared) return prepared.status();
   runs_[index].is_prepared = true;
-  return LayerSolver(context_, std::move(*prepared), options_, &stats, {}, way).solve();
+  LayerSolver solver(context_, std::move(*prepared), options_, &stats, {}, way);
+  return solver.solve(keeps_refined_ ? &runs_[index].refined : nullptr);
 }
 
 void LayerRuns::add_to(DiffuseStats& stats) const {
@@ -154,6 +156,10 @@ std::optional<PatchLayer> LayerRuns::take_finished(std::uint32_t task) {
   if (task >= runs_.size() || !std::exchange(runs_[task].is_finished, false)) return std::nullopt;
   runs_[task].charge = {};
   return std::move(runs_[task].layer);
+}
+
+std::optional<RefinedLayer> LayerRuns::take_refined(std::uint32_t task) {
+  return task < runs_.size() ? std::exchange(runs_[task].refined, std::nullopt) : std::nullopt;
 }
 
 }  // namespace sfumato::solve

@@ -49,9 +49,10 @@ struct LayerTask {
 /// one thread is enough for many. Any other failure is that of the first layer that fails.
 class LayerRuns {
  public:
-  /// tasks   in the order of their layers. What is referred to outlives this.
+  /// tasks          in the order of their layers. What is referred to outlives this.
+  /// keeps_refined  keeps what take_refined() gives, which takes more memory
   LayerRuns(Context& context, const Document& document, std::span<const LayerTask> tasks,
-            const DiffuseOptions& options);
+            const DiffuseOptions& options, bool keeps_refined = false);
 
   /// Errors: limit, cancelled, out_of_memory.
   Status run();
@@ -66,6 +67,9 @@ class LayerRuns {
   /// charge ends.
   std::optional<PatchLayer> take_finished(std::uint32_t task);
 
+  /// What was kept of a task's layer, unless it was taken.
+  std::optional<RefinedLayer> take_refined(std::uint32_t task);
+
  private:
   struct Run {
     PatchLayer layer;
@@ -75,6 +79,7 @@ class LayerRuns {
     double told = 0;           ///< of the progress
     bool is_prepared = false;  ///< after the part that is the same in both ways
     bool is_finished = false;
+    std::optional<RefinedLayer> refined{};
   };
 
   Status make_tables();
@@ -92,6 +97,7 @@ class LayerRuns {
   const Document& document_;
   std::span<const LayerTask> tasks_;
   const DiffuseOptions& options_;
+  bool keeps_refined_;
   SharedProgress progress_;
   std::vector<Run> runs_;             ///< per task
   std::vector<std::uint32_t> order_;  ///< of tasks, the largest layer first

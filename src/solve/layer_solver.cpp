@@ -31,6 +31,9 @@ constexpr float kInvisibleOpacity = 1.0f / 4096;
 
 constexpr std::size_t kTrianglesPerTask = 4096;
 
+/// Nodes are copied where there is room for this many copies.
+constexpr std::size_t kRoomPerCopy = 8;
+
 /// Where the border of what is seen crosses an edge is found to this share of the smallest edge.
 constexpr double kBorderPerEdge = 1e-4;
 
@@ -98,7 +101,7 @@ Status LayerSolver::for_fields_side_by_side(FunctionRef<Status(FieldSolver&)> bo
   return failure[0] ? failure[1] : failure[0];
 }
 
-Result<PatchLayer> LayerSolver::solve() {
+Result<PatchLayer> LayerSolver::solve(std::optional<RefinedLayer>* refined) {
   const std::uint64_t nodes_before = stats_ ? stats_->nodes : 0;
   Status status = refine();
   if (status) status = put_in_order();
@@ -107,7 +110,43 @@ Result<PatchLayer> LayerSolver::solve() {
     status = gather(options_.gather, true);
   }
   if (!status) return status;
-  return take();
+  if (!refined || options_.gather.method != gather::Method::exact || !has_spare_memory()) {
+    return take();
+  }
+  Result<RefinedNodes> nodes = copy_nodes();
+  if (!nodes) return nodes.status();
+  Result<PatchLayer> layer = take();
+  if (layer) refined->emplace(RefinedLayer{std::move(mesher_), std::move(*nodes)});
+  return layer;
+}
+
+/// Whether copies of all nodes leave enough for the patches.
+bool LayerSolver::has_spare_memory() const {
+  const std::size_t bytes = color_.bytes_of_nodes() + (opacity_ ? opacity_->bytes_of_nodes() : 0);
+  return context_.budget.room() / kRoomPerCopy >= bytes;
+}
+
+Result<RefinedNodes> LayerSolver::copy_nodes() const {
+  RefinedNodes nodes;
+  Result<RefinedField> color = color_.copy_nodes(context_);
+  if (!color) return color.status();
+  nodes.color = std::move(*color);
+  if (!opacity_) return nodes;
+  Result<RefinedField> opacity = opacity_->copy_nodes(context_);
+  if (!opacity) return opacity.status();
+  nodes.opacity = std::move(*opacity);
+  return nodes;
+}
+
+void LayerSolver::resume(RefinedNodes nodes) {
+  color_.resume(std::move(nodes.color));
+  if (opacity_ && nodes.opacity) opacity_->resume(std::move(*nodes.opacity));
+}
+
+RefinedLayer LayerSolver::release() {
+  RefinedLayer refined{std::move(mesher_), {color_.release(), {}}};
+  if (opacity_) refined.nodes.opacity = opacity_->release();
+  return refined;
 }
 
 /// The exact gather decides where to refine; rays are shot once, on the mesh that comes of it.

@@ -26,6 +26,16 @@ struct SolveWay {
   std::optional<FunctionRef<void(double fraction)>> progress{};  ///< told how far it has come
 };
 
+/// What is kept of a layer that was solved for those who edit it: its patch mesh, and the nodes.
+struct RefinedNodes {
+  RefinedField color;
+  std::optional<RefinedField> opacity;  ///< as PreparedLayer
+};
+struct RefinedLayer {
+  mesh::Mesher mesher;
+  RefinedNodes nodes;
+};
+
 /// Solves one layer: patch mesh, node values of colour and opacity, error-driven refinement.
 ///
 /// A round gathers the new nodes and compares the new patches with the exact gather at probe
@@ -37,11 +47,20 @@ class LayerSolver {
   LayerSolver(Context& context, PreparedLayer prepared, const DiffuseOptions& options,
               DiffuseStats* stats, std::optional<RoundWatch> watch = {}, SolveWay way = {});
 
-  Result<PatchLayer> solve();
+  /// refined   unless null: gets what is kept of the layer, or nothing where its nodes have not
+  ///           their exact values, or memory is lacking for it
+  Result<PatchLayer> solve(std::optional<RefinedLayer>* refined = nullptr);
 
   /// solve() without its last steps: afterwards the mesh is as fine as it has to be, its nodes have
   /// their values, and others may continue from it. Errors: limit, cancelled.
   Status refine();
+
+  /// In place of refine(), where the mesher is that of a RefinedLayer of the same layer: takes its
+  /// nodes, for others to continue_from() this.
+  void resume(RefinedNodes nodes);
+
+  /// Moves mesh and nodes out. Call last.
+  RefinedLayer release();
 
   /// In place of refine(): the mesher was copied from that of `before`, which was refined, and
   /// edited since. Nodes keep the values that they have there unless the edit may change them;
@@ -69,6 +88,8 @@ class LayerSolver {
   const PreparedField* opacity() const { return opacity_ ? &opacity_->field() : nullptr; }
 
  private:
+  bool has_spare_memory() const;
+  Result<RefinedNodes> copy_nodes() const;
   Status take_mesh();
   Status update_mesh();
   Status lay_out();

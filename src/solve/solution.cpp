@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/charge.hpp"
+#include "base/limit_error.hpp"
 #include "base/no_throw.hpp"
 #include "base/public_verb.hpp"
 #include "base/table_memory.hpp"
@@ -25,9 +26,10 @@ constexpr std::string_view kPurpose = "the solution of a document";
 
 /// What is known of one of the document's layers.
 struct LayerState {
-  LayerSight sight{};                         ///< that its patches were solved for
-  std::optional<std::uint32_t> in_picture{};  ///< the picture's layer that has them
-  std::optional<PatchLayer> fresh{};          ///< or they, where no picture has them yet
+  LayerSight sight{};                            ///< that its patches were solved for
+  std::optional<std::uint32_t> in_picture{};     ///< the picture's layer that has them
+  std::optional<PatchLayer> fresh{};             ///< or they, where no picture has them yet
+  std::optional<solve::RefinedLayer> refined{};  ///< for drags, if memory allows
 
   bool is_solved() const { return in_picture || fresh; }
 };
@@ -36,6 +38,7 @@ struct LayerState {
 struct Drag {
   std::uint32_t layer;
   std::uint32_t curve;
+  const Budget* budget;                    ///< that it is charged to
   std::optional<solve::LayerDrag> engine;  ///< none where nothing shows the layer
 };
 
@@ -51,7 +54,10 @@ std::optional<std::uint32_t> layer_of(const Change& change) {
 
 struct Solution::State {
   State(Context& context, Document d)
-      : document(std::move(d)), layers(document.layers.size()), held(context.budget) {}
+      : document(std::move(d)),
+        layers(document.layers.size()),
+        budget(&context.budget),
+        held(context.budget) {}
 
   /// Comes first: charges the document.
   Status start(const Context& context) { return hold(context, document); }
@@ -83,6 +89,12 @@ struct Solution::State {
   void carry_over(const Document& old, std::vector<LayerState> next);
   std::optional<std::size_t> find_same(const Document& old, std::size_t index) const;
   void forget(const DiffuseOptions& wanted);
+  bool drop_refined();
+  template <class Work>
+  Status run_with_all_memory(const Work& work);
+  Status solve_layers(Context& context, const Box& viewport, DiffuseStats* stats);
+  Status begin_engine(Context& context, Drag& begun);
+  Result<PatchLayer> frame(Context& context, const Curve& curve, DiffuseStats* stats);
   Result<std::vector<LayerTask>> tasks(const Context& context, const Box& viewport) const;
   Status keep(const Context& context, std::span<LayerTask> tasks, solve::LayerRuns& runs);
   Status assemble(Context& context, const Box& viewport);
@@ -95,7 +107,8 @@ struct Solution::State {
   /// Charges what is about to be held.
   template <class Thing>
   Status hold(const Context& context, const Thing& thing) {
-    Status status = held.add(context, bytes_of(thing), kPurpose);
+    Status status =
+        run_with_all_memory([&] { return held.add(context, bytes_of(thing), kPurpose); });
     if (status) charged += bytes_of(thing);
     return status;
   }
@@ -109,6 +122,7 @@ struct Solution::State {
   std::vector<LayerState> layers;
   std::optional<DiffuseOptions> options;  ///< that the layers were solved with
   bool frame_changed = true;              ///< since the picture was made
+  const Budget* budget;                   ///< of `held`, and of what is kept for drags
   ScopedCharge held;
   std::size_t charged = 0;
 
@@ -145,7 +159,8 @@ Status Solution::State::make_room(const Context& context, const InsertCurve& ins
   if (curves.size() < curves.capacity()) return ok_status();
   std::vector<Curve> larger;
   larger.reserve(std::max<std::size_t>(4, 2 * curves.size()));
-  Status status = held.add(context, capacity_bytes(larger), kPurpose);
+  Status status =
+      run_with_all_memory([&] { return held.add(context, capacity_bytes(larger), kPurpose); });
   if (!status) return status;
   charged += capacity_bytes(larger);
   std::ranges::move(curves, std::back_inserter(larger));
@@ -212,17 +227,41 @@ Status Solution::State::solve(Context& context, const DiffuseOptions& wanted, Di
     forget(wanted);
   }
   const Box viewport = wanted.viewport.value_or(document.artboard);
-  Result<std::vector<LayerTask>> to_solve = tasks(context, viewport);
-  if (!to_solve) return to_solve.status();
+  Status status = run_with_all_memory([&] { return solve_layers(context, viewport, stats); });
   const bool is_shown = std::ranges::all_of(
       layers, [](const LayerState& layer) { return layer.in_picture.has_value(); });
-  if (to_solve->empty() && is_shown && !frame_changed) return ok_status();
-  solve::LayerRuns runs(context, document, *to_solve, wanted);
+  return status && (!is_shown || frame_changed) ? assemble(context, viewport) : status;
+}
+
+/// Those that are not solved, and keeps what was finished. What a drag needs of them is kept, too,
+/// if it is charged to the Budget that this belongs to.
+Status Solution::State::solve_layers(Context& context, const Box& viewport, DiffuseStats* stats) {
+  Result<std::vector<LayerTask>> to_solve = tasks(context, viewport);
+  if (!to_solve || to_solve->empty()) return to_solve.status();
+  for (const LayerTask& task : *to_solve) layers[task.layer].refined.reset();
+  solve::LayerRuns runs(context, document, *to_solve, *options, &context.budget == budget);
   Status status = no_throw([&] { return runs.run(); });
   if (stats) runs.add_to(*stats);
   Status kept = keep(context, *to_solve, runs);
-  if (!status) return status;
-  return kept ? assemble(context, viewport) : kept;
+  return status ? kept : status;
+}
+
+/// Whether there was any.
+bool Solution::State::drop_refined() {
+  bool any = false;
+  for (LayerState& layer : layers) {
+    any |= layer.refined.has_value();
+    layer.refined.reset();
+  }
+  return any;
+}
+
+/// What is kept for drags makes room for other work.
+template <class Work>
+Status Solution::State::run_with_all_memory(const Work& work) {
+  Status status = work();
+  const bool lacks_memory = is_lack_of_memory(status) || status.code == StatusCode::out_of_memory;
+  return lacks_memory && drop_refined() ? work() : status;
 }
 
 /// Nothing that was solved with other options counts.
@@ -240,7 +279,8 @@ Status Solution::State::keep(const Context& context, std::span<LayerTask> tasks,
     std::optional<PatchLayer> layer = runs.take_finished(i);
     if (!layer) continue;
     if (Status status = hold(context, *layer); !status) return status;
-    layers[tasks[i].layer] = {std::move(tasks[i].sight), std::nullopt, std::move(layer)};
+    layers[tasks[i].layer] = {std::move(tasks[i].sight), std::nullopt, std::move(layer),
+                              runs.take_refined(i)};
   }
   return ok_status();
 }
@@ -286,19 +326,28 @@ Status Solution::State::begin_drag(Context& context, std::uint32_t layer, std::u
   if (layer >= layers.size() || curve >= document.layers[layer].curves.size()) {
     return make_error(StatusCode::bad_input, "there is no such curve to drag");
   }
-  const LayerState& state = layers[layer];
+  LayerState& state = layers[layer];
   if (!options || !state.in_picture || frame_changed) {
     return make_error(StatusCode::bad_input, "the document is to be solved before a drag");
   }
-  Drag begun{layer, curve, {}};
+  Drag begun{layer, curve, &context.budget, {}};
   if (!state.sight.views.empty()) {
-    Result<solve::LayerDrag> engine =
-        solve::LayerDrag::begin(context, document, layer, curve, state.sight, *options);
-    if (!engine) return engine.status();
-    begun.engine.emplace(std::move(*engine));
+    Status status = run_with_all_memory([&] { return begin_engine(context, begun); });
+    if (!status) return status;
   }
   drag.emplace(std::move(begun));
   return ok_status();
+}
+
+Status Solution::State::begin_engine(Context& context, Drag& begun) {
+  LayerState& layer = layers[begun.layer];
+  std::optional<solve::RefinedLayer> none;
+  const bool is_at_home = &context.budget == budget;
+  Result<solve::LayerDrag> engine =
+      solve::LayerDrag::begin(context, document, begun.layer, begun.curve, layer.sight, *options,
+                              is_at_home ? layer.refined : none);
+  if (engine) begun.engine.emplace(std::move(*engine));
+  return engine.status();
 }
 
 /// What fails leaves the curve and its layer as they were.
@@ -320,9 +369,23 @@ Status Solution::State::drag_to(Context& context, Curve curve, DiffuseStats* sta
   return status;
 }
 
+/// Where the curve is dragged farther than the mesh has room, the drag begins anew with more.
+Result<PatchLayer> Solution::State::frame(Context& context, const Curve& curve,
+                                          DiffuseStats* stats) {
+  solve::LayerDrag& engine = *drag->engine;
+  Result<PatchLayer> patches = engine.frame(context, curve, stats);
+  const bool is_at_home = &context.budget == drag->budget;
+  if (patches.status().code != StatusCode::bad_input || engine.has_room() || !is_at_home) {
+    return patches;
+  }
+  const Status status = engine.make_room(context);
+  if (!status) return is_lack_of_memory(status) ? std::move(patches) : status;
+  return engine.frame(context, curve, stats);
+}
+
 /// The picture with the curve that is dragged, which the document has already.
 Status Solution::State::show(Context& context, Curve curve, DiffuseStats* stats) {
-  Result<PatchLayer> patches = drag->engine->frame(context, curve, stats);
+  Result<PatchLayer> patches = frame(context, curve, stats);
   if (patches.status().code == StatusCode::bad_input) return solve(context, *options, stats);
   if (!patches) return patches.status();
   if (Status status = hold(context, *patches); !status) return status;

@@ -112,6 +112,44 @@ TEST(Drag, beyond_all_room_is_solved_anew) {
   EXPECT_LT(mean_difference(solution.picture(), diffused(solution.document())), 0.3);
 }
 
+TEST(Drag, takes_little_beyond_the_picture_too) {
+  Context context;
+  Solution solution = solved(context, circles());
+  DiffuseStats solve;
+  ASSERT_TRUE(diffuse(context, solution.document(), {}, &solve).ok());
+  ASSERT_TRUE(solution.begin_drag(context, 0, 0).ok());
+  ASSERT_TRUE(solution.drag(context, circle_at({150, 40})).ok());
+  for (const Vec2 center : {Vec2{160, 30}, Vec2{-60, 50}, Vec2{30, 40}}) {
+    DiffuseStats frame;
+    ASSERT_TRUE(solution.drag(context, circle_at(center), &frame).ok());
+    const bool is_outside = center.x < 0 || center.x > 100;
+    EXPECT_TRUE(!is_outside || frame.nodes < solve.nodes) << center.x << ": " << frame.nodes;
+    EXPECT_LT(mean_difference(solution.picture(), diffused(solution.document())), 0.3) << center.x;
+  }
+  ASSERT_TRUE(solution.solve(context, {}).ok());
+  EXPECT_EQ(difference_of(solution.picture(), diffused(solution.document())), "");
+}
+
+TEST(Drag, begins_from_what_solve_left_or_solves_the_layer) {
+  Context owner;
+  Solution solution = solved(owner, circles());
+  ASSERT_TRUE(solution.begin_drag(owner, 0, 0).ok());
+  ASSERT_TRUE(solution.drag(owner, circle_at({44, 52})).ok());
+  const Picture known = solution.picture();
+  {
+    Context visitor;  // pays for the drag, and nothing is known to it
+    ASSERT_TRUE(solution.solve(owner, {}).ok());
+    ASSERT_TRUE(solution.apply(owner, ReplaceCurve{0, 0, circle_at({30, 30})}).ok());
+    ASSERT_TRUE(solution.solve(visitor, {}).ok());
+    EXPECT_EQ(visitor.budget.used(), 0u);
+    ASSERT_TRUE(solution.begin_drag(visitor, 0, 0).ok());
+    ASSERT_TRUE(solution.drag(visitor, circle_at({44, 52})).ok());
+    EXPECT_LT(mean_difference(solution.picture(), known), 0.1);
+    solution.end_drag();
+    EXPECT_EQ(visitor.budget.used(), 0u);
+  }
+}
+
 TEST(Drag, ends_with_other_changes) {
   Context context;
   Solution solution = solved(context, circles());

@@ -99,13 +99,33 @@ std::vector<LayerCurve> some_curves(const Document& document, std::mt19937& rand
   return chosen;
 }
 
+/// What a solution of the layer leaves for drags.
+std::optional<RefinedLayer> refined_layer(Context& context, const Document& document,
+                                          std::uint32_t layer, const LayerSight& sight,
+                                          const DiffuseOptions& options) {
+  std::optional<RefinedLayer> refined;
+  Result<PreparedLayer> prepared =
+      prepare_layer(context, document, layer, sight, options, nullptr, LayerUse::patches);
+  if (!prepared) return refined;
+  LayerSolver solver(context, std::move(*prepared), options, nullptr);
+  const bool is_solved = solver.solve(&refined).ok();
+  EXPECT_EQ(is_solved, refined.has_value());
+  return refined;
+}
+
 void expect_exact_frames(const Document& document, LayerCurve at, const DiffuseOptions& options,
-                         std::mt19937& random) {
+                         bool was_solved, std::mt19937& random) {
   Context context;
   const LayerSight sight = sight_of_layer(document, at.layer, document.artboard);
-  Result<LayerDrag> drag = LayerDrag::begin(context, document, at.layer, at.curve, sight, options);
+  std::optional<RefinedLayer> refined;
+  if (was_solved) refined = refined_layer(context, document, at.layer, sight, options);
+  const bool is_known = refined.has_value();
+  Result<LayerDrag> drag =
+      LayerDrag::begin(context, document, at.layer, at.curve, sight, options, refined);
   if (!drag && drag.status().code == StatusCode::limit) return;
   ASSERT_TRUE(drag.ok()) << drag.status().message;
+  EXPECT_EQ(refined.has_value(), is_known);
+  EXPECT_EQ(drag->has_room(), !is_known);
   for (int frame = 0; frame < 3; ++frame) {
     SCOPED_TRACE("frame " + std::to_string(frame));
     const Vec2 by{double(random() % 21) - 10, double(random() % 21) - 10};
@@ -139,7 +159,9 @@ TEST(LayerDrag, has_the_exact_values_at_all_nodes_of_its_frames) {
     for (const LayerCurve at : some_curves(document, random)) {
       SCOPED_TRACE("document " + std::to_string(seed) + ", layer " + std::to_string(at.layer) +
                    ", curve " + std::to_string(at.curve));
-      ASSERT_NO_FATAL_FAILURE(expect_exact_frames(document, at, options, random));
+      for (const bool was_solved : {false, true}) {
+        ASSERT_NO_FATAL_FAILURE(expect_exact_frames(document, at, options, was_solved, random));
+      }
     }
   }
 }

@@ -28,8 +28,10 @@ struct PictureDelta {
 ///
 /// One thread at a time may call a Solution. Its document and picture stay charged to the Context
 /// that was given to create(), which must therefore outlive it; the Contexts of later calls lend
-/// their threads, their limits and the memory of the work itself. A moved-from Solution can only be
-/// assigned to or destroyed.
+/// their threads, their limits and the memory of the work itself. Where solve() is given the
+/// Context of create(), the meshes and nodes that drags begin from stay charged to it, too, about
+/// as much as the picture, unless memory is scarce; work that lacks memory gives them up first. A
+/// moved-from Solution can only be assigned to or destroyed.
 class Solution {
  public:
   /// Takes a document over; nothing is solved yet, and the picture is an empty one.
@@ -61,28 +63,31 @@ class Solution {
   /// what is solved now.
   Status solve(Context& context, const DiffuseOptions& options, DiffuseStats* stats = nullptr);
 
-  /// Prepares a curve to be dragged: solves its layer without it. The picture stays as it is.
+  /// Prepares a curve to be dragged: takes it off its layer. The picture stays as it is.
   ///
   /// What this holds is charged to this Context, which must outlive the drag. It lasts until the
   /// next call of begin_drag(), end_drag() or apply(), or of solve() with other options.
   ///
   /// Errors: bad_input (no such curve, or the last picture is not that of the document), limit,
-  /// cancelled, out_of_memory. Cost: about that of solving the layer.
+  /// cancelled, out_of_memory. Cost: that of meshing the layer, and a gather of what sees the
+  /// curve, where this, solve() and create() were given the same Context; otherwise, or where
+  /// memory was scarce, that of solving the layer.
   Status begin_drag(Context& context, std::uint32_t layer, std::uint32_t curve);
 
   /// Puts another curve in the place of the one that is dragged, in the document and in the
   /// picture. That is one for looking at until solve() makes the exact one: nodes have their exact
   /// values, but the mesh is as fine as it was where the curve has come to, and the curve is drawn
   /// over the others of its layer. It depends on what begin_drag() found and on the curve, not on
-  /// where the curve was dragged in between. To take a drag back, apply a ReplaceCurve with the
-  /// curve as it was.
+  /// where the curve was dragged in between, but for rounding once that was beyond the picture. To
+  /// take a drag back, apply a ReplaceCurve with the curve as it was.
   ///
   /// `stats`, unless null, is added to: what was solved now.
   ///
   /// Errors: bad_input (nothing is dragged, or an invalid curve), limit, cancelled, out_of_memory.
   /// Document and picture are as they were then. Cost: O(triangles and nodes of the layer) for
-  /// tables, and a gather of what may see the curve; where the curve is dragged farther than the
-  /// layer's mesh has room, or bears an opacity for the first time, that of solving the layer.
+  /// tables, and a gather of what may see the curve; that of solving the layer where the curve is
+  /// first dragged beyond the picture, each time where it is farther away than the picture is
+  /// large, and where it bears an opacity for the first time.
   Status drag(Context& context, Curve curve, DiffuseStats* stats = nullptr);
 
   /// Ends a drag, and releases what it held. The curve stays where it is.
