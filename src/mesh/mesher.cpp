@@ -220,6 +220,10 @@ Result<TriangleMesh> Mesher::patch_mesh(const Context& context) {
   return s.extract_anew(context, s.numbering);
 }
 
+void Mesher::forget_extracted() {
+  state_->extracted = TableMemory(State::kPurpose, state_->budget);
+}
+
 Status Mesher::update_patch_mesh(const Context& context, TriangleMesh& mesh,
                                  std::vector<std::uint32_t>& changed) {
   State& s = *state_;

@@ -82,6 +82,9 @@ class Mesher {
   /// indices. Errors: limit (memory), cancelled. Cost: O(triangles).
   Result<Mesher> copy(const Context& context) const;
 
+  /// Ends the charge of the mesh that was handed out last, for whoever outlives it.
+  void forget_extracted();
+
   /// Whether the polylines from this vertex on lie within the lattice, so that `edit` can insert
   /// them.
   bool holds(const curves::FlatCurves& flat, std::uint32_t first) const;

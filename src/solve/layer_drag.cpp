@@ -68,6 +68,7 @@ struct LayerDrag::State {
         units(artboard, sight, options) {}
 
   Status begin(Context& context, std::optional<RefinedLayer>& refined);
+  bool has_fields_with(const Curve& curve) const;
   Result<PatchLayer> frame(Context& context, const Curve& curve, DiffuseStats* stats,
                            std::optional<RoundWatch> watch) const;
 
@@ -93,18 +94,19 @@ struct LayerDrag::State {
   }
   /// Errors: as LayerDrag::frame.
   Result<Placed> place(Context& context, const Curve& curve) const;
-  /// The layer on a mesh, ready to be solved or continued.
+  /// The layer on a mesh, ready to be solved or continued. `patches` is moved from on success only.
   Result<LayerSolver> solver(Context& context, const curves::FlatCurves& polylines,
-                             std::span<const Curve> of, mesh::Mesher& seen, mesh::Mesher patches,
+                             std::span<const Curve> of, mesh::Mesher& seen, mesh::Mesher&& patches,
                              const FieldEdits& edits, DiffuseStats* stats = nullptr,
                              std::optional<RoundWatch> watch = {}) const;
+  Status mesh_layer(Context& context);
   Status take_off(Context& context, const LayerSolver& whole,
                   std::span<const std::uint8_t> is_removed);
 };
 
 Result<LayerSolver> LayerDrag::State::solver(Context& context, const curves::FlatCurves& polylines,
                                              std::span<const Curve> of, mesh::Mesher& seen,
-                                             mesh::Mesher patches, const FieldEdits& edits,
+                                             mesh::Mesher&& patches, const FieldEdits& edits,
                                              DiffuseStats* stats,
                                              std::optional<RoundWatch> watch) const {
   const Result<mesh::TriangleMesh> mesh = seen.visibility_mesh(context);
@@ -123,35 +125,45 @@ Result<LayerSolver> LayerDrag::State::solver(Context& context, const curves::Fla
 }
 
 Status LayerDrag::State::begin(Context& context, std::optional<RefinedLayer>& refined) {
+  has_room = !refined;
+  Status status = mesh_layer(context);
+  if (!status) return status;
+  TableMemory memory("a drag");
+  const Result<std::vector<std::uint8_t>> moves = marked(
+      context, flat.vertex.size(), flat.curve_begin[moving], flat.curve_begin[moving + 1], memory);
+  if (!moves) return moves.status();
+  std::optional<mesh::Mesher> unrefined;
+  if (!refined) {
+    Result<mesh::Mesher> copy = visibility->copy(context);
+    if (!copy) return copy.status();
+    unrefined.emplace(std::move(*copy));
+  }
+  mesh::Mesher& patches = refined ? refined->mesher : *unrefined;
+  Result<LayerSolver> whole =
+      solver(context, flat, curves, *visibility, std::move(patches), {.use = {*moves}});
+  if (!whole) return whole.status();
+  if (!refined) {
+    status = whole->refine();
+    return status ? take_off(context, *whole, *moves) : status;
+  }
+  whole->resume(std::move(refined->nodes));
+  status = take_off(context, *whole, *moves);
+  *refined = whole->release();
+  return status;
+}
+
+/// Makes the polylines of all curves and their mesh.
+Status LayerDrag::State::mesh_layer(Context& context) {
   Result<curves::FlatCurves> polylines = curves::flatten(context, curves, units.flatten_options());
   if (!polylines) return polylines.status();
   flat = std::move(*polylines);
   Status status = charge.add(context, curves::bytes_of(flat) + bytes_of_curves(), "a drag");
   if (!status) return status;
-  std::optional<RefinedLayer> known = std::exchange(refined, std::nullopt);
-  has_room = !known;
   mesh::MeshOptions meshing = units.mesh_options();
   if (has_room) meshing.room = with_room(meshing.frame);
   Result<mesh::Mesher> built = mesh::Mesher::build(context, flat, meshing);
   if (!built) return built.status();
   visibility.emplace(std::move(*built));
-  TableMemory memory("a drag");
-  const Result<std::vector<std::uint8_t>> moves = marked(
-      context, flat.vertex.size(), flat.curve_begin[moving], flat.curve_begin[moving + 1], memory);
-  if (!moves) return moves.status();
-  Result<mesh::Mesher> patches =
-      known ? Result<mesh::Mesher>(std::move(known->mesher)) : visibility->copy(context);
-  if (!patches) return patches.status();
-  Result<LayerSolver> whole =
-      solver(context, flat, curves, *visibility, std::move(*patches), {.use = {*moves}});
-  if (!whole) return whole.status();
-  if (known) {
-    whole->resume(std::move(known->nodes));
-  } else {
-    status = whole->refine();
-  }
-  if (status) status = take_off(context, *whole, *moves);
-  if (status && known) refined.emplace(whole->release());
   return status;
 }
 
@@ -173,6 +185,12 @@ Status LayerDrag::State::take_off(Context& context, const LayerSolver& whole,
   return status ? base->prepare_to_be_edited() : status;
 }
 
+/// Whether the layer has the same fields with the curve in its place.
+bool LayerDrag::State::has_fields_with(const Curve& curve) const {
+  return is_joint ==
+         (curves::opacity_goes_with_color(curves) && curves::opacity_goes_with_color({&curve, 1}));
+}
+
 Result<Placed> LayerDrag::State::place(Context& context, const Curve& curve) const {
   const Result<curves::FlatCurves> moved =
       curves::flatten(context, {&curve, 1}, units.flatten_options());
@@ -191,7 +209,7 @@ Result<Placed> LayerDrag::State::place(Context& context, const Curve& curve) con
   if (!visibility->holds(placed.flat, placed.first)) {
     return make_error(StatusCode::bad_input, "the curve is dragged too far beyond the picture");
   }
-  if (is_joint != curves::opacity_goes_with_color(placed.curves)) {
+  if (!has_fields_with(curve)) {
     return make_error(StatusCode::bad_input, "the dragged curve changes the layer's fields");
   }
   return placed;
@@ -246,6 +264,13 @@ Result<LayerDrag> LayerDrag::begin(Context& context, const Document& document, s
 
 bool LayerDrag::has_room() const {
   return state_->has_room;
+}
+
+bool LayerDrag::needs_room(const Curve& curve) const {
+  const Box roomy = with_room(state_->units.mesh_options().frame);
+  const auto is_in_it = [&](Vec2 p) { return roomy.contains(p); };
+  return !has_room() && state_->has_fields_with(curve) &&
+         std::ranges::all_of(curve.control_points, is_in_it);
 }
 
 Status LayerDrag::make_room(Context& context) {

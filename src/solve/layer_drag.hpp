@@ -29,9 +29,9 @@ class LayerDrag {
  public:
   /// Takes the curve off the layer. `sight` is that of the layer, and not empty.
   /// refined   what was kept of the layer as it is, solved for `sight` with `options`, in the
-  ///           context's Budget; it is used and given back. Nothing: the layer is solved first, on
-  ///           a mesh with room for a curve that is dragged beyond what is shown.
-  /// Errors    limit, cancelled; what was kept is gone then
+  ///           context's Budget; it is used and given back, also on failure. Nothing: the layer is
+  ///           solved first, on a mesh with room for a curve that is dragged beyond what is shown.
+  /// Errors    limit, cancelled
   static Result<LayerDrag> begin(Context& context, const Document& document, std::uint32_t layer,
                                  std::uint32_t curve, const LayerSight& sight,
                                  const DiffuseOptions& options,
@@ -41,8 +41,11 @@ class LayerDrag {
   LayerDrag& operator=(LayerDrag&&) noexcept;
   ~LayerDrag();
 
-  /// Whether its mesh has more room than that of the layer alone.
+  /// Whether its mesh has that room.
   bool has_room() const;
+
+  /// Whether make_room() would help where frame() says bad_input.
+  bool needs_room(const Curve& curve) const;
 
   /// Begins anew with that room. Errors: limit, cancelled; nothing has changed then. Cost: that of
   /// the layer's solution.

@@ -113,10 +113,13 @@ Result<PatchLayer> LayerSolver::solve(std::optional<RefinedLayer>* refined) {
   if (!refined || options_.gather.method != gather::Method::exact || !has_spare_memory()) {
     return take();
   }
-  Result<RefinedNodes> nodes = copy_nodes();
-  if (!nodes) return nodes.status();
+  Result<RefinedNodes> nodes = no_throw([&] { return copy_nodes(); });
+  if (!nodes && !is_lack_of_memory(nodes.status())) return nodes.status();
   Result<PatchLayer> layer = take();
-  if (layer) refined->emplace(RefinedLayer{std::move(mesher_), std::move(*nodes)});
+  if (layer && nodes) {
+    mesher_.forget_extracted();
+    refined->emplace(RefinedLayer{std::move(mesher_), std::move(*nodes)});
+  }
   return layer;
 }
 

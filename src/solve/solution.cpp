@@ -39,6 +39,7 @@ struct Drag {
   std::uint32_t layer;
   std::uint32_t curve;
   const Budget* budget;                    ///< that it is charged to
+  bool may_make_room = true;               ///< until that lacks memory
   std::optional<solve::LayerDrag> engine;  ///< none where nothing shows the layer
 };
 
@@ -70,6 +71,7 @@ struct Solution::State {
   Picture picture;
   PictureDelta delta;
   std::optional<Drag> drag;
+  bool expects_drags = false;  ///< solve() keeps what they begin from
 
  private:
   /// At the end of its scope no more is charged than is held. While it lives, what was charged for
@@ -91,10 +93,10 @@ struct Solution::State {
   void forget(const DiffuseOptions& wanted);
   bool drop_refined();
   template <class Work>
-  Status run_with_all_memory(const Work& work);
-  Status solve_layers(Context& context, const Box& viewport, DiffuseStats* stats);
+  Status run_with_all_memory(const Work& work, bool keeps = false);
+  Status solve_layers(Context& context, const Box& viewport, DiffuseStats* stats, bool keeps);
   Status begin_engine(Context& context, Drag& begun);
-  Result<PatchLayer> frame(Context& context, const Curve& curve, DiffuseStats* stats);
+  Status make_frame(Context& context, const Curve& curve, DiffuseStats* stats, PatchLayer& patches);
   Result<std::vector<LayerTask>> tasks(const Context& context, const Box& viewport) const;
   Status keep(const Context& context, std::span<LayerTask> tasks, solve::LayerRuns& runs);
   Status assemble(Context& context, const Box& viewport);
@@ -108,7 +110,7 @@ struct Solution::State {
   template <class Thing>
   Status hold(const Context& context, const Thing& thing) {
     Status status =
-        run_with_all_memory([&] { return held.add(context, bytes_of(thing), kPurpose); });
+        run_with_all_memory([&](bool) { return held.add(context, bytes_of(thing), kPurpose); });
     if (status) charged += bytes_of(thing);
     return status;
   }
@@ -159,8 +161,8 @@ Status Solution::State::make_room(const Context& context, const InsertCurve& ins
   if (curves.size() < curves.capacity()) return ok_status();
   std::vector<Curve> larger;
   larger.reserve(std::max<std::size_t>(4, 2 * curves.size()));
-  Status status =
-      run_with_all_memory([&] { return held.add(context, capacity_bytes(larger), kPurpose); });
+  Status status = run_with_all_memory(
+      [&](bool) { return held.add(context, capacity_bytes(larger), kPurpose); });
   if (!status) return status;
   charged += capacity_bytes(larger);
   std::ranges::move(curves, std::back_inserter(larger));
@@ -227,20 +229,22 @@ Status Solution::State::solve(Context& context, const DiffuseOptions& wanted, Di
     forget(wanted);
   }
   const Box viewport = wanted.viewport.value_or(document.artboard);
-  Status status = run_with_all_memory([&] { return solve_layers(context, viewport, stats); });
+  const auto run = [&](bool keeps) { return solve_layers(context, viewport, stats, keeps); };
+  Status status = run_with_all_memory(run, expects_drags && &context.budget == budget);
   const bool is_shown = std::ranges::all_of(
       layers, [](const LayerState& layer) { return layer.in_picture.has_value(); });
-  return status && (!is_shown || frame_changed) ? assemble(context, viewport) : status;
+  if (!status || (is_shown && !frame_changed)) return status;
+  return run_with_all_memory([&](bool) { return assemble(context, viewport); });
 }
 
-/// Those that are not solved, and keeps what was finished. What a drag needs of them is kept, too,
-/// if it is charged to the Budget that this belongs to.
-Status Solution::State::solve_layers(Context& context, const Box& viewport, DiffuseStats* stats) {
+/// Those that are not solved, and keeps what was finished; with `keeps` also what drags begin from.
+Status Solution::State::solve_layers(Context& context, const Box& viewport, DiffuseStats* stats,
+                                     bool keeps) {
   Result<std::vector<LayerTask>> to_solve = tasks(context, viewport);
   if (!to_solve || to_solve->empty()) return to_solve.status();
   for (const LayerTask& task : *to_solve) layers[task.layer].refined.reset();
-  solve::LayerRuns runs(context, document, *to_solve, *options, &context.budget == budget);
-  Status status = no_throw([&] { return runs.run(); });
+  solve::LayerRuns runs(context, document, *to_solve, *options, keeps);
+  Status status = runs.run();
   if (stats) runs.add_to(*stats);
   Status kept = keep(context, *to_solve, runs);
   return status ? kept : status;
@@ -256,12 +260,12 @@ bool Solution::State::drop_refined() {
   return any;
 }
 
-/// What is kept for drags makes room for other work.
+/// work(keeps), and once more without what is kept for drags if it lacks memory.
 template <class Work>
-Status Solution::State::run_with_all_memory(const Work& work) {
-  Status status = work();
-  const bool lacks_memory = is_lack_of_memory(status) || status.code == StatusCode::out_of_memory;
-  return lacks_memory && drop_refined() ? work() : status;
+Status Solution::State::run_with_all_memory(const Work& work, bool keeps) {
+  Status status = no_throw([&] { return work(keeps); });
+  if (!is_lack_of_memory(status) || !(drop_refined() || keeps)) return status;
+  return no_throw([&] { return work(false); });
 }
 
 /// Nothing that was solved with other options counts.
@@ -323,6 +327,7 @@ Status Solution::State::assemble(Context& context, const Box& viewport) {
 
 Status Solution::State::begin_drag(Context& context, std::uint32_t layer, std::uint32_t curve) {
   drag.reset();
+  expects_drags = true;
   if (layer >= layers.size() || curve >= document.layers[layer].curves.size()) {
     return make_error(StatusCode::bad_input, "there is no such curve to drag");
   }
@@ -330,9 +335,9 @@ Status Solution::State::begin_drag(Context& context, std::uint32_t layer, std::u
   if (!options || !state.in_picture || frame_changed) {
     return make_error(StatusCode::bad_input, "the document is to be solved before a drag");
   }
-  Drag begun{layer, curve, &context.budget, {}};
+  Drag begun{layer, curve, &context.budget, true, {}};
   if (!state.sight.views.empty()) {
-    Status status = run_with_all_memory([&] { return begin_engine(context, begun); });
+    Status status = run_with_all_memory([&](bool) { return begin_engine(context, begun); });
     if (!status) return status;
   }
   drag.emplace(std::move(begun));
@@ -359,6 +364,7 @@ Status Solution::State::drag_to(Context& context, Curve curve, DiffuseStats* sta
   Result<Change> inverse = apply_change(context, document, change);
   if (!inverse) return inverse.status();
   LayerState& layer = layers[drag->layer];
+  layer.refined.reset();
   LayerState before = std::exchange(layer, {});
   if (!drag->engine) return ok_status();
   Status status = no_throw([&] { return show(context, std::move(curve), stats); });
@@ -369,30 +375,36 @@ Status Solution::State::drag_to(Context& context, Curve curve, DiffuseStats* sta
   return status;
 }
 
-/// Where the curve is dragged farther than the mesh has room, the drag begins anew with more.
-Result<PatchLayer> Solution::State::frame(Context& context, const Curve& curve,
-                                          DiffuseStats* stats) {
-  solve::LayerDrag& engine = *drag->engine;
-  Result<PatchLayer> patches = engine.frame(context, curve, stats);
-  const bool is_at_home = &context.budget == drag->budget;
-  if (patches.status().code != StatusCode::bad_input || engine.has_room() || !is_at_home) {
-    return patches;
-  }
-  const Status status = engine.make_room(context);
-  if (!status) return is_lack_of_memory(status) ? std::move(patches) : status;
-  return engine.frame(context, curve, stats);
+/// Where the curve is dragged farther than the mesh has room, the drag begins anew with more, if
+/// that is charged to the same Budget.
+Status Solution::State::make_frame(Context& context, const Curve& curve, DiffuseStats* stats,
+                                   PatchLayer& patches) {
+  const auto draw = [&](bool) {
+    Result<PatchLayer> frame = drag->engine->frame(context, curve, stats);
+    if (frame) patches = std::move(*frame);
+    return frame.status();
+  };
+  Status status = run_with_all_memory(draw);
+  const bool asks_for_room = status.code == StatusCode::bad_input && drag->may_make_room &&
+                             &context.budget == drag->budget && drag->engine->needs_room(curve);
+  if (!asks_for_room) return status;
+  Status made = run_with_all_memory([&](bool) { return drag->engine->make_room(context); });
+  drag->may_make_room = !is_lack_of_memory(made);
+  if (!drag->may_make_room) return status;
+  return made ? run_with_all_memory(draw) : made;
 }
 
 /// The picture with the curve that is dragged, which the document has already.
 Status Solution::State::show(Context& context, Curve curve, DiffuseStats* stats) {
-  Result<PatchLayer> patches = frame(context, curve, stats);
-  if (patches.status().code == StatusCode::bad_input) return solve(context, *options, stats);
-  if (!patches) return patches.status();
-  if (Status status = hold(context, *patches); !status) return status;
+  PatchLayer patches;
+  Status status = make_frame(context, curve, stats, patches);
+  if (status.code == StatusCode::bad_input) return solve(context, *options, stats);
+  if (status) status = hold(context, patches);
+  if (!status) return status;
   delta.layers.reserve(delta.layers.size() + 1);
   note_new(drag->layer);
-  picture.layers[drag->layer] = std::move(*patches);
-  return ok_status();
+  picture.layers[drag->layer] = std::move(patches);
+  return status;
 }
 
 void Solution::State::note_new(std::uint32_t layer) {
@@ -432,6 +444,10 @@ Result<Change> Solution::apply(Context& context, Change change) {
 
 Status Solution::solve(Context& context, const DiffuseOptions& options, DiffuseStats* stats) {
   return public_verb(context, [&] { return state_->solve(context, options, stats); });
+}
+
+void Solution::expect_drags() {
+  state_->expects_drags = true;
 }
 
 Status Solution::begin_drag(Context& context, std::uint32_t layer, std::uint32_t curve) {

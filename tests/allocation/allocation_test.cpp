@@ -321,11 +321,6 @@ TEST(AllocationOf, a_solution_that_goes_on) {
       }
       ASSERT_TRUE(solution.solve(context, {}).ok());
       ASSERT_TRUE(digest(solution) == digest(picture_of(solution.document())));
-      // What is kept for drags goes with the options, and is not kept for a visitor.
-      Context visitor;
-      DiffuseOptions coarser;
-      coarser.max_error = 8;
-      ASSERT_TRUE(solution.solve(visitor, coarser).ok());
       ASSERT_EQ(context.budget.used(),
                 bytes_of(solution.document()) + bytes_of(solution.picture()));
     }

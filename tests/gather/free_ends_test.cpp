@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <random>
 #include <span>
 
+#include "gather/kernels/end_terms.hpp"
 #include "gather/reference.hpp"
 #include "gather/scenes.hpp"
 #include "sfumato/base/native/thread_pool.hpp"
@@ -231,6 +233,40 @@ TEST(FreeEnds, rays_get_the_same_term) {
   const Gathered rays =
       soft_at(context, drawing, points, {.method = Method::rays, .rays_per_node = 4096});
   EXPECT_LE(difference(rays.value, exact.value).rms, 1.5);
+}
+
+/// One point lies on an end, where there is no term.
+TEST(FreeEnds, packets_and_points_get_the_same_term) {
+  const Drawing drawing = draw(blended_lines(64));
+  Context context;
+  const Result<FreeEnds> ends = FreeEnds::create(context, drawing.mesh, drawing.attributes, {}, 1);
+  ASSERT_TRUE(ends.ok());
+  SceneView scene{};
+  scene.base_channels = 3;
+  scene.ends = ends->view();
+  std::mt19937 random(64);
+  std::uniform_real_distribution<float> share(-0.3f, 0.3f);
+  int reached = 0;
+  for (std::uint32_t e = 0; e < scene.ends.term_count; ++e) {
+    const EndTerm& end = scene.ends.term[e];
+    const float reach = 1 / std::sqrt(end.inverse_reach_squared);
+    PacketInput input{};
+    PacketResult result{};
+    for (int i = 0; i < kPacketLanes; ++i) {
+      input.x[i] = i == 0 ? end.x : end.x + reach * share(random);
+      input.y[i] = i == 0 ? end.y : end.y + reach * share(random);
+      result.weight[i] = 0.01f * static_cast<float>(1 + i % 4);
+      for (int c = 0; c < 3; ++c) result.value[c][i] = 0.1f * static_cast<float>(c + i % 5);
+    }
+    const PacketResult before = result;
+    EndTerms<4>(scene, input, result).add();
+    for (int i = 0; i < kPacketLanes; ++i) {
+      std::vector<float> value{before.value[0][i], before.value[1][i], before.value[2][i]};
+      reached += ends->add({input.x[i], input.y[i]}, before.weight[i], value);
+      for (int c = 0; c < 3; ++c) EXPECT_NEAR(result.value[c][i], value[c], 1e-3) << e << ' ' << i;
+    }
+  }
+  EXPECT_GT(reached, 100);
 }
 
 TEST(FreeEnds, every_width_and_thread_count_gives_the_same_bits) {

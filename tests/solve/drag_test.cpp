@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "sfumato/base/native/thread_pool.hpp"
 #include "sfumato/raster/rasterize.hpp"
 #include "sfumato/solve/solution.hpp"
 #include "solve/diffused.hpp"
@@ -130,24 +131,74 @@ TEST(Drag, takes_little_beyond_the_picture_too) {
   EXPECT_EQ(difference_of(solution.picture(), diffused(solution.document())), "");
 }
 
+/// A solution that keeps what drags begin from.
+Solution expecting_drags(Context& context, Document document) {
+  Result<Solution> solution = Solution::create(context, std::move(document));
+  EXPECT_TRUE(solution.ok()) << to_string(solution.status());
+  solution->expect_drags();
+  EXPECT_TRUE(solution->solve(context, {}).ok());
+  return std::move(*solution);
+}
+
 TEST(Drag, begins_from_what_solve_left_or_solves_the_layer) {
-  Context owner;
-  Solution solution = solved(owner, circles());
-  ASSERT_TRUE(solution.begin_drag(owner, 0, 0).ok());
-  ASSERT_TRUE(solution.drag(owner, circle_at({44, 52})).ok());
-  const Picture known = solution.picture();
-  {
-    Context visitor;  // pays for the drag, and nothing is known to it
-    ASSERT_TRUE(solution.solve(owner, {}).ok());
-    ASSERT_TRUE(solution.apply(owner, ReplaceCurve{0, 0, circle_at({30, 30})}).ok());
-    ASSERT_TRUE(solution.solve(visitor, {}).ok());
-    EXPECT_EQ(visitor.budget.used(), 0u);
-    ASSERT_TRUE(solution.begin_drag(visitor, 0, 0).ok());
-    ASSERT_TRUE(solution.drag(visitor, circle_at({44, 52})).ok());
-    EXPECT_LT(mean_difference(solution.picture(), known), 0.1);
-    solution.end_drag();
-    EXPECT_EQ(visitor.budget.used(), 0u);
+  Context owner, visitor;
+  ThreadPool threads(3);
+  owner.executor = &threads;
+  Solution known = expecting_drags(owner, circles()), unknown = solved(owner, circles());
+  for (const std::uint32_t layer : {0u, 1u}) {
+    ASSERT_TRUE(known.begin_drag(owner, layer, 0).ok());
+    ASSERT_TRUE(unknown.begin_drag(visitor, layer, 0).ok());
+    ASSERT_TRUE(known.drag(owner, circle_at({44, 52})).ok());
+    ASSERT_TRUE(unknown.drag(visitor, circle_at({44, 52})).ok());
+    EXPECT_LT(mean_difference(known.picture(), unknown.picture()), 0.1);
+    ASSERT_TRUE(known.solve(owner, {}).ok());
+    ASSERT_TRUE(unknown.solve(visitor, {}).ok());
+    EXPECT_EQ(difference_of(known.picture(), unknown.picture()), "");
   }
+  unknown.end_drag();
+  EXPECT_EQ(visitor.budget.used(), 0u);
+}
+
+/// What is kept follows its layer to another place, and is not used where the layer is shown
+/// otherwise.
+TEST(Drag, begins_from_what_is_known_of_the_layer_as_it_is_shown) {
+  Context context;
+  Solution solution = expecting_drags(context, circles());
+  Document other = circles();
+  std::swap(other.layers[0], other.layers[1]);
+  other.stack = {LayerInstance{1, {}}, LayerInstance{0, {}, 0.5f}};
+  ASSERT_TRUE(solution.apply(context, ReplaceDocument{other}).ok());
+  ASSERT_TRUE(solution.solve(context, {}).ok());
+  for (const double scale : {1.0, 3.0}) {
+    other.stack[0] = LayerInstance{1, Affine{scale, 0, 0, scale, 0, 0}};
+    ASSERT_TRUE(solution.apply(context, ReplaceStack{other.stack}).ok());
+    ASSERT_TRUE(solution.solve(context, {}).ok());
+    ASSERT_TRUE(solution.begin_drag(context, 1, 0).ok());
+    ASSERT_TRUE(solution.drag(context, circle_at({34, 32})).ok());
+    EXPECT_LT(mean_difference(solution.picture(), diffused(solution.document())), 0.3) << scale;
+    ASSERT_TRUE(solution.solve(context, {}).ok());
+  }
+}
+
+TEST(Drag, whose_begin_is_cancelled_begins_as_well_the_next_time) {
+  Context context;
+  Solution solution = expecting_drags(context, circles());
+  const std::size_t used = context.budget.used();
+  int cancelled = 0;
+  for (std::uint64_t poll = 1;; poll += 1 + poll / 16) {
+    test::CancelAt watch(poll, context.cancel);
+    context.poll_watch = &watch;
+    const Status status = solution.begin_drag(context, 0, 0);
+    context.poll_watch = nullptr;
+    context.cancel = false;
+    if (status.ok()) break;
+    ++cancelled;
+    ASSERT_EQ(status.code, StatusCode::cancelled);
+    ASSERT_EQ(context.budget.used(), used) << poll;
+  }
+  EXPECT_GT(cancelled, 20);
+  ASSERT_TRUE(solution.drag(context, circle_at({34, 32})).ok());
+  EXPECT_LT(mean_difference(solution.picture(), diffused(solution.document())), 0.3);
 }
 
 TEST(Drag, ends_with_other_changes) {
@@ -224,7 +275,7 @@ TEST(Drag, that_is_cancelled_leaves_everything_as_it_was) {
 TEST(Drag, gives_back_all_memory) {
   Context context;
   {
-    Solution solution = solved(context, circles());
+    Solution solution = expecting_drags(context, circles());
     const std::size_t solved_bytes = context.budget.used();
     ASSERT_TRUE(solution.begin_drag(context, 0, 0).ok());
     EXPECT_GT(context.budget.used(), solved_bytes);

@@ -361,27 +361,64 @@ TEST(Solution, without_memory_for_a_change_is_as_it_was) {
   EXPECT_EQ(context.budget.used(), bytes_of(solution.document()));
 }
 
+/// What is charged beside document and picture.
+std::size_t kept_for_drags(const Context& context, const Solution& solution) {
+  return context.budget.used() - bytes_of(solution.document()) - bytes_of(solution.picture());
+}
+
+TEST(Solution, keeps_what_drags_begin_from_if_they_are_expected) {
+  Context context, visitor;
+  Solution solution = solution_of(context, three_layers());
+  ASSERT_TRUE(solution.solve(context, {}).ok());
+  EXPECT_EQ(kept_for_drags(context, solution), 0u);
+  solution.expect_drags();
+  const Change change = ReplaceCurve{1, 0, colored(circle_curve({60, 60}, 9), kRed, kBlue)};
+  take(solution.apply(context, change));
+  ASSERT_TRUE(solution.solve(context, {}).ok());
+  EXPECT_GT(kept_for_drags(context, solution), 0u);
+  take(solution.apply(context, change));
+  ASSERT_TRUE(solution.solve(visitor, {}).ok());
+  EXPECT_EQ(kept_for_drags(context, solution), 0u);
+  EXPECT_EQ(visitor.budget.used(), 0u);
+}
+
 TEST(Solution, gives_up_what_it_keeps_for_drags_where_memory_is_needed) {
   Context context;
   Solution solution = solution_of(context, three_layers());
+  solution.expect_drags();
   ASSERT_TRUE(solution.solve(context, {}).ok());
-  const auto held = [&] { return bytes_of(solution.document()) + bytes_of(solution.picture()); };
-  EXPECT_GT(context.budget.used(), held());
+  EXPECT_GT(kept_for_drags(context, solution), 0u);
   const std::size_t others = context.budget.room();
   ASSERT_TRUE(context.budget.charge(others, "others").ok());
   const Change change = ReplaceCurve{1, 0, colored(circle_curve({60, 60}, 9), kRed, kBlue)};
   EXPECT_TRUE(solution.apply(context, change).ok());
-  EXPECT_EQ(context.budget.used(), held() + others);
+  EXPECT_EQ(kept_for_drags(context, solution), others);
 }
 
-/// Where there is any room, a change is made or leaves all as it was, and so is a solve.
+/// What is enough memory without drags is enough where they are expected.
+TEST(Solution, that_expects_drags_needs_no_more_memory) {
+  const auto least_room = [](bool expects_drags) {
+    std::size_t room = 1000;
+    for (;; room += room / 32) {
+      Context context{.budget = Budget(room)};
+      Result<Solution> solution = Solution::create(context, three_layers());
+      if (!solution) continue;
+      if (expects_drags) solution->expect_drags();
+      if (solution->solve(context, {}).ok()) return room;
+    }
+  };
+  EXPECT_EQ(least_room(true), least_room(false));
+}
+
+/// Where there is any room, a change is made or leaves all as it was, and so is a solve; what is
+/// charged is what is held.
 TEST(Solution, with_little_memory_goes_on_or_is_as_it_was) {
   std::size_t made = 0, refused = 0, solved = 0;
   for (std::size_t room = 0; room < 60'000; room += 1 + room / 16) {
     SCOPED_TRACE(room);
-    Context context, visitor;
+    Context context;
     Solution solution = solution_of(context, three_layers());
-    ASSERT_TRUE(solution.solve(visitor, {}).ok());
+    ASSERT_TRUE(solution.solve(context, {}).ok());
     const std::size_t others = context.budget.room() - room;
     ASSERT_TRUE(context.budget.charge(others, "others").ok());
     for (const Change& change :
@@ -397,8 +434,7 @@ TEST(Solution, with_little_memory_goes_on_or_is_as_it_was) {
       if (solution.solve(context, {}).ok()) {
         ++solved;
         ASSERT_NO_FATAL_FAILURE(expect_as_diffused(solution, {}));
-        // And what drags need, where there is memory for it.
-        ASSERT_GE(context.budget.used() - others,
+        ASSERT_EQ(context.budget.used() - others,
                   bytes_of(solution.document()) + bytes_of(solution.picture()));
       }
     }

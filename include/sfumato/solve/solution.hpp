@@ -28,10 +28,8 @@ struct PictureDelta {
 ///
 /// One thread at a time may call a Solution. Its document and picture stay charged to the Context
 /// that was given to create(), which must therefore outlive it; the Contexts of later calls lend
-/// their threads, their limits and the memory of the work itself. Where solve() is given the
-/// Context of create(), the meshes and nodes that drags begin from stay charged to it, too, about
-/// as much as the picture, unless memory is scarce; work that lacks memory gives them up first. A
-/// moved-from Solution can only be assigned to or destroyed.
+/// their threads, their limits and the memory of the work itself. A moved-from Solution can only be
+/// assigned to or destroyed.
 class Solution {
  public:
   /// Takes a document over; nothing is solved yet, and the picture is an empty one.
@@ -63,6 +61,12 @@ class Solution {
   /// what is solved now.
   Status solve(Context& context, const DiffuseOptions& options, DiffuseStats* stats = nullptr);
 
+  /// From here on solve() keeps the meshes and nodes that drags begin from, where it is given the
+  /// Context of create(), which is charged for them: about as much as for the picture. Where memory
+  /// is scarce they are not kept, and what of this Solution lacks memory gives them up first. The
+  /// first begin_drag() calls this.
+  void expect_drags();
+
   /// Prepares a curve to be dragged: takes it off its layer. The picture stays as it is.
   ///
   /// What this holds is charged to this Context, which must outlive the drag. It lasts until the
@@ -70,8 +74,8 @@ class Solution {
   ///
   /// Errors: bad_input (no such curve, or the last picture is not that of the document), limit,
   /// cancelled, out_of_memory. Cost: that of meshing the layer, and a gather of what sees the
-  /// curve, where this, solve() and create() were given the same Context; otherwise, or where
-  /// memory was scarce, that of solving the layer.
+  /// curve, where solve() has kept what drags begin from and this Context is that of create();
+  /// otherwise that of solving the layer.
   Status begin_drag(Context& context, std::uint32_t layer, std::uint32_t curve);
 
   /// Puts another curve in the place of the one that is dragged, in the document and in the
@@ -85,9 +89,10 @@ class Solution {
   ///
   /// Errors: bad_input (nothing is dragged, or an invalid curve), limit, cancelled, out_of_memory.
   /// Document and picture are as they were then. Cost: O(triangles and nodes of the layer) for
-  /// tables, and a gather of what may see the curve; that of solving the layer where the curve is
-  /// first dragged beyond the picture, each time where it is farther away than the picture is
-  /// large, and where it bears an opacity for the first time.
+  /// tables, and a gather of what may see the curve. That of solving the layer where the curve
+  /// bears an opacity for the first time, or is farther beyond the picture than that is large;
+  /// where it is beyond it at all, once if this Context is that of begin_drag(), each time if it is
+  /// another.
   Status drag(Context& context, Curve curve, DiffuseStats* stats = nullptr);
 
   /// Ends a drag, and releases what it held. The curve stays where it is.

@@ -30,11 +30,11 @@ constexpr double kStartSecondsPerThread = 0.001;
 constexpr std::size_t kStackBytes = std::size_t{8} << 20;
 constexpr std::size_t kArenaBytes = std::size_t{128} << 20;
 
-/// How many of `wanted` threads have room in the address space, as `ulimit -v` limits it; 1 at
-/// least.
+/// How many of `wanted` threads, the calling one among them, have room in the address space, as
+/// `ulimit -v` limits it.
 int threads_with_room(int wanted) {
-  for (; wanted > 1; wanted /= 2) {
-    const std::size_t bytes = static_cast<std::size_t>(wanted) * (kStackBytes + kArenaBytes);
+  for (; wanted > 1; --wanted) {
+    const std::size_t bytes = static_cast<std::size_t>(wanted - 1) * (kStackBytes + kArenaBytes);
     void* const room =
         mmap(nullptr, bytes, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
     if (room == MAP_FAILED) continue;

@@ -50,7 +50,7 @@ class EndTerms {
         zero_unless(lanes, F(end.weight) * (fade * fade) / (r_squared * (F(1) + F(kEndKnee) * x)));
     weight_ = weight_ + more;
     const F mixed = zero_unless(lanes, more / weight_);
-    mix(end, positive_share(end, d, sqrt(r_squared)), mixed);
+    mix(end, positive_share(end, d, sqrt(select(lanes, r_squared, F(1)))), mixed);
   }
 
   /// τ of a point at d from the end, |d| = r.
