@@ -19,7 +19,7 @@ namespace {
 /// The curve may be dragged this far beyond what is shown, in widths and heights of it.
 constexpr double kRoom = 1;
 
-Box with_room(const Box& box) {
+Box with_room_around(const Box& box) {
   const Vec2 more{kRoom * box.width(), kRoom * box.height()};
   return {box.min - more, box.max + more};
 }
@@ -160,7 +160,7 @@ Status LayerDrag::State::mesh_layer(Context& context) {
   Status status = charge.add(context, curves::bytes_of(flat) + bytes_of_curves(), "a drag");
   if (!status) return status;
   mesh::MeshOptions meshing = units.mesh_options();
-  if (has_room) meshing.room = with_room(meshing.frame);
+  if (has_room) meshing.room = with_room_around(meshing.frame);
   Result<mesh::Mesher> built = mesh::Mesher::build(context, flat, meshing);
   if (!built) return built.status();
   visibility.emplace(std::move(*built));
@@ -267,20 +267,20 @@ bool LayerDrag::has_room() const {
 }
 
 bool LayerDrag::needs_room(const Curve& curve) const {
-  const Box roomy = with_room(state_->units.mesh_options().frame);
+  const Box roomy = with_room_around(state_->units.mesh_options().frame);
   const auto is_in_it = [&](Vec2 p) { return roomy.contains(p); };
   return !has_room() && state_->has_fields_with(curve) &&
          std::ranges::all_of(curve.control_points, is_in_it);
 }
 
-Status LayerDrag::make_room(Context& context) {
+Result<LayerDrag> LayerDrag::with_room(Context& context) const {
   const State& now = *state_;
   auto state = std::make_unique<State>(now.artboard, now.interpolation, now.curves, now.moving,
                                        now.sight, now.options);
   std::optional<RefinedLayer> none;
   Status status = state->begin(context, none);
-  if (status) state_ = std::move(state);
-  return status;
+  if (!status) return status;
+  return LayerDrag(std::move(state));
 }
 
 Result<PatchLayer> LayerDrag::frame(Context& context, const Curve& curve, DiffuseStats* stats,

@@ -44,12 +44,12 @@ class LayerDrag {
   /// Whether its mesh has that room.
   bool has_room() const;
 
-  /// Whether make_room() would help where frame() says bad_input.
+  /// Whether one with_room() would help where frame() says bad_input.
   bool needs_room(const Curve& curve) const;
 
-  /// Begins anew with that room. Errors: limit, cancelled; nothing has changed then. Cost: that of
-  /// the layer's solution.
-  Status make_room(Context& context);
+  /// The same drag begun anew, with that room. Errors: limit, cancelled. Cost: that of the layer's
+  /// solution.
+  Result<LayerDrag> with_room(Context& context) const;
 
   /// The layer's patches with the curve as it is now. `stats`, unless null, is added to: what was
   /// gathered.

@@ -38,9 +38,12 @@ struct LayerState {
 struct Drag {
   std::uint32_t layer;
   std::uint32_t curve;
-  const Budget* budget;                    ///< that it is charged to
-  bool may_make_room = true;               ///< until that lacks memory
-  std::optional<solve::LayerDrag> engine;  ///< none where nothing shows the layer
+  const Budget* budget;                      ///< that it is charged to
+  std::optional<solve::LayerDrag> engine{};  ///< none where nothing shows the layer
+  /// Its other self for where the curve is beyond the picture, once it was there. So a frame does
+  /// not depend on where the curve was before.
+  std::optional<solve::LayerDrag> roomy{};
+  bool may_have_room = true;  ///< until that lacks memory
 };
 
 /// The layer that a change to a curve touches; none of other changes.
@@ -96,6 +99,7 @@ struct Solution::State {
   Status run_with_all_memory(const Work& work, bool keeps = false);
   Status solve_layers(Context& context, const Box& viewport, DiffuseStats* stats, bool keeps);
   Status begin_engine(Context& context, Drag& begun);
+  Status begin_roomy(Context& context);
   Status make_frame(Context& context, const Curve& curve, DiffuseStats* stats, PatchLayer& patches);
   Result<std::vector<LayerTask>> tasks(const Context& context, const Box& viewport) const;
   Status keep(const Context& context, std::span<LayerTask> tasks, solve::LayerRuns& runs);
@@ -335,7 +339,7 @@ Status Solution::State::begin_drag(Context& context, std::uint32_t layer, std::u
   if (!options || !state.in_picture || frame_changed) {
     return make_error(StatusCode::bad_input, "the document is to be solved before a drag");
   }
-  Drag begun{layer, curve, &context.budget, true, {}};
+  Drag begun{layer, curve, &context.budget};
   if (!state.sight.views.empty()) {
     Status status = run_with_all_memory([&](bool) { return begin_engine(context, begun); });
     if (!status) return status;
@@ -375,23 +379,31 @@ Status Solution::State::drag_to(Context& context, Curve curve, DiffuseStats* sta
   return status;
 }
 
-/// Where the curve is dragged farther than the mesh has room, the drag begins anew with more, if
-/// that is charged to the same Budget.
 Status Solution::State::make_frame(Context& context, const Curve& curve, DiffuseStats* stats,
                                    PatchLayer& patches) {
-  const auto draw = [&](bool) {
-    Result<PatchLayer> frame = drag->engine->frame(context, curve, stats);
-    if (frame) patches = std::move(*frame);
-    return frame.status();
+  const auto draw = [&](const solve::LayerDrag& engine) {
+    return run_with_all_memory([&](bool) {
+      Result<PatchLayer> frame = engine.frame(context, curve, stats);
+      if (frame) patches = std::move(*frame);
+      return frame.status();
+    });
   };
-  Status status = run_with_all_memory(draw);
-  const bool asks_for_room = status.code == StatusCode::bad_input && drag->may_make_room &&
-                             &context.budget == drag->budget && drag->engine->needs_room(curve);
-  if (!asks_for_room) return status;
-  Status made = run_with_all_memory([&](bool) { return drag->engine->make_room(context); });
-  drag->may_make_room = !is_lack_of_memory(made);
-  if (!drag->may_make_room) return status;
-  return made ? run_with_all_memory(draw) : made;
+  Status status = draw(*drag->engine);
+  if (status.code != StatusCode::bad_input || !drag->engine->needs_room(curve)) return status;
+  if (Status begun = begin_roomy(context); !begun) return begun;
+  return drag->roomy ? draw(*drag->roomy) : status;
+}
+
+/// For a drag beyond the picture, if that is charged to the same Budget and memory is not lacking.
+Status Solution::State::begin_roomy(Context& context) {
+  if (drag->roomy || !drag->may_have_room || &context.budget != drag->budget) return ok_status();
+  Status status = run_with_all_memory([&](bool) {
+    Result<solve::LayerDrag> roomy = drag->engine->with_room(context);
+    if (roomy) drag->roomy.emplace(std::move(*roomy));
+    return roomy.status();
+  });
+  drag->may_have_room = !is_lack_of_memory(status);
+  return drag->may_have_room ? status : ok_status();
 }
 
 /// The picture with the curve that is dragged, which the document has already.

@@ -54,6 +54,15 @@ Solution solved(Context& context, Document document, const DiffuseOptions& optio
   return std::move(*solution);
 }
 
+/// A solution that keeps what drags begin from.
+Solution expecting_drags(Context& context, Document document) {
+  Result<Solution> solution = Solution::create(context, std::move(document));
+  EXPECT_TRUE(solution.ok()) << to_string(solution.status());
+  solution->expect_drags();
+  EXPECT_TRUE(solution->solve(context, {}).ok());
+  return std::move(*solution);
+}
+
 /// Mean difference of two pictures in code values.
 double mean_difference(const Picture& a, const Picture& b) {
   Context context;
@@ -92,13 +101,14 @@ TEST(Drag, shows_the_curve_where_it_is) {
 
 TEST(Drag, depends_on_where_the_curve_is_alone) {
   Context context;
-  Solution solution = solved(context, circles());
+  Solution solution = expecting_drags(context, circles());
   ASSERT_TRUE(solution.begin_drag(context, 0, 0).ok());
   ASSERT_TRUE(solution.drag(context, circle_at({41, 37})).ok());
   const Picture straight = solution.picture();
   ASSERT_TRUE(solution.drag(context, circle_at({80, 20})).ok());
   EXPECT_NE(difference_of(solution.picture(), straight), "");
   ASSERT_TRUE(solution.solve(context, {}).ok());
+  ASSERT_TRUE(solution.drag(context, circle_at({150, 20})).ok());
   ASSERT_TRUE(solution.drag(context, circle_at({41, 37})).ok());
   EXPECT_EQ(difference_of(solution.picture(), straight), "");
 }
@@ -115,7 +125,7 @@ TEST(Drag, beyond_all_room_is_solved_anew) {
 
 TEST(Drag, takes_little_beyond_the_picture_too) {
   Context context;
-  Solution solution = solved(context, circles());
+  Solution solution = expecting_drags(context, circles());
   DiffuseStats solve;
   ASSERT_TRUE(diffuse(context, solution.document(), {}, &solve).ok());
   ASSERT_TRUE(solution.begin_drag(context, 0, 0).ok());
@@ -129,15 +139,6 @@ TEST(Drag, takes_little_beyond_the_picture_too) {
   }
   ASSERT_TRUE(solution.solve(context, {}).ok());
   EXPECT_EQ(difference_of(solution.picture(), diffused(solution.document())), "");
-}
-
-/// A solution that keeps what drags begin from.
-Solution expecting_drags(Context& context, Document document) {
-  Result<Solution> solution = Solution::create(context, std::move(document));
-  EXPECT_TRUE(solution.ok()) << to_string(solution.status());
-  solution->expect_drags();
-  EXPECT_TRUE(solution->solve(context, {}).ok());
-  return std::move(*solution);
 }
 
 TEST(Drag, begins_from_what_solve_left_or_solves_the_layer) {

@@ -82,8 +82,8 @@ class Solution {
   /// picture. That is one for looking at until solve() makes the exact one: nodes have their exact
   /// values, but the mesh is as fine as it was where the curve has come to, and the curve is drawn
   /// over the others of its layer. It depends on what begin_drag() found and on the curve, not on
-  /// where the curve was dragged in between, but for rounding once that was beyond the picture. To
-  /// take a drag back, apply a ReplaceCurve with the curve as it was.
+  /// where the curve was dragged in between. To take a drag back, apply a ReplaceCurve with the
+  /// curve as it was.
   ///
   /// `stats`, unless null, is added to: what was solved now.
   ///
