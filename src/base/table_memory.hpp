@@ -99,6 +99,18 @@ class TableMemory {
   Status append(const Context& context, std::span<const typename Table::value_type> from,
                 Table& table);
 
+  /// table = from, in the table's own memory where that is large enough; otherwise with room for
+  /// `more` items after them.
+  template <class Table>
+  Status assign(const Context& context, std::span<const typename Table::value_type> from,
+                Table& table, std::size_t more = 0) {
+    table.clear();
+    Status status = from.size() + more <= table.capacity()
+                        ? ok_status()
+                        : reserve(context, table, from.size() + more);
+    return status ? append(context, from, table) : status;
+  }
+
   /// Appends the bytes of a text.
   Status append(const Context& context, std::string_view text, std::vector<std::uint8_t>& bytes) {
     const auto* data = reinterpret_cast<const std::uint8_t*>(text.data());

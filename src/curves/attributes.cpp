@@ -175,6 +175,23 @@ Result<SegmentAttributes> sample_colors_and_opacities(const Context& context,
   return colors;
 }
 
+Status replace_tail(const Context& context, std::size_t first, std::uint32_t curve,
+                    const SegmentAttributes& tail, TableMemory& memory,
+                    SegmentAttributes& attributes) {
+  Status status;
+  const auto replace = [&](const auto& from, auto& to) {
+    to.resize(first);
+    if (status) status = memory.append(context, from, to);
+  };
+  replace(tail.left, attributes.left);
+  replace(tail.right, attributes.right);
+  replace(tail.weight, attributes.weight);
+  replace(tail.vertex, attributes.vertex);
+  attributes.curve.resize(first);
+  return status ? memory.resize(context, attributes.curve, first + tail.curve.size(), curve)
+                : status;
+}
+
 void remove_blur(SegmentAttributes& attributes) {
   for (auto* sides : {&attributes.left, &attributes.right}) {
     for (SegmentSide& side : *sides) side.blur_radius = {};

@@ -87,6 +87,13 @@ Result<SegmentAttributes> sample_colors_and_opacities(const Context& context,
                                                       InterpolationSpace space,
                                                       TableMemory& memory);
 
+/// Makes the entries from `first` on those of `tail`, which was sampled for one curve by itself and
+/// has no shaders: its index is now `curve`. The tables belong to `memory`. Errors: limit (memory),
+/// cancelled; `attributes` is unusable then.
+Status replace_tail(const Context& context, std::size_t first, std::uint32_t curve,
+                    const SegmentAttributes& tail, TableMemory& memory,
+                    SegmentAttributes& attributes);
+
 /// Makes all sides sharp.
 void remove_blur(SegmentAttributes& attributes);
 

@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <functional>
+#include <limits>
 #include <utility>
 
 #include "base/poll.hpp"
 #include "base/spatial_order.hpp"
 #include "curves/front_share.hpp"
+#include "gather/free_ends_search.hpp"
 #include "gather/kernels/end_tree.hpp"
 
 namespace sfumato::gather {
@@ -16,6 +19,10 @@ namespace {
 /// Beside a long straight curve its own weight is g(φ)/r², with g(90°) = π/4: near it, the term
 /// makes the turn from one side to the other nearly even.
 constexpr double kWeight = 0.8;
+
+/// Those that an extension may add before the tree is built anew: the curve that moves has two, and
+/// each curve that it crosses may have two more.
+constexpr std::uint32_t kSpareEnds = 60;
 
 /// Rounded outwards.
 EndBox reach_box(const FreeEnd& end) {
@@ -59,36 +66,36 @@ Vec2 FreeEnd::unbent(Vec2 d) const {
 
 Result<FreeEnds> FreeEnds::create(Context& context, const mesh::TriangleMesh& mesh,
                                   const curves::SegmentAttributes& attributes, Vec2 origin,
-                                  float weight_unit, const FreeEnds* before,
-                                  std::span<const std::uint8_t> is_watched) {
+                                  float weight_unit, bool extendable) {
   FreeEnds ends;
-  KnownEnds known;
-  if (before) known = {before->end_, is_watched};
   Result<std::vector<FreeEnd>> found =
-      find_free_ends(context, mesh, attributes, ends.memory_, known);
+      find_free_ends(context, mesh, attributes, ends.memory_, &ends.tables_);
   if (!found) return found.status();
   ends.base_channels_ = attributes.base_channels;
+  ends.origin_ = origin;
   ends.weight_unit_ = weight_unit;
   ends.end_ = std::move(*found);
-  for (FreeEnd& end : ends.end_) {
-    end.position = end.position - origin;
-    end.weight /= weight_unit;
-  }
-  if (Status status = ends.build_tree(context); !status) return status;
+  for (FreeEnd& end : ends.end_) end = ends.relative(end);
+  if (!extendable) ends.tables_ = {};
+  if (Status status = ends.sort(context); !status) return status;
+  if (Status status = ends.build_tree(context, extendable ? kSpareEnds : 0); !status) return status;
   return ends;
 }
 
-Status FreeEnds::build_tree(Context& context) {
-  if (end_.empty()) return ok_status();
-  const auto count = static_cast<std::uint32_t>(end_.size());
-  leaf_count_ = std::bit_ceil((count + kEndsPerLeaf - 1) / kEndsPerLeaf);
+/// As it is stored: its position relative to the origin, its weight in units.
+FreeEnd FreeEnds::relative(FreeEnd end) const {
+  end.position = end.position - origin_;
+  end.weight /= weight_unit_;
+  return end;
+}
+
+/// So that neighbours in the list are near each other.
+Status FreeEnds::sort(Context& context) {
   TableMemory scratch("free ends of curves");
   std::vector<Vec2> position;
   std::vector<FreeEnd> sorted;
-  Status status = scratch.reserve(context, position, count);
-  if (status) status = memory_.reserve(context, sorted, count);
-  if (status) status = memory_.reserve(context, term_, count);
-  if (status) status = memory_.resize(context, box_, 2 * std::size_t{leaf_count_});
+  Status status = scratch.reserve(context, position, end_.size());
+  if (status) status = memory_.reserve(context, sorted, end_.size());
   if (!status) return status;
   for (const FreeEnd& end : end_) position.push_back(end.position);
   std::vector<std::uint32_t> order;
@@ -96,6 +103,23 @@ Status FreeEnds::build_tree(Context& context) {
   for (const std::uint32_t i : order) sorted.push_back(end_[i]);
   end_.swap(sorted);
   memory_.free(sorted);
+  return status;
+}
+
+/// With leaves for some more ends.
+Status FreeEnds::build_tree(Context& context, std::uint32_t spare) {
+  const auto count = static_cast<std::uint32_t>(end_.size());
+  leaf_count_ = std::bit_ceil((count + spare + kEndsPerLeaf - 1) / kEndsPerLeaf);
+  if (count + spare == 0) {
+    leaf_count_ = 0;
+    return ok_status();
+  }
+  memory_.free(box_);
+  Status status = memory_.reserve(context, end_, count + spare);
+  if (status) status = memory_.reserve(context, term_, count + spare);
+  if (status) status = memory_.resize(context, box_, 2 * std::size_t{leaf_count_});
+  if (!status) return status;
+  term_.clear();
   for (std::uint32_t i = 0; i < count; ++i) {
     term_.push_back(term_of(end_[i]));
     EndBox& leaf = box_[leaf_count_ + i / kEndsPerLeaf];
@@ -112,7 +136,8 @@ EndTerm FreeEnds::term_of(const FreeEnd& end) const {
   term.direction_x = static_cast<float>(end.direction.x);
   term.direction_y = static_cast<float>(end.direction.y);
   term.bend = static_cast<float>(end.bend);
-  term.inverse_reach_squared = static_cast<float>(1 / (end.reach * end.reach));
+  term.inverse_reach_squared = end.reach > 0 ? static_cast<float>(1 / (end.reach * end.reach))
+                                             : std::numeric_limits<float>::infinity();
   term.weight = static_cast<float>(kWeight * end.weight);
   term.blur_positive = end.blur_positive, term.blur_negative = end.blur_negative;
   std::ranges::copy(end.positive.channel, term.positive);
@@ -148,6 +173,15 @@ bool FreeEnds::reach(Vec2 p) const {
   return found;
 }
 
+bool FreeEnds::may_reach(const EndBox& box) const {
+  bool found = false;
+  visit_leaves(view(), box, [&](std::uint32_t) {
+    found = true;
+    return false;
+  });
+  return found;
+}
+
 bool FreeEnds::is_in(const FreeEnds& other, const FreeEnd& end) const {
   bool found = false;
   other.visit_leaves_at(end.position, [&](std::uint32_t leaf) {
@@ -166,12 +200,148 @@ Result<FreeEnds> FreeEnds::without(Context& context, const FreeEnds& other) cons
   RarePoll<1024> poll(context);
   for (const FreeEnd& end : end_) {
     if (poll.cancelled()) return context.cancel_status();
-    if (is_in(other, end)) continue;
+    if (!(end.reach > 0) || is_in(other, end)) continue;
     Status status = rest.memory_.push_back(context, rest.end_, end);
     if (!status) return status;
   }
-  if (Status status = rest.build_tree(context); !status) return status;
+  if (Status status = rest.build_tree(context, 0); !status) return status;
   return rest;
+}
+
+Status FreeEnds::copy_from(const Context& context, const FreeEnds& before) {
+  base_channels_ = before.base_channels_;
+  origin_ = before.origin_;
+  weight_unit_ = before.weight_unit_;
+  leaf_count_ = before.leaf_count_;
+  extended_ = &before;
+  gone_.clear();
+  fresh_.clear();
+  Status status = memory_.assign(context, before.end_, end_, kSpareEnds);
+  if (status) status = memory_.assign(context, before.term_, term_, kSpareEnds);
+  if (status) status = memory_.assign(context, before.box_, box_);
+  const std::size_t vertices = before.tables_.meeting.size();
+  if (status) {
+    status = tables_.memory.assign(context, before.tables_.meeting, tables_.meeting, vertices / 8);
+  }
+  return status;
+}
+
+Result<FreeEnds> FreeEnds::extend(Context& context, const mesh::TriangleMesh& mesh,
+                                  const curves::SegmentAttributes& attributes,
+                                  const FreeEnds& before, std::span<const std::uint8_t> is_watched,
+                                  std::span<const std::uint8_t> is_same, FreeEnds* used) {
+  FreeEnds ends;
+  if (used) ends = std::move(*used);
+  Status status = ends.copy_from(context, before);
+  if (status) status = ends.find_again(context, mesh, attributes, is_watched, is_same);
+  if (!status) return status;
+  return ends;
+}
+
+namespace {
+
+/// The watched edges of triangles that are not the same, each once.
+Result<std::vector<std::uint32_t>> watched_edges(const Context& context,
+                                                 const mesh::TriangleMesh& mesh,
+                                                 std::span<const std::uint8_t> is_watched,
+                                                 std::span<const std::uint8_t> is_same,
+                                                 TableMemory& memory) {
+  std::vector<std::uint32_t> edges;
+  RarePoll<4096> poll(context);
+  for (std::uint32_t t = 0; t < mesh.triangle_count(); ++t) {
+    if (t < is_same.size() && is_same[t]) continue;
+    if (poll.cancelled()) return context.cancel_status();
+    for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
+      const std::int32_t twin = mesh.half_edge_twin[h];
+      if (twin != mesh::kNone && static_cast<std::uint32_t>(twin) < h) continue;
+      if (!mesh.has_segment(h, is_watched)) continue;
+      if (Status status = memory.push_back(context, edges, h); !status) return status;
+    }
+  }
+  return edges;
+}
+
+/// Whether any of the edges comes nearer to p than that.
+bool is_near(const mesh::TriangleMesh& mesh, std::span<const std::uint32_t> edges, const Box& box,
+             Vec2 p, double distance) {
+  const Vec2 beside{std::max({box.min.x - p.x, p.x - box.max.x, 0.0}),
+                    std::max({box.min.y - p.y, p.y - box.max.y, 0.0})};
+  if (!(length_squared(beside) <= distance * distance)) return false;
+  return std::ranges::any_of(edges, [&](std::uint32_t h) {
+    return segment_distance(mesh.vertex_position[mesh.origin(h)] - p,
+                            mesh.vertex_position[mesh.target(h)] - p) <= distance;
+  });
+}
+
+}  // namespace
+
+/// Looks anew at the ends that a watched segment has come near, and where one of these ends.
+Status FreeEnds::find_again(Context& context, const mesh::TriangleMesh& mesh,
+                            const curves::SegmentAttributes& attributes,
+                            std::span<const std::uint8_t> is_watched,
+                            std::span<const std::uint8_t> is_same) {
+  TableMemory scratch("free ends of curves");
+  EndSearch search(context, mesh, attributes, tables_);
+  Status status = search.update_meetings(is_same);
+  const Result<std::vector<std::uint32_t>> watched =
+      watched_edges(context, mesh, is_watched, is_same, scratch);
+  if (!watched) return watched.status();
+  Box box;
+  std::vector<std::uint32_t> vertices;  // that are to be looked at
+  for (const std::uint32_t h : *watched) {
+    for (const std::uint32_t v : {mesh.origin(h), mesh.target(h)}) {
+      box.extend(mesh.vertex_position[v]);
+      if (status) status = scratch.push_back(context, vertices, v);
+    }
+  }
+  const bool looks_at_all = watched->size() > EndSearch::kMostTriangles;  // takes less
+  RarePoll<64> poll(context);
+  for (std::size_t i = 0; status && i < end_.size(); ++i) {
+    if (poll.cancelled()) return context.cancel_status();
+    const FreeEnd& end = end_[i];
+    const Vec2 p = mesh.vertex_position[end.vertex];
+    if (!looks_at_all && !is_near(mesh, *watched, box, p, end.free_way)) continue;
+    status = memory_.push_back(context, gone_, end);
+    if (status) status = scratch.push_back(context, vertices, end.vertex);
+    take_away(i);
+  }
+  if (status) status = TableMemory::sort(context, vertices, std::less<>());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  std::vector<FreeEnd> found;
+  for (std::size_t i = 0; status && i < vertices.size(); ++i)
+    if (search.may_end(vertices[i])) status = search.add_end(vertices[i], scratch, found);
+  for (std::size_t i = 0; status && i < found.size(); ++i)
+    status = add_fresh(context, relative(found[i]));
+  return status;
+}
+
+void FreeEnds::take_away(std::size_t i) {
+  end_[i].reach = 0;
+  term_[i] = term_of(end_[i]);
+}
+
+Status FreeEnds::add_fresh(Context& context, const FreeEnd& end) {
+  Status status = memory_.push_back(context, fresh_, end);
+  if (status) status = memory_.push_back(context, end_, end);
+  if (status) status = memory_.push_back(context, term_, term_of(end));
+  if (!status) return status;
+  const auto i = static_cast<std::uint32_t>(end_.size() - 1);
+  if (i / kEndsPerLeaf >= leaf_count_) return build_tree(context, kSpareEnds);
+  for (std::uint32_t node = leaf_count_ + i / kEndsPerLeaf; node > 0; node /= 2)
+    box_[node] = united(box_[node], reach_box(end));
+  return status;
+}
+
+/// Some ends by themselves.
+Result<FreeEnds> FreeEnds::part(Context& context, std::span<const FreeEnd> ends) const {
+  FreeEnds some;
+  some.base_channels_ = base_channels_;
+  some.origin_ = origin_;
+  some.weight_unit_ = weight_unit_;
+  Status status = some.memory_.append(context, ends, some.end_);
+  if (status) status = some.build_tree(context, 0);
+  if (!status) return status;
+  return some;
 }
 
 bool FreeEnds::add(Vec2 p, float weight, std::span<float> value) const {

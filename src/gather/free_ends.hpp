@@ -35,21 +35,29 @@ struct FreeEnd {
   Vec2 unbent(Vec2 d) const;
 };
 
-/// Ends of a mesh into which the watched segments were inserted since. An end keeps its term, but
-/// for FreeEnd::nearest, where these are farther away than what was found.
-struct KnownEnds {
-  std::span<const FreeEnd> end;              ///< their positions are not used
-  std::span<const std::uint8_t> is_watched;  ///< per segment
+/// What a search for free ends knows of a mesh. An edge is named by the lower of its half-edges.
+struct EndTables {
+  /// The edges with curves that meet at a vertex.
+  struct Meeting {
+    std::uint32_t edges = 0;
+    std::uint32_t all = 0;  ///< their names, by exclusive or: of two, the other one
+  };
+  std::vector<Meeting> meeting{};     ///< per vertex
+  std::vector<std::uint32_t> mark{};  ///< per half-edge: its place on the curves followed so far
+  std::vector<std::uint32_t> seen{};  ///< per triangle: the search that looked at it last
+  std::uint32_t marks = 0;            ///< places given out
+  std::uint32_t searches = 0;
+  TableMemory memory{"free ends of curves"};
 };
 
 /// The free ends of a field, in the order of their vertices. Those whose reach is below a lattice
 /// step are left out. Cost: O(triangles), and for each end the triangles within its reach. Of these
-/// at most 1024 are visited, and the reach is limited to what they cover; as many watched edges are
-/// compared with a known end. The list is allocated from `memory`. Errors: limit (memory),
-/// cancelled.
+/// at most 1024 are visited, and the reach is limited to what they cover. The list is allocated
+/// from `memory`. Errors: limit (memory), cancelled.
+/// tables   unless null: empty, and becomes that of this mesh
 Result<std::vector<FreeEnd>> find_free_ends(Context& context, const mesh::TriangleMesh& mesh,
                                             const curves::SegmentAttributes& attributes,
-                                            TableMemory& memory, const KnownEnds& known = {});
+                                            TableMemory& memory, EndTables* tables = nullptr);
 
 /// The terms of a field's free ends, in a tree of boxes.
 class FreeEnds {
@@ -58,12 +66,33 @@ class FreeEnds {
 
   /// origin       positions are relative to it
   /// weight_unit  weights are in units of it
-  /// before       unless null: of the mesh before the segments with is_watched were inserted
+  /// extendable   keeps what extend() asks for
   /// Errors       limit (memory), cancelled
   static Result<FreeEnds> create(Context& context, const mesh::TriangleMesh& mesh,
                                  const curves::SegmentAttributes& attributes, Vec2 origin,
-                                 float weight_unit, const FreeEnds* before = nullptr,
-                                 std::span<const std::uint8_t> is_watched = {});
+                                 float weight_unit, bool extendable = false);
+
+  /// Those of the same field after the watched segments were inserted into its mesh. An end keeps
+  /// its term where these are farther away than what was found for it.
+  /// before       is extendable, and outlives this
+  /// is_watched   per segment
+  /// is_same      per triangle of the mesh of `before`: 1 where this one has the same at the same
+  ///              index
+  /// used         whose tables are used again, or null
+  /// Errors       limit (memory), cancelled
+  /// Cost         O(ends), copies of tables, and searches at ends that are new or not so far away
+  static Result<FreeEnds> extend(Context& context, const mesh::TriangleMesh& mesh,
+                                 const curves::SegmentAttributes& attributes,
+                                 const FreeEnds& before, std::span<const std::uint8_t> is_watched,
+                                 std::span<const std::uint8_t> is_same, FreeEnds* used);
+
+  /// Whether this was made by extend() from `other`.
+  bool extends(const FreeEnds& other) const { return extended_ == &other; }
+
+  /// After extend(): the ends that are not as they were, and what they are now. Errors: limit
+  /// (memory), cancelled.
+  Result<FreeEnds> gone(Context& context) const { return part(context, gone_); }
+  Result<FreeEnds> fresh(Context& context) const { return part(context, fresh_); }
 
   bool empty() const { return end_.empty(); }
 
@@ -72,6 +101,9 @@ class FreeEnds {
 
   /// Whether any end reaches p.
   bool reach(Vec2 p) const;
+
+  /// Whether any may reach a point of the box: never too few.
+  bool may_reach(const EndBox& box) const;
 
   /// Those of them that `other` has not at the same place with the same term, but for rounding.
   /// Both have the same origin. Errors: limit (memory), cancelled. Cost: O(n log n).
@@ -82,7 +114,17 @@ class FreeEnds {
   bool add(Vec2 p, float weight, std::span<float> value) const;
 
  private:
-  Status build_tree(Context& context);
+  Status build_tree(Context& context, std::uint32_t spare);
+  Status sort(Context& context);
+  Result<FreeEnds> part(Context& context, std::span<const FreeEnd> ends) const;
+  Status copy_from(const Context& context, const FreeEnds& before);
+  Status find_again(Context& context, const mesh::TriangleMesh& mesh,
+                    const curves::SegmentAttributes& attributes,
+                    std::span<const std::uint8_t> is_watched,
+                    std::span<const std::uint8_t> is_same);
+  void take_away(std::size_t i);
+  Status add_fresh(Context& context, const FreeEnd& end);
+  FreeEnd relative(FreeEnd end) const;
   EndTerm term_of(const FreeEnd& end) const;
   std::span<const FreeEnd> of_leaf(std::uint32_t leaf) const;
   template <class Visit>
@@ -92,11 +134,15 @@ class FreeEnds {
   bool is_in(const FreeEnds& other, const FreeEnd& end) const;
 
   int base_channels_ = 3;
+  Vec2 origin_;
   float weight_unit_ = 1;
-  std::vector<FreeEnd> end_;  ///< neighbours are near each other
+  std::vector<FreeEnd> end_;  ///< neighbours are near each other; of no reach: taken away
   std::uint32_t leaf_count_ = 0;
   std::vector<EndTerm> term_;  ///< per end
   std::vector<EndBox> box_;    ///< per node of EndTree
+  EndTables tables_;           ///< of the mesh, if extendable or extended
+  const FreeEnds* extended_ = nullptr;
+  std::vector<FreeEnd> gone_, fresh_;
   TableMemory memory_{"free ends of curves"};
 };
 

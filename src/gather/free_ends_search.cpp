@@ -1,11 +1,12 @@
+#include "gather/free_ends_search.hpp"
+
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <utility>
 
-#include "base/poll.hpp"
-#include "base/table_memory.hpp"
-#include "gather/free_ends.hpp"
+#include "base/half_edge.hpp"
 #include "gather/scene.hpp"
 
 namespace sfumato::gather {
@@ -14,7 +15,6 @@ namespace {
 using mesh::TriangleMesh;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr std::uint32_t kNobody = 0xffffffff;
 
 /// An end's own curve stands in its way where it has turned back: where it is longer than this many
 /// times the straight way.
@@ -25,14 +25,8 @@ constexpr int kPlaces = 16;
 /// …and may lie so much beside the arc that stands for it there, over its distance.
 constexpr double kBesideArc = 0.15;
 
-/// Triangles that are looked at for the reach of one end: hostile meshes have all in each reach.
-constexpr int kMostTriangles = 1024;
-
-/// From the origin to the segment from a to b, or to its part between two fractions.
-double segment_distance(Vec2 a, Vec2 b, double from = 0, double to = 1) {
-  const Vec2 along = b - a;
-  return length(a + std::clamp(-dot(a, along) / length_squared(along), from, to) * along);
-}
+/// From so many on, they are counted anew.
+constexpr std::uint32_t kMostMarks = 1u << 31;
 
 /// From the end, the origin, to what has turned back of its own curve's edge from a to b; `arc` is
 /// the curve's length from the end to a. (arc + u l)² > 1.44 |a + u (b - a)|² between two roots.
@@ -57,268 +51,263 @@ double crossing(Vec2 a, Vec2 along, double radius) {
   return (std::sqrt(std::max(0.0, ahead * ahead + l_squared * inside)) - ahead) / l_squared;
 }
 
-class EndSearch {
- public:
-  EndSearch(Context& context, const TriangleMesh& mesh, const curves::SegmentAttributes& attributes,
-            const KnownEnds& known, TableMemory& ends_memory)
-      : context_(context),
-        poll_(context),
-        mesh_(mesh),
-        attributes_(attributes),
-        known_(known),
-        ends_memory_(ends_memory) {}
+}  // namespace
 
-  Result<std::vector<FreeEnd>> run() {
-    Status status = memory_.resize(context_, meeting_, mesh_.vertex_position.size());
-    if (status) status = memory_.resize(context_, edge_, mesh_.constraint.size());
-    if (status) status = memory_.resize(context_, seen_from_, mesh_.triangle_count(), kNobody);
-    if (status) status = find_edges();
-    if (status && !known_.end.empty()) status = find_known_ends();
-    std::vector<FreeEnd> ends;
-    for (std::uint32_t v = 0; status && v < meeting_.size(); ++v) {
-      if (poll_.cancelled()) return context_.cancel_status();
-      if (meeting_[v].edges == 1) status = add_end(v, ends);
-    }
-    if (status) status = context_.check();
-    if (!status) return status;
-    return ends;
+Status EndSearch::size_tables() {
+  const std::size_t half_edges = mesh_.triangle_vertex.size();
+  Status status = tables_.memory.grow(context_, tables_.mark, half_edges, half_edges / 4 * 5);
+  if (status) {
+    status = tables_.memory.grow(context_, tables_.seen, half_edges / 3, half_edges / 12 * 5);
   }
+  if (!status) return status;
+  if (tables_.marks > kMostMarks || tables_.searches > kMostMarks) {
+    std::ranges::fill(tables_.mark, 0u);
+    std::ranges::fill(tables_.seen, 0u);
+    tables_.marks = tables_.searches = 0;
+  }
+  return status;
+}
 
- private:
-  /// The edges with curves that meet at a vertex.
-  struct Meeting {
-    std::uint32_t edges = 0;
-    std::uint32_t all = 0;  ///< their constraints, by exclusive or: of two, the other one
+Status EndSearch::find_meetings() {
+  Status status = size_tables();
+  const std::size_t vertices = mesh_.vertex_position.size();
+  if (status) status = tables_.memory.resize(context_, tables_.meeting, vertices);
+  if (!status) return status;
+  for (std::uint32_t h = 0; h < mesh_.triangle_vertex.size(); ++h) {
+    if (poll_.cancelled()) return context_.cancel_status();
+    if (!mesh_.has_curves(h) || name(h) != h) continue;
+    for (const std::uint32_t v : {mesh_.origin(h), mesh_.target(h)}) {
+      ++tables_.meeting[v].edges;
+      tables_.meeting[v].all ^= h;
+    }
+  }
+  return context_.check();
+}
+
+Status EndSearch::update_meetings(std::span<const std::uint8_t> is_same) {
+  Status status = size_tables();
+  const std::size_t vertices = mesh_.vertex_position.size();
+  if (status) {
+    status = tables_.memory.grow(context_, tables_.meeting, vertices, vertices / 4 * 5);
+  }
+  std::vector<std::uint64_t> spokes;  // the vertex, then a half-edge that begins there
+  for (std::uint32_t t = 0; status && t < mesh_.triangle_count(); ++t) {
+    if (t < is_same.size() && is_same[t]) continue;
+    status = memory_.make_room(context_, spokes, 3);
+    for (std::uint32_t h = 3 * t; status && h < 3 * t + 3; ++h)
+      spokes.push_back(std::uint64_t{mesh_.origin(h)} << 32 | h);
+  }
+  if (status) status = TableMemory::sort(context_, spokes, std::less<>());
+  for (std::size_t i = 0; status && i < spokes.size(); ++i) {
+    if (poll_.cancelled()) return context_.cancel_status();
+    const bool is_known = i > 0 && spokes[i] >> 32 == spokes[i - 1] >> 32;
+    if (!is_known) meet_around(static_cast<std::uint32_t>(spokes[i]));
+  }
+  memory_.free(spokes);
+  return status;
+}
+
+/// The edges that meet where a half-edge begins.
+void EndSearch::meet_around(std::uint32_t half_edge) {
+  EndTables::Meeting meeting;
+  const auto meet = [&](std::uint32_t h) {
+    if (!mesh_.has_curves(h)) return;
+    ++meeting.edges;
+    meeting.all ^= name(h);
   };
-
-  /// An edge with curves, as the end sees it whose curve was followed last.
-  struct Edge {
-    std::uint32_t half_edge = kNobody;
-    std::uint32_t end = kNobody;
-    bool origin_is_near = false;
-    double arc = 0;  ///< the curve's length from the end to the nearer vertex
-  };
-
-  Vec2 position(std::uint32_t v) const { return mesh_.vertex_position[v]; }
-
-  /// The known ends that no watched edge has come near.
-  Status find_known_ends() {
-    std::vector<std::uint32_t> watched;
-    Status status = memory_.resize(context_, known_end_, meeting_.size(), nullptr);
-    for (std::size_t c = 0; c < edge_.size() && status; ++c) {
-      const std::uint32_t h = edge_[c].half_edge;
-      if (h == kNobody || !mesh_.has_segment(h, known_.is_watched)) continue;
-      status = memory_.push_back(context_, watched, h);
-    }
-    if (!status || watched.size() > kMostTriangles) return status;  // a search takes less
-    for (const FreeEnd& end : known_.end) {
-      const Vec2 p = position(end.vertex);
-      bool is_near = false;
-      for (std::size_t i = 0; i < watched.size() && !is_near; ++i) {
-        if (poll_.cancelled()) return context_.cancel_status();
-        is_near = segment_distance(position(mesh_.origin(watched[i])) - p,
-                                   position(mesh_.target(watched[i])) - p) <= end.free_way;
+  std::uint32_t spoke = half_edge;
+  do {
+    meet(spoke);
+    const std::uint32_t back = previous_half_edge(spoke);
+    if (mesh_.half_edge_twin[back] == mesh::kNone) {
+      // The hull: the other way round from where it began.
+      meet(back);
+      std::int32_t twin = mesh_.half_edge_twin[half_edge];
+      while (twin != mesh::kNone) {
+        spoke = next_half_edge(static_cast<std::uint32_t>(twin));
+        meet(spoke);
+        twin = mesh_.half_edge_twin[spoke];
       }
-      if (!is_near) known_end_[end.vertex] = &end;
+      break;
     }
-    return context_.check();
-  }
+    spoke = static_cast<std::uint32_t>(mesh_.half_edge_twin[back]);
+  } while (spoke != half_edge);
+  tables_.meeting[mesh_.origin(half_edge)] = meeting;
+}
 
-  Status find_edges() {
-    for (std::uint32_t h = 0; h < mesh_.triangle_vertex.size(); ++h) {
-      if (poll_.cancelled()) return context_.cancel_status();
-      const auto c = static_cast<std::uint32_t>(mesh_.half_edge_constraint[h]);
-      if (!mesh_.has_curves(h) || edge_[c].half_edge != kNobody) continue;
-      edge_[c].half_edge = h;
-      for (std::uint32_t v : {mesh_.origin(h), mesh_.target(h)}) {
-        ++meeting_[v].edges;
-        meeting_[v].all ^= c;
-      }
-    }
-    return context_.check();
-  }
-
-  Status add_end(std::uint32_t v, std::vector<FreeEnd>& ends) {
-    const std::uint32_t h = edge_[meeting_[v].all].half_edge;
-    const std::int32_t twin = mesh_.half_edge_twin[h];
-    if (twin == mesh::kNone) return ok_status();
-    const bool leaves = mesh_.origin(h) == v;
-    const auto out = leaves ? h : static_cast<std::uint32_t>(twin);
-    const auto in = leaves ? static_cast<std::uint32_t>(twin) : h;
-    const Facing negative = facing_side(mesh_, attributes_, out);
-    const Facing positive = facing_side(mesh_, attributes_, in);
-    if (negative.kind != ShaderKind::curve_domain || positive.kind != ShaderKind::curve_domain ||
-        negative.from == positive.to) {
-      return ok_status();
-    }
-    const Vec2 last = position(v) - position(mesh_.target(out));
-    FreeEnd end{.position = position(v),
-                .direction = last / length(last),
-                .vertex = v,
-                .weight = negative.weight,
-                .positive = positive.to,
-                .negative = negative.from,
-                .blur_positive = positive.blur_to,
-                .blur_negative = negative.blur_from};
-    const Status status = find_term(out, end);
-    if (!status || end.reach < mesh_.lattice_step) return status;
-    return ends_memory_.push_back(context_, ends, end);
-  }
-
-  /// How far the end reaches, and along which arc. `out` is the half-edge that begins there.
-  Status find_term(std::uint32_t out, FreeEnd& end) {
-    if (const FreeEnd* known = known_end_.empty() ? nullptr : known_end_[end.vertex]) {
-      end.bend = known->bend;
-      end.reach = known->reach;
-      end.free_way = known->free_way;
-      return ok_status();
-    }
-    const Result<double> arc = follow_curve(end.vertex);
-    if (!arc) return arc.status();
-    const Result<double> reach = find_reach(end.vertex, out, *arc);
-    if (!reach) return reach.status();
-    end.reach = end.free_way = *reach;
-    end.nearest = nearest_;
-    return bend(end.vertex, end);
-  }
-
-  /// Finds the arc that follows the own curve, by where the curve is half the reach away; where it
-  /// does not follow it far enough, the reach is made less.
-  Status bend(std::uint32_t v, FreeEnd& end) {
-    const Result<std::vector<Vec2>> own = own_places(v, end.reach);
-    if (!own) return own.status();
-    const std::vector<Vec2>& places = *own;
-    std::size_t count = places.size();
-    for (; count > 0; --count) {
-      const Vec2 middle = places[(count - 1) / 2];
-      end.bend = cross(middle, end.direction) / length_squared(middle);
-      const auto lies_beside = [&](Vec2 q) {
-        return std::fabs(cross(end.direction, end.unbent(q))) > kBesideArc * length(q);
-      };
-      if (std::none_of(places.begin(), places.begin() + std::ptrdiff_t(count), lies_beside)) break;
-    }
-    if (count == places.size()) return ok_status();
-    end.reach *= static_cast<double>(count) / kPlaces;
-    end.nearest = static_cast<std::int32_t>(meeting_[v].all);
+Status EndSearch::add_end(std::uint32_t vertex, TableMemory& memory, std::vector<FreeEnd>& ends) {
+  const std::uint32_t h = tables_.meeting[vertex].all;
+  const std::int32_t twin = mesh_.half_edge_twin[h];
+  if (twin == mesh::kNone) return ok_status();
+  const bool leaves = mesh_.origin(h) == vertex;
+  const auto out = leaves ? h : static_cast<std::uint32_t>(twin);
+  const auto in = leaves ? static_cast<std::uint32_t>(twin) : h;
+  const Facing negative = facing_side(mesh_, attributes_, out);
+  const Facing positive = facing_side(mesh_, attributes_, in);
+  if (negative.kind != ShaderKind::curve_domain || positive.kind != ShaderKind::curve_domain ||
+      negative.from == positive.to) {
     return ok_status();
   }
+  const Vec2 last = position(vertex) - position(mesh_.target(out));
+  FreeEnd end{.position = position(vertex),
+              .direction = last / length(last),
+              .vertex = vertex,
+              .weight = negative.weight,
+              .positive = positive.to,
+              .negative = negative.from,
+              .blur_positive = positive.blur_to,
+              .blur_negative = negative.blur_from};
+  const Status status = find_term(out, end);
+  if (!status || end.reach < mesh_.lattice_step) return status;
+  return memory.push_back(context_, ends, end);
+}
 
-  /// Where the own curve is first 1/16, 2/16… of the reach away from the end, relative to it.
-  Result<std::vector<Vec2>> own_places(std::uint32_t v, double reach) {
-    std::vector<Vec2> places;
-    std::uint32_t at = v;
-    for (std::uint32_t c = meeting_[v].all; places.size() < kPlaces;) {
-      if (poll_.cancelled()) return context_.cancel_status();
-      const Edge& edge = edge_[c];
-      const Vec2 a = position(at) - position(v);
-      at = edge.origin_is_near ? mesh_.target(edge.half_edge) : mesh_.origin(edge.half_edge);
-      const Vec2 along = position(at) - position(v) - a;
-      while (places.size() < kPlaces) {
-        const double distance = reach * static_cast<double>(places.size() + 1) / kPlaces;
-        const double share = crossing(a, along, distance);
-        if (!(share <= 1)) break;
-        places.push_back(a + share * along);
-      }
-      if (meeting_[at].edges != 2) break;
-      c ^= meeting_[at].all;
+/// How far the end reaches, and along which arc. `out` is the half-edge that begins there.
+Status EndSearch::find_term(std::uint32_t out, FreeEnd& end) {
+  const Result<double> arc = follow_curve(end.vertex);
+  if (!arc) return arc.status();
+  const Result<double> reach = find_reach(end.vertex, out, *arc);
+  if (!reach) return reach.status();
+  end.reach = end.free_way = *reach;
+  end.nearest = nearest_;
+  return bend(end);
+}
+
+/// Finds the arc that follows the own curve, by where the curve is half the reach away; where it
+/// does not follow it far enough, the reach is made less.
+Status EndSearch::bend(FreeEnd& end) {
+  const Result<std::vector<Vec2>> own = own_places(end.vertex, end.reach);
+  if (!own) return own.status();
+  const std::vector<Vec2>& places = *own;
+  std::size_t count = places.size();
+  for (; count > 0; --count) {
+    const Vec2 middle = places[(count - 1) / 2];
+    end.bend = cross(middle, end.direction) / length_squared(middle);
+    const auto lies_beside = [&](Vec2 q) {
+      return std::fabs(cross(end.direction, end.unbent(q))) > kBesideArc * length(q);
+    };
+    if (std::none_of(places.begin(), places.begin() + std::ptrdiff_t(count), lies_beside)) break;
+  }
+  if (count == places.size()) return ok_status();
+  end.reach *= static_cast<double>(count) / kPlaces;
+  end.nearest = mesh_.half_edge_constraint[chain_.front().half_edge];
+  return ok_status();
+}
+
+/// Where the own curve is first 1/16, 2/16… of the reach away from the end, relative to it.
+Result<std::vector<Vec2>> EndSearch::own_places(std::uint32_t v, double reach) {
+  std::vector<Vec2> places;
+  for (const Edge& edge : chain_) {
+    if (poll_.cancelled()) return context_.cancel_status();
+    const std::uint32_t h = edge.half_edge;
+    const Vec2 near = position(edge.origin_is_near ? mesh_.origin(h) : mesh_.target(h));
+    const Vec2 far = position(edge.origin_is_near ? mesh_.target(h) : mesh_.origin(h));
+    const Vec2 a = near - position(v);
+    const Vec2 along = far - position(v) - a;
+    while (places.size() < kPlaces) {
+      const double distance = reach * static_cast<double>(places.size() + 1) / kPlaces;
+      const double share = crossing(a, along, distance);
+      if (!(share <= 1)) break;
+      places.push_back(a + share * along);
     }
-    return places;
+    if (places.size() == kPlaces) break;
   }
+  return places;
+}
 
-  /// Marks the curve's edges up to a junction or its other end, and gives its length.
-  Result<double> follow_curve(std::uint32_t v) {
-    double arc = 0;
-    std::uint32_t at = v;
-    for (std::uint32_t c = meeting_[v].all;;) {
-      if (poll_.cancelled()) return context_.cancel_status();
-      Edge& edge = edge_[c];
-      edge.end = v;
-      edge.origin_is_near = mesh_.origin(edge.half_edge) == at;
-      edge.arc = arc;
-      const std::uint32_t next =
-          edge.origin_is_near ? mesh_.target(edge.half_edge) : mesh_.origin(edge.half_edge);
-      arc += length(position(next) - position(at));
-      at = next;
-      if (meeting_[at].edges != 2) break;
-      c ^= meeting_[at].all;
+/// Lists the curve's edges up to a junction or its other end, and gives its length.
+Result<double> EndSearch::follow_curve(std::uint32_t v) {
+  memory_.free(chain_);
+  chain_begin_ = tables_.marks + 1;
+  double arc = 0;
+  std::uint32_t at = v;
+  for (std::uint32_t h = tables_.meeting[v].all;;) {
+    if (poll_.cancelled()) return context_.cancel_status();
+    const bool origin_is_near = mesh_.origin(h) == at;
+    if (Status status = memory_.push_back(context_, chain_, {h, origin_is_near, arc}); !status) {
+      return status;
     }
-    return arc;
+    tables_.mark[h] = ++tables_.marks;
+    const std::uint32_t next = origin_is_near ? mesh_.target(h) : mesh_.origin(h);
+    arc += length(position(next) - position(at));
+    at = next;
+    if (tables_.meeting[at].edges != 2) break;
+    h ^= tables_.meeting[at].all;
   }
+  return arc;
+}
 
-  /// ρ: triangles are visited from the end outwards, nearest first, until the nearest that is left
-  /// is farther than what was found. Sets nearest_.
-  Result<double> find_reach(std::uint32_t v, std::uint32_t half_edge, double reach) {
-    const auto farther = [](const Step& a, const Step& b) { return a.distance > b.distance; };
-    step_.assign(1, {0, half_edge / 3});
-    nearest_ = mesh::kNone;
-    for (int visited = 0; !step_.empty();) {
-      if (poll_.cancelled()) return context_.cancel_status();
-      std::pop_heap(step_.begin(), step_.end(), farther);
-      const Step step = step_.back();
-      step_.pop_back();
-      if (!(step.distance < reach)) break;
-      if (seen_from_[step.triangle] == v) continue;
-      seen_from_[step.triangle] = v;
-      if (++visited > kMostTriangles) {
-        nearest_ = mesh_.half_edge_constraint[half_edge];
-        return step.distance;
-      }
-      for (std::uint32_t h = 3 * step.triangle; h < 3 * step.triangle + 3; ++h) {
-        if (mesh_.has_curves(h)) shorten(reach, v, h);
-        const std::int32_t twin = mesh_.half_edge_twin[h];
-        if (twin == mesh::kNone || seen_from_[static_cast<std::size_t>(twin) / 3] == v) continue;
-        const double distance = segment_distance(position(mesh_.origin(h)) - position(v),
-                                                 position(mesh_.target(h)) - position(v));
-        if (!(distance < reach)) continue;
-        step_.push_back({distance, static_cast<std::uint32_t>(twin) / 3});
-        std::push_heap(step_.begin(), step_.end(), farther);
-      }
+/// What is known of an edge of the curve followed last; null: it is of another.
+const EndSearch::Edge* EndSearch::own_edge(std::uint32_t half_edge) const {
+  const std::uint32_t place = tables_.mark[name(half_edge)] - chain_begin_;
+  return place < chain_.size() ? &chain_[place] : nullptr;
+}
+
+/// ρ: triangles are visited from the end outwards, nearest first, until the nearest that is left is
+/// farther than what was found. Sets nearest_.
+Result<double> EndSearch::find_reach(std::uint32_t v, std::uint32_t half_edge, double reach) {
+  const auto farther = [](const Step& a, const Step& b) { return a.distance > b.distance; };
+  const std::uint32_t search = ++tables_.searches;
+  step_.assign(1, {0, half_edge / 3});
+  nearest_ = mesh::kNone;
+  for (std::size_t visited = 0; !step_.empty();) {
+    if (poll_.cancelled()) return context_.cancel_status();
+    std::pop_heap(step_.begin(), step_.end(), farther);
+    const Step step = step_.back();
+    step_.pop_back();
+    if (!(step.distance < reach)) break;
+    if (std::exchange(tables_.seen[step.triangle], search) == search) continue;
+    if (++visited > kMostTriangles) {
+      nearest_ = mesh_.half_edge_constraint[half_edge];
+      return step.distance;
     }
-    return reach;
+    for (std::uint32_t h = 3 * step.triangle; h < 3 * step.triangle + 3; ++h) {
+      if (mesh_.has_curves(h)) shorten(reach, v, h);
+      const std::int32_t twin = mesh_.half_edge_twin[h];
+      if (twin == mesh::kNone || tables_.seen[static_cast<std::size_t>(twin) / 3] == search)
+        continue;
+      const double distance = segment_distance(position(mesh_.origin(h)) - position(v),
+                                               position(mesh_.target(h)) - position(v));
+      if (!(distance < reach)) continue;
+      step_.push_back({distance, static_cast<std::uint32_t>(twin) / 3});
+      std::push_heap(step_.begin(), step_.end(), farther);
+    }
   }
+  return reach;
+}
 
-  void shorten(double& reach, std::uint32_t v, std::uint32_t h) {
-    const double distance = curve_distance(v, h);
-    if (!(distance < reach)) return;
-    reach = distance;
-    nearest_ = mesh_.half_edge_constraint[h];
-  }
+void EndSearch::shorten(double& reach, std::uint32_t v, std::uint32_t h) {
+  const double distance = curve_distance(v, h);
+  if (!(distance < reach)) return;
+  reach = distance;
+  nearest_ = mesh_.half_edge_constraint[h];
+}
 
-  double curve_distance(std::uint32_t v, std::uint32_t h) const {
-    const Edge& edge = edge_[static_cast<std::size_t>(mesh_.half_edge_constraint[h])];
-    const Vec2 a = position(mesh_.origin(edge.half_edge)) - position(v);
-    const Vec2 b = position(mesh_.target(edge.half_edge)) - position(v);
-    if (edge.end != v) return segment_distance(a, b);
-    return edge.origin_is_near ? turned_back_distance(a, b, edge.arc)
-                               : turned_back_distance(b, a, edge.arc);
-  }
-
-  struct Step {
-    double distance;  ///< from the end to the edge that leads into the triangle
-    std::uint32_t triangle;
-  };
-
-  Context& context_;
-  RarePoll<4096> poll_;
-  const TriangleMesh& mesh_;
-  const curves::SegmentAttributes& attributes_;
-  const KnownEnds& known_;
-  TableMemory& ends_memory_;
-  TableMemory memory_{"free ends of curves"};
-  std::vector<Meeting> meeting_;           ///< per vertex
-  std::vector<Edge> edge_;                 ///< per constraint
-  std::vector<std::uint32_t> seen_from_;   ///< per triangle: the end that looked at it last
-  std::vector<Step> step_;                 ///< a heap
-  std::vector<const FreeEnd*> known_end_;  ///< per vertex: one that keeps its term; null: none
-  std::int32_t nearest_ = mesh::kNone;     ///< the constraint that limits the reach asked for last
-};
-
-}  // namespace
+double EndSearch::curve_distance(std::uint32_t v, std::uint32_t h) const {
+  const std::uint32_t edge = name(h);
+  const Vec2 a = position(mesh_.origin(edge)) - position(v);
+  const Vec2 b = position(mesh_.target(edge)) - position(v);
+  const Edge* const own = own_edge(edge);
+  if (!own) return segment_distance(a, b);
+  return own->origin_is_near ? turned_back_distance(a, b, own->arc)
+                             : turned_back_distance(b, a, own->arc);
+}
 
 Result<std::vector<FreeEnd>> find_free_ends(Context& context, const TriangleMesh& mesh,
                                             const curves::SegmentAttributes& attributes,
-                                            TableMemory& memory, const KnownEnds& known) {
-  return EndSearch(context, mesh, attributes, known, memory).run();
+                                            TableMemory& memory, EndTables* tables) {
+  EndTables own;
+  EndTables& known = tables ? *tables : own;
+  EndSearch search(context, mesh, attributes, known);
+  Status status = search.find_meetings();
+  std::vector<FreeEnd> ends;
+  RarePoll<4096> poll(context);
+  for (std::uint32_t v = 0; status && v < known.meeting.size(); ++v) {
+    if (poll.cancelled()) return context.cancel_status();
+    if (search.may_end(v)) status = search.add_end(v, memory, ends);
+  }
+  if (!status) return status;
+  return ends;
 }
 
 }  // namespace sfumato::gather

@@ -1,11 +1,13 @@
 #include "gather/gather.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <optional>
 #include <utility>
 
 #include "base/limit_error.hpp"
 #include "base/parallel.hpp"
+#include "gather/changes.hpp"
 #include "gather/exact.hpp"
 #include "gather/locate.hpp"
 #include "gather/packing.hpp"
@@ -35,20 +37,6 @@ void leave_empty(const PointList& points, std::size_t channels, std::span<float>
 
 }  // namespace
 
-/// Marks the points that lie in triangles that see something.
-Status Gatherer::mark_located(Context& context, const State& state,
-                              std::span<const std::uint8_t> triangle_sees, const PointList& points,
-                              std::span<std::uint8_t> sees) {
-  const Result<LocatedPoints> located = state.locator->locate(context, points);
-  if (!located) return located.status();
-  return parallel_for(context, points.size(), kPointsPerTask,
-                      [&](std::size_t begin, std::size_t end) {
-                        for (std::size_t i = begin; i < end; ++i) {
-                          if (triangle_sees[located->triangle[i]]) sees[points.slot(i)] = 1;
-                        }
-                      });
-}
-
 Gatherer::Gatherer(std::unique_ptr<State> state) : state_(std::move(state)) {}
 Gatherer::Gatherer(Gatherer&&) noexcept = default;
 Gatherer& Gatherer::operator=(Gatherer&&) noexcept = default;
@@ -60,8 +48,9 @@ Result<Gatherer> Gatherer::create(Context& context, const mesh::TriangleMesh& vi
   const State* const before = insertion.before ? insertion.before->state_.get() : nullptr;
   std::optional<Scene> scene;
   if (before) {
-    Result<std::optional<Scene>> extended = extend_scene(
-        context, visibility, attributes, use.is_watched, before->scene, insertion.is_same);
+    Result<std::optional<Scene>> extended =
+        extend_scene(context, visibility, attributes, use.is_watched, before->scene,
+                     insertion.is_same, insertion.used ? &insertion.used->state_->scene : nullptr);
     if (!extended) return extended.status();
     scene = std::move(*extended);
   }
@@ -74,9 +63,12 @@ Result<Gatherer> Gatherer::create(Context& context, const mesh::TriangleMesh& vi
   auto state = std::make_unique<State>();
   state->scene = std::move(*scene);
   if (ends == Ends::soft) {
-    Result<FreeEnds> found = FreeEnds::create(context, visibility, attributes, state->scene.origin,
-                                              state->scene.weight_unit,
-                                              before ? &before->ends : nullptr, use.is_watched);
+    FreeEnds* const used = insertion.used ? &insertion.used->state_->ends : nullptr;
+    Result<FreeEnds> found =
+        is_extended ? FreeEnds::extend(context, visibility, attributes, before->ends,
+                                       use.is_watched, insertion.is_same, used)
+                    : FreeEnds::create(context, visibility, attributes, state->scene.origin,
+                                       state->scene.weight_unit, use.will_be_extended);
     if (!found) return found.status();
     state->ends = std::move(*found);
   }
@@ -112,65 +104,67 @@ Status Gatherer::gather(Context& context, const PointList& points, const GatherO
   return gather_exact(context, state_->scene, state_->ends, points, *located, *packing, out, hit);
 }
 
-Result<std::vector<std::uint32_t>> Gatherer::locate(Context& context, const PointList& points,
-                                                    TableMemory& memory) const {
-  std::vector<std::uint32_t> triangle;
-  Status status = memory.resize(context, triangle, points.size());
+Result<PointPlaces> Gatherer::locate(Context& context, const PointList& points) const {
+  PointPlaces places;
+  const std::size_t triangles = state_->scene.triangle.size();
+  Status status = places.memory.resize(context, places.begin, triangles + 1);
+  if (status) status = places.memory.resize(context, places.slot, points.size());
   if (!status) return status;
-  if (!state_->locator) return triangle;
+  if (!state_->locator) return places;
   const Result<LocatedPoints> located = state_->locator->locate(context, points);
   if (!located) return located.status();
-  for (std::size_t i = 0; i < triangle.size(); ++i) {
-    triangle[i] = state_->scene.source[located->triangle[i]];
-  }
-  return triangle;
+  const auto triangle = [&](std::size_t i) { return state_->scene.source[located->triangle[i]]; };
+  // Counted, summed up, then each put before the end of its triangle's part.
+  for (std::size_t i = 0; i < points.size(); ++i) ++places.begin[triangle(i)];
+  std::partial_sum(places.begin.begin(), places.begin.end(), places.begin.begin());
+  for (std::size_t i = points.size(); i-- > 0;)
+    places.slot[--places.begin[triangle(i)]] = static_cast<std::uint32_t>(points.slot(i));
+  return places;
 }
 
 Status Gatherer::find_changes(Context& context, const Gatherer& before, const PointList& points,
-                              std::span<std::uint8_t> may_differ, const KnownPlaces& known) const {
-  Status status = mark_viewers(context, *state_, points, known, may_differ);
-  if (status) status = mark_viewers(context, *before.state_, points, {}, may_differ);
+                              std::span<std::uint8_t> may_differ) const {
+  Status status = mark_viewers(context, *state_, points, may_differ);
+  if (status) status = mark_viewers(context, *before.state_, points, may_differ);
   if (!status) return status;
-  const Result<FreeEnds> gone = before.state_->ends.without(context, state_->ends);
-  if (!gone) return gone.status();
-  const Result<FreeEnds> fresh = state_->ends.without(context, before.state_->ends);
-  if (!fresh) return fresh.status();
-  if (gone->empty() && fresh->empty()) return ok_status();
+  const Result<ChangedEnds> ends = changed_ends(context, before.state_->ends, state_->ends);
+  if (!ends) return ends.status();
+  if (ends->empty()) return ok_status();
   return parallel_for(context, points.size(), kPointsPerTask,
                       [&](std::size_t begin, std::size_t end) {
                         for (std::size_t i = begin; i < end; ++i) {
                           const Vec2 p = points[i] - state_->scene.origin;
-                          if (gone->reach(p) || fresh->reach(p)) may_differ[points.slot(i)] = 1;
+                          if (ends->reach(p)) may_differ[points.slot(i)] = 1;
                         }
                       });
 }
 
-/// Where a point's triangle is known and the same, that says it; the others are located.
+/// Marks the points that lie in triangles that see something watched.
 Status Gatherer::mark_viewers(Context& context, const State& state, const PointList& points,
-                              const KnownPlaces& known, std::span<std::uint8_t> sees) {
+                              std::span<std::uint8_t> sees) {
   if (state.scene.watched.empty()) return ok_status();
   TableMemory memory("who sees a curve");
   const Result<std::vector<std::uint8_t>> triangle_sees =
       find_viewers(context, state.scene, memory);
   if (!triangle_sees) return triangle_sees.status();
-  if (known.triangle.empty()) return mark_located(context, state, *triangle_sees, points, sees);
-  std::vector<std::uint8_t> answer;  // per triangle of the visibility mesh
-  std::vector<std::uint32_t> unknown;
-  Status status = memory.resize(context, answer, triangle_sees->size());
-  if (status) status = memory.reserve(context, unknown, points.size());
-  if (!status) return status;
-  for (std::size_t t = 0; t < answer.size(); ++t)
-    answer[state.scene.source[t]] = (*triangle_sees)[t];
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const std::size_t slot = points.slot(i);
-    const std::uint32_t t = known.triangle[slot];
-    if (!known.is_same[t]) {
-      unknown.push_back(static_cast<std::uint32_t>(slot));
-    } else if (answer[t]) {
-      sees[slot] = 1;
-    }
-  }
-  return mark_located(context, state, *triangle_sees, points.among(unknown), sees);
+  const Result<LocatedPoints> located = state.locator->locate(context, points);
+  if (!located) return located.status();
+  return parallel_for(context, points.size(), kPointsPerTask,
+                      [&](std::size_t begin, std::size_t end) {
+                        for (std::size_t i = begin; i < end; ++i) {
+                          if ((*triangle_sees)[located->triangle[i]]) sees[points.slot(i)] = 1;
+                        }
+                      });
+}
+
+Status Gatherer::list_changes(Context& context, const Gatherer& before,
+                              std::span<const Vec2> position, const KnownPlaces& known,
+                              TableMemory& memory, std::vector<std::uint32_t>& changed) const {
+  if (!state_->locator) return ok_status();
+  const Result<ChangedEnds> ends = changed_ends(context, before.state_->ends, state_->ends);
+  if (!ends) return ends.status();
+  return ChangeSearch(context, {state_->scene, *state_->locator, *ends}, position, known)
+      .run(memory, changed);
 }
 
 }  // namespace sfumato::gather

@@ -19,6 +19,21 @@ struct Insertion {
   const Gatherer* before = nullptr;  ///< of that mesh, made with will_be_extended; null: none
   /// Per triangle of that mesh: 1 where the present one has the same at the same index.
   std::span<const std::uint8_t> is_same{};
+  Gatherer* used = nullptr;  ///< whose tables are taken for the new one's, or null
+};
+
+/// Which points lie in each triangle of a visibility mesh.
+struct PointPlaces {
+  std::vector<std::uint32_t> begin{};  ///< per triangle, and one more: into `slot`
+  std::vector<std::uint32_t> slot{};
+  TableMemory memory{"the places of points"};
+};
+
+/// Where points lie in the visibility mesh of one gatherer, and how that became another's.
+struct KnownPlaces {
+  const PointPlaces& points;  ///< by its locate()
+  /// Per triangle of its mesh: 1 where the other one has the same at the same index.
+  std::span<const std::uint8_t> is_same;
 };
 
 /// One attribute gathered at points (paper eq. 2–11), closed form over the exact visible set, or
@@ -50,31 +65,27 @@ class Gatherer {
   Status gather(Context& context, const PointList& points, const GatherOptions& options,
                 std::span<float> out, std::span<std::uint8_t> hit = {}) const;
 
-  /// Per point: the triangle of the visibility mesh in which it lies, in a list allocated from
-  /// `memory`. Points as for gather(). Errors: limit (memory), cancelled.
-  Result<std::vector<std::uint32_t>> locate(Context& context, const PointList& points,
-                                            TableMemory& memory) const;
-
-  /// Where points lie in the visibility mesh of `before`, and how that became this one's.
-  struct KnownPlaces {
-    std::span<const std::uint32_t> triangle;  ///< per slot, as by before.locate()
-    /// Per triangle of that mesh: 1 where this one's has the same at the same index.
-    std::span<const std::uint8_t> is_same;
-  };
+  /// Where points lie in the visibility mesh. Points as for gather(). Errors: limit (memory),
+  /// cancelled.
+  Result<PointPlaces> locate(Context& context, const PointList& points) const;
 
   /// Sets may_differ[slot] to 1 for points at which gather() may give another value than that of
   /// `before`, where the two meshes, on one lattice, differ by the watched segments of either.
   /// Never too few, but for what the weld moves. Other slots stay as they are. Points as for
-  /// gather(). `known`, unless empty, spares most of the search. Errors: limit (memory), cancelled.
+  /// gather(). Errors: limit (memory), cancelled.
   Status find_changes(Context& context, const Gatherer& before, const PointList& points,
-                      std::span<std::uint8_t> may_differ, const KnownPlaces& known = {}) const;
+                      std::span<std::uint8_t> may_differ) const;
+
+  /// Lists such slots, each once, among points whose places are known, where the meshes differ by
+  /// this one's watched segments alone. The list is allocated from `memory`. Errors: limit
+  /// (memory), cancelled. Cost: O(triangles of the visibility mesh), and what may differ.
+  Status list_changes(Context& context, const Gatherer& before, std::span<const Vec2> position,
+                      const KnownPlaces& known, TableMemory& memory,
+                      std::vector<std::uint32_t>& changed) const;
 
  private:
   struct State;
   static Status mark_viewers(Context& context, const State& state, const PointList& points,
-                             const KnownPlaces& known, std::span<std::uint8_t> sees);
-  static Status mark_located(Context& context, const State& state,
-                             std::span<const std::uint8_t> triangle_sees, const PointList& points,
                              std::span<std::uint8_t> sees);
   explicit Gatherer(std::unique_ptr<State> state);
   std::unique_ptr<State> state_;

@@ -131,18 +131,17 @@ class SceneBuilder {
 
   /// All of a scene but what is watched there, with room for the mesh's new triangles.
   Status copy(const Scene& before) {
-    const std::size_t triangles = mesh_.triangle_count();
-    const std::size_t more = 3 * (triangles - before.triangle.size()) + kMoreEdges;
+    const std::size_t more = 3 * (mesh_.triangle_count() - before.triangle.size()) + kMoreEdges;
     Status status;
-    const auto take = [&](const auto& from, auto& to, std::size_t most) {
-      if (status) status = scene_.memory.reserve(context_, to, most);
-      if (status) status = scene_.memory.append(context_, from, to);
+    const auto take = [&](const auto& from, auto& to, std::size_t room) {
+      if (status) status = scene_.memory.assign(context_, from, to, room);
     };
-    take(before.edge_beyond, scene_.edge_beyond, before.edge_beyond.size() + more);
-    take(before.hit_edge, scene_.hit_edge, before.hit_edge.size() + more);
-    take(before.blend, scene_.blend, before.blend.empty() ? 0 : before.blend.size() + more);
-    take(before.triangle, scene_.triangle, triangles);
-    take(before.source, scene_.source, triangles);
+    take(before.edge_beyond, scene_.edge_beyond, more);
+    take(before.hit_edge, scene_.hit_edge, more);
+    take(before.blend, scene_.blend, before.blend.empty() ? 0 : more);
+    take(before.triangle, scene_.triangle, more);
+    take(before.source, scene_.source, more);
+    scene_.watched.clear();
     scene_.origin = before.origin;
     scene_.weight_unit = before.weight_unit;
     passage_count_ = static_cast<std::uint32_t>(before.edge_beyond.size());
@@ -402,8 +401,9 @@ Result<std::optional<Scene>> extend_scene(Context& context, const mesh::Triangle
                                           const curves::SegmentAttributes& attributes,
                                           std::span<const std::uint8_t> is_watched,
                                           const Scene& before,
-                                          std::span<const std::uint8_t> is_same) {
+                                          std::span<const std::uint8_t> is_same, Scene* used) {
   std::optional<Scene> scene(std::in_place);
+  if (used) scene.emplace(std::move(*used));
   const Result<bool> is_done =
       SceneBuilder(context, mesh, attributes, *scene).extend(before, is_watched, is_same);
   if (!is_done) return is_done.status();

@@ -84,6 +84,7 @@ Result<Scene> build_scene(Context& context, const mesh::TriangleMesh& mesh,
 /// segments were inserted since. Triangles keep their indices.
 /// is_same   per triangle of the mesh of `before`: 1 where this one has the same at the same index
 /// attributes   as they were for `before`, and those of the inserted segments
+/// used      a scene whose tables are taken for this one's, or null
 /// Returns   nothing where more would have to change: `before` was not made to be extended, a layer
 ///           that was sharp is no more, there are other channels, or the weights need another unit
 /// Errors    limit, cancelled
@@ -92,6 +93,7 @@ Result<std::optional<Scene>> extend_scene(Context& context, const mesh::Triangle
                                           const curves::SegmentAttributes& attributes,
                                           std::span<const std::uint8_t> is_watched,
                                           const Scene& before,
-                                          std::span<const std::uint8_t> is_same);
+                                          std::span<const std::uint8_t> is_same,
+                                          Scene* used = nullptr);
 
 }  // namespace sfumato::gather

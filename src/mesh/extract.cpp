@@ -1,5 +1,6 @@
 #include "mesh/extract.hpp"
 
+#include <algorithm>
 #include <map>
 #include <utility>
 #include <vector>
@@ -320,6 +321,36 @@ Status update_extract(const Context& context, const ExtractSource& from,
                       std::span<const std::int32_t> changed, TableMemory& memory,
                       TriangleMesh& out) {
   return MeshUpdate(context, from, changed, memory, out).run();
+}
+
+void take_back(const TriangleMesh& before, std::span<const std::uint32_t> changed,
+               TriangleMesh& mesh) {
+  mesh.vertex_position.resize(before.vertex_position.size());
+  mesh.triangle_vertex.resize(before.triangle_vertex.size());
+  mesh.half_edge_twin.resize(before.half_edge_twin.size());
+  mesh.half_edge_constraint.resize(before.half_edge_constraint.size());
+  mesh.constraint.resize(before.constraint.size());
+  mesh.piece.resize(before.piece.size());
+  const auto take_back_constraint = [&](std::size_t h) {
+    const std::int32_t c = before.half_edge_constraint[h];
+    mesh.half_edge_constraint[h] = c;
+    if (c == kNone) return;
+    const Constraint& constraint = before.constraint[static_cast<std::size_t>(c)];
+    mesh.constraint[static_cast<std::size_t>(c)] = constraint;
+    std::ranges::copy(before.pieces(constraint), mesh.piece.data() + constraint.piece_begin);
+  };
+  for (const std::uint32_t t : changed) {
+    if (t >= before.triangle_count()) continue;
+    for (std::size_t h = 3 * std::size_t{t}; h < 3 * std::size_t{t} + 3; ++h) {
+      mesh.triangle_vertex[h] = before.triangle_vertex[h];
+      mesh.half_edge_twin[h] = before.half_edge_twin[h];
+      take_back_constraint(h);
+      if (before.half_edge_twin[h] == kNone) continue;
+      const auto twin = static_cast<std::size_t>(before.half_edge_twin[h]);
+      mesh.half_edge_twin[twin] = static_cast<std::int32_t>(h);
+      mesh.half_edge_constraint[twin] = before.half_edge_constraint[twin];
+    }
+  }
 }
 
 }  // namespace sfumato::mesh

@@ -40,4 +40,9 @@ Status update_extract(const Context& context, const ExtractSource& from,
                       std::span<const std::int32_t> changed, TableMemory& memory,
                       TriangleMesh& out);
 
+/// Makes `mesh`, a copy of `before` that update_extract has changed since, `before` again. The
+/// order of its calls does not matter. changed   the triangles that changed Cost      O(changed)
+void take_back(const TriangleMesh& before, std::span<const std::uint32_t> changed,
+               TriangleMesh& mesh);
+
 }  // namespace sfumato::mesh

@@ -264,4 +264,9 @@ Status Mesher::update_patch_mesh(const Context& context, TriangleMesh& mesh,
   return update_extract(context, source, slots, s.extracted, mesh);
 }
 
+void Mesher::take_back(const TriangleMesh& before, std::span<const std::uint32_t> changed,
+                       TriangleMesh& mesh) {
+  mesh::take_back(before, changed, mesh);
+}
+
 }  // namespace sfumato::mesh

@@ -82,6 +82,11 @@ class Mesher {
   /// indices. Errors: limit (memory), cancelled. Cost: O(triangles).
   Result<Mesher> copy(const Context& context) const;
 
+  /// This one becomes what other.copy() would be, in the memory that it has where that is large
+  /// enough. The mesh that it handed out last stays charged to it. Errors: limit (memory),
+  /// cancelled; this mesher can then only be destroyed or assigned to.
+  Status copy_from(const Context& context, const Mesher& other);
+
   /// Ends the charge of the mesh that was handed out last, for whoever outlives it.
   void forget_extracted();
 
@@ -121,10 +126,19 @@ class Mesher {
   /// Whether update_patch_mesh will find what changed, rather than all.
   bool follows_changes() const;
 
-  /// A copy of `mesh`, the last patch_mesh() of the mesher that this one is a copy of, for
-  /// update_patch_mesh to update. Its memory is charged as that of patch_mesh(). Errors: limit
-  /// (memory), cancelled.
-  Result<TriangleMesh> copy_patch_mesh(const Context& context, const TriangleMesh& mesh);
+  /// Updates in place `mesh`, a copy of the visibility_mesh() of the mesher that this is a copy of,
+  /// after an edit without refinement that only inserted segments. But for the order of its
+  /// constraints, and for some that lie on no edge, it becomes what visibility_mesh() would return.
+  /// is_same   same_triangles() of that mesher
+  /// changed   out: the triangles that changed, including new ones, ascending
+  /// Errors    limit (memory), cancelled; `mesh` is unusable then
+  Status update_visibility_mesh(const Context& context, std::span<const std::uint8_t> is_same,
+                                TriangleMesh& mesh, std::vector<std::uint32_t>& changed);
+
+  /// A copy of `mesh`, the last patch_mesh() or the visibility_mesh() of the mesher that this one
+  /// is a copy of, for the updates of either to update. Its memory is charged as that of
+  /// patch_mesh(). Errors: limit (memory), cancelled.
+  Result<TriangleMesh> copy_mesh(const Context& context, const TriangleMesh& mesh);
 
   /// The triangles of the last patch_mesh of `before`, of which this is a copy that was edited
   /// since: the index of each in this one's last patch_mesh, or kNone where its corners changed.
@@ -141,6 +155,12 @@ class Mesher {
   /// Cost      O(changed · log)
   Status update_patch_mesh(const Context& context, TriangleMesh& mesh,
                            std::vector<std::uint32_t>& changed);
+
+  /// Makes `mesh`, a copy of `before` that has been updated since, `before` again.
+  /// changed   all triangles that changed
+  /// Cost      O(changed)
+  static void take_back(const TriangleMesh& before, std::span<const std::uint32_t> changed,
+                        TriangleMesh& mesh);
 
  private:
   struct State;

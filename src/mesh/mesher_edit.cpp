@@ -49,22 +49,30 @@ Status insert(Arrangement& arrangement, const curves::FlatCurves& flat,
 }  // namespace
 
 Result<Mesher> Mesher::copy(const Context& context) const {
-  const State& s = *state_;
-  auto copy = std::make_unique<State>(context.budget);
-  copy->options = s.options;
-  copy->lattice = s.lattice;
-  copy->has_cut_chords = s.has_cut_chords;
-  copy->set_quality();
-  Status status = copy->mesh.copy_from(context, s.mesh);
-  if (status) status = copy->chords.copy_from(context, s.chords);
-  if (status) status = copy->refiner.copy_origins(context, s.refiner);
-  if (status) status = copy->drawn_memory.append(context, s.drawn, copy->drawn);
-  // A patch mesh that did not follow the last changes is extracted anew.
-  const bool is_followed = s.mesh.changed.empty();
-  if (status && is_followed) status = copy->numbering.copy_from(context, s.numbering);
-  if (status && is_followed) status = copy->memory.append(context, s.patched, copy->patched);
+  Mesher copy(std::make_unique<State>(context.budget));
+  Status status = copy.copy_from(context, *this);
   if (!status) return status;
-  return Mesher(std::move(copy));
+  return copy;
+}
+
+Status Mesher::copy_from(const Context& context, const Mesher& other) {
+  const State& from = *other.state_;
+  State& s = *state_;
+  s.options = from.options;
+  s.lattice = from.lattice;
+  s.has_cut_chords = from.has_cut_chords;
+  s.set_quality();
+  Status status = s.mesh.copy_from(context, from.mesh);
+  if (status) status = s.chords.copy_from(context, from.chords);
+  if (status) status = s.refiner.copy_origins(context, from.refiner);
+  if (status) status = s.drawn_memory.assign(context, from.drawn, s.drawn);
+  // A patch mesh that did not follow the last changes is extracted anew.
+  if (!from.mesh.changed.empty()) {
+    s.forget_numbers();
+    return status;
+  }
+  if (status) status = s.numbering.copy_from(context, from.numbering);
+  return status ? s.memory.assign(context, from.patched, s.patched) : status;
 }
 
 Result<std::vector<std::int32_t>> Mesher::kept_triangles(const Context& context,
@@ -95,7 +103,7 @@ Result<std::vector<std::uint8_t>> Mesher::same_triangles(const Context& context,
   return is_same;
 }
 
-Result<TriangleMesh> Mesher::copy_patch_mesh(const Context& context, const TriangleMesh& mesh) {
+Result<TriangleMesh> Mesher::copy_mesh(const Context& context, const TriangleMesh& mesh) {
   State& s = *state_;
   s.extracted = TableMemory(State::kPurpose, s.budget);
   TriangleMesh out;
@@ -106,8 +114,12 @@ Result<TriangleMesh> Mesher::copy_patch_mesh(const Context& context, const Trian
     if (status) status = s.extracted.append(context, from, to);
   };
   // What an edit has added by now.
-  const std::size_t vertices = s.mesh.point.size() - s.numbering.vertex.size();
-  const std::size_t half_edges = 3 * (s.mesh.triangle.size() - s.numbering.triangle.size());
+  const bool is_numbered = follows_changes();
+  const std::size_t vertices =
+      s.mesh.point.size() - (is_numbered ? s.numbering.vertex.size() : mesh.vertex_position.size());
+  const std::size_t half_edges =
+      3 * (s.mesh.triangle.size() -
+           (is_numbered ? s.numbering.triangle.size() : std::size_t{mesh.triangle_count()}));
   copy(mesh.vertex_position, out.vertex_position, vertices);
   copy(mesh.triangle_vertex, out.triangle_vertex, half_edges);
   copy(mesh.half_edge_twin, out.half_edge_twin, half_edges);
@@ -116,6 +128,26 @@ Result<TriangleMesh> Mesher::copy_patch_mesh(const Context& context, const Trian
   copy(mesh.piece, out.piece, half_edges);
   if (!status) return status;
   return out;
+}
+
+Status Mesher::update_visibility_mesh(const Context& context, std::span<const std::uint8_t> is_same,
+                                      TriangleMesh& mesh, std::vector<std::uint32_t>& changed) {
+  State& s = *state_;
+  Numbering everything{{}, {}, 0, 0, {State::kPurpose, s.budget}};
+  TableMemory scratch(State::kPurpose);
+  std::vector<std::int32_t> slots;
+  Status status = number_everything(context, s.mesh, everything);
+  if (status) status = scratch.reserve(context, slots, s.mesh.triangle.size());
+  if (!status) return status;
+  for (std::size_t t = 0; t < s.mesh.triangle.size(); ++t) {
+    if (t >= is_same.size() || !is_same[t]) slots.push_back(static_cast<std::int32_t>(t));
+  }
+  changed.clear();
+  status = s.memory.reserve(context, changed, slots.size());
+  if (!status) return status;
+  changed.assign(slots.begin(), slots.end());
+  const ExtractSource source{s.mesh, s.chords, s.refiner.origins(), s.lattice, everything};
+  return update_extract(context, source, slots, s.extracted, mesh);
 }
 
 bool Mesher::follows_changes() const {
@@ -156,7 +188,7 @@ Status Mesher::edit(const Context& context, const curves::FlatCurves& flat, cons
   if (status) status = s.refiner.start(context);
   // Vertices outside may have come in, or constraints have gone: tables are extracted anew.
   if (moves_frame || !edit.is_removed.empty()) {
-    s.numbering = Numbering{{}, {}, 0, 0, {State::kPurpose, s.budget}};
+    s.forget_numbers();
   }
   if (!status || !refines) {
     s.mesh.take_touched([](std::int32_t) {});

@@ -51,6 +51,9 @@ struct Mesher::State {
                         options.small_edge / step);
   }
 
+  /// The patch mesh is to be extracted anew.
+  void forget_numbers() { numbering = Numbering{{}, {}, 0, 0, {kPurpose, budget}}; }
+
   /// The mesh with these numbers; the charge of the one before it ends.
   Result<TriangleMesh> extract_anew(const Context& context, const Numbering& numbers) {
     extracted = TableMemory(kPurpose, budget);

@@ -45,8 +45,8 @@ Status number_depth_first(const Context& context, const Triangulation& mesh, Num
 Status Numbering::copy_from(const Context& context, const Numbering& other) {
   triangle_count = other.triangle_count;
   vertex_count = other.vertex_count;
-  Status status = memory.append(context, other.triangle, triangle);
-  return status ? memory.append(context, other.vertex, vertex) : status;
+  Status status = memory.assign(context, other.triangle, triangle);
+  return status ? memory.assign(context, other.vertex, vertex) : status;
 }
 
 Status number_everything(const Context& context, const Triangulation& mesh, Numbering& numbering) {

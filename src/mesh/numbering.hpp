@@ -17,7 +17,8 @@ struct Numbering {
   std::uint32_t vertex_count = 0;
   TableMemory memory{"the triangle mesh"};
 
-  /// Becomes the same. Errors: limit (memory), cancelled.
+  /// Becomes the same, in the memory that it has where that is large enough. Errors: limit
+  /// (memory), cancelled.
   Status copy_from(const Context& context, const Numbering& other);
 };
 

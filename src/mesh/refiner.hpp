@@ -53,8 +53,8 @@ class Refiner {
   /// Takes over the origins of another mesh's vertices, of which its own is a copy. Errors: limit
   /// (memory), cancelled.
   Status copy_origins(const Context& context, const Refiner& other) {
-    origin_.clear();
-    return memory_.append(context, other.origin_, origin_);
+    owner_pieces_ = 0;
+    return memory_.assign(context, other.origin_, origin_);
   }
 
   /// Refines all triangles inside. Errors: limit, cancelled.

@@ -40,15 +40,19 @@ Status Triangulation::grow(const Context& context, std::size_t vertex_count) {
 }
 
 Status Triangulation::copy_from(const Context& context, const Triangulation& other) {
+  for (auto* list : {&touched, &changed, &pending}) list->clear();
+  triangle.clear();
   Status status = grow(context, other.point.size() * 9 / 8 + 256);
-  if (status) status = memory_.append(context, other.point, point);
-  if (status) status = memory_.append(context, other.spoke, spoke);
-  if (status) status = memory_.append(context, other.triangle, triangle);
+  if (status) status = memory_.assign(context, other.point, point);
+  if (status) status = memory_.assign(context, other.spoke, spoke);
+  if (status) status = memory_.assign(context, other.triangle, triangle);
   if (!status) return status;
   std::copy_n(other.chord.begin(), std::min(chord.size(), 4 * triangle.size()), chord.begin());
   for (Triangle& t : triangle) t.listed = 0;
   width = other.width;
   height = other.height;
+  last = 0;
+  walk_state_ = 1;
   return status;
 }
 

@@ -155,8 +155,9 @@ struct Triangulation {
   }
   Status grow(const Context& context, std::size_t vertex_count);
 
-  /// Becomes the same mesh, with room for some more. Not while triangles are listed as touched.
-  /// Errors: limit (memory), cancelled.
+  /// Becomes the same mesh, with room for some more, in the memory that it has where that is large
+  /// enough. Not while triangles of `other` are listed as touched. Errors: limit (memory),
+  /// cancelled.
   Status copy_from(const Context& context, const Triangulation& other);
 
   /// Bytes of the lists that grow during an insertion.

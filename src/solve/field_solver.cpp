@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <cstring>
 #include <numeric>
 #include <utility>
 
@@ -119,23 +120,6 @@ bool FieldSolver::has_channels_of(const FieldSolver& other) const {
          field_.attributes.base_channels == other.field_.attributes.base_channels;
 }
 
-Status FieldSolver::start_from(const Context& context, const FieldSolver& before,
-                               const mesh::TriangleMesh& mesh) {
-  Result<Seams> seams = before.seams_->copy(context, mesh);
-  if (!seams) return seams.status();
-  seams_.emplace(std::move(*seams));
-  return memory_.append(context, before.vertex_radius_, vertex_radius_);
-}
-
-Status FieldSolver::locate_nodes(Context& context) {
-  if (field_.is_thinned) return ok_status();
-  Result<std::vector<std::uint32_t>> places =
-      field_.gatherer.locate(context, layout_.position, memory_);
-  if (!places) return places.status();
-  node_place_ = std::move(*places);
-  return ok_status();
-}
-
 std::size_t FieldSolver::bytes_of_nodes() const {
   return capacity_bytes(layout_.triangle_node, layout_.edge_is_curve, layout_.position,
                         layout_.is_fixed, layout_.value, node_hit_);
@@ -166,75 +150,6 @@ void FieldSolver::resume(RefinedField refined) {
 
 RefinedField FieldSolver::release() {
   return {std::move(layout_), std::move(node_hit_), std::move(layout_memory_)};
-}
-
-/// With room for what follows the change of so many triangles.
-Status FieldSolver::copy_layout(const Context& context, const FieldSolver& before,
-                                std::size_t changed) {
-  const NodeLayout& from = before.layout_;
-  const std::size_t triangles = seams_->half_edge_count() / 3;
-  const std::size_t nodes = from.node_count() + 6 * changed;
-  layout_.channel_count = from.channel_count;
-  const auto width = static_cast<std::size_t>(from.channel_count);
-  Status status;
-  const auto copy = [&](const auto& source, auto& to, TableMemory& memory, std::size_t room) {
-    if (status) status = memory.reserve(context, to, std::max(room, source.size()));
-    if (status) status = memory.append(context, source, to);
-  };
-  copy(from.triangle_node, layout_.triangle_node, layout_memory_, kNodes * triangles);
-  copy(from.edge_is_curve, layout_.edge_is_curve, layout_memory_, 3 * triangles);
-  copy(from.position, layout_.position, layout_memory_, nodes);
-  copy(from.is_fixed, layout_.is_fixed, layout_memory_, nodes);
-  copy(from.value, layout_.value, layout_memory_, width * nodes);
-  copy(before.node_hit_, node_hit_, memory_, nodes);
-  return status;
-}
-
-Status FieldSolver::list_standing(const Context& context, const FieldSolver& before,
-                                  TableMemory& memory, std::vector<std::uint32_t>& standing) {
-  const NodeLayout& old = before.layout_;
-  std::vector<std::uint8_t> is_done;  // known to be gathered, or used by nobody
-  Status status = memory.resize(context, is_done, layout_.node_count());
-  if (status) status = memory.reserve(context, standing, old.node_count());
-  if (status) status = memory_.make_room(context, to_gather_, old.node_count());
-  if (!status) return status;
-  for (const std::uint32_t node : to_gather_) is_done[node] = 1;
-  for (const std::uint32_t node : history_.unused) is_done[node] = 1;
-  RarePoll<65536> poll(context);
-  for (std::uint32_t node = 0; node < old.node_count(); ++node) {
-    if (poll.cancelled()) return context.cancel_status();
-    if (layout_.is_fixed[node]) node_hit_[node] = 1;
-    if (layout_.is_fixed[node] || is_done[node]) continue;
-    const bool stands = !history_.was_met(node) ||
-                        (!old.is_fixed[node] && layout_.position[node] == old.position[node]);
-    (stands ? standing : to_gather_).push_back(node);
-  }
-  return ok_status();
-}
-
-Status FieldSolver::lay_out_from(Context& context, const FieldSolver& before,
-                                 const mesh::TriangleMesh& mesh,
-                                 std::span<const std::uint32_t> changed,
-                                 std::span<const std::uint8_t> is_same) {
-  Status status = copy_layout(context, before, changed.size());
-  if (status) status = follow(context, mesh, changed);
-  if (!status) return status;
-  TableMemory scratch("patches");
-  std::vector<std::uint32_t> standing;
-  std::vector<std::uint8_t> may_differ;
-  status = list_standing(context, before, scratch, standing);
-  if (status) status = scratch.resize(context, may_differ, layout_.node_count());
-  gather::Gatherer::KnownPlaces known;
-  if (!field_.is_thinned) known = {before.node_place_, is_same};
-  if (status) {
-    status = field_.gatherer.find_changes(context, before.field_.gatherer,
-                                          {layout_.position, standing}, may_differ, known);
-  }
-  if (!status) return status;
-  for (const std::uint32_t node : standing) {
-    if (may_differ[node]) to_gather_.push_back(node);
-  }
-  return ok_status();
 }
 
 Status FieldSolver::put_in_order(Context& context, const mesh::TriangleMesh& mesh) {
@@ -271,7 +186,7 @@ Result<std::size_t> FieldSolver::gather(Context& context, const gather::GatherOp
                                            layout_.value, node_hit_);
     if (!status) return status;
   }
-  memory_.free(to_gather_);
+  if (!frame_) memory_.free(to_gather_);  // the next frame asks which they were
   return count;
 }
 
@@ -450,7 +365,7 @@ Status FieldSolver::fill_unseen_nodes(Context& context) {
 }
 
 bool FieldSolver::sees_curves_everywhere() const {
-  return std::ranges::find(node_hit_, 0) == node_hit_.end();
+  return node_hit_.empty() || std::memchr(node_hit_.data(), 0, node_hit_.size()) == nullptr;
 }
 
 bool FieldSolver::sees_curves(std::uint32_t triangle, std::size_t place) const {
@@ -528,6 +443,26 @@ Result<PatchField> split_channel(const Context& context, PatchField& field, int 
   field.node_value.resize((channels - 1) * node_count);
   --field.channel_count;
   return split;
+}
+
+Result<PatchField> FieldSolver::copy(const Context& context, std::span<const std::uint8_t> keep,
+                                     TableMemory& memory) const {
+  PatchField field{layout_.channel_count, {}, {}, field_.attributes.shader};
+  const auto kept = static_cast<std::size_t>(std::ranges::count(keep, 1));
+  Status status = memory.assign(context, layout_.value, field.node_value);
+  if (status && kept == keep.size()) {
+    status = memory.assign(context, layout_.triangle_node, field.triangle_node);
+    if (!status) return status;
+    return field;
+  }
+  if (status) status = memory.reserve(context, field.triangle_node, kNodes * kept);
+  if (!status) return status;
+  for (std::size_t t = 0; t < keep.size(); ++t) {
+    if (!keep[t]) continue;
+    const std::uint32_t* const node = layout_.triangle_node.data() + kNodes * t;
+    field.triangle_node.insert(field.triangle_node.end(), node, node + kNodes);
+  }
+  return field;
 }
 
 PatchField FieldSolver::take(std::span<const std::uint8_t> keep) {

@@ -38,6 +38,20 @@ struct RefinedField {
   TableMemory memory{"a solved layer"};
 };
 
+/// A field's tables as a frame of a drag left them: those of the field that it began from, but for
+/// what the frame changed, which the next frame takes back.
+struct FieldFrame {
+  std::optional<PreparedField> field{};
+  std::optional<Seams> seams{};
+  std::vector<float> vertex_radius{};  ///< as FieldSolver's
+  NodeLayout layout{};
+  LayoutHistory history{};
+  std::vector<std::uint8_t> node_hit{};   ///< as FieldSolver's
+  std::vector<std::uint32_t> gathered{};  ///< nodes
+  TableMemory layout_memory{"patches"};
+  TableMemory memory{"patches"};  ///< of the rest
+};
+
 /// Solves one attribute, or colour and opacity as one, on the patch mesh of its layer, which
 /// LayerSolver refines. Keeps the node values up to date with the mesh from round to round, and
 /// finds the patches' errors.
@@ -70,8 +84,11 @@ class FieldSolver {
 
   /// In place of start(): on a copy of the mesh of `before`, which has been laid out. Errors: limit
   /// (memory), cancelled.
+  /// frame    what the last frame left on this mesh, or nothing
+  /// changed  the triangles that it changed
   Status start_from(const Context& context, const FieldSolver& before,
-                    const mesh::TriangleMesh& mesh);
+                    const mesh::TriangleMesh& mesh, FieldFrame frame,
+                    std::span<const std::uint32_t> changed);
 
   /// In place of lay_out(), after start_from() and follow() of what was changed then: takes over
   /// the layout of `before`, whose nodes were gathered and located, and follows those changes.
@@ -79,13 +96,17 @@ class FieldSolver {
   /// free ends of either may reach, are listed to be gathered.
   /// changed   what follow() was told, and all triangles around the vertices of edges that have
   ///           become constrained
-  /// is_same   as gather::Gatherer::KnownPlaces
+  /// is_same   as gather::KnownPlaces
   /// Errors    limit (memory), cancelled
   Status lay_out_from(Context& context, const FieldSolver& before, const mesh::TriangleMesh& mesh,
                       std::span<const std::uint32_t> changed,
                       std::span<const std::uint8_t> is_same);
 
-  /// Finds where the nodes lie, for others to lay_out_from() this. Errors: limit (memory),
+  /// After lay_out_from() and gather(), where nothing else was done: what the next frame may begin
+  /// from.
+  FieldFrame release_frame();
+
+  /// Finds where the free nodes lie, for others to lay_out_from() this. Errors: limit (memory),
   /// cancelled.
   Status locate_nodes(Context& context);
 
@@ -161,6 +182,10 @@ class FieldSolver {
   /// Moves out the field of the triangles with keep[t], in their order.
   PatchField take(std::span<const std::uint8_t> keep);
 
+  /// The same as a copy, allocated from `memory`. Errors: limit (memory), cancelled.
+  Result<PatchField> copy(const Context& context, std::span<const std::uint8_t> keep,
+                          TableMemory& memory) const;
+
  private:
   /// Those of `triangles` whose patches must be compared with the exact gather, in a list allocated
   /// from `memory`. Errors: limit (memory), cancelled.
@@ -183,10 +208,15 @@ class FieldSolver {
   /// Lists all free nodes to be gathered.
   Status list_free_nodes(const Context& context);
   Status copy_layout(const Context& context, const FieldSolver& before, std::size_t changed);
-  /// Lists nodes that stand where they stood in `standing`, and all others of `before` that are
-  /// free in to_gather_.
-  Status list_standing(const Context& context, const FieldSolver& before, TableMemory& memory,
-                       std::vector<std::uint32_t>& standing);
+  /// Makes the nodes of the last frame those of `before` again.
+  void take_back_nodes(const FieldSolver& before, std::span<const std::uint32_t> changed);
+  /// Lists in to_gather_ the free nodes of `before` that the update met and that do not stand where
+  /// they stood. Those that do count as not met from here on.
+  Status list_moved(const Context& context, const FieldSolver& before);
+  /// Lists in `changed` nodes of `before` whose values may not be what they were.
+  Status list_changed(Context& context, const FieldSolver& before,
+                      std::span<const std::uint8_t> is_same, TableMemory& memory,
+                      std::vector<std::uint32_t>& changed) const;
   /// Copies values of nodes of `before` that are at the same place, free in both, lists these in
   /// `carried` and clears asks[node]. Errors: limit (memory), cancelled.
   Status copy_values(const Context& context, const FieldSolver& before,
@@ -201,10 +231,11 @@ class FieldSolver {
   NodeLayout layout_;
   TableMemory layout_memory_{"patches"};
   LayoutHistory history_;
-  std::vector<std::uint32_t> to_gather_;   ///< free nodes whose value is not known
-  std::vector<std::uint8_t> node_hit_;     ///< 0 where a free node sees no curve
-  std::vector<std::uint32_t> node_place_;  ///< as gather::Gatherer::locate; empty: unknown
-  TableMemory memory_{"patches"};          ///< for these three and vertex_radius_
+  std::vector<std::uint32_t> to_gather_;  ///< free nodes whose value is not known
+  std::vector<std::uint8_t> node_hit_;    ///< 0 where a free node sees no curve
+  gather::PointPlaces node_place_;        ///< where the free nodes lie; empty: unknown
+  std::optional<FieldFrame> frame_;       ///< from start_from() on; until lay_out_from() with all
+  TableMemory memory_{"patches"};         ///< for to_gather_, node_hit_ and vertex_radius_
 };
 
 /// Moves one channel out of a field into a field of its own over the same nodes, allocated from

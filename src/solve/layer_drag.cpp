@@ -7,11 +7,14 @@
 #include <vector>
 
 #include "base/charge.hpp"
+#include "base/limit_error.hpp"
+#include "base/no_throw.hpp"
 #include "base/table_memory.hpp"
 #include "curves/attributes.hpp"
 #include "curves/flatten.hpp"
 #include "mesh/mesher.hpp"
 #include "solve/layer_units.hpp"
+#include "solve/placed_curves.hpp"
 
 namespace sfumato::solve {
 namespace {
@@ -22,16 +25,6 @@ constexpr double kRoom = 1;
 Box with_room_around(const Box& box) {
   const Vec2 more{kRoom * box.width(), kRoom * box.height()};
   return {box.min - more, box.max + more};
-}
-
-/// Puts the polyline of one more curve after those of others.
-void append(const curves::FlatCurves& one, curves::FlatCurves& all) {
-  const std::uint32_t curve = all.curve_count();
-  all.vertex.insert(all.vertex.end(), one.vertex.begin(), one.vertex.end());
-  all.parameter.insert(all.parameter.end(), one.parameter.begin(), one.parameter.end());
-  all.arc_length.insert(all.arc_length.end(), one.arc_length.begin(), one.arc_length.end());
-  all.vertex_curve.resize(all.vertex.size(), curve);
-  all.curve_begin.push_back(static_cast<std::uint32_t>(all.vertex.size()));
 }
 
 /// Per vertex: 1 for those in [begin, end).
@@ -45,12 +38,14 @@ Result<std::vector<std::uint8_t>> marked(const Context& context, std::size_t cou
   return marks;
 }
 
-/// The layer's curves with the one that moves where it is now, after all others.
-struct Placed {
-  curves::FlatCurves flat;
-  std::vector<Curve> curves;
-  std::uint32_t first = 0;  ///< the first vertex of its polyline
-  ScopedCharge charge;
+/// What a frame leaves for the next one, which uses its tables again.
+struct LastFrame {
+  std::optional<PlacedCurves> placed{};
+  std::optional<mesh::Mesher> seen{};         ///< the visibility mesh with the curve
+  mesh::TriangleMesh seen_mesh{};             ///< handed out by it
+  std::vector<std::uint32_t> seen_changed{};  ///< triangles of it that the frame changed
+  TableMemory seen_memory{"a drag"};          ///< of that list
+  FrameTables tables{};
 };
 
 }  // namespace
@@ -69,8 +64,8 @@ struct LayerDrag::State {
 
   Status begin(Context& context, std::optional<RefinedLayer>& refined);
   bool has_fields_with(const Curve& curve) const;
-  Result<PatchLayer> frame(Context& context, const Curve& curve, DiffuseStats* stats,
-                           std::optional<RoundWatch> watch) const;
+  Result<PatchLayer> frame(Context& context, const Curve& curve, bool keeps, DiffuseStats* stats,
+                           std::optional<RoundWatch> watch);
 
   DiffuseOptions options;
   LayerSight sight;
@@ -84,7 +79,10 @@ struct LayerDrag::State {
   ScopedCharge charge;                     ///< of the polylines and curves
   curves::FlatCurves flat;                 ///< of `curves`
   std::optional<mesh::Mesher> visibility;  ///< without the curve that moves, not refined
+  mesh::TriangleMesh visibility_mesh;      ///< handed out by it
   std::optional<LayerSolver> base;         ///< the layer without it
+  const Budget* budget = nullptr;          ///< that all this is charged to
+  LastFrame last;
 
  private:
   std::size_t bytes_of_curves() const {
@@ -92,40 +90,52 @@ struct LayerDrag::State {
     for (const Curve& curve : curves) bytes += bytes_of(curve);
     return bytes;
   }
-  /// Errors: as LayerDrag::frame.
-  Result<Placed> place(Context& context, const Curve& curve) const;
-  /// The layer on a mesh, ready to be solved or continued. `patches` is moved from on success only.
-  Result<LayerSolver> solver(Context& context, const curves::FlatCurves& polylines,
-                             std::span<const Curve> of, mesh::Mesher& seen, mesh::Mesher&& patches,
-                             const FieldEdits& edits, DiffuseStats* stats = nullptr,
-                             std::optional<RoundWatch> watch = {}) const;
+  Status place(Context& context, const Curve& curve, LastFrame& frame) const;
+  Result<std::vector<std::uint8_t>> insert_curve(const Context& context, LastFrame& frame,
+                                                 TableMemory& memory) const;
+  Result<mesh::Mesher> patches_with(const Context& context, LastFrame& frame) const;
+  Result<SampledFields> sample(const Context& context, const curves::FlatCurves& polylines,
+                               std::span<const Curve> of, bool has_opacity = false) const;
+  Result<SampledFields> sample_frame(const Context& context, LastFrame& frame) const;
+  LayerSolver solver(Context& context, PreparedFields fields, mesh::Mesher&& patches,
+                     DiffuseStats* stats = nullptr, std::optional<RoundWatch> watch = {}) const;
+  Result<PreparedFields> fields(Context& context, const mesh::TriangleMesh& mesh,
+                                const FieldEdits& edits) const;
   Status mesh_layer(Context& context);
   Status take_off(Context& context, const LayerSolver& whole,
                   std::span<const std::uint8_t> is_removed);
 };
 
-Result<LayerSolver> LayerDrag::State::solver(Context& context, const curves::FlatCurves& polylines,
-                                             std::span<const Curve> of, mesh::Mesher& seen,
-                                             mesh::Mesher&& patches, const FieldEdits& edits,
-                                             DiffuseStats* stats,
-                                             std::optional<RoundWatch> watch) const {
-  const Result<mesh::TriangleMesh> mesh = seen.visibility_mesh(context);
-  if (!mesh) return mesh.status();
-  Result<SampledFields> sampled = sample_fields(context, {polylines, of, interpolation, is_joint},
-                                                options, units.smallest_radius());
-  if (!sampled) return sampled.status();
-  Result<PreparedFields> fields =
-      prepare_fields(context, seen, *mesh, std::move(*sampled), options.ends, edits);
-  if (!fields) return fields.status();
+/// has_opacity   as FlatLayer's
+Result<SampledFields> LayerDrag::State::sample(const Context& context,
+                                               const curves::FlatCurves& polylines,
+                                               std::span<const Curve> of, bool has_opacity) const {
+  return sample_fields(context, {polylines, of, interpolation, is_joint, has_opacity}, options,
+                       units.smallest_radius());
+}
+
+/// The layer on a mesh, ready to be solved or continued.
+LayerSolver LayerDrag::State::solver(Context& context, PreparedFields fields,
+                                     mesh::Mesher&& patches, DiffuseStats* stats,
+                                     std::optional<RoundWatch> watch) const {
   return LayerSolver(
       context,
-      PreparedLayer{std::move(patches), std::move(fields->color), std::move(fields->opacity),
+      PreparedLayer{std::move(patches), std::move(fields.color), std::move(fields.opacity),
                     units.mesh_options().frame, units.smallest_edge()},
       options, stats, watch);
 }
 
+/// Of the layer's own curves, on the visibility mesh as it is.
+Result<PreparedFields> LayerDrag::State::fields(Context& context, const mesh::TriangleMesh& mesh,
+                                                const FieldEdits& edits) const {
+  Result<SampledFields> sampled = sample(context, flat, curves);
+  if (!sampled) return sampled.status();
+  return prepare_fields(context, *visibility, mesh, std::move(*sampled), options.ends, edits);
+}
+
 Status LayerDrag::State::begin(Context& context, std::optional<RefinedLayer>& refined) {
   has_room = !refined;
+  budget = &context.budget;
   Status status = mesh_layer(context);
   if (!status) return status;
   TableMemory memory("a drag");
@@ -139,16 +149,18 @@ Status LayerDrag::State::begin(Context& context, std::optional<RefinedLayer>& re
     unrefined.emplace(std::move(*copy));
   }
   mesh::Mesher& patches = refined ? refined->mesher : *unrefined;
-  Result<LayerSolver> whole =
-      solver(context, flat, curves, *visibility, std::move(patches), {.use = {*moves}});
-  if (!whole) return whole.status();
+  const Result<mesh::TriangleMesh> mesh = visibility->visibility_mesh(context);
+  if (!mesh) return mesh.status();
+  Result<PreparedFields> prepared = fields(context, *mesh, {.use = {*moves}});
+  if (!prepared) return prepared.status();
+  LayerSolver whole = solver(context, std::move(*prepared), std::move(patches));
   if (!refined) {
-    status = whole->refine();
-    return status ? take_off(context, *whole, *moves) : status;
+    status = whole.refine();
+    return status ? take_off(context, whole, *moves) : status;
   }
-  whole->resume(std::move(refined->nodes));
-  status = take_off(context, *whole, *moves);
-  *refined = whole->release();
+  whole.resume(std::move(refined->nodes));
+  status = take_off(context, whole, *moves);
+  *refined = whole.release();
   return status;
 }
 
@@ -177,10 +189,13 @@ Status LayerDrag::State::take_off(Context& context, const LayerSolver& whole,
   status = patches->edit(context, flat, edit, true);
   if (status) status = patches->bake(context);
   if (!status) return status;
-  Result<LayerSolver> rest = solver(context, flat, curves, *visibility, std::move(*patches),
-                                    {.use = {.will_be_extended = true}});
+  Result<mesh::TriangleMesh> mesh = visibility->visibility_mesh(context);
+  if (!mesh) return mesh.status();
+  visibility_mesh = std::move(*mesh);
+  Result<PreparedFields> rest =
+      fields(context, visibility_mesh, {.use = {.will_be_extended = true}});
   if (!rest) return rest.status();
-  base.emplace(std::move(*rest));
+  base.emplace(solver(context, std::move(*rest), std::move(*patches)));
   status = base->continue_from(whole);
   return status ? base->prepare_to_be_edited() : status;
 }
@@ -191,59 +206,134 @@ bool LayerDrag::State::has_fields_with(const Curve& curve) const {
          (curves::opacity_goes_with_color(curves) && curves::opacity_goes_with_color({&curve, 1}));
 }
 
-Result<Placed> LayerDrag::State::place(Context& context, const Curve& curve) const {
-  const Result<curves::FlatCurves> moved =
-      curves::flatten(context, {&curve, 1}, units.flatten_options());
-  if (!moved) return moved.status();
-  Placed placed;
-  Status status = placed.charge.add(
-      context,
-      curves::bytes_of(flat) + curves::bytes_of(*moved) + bytes_of_curves() + bytes_of(curve),
-      "a drag");
-  if (!status) return status;
-  placed.first = static_cast<std::uint32_t>(flat.vertex.size());
-  placed.flat = flat;
-  append(*moved, placed.flat);
-  placed.curves = curves;
-  placed.curves.push_back(curve);
-  if (!visibility->holds(placed.flat, placed.first)) {
+/// Errors: as LayerDrag::frame.
+Status LayerDrag::State::place(Context& context, const Curve& curve, LastFrame& frame) const {
+  Result<PlacedCurves> placed = place_curve(context, flat, curves, curve, units.flatten_options(),
+                                            std::exchange(frame.placed, std::nullopt));
+  if (!placed) return placed.status();
+  if (!visibility->holds(placed->flat, placed->first)) {
     return make_error(StatusCode::bad_input, "the curve is dragged too far beyond the picture");
   }
   if (!has_fields_with(curve)) {
     return make_error(StatusCode::bad_input, "the dragged curve changes the layer's fields");
   }
-  return placed;
+  frame.placed.emplace(std::move(*placed));
+  return ok_status();
 }
 
-Result<PatchLayer> LayerDrag::State::frame(Context& context, const Curve& curve,
-                                           DiffuseStats* stats,
-                                           std::optional<RoundWatch> watch) const {
-  const Result<Placed> placed = place(context, curve);
-  if (!placed) return placed.status();
-  const mesh::MeshEdit edit{{}, placed->first};
+/// Makes the frame's visibility mesh, and says which triangles it has in common with that without
+/// the curve: Mesher::same_triangles.
+Result<std::vector<std::uint8_t>> LayerDrag::State::insert_curve(const Context& context,
+                                                                 LastFrame& frame,
+                                                                 TableMemory& memory) const {
+  const bool is_first = !frame.seen;
+  if (is_first) {
+    Result<mesh::Mesher> copy = visibility->copy(context);
+    if (!copy) return copy.status();
+    frame.seen.emplace(std::move(*copy));
+  } else if (Status status = frame.seen->copy_from(context, *visibility); !status) {
+    return status;
+  }
+  mesh::Mesher& seen = *frame.seen;
+  Status status = seen.edit(context, frame.placed->flat, {{}, frame.placed->first}, false);
+  if (!status) return status;
+  Result<std::vector<std::uint8_t>> is_same = seen.same_triangles(context, *visibility, memory);
+  if (!is_same) return is_same;
+  if (is_first) {
+    Result<mesh::TriangleMesh> copy = seen.copy_mesh(context, visibility_mesh);
+    if (!copy) return copy.status();
+    frame.seen_mesh = std::move(*copy);
+  } else {
+    mesh::Mesher::take_back(visibility_mesh, frame.seen_changed, frame.seen_mesh);
+  }
+  status = seen.update_visibility_mesh(context, *is_same, frame.seen_mesh, frame.seen_changed);
+  if (!status) return status;
+  return is_same;
+}
+
+/// The base's patch mesh with the curve.
+Result<mesh::Mesher> LayerDrag::State::patches_with(const Context& context,
+                                                    LastFrame& frame) const {
+  std::optional<mesh::Mesher> patches = std::exchange(frame.tables.mesher, std::nullopt);
+  Status status;
+  if (patches) {
+    status = patches->copy_from(context, base->mesher());
+  } else {
+    Result<mesh::Mesher> copy = base->mesher().copy(context);
+    if (!copy) return copy;
+    patches.emplace(std::move(*copy));
+  }
+  if (status) {
+    status = patches->edit(context, frame.placed->flat, {{}, frame.placed->first}, true);
+  }
+  if (!status) return status;
+  return std::move(*patches);
+}
+
+/// What the curve's sides bear, put after what those of the others do, where the last frame knows
+/// that and there are no shaders to be found among theirs.
+Result<SampledFields> LayerDrag::State::sample_frame(const Context& context,
+                                                     LastFrame& frame) const {
+  const PlacedCurves& placed = *frame.placed;
+  FrameTables& tables = frame.tables;
+  if (!tables.color.field) return sample(context, placed.flat, placed.curves);
+  const bool has_opacity = tables.opacity.has_value();
+  const auto moved = std::span(placed.curves).last(1);
+  Result<SampledFields> tail = sample(context, placed.moved, moved, has_opacity);
+  if (!tail) return tail;
+  const bool has_shaders = !tail->color.attributes.shader.empty() ||
+                           (tail->opacity && !tail->opacity->attributes.shader.empty());
+  if (has_shaders || tail->opacity.has_value() != has_opacity) {
+    return sample(context, placed.flat, placed.curves);
+  }
+  const auto curve = static_cast<std::uint32_t>(curves.size());
+  const auto extend = [&](PreparedField& used, SampledField& one) {
+    SampledField all{std::move(used.attributes), std::move(used.memory)};
+    Status status = curves::replace_tail(context, placed.first, curve, one.attributes, all.memory,
+                                         all.attributes);
+    if (status) one = std::move(all);
+    return status;
+  };
+  Status status = extend(*tables.color.field, tail->color);
+  if (status && has_opacity) status = extend(*tables.opacity->field, *tail->opacity);
+  if (!status) return status;
+  return tail;
+}
+
+/// keeps   leaves its tables for the next frame, and uses those of the last
+Result<PatchLayer> LayerDrag::State::frame(Context& context, const Curve& curve, bool keeps,
+                                           DiffuseStats* stats, std::optional<RoundWatch> watch) {
+  LastFrame now;
+  if (keeps) now = std::exchange(last, {});
   TableMemory memory("a drag");
-  const auto vertices = static_cast<std::uint32_t>(placed->flat.vertex.size());
+  Status status = place(context, curve, now);
+  if (!status) return status;
+  const auto vertices = static_cast<std::uint32_t>(now.placed->flat.vertex.size());
   const Result<std::vector<std::uint8_t>> moves =
-      marked(context, vertices, placed->first, vertices, memory);
+      marked(context, vertices, now.placed->first, vertices, memory);
   if (!moves) return moves.status();
-  Result<mesh::Mesher> seen = visibility->copy(context);
-  if (!seen) return seen.status();
-  Status status = seen->edit(context, placed->flat, edit, false);
-  if (!status) return status;
-  Result<mesh::Mesher> patches = base->mesher().copy(context);
-  if (!patches) return patches.status();
-  status = patches->edit(context, placed->flat, edit, true);
-  if (!status) return status;
-  const Result<std::vector<std::uint8_t>> is_same =
-      seen->same_triangles(context, *visibility, memory);
+  const Result<std::vector<std::uint8_t>> is_same = insert_curve(context, now, memory);
   if (!is_same) return is_same.status();
-  const FieldEdits edits{{*moves}, &base->color(), base->opacity(), *is_same};
-  Result<LayerSolver> now = solver(context, placed->flat, placed->curves, *seen,
-                                   std::move(*patches), edits, stats, watch);
-  if (!now) return now.status();
-  status = now->continue_inserted(*base, *moves, *is_same);
+  Result<mesh::Mesher> patches = patches_with(context, now);
+  if (!patches) return patches.status();
+  Result<SampledFields> sampled = sample_frame(context, now);
+  if (!sampled) return sampled.status();
+  FrameTables& tables = now.tables;
+  const FieldEdits edits{
+      {*moves}, &base->color(),      base->opacity(),
+      *is_same, &tables.color.field, tables.opacity ? &tables.opacity->field : nullptr};
+  Result<PreparedFields> fields =
+      prepare_fields(context, *now.seen, now.seen_mesh, std::move(*sampled), options.ends, edits);
+  if (!fields) return fields.status();
+  LayerSolver layer = solver(context, std::move(*fields), std::move(*patches), stats, watch);
+  status = layer.continue_inserted(*base, *moves, *is_same, &tables);
   if (!status) return status;
-  return now->take();
+  std::optional<FrameTables> kept;
+  Result<PatchLayer> result = layer.take(keeps ? &kept : nullptr);
+  if (!result || !keeps) return result;
+  tables = kept ? std::move(*kept) : FrameTables();
+  last = std::move(now);
+  return result;
 }
 
 LayerDrag::LayerDrag(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -284,8 +374,19 @@ Result<LayerDrag> LayerDrag::with_room(Context& context) const {
 }
 
 Result<PatchLayer> LayerDrag::frame(Context& context, const Curve& curve, DiffuseStats* stats,
-                                    std::optional<RoundWatch> watch) const {
-  return state_->frame(context, curve, stats, watch);
+                                    std::optional<RoundWatch> watch) {
+  // What is kept is charged to the Budget of the drag.
+  if (&context.budget != state_->budget) return state_->frame(context, curve, false, stats, watch);
+  Result<PatchLayer> layer =
+      no_throw([&] { return state_->frame(context, curve, true, stats, watch); });
+  if (layer || !is_lack_of_memory(layer.status())) return layer;
+  return state_->frame(context, curve, false, stats, watch);
+}
+
+bool LayerDrag::forget_frame() {
+  const bool any = state_->last.placed.has_value();
+  state_->last = {};
+  return any;
 }
 
 }  // namespace sfumato::solve

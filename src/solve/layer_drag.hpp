@@ -16,15 +16,15 @@ namespace sfumato::solve {
 
 /// A curve of a layer that moves while all others stay: its layer solved without it, to which each
 /// frame adds it at another place: in copies of the layer's tables, in which only what the curve
-/// changes is made anew. A frame depends on the layer and on the curve, not on the frames before
-/// it.
+/// changes is made anew. A frame uses the copies of the one before, and first takes back what that
+/// changed. It depends on the layer and on the curve, not on the frames before it.
 ///
 /// Frames are for looking at while something moves. Their nodes have their exact values, but the
 /// mesh is that of the layer as it was, no finer where the curve is now than the angles ask; and
 /// the curve is drawn over all others.
 ///
 /// Memory stays charged to the Budget of the Context that begin() was given, which must outlive
-/// this; frames have a Context of their own.
+/// this. Frames may have a Context of their own, which then costs them anew copies each time.
 class LayerDrag {
  public:
   /// Takes the curve off the layer. `sight` is that of the layer, and not empty.
@@ -56,7 +56,10 @@ class LayerDrag {
   /// Errors   bad_input (it reaches farther beyond what is shown than the layer's mesh has room, or
   ///          its sides ask for other fields than they did: solve the layer anew), limit, cancelled
   Result<PatchLayer> frame(Context& context, const Curve& curve, DiffuseStats* stats = nullptr,
-                           std::optional<RoundWatch> watch = {}) const;
+                           std::optional<RoundWatch> watch = {});
+
+  /// Gives up the tables that the last frame left for the next. Returns whether there were any.
+  bool forget_frame();
 
  private:
   struct State;

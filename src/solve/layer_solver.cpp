@@ -2,18 +2,14 @@
 
 #include <algorithm>
 #include <atomic>
-#include <functional>
 #include <numeric>
 #include <utility>
 
 #include "base/limit_error.hpp"
 #include "base/no_throw.hpp"
 #include "base/parallel.hpp"
-#include "base/poll.hpp"
 #include "base/stopwatch.hpp"
 #include "base/table_memory.hpp"
-#include "solve/fan.hpp"
-#include "solve/soft_edges.hpp"
 
 namespace sfumato::solve {
 namespace {
@@ -25,11 +21,6 @@ constexpr int kMaxRounds = 12;
 /// find what is missed, must stand closer.
 constexpr double kEdgePerRadius = 3;
 constexpr double kProbedEdgePerRadius = 1.5;
-
-/// A triangle that is nowhere more opaque than this shows in no pixel.
-constexpr float kInvisibleOpacity = 1.0f / 4096;
-
-constexpr std::size_t kTrianglesPerTask = 4096;
 
 /// Nodes are copied where there is room for this many copies.
 constexpr std::size_t kRoomPerCopy = 8;
@@ -175,98 +166,14 @@ Status LayerSolver::refine() {
   return status;
 }
 
-Status LayerSolver::continue_from(const LayerSolver& before) {
-  Status status = take_mesh();
-  if (status && is_blurred_) status = list_all_triangles();
-  if (status && is_blurred_) status = follow_blur();
-  if (status) status = lay_out();
-  if (!status) return status;
-  TableMemory scratch("patches");
-  const Result<std::vector<std::int32_t>> kept =
-      mesher_.kept_triangles(context_, before.mesher_, scratch);
-  if (!kept) return kept.status();
-  status = color_.carry_over(context_, before.color_, *kept);
-  if (status && opacity_ && before.opacity_) {
-    status = opacity_->carry_over(context_, *before.opacity_, *kept);
-  }
-  if (status) status = gather(gather::GatherOptions{}, false);
-  return status;
-}
-
-Result<PatchLayer> LayerSolver::take() {
+Result<PatchLayer> LayerSolver::take(std::optional<FrameTables>* kept) {
   Status status = cut_at_border();
   if (!status) return status;
-  Result<PatchLayer> layer = take_patches();
+  const bool keeps_tables = kept && can_keep_tables();
+  Result<PatchLayer> layer = take_patches(keeps_tables);
+  if (layer && keeps_tables) kept->emplace(release_frame());
   if (context_.cancelled()) return context_.cancel_status();
   return layer;
-}
-
-Status LayerSolver::prepare_to_be_edited() {
-  Status status = mesher_.bake(context_);
-  if (!status) return status;
-  return for_each_field([&](FieldSolver& field) { return field.locate_nodes(context_); });
-}
-
-Status LayerSolver::continue_inserted(const LayerSolver& before,
-                                      std::span<const std::uint8_t> is_inserted,
-                                      std::span<const std::uint8_t> is_same) {
-  const bool has_fields = color_.has_channels_of(before.color_) &&
-                          opacity_.has_value() == before.opacity_.has_value() &&
-                          (!opacity_ || opacity_->has_channels_of(*before.opacity_));
-  if (!has_fields || !mesher_.follows_changes()) return continue_from(before);
-  Result<mesh::TriangleMesh> mesh = mesher_.copy_patch_mesh(context_, before.mesh_);
-  if (!mesh) return mesh.status();
-  mesh_ = std::move(*mesh);
-  Status status = color_.start_from(context_, before.color_, mesh_);
-  if (status && opacity_) status = opacity_->start_from(context_, *before.opacity_, mesh_);
-  if (status) status = update_mesh();
-  if (status) status = follow_insertion(is_inserted);
-  if (status) status = color_.lay_out_from(context_, before.color_, mesh_, changed_, is_same);
-  if (status && opacity_)
-    status = opacity_->lay_out_from(context_, *before.opacity_, mesh_, changed_, is_same);
-  if (status) status = gather(gather::GatherOptions{}, false);
-  return status;
-}
-
-/// Lists in changed_ all that an insertion changes, with what blurs ask for then.
-Status LayerSolver::follow_insertion(std::span<const std::uint8_t> is_inserted) {
-  Status status = add_fans(is_inserted);
-  if (!status || !is_blurred_) return status;
-  std::vector<std::uint32_t> all_changed;
-  status = memory_.append(context_, changed_, all_changed);
-  if (status) status = follow_blur(&all_changed);
-  if (status) status = TableMemory::sort(context_, all_changed, std::less<>());
-  all_changed.erase(std::unique(all_changed.begin(), all_changed.end()), all_changed.end());
-  changed_.swap(all_changed);
-  memory_.free(all_changed);
-  return status;
-}
-
-/// Adds the triangles around the vertices of inserted curves to those that changed: such a curve
-/// parts what was one sector.
-Status LayerSolver::add_fans(std::span<const std::uint8_t> is_inserted) {
-  TableMemory scratch("patches");
-  std::vector<std::uint8_t> is_listed, is_met;
-  Status status = scratch.resize(context_, is_listed, mesh_.triangle_count());
-  if (status) status = scratch.resize(context_, is_met, mesh_.vertex_position.size());
-  if (!status) return status;
-  RarePoll<1024> poll(context_);
-  const std::size_t count = changed_.size();
-  for (const std::uint32_t t : changed_) is_listed[t] = 1;
-  Fan fan;
-  for (std::size_t i = 0; i < count && status; ++i) {
-    for (std::uint32_t h = 3 * changed_[i]; h < 3 * changed_[i] + 3 && status; ++h) {
-      if (poll.cancelled()) return context_.cancel_status();
-      if (!mesh_.has_segment(h, is_inserted)) continue;
-      if (std::exchange(is_met[mesh_.origin(h)], std::uint8_t{1})) continue;
-      fan.collect(mesh_, h, [](std::uint32_t) { return false; });
-      for (const std::uint32_t spoke : fan.spoke) {
-        if (std::exchange(is_listed[spoke / 3], std::uint8_t{1})) continue;
-        if (status) status = memory_.push_back(context_, changed_, spoke / 3);
-      }
-    }
-  }
-  return status ? TableMemory::sort(context_, changed_, std::less<>()) : status;
 }
 
 /// Takes the mesher's first mesh.
@@ -274,11 +181,11 @@ Status LayerSolver::take_mesh() {
   const Stopwatch watch;
   Result<mesh::TriangleMesh> mesh = mesher_.patch_mesh(context_);
   if (!mesh) return mesh.status();
-  mesh_ = std::move(*mesh);
-  Status status = check_limits(context_.limits, mesh_);
+  *mesh_ = std::move(*mesh);
+  Status status = check_limits(context_.limits, *mesh_);
   if (status)
     status =
-        for_fields_side_by_side([&](FieldSolver& field) { return field.start(context_, mesh_); });
+        for_fields_side_by_side([&](FieldSolver& field) { return field.start(context_, *mesh_); });
   if (stats_) stats_->triangulation_seconds += watch.seconds();
   return status;
 }
@@ -286,11 +193,11 @@ Status LayerSolver::take_mesh() {
 /// Follows the mesher, and the fields that.
 Status LayerSolver::update_mesh() {
   const Stopwatch watch;
-  Status status = mesher_.update_patch_mesh(context_, mesh_, changed_);
-  if (status) status = check_limits(context_.limits, mesh_);
+  Status status = mesher_.update_patch_mesh(context_, *mesh_, changed_);
+  if (status) status = check_limits(context_.limits, *mesh_);
   if (status) {
     status = for_fields_side_by_side(
-        [&](FieldSolver& field) { return field.follow(context_, mesh_, changed_); });
+        [&](FieldSolver& field) { return field.follow(context_, *mesh_, changed_); });
   }
   if (stats_) stats_->triangulation_seconds += watch.seconds();
   return status;
@@ -299,9 +206,9 @@ Status LayerSolver::update_mesh() {
 /// All triangles are new then.
 Status LayerSolver::lay_out() {
   const Stopwatch watch;
-  const std::size_t spare = options_.max_error > 0 ? mesh_.triangle_count() / 2 : 0;
+  const std::size_t spare = options_.max_error > 0 ? mesh_->triangle_count() / 2 : 0;
   Status status = for_fields_side_by_side(
-      [&](FieldSolver& field) { return field.lay_out(context_, mesh_, spare); });
+      [&](FieldSolver& field) { return field.lay_out(context_, *mesh_, spare); });
   if (status) status = list_all_triangles();
   if (stats_) stats_->triangulation_seconds += watch.seconds();
   return status;
@@ -310,14 +217,14 @@ Status LayerSolver::lay_out() {
 Status LayerSolver::put_in_order() {
   const Stopwatch watch;
   Status status = for_fields_side_by_side(
-      [&](FieldSolver& field) { return field.put_in_order(context_, mesh_); });
+      [&](FieldSolver& field) { return field.put_in_order(context_, *mesh_); });
   if (stats_) stats_->triangulation_seconds += watch.seconds();
   return status;
 }
 
 /// As those that changed.
 Status LayerSolver::list_all_triangles() {
-  Status status = memory_.resize(context_, changed_, mesh_.triangle_count());
+  Status status = memory_.resize(context_, changed_, mesh_->triangle_count());
   std::iota(changed_.begin(), changed_.end(), 0u);
   return status;
 }
@@ -331,20 +238,20 @@ Status LayerSolver::follow_blur(std::vector<std::uint32_t>* all_changed) {
   std::vector<std::uint32_t> triangles;
   Status status;
   for (int round = 0; status && round < kMaxRounds; ++round) {
-    status = scratch.resize(context_, coarse, mesh_.triangle_count());
+    status = scratch.resize(context_, coarse, mesh_->triangle_count());
     if (!status) return status;
     for (const std::uint32_t t : changed_) coarse[t] = 0;
     status = for_each_field([&](FieldSolver& field) {
-      return field.find_coarse(context_, mesh_, changed_, edge_per_radius, coarse);
+      return field.find_coarse(context_, *mesh_, changed_, edge_per_radius, coarse);
     });
     if (status) status = list_chosen(context_, coarse, scratch, triangles);
     if (!status) return status;
     if (triangles.empty()) break;
-    const std::uint32_t before = mesh_.triangle_count();
+    const std::uint32_t before = mesh_->triangle_count();
     status = make_smaller(triangles);
     if (status) status = update_mesh();
     if (status && all_changed) status = memory_.append(context_, changed_, *all_changed);
-    if (mesh_.triangle_count() == before) break;
+    if (mesh_->triangle_count() == before) break;
   }
   return status;
 }
@@ -360,7 +267,7 @@ Status LayerSolver::gather(const gather::GatherOptions& options, bool all) {
   });
   if (stats_) stats_->nodes += gathered;
   if (stats_) stats_->gather_seconds += watch.seconds();
-  if (status && watch_) (*watch_)(mesh_, color_, opacity_ ? &*opacity_ : nullptr);
+  if (status && watch_) (*watch_)(*mesh_, color_, opacity_ ? &*opacity_ : nullptr);
   return status;
 }
 
@@ -369,12 +276,12 @@ Status LayerSolver::find_misses(std::vector<std::uint32_t>& missed) {
   const Stopwatch watch;
   TableMemory scratch("patches");
   std::vector<std::uint8_t> misses;
-  Status status = scratch.resize(context_, misses, mesh_.triangle_count());
+  Status status = scratch.resize(context_, misses, mesh_->triangle_count());
   if (!status) return status;
   const auto limit = static_cast<float>(options_.max_error / 255);
   const auto opacity = [&](std::uint32_t t) { return largest_opacity(t, 1); };
   status = for_each_field([&](const FieldSolver& field) {
-    return field.find_misses(context_, mesh_, changed_, limit, options_.order, opacity, misses);
+    return field.find_misses(context_, *mesh_, changed_, limit, options_.order, opacity, misses);
   });
   if (status) status = list_chosen(context_, misses, memory_, missed);
   if (stats_) stats_->gather_seconds += watch.seconds();
@@ -406,7 +313,7 @@ Status LayerSolver::cut_at_border() {
     return for_each_field(
         [&](const FieldSolver& field) { return field.look(context_, points, seen); });
   };
-  Result<BorderCuts> cuts = solve::cut_at_border(context_, mesh_, {node_sees, is_seam, look},
+  Result<BorderCuts> cuts = solve::cut_at_border(context_, *mesh_, {node_sees, is_seam, look},
                                                  kBorderPerEdge * smallest_edge_);
   if (!cuts) return cuts.status();
   cuts_ = std::move(*cuts);
@@ -414,9 +321,9 @@ Status LayerSolver::cut_at_border() {
   if (cuts_.part_count() == 0) return ok_status();
   status = for_each_field([&](FieldSolver& field) { return field.add_parts(context_, cuts_); });
   if (status) status = gather(options_.gather, false);
-  if (status) status = memory_.append(context_, cuts_.vertex, mesh_.vertex_position);
-  if (status) status = memory_.append(context_, cuts_.triangle_vertex, mesh_.triangle_vertex);
-  return status ? check_limits(context_.limits, mesh_) : status;
+  if (status) status = memory_.append(context_, cuts_.vertex, mesh_->vertex_position);
+  if (status) status = memory_.append(context_, cuts_.triangle_vertex, mesh_->triangle_vertex);
+  return status ? check_limits(context_.limits, *mesh_) : status;
 }
 
 /// Of the mesher's triangles.
@@ -425,126 +332,10 @@ bool LayerSolver::is_curve(std::uint32_t half_edge) const {
          (opacity_ && opacity_->layout().edge_is_curve[half_edge]);
 }
 
-/// Per half-edge, parts included: 1 on curves and where nothing is kept beyond it.
-Result<std::vector<std::uint8_t>> LayerSolver::edges_of_curves(std::span<const std::uint8_t> keep,
-                                                               TableMemory& memory) const {
-  const std::size_t whole = mesh_.half_edge_twin.size();
-  std::vector<std::uint8_t> marks;
-  Status status = memory.resize(context_, marks, mesh_.triangle_vertex.size());
-  if (!status) return status;
-  status = parallel_for(context_, marks.size(), kTrianglesPerTask,
-                        [&](std::size_t begin, std::size_t end) {
-                          for (std::size_t i = begin; i < end; ++i) {
-                            const std::int32_t edge =
-                                i < whole ? static_cast<std::int32_t>(i) : cuts_.edge[i - whole];
-                            marks[i] = edge < 0 ? edge == BorderCuts::kBorder : is_end(edge, keep);
-                          }
-                        });
-  if (!status) return status;
-  return marks;
-}
-
-/// Whether an edge of the mesher's triangles lies on a curve, or nothing is kept beyond it.
-bool LayerSolver::is_end(std::int32_t half_edge, std::span<const std::uint8_t> keep) const {
-  const std::int32_t twin = mesh_.half_edge_twin[half_edge];
-  const auto beyond = static_cast<std::uint32_t>(twin) / 3;
-  return (twin != mesh::kNone && !keep[beyond] && !is_cut(beyond)) ||
-         is_curve(static_cast<std::uint32_t>(half_edge));
-}
-
-/// Adds the triangles beside them to those to keep: a blur mixes the colours of what is
-/// transparent, too.
-Result<std::vector<SoftEdge>> LayerSolver::soft_edges(std::span<std::uint8_t> keep,
-                                                      TableMemory& memory) const {
-  if (!is_finely_blurred_) return std::vector<SoftEdge>();
-  const Seams& color = color_.seams();
-  const Seams* const opacity = opacity_ ? &opacity_->seams() : nullptr;
-  const auto is_seam = [&](std::uint32_t h) { return is_curve(h); };
-  const auto fine_radius = [&](std::uint32_t h, float u) {
-    const float radius = color.fine_radius(h, u);
-    return opacity ? std::max(radius, opacity->fine_radius(h, u)) : radius;
-  };
-  RarePoll<16384> poll(context_);
-  for (std::uint32_t h = 0; h < mesh_.half_edge_twin.size(); ++h) {
-    if (poll.cancelled()) return context_.cancel_status();
-    if (mesh_.half_edge_constraint[h] == mesh::kNone || keep[h / 3] || is_cut(h / 3)) continue;
-    const bool is_soft = fine_radius(h, 0) > 0 || fine_radius(h, 1) > 0;
-    keep[h / 3] = is_soft && color_.sees_curves(h / 3);
-  }
-  const auto is_meshed = [&](std::uint32_t h) {
-    const auto is_blurred = [&](const Seams& seams) {
-      return seams.blur_radius(h, 0) > 0 || seams.blur_radius(h, 1) > 0;
-    };
-    return is_blurred(color) || (opacity && is_blurred(*opacity));
-  };
-  return find_soft_edges(context_, mesh_, {is_seam, fine_radius, is_meshed}, keep, memory);
-}
-
 /// At the triangle's nodes, or `enough` where it is at least that; 1 where the layer is opaque.
 float LayerSolver::largest_opacity(std::uint32_t triangle, float enough) const {
   if (opacity_) return opacity_->largest_value(triangle, 0, enough);
   return is_joint() ? color_.largest_value(triangle, kOpacityChannel, enough) : 1;
-}
-
-/// A region from which no curve is seen has no colour, and one without opacity shows nothing: both
-/// need no triangles.
-Result<std::vector<std::uint8_t>> LayerSolver::visible_triangles(TableMemory& memory) const {
-  std::vector<std::uint8_t> keep;
-  Status status = memory.resize(context_, keep, mesh_.triangle_count());
-  if (!status) return status;
-  status = parallel_for(context_, keep.size(), kTrianglesPerTask,
-                        [&](std::size_t begin, std::size_t end) {
-                          for (auto t = static_cast<std::uint32_t>(begin); t < end; ++t) {
-                            keep[t] = !is_cut(t) && color_.sees_curves(t) &&
-                                      largest_opacity(t, kInvisibleOpacity) >= kInvisibleOpacity;
-                          }
-                        });
-  if (!status) return status;
-  return keep;
-}
-
-Result<PatchLayer> LayerSolver::take_patches() {
-  TableMemory memory("patches");
-  Result<std::vector<std::uint8_t>> visible = visible_triangles(memory);
-  if (!visible) return visible.status();
-  const std::span<std::uint8_t> keep = *visible;
-  PatchLayer layer;
-  Result<std::vector<SoftEdge>> soft_edge = soft_edges(keep, memory);
-  if (!soft_edge) return soft_edge.status();
-  layer.soft_edge = std::move(*soft_edge);
-  const Result<std::vector<std::uint8_t>> marks = edges_of_curves(keep, memory);
-  if (!marks) return marks.status();
-  const auto kept = static_cast<std::size_t>(std::ranges::count(keep, 1));
-  Status status =
-      for_each_field([&](FieldSolver& field) { return field.fill_unseen_nodes(context_); });
-  if (status) status = memory.reserve(context_, layer.triangle_vertex, 3 * kept);
-  if (status) status = memory.reserve(context_, layer.edge_is_curve, 3 * kept);
-  if (!status) return status;
-  RarePoll<16384> poll(context_);
-  layer.frame = frame_;
-  layer.order = options_.order;
-  for (std::uint32_t t = 0; t < mesh_.triangle_count(); ++t) {
-    if (poll.cancelled()) return context_.cancel_status();
-    if (!keep[t]) continue;
-    for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
-      layer.triangle_vertex.push_back(mesh_.triangle_vertex[h]);
-      layer.edge_is_curve.push_back((*marks)[h]);
-    }
-  }
-  if (context_.cancelled()) return context_.cancel_status();
-  layer.vertex_position = std::move(mesh_.vertex_position);
-  layer.color = color_.take(keep);
-  if (opacity_) layer.opacity = opacity_->take(keep);
-  if (is_joint()) {
-    Result<PatchField> opacity = split_channel(context_, layer.color, kOpacityChannel, memory);
-    if (!opacity) return opacity.status();
-    layer.opacity = std::move(*opacity);
-  }
-  if (stats_) {
-    stats_->triangles += layer.triangle_count();
-    stats_->vertices += layer.vertex_position.size();
-  }
-  return layer;
 }
 
 }  // namespace sfumato::solve

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -34,6 +35,17 @@ struct RefinedNodes {
 struct RefinedLayer {
   mesh::Mesher mesher;
   RefinedNodes nodes;
+};
+
+/// A layer's tables as a frame of a drag left them: those of the layer that it began from, but for
+/// what the frame changed, which the next frame takes back.
+struct FrameTables {
+  std::optional<mesh::Mesher> mesher{};
+  std::unique_ptr<mesh::TriangleMesh> mesh{};  ///< or none, with no fields
+  FieldFrame color{};
+  std::optional<FieldFrame> opacity{};
+  std::vector<std::uint32_t> changed{};  ///< triangles that the frame changed
+  TableMemory memory{"patches"};
 };
 
 /// Solves one layer: patch mesh, node values of colour and opacity, error-driven refinement.
@@ -72,8 +84,10 @@ class LayerSolver {
   /// continue_from(). `before` was made ready by prepare_to_be_edited().
   /// is_inserted   per segment
   /// is_same       Mesher::same_triangles of the two visibility meshes
+  /// last          unless null: what the last frame, whose mesher is now this one's, left of the
+  ///               rest. It is used up.
   Status continue_inserted(const LayerSolver& before, std::span<const std::uint8_t> is_inserted,
-                           std::span<const std::uint8_t> is_same);
+                           std::span<const std::uint8_t> is_same, FrameTables* last = nullptr);
 
   /// After continue_from(): what continue_inserted() of others needs of this. Errors: limit
   /// (memory), cancelled.
@@ -81,7 +95,9 @@ class LayerSolver {
 
   /// The patches, after refine(), continue_from() or continue_inserted(). Errors: limit,
   /// cancelled.
-  Result<PatchLayer> take();
+  /// kept   unless null: gets what the next frame may begin from after continue_inserted(), or
+  ///        nothing where these patches change more
+  Result<PatchLayer> take(std::optional<FrameTables>* kept = nullptr);
 
   const mesh::Mesher& mesher() const { return mesher_; }
   const PreparedField& color() const { return color_.field(); }
@@ -108,6 +124,12 @@ class LayerSolver {
   bool is_cut(std::uint32_t triangle) const {
     return triangle < cuts_.is_cut.size() && cuts_.is_cut[triangle] != 0;
   }
+  bool shows_everything() const;
+  bool may_be_fine(std::uint32_t half_edge) const;
+  Result<std::vector<std::uint32_t>> fine_half_edges(TableMemory& memory) const;
+  Result<std::vector<std::uint32_t>> fine_near_changes(std::span<const SoftEdge> before,
+                                                       std::vector<std::uint8_t>& is_near,
+                                                       TableMemory& memory) const;
   Result<std::vector<SoftEdge>> soft_edges(std::span<std::uint8_t> keep, TableMemory& memory) const;
   float largest_opacity(std::uint32_t triangle, float enough) const;
   Result<std::vector<std::uint8_t>> visible_triangles(TableMemory& memory) const;
@@ -115,7 +137,14 @@ class LayerSolver {
                                                     TableMemory& memory) const;
   /// Whether color_ holds the opacity too, as its fourth channel.
   bool is_joint() const;
-  Result<PatchLayer> take_patches();
+  Status start_inserted(const LayerSolver& before, FrameTables& last);
+  bool can_keep_tables() const;
+  FrameTables release_frame();
+  Result<PatchLayer> take_patches(bool keeps_tables);
+  Status take_triangles(std::span<const std::uint8_t> keep, std::vector<std::uint8_t> marks,
+                        TableMemory& memory, PatchLayer& layer);
+  Status take_fields(std::span<const std::uint8_t> keep, bool keeps_tables, TableMemory& memory,
+                     PatchLayer& layer);
 
   template <class Body>
   Status for_each_field(Body body) {
@@ -138,10 +167,13 @@ class LayerSolver {
   DiffuseStats* stats_;
   std::optional<RoundWatch> watch_;
   SolveWay way_;
-  mesh::TriangleMesh mesh_;
+  std::unique_ptr<mesh::TriangleMesh> mesh_ = std::make_unique<mesh::TriangleMesh>();
   std::vector<std::uint32_t> changed_;  ///< triangles that are new in this round, ascending
-  BorderCuts cuts_;                     ///< their parts follow the mesher's triangles
-  TableMemory memory_{"patches"};       ///< for lists of triangles, and for parts in the mesh
+  /// What continue_inserted() was told, unless it took another way.
+  const LayerSolver* inserted_into_ = nullptr;
+  std::optional<std::vector<SoftEdge>> soft_edge_;  ///< for others to be inserted into this
+  BorderCuts cuts_;                                 ///< their parts follow the mesher's triangles
+  TableMemory memory_{"patches"};  ///< for lists of triangles, and for parts in the mesh
 };
 
 }  // namespace sfumato::solve

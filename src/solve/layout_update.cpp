@@ -52,7 +52,9 @@ class KeptNodes {
 
   void set(std::uint32_t spoke, std::uint32_t node) {
     std::uint32_t& here = node_at(spoke / 3, spoke % 3);
-    if (here != kNoNode && here != node) left_.push_back(here);
+    if (here == node) return;
+    if (here != kNoNode) left_.push_back(here);
+    if (history_.is_logged && !is_changed(spoke / 3)) history_.reassigned.push_back(spoke / 3);
     here = node;
   }
 
@@ -63,7 +65,10 @@ class KeptNodes {
     std::fill_n(node, kNodesPerTriangle, kNoNode);
   }
 
-  void meet(std::uint32_t node) { history_.node_seen[node] = history_.updates; }
+  void meet(std::uint32_t node) {
+    if (history_.is_logged && !is_met(node)) history_.met.push_back(node);
+    history_.node_seen[node] = history_.updates;
+  }
 
   /// Nodes that were left, and that nobody has met since, nobody has.
   Status free_unmet(const Context& context, RarePoll<4096>& poll) {
@@ -106,7 +111,7 @@ class KeptNodes {
  private:
   std::size_t kept_bytes() const {
     return capacity_bytes(layout_.position, layout_.is_fixed, layout_.value, history_.fresh,
-                          history_.unused, history_.node_seen);
+                          history_.unused, history_.node_seen, history_.met, history_.reassigned);
   }
 
   bool is_met(std::uint32_t node) const { return history_.was_met(node); }
@@ -285,7 +290,8 @@ class LayoutUpdate {
 }  // namespace
 
 void LayoutHistory::free(TableMemory& memory) {
-  for (std::vector<std::uint32_t>* table : {&fresh, &unused, &node_seen, &vertex_seen}) {
+  for (std::vector<std::uint32_t>* table :
+       {&fresh, &unused, &node_seen, &vertex_seen, &met, &reassigned}) {
     memory.free(*table);
   }
   memory.free(is_changed);
@@ -297,6 +303,33 @@ Status update_layout(const Context& context, const TriangleMesh& mesh,
                      std::span<const std::uint32_t> changed, TableMemory& memory,
                      NodeLayout& layout, LayoutHistory& history) {
   return LayoutUpdate(context, mesh, attributes, seams, changed, memory, layout, history).run();
+}
+
+void take_back(const NodeLayout& before, std::span<const std::uint32_t> changed, NodeLayout& layout,
+               LayoutHistory& history) {
+  const auto channels = static_cast<std::size_t>(before.channel_count);
+  layout.triangle_node.resize(before.triangle_node.size());
+  layout.edge_is_curve.resize(before.edge_is_curve.size());
+  layout.position.resize(before.position.size());
+  layout.is_fixed.resize(before.is_fixed.size());
+  layout.value.resize(before.value.size());
+  const auto copy_rows = [](const auto& from, auto& to, std::size_t row, std::size_t width) {
+    if (width * row >= from.size()) return;
+    std::copy_n(from.data() + width * row, width, to.data() + width * row);
+  };
+  for (const std::span<const std::uint32_t> triangles : {changed, {history.reassigned}}) {
+    for (const std::uint32_t t : triangles) {
+      copy_rows(before.triangle_node, layout.triangle_node, t, kNodesPerTriangle);
+      copy_rows(before.edge_is_curve, layout.edge_is_curve, t, 3);
+    }
+  }
+  for (const std::uint32_t node : history.met) {
+    copy_rows(before.position, layout.position, node, 1);
+    copy_rows(before.is_fixed, layout.is_fixed, node, 1);
+    copy_rows(before.value, layout.value, node, channels);
+  }
+  for (auto* list : {&history.fresh, &history.unused, &history.met, &history.reassigned})
+    list->clear();
 }
 
 }  // namespace sfumato::solve

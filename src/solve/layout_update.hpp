@@ -16,6 +16,11 @@ struct LayoutHistory {
   std::vector<std::uint32_t> vertex_seen;  ///< per vertex: the last update that met it
   std::vector<std::uint8_t> is_changed;    ///< per triangle; 0 between updates
   std::uint32_t updates = 0;
+  /// Where updates are to be taken back: nodes that they met, and triangles that did not change but
+  /// have other nodes. Either may be listed more than once.
+  bool is_logged = false;
+  std::vector<std::uint32_t> met;
+  std::vector<std::uint32_t> reassigned;
 
   /// Releases the tables to `memory`, which is the layout's.
   void free(TableMemory& memory);
@@ -48,5 +53,12 @@ Status update_layout(const Context& context, const mesh::TriangleMesh& mesh,
                      const curves::SegmentAttributes& attributes, const Seams& seams,
                      std::span<const std::uint32_t> changed, TableMemory& memory,
                      NodeLayout& layout, LayoutHistory& history);
+
+/// Makes `layout`, a copy of `before` with logged updates, `before` again, but for the values of
+/// free nodes that no update met; and the history as if there had been none.
+/// changed   the triangles that changed in these updates
+/// Cost      O(what changed)
+void take_back(const NodeLayout& before, std::span<const std::uint32_t> changed, NodeLayout& layout,
+               LayoutHistory& history);
 
 }  // namespace sfumato::solve

@@ -67,7 +67,8 @@ bool is_thin(const mesh::TriangleMesh& mesh, const std::vector<std::uint8_t>& be
 Result<PreparedField> prepare_field(Context& context, const mesh::Mesher& mesher,
                                     const mesh::TriangleMesh& visibility, SampledField sampled,
                                     gather::Ends ends, const FieldEdits& edits,
-                                    const PreparedField* before) {
+                                    const PreparedField* before,
+                                    std::optional<PreparedField>* used) {
   const curves::SegmentAttributes& attributes = sampled.attributes;
   TableMemory scratch("the visibility mesh");
   const Result<std::vector<std::uint8_t>> bears =
@@ -81,7 +82,10 @@ Result<PreparedField> prepare_field(Context& context, const mesh::Mesher& mesher
     thinned = std::move(*mesh);
   }
   gather::Insertion insertion;
-  if (before && !before->is_thinned && !is_thinned) insertion = {&before->gatherer, edits.is_same};
+  if (before && !before->is_thinned && !is_thinned) {
+    insertion = {&before->gatherer, edits.is_same};
+    if (used && used->has_value()) insertion.used = &(*used)->gatherer;
+  }
   Result<gather::Gatherer> gatherer = gather::Gatherer::create(
       context, is_thinned ? thinned : visibility, attributes, ends, edits.use, insertion);
   if (!gatherer) return gatherer.status();
@@ -187,7 +191,8 @@ Result<SampledFields> sample_fields(const Context& context, const FlatLayer& lay
   if (!colors) return colors.status();
   drop_blur(*colors);
   SampledFields fields{{std::move(*colors), std::move(memory)}, {}};
-  if (layer.is_joint || std::ranges::none_of(layer.curves, bears_opacity)) return fields;
+  const bool has_opacity = layer.has_opacity || std::ranges::any_of(layer.curves, bears_opacity);
+  if (layer.is_joint || !has_opacity) return fields;
   TableMemory opacity_memory("attributes");
   Result<curves::SegmentAttributes> opacities =
       curves::sample_opacities(context, layer.flat, layer.curves, opacity_memory);
@@ -201,12 +206,13 @@ Result<PreparedFields> prepare_fields(Context& context, const mesh::Mesher& mesh
                                       const mesh::TriangleMesh& visibility, SampledFields sampled,
                                       gather::Ends ends, const FieldEdits& edits) {
   Result<PreparedField> color = prepare_field(context, mesher, visibility, std::move(sampled.color),
-                                              ends, edits, edits.color_before);
+                                              ends, edits, edits.color_before, edits.color_used);
   if (!color) return color.status();
   PreparedFields fields{std::move(*color), {}};
   if (!sampled.opacity) return fields;
-  Result<PreparedField> opacity = prepare_field(
-      context, mesher, visibility, std::move(*sampled.opacity), ends, edits, edits.opacity_before);
+  Result<PreparedField> opacity =
+      prepare_field(context, mesher, visibility, std::move(*sampled.opacity), ends, edits,
+                    edits.opacity_before, edits.opacity_used);
   if (!opacity) return opacity.status();
   fields.opacity.emplace(std::move(*opacity));
   return fields;

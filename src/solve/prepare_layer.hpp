@@ -62,7 +62,8 @@ struct FlatLayer {
   const curves::FlatCurves& flat;
   std::span<const Curve> curves;
   InterpolationSpace interpolation = InterpolationSpace::srgb;
-  bool is_joint = false;  ///< one field holds colour and opacity: opacity_goes_with_color
+  bool is_joint = false;     ///< one field holds colour and opacity: opacity_goes_with_color
+  bool has_opacity = false;  ///< there is a field of opacity, although none of these bears it
 };
 
 /// One attribute, before its gatherer is made.
@@ -102,6 +103,9 @@ struct FieldEdits {
   const PreparedField* color_before = nullptr;
   const PreparedField* opacity_before = nullptr;
   std::span<const std::uint8_t> is_same{};  ///< as gather::Insertion
+  /// Of the last frame, whose tables are used again; null or empty: none.
+  std::optional<PreparedField>* color_used = nullptr;
+  std::optional<PreparedField>* opacity_used = nullptr;
 };
 
 /// visibility   mesher.visibility_mesh()

@@ -68,8 +68,8 @@ Result<Seams> Seams::copy(const Context& context, const mesh::TriangleMesh& mesh
 
 Status Seams::update(const Context& context, const curves::SegmentAttributes& attributes,
                      std::span<const std::uint32_t> changed) {
-  const std::size_t facings = 2 * mesh_.constraint.size();
-  const std::size_t half_edges = mesh_.half_edge_constraint.size();
+  const std::size_t facings = 2 * mesh_->constraint.size();
+  const std::size_t half_edges = mesh_->half_edge_constraint.size();
   Status status = memory_.grow(context, facing_, facings, facings / 4 * 5);
   if (status) status = memory_.grow(context, mark_, half_edges, half_edges / 4 * 5);
   if (!status) return status;
@@ -82,15 +82,29 @@ Status Seams::update(const Context& context, const curves::SegmentAttributes& at
   };
   status = for_each_half_edge([&](std::uint32_t h) {
     mark_[h] = 0;
-    if (mesh_.half_edge_constraint[h] == mesh::kNone) return;
-    facing_[index(h)] = gather::facing_side(mesh_, attributes, h);
-    if (mesh_.half_edge_twin[h] == mesh::kNone) facing_[index(h) ^ 1] = {};
+    if (mesh_->half_edge_constraint[h] == mesh::kNone) return;
+    facing_[index(h)] = gather::facing_side(*mesh_, attributes, h);
+    if (mesh_->half_edge_twin[h] == mesh::kNone) facing_[index(h) ^ 1] = {};
   });
   if (!status) return status;
   status = for_each_half_edge([&](std::uint32_t h) {
-    if (mesh_.half_edge_constraint[h] != mesh::kNone) mark_[h] = mark_of(h);
+    if (mesh_->half_edge_constraint[h] != mesh::kNone) mark_[h] = mark_of(h);
   });
   return status;
+}
+
+void Seams::take_back(const Seams& before, std::span<const std::uint32_t> changed) {
+  mark_.resize(before.mark_.size());
+  facing_.resize(before.facing_.size());
+  for (const std::uint32_t t : changed) {
+    if (3 * std::size_t{t} >= mark_.size()) continue;
+    for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
+      mark_[h] = before.mark_[h];
+      if (before.mesh_->half_edge_constraint[h] == mesh::kNone) continue;
+      const std::size_t pair = before.index(h) & ~std::size_t{1};
+      std::copy_n(before.facing_.data() + pair, 2, facing_.data() + pair);
+    }
+  }
 }
 
 std::uint8_t Seams::mark_of(std::uint32_t half_edge) const {
@@ -106,7 +120,7 @@ float Seams::blur_radius(std::uint32_t half_edge, float u) const {
 }
 
 float Seams::fine_radius(std::uint32_t half_edge, float u) const {
-  if (!(mark_[half_edge] & kFineBlur)) return 0;
+  if (!may_be_fine(half_edge)) return 0;
   return lerp(facing(half_edge).fine_from, facing(half_edge).fine_to, u);
 }
 

@@ -37,6 +37,11 @@ class Seams {
   Status update(const Context& context, const curves::SegmentAttributes& attributes,
                 std::span<const std::uint32_t> changed);
 
+  /// Makes this, a copy of `before` that has followed changes since, `before` again, whether or not
+  /// its mesh is so yet.
+  /// changed   the triangles that changed
+  void take_back(const Seams& before, std::span<const std::uint32_t> changed);
+
   std::size_t half_edge_count() const { return mark_.size(); }
 
   /// True for both half-edges of an edge that stops rays on either side.
@@ -57,6 +62,9 @@ class Seams {
   /// The blur radius at fraction u; 0 where there is nothing to blur with.
   float blur_radius(std::uint32_t half_edge, float u) const;
 
+  /// Whether fine_radius() may be above 0.
+  bool may_be_fine(std::uint32_t half_edge) const { return (mark_[half_edge] & kFineBlur) != 0; }
+
   /// The radius at fraction u of a blur that is too fine for the mesh; 0 if there is none.
   float fine_radius(std::uint32_t half_edge, float u) const;
 
@@ -64,12 +72,12 @@ class Seams {
   static constexpr std::uint8_t kSeam = 1;
   static constexpr std::uint8_t kFineBlur = 2;  ///< fine_radius() may be above 0
 
-  explicit Seams(const mesh::TriangleMesh& mesh) : mesh_(mesh) {}
+  explicit Seams(const mesh::TriangleMesh& mesh) : mesh_(&mesh) {}
 
   std::size_t index(std::uint32_t half_edge) const {
-    const auto constraint = static_cast<std::uint32_t>(mesh_.half_edge_constraint[half_edge]);
+    const auto constraint = static_cast<std::uint32_t>(mesh_->half_edge_constraint[half_edge]);
     return 2 * std::size_t{constraint} +
-           (mesh_.origin(half_edge) == mesh_.constraint[constraint].from ? 0 : 1);
+           (mesh_->origin(half_edge) == mesh_->constraint[constraint].from ? 0 : 1);
   }
 
   std::uint8_t mark_of(std::uint32_t half_edge) const;
@@ -78,7 +86,7 @@ class Seams {
     return facing_[index(half_edge) ^ 1];
   }
 
-  const mesh::TriangleMesh& mesh_;
+  const mesh::TriangleMesh* mesh_;
   std::vector<gather::Facing> facing_;  ///< 2 per constraint: along it, against it
   std::vector<std::uint8_t> mark_;      ///< per half-edge: kSeam, kFineBlur
   TableMemory memory_{"patches along curves"};

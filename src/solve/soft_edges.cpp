@@ -27,25 +27,23 @@ constexpr double kFrameReach = 8;
 class SoftEdgeFinder {
  public:
   SoftEdgeFinder(const Context& context, const TriangleMesh& mesh, const EdgeBlurs& blurs)
-      : context_(context), mesh_(mesh), blurs_(blurs), half_edges_(mesh.half_edge_twin.size()) {}
+      : context_(context), mesh_(mesh), blurs_(blurs) {}
 
+  /// keep   per triangle; empty: all
   Result<std::vector<SoftEdge>> find(std::span<const std::uint8_t> keep, TableMemory& memory) {
-    Status status = memory_.resize(context_, number_, half_edges_ / 3, SoftEdge::kNone);
-    if (status) status = memory_.resize(context_, on_curve_, mesh_.vertex_position.size());
-    if (!status) return status;
-    number_triangles(keep);
-    mark_vertices();
+    Status status = number_triangles(keep);
     std::vector<SoftEdge> edges;
     RarePoll<16384> poll(context_);
-    for (std::uint32_t h = 0; h < half_edges_; ++h) {
+    for (std::size_t i = 0; status && i < blurs_.fine.size(); ++i) {
+      const std::uint32_t h = blurs_.fine[i];
       if (poll.cancelled()) return context_.cancel_status();
-      if (mesh_.half_edge_constraint[h] == mesh::kNone || mesh_.half_edge_twin[h] == mesh::kNone)
-        continue;
+      if (mesh_.half_edge_twin[h] == mesh::kNone) continue;
       const float from = blurs_.fine_radius(h, 0), to = blurs_.fine_radius(h, 1);
       if (!(from > 0 || to > 0)) continue;
-      if (status = memory.make_room(context_, edges); !status) return status;
-      add(h, from, to, edges);
+      status = memory.make_room(context_, edges);
+      if (status) add(h, from, to, edges);
     }
+    if (!status) return status;
     return sorted(edges, memory);
   }
 
@@ -74,19 +72,36 @@ class SoftEdgeFinder {
     return along / length(along);
   }
 
-  void number_triangles(std::span<const std::uint8_t> keep) {
+  Status number_triangles(std::span<const std::uint8_t> keep) {
+    Status status = memory_.resize(context_, number_, keep.size(), SoftEdge::kNone);
     std::uint32_t next = 0;
-    for (std::size_t t = 0; t < number_.size(); ++t)
+    for (std::size_t t = 0; status && t < keep.size(); ++t)
       if (keep[t]) number_[t] = next++;
+    return status;
   }
 
-  void mark_vertices() {
-    for (std::uint32_t h = 0; h < half_edges_; ++h)
-      if (mesh_.half_edge_constraint[h] != mesh::kNone && blurs_.is_curve(h))
-        on_curve_[mesh_.origin(h)] = on_curve_[mesh_.target(h)] = 1;
+  /// Whether a curve begins, ends or passes where a half-edge begins.
+  bool is_on_curve(std::uint32_t h) const {
+    std::uint32_t spoke = h;
+    for (int turns = 0; turns < kMostTurns; ++turns) {
+      const std::uint32_t back = previous_half_edge(spoke);
+      if (blurs_.is_curve[spoke] || blurs_.is_curve[back]) return true;
+      if (mesh_.half_edge_twin[back] == mesh::kNone) break;
+      spoke = static_cast<std::uint32_t>(mesh_.half_edge_twin[back]);
+      if (spoke == h) return false;
+    }
+    // The other way round, from the frame.
+    spoke = h;
+    for (int turns = 0; turns < kMostTurns; ++turns) {
+      if (mesh_.half_edge_twin[spoke] == mesh::kNone) return false;
+      spoke = next_half_edge(static_cast<std::uint32_t>(mesh_.half_edge_twin[spoke]));
+      if (blurs_.is_curve[spoke]) return true;
+    }
+    return false;
   }
 
   std::uint32_t slot(std::uint32_t h) const {
+    if (number_.empty()) return h;
     const std::uint32_t triangle = number_[h / 3];
     return triangle == SoftEdge::kNone ? SoftEdge::kNone : 3 * triangle + h % 3;
   }
@@ -107,7 +122,7 @@ class SoftEdgeFinder {
   /// What part of a radius lies on the edge's half of the way to a curve across the triangle.
   double share_of_way(std::uint32_t h, double radius) const {
     const std::uint32_t next = next_half_edge(h), last = previous_half_edge(h);
-    if (!on_curve_[mesh_.origin(last)] || blurs_.is_curve(next) || blurs_.is_curve(last)) return 1;
+    if (blurs_.is_curve[next] || blurs_.is_curve[last] || !is_on_curve(last)) return 1;
     const Vec2 apex = position(mesh_.origin(last)) - position(mesh_.origin(h));
     return std::min(1.0, 0.5 * cross(direction(h), apex) / radius);
   }
@@ -134,7 +149,7 @@ class SoftEdgeFinder {
   /// The edge of the same face, or of the frame, that comes before a half-edge, or after it.
   std::uint32_t edge_in_face(std::uint32_t h, bool at_origin) const {
     std::uint32_t edge = at_origin ? previous_half_edge(h) : next_half_edge(h);
-    for (int turns = 0; turns < kMostTurns && !blurs_.is_curve(edge); ++turns) {
+    for (int turns = 0; turns < kMostTurns && !blurs_.is_curve[edge]; ++turns) {
       const std::int32_t twin = mesh_.half_edge_twin[edge];
       if (twin == mesh::kNone) break;
       const auto across = static_cast<std::uint32_t>(twin);
@@ -146,19 +161,47 @@ class SoftEdgeFinder {
   const Context& context_;
   const TriangleMesh& mesh_;
   const EdgeBlurs& blurs_;
-  std::uint32_t half_edges_;
   TableMemory memory_{"patches along curves"};
-  std::vector<std::uint32_t> number_;   ///< per triangle, among those that are kept
-  std::vector<std::uint8_t> on_curve_;  ///< per vertex
+  std::vector<std::uint32_t> number_;  ///< per triangle, among those that are kept; empty: all are
 };
 
 }  // namespace
+
+bool touches(const mesh::TriangleMesh& mesh, std::uint32_t triangle,
+             std::span<const std::uint8_t> is_near) {
+  const std::uint32_t* const corner = mesh.triangle_vertex.data() + 3 * std::size_t{triangle};
+  return is_near[corner[0]] || is_near[corner[1]] || is_near[corner[2]];
+}
 
 Result<std::vector<SoftEdge>> find_soft_edges(const Context& context, const TriangleMesh& mesh,
                                               const EdgeBlurs& blurs,
                                               std::span<const std::uint8_t> keep,
                                               TableMemory& memory) {
   return SoftEdgeFinder(context, mesh, blurs).find(keep, memory);
+}
+
+Result<std::vector<SoftEdge>> update_soft_edges(const Context& context, const TriangleMesh& mesh,
+                                                const EdgeBlurs& blurs,
+                                                std::span<const SoftEdge> before,
+                                                std::span<const std::uint8_t> is_near,
+                                                TableMemory& memory) {
+  TableMemory scratch("soft edges");
+  Result<std::vector<SoftEdge>> anew = SoftEdgeFinder(context, mesh, blurs).find({}, scratch);
+  if (!anew) return anew;
+  std::vector<SoftEdge> all;
+  Status status = memory.reserve(context, all, before.size() + anew->size());
+  if (!status) return status;
+  auto next = anew->begin();
+  RarePoll<65536> poll(context);
+  for (const SoftEdge& edge : before) {
+    if (poll.cancelled()) return context.cancel_status();
+    if (touches(mesh, soft_edge_triangle(edge), is_near)) continue;
+    for (; next != anew->end() && soft_edge_triangle(*next) < soft_edge_triangle(edge); ++next)
+      all.push_back(*next);
+    all.push_back(edge);
+  }
+  all.insert(all.end(), next, anew->end());
+  return all;
 }
 
 }  // namespace sfumato::solve

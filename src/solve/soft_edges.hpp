@@ -15,14 +15,16 @@ namespace sfumato::solve {
 
 /// Blur of the half-edges of a layer's mesh, from the layer's fields.
 struct EdgeBlurs {
-  FunctionRef<bool(std::uint32_t half_edge)> is_curve;  ///< true on constrained edges alone
-  /// The radius of a fine blur at fraction u; 0: none. Precondition: a curve lies on the half-edge.
+  std::span<const std::uint8_t> is_curve;  ///< per half-edge: 1 on constrained edges alone
+  std::span<const std::uint32_t> fine;     ///< half-edges that may have a fine blur, ascending
+  /// The radius of a fine blur at fraction u of one of these; 0: none.
   FunctionRef<float(std::uint32_t half_edge, float u)> fine_radius;
   /// Whether the half-edge's triangle shows a blur by itself.
   FunctionRef<bool(std::uint32_t half_edge)> is_meshed;
 };
 
-/// The sides of edges with a fine blur, numbered for the layer of the triangles with keep[t]. Where
+/// The sides of edges with a fine blur, numbered for the layer of the triangles with keep[t], or of
+/// all if `keep` is empty. Where
 /// two edges of a face meet, the bisector of their angle separates their blurs; a blur reaches at
 /// most half way to a neighbouring curve. The result is allocated from `memory`. Errors: limit
 /// (memory), cancelled.
@@ -31,5 +33,17 @@ Result<std::vector<SoftEdge>> find_soft_edges(const Context& context,
                                               const EdgeBlurs& blurs,
                                               std::span<const std::uint8_t> keep,
                                               TableMemory& memory);
+
+/// Whether a corner c of the triangle has is_near[c].
+bool touches(const mesh::TriangleMesh& mesh, std::uint32_t triangle,
+             std::span<const std::uint8_t> is_near);
+
+/// The same of a mesh that changed, where all triangles are kept.
+/// blurs     of its `fine` those alone whose triangles touch what is near
+/// before    of the mesh as it was
+/// is_near   per vertex: 1 at the corners of triangles that changed
+Result<std::vector<SoftEdge>> update_soft_edges(
+    const Context& context, const mesh::TriangleMesh& mesh, const EdgeBlurs& blurs,
+    std::span<const SoftEdge> before, std::span<const std::uint8_t> is_near, TableMemory& memory);
 
 }  // namespace sfumato::solve

@@ -254,9 +254,11 @@ Status Solution::State::solve_layers(Context& context, const Box& viewport, Diff
   return status ? kept : status;
 }
 
-/// Whether there was any.
+/// What is kept for drags, or for their next frames. Returns whether there was any.
 bool Solution::State::drop_refined() {
   bool any = false;
+  for (auto Drag::*engine : {&Drag::engine, &Drag::roomy})
+    if (drag && (*drag).*engine) any |= ((*drag).*engine)->forget_frame();
   for (LayerState& layer : layers) {
     any |= layer.refined.has_value();
     layer.refined.reset();
@@ -381,7 +383,7 @@ Status Solution::State::drag_to(Context& context, Curve curve, DiffuseStats* sta
 
 Status Solution::State::make_frame(Context& context, const Curve& curve, DiffuseStats* stats,
                                    PatchLayer& patches) {
-  const auto draw = [&](const solve::LayerDrag& engine) {
+  const auto draw = [&](solve::LayerDrag& engine) {
     return run_with_all_memory([&](bool) {
       Result<PatchLayer> frame = engine.frame(context, curve, stats);
       if (frame) patches = std::move(*frame);

@@ -120,11 +120,18 @@ void expect_as_built_anew(const Drawing& drawing, std::uint32_t seed, Ends ends)
   const std::vector<float> expected = gathered(context, *anew, points);
   const std::vector<float> earlier = gathered(context, *inserted.before, points);
   TableMemory memory("a test");
-  const auto places = inserted.before->locate(context, points, memory);
+  const Result<PointPlaces> places = inserted.before->locate(context, points);
+  ASSERT_TRUE(places.ok());
+  std::vector<std::uint32_t> listed;
+  ASSERT_TRUE(extended
+                  ->list_changes(context, *inserted.before, points, {*places, inserted.is_same},
+                                 memory, listed)
+                  .ok());
   std::vector<std::uint8_t> marked(points.size(), 0), marked_anew = marked;
-  ASSERT_TRUE(
-      extended->find_changes(context, *inserted.before, points, marked, {*places, inserted.is_same})
-          .ok());
+  for (const std::uint32_t i : listed) {
+    EXPECT_EQ(marked[i], 0) << "listed twice";
+    marked[i] = 1;
+  }
   ASSERT_TRUE(anew->find_changes(context, *inserted.before, points, marked_anew).ok());
   int changed = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {

@@ -169,7 +169,7 @@ bool insert_into_copy(std::mt19937& random, const curves::FlatCurves& flat, cons
   if (!copy->holds(more, first)) return false;
   EXPECT_TRUE(copy->edit(context, more, {{}, first}, true).ok());
   const bool follows = copy->follows_changes();
-  TriangleMesh mesh = *copy->copy_patch_mesh(context, patch);
+  TriangleMesh mesh = *copy->copy_mesh(context, patch);
   std::vector<std::uint32_t> changed;
   EXPECT_TRUE(copy->update_patch_mesh(context, mesh, changed).ok());
   EXPECT_EQ(sfumato::test::difference_on_edges(mesh, *copy->patch_mesh({})), "");

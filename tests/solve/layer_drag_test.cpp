@@ -12,6 +12,7 @@
 #include "support/cancel_at.hpp"
 #include "support/drawing.hpp"
 #include "support/random_document.hpp"
+#include "support/same_picture.hpp"
 #include "support/sanitizers.hpp"
 
 /// A curve that moves while all others stay.
@@ -113,6 +114,12 @@ std::optional<RefinedLayer> refined_layer(Context& context, const Document& docu
   return refined;
 }
 
+Picture picture_of(const PatchLayer& layer) {
+  Picture picture;
+  picture.layers.push_back(layer);
+  return picture;
+}
+
 void expect_exact_frames(const Document& document, LayerCurve at, const DiffuseOptions& options,
                          bool was_solved, std::mt19937& random) {
   Context context;
@@ -126,7 +133,7 @@ void expect_exact_frames(const Document& document, LayerCurve at, const DiffuseO
   ASSERT_TRUE(drag.ok()) << drag.status().message;
   EXPECT_EQ(refined.has_value(), is_known);
   EXPECT_EQ(drag->has_room(), !is_known);
-  for (int frame = 0; frame < 3; ++frame) {
+  for (int frame = 0; frame < 5; ++frame) {
     SCOPED_TRACE("frame " + std::to_string(frame));
     const Vec2 by{double(random() % 21) - 10, double(random() % 21) - 10};
     const Curve curve = moved(document.layers[at.layer].curves[at.curve], by, random);
@@ -144,8 +151,13 @@ void expect_exact_frames(const Document& document, LayerCurve at, const DiffuseO
       }
     };
     const Result<PatchLayer> layer = drag->frame(context, curve, nullptr, watch);
+    Context other;  // which gets nothing of the frames before
+    const Result<PatchLayer> anew = drag->frame(other, curve);
+    EXPECT_EQ(other.budget.used(), 0u);
+    ASSERT_EQ(layer.status().code, anew.status().code);
     if (!layer && layer.status().code == StatusCode::bad_input) continue;
     ASSERT_TRUE(layer.ok()) << layer.status().message;
+    EXPECT_EQ(test::difference_of(picture_of(*layer), picture_of(*anew)), "");
     EXPECT_LE(seen.worst, kMost) << "at " << seen.place.x << ", " << seen.place.y;
   }
 }

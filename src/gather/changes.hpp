@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/table_memory.hpp"
+#include "gather/free_ends.hpp"
+#include "gather/gather.hpp"
+#include "gather/locate.hpp"
+#include "gather/scene.hpp"
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/status.hpp"
+
+namespace sfumato::gather {
+
+/// The free ends that one field has and another, on the same origin, has not.
+struct ChangedEnds {
+  FreeEnds gone, fresh;
+
+  bool empty() const { return gone.empty() && fresh.empty(); }
+  bool reach(Vec2 p) const { return gone.reach(p) || fresh.reach(p); }
+  bool may_reach(const EndBox& box) const { return gone.may_reach(box) || fresh.may_reach(box); }
+};
+
+/// Errors: limit (memory), cancelled.
+Result<ChangedEnds> changed_ends(Context& context, const FreeEnds& before, const FreeEnds& now);
+
+/// A field into whose mesh the watched segments were inserted.
+struct InsertedScene {
+  const Scene& scene;
+  const Locator& locator;
+  const ChangedEnds& ends;
+};
+
+/// Finds the points whose values an insertion may change: Gatherer::list_changes.
+class ChangeSearch {
+ public:
+  ChangeSearch(Context& context, const InsertedScene& now, std::span<const Vec2> position,
+               const KnownPlaces& known)
+      : context_(context), now_(now), position_(position), known_(known) {}
+
+  Status run(TableMemory& memory, std::vector<std::uint32_t>& changed);
+
+ private:
+  Status classify();
+  Status list(TableMemory& memory, std::vector<std::uint32_t>& changed);
+  Status list_unknown(TableMemory& memory, std::vector<std::uint32_t>& changed);
+  std::span<const std::uint32_t> points_in(std::size_t triangle) const;
+  bool is_reached(std::uint32_t slot) const {
+    return now_.ends.reach(position_[slot] - now_.scene.origin);
+  }
+
+  Context& context_;
+  InsertedScene now_;
+  std::span<const Vec2> position_;
+  const KnownPlaces& known_;
+  std::vector<std::uint8_t> sees_;    ///< per triangle of the scene
+  std::vector<std::uint8_t> answer_;  ///< per triangle of the mesh before
+  std::vector<std::uint32_t> unknown_;
+  TableMemory memory_{"who sees a curve"};
+};
+
+}  // namespace sfumato::gather

@@ -1,0 +1,166 @@
+#include <algorithm>
+#include <utility>
+
+#include "base/poll.hpp"
+#include "solve/field_solver.hpp"
+
+/// FieldSolver in the frames of a drag.
+namespace sfumato::solve {
+
+Status FieldSolver::start_from(const Context& context, const FieldSolver& before,
+                               const mesh::TriangleMesh& mesh, FieldFrame frame,
+                               std::span<const std::uint32_t> changed) {
+  frame_.emplace(std::move(frame));
+  if (!frame_->seams) {
+    Result<Seams> seams = before.seams_->copy(context, mesh);
+    if (!seams) return seams.status();
+    seams_.emplace(std::move(*seams));
+    return memory_.assign(context, before.vertex_radius_, vertex_radius_);
+  }
+  seams_.emplace(std::move(*frame_->seams));
+  seams_->take_back(*before.seams_, changed);
+  take_back_nodes(before, changed);
+  memory_ = std::move(frame_->memory);
+  vertex_radius_ = std::move(frame_->vertex_radius);
+  return memory_.assign(context, before.vertex_radius_, vertex_radius_);
+}
+
+void FieldSolver::take_back_nodes(const FieldSolver& before,
+                                  std::span<const std::uint32_t> changed) {
+  FieldFrame& frame = *frame_;
+  const NodeLayout& old = before.layout_;
+  const auto channels = static_cast<std::size_t>(old.channel_count);
+  frame.node_hit.resize(old.node_count());
+  for (const std::uint32_t node : frame.history.met)
+    if (node < old.node_count()) frame.node_hit[node] = before.node_hit_[node];
+  take_back(old, changed, frame.layout, frame.history);
+  for (const std::uint32_t node : frame.gathered) {
+    if (node >= old.node_count()) continue;
+    std::copy_n(old.value.data() + channels * node, channels,
+                frame.layout.value.data() + channels * node);
+    frame.node_hit[node] = before.node_hit_[node];
+  }
+  frame.gathered.clear();
+}
+
+/// With room for what follows the change of so many triangles.
+Status FieldSolver::copy_layout(const Context& context, const FieldSolver& before,
+                                std::size_t changed) {
+  const NodeLayout& from = before.layout_;
+  const std::size_t triangles = seams_->half_edge_count() / 3;
+  const std::size_t nodes = from.node_count() + 6 * changed;
+  layout_.channel_count = from.channel_count;
+  const auto width = static_cast<std::size_t>(from.channel_count);
+  Status status;
+  const auto copy = [&](const auto& source, auto& to, TableMemory& memory, std::size_t room) {
+    if (status) status = memory.reserve(context, to, std::max(room, source.size()));
+    if (status) status = memory.append(context, source, to);
+  };
+  copy(from.triangle_node, layout_.triangle_node, layout_memory_, kNodesPerTriangle * triangles);
+  copy(from.edge_is_curve, layout_.edge_is_curve, layout_memory_, 3 * triangles);
+  copy(from.position, layout_.position, layout_memory_, nodes);
+  copy(from.is_fixed, layout_.is_fixed, layout_memory_, nodes);
+  copy(from.value, layout_.value, layout_memory_, width * nodes);
+  copy(before.node_hit_, node_hit_, memory_, nodes);
+  return status;
+}
+
+Status FieldSolver::list_moved(const Context& context, const FieldSolver& before) {
+  const NodeLayout& old = before.layout_;
+  RarePoll<65536> poll(context);
+  for (const std::uint32_t node : history_.unused) layout_.is_fixed[node] = 1;  // nobody asks
+  for (const std::uint32_t node : history_.met) {
+    if (poll.cancelled()) return context.cancel_status();
+    if (node >= old.node_count()) continue;  // it is new, and listed
+    if (layout_.is_fixed[node]) {
+      node_hit_[node] = 1;
+    } else if (old.is_fixed[node] || !(layout_.position[node] == old.position[node])) {
+      Status status = memory_.push_back(context, to_gather_, node);
+      if (!status) return status;
+    } else {
+      history_.node_seen[node] = 0;
+    }
+  }
+  return ok_status();
+}
+
+Status FieldSolver::list_changed(Context& context, const FieldSolver& before,
+                                 std::span<const std::uint8_t> is_same, TableMemory& memory,
+                                 std::vector<std::uint32_t>& changed) const {
+  const gather::Gatherer& then = before.field_.gatherer;
+  const std::span<const Vec2> positions = before.layout_.position;
+  if (!field_.is_thinned && !before.field_.is_thinned) {
+    return field_.gatherer.list_changes(context, then, positions, {before.node_place_, is_same},
+                                        memory, changed);
+  }
+  std::vector<std::uint8_t> may_differ;
+  std::vector<std::uint32_t> free;
+  TableMemory scratch("patches");
+  Status status = scratch.resize(context, may_differ, positions.size());
+  if (status) status = scratch.reserve(context, free, positions.size());
+  if (!status) return status;
+  for (std::uint32_t node = 0; node < positions.size(); ++node)
+    if (!before.layout_.is_fixed[node]) free.push_back(node);
+  status = field_.gatherer.find_changes(context, then, {positions, free}, may_differ);
+  if (status) status = memory.reserve(context, changed, free.size());
+  for (std::size_t i = 0; status && i < free.size(); ++i)
+    if (may_differ[free[i]]) changed.push_back(free[i]);
+  return status;
+}
+
+Status FieldSolver::lay_out_from(Context& context, const FieldSolver& before,
+                                 const mesh::TriangleMesh& mesh,
+                                 std::span<const std::uint32_t> changed,
+                                 std::span<const std::uint8_t> is_same) {
+  history_ = std::move(frame_->history);
+  history_.is_logged = true;
+  Status status;
+  if (frame_->layout.triangle_node.empty()) {
+    status = copy_layout(context, before, changed.size());
+  } else {
+    layout_ = std::move(frame_->layout);
+    layout_memory_ = std::move(frame_->layout_memory);
+    node_hit_ = std::move(frame_->node_hit);
+    to_gather_ = std::move(frame_->gathered);
+  }
+  if (status) status = follow(context, mesh, changed);
+  if (status) status = list_moved(context, before);
+  TableMemory scratch("patches");
+  std::vector<std::uint32_t> may_differ;
+  if (status) status = list_changed(context, before, is_same, scratch, may_differ);
+  for (std::size_t i = 0; status && i < may_differ.size(); ++i) {
+    if (history_.was_met(may_differ[i])) continue;  // it is listed, or needs no value
+    status = memory_.push_back(context, to_gather_, may_differ[i]);
+  }
+  return status;
+}
+
+FieldFrame FieldSolver::release_frame() {
+  FieldFrame frame;
+  frame.field.emplace(std::move(field_));
+  frame.seams = std::move(seams_);
+  frame.vertex_radius = std::move(vertex_radius_);
+  frame.layout = std::move(layout_);
+  frame.history = std::move(history_);
+  frame.node_hit = std::move(node_hit_);
+  frame.gathered = std::move(to_gather_);
+  frame.layout_memory = std::move(layout_memory_);
+  frame.memory = std::move(memory_);
+  return frame;
+}
+
+Status FieldSolver::locate_nodes(Context& context) {
+  if (field_.is_thinned) return ok_status();
+  TableMemory scratch("patches");
+  std::vector<std::uint32_t> free;
+  Status status = scratch.reserve(context, free, layout_.node_count());
+  if (!status) return status;
+  for (std::uint32_t node = 0; node < layout_.node_count(); ++node)
+    if (!layout_.is_fixed[node]) free.push_back(node);
+  Result<gather::PointPlaces> places = field_.gatherer.locate(context, {layout_.position, free});
+  if (!places) return places.status();
+  node_place_ = std::move(*places);
+  return ok_status();
+}
+
+}  // namespace sfumato::solve

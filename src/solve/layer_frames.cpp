@@ -1,0 +1,141 @@
+#include <algorithm>
+#include <functional>
+#include <utility>
+
+#include "base/poll.hpp"
+#include "base/table_memory.hpp"
+#include "solve/fan.hpp"
+#include "solve/layer_solver.hpp"
+
+/// LayerSolver where a layer is edited, as in the frames of a drag.
+namespace sfumato::solve {
+
+Status LayerSolver::continue_from(const LayerSolver& before) {
+  Status status = take_mesh();
+  if (status && is_blurred_) status = list_all_triangles();
+  if (status && is_blurred_) status = follow_blur();
+  if (status) status = lay_out();
+  if (!status) return status;
+  TableMemory scratch("patches");
+  const Result<std::vector<std::int32_t>> kept =
+      mesher_.kept_triangles(context_, before.mesher_, scratch);
+  if (!kept) return kept.status();
+  status = color_.carry_over(context_, before.color_, *kept);
+  if (status && opacity_ && before.opacity_) {
+    status = opacity_->carry_over(context_, *before.opacity_, *kept);
+  }
+  if (status) status = gather(gather::GatherOptions{}, false);
+  return status;
+}
+
+Status LayerSolver::prepare_to_be_edited() {
+  Status status = mesher_.bake(context_);
+  if (status && shows_everything()) {
+    std::vector<std::uint8_t> keep;
+    TableMemory scratch("patches");
+    status = scratch.resize(context_, keep, mesh_->triangle_count(), 1);
+    if (!status) return status;
+    Result<std::vector<SoftEdge>> soft = soft_edges(keep, memory_);
+    if (!soft) return soft.status();
+    soft_edge_.emplace(std::move(*soft));
+  }
+  if (!status) return status;
+  return for_each_field([&](FieldSolver& field) { return field.locate_nodes(context_); });
+}
+
+Status LayerSolver::continue_inserted(const LayerSolver& before,
+                                      std::span<const std::uint8_t> is_inserted,
+                                      std::span<const std::uint8_t> is_same, FrameTables* last) {
+  const bool has_fields = color_.has_channels_of(before.color_) &&
+                          opacity_.has_value() == before.opacity_.has_value() &&
+                          (!opacity_ || opacity_->has_channels_of(*before.opacity_));
+  if (!has_fields || !mesher_.follows_changes()) return continue_from(before);
+  FrameTables none;
+  Status status = start_inserted(before, last ? *last : none);
+  if (status) status = update_mesh();
+  if (status) status = follow_insertion(is_inserted);
+  if (status) status = color_.lay_out_from(context_, before.color_, *mesh_, changed_, is_same);
+  if (status && opacity_)
+    status = opacity_->lay_out_from(context_, *before.opacity_, *mesh_, changed_, is_same);
+  if (status) status = gather(gather::GatherOptions{}, false);
+  if (status) inserted_into_ = &before;
+  return status;
+}
+
+/// Begins with a mesh and fields that are those of `before`, as copies or because what the last
+/// frame changed is taken back.
+Status LayerSolver::start_inserted(const LayerSolver& before, FrameTables& last) {
+  if (last.mesh) {
+    mesh_ = std::move(last.mesh);
+    mesh::Mesher::take_back(*before.mesh_, last.changed, *mesh_);
+  } else {
+    Result<mesh::TriangleMesh> mesh = mesher_.copy_mesh(context_, *before.mesh_);
+    if (!mesh) return mesh.status();
+    *mesh_ = std::move(*mesh);
+  }
+  Status status =
+      color_.start_from(context_, before.color_, *mesh_, std::move(last.color), last.changed);
+  if (!status || !opacity_) return status;
+  return opacity_->start_from(context_, *before.opacity_, *mesh_,
+                              last.opacity ? std::move(*last.opacity) : FieldFrame(), last.changed);
+}
+
+/// Whether patches can be made of what continue_inserted() made, without more nodes or parts.
+bool LayerSolver::can_keep_tables() const {
+  return inserted_into_ && cuts_.part_count() == 0 && color_.sees_curves_everywhere() &&
+         (!opacity_ || opacity_->sees_curves_everywhere());
+}
+
+FrameTables LayerSolver::release_frame() {
+  FrameTables frame;
+  frame.mesher.emplace(std::move(mesher_));
+  frame.mesh = std::move(mesh_);
+  frame.color = color_.release_frame();
+  frame.changed = std::move(changed_);
+  if (opacity_) frame.opacity = opacity_->release_frame();
+  frame.memory = std::move(memory_);
+  return frame;
+}
+
+/// Lists in changed_ all that an insertion changes, with what blurs ask for then.
+Status LayerSolver::follow_insertion(std::span<const std::uint8_t> is_inserted) {
+  Status status = add_fans(is_inserted);
+  if (!status || !is_blurred_) return status;
+  std::vector<std::uint32_t> all_changed;
+  status = memory_.append(context_, changed_, all_changed);
+  if (status) status = follow_blur(&all_changed);
+  if (status) status = TableMemory::sort(context_, all_changed, std::less<>());
+  all_changed.erase(std::unique(all_changed.begin(), all_changed.end()), all_changed.end());
+  changed_.swap(all_changed);
+  memory_.free(all_changed);
+  return status;
+}
+
+/// Adds the triangles around the vertices of inserted curves to those that changed: such a curve
+/// parts what was one sector.
+Status LayerSolver::add_fans(std::span<const std::uint8_t> is_inserted) {
+  TableMemory scratch("patches");
+  std::vector<std::uint8_t> is_listed, is_met;
+  Status status = scratch.resize(context_, is_listed, mesh_->triangle_count());
+  if (status) status = scratch.resize(context_, is_met, mesh_->vertex_position.size());
+  if (!status) return status;
+  RarePoll<1024> poll(context_);
+  const std::size_t count = changed_.size();
+  for (const std::uint32_t t : changed_) is_listed[t] = 1;
+  Fan fan;
+  for (std::size_t i = 0; i < count && status; ++i) {
+    for (std::uint32_t h = 3 * changed_[i]; h < 3 * changed_[i] + 3 && status; ++h) {
+      if (poll.cancelled()) return context_.cancel_status();
+      if (!mesh_->has_segment(h, is_inserted)) continue;
+      if (std::exchange(is_met[mesh_->origin(h)], std::uint8_t{1})) continue;
+      fan.collect(*mesh_, h, [](std::uint32_t) { return false; });
+      for (const std::uint32_t spoke : fan.spoke) {
+        if (std::exchange(is_listed[spoke / 3], std::uint8_t{1})) continue;
+        if (status) status = memory_.push_back(context_, changed_, spoke / 3);
+      }
+    }
+  }
+  return status ? TableMemory::sort(context_, changed_, std::less<>()) : status;
+}
+
+}  // namespace sfumato::solve

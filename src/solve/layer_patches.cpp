@@ -1,0 +1,243 @@
+#include <algorithm>
+#include <functional>
+#include <utility>
+
+#include "base/parallel.hpp"
+#include "base/poll.hpp"
+#include "base/table_memory.hpp"
+#include "solve/layer_solver.hpp"
+#include "solve/soft_edges.hpp"
+
+/// The patches that LayerSolver makes in the end.
+namespace sfumato::solve {
+namespace {
+
+/// A triangle that is nowhere more opaque than this shows in no pixel.
+constexpr float kInvisibleOpacity = 1.0f / 4096;
+
+constexpr std::size_t kTrianglesPerTask = 4096;
+
+}  // namespace
+
+/// Per half-edge, parts included: 1 on curves and where nothing is kept beyond it.
+Result<std::vector<std::uint8_t>> LayerSolver::edges_of_curves(std::span<const std::uint8_t> keep,
+                                                               TableMemory& memory) const {
+  const std::size_t whole = mesh_->half_edge_twin.size();
+  std::vector<std::uint8_t> marks;
+  if (!opacity_ && cuts_.part_count() == 0 && std::ranges::count(keep, 0) == 0) {
+    Status status = memory.assign(context_, color_.layout().edge_is_curve, marks);
+    if (!status) return status;
+    return marks;
+  }
+  Status status = memory.resize(context_, marks, mesh_->triangle_vertex.size());
+  if (!status) return status;
+  status = parallel_for(context_, marks.size(), kTrianglesPerTask,
+                        [&](std::size_t begin, std::size_t end) {
+                          for (std::size_t i = begin; i < end; ++i) {
+                            const std::int32_t edge =
+                                i < whole ? static_cast<std::int32_t>(i) : cuts_.edge[i - whole];
+                            marks[i] = edge < 0 ? edge == BorderCuts::kBorder : is_end(edge, keep);
+                          }
+                        });
+  if (!status) return status;
+  return marks;
+}
+
+/// Whether an edge of the mesher's triangles lies on a curve, or nothing is kept beyond it.
+bool LayerSolver::is_end(std::int32_t half_edge, std::span<const std::uint8_t> keep) const {
+  const std::int32_t twin = mesh_->half_edge_twin[half_edge];
+  const auto beyond = static_cast<std::uint32_t>(twin) / 3;
+  return (twin != mesh::kNone && !keep[beyond] && !is_cut(beyond)) ||
+         is_curve(static_cast<std::uint32_t>(half_edge));
+}
+
+bool LayerSolver::may_be_fine(std::uint32_t half_edge) const {
+  return color_.seams().may_be_fine(half_edge) ||
+         (opacity_ && opacity_->seams().may_be_fine(half_edge));
+}
+
+/// The half-edges that may have a fine blur, ascending.
+Result<std::vector<std::uint32_t>> LayerSolver::fine_half_edges(TableMemory& memory) const {
+  std::vector<std::uint32_t> fine;
+  RarePoll<65536> poll(context_);
+  for (std::uint32_t h = 0; h < mesh_->half_edge_twin.size(); ++h) {
+    if (poll.cancelled()) return context_.cancel_status();
+    if (!may_be_fine(h)) continue;
+    if (Status status = memory.push_back(context_, fine, h); !status) return status;
+  }
+  return fine;
+}
+
+/// Those of them whose triangles have a corner in common with one that changed. is_near[c] becomes
+/// 1 at such corners.
+Result<std::vector<std::uint32_t>> LayerSolver::fine_near_changes(
+    std::span<const SoftEdge> before, std::vector<std::uint8_t>& is_near,
+    TableMemory& memory) const {
+  std::vector<std::uint32_t> fine;
+  Status status = memory.resize(context_, is_near, mesh_->vertex_position.size());
+  for (std::size_t i = 0; status && i < changed_.size(); ++i) {
+    for (std::uint32_t h = 3 * changed_[i]; status && h < 3 * changed_[i] + 3; ++h) {
+      is_near[mesh_->origin(h)] = 1;
+      if (may_be_fine(h)) status = memory.push_back(context_, fine, h);
+    }
+  }
+  const std::size_t in_changed = fine.size();
+  RarePoll<65536> poll(context_);
+  for (std::size_t i = 0; status && i < before.size(); ++i) {
+    if (poll.cancelled()) return context_.cancel_status();
+    const std::uint32_t h = before[i].front;
+    if (touches(*mesh_, h / 3, is_near) && may_be_fine(h)) {
+      status = memory.push_back(context_, fine, h);
+    }
+  }
+  if (status) status = TableMemory::sort(context_, fine, std::less<>());
+  if (!status) return status;
+  if (in_changed > 0) fine.erase(std::unique(fine.begin(), fine.end()), fine.end());
+  return fine;
+}
+
+/// Adds the triangles beside them to those to keep: a blur mixes the colours of what is
+/// transparent, too.
+Result<std::vector<SoftEdge>> LayerSolver::soft_edges(std::span<std::uint8_t> keep,
+                                                      TableMemory& memory) const {
+  if (!is_finely_blurred_) return std::vector<SoftEdge>();
+  const Seams& color = color_.seams();
+  const Seams* const opacity = opacity_ ? &opacity_->seams() : nullptr;
+  const auto fine_radius = [&](std::uint32_t h, float u) {
+    const float radius = color.fine_radius(h, u);
+    return opacity ? std::max(radius, opacity->fine_radius(h, u)) : radius;
+  };
+  const auto is_meshed = [&](std::uint32_t h) {
+    const auto is_blurred = [&](const Seams& seams) {
+      return seams.blur_radius(h, 0) > 0 || seams.blur_radius(h, 1) > 0;
+    };
+    return is_blurred(color) || (opacity && is_blurred(*opacity));
+  };
+  TableMemory scratch("soft edges");
+  std::vector<std::uint8_t> is_near;
+  const bool updates = inserted_into_ && inserted_into_->soft_edge_ && shows_everything();
+  const Result<std::vector<std::uint32_t>> fine =
+      updates ? fine_near_changes(*inserted_into_->soft_edge_, is_near, scratch)
+              : fine_half_edges(scratch);
+  if (!fine) return fine.status();
+  if (updates) {
+    return update_soft_edges(context_, *mesh_,
+                             {color_.layout().edge_is_curve, *fine, fine_radius, is_meshed},
+                             *inserted_into_->soft_edge_, is_near, memory);
+  }
+  for (const std::uint32_t h : *fine) {
+    if (keep[h / 3] || is_cut(h / 3)) continue;
+    const bool is_soft = fine_radius(h, 0) > 0 || fine_radius(h, 1) > 0;
+    keep[h / 3] = is_soft && color_.sees_curves(h / 3);
+  }
+  std::vector<std::uint8_t> curves_of_both;
+  std::span<const std::uint8_t> is_curve_edge = color_.layout().edge_is_curve;
+  if (opacity) {
+    Status status = scratch.resize(context_, curves_of_both, mesh_->half_edge_twin.size());
+    if (!status) return status;
+    for (std::uint32_t h = 0; h < curves_of_both.size(); ++h) curves_of_both[h] = is_curve(h);
+    is_curve_edge = curves_of_both;
+  }
+  return find_soft_edges(context_, *mesh_, {is_curve_edge, *fine, fine_radius, is_meshed}, keep,
+                         memory);
+}
+
+/// Whether no triangle is left out or cut, because all is opaque and sees curves everywhere.
+bool LayerSolver::shows_everything() const {
+  return !opacity_ && !is_joint() && cuts_.part_count() == 0 && color_.sees_curves_everywhere();
+}
+
+/// A region from which no curve is seen has no colour, and one without opacity shows nothing: both
+/// need no triangles.
+Result<std::vector<std::uint8_t>> LayerSolver::visible_triangles(TableMemory& memory) const {
+  std::vector<std::uint8_t> keep;
+  const bool keeps_all = shows_everything();
+  Status status = memory.resize(context_, keep, mesh_->triangle_count(), keeps_all);
+  if (!status) return status;
+  if (keeps_all) return keep;
+  status = parallel_for(context_, keep.size(), kTrianglesPerTask,
+                        [&](std::size_t begin, std::size_t end) {
+                          for (auto t = static_cast<std::uint32_t>(begin); t < end; ++t) {
+                            keep[t] = !is_cut(t) && color_.sees_curves(t) &&
+                                      largest_opacity(t, kInvisibleOpacity) >= kInvisibleOpacity;
+                          }
+                        });
+  if (!status) return status;
+  return keep;
+}
+
+Result<PatchLayer> LayerSolver::take_patches(bool keeps_tables) {
+  TableMemory memory("patches");
+  Result<std::vector<std::uint8_t>> visible = visible_triangles(memory);
+  if (!visible) return visible.status();
+  const std::span<std::uint8_t> keep = *visible;
+  PatchLayer layer;
+  layer.frame = frame_;
+  layer.order = options_.order;
+  Result<std::vector<SoftEdge>> soft_edge = soft_edges(keep, memory);
+  if (!soft_edge) return soft_edge.status();
+  layer.soft_edge = std::move(*soft_edge);
+  Result<std::vector<std::uint8_t>> marks = edges_of_curves(keep, memory);
+  if (!marks) return marks.status();
+  Status status = take_triangles(keep, std::move(*marks), memory, layer);
+  if (status) status = take_fields(keep, keeps_tables, memory, layer);
+  if (!status) return status;
+  if (stats_) {
+    stats_->triangles += layer.triangle_count();
+    stats_->vertices += layer.vertex_position.size();
+  }
+  return layer;
+}
+
+/// Corners and marks of the triangles with keep[t].
+Status LayerSolver::take_triangles(std::span<const std::uint8_t> keep,
+                                   std::vector<std::uint8_t> marks, TableMemory& memory,
+                                   PatchLayer& layer) {
+  const auto kept = static_cast<std::size_t>(std::ranges::count(keep, 1));
+  if (kept == keep.size()) {
+    layer.edge_is_curve = std::move(marks);
+    return memory.assign(context_, mesh_->triangle_vertex, layer.triangle_vertex);
+  }
+  Status status = memory.reserve(context_, layer.triangle_vertex, 3 * kept);
+  if (status) status = memory.reserve(context_, layer.edge_is_curve, 3 * kept);
+  if (!status) return status;
+  RarePoll<16384> poll(context_);
+  for (std::uint32_t t = 0; t < mesh_->triangle_count(); ++t) {
+    if (poll.cancelled()) return context_.cancel_status();
+    if (!keep[t]) continue;
+    for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
+      layer.triangle_vertex.push_back(mesh_->triangle_vertex[h]);
+      layer.edge_is_curve.push_back(marks[h]);
+    }
+  }
+  return context_.check();
+}
+
+/// Vertices, and nodes of the triangles with keep[t].
+Status LayerSolver::take_fields(std::span<const std::uint8_t> keep, bool keeps_tables,
+                                TableMemory& memory, PatchLayer& layer) {
+  Status status =
+      for_each_field([&](FieldSolver& field) { return field.fill_unseen_nodes(context_); });
+  if (!status) return status;
+  const auto take = [&](FieldSolver& field) -> Result<PatchField> {
+    if (keeps_tables) return field.copy(context_, keep, memory);
+    return field.take(keep);
+  };
+  if (keeps_tables) {
+    status = memory.assign(context_, mesh_->vertex_position, layer.vertex_position);
+    if (!status) return status;
+  } else {
+    layer.vertex_position = std::move(mesh_->vertex_position);
+  }
+  Result<PatchField> color = take(color_);
+  if (!color) return color.status();
+  layer.color = std::move(*color);
+  if (!opacity_ && !is_joint()) return status;
+  Result<PatchField> opacity =
+      opacity_ ? take(*opacity_) : split_channel(context_, layer.color, kOpacityChannel, memory);
+  if (!opacity) return opacity.status();
+  layer.opacity = std::move(*opacity);
+  return context_.check();
+}
+
+}  // namespace sfumato::solve

@@ -1,0 +1,64 @@
+#include "solve/placed_curves.hpp"
+
+#include <utility>
+
+#include "sfumato/document/document.hpp"
+
+namespace sfumato::solve {
+namespace {
+
+/// Puts the polyline of one more curve after those of others.
+void append(const curves::FlatCurves& one, curves::FlatCurves& all) {
+  const std::uint32_t curve = all.curve_count();
+  all.vertex.insert(all.vertex.end(), one.vertex.begin(), one.vertex.end());
+  all.parameter.insert(all.parameter.end(), one.parameter.begin(), one.parameter.end());
+  all.arc_length.insert(all.arc_length.end(), one.arc_length.begin(), one.arc_length.end());
+  all.vertex_curve.resize(all.vertex.size(), curve);
+  all.curve_begin.push_back(static_cast<std::uint32_t>(all.vertex.size()));
+}
+
+/// Takes the last curve off, which began at that vertex.
+void take_off_last(std::uint32_t first, curves::FlatCurves& all) {
+  all.vertex.resize(first);
+  all.parameter.resize(first);
+  all.arc_length.resize(first);
+  all.vertex_curve.resize(first);
+  all.curve_begin.pop_back();
+}
+
+std::size_t bytes_of_curves(std::span<const Curve> curves) {
+  std::size_t bytes = 0;
+  for (const Curve& curve : curves) bytes += bytes_of(curve);
+  return bytes;
+}
+
+}  // namespace
+
+Result<PlacedCurves> place_curve(Context& context, const curves::FlatCurves& others,
+                                 std::span<const Curve> curves, const Curve& curve,
+                                 const curves::FlattenOptions& options,
+                                 std::optional<PlacedCurves> used) {
+  Result<curves::FlatCurves> moved = curves::flatten(context, {&curve, 1}, options);
+  if (!moved) return moved.status();
+  PlacedCurves placed = used ? std::move(*used) : PlacedCurves();
+  if (used) {
+    take_off_last(placed.first, placed.flat);
+    placed.curves.pop_back();
+  }
+  Status status = placed.charge.raise_to(context,
+                                         curves::bytes_of(others) + 2 * curves::bytes_of(*moved) +
+                                             bytes_of_curves(curves) + bytes_of(curve),
+                                         "a drag");
+  if (!status) return status;
+  if (!used) {
+    placed.flat = others;
+    placed.curves.assign(curves.begin(), curves.end());
+  }
+  placed.first = static_cast<std::uint32_t>(others.vertex.size());
+  placed.moved = std::move(*moved);
+  append(placed.moved, placed.flat);
+  placed.curves.push_back(curve);
+  return placed;
+}
+
+}  // namespace sfumato::solve
