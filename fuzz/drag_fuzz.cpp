@@ -1,5 +1,6 @@
-// A document, then bytes that drag some of its curves: every picture is a valid one of the document
-// with the curve where it is, the same at the same place; what fails changes nothing; afterwards
+// A document, then bytes that drag some of its curves, or give stops of them other values: every
+// picture is a valid one of the document with the curve where it is, the same at the same place, or
+// with the stop as it is; what fails changes nothing; afterwards
 // the picture is the one that diffuse makes, and no memory is kept that is not held.
 #include <algorithm>
 #include <utility>
@@ -62,11 +63,67 @@ Curve at_next_place(fuzz::ByteReader& bytes, const Document& document, Curve cur
   return curve;
 }
 
+/// The stop of a curve that bytes decide on, which may not be there.
+StopPlace next_stop(fuzz::ByteReader& bytes, std::uint32_t layer, std::uint32_t curve) {
+  const unsigned choice = bytes.byte();
+  StopPlace place{layer, curve, choice % 2 == 0 ? CurveSide::left : CurveSide::right,
+                  choice / 2 % 2 == 0 ? StopAttribute::color : StopAttribute::opacity,
+                  choice / 4 % 4};
+  if (place.index == 3u) place.index.reset();
+  return place;
+}
+
+/// At times beyond what a stop may be.
+StopValue next_value(fuzz::ByteReader& bytes, StopAttribute attribute) {
+  const auto number = [&] { return static_cast<float>(1.05 * bytes.unit()); };
+  if (attribute == StopAttribute::opacity) return number();
+  const float r = number(), g = number(), b = number();
+  return Rgb{r, g, b};
+}
+
+/// Gives the stop a value; what fails changes nothing.
+bool require_color(Context& context, Solution& solution, const StopPlace& place,
+                   const StopValue& value) {
+  const Document document = solution.document();
+  const Picture picture = solution.picture();
+  const Status status = solution.color(context, value);
+  if (status) {
+    const PatchLayer& shown = solution.picture().layers[place.layer];
+    const PatchField& field = place.attribute == StopAttribute::color ? shown.color : shown.opacity;
+    fuzz::require(
+        solution.color_response().size() * static_cast<std::size_t>(field.channel_count) ==
+            field.node_value.size(),
+        "a response is not of the nodes that are shown");
+    fuzz::require_ok(picture::check_picture(context, solution.picture()), "colours are no picture");
+    return true;
+  }
+  require_told(status);
+  fuzz::require(test::same_document(solution.document(), document), "a failure changed a stop");
+  fuzz::require(test::difference_of(solution.picture(), picture).empty(), "a failure drew");
+  return false;
+}
+
+void color_one(Context& context, fuzz::ByteReader& bytes, Solution& solution, std::uint32_t layer,
+               std::uint32_t curve) {
+  const StopPlace place = next_stop(bytes, layer, curve);
+  if (Status status = solution.begin_color(context, place); !status) return require_told(status);
+  const StopValue first = next_value(bytes, place.attribute);
+  if (!require_color(context, solution, place, first)) return;
+  const Picture picture = solution.picture();
+  require_color(context, solution, place, next_value(bytes, place.attribute));
+  if (!require_color(context, solution, place, first)) return;
+  fuzz::require(test::difference_of(solution.picture(), picture).empty(),
+                "a colour depends on those before it");
+}
+
 void drag_one(Context& context, fuzz::ByteReader& bytes, Solution& solution) {
   const auto layer = static_cast<std::uint32_t>(bytes.byte() % solution.document().layers.size());
   const auto count = solution.document().layers[layer].curves.size();
   const unsigned choice = bytes.byte();
   if (count == 0) return;
+  if (choice >= 128) {
+    return color_one(context, bytes, solution, layer, static_cast<std::uint32_t>(choice % count));
+  }
   const auto curve = static_cast<std::uint32_t>(choice % count);
   if (Status status = solution.begin_drag(context, layer, curve); !status) {
     return require_told(status);

@@ -24,6 +24,7 @@
 #include "sfumato/document/build.hpp"
 #include "sfumato/document/change.hpp"
 #include "sfumato/document/document.hpp"
+#include "sfumato/document/stop_place.hpp"
 #include "sfumato/export/eps/eps.hpp"
 #include "sfumato/export/glb/glb.hpp"
 #include "sfumato/export/html/html.hpp"

@@ -52,7 +52,7 @@ struct SegmentSide {
 /// One attribute on every segment of `flat` (index = segment = its first vertex; the entries of
 /// vertices that begin no segment are open).
 struct SegmentAttributes {
-  int base_channels = 3;  ///< 3 for a colour, 1 for an opacity, 4 for both
+  int base_channels = 3;  ///< 3 for a colour, 1 for an opacity, 4 for both; and a response
   InterpolationSpace space = InterpolationSpace::srgb;  ///< of colours
   std::vector<SegmentSide> left;
   std::vector<SegmentSide> right;
@@ -62,6 +62,7 @@ struct SegmentAttributes {
   /// The image-domain shaders on sides, as indices into Document::shaders in the order of their
   /// first use.
   std::vector<std::uint32_t> shader;
+  bool has_response = false;  ///< the last base channel is one (curves/response.hpp)
 
   int channel_count() const { return base_channels + static_cast<int>(shader.size()); }
 };

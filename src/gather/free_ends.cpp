@@ -193,14 +193,16 @@ bool FreeEnds::is_in(const FreeEnds& other, const FreeEnd& end) const {
   return found;
 }
 
-Result<FreeEnds> FreeEnds::without(Context& context, const FreeEnds& other) const {
+/// Those for which the test holds.
+template <class Test>
+Result<FreeEnds> FreeEnds::those(Context& context, Test test) const {
   FreeEnds rest;
   rest.base_channels_ = base_channels_;
   rest.weight_unit_ = weight_unit_;
   RarePoll<1024> poll(context);
   for (const FreeEnd& end : end_) {
     if (poll.cancelled()) return context.cancel_status();
-    if (!(end.reach > 0) || is_in(other, end)) continue;
+    if (!(end.reach > 0) || !test(end)) continue;
     Status status = rest.memory_.push_back(context, rest.end_, end);
     if (!status) return status;
   }
@@ -342,6 +344,17 @@ Result<FreeEnds> FreeEnds::part(Context& context, std::span<const FreeEnd> ends)
   if (status) status = some.build_tree(context, 0);
   if (!status) return status;
   return some;
+}
+
+Result<FreeEnds> FreeEnds::without(Context& context, const FreeEnds& other) const {
+  return those(context, [&](const FreeEnd& end) { return !is_in(other, end); });
+}
+
+Result<FreeEnds> FreeEnds::with_channel(Context& context, int channel) const {
+  const auto c = static_cast<std::size_t>(channel);
+  return those(context, [&](const FreeEnd& end) {
+    return end.positive.channel[c] != 0 || end.negative.channel[c] != 0;
+  });
 }
 
 bool FreeEnds::add(Vec2 p, float weight, std::span<float> value) const {

@@ -109,6 +109,10 @@ class FreeEnds {
   /// Both have the same origin. Errors: limit (memory), cancelled. Cost: O(n log n).
   Result<FreeEnds> without(Context& context, const FreeEnds& other) const;
 
+  /// Those of them that have another value than 0 in a channel, on either side. Errors: limit
+  /// (memory), cancelled. Cost: O(n log n).
+  Result<FreeEnds> with_channel(Context& context, int channel) const;
+
   /// Adds the terms of the ends that reach p to a value of weight W: base channels, then shares of
   /// shaders. Returns whether there were any. EndTerms, in kernels/, does the same for packets.
   bool add(Vec2 p, float weight, std::span<float> value) const;
@@ -125,6 +129,8 @@ class FreeEnds {
   void take_away(std::size_t i);
   Status add_fresh(Context& context, const FreeEnd& end);
   FreeEnd relative(FreeEnd end) const;
+  template <class Test>
+  Result<FreeEnds> those(Context& context, Test test) const;
   EndTerm term_of(const FreeEnd& end) const;
   std::span<const FreeEnd> of_leaf(std::uint32_t leaf) const;
   template <class Visit>

@@ -129,12 +129,26 @@ Status Gatherer::find_changes(Context& context, const Gatherer& before, const Po
   if (!status) return status;
   const Result<ChangedEnds> ends = changed_ends(context, before.state_->ends, state_->ends);
   if (!ends) return ends.status();
-  if (ends->empty()) return ok_status();
+  status = mark_reached(context, *state_, ends->gone, points, may_differ);
+  return status ? mark_reached(context, *state_, ends->fresh, points, may_differ) : status;
+}
+
+Status Gatherer::find_dependents(Context& context, const PointList& points, int channel,
+                                 std::span<std::uint8_t> depends) const {
+  Status status = mark_viewers(context, *state_, points, depends);
+  if (!status) return status;
+  const Result<FreeEnds> ends = state_->ends.with_channel(context, channel);
+  return ends ? mark_reached(context, *state_, *ends, points, depends) : ends.status();
+}
+
+Status Gatherer::mark_reached(Context& context, const State& state, const FreeEnds& ends,
+                              const PointList& points, std::span<std::uint8_t> reached) {
+  if (ends.empty()) return ok_status();
   return parallel_for(context, points.size(), kPointsPerTask,
                       [&](std::size_t begin, std::size_t end) {
                         for (std::size_t i = begin; i < end; ++i) {
-                          const Vec2 p = points[i] - state_->scene.origin;
-                          if (ends->reach(p)) may_differ[points.slot(i)] = 1;
+                          const Vec2 p = points[i] - state.scene.origin;
+                          if (ends.reach(p)) reached[points.slot(i)] = 1;
                         }
                       });
 }

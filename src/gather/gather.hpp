@@ -12,6 +12,7 @@
 
 namespace sfumato::gather {
 
+class FreeEnds;
 class Gatherer;
 
 /// How a mesh came of another one, into which the watched segments were inserted.
@@ -83,8 +84,16 @@ class Gatherer {
                       const KnownPlaces& known, TableMemory& memory,
                       std::vector<std::uint32_t>& changed) const;
 
+  /// Sets depends[slot] to 1 for points whose value in a base channel may be other than 0, where
+  /// only watched segments have one there. Never too few. Other slots stay as they are. Points as
+  /// for gather(). Errors: limit (memory), cancelled.
+  Status find_dependents(Context& context, const PointList& points, int channel,
+                         std::span<std::uint8_t> depends) const;
+
  private:
   struct State;
+  static Status mark_reached(Context& context, const State& state, const FreeEnds& ends,
+                             const PointList& points, std::span<std::uint8_t> reached);
   static Status mark_viewers(Context& context, const State& state, const PointList& points,
                              std::span<std::uint8_t> sees);
   explicit Gatherer(std::unique_ptr<State> state);

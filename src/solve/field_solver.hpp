@@ -123,6 +123,15 @@ class FieldSolver {
   /// Moves the nodes out again.
   RefinedField release();
 
+  /// After lay_out: takes over what is known of nodes of the same mesh, gathered from the same
+  /// curves with the same values. Nodes that have, or may have, a response
+  /// (curves::SegmentAttributes) stay listed to be gathered.
+  /// known          the nodes' values are in channels `first_channel` and following
+  /// base_channels  of `known`
+  /// Errors         limit (memory), cancelled
+  Status take_over(Context& context, const RefinedField& known, int first_channel,
+                   int base_channels);
+
   /// Whether another's layout can be taken over.
   bool has_channels_of(const FieldSolver& other) const;
 
@@ -202,6 +211,10 @@ class FieldSolver {
   bool is_more(std::span<const float> miss, float max_error, std::uint32_t triangle,
                FunctionRef<float(std::uint32_t)> color_weight) const;
   bool is_opacity(std::size_t channel) const;
+  /// As copy_values(), which lists the nodes in `carried`.
+  Status copy_known(const Context& context, const RefinedField& known, int first_channel,
+                    int base_channels, std::span<std::uint8_t> asks,
+                    std::vector<std::uint32_t>& carried);
   /// Whether some of a triangle's nodes see a curve and others do not.
   bool sees_some(const std::uint32_t* node) const;
   Status make_room_for_means(Context& context);

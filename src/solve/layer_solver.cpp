@@ -78,7 +78,8 @@ LayerSolver::LayerSolver(Context& context, PreparedLayer prepared, const Diffuse
 }
 
 bool LayerSolver::is_joint() const {
-  return color_.field().attributes.base_channels > kOpacityChannel;
+  const curves::SegmentAttributes& colors = color_.field().attributes;
+  return colors.base_channels > kOpacityChannel && !colors.has_response;
 }
 
 Status LayerSolver::for_fields_side_by_side(FunctionRef<Status(FieldSolver&)> body) {

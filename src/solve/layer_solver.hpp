@@ -89,12 +89,21 @@ class LayerSolver {
   Status continue_inserted(const LayerSolver& before, std::span<const std::uint8_t> is_inserted,
                            std::span<const std::uint8_t> is_same, FrameTables* last = nullptr);
 
+  /// In place of refine(), where the mesher is that of a RefinedLayer of the same layer, and a
+  /// field has a response: nodes that have none keep the values that are known, the others are
+  /// gathered. A layer whose fields were one may have two here. Errors: limit, cancelled.
+  Status answer(const RefinedNodes& known);
+
+  /// Moves the mesher out. Call last.
+  mesh::Mesher release_mesher() { return std::move(mesher_); }
+
   /// After continue_from(): what continue_inserted() of others needs of this. Errors: limit
   /// (memory), cancelled.
   Status prepare_to_be_edited();
 
-  /// The patches, after refine(), continue_from() or continue_inserted(). Errors: limit,
-  /// cancelled.
+  /// The patches, after refine(), answer(), continue_from() or continue_inserted(). A response is
+  /// the last base channel of its field; triangles whose opacity has one are kept where that or the
+  /// opacity shows. Errors: limit, cancelled.
   /// kept   unless null: gets what the next frame may begin from after continue_inserted(), or
   ///        nothing where these patches change more
   Result<PatchLayer> take(std::optional<FrameTables>* kept = nullptr);

@@ -13,6 +13,8 @@
 #include "base/no_throw.hpp"
 #include "base/public_verb.hpp"
 #include "base/table_memory.hpp"
+#include "curves/response.hpp"
+#include "solve/color_drag.hpp"
 #include "solve/layer_drag.hpp"
 #include "solve/layer_runs.hpp"
 
@@ -69,11 +71,18 @@ struct Solution::State {
   Status solve(Context& context, const DiffuseOptions& wanted, DiffuseStats* stats);
   Status begin_drag(Context& context, std::uint32_t layer, std::uint32_t curve);
   Status drag_to(Context& context, Curve curve, DiffuseStats* stats);
+  Status begin_color(Context& context, const StopPlace& place);
+  Status color_to(Context& context, const StopValue& value);
+  void end_drag() {
+    drag.reset();
+    coloring.reset();
+  }
 
   Document document;
   Picture picture;
   PictureDelta delta;
-  std::optional<Drag> drag;
+  std::optional<Drag> drag;  ///< there is at most one of this and `coloring`
+  std::optional<solve::ColorDrag> coloring;
   bool expects_drags = false;  ///< solve() keeps what they begin from
 
  private:
@@ -226,6 +235,7 @@ Result<std::vector<LayerTask>> Solution::State::tasks(const Context& context,
 
 Status Solution::State::solve(Context& context, const DiffuseOptions& wanted, DiffuseStats* stats) {
   const SpareRelease release(*this);
+  coloring.reset();
   if (Status status = solve::validate(wanted); !status) return status;
   if (Status status = validate(context, document); !status) return status;
   if (!options || !(*options == wanted)) {
@@ -332,7 +342,7 @@ Status Solution::State::assemble(Context& context, const Box& viewport) {
 }
 
 Status Solution::State::begin_drag(Context& context, std::uint32_t layer, std::uint32_t curve) {
-  drag.reset();
+  end_drag();
   expects_drags = true;
   if (layer >= layers.size() || curve >= document.layers[layer].curves.size()) {
     return make_error(StatusCode::bad_input, "there is no such curve to drag");
@@ -421,6 +431,52 @@ Status Solution::State::show(Context& context, Curve curve, DiffuseStats* stats)
   return status;
 }
 
+Status Solution::State::begin_color(Context& context, const StopPlace& place) {
+  end_drag();
+  expects_drags = true;
+  if (place.layer >= layers.size() ||
+      !curves::has_stop(document.layers[place.layer].curves, place)) {
+    return make_error(StatusCode::bad_input, "there is no such stop to be changed");
+  }
+  LayerState& layer = layers[place.layer];
+  if (!options || !layer.is_solved() || frame_changed) {
+    return make_error(StatusCode::bad_input,
+                      "the document is to be solved before a colour changes");
+  }
+  const bool is_at_home = &context.budget == budget;
+  return run_with_all_memory([&](bool) {
+    std::optional<solve::RefinedLayer> none;
+    Result<solve::ColorDrag> begun = solve::ColorDrag::begin(
+        context, document, place, layer.sight, *options, is_at_home ? layer.refined : none);
+    if (begun) coloring.emplace(std::move(*begun));
+    return begun.status();
+  });
+}
+
+/// The first frame brings a layer with tables of its own: that of the solution counts on for as
+/// long as the document is the one that was solved.
+Status Solution::State::color_to(Context& context, const StopValue& value) {
+  if (!coloring) return make_error(StatusCode::bad_input, "no stop is prepared to be changed");
+  const SpareRelease release(*this);
+  Status status = coloring->prepare(context, value);
+  if (status && coloring->new_layer()) status = hold(context, *coloring->new_layer());
+  if (!status) return status;
+  delta.layers.reserve(delta.layers.size() + 1);
+  const StopPlace& place = coloring->place();
+  LayerState& layer = layers[place.layer];
+  Curve& curve = document.layers[place.layer].curves[place.curve];
+  const bool keeps = coloring->keeps(curve);
+  std::optional<PatchLayer> solved = coloring->show(curve, picture.layers[place.layer]);
+  if (!keeps) {
+    layer = {};
+  } else if (layer.in_picture && solved) {
+    layer.fresh = std::move(solved);
+    layer.in_picture.reset();
+  }
+  note_new(place.layer);
+  return status;
+}
+
 void Solution::State::note_new(std::uint32_t layer) {
   const auto place = std::ranges::lower_bound(delta.layers, layer);
   if (place == delta.layers.end() || *place != layer) delta.layers.insert(place, layer);
@@ -451,7 +507,7 @@ const Document& Solution::document() const {
 Result<Change> Solution::apply(Context& context, Change change) {
   return public_verb(context, [&] {
     Result<Change> inverse = state_->apply(context, std::move(change));
-    if (inverse) state_->drag.reset();
+    if (inverse) state_->end_drag();
     return inverse;
   });
 }
@@ -472,8 +528,20 @@ Status Solution::drag(Context& context, Curve curve, DiffuseStats* stats) {
   return public_verb(context, [&] { return state_->drag_to(context, std::move(curve), stats); });
 }
 
+Status Solution::begin_color(Context& context, const StopPlace& place) {
+  return public_verb(context, [&] { return state_->begin_color(context, place); });
+}
+
+Status Solution::color(Context& context, const StopValue& value) {
+  return public_verb(context, [&] { return state_->color_to(context, value); });
+}
+
+std::span<const float> Solution::color_response() const {
+  return state_->coloring ? state_->coloring->factor() : std::span<const float>();
+}
+
 void Solution::end_drag() {
-  state_->drag.reset();
+  state_->end_drag();
 }
 
 const Picture& Solution::picture() const {

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "sfumato/document/document.hpp"
+#include "sfumato/document/stop_place.hpp"
 
 namespace sfumato {
 
@@ -42,12 +43,6 @@ std::string_view hint_name(HintKind kind);
 
 /// Whether hints of this kind are mere information: they do not ask for a change.
 bool is_note(HintKind kind);
-
-/// A side of a Curve.
-enum class CurveSide : std::uint8_t {
-  left,  ///< Curve::left
-  right  ///< Curve::right
-};
 
 /// A hint and its place in the document. Indices count from 0, and those that do not apply are
 /// empty.

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/status.hpp"
 #include "sfumato/document/change.hpp"
 #include "sfumato/document/document.hpp"
+#include "sfumato/document/stop_place.hpp"
 #include "sfumato/picture/picture.hpp"
 #include "sfumato/solve/diffuse.hpp"
 
@@ -95,10 +97,45 @@ class Solution {
   /// another.
   Status drag(Context& context, Curve curve, DiffuseStats* stats = nullptr);
 
-  /// Ends a drag, and releases what it held. The curve stays where it is.
+  /// Prepares a stop, or all stops of a side, to be given other values: finds how much each node
+  /// of the layer answers to them. The picture stays as it is. Ends the drag of a curve, as
+  /// begin_drag() ends this.
+  ///
+  /// What this holds is charged to this Context, which must outlive it. It lasts until the next
+  /// call of begin_color(), begin_drag(), end_drag(), apply() or solve().
+  ///
+  /// Errors: bad_input (there is no such stop, the side's attribute is not given by stops, or the
+  /// last picture is not that of the document), limit, cancelled, out_of_memory. Cost: that of
+  /// meshing the layer, and a gather of what sees the curve, where solve() has kept what drags
+  /// begin from and this Context is that of create(); otherwise that of solving the layer, too.
+  Status begin_color(Context& context, const StopPlace& place);
+
+  /// Gives another value to the stop that was prepared, in the document and in the picture. Of all
+  /// stops of a side the first gets it, and the others change by the same difference in the space
+  /// of the document's interpolation. Nothing is gathered: node values are linear in the stop's.
+  /// The picture is one for looking at until solve() makes the exact one: nodes have their exact
+  /// values, but the mesh is that of the colours as they were, and where both sides of a curve come
+  /// to have one colour its free ends count on. It depends on what begin_color() found and on the
+  /// value, not on the values in between. The first time all tables of the layer are new, then
+  /// those of values.
+  ///
+  /// Errors: bad_input (nothing is prepared, a value of another attribute, or a value of a stop
+  /// that would not be within 0 to 1), limit, cancelled, out_of_memory. Document and picture are as
+  /// they were then. Cost: O(nodes that answer), but for the first two O(nodes of the layer).
+  Status color(Context& context, const StopValue& value);
+
+  /// How much the nodes of the layer answer to what begin_color() prepared: for each row of the
+  /// values of PatchLayer::color or opacity, as they are in picture() after color(), a factor from
+  /// 0 to 1. Where the stop's value, in the space of the interpolation, has grown by d, the first 3
+  /// channels of a colour, or the first of an opacity, have grown by d times that. Empty where
+  /// nothing is prepared or shown.
+  std::span<const float> color_response() const;
+
+  /// Ends a drag, or what begin_color() prepared, and releases what it held. The curve stays as it
+  /// is.
   void end_drag();
 
-  /// The last picture that solve() or drag() finished.
+  /// The last picture that solve(), drag() or color() finished.
   const Picture& picture() const;
 
   /// What of picture() is new since the last call of this function. The first call after the first

@@ -1,0 +1,113 @@
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "sfumato/formats/read_document.hpp"
+#include "sfumato/solve/solution.hpp"
+
+// What it costs to prepare a stop for other colours, and a frame in which it has another one,
+// beside solving the document: CPU time in milliseconds of one thread.
+//
+//   build/bench/color [--curves N] [--max-error E] FILE...
+//
+// The first stop on the left of N curves of the layer with the most, one after another, gets five
+// colours.
+namespace sfumato {
+namespace {
+
+constexpr int kFrames = 5;
+
+struct Options {
+  std::uint32_t curves = 12;
+  double max_error = 1;
+};
+
+double cpu_milliseconds() {
+  timespec time{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+  return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
+}
+
+struct Times {
+  double begin = 0;
+  double first = 0;  ///< frame, which brings tables
+  double frame = 0;  ///< others
+  double nodes = 0;
+  int stops = 0;
+};
+
+bool color_one(Context& context, Solution& solution, const StopPlace& place, Times& times) {
+  const Curve before = solution.document().layers[place.layer].curves[place.curve];
+  const double start = cpu_milliseconds();
+  if (!solution.begin_color(context, place)) return false;
+  times.begin += cpu_milliseconds() - start;
+  times.nodes += static_cast<double>(solution.color_response().size());
+  for (int i = 0; i <= kFrames; ++i) {
+    const double frame_start = cpu_milliseconds();
+    if (!solution.color(context, Rgb{0.2f * static_cast<float>(i), 0.5f, 0.25f})) return false;
+    (i == 0 ? times.first : times.frame) += cpu_milliseconds() - frame_start;
+  }
+  ++times.stops;
+  return solution.apply(context, ReplaceCurve{place.layer, place.curve, before}).ok();
+}
+
+bool measure(const std::string& path, const Options& asked) {
+  std::ifstream stream(path, std::ios::binary);
+  const std::string text(std::istreambuf_iterator<char>(stream), {});
+  const std::string name = path.substr(path.rfind('/') + 1);
+  Context context;
+  Result<ReadDocument> read = read_document(context, text, name);
+  if (!read || read->document.layers.empty()) return false;
+  const std::vector<Layer>& layers = read->document.layers;
+  const auto largest =
+      std::ranges::max_element(layers, {}, [](const Layer& layer) { return layer.curves.size(); });
+  const auto layer = static_cast<std::uint32_t>(largest - layers.begin());
+  const auto count = static_cast<std::uint32_t>(largest->curves.size());
+  Result<Solution> solution = Solution::create(context, std::move(read->document));
+  if (!solution) return false;
+  DiffuseOptions options;
+  options.max_error = asked.max_error;
+  solution->expect_drags();
+  const double start = cpu_milliseconds();
+  if (!solution->solve(context, options)) return false;
+  const double solve = cpu_milliseconds() - start;
+  Times times;
+  const std::uint32_t curves = std::min(asked.curves, count);
+  for (std::uint32_t i = 0; i < curves; ++i) {
+    const StopPlace place{layer, i * count / curves, CurveSide::left, StopAttribute::color, 0};
+    const Curve& curve = solution->document().layers[layer].curves[place.curve];
+    if (curve.left.color.kind != ShaderKind::curve_domain) continue;
+    if (!color_one(context, *solution, place, times) || !solution->solve(context, options))
+      return false;
+  }
+  if (times.stops == 0) return false;
+  std::printf("%-24s solve %7.1f  begin %7.1f  first frame %6.2f  frame %6.2f  nodes %7.0f\n",
+              name.c_str(), solve, times.begin / times.stops, times.first / times.stops,
+              times.frame / (kFrames * times.stops), times.nodes / times.stops);
+  return true;
+}
+
+}  // namespace
+}  // namespace sfumato
+
+int main(int argc, char** argv) {
+  sfumato::Options options;
+  bool is_good = argc > 1;
+  for (int i = 1; i < argc; ++i) {
+    const std::string argument = argv[i];
+    if (argument == "--curves" && i + 1 < argc) {
+      options.curves = static_cast<std::uint32_t>(std::max(1, std::atoi(argv[++i])));
+    } else if (argument == "--max-error" && i + 1 < argc) {
+      options.max_error = std::atof(argv[++i]);
+    } else if (!sfumato::measure(argument, options)) {
+      std::fprintf(stderr, "%s has no colours to change\n", argument.c_str());
+      is_good = false;
+    }
+  }
+  return is_good ? 0 : 1;
+}
