@@ -184,6 +184,15 @@ SFUMATO_API int32_t sfumato_document_write(sfumato_context* context,
                                            const sfumato_document* document, sfumato_bytes** bytes);
 /** What is shown of the plane: x, y, width and height, in user units. */
 SFUMATO_API int32_t sfumato_document_artboard(const sfumato_document* document, double box[4]);
+/** The spaces in which colours are mixed. */
+enum sfumato_interpolation {
+  SFUMATO_SRGB = 0,   /**< sRGB code values, 0 to 1 */
+  SFUMATO_LINEAR = 1, /**< linear light, 0 to 1 */
+  SFUMATO_OKLAB = 2   /**< OKLab: L, a and b */
+};
+/** The space in which a document mixes colours, of ::sfumato_interpolation: that of
+ * SFUMATO_COLOR_VALUES. */
+SFUMATO_API int32_t sfumato_document_interpolation(const sfumato_document* document);
 /** How many layers there are. */
 SFUMATO_API uint32_t sfumato_layer_count(const sfumato_document* document);
 /** How many diffusion curves a layer has. */
@@ -246,6 +255,13 @@ SFUMATO_API int32_t sfumato_set_curve_stops(sfumato_context* context, sfumato_do
                                             uint32_t layer, uint32_t curve, uint32_t side,
                                             uint32_t attribute, int32_t kind, int32_t space,
                                             const double* rows, size_t row_count);
+/** How strongly a curve counts beside others, above 0: sf:weight. 0 where there is no such curve.
+ */
+SFUMATO_API double sfumato_curve_weight(const sfumato_document* document, uint32_t layer,
+                                        uint32_t curve);
+/** Sets that weight; 1 is that of a curve without one. */
+SFUMATO_API int32_t sfumato_set_curve_weight(sfumato_context* context, sfumato_document* document,
+                                             uint32_t layer, uint32_t curve, double weight);
 /** Adds a curve whose sides bear nothing: before curve `at`, or with UINT32_MAX as the last. */
 SFUMATO_API int32_t sfumato_insert_curve(sfumato_context* context, sfumato_document* document,
                                          uint32_t layer, uint32_t at, const double* xy,
@@ -276,7 +292,12 @@ SFUMATO_API int32_t sfumato_solve(sfumato_context* context, const sfumato_docume
  * was set to other points or stops since the last time, and nothing else, its layer is not solved:
  * values are exact, but the mesh is as fine as it was where the curve has come to, and the curve is
  * drawn over the others of its layer. The first time for a curve costs as much as solving its
- * layer; what that prepares lasts until the next call without `quick`, or for another curve. */
+ * layer; what that prepares lasts until the next call without `quick`, or for another curve.
+ *
+ * Where all that changed is the value of one stop of a colour or an opacity, or of all stops of a
+ * list by the same difference, nothing is gathered but the first time for the stop: values are
+ * exact, and but for the first time SFUMATO_COLOR_VALUES or SFUMATO_OPACITY_VALUES alone are new.
+ */
 SFUMATO_API int32_t sfumato_solve_again(sfumato_context* context, const sfumato_document* document,
                                         int32_t quick, sfumato_picture* picture);
 /** Gives a picture back. */
@@ -307,6 +328,24 @@ SFUMATO_API int32_t sfumato_picture_table(const sfumato_picture* picture, uint32
  */
 SFUMATO_API int32_t sfumato_picture_changes(const sfumato_picture* picture, uint32_t layer,
                                             uint32_t table, sfumato_view* view);
+
+/** How much the values of a layer answer to a stop of a colour or an opacity; with UINT32_MAX as
+ * `stop` to all stops of that side. `response`: f32, 1 column, a row for each of
+ * SFUMATO_COLOR_VALUES or SFUMATO_OPACITY_VALUES, 0 to 1. Where the stop's value grows by d, in the
+ * space that sfumato_document_interpolation() tells, the first 3 columns of that row grow by d
+ * times its response, or of an opacity the first: who draws the values may add that by himself,
+ * without a call for each colour.
+ *
+ * Preparing this costs as much as the first quick picture. The layer gets tables of its own
+ * (sfumato_picture_changes()), which show what it showed and have a node for each colour that a
+ * corner may come to have. The response lasts until the picture is solved again, but for quick
+ * pictures in which that stop has another value, until the response to another stop, or until it is
+ * freed. `picture` is to be that of its document: after quick pictures, solve it without `quick`.
+ */
+SFUMATO_API int32_t sfumato_stop_response(sfumato_context* context, sfumato_picture* picture,
+                                          uint32_t layer, uint32_t curve, uint32_t side,
+                                          uint32_t attribute, uint32_t stop,
+                                          sfumato_view* response);
 
 /** @}
  * @name Pixels and files

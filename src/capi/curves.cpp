@@ -33,6 +33,15 @@ Outcome set_points(const Context& context, sfumato_document* handle, std::uint32
   return change(context, *handle, ReplaceCurve{layer, curve, std::move(moved)});
 }
 
+Outcome set_weight(const Context& context, sfumato_document* handle, std::uint32_t layer,
+                   std::uint32_t curve, double weight) {
+  const Curve* old = find_curve(handle, layer, curve);
+  if (!old) return no_such_curve(handle, layer, curve);
+  Curve weighted = *old;
+  weighted.weight = weight;
+  return change(context, *handle, ReplaceCurve{layer, curve, std::move(weighted)});
+}
+
 Outcome insert(const Context& context, sfumato_document* handle, std::uint32_t layer,
                std::uint32_t at, const double* xy, std::size_t count) {
   if (!handle) return bad_usage("NULL given, expected a document");
@@ -69,6 +78,18 @@ int32_t sfumato_set_curve_points(sfumato_context* context, sfumato_document* doc
                                  size_t point_count) {
   return sfumato::capi::call(context, [&](Workshop& workshop) {
     return sfumato::capi::set_points(workshop.context, document, layer, curve, xy, point_count);
+  });
+}
+
+double sfumato_curve_weight(const sfumato_document* document, uint32_t layer, uint32_t curve) {
+  const sfumato::Curve* found = sfumato::capi::find_curve(document, layer, curve);
+  return found ? found->weight : 0;
+}
+
+int32_t sfumato_set_curve_weight(sfumato_context* context, sfumato_document* document,
+                                 uint32_t layer, uint32_t curve, double weight) {
+  return sfumato::capi::call(context, [&](Workshop& workshop) {
+    return sfumato::capi::set_weight(workshop.context, document, layer, curve, weight);
   });
 }
 

@@ -82,11 +82,9 @@ Outcome change(const Context& context, sfumato_document& handle, Change change) 
       handle.held.add(context, bytes_of(change) + room_bytes(handle.document, change), kPurpose);
   if (!status) return status;
   handle.charged += bytes;
-  std::optional<CurvePlace> replaced;
-  if (const auto* replace = std::get_if<ReplaceCurve>(&change))
-    replaced = {replace->layer, replace->curve};
+  const std::optional<Edit> edit = edit_of(change);
   const Result<Change> inverse = apply_change(context, handle.document, std::move(change));
-  if (inverse) handle.edits.note(replaced);
+  if (inverse) handle.edits.note(edit);
   release_spare(handle);
   return inverse.status();
 }
@@ -141,6 +139,11 @@ int32_t sfumato_document_artboard(const sfumato_document* document, double box[4
   if (!document || !box) return SFUMATO_BAD_USAGE;
   sfumato::capi::write_box(document->document.artboard, box);
   return SFUMATO_OK;
+}
+
+int32_t sfumato_document_interpolation(const sfumato_document* document) {
+  static_assert(static_cast<int>(sfumato::InterpolationSpace::oklab) == SFUMATO_OKLAB);
+  return document ? static_cast<int32_t>(document->document.interpolation) : SFUMATO_SRGB;
 }
 
 uint32_t sfumato_layer_count(const sfumato_document* document) {

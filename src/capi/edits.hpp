@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "sfumato/document/change.hpp"
 
@@ -24,30 +26,48 @@ struct Revision {
   friend bool operator==(const Revision&, const Revision&) = default;
 };
 
+/// One edit of a curve; indices are those at its time.
+struct Edit {
+  enum class Kind : std::uint8_t { replaced, inserted, removed };
+
+  Kind kind;
+  CurvePlace place;
+
+  friend bool operator==(const Edit&, const Edit&) = default;
+};
+
+/// What an edit does, where it is one of a curve.
+std::optional<Edit> edit_of(const Change& change);
+
 /// The edits of one document: what has changed since an earlier state is found without comparing
-/// documents.
+/// documents. The last few hundred are known.
 class Edits {
  public:
   const Revision& now() const { return now_; }
 
-  /// Notes an edit that replaced one curve, or any other. A run of edits of one curve begins with
-  /// the first of them; after any other edit no run has begun.
-  void note(std::optional<CurvePlace> replaced) {
-    if (!replaced || replaced != curve_) before_run_ = replaced ? now_.edits : now_.edits + 1;
-    curve_ = replaced;
-    ++now_.edits;
-  }
+  /// Notes an edit; none: one that is not of a curve.
+  void note(std::optional<Edit> edit);
+
+  /// The edits since a state, in their order; none where they are not known. A run of replacements
+  /// of one curve counts once.
+  std::optional<std::vector<Edit>> since(const Revision& then) const;
 
   /// The curve that was replaced since, where nothing else was edited; none else.
-  std::optional<CurvePlace> only_change_since(const Revision& then) const {
-    const bool is_known = then.document == now_.document && then.edits >= before_run_;
-    return is_known && then.edits < now_.edits ? curve_ : std::nullopt;
-  }
+  std::optional<CurvePlace> only_change_since(const Revision& then) const;
 
  private:
+  struct Noted {
+    Edit edit;
+    std::uint64_t last;  ///< edits of the document up to this one, or to the last of its run
+  };
+
   Revision now_{std::make_shared<const char>('\0'), 0};
-  std::optional<CurvePlace> curve_;  ///< of the last run of edits; none: they were others
-  std::uint64_t before_run_ = 0;     ///< edits before that run
+  std::deque<Noted> noted_;
+  std::uint64_t before_ = 0;  ///< edits before the first that is noted
 };
+
+/// The changes that bring a document, which was as it is before `edits`, to what `now` is after
+/// them; none where they are not those alone.
+std::optional<std::vector<Change>> changes_of(const std::vector<Edit>& edits, const Document& now);
 
 }  // namespace sfumato::capi

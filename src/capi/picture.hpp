@@ -26,6 +26,15 @@ DiffuseOptions solve_options(const options::Settings& settings, const Document& 
 /// go together.
 Outcome read_solve_options(const char* text, options::Call call, options::Settings& settings);
 
+/// All rows of the layers that are new, and none of the others.
+void note_changes(const Picture& picture, const PictureDelta& delta,
+                  std::vector<ChangedRows>& changed);
+
+/// Brings a picture nearer to what a document is, where one curve is all that differs. Errors: bad
+/// input where it has to be solved, others as Solution::drag() and color().
+Status show_change(sfumato_context& context, CurvePlace place, const sfumato_document& document,
+                   sfumato_picture& handle);
+
 /// A table of a layer; false where there is no such table.
 bool find_table(const PatchLayer& layer, std::uint32_t table, sfumato_view& view);
 
@@ -43,5 +52,7 @@ struct sfumato_picture {
   sfumato::Vec2 own_scale{1, 1};        ///< pixels per user unit at the document's own size
   std::vector<sfumato::capi::ChangedRows> changed;  ///< of each layer
   sfumato::capi::Revision shown{};                  ///< what it is a picture of
+  sfumato::capi::Revision applied{};                ///< what its solution's document is
   std::optional<sfumato::capi::CurvePlace> dragged{};
+  std::optional<sfumato::StopPlace> colored{};  ///< the stop that its solution is prepared for
 };

@@ -12,19 +12,6 @@
 namespace sfumato::capi {
 namespace {
 
-/// All rows of the layers that are new, and none of the others.
-void note_changes(const Picture& picture, const PictureDelta& delta,
-                  std::vector<ChangedRows>& changed) {
-  for (std::uint32_t i = 0; i < changed.size(); ++i) {
-    const bool is_new = std::ranges::binary_search(delta.layers, i);
-    for (std::uint32_t table = 0; table < changed[i].size(); ++table) {
-      sfumato_view view{};
-      find_table(picture.layers[i], table, view);
-      changed[i][table] = {0, is_new ? static_cast<std::uint32_t>(view.rows) : 0};
-    }
-  }
-}
-
 /// Brings the picture up to what its solution's document is. Whatever may fail comes before the
 /// handle changes.
 Status bring_up(Context& context, sfumato_picture& handle) {
@@ -58,48 +45,56 @@ Outcome solve(Workshop& workshop, sfumato_context* context, const sfumato_docume
   auto handle =
       std::make_unique<sfumato_picture>(context->workshop, std::move(*solution), settings);
   if (Status status = bring_up(workshop.context, *handle); !status) return status;
-  handle->shown = document.edits.now();
+  handle->shown = handle->applied = document.edits.now();
   *out = handle.release();
   return {};
 }
 
+/// Makes the changes that edits were, but for curves that are what they were again.
+Status apply_all(Context& context, std::vector<Change> changes, Solution& solution) {
+  ScopedCharge charge;
+  for (const Change& change : changes) {
+    Status status = charge.add(context, bytes_of(change), "changes of a document");
+    if (!status) return status;
+  }
+  for (Change& change : changes) {
+    if (const auto* replace = std::get_if<ReplaceCurve>(&change)) {
+      const Layer& layer = solution.document().layers[replace->layer];
+      if (layer.curves[replace->curve] == replace->value) continue;
+    }
+    const Result<Change> old = solution.apply(context, std::move(change));
+    if (!old) return old.status();
+  }
+  return ok_status();
+}
+
+Status replace_all(Context& context, const Document& document, Solution& solution) {
+  Result<Document> copy = copy_of(context, document);
+  if (!copy) return copy.status();
+  return solution.apply(context, ReplaceDocument{std::move(*copy)}).status();
+}
+
+/// Makes the solution's document what the other one is.
+Status follow(Context& context, const sfumato_document& document, sfumato_picture& handle) {
+  const auto edits = document.edits.since(handle.applied);
+  auto changes = edits ? changes_of(*edits, document.document) : std::nullopt;
+  handle.applied = {};  // until all of them are made
+  Status status = changes ? apply_all(context, std::move(*changes), handle.solution)
+                          : replace_all(context, document.document, handle.solution);
+  if (status) handle.applied = document.edits.now();
+  return status;
+}
+
 Outcome solve_exactly(Workshop& workshop, const sfumato_document& document,
                       sfumato_picture& handle) {
-  Result<Document> copy = copy_of(workshop.context, document.document);
-  if (!copy) return copy.status();
-  const Result<Change> old =
-      handle.solution.apply(workshop.context, ReplaceDocument{std::move(*copy)});
-  if (!old) return old.status();
-  handle.dragged.reset();
-  handle.drag_workshop.reset();
-  handle.shown = {};  // until it is brought up
-  Status status = bring_up(workshop.context, handle);
-  if (status) handle.shown = document.edits.now();
-  return status;
-}
-
-/// Prepares the curve to be dragged; bad_input where its layer has to be solved first.
-Status take_hold(sfumato_context& context, CurvePlace place, sfumato_picture& handle) {
-  if (handle.dragged == place) return ok_status();
   handle.solution.end_drag();
   handle.dragged.reset();
-  handle.drag_workshop = context.workshop;
-  Status status = handle.solution.begin_drag(context.workshop->context, place.layer, place.curve);
-  if (status) handle.dragged = place;
-  return status;
-}
-
-/// The picture with one curve where it is now.
-Status drag(sfumato_context& context, CurvePlace place, const sfumato_document& document,
-            sfumato_picture& handle) {
-  if (Status status = take_hold(context, place, handle); !status) return status;
-  std::vector<ChangedRows> changed(handle.changed.size());
-  const Curve& curve = document.document.layers[place.layer].curves[place.curve];
-  Status status = handle.solution.drag(context.workshop->context, curve);
-  if (!status) return status;
-  note_changes(handle.solution.picture(), handle.solution.take_delta(), changed);
-  handle.changed = std::move(changed);
-  handle.shown = document.edits.now();
+  handle.colored.reset();
+  handle.drag_workshop.reset();
+  handle.shown = {};  // until it is brought up
+  Status status = follow(workshop.context, document, handle);
+  if (status) status = bring_up(workshop.context, handle);
+  if (status) handle.shown = document.edits.now();
   return status;
 }
 
@@ -110,7 +105,7 @@ Outcome solve_quickly(sfumato_context& context, const sfumato_document& document
     return {};
   }
   if (const auto moved = document.edits.only_change_since(handle.shown)) {
-    Status status = drag(context, *moved, document, handle);
+    Status status = show_change(context, *moved, document, handle);
     // What a drag holds may be too much where the layer is not.
     if (status.code != StatusCode::bad_input && status.code != StatusCode::limit) return status;
   }
@@ -125,6 +120,19 @@ Outcome solve_again(sfumato_context& context, const sfumato_document* document, 
 }
 
 }  // namespace
+
+/// All rows of the layers that are new, and none of the others.
+void note_changes(const Picture& picture, const PictureDelta& delta,
+                  std::vector<ChangedRows>& changed) {
+  for (std::uint32_t i = 0; i < changed.size(); ++i) {
+    const bool is_new = std::ranges::binary_search(delta.layers, i);
+    for (std::uint32_t table = 0; table < changed[i].size(); ++table) {
+      sfumato_view view{};
+      find_table(picture.layers[i], table, view);
+      changed[i][table] = {0, is_new ? static_cast<std::uint32_t>(view.rows) : 0};
+    }
+  }
+}
 
 DiffuseOptions solve_options(const options::Settings& settings, const Document& document) {
   DiffuseOptions options = settings.diffuse;

@@ -170,5 +170,167 @@ TEST_F(CQuick, pictures_that_fail_leave_what_was_there) {
   EXPECT_LT(mean_miss(), 0.5);
 }
 
+/// Pictures of which a stop gets other values.
+class CQuickColors : public CQuick {
+ protected:
+  void set_colors(const std::vector<double>& rows, std::uint32_t side = SFUMATO_LEFT) {
+    ASSERT_EQ(sfumato_set_curve_stops(c, document.get(), 0, 1, side, SFUMATO_COLOR, SFUMATO_STOPS,
+                                      SFUMATO_ARC_LENGTH, rows.data(), rows.size() / 4),
+              SFUMATO_OK);
+  }
+
+  /// Tables of a layer that are new.
+  std::vector<std::uint32_t> new_tables(std::uint32_t layer) const {
+    std::vector<std::uint32_t> tables;
+    for (std::uint32_t table = SFUMATO_VERTICES; table <= SFUMATO_OPACITY_VALUES; ++table) {
+      sfumato_view view{};
+      EXPECT_EQ(sfumato_picture_changes(picture.get(), layer, table, &view), SFUMATO_OK);
+      if (view.rows > 0) tables.push_back(table);
+    }
+    return tables;
+  }
+
+  std::vector<float> numbers_of(std::uint32_t table, std::uint32_t layer = 0) const {
+    sfumato_view view{};
+    EXPECT_EQ(sfumato_picture_table(picture.get(), layer, table, &view), SFUMATO_OK);
+    const auto* const data = static_cast<const float*>(view.data);
+    return {data, data + view.rows * view.columns};
+  }
+
+  using Tables = std::vector<std::uint32_t>;
+};
+
+TEST_F(CQuickColors, change_tables_of_values_alone_after_the_first_time) {
+  set_colors({0, 1, 0, 0, 1, 0, 0, 0.5});
+  ASSERT_EQ(again(1), SFUMATO_OK) << sfumato_error_text(c);
+  EXPECT_LT(mean_miss(), 0.1);
+  EXPECT_GT(new_tables(0).size(), 3u);
+  for (const double green : {0.25, 0.5, 1.0}) {
+    set_colors({0, 1, 0, 0, 1, 0, green, 0.5});
+    ASSERT_EQ(again(1), SFUMATO_OK);
+    EXPECT_EQ(new_tables(0), Tables{SFUMATO_COLOR_VALUES});
+    EXPECT_EQ(new_tables(1), Tables{});
+    EXPECT_LT(mean_miss(), 0.25);
+  }
+  ASSERT_EQ(again(0), SFUMATO_OK);
+  EXPECT_TRUE(is_exact());
+}
+
+TEST_F(CQuickColors, take_a_side_whose_stops_change_alike_for_one) {
+  set_colors({0, 1, 0.25, 0, 1, 0, 0.25, 1});
+  ASSERT_EQ(again(1), SFUMATO_OK) << sfumato_error_text(c);
+  set_colors({0, 1, 0.5, 0, 1, 0, 0.5, 1});
+  ASSERT_EQ(again(1), SFUMATO_OK) << sfumato_error_text(c);
+  EXPECT_EQ(new_tables(0), Tables{SFUMATO_COLOR_VALUES});
+  EXPECT_LT(mean_miss(), 0.25);
+  ASSERT_EQ(again(0), SFUMATO_OK);
+  EXPECT_TRUE(is_exact());
+}
+
+TEST_F(CQuickColors, of_several_stops_are_those_of_a_curve_that_moves) {
+  set_colors({0, 0, 0.25, 0, 1, 1, 0.5, 1});
+  ASSERT_EQ(again(1), SFUMATO_OK) << sfumato_error_text(c);
+  EXPECT_LT(mean_miss(), 0.5);
+  set_colors({0, 0, 0.5, 0, 1, 1, 0.5, 1});
+  ASSERT_EQ(again(1), SFUMATO_OK) << sfumato_error_text(c);
+  EXPECT_LT(mean_miss(), 0.5);
+  EXPECT_GT(new_tables(0).size(), 3u);
+}
+
+TEST_F(CQuickColors, of_other_stops_or_curves_begin_with_an_exact_one) {
+  set_colors({0, 1, 0, 0, 1, 0, 0, 0.5});
+  ASSERT_EQ(again(1), SFUMATO_OK);
+  EXPECT_FALSE(is_exact());
+  set_colors({0, 1, 0.5, 0, 1, 0, 0, 0.5});
+  ASSERT_EQ(again(1), SFUMATO_OK);
+  EXPECT_TRUE(is_exact());
+  set_colors({0, 1, 0.75, 0, 1, 0, 0, 0.5});
+  ASSERT_EQ(again(1), SFUMATO_OK);
+  EXPECT_LT(mean_miss(), 0.25);
+  move(1, 1);
+  ASSERT_EQ(again(1), SFUMATO_OK);
+  EXPECT_TRUE(is_exact());
+}
+
+TEST_F(CQuickColors, follow_from_the_response_of_a_stop) {
+  sfumato_view view{};
+  ASSERT_EQ(sfumato_stop_response(c, picture.get(), 0, 1, SFUMATO_RIGHT, SFUMATO_COLOR, 0, &view),
+            SFUMATO_OK)
+      << sfumato_error_text(c);
+  EXPECT_LT(mean_miss(), 0.1);
+  const std::vector<float> before = numbers_of(SFUMATO_COLOR_VALUES);
+  ASSERT_EQ(view.columns, 1u);
+  ASSERT_EQ(3 * view.rows, before.size());
+  const auto* const data = static_cast<const float*>(view.data);
+  const std::vector<float> response(data, data + view.rows);
+  EXPECT_EQ(sfumato_document_interpolation(document.get()), SFUMATO_SRGB);
+  set_colors({0, 1, 0.5, 0.25}, SFUMATO_RIGHT);  // gold, #ffd700, before
+  ASSERT_EQ(again(1), SFUMATO_OK);
+  EXPECT_EQ(new_tables(0), Tables{SFUMATO_COLOR_VALUES});
+  const std::vector<float> after = numbers_of(SFUMATO_COLOR_VALUES);
+  for (std::size_t i = 0; i < response.size(); ++i) {
+    ASSERT_EQ(after[3 * i], before[3 * i]);
+    ASSERT_NEAR(after[3 * i + 1], before[3 * i + 1] + response[i] * (0.5f - 215 / 255.0f), 1e-6);
+    ASSERT_NEAR(after[3 * i + 2], before[3 * i + 2] + response[i] * 0.25f, 1e-6);
+  }
+  ASSERT_EQ(sfumato_stop_response(c, picture.get(), 0, 1, SFUMATO_RIGHT, SFUMATO_COLOR, 0, &view),
+            SFUMATO_OK);
+  EXPECT_EQ(view.rows, response.size());
+  EXPECT_EQ(new_rows(0), 0u);
+}
+
+TEST_F(CQuickColors, refuse_stops_that_are_not_there) {
+  const auto response = [&](std::uint32_t curve, std::uint32_t attribute, std::uint32_t stop) {
+    sfumato_view view{};
+    const std::int32_t code =
+        sfumato_stop_response(c, picture.get(), 0, curve, SFUMATO_LEFT, attribute, stop, &view);
+    EXPECT_EQ(view.data == nullptr, code != SFUMATO_OK);
+    return code;
+  };
+  EXPECT_EQ(response(3, SFUMATO_COLOR, 0), SFUMATO_BAD_USAGE);
+  EXPECT_EQ(response(1, SFUMATO_COLOR, 2), SFUMATO_BAD_USAGE);
+  EXPECT_EQ(response(1, SFUMATO_OPACITY, 0), SFUMATO_BAD_USAGE);
+  EXPECT_EQ(response(1, SFUMATO_BLUR, 0), SFUMATO_BAD_USAGE);
+  EXPECT_EQ(response(1, SFUMATO_COLOR, UINT32_MAX), SFUMATO_OK);
+  sfumato_view view{};
+  EXPECT_EQ(sfumato_stop_response(c, nullptr, 0, 1, 0, 0, 0, &view), SFUMATO_BAD_USAGE);
+  EXPECT_EQ(sfumato_stop_response(c, picture.get(), 0, 1, 0, 0, 0, nullptr), SFUMATO_BAD_USAGE);
+}
+
+/// Edits of several kinds at a time, against a picture that was solved at once.
+TEST_F(CQuick, exact_pictures_follow_edits_of_any_number) {
+  const double line[] = {5, 90, 30, 85, 60, 95, 90, 88};
+  for (int step = 0; step < 12; ++step) {
+    SCOPED_TRACE(step);
+    if (step % 3 == 0) {
+      ASSERT_EQ(sfumato_insert_curve(c, document.get(), 0, step % 2, line, 4), SFUMATO_OK);
+    }
+    move(0.5, 1);
+    move(0.25, 0);
+    if (step % 4 == 2) {
+      ASSERT_EQ(sfumato_remove_curve(c, document.get(), 0, 0), SFUMATO_OK);
+    }
+    ASSERT_EQ(sfumato_set_curve_weight(c, document.get(), 0, 1, 1 + step), SFUMATO_OK);
+    ASSERT_EQ(again(step % 5 == 4), SFUMATO_OK) << sfumato_error_text(c);
+    EXPECT_TRUE(is_exact());
+  }
+}
+
+TEST_F(CQuick, exact_pictures_keep_layers_whose_edits_were_taken_back) {
+  move(1, 0, 1);
+  move(-1, 0, 1);
+  move(1, 0, 0);
+  ASSERT_EQ(again(0), SFUMATO_OK);
+  EXPECT_TRUE(is_exact());
+  EXPECT_GT(new_rows(0), 0u);
+  EXPECT_EQ(new_rows(1), 0u);
+}
+
+TEST_F(CQuick, exact_pictures_follow_more_edits_than_are_noted) {
+  for (int i = 0; i < 400; ++i) move(i % 2 == 0 ? 0.25 : -0.125, i % 3);
+  ASSERT_EQ(again(0), SFUMATO_OK);
+  EXPECT_TRUE(is_exact());
+}
+
 }  // namespace
 }  // namespace sfumato::test

@@ -1,0 +1,150 @@
+#include <span>
+#include <utility>
+
+#include "capi/document.hpp"
+#include "capi/picture.hpp"
+#include "capi/stop_change.hpp"
+
+namespace sfumato::capi {
+namespace {
+
+/// Prepares the curve to be dragged; bad_input where its layer has to be solved first.
+Status take_hold(sfumato_context& context, CurvePlace place, sfumato_picture& handle) {
+  if (handle.dragged == place) return ok_status();
+  handle.solution.end_drag();
+  handle.dragged.reset();
+  handle.colored.reset();
+  handle.drag_workshop = context.workshop;
+  Status status = handle.solution.begin_drag(context.workshop->context, place.layer, place.curve);
+  if (status) handle.dragged = place;
+  return status;
+}
+
+/// The picture with one curve where it is now.
+Status drag(sfumato_context& context, CurvePlace place, const sfumato_document& document,
+            sfumato_picture& handle) {
+  if (Status status = take_hold(context, place, handle); !status) return status;
+  std::vector<ChangedRows> changed(handle.changed.size());
+  const Curve& curve = document.document.layers[place.layer].curves[place.curve];
+  Status status = handle.solution.drag(context.workshop->context, curve);
+  if (!status) return status;
+  note_changes(handle.solution.picture(), handle.solution.take_delta(), changed);
+  handle.changed = std::move(changed);
+  handle.shown = handle.applied = document.edits.now();
+  return status;
+}
+
+/// Prepares the stop to be changed; bad_input where its layer has to be solved first.
+Status take_stop(sfumato_context& context, const StopPlace& place, sfumato_picture& handle) {
+  if (handle.colored == place) return ok_status();
+  handle.solution.end_drag();
+  handle.dragged.reset();
+  handle.colored.reset();
+  handle.drag_workshop = context.workshop;
+  return handle.solution.begin_color(context.workshop->context, place);
+}
+
+/// All of the layer where its tables are new, else its values.
+void note_stop(const StopPlace& place, bool is_first, sfumato_picture& handle) {
+  std::vector<ChangedRows> changed(handle.changed.size());
+  note_changes(handle.solution.picture(), handle.solution.take_delta(), changed);
+  const auto values =
+      place.attribute == StopAttribute::color ? SFUMATO_COLOR_VALUES : SFUMATO_OPACITY_VALUES;
+  for (std::uint32_t table = 0; !is_first && table < changed[place.layer].size(); ++table) {
+    if (table != values) changed[place.layer][table] = {};
+  }
+  handle.changed = std::move(changed);
+}
+
+/// Gives a stop the value; the picture has tables of its own for it from the first time on.
+Status set_stop(sfumato_context& context, const StopChange& change, sfumato_picture& handle) {
+  const bool is_first = handle.colored != change.place;
+  Status status = take_stop(context, change.place, handle);
+  if (status) status = handle.solution.color(context.workshop->context, change.value);
+  if (!status) return status;
+  note_stop(change.place, is_first, handle);
+  handle.colored = change.place;
+  return status;
+}
+
+/// The picture with one stop as it is now; bad_input where more has changed.
+Status recolor(sfumato_context& context, CurvePlace place, const sfumato_document& document,
+               sfumato_picture& handle) {
+  const Document& shown = handle.solution.document();
+  const Curve& from = shown.layers[place.layer].curves[place.curve];
+  const Curve& to = document.document.layers[place.layer].curves[place.curve];
+  const auto change = find_stop_change(from, to, place, shown.interpolation);
+  if (!change) return make_error(StatusCode::bad_input, "more than a stop has changed");
+  Status status = set_stop(context, *change, handle);
+  if (!status) return status;
+  handle.shown = document.edits.now();
+  handle.applied = from == to ? handle.shown : Revision{};  // of a whole side but for rounding
+  return status;
+}
+
+/// Sides and attributes of C in words of C++; none where there are no such.
+std::optional<StopPlace> place_of(CurvePlace at, std::uint32_t side, std::uint32_t attribute,
+                                  std::uint32_t index) {
+  if (side > SFUMATO_RIGHT || attribute > SFUMATO_OPACITY) return std::nullopt;
+  StopPlace place{at.layer, at.curve, side == SFUMATO_LEFT ? CurveSide::left : CurveSide::right,
+                  attribute == SFUMATO_COLOR ? StopAttribute::color : StopAttribute::opacity,
+                  index};
+  if (index == UINT32_MAX) place.index.reset();
+  return place;
+}
+
+/// The value that a stop has, or the first of a list; none where there is no such stop.
+std::optional<StopValue> value_of(const Document& document, const StopPlace& place) {
+  if (place.layer >= document.layers.size()) return std::nullopt;
+  const std::vector<Curve>& curves = document.layers[place.layer].curves;
+  if (place.curve >= curves.size()) return std::nullopt;
+  const Side& side =
+      place.side == CurveSide::left ? curves[place.curve].left : curves[place.curve].right;
+  const auto value = [&](const auto& stops) -> std::optional<StopValue> {
+    const std::size_t index = place.index.value_or(0);
+    return index < stops.size() ? std::optional<StopValue>(stops[index].value) : std::nullopt;
+  };
+  return place.attribute == StopAttribute::color ? value(side.color.stops.stops)
+                                                 : value(side.opacity.stops.stops);
+}
+
+/// Gives the stop the value that it has: so its tables come into the picture.
+Outcome respond(sfumato_context& context, sfumato_picture* handle,
+                const std::optional<StopPlace>& place, sfumato_view& view) {
+  if (!handle) return bad_usage("NULL given, expected a picture");
+  if (!place) return bad_usage("an unknown side, or an attribute without a response");
+  const std::optional<StopValue> value = value_of(handle->solution.document(), *place);
+  if (!value) return bad_usage("there is no such stop");
+  if (handle->colored == place) {
+    for (ChangedRows& rows : handle->changed) rows = {};
+  } else if (Status status = set_stop(context, {*place, *value}, *handle); !status) {
+    return status;
+  }
+  const std::span<const float> response = handle->solution.color_response();
+  view = {response.data(), response.size(), sizeof(float), 1, SFUMATO_F32};
+  return {};
+}
+
+}  // namespace
+
+Status show_change(sfumato_context& context, CurvePlace place, const sfumato_document& document,
+                   sfumato_picture& handle) {
+  if (handle.dragged == place) return drag(context, place, document, handle);
+  Status status = recolor(context, place, document, handle);
+  if (status.code != StatusCode::bad_input) return status;
+  return drag(context, place, document, handle);
+}
+
+}  // namespace sfumato::capi
+
+int32_t sfumato_stop_response(sfumato_context* context, sfumato_picture* picture, uint32_t layer,
+                              uint32_t curve, uint32_t side, uint32_t attribute, uint32_t index,
+                              sfumato_view* response) {
+  if (response) *response = {};
+  return sfumato::capi::call(context, [&](sfumato::capi::Workshop&) -> sfumato::capi::Outcome {
+    if (!response) return sfumato::capi::bad_usage("NULL given, expected room for a view");
+    return sfumato::capi::respond(*context, picture,
+                                  sfumato::capi::place_of({layer, curve}, side, attribute, index),
+                                  *response);
+  });
+}
