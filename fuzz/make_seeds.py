@@ -107,6 +107,17 @@ STOP_LISTS = ['red', 'red, gold', 'red, gold 30%, white', 'red 50%, blue 50%',
               'red @0, gold @2.5, white @4', '0, 12 50%, 0', '#abc 10%,#aabbcc,hsl(20deg 80% 50%)',
               'rgb(1 2 3/1) 1e1%,rgb(10%,20%,30%)', '.5,1e-3 @1.25,.7 99%', 'hwb(1turn 2% 3%)']
 
+OPTION_STRINGS = [
+    (0, 'threads=2 max-memory=1000 max-time=off limit.curves=9'), (0, 'simd=avx2 limit.nodes=1e9'),
+    (1, 'artboard=0,0,400,300 interpolation=oklab background="rgb(1 2 3)"'),
+    (2, 'viewport=-1,2,3e2,4.5 width=12 height=30 detail=2 method=rays rays=64 seed=7 no-blur'),
+    (2, 'scale=0.5 tolerance=0.02 ends=paper max-error=0 max-area=1% min-angle=33 order=linear'),
+    (3, 'background=none dither no-antialias mesh-overlay'), (3, 'dither no-dither'),
+    (4, 'depth=16 quality=90 lossless'), (4, 'dpi=72 svg=vector force pdf-flatten=never'),
+    (4, 'title="a \\"b\\" \\\\ c"'), (5, 'quality=101'), (5, 'lossless=yes'), (6, 'max-error'),
+    (6, 'width=0 hieght=3'), (2, 'width="1'), (2, ' =1'), (2, 'width=1 width=2'), (0, ''),
+]
+
 PATHS = ['M1 2L3 4', 'm1,2 3-4.5.6z', 'M0 0H9V9h-3v-3Z', 'M1 1C2 3 4 5 6 7S1 2 3 4',
          'M1 1Q2 3 4 5T6 7t1 1', 'M1 1A9 5 30 1 0 20 9a1 1 0 0110,5', 'none', 'M1 1 2 2 3 3zm4 4l1 1',
          'M-1e2+3L1e-7.5', 'matrix(1 2 3 4 5 6)', 'translate(3) rotate(30, 4 5),scale(2)',
@@ -196,6 +207,7 @@ def seeds():
     yield 'stop_list', [text.encode() for text in STOP_LISTS]
     yield 'path_data', [text.encode() for text in PATHS]
     yield 'style_sheet', [text.encode() for text in SHEETS]
+    yield 'option_string', [bytes([call]) + text.encode() for call, text in OPTION_STRINGS]
     yield 'png', list(pngs())
     yield 'jpeg', list(jpegs())
     yield 'mesher', list(noise(1, 40, 200))
