@@ -51,7 +51,7 @@ endif()
 
 install(TARGETS sfumato RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(TARGETS sfumato_library EXPORT sfumato ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-install(TARGETS sfumato_c EXPORT sfumato LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(TARGETS sfumato_c EXPORT sfumato_c LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/sfumato DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
         FILES_MATCHING PATTERN *.hpp PATTERN *.h)
 # From where the file lies to the prefix, which `cmake --install --prefix` may choose anew.
@@ -69,6 +69,8 @@ install(FILES ${PROJECT_SOURCE_DIR}/completions/sfumato.fish
 
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/sfumato)
 install(EXPORT sfumato NAMESPACE sfumato:: FILE sfumatoTargets.cmake DESTINATION ${package_folder})
+install(EXPORT sfumato_c NAMESPACE sfumato:: FILE sfumatoCTargets.cmake
+        DESTINATION ${package_folder})
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/sfumatoConfig.cmake.in
   ${PROJECT_BINARY_DIR}/sfumatoConfig.cmake INSTALL_DESTINATION ${package_folder})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/sfumatoConfigVersion.cmake
