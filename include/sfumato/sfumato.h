@@ -396,8 +396,8 @@ SFUMATO_API int32_t sfumato_encode(sfumato_context* context, const sfumato_image
 /** The exact colours of one layer at points, without a mesh. */
 typedef struct sfumato_field sfumato_field;
 
-/** Prepares a layer; the document is not needed afterwards. Layers whose curves bear gradients or
- * textures are SFUMATO_UNAVAILABLE in this version.
+/** Prepares a layer; the document is not needed afterwards. Textures are averaged over a pixel of
+ * the size that the options say, at the largest scale at which the layer is shown.
  *
  * options: viewport, width, height, scale, tolerance, ends, no-blur, max-error, as of
  * sfumato_solve(). */

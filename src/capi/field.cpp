@@ -4,10 +4,13 @@
 #include <vector>
 
 #include "base/charge.hpp"
+#include "base/parallel.hpp"
 #include "capi/document.hpp"
+#include "capi/field_paints.hpp"
 #include "capi/picture.hpp"
 #include "sfumato/base/color_space.hpp"
 #include "sfumato/solve/point_evaluator.hpp"
+#include "solve/prepare_layer.hpp"
 
 struct sfumato_field {
   sfumato_field(std::shared_ptr<sfumato::capi::Workshop> w, sfumato::PointEvaluator e)
@@ -17,32 +20,48 @@ struct sfumato_field {
   sfumato::PointEvaluator evaluator;
   std::uint32_t layer = 0;
   sfumato::InterpolationSpace interpolation{};
+  sfumato::capi::FieldPaints color_paints{}, opacity_paints{};
 };
 
 namespace sfumato::capi {
 namespace {
 
-/// Points at a time: what they take is little beside a field.
+/// Points at a time, and numbers of their colours: what they take is little beside a field.
 constexpr std::size_t kBlock = 1 << 14;
+constexpr std::size_t kBlockNumbers = 1 << 17;
+constexpr std::size_t kPointsPerTask = 1024;
 
 /// The document with the curves of one layer alone, which is all that is prepared then.
 Document with_one_layer(const Document& document, std::uint32_t layer) {
   Document one;
   one.artboard = document.artboard;
   one.interpolation = document.interpolation;
+  // Where the evaluator sees paints they weigh the same, whatever they show.
+  const Shader any{{}, GradientFill{LinearGradient{}, SpreadMethod::pad, {}, {GradientStop{}}}};
+  one.shaders.assign(document.shaders.size(), any);
   one.layers.resize(document.layers.size());
   one.layers[layer] = document.layers[layer];
   one.stack = document.stack;
   return one;
 }
 
-bool bears_paint(const Side& side) {
-  return side.color.kind == ShaderKind::image_domain ||
-         side.opacity.kind == ShaderKind::image_domain;
-}
-
-bool bears_paint(const Curve& curve) {
-  return bears_paint(curve.left) || bears_paint(curve.right);
+/// Prepares what the layer's sides mix beside colours; textures are averaged over a pixel of the
+/// instance that enlarges the layer most, as in pictures.
+Status prepare_paints(Context& context, const Document& document, const DiffuseOptions& options,
+                      sfumato_field& field) {
+  const solve::LayerSight sight =
+      solve::sight_of_layer(document, field.layer, options.viewport.value_or(document.artboard));
+  const double pixel = 1 / (options.pixels_per_unit * sight.scale);
+  Result<FieldPaints> colors =
+      FieldPaints::create(context, document.shaders, field.evaluator.color_shaders(field.layer),
+                          document.interpolation, pixel);
+  if (!colors) return colors.status();
+  field.color_paints = std::move(*colors);
+  Result<FieldPaints> opacities =
+      FieldPaints::create(context, document.shaders, field.evaluator.opacity_shaders(field.layer),
+                          InterpolationSpace::srgb, pixel);
+  if (opacities) field.opacity_paints = std::move(*opacities);
+  return opacities.status();
 }
 
 Outcome make_field(sfumato_context* context, const sfumato_document* handle, std::uint32_t layer,
@@ -55,21 +74,18 @@ Outcome make_field(sfumato_context* context, const sfumato_document* handle, std
   options::Settings settings;
   Outcome read = read_solve_options(text, options::kField, settings);
   if (read.code != SFUMATO_OK) return read;
-  const auto paints = [](const Curve& curve) { return bears_paint(curve); };
-  if (std::ranges::any_of(document.layers[layer].curves, paints)) {
-    return make_error(StatusCode::unavailable, "a field of a layer with gradients or textures");
-  }
   Context& work = context->workshop->context;
   ScopedCharge charge;
   Status status = charge.add(work, bytes_of(document), "a document");
   if (!status) return status;
   const Document one = with_one_layer(document, layer);
-  Result<PointEvaluator> evaluator =
-      PointEvaluator::create(work, one, solve_options(settings, document));
+  const DiffuseOptions options = solve_options(settings, document);
+  Result<PointEvaluator> evaluator = PointEvaluator::create(work, one, options);
   if (!evaluator) return evaluator.status();
   auto field = std::make_unique<sfumato_field>(context->workshop, std::move(*evaluator));
   field->layer = layer;
   field->interpolation = document.interpolation;
+  if (status = prepare_paints(work, document, options, *field); !status) return status;
   *out = field.release();
   return {};
 }
@@ -85,18 +101,33 @@ float clamped(float value) {
   return std::clamp(value, 0.0f, 1.0f);
 }
 
+/// 4 floats of a point that sees colours.
+void write_color(const sfumato_field& field, Vec2 point, const float* color, const float* opacity,
+                 float* rgba) {
+  const Rgb more = field.color_paints.color_at(point, color + 3);
+  const Rgb code =
+      to_srgb(field.interpolation, {color[0] + more.r, color[1] + more.g, color[2] + more.b});
+  rgba[0] = clamped(code.r);
+  rgba[1] = clamped(code.g);
+  rgba[2] = clamped(code.b);
+  rgba[3] = opacity ? clamped(opacity[0] + field.opacity_paints.opacity_at(point, opacity + 1)) : 1;
+}
+
 /// Writes 4 floats a point.
-void write_colors(const Block& block, InterpolationSpace space, float* rgba) {
-  for (std::size_t i = 0; i < block.points.size(); ++i, rgba += 4) {
-    std::fill_n(rgba, 4, 0.0f);
-    if (block.hit[i] == 0) continue;
-    const float* channel = block.color.data() + 3 * i;
-    const Rgb code = to_srgb(space, {channel[0], channel[1], channel[2]});
-    rgba[0] = clamped(code.r);
-    rgba[1] = clamped(code.g);
-    rgba[2] = clamped(code.b);
-    rgba[3] = block.opacity.empty() ? 1 : clamped(block.opacity[i]);
-  }
+Status write_colors(Context& context, const sfumato_field& field, const Block& block, float* rgba) {
+  const std::size_t color_width = 3 + field.color_paints.count();
+  const std::size_t opacity_width = block.opacity.empty() ? 0 : 1 + field.opacity_paints.count();
+  return parallel_for(
+      context, block.points.size(), kPointsPerTask, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+          std::fill_n(rgba + 4 * i, 4, 0.0f);
+          if (block.hit[i] == 0) continue;
+          const float* const opacity =
+              opacity_width > 0 ? block.opacity.data() + opacity_width * i : nullptr;
+          write_color(field, block.points[i], block.color.data() + color_width * i, opacity,
+                      rgba + 4 * i);
+        }
+      });
 }
 
 Status color_block(Context& context, const sfumato_field& field, const double* xy, Block& block) {
@@ -104,9 +135,11 @@ Status color_block(Context& context, const sfumato_field& field, const double* x
     block.points[i] = {xy[2 * i], xy[2 * i + 1]};
   }
   const std::size_t count = block.points.size();
-  block.color.resize(3 * count);
+  block.color.resize((3 + field.color_paints.count()) * count);
   block.hit.resize(count);
-  block.opacity.resize(field.evaluator.opacity_channels(field.layer) > 0 ? count : 0);
+  const auto opacity_width =
+      static_cast<std::size_t>(field.evaluator.opacity_channels(field.layer));
+  block.opacity.resize(opacity_width * count);
   return field.evaluator.evaluate(context, field.layer, block.points, block.color, block.hit,
                                   block.opacity);
 }
@@ -120,12 +153,14 @@ Outcome colors(Context& context, const sfumato_field* field, const double* xy, s
     std::fill_n(rgba, 4 * count, 0.0f);
     return {};
   }
+  const std::size_t numbers = 4 + field->color_paints.count() + field->opacity_paints.count();
+  const std::size_t most = std::clamp<std::size_t>(kBlockNumbers / numbers, 1, kBlock);
   Block block;
   for (std::size_t done = 0; done < count; done += block.points.size()) {
-    block.points.resize(std::min(kBlock, count - done));
+    block.points.resize(std::min(most, count - done));
     Status status = color_block(context, *field, xy + 2 * done, block);
+    if (status) status = write_colors(context, *field, block, rgba + 4 * done);
     if (!status) return status;
-    write_colors(block, field->interpolation, rgba + 4 * done);
   }
   return {};
 }

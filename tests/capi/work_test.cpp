@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <cstring>
 #include <thread>
 
@@ -296,6 +298,59 @@ TEST(CDocument, has_the_stops_that_were_set) {
   ASSERT_EQ(sfumato_document_copy(context.get(), made, &copied), SFUMATO_OK);
   const DocumentHandle copy(copied);
   EXPECT_EQ(written(context.get(), copied), written(context.get(), made));
+}
+
+/// Sides with colours, gradients, a texture and an opacity by a gradient, in OKLab.
+constexpr const char* kPaints =
+    "<svg xmlns='http://www.w3.org/2000/svg' xmlns:sf='urn:sfumato:1' viewBox='0 0 64 64'"
+    " sf:interpolation='oklab' sf:background='none'><defs>"
+    "<linearGradient id='g' gradientUnits='userSpaceOnUse' x2='64'><stop stop-color='red'/>"
+    "<stop offset='1' stop-color='#08f'/></linearGradient>"
+    "<radialGradient id='r' gradientUnits='userSpaceOnUse' cx='32' cy='32' r='40'>"
+    "<stop stop-color='#fff'/><stop offset='1' stop-color='#444'/></radialGradient>"
+    "<pattern id='p' patternUnits='userSpaceOnUse' width='16' height='16'>"
+    "<image href='t.png' width='16' height='16'/></pattern></defs>"
+    "<g sf:diffuse='true'>"
+    "<path d='M-8 12C20 4 40 24 72 10' sf:left='gold' sf:right='url(#g)'"
+    " sf:left-opacity='1' sf:right-opacity='url(#r)'/>"
+    "<path d='M-8 52C20 64 40 40 72 56' sf:left='url(#p)' sf:right='navy'"
+    " sf:left-opacity='0.25' sf:right-opacity='0.75'/></g></svg>";
+
+TEST(CField, mixes_paints_as_pictures_do) {
+  const ContextHandle context = context_of();
+  sfumato_context* c = context.get();
+  const std::string picture_file = example("waves.png");
+  const auto load = [](void* user, const char*, sfumato_deliver_fn deliver, void* sink) {
+    const auto& file = *static_cast<const std::string*>(user);
+    deliver(sink, file.data(), file.size());
+    return std::int32_t{0};
+  };
+  const sfumato_loader loader{load, const_cast<std::string*>(&picture_file)};
+  sfumato_document* read = nullptr;
+  ASSERT_EQ(sfumato_read(c, kPaints, std::strlen(kPaints), "in", &loader, &read), SFUMATO_OK)
+      << sfumato_error_text(c);
+  const DocumentHandle document(read);
+  constexpr std::uint32_t kSide = 64;
+  const PictureHandle picture = solve(c, read, "max-error=0.25");
+  std::vector<std::uint8_t> pixels(4 * kSide * kSide);
+  const sfumato_image image{pixels.data(), 4 * kSide, kSide, kSide, SFUMATO_RGBA8};
+  ASSERT_EQ(sfumato_raster(c, picture.get(), &image, nullptr), SFUMATO_OK);
+  sfumato_field* made = nullptr;
+  ASSERT_EQ(sfumato_field_new(c, read, 0, nullptr, &made), SFUMATO_OK) << sfumato_error_text(c);
+  const FieldHandle field(made);
+  std::vector<double> xy;
+  for (std::uint32_t i = 0; i < kSide * kSide; ++i) {
+    xy.insert(xy.end(), {i % kSide + 0.5, i / kSide + 0.5});
+  }
+  std::vector<float> rgba(4 * kSide * kSide);
+  ASSERT_EQ(sfumato_field_colors(c, made, xy.data(), kSide * kSide, rgba.data()), SFUMATO_OK)
+      << sfumato_error_text(c);
+  std::size_t far = 0;
+  for (std::size_t i = 0; i < rgba.size(); ++i) far += std::abs(255 * rgba[i] - pixels[i]) > 2;
+  EXPECT_LT(far, rgba.size() / 20);  // curves cut 160 of 4096 pixels
+  const auto [least, most] = std::ranges::minmax(rgba);
+  EXPECT_GE(least, 0);
+  EXPECT_LE(most, 1);
 }
 
 }  // namespace
