@@ -389,6 +389,12 @@ SFUMATO_API int32_t sfumato_export(sfumato_context* context, const sfumato_pictu
 SFUMATO_API int32_t sfumato_encode(sfumato_context* context, const sfumato_image* image,
                                    const char* format, const char* options, sfumato_bytes** bytes);
 
+/** Makes what the HTML viewer draws, the bytes of docs/viewer.md, "Payload", not deflated.
+ *
+ * options: background [the document's, else white]. */
+SFUMATO_API int32_t sfumato_viewer_payload(sfumato_context* context, const sfumato_picture* picture,
+                                           const char* options, sfumato_bytes** bytes);
+
 /** @}
  * @name Fields
  * @{ */

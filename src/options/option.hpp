@@ -67,7 +67,8 @@ enum Call : unsigned {
   kRaster = 8,
   kExport = 16,
   kEncode = 32,
-  kField = 64
+  kField = 64,
+  kPayload = 128
 };
 
 /// One option of the command and of the C interface: what both say about it, and which values it

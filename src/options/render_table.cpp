@@ -170,7 +170,7 @@ constexpr Option<Settings> kRenderOptions[] = {
       .help = "Behind transparent parts; none: not even the drawing's\nown [the drawing's own, "
               "else none; JPEG and EPS: white]",
       .group = Group::image,
-      .calls = kRaster | kExport},
+      .calls = kRaster | kExport | kPayload},
      [](Settings& s, const Value& v) {
        s.raster.background = v.color;
        s.no_background = !v.color;

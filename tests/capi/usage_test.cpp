@@ -81,6 +81,7 @@ TEST_F(CUsage, null_is_an_error_everywhere) {
   EXPECT_EQ(sfumato_raster(c, nullptr, nullptr, nullptr), kUsage);
   EXPECT_EQ(sfumato_export(c, nullptr, "png", nullptr, &out_b), kUsage);
   EXPECT_EQ(sfumato_encode(c, nullptr, "png", nullptr, &out_b), kUsage);
+  EXPECT_EQ(sfumato_viewer_payload(c, nullptr, nullptr, &out_b), kUsage);
   EXPECT_EQ(sfumato_field_new(c, nullptr, 0, nullptr, &out_f), kUsage);
   EXPECT_EQ(sfumato_field_colors(c, nullptr, xy, 1, rgba), kUsage);
   EXPECT_EQ(sfumato_curve_stops(nullptr, 0, 0, 0, 0, nullptr, nullptr, nullptr, 0), 0u);

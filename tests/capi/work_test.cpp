@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <cstring>
@@ -133,6 +134,32 @@ TEST(CFiles, are_those_of_the_command) {
     EXPECT_EQ(result.exit_code, 0) << result.err;
     EXPECT_TRUE(text_of(file.get()) == result.out) << one.format << ' ' << one.writing;
   }
+}
+
+TEST(CViewerPayload, is_of_the_version_that_is_documented_and_has_the_background) {
+  const ContextHandle context = context_of();
+  sfumato_context* c = context.get();
+  const DocumentHandle document = read_text(c, example("evening.xml"));
+  const PictureHandle picture = solve(c, document.get());
+  const auto payload = [&](const char* options) {
+    sfumato_bytes* bytes = nullptr;
+    EXPECT_EQ(sfumato_viewer_payload(c, picture.get(), options, &bytes), SFUMATO_OK);
+    return text_of(BytesHandle(bytes).get());
+  };
+  const auto background = [&](const char* options) {
+    constexpr std::size_t kBackgroundAt = 8 + 8 * sizeof(double) + 1;
+    std::array<float, 3> color{};
+    std::memcpy(color.data(), payload(options).data() + kBackgroundAt, sizeof color);
+    return color;
+  };
+  EXPECT_EQ(payload("").substr(0, 8), "SFUMATO\x01");
+  EXPECT_EQ(background("background=#00ff00"), (std::array<float, 3>{0, 1, 0}));
+  EXPECT_EQ(background(""), (std::array<float, 3>{1, 1, 1}));
+  EXPECT_EQ(background("background=none"), (std::array<float, 3>{1, 1, 1}));
+  sfumato_bytes* none = nullptr;
+  EXPECT_EQ(sfumato_viewer_payload(c, picture.get(), "width=9", &none), SFUMATO_BAD_USAGE);
+  const ContextHandle few = context_of("limit.viewer-triangles=1");
+  EXPECT_EQ(sfumato_viewer_payload(few.get(), picture.get(), "", &none), SFUMATO_LIMIT);
 }
 
 TEST(CPixels, encoded_are_the_file_that_is_exported) {

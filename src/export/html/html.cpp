@@ -7,8 +7,10 @@
 #include "base/charge.hpp"
 #include "base/output_buffer.hpp"
 #include "base/public_verb.hpp"
+#include "base/table_memory.hpp"
 #include "codecs/base64.hpp"
 #include "codecs/data_uri_write.hpp"
+#include "codecs/deflate.hpp"
 #include "display/embedded.hpp"
 #include "document/rules.hpp"
 #include "export/html/html_text.hpp"
@@ -88,9 +90,16 @@ Result<std::vector<std::uint8_t>> filled(const Context& context, const HtmlOptio
   return page.finish();
 }
 
-Rgb background_of(const Picture& picture, const HtmlOptions& options) {
-  if (options.background) return *options.background;
-  return picture.background.value_or(Rgb{1, 1, 1});
+/// What the page holds of the picture, in zlib's format.
+Result<std::vector<std::uint8_t>> packed_payload(Context& context, const Picture& picture,
+                                                 const HtmlOptions& options, TableMemory& memory) {
+  const auto payload = outputs::viewer_payload(
+      context, picture, outputs::viewer_background(picture, options.background));
+  if (!payload) return payload.status();
+  ScopedCharge held;
+  Status status = held.add(context, capacity_bytes(*payload), "the viewer's payload");
+  if (!status) return status;
+  return codecs::deflated(context, *payload, memory);
 }
 
 Result<std::vector<std::uint8_t>> write(Context& context, const Picture& picture,
@@ -98,11 +107,9 @@ Result<std::vector<std::uint8_t>> write(Context& context, const Picture& picture
   if (!options.fallback.empty() && !is_media_type(options.fallback_type))
     return make_error(StatusCode::bad_input, "the fallback picture has no media type of an image");
   if (Status status = rules::check_background(options.background); !status) return status;
-  const auto payload = outputs::viewer_payload(context, picture, background_of(picture, options));
+  TableMemory memory("the viewer's payload");
+  const auto payload = packed_payload(context, picture, options, memory);
   if (!payload) return payload.status();
-  ScopedCharge held;
-  Status status = held.add(context, capacity_bytes(*payload), "the viewer's payload");
-  if (!status) return status;
   if (notes)
     for (const PatchLayer& layer : picture.layers) notes->triangle_count += layer.triangle_count();
   return filled(context, options, *payload);

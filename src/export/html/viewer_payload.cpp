@@ -8,7 +8,6 @@
 #include <variant>
 
 #include "base/limit_error.hpp"
-#include "codecs/deflate.hpp"
 #include "document/rules.hpp"
 #include "export/html/viewer_field.hpp"
 #include "export/html/viewer_mesh.hpp"
@@ -125,16 +124,17 @@ class PayloadWriter {
 
 }  // namespace
 
+Rgb viewer_background(const Picture& picture, const std::optional<Rgb>& wanted) {
+  return wanted.value_or(picture.background.value_or(Rgb{1, 1, 1}));
+}
+
 Result<std::vector<std::uint8_t>> viewer_payload(Context& context, const Picture& picture,
                                                  const Rgb& background) {
   if (Status status = picture::check_picture(context, picture); !status) return status;
   if (Status status = check_size(context.limits, picture); !status) return status;
   PayloadWriter writer(context, picture);
   if (Status status = writer.run(background); !status) return status;
-  const auto payload = writer.finish();
-  if (!payload) return payload.status();
-  TableMemory memory("the viewer's payload");
-  return codecs::deflated(context, *payload, memory);
+  return writer.finish();
 }
 
 }  // namespace sfumato::outputs

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "sfumato/base/color.hpp"
@@ -10,7 +11,10 @@
 
 namespace sfumato::outputs {
 
-/// A picture as the bytes that the HTML viewer reads (docs/viewer.md, "Payload"), deflated (zlib).
+/// What the viewer shows where no layer covers: what is wanted, else the picture's own, else white.
+Rgb viewer_background(const Picture& picture, const std::optional<Rgb>& wanted);
+
+/// A picture as the bytes that the HTML viewer reads (docs/viewer.md, "Payload"), not yet deflated.
 /// The error of positions is at most 2⁻²³ of the layer's extent, that of node values a quarter of
 /// an 8-bit step.
 ///

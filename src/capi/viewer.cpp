@@ -1,0 +1,37 @@
+#include <utility>
+
+#include "capi/bytes.hpp"
+#include "capi/picture.hpp"
+#include "export/html/viewer_payload.hpp"
+#include "options/option_reader.hpp"
+#include "options/tables.hpp"
+
+namespace sfumato::capi {
+namespace {
+
+Outcome make_payload(Workshop& workshop, const sfumato_picture* handle, const char* text,
+                     sfumato_bytes** out) {
+  if (!handle) return bad_usage("NULL given, expected a picture");
+  options::Settings settings;
+  options::OptionReader reader(options::kPayload);
+  reader.take(options::render_options(), settings);
+  if (Status status = reader.read(text ? text : ""); !status) return bad_usage(std::move(status));
+  const Picture& picture = handle->solution.picture();
+  const Rgb background = settings.no_background
+                             ? Rgb{1, 1, 1}
+                             : outputs::viewer_background(picture, settings.raster.background);
+  auto payload = outputs::viewer_payload(workshop.context, picture, background);
+  if (!payload) return payload.status();
+  *out = new sfumato_bytes{std::move(*payload)};
+  return {};
+}
+
+}  // namespace
+}  // namespace sfumato::capi
+
+int32_t sfumato_viewer_payload(sfumato_context* context, const sfumato_picture* picture,
+                               const char* options, sfumato_bytes** bytes) {
+  return sfumato::capi::make(context, bytes, [&](sfumato::capi::Workshop& workshop) {
+    return sfumato::capi::make_payload(workshop, picture, options, bytes);
+  });
+}
