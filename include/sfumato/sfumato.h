@@ -376,7 +376,8 @@ typedef struct sfumato_image {
 SFUMATO_API int32_t sfumato_raster(sfumato_context* context, const sfumato_picture* picture,
                                    const sfumato_image* image, const char* options);
 /** Makes a file of a picture: png, jpg, webp, html, pdf, eps, svg or glb, with the bytes that the
- * command writes. What the format cannot show is a warning (sfumato_warning()).
+ * command writes. What the format cannot show is a warning (sfumato_warning()). SFUMATO_UNAVAILABLE
+ * in WebAssembly.
  *
  * options: width, height, scale, background; of pixels also viewport, depth, dither, no-dither,
  * no-antialias, mesh-overlay, quality, lossless; of others dpi, svg, force, pdf-flatten,
@@ -384,6 +385,7 @@ SFUMATO_API int32_t sfumato_raster(sfumato_context* context, const sfumato_pictu
 SFUMATO_API int32_t sfumato_export(sfumato_context* context, const sfumato_picture* picture,
                                    const char* format, const char* options, sfumato_bytes** bytes);
 /** Makes a file of the caller's pixels: png, jpg (SFUMATO_RGB8 alone) or webp (8 bits alone).
+ * SFUMATO_UNAVAILABLE in WebAssembly.
  *
  * options: quality, lossless. */
 SFUMATO_API int32_t sfumato_encode(sfumato_context* context, const sfumato_image* image,

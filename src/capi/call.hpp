@@ -32,14 +32,18 @@ inline Outcome bad_usage(Status status) {
 }
 
 /// Runs body(), which returns an Outcome; what it throws becomes one, also what a caller's function
-/// throws through it. Needs no memory for that.
+/// throws through it. Needs no memory for that. WebAssembly is built without exceptions.
 template <class Body>
 Outcome caught(Body&& body) noexcept {
+#if defined(__cpp_exceptions)
   try {
     return no_throw(body);
   } catch (...) {
     return make_error(StatusCode::internal, "an exception");
   }
+#else
+  return no_throw(body);
+#endif
 }
 
 }  // namespace sfumato::capi

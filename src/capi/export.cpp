@@ -6,9 +6,9 @@
 #include "base/charge.hpp"
 #include "base/table_memory.hpp"
 #include "capi/bytes.hpp"
+#include "capi/file_format.hpp"
 #include "capi/picture.hpp"
 #include "capi/pixels.hpp"
-#include "formats/text/suggestion.hpp"
 #include "options/option_reader.hpp"
 #include "options/settle.hpp"
 #include "options/tables.hpp"
@@ -29,21 +29,6 @@ Outcome hand_out(Result<Bytes> file, sfumato_bytes** out) {
   if (!file) return file.status();
   *out = new sfumato_bytes{std::move(*file)};
   return {};
-}
-
-/// The kind that a format's name stands for.
-Outcome read_format(const char* format, OutputKind& kind) {
-  if (!format) return bad_usage("NULL given, expected a format");
-  const std::optional<OutputKind> found = options::kind_of_extension(format);
-  if (found) {
-    kind = *found;
-    return {};
-  }
-  std::vector<std::string_view> names;
-  for (const options::KnownOutput& known : options::known_outputs()) {
-    names.push_back(known.extension);
-  }
-  return bad_usage("unknown format " + text::quoted(format) + text::did_you_mean(format, names));
 }
 
 /// Reads the options of a call that makes a file, and gives the others their defaults.

@@ -10,11 +10,11 @@ bool is_gzip(std::string_view bytes) {
 }
 
 Result<std::string> gunzip(Context&, std::string_view, TableMemory&) {
-  return make_error(StatusCode::bad_input, "gzip is not unpacked here; expected the SVG itself");
+  return make_error(StatusCode::unavailable, "gzip is not unpacked here; expected the SVG itself");
 }
 
 Result<RgbaImage> decode_image(Context&, std::span<const std::uint8_t>) {
-  return make_error(StatusCode::bad_input, "images are not decoded here");
+  return make_error(StatusCode::unavailable, "images are not decoded here");
 }
 
 }  // namespace sfumato::codecs

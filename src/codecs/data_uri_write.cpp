@@ -25,7 +25,7 @@ Result<std::vector<std::uint8_t>> texture_png(Context& context, const Texture& t
   static_cast<void>(context);
   static_cast<void>(texture);
   return make_error(
-      StatusCode::bad_input,
+      StatusCode::unavailable,
       "a texture that came from no file cannot be saved here; expected a PNG or JPEG");
 #else
   TableMemory memory("a texture to be saved");

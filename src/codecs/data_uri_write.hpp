@@ -17,7 +17,7 @@ namespace sfumato::codecs {
 std::string_view image_media_type(std::span<const std::uint8_t> file);
 
 /// A texture's texels as PNG. Errors: limit, cancelled; in WebAssembly, which has no encoder,
-/// bad_input.
+/// unavailable.
 Result<std::vector<std::uint8_t>> texture_png(Context& context, const Texture& texture);
 
 /// Appends "data:TYPE;base64,…" on one line.

@@ -7,17 +7,18 @@
 #include <string>
 #include <utility>
 
+#include "base/ascii.hpp"
+#include "base/number.hpp"
 #include "sfumato/base/limits.hpp"
 
 namespace sfumato::options {
 namespace {
 
-/// The whole of `text` as a number in `base_or_format`; empty where anything is left over.
-template <class Number, class Format>
-std::optional<Number> parse_all(std::string_view text, Format base_or_format) {
-  Number value{};
+/// The whole of `text` as a whole number; empty where anything is left over.
+std::optional<std::uint64_t> parse_all(std::string_view text) {
+  std::uint64_t value{};
   const char* text_end = text.data() + text.size();
-  const auto [end, error] = std::from_chars(text.data(), text_end, value, base_or_format);
+  const auto [end, error] = std::from_chars(text.data(), text_end, value);
   if (error != std::errc{} || end != text_end) return std::nullopt;
   return value;
 }
@@ -25,9 +26,10 @@ std::optional<Number> parse_all(std::string_view text, Format base_or_format) {
 }  // namespace
 
 std::optional<double> parse_number(std::string_view text) {
-  const std::optional<double> value = parse_all<double>(text, std::chars_format::general);
-  if (!value || !std::isfinite(*value)) return std::nullopt;
-  return value;
+  // Documents may have blanks around a number and a plus sign before it, options not.
+  const auto may_begin = [](char c) { return is_digit(c) || c == '-' || c == '.'; };
+  if (text.empty() || !may_begin(text.front()) || is_ascii_blank(text.back())) return std::nullopt;
+  return sfumato::parse_number(text);
 }
 
 std::optional<double> parse_positive(std::string_view text) {
@@ -38,7 +40,7 @@ std::optional<double> parse_positive(std::string_view text) {
 
 std::optional<std::uint64_t> parse_whole(std::string_view text, std::uint64_t lowest,
                                          std::uint64_t highest) {
-  const std::optional<std::uint64_t> value = parse_all<std::uint64_t>(text, 10);
+  const std::optional<std::uint64_t> value = parse_all(text);
   if (!value || *value < lowest || *value > highest) return std::nullopt;
   return value;
 }

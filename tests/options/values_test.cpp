@@ -12,8 +12,8 @@ TEST(ParseNumber, takes_decimal_numbers) {
 }
 
 TEST(ParseNumber, refuses_what_is_not_finite_or_not_all_a_number) {
-  for (const char* text :
-       {"", "nan", "NaN", "inf", "-inf", "1e999", "1 ", " 1", "1x", "0x10", "1,5", "+-1", "--1"}) {
+  for (const char* text : {"", "nan", "NaN", "inf", "-inf", "1e999", "1 ", " 1", "1x", "0x10",
+                           "1,5", "+-1", "--1", "+1", "1\t"}) {
     EXPECT_FALSE(parse_number(text)) << text;
   }
 }

@@ -1,64 +1,491 @@
-// Loads sfumato.wasm and gives its C functions (sfumato_wasm.cpp) the shape of a JavaScript library.
-// Runs in browsers, workers and node alike.
+// Sfumato for JavaScript: the C interface (include/sfumato/sfumato.h, docs/c-api.md) with strings,
+// typed arrays and exceptions in the place of pointers and codes. docs/wasm.md has a program.
+//
+// Whatever `load`, a context or a document hands out is given back by its own free(). All arrays
+// are copies, but for tableView(). What a call cannot do it throws as SfumatoError.
+import { Library, optionText, SfumatoError, Status } from "./library.mjs";
 
-/// Why a document could not be diffused; the message is the library's own.
-export class SfumatoError extends Error {}
+export { SfumatoError, Status };
 
-const unsupported = 52; // WASI's ENOSYS
+/** Sides of a curve, what they bear, what they are to it, and what offsets count. */
+export const Side = Object.freeze({ left: 0, right: 1 });
+export const Attribute = Object.freeze({ color: 0, opacity: 1, blur: 2 });
+export const Kind = Object.freeze({ open: 0, barrier: 1, stops: 2, paint: 3 });
+export const Space = Object.freeze({ arcLength: 0, parameter: 1 });
 
-/// What the module's C library asks of its host: a clock. Everything else is refused.
-function hostOf(module, memoryOf) {
-  const host = {
-    clock_time_get(clock, precision, address) {
-      const nanoseconds = BigInt(Math.round(performance.now() * 1e6));
-      new DataView(memoryOf().buffer).setBigUint64(address, nanoseconds, true);
-      return 0;
-    },
-    proc_exit(code) {
-      throw new SfumatoError(`the module ended itself with code ${code}`);
-    },
-  };
-  const imports = {};
-  for (const { module: from, name } of WebAssembly.Module.imports(module)) {
-    imports[from] ??= {};
-    imports[from][name] = host[name] ?? (() => unsupported);
-  }
-  return imports;
+/** Tables of a solved layer. */
+export const Table = Object.freeze({
+  vertices: 0,
+  triangles: 1,
+  curveEdges: 2,
+  colorNodes: 3,
+  colorValues: 4,
+  opacityNodes: 5,
+  opacityValues: 6,
+});
+
+const channels = { rgb8: 3, rgba8: 4, rgb16: 3, rgba16: 4 };
+const formats = Object.keys(channels);
+
+/**
+ * Loads the module.
+ * @param {BufferSource | WebAssembly.Module} source what sfumato.wasm holds
+ */
+export async function loadSfumato(source) {
+  return new Sfumato(await Library.load(source));
 }
 
-/// bytes: the content of sfumato.wasm. One instance computes one thing at a time.
-export async function loadSfumato(bytes) {
-  const module = await WebAssembly.compile(bytes);
-  let exports;
-  ({ exports } = await WebAssembly.instantiate(module, hostOf(module, () => exports.memory)));
-  exports._initialize();
-  return new Sfumato(exports);
+/** The library. One instance computes one thing at a time; workers have instances of their own. */
+export class Sfumato {
+  #library;
+  #contexts = new Map(); // by the number that callbacks get
+  #next = 1;
+  #progress;
+  #load;
+
+  constructor(library) {
+    this.#library = library;
+    this.#progress = library.addFunction("iid>", undefined, (user, stage, fraction) =>
+      this.#contexts.get(user).progressed(library.string(stage), fraction),
+    );
+    this.#load = library.addFunction("iiii>i", 1, (user, href, deliver, sink) =>
+      this.#contexts.get(user).loaded(library.string(href), deliver, sink),
+    );
+  }
+
+  get version() {
+    return this.#library.string(this.#library.call("sfumato_version"));
+  }
+
+  get abi() {
+    return this.#library.call("sfumato_abi");
+  }
+
+  /** Bytes of the module's memory, which grows and never shrinks. */
+  get memoryBytes() {
+    return this.#library.memoryBytes;
+  }
+
+  /** @param options "max-memory=500 max-time=2" or {"max-time": 2}: docs/c-api.md, "Options" */
+  context(options = null) {
+    const number = this.#next++;
+    const callbacks = { number, progress: this.#progress, load: this.#load };
+    const context = new SfumatoContext(this.#library, optionText(options), callbacks, () =>
+      this.#contexts.delete(number),
+    );
+    this.#contexts.set(number, context);
+    return context;
+  }
 }
 
-class Sfumato {
-  #exports;
+/** A handle of the library's, which free() gives back; a second time does nothing. */
+class Handle {
+  #library;
+  #address;
+  #kind;
 
-  constructor(exports) {
-    this.#exports = exports;
+  constructor(library, kind, address) {
+    this.#library = library;
+    this.#kind = kind;
+    this.#address = address;
   }
 
-  /// The node values of a document (bytes: SVG without images, or Orzan's XML), as diffuse() stores
-  /// them (a copy): layer by layer, those of colour, then those of opacity.
-  /// maxError: DiffuseOptions::max_error. Throws SfumatoError.
-  nodeValues(document, maxError = 1) {
-    const library = this.#exports;
-    const text = library.sfumato_allocate(document.length);
-    if (text === 0) throw new SfumatoError("no memory for the document");
-    new Uint8Array(library.memory.buffer, text, document.length).set(document);
-    const failed = library.sfumato_diffuse(text, document.length, maxError);
-    library.sfumato_free(text);
-    if (failed) throw new SfumatoError(this.#stringAt(library.sfumato_error()));
-    const count = library.sfumato_node_value_count();
-    return new Float32Array(library.memory.buffer, library.sfumato_node_values(), count).slice();
+  get library() {
+    return this.#library;
   }
 
-  #stringAt(address) {
-    const memory = new Uint8Array(this.#exports.memory.buffer);
-    return new TextDecoder().decode(memory.subarray(address, memory.indexOf(0, address)));
+  /** @throws SfumatoError where it was freed */
+  get address() {
+    if (this.#address === 0) throw new SfumatoError(Status.badUsage, `a freed ${this.#kind}`);
+    return this.#address;
   }
+
+  free() {
+    const address = this.#address;
+    this.#address = 0;
+    if (address !== 0) this.#library.call(`sfumato_${this.#kind}_free`, address);
+  }
+}
+
+/** Bounds on memory and time; reads, solves and draws. */
+export class SfumatoContext extends Handle {
+  /** Called with a word and a fraction from 0 to 1 while a call works; it may call cancel(). */
+  onProgress = null;
+  #callbacks;
+  #freed;
+  #loader = null;
+
+  /** For Sfumato.context(). */
+  constructor(library, options, callbacks, freed) {
+    const create = (text) => library.call("sfumato_context_new", text);
+    super(library, "context", library.withString(options, create));
+    this.#callbacks = callbacks;
+    this.#freed = freed;
+    const reason = library.string(library.call("sfumato_error_text", this.address));
+    if (reason !== "") {
+      super.free();
+      throw new SfumatoError(Status.badUsage, reason);
+    }
+    library.call("sfumato_set_progress", this.address, callbacks.progress, callbacks.number);
+  }
+
+  free() {
+    super.free();
+    this.#freed();
+  }
+
+  /**
+   * Reads SVG or Orzan's XML; not gzip (DecompressionStream unpacks it before).
+   * @param {string | Uint8Array} text
+   * @param {{name?: string, load?: (href: string) => Uint8Array | null}} from `name` is for
+   *   messages; `load` brings the files that the document names, and gives null where it will not
+   */
+  read(text, { name = "", load = null } = {}) {
+    const { library } = this;
+    const bytes = typeof text === "string" ? new TextEncoder().encode(text) : text;
+    this.#loader = load;
+    try {
+      return library.withBytes(bytes, (address, count) =>
+        library.withString(name, (label) =>
+          this.#withLoader((loader) => {
+            const call = ["sfumato_read", address, count, label, loader];
+            return new SfumatoDocument(this, this.make(...call));
+          }),
+        ),
+      );
+    } finally {
+      this.#loader = null;
+    }
+  }
+
+  /** A sfumato_loader that calls this context's; 0 where there is none. */
+  #withLoader(body) {
+    if (!this.#loader) return body(0);
+    const struct = new Uint32Array([this.#callbacks.load, this.#callbacks.number]);
+    return this.library.withBytes(struct, body);
+  }
+
+  /** Warnings of the last read(). */
+  get warnings() {
+    const found = [];
+    for (;;) {
+      const next = this.library.call("sfumato_warning", this.address, found.length);
+      if (next === 0) return found;
+      found.push(this.library.string(next));
+    }
+  }
+
+  /** @param options artboard (to be given), interpolation, background */
+  newDocument(options) {
+    return this.#withOptions(options, (text) => {
+      return new SfumatoDocument(this, this.make("sfumato_document_new", text));
+    });
+  }
+
+  /** @param options of sfumato_solve: max-error, width, … */
+  solve(document, options = null) {
+    return this.#withOptions(options, (text) => {
+      const picture = this.make("sfumato_solve", document.address, text);
+      return new SfumatoPicture(this.library, picture);
+    });
+  }
+
+  /** Makes a picture that of a document; quick: to look at while one curve moves. */
+  solveAgain(document, picture, { quick = false } = {}) {
+    this.run("sfumato_solve_again", document.address, quick ? 1 : 0, picture.address);
+  }
+
+  /**
+   * Draws a picture.
+   * @param {{width: number, height: number, format?: string}} image format: rgb8, rgba8 (that of
+   *   ImageData), rgb16 or rgba16
+   * @param options of sfumato_raster
+   * @returns {Uint8ClampedArray | Uint16Array} rows from the top, alpha not premultiplied
+   */
+  raster(picture, { width, height, format = "rgba8" }, options = null) {
+    const index = formats.indexOf(format);
+    const is16 = index >= 2;
+    const rowBytes = width * (channels[format] ?? 0) * (is16 ? 2 : 1);
+    const pixels = this.library.allocate(rowBytes * height);
+    try {
+      const image = new Uint32Array([pixels, rowBytes, width, height, index]);
+      this.library.withBytes(image, (struct) =>
+        this.#withOptions(options, (text) =>
+          this.run("sfumato_raster", picture.address, struct, text),
+        ),
+      );
+      const { buffer } = this.library.bytes(pixels, rowBytes * height).slice();
+      return is16 ? new Uint16Array(buffer) : new Uint8ClampedArray(buffer);
+    } finally {
+      this.library.call("sfumato_free", pixels);
+    }
+  }
+
+  /** What web/viewer's PictureReader reads. @param options background */
+  viewerPayload(picture, options = null) {
+    return this.#withOptions(options, (text) =>
+      this.library.takeBytes(this.make("sfumato_viewer_payload", picture.address, text)),
+    );
+  }
+
+  /** A layer's exact colours at points. @param options of sfumato_field_new */
+  field(document, layer, options = null) {
+    return this.#withOptions(options, (text) => {
+      const field = this.make("sfumato_field_new", document.address, layer, text);
+      return new SfumatoField(this, field);
+    });
+  }
+
+  /**
+   * Within onProgress: ends the call that runs, and later ones until resume(), with
+   * Status.cancelled. From elsewhere nothing reaches a module that works: end its worker.
+   */
+  cancel() {
+    this.library.call("sfumato_cancel", this.address);
+  }
+
+  resume() {
+    this.library.call("sfumato_resume", this.address);
+  }
+
+  #withOptions(options, body) {
+    return this.library.withString(optionText(options), body);
+  }
+
+  /** For this file: a call with this context, whose code becomes an error. */
+  run(name, ...values) {
+    const { library } = this;
+    const code = library.call(name, this.address, ...values);
+    if (code === Status.ok) return;
+    const reason = library.string(library.call("sfumato_error_text", this.address));
+    const file = library.string(library.call("sfumato_error_file", this.address));
+    const place = library.scratch();
+    library.call("sfumato_error_place", this.address, place, place + 4);
+    const [line, column] = [library.u32(place), library.u32(place + 4)];
+    throw new SfumatoError(code, reason, { file, line, column });
+  }
+
+  /** For this file: the same with a last parameter that receives a handle. */
+  make(name, ...values) {
+    const out = this.library.scratch();
+    this.run(name, ...values, out);
+    return this.library.u32(out);
+  }
+
+  /** For Sfumato: the module reports. What onProgress throws ends the call, and is its error. */
+  progressed(stage, fraction) {
+    try {
+      this.onProgress?.(stage, fraction);
+    } catch (error) {
+      this.cancel();
+      throw error;
+    }
+  }
+
+  /** For Sfumato: the module asks for a file. */
+  loaded(href, deliver, sink) {
+    const bytes = this.#loader(href);
+    if (!bytes) return 1;
+    this.library.withBytes(bytes, (address, count) =>
+      this.library.callAddress(deliver, sink, address, count),
+    );
+    return 0;
+  }
+}
+
+/** Diffusion curves as their author drew them. It is changed through the context that made it. */
+export class SfumatoDocument extends Handle {
+  #context;
+
+  /** For SfumatoContext. */
+  constructor(context, address) {
+    super(context.library, "document", address);
+    this.#context = context;
+  }
+
+  copy() {
+    return new SfumatoDocument(
+      this.#context,
+      this.#context.make("sfumato_document_copy", this.address),
+    );
+  }
+
+  /** The document as SVG. */
+  write() {
+    const bytes = this.#context.make("sfumato_document_write", this.address);
+    return new TextDecoder().decode(this.library.takeBytes(bytes));
+  }
+
+  /** x, y, width, height */
+  get artboard() {
+    return box(this.library, "sfumato_document_artboard", this.address);
+  }
+
+  get layerCount() {
+    return this.library.call("sfumato_layer_count", this.address);
+  }
+
+  curveCount(layer) {
+    return this.library.call("sfumato_curve_count", this.address, layer);
+  }
+
+  /** Perhaps ""; null where there is no such layer. */
+  layerId(layer) {
+    return this.library.string(this.library.call("sfumato_layer_id", this.address, layer));
+  }
+
+  /** Perhaps ""; null where there is no such curve. */
+  curveId(layer, curve) {
+    return this.library.string(this.library.call("sfumato_curve_id", this.address, layer, curve));
+  }
+
+  /** 3 n + 1 control points, x and y in turn. */
+  points(layer, curve) {
+    const view = this.library.scratch();
+    expect(
+      this.library.call("sfumato_curve_points", this.address, layer, curve, view),
+      `there is no curve ${curve} in layer ${layer}`,
+    );
+    return this.library.table(view).data.slice();
+  }
+
+  /** @param {ArrayLike<number>} xy as points() gives them */
+  setPoints(layer, curve, xy) {
+    this.#withPoints(xy, (...points) =>
+      this.#context.run("sfumato_set_curve_points", this.address, layer, curve, ...points),
+    );
+  }
+
+  /** Adds a curve whose sides bear nothing, before curve `at` or, with null, as the last. */
+  insertCurve(layer, at, xy) {
+    this.#withPoints(xy, (...points) =>
+      this.#context.run("sfumato_insert_curve", this.address, layer, at ?? 0xffffffff, ...points),
+    );
+  }
+
+  removeCurve(layer, curve) {
+    this.#context.run("sfumato_remove_curve", this.address, layer, curve);
+  }
+
+  /**
+   * What a side bears: {kind, space, rows}; a row is [offset, red, green, blue] or [offset, value].
+   * @param {number} side of Side
+   * @param {number} attribute of Attribute
+   */
+  stops(layer, curve, side, attribute) {
+    const { library } = this;
+    const asked = ["sfumato_curve_stops", this.address, layer, curve, side, attribute];
+    const numbers = attribute === Attribute.color ? 4 : 2;
+    const place = library.scratch();
+    const count = library.call(...asked, place, place + 4, 0, 0);
+    const [kind, space] = [library.u32(place), library.u32(place + 4)];
+    const flat = library.withBytes(new Float64Array(count * numbers), (rows) => {
+      library.call(...asked, 0, 0, rows, count);
+      return library.doubles(rows, count * numbers);
+    });
+    const rows = Array.from({ length: count }, (_, i) => [
+      ...flat.subarray(i * numbers, (i + 1) * numbers),
+    ]);
+    return { kind, space, rows };
+  }
+
+  /** Sets what stops() gives: Kind.stops with rows, or Kind.open or Kind.barrier without. */
+  setStops(layer, curve, side, attribute, { kind, space = Space.arcLength, rows = [] }) {
+    const numbers = attribute === Attribute.color ? 4 : 2;
+    if (rows.some((row) => row.length !== numbers)) {
+      throw new SfumatoError(Status.badUsage, `expected rows of ${numbers} numbers`);
+    }
+    this.library.withBytes(new Float64Array(rows.flat()), (address) => {
+      const which = [this.address, layer, curve, side, attribute];
+      const list = [kind, space, address, rows.length];
+      this.#context.run("sfumato_set_curve_stops", ...which, ...list);
+    });
+  }
+
+  #withPoints(xy, body) {
+    if (xy.length % 2 !== 0) throw new SfumatoError(Status.badUsage, "expected pairs of numbers");
+    return this.library.withBytes(Float64Array.from(xy), (address) => body(address, xy.length / 2));
+  }
+}
+
+/** A solved document, of no resolution. */
+export class SfumatoPicture extends Handle {
+  /** For SfumatoContext. */
+  constructor(library, address) {
+    super(library, "picture", address);
+  }
+
+  /** x, y, width, height */
+  get viewport() {
+    return box(this.library, "sfumato_picture_viewport", this.address);
+  }
+
+  get layerCount() {
+    return this.library.call("sfumato_picture_layer_count", this.address);
+  }
+
+  /**
+   * {rows, columns, data}: a table of a layer, copied.
+   * @param {number} table of Table
+   */
+  table(layer, table) {
+    const view = this.tableView(layer, table);
+    return { ...view, data: view.data.slice() };
+  }
+
+  /** The same without a copy: `data` lasts until the next call of anything of this module. */
+  tableView(layer, table) {
+    return this.#look("sfumato_picture_table", layer, table);
+  }
+
+  /** [from, up to]: the rows that the last solveAgain() made anew; null for none. */
+  changes(layer, table) {
+    const { rows, data } = this.#look("sfumato_picture_changes", layer, table);
+    return rows === 0 ? null : [...data];
+  }
+
+  #look(name, layer, table) {
+    const view = this.library.scratch();
+    expect(
+      this.library.call(name, this.address, layer, table, view),
+      `there is no layer ${layer} or no table ${table}`,
+    );
+    return this.library.table(view);
+  }
+}
+
+/** The exact colours of one layer at points. */
+export class SfumatoField extends Handle {
+  #context;
+
+  /** For SfumatoContext. */
+  constructor(context, address) {
+    super(context.library, "field", address);
+    this.#context = context;
+  }
+
+  /**
+   * @param {ArrayLike<number>} xy pairs, in the frame of the layer
+   * @returns {Float32Array} red, green, blue, opacity of each point
+   */
+  colors(xy) {
+    const { library } = this;
+    const count = xy.length / 2;
+    return library.withBytes(Float64Array.from(xy), (points) =>
+      library.withBytes(new Float32Array(4 * count), (rgba, byteCount) => {
+        this.#context.run("sfumato_field_colors", this.address, points, count, rgba);
+        return new Float32Array(library.bytes(rgba, byteCount).slice().buffer);
+      }),
+    );
+  }
+}
+
+function expect(code, complaint) {
+  if (code !== Status.ok) throw new SfumatoError(code, complaint);
+}
+
+function box(library, name, address) {
+  const place = library.scratch();
+  library.call(name, address, place);
+  return [...library.doubles(place, 4)];
 }

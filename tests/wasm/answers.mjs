@@ -1,0 +1,75 @@
+// What the module computes is what the native library computes, bit for bit.
+import { existsSync, readFileSync } from "node:fs";
+import { basename } from "node:path";
+import { Table } from "../../web/wasm/sfumato.mjs";
+import { bytesOf, difference, nativeAnswer, pathOf, tablesOf } from "./harness.mjs";
+
+const EVENING = "examples/evening.xml";
+const CONTROLS = "tests/wasm/controls.svg";
+const scene = (name) => `../shared/scenes/${name}.xml`;
+
+/** question, document, options */
+const CASES = [
+  ["tables", EVENING, "max-error=off"],
+  ["tables", EVENING, "max-error=1"],
+  ["tables", CONTROLS, "max-error=off"],
+  ["tables", CONTROLS, "max-error=1"],
+  ["tables", scene("lady_bug"), "max-error=off"],
+  ["tables", scene("endcap"), "max-error=off"],
+  ["tables", scene("lady_bug"), "max-error=1"],
+  ["dragged", EVENING, ""],
+  ["dragged", CONTROLS, ""],
+  ["dragged", scene("lady_bug"), ""],
+  ["colors", EVENING, ""],
+  ["colors", scene("lady_bug"), ""],
+  ["pixels", CONTROLS, "width=64"],
+  ["svg", EVENING, ""],
+  ["svg", CONTROLS, ""],
+  ["payload", EVENING, ""],
+  ["payload", CONTROLS, ""],
+];
+
+/** How native_answers makes the same. */
+const ANSWERS = {
+  tables: (context, document, options) =>
+    tablesOf(context.solve(document, options), Table),
+  dragged(context, document, options) {
+    const picture = context.solve(document, options);
+    const moved = document.points(0, 0).map((x, i) => x + (i % 2 === 0 ? 2 : 1));
+    document.setPoints(0, 0, moved);
+    context.solveAgain(document, picture, { quick: true });
+    return tablesOf(picture, Table);
+  },
+  colors(context, document, options) {
+    const [x, y, width, height] = document.artboard;
+    const xy = [];
+    for (let i = 0; i < 256; ++i) {
+      xy.push(x + (((i % 16) + 0.5) / 16) * width, y + ((Math.floor(i / 16) + 0.5) / 16) * height);
+    }
+    return bytesOf(context.field(document, 0, options).colors(xy));
+  },
+  pixels: (context, document, options) =>
+    context.raster(context.solve(document, options), { width: 64, height: 64 }),
+  svg: (context, document) => new TextEncoder().encode(document.write()),
+  payload: (context, document, options) =>
+    context.viewerPayload(context.solve(document, options)),
+};
+
+export async function testAnswers(tap, sfumato, program) {
+  for (const [question, relative, options] of CASES) {
+    const path = pathOf(relative);
+    const name = `${basename(path)} has the native ${question}, bit for bit (${options || "defaults"})`;
+    if (!existsSync(path)) {
+      tap.skip(name, "the public scenes are not here");
+      continue;
+    }
+    await tap.test(name, () => {
+      const context = sfumato.context();
+      const document = context.read(readFileSync(path), { name: path });
+      const actual = ANSWERS[question](context, document, options);
+      document.free();
+      context.free();
+      return difference(actual, nativeAnswer(program, question, path, options));
+    });
+  }
+}

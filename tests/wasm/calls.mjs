@@ -1,0 +1,230 @@
+// What sfumato.mjs makes of good and of bad input.
+import {
+  Attribute,
+  Kind,
+  loadSfumato,
+  SfumatoError,
+  Side,
+  Status,
+  Table,
+} from "../../web/wasm/sfumato.mjs";
+import { drawExample } from "./example.mjs";
+import { check, refusal, same, textOf } from "./harness.mjs";
+
+const CONTROLS = "tests/wasm/controls.svg";
+
+/** A line across the artboard, red above and blue below. */
+function twoHalves(context) {
+  const document = context.newDocument({ artboard: "0,0,64,64" });
+  document.insertCurve(0, null, [-8, 32, 16, 32, 48, 32, 72, 32]);
+  const stops = (...color) => ({ kind: Kind.stops, rows: [[0, ...color]] });
+  document.setStops(0, 0, Side.left, Attribute.color, stops(1, 0, 0));
+  document.setStops(0, 0, Side.right, Attribute.color, stops(0, 0, 1));
+  return document;
+}
+
+async function testErrors(tap, sfumato) {
+  await tap.test("bad input is refused with the words of the library and their place", () => {
+    const context = sfumato.context();
+    const text = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9">\n  <g>\n</svg>';
+    const error = refusal(Status.badInput, () => context.read(text, { name: "a.svg" }));
+    check(error instanceof SfumatoError, "another kind of error");
+    same(error.file, "a.svg", "the file");
+    same(error.line, 3, "the line");
+    check(error.column > 0, "no column");
+    check(error.message.startsWith(`a.svg:3:${error.column}: not well-formed XML`), error.message);
+    check(error.message.endsWith(error.reason), error.message);
+    check(context.read(textOf(CONTROLS)).layerCount > 1, "the context reads no more");
+  });
+  await tap.test("a wrong option is named, of a context too", () => {
+    const context = sfumato.context();
+    const document = twoHalves(context);
+    const solved = refusal(Status.badUsage, () => context.solve(document, { "max-eror": 1 }));
+    check(solved.message.includes("max-eror"), solved.message);
+    const made = refusal(Status.badUsage, () => sfumato.context("threads=many"));
+    check(made.message.includes("threads"), made.message);
+  });
+  await tap.test("what is not there is refused", () => {
+    const context = sfumato.context();
+    const document = twoHalves(context);
+    const picture = context.solve(document);
+    refusal(Status.badUsage, () => document.points(0, 1));
+    refusal(Status.badUsage, () => document.removeCurve(1, 0));
+    refusal(Status.badUsage, () => picture.table(0, 7));
+    same(document.layerId(1), null, "the id of no layer");
+    document.free();
+    document.free();
+    refusal(Status.badUsage, () => context.solve(document));
+  });
+  await tap.test("what writes files of codecs says what is there instead", () => {
+    const context = sfumato.context();
+    const picture = context.solve(twoHalves(context));
+    // sfumato.mjs has no such function: the C interface is asked.
+    const make = (format) =>
+      context.library.withString(format, (name) =>
+        context.make("sfumato_export", picture.address, name, 0),
+      );
+    const error = refusal(Status.unavailable, () => make("png"));
+    check(error.message.includes("sfumato_raster"), error.message);
+    check(refusal(Status.badUsage, () => make("pgn")).message.includes("png"), "no hint");
+    const gzip = refusal(Status.unavailable, () => context.read(new Uint8Array([31, 139, 8, 0])));
+    check(gzip.message.includes("gzip"), gzip.message);
+  });
+}
+
+async function testLimits(tap, sfumato, module) {
+  await tap.test("max-time ends a call, and the next one has time again", () => {
+    const context = sfumato.context({ "max-time": 0.5 });
+    const document = sfumato.context().read(textOf("examples/portrait.svg"));
+    const slow = { "max-error": 0.01, scale: 8 };
+    const error = refusal(Status.limit, () => context.solve(document, slow));
+    check(error.message.includes("time limit of 0.5 s"), error.message);
+    check(context.raster(context.solve(twoHalves(context)), { width: 2, height: 2 }), "");
+  });
+  await tap.test("max-memory refuses what is larger, and nothing is lost", () => {
+    const context = sfumato.context({ "max-memory": 1 });
+    const error = refusal(Status.limit, () => {
+      context.solve(context.read(textOf("examples/portrait.svg")), "scale=8");
+    });
+    check(error.message.includes("memory limit of 1 MiB"), error.message);
+  });
+  await tap.test("memory that grows in a call leaves what is read afterwards right", async () => {
+    const fresh = await loadSfumato(module);
+    const context = fresh.context();
+    const first = context.solve(twoHalves(context));
+    const before = first.table(0, Table.vertices).data;
+    const stale = first.tableView(0, Table.vertices).data;
+    const bytes = fresh.memoryBytes;
+    context.solve(context.read(textOf("examples/portrait.svg")), "scale=2");
+    check(fresh.memoryBytes > bytes, "it did not grow");
+    same(stale.length, 0, "the length of a view from before");
+    same(first.tableView(0, Table.vertices).data.join(), before.join(), "the table");
+  });
+  await tap.test("a picture and its document go back to the module's memory", () => {
+    const context = sfumato.context();
+    const once = () => {
+      const document = context.read(textOf(CONTROLS));
+      const picture = context.solve(document);
+      picture.free();
+      document.free();
+    };
+    once();
+    const bytes = sfumato.memoryBytes;
+    for (let i = 0; i < 20; ++i) once();
+    same(sfumato.memoryBytes, bytes, "the memory");
+  });
+}
+
+async function testCallbacks(tap, sfumato) {
+  await tap.test("progress is told, and may cancel", () => {
+    const context = sfumato.context();
+    const document = context.read(textOf(CONTROLS));
+    const heard = new Map();
+    context.onProgress = (stage, fraction) => heard.set(stage, fraction);
+    context.solve(document);
+    check(heard.get("gather") > 0 && heard.get("gather") <= 1, [...heard].join());
+    context.onProgress = () => context.cancel();
+    refusal(Status.cancelled, () => context.solve(document));
+    context.onProgress = null;
+    refusal(Status.cancelled, () => context.solve(document));
+    context.resume();
+    context.solve(document);
+  });
+  await tap.test("what a callback throws is thrown by the call", () => {
+    const context = sfumato.context();
+    const document = context.read(textOf(CONTROLS));
+    const mine = new Error("mine");
+    context.onProgress = () => {
+      throw mine;
+    };
+    let thrown;
+    try {
+      context.solve(document);
+    } catch (error) {
+      thrown = error;
+    }
+    check(thrown === mine, String(thrown));
+    context.onProgress = null;
+    context.resume();
+    context.solve(document);
+  });
+  await tap.test("files that a document names are asked for by their names", () => {
+    const context = sfumato.context();
+    const asked = [];
+    const load = (href) => {
+      asked.push(href);
+      return null;
+    };
+    const text = textOf("examples/textures.svg");
+    const error = refusal(Status.badInput, () => context.read(text, { name: "t.svg", load }));
+    check(error.message.includes("the loader refused the file") && error.line > 0, error.message);
+    check(asked.length === 1 && asked[0].endsWith(".png"), asked.join());
+    refusal(Status.badInput, () => context.read(text));
+  });
+}
+
+async function testWork(tap, sfumato, module) {
+  await tap.test("the program of the document draws its horizon", async () => {
+    const pixels = await drawExample(module);
+    const at = (x, y) => [...pixels.subarray(4 * (400 * y + x), 4 * (400 * y + x) + 3)].join();
+    check(pixels.length === 4 * 400 * 300, `${pixels.length} bytes`);
+    same(at(0, 0), "248,190,187", "the sky's first pixel");
+    same(at(200, 299), "28,43,31", "the land");
+  });
+  await tap.test("the version and the ABI are those of the header", () => {
+    const cmake = textOf("CMakeLists.txt").toString();
+    same(sfumato.version, /VERSION (\d+\.\d+\.\d+)/.exec(cmake)[1], "the version");
+    same(sfumato.abi, 1, "the ABI");
+  });
+  await tap.test("a document that is built has the pixels of its sides", () => {
+    const context = sfumato.context();
+    const picture = context.solve(twoHalves(context));
+    const pixels = context.raster(picture, { width: 8, height: 8, format: "rgb8" });
+    check(pixels[0] > 240 && pixels[2] < 15, "red is not above");
+    check(pixels[7 * 24] < 15 && pixels[7 * 24 + 2] > 240, "blue is not below");
+    const fine = context.raster(picture, { width: 8, height: 8, format: "rgb16" });
+    check(fine.length === pixels.length && fine[0] > 240 * 257, "16 bits");
+  });
+  await tap.test("what was set is read back, and SVG is written that reads back the same", () => {
+    const context = sfumato.context();
+    const document = twoHalves(context);
+    const { kind, rows } = document.stops(0, 0, Side.left, Attribute.color);
+    same(JSON.stringify([kind, rows]), "[2,[[0,1,0,0]]]", "the stops");
+    same(document.points(0, 0).join(), "-8,32,16,32,48,32,72,32", "the points");
+    const text = document.write();
+    const again = context.read(text);
+    same(again.write(), text, "the text");
+    same(again.artboard.join(), "0,0,64,64", "the artboard");
+    const copy = document.copy();
+    document.removeCurve(0, 0);
+    same(copy.curveCount(0) - document.curveCount(0), 1, "the curves of the copy more");
+  });
+  await tap.test("a drag says what is new, and ends as a fresh solution", () => {
+    const context = sfumato.context();
+    const document = context.read(textOf(CONTROLS));
+    const picture = context.solve(document);
+    document.setPoints(1, 1, document.points(1, 1).map((x) => x + 0.5));
+    context.solveAgain(document, picture, { quick: true });
+    same(picture.changes(0, Table.colorValues), null, "the new rows of another layer");
+    const { rows } = picture.table(1, Table.colorValues);
+    same(picture.changes(1, Table.colorValues).join(), `0,${rows}`, "the new rows");
+    context.solveAgain(document, picture);
+    const fresh = context.solve(document).table(1, Table.colorValues);
+    same(picture.table(1, Table.colorValues).data.join(), fresh.data.join(), "the values");
+  });
+  await tap.test("warnings of the reader are heard", () => {
+    const context = sfumato.context();
+    context.read('<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"/>', { name: "e.svg" });
+    same(context.warnings.length, 2, "the number of warnings");
+    check(context.warnings[1].startsWith("e.svg:1:1: the document has no layer"), "the words");
+    context.read(textOf(CONTROLS));
+    same(context.warnings.length, 0, "the number of warnings of the next document");
+  });
+}
+
+export async function testCalls(tap, sfumato, module) {
+  await testWork(tap, sfumato, module);
+  await testErrors(tap, sfumato);
+  await testLimits(tap, sfumato, module);
+  await testCallbacks(tap, sfumato);
+}

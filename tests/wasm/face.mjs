@@ -1,0 +1,38 @@
+// What the module gives to its host and asks of it.
+import { same, textOf } from "./harness.mjs";
+
+/** What JavaScript needs besides the C interface. */
+const OWN = [
+  "memory",
+  "_initialize",
+  "__indirect_function_table",
+  "sfumato_allocate",
+  "sfumato_free",
+];
+
+function headerNames() {
+  const header = textOf("include/sfumato/sfumato.h").toString();
+  return [...header.matchAll(/^SFUMATO_API [^()]*?(sfumato_[a-z_]+)\(/gm)].map(([, name]) => name);
+}
+
+export async function testFace(tap, module) {
+  await tap.test("the module exports what the C header declares, and nothing else", () => {
+    const exported = WebAssembly.Module.exports(module).map(({ name }) => name);
+    const symbols = textOf("tests/capi/symbols.txt").toString().trim().split("\n");
+    const sorted = (names) => [...names].sort().join(" ");
+    same(sorted(headerNames()), sorted(symbols), "the header's list");
+    same(sorted(exported), sorted([...symbols, ...OWN]), "the module's list");
+  });
+  await tap.test("the module imports a clock and the streams of WASI, and nothing else", () => {
+    const imported = WebAssembly.Module.imports(module).map((one) => `${one.module} ${one.name}`);
+    const wasi = ["clock_time_get", "fd_close", "fd_seek", "fd_write"];
+    same(
+      imported.sort().join(", "),
+      wasi.map((name) => `wasi_snapshot_preview1 ${name}`).join(", "),
+      "the list of imports",
+    );
+  });
+  await tap.test("the module has no names of functions in it", () => {
+    same(WebAssembly.Module.customSections(module, "name").length, 0, "the number of name sections");
+  });
+}

@@ -1,0 +1,248 @@
+// The module's memory, strings and functions: what sfumato.mjs stands on. Runs in browsers, workers
+// and node alike.
+
+/** Codes of errors, as `enum sfumato_status_code` of sfumato.h has them. */
+export const Status = Object.freeze({
+  ok: 0,
+  badInput: 1,
+  limit: 2,
+  cancelled: 3,
+  io: 4,
+  outOfMemory: 5,
+  unavailable: 6,
+  internal: 7,
+  badUsage: 8,
+});
+
+/** Why a call failed. `message` is the whole of it, `reason` the library's words without the place. */
+export class SfumatoError extends Error {
+  /**
+   * @param {number} code of Status
+   * @param {string} reason
+   * @param {{file?: string, line?: number, column?: number}} place line and column from 1, column
+   *   in bytes; 0 where unknown
+   * @param {ErrorOptions} options
+   */
+  constructor(code, reason, { file = "", line = 0, column = 0 } = {}, options = undefined) {
+    const numbers = line > 0 ? [line, ...(column > 0 ? [column] : [])] : [];
+    const place = [...(file || line > 0 ? [file] : []), ...numbers].join(":");
+    super(place ? `${place}: ${reason}` : reason, options);
+    this.name = "SfumatoError";
+    Object.assign(this, { code, reason, file, line, column });
+  }
+}
+
+const refused = 52; // WASI's ENOSYS
+const scratchBytes = 64;
+
+/** What the module's C library asks of its host: a clock. Everything else is refused. */
+function hostOf(module, memoryOf) {
+  const host = {
+    clock_time_get(clock, precision, address) {
+      const nanoseconds = BigInt(Math.round(performance.now() * 1e6));
+      new DataView(memoryOf().buffer).setBigUint64(address, nanoseconds, true);
+      return 0;
+    },
+  };
+  const imports = {};
+  for (const { module: from, name } of WebAssembly.Module.imports(module)) {
+    imports[from] ??= {};
+    imports[from][name] = host[name] ?? (() => refused);
+  }
+  return imports;
+}
+
+/**
+ * A function of JavaScript as one of WebAssembly, which alone can stand in a table: a module of 40
+ * bytes that imports it and exports it again.
+ * @param {string} signature parameters, ">" and results; i: i32, d: f64
+ */
+function asWasmFunction(signature, body) {
+  const [parameters, results] = signature
+    .split(">")
+    .map((types) => [...types].map((type) => (type === "d" ? 0x7c : 0x7f)));
+  const type = [1, 0x60, parameters.length, ...parameters, results.length, ...results];
+  const sections = [
+    [1, type.length, ...type],
+    [2, 7, 1, 1, 0x65, 1, 0x66, 0, 0], // imports function e.f of type 0
+    [7, 5, 1, 1, 0x66, 0, 0], // exports it as f
+  ];
+  const bytes = new Uint8Array([0, 0x61, 0x73, 0x6d, 1, 0, 0, 0, ...sections.flat()]);
+  return new WebAssembly.Instance(new WebAssembly.Module(bytes), { e: { f: body } }).exports.f;
+}
+
+/** An instance of the module. It computes one thing at a time. */
+export class Library {
+  #exports;
+  #scratch;
+  #broken = null;
+  #thrown = null;
+  #depth = 0; // of calls that callbacks make within a call
+
+  /** @param {BufferSource | WebAssembly.Module} source */
+  static async load(source) {
+    const module =
+      source instanceof WebAssembly.Module ? source : await WebAssembly.compile(source);
+    let exports;
+    ({ exports } = await WebAssembly.instantiate(module, hostOf(module, () => exports.memory)));
+    exports._initialize();
+    return new Library(exports);
+  }
+
+  constructor(exports) {
+    this.#exports = exports;
+    this.#scratch = this.allocate(scratchBytes);
+  }
+
+  get memoryBytes() {
+    return this.#exports.memory.buffer.byteLength;
+  }
+
+  /** A zeroed place of 64 bytes for what a call writes; the next use takes it again. */
+  scratch() {
+    this.bytes(this.#scratch, scratchBytes).fill(0);
+    return this.#scratch;
+  }
+
+  /**
+   * Calls a function of the C interface. What a function of JavaScript threw below it is thrown
+   * here: it could not pass through the module. A trap, which memory that is exhausted ends in,
+   * leaves the instance useless.
+   */
+  call(name, ...values) {
+    if (this.#broken) throw this.#end(this.#broken);
+    ++this.#depth;
+    let result;
+    try {
+      result = this.#exports[name](...values);
+    } catch (error) {
+      this.#broken = error;
+      throw this.#end(error);
+    } finally {
+      --this.#depth;
+    }
+    const thrown = this.#thrown;
+    if (this.#depth > 0 || !thrown) return result >>> 0; // addresses beyond 2 GiB are no less
+    this.#thrown = null;
+    throw thrown.error;
+  }
+
+  #end(cause) {
+    const reason = `the module has ended, perhaps for want of memory (${cause.message}); load it anew`;
+    return new SfumatoError(Status.outOfMemory, reason, {}, { cause });
+  }
+
+  /**
+   * Puts a function into the module's table. What it throws waits for the end of the call.
+   * @returns {number} the address that C knows it by
+   */
+  addFunction(signature, instead, body) {
+    const table = this.#exports.__indirect_function_table;
+    const guarded = (...values) => {
+      try {
+        return body(...values);
+      } catch (error) {
+        this.#thrown ??= { error };
+        return instead;
+      }
+    };
+    const index = table.grow(1);
+    table.set(index, asWasmFunction(signature, guarded));
+    return index;
+  }
+
+  /** Calls a function of C by its address. */
+  callAddress(address, ...values) {
+    return this.#exports.__indirect_function_table.get(address)(...values);
+  }
+
+  /** Memory that call("sfumato_free", address) gives back. */
+  allocate(byteCount) {
+    const address = this.#exports.sfumato_allocate(Math.max(byteCount, 1)) >>> 0;
+    if (address === 0) throw new SfumatoError(Status.outOfMemory, "out of memory");
+    return address;
+  }
+
+  /** Runs body(address, byteCount) with a copy of `bytes` in the module's memory. */
+  withBytes(bytes, body) {
+    const address = this.allocate(bytes.byteLength);
+    try {
+      this.bytes(address, bytes.byteLength).set(
+        new Uint8Array(bytes.buffer, bytes.byteOffset, bytes.byteLength),
+      );
+      return body(address, bytes.byteLength);
+    } finally {
+      this.#exports.sfumato_free(address);
+    }
+  }
+
+  /** The same with a string, UTF-8 that ends with 0; the address of null is 0. */
+  withString(text, body) {
+    if (text === null) return body(0);
+    return this.withBytes(new TextEncoder().encode(`${text}\0`), (address) => body(address));
+  }
+
+  /** A view of the memory, good until the next call. */
+  bytes(address, byteCount) {
+    return new Uint8Array(this.#exports.memory.buffer, address, byteCount);
+  }
+
+  data() {
+    return new DataView(this.#exports.memory.buffer);
+  }
+
+  /** The string at an address; null at 0. */
+  string(address) {
+    if (address === 0) return null;
+    const begin = address >>> 0;
+    const memory = new Uint8Array(this.#exports.memory.buffer);
+    return new TextDecoder().decode(memory.subarray(begin, memory.indexOf(0, begin)));
+  }
+
+  u32(address) {
+    return this.data().getUint32(address, true);
+  }
+
+  /** `count` doubles at an address, copied. */
+  doubles(address, count) {
+    return new Float64Array(this.bytes(address, 8 * count).slice().buffer);
+  }
+
+  /** The content of a sfumato_bytes, which is given back. */
+  takeBytes(handle) {
+    const count = this.call("sfumato_bytes_size", handle);
+    const copy = this.bytes(this.call("sfumato_bytes_data", handle), count).slice();
+    this.call("sfumato_bytes_free", handle);
+    return copy;
+  }
+
+  /**
+   * The table that a sfumato_view at `address` describes, as a view of the memory that lasts until
+   * the next call.
+   */
+  table(address) {
+    const data = this.data();
+    const [start, rows, , columns, type] = [0, 4, 8, 12, 16].map((at) =>
+      data.getUint32(address + at, true),
+    );
+    const Numbers = { 1: Uint8Array, 2: Uint32Array, 3: Float32Array, 4: Float64Array }[type];
+    return { rows, columns, data: new Numbers(data.buffer, start, rows * columns) };
+  }
+}
+
+/**
+ * Options as the C interface takes them: a string as it is, or an object whose keys are the long
+ * options of the command. `true` gives a flag, `false`, null and undefined leave one out.
+ */
+export function optionText(options) {
+  if (options === null || options === undefined) return null;
+  if (typeof options === "string") return options;
+  return Object.entries(options)
+    .filter(([, value]) => value !== false && value !== null && value !== undefined)
+    .map(([key, value]) => (value === true ? key : `${key}=${quoted(String(value))}`))
+    .join(" ");
+}
+
+function quoted(value) {
+  return /^[^\s"\\]+$/.test(value) ? value : `"${value.replace(/["\\]/g, "\\$&")}"`;
+}
