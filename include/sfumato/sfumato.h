@@ -182,6 +182,12 @@ SFUMATO_API void sfumato_document_free(sfumato_document* document);
 /** Writes a document as SVG, exactly. */
 SFUMATO_API int32_t sfumato_document_write(sfumato_context* context,
                                            const sfumato_document* document, sfumato_bytes** bytes);
+/** Looks for probable mistakes: one line of JSON, as `sfumato lint --json` prints it (docs/cli.md),
+ * whose "file" is the name that sfumato_read() was given. Costs a mesh of every layer.
+ *
+ * options: verbose, for notes too. */
+SFUMATO_API int32_t sfumato_lint(sfumato_context* context, const sfumato_document* document,
+                                 const char* options, sfumato_bytes** json);
 /** What is shown of the plane: x, y, width and height, in user units. */
 SFUMATO_API int32_t sfumato_document_artboard(const sfumato_document* document, double box[4]);
 /** The spaces in which colours are mixed. */

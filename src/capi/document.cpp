@@ -38,7 +38,7 @@ Outcome copy(sfumato_context* context, Workshop& workshop, const sfumato_documen
   if (!status) return status;
   Document document = from.document;
   charge = {};
-  return hand_out(context, std::move(document), out);
+  return hand_out(context, std::move(document), from.name, out);
 }
 
 Outcome make_empty(sfumato_context* context, const char* text, sfumato_document** out) {
@@ -53,7 +53,7 @@ Outcome make_empty(sfumato_context* context, const char* text, sfumato_document*
   document.background = settings.background;
   add_layer(document, {});
   if (Status status = validate(context->workshop->context, document); !status) return status;
-  return hand_out(context, std::move(document), out);
+  return hand_out(context, std::move(document), {}, out);
 }
 
 Outcome write(Workshop& workshop, const Document& document, sfumato_bytes** out) {
@@ -65,8 +65,10 @@ Outcome write(Workshop& workshop, const Document& document, sfumato_bytes** out)
 
 }  // namespace
 
-Outcome hand_out(sfumato_context* context, Document document, sfumato_document** out) {
+Outcome hand_out(sfumato_context* context, Document document, std::string name,
+                 sfumato_document** out) {
   auto handle = std::make_unique<sfumato_document>(context->workshop);
+  handle->name = std::move(name);
   handle->document = std::move(document);
   Context& work = context->workshop->context;
   Status status = handle->held.add(work, bytes_of(handle->document), kPurpose);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <utility>
 
 #include "base/charge.hpp"
@@ -16,6 +17,7 @@ struct sfumato_document {
   std::shared_ptr<sfumato::capi::Workshop> workshop;  ///< first: it outlives the charge
   sfumato::ScopedCharge held;
   std::size_t charged = 0;  ///< bytes of `held`
+  std::string name{};       ///< what sfumato_read() was told
   sfumato::Document document;
   sfumato::capi::Edits edits;
 };
@@ -23,7 +25,8 @@ struct sfumato_document {
 namespace sfumato::capi {
 
 /// Makes a handle of a document, which is charged to the workshop of `context`.
-Outcome hand_out(sfumato_context* context, Document document, sfumato_document** out);
+Outcome hand_out(sfumato_context* context, Document document, std::string name,
+                 sfumato_document** out);
 
 /// Changes a document, which stays as it was where that fails.
 Outcome change(const Context& context, sfumato_document& handle, Change change);

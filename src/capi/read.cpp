@@ -52,19 +52,18 @@ class ForeignLoader final : public ResourceLoader {
   const Limits& limits_;
 };
 
-Outcome read(sfumato_context* context, std::string_view text, const char* name,
+Outcome read(sfumato_context* context, std::string_view text, const std::string& name,
              const sfumato_loader* loader, sfumato_document** out) {
   Context& work = context->workshop->context;
   context->warnings.clear();
   std::optional<ForeignLoader> foreign;
   if (loader) foreign.emplace(*loader, work.limits);
-  Result<ReadDocument> read =
-      read_document(work, text, name ? name : "", foreign ? &*foreign : nullptr);
+  Result<ReadDocument> read = read_document(work, text, name, foreign ? &*foreign : nullptr);
   if (!read) return read.status();
   for (const Diagnostic& warning : read->warnings) {
     context->warnings.push_back(to_string(warning));
   }
-  return hand_out(context, std::move(read->document), out);
+  return hand_out(context, std::move(read->document), name, out);
 }
 
 }  // namespace
@@ -77,7 +76,7 @@ int32_t sfumato_read(sfumato_context* context, const void* bytes, size_t byte_co
     if (!bytes && byte_count > 0) return bad_usage("NULL given, expected bytes");
     if (loader && !loader->load) return bad_usage("a loader without a function");
     const std::string_view text(static_cast<const char*>(bytes), byte_count);
-    return sfumato::capi::read(context, text, name, loader, document);
+    return sfumato::capi::read(context, text, name ? name : "", loader, document);
   };
   return sfumato::capi::make(context, document, body);
 }

@@ -1,12 +1,10 @@
 #include "sfumato/lint/lint.hpp"
 
-#include <algorithm>
-
-#include "base/json.hpp"
 #include "cli/commands.hpp"
 #include "cli/document_input.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/paths.hpp"
+#include "lint/hint_list.hpp"
 #include "sfumato/base/native/thread_pool.hpp"
 
 namespace sfumato::cli {
@@ -14,11 +12,6 @@ namespace {
 
 std::string counted(std::size_t count) {
   return count == 0 ? "no hints" : count == 1 ? "1 hint" : std::to_string(count) + " hints";
-}
-
-std::size_t count_hints(const std::vector<Hint>& hints) {
-  return static_cast<std::size_t>(
-      std::ranges::count_if(hints, [](const Hint& hint) { return !is_note(hint.kind); }));
 }
 
 std::string as_text(const std::string& name, const Document& document,
@@ -29,36 +22,14 @@ std::string as_text(const std::string& name, const Document& document,
                         place_text(document, hint) + ": " + hint.message + " [" +
                         std::string(hint_name(hint.kind)) + "]");
   }
-  return text + output_line(name + ": " + counted(count_hints(hints)));
+  return text + output_line(name + ": " + counted(lint_detail::count_hints(hints)));
 }
 
-void write_place(JsonWriter& json, const Document& document, const Hint& hint) {
-  if (hint.layer) {
-    json.member("layer", *hint.layer).member("layer_id", document.layers[*hint.layer].id);
-  }
-  if (hint.curve) {
-    json.member("curve", *hint.curve)
-        .member("curve_id", document.layers[*hint.layer].curves[*hint.curve].id);
-  }
-  if (hint.side) json.member("side", *hint.side == CurveSide::left ? "left" : "right");
-  if (hint.stack_item) json.member("stack_item", *hint.stack_item);
-  if (hint.shader) {
-    json.member("shader", *hint.shader).member("shader_id", document.shaders[*hint.shader].id);
-  }
-}
-
-std::string as_json(const std::string& name, const Document& document,
-                    const std::vector<Hint>& hints) {
-  JsonWriter json;
-  json.begin_object().member("file", name).key("hints").begin_array();
-  for (const Hint& hint : hints) {
-    json.begin_object().member("kind", hint_name(hint.kind));
-    json.member("severity", is_note(hint.kind) ? "note" : "hint");
-    write_place(json, document, hint);
-    json.member("message", hint.message).end_object();
-  }
-  json.end_array().member("hint_count", count_hints(hints)).end_object();
-  return json.text() + '\n';
+Result<std::string> as_json(const Context& context, const std::string& name,
+                            const Document& document, const std::vector<Hint>& hints) {
+  const auto json = lint_detail::hints_json(context, name, document, hints);
+  if (!json) return json.status();
+  return std::string(json->begin(), json->end());
 }
 
 /// The hints of arguments.input; its exit code.
@@ -71,11 +42,12 @@ int lint_one(Context& context, const LintArguments& arguments) {
   if (!hints) return fail(hints.status());
   if (!arguments.verbose)
     std::erase_if(*hints, [](const Hint& hint) { return is_note(hint.kind); });
-  const Status printed = print(arguments.json ? as_json(name, read->document, *hints)
-                                              : as_text(name, read->document, *hints),
-                               &context);
+  const Result<std::string> text = arguments.json ? as_json(context, name, read->document, *hints)
+                                                  : as_text(name, read->document, *hints);
+  if (!text) return fail(text.status());
+  const Status printed = print(*text, &context);
   if (!printed) return fail(printed);
-  return arguments.strict && count_hints(*hints) > 0 ? kBadInput : kDone;
+  return arguments.strict && lint_detail::count_hints(*hints) > 0 ? kBadInput : kDone;
 }
 
 }  // namespace

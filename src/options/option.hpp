@@ -68,7 +68,8 @@ enum Call : unsigned {
   kExport = 16,
   kEncode = 32,
   kField = 64,
-  kPayload = 128
+  kPayload = 128,
+  kLint = 256
 };
 
 /// One option of the command and of the C interface: what both say about it, and which values it

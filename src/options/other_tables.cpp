@@ -43,6 +43,11 @@ constexpr Option<ContextSettings> kContextOptions[] = {
 };
 static_assert(static_cast<int>(SimdLevel::avx512) == 2, "in the order of the words");
 
+constexpr Option<LintSettings> kLintOptions[] = {
+    {{.key = "verbose", .kind = ValueKind::flag, .calls = kLint},
+     [](LintSettings& s, const Value&) { s.verbose = true; }},
+};
+
 constexpr std::string_view kSpaces[] = {"srgb", "linear", "oklab"};
 
 constexpr Option<DocumentSettings> kDocumentOptions[] = {
@@ -71,6 +76,10 @@ std::span<const Option<Resources>> resource_options() {
 
 std::span<const Option<ContextSettings>> context_options() {
   return kContextOptions;
+}
+
+std::span<const Option<LintSettings>> lint_options() {
+  return kLintOptions;
 }
 
 std::span<const Option<DocumentSettings>> document_options() {

@@ -74,6 +74,11 @@ struct ContextSettings {
   std::optional<SimdLevel> simd{};  ///< none: the best that the machine has
 };
 
+/// Of a look for probable mistakes.
+struct LintSettings {
+  bool verbose = false;  ///< with notes
+};
+
 /// Of a document that is made from options.
 struct DocumentSettings {
   std::optional<Box> artboard{};

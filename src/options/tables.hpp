@@ -13,8 +13,10 @@ std::span<const Option<Settings>> render_options();
 /// Those that bound work; `limit` is set by set_limit().
 std::span<const Option<Resources>> resource_options();
 
-/// Those that the C interface alone has: for a new context, and for a new document.
+/// Those that the C interface alone has from here: for a new context, for a new document, and for
+/// hints.
 std::span<const Option<ContextSettings>> context_options();
+std::span<const Option<LintSettings>> lint_options();
 std::span<const Option<DocumentSettings>> document_options();
 
 }  // namespace sfumato::options

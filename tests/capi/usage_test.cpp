@@ -60,6 +60,9 @@ TEST_F(CUsage, null_is_an_error_everywhere) {
   EXPECT_EQ(sfumato_document_copy(c, d, nullptr), kUsage);
   EXPECT_EQ(sfumato_document_write(c, nullptr, &out_b), kUsage);
   EXPECT_EQ(sfumato_document_write(c, d, nullptr), kUsage);
+  EXPECT_EQ(sfumato_lint(c, nullptr, nullptr, &out_b), kUsage);
+  EXPECT_EQ(sfumato_lint(c, d, nullptr, nullptr), kUsage);
+  EXPECT_EQ(sfumato_lint(c, d, "json", &out_b), kUsage);
   EXPECT_EQ(sfumato_document_artboard(nullptr, box), kUsage);
   EXPECT_EQ(sfumato_document_artboard(d, nullptr), kUsage);
   EXPECT_EQ(sfumato_curve_points(nullptr, 0, 0, &view), kUsage);

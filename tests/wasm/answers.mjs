@@ -27,6 +27,8 @@ const CASES = [
   ["svg", CONTROLS, ""],
   ["payload", EVENING, ""],
   ["payload", CONTROLS, ""],
+  ["lint", CONTROLS, "verbose"],
+  ["lint", "examples/fish.svg", "verbose"],
 ];
 
 /** How native_answers makes the same. */
@@ -50,6 +52,8 @@ const ANSWERS = {
   },
   pixels: (context, document, options) =>
     context.raster(context.solve(document, options), { width: 64, height: 64 }),
+  lint: (context, document, options) =>
+    new TextEncoder().encode(`${JSON.stringify(context.lint(document, options))}\n`),
   svg: (context, document) => new TextEncoder().encode(document.write()),
   payload: (context, document, options) =>
     context.viewerPayload(context.solve(document, options)),

@@ -94,6 +94,9 @@ bool answer(const std::string& question, Work& work) {
   if (question == "dragged") return put_dragged(work);
   if (question == "colors") return put_colors(work);
   if (question == "pixels") return put_pixels(work);
+  if (question == "lint") {
+    sfumato_lint(work.context, work.document, work.options.c_str(), &bytes);
+  }
   if (question == "svg") sfumato_document_write(work.context, work.document, &bytes);
   if (question == "payload" && solve(work)) {
     sfumato_viewer_payload(work.context, work.picture, "", &bytes);
@@ -105,8 +108,10 @@ bool answer(const std::string& question, Work& work) {
 
 int main(int argc, char** argv) {
   if (argc < 3) {
-    std::fputs("usage: native_answers tables|dragged|colors|pixels|svg|payload IN [OPTIONS]\n",
-               stderr);
+    std::fputs(
+        "usage: native_answers tables|dragged|colors|pixels|svg|payload|lint IN "
+        "[OPTIONS]\n",
+        stderr);
     return 2;
   }
   std::ifstream file(argv[2], std::ios::binary);

@@ -228,6 +228,17 @@ export class SfumatoContext extends Handle {
     );
   }
 
+  /**
+   * Looks for probable mistakes: {file, hints, hint_count}, as `sfumato lint --json` prints it.
+   * @param options verbose
+   */
+  lint(document, options = null) {
+    return this.#withOptions(options, (text) => {
+      const json = this.library.takeBytes(this.make("sfumato_lint", document.address, text));
+      return JSON.parse(new TextDecoder().decode(json));
+    });
+  }
+
   /** A layer's exact colours at points. @param options of sfumato_field_new */
   field(document, layer, options = null) {
     return this.#withOptions(options, (text) => {

@@ -1,0 +1,39 @@
+#include "sfumato/lint/lint.hpp"
+
+#include <utility>
+#include <vector>
+
+#include "capi/bytes.hpp"
+#include "capi/document.hpp"
+#include "lint/hint_list.hpp"
+#include "options/option_reader.hpp"
+#include "options/tables.hpp"
+
+namespace sfumato::capi {
+namespace {
+
+Outcome list_hints(Workshop& workshop, const sfumato_document* handle, const char* text,
+                   sfumato_bytes** out) {
+  if (!handle) return bad_usage("NULL given, expected a document");
+  options::LintSettings settings;
+  options::OptionReader reader(options::kLint);
+  reader.take(options::lint_options(), settings);
+  if (Status status = reader.read(text ? text : ""); !status) return bad_usage(std::move(status));
+  Result<std::vector<Hint>> hints = lint(workshop.context, handle->document);
+  if (!hints) return hints.status();
+  if (!settings.verbose) std::erase_if(*hints, [](const Hint& hint) { return is_note(hint.kind); });
+  auto json = lint_detail::hints_json(workshop.context, handle->name, handle->document, *hints);
+  if (!json) return json.status();
+  *out = new sfumato_bytes{std::move(*json)};
+  return {};
+}
+
+}  // namespace
+}  // namespace sfumato::capi
+
+int32_t sfumato_lint(sfumato_context* context, const sfumato_document* document,
+                     const char* options, sfumato_bytes** json) {
+  return sfumato::capi::make(context, json, [&](sfumato::capi::Workshop& workshop) {
+    return sfumato::capi::list_hints(workshop, document, options, json);
+  });
+}
