@@ -17,8 +17,12 @@ namespace {
 
 constexpr std::string_view kPurpose = "a document";
 
+std::size_t kept_bytes(const sfumato_document& handle) {
+  return bytes_of(handle.document) + bytes_of(handle.origin);
+}
+
 void release_spare(sfumato_document& handle) {
-  const std::size_t needed = bytes_of(handle.document);
+  const std::size_t needed = kept_bytes(handle);
   const std::size_t spare = handle.charged - std::min(handle.charged, needed);
   handle.held.release(spare);
   handle.charged -= spare;
@@ -28,17 +32,19 @@ void release_spare(sfumato_document& handle) {
 std::size_t room_bytes(const Document& document, const Change& change) {
   const auto* insert = std::get_if<InsertCurve>(&change);
   if (!insert || insert->layer >= document.layers.size()) return 0;
-  return 2 * (document.layers[insert->layer].curves.size() + 1) * sizeof(Curve);
+  return 2 * (document.layers[insert->layer].curves.size() + 1) *
+         (sizeof(Curve) + sizeof(CurveSource));
 }
 
 Outcome copy(sfumato_context* context, Workshop& workshop, const sfumato_document& from,
              sfumato_document** out) {
   ScopedCharge charge;
-  Status status = charge.add(workshop.context, bytes_of(from.document), kPurpose);
+  Status status = charge.add(workshop.context, kept_bytes(from), kPurpose);
   if (!status) return status;
   Document document = from.document;
+  Origin origin = from.origin;
   charge = {};
-  return hand_out(context, std::move(document), from.name, out);
+  return hand_out(context, std::move(document), std::move(origin), out);
 }
 
 Outcome make_empty(sfumato_context* context, const char* text, sfumato_document** out) {
@@ -65,15 +71,15 @@ Outcome write(Workshop& workshop, const Document& document, sfumato_bytes** out)
 
 }  // namespace
 
-Outcome hand_out(sfumato_context* context, Document document, std::string name,
+Outcome hand_out(sfumato_context* context, Document document, Origin origin,
                  sfumato_document** out) {
   auto handle = std::make_unique<sfumato_document>(context->workshop);
-  handle->name = std::move(name);
+  handle->origin = std::move(origin);
   handle->document = std::move(document);
   Context& work = context->workshop->context;
-  Status status = handle->held.add(work, bytes_of(handle->document), kPurpose);
+  Status status = handle->held.add(work, kept_bytes(*handle), kPurpose);
   if (!status) return status;
-  handle->charged = bytes_of(handle->document);
+  handle->charged = kept_bytes(*handle);
   *out = handle.release();
   return {};
 }
@@ -85,8 +91,12 @@ Outcome change(const Context& context, sfumato_document& handle, Change change) 
   if (!status) return status;
   handle.charged += bytes;
   const std::optional<Edit> edit = edit_of(change);
+  make_room(handle.origin, change);
   const Result<Change> inverse = apply_change(context, handle.document, std::move(change));
-  if (inverse) handle.edits.note(edit);
+  if (inverse) {
+    handle.edits.note(edit);
+    follow(handle.origin, *inverse);
+  }
   release_spare(handle);
   return inverse.status();
 }
@@ -160,6 +170,18 @@ uint32_t sfumato_curve_count(const sfumato_document* document, uint32_t layer) {
 const char* sfumato_layer_id(const sfumato_document* document, uint32_t layer) {
   if (layer >= sfumato_layer_count(document)) return nullptr;
   return document->document.layers[layer].id.c_str();
+}
+
+int32_t sfumato_curve_source(const sfumato_document* document, uint32_t layer, uint32_t curve,
+                             size_t* byte_offset, uint32_t* subpath) {
+  sfumato::CurveSource source;
+  const bool is_there = find_curve(document, layer, curve) != nullptr;
+  if (is_there && layer < document->origin.curves.size()) {
+    source = document->origin.curves[layer][curve];
+  }
+  if (byte_offset) *byte_offset = source.byte_offset;
+  if (subpath) *subpath = source.subpath;
+  return is_there ? SFUMATO_OK : SFUMATO_BAD_USAGE;
 }
 
 const char* sfumato_curve_id(const sfumato_document* document, uint32_t layer, uint32_t curve) {

@@ -1,12 +1,12 @@
 #pragma once
 
 #include <memory>
-#include <string>
 #include <utility>
 
 #include "base/charge.hpp"
 #include "capi/context.hpp"
 #include "capi/edits.hpp"
+#include "capi/origin.hpp"
 #include "sfumato/document/change.hpp"
 #include "sfumato/document/document.hpp"
 
@@ -17,7 +17,7 @@ struct sfumato_document {
   std::shared_ptr<sfumato::capi::Workshop> workshop;  ///< first: it outlives the charge
   sfumato::ScopedCharge held;
   std::size_t charged = 0;  ///< bytes of `held`
-  std::string name{};       ///< what sfumato_read() was told
+  sfumato::capi::Origin origin{};
   sfumato::Document document;
   sfumato::capi::Edits edits;
 };
@@ -25,7 +25,7 @@ struct sfumato_document {
 namespace sfumato::capi {
 
 /// Makes a handle of a document, which is charged to the workshop of `context`.
-Outcome hand_out(sfumato_context* context, Document document, std::string name,
+Outcome hand_out(sfumato_context* context, Document document, Origin origin,
                  sfumato_document** out);
 
 /// Changes a document, which stays as it was where that fails.

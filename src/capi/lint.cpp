@@ -22,7 +22,8 @@ Outcome list_hints(Workshop& workshop, const sfumato_document* handle, const cha
   Result<std::vector<Hint>> hints = lint(workshop.context, handle->document);
   if (!hints) return hints.status();
   if (!settings.verbose) std::erase_if(*hints, [](const Hint& hint) { return is_note(hint.kind); });
-  auto json = lint_detail::hints_json(workshop.context, handle->name, handle->document, *hints);
+  auto json =
+      lint_detail::hints_json(workshop.context, handle->origin.name, handle->document, *hints);
   if (!json) return json.status();
   *out = new sfumato_bytes{std::move(*json)};
   return {};

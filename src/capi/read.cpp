@@ -63,7 +63,7 @@ Outcome read(sfumato_context* context, std::string_view text, const std::string&
   for (const Diagnostic& warning : read->warnings) {
     context->warnings.push_back(to_string(warning));
   }
-  return hand_out(context, std::move(read->document), name, out);
+  return hand_out(context, std::move(read->document), {name, std::move(read->curve_sources)}, out);
 }
 
 }  // namespace

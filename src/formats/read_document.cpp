@@ -113,7 +113,11 @@ Result<ReadDocument> read_bytes(Context& context, std::string_view bytes, const 
   if (!codecs::is_gzip(bytes)) return read_text(context, bytes, file, loader);
   TableMemory memory("unpacked gzip");
   Result<std::string> text = codecs::gunzip(context, bytes, memory);
-  if (text) return read_text(context, *text, file, loader);
+  if (text) {
+    Result<ReadDocument> read = read_text(context, *text, file, loader);
+    if (read) read->curve_sources.clear();  // they say where in the text, not in the file
+    return read;
+  }
   Status status = text.status();
   status.where.file = file;
   return status;

@@ -65,6 +65,7 @@ TEST_F(CUsage, null_is_an_error_everywhere) {
   EXPECT_EQ(sfumato_lint(c, d, "json", &out_b), kUsage);
   EXPECT_EQ(sfumato_document_artboard(nullptr, box), kUsage);
   EXPECT_EQ(sfumato_document_artboard(d, nullptr), kUsage);
+  EXPECT_EQ(sfumato_curve_source(nullptr, 0, 0, nullptr, nullptr), kUsage);
   EXPECT_EQ(sfumato_curve_points(nullptr, 0, 0, &view), kUsage);
   EXPECT_EQ(sfumato_curve_points(d, 0, 0, nullptr), kUsage);
   EXPECT_EQ(sfumato_set_curve_points(nullptr, d, 0, 0, xy, 4), kUsage);
@@ -121,6 +122,10 @@ TEST_F(CUsage, indices_past_the_end_are_errors) {
     EXPECT_EQ(sfumato_curve_count(d, bad), 0u);
     EXPECT_EQ(sfumato_layer_id(d, bad), nullptr);
     EXPECT_EQ(sfumato_curve_id(d, 0, bad), nullptr);
+    std::size_t offset = 9;
+    EXPECT_EQ(sfumato_curve_source(d, bad, 0, &offset, nullptr), kUsage);
+    EXPECT_EQ(sfumato_curve_source(d, 0, bad, nullptr, nullptr), kUsage);
+    EXPECT_EQ(offset, 0u);
     EXPECT_EQ(sfumato_curve_points(d, bad, 0, &view), kUsage);
     EXPECT_EQ(sfumato_curve_points(d, 0, bad, &view), kUsage);
     EXPECT_EQ(view.data, nullptr);

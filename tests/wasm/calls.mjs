@@ -199,6 +199,20 @@ async function testWork(tap, sfumato, module) {
     document.removeCurve(0, 0);
     same(copy.curveCount(0) - document.curveCount(0), 1, "the curves of the copy more");
   });
+  await tap.test("curves lead back to their elements, also when others come and go", () => {
+    const context = sfumato.context();
+    const bytes = textOf(CONTROLS);
+    const document = context.read(bytes);
+    const { byteOffset, subpath } = document.curveSource(1, 1);
+    same(bytes.subarray(byteOffset, byteOffset + 20).toString(), '<path d="M5 20 C25 8', "the text");
+    same(subpath, 0, "the subpath");
+    document.insertCurve(1, 0, document.points(1, 0));
+    same(document.curveSource(1, 0), null, "the source of a new curve");
+    same(document.curveSource(1, 2).byteOffset, byteOffset, "the offset after an insertion");
+    document.removeCurve(1, 1);
+    same(document.curveSource(1, 1).byteOffset, byteOffset, "the offset after a removal");
+    refusal(Status.badUsage, () => document.curveSource(1, 2));
+  });
   await tap.test("a drag says what is new, and ends as a fresh solution", () => {
     const context = sfumato.context();
     const document = context.read(textOf(CONTROLS));

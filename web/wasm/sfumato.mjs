@@ -350,6 +350,21 @@ export class SfumatoDocument extends Handle {
     return this.library.string(this.library.call("sfumato_curve_id", this.address, layer, curve));
   }
 
+  /**
+   * Where a curve stands in the text that was read: {byteOffset, subpath}, the place of its
+   * element's `<` in UTF-8, and which of the element's subpaths it is; null where that is not known.
+   */
+  curveSource(layer, curve) {
+    const place = this.library.scratch();
+    const asked = [this.address, layer, curve, place, place + 4];
+    expect(
+      this.library.call("sfumato_curve_source", ...asked),
+      `there is no curve ${curve} in layer ${layer}`,
+    );
+    const [byteOffset, subpath] = [this.library.u32(place), this.library.u32(place + 4)];
+    return byteOffset === 0 ? null : { byteOffset, subpath };
+  }
+
   /** 3 n + 1 control points, x and y in turn. */
   points(layer, curve) {
     const view = this.library.scratch();

@@ -122,7 +122,7 @@ Result<std::vector<Subpath>> CurveReader::read_subpaths(Element shape, TableMemo
 }
 
 Status CurveReader::read_curves(Element shape, const Affine& layer_from_user, std::string_view id,
-                                std::vector<Curve>& curves) {
+                                std::vector<Curve>& curves, std::vector<CurveSource>& sources) {
   TableMemory point_memory("control points"), stop_memory("stops");
   const Result<std::vector<Subpath>> subpaths = read_subpaths(shape, point_memory);
   if (!subpaths) return subpaths.status();
@@ -149,6 +149,10 @@ Status CurveReader::read_curves(Element shape, const Affine& layer_from_user, st
     if (status) status = placer.place_side(attributes->right, curve.right);
     if (!status) return status;
     if (determinant < 0) std::swap(curve.left, curve.right);
+    const std::size_t offset = input_.offset(shape);
+    status = input_.push_back(shape, input_.memory().curves, sources,
+                              offset > 0 ? CurveSource{offset, subpath.index} : CurveSource{});
+    if (!status) return status;
     beyond_end |= placer.beyond_end();
   }
   warn_of_end(input_, shape, beyond_end);

@@ -10,6 +10,7 @@
 #include "sfumato/base/affine.hpp"
 #include "sfumato/base/box.hpp"
 #include "sfumato/document/curve.hpp"
+#include "sfumato/formats/text/reading.hpp"
 
 namespace sfumato::svg {
 
@@ -20,11 +21,11 @@ class CurveReader {
   CurveReader(Input& input, Totals& totals, Paints& paints, const Box& viewport)
       : input_(input), totals_(totals), paints_(paints), viewport_(viewport) {}
 
-  /// Appends the diffusion curves of a shape, in the layer frame. The first gets `id`, the others
-  /// "id-2" and so on. A mirroring map exchanges the sides; radii are scaled by √|det|.
-  /// Errors: bad_input, limit, out_of_memory.
+  /// Appends the diffusion curves of a shape, in the layer frame, and where they stand in the text.
+  /// The first gets `id`, the others "id-2" and so on. A mirroring map exchanges the sides; radii
+  /// are scaled by √|det|. Errors: bad_input, limit, out_of_memory.
   Status read_curves(Element shape, const Affine& layer_from_user, std::string_view id,
-                     std::vector<Curve>& curves);
+                     std::vector<Curve>& curves, std::vector<CurveSource>& sources);
 
   /// Appends the local curves of a shape, in its user space. A side without colours takes the other
   /// side's. Errors: bad_input, limit.

@@ -91,6 +91,8 @@ class Input {
   Status placed(Element element, Status status);
   /// One warning for each kind.
   void warn(std::string_view kind, Element element, std::string message);
+  /// Where the element begins in the text; 0 where that is not known.
+  std::size_t offset(Element element) const { return xml_.offset(element); }
   /// Counts an element that is read again because `what` ("<use>") refers to it, and its text.
   /// Errors: limit.
   Status charge_reading(Element element, std::string_view what);

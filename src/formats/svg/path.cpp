@@ -194,6 +194,7 @@ void PathBuilder::close() {
 void PathBuilder::finish_subpath() {
   if (open_.control_points.empty() || !make_room(done_, 1)) return;
   open_.segment_begin.push_back(static_cast<std::uint32_t>(open_.control_points.size() / 3));
+  open_.index = static_cast<std::uint32_t>(done_.size());
   done_.push_back(std::exchange(open_, {}));
 }
 

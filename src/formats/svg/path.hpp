@@ -23,6 +23,7 @@ struct Subpath {
   /// The first piece of each segment, then the number of pieces. A segment is drawn by one path
   /// command: one piece or, for an arc, a power of two.
   std::vector<std::uint32_t> segment_begin;
+  std::uint32_t index = 0;  ///< among the subpaths that have a segment, as they were drawn
 };
 
 /// Builds subpaths from the commands of a path. A closed subpath ends exactly where it began.

@@ -291,7 +291,7 @@ Status StackReader::visit_shape(Element element, const Place& place) {
     }
     if (!input_.has_sf(element)) input_.warn("/bare", element, why_bare(input_, element));
     return curves_.read_curves(element, place.frame_from_user, id_for(element, place),
-                               place.layer->curves);
+                               place.layer->curves, *place.sources);
   }
   if (is_local) return draw_strokes(element, place);
   if (!input_.has_sf(element)) return read_background(element, place);
@@ -366,8 +366,10 @@ Result<std::uint32_t> StackReader::layer_of(Element element, const Place& place)
     return input_.over_limit(element, &Limits::layers, "layers");
   }
   Layer layer{element.attribute("id").value(), {}};
+  std::vector<CurveSource> sources;
   Place inside;
   inside.layer = &layer;
+  inside.sources = &sources;
   inside.depth = place.depth;
   const std::size_t open_around = open_.size();
   open_children(element, inside, std::nullopt);
@@ -381,6 +383,9 @@ Result<std::uint32_t> StackReader::layer_of(Element element, const Place& place)
   const auto index = static_cast<std::uint32_t>(document_.layers.size());
   Status status =
       input_.push_back(element, input_.memory().stack, document_.layers, std::move(layer));
+  if (status) {
+    status = input_.push_back(element, input_.memory().stack, sources_, std::move(sources));
+  }
   if (!status) return status;
   layer_of_.emplace(element.internal_object(), index);
   return index;

@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "formats/svg/compositing.hpp"
@@ -33,12 +34,15 @@ class StackReader {
 
   /// Errors: bad_input, limit, out_of_memory.
   Status read();
+  /// Of each curve of each layer. Call once, after read().
+  std::vector<std::vector<CurveSource>> take_sources() { return std::move(sources_); }
 
  private:
   /// The current place of the traversal.
   struct Place {
     Affine frame_from_user{};  ///< to the artboard or, in a layer, to the layer's frame
     Layer* layer = nullptr;    ///< the layer to which curves are added; null outside of layers
+    std::vector<CurveSource>* sources = nullptr;  ///< of the layer's curves
     bool is_visible = true;
     int depth = 0;
     /// The <use>, for an element to which it refers directly.
@@ -112,9 +116,10 @@ class StackReader {
   Paints paints_;
   CurveReader curves_;
   std::unordered_map<const void*, std::uint32_t> layer_of_;
-  std::vector<OpenElement> open_;  ///< outermost first
-  std::vector<Element> used_;      ///< the targets of the <use>s around this place, outermost first
-  int group_height_ = 0;           ///< height of the closed groups in the open one
+  std::vector<std::vector<CurveSource>> sources_;  ///< of each layer
+  std::vector<OpenElement> open_;                  ///< outermost first
+  std::vector<Element> used_;  ///< the targets of the <use>s around this place, outermost first
+  int group_height_ = 0;       ///< height of the closed groups in the open one
   bool may_be_background_ = true;
 };
 

@@ -148,14 +148,17 @@ Result<ReadDocument> read(Input& input, const ResourceLoader* loader) {
   Status status = read_version(input);
   if (status) status = read_interpolation(input, document);
   if (status) status = read_background(input, document);
-  if (status) status = svg::StackReader(input, document, loader).read();
+  svg::StackReader reader(input, document, loader);
+  if (status) status = reader.read();
   if (!status) return status;
   svg::show_in_frame(begun->frame, document);
   const bool is_empty = document.stack.empty() || !svg::gives_color(document);
   const bool is_foreign = is_empty && warn_of_nothing(input, document);
   if (Status cancelled = input.context().check(); !cancelled) return cancelled;
   if (Status valid = validate(input.context(), document); !valid) return valid;
-  return ReadDocument{std::move(document), input.take_warnings(), DocumentFormat::svg, is_foreign};
+  ReadDocument result{std::move(document), input.take_warnings(), DocumentFormat::svg, is_foreign};
+  result.curve_sources = reader.take_sources();
+  return result;
 }
 
 Result<svg::PlainSvg> read_plain(Input& input, const ResourceLoader* loader) {

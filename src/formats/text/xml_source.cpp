@@ -231,6 +231,11 @@ SourcePlace XmlSource::place(pugi::xml_node node) {
   return offset > 0 ? place_at(static_cast<std::size_t>(offset - 1)) : SourcePlace{file_};
 }
 
+std::size_t XmlSource::offset(pugi::xml_node node) const {
+  const std::ptrdiff_t offset = node.offset_debug();
+  return is_utf8_ && offset > 0 ? static_cast<std::size_t>(offset - 1) : 0;
+}
+
 SourcePlace XmlSource::place_at(std::size_t offset) {
   if (!is_utf8_) return {file_};
   offset = std::min(offset, text_.size());

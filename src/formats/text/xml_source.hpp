@@ -27,6 +27,8 @@ class XmlSource {
   /// The place of the element's `<`. Columns count bytes. Line and column are 0 if the text was not
   /// UTF-8 and had to be converted.
   SourcePlace place(pugi::xml_node node);
+  /// Bytes of the text before the element's `<`. 0 also where the text was not UTF-8.
+  std::size_t offset(pugi::xml_node node) const;
 
  private:
   SourcePlace place_at(std::size_t offset);

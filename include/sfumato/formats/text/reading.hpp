@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string_view>
 #include <vector>
@@ -18,6 +19,18 @@ enum class DocumentFormat : std::uint8_t {
   orzan  ///< docs/format-orzan.md
 };
 
+/// Where a curve stands in the text that it was read from.
+struct CurveSource {
+  /// Bytes before the `<` of the curve's element: a shape, also where a <use> copies it. 0: not
+  /// known, as in text that is not UTF-8; no curve's element begins a document.
+  std::size_t byte_offset = 0;
+  /// Which of the element's subpaths it is, from 0. Those of no length count, movements after which
+  /// nothing is drawn do not.
+  std::uint32_t subpath = 0;
+
+  friend bool operator==(const CurveSource&, const CurveSource&) = default;
+};
+
 /// A document, and remarks on it by its reader.
 struct ReadDocument {
   Document document;  ///< valid
@@ -27,6 +40,9 @@ struct ReadDocument {
   DocumentFormat format = DocumentFormat::svg;  ///< what the root element said
   /// Whether it is an SVG with nothing of Sfumato in it, which import_svg() can make curves of.
   bool is_foreign = false;
+  /// Of each curve of each layer, as Document::layers has them. Empty for Orzan's XML and for a
+  /// packed file.
+  std::vector<std::vector<CurveSource>> curve_sources{};
 };
 
 /// Brings the files that a document refers to: its textures. The library opens none by itself, so
