@@ -411,6 +411,13 @@ SFUMATO_API int32_t sfumato_encode(sfumato_context* context, const sfumato_image
 SFUMATO_API int32_t sfumato_viewer_payload(sfumato_context* context, const sfumato_picture* picture,
                                            const char* options, sfumato_bytes** bytes);
 
+/** Hands in the pixels of an image that the caller has decoded: where a document that the context
+ * reads later has a texture whose file is these `byte_count` bytes, these are its pixels. The
+ * library then decodes nothing, and the file may be of any kind. Both are copied, and charged to
+ * the context until it is freed. `image` NULL: forgets the pixels for these bytes. */
+SFUMATO_API int32_t sfumato_add_image(sfumato_context* context, const void* bytes,
+                                      size_t byte_count, const sfumato_image* image);
+
 /** @}
  * @name Fields
  * @{ */

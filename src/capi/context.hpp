@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "capi/call.hpp"
+#include "capi/images.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/native/thread_pool.hpp"
 
@@ -41,6 +42,7 @@ struct sfumato_context {
   std::shared_ptr<sfumato::capi::Workshop> workshop;  ///< null: the options were wrong
   sfumato::capi::Outcome last;
   std::vector<std::string> warnings;
+  sfumato::capi::Images images;  ///< charged to the workshop
   sfumato::capi::ToldProgress progress;
 };
 

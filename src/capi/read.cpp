@@ -32,23 +32,30 @@ void deliver(void* sink, const void* bytes, std::size_t byte_count) {
                     }).status;
 }
 
-/// A loader of C.
+/// A loader of C, and the images that its context has.
 class ForeignLoader final : public ResourceLoader {
  public:
-  ForeignLoader(const sfumato_loader& loader, const Limits& limits)
-      : loader_(loader), limits_(limits) {}
+  /// loader   may be null
+  ForeignLoader(const sfumato_loader* loader, const Images& images, const Limits& limits)
+      : loader_(loader), images_(images), limits_(limits) {}
 
   Result<std::vector<std::uint8_t>> load(std::string_view href) const override {
+    if (!loader_) return make_error(StatusCode::bad_input, "there is no loader of files");
     Delivery delivery{limits_.image_file_bytes};
     const std::string name(href);
-    const std::int32_t refused = loader_.load(loader_.user, name.c_str(), deliver, &delivery);
+    const std::int32_t refused = loader_->load(loader_->user, name.c_str(), deliver, &delivery);
     if (refused != 0) return make_error(StatusCode::bad_input, "the loader refused the file");
     if (!delivery.status) return delivery.status;
     return std::move(delivery.bytes);
   }
 
+  std::optional<ImagePixels> decoded(std::span<const std::uint8_t> file) const override {
+    return images_.find(file);
+  }
+
  private:
-  const sfumato_loader& loader_;
+  const sfumato_loader* loader_;
+  const Images& images_;
   const Limits& limits_;
 };
 
@@ -56,9 +63,9 @@ Outcome read(sfumato_context* context, std::string_view text, const std::string&
              const sfumato_loader* loader, sfumato_document** out) {
   Context& work = context->workshop->context;
   context->warnings.clear();
-  std::optional<ForeignLoader> foreign;
-  if (loader) foreign.emplace(*loader, work.limits);
-  Result<ReadDocument> read = read_document(work, text, name, foreign ? &*foreign : nullptr);
+  const ForeignLoader foreign(loader, context->images, work.limits);
+  const bool is_needed = loader || !context->images.empty();
+  Result<ReadDocument> read = read_document(work, text, name, is_needed ? &foreign : nullptr);
   if (!read) return read.status();
   for (const Diagnostic& warning : read->warnings) {
     context->warnings.push_back(to_string(warning));

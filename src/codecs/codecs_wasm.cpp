@@ -14,7 +14,8 @@ Result<std::string> gunzip(Context&, std::string_view, TableMemory&) {
 }
 
 Result<RgbaImage> decode_image(Context&, std::span<const std::uint8_t>) {
-  return make_error(StatusCode::unavailable, "images are not decoded here");
+  return make_error(StatusCode::unavailable,
+                    "images are not decoded here; expected their pixels beside the document");
 }
 
 }  // namespace sfumato::codecs

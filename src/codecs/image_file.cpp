@@ -1,14 +1,12 @@
 #include "codecs/image_file.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstring>
-#include <string>
 #include <utility>
 
+#include "base/channel.hpp"
 #include "base/charge.hpp"
-#include "base/limit_error.hpp"
 #include "base/poll.hpp"
 #include "base/table_memory.hpp"
 #include "codecs/jpeg_decode.hpp"
@@ -37,13 +35,6 @@ std::uint64_t number_at(std::span<const std::uint8_t> bytes, std::size_t at) {
          std::uint64_t{bytes[at + 2]} << 8 | bytes[at + 3];
 }
 
-/// 16 bits to 8, rounded.
-std::uint8_t rounded(const std::uint8_t* big_or_little) {
-  std::uint16_t value = 0;
-  std::memcpy(&value, big_or_little, sizeof(value));
-  return static_cast<std::uint8_t>((value * 255u + 32767u) / 65535u);
-}
-
 /// The bytes of an image of 16 bits become those of one of 8; meanwhile both are charged.
 Status halve_depth(const Context& context, std::vector<std::uint8_t>& bytes) {
   ScopedCharge held;
@@ -55,7 +46,7 @@ Status halve_depth(const Context& context, std::vector<std::uint8_t>& bytes) {
   RarePoll<65536> poll(context);
   for (std::size_t i = 0; i < halved.size(); ++i) {
     if (poll.cancelled()) return context.cancel_status();
-    halved[i] = rounded(&bytes[2 * i]);
+    halved[i] = rounded_to_8_bits(&bytes[2 * i]);
   }
   bytes = std::move(halved);
   return ok_status();
@@ -74,21 +65,6 @@ Result<RgbaImage> from_png(Context& context, std::span<const std::uint8_t> bytes
 }
 
 }  // namespace
-
-Status check_image_size(const Limits& limits, std::uint64_t width, std::uint64_t height) {
-  const std::string size =
-      "an image of " + std::to_string(width) + " × " + std::to_string(height) + " pixels";
-  if (std::max(width, height) > limits.image_side) {
-    return make_limit_error(
-        &Limits::image_side,
-        size + "; the limit is " + limit_text(limits, &Limits::image_side, "pixels on a side"));
-  }
-  if (width * height > limits.texels) {
-    return make_limit_error(
-        &Limits::texels, size + "; the limit is " + limit_text(limits, &Limits::texels, "texels"));
-  }
-  return ok_status();
-}
 
 Result<RgbaImage> decode_image(Context& context, std::span<const std::uint8_t> bytes) {
   if (starts_with(bytes, kPngSignature)) return from_png(context, bytes);

@@ -86,6 +86,9 @@ TEST_F(CUsage, null_is_an_error_everywhere) {
   EXPECT_EQ(sfumato_export(c, nullptr, "png", nullptr, &out_b), kUsage);
   EXPECT_EQ(sfumato_encode(c, nullptr, "png", nullptr, &out_b), kUsage);
   EXPECT_EQ(sfumato_viewer_payload(c, nullptr, nullptr, &out_b), kUsage);
+  EXPECT_EQ(sfumato_add_image(nullptr, "x", 1, nullptr), kUsage);
+  EXPECT_EQ(sfumato_add_image(c, nullptr, 1, nullptr), kUsage);
+  EXPECT_EQ(sfumato_add_image(c, "x", 0, nullptr), kUsage);
   EXPECT_EQ(sfumato_field_new(c, nullptr, 0, nullptr, &out_f), kUsage);
   EXPECT_EQ(sfumato_field_colors(c, nullptr, xy, 1, rgba), kUsage);
   EXPECT_EQ(sfumato_curve_stops(nullptr, 0, 0, 0, 0, nullptr, nullptr, nullptr, 0), 0u);
@@ -195,6 +198,7 @@ TEST_F(CUsage, pixels_that_are_none_are_errors) {
     sfumato_bytes_free(bytes);
     const std::int32_t drawn = sfumato_raster(c, picture.get(), &image, nullptr);
     EXPECT_EQ(encoded, drawn);
+    EXPECT_EQ(sfumato_add_image(c, "x", 1, &image), drawn);
     return drawn;
   };
   EXPECT_EQ(code(good), SFUMATO_OK);

@@ -2,6 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <optional>
+#include <span>
+#include <utility>
 
 #include "codecs/image_file.hpp"
 #include "formats/image_files.hpp"
@@ -52,6 +55,57 @@ TEST(SvgTexture, texels_fill_the_image_and_repeat_with_the_tile) {
   EXPECT_EQ(texture.layer_from_texture, (Affine{10, 0, 0, 10, 0, 0}));
   EXPECT_EQ(texture.period, (Vec2{0, 0}));
   EXPECT_TRUE(texture.repeats);
+}
+
+/// Has pixels for files of the bytes "abc" alone.
+class DecodedLoader final : public ResourceLoader {
+ public:
+  ImagePixels pixels{};
+
+  Result<std::vector<std::uint8_t>> load(std::string_view) const override {
+    return std::vector<std::uint8_t>{'a', 'b', 'c'};
+  }
+  std::optional<ImagePixels> decoded(std::span<const std::uint8_t> file) const override {
+    const bool is_known = file.size() == 3 && file[0] == 'a';
+    return is_known ? std::optional(pixels) : std::nullopt;
+  }
+};
+
+TEST(SvgTexture, pixels_that_the_caller_has_decoded_are_its_texels) {
+  const std::vector<std::uint8_t> rgba{1, 2, 3, 4, 5, 6, 7, 8};
+  DecodedLoader loader;
+  loader.pixels = {2, 1, rgba};
+  for (const char* href : {"wood.png", "data:,abc", "data:;base64,YWJj"}) {
+    const std::vector<Shader> shaders = shaders_of(
+        "<pattern id='p' patternUnits='userSpaceOnUse' width='4' height='2'><image "
+        "width='4' height='2' href='" +
+            std::string(href) + "'/></pattern>",
+        "", &loader);
+    ASSERT_EQ(shaders.size(), 1u);
+    const Texture& texture = std::get<Texture>(shaders[0].paint);
+    EXPECT_EQ(texture.width, 2);
+    EXPECT_EQ(texture.rgba, rgba) << href;
+    EXPECT_EQ(texture.file, (std::vector<std::uint8_t>{'a', 'b', 'c'}));
+  }
+}
+
+TEST(SvgTexture, pixels_that_are_no_image_are_refused_with_the_place) {
+  const std::vector<std::uint8_t> rgba(8);
+  const std::string text = svg("<defs>" + pattern(kUser + "width='4' height='2'", "width='4'") +
+                               "</defs><g sf:diffuse='true'><path d='M1 2 L3 4' "
+                               "sf:left='url(#p)'/></g>");
+  DecodedLoader loader;
+  const auto status = [&](int width, int height, const Limits& limits = {}) {
+    loader.pixels = {width, height, rgba};
+    return status_of(text, &loader, limits);
+  };
+  for (const auto& [width, height] : {std::pair{1, 1}, {0, 2}, {2, 0}, {-1, -2}, {1, 3}}) {
+    EXPECT_EQ(to_string(status(width, height)),
+              "a.svg:2:74: \"wood.png\": pixels that are no image were given for it");
+  }
+  EXPECT_EQ(status(1 << 20, 1).code, StatusCode::limit);
+  EXPECT_EQ(status(2, 1, {.texels = 1}).code, StatusCode::limit);
+  EXPECT_TRUE(status(2, 1).message.find("pixels that") == std::string::npos);
 }
 
 TEST(SvgTexture, keeps_its_file) {

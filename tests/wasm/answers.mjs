@@ -8,6 +8,9 @@ const EVENING = "examples/evening.xml";
 const CONTROLS = "tests/wasm/controls.svg";
 const scene = (name) => `../shared/scenes/${name}.xml`;
 
+/** What given.svg shows. */
+const GIVEN = [250, 200, 0, 255, 0, 90, 200, 255, 255, 255, 255, 0, 20, 20, 20, 128];
+
 /** question, document, options */
 const CASES = [
   ["tables", EVENING, "max-error=off"],
@@ -23,6 +26,7 @@ const CASES = [
   ["colors", EVENING, ""],
   ["colors", scene("lady_bug"), ""],
   ["pixels", CONTROLS, "width=64"],
+  ["pixels", "tests/wasm/given.svg", ""],
   ["svg", EVENING, ""],
   ["svg", CONTROLS, ""],
   ["payload", EVENING, ""],
@@ -69,6 +73,8 @@ export async function testAnswers(tap, sfumato, program) {
     }
     await tap.test(name, () => {
       const context = sfumato.context();
+      const given = { width: 2, height: 2, data: Uint8Array.from(GIVEN) };
+      context.addImage(new TextEncoder().encode("image"), given);
       const document = context.read(readFileSync(path), { name: path });
       const actual = ANSWERS[question](context, document, options);
       document.free();

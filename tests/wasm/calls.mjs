@@ -100,6 +100,14 @@ async function testLimits(tap, sfumato, module) {
     same(stale.length, 0, "the length of a view from before");
     same(first.tableView(0, Table.vertices).data.join(), before.join(), "the table");
   });
+  await tap.test("a trap is an error, also of all later calls", async () => {
+    const fresh = await loadSfumato(module);
+    const context = fresh.context();
+    const outside = 0xfffffff0;
+    const trap = () => context.library.call("sfumato_layer_count", outside);
+    check(refusal(Status.outOfMemory, trap).cause instanceof WebAssembly.RuntimeError, "the cause");
+    refusal(Status.outOfMemory, () => twoHalves(context));
+  });
   await tap.test("a picture and its document go back to the module's memory", () => {
     const context = sfumato.context();
     const once = () => {
@@ -160,6 +168,14 @@ async function testCallbacks(tap, sfumato) {
     check(error.message.includes("the loader refused the file") && error.line > 0, error.message);
     check(asked.length === 1 && asked[0].endsWith(".png"), asked.join());
     refusal(Status.badInput, () => context.read(text));
+    const bring = (href) => textOf(`examples/${href}`);
+    refusal(Status.unavailable, () => context.read(text, { load: bring }));
+    for (const name of ["hemp.png", "waves.png"]) {
+      context.addImage(bring(name), { width: 1, height: 1, data: Uint8Array.of(1, 2, 3, 255) });
+    }
+    same(context.read(text, { load: bring }).layerCount, 1, "the number of layers");
+    context.addImage(bring("hemp.png"), null);
+    refusal(Status.unavailable, () => context.read(text, { load: bring }));
   });
 }
 

@@ -118,7 +118,11 @@ int main(int argc, char** argv) {
   const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
   Work work;
   if (argc > 3) work.options = argv[3];
+  // What given.svg shows.
+  std::uint8_t pixels[] = {250, 200, 0, 255, 0, 90, 200, 255, 255, 255, 255, 0, 20, 20, 20, 128};
+  const sfumato_image given{pixels, 8, 2, 2, SFUMATO_RGBA8};
   const bool is_answered =
+      !sfumato_add_image(work.context, "image", 5, &given) &&
       !sfumato_read(work.context, text.data(), text.size(), argv[2], nullptr, &work.document) &&
       answer(argv[1], work);
   if (!is_answered) std::fprintf(stderr, "%s\n", sfumato_error_text(work.context));

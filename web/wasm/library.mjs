@@ -106,8 +106,8 @@ export class Library {
 
   /**
    * Calls a function of the C interface. What a function of JavaScript threw below it is thrown
-   * here: it could not pass through the module. A trap, which memory that is exhausted ends in,
-   * leaves the instance useless.
+   * here: it could not pass through the module. A trap, in which exhausted memory and a stack that
+   * overflows end, leaves the instance useless.
    */
   call(name, ...values) {
     if (this.#broken) throw this.#end(this.#broken);
@@ -116,6 +116,8 @@ export class Library {
     try {
       result = this.#exports[name](...values);
     } catch (error) {
+      const isTrap = error instanceof WebAssembly.RuntimeError || error instanceof RangeError;
+      if (!isTrap) throw error;
       this.#broken = error;
       throw this.#end(error);
     } finally {
@@ -128,7 +130,7 @@ export class Library {
   }
 
   #end(cause) {
-    const reason = `the module has ended, perhaps for want of memory (${cause.message}); load it anew`;
+    const reason = `the module has ended (${cause.message}), likely out of memory; load it anew`;
     return new SfumatoError(Status.outOfMemory, reason, {}, { cause });
   }
 

@@ -158,6 +158,30 @@ export class SfumatoContext extends Handle {
     }
   }
 
+  /**
+   * Hands in the pixels of an image file that a document read later may name or hold: the module
+   * decodes none.
+   * @param {Uint8Array} file its bytes
+   * @param {{width: number, height: number, data: Uint8Array | Uint8ClampedArray} | null} image
+   *   RGBA, not premultiplied, as ImageData has it; null forgets it
+   */
+  addImage(file, image) {
+    const { library } = this;
+    library.withBytes(file, (...bytes) => {
+      if (!image) return this.run("sfumato_add_image", ...bytes, 0);
+      const { width, height, data } = image;
+      if (data.length !== 4 * width * height) {
+        throw new SfumatoError(Status.badUsage, "expected 4 bytes for each pixel");
+      }
+      return library.withBytes(data, (pixels) =>
+        library.withBytes(
+          new Uint32Array([pixels, 4 * width, width, height, formats.indexOf("rgba8")]),
+          (struct) => this.run("sfumato_add_image", ...bytes, struct),
+        ),
+      );
+    });
+  }
+
   /** A sfumato_loader that calls this context's; 0 where there is none. */
   #withLoader(body) {
     if (!this.#loader) return body(0);

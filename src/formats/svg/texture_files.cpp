@@ -1,5 +1,6 @@
 #include "formats/svg/texture_files.hpp"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -56,16 +57,33 @@ Result<const TextureFile*> TextureFiles::read(Element image) {
 }
 
 Status TextureFiles::decode(Element image, std::string_view href, TextureFile& loaded) {
-  const Context& context = input_.context();
+  const auto given = loader_ ? loader_->decoded(loaded.file) : std::nullopt;
+  Status status = given ? take(*given, loaded) : decode_file(loaded);
+  if (status) return status;
+  status.message = shown(href) + ": " + status.message;
+  return input_.placed(image, std::move(status));
+}
+
+Status TextureFiles::decode_file(TextureFile& loaded) {
   Result<codecs::RgbaImage> decoded = codecs::decode_image(input_.context(), loaded.file);
-  Status status = decoded ? loaded.charge.add(context, capacity_bytes(decoded->rgba), "textures")
-                          : decoded.status();
-  if (!status) {
-    status.message = shown(href) + ": " + status.message;
-    return input_.placed(image, std::move(status));
-  }
-  loaded.image = std::move(*decoded);
+  if (!decoded) return decoded.status();
+  Status status = loaded.charge.add(input_.context(), capacity_bytes(decoded->rgba), "textures");
+  if (status) loaded.image = std::move(*decoded);
   return status;
+}
+
+/// Pixels that the caller has decoded.
+Status TextureFiles::take(const ImagePixels& given, TextureFile& loaded) {
+  const auto width = static_cast<std::size_t>(std::max(given.width, 0));
+  const auto height = static_cast<std::size_t>(std::max(given.height, 0));
+  Status status = codecs::check_image_size(input_.limits(), width, height);
+  if (!status) return status;
+  if (width == 0 || height == 0 || given.rgba.size() != 4 * width * height) {
+    return make_error(StatusCode::bad_input, "pixels that are no image were given for it");
+  }
+  loaded.image.width = given.width;
+  loaded.image.height = given.height;
+  return loaded.memory.append(input_.context(), given.rgba, loaded.image.rgba);
 }
 
 Status TextureFiles::load(Element image, std::string_view href, TextureFile& loaded) {

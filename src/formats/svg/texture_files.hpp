@@ -16,7 +16,7 @@
 namespace sfumato::svg {
 
 struct TextureFile {
-  TableMemory memory{"texture files"};  ///< for a file from a data: URI
+  TableMemory memory{"texture files"};  ///< for a file from a data: URI, and for given pixels
   ScopedCharge charge;                  ///< for results of a loader and of decoders
   codecs::RgbaImage image;
   std::vector<std::uint8_t> file;  ///< as it was loaded
@@ -39,6 +39,8 @@ class TextureFiles {
   Result<const TextureFile*> read(Element image);
   Status load(Element image, std::string_view href, TextureFile& loaded);
   Status decode(Element image, std::string_view href, TextureFile& loaded);
+  Status decode_file(TextureFile& loaded);
+  Status take(const ImagePixels& given, TextureFile& loaded);
 
   Input& input_;
   const ResourceLoader* loader_;

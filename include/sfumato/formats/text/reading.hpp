@@ -2,6 +2,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -45,6 +47,13 @@ struct ReadDocument {
   std::vector<std::vector<CurveSource>> curve_sources{};
 };
 
+/// Pixels of an image, borrowed: sRGB code values, not premultiplied.
+struct ImagePixels {
+  int width = 0;                         ///< pixels
+  int height = 0;                        ///< pixels
+  std::span<const std::uint8_t> rgba{};  ///< row by row, 4 × width × height
+};
+
 /// Brings the files that a document refers to: its textures. The library opens none by itself, so
 /// that the caller decides which files a document may name.
 class ResourceLoader {
@@ -59,6 +68,13 @@ class ResourceLoader {
   /// Errors: any, usually bad_input, io or limit. The reader puts the place of the reference into
   /// the error.
   virtual Result<std::vector<std::uint8_t>> load(std::string_view href) const = 0;
+
+  /// The pixels of an image whose file has these bytes, for callers that decode images themselves;
+  /// they have to last until the document is read. Empty, as by default: the library decodes the
+  /// file. It is asked for files from load() and for those in data: URIs.
+  virtual std::optional<ImagePixels> decoded(std::span<const std::uint8_t> /*file*/) const {
+    return std::nullopt;
+  }
 };
 
 }  // namespace sfumato
