@@ -6,6 +6,7 @@
 #include <iterator>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "sfumato/formats/read_document.hpp"
@@ -17,11 +18,11 @@
 //
 //   build/bench/drag [--curves N] [--max-error E] FILE...
 //
-// N curves of the layer with the most, one after another, are dragged by up to twelve user units.
+// N curves of the layer with the most, one after another, are dragged by up to seven user units.
 namespace sfumato {
 namespace {
 
-constexpr int kFrames = 12;  // after the first
+constexpr int kFrames = 30;  // after the first
 
 struct Options {
   std::uint32_t curves = 12;
@@ -66,12 +67,15 @@ bool drag_one(Context& context, const Document& document, std::uint32_t layer, s
                                                           solved.sight, options, solved.refined);
   if (!drag) return false;
   times.begin += cpu_milliseconds() - start;
+  solve::FramePatches shown, spare;  // the last frame, and the one before
   for (int i = 0; i <= kFrames; ++i) {
     Curve moved = document.layers[layer].curves[curve];
-    for (Vec2& p : moved.control_points) p = p + Vec2{1.0 + i, 2.0 - i};
+    for (Vec2& p : moved.control_points) p = p + Vec2{1.0 + i % 6, 2.0 - i % 7};
     DiffuseStats stats;
     const double frame_start = cpu_milliseconds();
-    if (!drag->frame(context, moved, &stats)) return false;
+    Result<solve::FramePatches> frame = drag->frame(context, moved, std::move(spare), &stats);
+    if (!frame) return false;
+    spare = std::exchange(shown, std::move(*frame));
     (i == 0 ? times.first : times.frame) += cpu_milliseconds() - frame_start;
     if (i == 0) continue;
     times.gathered += static_cast<double>(stats.nodes);

@@ -77,8 +77,8 @@ int32_t sfumato_picture_changes(const sfumato_picture* picture, uint32_t layer, 
       table >= picture->changed[layer].size()) {
     return SFUMATO_BAD_USAGE;
   }
-  const std::array<uint32_t, 2>& rows = picture->changed[layer][table];
-  const bool is_new = rows[1] > rows[0];
-  *view = {is_new ? rows.data() : nullptr, is_new ? 1U : 0U, sizeof rows, 2, SFUMATO_U32};
+  const sfumato::capi::RowRanges& ranges = picture->changed[layer][table];
+  *view = {ranges.empty() ? nullptr : ranges.data(), ranges.size(), sizeof ranges[0], 2,
+           SFUMATO_U32};
   return SFUMATO_OK;
 }

@@ -16,8 +16,11 @@
 
 namespace sfumato::capi {
 
-/// Rows from and up to, for each table of a layer.
-using ChangedRows = std::array<std::array<std::uint32_t, 2>, SFUMATO_OPACITY_VALUES + 1>;
+/// Rows from and up to, ascending and apart.
+using RowRanges = std::vector<std::array<std::uint32_t, 2>>;
+
+/// For each table of a layer.
+using ChangedRows = std::array<RowRanges, SFUMATO_OPACITY_VALUES + 1>;
 
 /// What the options of a solution say for a document.
 DiffuseOptions solve_options(const options::Settings& settings, const Document& document);
@@ -26,7 +29,7 @@ DiffuseOptions solve_options(const options::Settings& settings, const Document& 
 /// go together.
 Outcome read_solve_options(const char* text, options::Call call, options::Settings& settings);
 
-/// All rows of the layers that are new, and none of the others.
+/// The rows that are new, which are all of them in layers that are so as a whole.
 void note_changes(const Picture& picture, const PictureDelta& delta,
                   std::vector<ChangedRows>& changed);
 

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -11,6 +12,41 @@
 
 namespace sfumato::capi {
 namespace {
+
+/// Rows that lie so near to each other count as one range, with those between.
+constexpr std::uint32_t kMostBetween = 16;
+
+/// From a row to the end of a table.
+RowRanges ranges_from(std::uint32_t first, std::uint32_t count) {
+  if (first >= count) return {};
+  return {{first, count}};
+}
+
+/// Of ascending rows, those that a table has.
+RowRanges ranges_of(std::span<const std::uint32_t> rows, std::uint32_t count) {
+  RowRanges ranges;
+  for (const std::uint32_t row : rows) {
+    if (row >= count) break;
+    if (ranges.empty() || row > ranges.back()[1] + kMostBetween) ranges.push_back({row, row});
+    ranges.back()[1] = row + 1;
+  }
+  return ranges;
+}
+
+RowRanges new_rows(const LayerRows& rows, std::uint32_t table, std::uint32_t count) {
+  switch (table) {
+    case SFUMATO_VERTICES:
+      return ranges_from(rows.first_vertex, count);
+    case SFUMATO_TRIANGLES:
+    case SFUMATO_CURVE_EDGES:
+    case SFUMATO_COLOR_NODES:
+      return ranges_of(rows.triangles, count);
+    case SFUMATO_COLOR_VALUES:
+      return ranges_of(rows.nodes, count);
+    default:
+      return {};
+  }
+}
 
 /// Brings the picture up to what its solution's document is. Whatever may fail comes before the
 /// handle changes.
@@ -124,12 +160,15 @@ Outcome solve_again(sfumato_context& context, const sfumato_document* document, 
 /// All rows of the layers that are new, and none of the others.
 void note_changes(const Picture& picture, const PictureDelta& delta,
                   std::vector<ChangedRows>& changed) {
-  for (std::uint32_t i = 0; i < changed.size(); ++i) {
-    const bool is_new = std::ranges::binary_search(delta.layers, i);
-    for (std::uint32_t table = 0; table < changed[i].size(); ++table) {
+  for (const std::uint32_t layer : delta.layers) {
+    if (layer >= changed.size()) continue;
+    const auto known = std::ranges::lower_bound(delta.rows, layer, {}, &LayerRows::layer);
+    const bool knows_rows = known != delta.rows.end() && known->layer == layer;
+    for (std::uint32_t table = 0; table < changed[layer].size(); ++table) {
       sfumato_view view{};
-      find_table(picture.layers[i], table, view);
-      changed[i][table] = {0, is_new ? static_cast<std::uint32_t>(view.rows) : 0};
+      find_table(picture.layers[layer], table, view);
+      const auto count = static_cast<std::uint32_t>(view.rows);
+      changed[layer][table] = knows_rows ? new_rows(*known, table, count) : ranges_from(0, count);
     }
   }
 }

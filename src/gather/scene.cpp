@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t kHitsPerBlindSide = 16;
 
 /// Room in the tables of a scene that is extended, for the edges of some triangles that change.
-constexpr std::size_t kMoreEdges = 1024;
+constexpr std::size_t kMoreEdges = 4096;
 
 class SceneBuilder {
  public:

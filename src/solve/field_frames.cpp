@@ -48,7 +48,8 @@ Status FieldSolver::copy_layout(const Context& context, const FieldSolver& befor
                                 std::size_t changed) {
   const NodeLayout& from = before.layout_;
   const std::size_t triangles = seams_->half_edge_count() / 3;
-  const std::size_t nodes = from.node_count() + 6 * changed;
+  const std::size_t nodes = std::max(from.node_count() + 6 * changed,  // as update_layout asks
+                                     std::size_t{from.node_count()} / 4 * 5);
   layout_.channel_count = from.channel_count;
   const auto width = static_cast<std::size_t>(from.channel_count);
   Status status;
@@ -133,6 +134,14 @@ Status FieldSolver::lay_out_from(Context& context, const FieldSolver& before,
     status = memory_.push_back(context, to_gather_, may_differ[i]);
   }
   return status;
+}
+
+Status FieldSolver::list_rows(const Context& context, TableMemory& memory,
+                              std::vector<std::uint32_t>& triangles,
+                              std::vector<std::uint32_t>& nodes) const {
+  Status status = memory.append(context, history_.reassigned, triangles);
+  if (status) status = memory.append(context, history_.met, nodes);
+  return status ? memory.append(context, to_gather_, nodes) : status;
 }
 
 FieldFrame FieldSolver::release_frame() {

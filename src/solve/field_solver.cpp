@@ -449,9 +449,12 @@ Result<PatchField> FieldSolver::copy(const Context& context, std::span<const std
                                      TableMemory& memory) const {
   PatchField field{layout_.channel_count, {}, {}, field_.attributes.shader};
   const auto kept = static_cast<std::size_t>(std::ranges::count(keep, 1));
-  Status status = memory.assign(context, layout_.value, field.node_value);
+  // With room for the frames that use these tables again.
+  const std::vector<float>& value = layout_.value;
+  Status status = memory.assign(context, value, field.node_value, value.size() / 8);
   if (status && kept == keep.size()) {
-    status = memory.assign(context, layout_.triangle_node, field.triangle_node);
+    const std::vector<std::uint32_t>& node = layout_.triangle_node;
+    status = memory.assign(context, node, field.triangle_node, node.size() / 8);
     if (!status) return status;
     return field;
   }

@@ -106,6 +106,12 @@ class FieldSolver {
   /// from.
   FieldFrame release_frame();
 
+  /// Adds what release_frame() will list: triangles that have other nodes than in the field that
+  /// the frame began from, and nodes that are others or have other values, some of them twice.
+  /// Errors: limit (memory), cancelled.
+  Status list_rows(const Context& context, TableMemory& memory,
+                   std::vector<std::uint32_t>& triangles, std::vector<std::uint32_t>& nodes) const;
+
   /// Finds where the free nodes lie, for others to lay_out_from() this. Errors: limit (memory),
   /// cancelled.
   Status locate_nodes(Context& context);

@@ -64,8 +64,8 @@ struct LayerDrag::State {
 
   Status begin(Context& context, std::optional<RefinedLayer>& refined);
   bool has_fields_with(const Curve& curve) const;
-  Result<PatchLayer> frame(Context& context, const Curve& curve, bool keeps, DiffuseStats* stats,
-                           std::optional<RoundWatch> watch);
+  Result<FramePatches> frame(Context& context, const Curve& curve, bool keeps, FramePatches spare,
+                             DiffuseStats* stats, std::optional<RoundWatch> watch);
 
   DiffuseOptions options;
   LayerSight sight;
@@ -301,8 +301,9 @@ Result<SampledFields> LayerDrag::State::sample_frame(const Context& context,
 }
 
 /// keeps   leaves its tables for the next frame, and uses those of the last
-Result<PatchLayer> LayerDrag::State::frame(Context& context, const Curve& curve, bool keeps,
-                                           DiffuseStats* stats, std::optional<RoundWatch> watch) {
+Result<FramePatches> LayerDrag::State::frame(Context& context, const Curve& curve, bool keeps,
+                                             FramePatches spare, DiffuseStats* stats,
+                                             std::optional<RoundWatch> watch) {
   LastFrame now;
   if (keeps) now = std::exchange(last, {});
   TableMemory memory("a drag");
@@ -328,9 +329,14 @@ Result<PatchLayer> LayerDrag::State::frame(Context& context, const Curve& curve,
   LayerSolver layer = solver(context, std::move(*fields), std::move(*patches), stats, watch);
   status = layer.continue_inserted(*base, *moves, *is_same, &tables);
   if (!status) return status;
+  if (!keeps) {
+    Result<PatchLayer> whole = layer.take();
+    if (!whole) return whole.status();
+    return FramePatches{std::move(*whole), {}};
+  }
   std::optional<FrameTables> kept;
-  Result<PatchLayer> result = layer.take(keeps ? &kept : nullptr);
-  if (!result || !keeps) return result;
+  Result<FramePatches> result = layer.take_frame(std::move(spare), kept);
+  if (!result) return result;
   tables = kept ? std::move(*kept) : FrameTables();
   last = std::move(now);
   return result;
@@ -373,14 +379,15 @@ Result<LayerDrag> LayerDrag::with_room(Context& context) const {
   return LayerDrag(std::move(state));
 }
 
-Result<PatchLayer> LayerDrag::frame(Context& context, const Curve& curve, DiffuseStats* stats,
-                                    std::optional<RoundWatch> watch) {
+Result<FramePatches> LayerDrag::frame(Context& context, const Curve& curve, FramePatches spare,
+                                      DiffuseStats* stats, std::optional<RoundWatch> watch) {
   // What is kept is charged to the Budget of the drag.
-  if (&context.budget != state_->budget) return state_->frame(context, curve, false, stats, watch);
-  Result<PatchLayer> layer =
-      no_throw([&] { return state_->frame(context, curve, true, stats, watch); });
-  if (layer || !is_lack_of_memory(layer.status())) return layer;
-  return state_->frame(context, curve, false, stats, watch);
+  if (&context.budget == state_->budget) {
+    Result<FramePatches> patches = no_throw(
+        [&] { return state_->frame(context, curve, true, std::move(spare), stats, watch); });
+    if (patches || !is_lack_of_memory(patches.status())) return patches;
+  }
+  return state_->frame(context, curve, false, {}, stats, watch);
 }
 
 bool LayerDrag::forget_frame() {

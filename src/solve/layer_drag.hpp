@@ -51,12 +51,14 @@ class LayerDrag {
   /// solution.
   Result<LayerDrag> with_room(Context& context) const;
 
-  /// The layer's patches with the curve as it is now. `stats`, unless null, is added to: what was
-  /// gathered.
-  /// Errors   bad_input (it reaches farther beyond what is shown than the layer's mesh has room, or
-  ///          its sides ask for other fields than they did: solve the layer anew), limit, cancelled
-  Result<PatchLayer> frame(Context& context, const Curve& curve, DiffuseStats* stats = nullptr,
-                           std::optional<RoundWatch> watch = {});
+  /// The layer's patches with the curve as it is now.
+  /// spare   what this returned for an earlier frame, and nobody changed since; its tables are used
+  ///         again, and lost on failure. Or nothing.
+  /// stats   unless null: added to, what was gathered
+  /// Errors  bad_input (it reaches farther beyond what is shown than the layer's mesh has room, or
+  ///         its sides ask for other fields than they did: solve the layer anew), limit, cancelled
+  Result<FramePatches> frame(Context& context, const Curve& curve, FramePatches spare = {},
+                             DiffuseStats* stats = nullptr, std::optional<RoundWatch> watch = {});
 
   /// Gives up the tables that the last frame left for the next. Returns whether there were any.
   bool forget_frame();

@@ -138,4 +138,84 @@ Status LayerSolver::add_fans(std::span<const std::uint8_t> is_inserted) {
   return status ? TableMemory::sort(context_, changed_, std::less<>()) : status;
 }
 
+Result<FramePatches> LayerSolver::take_frame(FramePatches spare, std::optional<FrameTables>& kept) {
+  kept.reset();
+  Status status = cut_at_border();
+  if (!status) return status;
+  const bool keeps_tables = can_keep_tables();
+  FramePatches patches;
+  if (keeps_tables && shows_everything()) {
+    Result<FrameRows> rows = list_rows();
+    if (!rows) return rows.status();
+    patches.rows.emplace(std::move(*rows));
+  }
+  if (patches.rows && spare.rows) {
+    patches.layer = std::move(spare.layer);
+    status = renew(*spare.rows, *patches.rows, patches.layer);
+    if (!status) return status;
+  } else {
+    Result<PatchLayer> layer = take_patches(keeps_tables);
+    if (!layer) return layer.status();
+    patches.layer = std::move(*layer);
+  }
+  if (keeps_tables) kept.emplace(release_frame());
+  if (context_.cancelled()) return context_.cancel_status();
+  return patches;
+}
+
+/// Of patches that show everything.
+Result<FrameRows> LayerSolver::list_rows() const {
+  FrameRows rows;
+  rows.first_vertex = static_cast<std::uint32_t>(inserted_into_->mesh_->vertex_position.size());
+  Status status = rows.memory.append(context_, changed_, rows.triangles);
+  if (status) status = color_.list_rows(context_, rows.memory, rows.triangles, rows.nodes);
+  for (std::vector<std::uint32_t>* list : {&rows.triangles, &rows.nodes}) {
+    if (status) status = TableMemory::sort(context_, *list, std::less<>());
+    list->erase(std::unique(list->begin(), list->end()), list->end());
+  }
+  if (!status) return status;
+  return rows;
+}
+
+/// Makes patches that differ from the base in the rows `then` those of this frame, which differs
+/// from it in the rows `now`.
+Status LayerSolver::renew(const FrameRows& then, const FrameRows& now, PatchLayer& layer) const {
+  TableMemory memory("patches");
+  const NodeLayout& layout = color_.layout();
+  const std::vector<Vec2>& position = mesh_->vertex_position;
+  const std::size_t channels = static_cast<std::size_t>(layout.channel_count);
+  layer.frame = frame_;
+  Status status;
+  const auto resize = [&](auto& table, std::size_t count) {
+    if (status) status = memory.grow(context_, table, count, count / 8 * 9);
+  };
+  resize(layer.vertex_position, position.size());
+  resize(layer.triangle_vertex, mesh_->triangle_vertex.size());
+  resize(layer.edge_is_curve, layout.edge_is_curve.size());
+  resize(layer.color.triangle_node, layout.triangle_node.size());
+  resize(layer.color.node_value, layout.value.size());
+  if (!status) return status;
+  std::copy(position.begin() + now.first_vertex, position.end(),
+            layer.vertex_position.begin() + now.first_vertex);
+  const auto copy_row = [](const auto& from, std::size_t row, std::size_t width, auto& to) {
+    std::copy_n(from.data() + width * row, width, to.data() + width * row);
+  };
+  for (const FrameRows* rows : {&then, &now}) {
+    for (const std::uint32_t t : rows->triangles) {
+      if (t >= mesh_->triangle_count()) continue;
+      copy_row(mesh_->triangle_vertex, t, 3, layer.triangle_vertex);
+      copy_row(layout.edge_is_curve, t, 3, layer.edge_is_curve);
+      copy_row(layout.triangle_node, t, kNodesPerTriangle, layer.color.triangle_node);
+    }
+    for (const std::uint32_t node : rows->nodes)
+      if (node < layout.node_count())
+        copy_row(layout.value, node, channels, layer.color.node_value);
+  }
+  Result<std::vector<SoftEdge>> soft_edge = soft_edges({}, memory);
+  if (soft_edge) layer.soft_edge = std::move(*soft_edge);
+  if (stats_) stats_->triangles += layer.triangle_count();
+  if (stats_) stats_->vertices += position.size();
+  return soft_edge ? context_.check() : soft_edge.status();
+}
+
 }  // namespace sfumato::solve

@@ -96,8 +96,8 @@ Result<std::vector<std::uint32_t>> LayerSolver::fine_near_changes(
   return fine;
 }
 
-/// Adds the triangles beside them to those to keep: a blur mixes the colours of what is
-/// transparent, too.
+/// Adds the triangles beside them to those to keep, unless that is empty, for all: a blur mixes the
+/// colours of what is transparent, too.
 Result<std::vector<SoftEdge>> LayerSolver::soft_edges(std::span<std::uint8_t> keep,
                                                       TableMemory& memory) const {
   if (!is_finely_blurred_) return std::vector<SoftEdge>();
@@ -126,7 +126,7 @@ Result<std::vector<SoftEdge>> LayerSolver::soft_edges(std::span<std::uint8_t> ke
                              *inserted_into_->soft_edge_, is_near, memory);
   }
   for (const std::uint32_t h : *fine) {
-    if (keep[h / 3] || is_cut(h / 3)) continue;
+    if (keep.empty() || keep[h / 3] || is_cut(h / 3)) continue;
     const bool is_soft = fine_radius(h, 0) > 0 || fine_radius(h, 1) > 0;
     keep[h / 3] = is_soft && color_.sees_curves(h / 3);
   }

@@ -167,12 +167,10 @@ Status LayerSolver::refine() {
   return status;
 }
 
-Result<PatchLayer> LayerSolver::take(std::optional<FrameTables>* kept) {
+Result<PatchLayer> LayerSolver::take() {
   Status status = cut_at_border();
   if (!status) return status;
-  const bool keeps_tables = kept && can_keep_tables();
-  Result<PatchLayer> layer = take_patches(keeps_tables);
-  if (layer && keeps_tables) kept->emplace(release_frame());
+  Result<PatchLayer> layer = take_patches(false);
   if (context_.cancelled()) return context_.cancel_status();
   return layer;
 }

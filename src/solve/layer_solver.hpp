@@ -48,6 +48,21 @@ struct FrameTables {
   TableMemory memory{"patches"};
 };
 
+/// Rows of a frame's patches that are not those of the layer which the frame began from, without
+/// the curve: all others have the same bits at the same place. Their soft edges are not counted.
+struct FrameRows {
+  std::uint32_t first_vertex = 0;          ///< and all behind it
+  std::vector<std::uint32_t> triangles{};  ///< ascending
+  std::vector<std::uint32_t> nodes{};      ///< of colour, ascending
+  TableMemory memory{"a drag"};
+};
+
+/// The patches of a frame.
+struct FramePatches {
+  PatchLayer layer{};
+  std::optional<FrameRows> rows{};  ///< none: any row may be another
+};
+
 /// Solves one layer: patch mesh, node values of colour and opacity, error-driven refinement.
 ///
 /// A round gathers the new nodes and compares the new patches with the exact gather at probe
@@ -104,9 +119,12 @@ class LayerSolver {
   /// The patches, after refine(), answer(), continue_from() or continue_inserted(). A response is
   /// the last base channel of its field; triangles whose opacity has one are kept where that or the
   /// opacity shows. Errors: limit, cancelled.
-  /// kept   unless null: gets what the next frame may begin from after continue_inserted(), or
-  ///        nothing where these patches change more
-  Result<PatchLayer> take(std::optional<FrameTables>* kept = nullptr);
+  Result<PatchLayer> take();
+
+  /// The same after continue_inserted(), for a frame after which others come.
+  /// spare   patches of an earlier frame of the same base, whose tables are used again, or nothing
+  /// kept    what the next frame may begin from, or nothing where these patches change more
+  Result<FramePatches> take_frame(FramePatches spare, std::optional<FrameTables>& kept);
 
   const mesh::Mesher& mesher() const { return mesher_; }
   const PreparedField& color() const { return color_.field(); }
@@ -150,6 +168,8 @@ class LayerSolver {
   bool can_keep_tables() const;
   FrameTables release_frame();
   Result<PatchLayer> take_patches(bool keeps_tables);
+  Result<FrameRows> list_rows() const;
+  Status renew(const FrameRows& then, const FrameRows& now, PatchLayer& layer) const;
   Status take_triangles(std::span<const std::uint8_t> keep, std::vector<std::uint8_t> marks,
                         TableMemory& memory, PatchLayer& layer);
   Status take_fields(std::span<const std::uint8_t> keep, bool keeps_tables, TableMemory& memory,

@@ -46,7 +46,48 @@ struct Drag {
   /// not depend on where the curve was before.
   std::optional<solve::LayerDrag> roomy{};
   bool may_have_room = true;  ///< until that lacks memory
+  /// The picture's layer, while a frame made it, and the frame before that, whose tables the next
+  /// one uses again: which engine made it, and its rows.
+  const solve::LayerDrag* shown_by = nullptr;
+  std::optional<solve::FrameRows> shown{};
+  const solve::LayerDrag* spare_by = nullptr;
+  solve::FramePatches spare{};
+
+  /// The picture's layer comes from elsewhere now.
+  void forget_shown() {
+    shown_by = spare_by = nullptr;
+    shown.reset();
+    spare = {};
+  }
 };
+
+/// The rows in either of two ascending lists.
+std::vector<std::uint32_t> in_either(std::span<const std::uint32_t> a,
+                                     std::span<const std::uint32_t> b) {
+  std::vector<std::uint32_t> rows;
+  rows.reserve(a.size() + b.size());
+  std::ranges::set_union(a, b, std::back_inserter(rows));
+  return rows;
+}
+
+/// Adds the rows of another list for the same layer.
+template <class Rows>
+void unite(const Rows& more, LayerRows& rows) {
+  rows.first_vertex = std::min(rows.first_vertex, more.first_vertex);
+  rows.triangles = in_either(rows.triangles, more.triangles);
+  rows.nodes = in_either(rows.nodes, more.nodes);
+}
+
+/// The rows in which two frames of one drag may differ.
+LayerRows rows_between(std::uint32_t layer, const solve::FrameRows& a, const solve::FrameRows& b) {
+  LayerRows rows{layer, a.first_vertex, a.triangles, a.nodes};
+  unite(b, rows);
+  return rows;
+}
+
+std::size_t bytes_of(const LayerRows& rows) {
+  return capacity_bytes(rows.triangles, rows.nodes);
+}
 
 /// The layer that a change to a curve touches; none of other changes.
 std::optional<std::uint32_t> layer_of(const Change& change) {
@@ -109,22 +150,28 @@ struct Solution::State {
   Status solve_layers(Context& context, const Box& viewport, DiffuseStats* stats, bool keeps);
   Status begin_engine(Context& context, Drag& begun);
   Status begin_roomy(Context& context);
-  Status make_frame(Context& context, const Curve& curve, DiffuseStats* stats, PatchLayer& patches);
+  Status make_frame(Context& context, const Curve& curve, DiffuseStats* stats,
+                    solve::FramePatches& patches, const solve::LayerDrag*& maker);
+  Status show_frame(const Context& context, const solve::LayerDrag* maker,
+                    solve::FramePatches frame);
   Result<std::vector<LayerTask>> tasks(const Context& context, const Box& viewport) const;
   Status keep(const Context& context, std::span<LayerTask> tasks, solve::LayerRuns& runs);
   Status assemble(Context& context, const Box& viewport);
   PictureDelta delta_with_news() const;
   Status make_room(const Context& context, const InsertCurve& insert);
   Status show(Context& context, Curve curve, DiffuseStats* stats);
-  void note_new(std::uint32_t layer);
+  void note_new(std::uint32_t layer, std::optional<LayerRows> rows = {});
   std::size_t bytes() const;
 
   /// Charges what is about to be held.
   template <class Thing>
   Status hold(const Context& context, const Thing& thing) {
-    Status status =
-        run_with_all_memory([&](bool) { return held.add(context, bytes_of(thing), kPurpose); });
-    if (status) charged += bytes_of(thing);
+    return hold_bytes(context, bytes_of(thing));
+  }
+
+  Status hold_bytes(const Context& context, std::size_t bytes) {
+    Status status = run_with_all_memory([&](bool) { return held.add(context, bytes, kPurpose); });
+    if (status) charged += bytes;
     return status;
   }
 
@@ -147,6 +194,8 @@ struct Solution::State {
 std::size_t Solution::State::bytes() const {
   std::size_t bytes = bytes_of(document) + bytes_of(picture);
   for (const LayerState& layer : layers) bytes += layer.fresh ? bytes_of(*layer.fresh) : 0;
+  for (const LayerRows& rows : delta.rows) bytes += bytes_of(rows);
+  if (drag) bytes += bytes_of(drag->spare.layer);
   return bytes;
 }
 
@@ -307,7 +356,9 @@ Status Solution::State::keep(const Context& context, std::span<LayerTask> tasks,
 
 /// The delta as it will be once the picture has the layers that are fresh.
 PictureDelta Solution::State::delta_with_news() const {
-  PictureDelta result{delta.frame || frame_changed, {}};
+  PictureDelta result{delta.frame || frame_changed, {}, delta.rows};
+  std::erase_if(result.rows,
+                [&](const LayerRows& rows) { return layers[rows.layer].in_picture != rows.layer; });
   auto known = delta.layers.begin();
   for (std::uint32_t i = 0; i < layers.size(); ++i) {
     const bool is_known = known != delta.layers.end() && *known == i;
@@ -328,6 +379,7 @@ Status Solution::State::assemble(Context& context, const Box& viewport) {
   }
   std::vector<PatchLayer> patches(layers.size());
   PictureDelta news = delta_with_news();
+  if (drag && layers[drag->layer].fresh) drag->forget_shown();
   for (std::uint32_t i = 0; i < layers.size(); ++i) {
     LayerState& layer = layers[i];
     patches[i] = std::move(layer.fresh ? *layer.fresh : picture.layers[*layer.in_picture]);
@@ -391,11 +443,15 @@ Status Solution::State::drag_to(Context& context, Curve curve, DiffuseStats* sta
   return status;
 }
 
+/// maker   out: the engine that made it
 Status Solution::State::make_frame(Context& context, const Curve& curve, DiffuseStats* stats,
-                                   PatchLayer& patches) {
+                                   solve::FramePatches& patches, const solve::LayerDrag*& maker) {
   const auto draw = [&](solve::LayerDrag& engine) {
+    maker = &engine;
     return run_with_all_memory([&](bool) {
-      Result<PatchLayer> frame = engine.frame(context, curve, stats);
+      solve::FramePatches spare = std::exchange(drag->spare, {});
+      if (drag->spare_by != &engine) spare = {};
+      Result<solve::FramePatches> frame = engine.frame(context, curve, std::move(spare), stats);
       if (frame) patches = std::move(*frame);
       return frame.status();
     });
@@ -420,15 +476,35 @@ Status Solution::State::begin_roomy(Context& context) {
 
 /// The picture with the curve that is dragged, which the document has already.
 Status Solution::State::show(Context& context, Curve curve, DiffuseStats* stats) {
-  PatchLayer patches;
-  Status status = make_frame(context, curve, stats, patches);
+  const std::size_t spare_bytes = bytes_of(drag->spare.layer);
+  solve::FramePatches frame;
+  const solve::LayerDrag* maker = nullptr;
+  Status status = make_frame(context, curve, stats, frame, maker);
   if (status.code == StatusCode::bad_input) return solve(context, *options, stats);
-  if (status) status = hold(context, patches);
-  if (!status) return status;
+  const std::size_t bytes = status ? bytes_of(frame.layer) : 0;
+  if (status) status = hold_bytes(context, bytes - std::min(bytes, spare_bytes));
+  return status ? show_frame(context, maker, std::move(frame)) : status;
+}
+
+/// All that may fail comes first.
+Status Solution::State::show_frame(const Context& context, const solve::LayerDrag* maker,
+                                   solve::FramePatches frame) {
+  const bool follows = drag->shown && frame.rows && drag->shown_by == maker;
+  std::optional<LayerRows> news;
+  if (follows) news = rows_between(drag->layer, *drag->shown, *frame.rows);
+  if (news) {
+    if (Status status = hold_bytes(context, 2 * bytes_of(*news)); !status) return status;
+  }
   delta.layers.reserve(delta.layers.size() + 1);
-  note_new(drag->layer);
-  picture.layers[drag->layer] = std::move(patches);
-  return status;
+  delta.rows.reserve(delta.rows.size() + 1);
+  note_new(drag->layer, std::move(news));
+  std::swap(picture.layers[drag->layer], frame.layer);
+  drag->spare = {};
+  if (drag->shown) drag->spare = {std::move(frame.layer), std::move(drag->shown)};
+  drag->spare_by = drag->shown_by;
+  drag->shown = std::move(frame.rows);
+  drag->shown_by = maker;
+  return ok_status();
 }
 
 Status Solution::State::begin_color(Context& context, const StopPlace& place) {
@@ -477,9 +553,20 @@ Status Solution::State::color_to(Context& context, const StopValue& value) {
   return status;
 }
 
-void Solution::State::note_new(std::uint32_t layer) {
+/// rows   those of them that are new; none: all
+void Solution::State::note_new(std::uint32_t layer, std::optional<LayerRows> rows) {
   const auto place = std::ranges::lower_bound(delta.layers, layer);
-  if (place == delta.layers.end() || *place != layer) delta.layers.insert(place, layer);
+  const bool is_known = place != delta.layers.end() && *place == layer;
+  const auto known = std::ranges::lower_bound(delta.rows, layer, {}, &LayerRows::layer);
+  const bool knows_rows = known != delta.rows.end() && known->layer == layer;
+  if (!is_known) delta.layers.insert(place, layer);
+  if (!rows) {
+    if (knows_rows) delta.rows.erase(known);
+  } else if (knows_rows) {
+    unite(*rows, *known);
+  } else if (!is_known) {
+    delta.rows.insert(known, std::move(*rows));
+  }
 }
 
 Solution& Solution::operator=(Solution&& other) noexcept {

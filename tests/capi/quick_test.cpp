@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 #include <vector>
 
 #include "capi/handles.hpp"
@@ -66,9 +67,39 @@ class CQuick : public testing::Test {
       sfumato_view view{};
       EXPECT_EQ(sfumato_picture_changes(picture.get(), layer, table, &view), SFUMATO_OK);
       const auto* const range = static_cast<const std::uint32_t*>(view.data);
-      if (range) rows += range[1] - range[0];
+      for (std::size_t i = 0; i < view.rows; ++i) rows += range[2 * i + 1] - range[2 * i];
     }
     return rows;
+  }
+
+  using Bytes = std::vector<std::uint8_t>;
+
+  /// A table of the first layer.
+  Bytes table_of(std::uint32_t table) const {
+    sfumato_view view{};
+    EXPECT_EQ(sfumato_picture_table(picture.get(), 0, table, &view), SFUMATO_OK);
+    const auto* const data = static_cast<const std::uint8_t*>(view.data);
+    return data ? Bytes(data, data + view.rows * view.row_bytes) : Bytes();
+  }
+
+  /// Brings a copy of a table up to date by its new rows alone, and counts them.
+  std::size_t renew(std::uint32_t table, Bytes& copy) const {
+    sfumato_view rows{}, now{};
+    EXPECT_EQ(sfumato_picture_changes(picture.get(), 0, table, &rows), SFUMATO_OK);
+    EXPECT_EQ(sfumato_picture_table(picture.get(), 0, table, &now), SFUMATO_OK);
+    copy.resize(now.rows * now.row_bytes);
+    std::size_t count = 0;
+    const auto* const range = static_cast<const std::uint32_t*>(rows.data);
+    for (std::size_t i = 0; i < rows.rows; ++i) {
+      const std::size_t from = range[2 * i], to = range[2 * i + 1];
+      EXPECT_LT(from, to);
+      EXPECT_LE(to, now.rows);
+      std::memcpy(copy.data() + from * now.row_bytes,
+                  static_cast<const std::uint8_t*>(now.data) + from * now.row_bytes,
+                  (to - from) * now.row_bytes);
+      count += to - from;
+    }
+    return count;
   }
 
   ContextHandle context{sfumato_context_new("threads=1")};
@@ -99,6 +130,29 @@ TEST_F(CQuick, pictures_show_new_colours_of_the_curve) {
   ASSERT_EQ(again(1), SFUMATO_OK);
   EXPECT_FALSE(is_exact());
   EXPECT_LT(mean_miss(), 0.5);
+}
+
+TEST_F(CQuick, pictures_say_which_rows_are_new) {
+  document = read_text(c, example("evening.xml"));
+  picture = solve(c, document.get(), kOptions);
+  std::vector<Bytes> copies;
+  for (std::uint32_t table = 0; table <= SFUMATO_OPACITY_VALUES; ++table)
+    copies.push_back(table_of(table));
+  for (int frame = 0; frame < 12; ++frame) {
+    // Also where it was, and while a picture is not looked at.
+    move(frame % 5 == 4 ? 0 : 3.0 * (frame % 3) - 2.5);
+    ASSERT_EQ(again(frame == 7 ? 0 : 1), SFUMATO_OK) << sfumato_error_text(c);
+    std::size_t rows = 0, all = 0;
+    for (std::uint32_t table = 0; table <= SFUMATO_OPACITY_VALUES; ++table) {
+      rows += renew(table, copies[table]);
+      EXPECT_EQ(copies[table], table_of(table)) << "frame " << frame << ", table " << table;
+      sfumato_view view{};
+      EXPECT_EQ(sfumato_picture_table(picture.get(), 0, table, &view), SFUMATO_OK);
+      all += view.rows;
+    }
+    const bool is_whole = frame == 0 || frame == 7 || frame == 8;
+    EXPECT_EQ(rows == all, is_whole) << "frame " << frame;
+  }
 }
 
 TEST_F(CQuick, pictures_of_what_did_not_change_stay) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "solve/same_layout.hpp"
@@ -133,6 +134,7 @@ void expect_exact_frames(const Document& document, LayerCurve at, const DiffuseO
   ASSERT_TRUE(drag.ok()) << drag.status().message;
   EXPECT_EQ(refined.has_value(), is_known);
   EXPECT_EQ(drag->has_room(), !is_known);
+  FramePatches shown, spare;  // the last frame, and the one before
   for (int frame = 0; frame < 5; ++frame) {
     SCOPED_TRACE("frame " + std::to_string(frame));
     const Vec2 by{double(random() % 21) - 10, double(random() % 21) - 10};
@@ -150,14 +152,16 @@ void expect_exact_frames(const Document& document, LayerCurve at, const DiffuseO
         EXPECT_EQ(difference_from_new_layout(context, mesh, field->field().attributes, layout), "");
       }
     };
-    const Result<PatchLayer> layer = drag->frame(context, curve, nullptr, watch);
+    Result<FramePatches> made = drag->frame(context, curve, std::move(spare), nullptr, watch);
     Context other;  // which gets nothing of the frames before
-    const Result<PatchLayer> anew = drag->frame(other, curve);
+    const Result<FramePatches> anew = drag->frame(other, curve);
     EXPECT_EQ(other.budget.used(), 0u);
-    ASSERT_EQ(layer.status().code, anew.status().code);
-    if (!layer && layer.status().code == StatusCode::bad_input) continue;
-    ASSERT_TRUE(layer.ok()) << layer.status().message;
-    EXPECT_EQ(test::difference_of(picture_of(*layer), picture_of(*anew)), "");
+    ASSERT_EQ(made.status().code, anew.status().code);
+    spare = std::exchange(shown, {});
+    if (!made && made.status().code == StatusCode::bad_input) continue;
+    ASSERT_TRUE(made.ok()) << made.status().message;
+    EXPECT_EQ(test::difference_of(picture_of(made->layer), picture_of(anew->layer)), "");
+    shown = std::move(*made);
     EXPECT_LE(seen.worst, kMost) << "at " << seen.place.x << ", " << seen.place.y;
   }
 }

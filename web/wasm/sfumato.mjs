@@ -488,10 +488,10 @@ export class SfumatoPicture extends Handle {
     return this.#look("sfumato_picture_table", layer, table);
   }
 
-  /** [from, up to]: the rows that the last solveAgain() made anew; null for none. */
+  /** The rows that the last solveAgain() made anew: ranges [from, up to], ascending and apart. */
   changes(layer, table) {
     const { rows, data } = this.#look("sfumato_picture_changes", layer, table);
-    return rows === 0 ? null : [...data];
+    return Array.from({ length: rows }, (_, i) => [data[2 * i], data[2 * i + 1]]);
   }
 
   #look(name, layer, table) {

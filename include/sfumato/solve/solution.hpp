@@ -14,12 +14,24 @@
 
 namespace sfumato {
 
+/// Rows of a layer that are new; its other rows are what they were, unless the tables are shorter
+/// now. Soft edges are new as a whole, and there is no opacity.
+struct LayerRows {
+  std::uint32_t layer = 0;
+  std::uint32_t first_vertex = 0;        ///< vertices are new from here on
+  std::vector<std::uint32_t> triangles;  ///< ascending: their corners, edges and nodes
+  std::vector<std::uint32_t> nodes;      ///< ascending: their values of colour
+};
+
 /// What of a Solution's picture is new.
 struct PictureDelta {
   /// Whether anything but the layers may be: stack, shaders, background, artboard, viewport,
   /// interpolation, or how many layers there are.
   bool frame = false;
   std::vector<std::uint32_t> layers;  ///< indices into Picture::layers, ascending
+  /// Those of them that are not new as a whole, ascending: opaque layers between two frames of a
+  /// drag.
+  std::vector<LayerRows> rows;
 
   /// Whether nothing is new.
   bool empty() const { return !frame && layers.empty(); }
