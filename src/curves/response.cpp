@@ -52,7 +52,8 @@ void add_channel(const std::vector<SegmentSide>& from, int channel,
 }  // namespace
 
 bool has_stop(std::span<const Curve> curves, const StopPlace& place) {
-  if (place.curve >= curves.size()) return false;
+  const bool is_known = place.side <= CurveSide::right && place.attribute <= StopAttribute::opacity;
+  if (!is_known || place.curve >= curves.size()) return false;
   const Side& side = side_of(curves, place);
   return place.attribute == StopAttribute::color ? has_stop(side.color, place)
                                                  : has_stop(side.opacity, place);

@@ -39,7 +39,7 @@ class ColorDrag {
   /// value is that of the first, and the others change by the same difference in the space of the
   /// interpolation.
   /// Errors   bad_input (a value of another attribute, or a stop's would not be within 0 to 1),
-  ///          cancelled; no show() may follow then
+  ///          limit (memory), cancelled; no show() may follow then
   Status prepare(Context& context, const StopValue& value);
 
   /// What show() will put in the place of a layer; none after the first.

@@ -205,6 +205,8 @@ TEST_F(ColorDrag, refuses_what_is_not_a_stop_or_not_solved) {
   expect_refused(begin({0, 3, CurveSide::left, StopAttribute::color, 0}), "no such stop");
   expect_refused(begin({0, 0, CurveSide::left, StopAttribute::color, 2}), "no such stop");
   expect_refused(begin({0, 0, CurveSide::left, StopAttribute::opacity, {}}), "no such stop");
+  expect_refused(begin({0, 0, static_cast<CurveSide>(2), StopAttribute::color, 0}), "no such stop");
+  expect_refused(begin({0, 0, CurveSide::left, static_cast<StopAttribute>(2), 0}), "no such stop");
   ASSERT_TRUE(begin(kFirst).ok());
   expect_refused(solution.color(context, 0.5f), "a colour for an opacity");
   expect_refused(solution.color(context, Rgb{0, 1.5f, 0}), "not within 0 to 1");
