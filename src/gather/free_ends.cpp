@@ -66,10 +66,11 @@ Vec2 FreeEnd::unbent(Vec2 d) const {
 
 Result<FreeEnds> FreeEnds::create(Context& context, const mesh::TriangleMesh& mesh,
                                   const curves::SegmentAttributes& attributes, Vec2 origin,
-                                  float weight_unit, bool extendable) {
+                                  float weight_unit, bool extendable,
+                                  const curves::SegmentAttributes* beside) {
   FreeEnds ends;
   Result<std::vector<FreeEnd>> found =
-      find_free_ends(context, mesh, attributes, ends.memory_, &ends.tables_);
+      find_free_ends(context, mesh, attributes, ends.memory_, &ends.tables_, beside);
   if (!found) return found.status();
   ends.base_channels_ = attributes.base_channels;
   ends.origin_ = origin;

@@ -55,9 +55,11 @@ struct EndTables {
 /// at most 1024 are visited, and the reach is limited to what they cover. The list is allocated
 /// from `memory`. Errors: limit (memory), cancelled.
 /// tables   unless null: empty, and becomes that of this mesh
+/// beside   as GatherUse
 Result<std::vector<FreeEnd>> find_free_ends(Context& context, const mesh::TriangleMesh& mesh,
                                             const curves::SegmentAttributes& attributes,
-                                            TableMemory& memory, EndTables* tables = nullptr);
+                                            TableMemory& memory, EndTables* tables = nullptr,
+                                            const curves::SegmentAttributes* beside = nullptr);
 
 /// The terms of a field's free ends, in a tree of boxes.
 class FreeEnds {
@@ -67,10 +69,12 @@ class FreeEnds {
   /// origin       positions are relative to it
   /// weight_unit  weights are in units of it
   /// extendable   keeps what extend() asks for
+  /// beside       as GatherUse
   /// Errors       limit (memory), cancelled
   static Result<FreeEnds> create(Context& context, const mesh::TriangleMesh& mesh,
                                  const curves::SegmentAttributes& attributes, Vec2 origin,
-                                 float weight_unit, bool extendable = false);
+                                 float weight_unit, bool extendable = false,
+                                 const curves::SegmentAttributes* beside = nullptr);
 
   /// Those of the same field after the watched segments were inserted into its mesh. An end keeps
   /// its term where these are farther away than what was found for it.

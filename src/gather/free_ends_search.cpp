@@ -145,7 +145,7 @@ Status EndSearch::add_end(std::uint32_t vertex, TableMemory& memory, std::vector
   const Facing negative = facing_side(mesh_, attributes_, out);
   const Facing positive = facing_side(mesh_, attributes_, in);
   if (negative.kind != ShaderKind::curve_domain || positive.kind != ShaderKind::curve_domain ||
-      negative.from == positive.to) {
+      (negative.from == positive.to && !differs_beside(out, in))) {
     return ok_status();
   }
   const Vec2 last = position(vertex) - position(mesh_.target(out));
@@ -160,6 +160,11 @@ Status EndSearch::add_end(std::uint32_t vertex, TableMemory& memory, std::vector
   const Status status = find_term(out, end);
   if (!status || end.reach < mesh_.lattice_step) return status;
   return memory.push_back(context_, ends, end);
+}
+
+bool EndSearch::differs_beside(std::uint32_t out, std::uint32_t in) const {
+  return beside_ &&
+         !(facing_side(mesh_, *beside_, out).from == facing_side(mesh_, *beside_, in).to);
 }
 
 /// How far the end reaches, and along which arc. `out` is the half-edge that begins there.
@@ -295,10 +300,11 @@ double EndSearch::curve_distance(std::uint32_t v, std::uint32_t h) const {
 
 Result<std::vector<FreeEnd>> find_free_ends(Context& context, const TriangleMesh& mesh,
                                             const curves::SegmentAttributes& attributes,
-                                            TableMemory& memory, EndTables* tables) {
+                                            TableMemory& memory, EndTables* tables,
+                                            const curves::SegmentAttributes* beside) {
   EndTables own;
   EndTables& known = tables ? *tables : own;
-  EndSearch search(context, mesh, attributes, known);
+  EndSearch search(context, mesh, attributes, known, beside);
   Status status = search.find_meetings();
   std::vector<FreeEnd> ends;
   RarePoll<4096> poll(context);

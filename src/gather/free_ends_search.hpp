@@ -25,9 +25,16 @@ class EndSearch {
   /// Triangles that are looked at for the reach of one end: hostile meshes have all in each reach.
   static constexpr std::size_t kMostTriangles = 1024;
 
+  /// beside   as GatherUse
   EndSearch(Context& context, const mesh::TriangleMesh& mesh,
-            const curves::SegmentAttributes& attributes, EndTables& tables)
-      : context_(context), poll_(context), mesh_(mesh), attributes_(attributes), tables_(tables) {}
+            const curves::SegmentAttributes& attributes, EndTables& tables,
+            const curves::SegmentAttributes* beside = nullptr)
+      : context_(context),
+        poll_(context),
+        mesh_(mesh),
+        attributes_(attributes),
+        beside_(beside),
+        tables_(tables) {}
 
   /// Fills the tables. Errors: limit (memory), cancelled.
   Status find_meetings();
@@ -60,6 +67,7 @@ class EndSearch {
   std::uint32_t name(std::uint32_t half_edge) const {
     return std::min(half_edge, static_cast<std::uint32_t>(mesh_.half_edge_twin[half_edge]));
   }
+  bool differs_beside(std::uint32_t out, std::uint32_t in) const;
   Status size_tables();
   void meet_around(std::uint32_t half_edge);
   Status find_term(std::uint32_t out, FreeEnd& end);
@@ -75,6 +83,7 @@ class EndSearch {
   RarePoll<4096> poll_;
   const mesh::TriangleMesh& mesh_;
   const curves::SegmentAttributes& attributes_;
+  const curves::SegmentAttributes* beside_;
   EndTables& tables_;
   TableMemory memory_{"free ends of curves"};
   std::vector<Edge> chain_;             ///< of the curve followed last

@@ -68,7 +68,7 @@ Result<Gatherer> Gatherer::create(Context& context, const mesh::TriangleMesh& vi
         is_extended ? FreeEnds::extend(context, visibility, attributes, before->ends,
                                        use.is_watched, insertion.is_same, used)
                     : FreeEnds::create(context, visibility, attributes, state->scene.origin,
-                                       state->scene.weight_unit, use.will_be_extended);
+                                       state->scene.weight_unit, use.will_be_extended, use.beside);
     if (!found) return found.status();
     state->ends = std::move(*found);
   }

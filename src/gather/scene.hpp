@@ -74,6 +74,9 @@ struct GatherUse {
   /// What only holds as long as no curve is inserted is left out, unless a gather would be much the
   /// slower: see extend_scene.
   bool will_be_extended = false;
+  /// Of the same curves, unless null: free ends count where this attribute differs, too, as they do
+  /// for a field of both.
+  const curves::SegmentAttributes* beside = nullptr;
 };
 
 /// Errors: limit, cancelled.

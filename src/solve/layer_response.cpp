@@ -68,8 +68,11 @@ Result<Prepared> prepare(Context& context, const Document& document, const StopP
   const Result<std::vector<std::uint8_t>> answers =
       segments_of(context, *flat, place.curve, memory);
   if (!answers) return answers.status();
-  Result<PreparedFields> fields = prepare_fields(context, *mesher, *visibility, std::move(*sampled),
-                                                 options.ends, {.use = {*answers}});
+  const std::vector<Curve>& curves = document.layers[place.layer].curves;
+  FieldEdits edits{.use = {*answers}};
+  edits.is_parted = curves::opacity_goes_with_color(curves);
+  Result<PreparedFields> fields =
+      prepare_fields(context, *mesher, *visibility, std::move(*sampled), options.ends, edits);
   if (!fields) return fields.status();
   return Prepared{std::move(*fields), meshing.frame, units.smallest_edge()};
 }

@@ -64,11 +64,17 @@ bool is_thin(const mesh::TriangleMesh& mesh, const std::vector<std::uint8_t>& be
   return false;
 }
 
+/// What FieldEdits say for one of the two fields.
+struct OneEdit {
+  const PreparedField* before;
+  std::optional<PreparedField>* used;
+  const curves::SegmentAttributes* beside;  ///< of the other field
+};
+
 Result<PreparedField> prepare_field(Context& context, const mesh::Mesher& mesher,
                                     const mesh::TriangleMesh& visibility, SampledField sampled,
                                     gather::Ends ends, const FieldEdits& edits,
-                                    const PreparedField* before,
-                                    std::optional<PreparedField>* used) {
+                                    const OneEdit& edit) {
   const curves::SegmentAttributes& attributes = sampled.attributes;
   TableMemory scratch("the visibility mesh");
   const Result<std::vector<std::uint8_t>> bears =
@@ -82,12 +88,14 @@ Result<PreparedField> prepare_field(Context& context, const mesh::Mesher& mesher
     thinned = std::move(*mesh);
   }
   gather::Insertion insertion;
-  if (before && !before->is_thinned && !is_thinned) {
-    insertion = {&before->gatherer, edits.is_same};
-    if (used && used->has_value()) insertion.used = &(*used)->gatherer;
+  if (edit.before && !edit.before->is_thinned && !is_thinned) {
+    insertion = {&edit.before->gatherer, edits.is_same};
+    if (edit.used && edit.used->has_value()) insertion.used = &(*edit.used)->gatherer;
   }
+  gather::GatherUse use = edits.use;
+  if (edits.is_parted) use.beside = edit.beside;
   Result<gather::Gatherer> gatherer = gather::Gatherer::create(
-      context, is_thinned ? thinned : visibility, attributes, ends, edits.use, insertion);
+      context, is_thinned ? thinned : visibility, attributes, ends, use, insertion);
   if (!gatherer) return gatherer.status();
   return PreparedField{std::move(sampled.attributes), std::move(sampled.memory),
                        std::move(*gatherer), is_thinned};
@@ -205,14 +213,17 @@ Result<SampledFields> sample_fields(const Context& context, const FlatLayer& lay
 Result<PreparedFields> prepare_fields(Context& context, const mesh::Mesher& mesher,
                                       const mesh::TriangleMesh& visibility, SampledFields sampled,
                                       gather::Ends ends, const FieldEdits& edits) {
-  Result<PreparedField> color = prepare_field(context, mesher, visibility, std::move(sampled.color),
-                                              ends, edits, edits.color_before, edits.color_used);
+  const curves::SegmentAttributes* const opacities =
+      sampled.opacity ? &sampled.opacity->attributes : nullptr;
+  Result<PreparedField> color =
+      prepare_field(context, mesher, visibility, std::move(sampled.color), ends, edits,
+                    {edits.color_before, edits.color_used, opacities});
   if (!color) return color.status();
   PreparedFields fields{std::move(*color), {}};
   if (!sampled.opacity) return fields;
   Result<PreparedField> opacity =
       prepare_field(context, mesher, visibility, std::move(*sampled.opacity), ends, edits,
-                    edits.opacity_before, edits.opacity_used);
+                    {edits.opacity_before, edits.opacity_used, &fields.color.attributes});
   if (!opacity) return opacity.status();
   fields.opacity.emplace(std::move(*opacity));
   return fields;

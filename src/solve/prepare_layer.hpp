@@ -97,7 +97,7 @@ Result<SampledFields> sample_fields(const Context& context, const FlatLayer& lay
 
 /// For fields of a mesh that was edited or will be.
 struct FieldEdits {
-  gather::GatherUse use{};
+  gather::GatherUse use{};  ///< without `beside`
   /// Of the mesh before the watched segments were inserted; null: none were, or there is no such
   /// field.
   const PreparedField* color_before = nullptr;
@@ -106,6 +106,8 @@ struct FieldEdits {
   /// Of the last frame, whose tables are used again; null or empty: none.
   std::optional<PreparedField>* color_used = nullptr;
   std::optional<PreparedField>* opacity_used = nullptr;
+  /// Whether the layer has one field elsewhere, and two here: free ends count as they do there.
+  bool is_parted = false;
 };
 
 /// visibility   mesher.visibility_mesh()

@@ -159,6 +159,20 @@ TEST_F(ColorDrag, lets_a_corner_of_equal_colours_part) {
   EXPECT_LT(farthest_from_exact(), 0.05);
 }
 
+/// Its free ends count for both fields, which are one in a solution.
+TEST_F(ColorDrag, is_exact_beside_a_curve_whose_colours_are_equal_and_whose_opacities_are_not) {
+  Document document = test::one_layer(
+      {with_opacity(colored(straight_curve({30, 50}, {60, 50}), kRed, kRed), 0.2f, 0.8f),
+       with_opacity(colored(circle_curve({50, 50}, 45), kGreen, kBlue), 1, 1)});
+  take_over(std::move(document));
+  ASSERT_TRUE(
+      solution.begin_color(context, {0, 1, CurveSide::right, StopAttribute::color, 0}).ok());
+  ASSERT_TRUE(solution.color(context, kBlue).ok());
+  EXPECT_LT(farthest_from_exact(), 0.05);
+  ASSERT_TRUE(solution.color(context, kGreen).ok());
+  EXPECT_LT(farthest_from_exact(), 0.05);
+}
+
 TEST_F(ColorDrag, with_the_colour_as_it_was_leaves_the_layer_solved) {
   ASSERT_TRUE(solution.begin_color(context, kFirst).ok());
   ASSERT_TRUE(solution.color(context, stops()[0].value).ok());
