@@ -45,24 +45,25 @@ Status take_stop(sfumato_context& context, const StopPlace& place, sfumato_pictu
 }
 
 /// All of the layer where its tables are new, else its values.
-void note_stop(const StopPlace& place, bool is_first, sfumato_picture& handle) {
-  std::vector<ChangedRows> changed(handle.changed.size());
+void note_stop(const StopPlace& place, bool is_first, sfumato_picture& handle,
+               std::vector<ChangedRows>& changed) {
   note_changes(handle.solution.picture(), handle.solution.take_delta(), changed);
   const auto values =
       place.attribute == StopAttribute::color ? SFUMATO_COLOR_VALUES : SFUMATO_OPACITY_VALUES;
   for (std::uint32_t table = 0; !is_first && table < changed[place.layer].size(); ++table) {
     if (table != values) changed[place.layer][table] = {};
   }
-  handle.changed = std::move(changed);
 }
 
 /// Gives a stop the value; the picture has tables of its own for it from the first time on.
 Status set_stop(sfumato_context& context, const StopChange& change, sfumato_picture& handle) {
   const bool is_first = handle.colored != change.place;
+  std::vector<ChangedRows> changed(handle.changed.size());
   Status status = take_stop(context, change.place, handle);
   if (status) status = handle.solution.color(context.workshop->context, change.value);
   if (!status) return status;
-  note_stop(change.place, is_first, handle);
+  note_stop(change.place, is_first, handle, changed);
+  handle.changed = std::move(changed);
   handle.colored = change.place;
   return status;
 }
