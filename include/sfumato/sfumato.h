@@ -211,9 +211,9 @@ SFUMATO_API const char* sfumato_curve_id(const sfumato_document* document, uint3
 
 /** Where in the text that sfumato_read() was given a curve stands: bytes before the `<` of its
  * element, a shape, also where a `use` copies it; and which of the element's subpaths it is, from
- * 0, of those that draw something. 0 and 0 where that is not known: of curves that were inserted,
- * of Orzan's XML, and of text that is packed or not UTF-8. Either may be NULL. Edits of curves do
- * not change it. */
+ * 0, where movements do not count after which nothing is drawn. 0 and 0 where that is not known: of
+ * curves that were inserted, of Orzan's XML, and of text that is packed or not UTF-8. Either may be
+ * NULL. Edits of curves do not change it. */
 SFUMATO_API int32_t sfumato_curve_source(const sfumato_document* document, uint32_t layer,
                                          uint32_t curve, size_t* byte_offset, uint32_t* subpath);
 
