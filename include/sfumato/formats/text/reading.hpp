@@ -23,14 +23,12 @@ enum class DocumentFormat : std::uint8_t {
 
 /// Where a curve stands in the text that it was read from.
 struct CurveSource {
-  /// Bytes before the `<` of the curve's element: a shape, also where a <use> copies it. 0: not
+  /// Bytes before the `<` of the curve's element: a shape, also where a `use` copies it. 0: not
   /// known, as in text that is not UTF-8; no curve's element begins a document.
   std::size_t byte_offset = 0;
   /// Which of the element's subpaths it is, from 0. Those of no length count, movements after which
   /// nothing is drawn do not.
   std::uint32_t subpath = 0;
-
-  friend bool operator==(const CurveSource&, const CurveSource&) = default;
 };
 
 /// A document, and remarks on it by its reader.
