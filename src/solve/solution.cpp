@@ -16,6 +16,7 @@
 #include "curves/response.hpp"
 #include "solve/color_drag.hpp"
 #include "solve/layer_drag.hpp"
+#include "solve/layer_rows.hpp"
 #include "solve/layer_runs.hpp"
 
 namespace sfumato {
@@ -55,39 +56,10 @@ struct Drag {
 
   /// The picture's layer comes from elsewhere now.
   void forget_shown() {
-    shown_by = spare_by = nullptr;
     shown.reset();
     spare = {};
   }
 };
-
-/// The rows in either of two ascending lists.
-std::vector<std::uint32_t> in_either(std::span<const std::uint32_t> a,
-                                     std::span<const std::uint32_t> b) {
-  std::vector<std::uint32_t> rows;
-  rows.reserve(a.size() + b.size());
-  std::ranges::set_union(a, b, std::back_inserter(rows));
-  return rows;
-}
-
-/// Adds the rows of another list for the same layer.
-template <class Rows>
-void unite(const Rows& more, LayerRows& rows) {
-  rows.first_vertex = std::min(rows.first_vertex, more.first_vertex);
-  rows.triangles = in_either(rows.triangles, more.triangles);
-  rows.nodes = in_either(rows.nodes, more.nodes);
-}
-
-/// The rows in which two frames of one drag may differ.
-LayerRows rows_between(std::uint32_t layer, const solve::FrameRows& a, const solve::FrameRows& b) {
-  LayerRows rows{layer, a.first_vertex, a.triangles, a.nodes};
-  unite(b, rows);
-  return rows;
-}
-
-std::size_t bytes_of(const LayerRows& rows) {
-  return capacity_bytes(rows.triangles, rows.nodes);
-}
 
 /// The layer that a change to a curve touches; none of other changes.
 std::optional<std::uint32_t> layer_of(const Change& change) {
@@ -160,18 +132,21 @@ struct Solution::State {
   PictureDelta delta_with_news() const;
   Status make_room(const Context& context, const InsertCurve& insert);
   Status show(Context& context, Curve curve, DiffuseStats* stats);
-  void note_new(std::uint32_t layer, std::optional<LayerRows> rows = {});
   std::size_t bytes() const;
 
   /// Charges what is about to be held.
   template <class Thing>
   Status hold(const Context& context, const Thing& thing) {
-    return hold_bytes(context, bytes_of(thing));
+    return hold_more(context, thing, 0);
   }
 
-  Status hold_bytes(const Context& context, std::size_t bytes) {
-    Status status = run_with_all_memory([&](bool) { return held.add(context, bytes, kPurpose); });
-    if (status) charged += bytes;
+  /// The same where `known` bytes of it are charged already.
+  template <class Thing>
+  Status hold_more(const Context& context, const Thing& thing, std::size_t known) {
+    const std::size_t before = std::min(bytes_of(thing), known);
+    Status status = run_with_all_memory(
+        [&](bool) { return held.add(context, bytes_of(thing) - before, kPurpose); });
+    if (status) charged += bytes_of(thing) - before;
     return status;
   }
 
@@ -481,8 +456,7 @@ Status Solution::State::show(Context& context, Curve curve, DiffuseStats* stats)
   const solve::LayerDrag* maker = nullptr;
   Status status = make_frame(context, curve, stats, frame, maker);
   if (status.code == StatusCode::bad_input) return solve(context, *options, stats);
-  const std::size_t bytes = status ? bytes_of(frame.layer) : 0;
-  if (status) status = hold_bytes(context, bytes - std::min(bytes, spare_bytes));
+  if (status) status = hold_more(context, frame.layer, spare_bytes);
   return status ? show_frame(context, maker, std::move(frame)) : status;
 }
 
@@ -491,13 +465,13 @@ Status Solution::State::show_frame(const Context& context, const solve::LayerDra
                                    solve::FramePatches frame) {
   const bool follows = drag->shown && frame.rows && drag->shown_by == maker;
   std::optional<LayerRows> news;
-  if (follows) news = rows_between(drag->layer, *drag->shown, *frame.rows);
-  if (news) {
-    if (Status status = hold_bytes(context, 2 * bytes_of(*news)); !status) return status;
+  if (follows) news = solve::rows_between(drag->layer, *drag->shown, *frame.rows);
+  for (int i = 0; news && i < 2; ++i) {  // it, and what it makes of the delta
+    if (Status status = hold(context, *news); !status) return status;
   }
   delta.layers.reserve(delta.layers.size() + 1);
   delta.rows.reserve(delta.rows.size() + 1);
-  note_new(drag->layer, std::move(news));
+  solve::note_new(drag->layer, std::move(news), delta);
   std::swap(picture.layers[drag->layer], frame.layer);
   drag->spare = {};
   if (drag->shown) drag->spare = {std::move(frame.layer), std::move(drag->shown)};
@@ -549,24 +523,8 @@ Status Solution::State::color_to(Context& context, const StopValue& value) {
     layer.fresh = std::move(solved);
     layer.in_picture.reset();
   }
-  note_new(place.layer);
+  solve::note_new(place.layer, {}, delta);
   return status;
-}
-
-/// rows   those of them that are new; none: all
-void Solution::State::note_new(std::uint32_t layer, std::optional<LayerRows> rows) {
-  const auto place = std::ranges::lower_bound(delta.layers, layer);
-  const bool is_known = place != delta.layers.end() && *place == layer;
-  const auto known = std::ranges::lower_bound(delta.rows, layer, {}, &LayerRows::layer);
-  const bool knows_rows = known != delta.rows.end() && known->layer == layer;
-  if (!is_known) delta.layers.insert(place, layer);
-  if (!rows) {
-    if (knows_rows) delta.rows.erase(known);
-  } else if (knows_rows) {
-    unite(*rows, *known);
-  } else if (!is_known) {
-    delta.rows.insert(known, std::move(*rows));
-  }
 }
 
 Solution& Solution::operator=(Solution&& other) noexcept {
