@@ -16,8 +16,9 @@
 // What the begin of a drag costs, its first frame and each later one, in which a curve has moved,
 // beside solving its layer: CPU time in milliseconds of one thread.
 //
-//   build/bench/drag [--curves N] [--max-error E] FILE...
+//   build/bench/drag [--curves N] [--max-error E] [--missed SHARE] FILE...
 //
+// SHARE is FrameOptions::most_missed.
 // N curves of the layer with the most, one after another, are dragged by up to seven user units.
 namespace sfumato {
 namespace {
@@ -27,6 +28,7 @@ constexpr int kFrames = 30;  // after the first
 struct Options {
   std::uint32_t curves = 12;
   double max_error = 1;
+  double most_missed = solve::FrameOptions().most_missed;
 };
 
 double cpu_milliseconds() {
@@ -61,7 +63,7 @@ bool solve_layer(Context& context, const Document& document, std::uint32_t layer
 }
 
 bool drag_one(Context& context, const Document& document, std::uint32_t layer, std::uint32_t curve,
-              const DiffuseOptions& options, Solved& solved, Times& times) {
+              const DiffuseOptions& options, double most_missed, Solved& solved, Times& times) {
   const double start = cpu_milliseconds();
   Result<solve::LayerDrag> drag = solve::LayerDrag::begin(context, document, layer, curve,
                                                           solved.sight, options, solved.refined);
@@ -73,7 +75,8 @@ bool drag_one(Context& context, const Document& document, std::uint32_t layer, s
     for (Vec2& p : moved.control_points) p = p + Vec2{1.0 + i % 6, 2.0 - i % 7};
     DiffuseStats stats;
     const double frame_start = cpu_milliseconds();
-    Result<solve::FramePatches> frame = drag->frame(context, moved, std::move(spare), &stats);
+    Result<solve::FramePatches> frame = drag->frame(context, moved, std::move(spare),
+                                                    {.most_missed = most_missed, .stats = &stats});
     if (!frame) return false;
     spare = std::exchange(shown, std::move(*frame));
     (i == 0 ? times.first : times.frame) += cpu_milliseconds() - frame_start;
@@ -105,7 +108,8 @@ bool measure(const std::string& path, const Options& asked) {
   Times times;
   const std::uint32_t curves = std::min(asked.curves, count);
   for (std::uint32_t i = 0; i < curves; ++i) {
-    if (!drag_one(context, document, layer, i * count / curves, options, solved, times))
+    if (!drag_one(context, document, layer, i * count / curves, options, asked.most_missed, solved,
+                  times))
       return false;
   }
   std::printf("%-24s solve %7.1f  begin %7.1f  first frame %6.2f  later %6.2f, nodes %6.0f\n",
@@ -124,6 +128,8 @@ int main(int argc, char** argv) {
     const std::string argument = argv[i];
     if (argument == "--curves" && i + 1 < argc) {
       options.curves = static_cast<std::uint32_t>(std::max(1, std::atoi(argv[++i])));
+    } else if (argument == "--missed" && i + 1 < argc) {
+      options.most_missed = std::atof(argv[++i]);
     } else if (argument == "--max-error" && i + 1 < argc) {
       options.max_error = std::atof(argv[++i]);
     } else if (!sfumato::measure(argument, options)) {

@@ -6,6 +6,7 @@
 #include "base/poll.hpp"
 #include "gather/kernels/end_tree.hpp"
 #include "gather/weak_visibility.hpp"
+#include "gather/weight_class.hpp"
 
 namespace sfumato::gather {
 namespace {
@@ -13,7 +14,7 @@ namespace {
 /// What the triangles of the mesh before say of the points in them.
 constexpr std::uint8_t kSame = 0;     ///< their values are what they were
 constexpr std::uint8_t kNearEnd = 1;  ///< a changed end may reach them
-constexpr std::uint8_t kSees = 2;     ///< they may see a watched segment
+constexpr std::uint8_t kSees = 2;     ///< they may see a watched segment, or be reached
 constexpr std::uint8_t kGone = 3;     ///< the triangle is no more
 
 EndBox box_of(const SceneTriangle& t) {
@@ -42,6 +43,12 @@ Status ChangeSearch::run(TableMemory& memory, std::vector<std::uint32_t>& change
   Status status = classify();
   if (status) status = list(memory, changed);
   return status ? list_unknown(memory, changed) : status;
+}
+
+bool ChangeSearch::may_matter(std::uint32_t slot) const {
+  if (!known_.bound) return true;
+  const float weight = least_weight(known_.weight[slot]);
+  return !known_.bound->holds_at(position_[slot], weight, now_.scene.weight_unit);
 }
 
 std::span<const std::uint32_t> ChangeSearch::points_in(std::size_t triangle) const {
@@ -84,12 +91,11 @@ Status ChangeSearch::list(TableMemory& memory, std::vector<std::uint32_t>& chang
     const std::span<const std::uint32_t> points = points_in(t);
     if (answer_[t] == kGone) {
       status = memory_.append(context_, points, unknown_);
-    } else if (answer_[t] == kSees) {
-      status = memory.append(context_, points, changed);
     } else {
       status = memory.make_room(context_, changed, points.size());
+      const bool sees = answer_[t] == kSees;
       for (const std::uint32_t slot : points)
-        if (status && is_reached(slot)) changed.push_back(slot);
+        if (status && ((sees && may_matter(slot)) || is_reached(slot))) changed.push_back(slot);
     }
   }
   return status;
@@ -101,7 +107,9 @@ Status ChangeSearch::list_unknown(TableMemory& memory, std::vector<std::uint32_t
   if (!located) return located.status();
   Status status = memory.make_room(context_, changed, unknown_.size());
   for (std::size_t i = 0; status && i < unknown_.size(); ++i) {
-    if (sees_[located->triangle[i]] || is_reached(unknown_[i])) changed.push_back(unknown_[i]);
+    const std::uint32_t slot = unknown_[i];
+    const bool sees = sees_[located->triangle[i]] != 0;
+    if ((sees && may_matter(slot)) || is_reached(slot)) changed.push_back(slot);
   }
   return status;
 }

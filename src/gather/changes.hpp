@@ -47,6 +47,8 @@ class ChangeSearch {
   Status list(TableMemory& memory, std::vector<std::uint32_t>& changed);
   Status list_unknown(TableMemory& memory, std::vector<std::uint32_t>& changed);
   std::span<const std::uint32_t> points_in(std::size_t triangle) const;
+  /// Of a point that may see a watched segment.
+  bool may_matter(std::uint32_t slot) const;
   bool is_reached(std::uint32_t slot) const {
     return now_.ends.reach(position_[slot] - now_.scene.origin);
   }

@@ -8,6 +8,7 @@
 #include "base/table_memory.hpp"
 #include "gather/gather.hpp"
 #include "gather/kernels/kernel_entry.hpp"
+#include "gather/weight_class.hpp"
 
 namespace sfumato::gather {
 namespace {
@@ -50,8 +51,7 @@ struct alignas(64) SharesOfPacket {
 class ExactGather {
  public:
   ExactGather(Context& context, const Scene& scene, const FreeEnds& ends, const PointList& points,
-              const LocatedPoints& located, const Packing& packing, std::span<float> out,
-              std::span<std::uint8_t> hit)
+              const LocatedPoints& located, const Packing& packing, const GatherOutput& output)
       : context_(context),
         kernel_(packet_kernel(context.simd)),
         scene_(view_of(scene, ends)),
@@ -62,8 +62,7 @@ class ExactGather {
         packing_(packing),
         packets_per_poll_(std::clamp<std::size_t>(kTrianglesPerPoll / (scene.triangle.size() + 1),
                                                   1, kPacketsPerTask)),
-        out_(out),
-        hit_(hit) {}
+        output_(output) {}
 
   Status run() {
     return try_parallel_for(context_, packing_.packet.size(), kPacketsPerTask,
@@ -125,12 +124,14 @@ class ExactGather {
   void store(const Packet& packet, const PacketResult& result) {
     for_each_point(packet, [&](int lane, std::uint32_t point) {
       const std::size_t slot = points_.slot(point);
-      float* out = out_.data() + slot * channel_count_;
+      float* out = output_.out.data() + slot * channel_count_;
       for (int c = 0; c < base_channels_; ++c) *out++ = result.value[c][lane];
       for (int s = 0; s < scene_.shader_count; ++s) {
         *out++ = result.shader_share[s * kPacketLanes + lane];
       }
-      if (!hit_.empty()) hit_[slot] = result.weight[lane] > 0;
+      if (output_.hit.empty()) return;
+      const float weight = result.weight[lane];
+      output_.hit[slot] = output_.weighs ? weight_class(weight) : weight > 0;
     });
   }
 
@@ -160,16 +161,15 @@ class ExactGather {
   const LocatedPoints& located_;
   const Packing& packing_;
   std::size_t packets_per_poll_;
-  std::span<float> out_;
-  std::span<std::uint8_t> hit_;
+  GatherOutput output_;
 };
 
 }  // namespace
 
 Status gather_exact(Context& context, const Scene& scene, const FreeEnds& ends,
                     const PointList& points, const LocatedPoints& located, const Packing& packing,
-                    std::span<float> out, std::span<std::uint8_t> hit) {
-  return ExactGather(context, scene, ends, points, located, packing, out, hit).run();
+                    const GatherOutput& output) {
+  return ExactGather(context, scene, ends, points, located, packing, output).run();
 }
 
 }  // namespace sfumato::gather

@@ -10,10 +10,17 @@
 
 namespace sfumato::gather {
 
-/// Z of eq. 2 at every point of a packing, in closed form over the exact visible set. `out` and
-/// `hit` as in Gatherer::gather. Errors: limit (memory), cancelled.
+/// Where results go: as in Gatherer::gather.
+struct GatherOutput {
+  std::span<float> out;
+  std::span<std::uint8_t> hit;
+  bool weighs = false;
+};
+
+/// Z of eq. 2 at every point of a packing, in closed form over the exact visible set. Errors: limit
+/// (memory), cancelled.
 Status gather_exact(Context& context, const Scene& scene, const FreeEnds& ends,
                     const PointList& points, const LocatedPoints& located, const Packing& packing,
-                    std::span<float> out, std::span<std::uint8_t> hit);
+                    const GatherOutput& output);
 
 }  // namespace sfumato::gather

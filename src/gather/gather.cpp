@@ -86,7 +86,7 @@ int Gatherer::channel_count() const {
 }
 
 Status Gatherer::gather(Context& context, const PointList& points, const GatherOptions& options,
-                        std::span<float> out, std::span<std::uint8_t> hit) const {
+                        std::span<float> out, std::span<std::uint8_t> hit, bool weighs) const {
   if (points.size() > context.limits.nodes) {
     return limit_error(context.limits, &Limits::nodes, "points to gather at");
   }
@@ -101,7 +101,8 @@ Status Gatherer::gather(Context& context, const PointList& points, const GatherO
   if (!located) return located.status();
   const Result<Packing> packing = pack(context, state_->scene, *located);
   if (!packing) return packing.status();
-  return gather_exact(context, state_->scene, state_->ends, points, *located, *packing, out, hit);
+  return gather_exact(context, state_->scene, state_->ends, points, *located, *packing,
+                      {out, hit, weighs});
 }
 
 Result<PointPlaces> Gatherer::locate(Context& context, const PointList& points) const {

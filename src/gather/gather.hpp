@@ -8,6 +8,7 @@
 #include "base/table_memory.hpp"
 #include "gather/point_list.hpp"
 #include "gather/scene.hpp"
+#include "gather/share_bound.hpp"
 #include "sfumato/gather/options.hpp"
 
 namespace sfumato::gather {
@@ -35,6 +36,9 @@ struct KnownPlaces {
   const PointPlaces& points;  ///< by its locate()
   /// Per triangle of its mesh: 1 where the other one has the same at the same index.
   std::span<const std::uint8_t> is_same;
+  const ShareBound* bound = nullptr;  ///< of what is inserted, or null
+  /// Per slot: the weight_class() of what was gathered there.
+  std::span<const std::uint8_t> weight{};
 };
 
 /// One attribute gathered at points (paper eq. 2–11), closed form over the exact visible set, or
@@ -61,10 +65,11 @@ class Gatherer {
   ///          neighbours in the plane. Not on a curve that bears the attribute, nor on a vertex.
   /// out      channel_count() floats per slot. Where nothing is hit: 0.
   /// hit      optional, per slot: 1 where any ray hits, else 0.
+  /// weighs   `hit` gets weight_class() of W in place of 1, where the method is exact
   /// Errors   limit, cancelled (out unspecified). The same bits for any thread count and SIMD
   ///          level.
   Status gather(Context& context, const PointList& points, const GatherOptions& options,
-                std::span<float> out, std::span<std::uint8_t> hit = {}) const;
+                std::span<float> out, std::span<std::uint8_t> hit = {}, bool weighs = false) const;
 
   /// Where points lie in the visibility mesh. Points as for gather(). Errors: limit (memory),
   /// cancelled.
@@ -78,8 +83,9 @@ class Gatherer {
                       std::span<std::uint8_t> may_differ) const;
 
   /// Lists such slots, each once, among points whose places are known, where the meshes differ by
-  /// this one's watched segments alone. The list is allocated from `memory`. Errors: limit
-  /// (memory), cancelled. Cost: O(triangles of the visibility mesh), and what may differ.
+  /// this one's watched segments alone; with a bound, without those at which it says that these
+  /// change too little to matter. The list is allocated from `memory`. Errors: limit (memory),
+  /// cancelled. Cost: O(triangles of the visibility mesh), and what may differ.
   Status list_changes(Context& context, const Gatherer& before, std::span<const Vec2> position,
                       const KnownPlaces& known, TableMemory& memory,
                       std::vector<std::uint32_t>& changed) const;

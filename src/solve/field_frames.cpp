@@ -86,12 +86,14 @@ Status FieldSolver::list_moved(const Context& context, const FieldSolver& before
 }
 
 Status FieldSolver::list_changed(Context& context, const FieldSolver& before,
-                                 std::span<const std::uint8_t> is_same, TableMemory& memory,
+                                 std::span<const std::uint8_t> is_same,
+                                 const gather::ShareBound* bound, TableMemory& memory,
                                  std::vector<std::uint32_t>& changed) const {
   const gather::Gatherer& then = before.field_.gatherer;
   const std::span<const Vec2> positions = before.layout_.position;
   if (!field_.is_thinned && !before.field_.is_thinned) {
-    return field_.gatherer.list_changes(context, then, positions, {before.node_place_, is_same},
+    return field_.gatherer.list_changes(context, then, positions,
+                                        {before.node_place_, is_same, bound, before.node_hit_},
                                         memory, changed);
   }
   std::vector<std::uint8_t> may_differ;
@@ -112,7 +114,8 @@ Status FieldSolver::list_changed(Context& context, const FieldSolver& before,
 Status FieldSolver::lay_out_from(Context& context, const FieldSolver& before,
                                  const mesh::TriangleMesh& mesh,
                                  std::span<const std::uint32_t> changed,
-                                 std::span<const std::uint8_t> is_same) {
+                                 std::span<const std::uint8_t> is_same,
+                                 const gather::ShareBound* bound) {
   history_ = std::move(frame_->history);
   history_.is_logged = true;
   Status status;
@@ -128,7 +131,7 @@ Status FieldSolver::lay_out_from(Context& context, const FieldSolver& before,
   if (status) status = list_moved(context, before);
   TableMemory scratch("patches");
   std::vector<std::uint32_t> may_differ;
-  if (status) status = list_changed(context, before, is_same, scratch, may_differ);
+  if (status) status = list_changed(context, before, is_same, bound, scratch, may_differ);
   for (std::size_t i = 0; status && i < may_differ.size(); ++i) {
     if (history_.was_met(may_differ[i])) continue;  // it is listed, or needs no value
     status = memory_.push_back(context, to_gather_, may_differ[i]);

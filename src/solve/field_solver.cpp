@@ -183,7 +183,7 @@ Result<std::size_t> FieldSolver::gather(Context& context, const gather::GatherOp
   const std::size_t count = to_gather_.size();
   if (count > 0) {
     Status status = field_.gatherer.gather(context, {layout_.position, to_gather_}, options,
-                                           layout_.value, node_hit_);
+                                           layout_.value, node_hit_, true);
     if (!status) return status;
   }
   if (!frame_) memory_.free(to_gather_);  // the next frame asks which they were

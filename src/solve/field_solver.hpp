@@ -97,10 +97,11 @@ class FieldSolver {
   /// changed   what follow() was told, and all triangles around the vertices of edges that have
   ///           become constrained
   /// is_same   as gather::KnownPlaces
+  /// bound     as there: nodes at which it holds keep their values
   /// Errors    limit (memory), cancelled
   Status lay_out_from(Context& context, const FieldSolver& before, const mesh::TriangleMesh& mesh,
-                      std::span<const std::uint32_t> changed,
-                      std::span<const std::uint8_t> is_same);
+                      std::span<const std::uint32_t> changed, std::span<const std::uint8_t> is_same,
+                      const gather::ShareBound* bound);
 
   /// After lay_out_from() and gather(), where nothing else was done: what the next frame may begin
   /// from.
@@ -234,8 +235,8 @@ class FieldSolver {
   Status list_moved(const Context& context, const FieldSolver& before);
   /// Lists in `changed` nodes of `before` whose values may not be what they were.
   Status list_changed(Context& context, const FieldSolver& before,
-                      std::span<const std::uint8_t> is_same, TableMemory& memory,
-                      std::vector<std::uint32_t>& changed) const;
+                      std::span<const std::uint8_t> is_same, const gather::ShareBound* bound,
+                      TableMemory& memory, std::vector<std::uint32_t>& changed) const;
   /// Copies values of nodes of `before` that are at the same place, free in both, lists these in
   /// `carried` and clears asks[node]. Errors: limit (memory), cancelled.
   Status copy_values(const Context& context, const FieldSolver& before,

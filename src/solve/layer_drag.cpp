@@ -65,7 +65,7 @@ struct LayerDrag::State {
   Status begin(Context& context, std::optional<RefinedLayer>& refined);
   bool has_fields_with(const Curve& curve) const;
   Result<FramePatches> frame(Context& context, const Curve& curve, bool keeps, FramePatches spare,
-                             DiffuseStats* stats, std::optional<RoundWatch> watch);
+                             const FrameOptions& how);
 
   DiffuseOptions options;
   LayerSight sight;
@@ -302,8 +302,7 @@ Result<SampledFields> LayerDrag::State::sample_frame(const Context& context,
 
 /// keeps   leaves its tables for the next frame, and uses those of the last
 Result<FramePatches> LayerDrag::State::frame(Context& context, const Curve& curve, bool keeps,
-                                             FramePatches spare, DiffuseStats* stats,
-                                             std::optional<RoundWatch> watch) {
+                                             FramePatches spare, const FrameOptions& how) {
   LastFrame now;
   if (keeps) now = std::exchange(last, {});
   TableMemory memory("a drag");
@@ -326,8 +325,13 @@ Result<FramePatches> LayerDrag::State::frame(Context& context, const Curve& curv
   Result<PreparedFields> fields =
       prepare_fields(context, *now.seen, now.seen_mesh, std::move(*sampled), options.ends, edits);
   if (!fields) return fields.status();
-  LayerSolver layer = solver(context, std::move(*fields), std::move(*patches), stats, watch);
-  status = layer.continue_inserted(*base, *moves, *is_same, &tables);
+  LayerSolver layer =
+      solver(context, std::move(*fields), std::move(*patches), how.stats, how.watch);
+  const Result<gather::ShareBound> bound =
+      gather::ShareBound::create(context, now.placed->moved.vertex, curve.weight, how.most_missed);
+  if (!bound) return bound.status();
+  status = layer.continue_inserted(
+      *base, {*moves, *is_same, how.most_missed > 0 ? &*bound : nullptr, &tables});
   if (!status) return status;
   if (!keeps) {
     Result<PatchLayer> whole = layer.take();
@@ -380,14 +384,14 @@ Result<LayerDrag> LayerDrag::with_room(Context& context) const {
 }
 
 Result<FramePatches> LayerDrag::frame(Context& context, const Curve& curve, FramePatches spare,
-                                      DiffuseStats* stats, std::optional<RoundWatch> watch) {
+                                      const FrameOptions& options) {
   // What is kept is charged to the Budget of the drag.
   if (&context.budget == state_->budget) {
-    Result<FramePatches> patches = no_throw(
-        [&] { return state_->frame(context, curve, true, std::move(spare), stats, watch); });
+    Result<FramePatches> patches =
+        no_throw([&] { return state_->frame(context, curve, true, std::move(spare), options); });
     if (patches || !is_lack_of_memory(patches.status())) return patches;
   }
-  return state_->frame(context, curve, false, {}, stats, watch);
+  return state_->frame(context, curve, false, {}, options);
 }
 
 bool LayerDrag::forget_frame() {

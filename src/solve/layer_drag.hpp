@@ -14,14 +14,24 @@
 
 namespace sfumato::solve {
 
+/// How a frame is made.
+struct FrameOptions {
+  /// Nodes keep the values that they have without the curve where it changes these by no more than
+  /// this share of the range of values for certain; in fact it is a tenth of that. 0: all nodes
+  /// have their exact values.
+  double most_missed = 0.02;
+  DiffuseStats* stats = nullptr;  ///< unless null: added to, what was gathered
+  std::optional<RoundWatch> watch{};
+};
+
 /// A curve of a layer that moves while all others stay: its layer solved without it, to which each
 /// frame adds it at another place: in copies of the layer's tables, in which only what the curve
 /// changes is made anew. A frame uses the copies of the one before, and first takes back what that
 /// changed. It depends on the layer and on the curve, not on the frames before it.
 ///
-/// Frames are for looking at while something moves. Their nodes have their exact values, but the
-/// mesh is that of the layer as it was, no finer where the curve is now than the angles ask; and
-/// the curve is drawn over all others.
+/// Frames are for looking at while something moves. Their nodes have their exact values, but for
+/// FrameOptions::most_missed; the mesh is that of the layer as it was, no finer where the curve is
+/// now than the angles ask; and the curve is drawn over all others.
 ///
 /// Memory stays charged to the Budget of the Context that begin() was given, which must outlive
 /// this. Frames may have a Context of their own, which then costs them anew copies each time.
@@ -54,11 +64,10 @@ class LayerDrag {
   /// The layer's patches with the curve as it is now.
   /// spare   what this returned for an earlier frame, and nobody changed since; its tables are used
   ///         again, and lost on failure. Or nothing.
-  /// stats   unless null: added to, what was gathered
   /// Errors  bad_input (it reaches farther beyond what is shown than the layer's mesh has room, or
   ///         its sides ask for other fields than they did: solve the layer anew), limit, cancelled
   Result<FramePatches> frame(Context& context, const Curve& curve, FramePatches spare = {},
-                             DiffuseStats* stats = nullptr, std::optional<RoundWatch> watch = {});
+                             const FrameOptions& options = {});
 
   /// Gives up the tables that the last frame left for the next. Returns whether there were any.
   bool forget_frame();

@@ -43,20 +43,20 @@ Status LayerSolver::prepare_to_be_edited() {
   return for_each_field([&](FieldSolver& field) { return field.locate_nodes(context_); });
 }
 
-Status LayerSolver::continue_inserted(const LayerSolver& before,
-                                      std::span<const std::uint8_t> is_inserted,
-                                      std::span<const std::uint8_t> is_same, FrameTables* last) {
+Status LayerSolver::continue_inserted(const LayerSolver& before, const CurveInsertion& insertion) {
   const bool has_fields = color_.has_channels_of(before.color_) &&
                           opacity_.has_value() == before.opacity_.has_value() &&
                           (!opacity_ || opacity_->has_channels_of(*before.opacity_));
   if (!has_fields || !mesher_.follows_changes()) return continue_from(before);
   FrameTables none;
-  Status status = start_inserted(before, last ? *last : none);
+  Status status = start_inserted(before, insertion.last ? *insertion.last : none);
   if (status) status = update_mesh();
-  if (status) status = follow_insertion(is_inserted);
-  if (status) status = color_.lay_out_from(context_, before.color_, *mesh_, changed_, is_same);
-  if (status && opacity_)
-    status = opacity_->lay_out_from(context_, *before.opacity_, *mesh_, changed_, is_same);
+  if (status) status = follow_insertion(insertion.is_inserted);
+  const auto lay_out = [&](FieldSolver& field, const FieldSolver& from) {
+    return field.lay_out_from(context_, from, *mesh_, changed_, insertion.is_same, insertion.bound);
+  };
+  if (status) status = lay_out(color_, before.color_);
+  if (status && opacity_) status = lay_out(*opacity_, *before.opacity_);
   if (status) status = gather(gather::GatherOptions{}, false);
   if (status) inserted_into_ = &before;
   return status;

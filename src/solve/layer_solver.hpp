@@ -48,6 +48,17 @@ struct FrameTables {
   TableMemory memory{"patches"};
 };
 
+/// A curve that was inserted into a layer, for a frame of a drag.
+struct CurveInsertion {
+  std::span<const std::uint8_t> is_inserted;  ///< per segment
+  std::span<const std::uint8_t> is_same;      ///< Mesher::same_triangles of the visibility meshes
+  /// Unless null: nodes at which it holds keep their values.
+  const gather::ShareBound* bound = nullptr;
+  /// Unless null: what the last frame, whose mesher is now the solver's, left of the rest. It is
+  /// used up.
+  FrameTables* last = nullptr;
+};
+
 /// Rows of a frame's patches that are not those of the layer which the frame began from, without
 /// the curve: all others have the same bits at the same place. Their soft edges are not counted.
 struct FrameRows {
@@ -97,12 +108,7 @@ class LayerSolver {
   /// The same for an edit that only inserted segments, at a cost of copies of the tables and of
   /// what the edit changed; where a segment crosses the frame, or fields differ, at that of
   /// continue_from(). `before` was made ready by prepare_to_be_edited().
-  /// is_inserted   per segment
-  /// is_same       Mesher::same_triangles of the two visibility meshes
-  /// last          unless null: what the last frame, whose mesher is now this one's, left of the
-  ///               rest. It is used up.
-  Status continue_inserted(const LayerSolver& before, std::span<const std::uint8_t> is_inserted,
-                           std::span<const std::uint8_t> is_same, FrameTables* last = nullptr);
+  Status continue_inserted(const LayerSolver& before, const CurveInsertion& insertion);
 
   /// In place of refine(), where the mesher is that of a RefinedLayer of the same layer, and a
   /// field has a response: nodes that have none keep the values that are known, the others are

@@ -426,7 +426,8 @@ Status Solution::State::make_frame(Context& context, const Curve& curve, Diffuse
     return run_with_all_memory([&](bool) {
       solve::FramePatches spare = std::exchange(drag->spare, {});
       if (drag->spare_by != &engine) spare = {};
-      Result<solve::FramePatches> frame = engine.frame(context, curve, std::move(spare), stats);
+      Result<solve::FramePatches> frame =
+          engine.frame(context, curve, std::move(spare), {.stats = stats});
       if (frame) patches = std::move(*frame);
       return frame.status();
     });

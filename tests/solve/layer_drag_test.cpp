@@ -152,9 +152,10 @@ void expect_exact_frames(const Document& document, LayerCurve at, const DiffuseO
         EXPECT_EQ(difference_from_new_layout(context, mesh, field->field().attributes, layout), "");
       }
     };
-    Result<FramePatches> made = drag->frame(context, curve, std::move(spare), nullptr, watch);
+    Result<FramePatches> made =
+        drag->frame(context, curve, std::move(spare), {.most_missed = 0, .watch = watch});
     Context other;  // which gets nothing of the frames before
-    const Result<FramePatches> anew = drag->frame(other, curve);
+    const Result<FramePatches> anew = drag->frame(other, curve, {}, {.most_missed = 0});
     EXPECT_EQ(other.budget.used(), 0u);
     ASSERT_EQ(made.status().code, anew.status().code);
     spare = std::exchange(shown, {});
@@ -180,6 +181,58 @@ TEST(LayerDrag, has_the_exact_values_at_all_nodes_of_its_frames) {
       }
     }
   }
+}
+
+/// Of the values of fields with the same nodes.
+float largest_difference(const PatchField& a, const PatchField& b) {
+  float largest = 0;
+  for (const std::uint32_t node : a.triangle_node) {
+    const auto channels = static_cast<std::size_t>(a.channel_count);
+    for (std::size_t i = channels * node; i < channels * (node + 1); ++i)
+      largest = std::max(largest, std::fabs(a.node_value[i] - b.node_value[i]));
+  }
+  return largest;
+}
+
+void expect_small_misses(const Document& document, LayerCurve at, double most, std::mt19937& random,
+                         int& missed) {
+  Context context, other;
+  const LayerSight sight = sight_of_layer(document, at.layer, document.artboard);
+  DiffuseOptions options;
+  options.max_error = 0;
+  std::optional<RefinedLayer> refined = refined_layer(context, document, at.layer, sight, options);
+  Result<LayerDrag> drag =
+      LayerDrag::begin(context, document, at.layer, at.curve, sight, options, refined);
+  if (!drag && drag.status().code == StatusCode::limit) return;
+  ASSERT_TRUE(drag.ok()) << drag.status().message;
+  for (int frame = 0; frame < 3; ++frame) {
+    const Vec2 by{double(random() % 41) - 20, double(random() % 41) - 20};
+    const Curve curve = moved(document.layers[at.layer].curves[at.curve], by, random);
+    const Result<FramePatches> about = drag->frame(context, curve, {}, {.most_missed = most});
+    const Result<FramePatches> exact = drag->frame(other, curve, {}, {.most_missed = 0});
+    if (!about && about.status().code == StatusCode::bad_input) continue;
+    ASSERT_TRUE(about.ok() && exact.ok());
+    // A border is where it is seen to be, and what is cut there has other nodes.
+    if (about->layer.color.triangle_node != exact->layer.color.triangle_node) continue;
+    const float miss = largest_difference(about->layer.color, exact->layer.color);
+    EXPECT_LE(miss, most + kMost) << "frame " << frame;
+    missed += miss > 0;
+  }
+}
+
+TEST(LayerDrag, misses_no_more_than_it_may) {
+  int missed = 0;
+  for (std::uint64_t seed = 0; seed < kDocuments; ++seed) {
+    const Document document = test::random_document(seed);
+    std::mt19937 random(static_cast<std::uint32_t>(seed));
+    const double most = seed % 2 == 0 ? 0.02 : 0.2;
+    for (const LayerCurve at : some_curves(document, random)) {
+      SCOPED_TRACE("document " + std::to_string(seed) + ", layer " + std::to_string(at.layer) +
+                   ", curve " + std::to_string(at.curve));
+      ASSERT_NO_FATAL_FAILURE(expect_small_misses(document, at, most, random, missed));
+    }
+  }
+  EXPECT_GT(missed, 0) << "nothing was left as it was";
 }
 
 }  // namespace

@@ -1,0 +1,50 @@
+#include "gather/share_bound.hpp"
+
+#include <algorithm>
+#include <numbers>
+
+#include "sfumato/base/box.hpp"
+
+namespace sfumato::gather {
+namespace {
+
+constexpr std::size_t kSegmentsPerRun = 8;
+
+}  // namespace
+
+Result<ShareBound> ShareBound::create(const Context& context, std::span<const Vec2> polyline,
+                                      double weight, double most) {
+  ShareBound bound;
+  bound.weight_ = weight;
+  bound.most_ = most;
+  Status status =
+      bound.memory_.reserve(context, bound.runs_, polyline.size() / kSegmentsPerRun + 1);
+  if (!status) return status;
+  for (std::size_t first = 0; first + 1 < polyline.size(); first += kSegmentsPerRun) {
+    const std::size_t last = std::min(first + kSegmentsPerRun, polyline.size() - 1);
+    Box box;
+    double length_of_run = 0;
+    for (std::size_t v = first; v <= last; ++v) {
+      box.extend(polyline[v]);
+      if (v > first) length_of_run += length(polyline[v] - polyline[v - 1]);
+    }
+    bound.runs_.push_back({box.center(), length(box.max - box.center()), length_of_run});
+  }
+  return bound;
+}
+
+bool ShareBound::holds_at(Vec2 p, float weight, float weight_unit) const {
+  const double k = weight_ / double{weight_unit};
+  // (1 + k) Â <= most (W₀ - Â)
+  const double room = most_ * double{weight} / (1 + k + most_);
+  double sum = 0;
+  for (const Run& run : runs_) {
+    const double d = length(p - run.center) - run.radius;
+    if (!(d > 0)) return false;
+    sum += std::min(std::numbers::pi, run.length / d) / (d * d);
+    if (!(sum <= room)) return false;
+  }
+  return true;
+}
+
+}  // namespace sfumato::gather

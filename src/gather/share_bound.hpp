@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "base/table_memory.hpp"
+#include "sfumato/base/context.hpp"
+#include "sfumato/base/status.hpp"
+#include "sfumato/base/vec2.hpp"
+
+namespace sfumato::gather {
+
+/// By how much a curve that is inserted into a layer may change what is gathered far from it.
+///
+/// Within the angle A that it takes up, at distances of at least d, the curve weighs at most k A /
+/// d² and hides at most A / d², in units of the largest weight. So at a point of weight W₀ the mean
+/// Z changes by at most (1 + k) Â / (W₀ - Â) of the range of values, with Â the sum of min(π,
+/// length / d) / d² over runs of a few segments, each d away by its bounding circle.
+class ShareBound {
+ public:
+  /// polyline   of the curve, layer frame
+  /// weight     of the curve
+  /// most       what may change, as a share of the range of values; 0: nothing
+  /// Errors     limit (memory), cancelled
+  static Result<ShareBound> create(const Context& context, std::span<const Vec2> polyline,
+                                   double weight, double most);
+
+  /// Whether no more than that changes at p, of at least this weight in units of `weight_unit`, the
+  /// largest weight of the layer.
+  bool holds_at(Vec2 p, float weight, float weight_unit) const;
+
+ private:
+  struct Run {
+    Vec2 center;
+    double radius;
+    double length;
+  };
+
+  std::vector<Run> runs_;
+  double weight_ = 1;
+  double most_ = 0;
+  TableMemory memory_{"a drag"};
+};
+
+}  // namespace sfumato::gather

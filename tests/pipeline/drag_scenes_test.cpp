@@ -1,0 +1,66 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <string>
+
+#include "sfumato/formats/read_document.hpp"
+#include "solve/layer_drag.hpp"
+#include "support/sanitizers.hpp"
+
+/// Curves of the scenes of the literature that are dragged.
+namespace sfumato::solve {
+namespace {
+
+class DragScenes : public testing::TestWithParam<const char*> {};
+
+/// In code values, of fields with the same nodes.
+float largest_difference(const PatchField& a, const PatchField& b) {
+  float largest = 0;
+  const auto channels = static_cast<std::size_t>(a.channel_count);
+  for (const std::uint32_t node : a.triangle_node) {
+    for (std::size_t i = channels * node; i < channels * (node + 1); ++i)
+      largest = std::max(largest, std::fabs(a.node_value[i] - b.node_value[i]));
+  }
+  return 255 * largest;
+}
+
+TEST_P(DragScenes, miss_by_less_than_a_code_value) {
+  std::ifstream file(std::string(SFUMATO_SHARED_DIR "/scenes/") + GetParam(), std::ios::binary);
+  if (!file) GTEST_SKIP() << "the shared scenes are not here: no " << GetParam();
+  if (SFUMATO_HAS_SANITIZER) GTEST_SKIP() << "minutes under sanitizers";
+  const std::string text(std::istreambuf_iterator<char>(file), {});
+  Context context, other;
+  const Result<ReadDocument> read = read_document(context, text, GetParam());
+  ASSERT_TRUE(read.ok()) << read.status().message;
+  const Document& document = read->document;
+  DiffuseOptions options;
+  options.max_error = 0;
+  const LayerSight sight = sight_of_layer(document, 0, document.artboard);
+  const std::vector<Curve>& curves = document.layers[0].curves;
+  for (std::uint32_t i = 0; i < 6; ++i) {
+    const auto curve = static_cast<std::uint32_t>(curves.size() * (2 * i + 1) / 12);
+    SCOPED_TRACE("curve " + std::to_string(curve));
+    std::optional<RefinedLayer> none;
+    Result<LayerDrag> drag = LayerDrag::begin(context, document, 0, curve, sight, options, none);
+    ASSERT_TRUE(drag.ok()) << drag.status().message;
+    for (const double by : {5.0, -12.0}) {
+      Curve moved = curves[curve];
+      for (Vec2& p : moved.control_points) p = p + Vec2{by, 0.5 * by};
+      const Result<FramePatches> about = drag->frame(context, moved);
+      const Result<FramePatches> exact = drag->frame(other, moved, {}, {.most_missed = 0});
+      ASSERT_TRUE(about.ok() && exact.ok());
+      ASSERT_EQ(about->layer.color.triangle_node, exact->layer.color.triangle_node);
+      EXPECT_LT(largest_difference(about->layer.color, exact->layer.color), 1);
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Public, DragScenes,
+                         testing::Values("lady_bug.xml", "dolphin.xml", "roses.xml"));
+
+}  // namespace
+}  // namespace sfumato::solve
