@@ -24,7 +24,6 @@ namespace {
 
 using solve::LayerSight;
 using solve::LayerTask;
-
 constexpr std::string_view kPurpose = "the solution of a document";
 
 /// What is known of one of the document's layers.
