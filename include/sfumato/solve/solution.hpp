@@ -17,7 +17,7 @@ namespace sfumato {
 /// Rows of a layer that are new; its other rows are what they were, unless the tables are shorter
 /// now. Soft edges are new as a whole, and there is no opacity.
 struct LayerRows {
-  std::uint32_t layer = 0;
+  std::uint32_t layer = 0;               ///< index into Picture::layers
   std::uint32_t first_vertex = 0;        ///< vertices are new from here on
   std::vector<std::uint32_t> triangles;  ///< ascending: their corners, edges and nodes
   std::vector<std::uint32_t> nodes;      ///< ascending: their values of colour
