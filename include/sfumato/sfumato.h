@@ -304,10 +304,10 @@ SFUMATO_API int32_t sfumato_solve(sfumato_context* context, const sfumato_docume
  *
  * `quick`, unless 0: a picture for looking at while a curve moves. Where one curve of the document
  * was set to other points or stops since the last time, and nothing else, its layer is not solved:
- * values are exact, but for changes of less than about a code value, the mesh is as fine as it was
- * where the curve has come to, and the curve is drawn over the others of its layer. The first time
- * for a curve costs as much as solving its layer; what that prepares lasts until the next call
- * without `quick`, or for another curve.
+ * values are exact to a few code values, the mesh is as fine as it was where the curve has come
+ * to, and the curve is drawn over the others of its layer. The first time for a curve costs as much
+ * as solving its layer; what that prepares lasts until the next call without `quick`, or for
+ * another curve.
  *
  * Where all that changed is the value of one stop of a colour or an opacity, or of all stops of a
  * list by the same difference, nothing is gathered but the first time for the stop: values are

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "base/poll.hpp"
-#include "gather/kernels/end_tree.hpp"
 #include "gather/weak_visibility.hpp"
 #include "gather/weight_class.hpp"
 
@@ -16,6 +15,9 @@ constexpr std::uint8_t kSame = 0;     ///< their values are what they were
 constexpr std::uint8_t kNearEnd = 1;  ///< a changed end may reach them
 constexpr std::uint8_t kSees = 2;     ///< they may see a watched segment, or be reached
 constexpr std::uint8_t kGone = 3;     ///< the triangle is no more
+
+/// A bound on what a curve of many segments changes takes up to 0.1 ms at a point.
+constexpr std::size_t kPointsPerPoll = 256;
 
 EndBox box_of(const SceneTriangle& t) {
   const auto [x0, x1] = std::minmax({t.x[0], t.x[1], t.x[2]});
@@ -48,7 +50,7 @@ Status ChangeSearch::run(TableMemory& memory, std::vector<std::uint32_t>& change
 bool ChangeSearch::may_matter(std::uint32_t slot) const {
   if (!known_.bound) return true;
   const float weight = least_weight(known_.weight[slot]);
-  return !known_.bound->holds_at(position_[slot], weight, now_.scene.weight_unit);
+  return !known_.bound->holds_at(position_[slot], weight, now_.weight_unit_before);
 }
 
 std::span<const std::uint32_t> ChangeSearch::points_in(std::size_t triangle) const {
@@ -83,19 +85,21 @@ Status ChangeSearch::classify() {
 }
 
 Status ChangeSearch::list(TableMemory& memory, std::vector<std::uint32_t>& changed) {
-  RarePoll<1024> poll(context_);
+  RarePoll<kPointsPerPoll> poll(context_);
   Status status;
   for (std::size_t t = 0; status && t < answer_.size(); ++t) {
     if (answer_[t] == kSame) continue;
-    if (poll.cancelled()) return context_.cancel_status();
     const std::span<const std::uint32_t> points = points_in(t);
     if (answer_[t] == kGone) {
       status = memory_.append(context_, points, unknown_);
     } else {
       status = memory.make_room(context_, changed, points.size());
       const bool sees = answer_[t] == kSees;
-      for (const std::uint32_t slot : points)
-        if (status && ((sees && may_matter(slot)) || is_reached(slot))) changed.push_back(slot);
+      if (!status) return status;
+      for (const std::uint32_t slot : points) {
+        if (poll.cancelled()) return context_.cancel_status();
+        if ((sees && may_matter(slot)) || is_reached(slot)) changed.push_back(slot);
+      }
     }
   }
   return status;
@@ -106,7 +110,9 @@ Status ChangeSearch::list_unknown(TableMemory& memory, std::vector<std::uint32_t
   const Result<LocatedPoints> located = now_.locator.locate(context_, {position_, unknown_});
   if (!located) return located.status();
   Status status = memory.make_room(context_, changed, unknown_.size());
+  RarePoll<kPointsPerPoll> poll(context_);
   for (std::size_t i = 0; status && i < unknown_.size(); ++i) {
+    if (poll.cancelled()) return context_.cancel_status();
     const std::uint32_t slot = unknown_[i];
     const bool sees = sees_[located->triangle[i]] != 0;
     if ((sees && may_matter(slot)) || is_reached(slot)) changed.push_back(slot);

@@ -31,6 +31,7 @@ struct InsertedScene {
   const Scene& scene;
   const Locator& locator;
   const ChangedEnds& ends;
+  float weight_unit_before;  ///< of the scene without them
 };
 
 /// Finds the points whose values an insertion may change: Gatherer::list_changes.

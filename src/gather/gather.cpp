@@ -178,8 +178,8 @@ Status Gatherer::list_changes(Context& context, const Gatherer& before,
   if (!state_->locator) return ok_status();
   const Result<ChangedEnds> ends = changed_ends(context, before.state_->ends, state_->ends);
   if (!ends) return ends.status();
-  return ChangeSearch(context, {state_->scene, *state_->locator, *ends}, position, known)
-      .run(memory, changed);
+  const InsertedScene now{state_->scene, *state_->locator, *ends, before.state_->scene.weight_unit};
+  return ChangeSearch(context, now, position, known).run(memory, changed);
 }
 
 }  // namespace sfumato::gather

@@ -142,6 +142,7 @@ class SceneBuilder {
     take(before.triangle, scene_.triangle, more);
     take(before.source, scene_.source, more);
     scene_.watched.clear();
+    scene_.has_blind_edges = false;
     scene_.origin = before.origin;
     scene_.weight_unit = before.weight_unit;
     passage_count_ = static_cast<std::uint32_t>(before.edge_beyond.size());

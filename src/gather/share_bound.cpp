@@ -1,6 +1,7 @@
 #include "gather/share_bound.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <numbers>
 
 #include "sfumato/base/box.hpp"
@@ -20,6 +21,7 @@ Result<ShareBound> ShareBound::create(const Context& context, std::span<const Ve
   Status status =
       bound.memory_.reserve(context, bound.runs_, polyline.size() / kSegmentsPerRun + 1);
   if (!status) return status;
+  Box whole;
   for (std::size_t first = 0; first + 1 < polyline.size(); first += kSegmentsPerRun) {
     const std::size_t last = std::min(first + kSegmentsPerRun, polyline.size() - 1);
     Box box;
@@ -29,19 +31,31 @@ Result<ShareBound> ShareBound::create(const Context& context, std::span<const Ve
       if (v > first) length_of_run += length(polyline[v] - polyline[v - 1]);
     }
     bound.runs_.push_back({box.center(), length(box.max - box.center()), length_of_run});
+    whole.extend(box.min);
+    whole.extend(box.max);
+    bound.whole_.length += length_of_run;
+  }
+  if (!bound.runs_.empty()) {
+    bound.whole_.center = whole.center();
+    bound.whole_.radius = length(whole.max - whole.center());
   }
   return bound;
+}
+
+double ShareBound::angle_over_distance_squared(const Run& run, Vec2 p) {
+  const double d = length(p - run.center) - run.radius;
+  if (!(d > 0)) return std::numeric_limits<double>::infinity();
+  return std::min(std::numbers::pi, run.length / d) / (d * d);
 }
 
 bool ShareBound::holds_at(Vec2 p, float weight, float weight_unit) const {
   const double k = weight_ / double{weight_unit};
   // (1 + k) Â <= most (W₀ - Â)
   const double room = most_ * double{weight} / (1 + k + most_);
+  if (angle_over_distance_squared(whole_, p) <= room) return true;
   double sum = 0;
   for (const Run& run : runs_) {
-    const double d = length(p - run.center) - run.radius;
-    if (!(d > 0)) return false;
-    sum += std::min(std::numbers::pi, run.length / d) / (d * d);
+    sum += angle_over_distance_squared(run, p);
     if (!(sum <= room)) return false;
   }
   return true;

@@ -37,7 +37,11 @@ class ShareBound {
     double length;
   };
 
+  /// Â of one of them, at p.
+  static double angle_over_distance_squared(const Run& run, Vec2 p);
+
   std::vector<Run> runs_;
+  Run whole_{};  ///< all of them
   double weight_ = 1;
   double most_ = 0;
   TableMemory memory_{"a drag"};

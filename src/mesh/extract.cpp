@@ -168,13 +168,23 @@ namespace {
 
 /// Constraints whose edges are gone, by their number of pieces. Refinement only cuts edges on
 /// chords, so that each of these finds a new edge in the same update; after an edit some may not,
-/// and stay without an edge.
+/// and stay without an edge and without pieces.
 class FreedConstraints {
  public:
   Status add(const Context& context, const TriangleMesh& mesh, std::int32_t index) {
     const Constraint& constraint = mesh.constraint[index];
     return memory_.push_back(context,
                              by_piece_count_[constraint.piece_end - constraint.piece_begin], index);
+  }
+
+  /// Takes what lies on them from those that are left.
+  void empty_rest(TriangleMesh& mesh) const {
+    for (const auto& [count, indices] : by_piece_count_) {
+      for (const std::int32_t index : indices) {
+        Constraint& constraint = mesh.constraint[static_cast<std::size_t>(index)];
+        constraint.piece_end = constraint.piece_begin;
+      }
+    }
   }
 
   /// kNone where none is left.
@@ -208,6 +218,7 @@ class MeshUpdate {
     if (status) status = grow_tables();
     if (status) status = copy_changed();
     if (status) status = place_constraints();
+    if (status) freed_.empty_rest(out_);
     return status ? context_.check() : status;
   }
 

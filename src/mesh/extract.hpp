@@ -30,8 +30,8 @@ Result<TriangleMesh> extract(const Context& context, const ExtractSource& from,
                              TableMemory& memory);
 
 /// Updates in place `out`, which `extract` made from `memory`. Triangles, vertices and constraints
-/// that still exist keep their numbers. Except for the numbers of constraints, and for some that
-/// lie on no edge after curves were inserted, the result is what `extract` would make.
+/// that still exist keep their numbers. Except for the numbers of constraints, and for some
+/// without an edge or pieces after curves were inserted, the result is what `extract` would make.
 ///
 /// changed   the slots that changed since then, including new ones; all are numbered
 /// Errors    limit (memory), cancelled; `out` is unusable then
@@ -40,8 +40,10 @@ Status update_extract(const Context& context, const ExtractSource& from,
                       std::span<const std::int32_t> changed, TableMemory& memory,
                       TriangleMesh& out);
 
-/// Makes `mesh`, a copy of `before` that update_extract has changed since, `before` again. The
-/// order of its calls does not matter. changed   the triangles that changed Cost      O(changed)
+/// Makes `mesh`, a copy of `before` that update_extract has changed since, `before` again.
+///
+/// changed   the triangles that changed
+/// Cost      O(changed)
 void take_back(const TriangleMesh& before, std::span<const std::uint32_t> changed,
                TriangleMesh& mesh);
 

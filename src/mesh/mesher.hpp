@@ -128,10 +128,9 @@ class Mesher {
 
   /// Updates in place `mesh`, a copy of the visibility_mesh() of the mesher that this is a copy of,
   /// after an edit without refinement that only inserted segments. But for the order of its
-  /// constraints, and for some that lie on no edge, it becomes what visibility_mesh() would return.
-  /// is_same   same_triangles() of that mesher
-  /// changed   out: the triangles that changed, including new ones, ascending
-  /// Errors    limit (memory), cancelled; `mesh` is unusable then
+  /// constraints, and for some without an edge or pieces, it becomes what visibility_mesh() would
+  /// return. is_same   same_triangles() of that mesher changed   out: the triangles that changed,
+  /// including new ones, ascending Errors    limit (memory), cancelled; `mesh` is unusable then
   Status update_visibility_mesh(const Context& context, std::span<const std::uint8_t> is_same,
                                 TriangleMesh& mesh, std::vector<std::uint32_t>& changed);
 
@@ -149,7 +148,7 @@ class Mesher {
   /// Updates in place `mesh`, the result of the last patch_mesh. Except for the order of its
   /// constraints it becomes what patch_mesh would return now. After an edit that took segments out,
   /// or one that crosses the frame, it is that mesh, all of whose triangles count as changed; after
-  /// others there may be constraints without an edge.
+  /// others there may be constraints without an edge and without pieces.
   /// changed   out: the triangles that changed, including new ones, ascending
   /// Errors    limit (memory), cancelled; `mesh` is unusable then
   /// Cost      O(changed · log)

@@ -19,14 +19,14 @@ Status FieldSolver::start_from(const Context& context, const FieldSolver& before
   }
   seams_.emplace(std::move(*frame_->seams));
   seams_->take_back(*before.seams_, changed);
-  take_back_nodes(before, changed);
+  if (Status status = take_back_nodes(context, before, changed); !status) return status;
   memory_ = std::move(frame_->memory);
   vertex_radius_ = std::move(frame_->vertex_radius);
   return memory_.assign(context, before.vertex_radius_, vertex_radius_);
 }
 
-void FieldSolver::take_back_nodes(const FieldSolver& before,
-                                  std::span<const std::uint32_t> changed) {
+Status FieldSolver::take_back_nodes(const Context& context, const FieldSolver& before,
+                                    std::span<const std::uint32_t> changed) {
   FieldFrame& frame = *frame_;
   const NodeLayout& old = before.layout_;
   const auto channels = static_cast<std::size_t>(old.channel_count);
@@ -34,13 +34,16 @@ void FieldSolver::take_back_nodes(const FieldSolver& before,
   for (const std::uint32_t node : frame.history.met)
     if (node < old.node_count()) frame.node_hit[node] = before.node_hit_[node];
   take_back(old, changed, frame.layout, frame.history);
+  RarePoll<16384> poll(context);
   for (const std::uint32_t node : frame.gathered) {
+    if (poll.cancelled()) return context.cancel_status();
     if (node >= old.node_count()) continue;
     std::copy_n(old.value.data() + channels * node, channels,
                 frame.layout.value.data() + channels * node);
     frame.node_hit[node] = before.node_hit_[node];
   }
   frame.gathered.clear();
+  return ok_status();
 }
 
 /// With room for what follows the change of so many triangles.
@@ -100,10 +103,8 @@ Status FieldSolver::list_changed(Context& context, const FieldSolver& before,
   std::vector<std::uint32_t> free;
   TableMemory scratch("patches");
   Status status = scratch.resize(context, may_differ, positions.size());
-  if (status) status = scratch.reserve(context, free, positions.size());
+  if (status) status = before.list_free_nodes(context, scratch, free);
   if (!status) return status;
-  for (std::uint32_t node = 0; node < positions.size(); ++node)
-    if (!before.layout_.is_fixed[node]) free.push_back(node);
   status = field_.gatherer.find_changes(context, then, {positions, free}, may_differ);
   if (status) status = memory.reserve(context, changed, free.size());
   for (std::size_t i = 0; status && i < free.size(); ++i)
@@ -131,6 +132,7 @@ Status FieldSolver::lay_out_from(Context& context, const FieldSolver& before,
   if (status) status = list_moved(context, before);
   TableMemory scratch("patches");
   std::vector<std::uint32_t> may_differ;
+  if (!has_code_values()) bound = nullptr;
   if (status) status = list_changed(context, before, is_same, bound, scratch, may_differ);
   for (std::size_t i = 0; status && i < may_differ.size(); ++i) {
     if (history_.was_met(may_differ[i])) continue;  // it is listed, or needs no value
@@ -165,10 +167,8 @@ Status FieldSolver::locate_nodes(Context& context) {
   if (field_.is_thinned) return ok_status();
   TableMemory scratch("patches");
   std::vector<std::uint32_t> free;
-  Status status = scratch.reserve(context, free, layout_.node_count());
+  Status status = list_free_nodes(context, scratch, free);
   if (!status) return status;
-  for (std::uint32_t node = 0; node < layout_.node_count(); ++node)
-    if (!layout_.is_fixed[node]) free.push_back(node);
   Result<gather::PointPlaces> places = field_.gatherer.locate(context, {layout_.position, free});
   if (!places) return places.status();
   node_place_ = std::move(*places);

@@ -47,7 +47,7 @@ Status FieldSolver::lay_out(Context& context, const mesh::TriangleMesh& mesh, st
       lay_out_nodes(context, mesh, field_.attributes, *seams_, layout_memory_, spare);
   if (!layout) return layout.status();
   layout_ = std::move(*layout);
-  Status status = list_free_nodes(context);
+  Status status = list_free_nodes(context, memory_, to_gather_);
   if (status) status = memory_.reserve(context, node_hit_, layout_.position.capacity());
   return status ? memory_.resize(context, node_hit_, layout_.node_count(), 1) : status;
 }
@@ -163,14 +163,15 @@ Status FieldSolver::put_in_order(Context& context, const mesh::TriangleMesh& mes
   return status;
 }
 
-Status FieldSolver::list_free_nodes(const Context& context) {
-  to_gather_.clear();
-  Status status = memory_.reserve(context, to_gather_, layout_.node_count());
+Status FieldSolver::list_free_nodes(const Context& context, TableMemory& memory,
+                                    std::vector<std::uint32_t>& free) const {
+  free.clear();
+  Status status = memory.reserve(context, free, layout_.node_count());
   if (!status) return status;
   RarePoll<65536> poll(context);
   for (std::uint32_t node = 0; node < layout_.node_count(); ++node) {
     if (poll.cancelled()) return context.cancel_status();
-    if (!layout_.is_fixed[node]) to_gather_.push_back(node);
+    if (!layout_.is_fixed[node]) free.push_back(node);
   }
   return status;
 }
@@ -178,7 +179,7 @@ Status FieldSolver::list_free_nodes(const Context& context) {
 Result<std::size_t> FieldSolver::gather(Context& context, const gather::GatherOptions& options,
                                         bool all) {
   if (all) {
-    if (Status status = list_free_nodes(context); !status) return status;
+    if (Status status = list_free_nodes(context, memory_, to_gather_); !status) return status;
   }
   const std::size_t count = to_gather_.size();
   if (count > 0) {

@@ -225,11 +225,13 @@ class FieldSolver {
   /// Whether some of a triangle's nodes see a curve and others do not.
   bool sees_some(const std::uint32_t* node) const;
   Status make_room_for_means(Context& context);
-  /// Lists all free nodes to be gathered.
-  Status list_free_nodes(const Context& context);
+  /// Lists all free nodes, in a list that is allocated from `memory`.
+  Status list_free_nodes(const Context& context, TableMemory& memory,
+                         std::vector<std::uint32_t>& free) const;
   Status copy_layout(const Context& context, const FieldSolver& before, std::size_t changed);
   /// Makes the nodes of the last frame those of `before` again.
-  void take_back_nodes(const FieldSolver& before, std::span<const std::uint32_t> changed);
+  Status take_back_nodes(const Context& context, const FieldSolver& before,
+                         std::span<const std::uint32_t> changed);
   /// Lists in to_gather_ the free nodes of `before` that the update met and that do not stand where
   /// they stood. Those that do count as not met from here on.
   Status list_moved(const Context& context, const FieldSolver& before);

@@ -44,7 +44,6 @@ struct LastFrame {
   std::optional<mesh::Mesher> seen{};         ///< the visibility mesh with the curve
   mesh::TriangleMesh seen_mesh{};             ///< handed out by it
   std::vector<std::uint32_t> seen_changed{};  ///< triangles of it that the frame changed
-  TableMemory seen_memory{"a drag"};          ///< of that list
   FrameTables tables{};
 };
 

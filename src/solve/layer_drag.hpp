@@ -16,9 +16,9 @@ namespace sfumato::solve {
 
 /// How a frame is made.
 struct FrameOptions {
-  /// Nodes keep the values that they have without the curve where it changes these by no more than
-  /// this share of the range of values for certain; in fact it is a tenth of that. 0: all nodes
-  /// have their exact values.
+  /// Nodes keep the values that they have without the curve where it changes these for certain by
+  /// no more than this share of the range of code values. 0: all nodes have their exact values, as
+  /// colours have in other spaces, in which a small change may be one of many code values.
   double most_missed = 0.02;
   DiffuseStats* stats = nullptr;  ///< unless null: added to, what was gathered
   std::optional<RoundWatch> watch{};

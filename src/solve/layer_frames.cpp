@@ -47,7 +47,10 @@ Status LayerSolver::continue_inserted(const LayerSolver& before, const CurveInse
   const bool has_fields = color_.has_channels_of(before.color_) &&
                           opacity_.has_value() == before.opacity_.has_value() &&
                           (!opacity_ || opacity_->has_channels_of(*before.opacity_));
-  if (!has_fields || !mesher_.follows_changes()) return continue_from(before);
+  if (!has_fields || !mesher_.follows_changes()) {
+    if (insertion.last) *insertion.last = {};
+    return continue_from(before);
+  }
   FrameTables none;
   Status status = start_inserted(before, insertion.last ? *insertion.last : none);
   if (status) status = update_mesh();
@@ -200,16 +203,20 @@ Status LayerSolver::renew(const FrameRows& then, const FrameRows& now, PatchLaye
   const auto copy_row = [](const auto& from, std::size_t row, std::size_t width, auto& to) {
     std::copy_n(from.data() + width * row, width, to.data() + width * row);
   };
+  RarePoll<16384> poll(context_);
   for (const FrameRows* rows : {&then, &now}) {
     for (const std::uint32_t t : rows->triangles) {
+      if (poll.cancelled()) return context_.cancel_status();
       if (t >= mesh_->triangle_count()) continue;
       copy_row(mesh_->triangle_vertex, t, 3, layer.triangle_vertex);
       copy_row(layout.edge_is_curve, t, 3, layer.edge_is_curve);
       copy_row(layout.triangle_node, t, kNodesPerTriangle, layer.color.triangle_node);
     }
-    for (const std::uint32_t node : rows->nodes)
+    for (const std::uint32_t node : rows->nodes) {
+      if (poll.cancelled()) return context_.cancel_status();
       if (node < layout.node_count())
         copy_row(layout.value, node, channels, layer.color.node_value);
+    }
   }
   Result<std::vector<SoftEdge>> soft_edge = soft_edges({}, memory);
   if (soft_edge) layer.soft_edge = std::move(*soft_edge);

@@ -36,6 +36,10 @@ void unite(const Rows& more, LayerRows& rows) {
 
 }  // namespace
 
+std::size_t bytes_of(const FrameRows& rows) {
+  return capacity_bytes(rows.triangles, rows.nodes);
+}
+
 LayerRows rows_between(std::uint32_t layer, const FrameRows& a, const FrameRows& b) {
   LayerRows rows{layer, a.first_vertex, a.triangles, a.nodes};
   unite(b, rows);

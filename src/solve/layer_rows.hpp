@@ -9,6 +9,9 @@
 
 namespace sfumato::solve {
 
+/// Bytes of memory that the lists occupy.
+std::size_t bytes_of(const FrameRows& rows);
+
 /// The rows in which two frames of one drag may differ.
 LayerRows rows_between(std::uint32_t layer, const FrameRows& a, const FrameRows& b);
 

@@ -17,6 +17,23 @@ void append(const curves::FlatCurves& one, curves::FlatCurves& all) {
   all.curve_begin.push_back(static_cast<std::uint32_t>(all.vertex.size()));
 }
 
+void reserve(std::size_t vertices, std::size_t curves, curves::FlatCurves& all) {
+  all.vertex.reserve(vertices);
+  all.parameter.reserve(vertices);
+  all.arc_length.reserve(vertices);
+  all.vertex_curve.reserve(vertices);
+  all.curve_begin.reserve(curves);
+}
+
+/// Into the tables that are there.
+void copy(const curves::FlatCurves& from, curves::FlatCurves& to) {
+  to.vertex.assign(from.vertex.begin(), from.vertex.end());
+  to.parameter.assign(from.parameter.begin(), from.parameter.end());
+  to.arc_length.assign(from.arc_length.begin(), from.arc_length.end());
+  to.vertex_curve.assign(from.vertex_curve.begin(), from.vertex_curve.end());
+  to.curve_begin.assign(from.curve_begin.begin(), from.curve_begin.end());
+}
+
 /// Takes the last curve off, which began at that vertex.
 void take_off_last(std::uint32_t first, curves::FlatCurves& all) {
   all.vertex.resize(first);
@@ -45,13 +62,17 @@ Result<PlacedCurves> place_curve(Context& context, const curves::FlatCurves& oth
     take_off_last(placed.first, placed.flat);
     placed.curves.pop_back();
   }
+  const std::size_t vertices = others.vertex.size() + moved->vertex.size();
+  if (vertices > placed.flat.vertex.capacity()) {
+    reserve(vertices + vertices / 8, others.curve_begin.size() + 1, placed.flat);
+  }
   Status status = placed.charge.raise_to(context,
-                                         curves::bytes_of(others) + 2 * curves::bytes_of(*moved) +
+                                         curves::bytes_of(placed.flat) + curves::bytes_of(*moved) +
                                              bytes_of_curves(curves) + bytes_of(curve),
                                          "a drag");
   if (!status) return status;
   if (!used) {
-    placed.flat = others;
+    copy(others, placed.flat);
     placed.curves.assign(curves.begin(), curves.end());
   }
   placed.first = static_cast<std::uint32_t>(others.vertex.size());

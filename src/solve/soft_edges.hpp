@@ -24,10 +24,9 @@ struct EdgeBlurs {
 };
 
 /// The sides of edges with a fine blur, numbered for the layer of the triangles with keep[t], or of
-/// all if `keep` is empty. Where
-/// two edges of a face meet, the bisector of their angle separates their blurs; a blur reaches at
-/// most half way to a neighbouring curve. The result is allocated from `memory`. Errors: limit
-/// (memory), cancelled.
+/// all if `keep` is empty. Where two edges of a face meet, the bisector of their angle separates
+/// their blurs; a blur reaches at most half way to a neighbouring curve. The result is allocated
+/// from `memory`. Errors: limit (memory), cancelled.
 Result<std::vector<SoftEdge>> find_soft_edges(const Context& context,
                                               const mesh::TriangleMesh& mesh,
                                               const EdgeBlurs& blurs,

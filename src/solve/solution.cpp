@@ -15,7 +15,7 @@
 #include "base/table_memory.hpp"
 #include "curves/response.hpp"
 #include "solve/color_drag.hpp"
-#include "solve/layer_drag.hpp"
+#include "solve/dragged_curve.hpp"
 #include "solve/layer_rows.hpp"
 #include "solve/layer_runs.hpp"
 
@@ -24,6 +24,8 @@ namespace {
 
 using solve::LayerSight;
 using solve::LayerTask;
+using Drag = solve::DraggedCurve;
+
 constexpr std::string_view kPurpose = "the solution of a document";
 
 /// What is known of one of the document's layers.
@@ -34,30 +36,6 @@ struct LayerState {
   std::optional<solve::RefinedLayer> refined{};  ///< for drags, if memory allows
 
   bool is_solved() const { return in_picture || fresh; }
-};
-
-/// A curve that is being dragged.
-struct Drag {
-  std::uint32_t layer;
-  std::uint32_t curve;
-  const Budget* budget;                      ///< that it is charged to
-  std::optional<solve::LayerDrag> engine{};  ///< none where nothing shows the layer
-  /// Its other self for where the curve is beyond the picture, once it was there. So a frame does
-  /// not depend on where the curve was before.
-  std::optional<solve::LayerDrag> roomy{};
-  bool may_have_room = true;  ///< until that lacks memory
-  /// The picture's layer, while a frame made it, and the frame before that, whose tables the next
-  /// one uses again: which engine made it, and its rows.
-  const solve::LayerDrag* shown_by = nullptr;
-  std::optional<solve::FrameRows> shown{};
-  const solve::LayerDrag* spare_by = nullptr;
-  solve::FramePatches spare{};
-
-  /// The picture's layer comes from elsewhere now.
-  void forget_shown() {
-    shown.reset();
-    spare = {};
-  }
 };
 
 /// The layer that a change to a curve touches; none of other changes.
@@ -331,8 +309,9 @@ Status Solution::State::keep(const Context& context, std::span<LayerTask> tasks,
 /// The delta as it will be once the picture has the layers that are fresh.
 PictureDelta Solution::State::delta_with_news() const {
   PictureDelta result{delta.frame || frame_changed, {}, delta.rows};
-  std::erase_if(result.rows,
-                [&](const LayerRows& rows) { return layers[rows.layer].in_picture != rows.layer; });
+  std::erase_if(result.rows, [&](const LayerRows& rows) {
+    return rows.layer >= layers.size() || layers[rows.layer].in_picture != rows.layer;
+  });
   auto known = delta.layers.begin();
   for (std::uint32_t i = 0; i < layers.size(); ++i) {
     const bool is_known = known != delta.layers.end() && *known == i;
@@ -423,8 +402,8 @@ Status Solution::State::make_frame(Context& context, const Curve& curve, Diffuse
   const auto draw = [&](solve::LayerDrag& engine) {
     maker = &engine;
     return run_with_all_memory([&](bool) {
-      solve::FramePatches spare = std::exchange(drag->spare, {});
-      if (drag->spare_by != &engine) spare = {};
+      solve::FramePatches spare;
+      if (drag->spare_by == &engine) spare = std::exchange(drag->spare, {});
       Result<solve::FramePatches> frame =
           engine.frame(context, curve, std::move(spare), {.stats = stats});
       if (frame) patches = std::move(*frame);
@@ -463,11 +442,14 @@ Status Solution::State::show(Context& context, Curve curve, DiffuseStats* stats)
 /// All that may fail comes first.
 Status Solution::State::show_frame(const Context& context, const solve::LayerDrag* maker,
                                    solve::FramePatches frame) {
-  const bool follows = drag->shown && frame.rows && drag->shown_by == maker;
   std::optional<LayerRows> news;
-  if (follows) news = solve::rows_between(drag->layer, *drag->shown, *frame.rows);
-  for (int i = 0; news && i < 2; ++i) {  // it, and what it makes of the delta
-    if (Status status = hold(context, *news); !status) return status;
+  if (drag->shown && frame.rows && drag->shown_by == maker) {
+    // In the news, and twice while the delta takes these up.
+    for (const solve::FrameRows* rows :
+         {&*drag->shown, &*frame.rows, &*drag->shown, &*frame.rows, &*drag->shown, &*frame.rows}) {
+      if (Status status = hold(context, *rows); !status) return status;
+    }
+    news = solve::rows_between(drag->layer, *drag->shown, *frame.rows);
   }
   delta.layers.reserve(delta.layers.size() + 1);
   delta.rows.reserve(delta.rows.size() + 1);

@@ -155,6 +155,25 @@ TEST_P(MeshEdits, leave_a_valid_patch_mesh) {
                  });
 }
 
+/// Constraints that lie on no edge and yet have pieces.
+std::size_t dead_constraints(const TriangleMesh& mesh) {
+  std::vector<std::uint8_t> lives(mesh.constraint.size(), 0);
+  for (const std::int32_t c : mesh.half_edge_constraint)
+    if (c != kNone) lives[static_cast<std::size_t>(c)] = 1;
+  std::size_t dead = 0;
+  for (std::size_t c = 0; c < lives.size(); ++c)
+    dead += !lives[c] && !mesh.pieces(mesh.constraint[c]).empty();
+  return dead;
+}
+
+/// After the change is taken back the mesh is what it was.
+void expect_taken_back(const TriangleMesh& before, const std::vector<std::uint32_t>& changed,
+                       TriangleMesh mesh) {
+  if (changed.size() == mesh.triangle_count()) return;  // it was made anew
+  Mesher::take_back(before, changed, mesh);
+  EXPECT_EQ(sfumato::test::difference_of(mesh, before), "");
+}
+
 /// A copy with one more curve: its patch mesh follows, and becomes the one that is extracted anew.
 /// Whether it followed what changed alone.
 bool insert_into_copy(std::mt19937& random, const curves::FlatCurves& flat, const Mesher& mesher,
@@ -173,7 +192,44 @@ bool insert_into_copy(std::mt19937& random, const curves::FlatCurves& flat, cons
   std::vector<std::uint32_t> changed;
   EXPECT_TRUE(copy->update_patch_mesh(context, mesh, changed).ok());
   EXPECT_EQ(sfumato::test::difference_on_edges(mesh, *copy->patch_mesh({})), "");
+  EXPECT_EQ(dead_constraints(mesh), 0u);
+  expect_taken_back(patch, changed, mesh);
   return follows && changed.size() < mesh.triangle_count();
+}
+
+/// The same for the visibility mesh, with a mesher whose memory has been used before.
+void insert_into_used_copy(std::mt19937& random, const curves::FlatCurves& flat,
+                           const Mesher& mesher, const TriangleMesh& visibility, Mesher& copy) {
+  Context context;
+  curves::FlatCurves more = flat;
+  const auto first = static_cast<std::uint32_t>(flat.vertex.size());
+  const Vec2 by{double(random() % 9) - 4, double(random() % 9) - 4};
+  append_curve(flat, static_cast<std::uint32_t>(random() % flat.curve_count()), by, more);
+  ASSERT_TRUE(copy.copy_from(context, mesher).ok());
+  if (!copy.holds(more, first)) return;
+  ASSERT_TRUE(copy.edit(context, more, {{}, first}, false).ok());
+  TableMemory memory("a test");
+  const auto is_same = copy.same_triangles(context, mesher, memory);
+  ASSERT_TRUE(is_same.ok());
+  TriangleMesh mesh = *copy.copy_mesh(context, visibility);
+  std::vector<std::uint32_t> changed;
+  ASSERT_TRUE(copy.update_visibility_mesh(context, *is_same, mesh, changed).ok());
+  EXPECT_EQ(sfumato::test::difference_on_edges(mesh, *copy.visibility_mesh({})), "");
+  EXPECT_EQ(dead_constraints(mesh), 0u);
+  expect_taken_back(visibility, changed, mesh);
+}
+
+TEST_P(MeshEdits, that_insert_are_followed_by_the_visibility_mesh) {
+  for_each_scene(kind(),
+                 [&](Context& context, std::mt19937& random, Edited& edited, Mesher& mesher) {
+                   ASSERT_TRUE(mesher.bake(context).ok());
+                   const TriangleMesh visibility = *mesher.visibility_mesh({});
+                   Result<Mesher> copy = mesher.copy(context);
+                   ASSERT_TRUE(copy.ok());
+                   for (int i = 0; i < 4; ++i)
+                     ASSERT_NO_FATAL_FAILURE(
+                         insert_into_used_copy(random, edited.flat, mesher, visibility, *copy));
+                 });
 }
 
 TEST_P(MeshEdits, that_insert_are_followed_by_the_patch_mesh) {

@@ -113,6 +113,52 @@ TEST(Drag, depends_on_where_the_curve_is_alone) {
   EXPECT_EQ(difference_of(solution.picture(), straight), "");
 }
 
+TEST(Drag, leaves_nothing_to_say_of_layers_that_are_gone) {
+  Context context;
+  Document document = test::one_layer({colored(circle_curve({70, 70}, 9), kGreen, kRed)});
+  document.layers.push_back(circles().layers[0]);
+  document.stack.push_back(LayerInstance{1, {}, 1});
+  Solution solution = expecting_drags(context, document);
+  ASSERT_TRUE(solution.begin_drag(context, 1, 0).ok());
+  ASSERT_TRUE(solution.drag(context, circle_at({41, 37})).ok());
+  EXPECT_TRUE(solution.take_delta().rows.empty()) << "a whole layer is new";
+  ASSERT_TRUE(solution.drag(context, circle_at({42, 37})).ok());
+  ASSERT_TRUE(solution.drag(context, circle_at({43, 38})).ok());
+  document.layers.pop_back();
+  document.stack.pop_back();
+  ASSERT_TRUE(solution.apply(context, ReplaceDocument{document}).ok());
+  ASSERT_TRUE(solution.solve(context, {}).ok());
+  const PictureDelta delta = solution.take_delta();
+  EXPECT_TRUE(delta.frame);
+  EXPECT_TRUE(delta.rows.empty());
+}
+
+TEST(Drag, says_the_rows_between_pictures_that_were_looked_at) {
+  Context context;
+  Solution solution = expecting_drags(context, circles());
+  ASSERT_TRUE(solution.begin_drag(context, 0, 0).ok());
+  ASSERT_TRUE(solution.drag(context, circle_at({41, 37})).ok());
+  ASSERT_TRUE(solution.drag(context, circle_at({44, 37})).ok());
+  const PatchLayer before = solution.picture().layers[0];
+  EXPECT_TRUE(solution.take_delta().rows.empty()) << "it is new as a whole";
+  for (const Vec2 center : {Vec2{47, 37}, Vec2{30, 44}, Vec2{45, 36}})
+    ASSERT_TRUE(solution.drag(context, circle_at(center)).ok());
+  const PictureDelta delta = solution.take_delta();
+  ASSERT_EQ(delta.layers, std::vector<std::uint32_t>{0});
+  ASSERT_EQ(delta.rows.size(), 1u);
+  const PatchLayer& after = solution.picture().layers[0];
+  const LayerRows& rows = delta.rows[0];
+  const auto common = std::min(before.triangle_count(), after.triangle_count());
+  for (std::uint32_t t = 0; t < common; ++t) {
+    if (std::ranges::binary_search(rows.triangles, t)) continue;
+    for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h)
+      ASSERT_EQ(before.triangle_vertex[h], after.triangle_vertex[h]) << t;
+  }
+  for (std::uint32_t t = common; t < after.triangle_count(); ++t)
+    ASSERT_TRUE(std::ranges::binary_search(rows.triangles, t)) << t;
+  EXPECT_LT(rows.triangles.size(), after.triangle_count());
+}
+
 TEST(Drag, beyond_all_room_is_solved_anew) {
   Context context;
   Solution solution = solved(context, circles());

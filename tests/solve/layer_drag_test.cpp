@@ -207,7 +207,8 @@ void expect_small_misses(const Document& document, LayerCurve at, double most, s
   ASSERT_TRUE(drag.ok()) << drag.status().message;
   for (int frame = 0; frame < 3; ++frame) {
     const Vec2 by{double(random() % 41) - 20, double(random() % 41) - 20};
-    const Curve curve = moved(document.layers[at.layer].curves[at.curve], by, random);
+    Curve curve = moved(document.layers[at.layer].curves[at.curve], by, random);
+    if (random() % 3 == 0) curve.weight *= 20;
     const Result<FramePatches> about = drag->frame(context, curve, {}, {.most_missed = most});
     const Result<FramePatches> exact = drag->frame(other, curve, {}, {.most_missed = 0});
     if (!about && about.status().code == StatusCode::bad_input) continue;

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "solve/layer_drag.hpp"
+#include "solve/layer_solver.hpp"
+
+namespace sfumato::solve {
+
+/// A curve that is being dragged, of a Solution.
+struct DraggedCurve {
+  std::uint32_t layer;
+  std::uint32_t curve;
+  const Budget* budget;               ///< that it is charged to
+  std::optional<LayerDrag> engine{};  ///< none where nothing shows the layer
+  /// Its other self for where the curve is beyond the picture, once it was there. So a frame does
+  /// not depend on where the curve was before.
+  std::optional<LayerDrag> roomy{};
+  bool may_have_room = true;  ///< until that lacks memory
+  /// The picture's layer, while a frame made it, and the frame before that, whose tables the next
+  /// one uses again: which engine made it, and its rows.
+  const LayerDrag* shown_by = nullptr;
+  std::optional<FrameRows> shown{};
+  const LayerDrag* spare_by = nullptr;
+  FramePatches spare{};
+
+  /// The picture's layer comes from elsewhere now.
+  void forget_shown() {
+    shown.reset();
+    spare = {};
+  }
+};
+
+}  // namespace sfumato::solve
