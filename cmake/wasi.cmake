@@ -11,7 +11,4 @@ foreach(language C CXX)
   set(CMAKE_${language}_FLAGS_INIT "-msimd128 -fno-exceptions -fvisibility=hidden")
 endforeach()
 string(APPEND CMAKE_CXX_FLAGS_INIT " -fno-rtti")
-# The stack lies below the globals, so that overflowing it traps instead of overwriting them.
-set(CMAKE_EXE_LINKER_FLAGS_INIT
-    "-mexec-model=reactor -Wl,--strip-all,--stack-first,-z,stack-size=1048576")
 set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)

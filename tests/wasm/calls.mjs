@@ -235,7 +235,7 @@ async function testWork(tap, sfumato, module) {
     const picture = context.solve(document);
     document.setPoints(1, 1, document.points(1, 1).map((x) => x + 0.5));
     context.solveAgain(document, picture, { quick: true });
-    same(picture.changes(0, Table.colorValues), null, "the new rows of another layer");
+    same(picture.changes(0, Table.colorValues).length, 0, "the new rows of another layer");
     const { rows } = picture.table(1, Table.colorValues);
     same(picture.changes(1, Table.colorValues).join(), `0,${rows}`, "the new rows");
     context.solveAgain(document, picture);
