@@ -131,7 +131,7 @@ void exact(benchmark::State& state) {
   std::vector<float> out(p->points.size() * 3);
   for (auto _ : state) {
     benchmark::DoNotOptimize(gather::gather_exact(context, p->scene, gather::FreeEnds(), p->points,
-                                                  *located, *packing, out, {})
+                                                  *located, *packing, {out, {}})
                                  .ok());
   }
   count_points(state, p->points.size());
