@@ -1,13 +1,12 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
-#include <fstream>
-#include <iterator>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "sfumato/formats/read_document.hpp"
+#include "largest_layer.hpp"
 #include "sfumato/solve/solution.hpp"
 
 // What it costs to prepare a stop for other colours, and a frame in which it has another one,
@@ -27,11 +26,7 @@ struct Options {
   double max_error = 1;
 };
 
-double cpu_milliseconds() {
-  timespec time{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-  return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
-}
+using bench::cpu_milliseconds;
 
 struct Times {
   double begin = 0;
@@ -57,17 +52,10 @@ bool color_one(Context& context, Solution& solution, const StopPlace& place, Tim
 }
 
 bool measure(const std::string& path, const Options& asked) {
-  std::ifstream stream(path, std::ios::binary);
-  const std::string text(std::istreambuf_iterator<char>(stream), {});
-  const std::string name = path.substr(path.rfind('/') + 1);
   Context context;
-  Result<ReadDocument> read = read_document(context, text, name);
-  if (!read || read->document.layers.empty()) return false;
-  const std::vector<Layer>& layers = read->document.layers;
-  const auto largest =
-      std::ranges::max_element(layers, {}, [](const Layer& layer) { return layer.curves.size(); });
-  const auto layer = static_cast<std::uint32_t>(largest - layers.begin());
-  const auto count = static_cast<std::uint32_t>(largest->curves.size());
+  std::optional<bench::LargestLayer> read = bench::read_largest_layer(context, path);
+  if (!read) return false;
+  const auto [layer, count] = std::pair(read->layer, read->curve_count);
   Result<Solution> solution = Solution::create(context, std::move(read->document));
   if (!solution) return false;
   DiffuseOptions options;
@@ -87,7 +75,7 @@ bool measure(const std::string& path, const Options& asked) {
   }
   if (times.stops == 0) return false;
   std::printf("%-24s solve %7.1f  begin %7.1f  first frame %6.2f  frame %6.2f  nodes %7.0f\n",
-              name.c_str(), solve, times.begin / times.stops, times.first / times.stops,
+              read->name.c_str(), solve, times.begin / times.stops, times.first / times.stops,
               times.frame / (kFrames * times.stops), times.nodes / times.stops);
   return true;
 }

@@ -1,15 +1,12 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "sfumato/formats/read_document.hpp"
+#include "largest_layer.hpp"
 #include "sfumato/solve/diffuse.hpp"
 #include "solve/layer_drag.hpp"
 
@@ -31,11 +28,7 @@ struct Options {
   double most_missed = solve::FrameOptions().most_missed;
 };
 
-double cpu_milliseconds() {
-  timespec time{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-  return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
-}
+using bench::cpu_milliseconds;
 
 struct Times {
   double begin = 0;
@@ -88,17 +81,11 @@ bool drag_one(Context& context, const Document& document, std::uint32_t layer, s
 }
 
 bool measure(const std::string& path, const Options& asked) {
-  std::ifstream stream(path, std::ios::binary);
-  const std::string text(std::istreambuf_iterator<char>(stream), {});
-  const std::string name = path.substr(path.rfind('/') + 1);
   Context context;
-  const Result<ReadDocument> read = read_document(context, text, name);
-  if (!read || read->document.layers.empty()) return false;
+  const std::optional<bench::LargestLayer> read = bench::read_largest_layer(context, path);
+  if (!read) return false;
+  const auto [layer, count] = std::pair(read->layer, read->curve_count);
   const Document& document = read->document;
-  const auto largest = std::ranges::max_element(
-      document.layers, {}, [](const Layer& layer) { return layer.curves.size(); });
-  const auto layer = static_cast<std::uint32_t>(largest - document.layers.begin());
-  const auto count = static_cast<std::uint32_t>(largest->curves.size());
   DiffuseOptions options;
   options.max_error = asked.max_error;
   Solved solved;
@@ -113,7 +100,7 @@ bool measure(const std::string& path, const Options& asked) {
       return false;
   }
   std::printf("%-24s solve %7.1f  begin %7.1f  first frame %6.2f  later %6.2f, nodes %6.0f\n",
-              name.c_str(), solve, times.begin / curves, times.first / curves,
+              read->name.c_str(), solve, times.begin / curves, times.first / curves,
               times.frame / times.frames, times.gathered / times.frames);
   return true;
 }

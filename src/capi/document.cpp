@@ -6,8 +6,8 @@
 #include <variant>
 
 #include "capi/bytes.hpp"
+#include "capi/read_options.hpp"
 #include "capi/view.hpp"
-#include "options/option_reader.hpp"
 #include "options/tables.hpp"
 #include "sfumato/document/build.hpp"
 #include "sfumato/formats/svg/svg_write.hpp"
@@ -49,9 +49,10 @@ Outcome copy(sfumato_context* context, Workshop& workshop, const sfumato_documen
 
 Outcome make_empty(sfumato_context* context, const char* text, sfumato_document** out) {
   options::DocumentSettings settings;
-  options::OptionReader reader(options::kNewDocument);
-  reader.take(options::document_options(), settings);
-  if (Status status = reader.read(text ? text : ""); !status) return bad_usage(std::move(status));
+  if (Outcome read =
+          read_options(text, options::kNewDocument, options::document_options(), settings);
+      read.code != SFUMATO_OK)
+    return read;
   if (!settings.artboard) return bad_usage("artboard: expected");
   Document document;
   document.artboard = *settings.artboard;

@@ -9,7 +9,7 @@
 #include "capi/file_format.hpp"
 #include "capi/picture.hpp"
 #include "capi/pixels.hpp"
-#include "options/option_reader.hpp"
+#include "capi/read_options.hpp"
 #include "options/settle.hpp"
 #include "options/tables.hpp"
 #include "output/export_picture.hpp"
@@ -34,9 +34,9 @@ Outcome hand_out(Result<Bytes> file, sfumato_bytes** out) {
 /// Reads the options of a call that makes a file, and gives the others their defaults.
 Outcome read_file_options(const char* text, options::Call call, OutputKind kind,
                           options::Settings& settings) {
-  options::OptionReader reader(call);
-  reader.take(options::render_options(), settings);
-  if (Status status = reader.read(text ? text : ""); !status) return bad_usage(std::move(status));
+  if (Outcome read = read_options(text, call, options::render_options(), settings);
+      read.code != SFUMATO_OK)
+    return read;
   const options::Conflict conflict = options::find_conflict(settings, kind);
   if (!conflict.key.empty()) {
     return bad_usage(options::spelled(conflict.key, false) + ": " +

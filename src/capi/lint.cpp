@@ -5,8 +5,8 @@
 
 #include "capi/bytes.hpp"
 #include "capi/document.hpp"
+#include "capi/read_options.hpp"
 #include "lint/hint_list.hpp"
-#include "options/option_reader.hpp"
 #include "options/tables.hpp"
 
 namespace sfumato::capi {
@@ -16,9 +16,9 @@ Outcome list_hints(Workshop& workshop, const sfumato_document* handle, const cha
                    sfumato_bytes** out) {
   if (!handle) return bad_usage("NULL given, expected a document");
   options::LintSettings settings;
-  options::OptionReader reader(options::kLint);
-  reader.take(options::lint_options(), settings);
-  if (Status status = reader.read(text ? text : ""); !status) return bad_usage(std::move(status));
+  if (Outcome read = read_options(text, options::kLint, options::lint_options(), settings);
+      read.code != SFUMATO_OK)
+    return read;
   Result<std::vector<Hint>> hints = lint(workshop.context, handle->document);
   if (!hints) return hints.status();
   if (!settings.verbose) std::erase_if(*hints, [](const Hint& hint) { return is_note(hint.kind); });

@@ -1,6 +1,6 @@
 #include "capi/picture.hpp"
 #include "capi/pixels.hpp"
-#include "options/option_reader.hpp"
+#include "capi/read_options.hpp"
 #include "options/tables.hpp"
 #include "raster/rasterize_into.hpp"
 
@@ -13,9 +13,9 @@ Outcome draw(Workshop& workshop, const sfumato_picture* handle, const sfumato_im
   const std::optional<PixelFormat> format = format_of(image);
   if (!format) return bad_usage(kNoImage);
   options::Settings settings;
-  options::OptionReader reader(options::kRaster);
-  reader.take(options::render_options(), settings);
-  if (Status status = reader.read(text ? text : ""); !status) return bad_usage(std::move(status));
+  if (Outcome read = read_options(text, options::kRaster, options::render_options(), settings);
+      read.code != SFUMATO_OK)
+    return read;
   RasterOptions& options = settings.raster;
   options.width = image->width;
   options.height = image->height;

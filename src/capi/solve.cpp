@@ -6,7 +6,7 @@
 #include "base/charge.hpp"
 #include "capi/document.hpp"
 #include "capi/picture.hpp"
-#include "options/option_reader.hpp"
+#include "capi/read_options.hpp"
 #include "options/tables.hpp"
 #include "output/output_size.hpp"
 
@@ -184,9 +184,9 @@ DiffuseOptions solve_options(const options::Settings& settings, const Document& 
 }
 
 Outcome read_solve_options(const char* text, options::Call call, options::Settings& settings) {
-  options::OptionReader reader(call);
-  reader.take(options::render_options(), settings);
-  if (Status status = reader.read(text ? text : ""); !status) return bad_usage(std::move(status));
+  if (Outcome read = read_options(text, call, options::render_options(), settings);
+      read.code != SFUMATO_OK)
+    return read;
   if (settings.size.scale && (settings.size.width || settings.size.height)) {
     return bad_usage("scale: expected without width and height");
   }

@@ -2,8 +2,8 @@
 
 #include "capi/bytes.hpp"
 #include "capi/picture.hpp"
+#include "capi/read_options.hpp"
 #include "export/html/viewer_payload.hpp"
-#include "options/option_reader.hpp"
 #include "options/tables.hpp"
 
 namespace sfumato::capi {
@@ -13,9 +13,9 @@ Outcome make_payload(Workshop& workshop, const sfumato_picture* handle, const ch
                      sfumato_bytes** out) {
   if (!handle) return bad_usage("NULL given, expected a picture");
   options::Settings settings;
-  options::OptionReader reader(options::kPayload);
-  reader.take(options::render_options(), settings);
-  if (Status status = reader.read(text ? text : ""); !status) return bad_usage(std::move(status));
+  if (Outcome read = read_options(text, options::kPayload, options::render_options(), settings);
+      read.code != SFUMATO_OK)
+    return read;
   const Picture& picture = handle->solution.picture();
   const Rgb background = settings.no_background
                              ? Rgb{1, 1, 1}

@@ -8,19 +8,17 @@ namespace sfumato::solve {
 Status FieldSolver::take_over(Context& context, const RefinedField& known, int first_channel,
                               int base_channels) {
   TableMemory scratch("patches");
-  std::vector<std::uint8_t> asks;
-  Status status = scratch.resize(context, asks, layout_.node_count());
-  if (!status) return status;
-  for (const std::uint32_t node : to_gather_) asks[node] = 1;
+  Result<std::vector<std::uint8_t>> asks = asked_nodes(context, scratch);
+  if (!asks) return asks.status();
   std::vector<std::uint32_t> carried;
-  status = scratch.reserve(context, carried, layout_.node_count());
-  if (status) status = copy_known(context, known, first_channel, base_channels, asks, carried);
+  Status status = scratch.reserve(context, carried, layout_.node_count());
+  if (status) status = copy_known(context, known, first_channel, base_channels, *asks, carried);
   if (status && field_.attributes.has_response) {
     status = field_.gatherer.find_dependents(context, {layout_.position, carried},
-                                             field_.attributes.base_channels - 1, asks);
+                                             field_.attributes.base_channels - 1, *asks);
   }
   if (!status) return status;
-  std::erase_if(to_gather_, [&](std::uint32_t node) { return !asks[node]; });
+  keep_asked(*asks);
   return ok_status();
 }
 

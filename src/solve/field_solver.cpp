@@ -96,22 +96,29 @@ Status FieldSolver::copy_values(const Context& context, const FieldSolver& befor
   return ok_status();
 }
 
+Result<std::vector<std::uint8_t>> FieldSolver::asked_nodes(const Context& context,
+                                                           TableMemory& memory) const {
+  std::vector<std::uint8_t> asks;
+  Status status = memory.resize(context, asks, layout_.node_count());
+  if (!status) return status;
+  for (const std::uint32_t node : to_gather_) asks[node] = 1;
+  return asks;
+}
+
 Status FieldSolver::carry_over(Context& context, const FieldSolver& before,
                                std::span<const std::int32_t> kept) {
   if (!has_channels_of(before)) return ok_status();
   TableMemory scratch("patches");
-  std::vector<std::uint8_t> asks;
-  Status status = scratch.resize(context, asks, layout_.node_count());
-  if (!status) return status;
-  for (const std::uint32_t node : to_gather_) asks[node] = 1;
+  Result<std::vector<std::uint8_t>> asks = asked_nodes(context, scratch);
+  if (!asks) return asks.status();
   std::vector<std::uint32_t> carried;
-  status = copy_values(context, before, kept, asks, scratch, carried);
+  Status status = copy_values(context, before, kept, *asks, scratch, carried);
   const gather::PointList points(layout_.position, carried);
   if (status) {
-    status = field_.gatherer.find_changes(context, before.field_.gatherer, points, asks);
+    status = field_.gatherer.find_changes(context, before.field_.gatherer, points, *asks);
   }
   if (!status) return status;
-  std::erase_if(to_gather_, [&](std::uint32_t node) { return !asks[node]; });
+  keep_asked(*asks);
   return ok_status();
 }
 

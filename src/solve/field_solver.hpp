@@ -228,6 +228,12 @@ class FieldSolver {
   /// Lists all free nodes, in a list that is allocated from `memory`.
   Status list_free_nodes(const Context& context, TableMemory& memory,
                          std::vector<std::uint32_t>& free) const;
+  /// Per node: 1 for those that are listed to be gathered.
+  Result<std::vector<std::uint8_t>> asked_nodes(const Context& context, TableMemory& memory) const;
+  /// Takes the nodes without asks[node] off that list.
+  void keep_asked(std::span<const std::uint8_t> asks) {
+    std::erase_if(to_gather_, [&](std::uint32_t node) { return !asks[node]; });
+  }
   Status copy_layout(const Context& context, const FieldSolver& before, std::size_t changed);
   /// Makes the nodes of the last frame those of `before` again.
   Status take_back_nodes(const Context& context, const FieldSolver& before,

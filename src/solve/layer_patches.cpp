@@ -81,7 +81,6 @@ Result<std::vector<std::uint32_t>> LayerSolver::fine_near_changes(
       if (may_be_fine(h)) status = memory.push_back(context_, fine, h);
     }
   }
-  const std::size_t in_changed = fine.size();
   RarePoll<65536> poll(context_);
   for (std::size_t i = 0; status && i < before.size(); ++i) {
     if (poll.cancelled()) return context_.cancel_status();
@@ -92,7 +91,7 @@ Result<std::vector<std::uint32_t>> LayerSolver::fine_near_changes(
   }
   if (status) status = TableMemory::sort(context_, fine, std::less<>());
   if (!status) return status;
-  if (in_changed > 0) fine.erase(std::unique(fine.begin(), fine.end()), fine.end());
+  fine.erase(std::unique(fine.begin(), fine.end()), fine.end());
   return fine;
 }
 

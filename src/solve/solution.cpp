@@ -445,9 +445,10 @@ Status Solution::State::show_frame(const Context& context, const solve::LayerDra
   std::optional<LayerRows> news;
   if (drag->shown && frame.rows && drag->shown_by == maker) {
     // In the news, and twice while the delta takes these up.
-    for (const solve::FrameRows* rows :
-         {&*drag->shown, &*frame.rows, &*drag->shown, &*frame.rows, &*drag->shown, &*frame.rows}) {
-      if (Status status = hold(context, *rows); !status) return status;
+    for (int copies = 0; copies < 3; ++copies) {
+      Status status = hold(context, *drag->shown);
+      if (status) status = hold(context, *frame.rows);
+      if (!status) return status;
     }
     news = solve::rows_between(drag->layer, *drag->shown, *frame.rows);
   }

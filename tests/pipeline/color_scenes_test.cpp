@@ -1,15 +1,13 @@
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
-#include <fstream>
-#include <iterator>
+#include <optional>
 #include <string>
+#include <utility>
 
-#include "sfumato/formats/read_document.hpp"
 #include "sfumato/solve/solution.hpp"
 #include "support/same_picture.hpp"
 #include "support/sanitizers.hpp"
+#include "support/scenes.hpp"
 
 /// Stops of the scenes of the literature that get other colours.
 namespace sfumato {
@@ -20,28 +18,12 @@ class ColorScenes : public testing::TestWithParam<const char*> {};
 /// The mesh of the paper is the same for all colours of sharp curves.
 const DiffuseOptions kPaper{.max_error = 0};
 
-/// Of the largest layer, in code values, between pictures with the same triangles.
-float largest_difference(const PatchField& a, const PatchField& b) {
-  float largest = 0;
-  const auto channels = static_cast<std::size_t>(a.channel_count);
-  for (std::size_t i = 0; i < a.triangle_node.size(); ++i) {
-    for (std::size_t c = 0; c < 3; ++c) {
-      largest = std::max(largest, std::fabs(a.node_value[channels * a.triangle_node[i] + c] -
-                                            b.node_value[channels * b.triangle_node[i] + c]));
-    }
-  }
-  return 255 * largest;
-}
-
 TEST_P(ColorScenes, show_the_colours_that_a_solution_has) {
-  std::ifstream file(std::string(SFUMATO_SHARED_DIR "/scenes/") + GetParam(), std::ios::binary);
-  if (!file) GTEST_SKIP() << "the shared scenes are not here: no " << GetParam();
+  std::optional<Document> scene = test::shared_scene(GetParam());
+  if (!scene) GTEST_SKIP() << "no public scene " << GetParam();
   if (SFUMATO_HAS_SANITIZER) GTEST_SKIP() << "minutes under sanitizers";
-  const std::string text(std::istreambuf_iterator<char>(file), {});
   Context context;
-  Result<ReadDocument> read = read_document(context, text, GetParam());
-  ASSERT_TRUE(read.ok()) << read.status().message;
-  Result<Solution> solution = Solution::create(context, std::move(read->document));
+  Result<Solution> solution = Solution::create(context, std::move(*scene));
   ASSERT_TRUE(solution.ok());
   solution->expect_drags();
   ASSERT_TRUE(solution->solve(context, kPaper).ok());
@@ -55,7 +37,7 @@ TEST_P(ColorScenes, show_the_colours_that_a_solution_has) {
     ASSERT_TRUE(solution->solve(context, kPaper).ok());
     const PatchLayer& solved = solution->picture().layers[0];
     if (shown.triangle_vertex != solved.triangle_vertex) continue;  // a blurred curve
-    EXPECT_LT(largest_difference(shown.color, solved.color), 0.5);
+    EXPECT_LT(255 * test::largest_difference(shown.color, solved.color), 0.5);
   }
 }
 

@@ -1,15 +1,12 @@
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <string>
 
-#include "sfumato/formats/read_document.hpp"
 #include "solve/layer_drag.hpp"
+#include "support/same_picture.hpp"
 #include "support/sanitizers.hpp"
+#include "support/scenes.hpp"
 
 /// Curves of the scenes of the literature that are dragged.
 namespace sfumato::solve {
@@ -17,26 +14,12 @@ namespace {
 
 class DragScenes : public testing::TestWithParam<const char*> {};
 
-/// In code values, of fields with the same nodes.
-float largest_difference(const PatchField& a, const PatchField& b) {
-  float largest = 0;
-  const auto channels = static_cast<std::size_t>(a.channel_count);
-  for (const std::uint32_t node : a.triangle_node) {
-    for (std::size_t i = channels * node; i < channels * (node + 1); ++i)
-      largest = std::max(largest, std::fabs(a.node_value[i] - b.node_value[i]));
-  }
-  return 255 * largest;
-}
-
 TEST_P(DragScenes, miss_by_less_than_a_code_value) {
-  std::ifstream file(std::string(SFUMATO_SHARED_DIR "/scenes/") + GetParam(), std::ios::binary);
-  if (!file) GTEST_SKIP() << "the shared scenes are not here: no " << GetParam();
+  std::optional<Document> scene = test::shared_scene(GetParam());
+  if (!scene) GTEST_SKIP() << "no public scene " << GetParam();
   if (SFUMATO_HAS_SANITIZER) GTEST_SKIP() << "minutes under sanitizers";
-  const std::string text(std::istreambuf_iterator<char>(file), {});
   Context context, other;
-  const Result<ReadDocument> read = read_document(context, text, GetParam());
-  ASSERT_TRUE(read.ok()) << read.status().message;
-  const Document& document = read->document;
+  const Document& document = *scene;
   DiffuseOptions options;
   options.max_error = 0;
   const LayerSight sight = sight_of_layer(document, 0, document.artboard);
@@ -54,7 +37,7 @@ TEST_P(DragScenes, miss_by_less_than_a_code_value) {
       const Result<FramePatches> exact = drag->frame(other, moved, {}, {.most_missed = 0});
       ASSERT_TRUE(about.ok() && exact.ok());
       ASSERT_EQ(about->layer.color.triangle_node, exact->layer.color.triangle_node);
-      EXPECT_LT(largest_difference(about->layer.color, exact->layer.color), 1);
+      EXPECT_LT(255 * test::largest_difference(about->layer.color, exact->layer.color), 1);
     }
   }
 }

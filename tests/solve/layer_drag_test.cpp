@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "solve/refined_layer.hpp"
 #include "solve/same_layout.hpp"
 #include "support/cancel_at.hpp"
 #include "support/drawing.hpp"
@@ -101,20 +102,6 @@ std::vector<LayerCurve> some_curves(const Document& document, std::mt19937& rand
   return chosen;
 }
 
-/// What a solution of the layer leaves for drags.
-std::optional<RefinedLayer> refined_layer(Context& context, const Document& document,
-                                          std::uint32_t layer, const LayerSight& sight,
-                                          const DiffuseOptions& options) {
-  std::optional<RefinedLayer> refined;
-  Result<PreparedLayer> prepared =
-      prepare_layer(context, document, layer, sight, options, nullptr, LayerUse::patches);
-  if (!prepared) return refined;
-  LayerSolver solver(context, std::move(*prepared), options, nullptr);
-  const bool is_solved = solver.solve(&refined).ok();
-  EXPECT_EQ(is_solved, refined.has_value());
-  return refined;
-}
-
 Picture picture_of(const PatchLayer& layer) {
   Picture picture;
   picture.layers.push_back(layer);
@@ -183,17 +170,6 @@ TEST(LayerDrag, has_the_exact_values_at_all_nodes_of_its_frames) {
   }
 }
 
-/// Of the values of fields with the same nodes.
-float largest_difference(const PatchField& a, const PatchField& b) {
-  float largest = 0;
-  for (const std::uint32_t node : a.triangle_node) {
-    const auto channels = static_cast<std::size_t>(a.channel_count);
-    for (std::size_t i = channels * node; i < channels * (node + 1); ++i)
-      largest = std::max(largest, std::fabs(a.node_value[i] - b.node_value[i]));
-  }
-  return largest;
-}
-
 void expect_small_misses(const Document& document, LayerCurve at, double most, std::mt19937& random,
                          int& missed) {
   Context context, other;
@@ -215,7 +191,7 @@ void expect_small_misses(const Document& document, LayerCurve at, double most, s
     ASSERT_TRUE(about.ok() && exact.ok());
     // A border is where it is seen to be, and what is cut there has other nodes.
     if (about->layer.color.triangle_node != exact->layer.color.triangle_node) continue;
-    const float miss = largest_difference(about->layer.color, exact->layer.color);
+    const float miss = test::largest_difference(about->layer.color, exact->layer.color);
     EXPECT_LE(miss, most + kMost) << "frame " << frame;
     missed += miss > 0;
   }

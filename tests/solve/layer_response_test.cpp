@@ -11,6 +11,7 @@
 #include "curves/response.hpp"
 #include "sfumato/base/color_space.hpp"
 #include "solve/layer_units.hpp"
+#include "solve/refined_layer.hpp"
 #include "support/drawing.hpp"
 #include "support/random_document.hpp"
 #include "support/sanitizers.hpp"
@@ -69,19 +70,6 @@ std::vector<StopPlace> stops_of(const Document& document, std::uint32_t layer) {
     }
   }
   return places;
-}
-
-std::optional<RefinedLayer> refined_layer(Context& context, const Document& document,
-                                          std::uint32_t layer, const LayerSight& sight,
-                                          const DiffuseOptions& options) {
-  std::optional<RefinedLayer> refined;
-  Result<PreparedLayer> prepared =
-      prepare_layer(context, document, layer, sight, options, nullptr, LayerUse::patches);
-  if (!prepared) return refined;
-  const bool is_solved =
-      LayerSolver(context, std::move(*prepared), options, nullptr).solve(&refined).ok();
-  EXPECT_EQ(is_solved, refined.has_value());
-  return refined;
 }
 
 /// Which nodes are fixed.

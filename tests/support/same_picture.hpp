@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <string>
 #include <vector>
@@ -28,6 +30,18 @@ inline bool same_soft_edges(const std::vector<SoftEdge>& a, const std::vector<So
     }
   }
   return true;
+}
+
+/// Between the values of all places of fields with the same triangles.
+inline float largest_difference(const PatchField& a, const PatchField& b) {
+  const auto channels = static_cast<std::size_t>(a.channel_count);
+  float largest = 0;
+  for (std::size_t i = 0; i < a.triangle_node.size(); ++i) {
+    const float* const x = a.node_value.data() + channels * a.triangle_node[i];
+    const float* const y = b.node_value.data() + channels * b.triangle_node[i];
+    for (std::size_t c = 0; c < channels; ++c) largest = std::max(largest, std::fabs(x[c] - y[c]));
+  }
+  return largest;
 }
 
 /// In what two pictures differ; empty: in nothing but what shaders show.

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <ctime>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "sfumato/formats/read_document.hpp"
+
+namespace sfumato::bench {
+
+/// Of all threads of this process.
+inline double cpu_milliseconds() {
+  timespec time{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+  return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
+}
+
+/// A document, and the layer of it that has the most curves.
+struct LargestLayer {
+  std::string name;
+  Document document;
+  std::uint32_t layer = 0;
+  std::uint32_t curve_count = 0;
+};
+
+/// Nothing where the file cannot be read, or has no layer.
+inline std::optional<LargestLayer> read_largest_layer(Context& context, const std::string& path) {
+  std::ifstream stream(path, std::ios::binary);
+  const std::string text(std::istreambuf_iterator<char>(stream), {});
+  LargestLayer found{path.substr(path.rfind('/') + 1), {}};
+  Result<ReadDocument> read = read_document(context, text, found.name);
+  if (!read || read->document.layers.empty()) return std::nullopt;
+  found.document = std::move(read->document);
+  const std::vector<Layer>& layers = found.document.layers;
+  const auto largest =
+      std::ranges::max_element(layers, {}, [](const Layer& layer) { return layer.curves.size(); });
+  found.layer = static_cast<std::uint32_t>(largest - layers.begin());
+  found.curve_count = static_cast<std::uint32_t>(largest->curves.size());
+  return found;
+}
+
+}  // namespace sfumato::bench
