@@ -7,7 +7,6 @@
 #include "base/no_throw.hpp"
 
 namespace sfumato {
-
 Status try_parallel_for(const Context& context, std::size_t count, std::size_t grain,
                         FunctionRef<Status(std::size_t, std::size_t)> body) {
   const std::size_t task_count = (count + grain - 1) / grain;
@@ -41,6 +40,15 @@ Status parallel_for(const Context& context, std::size_t count, std::size_t grain
     body(begin, end);
     return ok_status();
   });
+}
+
+Status run_both(const Context& context, FunctionRef<Status()> first, FunctionRef<Status()> second) {
+  Status outcome[2];
+  Status status = parallel_for(context, 2, 1, [&](std::size_t i, std::size_t) {
+    outcome[i] = no_throw([&] { return i == 0 ? first() : second(); });
+  });
+  if (!status) return status;
+  return outcome[0] ? outcome[1] : outcome[0];
 }
 
 }  // namespace sfumato

@@ -19,4 +19,9 @@ Status parallel_for(const Context& context, std::size_t count, std::size_t grain
 Status try_parallel_for(const Context& context, std::size_t count, std::size_t grain,
                         FunctionRef<Status(std::size_t begin, std::size_t end)> body);
 
+/// Calls both, at the same time if there are two threads. Either runs to its end even if the other
+/// fails. Returns the failure of the first, else that of the second; out_of_memory is that of an
+/// allocation that fails.
+Status run_both(const Context& context, FunctionRef<Status()> first, FunctionRef<Status()> second);
+
 }  // namespace sfumato

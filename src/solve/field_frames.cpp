@@ -132,7 +132,7 @@ Status FieldSolver::lay_out_from(Context& context, const FieldSolver& before,
   if (status) status = list_moved(context, before);
   TableMemory scratch("patches");
   std::vector<std::uint32_t> may_differ;
-  if (!has_code_values()) bound = nullptr;
+  if (!has_code_values(field_.attributes)) bound = nullptr;
   if (status) status = list_changed(context, before, is_same, bound, scratch, may_differ);
   for (std::size_t i = 0; status && i < may_differ.size(); ++i) {
     if (history_.was_met(may_differ[i])) continue;  // it is listed, or needs no value

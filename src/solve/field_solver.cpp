@@ -17,14 +17,6 @@ namespace {
 
 constexpr std::size_t kNodes = kNodesPerTriangle;
 
-constexpr std::size_t kTrianglesPerTask = 1024;
-constexpr std::size_t kProbesPerTask = 2048;
-
-/// Several threads may mark one at the same time.
-void mark(std::uint8_t& is_marked) {
-  std::atomic_ref(is_marked).store(1, std::memory_order_relaxed);
-}
-
 double longest_edge(const mesh::TriangleMesh& mesh, std::uint32_t t) {
   double longest = 0;
   for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
@@ -199,99 +191,11 @@ Result<std::size_t> FieldSolver::gather(Context& context, const gather::GatherOp
 }
 
 Status FieldSolver::find_misses(Context& context, const mesh::TriangleMesh& mesh,
-                                std::span<const std::uint32_t> triangles, float max_error,
-                                PatchOrder order, FunctionRef<float(std::uint32_t)> color_weight,
+                                std::span<const std::uint32_t> triangles, const MissLimit& limit,
                                 std::span<std::uint8_t> misses) const {
-  const auto channels = static_cast<std::size_t>(layout_.channel_count);
-  TableMemory scratch("probes of patches");
-  const Result<std::vector<std::uint32_t>> asked =
-      find_doubtful(context, triangles, max_error, order, color_weight, scratch);
-  if (!asked) return asked.status();
-  const Result<ProbeSet> placed = place_probes(context, mesh, layout_, *asked);
-  if (!placed) return placed.status();
-  const ProbeSet& probes = *placed;
-  std::vector<float> exact;
-  Status status = scratch.resize(context, exact, probes.position.size() * channels);
-  if (status) status = field_.gatherer.gather(context, probes.position, {}, exact);
-  if (!status) return status;
-  return parallel_for(context, probes.position.size(), kProbesPerTask,
-                      [&](std::size_t begin, std::size_t end) {
-                        std::vector<float> miss(channels);
-                        for (std::size_t i = begin; i < end; ++i) {
-                          measure_miss(probes, i, order, exact.data() + channels * i, miss.data());
-                          const std::uint32_t t = probes.half_edge[i] / 3;
-                          if (!is_more(miss, max_error, t, color_weight)) continue;
-                          mark(misses[t]);
-                          const std::int32_t twin = mesh.half_edge_twin[probes.half_edge[i]];
-                          if (probes.place[i] == 3 && twin != mesh::kNone) mark(misses[twin / 3]);
-                        }
-                      });
-}
-
-void FieldSolver::measure_miss(const ProbeSet& probes, std::size_t i, PatchOrder order,
-                               float* exact, float* miss) const {
-  patch_value_at_probe(probes, i, layout_, order, miss);
-  show_as_code_values(miss);
-  show_as_code_values(exact);
-  const auto channels = static_cast<std::size_t>(layout_.channel_count);
-  for (std::size_t c = 0; c < channels; ++c) miss[c] = std::fabs(miss[c] - exact[c]);
-}
-
-Result<std::vector<std::uint32_t>> FieldSolver::find_doubtful(
-    const Context& context, std::span<const std::uint32_t> triangles, float max_error,
-    PatchOrder order, FunctionRef<float(std::uint32_t)> color_weight, TableMemory& memory) const {
-  // In other spaces differences are no code values; and between nodes that all see a curve there
-  // may be a place that sees none.
-  const bool foretells =
-      order == PatchOrder::cubic && has_code_values() && sees_curves_everywhere();
-  std::vector<std::uint32_t> doubtful;
-  Status status = memory.reserve(context, doubtful, triangles.size());
-  if (status && !foretells) status = memory.append(context, triangles, doubtful);
-  if (!status) return status;
-  if (!foretells) return doubtful;
-  std::vector<std::uint8_t> is_doubtful;
-  TableMemory scratch("probes of patches");
-  status = scratch.resize(context, is_doubtful, triangles.size());
-  if (!status) return status;
-  status = parallel_for(context, triangles.size(), kTrianglesPerTask,
-                        [&](std::size_t begin, std::size_t end) {
-                          std::vector<float> miss(static_cast<std::size_t>(layout_.channel_count));
-                          for (std::size_t i = begin; i < end; ++i) {
-                            foretell_miss(layout_, triangles[i], miss.data());
-                            is_doubtful[i] = is_more(miss, max_error, triangles[i], color_weight);
-                          }
-                        });
-  if (!status) return status;
-  for (std::size_t i = 0; i < triangles.size(); ++i)
-    if (is_doubtful[i]) doubtful.push_back(triangles[i]);
-  return doubtful;
-}
-
-bool FieldSolver::is_more(std::span<const float> miss, float max_error, std::uint32_t triangle,
-                          FunctionRef<float(std::uint32_t)> color_weight) const {
-  const auto is_below = [&](float weight) {
-    for (std::size_t c = 0; c < miss.size(); ++c) {
-      if (!((is_opacity(c) ? miss[c] : weight * miss[c]) <= max_error)) return false;
-    }
-    return true;
-  };
-  return !is_below(1) && !is_below(color_weight(triangle));
-}
-
-bool FieldSolver::is_opacity(std::size_t channel) const {
-  const int base_channels = field_.attributes.base_channels;
-  return base_channels == 1 || (base_channels > 3 && channel == kOpacityChannel);
-}
-
-bool FieldSolver::has_code_values() const {
-  return field_.attributes.space == InterpolationSpace::srgb || field_.attributes.base_channels < 3;
-}
-
-/// What is tolerated is counted in code values, whatever space the colours are in.
-void FieldSolver::show_as_code_values(float* value) const {
-  if (has_code_values()) return;
-  const Rgb code = to_srgb(field_.attributes.space, {value[0], value[1], value[2]});
-  value[0] = code.r, value[1] = code.g, value[2] = code.b;
+  const MissSearch::Field searched{mesh, layout_, field_.attributes, field_.gatherer,
+                                   sees_curves_everywhere()};
+  return MissSearch(context, searched, limit).run(triangles, misses);
 }
 
 Status FieldSolver::find_coarse(Context& context, const mesh::TriangleMesh& mesh,

@@ -14,8 +14,8 @@
 #include "sfumato/picture/picture.hpp"
 #include "solve/border.hpp"
 #include "solve/layout_update.hpp"
+#include "solve/miss_search.hpp"
 #include "solve/nodes.hpp"
-#include "solve/probes.hpp"
 #include "solve/seams.hpp"
 
 namespace sfumato::solve {
@@ -27,9 +27,6 @@ struct PreparedField {
   gather::Gatherer gatherer;
   bool is_thinned = false;  ///< the gatherer's mesh lacks edges of the layer's visibility mesh
 };
-
-/// The channel of opacity in a field of colour and opacity.
-inline constexpr int kOpacityChannel = 3;
 
 /// The nodes of a field whose layer was solved, kept for those who edit it.
 struct RefinedField {
@@ -150,13 +147,10 @@ class FieldSolver {
   /// Errors: limit, cancelled.
   Result<std::size_t> gather(Context& context, const gather::GatherOptions& options, bool all);
 
-  /// Sets misses[t] for those of `triangles` (ascending) whose patch differs from the exact gather
-  /// by more than max_error (code values from 0 to 1, or the share of a shader), and for their
-  /// neighbours where the difference occurs on the common edge.
-  /// color_weight   weight of colour errors in a triangle, at most 1
+  /// Sets misses[t] for those of `triangles` (ascending) whose patches miss, and for their
+  /// neighbours where that happens on the common edge. Errors: limit (memory), cancelled.
   Status find_misses(Context& context, const mesh::TriangleMesh& mesh,
-                     std::span<const std::uint32_t> triangles, float max_error, PatchOrder order,
-                     FunctionRef<float(std::uint32_t triangle)> color_weight,
+                     std::span<const std::uint32_t> triangles, const MissLimit& limit,
                      std::span<std::uint8_t> misses) const;
 
   /// Sets coarse[t] for those of `triangles` at a blurred curve whose longest edge exceeds
@@ -203,21 +197,6 @@ class FieldSolver {
                           TableMemory& memory) const;
 
  private:
-  /// Those of `triangles` whose patches must be compared with the exact gather, in a list allocated
-  /// from `memory`. Errors: limit (memory), cancelled.
-  Result<std::vector<std::uint32_t>> find_doubtful(const Context& context,
-                                                   std::span<const std::uint32_t> triangles,
-                                                   float max_error, PatchOrder order,
-                                                   FunctionRef<float(std::uint32_t)> color_weight,
-                                                   TableMemory& memory) const;
-  /// The patch's error at probe i in each channel; converts the exact value in place, too.
-  void measure_miss(const ProbeSet& probes, std::size_t i, PatchOrder order, float* exact,
-                    float* miss) const;
-  /// Whether the error of any channel exceeds max_error. Errors of colours are multiplied by
-  /// color_weight, which is called only if it affects the result.
-  bool is_more(std::span<const float> miss, float max_error, std::uint32_t triangle,
-               FunctionRef<float(std::uint32_t)> color_weight) const;
-  bool is_opacity(std::size_t channel) const;
   /// As copy_values(), which lists the nodes in `carried`.
   Status copy_known(const Context& context, const RefinedField& known, int first_channel,
                     int base_channels, std::span<std::uint8_t> asks,
@@ -250,8 +229,6 @@ class FieldSolver {
   Status copy_values(const Context& context, const FieldSolver& before,
                      std::span<const std::int32_t> kept, std::span<std::uint8_t> asks,
                      TableMemory& memory, std::vector<std::uint32_t>& carried);
-  bool has_code_values() const;
-  void show_as_code_values(float* value) const;
 
   PreparedField field_;
   std::optional<Seams> seams_;

@@ -65,6 +65,7 @@ LayerSolver::LayerSolver(Context& context, PreparedLayer prepared, const Diffuse
                          DiffuseStats* stats, std::optional<RoundWatch> watch, SolveWay way)
     : context_(context),
       mesher_(std::move(prepared.mesher)),
+      is_mesh_refined_(prepared.is_mesh_refined),
       is_blurred_(any_blur(prepared, &curves::SegmentSide::blur_radius)),
       is_finely_blurred_(any_blur(prepared, &curves::SegmentSide::fine_radius)),
       color_(std::move(prepared.color)),
@@ -84,13 +85,8 @@ bool LayerSolver::is_joint() const {
 
 Status LayerSolver::for_fields_side_by_side(FunctionRef<Status(FieldSolver&)> body) {
   if (!opacity_ || !way_.side_by_side) return for_each_field(body);
-  FieldSolver* const field[] = {&color_, &*opacity_};
-  Status failure[2];
-  Status status = parallel_for(context_, 2, 1, [&](std::size_t i, std::size_t) {
-    failure[i] = no_throw([&] { return body(*field[i]); });
-  });
-  if (!status) return status;
-  return failure[0] ? failure[1] : failure[0];
+  return run_both(
+      context_, [&] { return body(color_); }, [&] { return body(*opacity_); });
 }
 
 Result<PatchLayer> LayerSolver::solve(std::optional<RefinedLayer>* refined) {
@@ -147,7 +143,9 @@ RefinedLayer LayerSolver::release() {
 /// The exact gather decides where to refine; rays are shot once, on the mesh that comes of it.
 Status LayerSolver::refine() {
   const Stopwatch watch;
-  if (Status status = mesher_.refine(context_); !status) return status;
+  if (!is_mesh_refined_) {
+    if (Status status = mesher_.refine(context_); !status) return status;
+  }
   if (stats_) stats_->triangulation_seconds += watch.seconds();
   const bool refines = options_.max_error > 0;
   Status status = take_mesh();
@@ -280,7 +278,7 @@ Status LayerSolver::find_misses(std::vector<std::uint32_t>& missed) {
   const auto limit = static_cast<float>(options_.max_error / 255);
   const auto opacity = [&](std::uint32_t t) { return largest_opacity(t, 1); };
   status = for_each_field([&](const FieldSolver& field) {
-    return field.find_misses(context_, *mesh_, changed_, limit, options_.order, opacity, misses);
+    return field.find_misses(context_, *mesh_, changed_, {limit, options_.order, opacity}, misses);
   });
   if (status) status = list_chosen(context_, misses, memory_, missed);
   if (stats_) stats_->gather_seconds += watch.seconds();

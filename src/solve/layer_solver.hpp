@@ -23,7 +23,7 @@ using RoundWatch = FunctionRef<void(const mesh::TriangleMesh& mesh, const FieldS
 
 /// How a layer is solved, beside what its options say.
 struct SolveWay {
-  bool side_by_side = false;  ///< colour and opacity at the same time, which takes more memory
+  bool side_by_side = false;  ///< independent steps at the same time, which takes more memory
   std::optional<FunctionRef<void(double fraction)>> progress{};  ///< told how far it has come
 };
 
@@ -192,6 +192,7 @@ class LayerSolver {
 
   Context& context_;
   mesh::Mesher mesher_;
+  bool is_mesh_refined_;  ///< for its angles and areas
   bool is_blurred_;
   bool is_finely_blurred_;
   FieldSolver color_;

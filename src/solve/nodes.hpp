@@ -11,6 +11,9 @@
 
 namespace sfumato::solve {
 
+/// The channel of opacity in a field of colour and opacity.
+inline constexpr int kOpacityChannel = 3;
+
 /// No node stands there yet.
 inline constexpr std::uint32_t kNoNode = 0xffffffff;
 

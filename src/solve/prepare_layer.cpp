@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/charge.hpp"
+#include "base/parallel.hpp"
 #include "base/poll.hpp"
 #include "base/stopwatch.hpp"
 #include "base/table_memory.hpp"
@@ -71,34 +72,83 @@ struct OneEdit {
   const curves::SegmentAttributes* beside;  ///< of the other field
 };
 
-Result<PreparedField> prepare_field(Context& context, const mesh::Mesher& mesher,
-                                    const mesh::TriangleMesh& visibility, SampledField sampled,
-                                    gather::Ends ends, const FieldEdits& edits,
-                                    const OneEdit& edit) {
-  const curves::SegmentAttributes& attributes = sampled.attributes;
-  TableMemory scratch("the visibility mesh");
-  const Result<std::vector<std::uint8_t>> bears =
-      bearing_constraints(context, visibility, attributes, scratch);
-  if (!bears) return bears.status();
+/// The visibility mesh of one field: without the curves that do not bear its attribute.
+struct FieldMesh {
+  TableMemory memory{"the visibility mesh"};
   mesh::TriangleMesh thinned;
-  const bool is_thinned = is_thin(visibility, *bears);
-  if (is_thinned) {
-    Result<mesh::TriangleMesh> mesh = mesher.thinned_mesh(context, visibility, *bears, scratch);
-    if (!mesh) return mesh.status();
-    thinned = std::move(*mesh);
+  bool is_thinned = false;
+
+  const mesh::TriangleMesh& of(const mesh::TriangleMesh& visibility) const {
+    return is_thinned ? thinned : visibility;
   }
+};
+
+Result<FieldMesh> mesh_field(const Context& context, const mesh::Mesher& mesher,
+                             const mesh::TriangleMesh& visibility, const SampledField& sampled) {
+  FieldMesh field;
+  const Result<std::vector<std::uint8_t>> bears =
+      bearing_constraints(context, visibility, sampled.attributes, field.memory);
+  if (!bears) return bears.status();
+  field.is_thinned = is_thin(visibility, *bears);
+  if (!field.is_thinned) return field;
+  Result<mesh::TriangleMesh> mesh = mesher.thinned_mesh(context, visibility, *bears, field.memory);
+  if (!mesh) return mesh.status();
+  field.thinned = std::move(*mesh);
+  return field;
+}
+
+Result<PreparedField> prepare_field(Context& context, const mesh::TriangleMesh& visibility,
+                                    const FieldMesh& mesh, SampledField sampled, gather::Ends ends,
+                                    const FieldEdits& edits, const OneEdit& edit) {
   gather::Insertion insertion;
-  if (edit.before && !edit.before->is_thinned && !is_thinned) {
+  if (edit.before && !edit.before->is_thinned && !mesh.is_thinned) {
     insertion = {&edit.before->gatherer, edits.is_same};
     if (edit.used && edit.used->has_value()) insertion.used = &(*edit.used)->gatherer;
   }
   gather::GatherUse use = edits.use;
   if (edits.is_parted) use.beside = edit.beside;
   Result<gather::Gatherer> gatherer = gather::Gatherer::create(
-      context, is_thinned ? thinned : visibility, attributes, ends, use, insertion);
+      context, mesh.of(visibility), sampled.attributes, ends, use, insertion);
   if (!gatherer) return gatherer.status();
   return PreparedField{std::move(sampled.attributes), std::move(sampled.memory),
-                       std::move(*gatherer), is_thinned};
+                       std::move(*gatherer), mesh.is_thinned};
+}
+
+struct FieldMeshes {
+  FieldMesh color;
+  std::optional<FieldMesh> opacity;
+};
+
+Result<FieldMeshes> mesh_fields(const Context& context, const mesh::Mesher& mesher,
+                                const mesh::TriangleMesh& visibility,
+                                const SampledFields& sampled) {
+  Result<FieldMesh> color = mesh_field(context, mesher, visibility, sampled.color);
+  if (!color) return color.status();
+  FieldMeshes meshes{std::move(*color), {}};
+  if (!sampled.opacity) return meshes;
+  Result<FieldMesh> opacity = mesh_field(context, mesher, visibility, *sampled.opacity);
+  if (!opacity) return opacity.status();
+  meshes.opacity.emplace(std::move(*opacity));
+  return meshes;
+}
+
+Result<PreparedFields> prepare_meshed(Context& context, const mesh::TriangleMesh& visibility,
+                                      const FieldMeshes& meshes, SampledFields sampled,
+                                      gather::Ends ends, const FieldEdits& edits) {
+  const curves::SegmentAttributes* const opacities =
+      sampled.opacity ? &sampled.opacity->attributes : nullptr;
+  Result<PreparedField> color =
+      prepare_field(context, visibility, meshes.color, std::move(sampled.color), ends, edits,
+                    {edits.color_before, edits.color_used, opacities});
+  if (!color) return color.status();
+  PreparedFields fields{std::move(*color), {}};
+  if (!sampled.opacity) return fields;
+  Result<PreparedField> opacity =
+      prepare_field(context, visibility, *meshes.opacity, std::move(*sampled.opacity), ends, edits,
+                    {edits.opacity_before, edits.opacity_used, &fields.color.attributes});
+  if (!opacity) return opacity.status();
+  fields.opacity.emplace(std::move(*opacity));
+  return fields;
 }
 
 /// What may be looked at: the triangles' vertices are coordinates like any others.
@@ -213,20 +263,9 @@ Result<SampledFields> sample_fields(const Context& context, const FlatLayer& lay
 Result<PreparedFields> prepare_fields(Context& context, const mesh::Mesher& mesher,
                                       const mesh::TriangleMesh& visibility, SampledFields sampled,
                                       gather::Ends ends, const FieldEdits& edits) {
-  const curves::SegmentAttributes* const opacities =
-      sampled.opacity ? &sampled.opacity->attributes : nullptr;
-  Result<PreparedField> color =
-      prepare_field(context, mesher, visibility, std::move(sampled.color), ends, edits,
-                    {edits.color_before, edits.color_used, opacities});
-  if (!color) return color.status();
-  PreparedFields fields{std::move(*color), {}};
-  if (!sampled.opacity) return fields;
-  Result<PreparedField> opacity =
-      prepare_field(context, mesher, visibility, std::move(*sampled.opacity), ends, edits,
-                    {edits.opacity_before, edits.opacity_used, &fields.color.attributes});
-  if (!opacity) return opacity.status();
-  fields.opacity.emplace(std::move(*opacity));
-  return fields;
+  const Result<FieldMeshes> meshes = mesh_fields(context, mesher, visibility, sampled);
+  if (!meshes) return meshes.status();
+  return prepare_meshed(context, visibility, *meshes, std::move(sampled), ends, edits);
 }
 
 Result<PreparedLayer> prepare_layer(Context& context, const Document& document, std::uint32_t layer,
@@ -241,7 +280,7 @@ Result<PreparedLayer> prepare_layer(Context& context, const Document& document, 
   ScopedCharge flat_charge;
   Status status = flat_charge.add(context, curves::bytes_of(*flat), "flattening");
   if (!status) return status;
-  const bool for_patches = use == LayerUse::patches;
+  const bool for_patches = use != LayerUse::points;
   const FlatLayer flat_layer{*flat, curves, document.interpolation,
                              for_patches && curves::opacity_goes_with_color(curves)};
   Result<SampledFields> sampled =
@@ -259,9 +298,19 @@ Result<PreparedLayer> prepare_layer(Context& context, const Document& document, 
   const double mesh_seconds = mesh_watch.seconds();
 
   const Stopwatch gather_watch;
-  Result<PreparedFields> fields =
-      prepare_fields(context, *mesher, *visibility, std::move(*sampled), options.ends);
-  if (!fields) return fields.status();
+  const Result<FieldMeshes> meshes = mesh_fields(context, *mesher, *visibility, *sampled);
+  if (!meshes) return meshes.status();
+  std::optional<PreparedFields> fields;
+  const auto prepare = [&] {
+    Result<PreparedFields> prepared =
+        prepare_meshed(context, *visibility, *meshes, std::move(*sampled), options.ends, {});
+    if (prepared) fields.emplace(std::move(*prepared));
+    return prepared.status();
+  };
+  const bool refines = use == LayerUse::patches_side_by_side;
+  status =
+      refines ? run_both(context, prepare, [&] { return mesher->refine(context); }) : prepare();
+  if (!status) return status;
   if (stats) {
     stats->curves += curves.size();
     stats->segments += flat->segment_count();
@@ -270,7 +319,7 @@ Result<PreparedLayer> prepare_layer(Context& context, const Document& document, 
     stats->gather_seconds += gather_watch.seconds();
   }
   return PreparedLayer{std::move(*mesher), std::move(fields->color), std::move(fields->opacity),
-                       meshing.frame, units.smallest_edge()};
+                       meshing.frame,      units.smallest_edge(),    refines};
 }
 
 }  // namespace sfumato::solve

@@ -26,6 +26,7 @@ struct PreparedLayer {
   std::optional<PreparedField> opacity;
   Box frame;             ///< what the patch mesh covers, layer frame
   double smallest_edge;  ///< triangles with no edge longer than this (layer units) show on no pixel
+  bool is_mesh_refined = false;  ///< Mesher::refine was called
 };
 
 /// How some instances look at a layer.
@@ -52,10 +53,16 @@ LayerSight sight_of_layer(const Document& document, std::uint32_t layer, const B
 Result<std::vector<LayerSight>> sights_of_layers(const Context& context, const Document& document,
                                                  const Box& viewport);
 
-/// The purpose of the preparation. points: exact values at single points. patches: one field may
-/// hold colour and opacity if the same curves bear both, and blur radii too small for the mesh are
-/// treated as fine ones.
-enum class LayerUse : std::uint8_t { points, patches };
+/// The purpose of the preparation.
+enum class LayerUse : std::uint8_t {
+  points,  ///< exact values at single points
+  /// One field may hold colour and opacity if the same curves bear both, and blur radii too small
+  /// for the mesh are treated as fine ones.
+  patches,
+  /// The same, and the mesh is refined while the fields are prepared, which takes more memory at a
+  /// time.
+  patches_side_by_side,
+};
 
 /// A layer's curves as polylines, with what of the document goes into its fields.
 struct FlatLayer {

@@ -11,8 +11,8 @@
 namespace sfumato::solve {
 namespace {
 
-constexpr int kInnerProbes = 3;
-constexpr int kProbeKinds = kInnerProbes + 3;
+constexpr int kInnerKinds = kEdgePlace;
+constexpr int kProbeKinds = kInnerKinds + 3;
 
 /// Barycentric coordinates: the inner probes lie half way between the barycentre and a corner,
 /// as far from all nodes as a point of the triangle can be; then the centres of edges 01, 12, 20.
@@ -48,8 +48,8 @@ const std::uint32_t* nodes_of(const NodeLayout& layout, std::uint32_t t) {
 }
 
 int kind_of(const ProbeSet& probes, std::size_t i) {
-  if (probes.place[i] < kInnerProbes) return probes.place[i];
-  return kInnerProbes + static_cast<int>(probes.half_edge[i] % 3);
+  if (probes.place[i] < kInnerKinds) return probes.place[i];
+  return kInnerKinds + static_cast<int>(probes.half_edge[i] % 3);
 }
 
 Vec2 point(const mesh::TriangleMesh& mesh, std::uint32_t t, int kind) {
@@ -68,19 +68,20 @@ namespace {
 class ProbePlacer {
  public:
   ProbePlacer(const Context& context, const mesh::TriangleMesh& mesh, const NodeLayout& layout,
-              std::span<const std::uint32_t> triangles)
-      : context_(context), mesh_(mesh), layout_(layout), triangles_(triangles) {}
+              std::span<const std::uint32_t> triangles, std::span<const ProbeChoice> choice)
+      : context_(context), mesh_(mesh), layout_(layout), triangles_(triangles), choice_(choice) {}
 
   Result<ProbeSet> run() {
     const std::size_t ranges = (triangles_.size() + kTrianglesPerTask - 1) / kTrianglesPerTask;
-    Status status = scratch_.resize(context_, is_asked_, mesh_.triangle_count());
+    Status status = scratch_.resize(context_, asks_edges_, mesh_.triangle_count());
     if (status) status = scratch_.resize(context_, first_, ranges + 1);
     if (!status) return status;
-    for (const std::uint32_t t : triangles_) is_asked_[t] = 1;
+    for (std::size_t i = 0; i < triangles_.size(); ++i)
+      asks_edges_[triangles_[i]] = chooses(choice_[i], kEdgePlace);
     status = for_each_range([&](std::size_t begin, std::size_t end) {
       std::size_t& count = first_[begin / kTrianglesPerTask + 1];
       for (std::size_t i = begin; i < end; ++i)
-        for_each_probe(triangles_[i], [&](std::uint32_t, int) { ++count; });
+        for_each_probe(i, [&](std::uint32_t, int) { ++count; });
     });
     std::partial_sum(first_.begin(), first_.end(), first_.begin());
     ProbeSet probes;
@@ -109,21 +110,27 @@ class ProbePlacer {
         probes.position[i] = point(mesh_, half_edge / 3, kind_of(probes, i));
         ++i;
       };
-      for (std::size_t k = begin; k < end; ++k) for_each_probe(triangles_[k], put);
+      for (std::size_t k = begin; k < end; ++k) for_each_probe(k, put);
     });
   }
 
-  /// Calls visit(half_edge, place) for those that triangle t has to place.
+  static bool chooses(ProbeChoice choice, int place) { return (choice >> place & 1) != 0; }
+
+  /// Calls visit(half_edge, place) for those that the triangle at this index has to place.
   template <class Visit>
-  void for_each_probe(std::uint32_t t, Visit visit) const {
-    for (int place = 0; place < kInnerProbes; ++place) visit(3 * t, place);
+  void for_each_probe(std::size_t index, Visit visit) const {
+    const std::uint32_t t = triangles_[index];
+    for (int place = 0; place < kInnerKinds; ++place) {
+      if (chooses(choice_[index], place)) visit(3 * t, place);
+    }
+    if (!asks_edges_[t]) return;
     for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
       if (layout_.edge_is_curve[h]) continue;
       const std::int32_t twin = mesh_.half_edge_twin[h];
       const bool other_asks = twin != mesh::kNone &&
-                              is_asked_[static_cast<std::uint32_t>(twin) / 3] &&
+                              asks_edges_[static_cast<std::uint32_t>(twin) / 3] &&
                               static_cast<std::uint32_t>(twin) < h;
-      if (!other_asks) visit(h, kInnerProbes);
+      if (!other_asks) visit(h, kEdgePlace);
     }
   }
 
@@ -131,16 +138,18 @@ class ProbePlacer {
   const mesh::TriangleMesh& mesh_;
   const NodeLayout& layout_;
   std::span<const std::uint32_t> triangles_;
+  std::span<const ProbeChoice> choice_;
   TableMemory scratch_{"probes of patches"};
-  std::vector<std::uint8_t> is_asked_;  ///< per triangle of the mesh
-  std::vector<std::size_t> first_;      ///< per range of triangles_: its first probe
+  std::vector<std::uint8_t> asks_edges_;  ///< per triangle of the mesh
+  std::vector<std::size_t> first_;        ///< per range of triangles_: its first probe
 };
 
 }  // namespace
 
 Result<ProbeSet> place_probes(const Context& context, const mesh::TriangleMesh& mesh,
-                              const NodeLayout& layout, std::span<const std::uint32_t> triangles) {
-  return ProbePlacer(context, mesh, layout, triangles).run();
+                              const NodeLayout& layout, std::span<const std::uint32_t> triangles,
+                              std::span<const ProbeChoice> choice) {
+  return ProbePlacer(context, mesh, layout, triangles, choice).run();
 }
 
 void patch_value_at_probe(const ProbeSet& probes, std::size_t i, const NodeLayout& layout,
@@ -164,9 +173,11 @@ void patch_value_at_probe(const ProbeSet& probes, std::size_t i, const NodeLayou
 // four numbers: an edge's cubic term t, with opposite signs seen from its ends, and the part of the
 // center that edges and corners do not foretell. At the inner probe near corner k the difference is
 // center / 2 + (t of the edge that leaves k - t of the edge that enters k) / 8.
-void foretell_miss(const NodeLayout& layout, std::uint32_t t, float* miss) {
+ProbeChoice foretell_miss(const NodeLayout& layout, std::uint32_t t, float* miss) {
   const auto channel_count = static_cast<std::size_t>(layout.channel_count);
   const std::uint32_t* node = nodes_of(layout, t);
+  float most = 0;
+  ProbeChoice worst = kInnerProbes;
   for (std::size_t channel = 0; channel < channel_count; ++channel) {
     std::array<float, kNodesPerTriangle> value;
     for (std::size_t n = 0; n < value.size(); ++n)
@@ -181,14 +192,22 @@ void foretell_miss(const NodeLayout& layout, std::uint32_t t, float* miss) {
     }
     const float center = 0.5f * (value[kCenterNode] - 0.25f * edges + corners / 6);
     float cubic_part = 0;
+    std::size_t corner = 0;
     for (std::size_t k = 0; k < term.size(); ++k) {
-      const float difference = center + 0.125f * (term[k] - term[(k + 2) % 3]);
-      cubic_part = std::max(cubic_part, std::fabs(difference));
+      const float difference = std::fabs(center + 0.125f * (term[k] - term[(k + 2) % 3]));
+      if (difference > cubic_part) corner = k;
+      cubic_part = std::max(cubic_part, difference);
     }
     float low = value[0], high = value[0];
     for (const float v : value) low = std::min(low, v), high = std::max(high, v);
-    miss[channel] = std::max(kMissPerCubicPart * cubic_part, kMissPerRange * (high - low));
+    const float by_cubic = kMissPerCubicPart * cubic_part, by_range = kMissPerRange * (high - low);
+    miss[channel] = std::max(by_cubic, by_range);
+    if (miss[channel] > most) {
+      most = miss[channel];
+      worst = by_cubic > by_range ? static_cast<ProbeChoice>(1 << corner) : kInnerProbes;
+    }
   }
+  return worst;
 }
 
 }  // namespace sfumato::solve

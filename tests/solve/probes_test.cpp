@@ -15,15 +15,16 @@ namespace {
 
 constexpr double kCodeValues = 255;
 
-/// Of one triangle whose ten nodes are its own, with one channel.
-float foretold(const std::array<double, kNodesPerTriangle>& value) {
+/// Of one triangle whose ten nodes are its own, with one channel. `where` gets the likely probes.
+float foretold(const std::array<double, kNodesPerTriangle>& value, ProbeChoice* where = nullptr) {
   NodeLayout layout;
   layout.channel_count = 1;
   layout.triangle_node.resize(value.size());
   std::iota(layout.triangle_node.begin(), layout.triangle_node.end(), 0u);
   for (const double v : value) layout.value.push_back(static_cast<float>(v));
   float miss = 0;
-  foretell_miss(layout, 0, &miss);
+  const ProbeChoice likely = foretell_miss(layout, 0, &miss);
+  if (where) *where = likely;
   return miss;
 }
 
@@ -46,13 +47,18 @@ TEST(ForetellMiss, is_five_times_what_the_cubic_adds_to_the_quadratic) {
     std::array<double, kNodesPerTriangle> value;
     for (double& v : value) v = unit(random);
     double most = 0;
+    std::size_t corner = 0;
     for (std::size_t k = 0; k < 3; ++k) {
       const auto [w, u, v] = kProbes[k];
-      most = std::max(most, std::fabs(sum(patch_basis(PatchOrder::cubic, w, u, v), value) -
-                                      sum(patch_basis(PatchOrder::quadratic, w, u, v), value)));
+      const double added = std::fabs(sum(patch_basis(PatchOrder::cubic, w, u, v), value) -
+                                     sum(patch_basis(PatchOrder::quadratic, w, u, v), value));
+      if (added > most) corner = k;
+      most = std::max(most, added);
     }
     const auto [low, high] = std::ranges::minmax(value);
-    EXPECT_NEAR(foretold(value), std::max(5 * most, (high - low) / 24), 1e-5);
+    ProbeChoice where = 0;
+    EXPECT_NEAR(foretold(value, &where), std::max(5 * most, (high - low) / 24), 1e-5);
+    EXPECT_EQ(where, 5 * most > (high - low) / 24 ? 1 << corner : kInnerProbes);
   }
 }
 
@@ -63,7 +69,9 @@ TEST(ForetellMiss, of_a_quadratic_is_a_share_of_its_range) {
     value[i] = 0.2 + x * x - 0.3 * y * y + 0.1 * x * y;
   }
   const auto [low, high] = std::ranges::minmax(value);
-  EXPECT_NEAR(foretold(value), (high - low) / 24, 1e-6);
+  ProbeChoice where = 0;
+  EXPECT_NEAR(foretold(value, &where), (high - low) / 24, 1e-6);
+  EXPECT_EQ(where, kInnerProbes);
 }
 
 /// Beside a straight edge that is blurred over radius 1 (eq. 8), at the distance y.
