@@ -345,6 +345,22 @@ SFUMATO_API int32_t sfumato_picture_table(const sfumato_picture* picture, uint32
 SFUMATO_API int32_t sfumato_picture_changes(const sfumato_picture* picture, uint32_t layer,
                                             uint32_t table, sfumato_view* view);
 
+/** What the last sfumato_solve() or sfumato_solve_again() did, summed over the layers that it
+ * solved. Layers are solved side by side: their seconds may be more than those of the call. */
+enum sfumato_statistic {
+  SFUMATO_CURVES = 0,                /**< diffusion curves */
+  SFUMATO_SEGMENTS = 1,              /**< straight segments of the flattened curves */
+  SFUMATO_SOLVED_TRIANGLES = 2,      /**< of the patch meshes */
+  SFUMATO_SOLVED_VERTICES = 3,       /**< of the patch meshes */
+  SFUMATO_NODES = 4,                 /**< points at which colour or opacity was gathered */
+  SFUMATO_GEOMETRY_SECONDS = 5,      /**< curves flattened, and their attributes sampled */
+  SFUMATO_TRIANGULATION_SECONDS = 6, /**< meshes and their refinement */
+  SFUMATO_GATHER_SECONDS = 7         /**< at nodes, and to find what has to be refined */
+};
+
+/** One of these numbers; 0 where there is no such. */
+SFUMATO_API double sfumato_picture_statistic(const sfumato_picture* picture, uint32_t statistic);
+
 /** How much the values of a layer answer to a stop of a colour or an opacity; with UINT32_MAX as
  * `stop` to all stops of that side. `response`: f32, 1 column, a row for each of
  * SFUMATO_COLOR_VALUES or SFUMATO_OPACITY_VALUES, 0 to 1. Where the stop's value grows by d, in the

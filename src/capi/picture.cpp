@@ -20,6 +20,29 @@ const PatchLayer* find_layer(const sfumato_picture* handle, std::uint32_t layer)
   return &handle->solution.picture().layers[layer];
 }
 
+double statistic(const DiffuseStats& stats, std::uint32_t which) {
+  switch (which) {
+    case SFUMATO_CURVES:
+      return static_cast<double>(stats.curves);
+    case SFUMATO_SEGMENTS:
+      return static_cast<double>(stats.segments);
+    case SFUMATO_SOLVED_TRIANGLES:
+      return static_cast<double>(stats.triangles);
+    case SFUMATO_SOLVED_VERTICES:
+      return static_cast<double>(stats.vertices);
+    case SFUMATO_NODES:
+      return static_cast<double>(stats.nodes);
+    case SFUMATO_GEOMETRY_SECONDS:
+      return stats.geometry_seconds;
+    case SFUMATO_TRIANGULATION_SECONDS:
+      return stats.triangulation_seconds;
+    case SFUMATO_GATHER_SECONDS:
+      return stats.gather_seconds;
+    default:
+      return 0;
+  }
+}
+
 }  // namespace
 
 bool find_table(const PatchLayer& layer, std::uint32_t table, sfumato_view& view) {
@@ -81,4 +104,8 @@ int32_t sfumato_picture_changes(const sfumato_picture* picture, uint32_t layer, 
   *view = {ranges.empty() ? nullptr : ranges.data(), ranges.size(), sizeof ranges[0], 2,
            SFUMATO_U32};
   return SFUMATO_OK;
+}
+
+double sfumato_picture_statistic(const sfumato_picture* picture, uint32_t statistic) {
+  return picture ? sfumato::capi::statistic(picture->stats, statistic) : 0;
 }

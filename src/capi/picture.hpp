@@ -54,6 +54,7 @@ struct sfumato_picture {
   sfumato::options::Settings settings;  ///< that it is solved with
   sfumato::Vec2 own_scale{1, 1};        ///< pixels per user unit at the document's own size
   std::vector<sfumato::capi::ChangedRows> changed;  ///< of each layer
+  sfumato::DiffuseStats stats{};                    ///< of the last time that it was solved
   sfumato::capi::Revision shown{};                  ///< what it is a picture of
   sfumato::capi::Revision applied{};                ///< what its solution's document is
   std::optional<sfumato::capi::CurvePlace> dragged{};

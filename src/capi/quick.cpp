@@ -26,8 +26,10 @@ Status drag(sfumato_context& context, CurvePlace place, const sfumato_document& 
   if (Status status = take_hold(context, place, handle); !status) return status;
   std::vector<ChangedRows> changed(handle.changed.size());
   const Curve& curve = document.document.layers[place.layer].curves[place.curve];
-  Status status = handle.solution.drag(context.workshop->context, curve);
+  DiffuseStats stats;
+  Status status = handle.solution.drag(context.workshop->context, curve, &stats);
   if (!status) return status;
+  handle.stats = stats;
   note_changes(handle.solution.picture(), handle.solution.take_delta(), changed);
   handle.changed = std::move(changed);
   handle.shown = handle.applied = document.edits.now();
@@ -64,6 +66,7 @@ Status set_stop(sfumato_context& context, const StopChange& change, sfumato_pict
   if (!status) return status;
   note_stop(change.place, is_first, handle, changed);
   handle.changed = std::move(changed);
+  handle.stats = {};
   handle.colored = change.place;
   return status;
 }

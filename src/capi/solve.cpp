@@ -54,7 +54,9 @@ Status bring_up(Context& context, sfumato_picture& handle) {
   const Document& document = handle.solution.document();
   std::vector<ChangedRows> changed(document.layers.size());
   const DiffuseOptions options = solve_options(handle.settings, document);
-  if (Status status = handle.solution.solve(context, options); !status) return status;
+  DiffuseStats stats;
+  if (Status status = handle.solution.solve(context, options, &stats); !status) return status;
+  handle.stats = stats;
   note_changes(handle.solution.picture(), handle.solution.take_delta(), changed);
   handle.changed = std::move(changed);
   handle.own_scale = output::own_scale(document);
@@ -138,6 +140,7 @@ Outcome solve_quickly(sfumato_context& context, const sfumato_document& document
                       sfumato_picture& handle) {
   if (handle.shown == document.edits.now()) {
     for (ChangedRows& rows : handle.changed) rows = {};
+    handle.stats = {};
     return {};
   }
   if (const auto moved = document.edits.only_change_since(handle.shown)) {

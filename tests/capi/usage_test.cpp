@@ -82,6 +82,7 @@ TEST_F(CUsage, null_is_an_error_everywhere) {
   EXPECT_EQ(sfumato_picture_viewport(nullptr, box), kUsage);
   EXPECT_EQ(sfumato_picture_table(nullptr, 0, 0, &view), kUsage);
   EXPECT_EQ(sfumato_picture_changes(nullptr, 0, 0, &view), kUsage);
+  EXPECT_EQ(sfumato_picture_statistic(nullptr, SFUMATO_CURVES), 0);
   EXPECT_EQ(sfumato_raster(c, nullptr, nullptr, nullptr), kUsage);
   EXPECT_EQ(sfumato_export(c, nullptr, "png", nullptr, &out_b), kUsage);
   EXPECT_EQ(sfumato_encode(c, nullptr, "png", nullptr, &out_b), kUsage);
@@ -146,6 +147,7 @@ TEST_F(CUsage, indices_past_the_end_are_errors) {
   EXPECT_EQ(sfumato_picture_table(picture.get(), 0, 7, &view), kUsage);
   EXPECT_EQ(sfumato_picture_changes(picture.get(), 0, 7, &view), kUsage);
   EXPECT_EQ(sfumato_picture_changes(picture.get(), 1, 0, &view), kUsage);
+  EXPECT_EQ(sfumato_picture_statistic(picture.get(), SFUMATO_GATHER_SECONDS + 1), 0);
 }
 
 TEST_F(CUsage, numbers_that_no_document_has_are_errors) {

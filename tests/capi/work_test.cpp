@@ -79,6 +79,36 @@ TEST(CSolve, again_names_the_layers_that_are_new) {
   EXPECT_TRUE(new_rows(1));
 }
 
+TEST(CSolve, counts_what_it_solved_and_times_the_steps) {
+  const ContextHandle context = context_of();
+  sfumato_context* c = context.get();
+  const DocumentHandle document = read_text(c, example("portrait.svg"));
+  const PictureHandle picture = solve(c, document.get(), "max-error=off");
+  const auto of_picture = [&](sfumato_statistic which) {
+    return sfumato_picture_statistic(picture.get(), which);
+  };
+  double curves = 0, triangles = 0;
+  for (std::uint32_t layer = 0; layer < sfumato_layer_count(document.get()); ++layer) {
+    sfumato_view view{};
+    ASSERT_EQ(sfumato_picture_table(picture.get(), layer, SFUMATO_TRIANGLES, &view), SFUMATO_OK);
+    triangles += static_cast<double>(view.rows);
+    curves += sfumato_curve_count(document.get(), layer);
+  }
+  EXPECT_EQ(of_picture(SFUMATO_CURVES), curves);
+  EXPECT_EQ(of_picture(SFUMATO_SOLVED_TRIANGLES), triangles);
+  const double nodes = of_picture(SFUMATO_NODES);
+  for (std::uint32_t i = SFUMATO_SEGMENTS; i <= SFUMATO_GATHER_SECONDS; ++i)
+    EXPECT_GT(sfumato_picture_statistic(picture.get(), i), 0) << i;
+  move_first_point(c, document.get(), 1, 0);
+  ASSERT_EQ(sfumato_solve_again(c, document.get(), 1, picture.get()), SFUMATO_OK);
+  EXPECT_GT(of_picture(SFUMATO_NODES), 0);
+  EXPECT_LT(of_picture(SFUMATO_NODES), nodes / 10) << "of one curve's frame";
+  ASSERT_EQ(sfumato_solve_again(c, document.get(), 0, picture.get()), SFUMATO_OK);
+  EXPECT_EQ(of_picture(SFUMATO_CURVES), sfumato_curve_count(document.get(), 1)) << "of one layer";
+  ASSERT_EQ(sfumato_solve_again(c, document.get(), 1, picture.get()), SFUMATO_OK);
+  EXPECT_EQ(of_picture(SFUMATO_NODES), 0) << "nothing has changed";
+}
+
 TEST(CSolve, that_fails_leaves_the_picture_as_it_was) {
   const ContextHandle context = context_of(), small = context_of("threads=1 limit.segments=2");
   const DocumentHandle document = read_text(context.get(), example("evening.xml"));

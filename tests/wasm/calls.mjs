@@ -237,8 +237,12 @@ async function testWork(tap, sfumato, module) {
     context.solveAgain(document, picture, { quick: true });
     same(picture.changes(0, Table.colorValues).length, 0, "the new rows of another layer");
     const { rows } = picture.table(1, Table.colorValues);
+    check(picture.statistics.nodes < rows, "few nodes are gathered for a frame");
     same(picture.changes(1, Table.colorValues).join(), `0,${rows}`, "the new rows");
     context.solveAgain(document, picture);
+    const { curves, gatherSeconds } = picture.statistics;
+    same(curves, document.curveCount(1), "the curves that were solved");
+    check(gatherSeconds > 0, "the host's clock times the steps");
     const fresh = context.solve(document).table(1, Table.colorValues);
     same(picture.table(1, Table.colorValues).data.join(), fresh.data.join(), "the values");
   });

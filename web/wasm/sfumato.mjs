@@ -24,6 +24,18 @@ export const Table = Object.freeze({
   opacityValues: 6,
 });
 
+/** What a picture counts of the last time that it was solved: the numbers of the C interface. */
+const statistics = [
+  "curves",
+  "segments",
+  "triangles",
+  "vertices",
+  "nodes",
+  "geometrySeconds",
+  "triangulationSeconds",
+  "gatherSeconds",
+];
+
 const channels = { rgb8: 3, rgba8: 4, rgb16: 3, rgba16: 4 };
 const formats = Object.keys(channels);
 
@@ -492,6 +504,12 @@ export class SfumatoPicture extends Handle {
   changes(layer, table) {
     const { rows, data } = this.#look("sfumato_picture_changes", layer, table);
     return Array.from({ length: rows }, (_, i) => [data[2 * i], data[2 * i + 1]]);
+  }
+
+  /** What the last solve() or solveAgain() did: { curves, nodes, gatherSeconds... }. */
+  get statistics() {
+    const number = (i) => this.library.call("sfumato_picture_statistic", this.address, i);
+    return Object.fromEntries(statistics.map((name, i) => [name, number(i)]));
   }
 
   #look(name, layer, table) {
