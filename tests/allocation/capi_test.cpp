@@ -34,15 +34,21 @@ constexpr char kDrawing[] =
 void use_picture(Session& session, sfumato_context* c, sfumato_document* document) {
   sfumato_picture* picture = nullptr;
   sfumato_bytes* bytes = nullptr;
-  const double green[] = {0, 0, 1, 0};
+  const double green[] = {0, 0, 1, 0}, lower[] = {0, 5, 3, 5, 6, 5, 8, 5};
   if (!session.take(sfumato_solve(c, document, "max-error=off", &picture), &picture)) return;
   session.take(sfumato_set_curve_stops(c, document, 0, 0, 0, 0, SFUMATO_STOPS, 0, green, 1));
   session.take(sfumato_solve_again(c, document, 1, picture));
+  session.take(sfumato_set_curve_points(c, document, 0, 0, lower, 4));
+  session.take(sfumato_solve_again(c, document, 1, picture));
   session.take(sfumato_solve_again(c, document, 0, picture));
+  sfumato_view response{};
+  session.take(sfumato_stop_response(c, picture, 0, 0, 0, 0, 0, &response));
   std::uint8_t pixels[8 * 8 * 3];
   const sfumato_image image{pixels, 24, 8, 8, SFUMATO_RGB8};
   session.take(sfumato_raster(c, picture, &image, "background=white"));
   session.take(sfumato_export(c, picture, "pdf", "title=\"a b\" background=red", &bytes), &bytes);
+  sfumato_bytes_free(bytes);
+  session.take(sfumato_viewer_payload(c, picture, "background=red", &bytes), &bytes);
   sfumato_bytes_free(bytes);
   sfumato_picture_free(picture);
 }
@@ -57,6 +63,9 @@ void use_document(Session& session, sfumato_context* c, sfumato_document* docume
   session.take(sfumato_set_curve_stops(c, document, 0, 0, 0, 0, SFUMATO_STOPS, 0, red, 1));
   session.take(sfumato_document_copy(c, document, &copy), &copy);
   sfumato_document_free(copy);
+  sfumato_bytes* json = nullptr;
+  session.take(sfumato_lint(c, document, "verbose", &json), &json);
+  sfumato_bytes_free(json);
   if (session.take(sfumato_field_new(c, document, 0, nullptr, &field), &field)) {
     session.take(sfumato_field_colors(c, field, at, 1, rgba));
     sfumato_field_free(field);
@@ -64,8 +73,18 @@ void use_document(Session& session, sfumato_context* c, sfumato_document* docume
   use_picture(session, c, document);
 }
 
+/// Pixels for a file that no document has.
+void add_image(Session& session, sfumato_context* c) {
+  const char file[] = "some file";
+  std::uint8_t pixels[4] = {};
+  const sfumato_image image{pixels, 4, 1, 1, SFUMATO_RGBA8};
+  session.take(sfumato_add_image(c, file, sizeof file, &image));
+  session.take(sfumato_add_image(c, file, sizeof file, nullptr));
+}
+
 Session run(sfumato_context* c) {
   Session session;
+  add_image(session, c);
   sfumato_document *document = nullptr, *read = nullptr;
   session.take(sfumato_read(c, kDrawing, sizeof kDrawing - 1, "in", nullptr, &read), &read);
   sfumato_document_free(read);
