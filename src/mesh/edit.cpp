@@ -49,7 +49,10 @@ Status take_segments_off(const Context& context, std::span<const std::uint8_t> i
   const auto count = static_cast<std::int32_t>(chords.size());
   for (std::int32_t c = 0; c < count; ++c) {
     if (poll.cancelled()) return context.cancel_status();
-    if (!chords.take_off(c, is_removed) || !chords[c].load.empty()) continue;
+    if (!chords.take_off(c, is_removed)) continue;
+    mesh.touch_around(chords[c].from);
+    mesh.touch_around(chords[c].to);
+    if (!chords[c].load.empty()) continue;
     const HalfEdge e = mesh.find_edge(chords[c].from, chords[c].to);
     if (e == kNone) return make_error(StatusCode::internal, "mesh: a chord that is no edge");
     chords.remove(c);

@@ -24,7 +24,8 @@ Status bake_chords(const Context& context, Budget& budget, Triangulation& mesh, 
                    std::vector<VertexOrigin>& origins);
 
 /// Takes segments off their chords: those s that have is_removed[s]. Where nothing is left the edge
-/// becomes free, and the mesh is constrained Delaunay again. Vertices stay.
+/// becomes free, and the mesh is constrained Delaunay again. Vertices stay; all triangles around
+/// those of the segments count as changed.
 ///
 /// chords   whose chords are edges
 /// Errors   cancelled; mesh and chords are unusable then

@@ -109,8 +109,12 @@ class Mesher {
               bool refines);
 
   /// The triangles inside the frame. Triangles and vertices keep their indices from one call to the
-  /// next, and to update_patch_mesh. Errors: limit (memory), cancelled.
-  Result<TriangleMesh> patch_mesh(const Context& context);
+  /// next, and to update_patch_mesh, unless an edit crossed the frame.
+  /// changed   unless null: gets the triangles that changed since the last call of either,
+  ///           including new ones, ascending
+  /// Errors    limit (memory), cancelled
+  Result<TriangleMesh> patch_mesh(const Context& context,
+                                  std::vector<std::uint32_t>* changed = nullptr);
 
   /// Per triangle of the visibility_mesh() of `before`, of which this is a copy into which segments
   /// were inserted since, without refinement: 1 where that of this one has the same triangle at the
@@ -146,12 +150,12 @@ class Mesher {
                                                    TableMemory& memory) const;
 
   /// Updates in place `mesh`, the result of the last patch_mesh. Except for the order of its
-  /// constraints it becomes what patch_mesh would return now. After an edit that took segments out,
-  /// or one that crosses the frame, it is that mesh, all of whose triangles count as changed; after
-  /// others there may be constraints without an edge and without pieces.
-  /// changed   out: the triangles that changed, including new ones, ascending
-  /// Errors    limit (memory), cancelled; `mesh` is unusable then
-  /// Cost      O(changed · log)
+  /// constraints it becomes what patch_mesh would return now. After an edit that crosses the frame
+  /// it is that mesh, all of whose triangles count as changed; after others there may be
+  /// constraints without an edge and without pieces. Of segments that were taken out all triangles
+  /// around the vertices count as changed. changed   out: the triangles that changed, including new
+  /// ones, ascending Errors    limit (memory), cancelled; `mesh` is unusable then Cost O(changed ·
+  /// log)
   Status update_patch_mesh(const Context& context, TriangleMesh& mesh,
                            std::vector<std::uint32_t>& changed);
 

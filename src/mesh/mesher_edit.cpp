@@ -186,10 +186,7 @@ Status Mesher::edit(const Context& context, const curves::FlatCurves& flat, cons
   const bool moves_frame = arrangement.moved_frame();
   if (status && moves_frame) status = flood_inside(context, s.mesh, s.chords);
   if (status) status = s.refiner.start(context);
-  // Vertices outside may have come in, or constraints have gone: tables are extracted anew.
-  if (moves_frame || !edit.is_removed.empty()) {
-    s.forget_numbers();
-  }
+  if (moves_frame) s.forget_numbers();  // vertices outside may have come in
   if (!status || !refines) {
     s.mesh.take_touched([](std::int32_t) {});
     return status;

@@ -83,6 +83,18 @@ void Triangulation::unconstrain(HalfEdge e) {
   touch_sides(e);
 }
 
+void Triangulation::touch_around(Vertex v) {
+  const HalfEdge first = spoke[v];
+  HalfEdge e = first;
+  do {
+    touch(triangle_of(e));
+    e = twin(previous(e));
+  } while (e != first && e >= 0);
+  if (e == first) return;
+  // v is a corner of the domain: the other way round.
+  for (HalfEdge f = twin(first); f >= 0; f = twin(next(f))) touch(triangle_of(f));
+}
+
 HalfEdge Triangulation::find_edge(Vertex u, Vertex w) const {
   const HalfEdge first = spoke[u];
   HalfEdge e = first;

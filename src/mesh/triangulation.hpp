@@ -108,6 +108,9 @@ struct Triangulation {
     touch(triangle_of(twin(e)));
   }
 
+  /// All triangles around a vertex count as changed.
+  void touch_around(Vertex v);
+
   /// The half-edge from u to w, or kNone.
   HalfEdge find_edge(Vertex u, Vertex w) const;
 

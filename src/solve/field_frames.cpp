@@ -47,9 +47,8 @@ Status FieldSolver::take_back_nodes(const Context& context, const FieldSolver& b
 }
 
 /// With room for what follows the change of so many triangles.
-Status FieldSolver::copy_layout(const Context& context, const FieldSolver& before,
-                                std::size_t changed) {
-  const NodeLayout& from = before.layout_;
+Status FieldSolver::copy_layout(const Context& context, const NodeLayout& from,
+                                std::span<const std::uint8_t> node_hit, std::size_t changed) {
   const std::size_t triangles = seams_->half_edge_count() / 3;
   const std::size_t nodes = std::max(from.node_count() + 6 * changed,  // as update_layout asks
                                      std::size_t{from.node_count()} / 4 * 5);
@@ -65,12 +64,11 @@ Status FieldSolver::copy_layout(const Context& context, const FieldSolver& befor
   copy(from.position, layout_.position, layout_memory_, nodes);
   copy(from.is_fixed, layout_.is_fixed, layout_memory_, nodes);
   copy(from.value, layout_.value, layout_memory_, width * nodes);
-  copy(before.node_hit_, node_hit_, memory_, nodes);
+  copy(node_hit, node_hit_, memory_, nodes);
   return status;
 }
 
-Status FieldSolver::list_moved(const Context& context, const FieldSolver& before) {
-  const NodeLayout& old = before.layout_;
+Status FieldSolver::list_moved(const Context& context, const NodeLayout& old) {
   RarePoll<65536> poll(context);
   for (const std::uint32_t node : history_.unused) layout_.is_fixed[node] = 1;  // nobody asks
   for (const std::uint32_t node : history_.met) {
@@ -88,27 +86,42 @@ Status FieldSolver::list_moved(const Context& context, const FieldSolver& before
   return ok_status();
 }
 
-Status FieldSolver::list_changed(Context& context, const FieldSolver& before,
-                                 std::span<const std::uint8_t> is_same,
+Status FieldSolver::list_changed(Context& context, const PreparedField& with,
+                                 const FieldSolver& without, std::span<const std::uint8_t> is_same,
                                  const gather::ShareBound* bound, TableMemory& memory,
-                                 std::vector<std::uint32_t>& changed) const {
-  const gather::Gatherer& then = before.field_.gatherer;
-  const std::span<const Vec2> positions = before.layout_.position;
-  if (!field_.is_thinned && !before.field_.is_thinned) {
-    return field_.gatherer.list_changes(context, then, positions,
-                                        {before.node_place_, is_same, bound, before.node_hit_},
-                                        memory, changed);
+                                 std::vector<std::uint32_t>& changed) {
+  const gather::Gatherer& rest = without.field_.gatherer;
+  const std::span<const Vec2> positions = without.layout_.position;
+  if (!with.is_thinned && !without.field_.is_thinned) {
+    return with.gatherer.list_changes(context, rest, positions,
+                                      {without.node_place_, is_same, bound, without.node_hit_},
+                                      memory, changed);
   }
   std::vector<std::uint8_t> may_differ;
   std::vector<std::uint32_t> free;
   TableMemory scratch("patches");
   Status status = scratch.resize(context, may_differ, positions.size());
-  if (status) status = before.list_free_nodes(context, scratch, free);
+  if (status) status = without.list_free_nodes(context, scratch, free);
   if (!status) return status;
-  status = field_.gatherer.find_changes(context, then, {positions, free}, may_differ);
+  status = with.gatherer.find_changes(context, rest, {positions, free}, may_differ);
   if (status) status = memory.reserve(context, changed, free.size());
   for (std::size_t i = 0; status && i < free.size(); ++i)
     if (may_differ[free[i]]) changed.push_back(free[i]);
+  return status;
+}
+
+/// Of nodes that list_moved() has listed, or that need no value, none is listed again.
+Status FieldSolver::list_to_gather(Context& context, const PreparedField& with,
+                                   const FieldSolver& without,
+                                   std::span<const std::uint8_t> is_same,
+                                   const gather::ShareBound* bound) {
+  TableMemory scratch("patches");
+  std::vector<std::uint32_t> may_differ;
+  Status status = list_changed(context, with, without, is_same, bound, scratch, may_differ);
+  for (std::size_t i = 0; status && i < may_differ.size(); ++i) {
+    if (history_.was_met(may_differ[i])) continue;
+    status = memory_.push_back(context, to_gather_, may_differ[i]);
+  }
   return status;
 }
 
@@ -121,7 +134,7 @@ Status FieldSolver::lay_out_from(Context& context, const FieldSolver& before,
   history_.is_logged = true;
   Status status;
   if (frame_->layout.triangle_node.empty()) {
-    status = copy_layout(context, before, changed.size());
+    status = copy_layout(context, before.layout_, before.node_hit_, changed.size());
   } else {
     layout_ = std::move(frame_->layout);
     layout_memory_ = std::move(frame_->layout_memory);
@@ -129,15 +142,22 @@ Status FieldSolver::lay_out_from(Context& context, const FieldSolver& before,
     to_gather_ = std::move(frame_->gathered);
   }
   if (status) status = follow(context, mesh, changed);
-  if (status) status = list_moved(context, before);
-  TableMemory scratch("patches");
-  std::vector<std::uint32_t> may_differ;
+  if (status) status = list_moved(context, before.layout_);
   if (!has_code_values(field_.attributes)) bound = nullptr;
-  if (status) status = list_changed(context, before, is_same, bound, scratch, may_differ);
-  for (std::size_t i = 0; status && i < may_differ.size(); ++i) {
-    if (history_.was_met(may_differ[i])) continue;  // it is listed, or needs no value
-    status = memory_.push_back(context, to_gather_, may_differ[i]);
-  }
+  return status ? list_to_gather(context, field_, before, is_same, bound) : status;
+}
+
+Status FieldSolver::lay_out_without(Context& context, const RefinedField& known,
+                                    const PreparedField& with, const mesh::TriangleMesh& mesh,
+                                    std::span<const std::uint32_t> changed,
+                                    std::span<const std::uint8_t> is_same) {
+  history_.is_logged = true;
+  Status status = copy_layout(context, known.layout, known.node_hit, changed.size());
+  if (status) status = follow(context, mesh, changed);
+  if (status) status = list_moved(context, known.layout);
+  if (status) status = locate_nodes(context);
+  if (status) status = list_to_gather(context, with, *this, is_same, nullptr);
+  history_.free(layout_memory_);
   return status;
 }
 

@@ -141,13 +141,10 @@ Result<RefinedField> FieldSolver::copy_nodes(const Context& context) const {
   return refined;
 }
 
-void FieldSolver::resume(RefinedField refined) {
-  layout_ = std::move(refined.layout);
-  node_hit_ = std::move(refined.node_hit);
-  layout_memory_ = std::move(refined.memory);
-}
-
 RefinedField FieldSolver::release() {
+  memory_.free(vertex_radius_);
+  memory_.free(to_gather_);
+  layout_memory_.take(std::move(memory_));
   return {std::move(layout_), std::move(node_hit_), std::move(layout_memory_)};
 }
 

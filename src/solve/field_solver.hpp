@@ -100,6 +100,19 @@ class FieldSolver {
                       std::span<const std::uint32_t> changed, std::span<const std::uint8_t> is_same,
                       const gather::ShareBound* bound);
 
+  /// In place of lay_out(), after start() on a mesh of which segments were taken out, for others to
+  /// lay_out_from() this: takes over the nodes that are known from before that, and follows the
+  /// change. Nodes keep their numbers, and their values but for those that are new and those that
+  /// watched segments or free ends of either may reach: these are listed to be gathered.
+  /// known     laid out on the mesh with these segments, for the same triangles but for `changed`
+  /// with      the field with them, which are watched
+  /// changed   as for lay_out_from(): triangles of the mesh
+  /// is_same   as gather::KnownPlaces, for this field and that one
+  /// Errors    limit (memory), cancelled
+  Status lay_out_without(Context& context, const RefinedField& known, const PreparedField& with,
+                         const mesh::TriangleMesh& mesh, std::span<const std::uint32_t> changed,
+                         std::span<const std::uint8_t> is_same);
+
   /// After lay_out_from() and gather(), where nothing else was done: what the next frame may begin
   /// from.
   FieldFrame release_frame();
@@ -110,21 +123,13 @@ class FieldSolver {
   Status list_rows(const Context& context, TableMemory& memory,
                    std::vector<std::uint32_t>& triangles, std::vector<std::uint32_t>& nodes) const;
 
-  /// Finds where the free nodes lie, for others to lay_out_from() this. Errors: limit (memory),
-  /// cancelled.
-  Status locate_nodes(Context& context);
-
   /// What copy_nodes() takes.
   std::size_t bytes_of_nodes() const;
 
   /// A copy of the nodes and their values. Errors: limit (memory), cancelled.
   Result<RefinedField> copy_nodes(const Context& context) const;
 
-  /// In place of start() and all that follows, for others to carry_over() from this: the nodes that
-  /// a solver of the same layer had in the end.
-  void resume(RefinedField refined);
-
-  /// Moves the nodes out again.
+  /// Moves the nodes out.
   RefinedField release();
 
   /// After lay_out: takes over what is known of nodes of the same mesh, gathered from the same
@@ -213,17 +218,24 @@ class FieldSolver {
   void keep_asked(std::span<const std::uint8_t> asks) {
     std::erase_if(to_gather_, [&](std::uint32_t node) { return !asks[node]; });
   }
-  Status copy_layout(const Context& context, const FieldSolver& before, std::size_t changed);
+  Status copy_layout(const Context& context, const NodeLayout& from,
+                     std::span<const std::uint8_t> node_hit, std::size_t changed);
   /// Makes the nodes of the last frame those of `before` again.
   Status take_back_nodes(const Context& context, const FieldSolver& before,
                          std::span<const std::uint32_t> changed);
-  /// Lists in to_gather_ the free nodes of `before` that the update met and that do not stand where
+  /// Lists in to_gather_ the free nodes of `old` that the update met and that do not stand where
   /// they stood. Those that do count as not met from here on.
-  Status list_moved(const Context& context, const FieldSolver& before);
-  /// Lists in `changed` nodes of `before` whose values may not be what they were.
-  Status list_changed(Context& context, const FieldSolver& before,
-                      std::span<const std::uint8_t> is_same, const gather::ShareBound* bound,
-                      TableMemory& memory, std::vector<std::uint32_t>& changed) const;
+  Status list_moved(const Context& context, const NodeLayout& old);
+  /// Finds where the free nodes lie.
+  Status locate_nodes(Context& context);
+  /// Lists in `changed` nodes of `without` whose values are others with the watched segments.
+  static Status list_changed(Context& context, const PreparedField& with,
+                             const FieldSolver& without, std::span<const std::uint8_t> is_same,
+                             const gather::ShareBound* bound, TableMemory& memory,
+                             std::vector<std::uint32_t>& changed);
+  /// Adds those to to_gather_.
+  Status list_to_gather(Context& context, const PreparedField& with, const FieldSolver& without,
+                        std::span<const std::uint8_t> is_same, const gather::ShareBound* bound);
   /// Copies values of nodes of `before` that are at the same place, free in both, lists these in
   /// `carried` and clears asks[node]. Errors: limit (memory), cancelled.
   Status copy_values(const Context& context, const FieldSolver& before,

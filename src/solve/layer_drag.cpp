@@ -61,7 +61,7 @@ struct LayerDrag::State {
         is_joint(curves::opacity_goes_with_color(curves)),
         units(artboard, sight, options) {}
 
-  Status begin(Context& context, std::optional<RefinedLayer>& refined);
+  Status begin(Context& context, const std::optional<RefinedLayer>& refined);
   bool has_fields_with(const Curve& curve) const;
   Result<FramePatches> frame(Context& context, const Curve& curve, bool keeps, FramePatches spare,
                              const FrameOptions& how);
@@ -98,11 +98,11 @@ struct LayerDrag::State {
   Result<SampledFields> sample_frame(const Context& context, LastFrame& frame) const;
   LayerSolver solver(Context& context, PreparedFields fields, mesh::Mesher&& patches,
                      DiffuseStats* stats = nullptr, std::optional<RoundWatch> watch = {}) const;
-  Result<PreparedFields> fields(Context& context, const mesh::TriangleMesh& mesh,
-                                const FieldEdits& edits) const;
+  Result<PreparedFields> fields(Context& context, const mesh::Mesher& mesher,
+                                const mesh::TriangleMesh& mesh, const FieldEdits& edits) const;
   Status mesh_layer(Context& context);
-  Status take_off(Context& context, const LayerSolver& whole,
-                  std::span<const std::uint8_t> is_removed);
+  Result<RefinedLayer> solve(Context& context) const;
+  Status take_off(Context& context, const RefinedLayer& refined);
 };
 
 /// has_opacity   as FlatLayer's
@@ -124,43 +124,34 @@ LayerSolver LayerDrag::State::solver(Context& context, PreparedFields fields,
       options, stats, watch);
 }
 
-/// Of the layer's own curves, on the visibility mesh as it is.
-Result<PreparedFields> LayerDrag::State::fields(Context& context, const mesh::TriangleMesh& mesh,
+/// Of the layer's own curves.
+/// mesh   mesher.visibility_mesh()
+Result<PreparedFields> LayerDrag::State::fields(Context& context, const mesh::Mesher& mesher,
+                                                const mesh::TriangleMesh& mesh,
                                                 const FieldEdits& edits) const {
   Result<SampledFields> sampled = sample(context, flat, curves);
   if (!sampled) return sampled.status();
-  return prepare_fields(context, *visibility, mesh, std::move(*sampled), options.ends, edits);
+  return prepare_fields(context, mesher, mesh, std::move(*sampled), options.ends, edits);
 }
 
-Status LayerDrag::State::begin(Context& context, std::optional<RefinedLayer>& refined) {
+Status LayerDrag::State::begin(Context& context, const std::optional<RefinedLayer>& refined) {
   has_room = !refined;
   budget = &context.budget;
   Status status = mesh_layer(context);
-  if (!status) return status;
-  TableMemory memory("a drag");
-  const Result<std::vector<std::uint8_t>> moves = marked(
-      context, flat.vertex.size(), flat.curve_begin[moving], flat.curve_begin[moving + 1], memory);
-  if (!moves) return moves.status();
-  std::optional<mesh::Mesher> unrefined;
-  if (!refined) {
-    Result<mesh::Mesher> copy = visibility->copy(context);
-    if (!copy) return copy.status();
-    unrefined.emplace(std::move(*copy));
-  }
-  mesh::Mesher& patches = refined ? refined->mesher : *unrefined;
-  const Result<mesh::TriangleMesh> mesh = visibility->visibility_mesh(context);
+  if (!status || refined) return status ? take_off(context, *refined) : status;
+  Result<RefinedLayer> solved = solve(context);
+  return solved ? take_off(context, *solved) : solved.status();
+}
+
+/// The layer as it is.
+Result<RefinedLayer> LayerDrag::State::solve(Context& context) const {
+  Result<mesh::Mesher> whole = visibility->copy(context);
+  if (!whole) return whole.status();
+  const Result<mesh::TriangleMesh> mesh = whole->visibility_mesh(context);
   if (!mesh) return mesh.status();
-  Result<PreparedFields> prepared = fields(context, *mesh, {.use = {*moves}});
+  Result<PreparedFields> prepared = fields(context, *whole, *mesh, {});
   if (!prepared) return prepared.status();
-  LayerSolver whole = solver(context, std::move(*prepared), std::move(patches));
-  if (!refined) {
-    status = whole.refine();
-    return status ? take_off(context, whole, *moves) : status;
-  }
-  whole.resume(std::move(refined->nodes));
-  status = take_off(context, whole, *moves);
-  *refined = whole.release();
-  return status;
+  return solver(context, std::move(*prepared), std::move(*whole)).refine_only();
 }
 
 /// Makes the polylines of all curves and their mesh.
@@ -178,25 +169,42 @@ Status LayerDrag::State::mesh_layer(Context& context) {
   return status;
 }
 
-Status LayerDrag::State::take_off(Context& context, const LayerSolver& whole,
-                                  std::span<const std::uint8_t> is_removed) {
-  const mesh::MeshEdit edit{is_removed, static_cast<std::uint32_t>(flat.vertex.size())};
+/// refined   of the layer as it is
+Status LayerDrag::State::take_off(Context& context, const RefinedLayer& refined) {
+  TableMemory memory("a drag");
+  const Result<std::vector<std::uint8_t>> moves = marked(
+      context, flat.vertex.size(), flat.curve_begin[moving], flat.curve_begin[moving + 1], memory);
+  if (!moves) return moves.status();
+  const mesh::MeshEdit edit{*moves, static_cast<std::uint32_t>(flat.vertex.size())};
+  Result<mesh::Mesher> whole = visibility->copy(context);
+  if (!whole) return whole.status();
   Status status = visibility->edit(context, flat, edit, false);
-  if (!status) return status;
-  Result<mesh::Mesher> patches = whole.mesher().copy(context);
-  if (!patches) return patches.status();
-  status = patches->edit(context, flat, edit, true);
-  if (status) status = patches->bake(context);
   if (!status) return status;
   Result<mesh::TriangleMesh> mesh = visibility->visibility_mesh(context);
   if (!mesh) return mesh.status();
   visibility_mesh = std::move(*mesh);
   Result<PreparedFields> rest =
-      fields(context, visibility_mesh, {.use = {.will_be_extended = true}});
+      fields(context, *visibility, visibility_mesh, {.use = {.will_be_extended = true}});
   if (!rest) return rest.status();
+  const Result<std::vector<std::uint8_t>> is_same =
+      visibility->same_triangles(context, *whole, memory);
+  if (!is_same) return is_same.status();
+  const Result<mesh::TriangleMesh> whole_mesh = whole->visibility_mesh(context);
+  if (!whole_mesh) return whole_mesh.status();
+  const Result<PreparedFields> with =
+      fields(context, *whole, *whole_mesh,
+             {.use = {*moves},
+              .color_before = &rest->color,
+              .opacity_before = rest->opacity ? &*rest->opacity : nullptr,
+              .is_same = *is_same});
+  if (!with) return with.status();
+  Result<mesh::Mesher> patches = refined.mesher.copy(context);
+  if (!patches) return patches.status();
+  status = patches->edit(context, flat, edit, true);
+  if (!status) return status;
   base.emplace(solver(context, std::move(*rest), std::move(*patches)));
-  status = base->continue_from(whole);
-  return status ? base->prepare_to_be_edited() : status;
+  return base->continue_without(
+      {refined.nodes, with->color, with->opacity ? &*with->opacity : nullptr, *is_same});
 }
 
 /// Whether the layer has the same fields with the curve in its place.
@@ -353,7 +361,7 @@ LayerDrag::~LayerDrag() = default;
 Result<LayerDrag> LayerDrag::begin(Context& context, const Document& document, std::uint32_t layer,
                                    std::uint32_t curve, const LayerSight& sight,
                                    const DiffuseOptions& options,
-                                   std::optional<RefinedLayer>& refined) {
+                                   const std::optional<RefinedLayer>& refined) {
   auto state = std::make_unique<State>(document.artboard, document.interpolation,
                                        document.layers[layer].curves, curve, sight, options);
   Status status = state->begin(context, refined);
@@ -376,8 +384,7 @@ Result<LayerDrag> LayerDrag::with_room(Context& context) const {
   const State& now = *state_;
   auto state = std::make_unique<State>(now.artboard, now.interpolation, now.curves, now.moving,
                                        now.sight, now.options);
-  std::optional<RefinedLayer> none;
-  Status status = state->begin(context, none);
+  Status status = state->begin(context, std::nullopt);
   if (!status) return status;
   return LayerDrag(std::move(state));
 }

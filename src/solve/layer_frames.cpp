@@ -10,6 +10,8 @@
 /// LayerSolver where a layer is edited, as in the frames of a drag.
 namespace sfumato::solve {
 
+/// Lays out all anew, after any edit of a copy of the mesher of `before`. Nodes keep the values
+/// that they have there unless the edit may change them.
 Status LayerSolver::continue_from(const LayerSolver& before) {
   Status status = take_mesh();
   if (status && is_blurred_) status = list_all_triangles();
@@ -28,6 +30,22 @@ Status LayerSolver::continue_from(const LayerSolver& before) {
   return status;
 }
 
+Status LayerSolver::continue_without(const CurveRemoval& removal) {
+  Status status = take_mesh(&changed_);
+  if (status && is_blurred_) status = follow_blur_too(true);
+  const auto lay_out = [&](FieldSolver& field, const RefinedField& known,
+                           const PreparedField& with) {
+    return field.lay_out_without(context_, known, with, *mesh_, changed_, removal.is_same);
+  };
+  if (status) status = lay_out(color_, removal.known.color, removal.color);
+  if (status && opacity_) {
+    status = lay_out(*opacity_, *removal.known.opacity, *removal.opacity);
+  }
+  if (status) status = gather(gather::GatherOptions{}, false);
+  return status ? prepare_to_be_edited() : status;
+}
+
+/// What continue_inserted() of others needs of this.
 Status LayerSolver::prepare_to_be_edited() {
   Status status = mesher_.bake(context_);
   if (status && shows_everything()) {
@@ -39,8 +57,7 @@ Status LayerSolver::prepare_to_be_edited() {
     if (!soft) return soft.status();
     soft_edge_.emplace(std::move(*soft));
   }
-  if (!status) return status;
-  return for_each_field([&](FieldSolver& field) { return field.locate_nodes(context_); });
+  return status;
 }
 
 Status LayerSolver::continue_inserted(const LayerSolver& before, const CurveInsertion& insertion) {
@@ -54,7 +71,8 @@ Status LayerSolver::continue_inserted(const LayerSolver& before, const CurveInse
   FrameTables none;
   Status status = start_inserted(before, insertion.last ? *insertion.last : none);
   if (status) status = update_mesh();
-  if (status) status = follow_insertion(insertion.is_inserted);
+  if (status) status = add_fans(insertion.is_inserted);
+  if (status && is_blurred_) status = follow_blur_too(false);
   const auto lay_out = [&](FieldSolver& field, const FieldSolver& from) {
     return field.lay_out_from(context_, from, *mesh_, changed_, insertion.is_same, insertion.bound);
   };
@@ -100,12 +118,11 @@ FrameTables LayerSolver::release_frame() {
   return frame;
 }
 
-/// Lists in changed_ all that an insertion changes, with what blurs ask for then.
-Status LayerSolver::follow_insertion(std::span<const std::uint8_t> is_inserted) {
-  Status status = add_fans(is_inserted);
-  if (!status || !is_blurred_) return status;
+/// Follows blurs where the mesh changed, and adds what that changes to what is listed in changed_.
+Status LayerSolver::follow_blur_too(bool everywhere) {
   std::vector<std::uint32_t> all_changed;
-  status = memory_.append(context_, changed_, all_changed);
+  Status status = memory_.append(context_, changed_, all_changed);
+  if (status && everywhere) status = list_all_triangles();
   if (status) status = follow_blur(&all_changed);
   if (status) status = TableMemory::sort(context_, all_changed, std::less<>());
   all_changed.erase(std::unique(all_changed.begin(), all_changed.end()), all_changed.end());

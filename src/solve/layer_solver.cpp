@@ -129,18 +129,18 @@ Result<RefinedNodes> LayerSolver::copy_nodes() const {
   return nodes;
 }
 
-void LayerSolver::resume(RefinedNodes nodes) {
-  color_.resume(std::move(nodes.color));
-  if (opacity_ && nodes.opacity) opacity_->resume(std::move(*nodes.opacity));
-}
-
-RefinedLayer LayerSolver::release() {
+Result<RefinedLayer> LayerSolver::refine_only() {
+  Status status = refine();
+  if (status) status = put_in_order();
+  if (!status) return status;
   RefinedLayer refined{std::move(mesher_), {color_.release(), {}}};
   if (opacity_) refined.nodes.opacity = opacity_->release();
+  refined.mesher.forget_extracted();
   return refined;
 }
 
-/// The exact gather decides where to refine; rays are shot once, on the mesh that comes of it.
+/// Afterwards the mesh is as fine as it has to be, and its nodes have their values. The exact
+/// gather decides where to refine; rays are shot once, on the mesh that comes of it.
 Status LayerSolver::refine() {
   const Stopwatch watch;
   if (!is_mesh_refined_) {
@@ -173,10 +173,10 @@ Result<PatchLayer> LayerSolver::take() {
   return layer;
 }
 
-/// Takes the mesher's first mesh.
-Status LayerSolver::take_mesh() {
+/// Takes the mesher's mesh as it is.
+Status LayerSolver::take_mesh(std::vector<std::uint32_t>* changed) {
   const Stopwatch watch;
-  Result<mesh::TriangleMesh> mesh = mesher_.patch_mesh(context_);
+  Result<mesh::TriangleMesh> mesh = mesher_.patch_mesh(context_, changed);
   if (!mesh) return mesh.status();
   *mesh_ = std::move(*mesh);
   Status status = check_limits(context_.limits, *mesh_);

@@ -48,6 +48,14 @@ struct FrameTables {
   TableMemory memory{"patches"};
 };
 
+/// A curve that was taken out of a layer, for a drag of it.
+struct CurveRemoval {
+  const RefinedNodes& known;              ///< of the layer with it
+  const PreparedField& color;             ///< of the layer with it, which is watched
+  const PreparedField* opacity;           ///< as PreparedLayer
+  std::span<const std::uint8_t> is_same;  ///< Mesher::same_triangles of the visibility meshes
+};
+
 /// A curve that was inserted into a layer, for a frame of a drag.
 struct CurveInsertion {
   std::span<const std::uint8_t> is_inserted;  ///< per segment
@@ -89,28 +97,22 @@ class LayerSolver {
   ///           their exact values, or memory is lacking for it
   Result<PatchLayer> solve(std::optional<RefinedLayer>* refined = nullptr);
 
-  /// solve() without its last steps: afterwards the mesh is as fine as it has to be, its nodes have
-  /// their values, and others may continue from it. Errors: limit, cancelled.
-  Status refine();
+  /// What solve() leaves of a layer, without its patches and whatever memory allows. Call last.
+  /// Errors: limit, cancelled.
+  Result<RefinedLayer> refine_only();
 
-  /// In place of refine(), where the mesher is that of a RefinedLayer of the same layer: takes its
-  /// nodes, for others to continue_from() this.
-  void resume(RefinedNodes nodes);
+  /// In place of solve(): the mesher was copied from that of a RefinedLayer, and segments were
+  /// taken out of it since. Nodes keep the values that are known unless the edit may change them;
+  /// nothing is made finer than the edit left it, except at blurs. Afterwards others may
+  /// continue_inserted() from this. Errors: limit, cancelled.
+  Status continue_without(const CurveRemoval& removal);
 
-  /// Moves mesh and nodes out. Call last.
-  RefinedLayer release();
-
-  /// In place of refine(): the mesher was copied from that of `before`, which was refined, and
-  /// edited since. Nodes keep the values that they have there unless the edit may change them;
-  /// nothing is made finer than the edit left it, except at blurs. Errors: limit, cancelled.
-  Status continue_from(const LayerSolver& before);
-
-  /// The same for an edit that only inserted segments, at a cost of copies of the tables and of
-  /// what the edit changed; where a segment crosses the frame, or fields differ, at that of
-  /// continue_from(). `before` was made ready by prepare_to_be_edited().
+  /// The same for a mesher that was copied from that of `before`, which has continued itself, and
+  /// into which segments were inserted since, at a cost of copies of the tables and of what the
+  /// edit changed; where a segment crosses the frame, or fields differ, at that of laying out all.
   Status continue_inserted(const LayerSolver& before, const CurveInsertion& insertion);
 
-  /// In place of refine(), where the mesher is that of a RefinedLayer of the same layer, and a
+  /// In place of solve(), where the mesher is that of a RefinedLayer of the same layer, and a
   /// field has a response: nodes that have none keep the values that are known, the others are
   /// gathered. A layer whose fields were one may have two here. Errors: limit, cancelled.
   Status answer(const RefinedNodes& known);
@@ -118,11 +120,7 @@ class LayerSolver {
   /// Moves the mesher out. Call last.
   mesh::Mesher release_mesher() { return std::move(mesher_); }
 
-  /// After continue_from(): what continue_inserted() of others needs of this. Errors: limit
-  /// (memory), cancelled.
-  Status prepare_to_be_edited();
-
-  /// The patches, after refine(), answer(), continue_from() or continue_inserted(). A response is
+  /// The patches, after answer() or continue_inserted(). A response is
   /// the last base channel of its field; triangles whose opacity has one are kept where that or the
   /// opacity shows. Errors: limit, cancelled.
   Result<PatchLayer> take();
@@ -137,16 +135,20 @@ class LayerSolver {
   const PreparedField* opacity() const { return opacity_ ? &opacity_->field() : nullptr; }
 
  private:
+  Status refine();
+  Status continue_from(const LayerSolver& before);
+  Status prepare_to_be_edited();
   bool has_spare_memory() const;
   Result<RefinedNodes> copy_nodes() const;
-  Status take_mesh();
+  /// `changed`, unless null, gets what patch_mesh() says.
+  Status take_mesh(std::vector<std::uint32_t>* changed = nullptr);
   Status update_mesh();
   Status lay_out();
   Status put_in_order();
   Status list_all_triangles();
   /// `all_changed`, unless null, is added to: the triangles that change.
   Status follow_blur(std::vector<std::uint32_t>* all_changed = nullptr);
-  Status follow_insertion(std::span<const std::uint8_t> is_inserted);
+  Status follow_blur_too(bool everywhere);
   Status add_fans(std::span<const std::uint8_t> is_inserted);
   Status gather(const gather::GatherOptions& options, bool all);
   Status find_misses(std::vector<std::uint32_t>& missed);
