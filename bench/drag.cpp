@@ -11,7 +11,8 @@
 #include "solve/layer_drag.hpp"
 
 // What the begin of a drag costs, its first frame and each later one, in which a curve has moved,
-// beside solving its layer: CPU time in milliseconds of one thread.
+// beside solving its layer: CPU time in milliseconds of one thread. And what is kept of the
+// solution for begins, in MB.
 //
 //   build/bench/drag [--curves N] [--max-error E] [--missed SHARE] FILE...
 //
@@ -48,7 +49,7 @@ bool solve_layer(Context& context, const Document& document, std::uint32_t layer
                  const DiffuseOptions& options, Solved& solved) {
   solved.sight = solve::sight_of_layer(document, layer, document.artboard);
   Result<solve::PreparedLayer> prepared = solve::prepare_layer(
-      context, document, layer, solved.sight, options, nullptr, solve::LayerUse::patches);
+      context, document, layer, solved.sight, options, nullptr, solve::LayerUse::drags);
   if (!prepared) return false;
   return solve::LayerSolver(context, std::move(*prepared), options, nullptr)
       .solve(&solved.refined)
@@ -89,9 +90,11 @@ bool measure(const std::string& path, const Options& asked) {
   DiffuseOptions options;
   options.max_error = asked.max_error;
   Solved solved;
+  const std::uint64_t used = context.budget.used();
   const double start = cpu_milliseconds();
   if (!solve_layer(context, document, layer, options, solved)) return false;
   const double solve = cpu_milliseconds() - start;
+  const double kept = static_cast<double>(context.budget.used() - used) * 1e-6;
   Times times;
   const std::uint32_t curves = std::min(asked.curves, count);
   for (std::uint32_t i = 0; i < curves; ++i) {
@@ -99,9 +102,10 @@ bool measure(const std::string& path, const Options& asked) {
                   times))
       return false;
   }
-  std::printf("%-24s solve %7.1f  begin %7.1f  first frame %6.2f  later %6.2f, nodes %6.0f\n",
-              read->name.c_str(), solve, times.begin / curves, times.first / curves,
-              times.frame / times.frames, times.gathered / times.frames);
+  std::printf(
+      "%-24s solve %7.1f  kept %6.1f  begin %7.1f  first frame %6.2f  later %6.2f, nodes %6.0f\n",
+      read->name.c_str(), solve, kept, times.begin / curves, times.first / curves,
+      times.frame / times.frames, times.gathered / times.frames);
   return true;
 }
 

@@ -35,8 +35,10 @@ Result<ChangedEnds> changed_ends(Context& context, const FreeEnds& before, const
     if (!fresh) return fresh.status();
     return ChangedEnds{std::move(*gone), std::move(*fresh)};
   };
-  if (!now.extends(before)) return differences(before, now);
-  const Result<FreeEnds> gone = now.gone(context), fresh = now.fresh(context);
+  if (!now.extends(before) && !before.extends(now)) return differences(before, now);
+  // If `before` is of the change, what was gone is there now.
+  const FreeEnds& changed = now.extends(before) ? now : before;
+  const Result<FreeEnds> gone = changed.gone(context), fresh = changed.fresh(context);
   if (!gone) return gone.status();
   return fresh ? differences(*gone, *fresh) : fresh.status();
 }

@@ -231,14 +231,21 @@ Status FreeEnds::copy_from(const Context& context, const FreeEnds& before) {
 
 Result<FreeEnds> FreeEnds::extend(Context& context, const mesh::TriangleMesh& mesh,
                                   const curves::SegmentAttributes& attributes,
-                                  const FreeEnds& before, std::span<const std::uint8_t> is_watched,
+                                  const FreeEnds& before, const mesh::TriangleMesh& with,
+                                  std::span<const std::uint8_t> is_watched,
                                   std::span<const std::uint8_t> is_same, FreeEnds* used) {
   FreeEnds ends;
   if (used) ends = std::move(*used);
   Status status = ends.copy_from(context, before);
-  if (status) status = ends.find_again(context, mesh, attributes, is_watched, is_same);
+  if (status) status = ends.find_again(context, mesh, attributes, with, is_watched, is_same);
   if (!status) return status;
   return ends;
+}
+
+void FreeEnds::forget_changes() {
+  extended_ = nullptr;
+  memory_.free(gone_);
+  memory_.free(fresh_);
 }
 
 namespace {
@@ -278,22 +285,23 @@ bool is_near(const mesh::TriangleMesh& mesh, std::span<const std::uint32_t> edge
 
 }  // namespace
 
-/// Looks anew at the ends that a watched segment has come near, and where one of these ends.
+/// Looks anew at the ends that a watched segment is or was near, and where one of these ends.
 Status FreeEnds::find_again(Context& context, const mesh::TriangleMesh& mesh,
                             const curves::SegmentAttributes& attributes,
+                            const mesh::TriangleMesh& with,
                             std::span<const std::uint8_t> is_watched,
                             std::span<const std::uint8_t> is_same) {
   TableMemory scratch("free ends of curves");
   EndSearch search(context, mesh, attributes, tables_);
   Status status = search.update_meetings(is_same);
   const Result<std::vector<std::uint32_t>> watched =
-      watched_edges(context, mesh, is_watched, is_same, scratch);
+      watched_edges(context, with, is_watched, is_same, scratch);
   if (!watched) return watched.status();
   Box box;
   std::vector<std::uint32_t> vertices;  // that are to be looked at
   for (const std::uint32_t h : *watched) {
-    for (const std::uint32_t v : {mesh.origin(h), mesh.target(h)}) {
-      box.extend(mesh.vertex_position[v]);
+    for (const std::uint32_t v : {with.origin(h), with.target(h)}) {
+      box.extend(with.vertex_position[v]);
       if (status) status = scratch.push_back(context, vertices, v);
     }
   }
@@ -303,7 +311,7 @@ Status FreeEnds::find_again(Context& context, const mesh::TriangleMesh& mesh,
     if (poll.cancelled()) return context.cancel_status();
     const FreeEnd& end = end_[i];
     const Vec2 p = mesh.vertex_position[end.vertex];
-    if (!looks_at_all && !is_near(mesh, *watched, box, p, end.free_way)) continue;
+    if (!looks_at_all && !is_near(with, *watched, box, p, end.free_way)) continue;
     status = memory_.push_back(context, gone_, end);
     if (status) status = scratch.push_back(context, vertices, end.vertex);
     take_away(i);

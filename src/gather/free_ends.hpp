@@ -76,9 +76,10 @@ class FreeEnds {
                                  float weight_unit, bool extendable = false,
                                  const curves::SegmentAttributes* beside = nullptr);
 
-  /// Those of the same field after the watched segments were inserted into its mesh. An end keeps
-  /// its term where these are farther away than what was found for it.
-  /// before       is extendable, and outlives this
+  /// Those of the same field after the watched segments were inserted into its mesh, or taken out.
+  /// An end keeps its term where these are farther away than what was found for it.
+  /// before       is extendable, and outlives this or forget_changes()
+  /// with         the mesh that has the watched segments: `mesh`, or that of `before`
   /// is_watched   per segment
   /// is_same      per triangle of the mesh of `before`: 1 where this one has the same at the same
   ///              index
@@ -87,8 +88,12 @@ class FreeEnds {
   /// Cost         O(ends), copies of tables, and searches at ends that are new or not so far away
   static Result<FreeEnds> extend(Context& context, const mesh::TriangleMesh& mesh,
                                  const curves::SegmentAttributes& attributes,
-                                 const FreeEnds& before, std::span<const std::uint8_t> is_watched,
+                                 const FreeEnds& before, const mesh::TriangleMesh& with,
+                                 std::span<const std::uint8_t> is_watched,
                                  std::span<const std::uint8_t> is_same, FreeEnds* used);
+
+  /// After extend(): lets go of `before` and of what gone() and fresh() return.
+  void forget_changes();
 
   /// Whether this was made by extend() from `other`.
   bool extends(const FreeEnds& other) const { return extended_ == &other; }
@@ -127,7 +132,7 @@ class FreeEnds {
   Result<FreeEnds> part(Context& context, std::span<const FreeEnd> ends) const;
   Status copy_from(const Context& context, const FreeEnds& before);
   Status find_again(Context& context, const mesh::TriangleMesh& mesh,
-                    const curves::SegmentAttributes& attributes,
+                    const curves::SegmentAttributes& attributes, const mesh::TriangleMesh& with,
                     std::span<const std::uint8_t> is_watched,
                     std::span<const std::uint8_t> is_same);
   void take_away(std::size_t i);

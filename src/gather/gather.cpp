@@ -44,41 +44,59 @@ Gatherer::~Gatherer() = default;
 
 Result<Gatherer> Gatherer::create(Context& context, const mesh::TriangleMesh& visibility,
                                   const curves::SegmentAttributes& attributes, Ends ends,
-                                  const GatherUse& use, const Insertion& insertion) {
-  const State* const before = insertion.before ? insertion.before->state_.get() : nullptr;
+                                  const GatherUse& use, const MeshChange& change) {
+  const State* const before = change.before ? change.before->state_.get() : nullptr;
+  State* const used = change.used ? change.used->state_.get() : nullptr;
   std::optional<Scene> scene;
   if (before) {
-    Result<std::optional<Scene>> extended =
-        extend_scene(context, visibility, attributes, use.is_watched, before->scene,
-                     insertion.is_same, insertion.used ? &insertion.used->state_->scene : nullptr);
-    if (!extended) return extended.status();
-    scene = std::move(*extended);
+    const std::span<const std::uint8_t> none;
+    Result<std::optional<Scene>> changed =
+        extend_scene(context, visibility, attributes, change.whole ? none : use.is_watched,
+                     before->scene, change.is_same, used ? &used->scene : nullptr);
+    if (!changed) return changed.status();
+    scene = std::move(*changed);
   }
-  const bool is_extended = scene.has_value();
-  if (!is_extended) {
-    Result<Scene> built = build_scene(context, visibility, attributes, use);
+  const bool is_changed = scene.has_value();
+  if (!is_changed) {
+    GatherUse now = use;
+    if (change.whole) now.is_watched = {};
+    Result<Scene> built = build_scene(context, visibility, attributes, now);
     if (!built) return built.status();
     scene.emplace(std::move(*built));
   }
   auto state = std::make_unique<State>();
   state->scene = std::move(*scene);
   if (ends == Ends::soft) {
-    FreeEnds* const used = insertion.used ? &insertion.used->state_->ends : nullptr;
+    const mesh::TriangleMesh& with = change.whole ? *change.whole : visibility;
+    const bool extendable = use.will_be_extended || use.may_be_changed;
     Result<FreeEnds> found =
-        is_extended ? FreeEnds::extend(context, visibility, attributes, before->ends,
-                                       use.is_watched, insertion.is_same, used)
-                    : FreeEnds::create(context, visibility, attributes, state->scene.origin,
-                                       state->scene.weight_unit, use.will_be_extended, use.beside);
+        is_changed ? FreeEnds::extend(context, visibility, attributes, before->ends, with,
+                                      use.is_watched, change.is_same, used ? &used->ends : nullptr)
+                   : FreeEnds::create(context, visibility, attributes, state->scene.origin,
+                                      state->scene.weight_unit, extendable, use.beside);
     if (!found) return found.status();
     state->ends = std::move(*found);
   }
   if (!state->scene.triangle.empty()) {
-    Result<Locator> locator = is_extended ? Locator::extend(context, *before->locator, state->scene)
-                                          : Locator::create(context, state->scene);
+    Result<Locator> locator = is_changed ? Locator::extend(context, *before->locator, state->scene)
+                                         : Locator::create(context, state->scene);
     if (!locator) return locator.status();
     state->locator.emplace(std::move(*locator));
   }
   return Gatherer(std::move(state));
+}
+
+void Gatherer::forget_before() {
+  state_->ends.forget_changes();
+}
+
+Status Gatherer::watch(const Context& context, const mesh::TriangleMesh& visibility,
+                       std::span<const std::uint8_t> is_watched) {
+  return gather::watch(context, visibility, is_watched, state_->scene);
+}
+
+void Gatherer::forget_watched() {
+  state_->scene.memory.free(state_->scene.watched);
 }
 
 int Gatherer::channel_count() const {
@@ -86,7 +104,8 @@ int Gatherer::channel_count() const {
 }
 
 Status Gatherer::gather(Context& context, const PointList& points, const GatherOptions& options,
-                        std::span<float> out, std::span<std::uint8_t> hit, bool weighs) const {
+                        std::span<float> out, std::span<std::uint8_t> hit, bool weighs,
+                        std::span<std::uint32_t> place) const {
   if (points.size() > context.limits.nodes) {
     return limit_error(context.limits, &Limits::nodes, "points to gather at");
   }
@@ -99,28 +118,56 @@ Status Gatherer::gather(Context& context, const PointList& points, const GatherO
   }
   const Result<LocatedPoints> located = state_->locator->locate(context, points);
   if (!located) return located.status();
+  if (!place.empty()) {
+    for (std::size_t i = 0; i < points.size(); ++i)
+      place[points.slot(i)] = state_->scene.source[located->triangle[i]];
+  }
   const Result<Packing> packing = pack(context, state_->scene, *located);
   if (!packing) return packing.status();
   return gather_exact(context, state_->scene, state_->ends, points, *located, *packing,
                       {out, hit, weighs});
 }
 
-Result<PointPlaces> Gatherer::locate(Context& context, const PointList& points) const {
+Result<PointPlaces> Gatherer::locate(Context& context, const PointList& points,
+                                     std::span<const std::uint32_t> known) const {
   PointPlaces places;
   const std::size_t triangles = state_->scene.triangle.size();
   Status status = places.memory.resize(context, places.begin, triangles + 1);
   if (status) status = places.memory.resize(context, places.slot, points.size());
   if (!status) return status;
   if (!state_->locator) return places;
-  const Result<LocatedPoints> located = state_->locator->locate(context, points);
-  if (!located) return located.status();
-  const auto triangle = [&](std::size_t i) { return state_->scene.source[located->triangle[i]]; };
+  TableMemory scratch("the places of points");
+  const Result<std::vector<std::uint32_t>> triangle = triangles_of(context, points, known, scratch);
+  if (!triangle) return triangle.status();
   // Counted, summed up, then each put before the end of its triangle's part.
-  for (std::size_t i = 0; i < points.size(); ++i) ++places.begin[triangle(i)];
+  for (const std::uint32_t t : *triangle) ++places.begin[t];
   std::partial_sum(places.begin.begin(), places.begin.end(), places.begin.begin());
   for (std::size_t i = points.size(); i-- > 0;)
-    places.slot[--places.begin[triangle(i)]] = static_cast<std::uint32_t>(points.slot(i));
+    places.slot[--places.begin[(*triangle)[i]]] = static_cast<std::uint32_t>(points.slot(i));
   return places;
+}
+
+/// Per point: the triangle in which it lies.
+Result<std::vector<std::uint32_t>> Gatherer::triangles_of(Context& context, const PointList& points,
+                                                          std::span<const std::uint32_t> known,
+                                                          TableMemory& memory) const {
+  std::vector<std::uint32_t> triangle, unknown, place;
+  TableMemory scratch("the places of points");
+  Status status = memory.resize(context, triangle, points.size());
+  if (!status) return status;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const std::size_t slot = points.slot(i);
+    triangle[i] = slot < known.size() ? known[slot] : kUnknownPlace;
+    if (triangle[i] != kUnknownPlace) continue;
+    status = scratch.push_back(context, unknown, static_cast<std::uint32_t>(slot));
+    if (status) status = scratch.push_back(context, place, static_cast<std::uint32_t>(i));
+    if (!status) return status;
+  }
+  const Result<LocatedPoints> located = state_->locator->locate(context, points.among(unknown));
+  if (!located) return located.status();
+  for (std::size_t i = 0; i < place.size(); ++i)
+    triangle[place[i]] = state_->scene.source[located->triangle[i]];
+  return triangle;
 }
 
 Status Gatherer::find_changes(Context& context, const Gatherer& before, const PointList& points,

@@ -16,13 +16,21 @@ namespace sfumato::gather {
 class FreeEnds;
 class Gatherer;
 
-/// How a mesh came of another one, into which the watched segments were inserted.
-struct Insertion {
-  const Gatherer* before = nullptr;  ///< of that mesh, made with will_be_extended; null: none
+/// How a mesh came of another one, into which the watched segments were inserted, or out of which
+/// they were taken.
+struct MeshChange {
+  /// Of that mesh, made with will_be_extended or may_be_changed, or itself of such a change; null:
+  /// there is none.
+  const Gatherer* before = nullptr;
   /// Per triangle of that mesh: 1 where the present one has the same at the same index.
   std::span<const std::uint8_t> is_same{};
   Gatherer* used = nullptr;  ///< whose tables are taken for the new one's, or null
+  /// That mesh, where segments were taken out: forget_before() is to be called then.
+  const mesh::TriangleMesh* whole = nullptr;
 };
+
+/// In place of a triangle of the visibility mesh.
+inline constexpr std::uint32_t kUnknownPlace = 0xffffffff;
 
 /// Which points lie in each triangle of a visibility mesh.
 struct PointPlaces {
@@ -48,16 +56,26 @@ struct KnownPlaces {
 /// W for each of SegmentAttributes::shader.
 class Gatherer {
  public:
-  /// `visibility` is validated; it is read, not kept. `ends`: the terms of free ends. `insertion`
-  /// saves work; nothing of it is kept. Errors: limit, cancelled.
+  /// `visibility` is validated; it is read, not kept. `ends`: the terms of free ends. `change`
+  /// saves work; list_changes() asks for what it tells about the one before. Errors: limit,
+  /// cancelled.
   static Result<Gatherer> create(Context& context, const mesh::TriangleMesh& visibility,
                                  const curves::SegmentAttributes& attributes,
                                  Ends ends = Ends::paper, const GatherUse& use = {},
-                                 const Insertion& insertion = {});
+                                 const MeshChange& change = {});
 
   Gatherer(Gatherer&&) noexcept;
   Gatherer& operator=(Gatherer&&) noexcept;
   ~Gatherer();
+
+  /// Ends what is known of the change by which this was made, before another one is made of this.
+  void forget_before();
+
+  /// These segments are watched until forget_watched(). None were, and visibility is as it was for
+  /// create(). Errors: limit (memory), cancelled.
+  Status watch(const Context& context, const mesh::TriangleMesh& visibility,
+               std::span<const std::uint8_t> is_watched);
+  void forget_watched();
 
   int channel_count() const;
 
@@ -66,14 +84,19 @@ class Gatherer {
   /// out      channel_count() floats per slot. Where nothing is hit: 0.
   /// hit      optional, per slot: 1 where any ray hits, else 0.
   /// weighs   `hit` gets weight_class() of W in place of 1, where the method is exact
+  /// place    optional, per slot: the triangle of the visibility mesh in which it lies, where the
+  ///          method is exact
   /// Errors   limit, cancelled (out unspecified). The same bits for any thread count and SIMD
   ///          level.
   Status gather(Context& context, const PointList& points, const GatherOptions& options,
-                std::span<float> out, std::span<std::uint8_t> hit = {}, bool weighs = false) const;
+                std::span<float> out, std::span<std::uint8_t> hit = {}, bool weighs = false,
+                std::span<std::uint32_t> place = {}) const;
 
-  /// Where points lie in the visibility mesh. Points as for gather(). Errors: limit (memory),
-  /// cancelled.
-  Result<PointPlaces> locate(Context& context, const PointList& points) const;
+  /// Where points lie in the visibility mesh. Points as for gather().
+  /// known    per slot: the triangle, or kUnknownPlace; slots behind its end are unknown
+  /// Errors   limit (memory), cancelled
+  Result<PointPlaces> locate(Context& context, const PointList& points,
+                             std::span<const std::uint32_t> known = {}) const;
 
   /// Sets may_differ[slot] to 1 for points at which gather() may give another value than that of
   /// `before`, where the two meshes, on one lattice, differ by the watched segments of either.
@@ -83,9 +106,9 @@ class Gatherer {
                       std::span<std::uint8_t> may_differ) const;
 
   /// Lists such slots, each once, among points whose places are known, where the meshes differ by
-  /// this one's watched segments alone; with a bound, without those at which it says that these
-  /// change too little to matter. The list is allocated from `memory`. Errors: limit (memory),
-  /// cancelled. Cost: O(triangles of the visibility mesh), and what may differ.
+  /// this one's watched segments alone, whichever was first; with a bound, without those at which
+  /// it says that these change too little to matter. The list is allocated from `memory`. Errors:
+  /// limit (memory), cancelled. Cost: O(triangles of the visibility mesh), and what may differ.
   Status list_changes(Context& context, const Gatherer& before, std::span<const Vec2> position,
                       const KnownPlaces& known, TableMemory& memory,
                       std::vector<std::uint32_t>& changed) const;
@@ -98,6 +121,9 @@ class Gatherer {
 
  private:
   struct State;
+  Result<std::vector<std::uint32_t>> triangles_of(Context& context, const PointList& points,
+                                                  std::span<const std::uint32_t> known,
+                                                  TableMemory& memory) const;
   static Status mark_reached(Context& context, const State& state, const FreeEnds& ends,
                              const PointList& points, std::span<std::uint8_t> reached);
   static Status mark_viewers(Context& context, const State& state, const PointList& points,

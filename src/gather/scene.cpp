@@ -18,6 +18,18 @@ constexpr std::size_t kHitsPerBlindSide = 16;
 /// Room in the tables of a scene that is extended, for the edges of some triangles that change.
 constexpr std::size_t kMoreEdges = 4096;
 
+/// Adds those of triangle i to the scene's watched half-edges.
+Status watch_triangle(const Context& context, const mesh::TriangleMesh& mesh,
+                      std::span<const std::uint8_t> is_watched, std::uint32_t i, Scene& scene) {
+  for (std::uint32_t k = 0; k < 3; ++k) {
+    if (scene.triangle[i].edge[k] >= 0) continue;
+    if (!mesh.has_segment(3 * scene.source[i] + k, is_watched)) continue;
+    Status status = scene.memory.push_back(context, scene.watched, 3 * i + k);
+    if (!status) return status;
+  }
+  return ok_status();
+}
+
 class SceneBuilder {
  public:
   SceneBuilder(Context& context, const mesh::TriangleMesh& mesh,
@@ -51,23 +63,15 @@ class SceneBuilder {
     return context_.check();
   }
 
-  /// Lists the half-edges on which a watched segment lies and stops rays.
-  Status watch(std::span<const std::uint8_t> is_watched) {
-    for (std::uint32_t i = 0; i < scene_.source.size(); ++i) {
-      if (poll_.cancelled()) return context_.cancel_status();
-      if (Status status = watch_triangle(i, is_watched); !status) return status;
-    }
-    return ok_status();
-  }
-
   /// extend_scene(). False: more would have to change.
   Result<bool> extend(const Scene& before, std::span<const std::uint8_t> is_watched,
                       std::span<const std::uint8_t> is_same) {
-    if (before.hit_edge.empty() || before.has_blind_edges || !has_channels_of(before) ||
+    if (before.hit_edge.empty() || before.needs_blind_edges || !has_channels_of(before) ||
         !(center_of_mesh() == before.origin)) {
       return false;
     }
     Status status = copy(before);
+    if (status && before.has_blind_edges) status = see_through_blind_edges();
     if (status) status = list_changed(is_same);
     if (status) status = copy_codes();
     if (status) status = memory_.resize(context_, blind_, codes_.size());
@@ -86,7 +90,8 @@ class SceneBuilder {
       if (poll_.cancelled()) status = context_.cancel_status();
       if (!status) return status;
       place_changed(t);
-      status = watch_triangle(new_index_[t], is_watched);
+      if (is_watched.empty()) continue;
+      status = watch_triangle(context_, mesh_, is_watched, new_index_[t], scene_);
     }
     if (!status) return status;
     return true;
@@ -104,16 +109,6 @@ class SceneBuilder {
     return box.empty() ? Vec2{} : box.center();
   }
 
-  Status watch_triangle(std::uint32_t i, std::span<const std::uint8_t> is_watched) {
-    for (std::uint32_t k = 0; k < 3; ++k) {
-      const std::uint32_t h = 3 * scene_.source[i] + k;
-      if (codes_[h] >= 0 || !mesh_.has_segment(h, is_watched)) continue;
-      Status status = scene_.memory.push_back(context_, scene_.watched, 3 * i + k);
-      if (!status) return status;
-    }
-    return ok_status();
-  }
-
   /// Without them, unless many sides of curves are open and nothing is seen through them, which
   /// makes a gather several times slower.
   Status look_for_blind(bool will_be_extended) {
@@ -123,8 +118,8 @@ class SceneBuilder {
     std::size_t open_sides = 0;
     for (std::size_t h = 0; h < blind_.size(); ++h)
       open_sides += blind_[h] && mesh_.half_edge_constraint[h] != mesh::kNone;
-    scene_.has_blind_edges =
-        !will_be_extended || open_sides > scene_.hit_edge.size() / kHitsPerBlindSide;
+    scene_.needs_blind_edges = open_sides > scene_.hit_edge.size() / kHitsPerBlindSide;
+    scene_.has_blind_edges = !will_be_extended || scene_.needs_blind_edges;
     if (!scene_.has_blind_edges) std::ranges::fill(blind_, std::uint8_t{0});
     return context_.check();
   }
@@ -142,13 +137,29 @@ class SceneBuilder {
     take(before.triangle, scene_.triangle, more);
     take(before.source, scene_.source, more);
     scene_.watched.clear();
-    scene_.has_blind_edges = false;
+    scene_.has_blind_edges = scene_.needs_blind_edges = false;
     scene_.origin = before.origin;
     scene_.weight_unit = before.weight_unit;
     passage_count_ = static_cast<std::uint32_t>(before.edge_beyond.size());
     is_plain_ = before.blend.empty();
     set_channels();
     return status;
+  }
+
+  /// Gives each passage the codes of the edges behind it.
+  Status see_through_blind_edges() {
+    for (const SceneTriangle& from : scene_.triangle) {
+      if (poll_.cancelled()) return context_.cancel_status();
+      for (std::uint32_t k = 0; k < 3; ++k) {
+        if (from.edge[k] < 0) continue;
+        const auto twin = static_cast<std::uint32_t>(from.twin[k]);
+        const SceneTriangle& behind = scene_.triangle[twin / 3];
+        EdgeBeyond& passage = scene_.edge_beyond[static_cast<std::size_t>(from.edge[k])];
+        passage.right = behind.edge[(twin + 1) % 3];
+        passage.left = behind.edge[(twin + 2) % 3];
+      }
+    }
+    return ok_status();
   }
 
   /// New triangles come last, in their own order.
@@ -393,9 +404,21 @@ Result<Scene> build_scene(Context& context, const mesh::TriangleMesh& mesh,
   Scene scene;
   SceneBuilder builder(context, mesh, attributes, scene);
   Status status = builder.build(use.will_be_extended);
-  if (status && !use.is_watched.empty()) status = builder.watch(use.is_watched);
+  if (status && !use.is_watched.empty()) status = watch(context, mesh, use.is_watched, scene);
   if (!status) return status;
   return scene;
+}
+
+Status watch(const Context& context, const mesh::TriangleMesh& mesh,
+             std::span<const std::uint8_t> is_watched, Scene& scene) {
+  scene.watched.clear();
+  RarePoll<8192> poll(context);
+  for (std::uint32_t i = 0; i < scene.source.size(); ++i) {
+    if (poll.cancelled()) return context.cancel_status();
+    Status status = watch_triangle(context, mesh, is_watched, i, scene);
+    if (!status) return status;
+  }
+  return ok_status();
 }
 
 Result<std::optional<Scene>> extend_scene(Context& context, const mesh::TriangleMesh& mesh,

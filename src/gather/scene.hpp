@@ -60,6 +60,7 @@ struct Scene {
   std::vector<SceneTriangle> triangle;
   std::vector<std::uint32_t> source;  ///< per triangle: which of the visibility mesh it is
   bool has_blind_edges = false;  ///< rays may end at passages behind which nothing is (find_blind)
+  bool needs_blind_edges = false;  ///< without them a gather would be much the slower
   /// Half-edges, 3 · triangle + corner, that stop rays and on which a watched segment lies.
   std::vector<std::uint32_t> watched;
   TableMemory memory{"the visibility mesh"};
@@ -74,6 +75,7 @@ struct GatherUse {
   /// What only holds as long as no curve is inserted is left out, unless a gather would be much the
   /// slower: see extend_scene.
   bool will_be_extended = false;
+  bool may_be_changed = false;  ///< free ends keep what FreeEnds::extend asks for
   /// Of the same curves, unless null: free ends count where this attribute differs, too, as they do
   /// for a field of both.
   const curves::SegmentAttributes* beside = nullptr;
@@ -83,13 +85,20 @@ struct GatherUse {
 Result<Scene> build_scene(Context& context, const mesh::TriangleMesh& mesh,
                           const curves::SegmentAttributes& attributes, const GatherUse& use = {});
 
-/// Makes a copy of `before`, made with will_be_extended, the scene of a mesh into which the watched
-/// segments were inserted since. Triangles keep their indices.
+/// These segments are watched from now on, in place of others.
+/// mesh     of the scene
+/// Errors   limit (memory), cancelled
+Status watch(const Context& context, const mesh::TriangleMesh& mesh,
+             std::span<const std::uint8_t> is_watched, Scene& scene);
+
+/// Makes a copy of `before` the scene of a mesh into which the watched segments were inserted
+/// since, or out of which segments were taken (is_watched is empty then). Triangles keep their
+/// indices. What only holds as long as no curve is inserted is left out.
 /// is_same   per triangle of the mesh of `before`: 1 where this one has the same at the same index
 /// attributes   as they were for `before`, and those of the inserted segments
 /// used      a scene whose tables are taken for this one's, or null
-/// Returns   nothing where more would have to change: `before` was not made to be extended, a layer
-///           that was sharp is no more, there are other channels, or the weights need another unit
+/// Returns   nothing where more would have to change: `before` needs its blind edges, a layer that
+///           was sharp is no more, there are other channels, or the weights need another unit
 /// Errors    limit, cancelled
 /// Cost      that of the copy and of the triangles that are not the same
 Result<std::optional<Scene>> extend_scene(Context& context, const mesh::TriangleMesh& mesh,

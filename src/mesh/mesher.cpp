@@ -205,19 +205,11 @@ Status Mesher::refine_triangles(const Context& context, std::span<const std::uin
   return s.refiner.refine_targets(context, targets, smallest_edge / s.lattice.step);
 }
 
-Result<TriangleMesh> Mesher::patch_mesh(const Context& context,
-                                        std::vector<std::uint32_t>* changed) {
+Result<TriangleMesh> Mesher::patch_mesh(const Context& context) {
   State& s = *state_;
-  const bool is_first = !follows_changes();
   Status status = number_inside(context, s.mesh, s.numbering);
+  s.mesh.take_changed([](std::int32_t) {});
   if (status) status = s.memory.resize(context, s.patched, s.numbering.triangle_count);
-  if (status && changed && !is_first) {
-    status = s.take_changed(context, *changed);
-  } else {
-    s.mesh.take_changed([](std::int32_t) {});
-    if (status && changed) status = s.memory.resize(context, *changed, s.patched.size());
-    if (status && changed) std::iota(changed->begin(), changed->end(), 0u);
-  }
   if (!status) return status;
   RarePoll<65536> poll(context);
   for (std::size_t slot = 0; slot < s.mesh.triangle.size(); ++slot) {
@@ -228,47 +220,42 @@ Result<TriangleMesh> Mesher::patch_mesh(const Context& context,
   return s.extract_anew(context, s.numbering);
 }
 
-/// Lists the triangles of the patch mesh that changed, ascending, and their new stamps in
-/// `patched`.
-Status Mesher::State::take_changed(const Context& context, std::vector<std::uint32_t>& numbers) {
-  numbers.clear();
-  Status status = memory.reserve(context, numbers, mesh.changed.size());
-  if (!status) return status;
-  RarePoll<65536> poll(context);
-  mesh.take_changed([&](std::int32_t slot) {
-    if (status && poll.cancelled()) status = context.cancel_status();
-    if (!status) return;
-    const std::int32_t t = numbering.triangle[slot];
-    patched[t] = {slot, mesh.triangle[slot].stamp};
-    numbers.push_back(static_cast<std::uint32_t>(t));
-  });
-  return status ? TableMemory::sort(context, numbers, std::less<>()) : status;
-}
-
-void Mesher::forget_extracted() {
-  state_->extracted = TableMemory(State::kPurpose, state_->budget);
+TableMemory Mesher::release_extracted() {
+  return std::exchange(state_->extracted, TableMemory(State::kPurpose, state_->budget));
 }
 
 Status Mesher::update_patch_mesh(const Context& context, TriangleMesh& mesh,
                                  std::vector<std::uint32_t>& changed) {
   State& s = *state_;
-  if (!follows_changes()) {
-    Result<TriangleMesh> anew = patch_mesh(context, &changed);
+  if (s.numbering.triangle_count == 0) {
+    Result<TriangleMesh> anew = patch_mesh(context);
     if (!anew) return anew.status();
     mesh = std::move(*anew);
-    return ok_status();
+    Status status = s.memory.resize(context, changed, mesh.triangle_count());
+    if (status) std::iota(changed.begin(), changed.end(), 0u);
+    return status;
   }
   Status status = number_inside(context, s.mesh, s.numbering);
   if (status) {
     status =
         s.memory.grow(context, s.patched, s.numbering.triangle_count, s.mesh.triangle.capacity());
   }
-  if (status) status = s.take_changed(context, changed);
+  changed.clear();
+  if (status) status = s.memory.reserve(context, changed, s.mesh.changed.size());
+  if (!status) return status;
+  RarePoll<65536> poll(context);
+  s.mesh.take_changed([&](std::int32_t slot) {
+    if (status && poll.cancelled()) status = context.cancel_status();
+    if (!status) return;
+    const std::int32_t t = s.numbering.triangle[slot];
+    s.patched[t] = {slot, s.mesh.triangle[slot].stamp};
+    changed.push_back(static_cast<std::uint32_t>(t));
+  });
+  if (status) status = TableMemory::sort(context, changed, std::less<>());
   TableMemory scratch("the triangle mesh");
   std::vector<std::int32_t> slots;
   if (status) status = scratch.resize(context, slots, changed.size());
   if (!status) return status;
-  RarePoll<65536> poll(context);
   for (std::size_t i = 0; i < slots.size(); ++i) {
     if (poll.cancelled()) return context.cancel_status();
     slots[i] = s.patched[changed[i]].triangle;

@@ -87,8 +87,8 @@ class Mesher {
   /// cancelled; this mesher can then only be destroyed or assigned to.
   Status copy_from(const Context& context, const Mesher& other);
 
-  /// Ends the charge of the mesh that was handed out last, for whoever outlives it.
-  void forget_extracted();
+  /// The charge of the mesh that was handed out last, for whoever keeps that.
+  TableMemory release_extracted();
 
   /// Whether the polylines from this vertex on lie within the lattice, so that `edit` can insert
   /// them.
@@ -109,12 +109,8 @@ class Mesher {
               bool refines);
 
   /// The triangles inside the frame. Triangles and vertices keep their indices from one call to the
-  /// next, and to update_patch_mesh, unless an edit crossed the frame.
-  /// changed   unless null: gets the triangles that changed since the last call of either,
-  ///           including new ones, ascending
-  /// Errors    limit (memory), cancelled
-  Result<TriangleMesh> patch_mesh(const Context& context,
-                                  std::vector<std::uint32_t>* changed = nullptr);
+  /// next, and to update_patch_mesh. Errors: limit (memory), cancelled.
+  Result<TriangleMesh> patch_mesh(const Context& context);
 
   /// Per triangle of the visibility_mesh() of `before`, of which this is a copy into which segments
   /// were inserted since, without refinement: 1 where that of this one has the same triangle at the
@@ -133,8 +129,10 @@ class Mesher {
   /// Updates in place `mesh`, a copy of the visibility_mesh() of the mesher that this is a copy of,
   /// after an edit without refinement that only inserted segments. But for the order of its
   /// constraints, and for some without an edge or pieces, it becomes what visibility_mesh() would
-  /// return. is_same   same_triangles() of that mesher changed   out: the triangles that changed,
-  /// including new ones, ascending Errors    limit (memory), cancelled; `mesh` is unusable then
+  /// return.
+  /// is_same   same_triangles() of that mesher
+  /// changed   out: the triangles that changed, including new ones, ascending
+  /// Errors    limit (memory), cancelled; `mesh` is unusable then
   Status update_visibility_mesh(const Context& context, std::span<const std::uint8_t> is_same,
                                 TriangleMesh& mesh, std::vector<std::uint32_t>& changed);
 
@@ -152,10 +150,11 @@ class Mesher {
   /// Updates in place `mesh`, the result of the last patch_mesh. Except for the order of its
   /// constraints it becomes what patch_mesh would return now. After an edit that crosses the frame
   /// it is that mesh, all of whose triangles count as changed; after others there may be
-  /// constraints without an edge and without pieces. Of segments that were taken out all triangles
-  /// around the vertices count as changed. changed   out: the triangles that changed, including new
-  /// ones, ascending Errors    limit (memory), cancelled; `mesh` is unusable then Cost O(changed ·
-  /// log)
+  /// constraints without an edge and without pieces. Where segments were taken out all triangles
+  /// around their vertices count as changed.
+  /// changed   out: the triangles that changed, including new ones, ascending
+  /// Errors    limit (memory), cancelled; `mesh` is unusable then
+  /// Cost      O(changed · log)
   Status update_patch_mesh(const Context& context, TriangleMesh& mesh,
                            std::vector<std::uint32_t>& changed);
 

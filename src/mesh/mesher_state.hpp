@@ -51,8 +51,6 @@ struct Mesher::State {
                         options.small_edge / step);
   }
 
-  Status take_changed(const Context& context, std::vector<std::uint32_t>& numbers);
-
   /// The patch mesh is to be extracted anew.
   void forget_numbers() { numbering = Numbering{{}, {}, 0, 0, {kPurpose, budget}}; }
 

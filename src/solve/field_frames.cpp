@@ -7,6 +7,13 @@
 /// FieldSolver in the frames of a drag.
 namespace sfumato::solve {
 
+Status FieldSolver::start_from(const Context& context, const Seams& known,
+                               const mesh::TriangleMesh& mesh) {
+  Result<Seams> seams = known.copy(context, mesh);
+  if (seams) seams_.emplace(std::move(*seams));
+  return seams.status();
+}
+
 Status FieldSolver::start_from(const Context& context, const FieldSolver& before,
                                const mesh::TriangleMesh& mesh, FieldFrame frame,
                                std::span<const std::uint32_t> changed) {
@@ -94,7 +101,7 @@ Status FieldSolver::list_changed(Context& context, const PreparedField& with,
   const std::span<const Vec2> positions = without.layout_.position;
   if (!with.is_thinned && !without.field_.is_thinned) {
     return with.gatherer.list_changes(context, rest, positions,
-                                      {without.node_place_, is_same, bound, without.node_hit_},
+                                      {without.free_place_, is_same, bound, without.node_hit_},
                                       memory, changed);
   }
   std::vector<std::uint8_t> may_differ;
@@ -155,8 +162,9 @@ Status FieldSolver::lay_out_without(Context& context, const RefinedField& known,
   Status status = copy_layout(context, known.layout, known.node_hit, changed.size());
   if (status) status = follow(context, mesh, changed);
   if (status) status = list_moved(context, known.layout);
-  if (status) status = locate_nodes(context);
+  if (status) status = locate_nodes(context, known, is_same);
   if (status) status = list_to_gather(context, with, *this, is_same, nullptr);
+  field_.gatherer.forget_before();
   history_.free(layout_memory_);
   return status;
 }
@@ -183,15 +191,22 @@ FieldFrame FieldSolver::release_frame() {
   return frame;
 }
 
-Status FieldSolver::locate_nodes(Context& context) {
+Status FieldSolver::locate_nodes(Context& context, const RefinedField& known,
+                                 std::span<const std::uint8_t> is_same) {
   if (field_.is_thinned) return ok_status();
   TableMemory scratch("patches");
-  std::vector<std::uint32_t> free;
+  std::vector<std::uint32_t> free, place;
   Status status = list_free_nodes(context, scratch, free);
+  if (status) status = scratch.append(context, known.node_place, place);
   if (!status) return status;
-  Result<gather::PointPlaces> places = field_.gatherer.locate(context, {layout_.position, free});
+  for (std::uint32_t& triangle : place)
+    if (triangle < is_same.size() && !is_same[triangle]) triangle = gather::kUnknownPlace;
+  for (const std::uint32_t node : history_.met)
+    if (node < place.size()) place[node] = gather::kUnknownPlace;
+  Result<gather::PointPlaces> places =
+      field_.gatherer.locate(context, {layout_.position, free}, place);
   if (!places) return places.status();
-  node_place_ = std::move(*places);
+  free_place_ = std::move(*places);
   return ok_status();
 }
 

@@ -41,7 +41,15 @@ Status FieldSolver::lay_out(Context& context, const mesh::TriangleMesh& mesh, st
   layout_ = std::move(*layout);
   Status status = list_free_nodes(context, memory_, to_gather_);
   if (status) status = memory_.reserve(context, node_hit_, layout_.position.capacity());
-  return status ? memory_.resize(context, node_hit_, layout_.node_count(), 1) : status;
+  if (status) status = memory_.resize(context, node_hit_, layout_.node_count(), 1);
+  return status ? size_places(context) : status;
+}
+
+/// Of the nodes, if they are kept.
+Status FieldSolver::size_places(const Context& context) {
+  if (!keeps_places_) return ok_status();
+  return memory_.grow(context, node_place_, layout_.node_count(), layout_.position.capacity(),
+                      gather::kUnknownPlace);
 }
 
 Status FieldSolver::follow(Context& context, const mesh::TriangleMesh& mesh,
@@ -53,6 +61,7 @@ Status FieldSolver::follow(Context& context, const mesh::TriangleMesh& mesh,
   if (status) {
     status = memory_.grow(context, node_hit_, layout_.node_count(), layout_.position.capacity(), 1);
   }
+  if (status) status = size_places(context);
   to_gather_.clear();
   if (status) status = memory_.append(context, history_.fresh, to_gather_);
   if (!status) return status;
@@ -121,7 +130,7 @@ bool FieldSolver::has_channels_of(const FieldSolver& other) const {
 
 std::size_t FieldSolver::bytes_of_nodes() const {
   return capacity_bytes(layout_.triangle_node, layout_.edge_is_curve, layout_.position,
-                        layout_.is_fixed, layout_.value, node_hit_);
+                        layout_.is_fixed, layout_.value, node_hit_, node_place_);
 }
 
 Result<RefinedField> FieldSolver::copy_nodes(const Context& context) const {
@@ -137,6 +146,7 @@ Result<RefinedField> FieldSolver::copy_nodes(const Context& context) const {
   copy(layout_.is_fixed, refined.layout.is_fixed);
   copy(layout_.value, refined.layout.value);
   copy(node_hit_, refined.node_hit);
+  copy(node_place_, refined.node_place);
   if (!status) return status;
   return refined;
 }
@@ -145,7 +155,8 @@ RefinedField FieldSolver::release() {
   memory_.free(vertex_radius_);
   memory_.free(to_gather_);
   layout_memory_.take(std::move(memory_));
-  return {std::move(layout_), std::move(node_hit_), std::move(layout_memory_)};
+  return {std::move(layout_), std::move(node_hit_), std::move(node_place_),
+          std::move(layout_memory_)};
 }
 
 Status FieldSolver::put_in_order(Context& context, const mesh::TriangleMesh& mesh) {
@@ -155,6 +166,7 @@ Status FieldSolver::put_in_order(Context& context, const mesh::TriangleMesh& mes
       solve::put_in_order(context, mesh, layout_memory_, layout_);
   if (!order) return order.status();
   Status status = reorder(context, *order, memory_, node_hit_);
+  if (status && keeps_places_) status = reorder(context, *order, memory_, node_place_);
   layout_memory_.free(*order);
   return status;
 }
@@ -180,7 +192,7 @@ Result<std::size_t> FieldSolver::gather(Context& context, const gather::GatherOp
   const std::size_t count = to_gather_.size();
   if (count > 0) {
     Status status = field_.gatherer.gather(context, {layout_.position, to_gather_}, options,
-                                           layout_.value, node_hit_, true);
+                                           layout_.value, node_hit_, true, node_place_);
     if (!status) return status;
   }
   if (!frame_) memory_.free(to_gather_);  // the next frame asks which they were
@@ -304,6 +316,7 @@ Status FieldSolver::add_parts(Context& context, const BorderCuts& cuts) {
   if (status) status = memory.resize(context, layout_.is_fixed, nodes);
   if (status) status = memory.resize(context, layout_.value, nodes * channels);
   if (status) status = memory_.resize(context, node_hit_, nodes);
+  if (status) status = size_places(context);
   if (status) status = memory_.resize(context, to_gather_, cuts.point.size());
   if (!status) return status;
   std::iota(to_gather_.begin(), to_gather_.end(), first);
@@ -386,7 +399,7 @@ PatchField FieldSolver::take(std::span<const std::uint8_t> keep) {
   }
   layout_.triangle_node.resize(kNodes * kept);
   return {layout_.channel_count, std::move(layout_.triangle_node), std::move(layout_.value),
-          std::move(field_.attributes.shader)};
+          field_.attributes.shader};
 }
 
 }  // namespace sfumato::solve

@@ -31,8 +31,10 @@ struct PreparedField {
 /// The nodes of a field whose layer was solved, kept for those who edit it.
 struct RefinedField {
   NodeLayout layout;
-  std::vector<std::uint8_t> node_hit;  ///< as FieldSolver's
+  std::vector<std::uint8_t> node_hit;     ///< as FieldSolver's
+  std::vector<std::uint32_t> node_place;  ///< as FieldSolver's
   TableMemory memory{"a solved layer"};
+  std::optional<Seams> seams{};  ///< of the layer's patch mesh
 };
 
 /// A field's tables as a frame of a drag left them: those of the field that it began from, but for
@@ -54,7 +56,9 @@ struct FieldFrame {
 /// finds the patches' errors.
 class FieldSolver {
  public:
-  explicit FieldSolver(PreparedField prepared) : field_(std::move(prepared)) {}
+  /// keeps_places   of the nodes in the visibility mesh, for copy_nodes() and release()
+  explicit FieldSolver(PreparedField prepared, bool keeps_places = false)
+      : field_(std::move(prepared)), keeps_places_(keeps_places) {}
 
   /// Begins with a mesh, which must outlive this, and finds the values that curves show on it.
   /// Errors: limit (memory), cancelled.
@@ -100,11 +104,15 @@ class FieldSolver {
                       std::span<const std::uint32_t> changed, std::span<const std::uint8_t> is_same,
                       const gather::ShareBound* bound);
 
-  /// In place of lay_out(), after start() on a mesh of which segments were taken out, for others to
+  /// In place of start(), before follow(): on a copy of a mesh whose seams are known. Errors: limit
+  /// (memory), cancelled.
+  Status start_from(const Context& context, const Seams& known, const mesh::TriangleMesh& mesh);
+
+  /// In place of lay_out(), where segments were taken out of the mesh since, for others to
   /// lay_out_from() this: takes over the nodes that are known from before that, and follows the
   /// change. Nodes keep their numbers, and their values but for those that are new and those that
   /// watched segments or free ends of either may reach: these are listed to be gathered.
-  /// known     laid out on the mesh with these segments, for the same triangles but for `changed`
+  /// known     of the mesh with these segments, with the places of the nodes
   /// with      the field with them, which are watched
   /// changed   as for lay_out_from(): triangles of the mesh
   /// is_same   as gather::KnownPlaces, for this field and that one
@@ -126,11 +134,15 @@ class FieldSolver {
   /// What copy_nodes() takes.
   std::size_t bytes_of_nodes() const;
 
-  /// A copy of the nodes and their values. Errors: limit (memory), cancelled.
+  /// A copy of the nodes and their values, without seams. Errors: limit (memory), cancelled.
   Result<RefinedField> copy_nodes(const Context& context) const;
 
-  /// Moves the nodes out.
+  /// Moves the nodes out, without seams.
   RefinedField release();
+
+  /// Moves field and seams out. Call last.
+  PreparedField release_field() { return std::move(field_); }
+  Seams release_seams() { return std::move(*seams_); }
 
   /// After lay_out: takes over what is known of nodes of the same mesh, gathered from the same
   /// curves with the same values. Nodes that have, or may have, a response
@@ -206,6 +218,7 @@ class FieldSolver {
   Status copy_known(const Context& context, const RefinedField& known, int first_channel,
                     int base_channels, std::span<std::uint8_t> asks,
                     std::vector<std::uint32_t>& carried);
+  Status size_places(const Context& context);
   /// Whether some of a triangle's nodes see a curve and others do not.
   bool sees_some(const std::uint32_t* node) const;
   Status make_room_for_means(Context& context);
@@ -226,8 +239,9 @@ class FieldSolver {
   /// Lists in to_gather_ the free nodes of `old` that the update met and that do not stand where
   /// they stood. Those that do count as not met from here on.
   Status list_moved(const Context& context, const NodeLayout& old);
-  /// Finds where the free nodes lie.
-  Status locate_nodes(Context& context);
+  /// Finds where the free nodes lie that did not lie there before, or whose triangle is no more.
+  Status locate_nodes(Context& context, const RefinedField& known,
+                      std::span<const std::uint8_t> is_same);
   /// Lists in `changed` nodes of `without` whose values are others with the watched segments.
   static Status list_changed(Context& context, const PreparedField& with,
                              const FieldSolver& without, std::span<const std::uint8_t> is_same,
@@ -250,9 +264,12 @@ class FieldSolver {
   LayoutHistory history_;
   std::vector<std::uint32_t> to_gather_;  ///< free nodes whose value is not known
   std::vector<std::uint8_t> node_hit_;    ///< 0 where a free node sees no curve
-  gather::PointPlaces node_place_;        ///< where the free nodes lie; empty: unknown
-  std::optional<FieldFrame> frame_;       ///< from start_from() on; until lay_out_from() with all
-  TableMemory memory_{"patches"};         ///< for to_gather_, node_hit_ and vertex_radius_
+  gather::PointPlaces free_place_;        ///< where the free nodes lie; empty: unknown
+  bool keeps_places_;
+  /// Per node, if they are kept: the triangle of the visibility mesh in which it was gathered.
+  std::vector<std::uint32_t> node_place_;
+  std::optional<FieldFrame> frame_;  ///< from start_from() on; until lay_out_from() with all
+  TableMemory memory_{"patches"};    ///< for lists of nodes, node_hit_, node_place_, vertex_radius_
 };
 
 /// Moves one channel out of a field into a field of its own over the same nodes, allocated from

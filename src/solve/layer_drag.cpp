@@ -38,6 +38,39 @@ Result<std::vector<std::uint8_t>> marked(const Context& context, std::size_t cou
   return marks;
 }
 
+/// The fields of a solved layer while they watch a curve of it.
+class WatchedFields {
+ public:
+  explicit WatchedFields(PreparedFields& fields) : fields_(&fields) {}
+  WatchedFields(const WatchedFields&) = delete;
+  WatchedFields& operator=(const WatchedFields&) = delete;
+  ~WatchedFields() {
+    fields_->color.gatherer.forget_watched();
+    if (fields_->opacity) fields_->opacity->gatherer.forget_watched();
+  }
+
+  const PreparedFields& get() const { return *fields_; }
+
+  /// Of a thinned one the mesh was not kept, with which it could watch().
+  bool are_thinned() const {
+    return fields_->color.is_thinned || (fields_->opacity && fields_->opacity->is_thinned);
+  }
+
+  Status watch(const Context& context, const mesh::TriangleMesh& mesh,
+               std::span<const std::uint8_t> segments) {
+    Status status = fields_->color.gatherer.watch(context, mesh, segments);
+    if (!status || !fields_->opacity) return status;
+    return fields_->opacity->gatherer.watch(context, mesh, segments);
+  }
+
+  /// The same fields, which watch it.
+  void take_instead(PreparedFields fields) { fields_ = &anew_.emplace(std::move(fields)); }
+
+ private:
+  std::optional<PreparedFields> anew_;
+  PreparedFields* fields_;
+};
+
 /// What a frame leaves for the next one, which uses its tables again.
 struct LastFrame {
   std::optional<PlacedCurves> placed{};
@@ -61,7 +94,7 @@ struct LayerDrag::State {
         is_joint(curves::opacity_goes_with_color(curves)),
         units(artboard, sight, options) {}
 
-  Status begin(Context& context, const std::optional<RefinedLayer>& refined);
+  Status begin(Context& context, std::optional<RefinedLayer>& refined);
   bool has_fields_with(const Curve& curve) const;
   Result<FramePatches> frame(Context& context, const Curve& curve, bool keeps, FramePatches spare,
                              const FrameOptions& how);
@@ -96,13 +129,18 @@ struct LayerDrag::State {
   Result<SampledFields> sample(const Context& context, const curves::FlatCurves& polylines,
                                std::span<const Curve> of, bool has_opacity = false) const;
   Result<SampledFields> sample_frame(const Context& context, LastFrame& frame) const;
-  LayerSolver solver(Context& context, PreparedFields fields, mesh::Mesher&& patches,
-                     DiffuseStats* stats = nullptr, std::optional<RoundWatch> watch = {}) const;
-  Result<PreparedFields> fields(Context& context, const mesh::Mesher& mesher,
+  PreparedLayer prepared_layer(PreparedFields fields, mesh::Mesher&& patches) const;
+  Result<PreparedFields> fields(Context& context, const FlatMesh& whole, const mesh::Mesher& mesher,
                                 const mesh::TriangleMesh& mesh, const FieldEdits& edits) const;
-  Status mesh_layer(Context& context);
+  Result<PreparedFields> fields_without(Context& context, const RefinedLayer& refined,
+                                        std::span<const std::uint8_t> moves,
+                                        std::span<const std::uint8_t> is_same) const;
   Result<RefinedLayer> solve(Context& context) const;
-  Status take_off(Context& context, const RefinedLayer& refined);
+  Status take_off(Context& context, RefinedLayer& refined);
+  Result<std::vector<std::uint8_t>> mesh_rest(const Context& context, const mesh::Mesher& whole,
+                                              const mesh::MeshEdit& edit, TableMemory& memory);
+  Status watch(Context& context, const FlatMesh& whole, std::span<const std::uint8_t> moves,
+               WatchedFields& with) const;
 };
 
 /// has_opacity   as FlatLayer's
@@ -114,97 +152,121 @@ Result<SampledFields> LayerDrag::State::sample(const Context& context,
 }
 
 /// The layer on a mesh, ready to be solved or continued.
-LayerSolver LayerDrag::State::solver(Context& context, PreparedFields fields,
-                                     mesh::Mesher&& patches, DiffuseStats* stats,
-                                     std::optional<RoundWatch> watch) const {
-  return LayerSolver(
-      context,
-      PreparedLayer{std::move(patches), std::move(fields.color), std::move(fields.opacity),
-                    units.mesh_options().frame, units.smallest_edge()},
-      options, stats, watch);
+PreparedLayer LayerDrag::State::prepared_layer(PreparedFields fields,
+                                               mesh::Mesher&& patches) const {
+  return {std::move(patches), std::move(fields.color), std::move(fields.opacity),
+          units.mesh_options().frame, units.smallest_edge()};
 }
 
 /// Of the layer's own curves.
 /// mesh   mesher.visibility_mesh()
-Result<PreparedFields> LayerDrag::State::fields(Context& context, const mesh::Mesher& mesher,
+Result<PreparedFields> LayerDrag::State::fields(Context& context, const FlatMesh& whole,
+                                                const mesh::Mesher& mesher,
                                                 const mesh::TriangleMesh& mesh,
                                                 const FieldEdits& edits) const {
-  Result<SampledFields> sampled = sample(context, flat, curves);
+  Result<SampledFields> sampled = sample(context, whole.flat, curves);
   if (!sampled) return sampled.status();
   return prepare_fields(context, mesher, mesh, std::move(*sampled), options.ends, edits);
 }
 
-Status LayerDrag::State::begin(Context& context, const std::optional<RefinedLayer>& refined) {
+Status LayerDrag::State::begin(Context& context, std::optional<RefinedLayer>& refined) {
   has_room = !refined;
   budget = &context.budget;
-  Status status = mesh_layer(context);
-  if (!status || refined) return status ? take_off(context, *refined) : status;
+  if (refined) return take_off(context, *refined);
   Result<RefinedLayer> solved = solve(context);
   return solved ? take_off(context, *solved) : solved.status();
 }
 
-/// The layer as it is.
+/// The layer as it is, on a mesh with room.
 Result<RefinedLayer> LayerDrag::State::solve(Context& context) const {
-  Result<mesh::Mesher> whole = visibility->copy(context);
-  if (!whole) return whole.status();
-  const Result<mesh::TriangleMesh> mesh = whole->visibility_mesh(context);
-  if (!mesh) return mesh.status();
-  Result<PreparedFields> prepared = fields(context, *whole, *mesh, {});
-  if (!prepared) return prepared.status();
-  return solver(context, std::move(*prepared), std::move(*whole)).refine_only();
-}
-
-/// Makes the polylines of all curves and their mesh.
-Status LayerDrag::State::mesh_layer(Context& context) {
   Result<curves::FlatCurves> polylines = curves::flatten(context, curves, units.flatten_options());
   if (!polylines) return polylines.status();
-  flat = std::move(*polylines);
-  Status status = charge.add(context, curves::bytes_of(flat) + bytes_of_curves(), "a drag");
+  ScopedCharge polyline_charge;
+  Status status = polyline_charge.add(context, curves::bytes_of(*polylines), "a drag");
   if (!status) return status;
   mesh::MeshOptions meshing = units.mesh_options();
-  if (has_room) meshing.room = with_room_around(meshing.frame);
-  Result<mesh::Mesher> built = mesh::Mesher::build(context, flat, meshing);
+  meshing.room = with_room_around(meshing.frame);
+  Result<mesh::Mesher> built = mesh::Mesher::build(context, *polylines, meshing);
   if (!built) return built.status();
-  visibility.emplace(std::move(*built));
-  return status;
+  Result<mesh::Mesher> patches = built->copy(context);
+  if (!patches) return patches.status();
+  Result<mesh::TriangleMesh> mesh = built->visibility_mesh(context);
+  if (!mesh) return mesh.status();
+  FlatMesh flat_mesh{std::move(*polylines), std::move(polyline_charge), std::move(*built),
+                     std::move(*mesh)};
+  Result<PreparedFields> prepared = fields(context, flat_mesh, flat_mesh.mesher, flat_mesh.mesh,
+                                           {.use = {.may_be_changed = true}});
+  if (!prepared) return prepared.status();
+  PreparedLayer layer = prepared_layer(std::move(*prepared), std::move(*patches));
+  layer.flat_mesh.emplace(std::move(flat_mesh));
+  return LayerSolver(context, std::move(layer), options, nullptr).refine_only();
 }
 
-/// refined   of the layer as it is
-Status LayerDrag::State::take_off(Context& context, const RefinedLayer& refined) {
+/// refined   of the layer as it is, and is so again afterwards
+Status LayerDrag::State::take_off(Context& context, RefinedLayer& refined) {
+  const FlatMesh& whole = refined.flat_mesh;
+  Status status = charge.add(context, curves::bytes_of(whole.flat) + bytes_of_curves(), "a drag");
+  if (!status) return status;
+  flat = whole.flat;
   TableMemory memory("a drag");
   const Result<std::vector<std::uint8_t>> moves = marked(
       context, flat.vertex.size(), flat.curve_begin[moving], flat.curve_begin[moving + 1], memory);
   if (!moves) return moves.status();
   const mesh::MeshEdit edit{*moves, static_cast<std::uint32_t>(flat.vertex.size())};
-  Result<mesh::Mesher> whole = visibility->copy(context);
-  if (!whole) return whole.status();
+  const Result<std::vector<std::uint8_t>> is_same = mesh_rest(context, whole.mesher, edit, memory);
+  if (!is_same) return is_same.status();
+  Result<PreparedFields> rest = fields_without(context, refined, *moves, *is_same);
+  if (!rest) return rest.status();
+  WatchedFields with(refined.fields);
+  status = watch(context, whole, *moves, with);
+  if (!status) return status;
+  Result<mesh::Mesher> patches = refined.mesher.copy(context);
+  if (!patches) return patches.status();
+  status = patches->edit(context, flat, edit, true);
+  if (!status) return status;
+  base.emplace(context, prepared_layer(std::move(*rest), std::move(*patches)), options, nullptr);
+  return base->continue_without({refined, with.get(), *is_same});
+}
+
+/// Makes the visibility mesh without the curve, and says which triangles it has in common with that
+/// of the whole layer.
+Result<std::vector<std::uint8_t>> LayerDrag::State::mesh_rest(const Context& context,
+                                                              const mesh::Mesher& whole,
+                                                              const mesh::MeshEdit& edit,
+                                                              TableMemory& memory) {
+  Result<mesh::Mesher> copy = whole.copy(context);
+  if (!copy) return copy.status();
+  visibility.emplace(std::move(*copy));
   Status status = visibility->edit(context, flat, edit, false);
   if (!status) return status;
   Result<mesh::TriangleMesh> mesh = visibility->visibility_mesh(context);
   if (!mesh) return mesh.status();
   visibility_mesh = std::move(*mesh);
-  Result<PreparedFields> rest =
-      fields(context, *visibility, visibility_mesh, {.use = {.will_be_extended = true}});
-  if (!rest) return rest.status();
-  const Result<std::vector<std::uint8_t>> is_same =
-      visibility->same_triangles(context, *whole, memory);
-  if (!is_same) return is_same.status();
-  const Result<mesh::TriangleMesh> whole_mesh = whole->visibility_mesh(context);
-  if (!whole_mesh) return whole_mesh.status();
-  const Result<PreparedFields> with =
-      fields(context, *whole, *whole_mesh,
-             {.use = {*moves},
-              .color_before = &rest->color,
-              .opacity_before = rest->opacity ? &*rest->opacity : nullptr,
-              .is_same = *is_same});
-  if (!with) return with.status();
-  Result<mesh::Mesher> patches = refined.mesher.copy(context);
-  if (!patches) return patches.status();
-  status = patches->edit(context, flat, edit, true);
-  if (!status) return status;
-  base.emplace(solver(context, std::move(*rest), std::move(*patches)));
-  return base->continue_without(
-      {refined.nodes, with->color, with->opacity ? &*with->opacity : nullptr, *is_same});
+  return visibility->same_triangles(context, whole, memory);
+}
+
+/// Has the fields of the whole layer watch the curve.
+Status LayerDrag::State::watch(Context& context, const FlatMesh& whole,
+                               std::span<const std::uint8_t> moves, WatchedFields& with) const {
+  if (!with.are_thinned()) return with.watch(context, whole.mesh, moves);
+  Result<PreparedFields> anew =
+      fields(context, whole, whole.mesher, whole.mesh, {.use = {.is_watched = moves}});
+  if (!anew) return anew.status();
+  with.take_instead(std::move(*anew));
+  return ok_status();
+}
+
+/// The layer's fields on the visibility mesh without the curve.
+Result<PreparedFields> LayerDrag::State::fields_without(
+    Context& context, const RefinedLayer& refined, std::span<const std::uint8_t> moves,
+    std::span<const std::uint8_t> is_same) const {
+  const PreparedFields& with = refined.fields;
+  FieldEdits edits{.use = {.is_watched = moves, .will_be_extended = true}};
+  edits.color_before = &with.color;
+  if (with.opacity) edits.opacity_before = &*with.opacity;
+  edits.is_same = is_same;
+  edits.whole = &refined.flat_mesh.mesh;
+  return fields(context, refined.flat_mesh, *visibility, visibility_mesh, edits);
 }
 
 /// Whether the layer has the same fields with the curve in its place.
@@ -332,8 +394,8 @@ Result<FramePatches> LayerDrag::State::frame(Context& context, const Curve& curv
   Result<PreparedFields> fields =
       prepare_fields(context, *now.seen, now.seen_mesh, std::move(*sampled), options.ends, edits);
   if (!fields) return fields.status();
-  LayerSolver layer =
-      solver(context, std::move(*fields), std::move(*patches), how.stats, how.watch);
+  LayerSolver layer(context, prepared_layer(std::move(*fields), std::move(*patches)), options,
+                    how.stats, how.watch);
   const Result<gather::ShareBound> bound =
       gather::ShareBound::create(context, now.placed->moved.vertex, curve.weight, how.most_missed);
   if (!bound) return bound.status();
@@ -361,7 +423,7 @@ LayerDrag::~LayerDrag() = default;
 Result<LayerDrag> LayerDrag::begin(Context& context, const Document& document, std::uint32_t layer,
                                    std::uint32_t curve, const LayerSight& sight,
                                    const DiffuseOptions& options,
-                                   const std::optional<RefinedLayer>& refined) {
+                                   std::optional<RefinedLayer>& refined) {
   auto state = std::make_unique<State>(document.artboard, document.interpolation,
                                        document.layers[layer].curves, curve, sight, options);
   Status status = state->begin(context, refined);
@@ -384,7 +446,8 @@ Result<LayerDrag> LayerDrag::with_room(Context& context) const {
   const State& now = *state_;
   auto state = std::make_unique<State>(now.artboard, now.interpolation, now.curves, now.moving,
                                        now.sight, now.options);
-  Status status = state->begin(context, std::nullopt);
+  std::optional<RefinedLayer> none;
+  Status status = state->begin(context, none);
   if (!status) return status;
   return LayerDrag(std::move(state));
 }

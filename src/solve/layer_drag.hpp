@@ -39,13 +39,13 @@ class LayerDrag {
  public:
   /// Takes the curve off the layer. `sight` is that of the layer, and not empty.
   /// refined   what was kept of the layer as it is, solved for `sight` with `options`, in the
-  ///           context's Budget; or nothing: the layer is solved first, on a mesh with room for a
-  ///           curve that is dragged beyond what is shown.
+  ///           context's Budget, for any number of drags; or nothing: the layer is solved first,
+  ///           on a mesh with room for a curve that is dragged beyond what is shown.
   /// Errors    limit, cancelled
   static Result<LayerDrag> begin(Context& context, const Document& document, std::uint32_t layer,
                                  std::uint32_t curve, const LayerSight& sight,
                                  const DiffuseOptions& options,
-                                 const std::optional<RefinedLayer>& refined);
+                                 std::optional<RefinedLayer>& refined);
 
   LayerDrag(LayerDrag&&) noexcept;
   LayerDrag& operator=(LayerDrag&&) noexcept;

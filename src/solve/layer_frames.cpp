@@ -31,16 +31,20 @@ Status LayerSolver::continue_from(const LayerSolver& before) {
 }
 
 Status LayerSolver::continue_without(const CurveRemoval& removal) {
-  Status status = take_mesh(&changed_);
+  const RefinedNodes& nodes = removal.known.nodes;
+  Result<mesh::TriangleMesh> mesh = mesher_.copy_mesh(context_, *removal.known.mesh);
+  if (!mesh) return mesh.status();
+  *mesh_ = std::move(*mesh);
+  Status status = color_.start_from(context_, *nodes.color.seams, *mesh_);
+  if (status && opacity_) status = opacity_->start_from(context_, *nodes.opacity->seams, *mesh_);
+  if (status) status = update_mesh();
   if (status && is_blurred_) status = follow_blur_too(true);
   const auto lay_out = [&](FieldSolver& field, const RefinedField& known,
                            const PreparedField& with) {
     return field.lay_out_without(context_, known, with, *mesh_, changed_, removal.is_same);
   };
-  if (status) status = lay_out(color_, removal.known.color, removal.color);
-  if (status && opacity_) {
-    status = lay_out(*opacity_, *removal.known.opacity, *removal.opacity);
-  }
+  if (status) status = lay_out(color_, nodes.color, removal.fields.color);
+  if (status && opacity_) status = lay_out(*opacity_, *nodes.opacity, *removal.fields.opacity);
   if (status) status = gather(gather::GatherOptions{}, false);
   return status ? prepare_to_be_edited() : status;
 }

@@ -222,7 +222,7 @@ Status LayerSolver::take_fields(std::span<const std::uint8_t> keep, bool keeps_t
     if (keeps_tables) return field.copy(context_, keep, memory);
     return field.take(keep);
   };
-  if (keeps_tables) {
+  if (keeps_tables || keeps_mesh_) {
     status = memory.assign(context_, mesh_->vertex_position, layer.vertex_position);
     if (!status) return status;
   } else {

@@ -81,7 +81,7 @@ Status solve_first(Context& context, const Document& document, std::uint32_t lay
                    const LayerSight& sight, const DiffuseOptions& options,
                    std::optional<RefinedLayer>& refined, DiffuseStats* stats) {
   Result<PreparedLayer> prepared =
-      prepare_layer(context, document, layer, sight, options, stats, LayerUse::patches);
+      prepare_layer(context, document, layer, sight, options, stats, LayerUse::drags);
   if (!prepared) return prepared.status();
   const Result<PatchLayer> solved =
       LayerSolver(context, std::move(*prepared), options, stats).solve(&refined);
@@ -151,7 +151,7 @@ Result<LayerResponse> respond(Context& context, const Document& document, const 
     return take(context, place, solver);
   });
   refined->mesher = solver.release_mesher();
-  refined->mesher.forget_extracted();
+  refined->mesher.release_extracted();
   return response;
 }
 

@@ -133,9 +133,9 @@ Status LayerRuns::solve(std::uint32_t index, bool side_by_side) {
 Result<PatchLayer> LayerRuns::solve_layer(std::uint32_t index, DiffuseStats& stats, SolveWay way) {
   const auto& [layer, sight] = tasks_[index];
   if (sight.viewport.empty() || document_.layers[layer].curves.empty()) return PatchLayer{};
-  const LayerUse use = way.side_by_side ? LayerUse::patches_side_by_side : LayerUse::patches;
+  const LayerUse use = keeps_refined_ ? LayerUse::drags : LayerUse::patches;
   Result<PreparedLayer> prepared =
-      prepare_layer(context_, document_, layer, sight, options_, &stats, use);
+      prepare_layer(context_, document_, layer, sight, options_, &stats, use, way.side_by_side);
   if (!prepared) return prepared.status();
   runs_[index].is_prepared = true;
   LayerSolver solver(context_, std::move(*prepared), options_, &stats, {}, way);

@@ -68,14 +68,15 @@ LayerSolver::LayerSolver(Context& context, PreparedLayer prepared, const Diffuse
       is_mesh_refined_(prepared.is_mesh_refined),
       is_blurred_(any_blur(prepared, &curves::SegmentSide::blur_radius)),
       is_finely_blurred_(any_blur(prepared, &curves::SegmentSide::fine_radius)),
-      color_(std::move(prepared.color)),
+      color_(std::move(prepared.color), prepared.flat_mesh.has_value()),
       frame_(prepared.frame),
       smallest_edge_(prepared.smallest_edge),
+      flat_mesh_(std::move(prepared.flat_mesh)),
       options_(options),
       stats_(stats),
       watch_(watch),
       way_(way) {
-  if (prepared.opacity) opacity_.emplace(std::move(*prepared.opacity));
+  if (prepared.opacity) opacity_.emplace(std::move(*prepared.opacity), flat_mesh_.has_value());
 }
 
 bool LayerSolver::is_joint() const {
@@ -103,12 +104,29 @@ Result<PatchLayer> LayerSolver::solve(std::optional<RefinedLayer>* refined) {
   }
   Result<RefinedNodes> nodes = no_throw([&] { return copy_nodes(); });
   if (!nodes && !is_lack_of_memory(nodes.status())) return nodes.status();
+  keeps_mesh_ = nodes.ok();
   Result<PatchLayer> layer = take();
-  if (layer && nodes) {
-    mesher_.forget_extracted();
-    refined->emplace(RefinedLayer{std::move(mesher_), std::move(*nodes)});
-  }
+  if (!layer || !nodes) return layer;
+  Result<RefinedLayer> kept = keep(std::move(*nodes));
+  if (!kept && !is_lack_of_memory(kept.status())) return kept.status();
+  if (kept) refined->emplace(std::move(*kept));
   return layer;
+}
+
+/// Errors: limit (memory), cancelled.
+Result<RefinedLayer> LayerSolver::keep(RefinedNodes nodes) {
+  if (cuts_.part_count() > 0) {  // they were added to the mesh
+    if (Status status = take_mesh(); !status) return status;
+  }
+  nodes.color.seams.emplace(color_.release_seams());
+  PreparedFields fields{color_.release_field(), {}};
+  if (opacity_) {
+    nodes.opacity->seams.emplace(opacity_->release_seams());
+    fields.opacity.emplace(opacity_->release_field());
+  }
+  TableMemory mesh_memory = mesher_.release_extracted();
+  return RefinedLayer{std::move(mesher_), std::move(mesh_),       std::move(mesh_memory),
+                      std::move(nodes),   std::move(*flat_mesh_), std::move(fields)};
 }
 
 /// Whether copies of all nodes leave enough for the patches.
@@ -133,10 +151,9 @@ Result<RefinedLayer> LayerSolver::refine_only() {
   Status status = refine();
   if (status) status = put_in_order();
   if (!status) return status;
-  RefinedLayer refined{std::move(mesher_), {color_.release(), {}}};
-  if (opacity_) refined.nodes.opacity = opacity_->release();
-  refined.mesher.forget_extracted();
-  return refined;
+  RefinedNodes nodes{color_.release(), {}};
+  if (opacity_) nodes.opacity = opacity_->release();
+  return keep(std::move(nodes));
 }
 
 /// Afterwards the mesh is as fine as it has to be, and its nodes have their values. The exact
@@ -173,10 +190,10 @@ Result<PatchLayer> LayerSolver::take() {
   return layer;
 }
 
-/// Takes the mesher's mesh as it is.
-Status LayerSolver::take_mesh(std::vector<std::uint32_t>* changed) {
+/// Takes the mesher's first mesh.
+Status LayerSolver::take_mesh() {
   const Stopwatch watch;
-  Result<mesh::TriangleMesh> mesh = mesher_.patch_mesh(context_, changed);
+  Result<mesh::TriangleMesh> mesh = mesher_.patch_mesh(context_);
   if (!mesh) return mesh.status();
   *mesh_ = std::move(*mesh);
   Status status = check_limits(context_.limits, *mesh_);

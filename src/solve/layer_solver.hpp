@@ -27,14 +27,19 @@ struct SolveWay {
   std::optional<FunctionRef<void(double fraction)>> progress{};  ///< told how far it has come
 };
 
-/// What is kept of a layer that was solved for those who edit it: its patch mesh, and the nodes.
+/// What is kept of a layer that was solved for those who edit it: its patch mesh and the nodes, and
+/// what was prepared for that.
 struct RefinedNodes {
   RefinedField color;
   std::optional<RefinedField> opacity;  ///< as PreparedLayer
 };
 struct RefinedLayer {
   mesh::Mesher mesher;
+  std::unique_ptr<mesh::TriangleMesh> mesh;  ///< its patch_mesh()
+  TableMemory mesh_memory;
   RefinedNodes nodes;
+  FlatMesh flat_mesh;
+  PreparedFields fields;  ///< made with may_be_changed
 };
 
 /// A layer's tables as a frame of a drag left them: those of the layer that it began from, but for
@@ -50,9 +55,8 @@ struct FrameTables {
 
 /// A curve that was taken out of a layer, for a drag of it.
 struct CurveRemoval {
-  const RefinedNodes& known;              ///< of the layer with it
-  const PreparedField& color;             ///< of the layer with it, which is watched
-  const PreparedField* opacity;           ///< as PreparedLayer
+  const RefinedLayer& known;              ///< the layer with it
+  const PreparedFields& fields;           ///< of the layer with it, which is watched
   std::span<const std::uint8_t> is_same;  ///< Mesher::same_triangles of the visibility meshes
 };
 
@@ -93,12 +97,12 @@ class LayerSolver {
   LayerSolver(Context& context, PreparedLayer prepared, const DiffuseOptions& options,
               DiffuseStats* stats, std::optional<RoundWatch> watch = {}, SolveWay way = {});
 
-  /// refined   unless null: gets what is kept of the layer, or nothing where its nodes have not
-  ///           their exact values, or memory is lacking for it
+  /// refined   unless null: gets what is kept of the layer, which was prepared for drags; nothing
+  ///           where its nodes have not their exact values, or memory is lacking for it
   Result<PatchLayer> solve(std::optional<RefinedLayer>* refined = nullptr);
 
-  /// What solve() leaves of a layer, without its patches and whatever memory allows. Call last.
-  /// Errors: limit, cancelled.
+  /// What solve() keeps of a layer that was prepared for drags, without its patches and whatever
+  /// memory allows. Call last. Errors: limit, cancelled.
   Result<RefinedLayer> refine_only();
 
   /// In place of solve(): the mesher was copied from that of a RefinedLayer, and segments were
@@ -140,8 +144,8 @@ class LayerSolver {
   Status prepare_to_be_edited();
   bool has_spare_memory() const;
   Result<RefinedNodes> copy_nodes() const;
-  /// `changed`, unless null, gets what patch_mesh() says.
-  Status take_mesh(std::vector<std::uint32_t>* changed = nullptr);
+  Result<RefinedLayer> keep(RefinedNodes nodes);
+  Status take_mesh();
   Status update_mesh();
   Status lay_out();
   Status put_in_order();
@@ -201,12 +205,14 @@ class LayerSolver {
   std::optional<FieldSolver> opacity_;
   Box frame_;
   double smallest_edge_;
+  std::optional<FlatMesh> flat_mesh_;
   const DiffuseOptions& options_;
   DiffuseStats* stats_;
   std::optional<RoundWatch> watch_;
   SolveWay way_;
   std::unique_ptr<mesh::TriangleMesh> mesh_ = std::make_unique<mesh::TriangleMesh>();
   std::vector<std::uint32_t> changed_;  ///< triangles that are new in this round, ascending
+  bool keeps_mesh_ = false;             ///< whatever patches are made of it
   /// What continue_inserted() was told, unless it took another way.
   const LayerSolver* inserted_into_ = nullptr;
   std::optional<std::vector<SoftEdge>> soft_edge_;  ///< for others to be inserted into this

@@ -100,15 +100,17 @@ Result<FieldMesh> mesh_field(const Context& context, const mesh::Mesher& mesher,
 Result<PreparedField> prepare_field(Context& context, const mesh::TriangleMesh& visibility,
                                     const FieldMesh& mesh, SampledField sampled, gather::Ends ends,
                                     const FieldEdits& edits, const OneEdit& edit) {
-  gather::Insertion insertion;
+  gather::MeshChange change;
   if (edit.before && !edit.before->is_thinned && !mesh.is_thinned) {
-    insertion = {&edit.before->gatherer, edits.is_same};
-    if (edit.used && edit.used->has_value()) insertion.used = &(*edit.used)->gatherer;
+    change = {&edit.before->gatherer, edits.is_same, nullptr, edits.whole};
+    if (edit.used && edit.used->has_value()) change.used = &(*edit.used)->gatherer;
   }
   gather::GatherUse use = edits.use;
+  if (edits.whole)
+    use.is_watched = change.before ? use.is_watched : std::span<const std::uint8_t>();
   if (edits.is_parted) use.beside = edit.beside;
-  Result<gather::Gatherer> gatherer = gather::Gatherer::create(
-      context, mesh.of(visibility), sampled.attributes, ends, use, insertion);
+  Result<gather::Gatherer> gatherer =
+      gather::Gatherer::create(context, mesh.of(visibility), sampled.attributes, ends, use, change);
   if (!gatherer) return gatherer.status();
   return PreparedField{std::move(sampled.attributes), std::move(sampled.memory),
                        std::move(*gatherer), mesh.is_thinned};
@@ -270,12 +272,11 @@ Result<PreparedFields> prepare_fields(Context& context, const mesh::Mesher& mesh
 
 Result<PreparedLayer> prepare_layer(Context& context, const Document& document, std::uint32_t layer,
                                     const LayerSight& sight, const DiffuseOptions& options,
-                                    DiffuseStats* stats, LayerUse use) {
+                                    DiffuseStats* stats, LayerUse use, bool side_by_side) {
   const Stopwatch geometry_watch;
   const std::vector<Curve>& curves = document.layers[layer].curves;
   const LayerUnits units(document.artboard, sight, options);
-  const Result<curves::FlatCurves> flat =
-      flatten_layer(context, document.layers[layer], sight, units);
+  Result<curves::FlatCurves> flat = flatten_layer(context, document.layers[layer], sight, units);
   if (!flat) return flat.status();
   ScopedCharge flat_charge;
   Status status = flat_charge.add(context, curves::bytes_of(*flat), "flattening");
@@ -293,7 +294,13 @@ Result<PreparedLayer> prepare_layer(Context& context, const Document& document, 
   const mesh::MeshOptions meshing = units.mesh_options();
   Result<mesh::Mesher> mesher = mesh::Mesher::build(context, *flat, meshing);
   if (!mesher) return mesher.status();
-  const Result<mesh::TriangleMesh> visibility = mesher->visibility_mesh(context);
+  std::optional<mesh::Mesher> kept;
+  if (use == LayerUse::drags) {
+    Result<mesh::Mesher> copy = mesher->copy(context);
+    if (!copy) return copy.status();
+    kept.emplace(std::move(*copy));
+  }
+  Result<mesh::TriangleMesh> visibility = (kept ? *kept : *mesher).visibility_mesh(context);
   if (!visibility) return visibility.status();
   const double mesh_seconds = mesh_watch.seconds();
 
@@ -303,11 +310,12 @@ Result<PreparedLayer> prepare_layer(Context& context, const Document& document, 
   std::optional<PreparedFields> fields;
   const auto prepare = [&] {
     Result<PreparedFields> prepared =
-        prepare_meshed(context, *visibility, *meshes, std::move(*sampled), options.ends, {});
+        prepare_meshed(context, *visibility, *meshes, std::move(*sampled), options.ends,
+                       {.use = {.may_be_changed = kept.has_value()}});
     if (prepared) fields.emplace(std::move(*prepared));
     return prepared.status();
   };
-  const bool refines = use == LayerUse::patches_side_by_side;
+  const bool refines = for_patches && side_by_side;
   status =
       refines ? run_both(context, prepare, [&] { return mesher->refine(context); }) : prepare();
   if (!status) return status;
@@ -318,8 +326,13 @@ Result<PreparedLayer> prepare_layer(Context& context, const Document& document, 
     stats->triangulation_seconds += mesh_seconds;
     stats->gather_seconds += gather_watch.seconds();
   }
-  return PreparedLayer{std::move(*mesher), std::move(fields->color), std::move(fields->opacity),
-                       meshing.frame,      units.smallest_edge(),    refines};
+  PreparedLayer prepared{std::move(*mesher), std::move(fields->color), std::move(fields->opacity),
+                         meshing.frame,      units.smallest_edge(),    refines};
+  if (kept) {
+    prepared.flat_mesh.emplace(FlatMesh{std::move(*flat), std::move(flat_charge), std::move(*kept),
+                                        std::move(*visibility)});
+  }
+  return prepared;
 }
 
 }  // namespace sfumato::solve

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "base/charge.hpp"
 #include "base/table_memory.hpp"
 #include "curves/attributes.hpp"
 #include "curves/flatten.hpp"
@@ -17,6 +18,14 @@
 
 namespace sfumato::solve {
 
+/// A layer's curves as polylines, and the visibility mesh of these.
+struct FlatMesh {
+  curves::FlatCurves flat;
+  ScopedCharge charge;      ///< of the polylines
+  mesh::Mesher mesher;      ///< not refined
+  mesh::TriangleMesh mesh;  ///< handed out by it
+};
+
 /// The first step of every way to evaluate a layer: its curves flattened, meshed and prepared for
 /// gathering.
 struct PreparedLayer {
@@ -26,7 +35,8 @@ struct PreparedLayer {
   std::optional<PreparedField> opacity;
   Box frame;             ///< what the patch mesh covers, layer frame
   double smallest_edge;  ///< triangles with no edge longer than this (layer units) show on no pixel
-  bool is_mesh_refined = false;  ///< Mesher::refine was called
+  bool is_mesh_refined = false;         ///< Mesher::refine was called
+  std::optional<FlatMesh> flat_mesh{};  ///< for LayerUse::drags
 };
 
 /// How some instances look at a layer.
@@ -53,16 +63,10 @@ LayerSight sight_of_layer(const Document& document, std::uint32_t layer, const B
 Result<std::vector<LayerSight>> sights_of_layers(const Context& context, const Document& document,
                                                  const Box& viewport);
 
-/// The purpose of the preparation.
-enum class LayerUse : std::uint8_t {
-  points,  ///< exact values at single points
-  /// One field may hold colour and opacity if the same curves bear both, and blur radii too small
-  /// for the mesh are treated as fine ones.
-  patches,
-  /// The same, and the mesh is refined while the fields are prepared, which takes more memory at a
-  /// time.
-  patches_side_by_side,
-};
+/// The purpose of the preparation. points: exact values at single points. patches: one field may
+/// hold colour and opacity if the same curves bear both, and blur radii too small for the mesh are
+/// treated as fine ones. drags: as patches, with what drags begin from.
+enum class LayerUse : std::uint8_t { points, patches, drags };
 
 /// A layer's curves as polylines, with what of the document goes into its fields.
 struct FlatLayer {
@@ -105,14 +109,15 @@ Result<SampledFields> sample_fields(const Context& context, const FlatLayer& lay
 /// For fields of a mesh that was edited or will be.
 struct FieldEdits {
   gather::GatherUse use{};  ///< without `beside`
-  /// Of the mesh before the watched segments were inserted; null: none were, or there is no such
-  /// field.
+  /// Of the mesh before the watched segments were inserted or taken out; null: none were, or there
+  /// is no such field.
   const PreparedField* color_before = nullptr;
   const PreparedField* opacity_before = nullptr;
-  std::span<const std::uint8_t> is_same{};  ///< as gather::Insertion
+  std::span<const std::uint8_t> is_same{};  ///< as gather::MeshChange
   /// Of the last frame, whose tables are used again; null or empty: none.
   std::optional<PreparedField>* color_used = nullptr;
   std::optional<PreparedField>* opacity_used = nullptr;
+  const mesh::TriangleMesh* whole = nullptr;  ///< as gather::MeshChange
   /// Whether the layer has one field elsewhere, and two here: free ends count as they do there.
   bool is_parted = false;
 };
@@ -125,9 +130,12 @@ Result<PreparedFields> prepare_fields(Context& context, const mesh::Mesher& mesh
 
 /// Adds to `stats` if not null. Errors: limit (an instance shows more of its layer than coordinates
 /// reach, memory, counts), cancelled.
+/// side_by_side   for patches: refines the mesh while the fields are prepared, which takes more
+///                memory at a time
 Result<PreparedLayer> prepare_layer(Context& context, const Document& document, std::uint32_t layer,
                                     const LayerSight& sight, const DiffuseOptions& options,
-                                    DiffuseStats* stats, LayerUse use = LayerUse::points);
+                                    DiffuseStats* stats, LayerUse use = LayerUse::points,
+                                    bool side_by_side = false);
 
 /// Checks that the lengths and counts in the options are within their ranges.
 Status validate(const DiffuseOptions& options);

@@ -172,6 +172,92 @@ TEST(ExtendedScene, is_built_anew_for_the_first_curve) {
   EXPECT_GT(gathered(context, *extended, {{300, 100}})[0], 0.99f);
 }
 
+/// A drawing, with meshes of all and without one of its lines, which was taken out.
+struct Reduced {
+  Reduced(Context& context, const Drawing& drawing, std::uint32_t line, Ends ends) {
+    mesh::MeshOptions options;
+    options.frame = options.room = drawing.frame;
+    options.unit_size = std::max(drawing.frame.width(), drawing.frame.height()) / 1024;
+    Result<mesh::Mesher> with = mesh::Mesher::build(context, drawing.flat, options);
+    const mesh::TriangleMesh all = *with->visibility_mesh(context);
+    whole.emplace(std::move(
+        *Gatherer::create(context, all, drawing.attributes, ends, {.may_be_changed = true})));
+    is_removed.assign(drawing.flat.vertex.size(), 0);
+    std::fill(is_removed.begin() + drawing.flat.curve_begin[line],
+              is_removed.begin() + drawing.flat.curve_begin[line + 1], std::uint8_t{1});
+    Result<mesh::Mesher> without = with->copy(context);
+    const auto end = static_cast<std::uint32_t>(drawing.flat.vertex.size());
+    EXPECT_TRUE(without->edit(context, drawing.flat, {is_removed, end}, false).ok());
+    is_same = *without->same_triangles(context, *with, memory);
+    EXPECT_TRUE(whole->watch(context, all, is_removed).ok());
+    const mesh::TriangleMesh rest = *without->visibility_mesh(context);
+    GatherUse use{.is_watched = is_removed, .will_be_extended = true};
+    reduced.emplace(std::move(*Gatherer::create(context, rest, drawing.attributes, ends, use,
+                                                {&*whole, is_same, nullptr, &all})));
+    anew.emplace(std::move(*Gatherer::create(context, rest, drawing.attributes, ends)));
+  }
+
+  std::optional<Gatherer> whole, reduced, anew;
+  std::vector<std::uint8_t> is_removed, is_same;
+  TableMemory memory{"a test"};
+};
+
+/// How many points the line changes.
+int expect_reduced(const Drawing& drawing, std::uint32_t line, std::uint32_t seed, Ends ends) {
+  Context context;
+  Reduced scene(context, drawing, line, ends);
+  const std::vector<Vec2> points = random_points(drawing, seed, kPoints, 0.5);
+  const std::vector<float> value = gathered(context, *scene.reduced, points);
+  const std::vector<float> expected = gathered(context, *scene.anew, points);
+  const std::vector<float> earlier = gathered(context, *scene.whole, points);
+  const Result<PointPlaces> places = scene.reduced->locate(context, points);
+  std::vector<std::uint32_t> listed;
+  EXPECT_TRUE(places.ok() && scene.whole
+                                 ->list_changes(context, *scene.reduced, points,
+                                                {*places, scene.is_same}, scene.memory, listed)
+                                 .ok());
+  int changed = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    EXPECT_LE(difference(value, expected, i, points.size()), kMost) << i;
+    if (difference(expected, earlier, i, points.size()) <= kMost) continue;
+    ++changed;
+    EXPECT_NE(std::ranges::find(listed, i), listed.end()) << i;
+  }
+  std::vector<std::uint8_t> marked(points.size(), 0), marked_anew = marked;
+  for (const std::uint32_t i : listed) marked[i] = 1;
+  EXPECT_TRUE(scene.whole->find_changes(context, *scene.anew, points, marked_anew).ok());
+  EXPECT_EQ(marked, marked_anew);
+  return changed;
+}
+
+TEST(ReducedScene, gathers_what_one_built_anew_does) {
+  int changed = 0;
+  for (std::uint32_t seed = 0; seed < kSeeds; ++seed) {
+    SCOPED_TRACE(seed);
+    changed += expect_reduced(crossed(seed, 0, 1), 40, seed, Ends::paper);
+    changed += expect_reduced(crossed(seed, 9, 1), 40, seed, Ends::soft);
+    changed += expect_reduced(crossed(seed, 0, 0.25f), seed, seed, Ends::soft);
+  }
+  EXPECT_GT(changed, 0);
+}
+
+TEST(ReducedScene, knows_where_points_lie_as_one_that_searches_does) {
+  Context context;
+  const Drawing drawing = crossed(3, 0, 1);
+  const Reduced scene(context, drawing, 40, Ends::soft);
+  const std::vector<Vec2> points = random_points(drawing, 3, kPoints, 0.5);
+  std::vector<float> value(points.size() * 3);
+  std::vector<std::uint32_t> place(points.size(), kUnknownPlace);
+  ASSERT_TRUE(scene.whole->gather(context, points, {}, value, {}, false, place).ok());
+  for (std::uint32_t& triangle : place)
+    if (!scene.is_same[triangle]) triangle = kUnknownPlace;
+  const Result<PointPlaces> known = scene.reduced->locate(context, points, place);
+  const Result<PointPlaces> found = scene.reduced->locate(context, points);
+  ASSERT_TRUE(known.ok() && found.ok());
+  EXPECT_EQ(known->begin, found->begin);
+  EXPECT_EQ(known->slot, found->slot);
+}
+
 TEST(ExtendedScene, ends_when_it_is_cancelled) {
   Context context;
   const Drawing drawing = crossed(2, 9, 1);

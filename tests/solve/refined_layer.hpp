@@ -16,7 +16,7 @@ inline std::optional<RefinedLayer> refined_layer(Context& context, const Documen
                                                  const DiffuseOptions& options) {
   std::optional<RefinedLayer> refined;
   Result<PreparedLayer> prepared =
-      prepare_layer(context, document, layer, sight, options, nullptr, LayerUse::patches);
+      prepare_layer(context, document, layer, sight, options, nullptr, LayerUse::drags);
   if (!prepared) return refined;
   const bool is_solved =
       LayerSolver(context, std::move(*prepared), options, nullptr).solve(&refined).ok();

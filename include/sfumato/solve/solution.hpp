@@ -75,10 +75,10 @@ class Solution {
   /// what is solved now.
   Status solve(Context& context, const DiffuseOptions& options, DiffuseStats* stats = nullptr);
 
-  /// From here on solve() keeps the meshes and nodes that drags begin from, where it is given the
-  /// Context of create(), which is charged for them: about as much as for the picture. Where memory
-  /// is scarce they are not kept, and what of this Solution lacks memory gives them up first. The
-  /// first begin_drag() calls this.
+  /// From here on solve() keeps the meshes, fields and nodes that drags begin from, where it is
+  /// given the Context of create(), which is charged for them: four to five times as much as for
+  /// the picture. Where memory is scarce they are not kept, and what of this Solution lacks memory
+  /// gives them up first. The first begin_drag() calls this.
   void expect_drags();
 
   /// Prepares a curve to be dragged: takes it off its layer. The picture stays as it is.
