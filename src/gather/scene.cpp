@@ -7,6 +7,7 @@
 #include "base/poll.hpp"
 #include "base/spatial_order.hpp"
 #include "gather/blind.hpp"
+#include "gather/far_field.hpp"
 #include "sfumato/base/box.hpp"
 
 namespace sfumato::gather {
@@ -394,9 +395,12 @@ class SceneBuilder {
 
 SceneView Scene::view() const {
   const auto triangle_count = static_cast<std::int64_t>(triangle.size());
-  return {
+  SceneView view{
       edge_beyond.data(), hit_edge.data(), blend.empty() ? nullptr : blend.data(), base_channels,
       shader_count,       triangle.data(), 64 * triangle_count + (1 << 20)};
+  view.far = far;
+  if (!far_mean.empty()) view.far.mean = far_mean.data();
+  return view;
 }
 
 Result<Scene> build_scene(Context& context, const mesh::TriangleMesh& mesh,
@@ -405,6 +409,8 @@ Result<Scene> build_scene(Context& context, const mesh::TriangleMesh& mesh,
   SceneBuilder builder(context, mesh, attributes, scene);
   Status status = builder.build(use.will_be_extended);
   if (status && !use.is_watched.empty()) status = watch(context, mesh, use.is_watched, scene);
+  const bool is_for_changes = use.will_be_extended || !use.is_watched.empty();
+  if (status && !is_for_changes) status = add_far_field(context, scene);
   if (!status) return status;
   return scene;
 }

@@ -63,6 +63,8 @@ struct Scene {
   bool needs_blind_edges = false;  ///< without them a gather would be much the slower
   /// Half-edges, 3 · triangle + corner, that stop rays and on which a watched segment lies.
   std::vector<std::uint32_t> watched;
+  FarField far;                 ///< `mean` is null here
+  std::vector<float> far_mean;  ///< of `far`; empty: there is none (add_far_field)
   TableMemory memory{"the visibility mesh"};
 
   SceneView view() const;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -101,6 +102,27 @@ TEST_F(ColorDrag, shows_the_values_of_the_new_colour) {
     EXPECT_EQ(stops()[0].value, color);
     EXPECT_TRUE(picture::check_picture(context, solution.picture()).ok());
     EXPECT_LT(farthest_from_exact(), 0.05);
+  }
+}
+
+/// Many, and thin: what is far is estimated where a layer is solved, but not in how its nodes
+/// answer to a stop.
+TEST_F(ColorDrag, among_specks_is_as_good_as_the_gather_there) {
+  Document document = test::one_layer({colored(straight_curve({40, 45}, {60, 55}), kRed, kBlue)});
+  std::uint32_t random = 1;
+  const auto number = [&] {
+    return 100 * ((random = 1664525 * random + 1013904223) >> 8) * 0x1p-24;
+  };
+  for (int i = 0; i < 600; ++i) {
+    const double x = number(), y = number();
+    document.layers[0].curves.push_back(
+        colored(straight_curve({x, y}, {x + 0.002 * number(), y + 0.1}), kGreen, kBlue));
+  }
+  take_over(std::move(document));
+  ASSERT_TRUE(solution.begin_color(context, kFirst).ok());
+  for (const Rgb color : {kGreen, Rgb{1, 1, 1}}) {
+    ASSERT_TRUE(solution.color(context, color).ok());
+    EXPECT_LT(farthest_from_exact(), 1);
   }
 }
 

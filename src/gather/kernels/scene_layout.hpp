@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "base/inline.hpp"
+#include "gather/kernels/far_field.hpp"
 
 /// The layer as the kernels read it: plain structures in single precision, coordinates relative to
 /// the scene's origin. Kernels are compiled for several instruction sets and use no other types.
@@ -112,6 +113,7 @@ struct SceneView {
   const SceneTriangle* triangle;
   std::int64_t step_limit;  ///< triangles that one packet may enter; guards against a bad mesh
   EndTree ends{};
+  FarField far{};
 };
 
 inline constexpr int kPacketLanes = 16;
