@@ -1,8 +1,12 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <memory>
+#include <numbers>
+#include <random>
+#include <utility>
 #include <vector>
 
 #include "curves/attributes.hpp"
@@ -15,6 +19,7 @@
 #include "mesh/mesher.hpp"
 #include "scenes.hpp"
 #include "sfumato/base/native/thread_pool.hpp"
+#include "sfumato/document/build.hpp"
 #include "solve/nodes.hpp"
 
 // Colours at the free nodes of the paper's mesh (no error-driven refinement), step by step. Times
@@ -24,7 +29,7 @@ namespace {
 
 constexpr const char* kScenes[] = {"lady_bug.xml", "tomatos.xml", "dolphin.xml"};
 
-/// A public scene, meshed, and the points that its patches ask for.
+/// A drawing of one layer, meshed, and the points that its patches ask for.
 struct Prepared {
   Context context;  // what the rest is charged to
   mesh::TriangleMesh visibility;
@@ -41,19 +46,17 @@ solve::NodeLayout lay_out(const mesh::TriangleMesh& mesh,
   return *solve::lay_out_nodes(context, mesh, attributes, *seams, memory);
 }
 
-std::unique_ptr<Prepared> prepare(benchmark::State& state, const std::string& name) {
-  const std::optional<Document> document = bench::scene(state, name);
-  if (!document) return nullptr;
+std::unique_ptr<Prepared> prepare(const Document& document) {
   auto prepared = std::make_unique<Prepared>();
   Context& context = prepared->context;
-  const std::vector<Curve>& curves = document->layers[0].curves;
-  const double side = std::max(document->artboard.width(), document->artboard.height());
+  const std::vector<Curve>& curves = document.layers[0].curves;
+  const double side = std::max(document.artboard.width(), document.artboard.height());
   const double tolerance = side * 0.1 / 512;
   Result<curves::FlatCurves> flat = curves::flatten(context, curves, {.tolerance = tolerance});
   mesh::MeshOptions options;
-  options.frame = document->artboard;
+  options.frame = document.artboard;
   options.unit_size = side / 1024;
-  options.max_area = 0.04 * document->artboard.width() * document->artboard.height();
+  options.max_area = 0.04 * document.artboard.width() * document.artboard.height();
   Result<mesh::Mesher> mesher = mesh::Mesher::build(context, *flat, options);
   TableMemory memory("a benchmark");
   prepared->attributes =
@@ -76,8 +79,30 @@ const Prepared* prepared_scene(benchmark::State& state) {
   const std::string name = kScenes[state.range(0)];
   state.SetLabel(name);
   auto& entry = cache[name];
-  if (!entry) entry = prepare(state, name);
+  if (entry) return entry.get();
+  const std::optional<Document> document = bench::scene(state, name);
+  if (document) entry = prepare(*document);
   return entry.get();
+}
+
+/// Curves of half a unit, anywhere on a square of 1024.
+Document specks(int count) {
+  std::mt19937 random(1);
+  // Not uniform_real_distribution, which is another one in every library.
+  const auto number = [&] { return static_cast<float>(random() >> 8) / (1 << 24); };
+  const auto color = [&] { return Rgb{number(), number(), number()}; };
+  Document document;
+  document.artboard = {{0, 0}, {1024, 1024}};
+  document.layers.resize(1);
+  for (int i = 0; i < count; ++i) {
+    const Vec2 a = 1024 * Vec2{number(), number()};
+    const double angle = 2 * std::numbers::pi * number();
+    Curve curve = polyline({a, a + 0.5 * Vec2{std::cos(angle), std::sin(angle)}});
+    curve.left = colored({color()});
+    curve.right = colored({color()});
+    document.layers[0].curves.push_back(std::move(curve));
+  }
+  return document;
 }
 
 void count_points(benchmark::State& state, std::size_t count) {
@@ -117,13 +142,8 @@ void pack(benchmark::State& state) {
   state.counters["lanes"] = static_cast<double>(p->points.size()) / static_cast<double>(packets);
 }
 
-/// range(1): the instruction set.
-void exact(benchmark::State& state) {
-  const Prepared* p = prepared_scene(state);
-  if (!p) return;
+void time_exact(benchmark::State& state, const Prepared* p, SimdLevel level) {
   Context context;
-  const auto level = static_cast<SimdLevel>(state.range(1));
-  if (level > detected_simd_level()) return state.SkipWithError("not on this machine");
   context.simd = level;
   const auto locator = gather::Locator::create(context, p->scene);
   const auto located = locator->locate(context, p->points);
@@ -135,6 +155,22 @@ void exact(benchmark::State& state) {
                                  .ok());
   }
   count_points(state, p->points.size());
+}
+
+/// range(1): the instruction set.
+void exact(benchmark::State& state) {
+  const Prepared* p = prepared_scene(state);
+  if (!p) return;
+  const auto level = static_cast<SimdLevel>(state.range(1));
+  if (level > detected_simd_level()) return state.SkipWithError("not on this machine");
+  time_exact(state, p, level);
+}
+
+/// range(0): how many. Windows that are far are estimated.
+void exact_among_specks(benchmark::State& state) {
+  const std::unique_ptr<Prepared> p = prepare(specks(static_cast<int>(state.range(0))));
+  if (!p) return state.SkipWithError("no mesh");
+  time_exact(state, p.get(), detected_simd_level());
 }
 
 void rays_64(benchmark::State& state) {
@@ -170,6 +206,7 @@ BENCHMARK(create)->DenseRange(0, 2)->Unit(benchmark::kMillisecond);
 BENCHMARK(locate)->DenseRange(0, 2)->Unit(benchmark::kMillisecond);
 BENCHMARK(pack)->DenseRange(0, 2)->Unit(benchmark::kMillisecond);
 BENCHMARK(exact)->ArgsProduct({{0, 1, 2}, {0, 1, 2}})->Unit(benchmark::kMillisecond);
+BENCHMARK(exact_among_specks)->Arg(1000)->Arg(3000)->Unit(benchmark::kMillisecond);
 BENCHMARK(rays_64)->DenseRange(0, 2)->Unit(benchmark::kMillisecond);
 BENCHMARK(gather_all)
     ->ArgsProduct({{0, 1, 2}, {1, 2}})
