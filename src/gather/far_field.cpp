@@ -22,6 +22,9 @@ constexpr double kThin = 0.3;
 /// 1.1 among specks at random. Walls among them make it 2 and more, and are no mean of anything.
 constexpr double kMostUneven = 1.6;
 
+/// Each takes a number in each direction of each square.
+constexpr int kMostShaders = 16;
+
 constexpr std::size_t kHitsPerCell = 32;
 constexpr int kLargestSide = 1 << (kFarLevels - 1);
 
@@ -54,6 +57,7 @@ class FarFieldBuilder {
       : context_(context), poll_(context), scene_(scene) {}
 
   Status build() {
+    if (scene_.shader_count > kMostShaders) return ok_status();
     if (Status status = measure(); !status || !is_thin()) return status;
     if (Status status = make_room(); !status) return status;
     const Status status = for_each_wall([&](const Wall& wall, std::uint32_t) { add(wall); });
