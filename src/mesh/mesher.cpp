@@ -187,6 +187,7 @@ Result<TriangleMesh> Mesher::thinned_mesh(const Context& context, const Triangle
 
 Status Mesher::refine(const Context& context) {
   state_->has_cut_chords = true;
+  ++state_->change_count;
   const Point low = state_->lattice.frame_min, high = state_->lattice.frame_max;
   return state_->refiner.refine_all(context, double(high.x - low.x) * double(high.y - low.y));
 }
@@ -202,6 +203,7 @@ Status Mesher::refine_triangles(const Context& context, std::span<const std::uin
     if (t < s.patched.size()) targets.push_back(s.patched[t]);
   }
   s.has_cut_chords = true;
+  ++s.change_count;
   return s.refiner.refine_targets(context, targets, smallest_edge / s.lattice.step);
 }
 

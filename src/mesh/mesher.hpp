@@ -84,7 +84,8 @@ class Mesher {
 
   /// This one becomes what other.copy() would be, in the memory that it has where that is large
   /// enough. The mesh that it handed out last stays charged to it. Errors: limit (memory),
-  /// cancelled; this mesher can then only be destroyed or assigned to.
+  /// cancelled; this mesher can then only be destroyed or assigned to. Cost: O(triangles); less of
+  /// it where this was copied from `other` before, and that has not changed since.
   Status copy_from(const Context& context, const Mesher& other);
 
   /// The charge of the mesh that was handed out last, for whoever keeps that.

@@ -62,7 +62,15 @@ Status Mesher::copy_from(const Context& context, const Mesher& other) {
   s.lattice = from.lattice;
   s.has_cut_chords = from.has_cut_chords;
   s.set_quality();
-  Status status = s.mesh.copy_from(context, from.mesh);
+  Status status;
+  if (s.copied_from == &from && s.change_count_of_copy == from.change_count &&
+      s.mesh.knows_changes()) {
+    s.mesh.take_back(from.mesh);
+  } else {
+    status = s.mesh.copy_from(context, from.mesh);
+  }
+  s.copied_from = &from;
+  s.change_count_of_copy = from.change_count;
   if (status) status = s.chords.copy_from(context, from.chords);
   if (status) status = s.refiner.copy_origins(context, from.refiner);
   if (status) status = s.drawn_memory.assign(context, from.drawn, s.drawn);
@@ -158,6 +166,8 @@ Status Mesher::bake(const Context& context) {
   State& s = *state_;
   if (!s.has_cut_chords) return ok_status();
   s.has_cut_chords = false;
+  ++s.change_count;
+  s.mesh.forget_changes();
   Status status = bake_chords(context, s.budget, s.mesh, s.chords, s.refiner.origins());
   return status ? s.chords.seal(context) : status;
 }
@@ -173,6 +183,7 @@ Status Mesher::edit(const Context& context, const curves::FlatCurves& flat, cons
   if (!holds(flat, edit.first_inserted)) {
     return make_error(StatusCode::bad_input, "a curve lies outside of the lattice of its mesh");
   }
+  ++s.change_count;
   Status status = append_drawn(context, flat, s.lattice, s.drawn_memory, s.drawn);
   if (status) status = bake(context);
   s.mesh.tracking = true;
@@ -186,7 +197,10 @@ Status Mesher::edit(const Context& context, const curves::FlatCurves& flat, cons
   const bool moves_frame = arrangement.moved_frame();
   if (status && moves_frame) status = flood_inside(context, s.mesh, s.chords);
   if (status) status = s.refiner.start(context);
-  if (moves_frame) s.forget_numbers();  // vertices outside may have come in
+  if (moves_frame) {
+    s.mesh.forget_changes();
+    s.forget_numbers();  // vertices outside may have come in
+  }
   if (!status || !refines) {
     s.mesh.take_touched([](std::int32_t) {});
     return status;

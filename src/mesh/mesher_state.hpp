@@ -39,7 +39,10 @@ struct Mesher::State {
   TableMemory extracted;                 ///< of the mesh that was handed out last
   std::vector<Point> drawn;              ///< once it was edited: per vertex of the polylines
   TableMemory drawn_memory;
-  bool has_cut_chords = false;  ///< refinement may have cut edges, so that chords are not edges
+  bool has_cut_chords = false;     ///< refinement may have cut edges, so that chords are not edges
+  std::uint32_t change_count = 0;  ///< of refinements and edits
+  const State* copied_from = nullptr;      ///< last, and never looked into
+  std::uint32_t change_count_of_copy = 0;  ///< what that one's was
 
   /// Sets what lattice and options ask of the refiner.
   void set_quality() {

@@ -40,20 +40,45 @@ Status Triangulation::grow(const Context& context, std::size_t vertex_count) {
 }
 
 Status Triangulation::copy_from(const Context& context, const Triangulation& other) {
-  for (auto* list : {&touched, &changed, &pending}) list->clear();
+  clear_lists();
   triangle.clear();
+  logged_slots_ = 0;
   Status status = grow(context, other.point.size() * 9 / 8 + 256);
   if (status) status = memory_.assign(context, other.point, point);
   if (status) status = memory_.assign(context, other.spoke, spoke);
   if (status) status = memory_.assign(context, other.triangle, triangle);
+  if (status) status = memory_.reserve(context, log_, triangle.size());
   if (!status) return status;
   std::copy_n(other.chord.begin(), std::min(chord.size(), 4 * triangle.size()), chord.begin());
   for (Triangle& t : triangle) t.listed = 0;
   width = other.width;
   height = other.height;
-  last = 0;
-  walk_state_ = 1;
+  logged_slots_ = static_cast<std::int32_t>(triangle.size());
   return status;
+}
+
+// A change of a triangle may change in its neighbours what lies across the common edge, and which
+// half-edge is that of a vertex which the triangle has, or had before.
+void Triangulation::take_back(const Triangulation& other) {
+  point.resize(other.point.size());
+  spoke.resize(other.spoke.size());
+  triangle.resize(other.triangle.size());
+  for (const std::int32_t t : log_) {
+    take_back_slot(other, t);
+    const Triangle& then = other.triangle[t];
+    for (int k = 0; k < 3; ++k) {
+      spoke[then.vertex[k]] = other.spoke[then.vertex[k]];
+      if (then.across[k] != kHull) take_back_slot(other, triangle_of(then.across[k] >> 1));
+    }
+  }
+  clear_lists();
+}
+
+void Triangulation::take_back_slot(const Triangulation& other, std::int32_t t) {
+  triangle[t] = other.triangle[t];
+  triangle[t].listed = 0;
+  std::copy_n(other.chord.begin() + 4 * static_cast<std::size_t>(t), 4,
+              chord.begin() + 4 * static_cast<std::size_t>(t));
 }
 
 void Triangulation::set_across(HalfEdge e, std::int32_t value, std::int32_t chord_index) {

@@ -38,11 +38,12 @@ struct alignas(32) Triangle {
   std::int32_t stamp;  ///< counts the changes of this slot
   std::int32_t across[3];
   std::int16_t inside;  ///< 1 where the triangle lies inside the frame
-  std::int16_t listed;  ///< kTouched, kChanged: the lists that it is in
+  std::int16_t listed;  ///< kTouched, kChanged, kLogged: the lists that it is in
 };
 inline constexpr std::int32_t kHull = -1;
 inline constexpr std::int16_t kTouched = 1;
 inline constexpr std::int16_t kChanged = 2;
+inline constexpr std::int16_t kLogged = 4;
 
 enum class Place : std::uint8_t { inside, on_edge, on_vertex, blocked };
 
@@ -159,9 +160,17 @@ struct Triangulation {
   Status grow(const Context& context, std::size_t vertex_count);
 
   /// Becomes the same mesh, with room for some more, in the memory that it has where that is large
-  /// enough. Not while triangles of `other` are listed as touched. Errors: limit (memory),
-  /// cancelled.
+  /// enough, and logs its changes from then on. Not while triangles of `other` are listed as
+  /// touched. Errors: limit (memory), cancelled.
   Status copy_from(const Context& context, const Triangulation& other);
+
+  /// Whether it still knows what has changed since copy_from().
+  bool knows_changes() const { return logged_slots_ > 0; }
+  void forget_changes() { logged_slots_ = 0; }
+
+  /// The same as copy_from() if it knows what has changed since that, of a mesh that is as it was
+  /// then. Cost: O(changes).
+  void take_back(const Triangulation& other);
 
   /// Bytes of the lists that grow during an insertion.
   std::size_t list_bytes() const { return capacity_bytes(touched, pending, cavity, dead_, stack_); }
@@ -195,12 +204,25 @@ struct Triangulation {
   void touch(std::int32_t t) {
     Triangle& now = triangle[t];
     ++now.stamp;
-    if (!tracking || now.listed == (kTouched | kChanged) || !now.inside) return;
+    if (t < logged_slots_ && !(now.listed & kLogged)) {
+      log_.push_back(t);
+      now.listed |= kLogged;
+    }
+    constexpr std::int16_t kBoth = kTouched | kChanged;
+    if (!tracking || (now.listed & kBoth) == kBoth || !now.inside) return;
     if (!(now.listed & kTouched)) touched.push_back(t);
     if (!(now.listed & kChanged)) changed.push_back(t);
-    now.listed = kTouched | kChanged;
+    now.listed |= kBoth;
   }
+  void clear_lists() {
+    for (auto* list : {&touched, &changed, &pending, &log_}) list->clear();
+    last = 0;
+    walk_state_ = 1;
+  }
+  void take_back_slot(const Triangulation& other, std::int32_t t);
 
+  std::vector<std::int32_t> log_;  ///< of the first logged_slots_ triangles, those that changed
+  std::int32_t logged_slots_ = 0;
   std::vector<std::int32_t> dead_;
   std::vector<HalfEdge> stack_;
   std::uint32_t walk_state_ = 1;

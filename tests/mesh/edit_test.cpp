@@ -177,9 +177,9 @@ void expect_taken_back(const TriangleMesh& before, const std::vector<std::uint32
 }
 
 /// A copy with one more curve: its patch mesh follows, and becomes the one that is extracted anew.
-/// Whether it followed what changed alone.
+/// Whether it followed what changed alone. The same with a copy that has been used before.
 bool insert_into_copy(std::mt19937& random, const curves::FlatCurves& flat, const Mesher& mesher,
-                      const TriangleMesh& patch) {
+                      const TriangleMesh& patch, Mesher& used) {
   Context context;
   curves::FlatCurves more = flat;
   const auto first = static_cast<std::uint32_t>(flat.vertex.size());
@@ -188,7 +188,11 @@ bool insert_into_copy(std::mt19937& random, const curves::FlatCurves& flat, cons
   Result<Mesher> copy = mesher.copy(context);
   EXPECT_TRUE(copy.ok());
   if (!copy->holds(more, first)) return false;
-  EXPECT_TRUE(copy->edit(context, more, {{}, first}, true).ok());
+  Result<Mesher> fresh = mesher.copy(context);
+  EXPECT_TRUE(fresh.ok() && used.copy_from(context, mesher).ok());
+  for (Mesher* edited : {&*copy, &*fresh, &used})
+    EXPECT_TRUE(edited->edit(context, more, {{}, first}, true).ok());
+  EXPECT_EQ(sfumato::test::difference_of(*used.patch_mesh({}), *fresh->patch_mesh({})), "");
   const bool follows = copy->follows_changes();
   TriangleMesh mesh = *copy->copy_mesh(context, patch);
   std::vector<std::uint32_t> changed;
@@ -209,7 +213,12 @@ void insert_into_used_copy(std::mt19937& random, const curves::FlatCurves& flat,
   append_curve(flat, static_cast<std::uint32_t>(random() % flat.curve_count()), by, more);
   ASSERT_TRUE(copy.copy_from(context, mesher).ok());
   if (!copy.holds(more, first)) return;
-  ASSERT_TRUE(copy.edit(context, more, {{}, first}, false).ok());
+  Result<Mesher> fresh = mesher.copy(context);
+  ASSERT_TRUE(fresh.ok());
+  for (Mesher* edited : {&copy, &*fresh})
+    ASSERT_TRUE(edited->edit(context, more, {{}, first}, false).ok());
+  ASSERT_EQ(sfumato::test::difference_of(*copy.visibility_mesh({}), *fresh->visibility_mesh({})),
+            "");
   TableMemory memory("a test");
   const auto is_same = copy.same_triangles(context, mesher, memory);
   ASSERT_TRUE(is_same.ok());
@@ -242,8 +251,10 @@ TEST_P(MeshEdits, that_insert_are_followed_by_the_patch_mesh) {
                    ASSERT_TRUE(mesher.bake(context).ok());
                    const TriangleMesh patch = *mesher.patch_mesh({});
                    if (patch.triangle_count() > 100'000) return;
+                   Result<Mesher> used = mesher.copy(context);
+                   ASSERT_TRUE(used.ok());
                    for (int i = 0; i < 4; ++i)
-                     followed += insert_into_copy(random, edited.flat, mesher, patch);
+                     followed += insert_into_copy(random, edited.flat, mesher, patch, *used);
                  });
   RecordProperty("followed", followed);
 }
@@ -261,6 +272,21 @@ TEST(MeshEdit, of_a_copy_made_before_the_patch_mesh_followed_is_extracted_anew) 
   const TriangleMesh mesh = *copy->patch_mesh({});
   EXPECT_TRUE(is_valid(mesh).ok());
   EXPECT_EQ(mesh.triangle_count(), mesher->patch_mesh({})->triangle_count());
+}
+
+TEST(MeshEdit, of_a_copy_is_not_taken_back_where_the_original_has_changed) {
+  Context context;
+  const curves::FlatCurves flat = flat_curves({{{10, 10}, {90, 80}}, {{20, 90}, {30, 10}}});
+  Result<Mesher> mesher = Mesher::build(context, flat, options_100());
+  ASSERT_TRUE(mesher->refine(context).ok());
+  Result<Mesher> copy = mesher->copy(context);
+  ASSERT_TRUE(copy.ok());
+  ASSERT_TRUE(mesher->patch_mesh({}).ok());
+  const std::vector<std::uint32_t> all{0, 1, 2, 3};
+  ASSERT_TRUE(mesher->refine_triangles(context, all, 0.5).ok());
+  const TriangleMesh changed = *mesher->patch_mesh({});
+  ASSERT_TRUE(copy->copy_from(context, *mesher).ok());
+  EXPECT_EQ(sfumato::test::difference_of(*copy->patch_mesh({}), changed), "");
 }
 
 /// Two curves, of which the first has been taken out and a third put in.
