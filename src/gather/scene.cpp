@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "base/poll.hpp"
@@ -61,6 +62,7 @@ class SceneBuilder {
       if (poll_.cancelled()) return context_.cancel_status();
       scene_.triangle.push_back(triangle(t));
     }
+    scene_.memory.free(scene_.index);
     return context_.check();
   }
 
@@ -71,11 +73,11 @@ class SceneBuilder {
         !(center_of_mesh() == before.origin)) {
       return false;
     }
-    Status status = copy(before);
-    if (status && before.has_blind_edges) status = see_through_blind_edges();
+    Status status = scene_.is_extended ? take_back(before) : copy(before);
+    if (!status) return status;
+    begin_as(before);
+    if (before.has_blind_edges) status = see_through_blind_edges();
     if (status) status = list_changed(is_same);
-    if (status) status = copy_codes();
-    if (status) status = memory_.resize(context_, blind_, codes_.size());
     for (const std::uint32_t t : changed_) {
       if (poll_.cancelled()) status = context_.cancel_status();
       if (status) status = find_codes_of(t);
@@ -90,11 +92,12 @@ class SceneBuilder {
     for (const std::uint32_t t : changed_) {
       if (poll_.cancelled()) status = context_.cancel_status();
       if (!status) return status;
-      place_changed(t);
-      if (is_watched.empty()) continue;
-      status = watch_triangle(context_, mesh_, is_watched, new_index_[t], scene_);
+      status = place_changed(t);
+      if (!status || is_watched.empty()) continue;
+      status = watch_triangle(context_, mesh_, is_watched, scene_.index[t], scene_);
     }
     if (!status) return status;
+    scene_.is_extended = !before.has_blind_edges;
     return true;
   }
 
@@ -125,7 +128,7 @@ class SceneBuilder {
     return context_.check();
   }
 
-  /// All of a scene but what is watched there, with room for the mesh's new triangles.
+  /// All tables of a scene but what is watched there, with room for the mesh's new triangles.
   Status copy(const Scene& before) {
     const std::size_t more = 3 * (mesh_.triangle_count() - before.triangle.size()) + kMoreEdges;
     Status status;
@@ -137,6 +140,38 @@ class SceneBuilder {
     take(before.blend, scene_.blend, before.blend.empty() ? 0 : more);
     take(before.triangle, scene_.triangle, more);
     take(before.source, scene_.source, more);
+    if (status) status = scene_.memory.reserve(context_, scene_.index, before.source.size() + more);
+    if (status) status = scene_.memory.resize(context_, scene_.index, before.source.size());
+    for (std::uint32_t i = 0; i < scene_.index.size(); ++i) scene_.index[scene_.source[i]] = i;
+    scene_.changed.clear();
+    return status;
+  }
+
+  /// Makes the tables of a scene that was made from `before` a copy of that.
+  Status take_back(const Scene& before) {
+    scene_.is_extended = false;
+    scene_.edge_beyond.resize(before.edge_beyond.size());
+    scene_.hit_edge.resize(before.hit_edge.size());
+    scene_.blend.resize(before.blend.size());
+    scene_.triangle.resize(before.triangle.size());
+    scene_.source.resize(before.source.size());
+    scene_.index.resize(before.source.size());
+    for (const std::uint32_t i : scene_.changed) {
+      if (poll_.cancelled()) return context_.cancel_status();
+      if (i >= before.triangle.size()) continue;
+      scene_.triangle[i] = before.triangle[i];
+      for (const EdgeCode code : before.triangle[i].edge) {
+        if (code < 0) continue;
+        const auto passage = static_cast<std::size_t>(code);
+        scene_.edge_beyond[passage] = before.edge_beyond[passage];
+      }
+    }
+    scene_.changed.clear();
+    return ok_status();
+  }
+
+  /// After that: the rest, but for what is watched.
+  void begin_as(const Scene& before) {
     scene_.watched.clear();
     scene_.has_blind_edges = scene_.needs_blind_edges = false;
     scene_.origin = before.origin;
@@ -144,7 +179,6 @@ class SceneBuilder {
     passage_count_ = static_cast<std::uint32_t>(before.edge_beyond.size());
     is_plain_ = before.blend.empty();
     set_channels();
-    return status;
   }
 
   /// Gives each passage the codes of the edges behind it.
@@ -166,14 +200,12 @@ class SceneBuilder {
   /// New triangles come last, in their own order.
   Status list_changed(std::span<const std::uint8_t> is_same) {
     const std::uint32_t count = mesh_.triangle_count();
-    Status status = memory_.resize(context_, new_index_, count);
-    if (status) status = scene_.memory.resize(context_, scene_.triangle, count);
+    const auto first_new = static_cast<std::uint32_t>(scene_.source.size());
+    Status status = scene_.memory.resize_all(context_, count, scene_.triangle, scene_.source);
+    if (status) status = scene_.memory.resize(context_, scene_.index, count);
     if (!status) return status;
-    for (std::uint32_t i = 0; i < scene_.source.size(); ++i) new_index_[scene_.source[i]] = i;
-    for (auto t = static_cast<std::uint32_t>(scene_.source.size()); t < count; ++t) {
-      new_index_[t] = t;
-      scene_.source.push_back(t);
-    }
+    std::iota(scene_.source.begin() + first_new, scene_.source.end(), first_new);
+    std::iota(scene_.index.begin() + first_new, scene_.index.end(), first_new);
     for (std::uint32_t t = 0; t < count && status; ++t) {
       if (t < is_same.size() && is_same[t]) continue;
       status = memory_.push_back(context_, changed_, t);
@@ -181,32 +213,36 @@ class SceneBuilder {
     return status;
   }
 
-  Status copy_codes() {
-    Status status = memory_.resize(context_, codes_, mesh_.triangle_vertex.size());
-    for (std::uint32_t i = 0; status && i < scene_.triangle.size(); ++i) {
-      std::copy_n(scene_.triangle[i].edge, 3, codes_.data() + 3 * std::size_t{scene_.source[i]});
+  /// A triangle that changed, and what its neighbours know of it.
+  Status place_changed(std::uint32_t t) {
+    Status status = scene_.memory.make_room(context_, scene_.changed, 4);
+    if (!status) return status;
+    place(t);
+    for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
+      place_passage(h);
+      if (mesh_.half_edge_twin[h] == mesh::kNone) continue;
+      const auto twin = static_cast<std::uint32_t>(mesh_.half_edge_twin[h]);
+      place(twin / 3);
+      place_passage(twin);
     }
     return status;
   }
 
-  /// A triangle that changed, and what its neighbours know of it.
-  void place_changed(std::uint32_t t) {
-    scene_.triangle[new_index_[t]] = triangle(t);
-    for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
-      if (codes_[h] >= 0) scene_.edge_beyond[static_cast<std::size_t>(codes_[h])] = beyond(h);
-      if (mesh_.half_edge_twin[h] == mesh::kNone) continue;
-      const auto twin = static_cast<std::uint32_t>(mesh_.half_edge_twin[h]);
-      scene_.triangle[new_index_[twin / 3]] = triangle(twin / 3);
-      if (codes_[twin] >= 0)
-        scene_.edge_beyond[static_cast<std::size_t>(codes_[twin])] = beyond(twin);
-    }
+  void place(std::uint32_t t) {
+    scene_.triangle[scene_.index[t]] = triangle(t);
+    scene_.changed.push_back(scene_.index[t]);
+  }
+
+  void place_passage(std::uint32_t h) {
+    const EdgeCode code = code_at(h);
+    if (code >= 0) scene_.edge_beyond[static_cast<std::size_t>(code)] = beyond(h);
   }
 
   Status order_triangles() {
     TableMemory scratch("the visibility mesh");
     std::vector<Vec2> center;
     Status status = scratch.resize(context_, center, mesh_.triangle_count());
-    if (status) status = memory_.resize(context_, new_index_, mesh_.triangle_count());
+    if (status) status = scene_.memory.resize(context_, scene_.index, mesh_.triangle_count());
     if (!status) return status;
     for (std::uint32_t t = 0; t < mesh_.triangle_count(); ++t) {
       for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
@@ -215,7 +251,7 @@ class SceneBuilder {
     }
     status = spatial_order(context_, center, scene_.memory, scene_.source);
     if (!status) return status;
-    for (std::uint32_t i = 0; i < scene_.source.size(); ++i) new_index_[scene_.source[i]] = i;
+    for (std::uint32_t i = 0; i < scene_.source.size(); ++i) scene_.index[scene_.source[i]] = i;
     return status;
   }
 
@@ -232,7 +268,7 @@ class SceneBuilder {
     Status status = scene_.memory.make_room(context_, scene_.hit_edge, 3);
     if (status) status = scene_.memory.make_room(context_, scene_.blend, 3);
     if (!status) return status;
-    for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) codes_[h] = code(h);
+    for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) code_at(h) = code(h);
     return status;
   }
 
@@ -348,7 +384,7 @@ class SceneBuilder {
     const Vec2 a = mesh_.vertex_position[mesh_.origin(h)] - scene_.origin;
     const Vec2 along = mesh_.vertex_position[mesh_.target(h)] - scene_.origin - a;
     const Vec2 normal = Vec2{-along.y, along.x} / length(along);
-    const bool blind = blind_[h] != 0;
+    const bool blind = is_blind(h);
     return {x(apex),
             y(apex),
             blind ? kBorder : code_behind(next_half_edge(twin)),
@@ -359,19 +395,28 @@ class SceneBuilder {
   }
 
   /// Packets hold neighbours on both sides of a blind half-edge: SceneTriangle keeps its code.
-  EdgeCode code_behind(std::uint32_t h) const { return blind_[h] ? kBorder : codes_[h]; }
+  EdgeCode code_behind(std::uint32_t h) const { return is_blind(h) ? kBorder : code_at(h); }
+  bool is_blind(std::uint32_t h) const { return !blind_.empty() && blind_[h] != 0; }
+
+  /// The code of a half-edge of the mesh: while a scene is built its triangles are not there yet.
+  EdgeCode code_at(std::uint32_t h) const {
+    return codes_.empty() ? scene_.triangle[scene_.index[h / 3]].edge[h % 3] : codes_[h];
+  }
+  EdgeCode& code_at(std::uint32_t h) {
+    return codes_.empty() ? scene_.triangle[scene_.index[h / 3]].edge[h % 3] : codes_[h];
+  }
 
   SceneTriangle triangle(std::uint32_t t) const {
     SceneTriangle triangle{};
     for (std::uint32_t k = 0; k < 3; ++k) {
       triangle.x[k] = x(mesh_.origin(3 * t + k));
       triangle.y[k] = y(mesh_.origin(3 * t + k));
-      triangle.edge[k] = codes_[3 * t + k];
+      triangle.edge[k] = code_at(3 * t + k);
       const std::int32_t twin = mesh_.half_edge_twin[3 * t + k];
       triangle.twin[k] = -1;
       if (twin != mesh::kNone) {
         const auto h = static_cast<std::uint32_t>(twin);
-        triangle.twin[k] = static_cast<std::int32_t>(3 * new_index_[h / 3] + h % 3);
+        triangle.twin[k] = static_cast<std::int32_t>(3 * scene_.index[h / 3] + h % 3);
       }
     }
     return triangle;
@@ -383,10 +428,9 @@ class SceneBuilder {
   const curves::SegmentAttributes& attributes_;
   Scene& scene_;
   TableMemory memory_{"the visibility mesh"};
-  std::vector<std::uint32_t> new_index_;  ///< the inverse of Scene::source
-  std::vector<EdgeCode> codes_;           ///< per half-edge of the mesh
-  std::vector<std::uint8_t> blind_;       ///< per half-edge, see find_blind
-  std::vector<std::uint32_t> changed_;    ///< for extend(): triangles that are not the same
+  std::vector<EdgeCode> codes_;         ///< per half-edge of the mesh; empty where extended
+  std::vector<std::uint8_t> blind_;     ///< per half-edge, see find_blind; the same
+  std::vector<std::uint32_t> changed_;  ///< for extend(): triangles that are not the same
   std::uint32_t passage_count_ = 0;
   bool is_plain_ = true;
 };

@@ -59,6 +59,11 @@ struct Scene {
   int shader_count = 0;
   std::vector<SceneTriangle> triangle;
   std::vector<std::uint32_t> source;  ///< per triangle: which of the visibility mesh it is
+  /// Of a scene that came by extend_scene(): the inverse of `source`, and the triangles that are
+  /// not as in the scene that it was made from, some of them twice.
+  std::vector<std::uint32_t> index;
+  std::vector<std::uint32_t> changed;
+  bool is_extended = false;      ///< nothing else differs from that scene but what comes behind it
   bool has_blind_edges = false;  ///< rays may end at passages behind which nothing is (find_blind)
   bool needs_blind_edges = false;  ///< without them a gather would be much the slower
   /// Half-edges, 3 · triangle + corner, that stop rays and on which a watched segment lies.
@@ -98,11 +103,11 @@ Status watch(const Context& context, const mesh::TriangleMesh& mesh,
 /// indices. What only holds as long as no curve is inserted is left out.
 /// is_same   per triangle of the mesh of `before`: 1 where this one has the same at the same index
 /// attributes   as they were for `before`, and those of the inserted segments
-/// used      a scene whose tables are taken for this one's, or null
+/// used      a scene that was made from `before`, whose tables are taken for this one's, or null
 /// Returns   nothing where more would have to change: `before` needs its blind edges, a layer that
 ///           was sharp is no more, there are other channels, or the weights need another unit
 /// Errors    limit, cancelled
-/// Cost      that of the copy and of the triangles that are not the same
+/// Cost      that of the copy, or of what changes in the one that is used; O(triangles)
 Result<std::optional<Scene>> extend_scene(Context& context, const mesh::TriangleMesh& mesh,
                                           const curves::SegmentAttributes& attributes,
                                           std::span<const std::uint8_t> is_watched,

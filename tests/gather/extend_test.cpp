@@ -63,6 +63,11 @@ class Inserted {
     return Gatherer::create(context, mesh_, drawing_.attributes, ends_, {is_inserted_},
                             {&*before, is_same});
   }
+  /// The same from another's `before`, of the same lines, and from tables that it was used for.
+  Result<Gatherer> extended_from(const Inserted& other, Gatherer* used) const {
+    return Gatherer::create(context_, mesh_, drawing_.attributes, ends_, {is_inserted_},
+                            {&*other.before, is_same, used});
+  }
   Result<Gatherer> built_anew() const {
     return Gatherer::create(context_, mesh_, drawing_.attributes, ends_, {is_inserted_});
   }
@@ -79,11 +84,11 @@ class Inserted {
   std::vector<std::uint8_t> is_inserted_;
 };
 
-/// Random lines, and one that crosses some of them.
-Drawing crossed(std::uint32_t seed, float blur, float weight) {
+/// Random lines, and one that crosses some of them, at some place.
+Drawing crossed(std::uint32_t seed, float blur, float weight, std::uint32_t place = 0) {
   std::vector<Line> lines = random_lines(seed, 40, 0.2, 0.1);
   if (blur > 0) lines = with_blends(std::move(lines), seed, blur, 2);
-  std::mt19937 random(seed);
+  std::mt19937 random(seed + 1000 * place);
   std::vector<Vec2> points;
   for (int i = 0; i < 5; ++i)
     points.push_back({double(random() % 480) + 16, double(random() % 480) + 16});
@@ -156,6 +161,28 @@ TEST(ExtendedScene, keeps_the_terms_of_free_ends) {
   for (std::uint32_t seed = 0; seed < kSeeds; ++seed) {
     SCOPED_TRACE(seed);
     ASSERT_NO_FATAL_FAILURE(expect_as_built_anew(crossed(seed, 0, 0.25f), seed, Ends::soft));
+  }
+}
+
+TEST(ExtendedScene, from_tables_that_were_used_has_the_bits_of_one_from_a_copy) {
+  for (std::uint32_t seed = 0; seed < kSeeds; ++seed) {
+    SCOPED_TRACE(seed);
+    Context context;
+    const float blur = seed % 2 == 0 ? 0 : 9;
+    const Drawing first = crossed(seed, blur, 1);
+    const Inserted base(context, first, Ends::soft);
+    Result<Gatherer> used = base.extended(context);
+    ASSERT_TRUE(used.ok());
+    for (std::uint32_t place = 1; place < 5; ++place) {
+      const Drawing drawing = crossed(seed, blur, 1, place);
+      const Inserted inserted(context, drawing, Ends::soft);
+      Result<Gatherer> again = inserted.extended_from(base, &*used);
+      const Result<Gatherer> copied = inserted.extended_from(base, nullptr);
+      ASSERT_TRUE(again.ok() && copied.ok());
+      const std::vector<Vec2> points = random_points(drawing, seed, kPoints, 0.5);
+      ASSERT_EQ(gathered(context, *again, points), gathered(context, *copied, points)) << place;
+      *used = std::move(*again);
+    }
   }
 }
 
