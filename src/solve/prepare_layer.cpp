@@ -40,6 +40,11 @@ bool bears_opacity(const Curve& curve) {
          curve.right.opacity.kind != ShaderKind::open;
 }
 
+bool bears_attribute(const curves::SegmentAttributes& attributes, std::size_t segment) {
+  return attributes.left[segment].kind != ShaderKind::open ||
+         attributes.right[segment].kind != ShaderKind::open;
+}
+
 /// Per constraint: 1 where a curve on it bears the attribute, on either side.
 Result<std::vector<std::uint8_t>> bearing_constraints(const Context& context,
                                                       const mesh::TriangleMesh& mesh,
@@ -50,8 +55,7 @@ Result<std::vector<std::uint8_t>> bearing_constraints(const Context& context,
   if (!status) return status;
   for (std::size_t c = 0; c < bears.size(); ++c) {
     for (const mesh::SegmentPiece& piece : mesh.pieces(mesh.constraint[c])) {
-      bears[c] |= attributes.left[piece.segment].kind != ShaderKind::open ||
-                  attributes.right[piece.segment].kind != ShaderKind::open;
+      bears[c] |= bears_attribute(attributes, piece.segment);
     }
   }
   return bears;
@@ -83,9 +87,22 @@ struct FieldMesh {
   }
 };
 
+/// Whether there is nothing to thin, since there was not before segments were inserted that bear
+/// the attribute. They are marked with the last vertex of their polyline, where none begins.
+bool stays_whole(const curves::SegmentAttributes& attributes, const PreparedField* before,
+                 const FieldEdits& edits) {
+  if (!before || before->is_thinned || edits.whole) return false;
+  const std::span<const std::uint8_t> inserted = edits.use.is_watched;
+  for (std::size_t i = 0; i + 1 < inserted.size(); ++i)
+    if (inserted[i] && inserted[i + 1] && !bears_attribute(attributes, i)) return false;
+  return true;
+}
+
 Result<FieldMesh> mesh_field(const Context& context, const mesh::Mesher& mesher,
-                             const mesh::TriangleMesh& visibility, const SampledField& sampled) {
+                             const mesh::TriangleMesh& visibility, const SampledField& sampled,
+                             const PreparedField* before, const FieldEdits& edits) {
   FieldMesh field;
+  if (stays_whole(sampled.attributes, before, edits)) return field;
   const Result<std::vector<std::uint8_t>> bears =
       bearing_constraints(context, visibility, sampled.attributes, field.memory);
   if (!bears) return bears.status();
@@ -122,13 +139,15 @@ struct FieldMeshes {
 };
 
 Result<FieldMeshes> mesh_fields(const Context& context, const mesh::Mesher& mesher,
-                                const mesh::TriangleMesh& visibility,
-                                const SampledFields& sampled) {
-  Result<FieldMesh> color = mesh_field(context, mesher, visibility, sampled.color);
+                                const mesh::TriangleMesh& visibility, const SampledFields& sampled,
+                                const FieldEdits& edits) {
+  Result<FieldMesh> color =
+      mesh_field(context, mesher, visibility, sampled.color, edits.color_before, edits);
   if (!color) return color.status();
   FieldMeshes meshes{std::move(*color), {}};
   if (!sampled.opacity) return meshes;
-  Result<FieldMesh> opacity = mesh_field(context, mesher, visibility, *sampled.opacity);
+  Result<FieldMesh> opacity =
+      mesh_field(context, mesher, visibility, *sampled.opacity, edits.opacity_before, edits);
   if (!opacity) return opacity.status();
   meshes.opacity.emplace(std::move(*opacity));
   return meshes;
@@ -265,7 +284,7 @@ Result<SampledFields> sample_fields(const Context& context, const FlatLayer& lay
 Result<PreparedFields> prepare_fields(Context& context, const mesh::Mesher& mesher,
                                       const mesh::TriangleMesh& visibility, SampledFields sampled,
                                       gather::Ends ends, const FieldEdits& edits) {
-  const Result<FieldMeshes> meshes = mesh_fields(context, mesher, visibility, sampled);
+  const Result<FieldMeshes> meshes = mesh_fields(context, mesher, visibility, sampled, edits);
   if (!meshes) return meshes.status();
   return prepare_meshed(context, visibility, *meshes, std::move(sampled), ends, edits);
 }
@@ -305,7 +324,7 @@ Result<PreparedLayer> prepare_layer(Context& context, const Document& document, 
   const double mesh_seconds = mesh_watch.seconds();
 
   const Stopwatch gather_watch;
-  const Result<FieldMeshes> meshes = mesh_fields(context, *mesher, *visibility, *sampled);
+  const Result<FieldMeshes> meshes = mesh_fields(context, *mesher, *visibility, *sampled, {});
   if (!meshes) return meshes.status();
   std::optional<PreparedFields> fields;
   const auto prepare = [&] {
