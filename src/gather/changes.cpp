@@ -4,25 +4,16 @@
 #include <utility>
 
 #include "base/poll.hpp"
+#include "gather/kernels/end_tree.hpp"
 #include "gather/weak_visibility.hpp"
 #include "gather/weight_class.hpp"
 
 namespace sfumato::gather {
 namespace {
 
-/// What the triangles of the mesh before say of the points in them.
-constexpr std::uint8_t kSame = 0;     ///< their values are what they were
-constexpr std::uint8_t kNearEnd = 1;  ///< a changed end may reach them
-constexpr std::uint8_t kSees = 2;     ///< they may see a watched segment, or be reached
-constexpr std::uint8_t kGone = 3;     ///< the triangle is no more
-
-/// A bound on what a curve of many segments changes takes up to 0.1 ms at a point.
-constexpr std::size_t kPointsPerPoll = 256;
-
 EndBox box_of(const SceneTriangle& t) {
-  const auto [x0, x1] = std::minmax({t.x[0], t.x[1], t.x[2]});
-  const auto [y0, y1] = std::minmax({t.y[0], t.y[1], t.y[2]});
-  return {x0, y0, x1, y1};
+  return {std::min(std::min(t.x[0], t.x[1]), t.x[2]), std::min(std::min(t.y[0], t.y[1]), t.y[2]),
+          std::max(std::max(t.x[0], t.x[1]), t.x[2]), std::max(std::max(t.y[0], t.y[1]), t.y[2])};
 }
 
 }  // namespace
@@ -44,8 +35,10 @@ Result<ChangedEnds> changed_ends(Context& context, const FreeEnds& before, const
 }
 
 Status ChangeSearch::run(TableMemory& memory, std::vector<std::uint32_t>& changed) {
-  Status status = classify();
-  if (status) status = list(memory, changed);
+  Result<std::vector<std::uint8_t>> sees = find_viewers(context_, now_.scene, memory_);
+  if (!sees) return sees.status();
+  sees_ = std::move(*sees);
+  Status status = list_known(memory, changed);
   return status ? list_unknown(memory, changed) : status;
 }
 
@@ -61,48 +54,36 @@ std::span<const std::uint32_t> ChangeSearch::points_in(std::size_t triangle) con
       .subspan(points.begin[triangle], points.begin[triangle + 1] - points.begin[triangle]);
 }
 
-/// Answers for each triangle of the mesh before.
-Status ChangeSearch::classify() {
+/// In the order of the scene's triangles, which have the indices of those before.
+Status ChangeSearch::list_known(TableMemory& memory, std::vector<std::uint32_t>& changed) {
   const Scene& scene = now_.scene;
-  Result<std::vector<std::uint8_t>> sees = find_viewers(context_, scene, memory_);
-  if (!sees) return sees.status();
-  sees_ = std::move(*sees);
-  Status status = memory_.resize(context_, answer_, known_.is_same.size(), kSame);
-  if (!status) return status;
-  const bool has_ends = !now_.ends.empty();
+  const EndBox reached = united(now_.ends.gone.box(), now_.ends.fresh.box());
   RarePoll<65536> poll(context_);
-  for (std::size_t i = 0; i < scene.triangle.size(); ++i) {
+  Status status;
+  for (std::size_t i = 0; status && i < scene.triangle.size(); ++i) {
     if (poll.cancelled()) return context_.cancel_status();
     const std::size_t t = scene.source[i];
-    if (t >= answer_.size()) continue;  // it is new
+    if (t >= known_.is_same.size()) continue;  // it is new
     if (!known_.is_same[t]) {
-      answer_[t] = kGone;
+      status = memory_.append(context_, points_in(t), unknown_);
     } else if (sees_[i]) {
-      answer_[t] = kSees;
-    } else if (has_ends && now_.ends.may_reach(box_of(scene.triangle[i]))) {
-      answer_[t] = kNearEnd;
+      status = list_in(t, true, memory, changed);
+    } else if (const EndBox box = box_of(scene.triangle[i]);
+               overlap(reached, box) && now_.ends.may_reach(box)) {
+      status = list_in(t, false, memory, changed);
     }
   }
-  return ok_status();
+  return status;
 }
 
-Status ChangeSearch::list(TableMemory& memory, std::vector<std::uint32_t>& changed) {
-  RarePoll<kPointsPerPoll> poll(context_);
-  Status status;
-  for (std::size_t t = 0; status && t < answer_.size(); ++t) {
-    if (answer_[t] == kSame) continue;
-    const std::span<const std::uint32_t> points = points_in(t);
-    if (answer_[t] == kGone) {
-      status = memory_.append(context_, points, unknown_);
-    } else {
-      status = memory.make_room(context_, changed, points.size());
-      const bool sees = answer_[t] == kSees;
-      if (!status) return status;
-      for (const std::uint32_t slot : points) {
-        if (poll.cancelled()) return context_.cancel_status();
-        if ((sees && may_matter(slot)) || is_reached(slot)) changed.push_back(slot);
-      }
-    }
+Status ChangeSearch::list_in(std::size_t triangle, bool sees, TableMemory& memory,
+                             std::vector<std::uint32_t>& changed) {
+  const std::span<const std::uint32_t> points = points_in(triangle);
+  Status status = memory.make_room(context_, changed, points.size());
+  if (!status) return status;
+  for (const std::uint32_t slot : points) {
+    if (poll_.cancelled()) return context_.cancel_status();
+    if ((sees && may_matter(slot)) || is_reached(slot)) changed.push_back(slot);
   }
   return status;
 }
@@ -112,9 +93,8 @@ Status ChangeSearch::list_unknown(TableMemory& memory, std::vector<std::uint32_t
   const Result<LocatedPoints> located = now_.locator.locate(context_, {position_, unknown_});
   if (!located) return located.status();
   Status status = memory.make_room(context_, changed, unknown_.size());
-  RarePoll<kPointsPerPoll> poll(context_);
   for (std::size_t i = 0; status && i < unknown_.size(); ++i) {
-    if (poll.cancelled()) return context_.cancel_status();
+    if (poll_.cancelled()) return context_.cancel_status();
     const std::uint32_t slot = unknown_[i];
     const bool sees = sees_[located->triangle[i]] != 0;
     if ((sees && may_matter(slot)) || is_reached(slot)) changed.push_back(slot);

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "base/poll.hpp"
 #include "base/table_memory.hpp"
 #include "gather/free_ends.hpp"
 #include "gather/gather.hpp"
@@ -18,7 +19,6 @@ namespace sfumato::gather {
 struct ChangedEnds {
   FreeEnds gone, fresh;
 
-  bool empty() const { return gone.empty() && fresh.empty(); }
   bool reach(Vec2 p) const { return gone.reach(p) || fresh.reach(p); }
   bool may_reach(const EndBox& box) const { return gone.may_reach(box) || fresh.may_reach(box); }
 };
@@ -44,8 +44,10 @@ class ChangeSearch {
   Status run(TableMemory& memory, std::vector<std::uint32_t>& changed);
 
  private:
-  Status classify();
-  Status list(TableMemory& memory, std::vector<std::uint32_t>& changed);
+  /// Lists those in triangles that are as they were; the others become unknown_.
+  Status list_known(TableMemory& memory, std::vector<std::uint32_t>& changed);
+  Status list_in(std::size_t triangle, bool sees, TableMemory& memory,
+                 std::vector<std::uint32_t>& changed);
   Status list_unknown(TableMemory& memory, std::vector<std::uint32_t>& changed);
   std::span<const std::uint32_t> points_in(std::size_t triangle) const;
   /// Of a point that may see a watched segment.
@@ -54,13 +56,16 @@ class ChangeSearch {
     return now_.ends.reach(position_[slot] - now_.scene.origin);
   }
 
+  /// A bound on what a curve of many segments changes takes up to 0.1 ms at a point.
+  static constexpr std::uint32_t kPointsPerPoll = 256;
+
   Context& context_;
+  RarePoll<kPointsPerPoll> poll_{context_};
   InsertedScene now_;
   std::span<const Vec2> position_;
   const KnownPlaces& known_;
-  std::vector<std::uint8_t> sees_;    ///< per triangle of the scene
-  std::vector<std::uint8_t> answer_;  ///< per triangle of the mesh before
-  std::vector<std::uint32_t> unknown_;
+  std::vector<std::uint8_t> sees_;      ///< per triangle of the scene
+  std::vector<std::uint32_t> unknown_;  ///< points whose triangle is no more
   TableMemory memory_{"who sees a curve"};
 };
 

@@ -174,6 +174,11 @@ bool FreeEnds::reach(Vec2 p) const {
   return found;
 }
 
+EndBox FreeEnds::box() const {
+  const EndTree tree = view();
+  return tree.leaf_count > 0 ? tree.box[1] : EndBox{};
+}
+
 bool FreeEnds::may_reach(const EndBox& box) const {
   bool found = false;
   visit_leaves(view(), box, [&](std::uint32_t) {

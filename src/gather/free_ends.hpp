@@ -111,6 +111,9 @@ class FreeEnds {
   /// Whether any end reaches p.
   bool reach(Vec2 p) const;
 
+  /// What they reach lies in this box, which is empty if there are none.
+  EndBox box() const;
+
   /// Whether any may reach a point of the box: never too few.
   bool may_reach(const EndBox& box) const;
 
