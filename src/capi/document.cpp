@@ -21,11 +21,14 @@ std::size_t kept_bytes(const sfumato_document& handle) {
   return bytes_of(handle.document) + bytes_of(handle.origin);
 }
 
+void release(std::size_t spare, sfumato_document& handle) {
+  const std::size_t released = std::min(handle.charged, spare);
+  handle.held.release(released);
+  handle.charged -= released;
+}
+
 void release_spare(sfumato_document& handle) {
-  const std::size_t needed = kept_bytes(handle);
-  const std::size_t spare = handle.charged - std::min(handle.charged, needed);
-  handle.held.release(spare);
-  handle.charged -= spare;
+  release(handle.charged - std::min(handle.charged, kept_bytes(handle)), handle);
 }
 
 /// What a list of curves may take more where a curve is inserted.
@@ -92,13 +95,18 @@ Outcome change(const Context& context, sfumato_document& handle, Change change) 
   if (!status) return status;
   handle.charged += bytes;
   const std::optional<Edit> edit = edit_of(change);
+  const bool replaces = std::holds_alternative<ReplaceCurve>(change);
   make_room(handle.origin, change);
   const Result<Change> inverse = apply_change(context, handle.document, std::move(change));
   if (inverse) {
     handle.edits.note(edit);
     follow(handle.origin, *inverse);
   }
-  release_spare(handle);
+  if (replaces) {  // without a look at all other curves
+    release(inverse ? bytes_of(*inverse) : bytes, handle);
+  } else {
+    release_spare(handle);
+  }
   return inverse.status();
 }
 

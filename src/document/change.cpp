@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/public_verb.hpp"
+#include "document/curve_change.hpp"
 
 namespace sfumato {
 namespace {
@@ -61,11 +62,27 @@ class Changer {
   Document& document_;
 };
 
+/// Whether a document that was valid before is so after a change with this inverse.
+Status validate_change(const Context& context, const Document& document, const Change& inverse) {
+  if (const auto* replaced = std::get_if<ReplaceCurve>(&inverse)) {
+    const Curve& curve = document.layers[replaced->layer].curves[replaced->curve];
+    Status status = validate_curve(context, document, replaced->layer, replaced->curve);
+    const bool adds = status && adds_to_sums(replaced->value, curve);
+    return adds ? validate_sums(context, document) : status;
+  }
+  if (const auto* inserted = std::get_if<RemoveCurve>(&inverse)) {
+    Status status = validate_curve(context, document, inserted->layer, inserted->curve);
+    return status ? validate_sums(context, document) : status;
+  }
+  if (std::holds_alternative<InsertCurve>(inverse)) return context.check();
+  return validate(context, document);
+}
+
 /// The way back allocates nothing: the room of a curve that was taken out is still there.
 Result<Change> change_or_leave(const Context& context, Document& document, Change& change) {
   Result<Change> inverse = std::visit(Changer(document), change);
   if (!inverse) return inverse;
-  Status valid = validate(context, document);
+  Status valid = validate_change(context, document, *inverse);
   if (valid) return inverse;
   const Result<Change> undone = std::visit(Changer(document), *inverse);
   return undone ? valid : undone.status();

@@ -6,6 +6,7 @@
 
 #include "base/limit_error.hpp"
 #include "base/public_verb.hpp"
+#include "document/curve_change.hpp"
 #include "document/rules.hpp"
 #include "sfumato/base/limits.hpp"
 #include "sfumato/document/document.hpp"
@@ -147,16 +148,26 @@ std::size_t stop_count(const Side& side) {
          side.blur_radius.stops.size();
 }
 
-Status check_layer(const Context& context, const Layer& layer, std::size_t shader_count,
-                   Totals& totals) {
-  std::vector<std::uint32_t> used_shaders;
-  totals.curves += layer.curves.size();
+Status check_curve_of(const Context& context, const Document& document, const Layer& layer,
+                      std::size_t curve) {
+  Status status = check_curve(context, layer.curves[curve], document.shaders.size());
+  return status ? status : inside("curve " + std::to_string(curve), std::move(status));
+}
+
+Status check_curves(const Context& context, const Document& document, const Layer& layer) {
   for (std::size_t i = 0; i < layer.curves.size(); ++i) {
     if (context.cancelled()) return context.cancel_status();
-    const Curve& curve = layer.curves[i];
-    if (Status status = check_curve(context, curve, shader_count); !status) {
-      return inside("curve " + std::to_string(i), std::move(status));
-    }
+    if (Status status = check_curve_of(context, document, layer, i); !status) return status;
+  }
+  return ok_status();
+}
+
+/// Adds to the totals, and counts the shaders.
+Status check_sums(const Context& context, const Layer& layer, Totals& totals) {
+  std::vector<std::uint32_t> used_shaders;
+  totals.curves += layer.curves.size();
+  for (const Curve& curve : layer.curves) {
+    if (context.cancelled()) return context.cancel_status();
     totals.control_points += curve.control_points.size();
     totals.stops += stop_count(curve.left) + stop_count(curve.right);
     note_shaders(curve, context.limits.shaders_per_layer, used_shaders);
@@ -164,19 +175,23 @@ Status check_layer(const Context& context, const Layer& layer, std::size_t shade
   return at_most(context, used_shaders.size(), &Limits::shaders_per_layer, "shaders");
 }
 
+/// `status` of a layer with its place.
+Status in_layer(const Context& context, const Document& document, std::size_t layer,
+                Status status) {
+  if (status) return status;
+  if (context.cancelled()) return context.cancel_status();
+  return inside("layer " + std::to_string(layer) + " \"" + document.layers[layer].id + "\"",
+                std::move(status));
+}
+
 Status check_layers(const Context& context, const Document& document, Totals& totals) {
-  if (Status status = at_most(context, document.layers.size(), &Limits::layers, "layers");
-      !status) {
-    return status;
+  Status status = at_most(context, document.layers.size(), &Limits::layers, "layers");
+  for (std::size_t i = 0; status && i < document.layers.size(); ++i) {
+    status = check_curves(context, document, document.layers[i]);
+    if (status) status = check_sums(context, document.layers[i], totals);
+    status = in_layer(context, document, i, std::move(status));
   }
-  for (std::size_t i = 0; i < document.layers.size(); ++i) {
-    const Layer& layer = document.layers[i];
-    if (Status status = check_layer(context, layer, document.shaders.size(), totals); !status) {
-      if (context.cancelled()) return context.cancel_status();
-      return inside("layer " + std::to_string(i) + " \"" + layer.id + "\"", std::move(status));
-    }
-  }
-  return ok_status();
+  return status;
 }
 
 Status check_stroke(const Context& context, const LocalStroke& stroke) {
@@ -211,13 +226,10 @@ void add(const LocalCurve& curve, Totals& totals) {
                   curve.blur_radius.stops.size() + curve.influence_radius.stops.size();
 }
 
-Status check_stack(const Context& context, const Document& document, Totals& totals) {
-  Status status = rules::check_stack(context, document.stack, document.layers.size());
-  if (!status) return status;
+void add_strokes(const Document& document, Totals& totals) {
   for (const StackItem& item : document.stack) {
     if (const auto* stroke = std::get_if<LocalStroke>(&item)) add(stroke->curve, totals);
   }
-  return status;
 }
 
 bool is_shape(const LinearGradient& shape) {
@@ -304,12 +316,45 @@ Status check_document(const Context& context, const Document& document) {
   Totals totals;
   Status status = check_shaders(context, document.shaders);
   if (status) status = check_layers(context, document, totals);
-  if (status) status = check_stack(context, document, totals);
-  if (status) status = check_totals(context, totals);
-  return status;
+  if (status) status = rules::check_stack(context, document.stack, document.layers.size());
+  if (!status) return status;
+  add_strokes(document, totals);
+  return check_totals(context, totals);
+}
+
+bool uses_same_shader(const Side& a, const Side& b) {
+  const auto is_same = [](const auto& old, const auto& now) {
+    return now.kind != ShaderKind::image_domain ||
+           (old.kind == ShaderKind::image_domain && old.shader == now.shader);
+  };
+  return is_same(a.color, b.color) && is_same(a.opacity, b.opacity);
 }
 
 }  // namespace
+
+bool adds_to_sums(const Curve& old, const Curve& curve) {
+  return curve.control_points.size() > old.control_points.size() ||
+         stop_count(curve.left) + stop_count(curve.right) >
+             stop_count(old.left) + stop_count(old.right) ||
+         !uses_same_shader(old.left, curve.left) || !uses_same_shader(old.right, curve.right);
+}
+
+Status validate_curve(const Context& context, const Document& document, std::uint32_t layer,
+                      std::uint32_t curve) {
+  Status status = check_curve_of(context, document, document.layers[layer], curve);
+  return status ? context.check() : in_layer(context, document, layer, std::move(status));
+}
+
+Status validate_sums(const Context& context, const Document& document) {
+  Totals totals;
+  Status status;
+  for (std::size_t i = 0; status && i < document.layers.size(); ++i) {
+    status = in_layer(context, document, i, check_sums(context, document.layers[i], totals));
+  }
+  if (!status) return status;
+  add_strokes(document, totals);
+  return check_totals(context, totals);
+}
 
 Status validate(const Context& context, const std::vector<Shader>& shaders) {
   return public_verb(context, [&] { return check_shaders(context, shaders); });

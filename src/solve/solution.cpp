@@ -51,6 +51,7 @@ std::optional<std::uint32_t> layer_of(const Change& change) {
 struct Solution::State {
   State(Context& context, Document d)
       : document(std::move(d)),
+        document_bytes(bytes_of(document)),
         layers(document.layers.size()),
         budget(&context.budget),
         held(context.budget) {}
@@ -69,6 +70,7 @@ struct Solution::State {
   }
 
   Document document;
+  std::size_t document_bytes;  ///< bytes_of(document)
   Picture picture;
   PictureDelta delta;
   std::optional<Drag> drag;  ///< there is at most one of this and `coloring`
@@ -110,6 +112,7 @@ struct Solution::State {
   Status make_room(const Context& context, const InsertCurve& insert);
   Status show(Context& context, Curve curve, DiffuseStats* stats);
   std::size_t bytes() const;
+  void count_bytes(const Change& inverse);
 
   /// Charges what is about to be held.
   template <class Thing>
@@ -144,11 +147,21 @@ struct Solution::State {
 };
 
 std::size_t Solution::State::bytes() const {
-  std::size_t bytes = bytes_of(document) + bytes_of(picture);
+  std::size_t bytes = document_bytes + bytes_of(picture);
   for (const LayerState& layer : layers) bytes += layer.fresh ? bytes_of(*layer.fresh) : 0;
   for (const LayerRows& rows : delta.rows) bytes += bytes_of(rows);
   if (drag) bytes += bytes_of(drag->spare.layer);
   return bytes;
+}
+
+/// After a change with this inverse.
+void Solution::State::count_bytes(const Change& inverse) {
+  if (const auto* replaced = std::get_if<ReplaceCurve>(&inverse)) {
+    document_bytes += bytes_of(document.layers[replaced->layer].curves[replaced->curve]);
+    document_bytes -= bytes_of(replaced->value);
+  } else {
+    document_bytes = bytes_of(document);
+  }
 }
 
 /// Whatever may fail comes before the state of the layers follows.
@@ -163,6 +176,7 @@ Result<Change> Solution::State::apply(Context& context, Change change) {
     next.resize(whole->value.layers.size());
   }
   Result<Change> inverse = apply_change(context, document, std::move(change));
+  if (inverse) count_bytes(*inverse);
   if (inverse) follow(*inverse, std::move(next));
   return inverse;
 }
@@ -181,6 +195,7 @@ Status Solution::State::make_room(const Context& context, const InsertCurve& ins
   charged += capacity_bytes(larger);
   std::ranges::move(curves, std::back_inserter(larger));
   curves = std::move(larger);
+  document_bytes = bytes_of(document);
   return status;
 }
 
@@ -384,6 +399,7 @@ Status Solution::State::drag_to(Context& context, Curve curve, DiffuseStats* sta
   const ReplaceCurve change{drag->layer, drag->curve, curve};
   Result<Change> inverse = apply_change(context, document, change);
   if (!inverse) return inverse.status();
+  count_bytes(*inverse);
   LayerState& layer = layers[drag->layer];
   layer.refined.reset();
   LayerState before = std::exchange(layer, {});
@@ -393,6 +409,7 @@ Status Solution::State::drag_to(Context& context, Curve curve, DiffuseStats* sta
   layer = std::move(before);
   std::swap(document.layers[drag->layer].curves[drag->curve],
             std::get<ReplaceCurve>(*inverse).value);
+  count_bytes(*inverse);
   return status;
 }
 

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <variant>
+#include <vector>
 
 #include "support/drawing.hpp"
 #include "support/same_document.hpp"
@@ -130,6 +132,69 @@ TEST(Change, beyond_a_limit_is_refused_and_changes_nothing) {
   expect_refused(context, InsertCurve{0, 0, some_curve()}, StatusCode::limit);
   Document document = some_document();
   take(apply_change(context, document, ReplaceCurve{0, 0, some_curve()}));
+}
+
+/// A layer of curves that use two of three shaders.
+Document shaded_document() {
+  Document document = some_document();
+  GradientFill gradient;
+  gradient.stops.push_back({0, kRed, 1});
+  for (int i = 0; i < 3; ++i) document.shaders.push_back({"paint", gradient});
+  for (const std::uint32_t i : {0u, 1u})
+    document.layers[0].curves[i].left.color = {ShaderKind::image_domain, {}, i};
+  return document;
+}
+
+/// Curves that are valid, or not, or more than some limit allows.
+std::vector<Curve> curves_to_judge() {
+  std::vector<Curve> curves(9, some_curve());
+  curves[1] = circle_curve({30, 30}, 10);
+  curves[2].left.color.stops.stops = {{0, kRed}, {0.4, kBlue}, {1, kRed}};
+  curves[3].left.color.stops.stops = {{0.5, kRed}, {0.4, kBlue}};
+  curves[4].right.blur_radius.stops = {{0, -1.0f}};
+  curves[5].weight = 0;
+  for (std::uint32_t i = 0; i < 3; ++i)
+    curves[6 + i].right.color = {ShaderKind::image_domain, {}, i + 1};
+  return curves;
+}
+
+/// What a check of the whole document says of it with the change.
+Status judged_as_a_whole(const Context& context, const Change& change) {
+  Document document = shaded_document();
+  if (const auto* replace = std::get_if<ReplaceCurve>(&change)) {
+    document.layers[replace->layer].curves[replace->curve] = replace->value;
+  } else if (const auto* insert = std::get_if<InsertCurve>(&change)) {
+    std::vector<Curve>& curves = document.layers[insert->layer].curves;
+    curves.insert(curves.begin() + insert->curve, insert->value);
+  }
+  return validate(context, document);
+}
+
+TEST(Change, of_a_curve_is_judged_as_the_whole_document_would_be) {
+  int refused = 0, made = 0;
+  for (int limit = 0; limit < 6; ++limit) {
+    Context context;
+    if (limit == 1) context.limits.control_points = 34;  // as many as there are
+    if (limit == 2) context.limits.stops = 4;
+    if (limit == 3) context.limits.stops_per_list = 2;
+    if (limit == 4) context.limits.shaders_per_layer = 2;
+    if (limit == 5) context.limits.curves = 3;
+    ASSERT_TRUE(validate(context, shaded_document()).ok()) << limit;
+    for (const Curve& curve : curves_to_judge()) {
+      for (const Change& change :
+           {Change(ReplaceCurve{0, 0, curve}), Change(ReplaceCurve{0, 1, curve}),
+            Change(InsertCurve{0, 2, curve}), Change(ReplaceCurve{1, 0, curve})}) {
+        Document document = shaded_document();
+        const Status status = apply_change(context, document, change).status();
+        const Status expected = judged_as_a_whole(context, change);
+        EXPECT_EQ(status.code, expected.code) << limit;
+        EXPECT_EQ(status.message, expected.message) << limit;
+        ++(status ? made : refused);
+      }
+    }
+  }
+  EXPECT_GT(refused, 50);
+  EXPECT_GT(made, 50);
 }
 
 TEST(Change, that_is_cancelled_changes_nothing) {
