@@ -215,6 +215,14 @@ async function testWork(tap, sfumato, module) {
     document.removeCurve(0, 0);
     same(copy.curveCount(0) - document.curveCount(0), 1, "the curves of the copy more");
   });
+  await tap.test("a curve has a weight", () => {
+    const document = sfumato.context().read(textOf(CONTROLS));
+    same(document.weight(1, 0), 1, "the weight of a curve without one");
+    document.setWeight(1, 0, 2.5);
+    same(document.weight(1, 0), 2.5, "the weight that was set");
+    refusal(Status.badInput, () => document.setWeight(1, 0, 0));
+    refusal(Status.badUsage, () => document.weight(9, 0));
+  });
   await tap.test("curves lead back to their elements, also when others come and go", () => {
     const context = sfumato.context();
     const bytes = textOf(CONTROLS);

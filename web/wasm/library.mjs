@@ -110,6 +110,11 @@ export class Library {
    * overflows end, leaves the instance useless.
    */
   call(name, ...values) {
+    return this.number(name, ...values) >>> 0; // addresses beyond 2 GiB are no less
+  }
+
+  /** The same of a function that returns a double. */
+  number(name, ...values) {
     if (this.#broken) throw this.#end(this.#broken);
     ++this.#depth;
     let result;
@@ -124,7 +129,7 @@ export class Library {
       --this.#depth;
     }
     const thrown = this.#thrown;
-    if (this.#depth > 0 || !thrown) return result >>> 0; // addresses beyond 2 GiB are no less
+    if (this.#depth > 0 || !thrown) return result;
     this.#thrown = null;
     throw thrown.error;
   }

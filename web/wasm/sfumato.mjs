@@ -429,6 +429,16 @@ export class SfumatoDocument extends Handle {
     this.#context.run("sfumato_remove_curve", this.address, layer, curve);
   }
 
+  /** How strongly a curve counts beside others; 1 for one without a weight. */
+  weight(layer, curve) {
+    const weight = this.library.number("sfumato_curve_weight", this.address, layer, curve);
+    if (weight === 0) expect(Status.badUsage, `there is no curve ${curve} in layer ${layer}`);
+    return weight;
+  }
+  setWeight(layer, curve, weight) {
+    this.#context.run("sfumato_set_curve_weight", this.address, layer, curve, weight);
+  }
+
   /**
    * What a side bears: {kind, space, rows}; a row is [offset, red, green, blue] or [offset, value].
    * @param {number} side of Side
@@ -508,7 +518,7 @@ export class SfumatoPicture extends Handle {
 
   /** What the last solve() or solveAgain() did: { curves, nodes, gatherSeconds... }. */
   get statistics() {
-    const number = (i) => this.library.call("sfumato_picture_statistic", this.address, i);
+    const number = (i) => this.library.number("sfumato_picture_statistic", this.address, i);
     return Object.fromEntries(statistics.map((name, i) => [name, number(i)]));
   }
 
