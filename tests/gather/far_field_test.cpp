@@ -17,15 +17,16 @@ namespace {
 
 constexpr int kPoints = 300;
 
-Scene scene_of(const Drawing& drawing, const GatherUse& use = {}) {
-  Context context;
+/// Charged to the context, which has to outlive it.
+Scene scene_of(Context& context, const Drawing& drawing, const GatherUse& use = {}) {
   Result<Scene> scene = build_scene(context, drawing.mesh, drawing.attributes, use);
   EXPECT_TRUE(scene.ok()) << scene.status().message;
   return std::move(*scene);
 }
 
 bool has_far_field(const Drawing& drawing, const GatherUse& use = {}) {
-  return !scene_of(drawing, use).far_mean.empty();
+  Context context;
+  return !scene_of(context, drawing, use).far_mean.empty();
 }
 
 /// White squares with a door, `inside` of this kind. Specks that they would cross are gone.
@@ -199,11 +200,12 @@ Scene without_far_field(const Scene& scene) {
 }
 
 TEST(FarField, ends_when_it_is_cancelled) {
-  const Scene scene = scene_of(draw(specks(12, 1000)));
+  Context own;
+  const Scene scene = scene_of(own, draw(specks(12, 1000)));
   std::uint64_t poll = 1;
   for (;; poll += 97) {
-    Scene again = without_far_field(scene);
     Context context;
+    Scene again = without_far_field(scene);
     sfumato::test::CancelAt watch(poll, context.cancel);
     context.poll_watch = &watch;
     const Status status = add_far_field(context, again);
@@ -217,11 +219,12 @@ TEST(FarField, ends_when_it_is_cancelled) {
 }
 
 TEST(FarField, is_charged) {
-  const Scene scene = scene_of(draw(specks(12, 1000)));
+  Context own;
+  const Scene scene = scene_of(own, draw(specks(12, 1000)));
   const std::size_t bytes = scene.far_mean.size() * sizeof(float);
   for (const std::size_t room : {bytes - 1, bytes}) {
-    Scene again = without_far_field(scene);
     Context context{.budget = Budget(room)};
+    Scene again = without_far_field(scene);
     const Status status = add_far_field(context, again);
     EXPECT_EQ(status.ok(), room == bytes);
     EXPECT_EQ(status.limit, room == bytes ? "" : "memory");
