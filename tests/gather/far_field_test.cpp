@@ -42,6 +42,12 @@ void add_rooms(std::vector<Line>& lines, double size, ShaderKind inside) {
   }
 }
 
+Drawing specks_with_rooms(double size, ShaderKind inside) {
+  std::vector<Line> lines = specks(4, 2000);
+  add_rooms(lines, size, inside);
+  return draw(lines);
+}
+
 void expect_near_reference(const Drawing& drawing, double rms, double largest,
                            int count = kPoints) {
   const std::vector<Vec2> points = random_points(drawing, 5, count, 0.5);
@@ -75,9 +81,7 @@ TEST(FarField, does_not_change_a_layer_of_one_colour) {
 
 TEST(FarField, stands_for_small_rooms_too) {
   for (const ShaderKind inside : {ShaderKind::curve_domain, ShaderKind::barrier}) {
-    std::vector<Line> lines = specks(4, 2000);
-    add_rooms(lines, 8, inside);
-    const Drawing drawing = draw(lines);
+    const Drawing drawing = specks_with_rooms(8, inside);
     EXPECT_TRUE(has_far_field(drawing));
     expect_near_reference(drawing, 0.1, 0.5);
   }
@@ -85,9 +89,7 @@ TEST(FarField, stands_for_small_rooms_too) {
 
 TEST(FarField, is_not_there_where_walls_stand_among_specks) {
   for (const ShaderKind inside : {ShaderKind::curve_domain, ShaderKind::barrier}) {
-    std::vector<Line> lines = specks(4, 2000);
-    add_rooms(lines, 80, inside);
-    const Drawing drawing = draw(lines);
+    const Drawing drawing = specks_with_rooms(80, inside);
     EXPECT_FALSE(has_far_field(drawing));
     expect_near_reference(drawing, 0.3, 1);
   }
