@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -14,10 +15,11 @@
 // beside solving its layer: CPU time in milliseconds of one thread. And what is kept of the
 // solution for begins, in MB.
 //
-//   build/bench/drag [--curves N] [--max-error E] [--missed SHARE] FILE...
+//   build/bench/drag [--curves N] [--max-error E] [--missed SHARE] [--seconds S] FILE...
 //
-// SHARE is FrameOptions::most_missed.
-// N curves of the layer with the most, one after another, are dragged by up to seven user units.
+// SHARE is FrameOptions::most_missed; S the time of a frame (FrameOptions::time), after which
+// `left` nodes wait. N curves of the layer with the most, one after another, are dragged by up to
+// seven user units.
 namespace sfumato {
 namespace {
 
@@ -27,6 +29,7 @@ struct Options {
   std::uint32_t curves = 12;
   double max_error = 1;
   double most_missed = solve::FrameOptions().most_missed;
+  double seconds = std::numeric_limits<double>::infinity();
 };
 
 using bench::cpu_milliseconds;
@@ -36,6 +39,7 @@ struct Times {
   double first = 0;
   double frame = 0;
   double gathered = 0;
+  double left = 0;
   int frames = 0;
 };
 
@@ -57,7 +61,7 @@ bool solve_layer(Context& context, const Document& document, std::uint32_t layer
 }
 
 bool drag_one(Context& context, const Document& document, std::uint32_t layer, std::uint32_t curve,
-              const DiffuseOptions& options, double most_missed, Solved& solved, Times& times) {
+              const DiffuseOptions& options, const Options& asked, Solved& solved, Times& times) {
   const double start = cpu_milliseconds();
   Result<solve::LayerDrag> drag = solve::LayerDrag::begin(context, document, layer, curve,
                                                           solved.sight, options, solved.refined);
@@ -69,13 +73,14 @@ bool drag_one(Context& context, const Document& document, std::uint32_t layer, s
     for (Vec2& p : moved.control_points) p = p + Vec2{1.0 + i % 6, 2.0 - i % 7};
     DiffuseStats stats;
     const double frame_start = cpu_milliseconds();
-    Result<solve::FramePatches> frame = drag->frame(context, moved, std::move(spare),
-                                                    {.most_missed = most_missed, .stats = &stats});
+    const solve::FrameOptions how{asked.most_missed, solve::FrameTime(asked.seconds), &stats, {}};
+    Result<solve::FramePatches> frame = drag->frame(context, moved, std::move(spare), how);
     if (!frame) return false;
     spare = std::exchange(shown, std::move(*frame));
     (i == 0 ? times.first : times.frame) += cpu_milliseconds() - frame_start;
     if (i == 0) continue;
     times.gathered += static_cast<double>(stats.nodes);
+    times.left += static_cast<double>(shown.left);
     ++times.frames;
   }
   return true;
@@ -98,14 +103,14 @@ bool measure(const std::string& path, const Options& asked) {
   Times times;
   const std::uint32_t curves = std::min(asked.curves, count);
   for (std::uint32_t i = 0; i < curves; ++i) {
-    if (!drag_one(context, document, layer, i * count / curves, options, asked.most_missed, solved,
-                  times))
+    if (!drag_one(context, document, layer, i * count / curves, options, asked, solved, times))
       return false;
   }
   std::printf(
-      "%-24s solve %7.1f  kept %6.1f  begin %7.1f  first frame %6.2f  later %6.2f, nodes %6.0f\n",
+      "%-24s solve %7.1f  kept %6.1f  begin %7.1f  first frame %6.2f  later %6.2f, nodes %6.0f, "
+      "left %6.0f\n",
       read->name.c_str(), solve, kept, times.begin / curves, times.first / curves,
-      times.frame / times.frames, times.gathered / times.frames);
+      times.frame / times.frames, times.gathered / times.frames, times.left / times.frames);
   return true;
 }
 
@@ -121,6 +126,8 @@ int main(int argc, char** argv) {
       options.curves = static_cast<std::uint32_t>(std::max(1, std::atoi(argv[++i])));
     } else if (argument == "--missed" && i + 1 < argc) {
       options.most_missed = std::atof(argv[++i]);
+    } else if (argument == "--seconds" && i + 1 < argc) {
+      options.seconds = std::atof(argv[++i]);
     } else if (argument == "--max-error" && i + 1 < argc) {
       options.max_error = std::atof(argv[++i]);
     } else if (!sfumato::measure(argument, options)) {

@@ -26,9 +26,21 @@ void require_told(const Status& status) {
   if (status.code != StatusCode::cancelled) fuzz::require_honest(status);
 }
 
-/// Frames are at times cancelled on their way.
+/// A frame without time, and then what it leaves, a little at a time.
+Status drag_in_steps(Context& context, Solution& solution, const Curve& curve) {
+  Status status = solution.drag(context, curve, nullptr, 0);
+  while (const std::size_t left = status ? solution.left() : 0) {
+    fuzz::require_ok(picture::check_picture(context, solution.picture()), "a frame is no picture");
+    if (!solution.drag_more(context, nullptr, 0)) break;  // the frame is there
+    fuzz::require(solution.left() < left, "nothing was gathered");
+  }
+  return status;
+}
+
+/// Frames are at times cancelled on their way, or made in steps.
 Status drag(Context& context, Solution& solution, const Curve& curve, unsigned cancelled_at) {
   if (cancelled_at == 0) return solution.drag(context, curve);
+  if (cancelled_at % 3 == 0) return drag_in_steps(context, solution, curve);
   Context hurried{.budget = Budget(fuzz::kBudgetBytes)};
   test::CancelAt watch(8 * cancelled_at, hurried.cancel);
   hurried.poll_watch = &watch;

@@ -103,6 +103,10 @@ int Gatherer::channel_count() const {
   return state_->scene.channel_count();
 }
 
+float Gatherer::weight_unit() const {
+  return state_->scene.weight_unit;
+}
+
 Status Gatherer::gather(Context& context, const PointList& points, const GatherOptions& options,
                         std::span<float> out, std::span<std::uint8_t> hit, bool weighs,
                         std::span<std::uint32_t> place) const {

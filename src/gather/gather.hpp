@@ -79,6 +79,9 @@ class Gatherer {
 
   int channel_count() const;
 
+  /// The largest weight of the curves; W and ShareBound's weights are in units of it.
+  float weight_unit() const;
+
   /// points   layer frame, inside the visibility mesh's hull; neighbours in the list should be
   ///          neighbours in the plane. Not on a curve that bears the attribute, nor on a vertex.
   /// out      channel_count() floats per slot. Where nothing is hit: 0.

@@ -61,4 +61,12 @@ bool ShareBound::holds_at(Vec2 p, float weight, float weight_unit) const {
   return true;
 }
 
+double ShareBound::share_at(Vec2 p, float weight, float weight_unit) const {
+  double angle = 0;
+  for (const Run& run : runs_) angle += angle_over_distance_squared(run, p);
+  const double room = double{weight} - angle;
+  if (!(room > 0)) return std::numeric_limits<double>::infinity();
+  return (1 + weight_ / double{weight_unit}) * angle / room;
+}
+
 }  // namespace sfumato::gather

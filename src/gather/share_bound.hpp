@@ -30,6 +30,10 @@ class ShareBound {
   /// largest weight of the layer.
   bool holds_at(Vec2 p, float weight, float weight_unit) const;
 
+  /// The share of the range that may change at p, where `weight` and `weight_unit` are as in
+  /// holds_at(); infinity: any.
+  double share_at(Vec2 p, float weight, float weight_unit) const;
+
  private:
   struct Run {
     Vec2 center;

@@ -226,14 +226,14 @@ TableMemory Mesher::release_extracted() {
   return std::exchange(state_->extracted, TableMemory(State::kPurpose, state_->budget));
 }
 
-Status Mesher::update_patch_mesh(const Context& context, TriangleMesh& mesh,
+Status Mesher::update_patch_mesh(const Context& context, TriangleMesh& mesh, TableMemory& memory,
                                  std::vector<std::uint32_t>& changed) {
   State& s = *state_;
   if (s.numbering.triangle_count == 0) {
     Result<TriangleMesh> anew = patch_mesh(context);
     if (!anew) return anew.status();
     mesh = std::move(*anew);
-    Status status = s.memory.resize(context, changed, mesh.triangle_count());
+    Status status = memory.resize(context, changed, mesh.triangle_count());
     if (status) std::iota(changed.begin(), changed.end(), 0u);
     return status;
   }
@@ -243,7 +243,7 @@ Status Mesher::update_patch_mesh(const Context& context, TriangleMesh& mesh,
         s.memory.grow(context, s.patched, s.numbering.triangle_count, s.mesh.triangle.capacity());
   }
   changed.clear();
-  if (status) status = s.memory.reserve(context, changed, s.mesh.changed.size());
+  if (status) status = memory.reserve(context, changed, s.mesh.changed.size());
   if (!status) return status;
   RarePoll<65536> poll(context);
   s.mesh.take_changed([&](std::int32_t slot) {

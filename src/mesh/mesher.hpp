@@ -132,10 +132,11 @@ class Mesher {
   /// constraints, and for some without an edge or pieces, it becomes what visibility_mesh() would
   /// return.
   /// is_same   same_triangles() of that mesher
-  /// changed   out: the triangles that changed, including new ones, ascending
+  /// changed   out: the triangles that changed, including new ones, ascending; from `memory`
   /// Errors    limit (memory), cancelled; `mesh` is unusable then
   Status update_visibility_mesh(const Context& context, std::span<const std::uint8_t> is_same,
-                                TriangleMesh& mesh, std::vector<std::uint32_t>& changed);
+                                TriangleMesh& mesh, TableMemory& memory,
+                                std::vector<std::uint32_t>& changed);
 
   /// A copy of `mesh`, the last patch_mesh() or the visibility_mesh() of the mesher that this one
   /// is a copy of, for the updates of either to update. Its memory is charged as that of
@@ -153,10 +154,10 @@ class Mesher {
   /// it is that mesh, all of whose triangles count as changed; after others there may be
   /// constraints without an edge and without pieces. Where segments were taken out all triangles
   /// around their vertices count as changed.
-  /// changed   out: the triangles that changed, including new ones, ascending
+  /// changed   out: the triangles that changed, including new ones, ascending; from `memory`
   /// Errors    limit (memory), cancelled; `mesh` is unusable then
   /// Cost      O(changed · log)
-  Status update_patch_mesh(const Context& context, TriangleMesh& mesh,
+  Status update_patch_mesh(const Context& context, TriangleMesh& mesh, TableMemory& memory,
                            std::vector<std::uint32_t>& changed);
 
   /// Makes `mesh`, a copy of `before` that has been updated since, `before` again.

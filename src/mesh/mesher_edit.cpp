@@ -139,7 +139,8 @@ Result<TriangleMesh> Mesher::copy_mesh(const Context& context, const TriangleMes
 }
 
 Status Mesher::update_visibility_mesh(const Context& context, std::span<const std::uint8_t> is_same,
-                                      TriangleMesh& mesh, std::vector<std::uint32_t>& changed) {
+                                      TriangleMesh& mesh, TableMemory& memory,
+                                      std::vector<std::uint32_t>& changed) {
   State& s = *state_;
   Numbering everything{{}, {}, 0, 0, {State::kPurpose, s.budget}};
   TableMemory scratch(State::kPurpose);
@@ -151,7 +152,7 @@ Status Mesher::update_visibility_mesh(const Context& context, std::span<const st
     if (t >= is_same.size() || !is_same[t]) slots.push_back(static_cast<std::int32_t>(t));
   }
   changed.clear();
-  status = s.memory.reserve(context, changed, slots.size());
+  status = memory.reserve(context, changed, slots.size());
   if (!status) return status;
   changed.assign(slots.begin(), slots.end());
   const ExtractSource source{s.mesh, s.chords, s.refiner.origins(), s.lattice, everything};

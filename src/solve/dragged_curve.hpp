@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 
@@ -20,15 +21,17 @@ struct DraggedCurve {
   bool may_have_room = true;  ///< until that lacks memory
   /// The picture's layer, while a frame made it, and the frame before that, whose tables the next
   /// one uses again: which engine made it, and its rows.
-  const LayerDrag* shown_by = nullptr;
+  LayerDrag* shown_by = nullptr;
   std::optional<FrameRows> shown{};
   const LayerDrag* spare_by = nullptr;
   FramePatches spare{};
+  std::size_t left = 0;  ///< nodes of the picture's layer that may be gathered yet
 
   /// The picture's layer comes from elsewhere now.
   void forget_shown() {
     shown.reset();
     spare = {};
+    left = 0;
   }
 };
 

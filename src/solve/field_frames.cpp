@@ -1,11 +1,23 @@
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 #include "base/poll.hpp"
+#include "base/stopwatch.hpp"
+#include "gather/weight_class.hpp"
 #include "solve/field_solver.hpp"
 
 /// FieldSolver in the frames of a drag.
 namespace sfumato::solve {
+namespace {
+
+/// So many nodes at least are gathered between two looks at the clock.
+constexpr std::size_t kLeastBatch = 256;
+
+/// Seconds: what clocks of browsers may fail to see.
+constexpr double kClockTick = 1e-4;
+
+}  // namespace
 
 Status FieldSolver::start_from(const Context& context, const Seams& known,
                                const mesh::TriangleMesh& mesh) {
@@ -16,7 +28,7 @@ Status FieldSolver::start_from(const Context& context, const Seams& known,
 
 Status FieldSolver::start_from(const Context& context, const FieldSolver& before,
                                const mesh::TriangleMesh& mesh, FieldFrame frame,
-                               std::span<const std::uint32_t> changed) {
+                               std::span<const std::uint32_t> changed, bool remembers) {
   frame_.emplace(std::move(frame));
   if (!frame_->seams) {
     Result<Seams> seams = before.seams_->copy(context, mesh);
@@ -26,10 +38,36 @@ Status FieldSolver::start_from(const Context& context, const FieldSolver& before
   }
   seams_.emplace(std::move(*frame_->seams));
   seams_->take_back(*before.seams_, changed);
+  if (remembers) {
+    Status status = remember_values(context, *frame_, before.layout_.node_count());
+    if (!status) return status;
+  }
   if (Status status = take_back_nodes(context, before, changed); !status) return status;
   memory_ = std::move(frame_->memory);
   vertex_radius_ = std::move(frame_->vertex_radius);
   return memory_.assign(context, before.vertex_radius_, vertex_radius_);
+}
+
+/// Of nodes below `nodes` that stand where they stood in the field that the frame began from.
+Status FieldSolver::remember_values(const Context& context, const FieldFrame& frame,
+                                    std::size_t nodes) {
+  const auto channels = static_cast<std::size_t>(frame.layout.channel_count);
+  std::vector<std::uint32_t>& known = last_.node;
+  Status status = last_.memory.assign(context, frame.gathered, known);
+  if (!status) return status;
+  std::erase_if(known,
+                [&](std::uint32_t node) { return node >= nodes || frame.history.was_met(node); });
+  status = TableMemory::sort(context, known, std::less<>());
+  known.erase(std::unique(known.begin(), known.end()), known.end());
+  if (status) status = last_.memory.reserve(context, last_.value, channels * known.size());
+  if (status) status = last_.memory.reserve(context, last_.hit, known.size());
+  if (!status) return status;
+  for (const std::uint32_t node : known) {
+    const auto value = frame.layout.value.begin() + static_cast<std::ptrdiff_t>(channels * node);
+    last_.value.insert(last_.value.end(), value, value + static_cast<std::ptrdiff_t>(channels));
+    last_.hit.push_back(frame.node_hit[node]);
+  }
+  return ok_status();
 }
 
 Status FieldSolver::take_back_nodes(const Context& context, const FieldSolver& before,
@@ -121,13 +159,14 @@ Status FieldSolver::list_changed(Context& context, const PreparedField& with,
 Status FieldSolver::list_to_gather(Context& context, const PreparedField& with,
                                    const FieldSolver& without,
                                    std::span<const std::uint8_t> is_same,
-                                   const gather::ShareBound* bound) {
+                                   const gather::ShareBound* bound,
+                                   std::vector<std::uint32_t>& listed) {
   TableMemory scratch("patches");
   std::vector<std::uint32_t> may_differ;
   Status status = list_changed(context, with, without, is_same, bound, scratch, may_differ);
   for (std::size_t i = 0; status && i < may_differ.size(); ++i) {
     if (history_.was_met(may_differ[i])) continue;
-    status = memory_.push_back(context, to_gather_, may_differ[i]);
+    status = memory_.push_back(context, listed, may_differ[i]);
   }
   return status;
 }
@@ -136,7 +175,8 @@ Status FieldSolver::lay_out_from(Context& context, const FieldSolver& before,
                                  const mesh::TriangleMesh& mesh,
                                  std::span<const std::uint32_t> changed,
                                  std::span<const std::uint8_t> is_same,
-                                 const gather::ShareBound* bound) {
+                                 const gather::ShareBound* bound,
+                                 const gather::ShareBound* waiting) {
   history_ = std::move(frame_->history);
   history_.is_logged = true;
   Status status;
@@ -147,11 +187,100 @@ Status FieldSolver::lay_out_from(Context& context, const FieldSolver& before,
     layout_memory_ = std::move(frame_->layout_memory);
     node_hit_ = std::move(frame_->node_hit);
     to_gather_ = std::move(frame_->gathered);
+    left_ = std::move(frame_->left);
+    left_.clear();
   }
   if (status) status = follow(context, mesh, changed);
   if (status) status = list_moved(context, before.layout_);
   if (!has_code_values(field_.attributes)) bound = nullptr;
-  return status ? list_to_gather(context, field_, before, is_same, bound) : status;
+  if (!status) return status;
+  status = list_to_gather(context, field_, before, is_same, bound, waiting ? left_ : to_gather_);
+  return status && waiting ? order_left(context, before, *waiting) : status;
+}
+
+/// By the change that each may take, the largest last; behind those whose value in the last frame
+/// is known the others. Of these, which show what they are without the curve, none waits at which
+/// that may be all wrong.
+Status FieldSolver::order_left(const Context& context, const FieldSolver& before,
+                               const gather::ShareBound& share) {
+  struct Waiting {
+    std::uint32_t node;
+    bool is_known;
+    double share;
+    bool operator<(const Waiting& other) const {
+      if (is_known != other.is_known) return is_known;
+      return share != other.share ? share < other.share : node > other.node;
+    }
+  };
+  std::vector<Waiting> waiting;
+  TableMemory scratch("patches");
+  Status status = scratch.reserve(context, waiting, left_.size());
+  RarePoll<256> poll(context);
+  const float unit = before.field_.gatherer.weight_unit();
+  for (std::size_t i = 0; status && i < left_.size(); ++i) {
+    if (poll.cancelled()) return context.cancel_status();
+    const std::uint32_t node = left_[i];
+    const float weight = gather::least_weight(before.node_hit_[node]);
+    const double change = share.share_at(layout_.position[node], weight, unit);
+    const bool is_known = std::ranges::binary_search(last_.node, node);
+    if (is_known || change < 1) {
+      waiting.push_back({node, is_known, change});
+    } else {
+      status = memory_.push_back(context, to_gather_, node);
+    }
+  }
+  if (status) status = TableMemory::sort(context, waiting, std::less<>());
+  left_.clear();
+  for (const Waiting& one : waiting) left_.push_back(one.node);
+  return status;
+}
+
+Result<std::size_t> FieldSolver::gather_left(Context& context, const FrameTime& time,
+                                             bool advances) {
+  const std::size_t all = left_.size();
+  std::size_t batch = kLeastBatch;
+  while (!left_.empty() && (advances || time.seconds_left() > 0)) {
+    const Stopwatch watch;
+    const std::size_t count = time.is_limited() ? std::min(batch, left_.size()) : left_.size();
+    Status status = gather_last_of_left(context, count);
+    if (!status) return status;
+    advances = false;
+    const double fit = time.seconds_left() / (watch.seconds() + kClockTick) * double(count);
+    batch = std::max(kLeastBatch, static_cast<std::size_t>(std::min(fit, 4.0 * double(count))));
+  }
+  const std::size_t gathered = all - left_.size();
+  Status status = show_last_values(context);
+  if (!status) return status;
+  return gathered;
+}
+
+Status FieldSolver::gather_last_of_left(Context& context, std::size_t count) {
+  const auto batch = std::span(left_).last(count);
+  std::ranges::sort(batch);  // neighbours have near numbers
+  Status status = memory_.append(context, batch, to_gather_);
+  if (status) {
+    status = field_.gatherer.gather(context, {layout_.position, batch}, {}, layout_.value,
+                                    node_hit_, true);
+  }
+  left_.resize(left_.size() - count);
+  return status;
+}
+
+/// In nodes that are left, which count as gathered then.
+Status FieldSolver::show_last_values(const Context& context) {
+  const auto channels = static_cast<std::size_t>(layout_.channel_count);
+  for (std::size_t i = 0; i < left_.size() && !last_.node.empty(); ++i) {
+    const auto known = std::ranges::lower_bound(last_.node, left_[i]);
+    if (known == last_.node.end() || *known != left_[i]) continue;
+    const auto at = static_cast<std::size_t>(known - last_.node.begin());
+    std::copy_n(last_.value.data() + channels * at, channels,
+                layout_.value.data() + channels * left_[i]);
+    node_hit_[left_[i]] = last_.hit[at];
+    Status status = memory_.push_back(context, to_gather_, left_[i]);
+    if (!status) return status;
+  }
+  last_ = {};
+  return ok_status();
 }
 
 Status FieldSolver::lay_out_without(Context& context, const RefinedField& known,
@@ -163,7 +292,7 @@ Status FieldSolver::lay_out_without(Context& context, const RefinedField& known,
   if (status) status = follow(context, mesh, changed);
   if (status) status = list_moved(context, known.layout);
   if (status) status = locate_nodes(context, known, is_same);
-  if (status) status = list_to_gather(context, with, *this, is_same, nullptr);
+  if (status) status = list_to_gather(context, with, *this, is_same, nullptr, to_gather_);
   field_.gatherer.forget_before();
   history_.free(layout_memory_);
   return status;
@@ -186,9 +315,23 @@ FieldFrame FieldSolver::release_frame() {
   frame.history = std::move(history_);
   frame.node_hit = std::move(node_hit_);
   frame.gathered = std::move(to_gather_);
+  frame.left = std::move(left_);
   frame.layout_memory = std::move(layout_memory_);
   frame.memory = std::move(memory_);
   return frame;
+}
+
+void FieldSolver::resume(FieldFrame frame) {
+  seams_ = std::move(frame.seams);
+  vertex_radius_ = std::move(frame.vertex_radius);
+  layout_ = std::move(frame.layout);
+  history_ = std::move(frame.history);
+  node_hit_ = std::move(frame.node_hit);
+  to_gather_ = std::move(frame.gathered);
+  left_ = std::move(frame.left);
+  layout_memory_ = std::move(frame.layout_memory);
+  memory_ = std::move(frame.memory);
+  frame_.emplace();
 }
 
 Status FieldSolver::locate_nodes(Context& context, const RefinedField& known,

@@ -8,11 +8,13 @@
 #include "base/table_memory.hpp"
 #include "curves/attributes.hpp"
 #include "gather/gather.hpp"
+#include "gather/share_bound.hpp"
 #include "sfumato/base/context.hpp"
 #include "sfumato/base/function_ref.hpp"
 #include "sfumato/base/status.hpp"
 #include "sfumato/picture/picture.hpp"
 #include "solve/border.hpp"
+#include "solve/frame_time.hpp"
 #include "solve/layout_update.hpp"
 #include "solve/miss_search.hpp"
 #include "solve/nodes.hpp"
@@ -46,9 +48,24 @@ struct FieldFrame {
   NodeLayout layout{};
   LayoutHistory history{};
   std::vector<std::uint8_t> node_hit{};   ///< as FieldSolver's
-  std::vector<std::uint32_t> gathered{};  ///< nodes
+  std::vector<std::uint32_t> gathered{};  ///< nodes, or their values are those of a frame before
+  std::vector<std::uint32_t> left{};      ///< as FieldSolver's
   TableMemory layout_memory{"patches"};
   TableMemory memory{"patches"};  ///< of the rest
+};
+
+/// Values of free nodes in the frame before, where that gathered them.
+struct LastValues {
+  std::vector<std::uint32_t> node{};  ///< ascending
+  std::vector<float> value{};
+  std::vector<std::uint8_t> hit{};  ///< as FieldSolver's
+  TableMemory memory{"patches"};
+};
+
+/// Which nodes of a frame may wait, and how they are ordered.
+struct FrameLimit {
+  FrameTime time;
+  const gather::ShareBound& share;  ///< of the curve that is inserted
 };
 
 /// Solves one attribute, or colour and opacity as one, on the patch mesh of its layer, which
@@ -85,11 +102,12 @@ class FieldSolver {
 
   /// In place of start(): on a copy of the mesh of `before`, which has been laid out. Errors: limit
   /// (memory), cancelled.
-  /// frame    what the last frame left on this mesh, or nothing
-  /// changed  the triangles that it changed
+  /// frame      what the last frame left on this mesh, or nothing
+  /// changed    the triangles that it changed
+  /// remembers  its values, for nodes that wait
   Status start_from(const Context& context, const FieldSolver& before,
                     const mesh::TriangleMesh& mesh, FieldFrame frame,
-                    std::span<const std::uint32_t> changed);
+                    std::span<const std::uint32_t> changed, bool remembers);
 
   /// In place of lay_out(), after start_from() and follow() of what was changed then: takes over
   /// the layout of `before`, whose nodes were gathered and located, and follows those changes.
@@ -99,10 +117,23 @@ class FieldSolver {
   ///           become constrained
   /// is_same   as gather::KnownPlaces
   /// bound     as there: nodes at which it holds keep their values
+  /// waiting   unless null: nodes that have a value already are left to gather_left(), those first
+  ///           that the curve, by this bound, may change most
   /// Errors    limit (memory), cancelled
   Status lay_out_from(Context& context, const FieldSolver& before, const mesh::TriangleMesh& mesh,
                       std::span<const std::uint32_t> changed, std::span<const std::uint8_t> is_same,
-                      const gather::ShareBound* bound);
+                      const gather::ShareBound* bound, const gather::ShareBound* waiting);
+
+  /// In place of all that is above: goes on with what release_frame() gave.
+  void resume(FieldFrame frame);
+
+  /// Gathers nodes that were left, until the time is over, and returns their number. Those that
+  /// remain get the value of the frame before, where that is known, or keep that without the curve.
+  /// advances   even if the time is over already
+  /// Errors     limit (memory), cancelled
+  Result<std::size_t> gather_left(Context& context, const FrameTime& time, bool advances);
+
+  std::size_t left_count() const { return left_.size(); }
 
   /// In place of start(), before follow(): on a copy of a mesh whose seams are known. Errors: limit
   /// (memory), cancelled.
@@ -236,6 +267,11 @@ class FieldSolver {
   /// Makes the nodes of the last frame those of `before` again.
   Status take_back_nodes(const Context& context, const FieldSolver& before,
                          std::span<const std::uint32_t> changed);
+  Status remember_values(const Context& context, const FieldFrame& frame, std::size_t nodes);
+  Status order_left(const Context& context, const FieldSolver& before,
+                    const gather::ShareBound& share);
+  Status gather_last_of_left(Context& context, std::size_t count);
+  Status show_last_values(const Context& context);
   /// Lists in to_gather_ the free nodes of `old` that the update met and that do not stand where
   /// they stood. Those that do count as not met from here on.
   Status list_moved(const Context& context, const NodeLayout& old);
@@ -247,9 +283,10 @@ class FieldSolver {
                              const FieldSolver& without, std::span<const std::uint8_t> is_same,
                              const gather::ShareBound* bound, TableMemory& memory,
                              std::vector<std::uint32_t>& changed);
-  /// Adds those to to_gather_.
+  /// Adds those to `listed`.
   Status list_to_gather(Context& context, const PreparedField& with, const FieldSolver& without,
-                        std::span<const std::uint8_t> is_same, const gather::ShareBound* bound);
+                        std::span<const std::uint8_t> is_same, const gather::ShareBound* bound,
+                        std::vector<std::uint32_t>& listed);
   /// Copies values of nodes of `before` that are at the same place, free in both, lists these in
   /// `carried` and clears asks[node]. Errors: limit (memory), cancelled.
   Status copy_values(const Context& context, const FieldSolver& before,
@@ -263,8 +300,11 @@ class FieldSolver {
   TableMemory layout_memory_{"patches"};
   LayoutHistory history_;
   std::vector<std::uint32_t> to_gather_;  ///< free nodes whose value is not known
-  std::vector<std::uint8_t> node_hit_;    ///< 0 where a free node sees no curve
-  gather::PointPlaces free_place_;        ///< where the free nodes lie; empty: unknown
+  /// Of a frame: nodes that have the value of a frame before, those last that are gathered first.
+  std::vector<std::uint32_t> left_;
+  LastValues last_;
+  std::vector<std::uint8_t> node_hit_;  ///< 0 where a free node sees no curve
+  gather::PointPlaces free_place_;      ///< where the free nodes lie; empty: unknown
   bool keeps_places_;
   /// Per node, if they are kept: the triangle of the visibility mesh in which it was gathered.
   std::vector<std::uint32_t> node_place_;

@@ -77,6 +77,7 @@ struct LastFrame {
   std::optional<mesh::Mesher> seen{};         ///< the visibility mesh with the curve
   mesh::TriangleMesh seen_mesh{};             ///< handed out by it
   std::vector<std::uint32_t> seen_changed{};  ///< triangles of it that the frame changed
+  TableMemory memory{"a drag"};               ///< of these
   FrameTables tables{};
 };
 
@@ -98,6 +99,7 @@ struct LayerDrag::State {
   bool has_fields_with(const Curve& curve) const;
   Result<FramePatches> frame(Context& context, const Curve& curve, bool keeps, FramePatches spare,
                              const FrameOptions& how);
+  Result<FramePatches> go_on(Context& context, FramePatches spare, const FrameOptions& how);
 
   DiffuseOptions options;
   LayerSight sight;
@@ -141,6 +143,7 @@ struct LayerDrag::State {
                                               const mesh::MeshEdit& edit, TableMemory& memory);
   Status watch(Context& context, const FlatMesh& whole, std::span<const std::uint8_t> moves,
                WatchedFields& with) const;
+  Result<FramePatches> take(LayerSolver& layer, LastFrame now, FramePatches spare);
 };
 
 /// has_opacity   as FlatLayer's
@@ -315,7 +318,8 @@ Result<std::vector<std::uint8_t>> LayerDrag::State::insert_curve(const Context& 
   } else {
     mesh::Mesher::take_back(visibility_mesh, frame.seen_changed, frame.seen_mesh);
   }
-  status = seen.update_visibility_mesh(context, *is_same, frame.seen_mesh, frame.seen_changed);
+  status = seen.update_visibility_mesh(context, *is_same, frame.seen_mesh, frame.memory,
+                                       frame.seen_changed);
   if (!status) return status;
   return is_same;
 }
@@ -399,20 +403,38 @@ Result<FramePatches> LayerDrag::State::frame(Context& context, const Curve& curv
   const Result<gather::ShareBound> bound =
       gather::ShareBound::create(context, now.placed->moved.vertex, curve.weight, how.most_missed);
   if (!bound) return bound.status();
-  status = layer.continue_inserted(
-      *base, {*moves, *is_same, how.most_missed > 0 ? &*bound : nullptr, &tables});
+  const FrameLimit limit{how.time, *bound};
+  status =
+      layer.continue_inserted(*base, {*moves, *is_same, how.most_missed > 0 ? &*bound : nullptr,
+                                      &tables, keeps && how.time.is_limited() ? &limit : nullptr});
   if (!status) return status;
-  if (!keeps) {
-    Result<PatchLayer> whole = layer.take();
-    if (!whole) return whole.status();
-    return FramePatches{std::move(*whole), {}};
-  }
+  if (keeps) return take(layer, std::move(now), std::move(spare));
+  Result<PatchLayer> whole = layer.take();
+  if (!whole) return whole.status();
+  return FramePatches{std::move(*whole), {}};
+}
+
+/// The patches of a frame; its tables become the last ones.
+Result<FramePatches> LayerDrag::State::take(LayerSolver& layer, LastFrame now, FramePatches spare) {
   std::optional<FrameTables> kept;
   Result<FramePatches> result = layer.take_frame(std::move(spare), kept);
   if (!result) return result;
-  tables = kept ? std::move(*kept) : FrameTables();
+  now.tables = kept ? std::move(*kept) : FrameTables();
   last = std::move(now);
   return result;
+}
+
+Result<FramePatches> LayerDrag::State::go_on(Context& context, FramePatches spare,
+                                             const FrameOptions& how) {
+  LastFrame now = std::exchange(last, {});
+  FrameTables& tables = now.tables;
+  PreparedFields fields{std::move(*tables.color.field), {}};
+  if (tables.opacity) fields.opacity.emplace(std::move(*tables.opacity->field));
+  LayerSolver layer(context, prepared_layer(std::move(fields), std::move(*tables.mesher)), options,
+                    how.stats, how.watch);
+  Status status = layer.resume(*base, std::move(tables), how.time);
+  if (!status) return status;
+  return take(layer, std::move(now), std::move(spare));
 }
 
 LayerDrag::LayerDrag(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -461,6 +483,16 @@ Result<FramePatches> LayerDrag::frame(Context& context, const Curve& curve, Fram
     if (patches || !is_lack_of_memory(patches.status())) return patches;
   }
   return state_->frame(context, curve, false, {}, options);
+}
+
+bool LayerDrag::can_go_on(const Context& context) const {
+  const FrameTables& tables = state_->last.tables;
+  return &context.budget == state_->budget && tables.mesher && tables.color.field;
+}
+
+Result<FramePatches> LayerDrag::go_on(Context& context, FramePatches spare,
+                                      const FrameOptions& options) {
+  return no_throw([&] { return state_->go_on(context, std::move(spare), options); });
 }
 
 bool LayerDrag::forget_frame() {

@@ -9,6 +9,7 @@
 #include "sfumato/document/document.hpp"
 #include "sfumato/picture/picture.hpp"
 #include "sfumato/solve/diffuse.hpp"
+#include "solve/frame_time.hpp"
 #include "solve/layer_solver.hpp"
 #include "solve/prepare_layer.hpp"
 
@@ -20,6 +21,10 @@ struct FrameOptions {
   /// no more than this share of the range of code values. 0: all nodes have their exact values, as
   /// colours have in other spaces, in which a small change may be one of many code values.
   double most_missed = 0.02;
+  /// Until when nodes are gathered that may wait: those that the curve touches do not. The others
+  /// keep the values that the last frame gave them, or that they have without the curve. It does
+  /// not count where what is seen ends within the layer, nor where the curve crosses what is shown.
+  FrameTime time{};
   DiffuseStats* stats = nullptr;  ///< unless null: added to, what was gathered
   std::optional<RoundWatch> watch{};
 };
@@ -68,6 +73,14 @@ class LayerDrag {
   ///         its sides ask for other fields than they did: solve the layer anew), limit, cancelled
   Result<FramePatches> frame(Context& context, const Curve& curve, FramePatches spare = {},
                              const FrameOptions& options = {});
+
+  /// Gathers nodes that the last frame left, until options.time is over: those that it may change
+  /// most come first. spare and errors as for frame(); where it fails, and where it is not
+  /// can_go_on(), the frame is to be made anew.
+  Result<FramePatches> go_on(Context& context, FramePatches spare, const FrameOptions& options);
+
+  /// Whether the tables of the last frame are there, and are of this Context's Budget.
+  bool can_go_on(const Context& context) const;
 
   /// Gives up the tables that the last frame left for the next. Returns whether there were any.
   bool forget_frame();

@@ -73,23 +73,54 @@ Status LayerSolver::continue_inserted(const LayerSolver& before, const CurveInse
     return continue_from(before);
   }
   FrameTables none;
-  Status status = start_inserted(before, insertion.last ? *insertion.last : none);
+  const FrameLimit* const limit = insertion.limit;
+  Status status = start_inserted(before, insertion.last ? *insertion.last : none, limit != nullptr);
   if (status) status = update_mesh();
   if (status) status = add_fans(insertion.is_inserted);
   if (status && is_blurred_) status = follow_blur_too(false);
   const auto lay_out = [&](FieldSolver& field, const FieldSolver& from) {
-    return field.lay_out_from(context_, from, *mesh_, changed_, insertion.is_same, insertion.bound);
+    return field.lay_out_from(context_, from, *mesh_, changed_, insertion.is_same, insertion.bound,
+                              limit ? &limit->share : nullptr);
   };
   if (status) status = lay_out(color_, before.color_);
   if (status && opacity_) status = lay_out(*opacity_, *before.opacity_);
   if (status) status = gather(gather::GatherOptions{}, false);
-  if (status) inserted_into_ = &before;
+  if (!status) return status;
+  inserted_into_ = &before;
+  if (!limit) return status;
+  return gather_left(limit->time, false);
+}
+
+/// Nothing may wait where what is seen ends: triangles are cut by what their nodes see.
+Status LayerSolver::gather_left(const FrameTime& time, bool advances) {
+  const Stopwatch watch;
+  const auto gather_within = [&](const FrameTime& limit) {
+    return for_each_field([&](FieldSolver& field) {
+      const Result<std::size_t> nodes = field.gather_left(context_, limit, advances);
+      if (nodes && stats_) stats_->nodes += *nodes;
+      return nodes.status();
+    });
+  };
+  Status status = gather_within(can_keep_tables() ? time : FrameTime());
+  if (status && !can_keep_tables()) status = gather_within(FrameTime());
+  if (stats_) stats_->gather_seconds += watch.seconds();
   return status;
+}
+
+Status LayerSolver::resume(const LayerSolver& before, FrameTables frame, const FrameTime& time) {
+  mesh_ = std::move(frame.mesh);
+  changed_ = std::move(frame.changed);
+  memory_ = std::move(frame.memory);
+  color_.resume(std::move(frame.color));
+  if (opacity_) opacity_->resume(std::move(*frame.opacity));
+  inserted_into_ = &before;
+  return gather_left(time, true);
 }
 
 /// Begins with a mesh and fields that are those of `before`, as copies or because what the last
 /// frame changed is taken back.
-Status LayerSolver::start_inserted(const LayerSolver& before, FrameTables& last) {
+/// remembers   as FieldSolver::start_from
+Status LayerSolver::start_inserted(const LayerSolver& before, FrameTables& last, bool remembers) {
   if (last.mesh) {
     mesh_ = std::move(last.mesh);
     mesh::Mesher::take_back(*before.mesh_, last.changed, *mesh_);
@@ -98,11 +129,12 @@ Status LayerSolver::start_inserted(const LayerSolver& before, FrameTables& last)
     if (!mesh) return mesh.status();
     *mesh_ = std::move(*mesh);
   }
-  Status status =
-      color_.start_from(context_, before.color_, *mesh_, std::move(last.color), last.changed);
+  Status status = color_.start_from(context_, before.color_, *mesh_, std::move(last.color),
+                                    last.changed, remembers);
   if (!status || !opacity_) return status;
   return opacity_->start_from(context_, *before.opacity_, *mesh_,
-                              last.opacity ? std::move(*last.opacity) : FieldFrame(), last.changed);
+                              last.opacity ? std::move(*last.opacity) : FieldFrame(), last.changed,
+                              remembers);
 }
 
 /// Whether patches can be made of what continue_inserted() made, without more nodes or parts.
@@ -182,6 +214,7 @@ Result<FramePatches> LayerSolver::take_frame(FramePatches spare, std::optional<F
     if (!layer) return layer.status();
     patches.layer = std::move(*layer);
   }
+  patches.left = color_.left_count() + (opacity_ ? opacity_->left_count() : 0);
   if (keeps_tables) kept.emplace(release_frame());
   if (context_.cancelled()) return context_.cancel_status();
   return patches;

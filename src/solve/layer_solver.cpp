@@ -207,7 +207,7 @@ Status LayerSolver::take_mesh() {
 /// Follows the mesher, and the fields that.
 Status LayerSolver::update_mesh() {
   const Stopwatch watch;
-  Status status = mesher_.update_patch_mesh(context_, *mesh_, changed_);
+  Status status = mesher_.update_patch_mesh(context_, *mesh_, memory_, changed_);
   if (status) status = check_limits(context_.limits, *mesh_);
   if (status) {
     status = for_fields_side_by_side(

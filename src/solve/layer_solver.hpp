@@ -69,6 +69,9 @@ struct CurveInsertion {
   /// Unless null: what the last frame, whose mesher is now the solver's, left of the rest. It is
   /// used up.
   FrameTables* last = nullptr;
+  /// Unless null: nodes that have values already may keep those of the last frame when its time is
+  /// over, if take_frame() can say which.
+  const FrameLimit* limit = nullptr;
 };
 
 /// Rows of a frame's patches that are not those of the layer which the frame began from, without
@@ -84,6 +87,7 @@ struct FrameRows {
 struct FramePatches {
   PatchLayer layer{};
   std::optional<FrameRows> rows{};  ///< none: any row may be another
+  std::size_t left = 0;  ///< nodes that have not been gathered, as CurveInsertion::limit allows
 };
 
 /// Solves one layer: patch mesh, node values of colour and opacity, error-driven refinement.
@@ -115,6 +119,11 @@ class LayerSolver {
   /// into which segments were inserted since, at a cost of copies of the tables and of what the
   /// edit changed; where a segment crosses the frame, or fields differ, at that of laying out all.
   Status continue_inserted(const LayerSolver& before, const CurveInsertion& insertion);
+
+  /// In place of continue_inserted(), with the same `before`: gathers nodes that a frame left,
+  /// until the time is over, but some in any case.
+  /// frame   the rest of what take_frame() kept, whose mesher and fields are the solver's
+  Status resume(const LayerSolver& before, FrameTables frame, const FrameTime& time);
 
   /// In place of solve(), where the mesher is that of a RefinedLayer of the same layer, and a
   /// field has a response: nodes that have none keep the values that are known, the others are
@@ -176,7 +185,8 @@ class LayerSolver {
                                                     TableMemory& memory) const;
   /// Whether color_ holds the opacity too, as its fourth channel.
   bool is_joint() const;
-  Status start_inserted(const LayerSolver& before, FrameTables& last);
+  Status start_inserted(const LayerSolver& before, FrameTables& last, bool remembers);
+  Status gather_left(const FrameTime& time, bool advances);
   bool can_keep_tables() const;
   FrameTables release_frame();
   Result<PatchLayer> take_patches(bool keeps_tables);

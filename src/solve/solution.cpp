@@ -5,38 +5,18 @@
 #include <memory>
 #include <optional>
 #include <span>
-#include <string_view>
 #include <utility>
 
-#include "base/charge.hpp"
-#include "base/limit_error.hpp"
-#include "base/no_throw.hpp"
 #include "base/public_verb.hpp"
 #include "base/table_memory.hpp"
-#include "curves/response.hpp"
-#include "solve/color_drag.hpp"
-#include "solve/dragged_curve.hpp"
 #include "solve/layer_rows.hpp"
-#include "solve/layer_runs.hpp"
+#include "solve/solution_state.hpp"
 
 namespace sfumato {
 namespace {
 
 using solve::LayerSight;
 using solve::LayerTask;
-using Drag = solve::DraggedCurve;
-
-constexpr std::string_view kPurpose = "the solution of a document";
-
-/// What is known of one of the document's layers.
-struct LayerState {
-  LayerSight sight{};                            ///< that its patches were solved for
-  std::optional<std::uint32_t> in_picture{};     ///< the picture's layer that has them
-  std::optional<PatchLayer> fresh{};             ///< or they, where no picture has them yet
-  std::optional<solve::RefinedLayer> refined{};  ///< for drags, if memory allows
-
-  bool is_solved() const { return in_picture || fresh; }
-};
 
 /// The layer that a change to a curve touches; none of other changes.
 std::optional<std::uint32_t> layer_of(const Change& change) {
@@ -46,105 +26,12 @@ std::optional<std::uint32_t> layer_of(const Change& change) {
   return {};
 }
 
+Status check_seconds(double seconds) {
+  if (seconds >= 0) return ok_status();
+  return make_error(StatusCode::bad_input, "the time for a frame must be at least 0 seconds");
+}
+
 }  // namespace
-
-struct Solution::State {
-  State(Context& context, Document d)
-      : document(std::move(d)),
-        document_bytes(bytes_of(document)),
-        layers(document.layers.size()),
-        budget(&context.budget),
-        held(context.budget) {}
-
-  /// Comes first: charges the document.
-  Status start(const Context& context) { return hold(context, document); }
-  Result<Change> apply(Context& context, Change change);
-  Status solve(Context& context, const DiffuseOptions& wanted, DiffuseStats* stats);
-  Status begin_drag(Context& context, std::uint32_t layer, std::uint32_t curve);
-  Status drag_to(Context& context, Curve curve, DiffuseStats* stats);
-  Status begin_color(Context& context, const StopPlace& place);
-  Status color_to(Context& context, const StopValue& value);
-  void end_drag() {
-    drag.reset();
-    coloring.reset();
-  }
-
-  Document document;
-  std::size_t document_bytes;  ///< bytes_of(document)
-  Picture picture;
-  PictureDelta delta;
-  std::optional<Drag> drag;  ///< there is at most one of this and `coloring`
-  std::optional<solve::ColorDrag> coloring;
-  bool expects_drags = false;  ///< solve() keeps what they begin from
-
- private:
-  /// At the end of its scope no more is charged than is held. While it lives, what was charged for
-  /// something that then failed may still be.
-  class SpareRelease {
-   public:
-    explicit SpareRelease(State& state) : state_(state) {}
-    ~SpareRelease() { state_.release_spare(); }
-    SpareRelease(const SpareRelease&) = delete;
-    SpareRelease& operator=(const SpareRelease&) = delete;
-
-   private:
-    State& state_;
-  };
-
-  void follow(const Change& inverse, std::vector<LayerState> next);
-  void carry_over(const Document& old, std::vector<LayerState> next);
-  std::optional<std::size_t> find_same(const Document& old, std::size_t index) const;
-  void forget(const DiffuseOptions& wanted);
-  bool drop_refined();
-  template <class Work>
-  Status run_with_all_memory(const Work& work, bool keeps = false);
-  Status solve_layers(Context& context, const Box& viewport, DiffuseStats* stats, bool keeps);
-  Status begin_engine(Context& context, Drag& begun);
-  Status begin_roomy(Context& context);
-  Status make_frame(Context& context, const Curve& curve, DiffuseStats* stats,
-                    solve::FramePatches& patches, const solve::LayerDrag*& maker);
-  Status show_frame(const Context& context, const solve::LayerDrag* maker,
-                    solve::FramePatches frame);
-  Result<std::vector<LayerTask>> tasks(const Context& context, const Box& viewport) const;
-  Status keep(const Context& context, std::span<LayerTask> tasks, solve::LayerRuns& runs);
-  Status assemble(Context& context, const Box& viewport);
-  PictureDelta delta_with_news() const;
-  Status make_room(const Context& context, const InsertCurve& insert);
-  Status show(Context& context, Curve curve, DiffuseStats* stats);
-  std::size_t bytes() const;
-  void count_bytes(const Change& inverse);
-
-  /// Charges what is about to be held.
-  template <class Thing>
-  Status hold(const Context& context, const Thing& thing) {
-    return hold_more(context, thing, 0);
-  }
-
-  /// The same where `known` bytes of it are charged already.
-  template <class Thing>
-  Status hold_more(const Context& context, const Thing& thing, std::size_t known) {
-    const std::size_t before = std::min(bytes_of(thing), known);
-    Status status = run_with_all_memory(
-        [&](bool) { return held.add(context, bytes_of(thing) - before, kPurpose); });
-    if (status) charged += bytes_of(thing) - before;
-    return status;
-  }
-
-  void release_spare() {
-    const std::size_t spare = charged - std::min(charged, bytes());
-    held.release(spare);
-    charged -= spare;
-  }
-
-  std::vector<LayerState> layers;
-  std::optional<DiffuseOptions> options;  ///< that the layers were solved with
-  bool frame_changed = true;              ///< since the picture was made
-  const Budget* budget;                   ///< of `held`, and of what is kept for drags
-  ScopedCharge held;
-  std::size_t charged = 0;
-
-  friend class Solution;
-};
 
 std::size_t Solution::State::bytes() const {
   std::size_t bytes = document_bytes + bytes_of(picture);
@@ -292,14 +179,6 @@ bool Solution::State::drop_refined() {
   return any;
 }
 
-/// work(keeps), and once more without what is kept for drags if it lacks memory.
-template <class Work>
-Status Solution::State::run_with_all_memory(const Work& work, bool keeps) {
-  Status status = no_throw([&] { return work(keeps); });
-  if (!is_lack_of_memory(status) || !(drop_refined() || keeps)) return status;
-  return no_throw([&] { return work(false); });
-}
-
 /// Nothing that was solved with other options counts.
 void Solution::State::forget(const DiffuseOptions& wanted) {
   for (LayerState& layer : layers) layer = {};
@@ -361,172 +240,6 @@ Status Solution::State::assemble(Context& context, const Box& viewport) {
   return ok_status();
 }
 
-Status Solution::State::begin_drag(Context& context, std::uint32_t layer, std::uint32_t curve) {
-  end_drag();
-  expects_drags = true;
-  if (layer >= layers.size() || curve >= document.layers[layer].curves.size()) {
-    return make_error(StatusCode::bad_input, "there is no such curve to drag");
-  }
-  LayerState& state = layers[layer];
-  if (!options || !state.in_picture || frame_changed) {
-    return make_error(StatusCode::bad_input, "the document is to be solved before a drag");
-  }
-  Drag begun{layer, curve, &context.budget};
-  if (!state.sight.views.empty()) {
-    Status status = run_with_all_memory([&](bool) { return begin_engine(context, begun); });
-    if (!status) return status;
-  }
-  drag.emplace(std::move(begun));
-  return ok_status();
-}
-
-Status Solution::State::begin_engine(Context& context, Drag& begun) {
-  LayerState& layer = layers[begun.layer];
-  std::optional<solve::RefinedLayer> none;
-  const bool is_at_home = &context.budget == budget;
-  Result<solve::LayerDrag> engine =
-      solve::LayerDrag::begin(context, document, begun.layer, begun.curve, layer.sight, *options,
-                              is_at_home ? layer.refined : none);
-  if (engine) begun.engine.emplace(std::move(*engine));
-  return engine.status();
-}
-
-/// What fails leaves the curve and its layer as they were.
-Status Solution::State::drag_to(Context& context, Curve curve, DiffuseStats* stats) {
-  if (!drag) return make_error(StatusCode::bad_input, "no curve is dragged");
-  const SpareRelease release(*this);
-  if (Status status = hold(context, curve); !status) return status;
-  const ReplaceCurve change{drag->layer, drag->curve, curve};
-  Result<Change> inverse = apply_change(context, document, change);
-  if (!inverse) return inverse.status();
-  count_bytes(*inverse);
-  LayerState& layer = layers[drag->layer];
-  layer.refined.reset();
-  LayerState before = std::exchange(layer, {});
-  if (!drag->engine) return ok_status();
-  Status status = no_throw([&] { return show(context, std::move(curve), stats); });
-  if (status) return status;
-  layer = std::move(before);
-  std::swap(document.layers[drag->layer].curves[drag->curve],
-            std::get<ReplaceCurve>(*inverse).value);
-  count_bytes(*inverse);
-  return status;
-}
-
-/// maker   out: the engine that made it
-Status Solution::State::make_frame(Context& context, const Curve& curve, DiffuseStats* stats,
-                                   solve::FramePatches& patches, const solve::LayerDrag*& maker) {
-  const auto draw = [&](solve::LayerDrag& engine) {
-    maker = &engine;
-    return run_with_all_memory([&](bool) {
-      solve::FramePatches spare;
-      if (drag->spare_by == &engine) spare = std::exchange(drag->spare, {});
-      Result<solve::FramePatches> frame =
-          engine.frame(context, curve, std::move(spare), {.stats = stats});
-      if (frame) patches = std::move(*frame);
-      return frame.status();
-    });
-  };
-  Status status = draw(*drag->engine);
-  if (status.code != StatusCode::bad_input || !drag->engine->needs_room(curve)) return status;
-  if (Status begun = begin_roomy(context); !begun) return begun;
-  return drag->roomy ? draw(*drag->roomy) : status;
-}
-
-/// For a drag beyond the picture, if that is charged to the same Budget and memory is not lacking.
-Status Solution::State::begin_roomy(Context& context) {
-  if (drag->roomy || !drag->may_have_room || &context.budget != drag->budget) return ok_status();
-  Status status = run_with_all_memory([&](bool) {
-    Result<solve::LayerDrag> roomy = drag->engine->with_room(context);
-    if (roomy) drag->roomy.emplace(std::move(*roomy));
-    return roomy.status();
-  });
-  drag->may_have_room = !is_lack_of_memory(status);
-  return drag->may_have_room ? status : ok_status();
-}
-
-/// The picture with the curve that is dragged, which the document has already.
-Status Solution::State::show(Context& context, Curve curve, DiffuseStats* stats) {
-  const std::size_t spare_bytes = bytes_of(drag->spare.layer);
-  solve::FramePatches frame;
-  const solve::LayerDrag* maker = nullptr;
-  Status status = make_frame(context, curve, stats, frame, maker);
-  if (status.code == StatusCode::bad_input) return solve(context, *options, stats);
-  if (status) status = hold_more(context, frame.layer, spare_bytes);
-  return status ? show_frame(context, maker, std::move(frame)) : status;
-}
-
-/// All that may fail comes first.
-Status Solution::State::show_frame(const Context& context, const solve::LayerDrag* maker,
-                                   solve::FramePatches frame) {
-  std::optional<LayerRows> news;
-  if (drag->shown && frame.rows && drag->shown_by == maker) {
-    // In the news, and twice while the delta takes these up.
-    for (int copies = 0; copies < 3; ++copies) {
-      Status status = hold(context, *drag->shown);
-      if (status) status = hold(context, *frame.rows);
-      if (!status) return status;
-    }
-    news = solve::rows_between(drag->layer, *drag->shown, *frame.rows);
-  }
-  delta.layers.reserve(delta.layers.size() + 1);
-  delta.rows.reserve(delta.rows.size() + 1);
-  solve::note_new(drag->layer, std::move(news), delta);
-  std::swap(picture.layers[drag->layer], frame.layer);
-  drag->spare = {};
-  if (drag->shown) drag->spare = {std::move(frame.layer), std::move(drag->shown)};
-  drag->spare_by = drag->shown_by;
-  drag->shown = std::move(frame.rows);
-  drag->shown_by = maker;
-  return ok_status();
-}
-
-Status Solution::State::begin_color(Context& context, const StopPlace& place) {
-  end_drag();
-  expects_drags = true;
-  if (place.layer >= layers.size() ||
-      !curves::has_stop(document.layers[place.layer].curves, place)) {
-    return make_error(StatusCode::bad_input, "there is no such stop to be changed");
-  }
-  LayerState& layer = layers[place.layer];
-  if (!options || !layer.is_solved() || frame_changed) {
-    return make_error(StatusCode::bad_input,
-                      "the document is to be solved before a colour changes");
-  }
-  const bool is_at_home = &context.budget == budget;
-  return run_with_all_memory([&](bool) {
-    std::optional<solve::RefinedLayer> none;
-    Result<solve::ColorDrag> begun = solve::ColorDrag::begin(
-        context, document, place, layer.sight, *options, is_at_home ? layer.refined : none);
-    if (begun) coloring.emplace(std::move(*begun));
-    return begun.status();
-  });
-}
-
-/// The first frame brings a layer with tables of its own: that of the solution counts on for as
-/// long as the document is the one that was solved.
-Status Solution::State::color_to(Context& context, const StopValue& value) {
-  if (!coloring) return make_error(StatusCode::bad_input, "no stop is prepared to be changed");
-  const SpareRelease release(*this);
-  Status status = coloring->prepare(context, value);
-  if (status && coloring->new_layer()) status = hold(context, *coloring->new_layer());
-  if (!status) return status;
-  delta.layers.reserve(delta.layers.size() + 1);
-  const StopPlace& place = coloring->place();
-  LayerState& layer = layers[place.layer];
-  Curve& curve = document.layers[place.layer].curves[place.curve];
-  const bool keeps = coloring->keeps(curve);
-  std::optional<PatchLayer> solved = coloring->show(curve, picture.layers[place.layer]);
-  if (!keeps) {
-    layer = {};
-  } else if (layer.in_picture && solved) {
-    layer.fresh = std::move(solved);
-    layer.in_picture.reset();
-  }
-  solve::note_new(place.layer, {}, delta);
-  return status;
-}
-
 Solution& Solution::operator=(Solution&& other) noexcept {
   std::swap(state_, other.state_);
   return *this;
@@ -569,8 +282,24 @@ Status Solution::begin_drag(Context& context, std::uint32_t layer, std::uint32_t
   return public_verb(context, [&] { return state_->begin_drag(context, layer, curve); });
 }
 
-Status Solution::drag(Context& context, Curve curve, DiffuseStats* stats) {
-  return public_verb(context, [&] { return state_->drag_to(context, std::move(curve), stats); });
+Status Solution::drag(Context& context, Curve curve, DiffuseStats* stats, double seconds) {
+  const solve::FrameTime time(seconds);
+  return public_verb(context, [&] {
+    Status status = check_seconds(seconds);
+    return status ? state_->drag_to(context, std::move(curve), time, stats) : status;
+  });
+}
+
+Status Solution::drag_more(Context& context, DiffuseStats* stats, double seconds) {
+  const solve::FrameTime time(seconds);
+  return public_verb(context, [&] {
+    Status status = check_seconds(seconds);
+    return status ? state_->drag_more(context, time, stats) : status;
+  });
+}
+
+std::size_t Solution::left() const {
+  return state_->drag ? state_->drag->left : 0;
 }
 
 Status Solution::begin_color(Context& context, const StopPlace& place) {

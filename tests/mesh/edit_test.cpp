@@ -156,8 +156,9 @@ TEST_P(MeshEdits, leave_a_valid_patch_mesh) {
                    for (int step = 0; step < 3 && patch.triangle_count() < 100'000; ++step) {
                      SCOPED_TRACE("step " + std::to_string(step));
                      ASSERT_NO_FATAL_FAILURE(edit_once(random, edited, mesher, true));
+                     TableMemory memory("a test");
                      std::vector<std::uint32_t> changed;
-                     ASSERT_TRUE(mesher.update_patch_mesh(context, patch, changed).ok());
+                     ASSERT_TRUE(mesher.update_patch_mesh(context, patch, memory, changed).ok());
                      const TriangleMesh anew = *mesher.patch_mesh({});
                      const Status valid = is_valid(anew);
                      ASSERT_TRUE(valid.ok()) << valid.message;
@@ -195,8 +196,9 @@ bool insert_into_copy(std::mt19937& random, const curves::FlatCurves& flat, cons
   EXPECT_EQ(sfumato::test::difference_of(*used.patch_mesh({}), *fresh->patch_mesh({})), "");
   const bool follows = copy->follows_changes();
   TriangleMesh mesh = *copy->copy_mesh(context, patch);
+  TableMemory memory("a test");
   std::vector<std::uint32_t> changed;
-  EXPECT_TRUE(copy->update_patch_mesh(context, mesh, changed).ok());
+  EXPECT_TRUE(copy->update_patch_mesh(context, mesh, memory, changed).ok());
   EXPECT_EQ(sfumato::test::difference_on_edges(mesh, *copy->patch_mesh({})), "");
   EXPECT_EQ(dead_constraints(mesh), 0u);
   expect_taken_back(patch, changed, mesh);
@@ -224,7 +226,7 @@ void insert_into_used_copy(std::mt19937& random, const curves::FlatCurves& flat,
   ASSERT_TRUE(is_same.ok());
   TriangleMesh mesh = *copy.copy_mesh(context, visibility);
   std::vector<std::uint32_t> changed;
-  ASSERT_TRUE(copy.update_visibility_mesh(context, *is_same, mesh, changed).ok());
+  ASSERT_TRUE(copy.update_visibility_mesh(context, *is_same, mesh, memory, changed).ok());
   EXPECT_EQ(sfumato::test::difference_on_edges(mesh, *copy.visibility_mesh({})), "");
   EXPECT_EQ(dead_constraints(mesh), 0u);
   expect_taken_back(visibility, changed, mesh);

@@ -50,11 +50,12 @@ TEST_P(MeshUpdates, after_every_round_it_is_the_mesh_that_is_extracted_anew) {
     Mesher mesher =
         refined(context, fuzz_scene(static_cast<FuzzKind>(GetParam()), seed), fuzz_options());
     TriangleMesh mesh = *mesher.patch_mesh({});
+    TableMemory memory("a test");
     std::vector<std::uint32_t> changed;
     for (int round = 0; round < 6 && mesh.triangle_count() < 60'000; ++round) {
       ASSERT_TRUE(mesher.refine_triangles(context, some_triangles(mesh, random), 1).ok());
       const TriangleMesh before = mesh;
-      ASSERT_TRUE(mesher.update_patch_mesh(context, mesh, changed).ok());
+      ASSERT_TRUE(mesher.update_patch_mesh(context, mesh, memory, changed).ok());
       ASSERT_EQ(difference_of(mesh, *mesher.patch_mesh({})), "") << "round " << round;
       ASSERT_TRUE(std::ranges::is_sorted(changed));
       // What is not listed is what it was.
@@ -87,8 +88,9 @@ TEST(MeshUpdate, listed_triangles_change_and_most_others_stay) {
   ASSERT_GT(near_corner.size(), 5u);
   ASSERT_TRUE(mesher.refine_triangles(context, near_corner, 0.5).ok());
   const std::vector<Vec2> vertices = mesh.vertex_position;
+  TableMemory memory("a test");
   std::vector<std::uint32_t> changed;
-  ASSERT_TRUE(mesher.update_patch_mesh(context, mesh, changed).ok());
+  ASSERT_TRUE(mesher.update_patch_mesh(context, mesh, memory, changed).ok());
   EXPECT_TRUE(is_valid(mesh).ok());
   EXPECT_TRUE(std::ranges::includes(changed, near_corner));
   EXPECT_LT(changed.size(), mesh.triangle_count() / 2);
@@ -100,8 +102,9 @@ TEST(MeshUpdate, nothing_changes_where_nothing_was_refined) {
   Mesher mesher = refined(context, fuzz_scene(FuzzKind::crossings, 3), fuzz_options());
   TriangleMesh mesh = *mesher.patch_mesh({});
   const TriangleMesh before = mesh;
+  TableMemory memory("a test");
   std::vector<std::uint32_t> changed{1, 2, 3};
-  ASSERT_TRUE(mesher.update_patch_mesh(context, mesh, changed).ok());
+  ASSERT_TRUE(mesher.update_patch_mesh(context, mesh, memory, changed).ok());
   EXPECT_TRUE(changed.empty());
   EXPECT_EQ(difference_of(mesh, before), "");
 }
@@ -118,8 +121,9 @@ TEST(MeshUpdate, whichever_look_sees_the_flag_the_answer_is_cancelled) {
     Context cancelled;
     CancelAt watch(k, cancelled.cancel);
     cancelled.poll_watch = &watch;
+    TableMemory memory("a test");
     std::vector<std::uint32_t> changed;
-    const Status status = mesher.update_patch_mesh(cancelled, mesh, changed);
+    const Status status = mesher.update_patch_mesh(cancelled, mesh, memory, changed);
     is_done = !cancelled.cancel;
     EXPECT_EQ(status.code, is_done ? StatusCode::ok : StatusCode::cancelled) << k;
     polls = k;

@@ -159,6 +159,158 @@ TEST(Drag, says_the_rows_between_pictures_that_were_looked_at) {
   EXPECT_LT(rows.triangles.size(), after.triangle_count());
 }
 
+/// By how many code values layers of the same tables differ at most.
+float most_code_values(const PatchLayer& a, const PatchLayer& b) {
+  EXPECT_EQ(a.triangle_vertex, b.triangle_vertex);
+  EXPECT_EQ(a.color.triangle_node, b.color.triangle_node);
+  return 255 * test::largest_difference(a.color, b.color);
+}
+
+TEST(Drag, without_time_waits_with_what_has_a_color) {
+  Context context;
+  Solution solution = expecting_drags(context, circles());
+  ASSERT_TRUE(solution.begin_drag(context, 0, 0).ok());
+  DiffuseStats exact, hurried, rest;
+  ASSERT_TRUE(solution.drag(context, circle_at({42, 40}), &exact).ok());
+  EXPECT_EQ(solution.left(), 0u);
+  const PatchLayer whole = solution.picture().layers[0];
+  ASSERT_TRUE(solution.drag(context, circle_at({60, 60})).ok());
+  ASSERT_TRUE(solution.drag(context, circle_at({42, 40}), &hurried, 0).ok());
+  const std::size_t left = solution.left();
+  EXPECT_GT(left, 0u);
+  EXPECT_EQ(hurried.nodes + left, exact.nodes);
+  EXPECT_GT(most_code_values(solution.picture().layers[0], whole), 1);
+  ASSERT_TRUE(solution.drag_more(context, &rest).ok());
+  EXPECT_EQ(solution.left(), 0u);
+  EXPECT_EQ(rest.nodes, left);
+  EXPECT_LT(most_code_values(solution.picture().layers[0], whole), 0.5);
+  ASSERT_TRUE(solution.drag_more(context, &rest).ok());
+  EXPECT_EQ(rest.nodes, left) << "nothing is left";
+  ASSERT_TRUE(solution.solve(context, {}).ok());
+  EXPECT_EQ(difference_of(solution.picture(), diffused(solution.document())), "");
+}
+
+/// A small step changes little where the last frame's values are shown, and much where those
+/// without the curve would be.
+TEST(Drag, shows_what_waits_as_the_last_frame_did) {
+  Context context;
+  Solution solution = expecting_drags(context, circles());
+  ASSERT_TRUE(solution.begin_drag(context, 0, 0).ok());
+  ASSERT_TRUE(solution.drag(context, circle_at({42, 40})).ok());
+  for (int step = 1; step < 4; ++step) {
+    ASSERT_TRUE(solution.drag(context, circle_at({42 + 0.01 * step, 40}), nullptr, 0).ok());
+    EXPECT_GT(solution.left(), 0u);
+    EXPECT_LT(mean_difference(solution.picture(), diffused(solution.document())), 0.3) << step;
+  }
+}
+
+TEST(Drag, goes_on_a_little_at_a_time_with_what_matters_most) {
+  Context context;
+  Solution solution = expecting_drags(context, circles());
+  ASSERT_TRUE(solution.begin_drag(context, 0, 0).ok());
+  ASSERT_TRUE(solution.drag(context, circle_at({42, 40}), nullptr, 0).ok());
+  const Picture exact = diffused(solution.document());
+  std::vector<double> missed{mean_difference(solution.picture(), exact)};
+  while (const std::size_t left = solution.left()) {
+    ASSERT_TRUE(solution.drag_more(context, nullptr, 0).ok());
+    ASSERT_LT(solution.left(), left);
+    missed.push_back(mean_difference(solution.picture(), exact));
+  }
+  ASSERT_GT(missed.size(), 2u);
+  EXPECT_LT(missed[1] - missed.back(), 0.7 * (missed[0] - missed.back()));
+  EXPECT_LT(missed.back(), 0.3);
+}
+
+TEST(Drag, with_and_without_time_ends_alike_whatever_is_dragged) {
+  std::size_t waited = 0;
+  for (std::uint64_t seed = 0; seed < kDocuments; ++seed) {
+    SCOPED_TRACE(seed);
+    Context context;
+    std::mt19937 random(static_cast<std::uint32_t>(seed));
+    DiffuseOptions options;
+    options.max_error = 4;
+    Solution patient = solved(context, test::random_document(300 + seed), options);
+    Solution hasty = solved(context, patient.document(), options);
+    const auto layer = static_cast<std::uint32_t>(random() % patient.document().layers.size());
+    const auto count = patient.document().layers[layer].curves.size();
+    if (count == 0) continue;
+    const auto curve = static_cast<std::uint32_t>(random() % count);
+    ASSERT_TRUE(patient.begin_drag(context, layer, curve).ok());
+    ASSERT_TRUE(hasty.begin_drag(context, layer, curve).ok());
+    for (int frame = 0; frame < 4; ++frame) {
+      Curve moved = patient.document().layers[layer].curves[curve];
+      for (Vec2& p : moved.control_points) p = p + Vec2{double(random() % 20) - 10, 3};
+      ASSERT_TRUE(patient.drag(context, moved).ok());
+      ASSERT_TRUE(hasty.drag(context, moved, nullptr, 0).ok());
+      waited += hasty.left();
+      while (frame % 2 == 1 && hasty.left() > 0) {
+        ASSERT_TRUE(hasty.drag_more(context, nullptr, 0).ok());
+      }
+      if (hasty.left() > 0) continue;
+      EXPECT_LT(mean_difference(patient.picture(), hasty.picture()), 0.05) << frame;
+    }
+    ASSERT_TRUE(hasty.solve(context, options).ok());
+    ASSERT_EQ(difference_of(hasty.picture(), diffused(hasty.document(), options)), "");
+  }
+  EXPECT_GT(waited, 0u);
+}
+
+TEST(Drag, that_is_cancelled_going_on_leaves_what_was_left) {
+  Context owner;
+  Solution solution = expecting_drags(owner, circles());
+  ASSERT_TRUE(solution.begin_drag(owner, 0, 0).ok());
+  ASSERT_TRUE(solution.drag(owner, circle_at({42, 40}), nullptr, 0).ok());
+  const std::size_t left = solution.left();
+  const Picture picture = solution.picture();
+  int cancelled = 0;
+  for (std::uint64_t poll = 1;; poll += 1 + poll / 16) {
+    test::CancelAt watch(poll, owner.cancel);
+    owner.poll_watch = &watch;
+    const Status status = solution.drag_more(owner);
+    owner.poll_watch = nullptr;
+    owner.cancel = false;
+    if (status.ok()) break;
+    ++cancelled;
+    ASSERT_EQ(status.code, StatusCode::cancelled);
+    ASSERT_EQ(solution.left(), left);
+    ASSERT_EQ(difference_of(solution.picture(), picture), "");
+  }
+  EXPECT_GT(cancelled, 5);
+  EXPECT_EQ(solution.left(), 0u);
+}
+
+TEST(Drag, waits_in_the_same_memory_frame_after_frame) {
+  Context context;
+  Solution solution = expecting_drags(context, circles());
+  ASSERT_TRUE(solution.begin_drag(context, 0, 0).ok());
+  std::size_t most = 0;
+  for (int frame = 0; frame < 60; ++frame) {
+    const Vec2 center{42.0 + frame % 5, 40.0 - frame % 3};
+    ASSERT_TRUE(solution.drag(context, circle_at(center), nullptr, 0).ok());
+    if (frame % 4 == 0) {
+      ASSERT_TRUE(solution.drag_more(context, nullptr, 0).ok());
+    }
+    solution.take_delta();
+    if (frame < 30) most = std::max(most, context.budget.used());
+    EXPECT_LE(context.budget.used(), most) << frame;
+  }
+}
+
+TEST(Drag, refuses_times_that_are_none) {
+  Context context;
+  Solution solution = expecting_drags(context, circles());
+  EXPECT_EQ(solution.drag_more(context).code, StatusCode::bad_input) << "nothing is dragged";
+  ASSERT_TRUE(solution.begin_drag(context, 0, 0).ok());
+  EXPECT_TRUE(solution.drag_more(context).ok()) << "nothing is left";
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  for (const double seconds : {-1.0, -kInfinity, std::numeric_limits<double>::quiet_NaN()}) {
+    EXPECT_EQ(solution.drag(context, circle_at({42, 40}), nullptr, seconds).code,
+              StatusCode::bad_input);
+    EXPECT_EQ(solution.drag_more(context, nullptr, seconds).code, StatusCode::bad_input);
+  }
+  EXPECT_EQ(solution.document().layers[0].curves[0], circle_at({30, 30}));
+}
+
 TEST(Drag, beyond_all_room_is_solved_anew) {
   Context context;
   Solution solution = solved(context, circles());

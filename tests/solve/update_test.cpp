@@ -46,7 +46,7 @@ class Followers {
       if (random() % share == 0) triangles.push_back(t);
     }
     EXPECT_TRUE(mesher_.refine_triangles(context_, triangles, smallest_edge_).ok());
-    ASSERT_TRUE(mesher_.update_patch_mesh(context_, mesh_, changed_).ok());
+    ASSERT_TRUE(mesher_.update_patch_mesh(context_, mesh_, memory_, changed_).ok());
   }
 
   Status follow(Context& context) {
@@ -128,6 +128,7 @@ class Followers {
   mesh::TriangleMesh mesh_;
   double smallest_edge_;
   std::vector<FieldSolver> fields_;
+  TableMemory memory_{"a test"};
   std::vector<std::uint32_t> changed_;
 };
 

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -100,15 +102,32 @@ class Solution {
   /// on the curve, not on where the curve was dragged in between. To take a drag back, apply a
   /// ReplaceCurve with the curve as it was.
   ///
-  /// `stats`, unless null, is added to: what was solved now.
+  /// `stats`, unless null, is added to: what was solved now. `seconds`, from 0 on: once they are
+  /// over, nodes wait that have had a value in this drag, or that see more than the curve and are
+  /// not beside it: left() of them, until drag_more(). They keep the value of the last frame, or
+  /// that without the curve; those are gathered first that the curve may change most. None waits
+  /// where this Context is not that of begin_drag(), where memory is scarce, and where what the
+  /// layer shows ends within it.
   ///
-  /// Errors: bad_input (nothing is dragged, or an invalid curve), limit, cancelled, out_of_memory.
-  /// Document and picture are as they were then. Cost: O(triangles and nodes of the layer) for
-  /// tables, and a gather of what may see the curve. That of solving the layer where the curve
-  /// bears an opacity for the first time, or is farther beyond the picture than that is large;
-  /// where it is beyond it at all, once if this Context is that of begin_drag(), each time if it is
-  /// another.
-  Status drag(Context& context, Curve curve, DiffuseStats* stats = nullptr);
+  /// Errors: bad_input (nothing is dragged, an invalid curve, or no such time), limit, cancelled,
+  /// out_of_memory. Document and picture are as they were then. Cost: O(triangles and nodes of the
+  /// layer) for tables, and a gather of what may see the curve. That of solving the layer where the
+  /// curve bears an opacity for the first time, or is farther beyond the picture than that is
+  /// large; where it is beyond it at all, once if this Context is that of begin_drag(), each time
+  /// if it is another.
+  Status drag(Context& context, Curve curve, DiffuseStats* stats = nullptr,
+              double seconds = std::numeric_limits<double>::infinity());
+
+  /// How many nodes of the picture wait to be gathered since the last drag() or drag_more(); 0 once
+  /// the drag has ended, or solve() has made the picture.
+  std::size_t left() const;
+
+  /// Gathers nodes that drag() left: all of them, or for so many seconds, but some in any case.
+  /// With none left the picture is the one that drag() makes without a limit, to less than half a
+  /// code value. Nothing happens where none were left. Errors: as drag(); what was left is so
+  /// still.
+  Status drag_more(Context& context, DiffuseStats* stats = nullptr,
+                   double seconds = std::numeric_limits<double>::infinity());
 
   /// Prepares a stop, or all stops of a side, to be given other values: finds how much each node
   /// of the layer answers to them. The picture stays as it is. Ends the drag of a curve, as

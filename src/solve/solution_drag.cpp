@@ -1,0 +1,211 @@
+#include <utility>
+
+#include "curves/response.hpp"
+#include "solve/layer_rows.hpp"
+#include "solve/solution_state.hpp"
+
+/// Solution while curves are dragged and colours change.
+namespace sfumato {
+namespace {
+
+Status no_curve() {
+  return make_error(StatusCode::bad_input, "no curve is dragged");
+}
+
+}  // namespace
+
+Status Solution::State::begin_drag(Context& context, std::uint32_t layer, std::uint32_t curve) {
+  end_drag();
+  expects_drags = true;
+  if (layer >= layers.size() || curve >= document.layers[layer].curves.size()) {
+    return make_error(StatusCode::bad_input, "there is no such curve to drag");
+  }
+  LayerState& state = layers[layer];
+  if (!options || !state.in_picture || frame_changed) {
+    return make_error(StatusCode::bad_input, "the document is to be solved before a drag");
+  }
+  Drag begun{layer, curve, &context.budget};
+  if (!state.sight.views.empty()) {
+    Status status = run_with_all_memory([&](bool) { return begin_engine(context, begun); });
+    if (!status) return status;
+  }
+  drag.emplace(std::move(begun));
+  return ok_status();
+}
+
+Status Solution::State::begin_engine(Context& context, Drag& begun) {
+  LayerState& layer = layers[begun.layer];
+  std::optional<solve::RefinedLayer> none;
+  const bool is_at_home = &context.budget == budget;
+  Result<solve::LayerDrag> engine =
+      solve::LayerDrag::begin(context, document, begun.layer, begun.curve, layer.sight, *options,
+                              is_at_home ? layer.refined : none);
+  if (engine) begun.engine.emplace(std::move(*engine));
+  return engine.status();
+}
+
+/// What fails leaves the curve and its layer as they were.
+Status Solution::State::drag_to(Context& context, Curve curve, const solve::FrameTime& time,
+                                DiffuseStats* stats) {
+  if (!drag) return no_curve();
+  const SpareRelease release(*this);
+  if (Status status = hold(context, curve); !status) return status;
+  const ReplaceCurve change{drag->layer, drag->curve, curve};
+  Result<Change> inverse = apply_change(context, document, change);
+  if (!inverse) return inverse.status();
+  count_bytes(*inverse);
+  LayerState& layer = layers[drag->layer];
+  layer.refined.reset();
+  LayerState before = std::exchange(layer, {});
+  if (!drag->engine) return ok_status();
+  Status status = no_throw([&] { return show(context, curve, {.time = time, .stats = stats}); });
+  if (status) return status;
+  layer = std::move(before);
+  std::swap(document.layers[drag->layer].curves[drag->curve],
+            std::get<ReplaceCurve>(*inverse).value);
+  count_bytes(*inverse);
+  return status;
+}
+
+/// Nodes that the last frame left.
+Status Solution::State::drag_more(Context& context, const solve::FrameTime& time,
+                                  DiffuseStats* stats) {
+  if (!drag) return no_curve();
+  if (drag->left == 0) return ok_status();
+  const SpareRelease release(*this);
+  return no_throw([&] { return show_more(context, {.time = time, .stats = stats}); });
+}
+
+/// Where the frame's tables are no more, it is made anew.
+Status Solution::State::show_more(Context& context, const solve::FrameOptions& how) {
+  solve::LayerDrag* const maker = drag->shown_by;
+  const Curve& curve = document.layers[drag->layer].curves[drag->curve];
+  if (!maker->can_go_on(context)) return show(context, curve, how);
+  const std::size_t spare_bytes = bytes_of(drag->spare.layer);
+  Result<solve::FramePatches> frame = maker->go_on(context, take_spare(maker), how);
+  if (!frame && is_lack_of_memory(frame.status())) return show(context, curve, how);
+  Status status = frame.status();
+  if (status) status = hold_more(context, frame->layer, spare_bytes);
+  return status ? show_frame(context, maker, std::move(*frame)) : status;
+}
+
+/// What an engine's frame may use again.
+solve::FramePatches Solution::State::take_spare(const solve::LayerDrag* maker) {
+  if (drag->spare_by != maker) return {};
+  return std::exchange(drag->spare, {});
+}
+
+/// maker   out: the engine that made it
+Status Solution::State::make_frame(Context& context, const Curve& curve,
+                                   const solve::FrameOptions& how, solve::FramePatches& patches,
+                                   solve::LayerDrag*& maker) {
+  const auto draw = [&](solve::LayerDrag& engine) {
+    maker = &engine;
+    return run_with_all_memory([&](bool) {
+      Result<solve::FramePatches> frame = engine.frame(context, curve, take_spare(&engine), how);
+      if (frame) patches = std::move(*frame);
+      return frame.status();
+    });
+  };
+  Status status = draw(*drag->engine);
+  if (status.code != StatusCode::bad_input || !drag->engine->needs_room(curve)) return status;
+  if (Status begun = begin_roomy(context); !begun) return begun;
+  return drag->roomy ? draw(*drag->roomy) : status;
+}
+
+/// For a drag beyond the picture, if that is charged to the same Budget and memory is not lacking.
+Status Solution::State::begin_roomy(Context& context) {
+  if (drag->roomy || !drag->may_have_room || &context.budget != drag->budget) return ok_status();
+  Status status = run_with_all_memory([&](bool) {
+    Result<solve::LayerDrag> roomy = drag->engine->with_room(context);
+    if (roomy) drag->roomy.emplace(std::move(*roomy));
+    return roomy.status();
+  });
+  drag->may_have_room = !is_lack_of_memory(status);
+  return drag->may_have_room ? status : ok_status();
+}
+
+/// The picture with the curve that is dragged, which the document has already.
+Status Solution::State::show(Context& context, const Curve& curve, const solve::FrameOptions& how) {
+  const std::size_t spare_bytes = bytes_of(drag->spare.layer);
+  solve::FramePatches frame;
+  solve::LayerDrag* maker = nullptr;
+  Status status = make_frame(context, curve, how, frame, maker);
+  if (status.code == StatusCode::bad_input) return solve(context, *options, how.stats);
+  if (status) status = hold_more(context, frame.layer, spare_bytes);
+  return status ? show_frame(context, maker, std::move(frame)) : status;
+}
+
+/// All that may fail comes first.
+Status Solution::State::show_frame(const Context& context, solve::LayerDrag* maker,
+                                   solve::FramePatches frame) {
+  std::optional<LayerRows> news;
+  if (drag->shown && frame.rows && drag->shown_by == maker) {
+    // In the news, and twice while the delta takes these up.
+    for (int copies = 0; copies < 3; ++copies) {
+      Status status = hold(context, *drag->shown);
+      if (status) status = hold(context, *frame.rows);
+      if (!status) return status;
+    }
+    news = solve::rows_between(drag->layer, *drag->shown, *frame.rows);
+  }
+  delta.layers.reserve(delta.layers.size() + 1);
+  delta.rows.reserve(delta.rows.size() + 1);
+  solve::note_new(drag->layer, std::move(news), delta);
+  std::swap(picture.layers[drag->layer], frame.layer);
+  drag->spare = {};
+  if (drag->shown) drag->spare = {std::move(frame.layer), std::move(drag->shown)};
+  drag->spare_by = drag->shown_by;
+  drag->left = frame.left;
+  drag->shown = std::move(frame.rows);
+  drag->shown_by = maker;
+  return ok_status();
+}
+
+Status Solution::State::begin_color(Context& context, const StopPlace& place) {
+  end_drag();
+  expects_drags = true;
+  if (place.layer >= layers.size() ||
+      !curves::has_stop(document.layers[place.layer].curves, place)) {
+    return make_error(StatusCode::bad_input, "there is no such stop to be changed");
+  }
+  LayerState& layer = layers[place.layer];
+  if (!options || !layer.is_solved() || frame_changed) {
+    return make_error(StatusCode::bad_input,
+                      "the document is to be solved before a colour changes");
+  }
+  const bool is_at_home = &context.budget == budget;
+  return run_with_all_memory([&](bool) {
+    std::optional<solve::RefinedLayer> none;
+    Result<solve::ColorDrag> begun = solve::ColorDrag::begin(
+        context, document, place, layer.sight, *options, is_at_home ? layer.refined : none);
+    if (begun) coloring.emplace(std::move(*begun));
+    return begun.status();
+  });
+}
+
+/// The first frame brings a layer with tables of its own: that of the solution counts on for as
+/// long as the document is the one that was solved.
+Status Solution::State::color_to(Context& context, const StopValue& value) {
+  if (!coloring) return make_error(StatusCode::bad_input, "no stop is prepared to be changed");
+  const SpareRelease release(*this);
+  Status status = coloring->prepare(context, value);
+  if (status && coloring->new_layer()) status = hold(context, *coloring->new_layer());
+  if (!status) return status;
+  delta.layers.reserve(delta.layers.size() + 1);
+  const StopPlace& place = coloring->place();
+  LayerState& layer = layers[place.layer];
+  Curve& curve = document.layers[place.layer].curves[place.curve];
+  const bool keeps = coloring->keeps(curve);
+  std::optional<PatchLayer> solved = coloring->show(curve, picture.layers[place.layer]);
+  if (!keeps) {
+    layer = {};
+  } else if (layer.in_picture && solved) {
+    layer.fresh = std::move(solved);
+    layer.in_picture.reset();
+  }
+  solve::note_new(place.layer, {}, delta);
+  return status;
+}
+
+}  // namespace sfumato
