@@ -315,6 +315,13 @@ SFUMATO_API int32_t sfumato_solve(sfumato_context* context, const sfumato_docume
  */
 SFUMATO_API int32_t sfumato_solve_again(sfumato_context* context, const sfumato_document* document,
                                         int32_t quick, sfumato_picture* picture);
+/** sfumato_solve_again() with `quick`, in little more than this time, where that can be: once
+ * `seconds`, at least 0, are over, values wait that were gathered before while this curve moved, or
+ * that see more than the curve. They are those of the last picture, or those without the curve;
+ * SFUMATO_WAITING_NODES counts them. Called again while nothing has changed, it goes on with them,
+ * those first that the curve may change most, and with some even if there is no time. */
+SFUMATO_API int32_t sfumato_solve_within(sfumato_context* context, const sfumato_document* document,
+                                         double seconds, sfumato_picture* picture);
 /** Gives a picture back. */
 SFUMATO_API void sfumato_picture_free(sfumato_picture* picture);
 /** The part that was solved: x, y, width and height, in user units. */
@@ -345,8 +352,8 @@ SFUMATO_API int32_t sfumato_picture_table(const sfumato_picture* picture, uint32
 SFUMATO_API int32_t sfumato_picture_changes(const sfumato_picture* picture, uint32_t layer,
                                             uint32_t table, sfumato_view* view);
 
-/** What the last sfumato_solve() or sfumato_solve_again() did, summed over the layers that it
- * solved. Layers are solved side by side: their seconds may be more than those of the call. */
+/** What the last call that solved or went on did, summed over the layers that it solved. Layers are
+ * solved side by side: their seconds may be more than those of the call. */
 enum sfumato_statistic {
   SFUMATO_CURVES = 0,                /**< diffusion curves */
   SFUMATO_SEGMENTS = 1,              /**< straight segments of the flattened curves */
@@ -355,7 +362,8 @@ enum sfumato_statistic {
   SFUMATO_NODES = 4,                 /**< points at which colour or opacity was gathered */
   SFUMATO_GEOMETRY_SECONDS = 5,      /**< curves flattened, and their attributes sampled */
   SFUMATO_TRIANGULATION_SECONDS = 6, /**< meshes and their refinement */
-  SFUMATO_GATHER_SECONDS = 7         /**< at nodes, and to find what has to be refined */
+  SFUMATO_GATHER_SECONDS = 7,        /**< at nodes, and to find what has to be refined */
+  SFUMATO_WAITING_NODES = 8          /**< of the picture: sfumato_solve_within() */
 };
 
 /** One of these numbers; 0 where there is no such. */

@@ -20,7 +20,8 @@ const PatchLayer* find_layer(const sfumato_picture* handle, std::uint32_t layer)
   return &handle->solution.picture().layers[layer];
 }
 
-double statistic(const DiffuseStats& stats, std::uint32_t which) {
+double statistic(const sfumato_picture& picture, std::uint32_t which) {
+  const DiffuseStats& stats = picture.stats;
   switch (which) {
     case SFUMATO_CURVES:
       return static_cast<double>(stats.curves);
@@ -38,6 +39,8 @@ double statistic(const DiffuseStats& stats, std::uint32_t which) {
       return stats.triangulation_seconds;
     case SFUMATO_GATHER_SECONDS:
       return stats.gather_seconds;
+    case SFUMATO_WAITING_NODES:
+      return static_cast<double>(picture.solution.left());
     default:
       return 0;
   }
@@ -107,5 +110,5 @@ int32_t sfumato_picture_changes(const sfumato_picture* picture, uint32_t layer, 
 }
 
 double sfumato_picture_statistic(const sfumato_picture* picture, uint32_t statistic) {
-  return picture ? sfumato::capi::statistic(picture->stats, statistic) : 0;
+  return picture ? sfumato::capi::statistic(*picture, statistic) : 0;
 }

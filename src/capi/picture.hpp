@@ -33,10 +33,14 @@ Outcome read_solve_options(const char* text, options::Call call, options::Settin
 void note_changes(const Picture& picture, const PictureDelta& delta,
                   std::vector<ChangedRows>& changed);
 
-/// Brings a picture nearer to what a document is, where one curve is all that differs. Errors: bad
-/// input where it has to be solved, others as Solution::drag() and color().
+/// Brings a picture nearer to what a document is, where one curve is all that differs, in a time as
+/// Solution::drag(). Errors: bad input where it has to be solved, others as drag() and color().
 Status show_change(sfumato_context& context, CurvePlace place, const sfumato_document& document,
-                   sfumato_picture& handle);
+                   double seconds, sfumato_picture& handle);
+
+/// Gathers nodes that wait, of a picture of what the document is. Errors: as
+/// Solution::drag_more().
+Status show_more(sfumato_context& context, double seconds, sfumato_picture& handle);
 
 /// A table of a layer; false where there is no such table.
 bool find_table(const PatchLayer& layer, std::uint32_t table, sfumato_view& view);

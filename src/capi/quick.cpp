@@ -22,12 +22,12 @@ Status take_hold(sfumato_context& context, CurvePlace place, sfumato_picture& ha
 
 /// The picture with one curve where it is now.
 Status drag(sfumato_context& context, CurvePlace place, const sfumato_document& document,
-            sfumato_picture& handle) {
+            double seconds, sfumato_picture& handle) {
   if (Status status = take_hold(context, place, handle); !status) return status;
   std::vector<ChangedRows> changed(handle.changed.size());
   const Curve& curve = document.document.layers[place.layer].curves[place.curve];
   DiffuseStats stats;
-  Status status = handle.solution.drag(context.workshop->context, curve, &stats);
+  Status status = handle.solution.drag(context.workshop->context, curve, &stats, seconds);
   if (!status) return status;
   handle.stats = stats;
   note_changes(handle.solution.picture(), handle.solution.take_delta(), changed);
@@ -132,11 +132,22 @@ Outcome respond(sfumato_context& context, sfumato_picture* handle,
 }  // namespace
 
 Status show_change(sfumato_context& context, CurvePlace place, const sfumato_document& document,
-                   sfumato_picture& handle) {
-  if (handle.dragged == place) return drag(context, place, document, handle);
+                   double seconds, sfumato_picture& handle) {
+  if (handle.dragged == place) return drag(context, place, document, seconds, handle);
   Status status = recolor(context, place, document, handle);
   if (status.code != StatusCode::bad_input) return status;
-  return drag(context, place, document, handle);
+  return drag(context, place, document, seconds, handle);
+}
+
+Status show_more(sfumato_context& context, double seconds, sfumato_picture& handle) {
+  std::vector<ChangedRows> changed(handle.changed.size());
+  DiffuseStats stats;
+  Status status = handle.solution.drag_more(context.workshop->context, &stats, seconds);
+  if (!status) return status;
+  handle.stats = stats;
+  note_changes(handle.solution.picture(), handle.solution.take_delta(), changed);
+  handle.changed = std::move(changed);
+  return status;
 }
 
 }  // namespace sfumato::capi

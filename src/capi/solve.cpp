@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <limits>
 #include <span>
 #include <string>
 #include <utility>
@@ -15,6 +16,8 @@ namespace {
 
 /// Rows that lie so near to each other count as one range, with those between.
 constexpr std::uint32_t kMostBetween = 16;
+
+constexpr double kNoHurry = std::numeric_limits<double>::infinity();
 
 /// From a row to the end of a table.
 RowRanges ranges_from(std::uint32_t first, std::uint32_t count) {
@@ -136,26 +139,43 @@ Outcome solve_exactly(Workshop& workshop, const sfumato_document& document,
   return status;
 }
 
-Outcome solve_quickly(sfumato_context& context, const sfumato_document& document,
+Outcome solve_quickly(sfumato_context& context, const sfumato_document& document, double seconds,
                       sfumato_picture& handle) {
+  // What a drag holds may be too much where the layer is not.
+  const auto is_shown = [](const Status& status) {
+    return status.code != StatusCode::bad_input && status.code != StatusCode::limit;
+  };
   if (handle.shown == document.edits.now()) {
-    for (ChangedRows& rows : handle.changed) rows = {};
-    handle.stats = {};
-    return {};
-  }
-  if (const auto moved = document.edits.only_change_since(handle.shown)) {
-    Status status = show_change(context, *moved, document, handle);
-    // What a drag holds may be too much where the layer is not.
-    if (status.code != StatusCode::bad_input && status.code != StatusCode::limit) return status;
+    if (handle.solution.left() == 0) {
+      for (ChangedRows& rows : handle.changed) rows = {};
+      handle.stats = {};
+      return {};
+    }
+    Status status = show_more(context, seconds, handle);
+    if (is_shown(status)) return status;
+  } else if (const auto moved = document.edits.only_change_since(handle.shown)) {
+    Status status = show_change(context, *moved, document, seconds, handle);
+    if (is_shown(status)) return status;
   }
   return solve_exactly(*context.workshop, document, handle);
 }
 
+Outcome no_pair() {
+  return bad_usage("NULL given, expected a document and a picture");
+}
+
 Outcome solve_again(sfumato_context& context, const sfumato_document* document, std::int32_t quick,
                     sfumato_picture* handle) {
-  if (!document || !handle) return bad_usage("NULL given, expected a document and a picture");
-  return quick != 0 ? solve_quickly(context, *document, *handle)
+  if (!document || !handle) return no_pair();
+  return quick != 0 ? solve_quickly(context, *document, kNoHurry, *handle)
                     : solve_exactly(*context.workshop, *document, *handle);
+}
+
+Outcome solve_within(sfumato_context& context, const sfumato_document* document, double seconds,
+                     sfumato_picture* handle) {
+  if (!document || !handle) return no_pair();
+  if (!(seconds >= 0)) return bad_usage("seconds: expected at least 0");
+  return solve_quickly(context, *document, seconds, *handle);
 }
 
 }  // namespace
@@ -215,6 +235,13 @@ int32_t sfumato_solve_again(sfumato_context* context, const sfumato_document* do
                             int32_t quick, sfumato_picture* picture) {
   return sfumato::capi::call(context, [&](sfumato::capi::Workshop&) {
     return sfumato::capi::solve_again(*context, document, quick, picture);
+  });
+}
+
+int32_t sfumato_solve_within(sfumato_context* context, const sfumato_document* document,
+                             double seconds, sfumato_picture* picture) {
+  return sfumato::capi::call(context, [&](sfumato::capi::Workshop&) {
+    return sfumato::capi::solve_within(*context, document, seconds, picture);
   });
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 
 #include "base/stopwatch.hpp"
 
@@ -10,10 +11,10 @@ namespace sfumato::solve {
 class FrameTime {
  public:
   FrameTime() = default;
-  /// seconds   at least 0; infinity: as long as it takes
-  explicit FrameTime(double seconds) : seconds_(seconds) {}
+  /// seconds   at least 0; none, or infinity: as long as it takes
+  explicit FrameTime(std::optional<double> seconds) : seconds_(seconds.value_or(kNoLimit)) {}
 
-  bool is_limited() const { return seconds_ < std::numeric_limits<double>::infinity(); }
+  bool is_limited() const { return seconds_ < kNoLimit; }
 
   /// What is left, at least 0.
   double seconds_left() const {
@@ -23,7 +24,9 @@ class FrameTime {
   }
 
  private:
-  double seconds_ = std::numeric_limits<double>::infinity();
+  static constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+
+  double seconds_ = kNoLimit;
   Stopwatch watch_;
 };
 

@@ -26,8 +26,9 @@ std::optional<std::uint32_t> layer_of(const Change& change) {
   return {};
 }
 
-Status check_seconds(double seconds) {
-  if (seconds >= 0) return ok_status();
+/// Of a frame; none: no limit.
+Status check_seconds(std::optional<double> seconds) {
+  if (!seconds || *seconds >= 0) return ok_status();
   return make_error(StatusCode::bad_input, "the time for a frame must be at least 0 seconds");
 }
 
@@ -282,7 +283,8 @@ Status Solution::begin_drag(Context& context, std::uint32_t layer, std::uint32_t
   return public_verb(context, [&] { return state_->begin_drag(context, layer, curve); });
 }
 
-Status Solution::drag(Context& context, Curve curve, DiffuseStats* stats, double seconds) {
+Status Solution::drag(Context& context, Curve curve, DiffuseStats* stats,
+                      std::optional<double> seconds) {
   const solve::FrameTime time(seconds);
   return public_verb(context, [&] {
     Status status = check_seconds(seconds);
@@ -290,7 +292,7 @@ Status Solution::drag(Context& context, Curve curve, DiffuseStats* stats, double
   });
 }
 
-Status Solution::drag_more(Context& context, DiffuseStats* stats, double seconds) {
+Status Solution::drag_more(Context& context, DiffuseStats* stats, std::optional<double> seconds) {
   const solve::FrameTime time(seconds);
   return public_verb(context, [&] {
     Status status = check_seconds(seconds);

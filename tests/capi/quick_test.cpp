@@ -155,6 +155,53 @@ TEST_F(CQuick, pictures_say_which_rows_are_new) {
   }
 }
 
+TEST_F(CQuick, pictures_within_a_time_go_on_where_they_stopped) {
+  move(0.5);
+  ASSERT_EQ(again(1), SFUMATO_OK);
+  const auto waiting = [&] {
+    return sfumato_picture_statistic(picture.get(), SFUMATO_WAITING_NODES);
+  };
+  EXPECT_EQ(waiting(), 0);
+  move(2);
+  ASSERT_EQ(sfumato_solve_within(c, document.get(), 0, picture.get()), SFUMATO_OK);
+  const double left = waiting();
+  EXPECT_GT(left, 0);
+  Bytes values = table_of(SFUMATO_COLOR_VALUES);
+  const Bytes before = values;
+  while (const double now = waiting()) {
+    ASSERT_EQ(sfumato_solve_within(c, document.get(), 0, picture.get()), SFUMATO_OK);
+    ASSERT_LT(waiting(), now);
+    renew(SFUMATO_COLOR_VALUES, values);
+    ASSERT_EQ(values, table_of(SFUMATO_COLOR_VALUES)) << "not all new rows are told";
+  }
+  EXPECT_NE(values, before);
+  EXPECT_LT(mean_miss(), 0.5);
+  ASSERT_EQ(sfumato_solve_within(c, document.get(), 0, picture.get()), SFUMATO_OK);
+  EXPECT_EQ(new_rows(0), 0u) << "nothing is left";
+  move(1);
+  ASSERT_EQ(sfumato_solve_within(c, document.get(), 0, picture.get()), SFUMATO_OK);
+  EXPECT_GT(waiting(), 0);
+  ASSERT_EQ(again(1), SFUMATO_OK);
+  EXPECT_EQ(waiting(), 0) << "without a time all is gathered";
+  move(1);
+  ASSERT_EQ(sfumato_solve_within(c, document.get(), HUGE_VAL, picture.get()), SFUMATO_OK);
+  EXPECT_EQ(waiting(), 0);
+  move(1);
+  ASSERT_EQ(sfumato_solve_within(c, document.get(), 0, picture.get()), SFUMATO_OK);
+  ASSERT_EQ(again(0), SFUMATO_OK);
+  EXPECT_EQ(waiting(), 0);
+  EXPECT_TRUE(is_exact());
+}
+
+TEST_F(CQuick, pictures_within_no_time_are_refused) {
+  for (const double seconds : {-1.0, -HUGE_VAL, std::nan("")}) {
+    EXPECT_EQ(sfumato_solve_within(c, document.get(), seconds, picture.get()), SFUMATO_BAD_USAGE);
+  }
+  EXPECT_EQ(sfumato_solve_within(c, nullptr, 1, picture.get()), SFUMATO_BAD_USAGE);
+  EXPECT_EQ(sfumato_solve_within(c, document.get(), 1, nullptr), SFUMATO_BAD_USAGE);
+  EXPECT_EQ(sfumato_solve_within(nullptr, document.get(), 1, picture.get()), SFUMATO_BAD_USAGE);
+}
+
 TEST_F(CQuick, pictures_of_what_did_not_change_stay) {
   const std::string before = tables_of(picture.get());
   ASSERT_EQ(again(1), SFUMATO_OK);

@@ -247,6 +247,12 @@ async function testWork(tap, sfumato, module) {
     const { rows } = picture.table(1, Table.colorValues);
     check(picture.statistics.nodes > 0, "the nodes of a frame are counted");
     same(picture.changes(1, Table.colorValues).join(), `0,${rows}`, "the new rows");
+    document.setPoints(1, 1, document.points(1, 1).map((x) => x + 0.5));
+    context.solveAgain(document, picture, { seconds: 0 });
+    check(picture.statistics.waitingNodes > 0, "without time nodes wait");
+    context.solveAgain(document, picture, { seconds: 60 });
+    same(picture.statistics.waitingNodes, 0, "the nodes that wait behind a minute");
+    refusal(Status.badUsage, () => context.solveAgain(document, picture, { seconds: -1 }));
     context.solveAgain(document, picture);
     const { curves, gatherSeconds } = picture.statistics;
     same(curves, document.curveCount(1), "the curves that were solved");

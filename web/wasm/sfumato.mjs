@@ -34,6 +34,7 @@ const statistics = [
   "geometrySeconds",
   "triangulationSeconds",
   "gatherSeconds",
+  "waitingNodes",
 ];
 
 const channels = { rgb8: 3, rgba8: 4, rgb16: 3, rgba16: 4 };
@@ -226,9 +227,17 @@ export class SfumatoContext extends Handle {
     });
   }
 
-  /** Makes a picture that of a document; quick: to look at while one curve moves. */
-  solveAgain(document, picture, { quick = false } = {}) {
-    this.run("sfumato_solve_again", document.address, quick ? 1 : 0, picture.address);
+  /**
+   * Makes a picture that of a document.
+   * @param {{quick?: boolean, seconds?: number}} way quick: to look at while one curve moves;
+   *   seconds: so, and once they are over, values wait (picture.statistics.waitingNodes)
+   */
+  solveAgain(document, picture, { quick = false, seconds = undefined } = {}) {
+    if (seconds !== undefined) {
+      this.run("sfumato_solve_within", document.address, seconds, picture.address);
+    } else {
+      this.run("sfumato_solve_again", document.address, quick ? 1 : 0, picture.address);
+    }
   }
 
   /**
@@ -516,7 +525,7 @@ export class SfumatoPicture extends Handle {
     return Array.from({ length: rows }, (_, i) => [data[2 * i], data[2 * i + 1]]);
   }
 
-  /** What the last solve() or solveAgain() did: { curves, nodes, gatherSeconds... }. */
+  /** What the last solve() or solveAgain() did: { curves, nodes, gatherSeconds... }, and waitingNodes. */
   get statistics() {
     const number = (i) => this.library.number("sfumato_picture_statistic", this.address, i);
     return Object.fromEntries(statistics.map((name, i) => [name, number(i)]));

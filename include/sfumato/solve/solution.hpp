@@ -2,7 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -116,7 +116,7 @@ class Solution {
   /// large; where it is beyond it at all, once if this Context is that of begin_drag(), each time
   /// if it is another.
   Status drag(Context& context, Curve curve, DiffuseStats* stats = nullptr,
-              double seconds = std::numeric_limits<double>::infinity());
+              std::optional<double> seconds = {});
 
   /// How many nodes of the picture wait to be gathered since the last drag() or drag_more(); 0 once
   /// the drag has ended, or solve() has made the picture.
@@ -127,7 +127,7 @@ class Solution {
   /// code value. Nothing happens where none were left. Errors: as drag(); what was left is so
   /// still.
   Status drag_more(Context& context, DiffuseStats* stats = nullptr,
-                   double seconds = std::numeric_limits<double>::infinity());
+                   std::optional<double> seconds = {});
 
   /// Prepares a stop, or all stops of a side, to be given other values: finds how much each node
   /// of the layer answers to them. The picture stays as it is. Ends the drag of a curve, as
