@@ -4,7 +4,7 @@
 
 namespace sfumato::raster {
 
-const StrokeKernels kStrokeKernelsAvx2{add_stroke_segments<8, 1>, finish_stroke<8>};
+const StrokeKernels kStrokeKernelsAvx2{add_stroke_segments<8>, finish_stroke<8>};
 
 }  // namespace sfumato::raster
 

@@ -4,7 +4,7 @@
 
 namespace sfumato::raster {
 
-const StrokeKernels kStrokeKernelsAvx512{add_stroke_segments<16, 1>, finish_stroke<16>};
+const StrokeKernels kStrokeKernelsAvx512{add_stroke_segments<16>, finish_stroke<16>};
 
 }  // namespace sfumato::raster
 

@@ -2,6 +2,6 @@
 
 namespace sfumato::raster {
 
-const StrokeKernels kStrokeKernelsBase{add_stroke_segments<4, 1>, finish_stroke<4>};
+const StrokeKernels kStrokeKernelsBase{add_stroke_segments<4>, finish_stroke<4>};
 
 }  // namespace sfumato::raster

@@ -23,9 +23,14 @@ struct StrokeNodes {
   float reach_x[curves::kStrokeNodes], reach_y[curves::kStrokeNodes];  ///< pixels
 };
 
-/// A node and the rows of the block that it reaches.
-struct NodeRows {
-  int node, first, last;
+/// A node and the pixels of the block that it reaches: rows and columns from `first` to `last`.
+struct NodeReach {
+  int node, first_row, last_row, first_column, last_column;
+};
+
+/// Where the pixels of a block lie, from its centre, frame of the segments.
+struct StrokePixels {
+  float x[kStrokeBlockHeight][kStrokeBlockWidth], y[kStrokeBlockHeight][kStrokeBlockWidth];
 };
 
 // A blur of variance v, whatever its cause, is represented by one of radius sqrt(5 v), since
@@ -106,24 +111,51 @@ SFUMATO_INLINE void make_nodes(const StrokeFrame& frame, const curves::StrokeSeg
   (F(kRangeVariance / 4) * angle * angle).store(nodes.turn + k);
 }
 
-/// Lists the nodes that reach the block, in order, and returns their number.
-inline int reaching_nodes(const StrokeNodes& nodes, int count, NodeRows* reaching) {
-  constexpr float kHalfWidth = 0.5f * kStrokeBlockWidth, kHalfHeight = 0.5f * kStrokeBlockHeight;
-  // Rows are at their pixels' centres. The margin allows for rounding of the reach.
+/// The pixels of a row or column of a block of which those from middle - reach to middle + reach,
+/// pixels from the block's centre, are reached; false where there are none.
+SFUMATO_INLINE bool reached_pixels(float middle, float reach, int count, int* first, int* last) {
+  // The margin allows for rounding of the reach.
   constexpr float kMargin = 0.01f;
+  // Pixels count at their centres.
+  const float center = 0.5f * static_cast<float>(count) - 0.5f;
+  const float low = middle - reach + (center - kMargin);
+  const float high = middle + reach + (center + kMargin);
+  if (!(low < static_cast<float>(count) && high > 0)) return false;
+  *first = low > 0 ? static_cast<int>(low) + 1 : 0;
+  *last = high < static_cast<float>(count - 1) ? static_cast<int>(high) : count - 1;
+  return *first <= *last;
+}
+
+/// Lists the nodes that reach the block, in order, and returns their number.
+inline int reaching_nodes(const StrokeNodes& nodes, int count, NodeReach* reaching) {
   int found = 0;
   for (int k = 0; k < count; ++k) {
-    const float x = nodes.image_x[k] < 0 ? -nodes.image_x[k] : nodes.image_x[k];
-    if (!(nodes.weight[k] > 0) || !(x - nodes.reach_x[k] < kHalfWidth)) continue;
-    const float low = nodes.image_y[k] - nodes.reach_y[k] + (kHalfHeight - 0.5f - kMargin);
-    const float high = nodes.image_y[k] + nodes.reach_y[k] + (kHalfHeight - 0.5f + kMargin);
-    if (!(low < kStrokeBlockHeight && high > 0)) continue;
-    const int first = low > 0 ? static_cast<int>(low) + 1 : 0;
-    const int last =
-        high < kStrokeBlockHeight - 1 ? static_cast<int>(high) : kStrokeBlockHeight - 1;
-    if (first <= last) reaching[found++] = {k, first, last};
+    if (!(nodes.weight[k] > 0)) continue;
+    NodeReach& reach = reaching[found];
+    reach.node = k;
+    found += reached_pixels(nodes.image_y[k], nodes.reach_y[k], kStrokeBlockHeight,
+                            &reach.first_row, &reach.last_row) &&
+             reached_pixels(nodes.image_x[k], nodes.reach_x[k], kStrokeBlockWidth,
+                            &reach.first_column, &reach.last_column);
   }
   return found;
+}
+
+template <class F>
+SFUMATO_INLINE void make_pixels(const StrokeFrame& frame, StrokePixels& pixels) {
+  const auto& j = frame.frame_from_image;
+  for (int row = 0; row < kStrokeBlockHeight; ++row) {
+    const float down = static_cast<float>(row) + 0.5f - 0.5f * kStrokeBlockHeight;
+    for (int x = 0; x < kStrokeBlockWidth; x += F::kCount) {
+      float columns[F::kCount];
+      for (int i = 0; i < F::kCount; ++i) {
+        columns[i] = static_cast<float>(x + i) + 0.5f - 0.5f * kStrokeBlockWidth;
+      }
+      const F right = F::load(columns);
+      (F(j[0][0]) * right + F(j[0][1] * down)).store(pixels.x[row] + x);
+      (F(j[1][0]) * right + F(j[1][1] * down)).store(pixels.y[row] + x);
+    }
+  }
 }
 
 /// beta of eq. 16, the left side's share, at (dx, dy) from node k. Over the length that the node
@@ -138,58 +170,60 @@ SFUMATO_INLINE F beta(const StrokeNodes& nodes, int k, const F& dx, const F& dy)
   return curves::smoothstep(inside);
 }
 
+/// Adds a node to the rows that it reaches, in the columns from x on.
 template <class F, bool kTwoSided>
-SFUMATO_INLINE void add_row(const StrokeFrame& frame, const StrokeNodes& nodes,
-                            const NodeRows* reaching, int count, int row, StrokeSums& sums) {
-  const auto& j = frame.frame_from_image;
-  const float down = static_cast<float>(row) + 0.5f - 0.5f * kStrokeBlockHeight;
-  for (int x = 0; x < kStrokeBlockWidth; x += F::kCount) {
-    float columns[F::kCount];
-    for (int i = 0; i < F::kCount; ++i) {
-      columns[i] = static_cast<float>(x + i) + 0.5f - 0.5f * kStrokeBlockWidth;
+SFUMATO_INLINE void add_columns(const StrokeNodes& nodes, const NodeReach& reach, int x,
+                                const StrokePixels& pixels, StrokeSums& sums) {
+  const int k = reach.node;
+  const F node_x(nodes.x[k]), node_y(nodes.y[k]), weight(nodes.weight[k]);
+  const F inverse_radius_squared(nodes.inverse_radius_squared[k]);
+  const F base[3] = {F(nodes.base[0][k]), F(nodes.base[1][k]), F(nodes.base[2][k])};
+  const F difference[3] = {F(nodes.difference[0][k]), F(nodes.difference[1][k]),
+                           F(nodes.difference[2][k])};
+  for (int row = reach.first_row; row <= reach.last_row; ++row) {
+    const F dx = F::load(pixels.x[row] + x) - node_x, dy = F::load(pixels.y[row] + x) - node_y;
+    const F q = min((dx * dx + dy * dy) * inverse_radius_squared, F(1));
+    const F w = (F(1) - q * (F(3) - F(2) * sqrt(q))) * weight;
+    (F::load(sums.weight[row] + x) + w).store(sums.weight[row] + x);
+    const F left = kTwoSided ? w * beta(nodes, k, dx, dy) : F(0);
+    for (int c = 0; c < 3; ++c) {
+      F color = F::load(sums.color[c][row] + x) + w * base[c];
+      if (kTwoSided) color = color + left * difference[c];
+      color.store(sums.color[c][row] + x);
     }
-    const F right = F::load(columns);
-    const F px = F(j[0][0]) * right + F(j[0][1] * down);
-    const F py = F(j[1][0]) * right + F(j[1][1] * down);
-    F total = F::load(sums.weight[row] + x);
-    F color[3] = {F::load(sums.color[0][row] + x), F::load(sums.color[1][row] + x),
-                  F::load(sums.color[2][row] + x)};
-    for (int n = 0; n < count; ++n) {
-      if (row < reaching[n].first || row > reaching[n].last) continue;
-      const int k = reaching[n].node;
-      const F dx = px - F(nodes.x[k]), dy = py - F(nodes.y[k]);
-      const F q = min((dx * dx + dy * dy) * F(nodes.inverse_radius_squared[k]), F(1));
-      const F w = (F(1) - q * (F(3) - F(2) * sqrt(q))) * F(nodes.weight[k]);
-      total = total + w;
-      const F left = kTwoSided ? w * beta(nodes, k, dx, dy) : F(0);
-      for (int c = 0; c < 3; ++c) {
-        color[c] = color[c] + w * F(nodes.base[c][k]);
-        if (kTwoSided) color[c] = color[c] + left * F(nodes.difference[c][k]);
-      }
-    }
-    total.store(sums.weight[row] + x);
-    for (int c = 0; c < 3; ++c) color[c].store(sums.color[c][row] + x);
   }
 }
 
-/// W lanes to a register; K registers for pixels side by side.
-template <int W, int K>
+/// Adds a node to the pixels that it reaches, and to some beside them, where its weight is 0.
+template <class F, bool kTwoSided>
+SFUMATO_INLINE void add_node(const StrokeNodes& nodes, const NodeReach& reach,
+                             const StrokePixels& pixels, StrokeSums& sums) {
+  const int columns = reach.last_column - reach.first_column + 1;
+  const int covered = (columns + F::kCount - 1) / F::kCount * F::kCount;
+  const int most = kStrokeBlockWidth - covered;
+  const int first = reach.first_column < most ? reach.first_column : most;
+  for (int x = first; x < first + covered; x += F::kCount)
+    add_columns<F, kTwoSided>(nodes, reach, x, pixels, sums);
+}
+
+/// W lanes to a register.
+template <int W>
 void add_stroke_segments(const StrokeFrame& frame, const curves::StrokeSegment* segments,
                          std::span<const std::uint32_t> indices, Vec2 center, StrokeSums& sums) {
+  using F = Lanes<W>;
+  StrokePixels pixels;
+  make_pixels<F>(frame, pixels);
   StrokeNodes nodes;
-  NodeRows reaching[curves::kStrokeNodes];
+  NodeReach reaching[curves::kStrokeNodes];
   for (std::uint32_t index : indices) {
     const curves::StrokeSegment& segment = segments[index];
-    for (int k = 0; k < segment.node_count; k += W) {
-      make_nodes<Lanes<W>>(frame, segment, center, k, nodes);
-    }
+    for (int k = 0; k < segment.node_count; k += W) make_nodes<F>(frame, segment, center, k, nodes);
     const int count = reaching_nodes(nodes, segment.node_count, reaching);
-    if (count == 0) continue;
-    for (int row = 0; row < kStrokeBlockHeight; ++row) {
+    for (int i = 0; i < count; ++i) {
       if (frame.two_sided)
-        add_row<Lanes<W, K>, true>(frame, nodes, reaching, count, row, sums);
+        add_node<F, true>(nodes, reaching[i], pixels, sums);
       else
-        add_row<Lanes<W, K>, false>(frame, nodes, reaching, count, row, sums);
+        add_node<F, false>(nodes, reaching[i], pixels, sums);
     }
   }
 }
