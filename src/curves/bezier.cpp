@@ -103,17 +103,23 @@ double arc_length(const Cubic& cubic, double t0, double t1) {
 }
 
 double parameter_at_length(const Cubic& cubic, double wanted) {
-  double low = 0, high = 1, base = 0;
-  constexpr int kBisections = 48;
-  for (int i = 0; i < kBisections; ++i) {
-    const double middle = 0.5 * (low + high);
-    const double reached = base + arc_length(cubic, low, middle);
+  constexpr int kSteps = 64;
+  constexpr double kSettled = 0x1p-48;
+  double low = 0, high = 1, low_length = 0, t = 0.5;
+  for (int i = 1; i <= kSteps && high - low > kSettled; ++i) {
+    const double reached = low_length + arc_length(cubic, low, t);
+    const double step = (wanted - reached) / length(derivative_at(cubic, t));
+    if (std::fabs(step) <= kSettled) return std::clamp(t + step, low, high);
     if (reached < wanted) {
-      low = middle;
-      base = reached;
+      low = t;
+      low_length = reached;
     } else {
-      high = middle;
+      high = t;
     }
+    // Where the speed is nearly 0, Newton's steps lead out of what is left, or hardly shorten it.
+    t += step;
+    constexpr int kHalvedEach = 4;
+    if (!(t > low && t < high) || i % kHalvedEach == 0) t = 0.5 * (low + high);
   }
   return 0.5 * (low + high);
 }

@@ -44,7 +44,8 @@ double nearest_parameter(const Cubic& cubic, Vec2 point, double close_by);
 /// Length of the stretch from t0 to t1 (Gauss–Legendre on halves until it settles to 1e-9 of it).
 double arc_length(const Cubic& cubic, double t0, double t1);
 
-/// The parameter in [0, 1] at `length` from the start, by bisection on arc_length.
+/// The parameter in [0, 1] at `length` from the start, by Newton's method on arc_length, with
+/// halving where that does not settle.
 double parameter_at_length(const Cubic& cubic, double length);
 
 }  // namespace sfumato::curves

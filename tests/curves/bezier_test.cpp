@@ -82,10 +82,33 @@ TEST(Bezier, parameter_at_length_inverts_arc_length) {
   std::mt19937 random(5);
   for (int i = 0; i < 20; ++i) {
     const Cubic cubic = random_cubic(random);
-    for (double t : {0.1, 0.5, 0.83}) {
-      EXPECT_NEAR(parameter_at_length(cubic, arc_length(cubic, 0, t)), t, 1e-6);
+    for (double t : {0.001, 0.1, 0.5, 0.83, 0.999}) {
+      EXPECT_NEAR(parameter_at_length(cubic, arc_length(cubic, 0, t)), t, 1e-8);
     }
   }
+}
+
+TEST(Bezier, parameter_at_length_settles_where_the_speed_is_zero) {
+  // 0 at the start, at the end, and in the middle.
+  const Cubic from_rest{{{0, 0}, {0, 0}, {0, 0}, {1, 0}}};
+  const Cubic to_rest{{{0, 0}, {1, 0}, {1, 0}, {1, 0}}};
+  const Cubic cusp{{{0, 0}, {1, 1}, {0, 1}, {1, 0}}};
+  for (double t : {0.02, 0.3, 0.5, 0.7, 0.98}) {
+    EXPECT_NEAR(parameter_at_length(from_rest, t * t * t), t, 1e-6);
+    EXPECT_NEAR(parameter_at_length(to_rest, 1 - (1 - t) * (1 - t) * (1 - t)), t, 1e-6);
+    const double length = arc_length(cusp, 0, t);
+    EXPECT_NEAR(arc_length(cusp, 0, parameter_at_length(cusp, length)), length, 1e-6);
+  }
+}
+
+TEST(Bezier, parameter_at_length_ends_with_the_curve) {
+  const Cubic point{{{2, 3}, {2, 3}, {2, 3}, {2, 3}}};
+  const Cubic line{{{0, 0}, {1, 0}, {2, 0}, {3, 0}}};
+  EXPECT_NEAR(parameter_at_length(line, 0), 0, 1e-12);
+  EXPECT_NEAR(parameter_at_length(line, 1.5), 0.5, 1e-12);
+  EXPECT_NEAR(parameter_at_length(line, 3.0001), 1, 1e-12);
+  const double nowhere = parameter_at_length(point, 1);
+  EXPECT_TRUE(nowhere >= 0 && nowhere <= 1);
 }
 
 }  // namespace
