@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "raster/clip.hpp"
+#include "raster/split_triangle.hpp"
 
 namespace sfumato::raster {
 namespace {
@@ -48,7 +50,7 @@ class TriangleParts {
   }
 
   Coverage in(int x, int y) const {
-    return cells_ ? cells_->in(x, y) : pixel_coverage(clip_, x, y);
+    return cells_ ? cells_->in(x, y) : pixel_coverage(*clip_, x, y);
   }
   /// Of a triangle of double size, the part of a pixel's quarter as one of the pixel.
   Coverage in_quarter(int x, int y, int quarter) const {
@@ -60,7 +62,7 @@ class TriangleParts {
 
  private:
   CellCoverage* cells_;  ///< null: not small
-  ClipTriangle clip_;
+  std::optional<ClipTriangle> clip_;
 };
 
 /// Shades what is painted straight into a tile: opaque, in code values.
@@ -117,6 +119,21 @@ constexpr double kSmallTrianglePx = 3;
 
 /// Of these, those none of whose edges is longer than this are not parted by a pixel's quarters.
 constexpr double kWholeTrianglePx = 0.6;
+
+/// The rounding of areas is no part.
+constexpr double kLeastPart = 1e-13;
+
+/// The pixels in which a box lies: the given one, it and the next one in its row or in its column,
+/// or other ones, as where a box lies beside a tile.
+enum class PixelSpan { one, row, column, other };
+
+PixelSpan pixel_span(const Box& box, int x, int y) {
+  const bool begins = box.min.x >= x && box.min.x < x + 1 && box.min.y >= y && box.min.y < y + 1;
+  if (!(begins && box.max.x <= x + 2 && box.max.y <= y + 2)) return PixelSpan::other;
+  const bool in_column = box.max.x <= x + 1, in_row = box.max.y <= y + 1;
+  if (in_row) return in_column ? PixelSpan::one : PixelSpan::row;
+  return in_column ? PixelSpan::column : PixelSpan::other;
+}
 
 double longest_edge_squared(const Vec2 (&corner)[3]) {
   double longest = 0;
@@ -240,6 +257,40 @@ void MixedPixels::add_whole_triangle(const Shader& shader, std::uint32_t triangl
   marks_.for_each(range.first_row, range.begin, range.begin + 1, add);
 }
 
+/// One that lies in the pixel at the range's beginning and the next in its row (axis 0) or column
+/// (axis 1), which may be beside the tile.
+template <class Shader>
+void MixedPixels::add_split_triangle(Shader* shader, std::uint32_t triangle,
+                                     const Vec2 (&corner)[3], int axis, const PixelRange& range,
+                                     const Tile& tile) {
+  const Vec2 along[2] = {corner[1] - corner[0], corner[2] - corner[0]};
+  const double area =
+      0.5 * (shader->layer().mirrored ? cross(along[1], along[0]) : cross(along[0], along[1]));
+  if (!(area > 0)) return;
+  bool has_begun = false;
+  const auto add = [&](const SplitPart& split, int column, int row) {
+    const double part_area = split.share * area;
+    if (!(part_area > kLeastPart)) return;
+    marks_.for_each(row, column, column + 1, [&](int, std::uint32_t index) {
+      if (!has_begun) shader->begin_triangle(triangle, kBarycentricFrame);
+      has_begun = true;
+      const Vec2 pixel{1.0 * tile.x0 + column, 1.0 * tile.y0 + row};
+      const Vec2 centroid = corner[0] + along[0] * split.u + along[1] * split.v;
+      const PatchPoint at{static_cast<float>(clamp_unit(split.u)),
+                          static_cast<float>(clamp_unit(split.v))};
+      sum_[index].add({part_area, centroid - pixel}, shader->at(at, pixel + Vec2{0.5, 0.5}));
+    });
+  };
+  const int column = range.begin, row = range.first_row;
+  const double border = axis == 0 ? tile.x0 + column + 1 : tile.y0 + row + 1;
+  const auto distance = [&](Vec2 p) { return (axis == 0 ? p.x : p.y) - border; };
+  const SplitTriangle split =
+      split_triangle({distance(corner[0]), distance(corner[1]), distance(corner[2])});
+  add(split.below, column, row);
+  if (axis == 0 && column + 1 < range.end) add(split.above, column + 1, row);
+  if (axis == 1 && row + 1 < range.end_row) add(split.above, column, row + 1);
+}
+
 template <class Shader>
 void MixedPixels::add_triangle(Shader* shader, std::uint32_t triangle, std::size_t place,
                                const Tile& tile) {
@@ -248,9 +299,14 @@ void MixedPixels::add_triangle(Shader* shader, std::uint32_t triangle, std::size
   if (!holds_any(marks_.mask(), range)) return;
   const auto& corner = placed.corner;
   const bool in_quarters = is_read_in_quarters(shader->layer(), triangle, corner);
-  if (!in_quarters && shader->has_centers() &&
-      is_in_pixel(placed.box, tile.x0 + range.begin, tile.y0 + range.first_row))
-    return add_whole_triangle(*shader, triangle, corner, range, tile);
+  if (!in_quarters && shader->has_centers()) {
+    const int x = tile.x0 + range.begin, y = tile.y0 + range.first_row;
+    const PixelSpan span = pixel_span(placed.box, x, y);
+    if (span == PixelSpan::one) return add_whole_triangle(*shader, triangle, corner, range, tile);
+    if (span != PixelSpan::other)
+      return add_split_triangle(shader, triangle, corner, span == PixelSpan::row ? 0 : 1, range,
+                                tile);
+  }
   const bool mirrored = shader->layer().mirrored;
   const TriangleParts parts(placed, mirrored, in_quarters ? 2 : 1, &cells_);
   const TriangleFrame frame = triangle_frame(

@@ -92,6 +92,9 @@ class MixedPixels {
   void add_whole_triangle(const Shader& shader, std::uint32_t triangle, const Vec2 (&corner)[3],
                           const PixelRange& range, const Tile& tile);
   template <class Shader>
+  void add_split_triangle(Shader* shader, std::uint32_t triangle, const Vec2 (&corner)[3], int axis,
+                          const PixelRange& range, const Tile& tile);
+  template <class Shader>
   void add_triangle(Shader* shader, std::uint32_t triangle, std::size_t place, const Tile& tile);
   template <class Shader>
   void add_blurs(Shader* shader, const TriangleList& triangles, const Tile& tile);

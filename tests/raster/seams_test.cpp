@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
+#include <variant>
 
 #include "raster/pictures.hpp"
 #include "raster/support.hpp"
@@ -56,6 +58,39 @@ TEST(RasterSeams, slivers_leave_no_holes) {
   const Picture picture = make_picture(make_layer(mesh, [](int, Vec2) { return Rgb{}; }));
   for (int side : {20, 100, 333, 1500})
     EXPECT_EQ(holes(rasterized(picture, image_size(side, side, PixelFormat::rgba8))), 0);
+}
+
+/// A layer around its origin, of triangles that are finer than pixels and whose colours jump, in
+/// the middle of an image of two columns and two rows of tiles. A soft edge has the triangles
+/// around a tile listed with it.
+Picture fine_layer_at(Vec2 center) {
+  const RegionMesh mesh = jittered_grid(
+      {{-8, -8}, {8, 8}}, 40, 6, [](int column, int row) { return (column / 3 + row / 3) % 2; });
+  PatchLayer layer = make_layer(mesh, [](int region, Vec2 p) {
+    return region == 0 ? Rgb{0.2f, static_cast<float>(0.5 + 0.02 * p.x), 0.9f} : Rgb{0.9f, 0.6f, 0};
+  });
+  SoftEdge edge;
+  edge.front = 0;
+  edge.reach[0] = edge.reach[1] = {0, 3};
+  layer.soft_edge.push_back(edge);
+  Picture picture = make_picture(std::move(layer));
+  picture.artboard = picture.viewport = {{0, 0}, {512, 128}};
+  std::get<PatchInstance>(picture.stack.front()).artboard_from_layer = {1, 0,        0,
+                                                                        1, center.x, center.y};
+  return picture;
+}
+
+TEST(RasterSeams, tiles_show_nowhere_in_triangles_finer_than_pixels) {
+  const RasterOptions options = image_size(512, 128);
+  const Image across = rasterized(fine_layer_at({256, 64}), options);
+  const Image inside = rasterized(fine_layer_at({128, 32}), options);
+  for (int y = -10; y < 10; ++y) {
+    for (int x = -10; x < 10; ++x) {
+      for (int c = 0; c < 3; ++c)
+        EXPECT_NEAR(channel(across, 256 + x, 64 + y, c), channel(inside, 128 + x, 32 + y, c), 2)
+            << x << ' ' << y;
+    }
+  }
 }
 
 TEST(RasterSeams, two_colours_give_only_mixtures_of_the_two) {

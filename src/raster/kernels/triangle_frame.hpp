@@ -29,6 +29,10 @@ struct TriangleFrame {
   }
 };
 
+/// One in which points of a triangle of any place are the weights of corners: u of corner 1, q of
+/// corner 2.
+inline constexpr TriangleFrame kBarycentricFrame{0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 0, 1, true};
+
 /// dx/dy of an edge from its upper to its lower end: both triangles at an edge get the same bits. 0
 /// for a horizontal edge, which no row of pixel centres crosses.
 SFUMATO_INLINE double slope(double dx, double dy) {
