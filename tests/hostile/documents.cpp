@@ -70,7 +70,7 @@ std::string orzan_curve(const std::string& parts) {
 
 std::string gzip(const std::string& text) {
   Packer packer(Wrapper::gzip);
-  packer.add(text, true);
+  packer.add(text, Z_FINISH);
   return packer.packed();
 }
 

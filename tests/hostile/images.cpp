@@ -109,7 +109,7 @@ std::string png_of_zeros(const PngHeader& header, std::size_t row_bytes) {
 
 std::string zlib_packed(const std::string& data) {
   Packer packer(Wrapper::zlib);
-  packer.add(data, true);
+  packer.add(data, Z_FINISH);
   return packer.packed();
 }
 

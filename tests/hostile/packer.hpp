@@ -8,7 +8,7 @@
 namespace sfumato::hostile {
 
 /// What stands around deflated bytes, as deflateInit2 takes it.
-enum class Wrapper { zlib = 15, gzip = 15 + 16 };
+enum class Wrapper { none = -15, zlib = 15, gzip = 15 + 16 };
 
 /// A stream that takes what it packs in pieces.
 class Packer {
@@ -18,7 +18,8 @@ class Packer {
   Packer(const Packer&) = delete;
   Packer& operator=(const Packer&) = delete;
 
-  void add(const std::string& bytes, bool last);
+  /// flush: as deflate() takes it; Z_FINISH with the last piece.
+  void add(const std::string& bytes, int flush);
   const std::string& packed() const { return packed_; }
 
  private:
@@ -26,7 +27,7 @@ class Packer {
   std::string packed_;
 };
 
-/// A byte again and again, packed.
+/// A byte again and again, packed; `count` of them.
 std::string packed_run(Wrapper wrapper, char byte, std::size_t count);
 
 }  // namespace sfumato::hostile
