@@ -1,11 +1,14 @@
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 
 #include "allocation/failing_allocator.hpp"
 #include "sfumato/sfumato.h"
 
-/// The C interface with each allocation of a whole session refused once.
+/// The C interface with each allocation of a session refused once. Several short sessions: the
+/// calls that are made grow with the square of one's length.
 namespace sfumato::test {
 namespace {
 
@@ -31,97 +34,175 @@ constexpr char kDrawing[] =
     "<svg xmlns='http://www.w3.org/2000/svg' xmlns:sf='urn:sfumato:1' "
     "viewBox='0 0 8 8'></svg>";
 
-void use_picture(Session& session, sfumato_context* c, sfumato_document* document) {
+/// What a session begins with: a document of one curve, and its picture where that is asked for.
+struct Drawing {
+  sfumato_document* document = nullptr;
   sfumato_picture* picture = nullptr;
-  sfumato_bytes* bytes = nullptr;
-  const double green[] = {0, 0, 1, 0}, lower[] = {0, 5, 3, 5, 6, 5, 8, 5};
-  if (!session.take(sfumato_solve(c, document, "max-error=off", &picture), &picture)) return;
-  session.take(sfumato_set_curve_stops(c, document, 0, 0, 0, 0, SFUMATO_STOPS, 0, green, 1));
-  session.take(sfumato_solve_again(c, document, 1, picture));
-  session.take(sfumato_set_curve_points(c, document, 0, 0, lower, 4));
-  session.take(sfumato_solve_again(c, document, 1, picture));
-  session.take(sfumato_solve_again(c, document, 0, picture));
-  sfumato_view response{};
-  session.take(sfumato_stop_response(c, picture, 0, 0, 0, 0, 0, &response));
-  std::uint8_t pixels[8 * 8 * 3];
-  const sfumato_image image{pixels, 24, 8, 8, SFUMATO_RGB8};
-  session.take(sfumato_raster(c, picture, &image, "background=white"));
-  session.take(sfumato_export(c, picture, "pdf", "title=\"a b\" background=red", &bytes), &bytes);
-  sfumato_bytes_free(bytes);
-  session.take(sfumato_viewer_payload(c, picture, "background=red", &bytes), &bytes);
-  sfumato_bytes_free(bytes);
-  sfumato_picture_free(picture);
-}
 
-void use_document(Session& session, sfumato_context* c, sfumato_document* document) {
-  const double line[] = {0, 4, 3, 4, 6, 4, 8, 4}, red[] = {0, 1, 0, 0}, at[] = {2, 2};
-  float rgba[4];
-  sfumato_document* copy = nullptr;
-  sfumato_field* field = nullptr;
-  session.take(sfumato_insert_curve(c, document, 0, UINT32_MAX, line, 4));
-  if (sfumato_curve_count(document, 0) == 0) return;
-  session.take(sfumato_set_curve_stops(c, document, 0, 0, 0, 0, SFUMATO_STOPS, 0, red, 1));
-  session.take(sfumato_document_copy(c, document, &copy), &copy);
-  sfumato_document_free(copy);
-  sfumato_bytes* json = nullptr;
-  session.take(sfumato_lint(c, document, "verbose", &json), &json);
-  sfumato_bytes_free(json);
-  if (session.take(sfumato_field_new(c, document, 0, nullptr, &field), &field)) {
-    session.take(sfumato_field_colors(c, field, at, 1, rgba));
-    sfumato_field_free(field);
+  Drawing() = default;
+  Drawing(const Drawing&) = delete;
+  Drawing& operator=(const Drawing&) = delete;
+  ~Drawing() {
+    sfumato_picture_free(picture);
+    sfumato_document_free(document);
   }
-  use_picture(session, c, document);
+};
+
+void begin_nothing(Session&, sfumato_context*, Drawing&) {}
+
+void begin_document(Session& session, sfumato_context* c, Drawing& drawing) {
+  const double line[] = {0, 4, 3, 4, 6, 4, 8, 4}, red[] = {0, 1, 0, 0};
+  sfumato_document*& document = drawing.document;
+  if (!session.take(sfumato_document_new(c, "artboard=0,0,8,8", &document), &document)) return;
+  if (!session.take(sfumato_insert_curve(c, document, 0, UINT32_MAX, line, 4))) return;
+  session.take(sfumato_set_curve_stops(c, document, 0, 0, 0, 0, SFUMATO_STOPS, 0, red, 1));
 }
 
-/// Pixels for a file that no document has.
-void add_image(Session& session, sfumato_context* c) {
+void solve(Session& session, sfumato_context* c, Drawing& drawing) {
+  session.take(sfumato_solve(c, drawing.document, "max-error=off", &drawing.picture),
+               &drawing.picture);
+}
+
+void begin_picture(Session& session, sfumato_context* c, Drawing& drawing) {
+  begin_document(session, c, drawing);
+  if (drawing.document) solve(session, c, drawing);
+}
+
+/// Pixels for a file that no document has, and a document of text.
+void read(Session& session, sfumato_context* c, Drawing& drawing) {
   const char file[] = "some file";
   std::uint8_t pixels[4] = {};
   const sfumato_image image{pixels, 4, 1, 1, SFUMATO_RGBA8};
   session.take(sfumato_add_image(c, file, sizeof file, &image));
   session.take(sfumato_add_image(c, file, sizeof file, nullptr));
+  session.take(sfumato_read(c, kDrawing, sizeof kDrawing - 1, "in", nullptr, &drawing.document),
+               &drawing.document);
 }
 
-Session run(sfumato_context* c) {
-  Session session;
-  add_image(session, c);
-  sfumato_document *document = nullptr, *read = nullptr;
-  session.take(sfumato_read(c, kDrawing, sizeof kDrawing - 1, "in", nullptr, &read), &read);
-  sfumato_document_free(read);
-  if (session.take(sfumato_document_new(c, "artboard=0,0,8,8", &document), &document)) {
-    use_document(session, c, document);
-    sfumato_document_free(document);
+void look(Session& session, sfumato_context* c, Drawing& drawing) {
+  sfumato_document* copy = nullptr;
+  session.take(sfumato_document_copy(c, drawing.document, &copy), &copy);
+  sfumato_document_free(copy);
+  sfumato_bytes* json = nullptr;
+  session.take(sfumato_lint(c, drawing.document, "verbose", &json), &json);
+  sfumato_bytes_free(json);
+  const double at[] = {2, 2};
+  float rgba[4];
+  sfumato_field* field = nullptr;
+  if (session.take(sfumato_field_new(c, drawing.document, 0, nullptr, &field), &field)) {
+    session.take(sfumato_field_colors(c, field, at, 1, rgba));
+    sfumato_field_free(field);
   }
+}
+
+void change_colors(Session& session, sfumato_context* c, Drawing& drawing) {
+  const double green[] = {0, 0, 1, 0};
+  session.take(
+      sfumato_set_curve_stops(c, drawing.document, 0, 0, 0, 0, SFUMATO_STOPS, 0, green, 1));
+  session.take(sfumato_solve_again(c, drawing.document, 1, drawing.picture));
+}
+
+void begin_colors(Session& session, sfumato_context* c, Drawing& drawing) {
+  begin_picture(session, c, drawing);
+  change_colors(session, c, drawing);
+}
+
+void move_curve(Session& session, sfumato_context* c, Drawing& drawing) {
+  const double lower[] = {0, 5, 3, 5, 6, 5, 8, 5};
+  session.take(sfumato_set_curve_points(c, drawing.document, 0, 0, lower, 4));
+  session.take(sfumato_solve_again(c, drawing.document, 1, drawing.picture));
+}
+
+void begin_move(Session& session, sfumato_context* c, Drawing& drawing) {
+  begin_colors(session, c, drawing);
+  move_curve(session, c, drawing);
+}
+
+void end_changes(Session& session, sfumato_context* c, Drawing& drawing) {
+  session.take(sfumato_solve_again(c, drawing.document, 0, drawing.picture));
+  sfumato_view response{};
+  session.take(sfumato_stop_response(c, drawing.picture, 0, 0, 0, 0, 0, &response));
+}
+
+void show(Session& session, sfumato_context* c, Drawing& drawing) {
+  std::uint8_t pixels[8 * 8 * 3];
+  const sfumato_image image{pixels, 24, 8, 8, SFUMATO_RGB8};
+  session.take(sfumato_raster(c, drawing.picture, &image, "background=white"));
+  sfumato_bytes* bytes = nullptr;
+  session.take(sfumato_export(c, drawing.picture, "pdf", "title=\"a b\" background=red", &bytes),
+               &bytes);
+  sfumato_bytes_free(bytes);
+  session.take(sfumato_viewer_payload(c, drawing.picture, "background=red", &bytes), &bytes);
+  sfumato_bytes_free(bytes);
+}
+
+using Calls = void (*)(Session&, sfumato_context*, Drawing&);
+
+struct Part {
+  const char* name;
+  Calls begin;  ///< with all memory
+  Calls calls;
+};
+
+/// Which request of a session's calls is refused, and, after it, whether there was one.
+struct Refused {
+  std::size_t k = 0;
+  Refusal refusal = Refusal::one;
+  bool was_refused = false;
+};
+
+/// Null: with all memory. What the session holds is freed while memory is refused.
+Session run(const Part& part, sfumato_context* c, Refused* refused) {
+  Session session;
+  std::optional<RefusedAllocations> refusing;
+  Drawing drawing;
+  part.begin(session, c, drawing);
+  if (session.code != SFUMATO_OK) return session;
+  if (refused) refusing.emplace(refused->k, refused->refusal);
+  part.calls(session, c, drawing);
+  if (refused) refused->was_refused = RefusedAllocations::requests() > refused->k;
   return session;
 }
 
-TEST(CAllocation, each_refusal_is_told_and_survived) {
+class CAllocation : public testing::TestWithParam<Part> {};
+
+TEST_P(CAllocation, each_refusal_is_told_and_survived) {
+  const Part& part = GetParam();
   sfumato_context* c = sfumato_context_new("threads=1");
   ASSERT_NE(c, nullptr);
-  for (int i = 0; i < 2; ++i) ASSERT_EQ(run(c).code, SFUMATO_OK) << sfumato_error_text(c);
-  std::size_t told = 0;
+  for (int i = 0; i < 2; ++i) {
+    ASSERT_EQ(run(part, c, nullptr).code, SFUMATO_OK) << sfumato_error_text(c);
+  }
+  int told = 0;
   for (const Refusal refusal : {Refusal::one, Refusal::all_from}) {
-    bool was_refused = true;
-    for (std::size_t k = 0; was_refused; ++k) {
-      Session session;
-      {
-        const RefusedAllocations refused(k, refusal);
-        session = run(c);
-        was_refused = RefusedAllocations::requests() > k;
-      }
-      ASSERT_TRUE(session.is_clean) << k;
+    Refused refused{0, refusal, true};
+    for (; refused.was_refused; ++refused.k) {
+      refused.was_refused = false;
+      const Session session = run(part, c, &refused);
+      ASSERT_TRUE(session.is_clean) << refused.k;
       ASSERT_TRUE(session.code == SFUMATO_OK || session.code == SFUMATO_OUT_OF_MEMORY)
-          << k << ": " << session.code << ' ' << sfumato_error_text(c);
+          << refused.k << ": " << session.code << ' ' << sfumato_error_text(c);
       told += session.code == SFUMATO_OUT_OF_MEMORY ? 1 : 0;
     }
   }
-  EXPECT_GT(told, 100u);
-  RecordProperty("told", static_cast<int>(told));
-  ASSERT_EQ(run(c).code, SFUMATO_OK);
+  EXPECT_GT(told, 20);
+  RecordProperty("told", told);
+  ASSERT_EQ(run(part, c, nullptr).code, SFUMATO_OK);
   sfumato_context_free(c);
 }
 
-TEST(CAllocation, a_context_is_there_or_null) {
+INSTANTIATE_TEST_SUITE_P(Of, CAllocation,
+                         testing::Values(Part{"reading", begin_nothing, read},
+                                         Part{"a_new_document", begin_nothing, begin_document},
+                                         Part{"what_looks_at_a_document", begin_document, look},
+                                         Part{"a_picture", begin_document, solve},
+                                         Part{"other_colors", begin_picture, change_colors},
+                                         Part{"a_curve_that_moves", begin_colors, move_curve},
+                                         Part{"the_end_of_changes", begin_move, end_changes},
+                                         Part{"outputs", begin_picture, show}),
+                         [](const testing::TestParamInfo<Part>& part) { return part.param.name; });
+
+TEST(CContextAllocation, a_context_is_there_or_null) {
   bool was_refused = true;
   for (std::size_t k = 0; was_refused; ++k) {
     sfumato_context* c = nullptr;
