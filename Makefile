@@ -3,10 +3,12 @@
 build_folder := build
 jobs := $(shell nproc 2>/dev/null || echo 2)
 scene := examples/portrait.svg
+equal_scenes := 1-1000
 fuzz_seconds := 60
 
 .DEFAULT_GOAL := help
-.PHONY: help demo build test check docs kills sanitize fuzz fuzz-merge bench wasm hostile-growth clean
+.PHONY: help demo build test check docs kills sanitize fuzz fuzz-merge bench wasm hostile-growth \
+  hostile-sanitized equal clean
 
 help:
 	@echo 'make demo    install what the build needs, build, draw $(scene)'
@@ -19,6 +21,8 @@ help:
 	@echo 'make fuzz    each fuzz target for fuzz_seconds=$(fuzz_seconds) (fuzz/README.md)'
 	@echo 'make bench   the table of docs/benchmarks.md on this machine'
 	@echo 'make hostile-growth   time and memory of hostile inputs, doubled twice'
+	@echo 'make hostile-sanitized   all hostile inputs under AddressSanitizer and UBSan'
+	@echo 'make equal   random scenes $(equal_scenes): the same bits by any threads and instructions'
 	@echo 'make wasm    the library for WebAssembly: build-wasm/sfumato.wasm'
 	@echo 'make clean   remove what was built'
 
@@ -83,6 +87,18 @@ hostile-growth:
 	@cmake --preset release -DSFUMATO_TESTS=ON -DSFUMATO_WERROR=OFF --log-level=WARNING >/dev/null
 	@cmake --build $(build_folder) --parallel $(jobs) --target hostile
 	@$(build_folder)/tests/hostile --growth
+
+hostile-sanitized:
+	@scripts/setup build check sanitize
+	@cmake --preset asan -DSFUMATO_TESTS=ON --log-level=WARNING >/dev/null
+	@cmake --build build-asan --parallel $(jobs) --target hostile
+	@ASAN_OPTIONS=quarantine_size_mb=8 build-asan/tests/hostile --jobs $(jobs)
+
+equal:
+	@scripts/setup build check
+	@cmake --preset release -DSFUMATO_TESTS=ON -DSFUMATO_WERROR=OFF --log-level=WARNING >/dev/null
+	@cmake --build $(build_folder) --parallel $(jobs) --target equal_scenes
+	@$(build_folder)/tests/equal_scenes hashes few $(equal_scenes)
 
 clean:
 	rm -rf $(build_folder) build-wasm build-check build-asan build-tsan build-fuzz

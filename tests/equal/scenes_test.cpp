@@ -9,7 +9,8 @@
 
 #include "equal/tool/scene_check.hpp"
 
-// A thousand random scenes, each under four configurations (README.md); under sanitizers twenty.
+// Random scenes, each under four configurations (README.md): three hundred, under sanitizers
+// twenty.
 namespace sfumato::test {
 namespace {
 
