@@ -118,6 +118,14 @@ void begin_move(Session& session, sfumato_context* c, Drawing& drawing) {
   move_curve(session, c, drawing);
 }
 
+/// Another frame and what it leaves, without time.
+void hurry(Session& session, sfumato_context* c, Drawing& drawing) {
+  const double higher[] = {0, 4, 3, 4, 6, 4, 8, 4};
+  session.take(sfumato_set_curve_points(c, drawing.document, 0, 0, higher, 4));
+  session.take(sfumato_solve_within(c, drawing.document, 0, drawing.picture));
+  session.take(sfumato_solve_within(c, drawing.document, 0, drawing.picture));
+}
+
 void end_changes(Session& session, sfumato_context* c, Drawing& drawing) {
   session.take(sfumato_solve_again(c, drawing.document, 0, drawing.picture));
   sfumato_view response{};
@@ -198,6 +206,7 @@ INSTANTIATE_TEST_SUITE_P(Of, CAllocation,
                                          Part{"a_picture", begin_document, solve},
                                          Part{"other_colors", begin_picture, change_colors},
                                          Part{"a_curve_that_moves", begin_colors, move_curve},
+                                         Part{"a_frame_in_a_hurry", begin_move, hurry},
                                          Part{"the_end_of_changes", begin_move, end_changes},
                                          Part{"outputs", begin_picture, show}),
                          [](const testing::TestParamInfo<Part>& part) { return part.param.name; });
