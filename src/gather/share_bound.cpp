@@ -14,16 +14,16 @@ constexpr std::size_t kSegmentsPerRun = 8;
 }  // namespace
 
 Result<ShareBound> ShareBound::create(const Context& context, std::span<const Vec2> polyline,
-                                      double weight, double most) {
+                                      double weight, double most, std::size_t most_runs) {
   ShareBound bound;
   bound.weight_ = weight;
   bound.most_ = most;
-  Status status =
-      bound.memory_.reserve(context, bound.runs_, polyline.size() / kSegmentsPerRun + 1);
+  const std::size_t per_run = std::max(kSegmentsPerRun, polyline.size() / most_runs + 1);
+  Status status = bound.memory_.reserve(context, bound.runs_, polyline.size() / per_run + 1);
   if (!status) return status;
   Box whole;
-  for (std::size_t first = 0; first + 1 < polyline.size(); first += kSegmentsPerRun) {
-    const std::size_t last = std::min(first + kSegmentsPerRun, polyline.size() - 1);
+  for (std::size_t first = 0; first + 1 < polyline.size(); first += per_run) {
+    const std::size_t last = std::min(first + per_run, polyline.size() - 1);
     Box box;
     double length_of_run = 0;
     for (std::size_t v = first; v <= last; ++v) {

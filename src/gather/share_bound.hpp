@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -22,9 +23,11 @@ class ShareBound {
   /// polyline   of the curve, layer frame
   /// weight     of the curve
   /// most       what may change, as a share of the range of values; 0: nothing
+  /// most_runs  at least 1: with few of them the bound is quicker to ask, and coarser
   /// Errors     limit (memory), cancelled
   static Result<ShareBound> create(const Context& context, std::span<const Vec2> polyline,
-                                   double weight, double most);
+                                   double weight, double most,
+                                   std::size_t most_runs = std::numeric_limits<std::size_t>::max());
 
   /// Whether no more than that changes at p, of at least this weight in units of `weight_unit`, the
   /// largest weight of the layer.

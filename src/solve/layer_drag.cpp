@@ -22,6 +22,9 @@ namespace {
 /// The curve may be dragged this far beyond what is shown, in widths and heights of it.
 constexpr double kRoom = 1;
 
+/// Of the bound that orders nodes: it is asked at each of them.
+constexpr std::size_t kMostRuns = 32;
+
 Box with_room_around(const Box& box) {
   const Vec2 more{kRoom * box.width(), kRoom * box.height()};
   return {box.min - more, box.max + more};
@@ -403,7 +406,10 @@ Result<FramePatches> LayerDrag::State::frame(Context& context, const Curve& curv
   const Result<gather::ShareBound> bound =
       gather::ShareBound::create(context, now.placed->moved.vertex, curve.weight, how.most_missed);
   if (!bound) return bound.status();
-  const FrameLimit limit{how.time, *bound};
+  const Result<gather::ShareBound> order = gather::ShareBound::create(
+      context, now.placed->moved.vertex, curve.weight, how.most_missed, kMostRuns);
+  if (!order) return order.status();
+  const FrameLimit limit{how.time, *order};
   status =
       layer.continue_inserted(*base, {*moves, *is_same, how.most_missed > 0 ? &*bound : nullptr,
                                       &tables, keeps && how.time.is_limited() ? &limit : nullptr});

@@ -54,6 +54,33 @@ TEST(ShareBound, holds_nowhere_near_the_curve_nor_where_nothing_is_known) {
   EXPECT_FALSE(bound->holds_at({0.5, 1e6}, 0, 1));
 }
 
+TEST(ShareBound, says_how_much_and_with_fewer_runs_no_less) {
+  const Context context;
+  std::vector<Vec2> polyline;
+  for (int i = 0; i <= 400; ++i) polyline.push_back({0.25 * i, 10 * std::sin(0.1 * i)});
+  for (const double most : {0.002, 0.02, 0.3}) {
+    const auto fine = ShareBound::create(context, polyline, 2, most);
+    const auto coarse = ShareBound::create(context, polyline, 2, most, 5);
+    ASSERT_TRUE(fine.ok() && coarse.ok());
+    int held = 0;
+    for (double y = -400; y <= 400; y += 7) {
+      const Vec2 p{60 - y, y};
+      const double share = fine->share_at(p, 0.25f, 4);
+      EXPECT_GE(share, 0);
+      EXPECT_LE(share, coarse->share_at(p, 0.25f, 4)) << y;
+      if (std::fabs(share - most) < 1e-9 * most) continue;
+      // The circle around the whole may know less than the runs, and holds_at() asks both.
+      if (share > most) continue;
+      EXPECT_TRUE(fine->holds_at(p, 0.25f, 4)) << y;
+      ++held;
+    }
+    EXPECT_GT(held, 0);
+  }
+  const auto bound = ShareBound::create(context, polyline, 2, 0.02);
+  EXPECT_TRUE(std::isinf(bound->share_at({50, 0}, 1, 4))) << "among the curve's runs";
+  EXPECT_TRUE(std::isinf(bound->share_at({50, 300}, 0, 4))) << "nothing is known";
+}
+
 TEST(ShareBound, asks_for_more_of_a_heavier_curve) {
   const Context context;
   const auto light = bound_of_unit_segment(context, 0.1, 0.02);
