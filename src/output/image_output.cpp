@@ -1,6 +1,7 @@
 #include "output/image_output.hpp"
 
-#include <algorithm>
+#include <array>
+#include <cstring>
 
 #include "sfumato/codecs/jpeg_encode.hpp"
 #include "sfumato/codecs/png.hpp"
@@ -9,14 +10,44 @@
 namespace sfumato::output {
 namespace {
 
-bool is_opaque(const std::uint8_t* row, int width, int channel_bytes) {
-  const int pixel_bytes = 4 * channel_bytes;
-  for (int x = 0; x < width; ++x) {
-    const std::uint8_t* alpha = row + x * pixel_bytes + 3 * channel_bytes;
-    for (int i = 0; i < channel_bytes; ++i)
-      if (alpha[i] != 255) return false;
+/// Of a row of pixels with four channels. Without a branch for each, so that lanes can look.
+template <std::size_t kChannelBytes>
+bool is_opaque(const std::uint8_t* row, std::size_t width) {
+  std::uint8_t all = 255;
+  for (std::size_t x = 0; x < width; ++x) {
+    for (std::size_t i = 0; i < kChannelBytes; ++i) all &= row[(4 * x + 3) * kChannelBytes + i];
   }
-  return true;
+  return all == 255;
+}
+
+/// Moves pixels of four channels to where those of three stand, `to` or before. Each is moved with
+/// its alpha, which the next one overwrites.
+template <std::size_t kChannelBytes>
+void move_colors(const std::uint8_t* from, std::size_t width, std::uint8_t* to) {
+  for (std::size_t x = 0; x < width; ++x) {
+    std::array<std::uint8_t, 4 * kChannelBytes> pixel;
+    std::memcpy(pixel.data(), from + 4 * kChannelBytes * x, pixel.size());
+    std::memcpy(to + 3 * kChannelBytes * x, pixel.data(), pixel.size());
+  }
+}
+
+template <std::size_t kChannelBytes>
+Status drop_opaque_alpha_of(const Context& context, PixelFormat without, Image& image) {
+  const auto width = static_cast<std::size_t>(image.width),
+             height = static_cast<std::size_t>(image.height);
+  const std::size_t row_bytes = image.row_bytes();
+  std::uint8_t* const bytes = image.bytes.data();
+  for (std::size_t y = 0; y < height; ++y) {
+    if (context.cancelled()) return context.cancel_status();
+    if (!is_opaque<kChannelBytes>(bytes + y * row_bytes, width)) return ok_status();
+  }
+  image.format = without;
+  for (std::size_t y = 0; y < height; ++y) {
+    if (context.cancelled()) return context.cancel_status();
+    move_colors<kChannelBytes>(bytes + y * row_bytes, width, bytes + y * image.row_bytes());
+  }
+  image.bytes.resize(image.row_bytes() * height);
+  return ok_status();
 }
 
 }  // namespace
@@ -27,24 +58,9 @@ PixelFormat with_alpha(PixelFormat format) {
 
 Status drop_opaque_alpha(Context& context, Image& image) {
   if (channel_count(image.format) != 4) return ok_status();
-  const int channel_bytes = bytes_per_channel(image.format);
-  const std::size_t old_row_bytes = image.row_bytes();
-  for (int y = 0; y < image.height; ++y) {
-    if (context.cancelled()) return context.cancel_status();
-    const std::uint8_t* row = image.bytes.data() + static_cast<std::size_t>(y) * old_row_bytes;
-    if (!is_opaque(row, image.width, channel_bytes)) return ok_status();
-  }
-  image.format = channel_bytes == 1 ? PixelFormat::rgb8 : PixelFormat::rgb16;
-  const std::uint8_t* in = image.bytes.data();
-  std::uint8_t* out = image.bytes.data();
-  for (int y = 0; y < image.height; ++y) {
-    if (context.cancelled()) return context.cancel_status();
-    for (int x = 0; x < image.width; ++x, in += 4 * channel_bytes, out += 3 * channel_bytes) {
-      std::copy_n(in, 3 * channel_bytes, out);  // forwards: it may overlap
-    }
-  }
-  image.bytes.resize(image.row_bytes() * static_cast<std::size_t>(image.height));
-  return ok_status();
+  return bytes_per_channel(image.format) == 1
+             ? drop_opaque_alpha_of<1>(context, PixelFormat::rgb8, image)
+             : drop_opaque_alpha_of<2>(context, PixelFormat::rgb16, image);
 }
 
 Result<std::vector<std::uint8_t>> encode_image(Context& context, const Image& image,
