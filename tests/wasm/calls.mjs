@@ -247,18 +247,31 @@ async function testWork(tap, sfumato, module) {
     const { rows } = picture.table(1, Table.colorValues);
     check(picture.statistics.nodes > 0, "the nodes of a frame are counted");
     same(picture.changes(1, Table.colorValues).join(), `0,${rows}`, "the new rows");
-    document.setPoints(1, 1, document.points(1, 1).map((x) => x + 0.5));
-    context.solveAgain(document, picture, { seconds: 0 });
-    check(picture.statistics.waitingNodes > 0, "without time nodes wait");
-    context.solveAgain(document, picture, { seconds: 60 });
-    same(picture.statistics.waitingNodes, 0, "the nodes that wait behind a minute");
-    refusal(Status.badUsage, () => context.solveAgain(document, picture, { seconds: -1 }));
     context.solveAgain(document, picture);
     const { curves, gatherSeconds } = picture.statistics;
     same(curves, document.curveCount(1), "the curves that were solved");
     check(gatherSeconds > 0, "the host's clock times the steps");
     const fresh = context.solve(document).table(1, Table.colorValues);
     same(picture.table(1, Table.colorValues).data.join(), fresh.data.join(), "the values");
+  });
+  await tap.test("a frame has as much time as it is given", () => {
+    const context = sfumato.context();
+    const document = context.read(
+      '<svg xmlns="http://www.w3.org/2000/svg" xmlns:sf="urn:sfumato:1" viewBox="0 0 96 96">' +
+        '<g sf:diffuse="true"><path d="M10 20C40 10 60 30 86 18" sf:left="#fff" sf:right="#036"/>' +
+        '<path d="M12 50C30 70 60 30 84 52" sf:left="red" sf:right="gold"/></g></svg>',
+    );
+    const picture = context.solve(document);
+    const move = () => document.setPoints(0, 0, document.points(0, 0).map((x) => x + 1));
+    move();
+    context.solveAgain(document, picture, { seconds: 60 });
+    same(picture.statistics.waitingNodes, 0, "the nodes that wait within a minute");
+    move();
+    context.solveAgain(document, picture, { seconds: 0 });
+    check(picture.statistics.waitingNodes > 0, "without time nodes wait");
+    context.solveAgain(document, picture, { seconds: 60 });
+    same(picture.statistics.waitingNodes, 0, "the nodes that wait behind a minute");
+    refusal(Status.badUsage, () => context.solveAgain(document, picture, { seconds: -1 }));
   });
   await tap.test("warnings of the reader are heard", () => {
     const context = sfumato.context();
