@@ -29,10 +29,10 @@ void require_told(const Status& status) {
 /// A frame without time, and then what it leaves, a little at a time.
 Status drag_in_steps(Context& context, Solution& solution, const Curve& curve) {
   Status status = solution.drag(context, curve, nullptr, 0);
-  while (const std::size_t left = status ? solution.left() : 0) {
+  while (const std::size_t left = status ? solution.waiting_nodes() : 0) {
     fuzz::require_ok(picture::check_picture(context, solution.picture()), "a frame is no picture");
     if (!solution.drag_more(context, nullptr, 0)) break;  // the frame is there
-    fuzz::require(solution.left() < left, "nothing was gathered");
+    fuzz::require(solution.waiting_nodes() < left, "nothing was gathered");
   }
   return status;
 }

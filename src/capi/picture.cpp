@@ -40,7 +40,7 @@ double statistic(const sfumato_picture& picture, std::uint32_t which) {
     case SFUMATO_GATHER_SECONDS:
       return stats.gather_seconds;
     case SFUMATO_WAITING_NODES:
-      return static_cast<double>(picture.solution.left());
+      return static_cast<double>(picture.solution.waiting_nodes());
     default:
       return 0;
   }

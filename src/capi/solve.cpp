@@ -146,7 +146,7 @@ Outcome solve_quickly(sfumato_context& context, const sfumato_document& document
     return status.code != StatusCode::bad_input && status.code != StatusCode::limit;
   };
   if (handle.shown == document.edits.now()) {
-    if (handle.solution.left() == 0) {
+    if (handle.solution.waiting_nodes() == 0) {
       for (ChangedRows& rows : handle.changed) rows = {};
       handle.stats = {};
       return {};

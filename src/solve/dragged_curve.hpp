@@ -27,6 +27,13 @@ struct DraggedCurve {
   FramePatches spare{};
   std::size_t left = 0;  ///< nodes of the picture's layer that may be gathered yet
 
+  /// Gives up the tables of the engines' last frames. Returns whether there were any.
+  bool forget_frames() {
+    bool any = false;
+    for (std::optional<LayerDrag>* one : {&engine, &roomy}) any |= *one && (*one)->forget_frame();
+    return any;
+  }
+
   /// The picture's layer comes from elsewhere now.
   void forget_shown() {
     shown.reset();

@@ -406,13 +406,16 @@ Result<FramePatches> LayerDrag::State::frame(Context& context, const Curve& curv
   const Result<gather::ShareBound> bound =
       gather::ShareBound::create(context, now.placed->moved.vertex, curve.weight, how.most_missed);
   if (!bound) return bound.status();
-  const Result<gather::ShareBound> order = gather::ShareBound::create(
-      context, now.placed->moved.vertex, curve.weight, how.most_missed, kMostRuns);
-  if (!order) return order.status();
-  const FrameLimit limit{how.time, *order};
-  status =
-      layer.continue_inserted(*base, {*moves, *is_same, how.most_missed > 0 ? &*bound : nullptr,
-                                      &tables, keeps && how.time.is_limited() ? &limit : nullptr});
+  CurveInsertion insertion{*moves, *is_same, how.most_missed > 0 ? &*bound : nullptr, &tables};
+  std::optional<gather::ShareBound> order;
+  std::optional<FrameLimit> limit;
+  if (keeps && how.time.is_limited()) {
+    Result<gather::ShareBound> coarse = gather::ShareBound::create(
+        context, now.placed->moved.vertex, curve.weight, how.most_missed, kMostRuns);
+    if (!coarse) return coarse.status();
+    insertion.limit = &limit.emplace(FrameLimit{how.time, order.emplace(std::move(*coarse))});
+  }
+  status = layer.continue_inserted(*base, insertion);
   if (!status) return status;
   if (keeps) return take(layer, std::move(now), std::move(spare));
   Result<PatchLayer> whole = layer.take();

@@ -170,9 +170,7 @@ Status Solution::State::solve_layers(Context& context, const Box& viewport, Diff
 
 /// What is kept for drags, or for their next frames. Returns whether there was any.
 bool Solution::State::drop_refined() {
-  bool any = false;
-  for (auto Drag::*engine : {&Drag::engine, &Drag::roomy})
-    if (drag && (*drag).*engine) any |= ((*drag).*engine)->forget_frame();
+  bool any = drag && drag->forget_frames();
   for (LayerState& layer : layers) {
     any |= layer.refined.has_value();
     layer.refined.reset();
@@ -300,7 +298,7 @@ Status Solution::drag_more(Context& context, DiffuseStats* stats, std::optional<
   });
 }
 
-std::size_t Solution::left() const {
+std::size_t Solution::waiting_nodes() const {
   return state_->drag ? state_->drag->left : 0;
 }
 

@@ -60,6 +60,7 @@ Status Solution::State::drag_to(Context& context, Curve curve, const solve::Fram
   if (!drag->engine) return ok_status();
   Status status = no_throw([&] { return show(context, curve, {.time = time, .stats = stats}); });
   if (status) return status;
+  drag->forget_frames();  // one may be of the new curve
   layer = std::move(before);
   std::swap(document.layers[drag->layer].curves[drag->curve],
             std::get<ReplaceCurve>(*inverse).value);

@@ -107,9 +107,13 @@ void begin_colors(Session& session, sfumato_context* c, Drawing& drawing) {
   change_colors(session, c, drawing);
 }
 
+void lay_curve(Session& session, sfumato_context* c, Drawing& drawing, double y) {
+  const double points[] = {0, y, 3, y, 6, y, 8, y};
+  session.take(sfumato_set_curve_points(c, drawing.document, 0, 0, points, 4));
+}
+
 void move_curve(Session& session, sfumato_context* c, Drawing& drawing) {
-  const double lower[] = {0, 5, 3, 5, 6, 5, 8, 5};
-  session.take(sfumato_set_curve_points(c, drawing.document, 0, 0, lower, 4));
+  lay_curve(session, c, drawing, 5);
   session.take(sfumato_solve_again(c, drawing.document, 1, drawing.picture));
 }
 
@@ -120,8 +124,7 @@ void begin_move(Session& session, sfumato_context* c, Drawing& drawing) {
 
 /// Another frame and what it leaves, without time.
 void hurry(Session& session, sfumato_context* c, Drawing& drawing) {
-  const double higher[] = {0, 4, 3, 4, 6, 4, 8, 4};
-  session.take(sfumato_set_curve_points(c, drawing.document, 0, 0, higher, 4));
+  lay_curve(session, c, drawing, 4);
   session.take(sfumato_solve_within(c, drawing.document, 0, drawing.picture));
   session.take(sfumato_solve_within(c, drawing.document, 0, drawing.picture));
 }

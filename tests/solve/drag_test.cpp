@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/charge.hpp"
 #include "sfumato/base/native/thread_pool.hpp"
 #include "sfumato/raster/rasterize.hpp"
 #include "sfumato/solve/solution.hpp"
@@ -172,16 +173,16 @@ TEST(Drag, without_time_waits_with_what_has_a_color) {
   ASSERT_TRUE(solution.begin_drag(context, 0, 0).ok());
   DiffuseStats exact, hurried, rest;
   ASSERT_TRUE(solution.drag(context, circle_at({42, 40}), &exact).ok());
-  EXPECT_EQ(solution.left(), 0u);
+  EXPECT_EQ(solution.waiting_nodes(), 0u);
   const PatchLayer whole = solution.picture().layers[0];
   ASSERT_TRUE(solution.drag(context, circle_at({60, 60})).ok());
   ASSERT_TRUE(solution.drag(context, circle_at({42, 40}), &hurried, 0).ok());
-  const std::size_t left = solution.left();
+  const std::size_t left = solution.waiting_nodes();
   EXPECT_GT(left, 0u);
   EXPECT_EQ(hurried.nodes + left, exact.nodes);
   EXPECT_GT(most_code_values(solution.picture().layers[0], whole), 1);
   ASSERT_TRUE(solution.drag_more(context, &rest).ok());
-  EXPECT_EQ(solution.left(), 0u);
+  EXPECT_EQ(solution.waiting_nodes(), 0u);
   EXPECT_EQ(rest.nodes, left);
   EXPECT_LT(most_code_values(solution.picture().layers[0], whole), 0.5);
   ASSERT_TRUE(solution.drag_more(context, &rest).ok());
@@ -199,7 +200,7 @@ TEST(Drag, shows_what_waits_as_the_last_frame_did) {
   ASSERT_TRUE(solution.drag(context, circle_at({42, 40})).ok());
   for (int step = 1; step < 4; ++step) {
     ASSERT_TRUE(solution.drag(context, circle_at({42 + 0.01 * step, 40}), nullptr, 0).ok());
-    EXPECT_GT(solution.left(), 0u);
+    EXPECT_GT(solution.waiting_nodes(), 0u);
     EXPECT_LT(mean_difference(solution.picture(), diffused(solution.document())), 0.3) << step;
   }
 }
@@ -211,9 +212,9 @@ TEST(Drag, goes_on_a_little_at_a_time_with_what_matters_most) {
   ASSERT_TRUE(solution.drag(context, circle_at({42, 40}), nullptr, 0).ok());
   const Picture exact = diffused(solution.document());
   std::vector<double> missed{mean_difference(solution.picture(), exact)};
-  while (const std::size_t left = solution.left()) {
+  while (const std::size_t left = solution.waiting_nodes()) {
     ASSERT_TRUE(solution.drag_more(context, nullptr, 0).ok());
-    ASSERT_LT(solution.left(), left);
+    ASSERT_LT(solution.waiting_nodes(), left);
     missed.push_back(mean_difference(solution.picture(), exact));
   }
   ASSERT_GT(missed.size(), 2u);
@@ -243,11 +244,11 @@ TEST(Drag, with_and_without_time_ends_alike_whatever_is_dragged) {
       for (Vec2& p : moved.control_points) p = p + Vec2{double(random() % 20) - 10, 3};
       ASSERT_TRUE(patient.drag(context, moved).ok());
       ASSERT_TRUE(hasty.drag(context, moved, nullptr, 0).ok());
-      waited += hasty.left();
-      while (frame % 2 == 1 && hasty.left() > 0) {
+      waited += hasty.waiting_nodes();
+      while (frame % 2 == 1 && hasty.waiting_nodes() > 0) {
         ASSERT_TRUE(hasty.drag_more(context, nullptr, 0).ok());
       }
-      if (hasty.left() > 0) continue;
+      if (hasty.waiting_nodes() > 0) continue;
       EXPECT_LT(mean_difference(patient.picture(), hasty.picture()), 0.05) << frame;
     }
     ASSERT_TRUE(hasty.solve(context, options).ok());
@@ -261,7 +262,7 @@ TEST(Drag, that_is_cancelled_going_on_leaves_what_was_left) {
   Solution solution = expecting_drags(owner, circles());
   ASSERT_TRUE(solution.begin_drag(owner, 0, 0).ok());
   ASSERT_TRUE(solution.drag(owner, circle_at({42, 40}), nullptr, 0).ok());
-  const std::size_t left = solution.left();
+  const std::size_t left = solution.waiting_nodes();
   const Picture picture = solution.picture();
   int cancelled = 0;
   for (std::uint64_t poll = 1;; poll += 1 + poll / 16) {
@@ -273,11 +274,38 @@ TEST(Drag, that_is_cancelled_going_on_leaves_what_was_left) {
     if (status.ok()) break;
     ++cancelled;
     ASSERT_EQ(status.code, StatusCode::cancelled);
-    ASSERT_EQ(solution.left(), left);
+    ASSERT_EQ(solution.waiting_nodes(), left);
     ASSERT_EQ(difference_of(solution.picture(), picture), "");
   }
   EXPECT_GT(cancelled, 5);
-  EXPECT_EQ(solution.left(), 0u);
+  EXPECT_EQ(solution.waiting_nodes(), 0u);
+}
+
+/// Wherever memory ends in a frame: what waits is of the one before.
+TEST(Drag, that_fails_goes_on_with_the_curve_as_it_was) {
+  Context owner;
+  Solution solution = expecting_drags(owner, circles());
+  ASSERT_TRUE(solution.begin_drag(owner, 0, 0).ok());
+  ASSERT_TRUE(solution.drag(owner, circle_at({42, 40}), nullptr, 0).ok());
+  ASSERT_TRUE(solution.drag(owner, circle_at({42, 40}), nullptr, 0).ok());
+  const std::size_t free = owner.budget.room();
+  int failed = 0;
+  for (std::size_t room = 0; room < free; room += 1 + room / 3) {
+    ASSERT_TRUE(solution.drag(owner, circle_at({42, 40}), nullptr, 0).ok());
+    ASSERT_GT(solution.waiting_nodes(), 0u);
+    {
+      const std::size_t now = owner.budget.room();
+      if (room >= now || room > std::size_t{8} << 20) break;
+      ScopedCharge charge;
+      ASSERT_TRUE(charge.add(owner, now - room, "a test").ok());
+      if (solution.drag(owner, circle_at({60, 60}), nullptr, 0).ok()) continue;
+    }
+    ++failed;
+    EXPECT_EQ(solution.document().layers[0].curves[0], circle_at({42, 40}));
+    ASSERT_TRUE(solution.drag_more(owner).ok());
+    EXPECT_LT(mean_difference(solution.picture(), diffused(solution.document())), 0.3) << room;
+  }
+  EXPECT_GT(failed, 0);
 }
 
 TEST(Drag, takes_the_same_memory_frame_after_frame) {

@@ -104,10 +104,10 @@ class Solution {
   ///
   /// `stats`, unless null, is added to: what was solved now. `seconds`, from 0 on: once they are
   /// over, nodes wait that have had a value in this drag, or that see more than the curve and are
-  /// not beside it: left() of them, until drag_more(). They keep the value of the last frame, or
-  /// that without the curve; those are gathered first that the curve may change most. None waits
-  /// where this Context is not that of begin_drag(), where memory is scarce, and where what the
-  /// layer shows ends within it.
+  /// not beside it: waiting_nodes() says how many, until drag_more(). They keep the value of the
+  /// last frame, or that without the curve; those are gathered first that the curve may change
+  /// most. None waits where this Context is not that of begin_drag(), where memory is scarce, and
+  /// where what the layer shows ends within it.
   ///
   /// Errors: bad_input (nothing is dragged, an invalid curve, or no such time), limit, cancelled,
   /// out_of_memory. Document and picture are as they were then. Cost: O(triangles and nodes of the
@@ -120,11 +120,11 @@ class Solution {
 
   /// How many nodes of the picture wait to be gathered since the last drag() or drag_more(); 0 once
   /// the drag has ended, or solve() has made the picture.
-  std::size_t left() const;
+  std::size_t waiting_nodes() const;
 
-  /// Gathers nodes that drag() left: all of them, or for so many seconds, but some in any case.
-  /// With none left the picture is the one that drag() makes without a limit, to less than half a
-  /// code value. Nothing happens where none were left. Errors: as drag(); what was left is so
+  /// Gathers nodes that wait since drag(): all of them, or for so many seconds, but some in any
+  /// case. With none left the picture is the one that drag() makes without a limit, to less than
+  /// half a code value. Nothing happens where none wait. Errors: as drag(); those that waited do so
   /// still.
   Status drag_more(Context& context, DiffuseStats* stats = nullptr,
                    std::optional<double> seconds = {});
