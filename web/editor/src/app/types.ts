@@ -1,0 +1,129 @@
+// contract: the editor's state, as panels and tools see it.
+import type { ReadonlySignal, Signal } from "@preact/signals";
+import type { Affine, Box, Point } from "../geometry/affine.js";
+import type { Rgb } from "../geometry/color.js";
+import type { Engine, EngineStatus, Hint } from "../engine/types.js";
+import type { Attribute, Drawing, Handle, Item, Outcome, Selection } from "../model/types.js";
+
+export type ToolName = "select" | "nodes" | "pen" | "pencil" | "stroke" | "sample" | "blur" | "hand";
+
+/** Artboard point in the middle of the stage, CSS pixels to an artboard unit. */
+export interface ViewState {
+  readonly x: number;
+  readonly y: number;
+  readonly zoom: number;
+}
+
+export type Theme = "system" | "light" | "dark";
+export type Surround = "dark" | "mid" | "light";
+
+/** Kept in this browser; signals, so that a change is seen at once. */
+export interface Settings {
+  readonly theme: Signal<Theme>;
+  readonly surround: Signal<Surround>;
+  /** Pencil: how far a stroke may be from the hand's, CSS pixels, 0.5 to 8. */
+  readonly smoothing: Signal<number>;
+  readonly snap: Signal<boolean>;
+  readonly grid: Signal<boolean>;
+  readonly colorModel: Signal<"oklch" | "hsv" | "rgb">;
+  /** The last eight. */
+  readonly recent: Signal<readonly Rgb[]>;
+  readonly panelWidth: Signal<number>;
+  /** Sampling: how far from the curve, photo pixels, 1 to 12; and the tolerance in OKLab. */
+  readonly sampleDistance: Signal<number>;
+  readonly sampleTolerance: Signal<number>;
+  /** Radius of new local strokes, artboard units. */
+  readonly strokeRadius: Signal<number>;
+  readonly tourDone: Signal<boolean>;
+}
+
+export interface Toast {
+  readonly text: string;
+  readonly action: { readonly label: string; readonly run: () => void } | null;
+}
+
+/** What is asked for over the page; null: nothing. */
+export type Dialog =
+  | { readonly kind: "export" | "keys" | "new" | "recover" | "about" | "problem" | "document" }
+  | null;
+
+/** The colour picker: what it edits. */
+export interface PickerTarget {
+  readonly handle: Handle;
+  readonly side: "left" | "right";
+  readonly stop: number;
+}
+
+/** One movement of the hand: shown while it lasts, kept as one step of undo. */
+export interface Gesture {
+  /** Shows what a command makes of the drawing as it was when the gesture began. null: nothing. */
+  show(make: (before: Drawing) => Outcome | null): void;
+  keep(): void;
+  drop(): void;
+  readonly isOver: boolean;
+}
+
+export interface FileState {
+  readonly name: string;
+  /** Whether there is something that no file has. */
+  readonly isChanged: boolean;
+  /** Where it is safe: "file", "browser" (autosave), or "nowhere" (storage refused). */
+  readonly kept: "file" | "browser" | "nowhere";
+}
+
+export interface Editor {
+  /** Within components and effects, reading it subscribes to its changes. */
+  readonly drawing: Drawing;
+  readonly selection: Signal<Selection>;
+  readonly tool: Signal<ToolName>;
+  /** Which stops stand on the curve: keys 1 2 3. */
+  readonly attribute: Signal<Attribute>;
+  readonly hovered: Signal<Handle | null>;
+  readonly view: Signal<ViewState>;
+  /** The stage, CSS pixels. */
+  readonly stage: Signal<{ readonly width: number; readonly height: number }>;
+  /** Where the pointer is, artboard units. */
+  readonly pointer: Signal<Point | null>;
+  readonly settings: Settings;
+  readonly engine: Engine;
+  readonly status: ReadonlySignal<EngineStatus>;
+  readonly hints: ReadonlySignal<readonly Hint[]>;
+  readonly hintsShown: Signal<boolean>;
+  readonly file: Signal<FileState>;
+  /** Labels of what undo and redo would do, or null. */
+  readonly undoLabel: ReadonlySignal<string | null>;
+  readonly redoLabel: ReadonlySignal<string | null>;
+  readonly toast: Signal<Toast | null>;
+  readonly dialog: Signal<Dialog>;
+  readonly picker: Signal<PickerTarget | null>;
+  readonly showMesh: Signal<boolean>;
+  readonly showOutlines: Signal<boolean>;
+  readonly showReference: Signal<boolean>;
+  readonly hideHandles: Signal<boolean>;
+  /** Whether the page to begin from is shown. */
+  readonly welcome: Signal<boolean>;
+  /** Step of the tour, 0 to 4; null: none. */
+  readonly tour: Signal<number | null>;
+  /** What is read to who cannot see it. */
+  readonly announcement: Signal<string>;
+
+  /** One step of undo; false where nothing changes or the drawing is read-only (it says so). */
+  run(label: string, outcome: Outcome | null, merge?: string): boolean;
+  gesture(label: string): Gesture;
+  undo(): void;
+  redo(): void;
+  /** A new document takes the place of this one. */
+  open(text: string, name: string): void;
+  /** The layer that new curves go into: the selection's, else the topmost that is not locked. */
+  readonly activeLayer: Item | null;
+  /** The unit of the last decimal to write for an element: 1/1000 of a CSS pixel at this zoom. */
+  step(item: Item | null): number;
+  artboardFromStage(): Affine;
+  stageFromArtboard(): Affine;
+  /** Shows a box of the artboard as large as it fits. */
+  fit(box?: Box): void;
+  zoomBy(factor: number, at?: Point): void;
+  /** Commands of keys.ts and menus by name ("undo", "zoom-in", …). */
+  command(name: string): void;
+  say(text: string, action?: Toast["action"]): void;
+}

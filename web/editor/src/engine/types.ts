@@ -1,0 +1,121 @@
+// contract: the engine, as the page sees it. It works in workers.
+import type { Box } from "../geometry/affine.js";
+
+export type EngineStatus =
+  | { readonly kind: "empty" }
+  /** What is seen is what `sfumato render` would draw of the text. `milliseconds`: of the last solve. */
+  | { readonly kind: "exact"; readonly milliseconds: number }
+  | { readonly kind: "refining"; readonly milliseconds: number }
+  /** The text cannot be drawn; the last picture stays. Line and column from 1, 0 where unknown. */
+  | { readonly kind: "problem"; readonly reason: string; readonly line: number; readonly column: number }
+  /** WebAssembly or workers are missing, or memory is out. */
+  | { readonly kind: "failed"; readonly reason: string };
+
+/** A curve as the engine counts them. */
+export interface EngineCurve {
+  readonly layer: number;
+  readonly curve: number;
+  /** Where its element's `<` stands in the text, UTF-16 units; which of its subpaths. */
+  readonly offset: number;
+  readonly subpath: number;
+}
+
+/** A probable mistake, of `sfumato lint`. */
+export interface Hint {
+  readonly severity: "warning" | "note";
+  readonly rule: string;
+  readonly message: string;
+  /** Of the curve's element in the text that was looked at, or null. */
+  readonly offset: number | null;
+  /** Artboard units, or null. */
+  readonly at: readonly [number, number] | null;
+}
+
+/** A small change since the last text: the points of one curve, in the frame of its layer, or stops. */
+export type QuickChange =
+  | { readonly kind: "points"; readonly layer: number; readonly curve: number; readonly xy: Float64Array }
+  | {
+      readonly kind: "stops";
+      readonly layer: number;
+      readonly curve: number;
+      readonly side: 0 | 1;
+      readonly attribute: 0 | 1 | 2;
+      /** 0 arc length, 1 parameter. */
+      readonly space: 0 | 1;
+      /** [offset, red, green, blue] or [offset, value]. */
+      readonly rows: readonly (readonly number[])[];
+    };
+
+export interface RasterWish {
+  readonly width: number;
+  readonly height: number;
+  /** Part of the artboard; null: all. */
+  readonly viewport: Box | null;
+  /** CSS colour, "none", or null for the document's. */
+  readonly background: string | null;
+  readonly depth: 8 | 16;
+}
+
+export interface Engine {
+  /**
+   * The text from now on. While `moving`, pictures come quickly, within the frame's time; once it is
+   * said without, the exact picture follows. `quick`: the change since the last call, where it is one
+   * of these alone; ignored where the engine cannot follow it. The latest wins.
+   */
+  show(text: string, moving: boolean, quick?: readonly QuickChange[]): void;
+  /** CSS pixels times the device's ratio to an artboard unit, and what is seen: how fine is enough. */
+  look(pixelsPerUnit: number, seen: Box): void;
+  /** Curves of the last text that was read. */
+  readonly curves: readonly EngineCurve[];
+  /** Exact colours (red, green, blue, opacity; 0 to 1) of a layer's last exact state at points, xy in its frame. */
+  colors(layer: number, xy: Float64Array): Promise<Float32Array>;
+  raster(wish: RasterWish): Promise<Uint8ClampedArray<ArrayBuffer> | Uint16Array<ArrayBuffer>>;
+  /** The bytes of the HTML viewer's payload. */
+  payload(): Promise<Uint8Array>;
+  lint(): Promise<readonly Hint[]>;
+  /** Orzan's XML as SVG. @throws Error with line and column in words */
+  convert(text: string): Promise<string>;
+  onPicture: (update: PictureUpdate) => void;
+  onStatus: (status: EngineStatus) => void;
+  free(): void;
+}
+
+/** Rows of a table that are new: ranges from, and up to, ascending. */
+export type RowRanges = readonly (readonly [number, number])[];
+
+/** What canvas/renderer.ts hands to the viewer's renderer. Its shape follows web/viewer/layers.js. */
+export interface PictureUpdate {
+  /** Bytes that web/viewer's readStack() reads; null: as before. */
+  readonly stack: Uint8Array | null;
+  readonly layers: readonly LayerUpdate[];
+  readonly isExact: boolean;
+}
+
+export interface FieldUpdate {
+  readonly channelCount: number;
+  readonly nodeRows: number;
+  readonly valueRows: number;
+  /** 10 a triangle and channelCount a node, of the rows that changed, one range behind the other. */
+  readonly nodes: Uint32Array;
+  readonly nodeRanges: RowRanges;
+  readonly values: Float32Array;
+  readonly valueRanges: RowRanges;
+}
+
+export interface LayerUpdate {
+  readonly layer: number;
+  /** All tables are whole and new. */
+  readonly isWhole: boolean;
+  readonly origin: readonly [number, number];
+  readonly bounds: Box;
+  readonly vertexRows: number;
+  readonly triangleRows: number;
+  readonly positions: Float32Array;
+  readonly positionRanges: RowRanges;
+  readonly triangles: Uint32Array;
+  readonly triangleRanges: RowRanges;
+  readonly edges: Uint8Array;
+  readonly edgeRanges: RowRanges;
+  readonly color: FieldUpdate;
+  readonly opacity: FieldUpdate | null;
+}
