@@ -13,6 +13,12 @@ export const Attribute = Object.freeze({ color: 0, opacity: 1, blur: 2 });
 export const Kind = Object.freeze({ open: 0, barrier: 1, stops: 2, paint: 3 });
 export const Space = Object.freeze({ arcLength: 0, parameter: 1 });
 
+/**
+ * Options of a call, as the C interface has them (docs/c-api.md): "max-memory=500 max-time=2" or
+ * {"max-memory": 500, "max-time": 2}.
+ * @typedef {string | Readonly<Record<string, string | number | boolean>> | null} Options
+ */
+
 /** Tables of a solved layer. */
 export const Table = Object.freeze({
   vertices: 0,
@@ -79,7 +85,7 @@ export class Sfumato {
     return this.#library.memoryBytes;
   }
 
-  /** @param options "max-memory=500 max-time=2" or {"max-time": 2}: docs/c-api.md, "Options" */
+  /** @param {Options} options threads, max-memory, max-time, limit.NAME */
   context(options = null) {
     const number = this.#next++;
     const callbacks = { number, progress: this.#progress, load: this.#load };
@@ -150,7 +156,7 @@ export class SfumatoContext extends Handle {
   /**
    * Reads SVG or Orzan's XML; not gzip (DecompressionStream unpacks it before).
    * @param {string | Uint8Array} text
-   * @param {{name?: string, load?: (href: string) => Uint8Array | null}} from `name` is for
+   * @param {{name?: string, load?: ((href: string) => Uint8Array | null) | null}} from `name` is for
    *   messages; `load` brings the files that the document names, and gives null where it will not
    */
   read(text, { name = "", load = null } = {}) {
@@ -212,14 +218,14 @@ export class SfumatoContext extends Handle {
     }
   }
 
-  /** @param options artboard (to be given), interpolation, background */
+  /** @param {Options} options artboard (to be given), interpolation, background */
   newDocument(options) {
     return this.#withOptions(options, (text) => {
       return new SfumatoDocument(this, this.make("sfumato_document_new", text));
     });
   }
 
-  /** @param options of sfumato_solve: max-error, width, … */
+  /** @param {Options} options of sfumato_solve: max-error, width, … */
   solve(document, options = null) {
     return this.#withOptions(options, (text) => {
       const picture = this.make("sfumato_solve", document.address, text);
@@ -229,7 +235,9 @@ export class SfumatoContext extends Handle {
 
   /**
    * Makes a picture that of a document.
-   * @param {{quick?: boolean, seconds?: number}} way quick: to look at while one curve moves;
+   * @param {SfumatoDocument} document
+   * @param {SfumatoPicture} picture
+   * @param {{quick?: boolean, seconds?: number | undefined}} way quick: to look at while one curve moves;
    *   seconds: so, and once they are over, values wait (picture.statistics.waitingNodes)
    */
   solveAgain(document, picture, { quick = false, seconds = undefined } = {}) {
@@ -242,9 +250,10 @@ export class SfumatoContext extends Handle {
 
   /**
    * Draws a picture.
+   * @param {SfumatoPicture} picture
    * @param {{width: number, height: number, format?: string}} image format: rgb8, rgba8 (that of
    *   ImageData), rgb16 or rgba16
-   * @param options of sfumato_raster
+   * @param {Options} options of sfumato_raster
    * @returns {Uint8ClampedArray | Uint16Array} rows from the top, alpha not premultiplied
    */
   raster(picture, { width, height, format = "rgba8" }, options = null) {
@@ -266,7 +275,7 @@ export class SfumatoContext extends Handle {
     }
   }
 
-  /** What web/viewer's PictureReader reads. @param options background */
+  /** What web/viewer's PictureReader reads. @param {Options} options background */
   viewerPayload(picture, options = null) {
     return this.#withOptions(options, (text) =>
       this.library.takeBytes(this.make("sfumato_viewer_payload", picture.address, text)),
@@ -275,7 +284,7 @@ export class SfumatoContext extends Handle {
 
   /**
    * Looks for probable mistakes: {file, hints, hint_count}, as `sfumato lint --json` prints it.
-   * @param options verbose
+   * @param {Options} options verbose
    */
   lint(document, options = null) {
     return this.#withOptions(options, (text) => {
@@ -284,7 +293,7 @@ export class SfumatoContext extends Handle {
     });
   }
 
-  /** A layer's exact colours at points. @param options of sfumato_field_new */
+  /** A layer's exact colours at points. @param {Options} options of sfumato_field_new */
   field(document, layer, options = null) {
     return this.#withOptions(options, (text) => {
       const field = this.make("sfumato_field_new", document.address, layer, text);
@@ -470,7 +479,14 @@ export class SfumatoDocument extends Handle {
     return { kind, space, rows };
   }
 
-  /** Sets what stops() gives: Kind.stops with rows, or Kind.open or Kind.barrier without. */
+  /**
+   * Sets what stops() gives: Kind.stops with rows, or Kind.open or Kind.barrier without.
+   * @param {number} layer
+   * @param {number} curve
+   * @param {number} side of Side
+   * @param {number} attribute of Attribute
+   * @param {{kind: number, space?: number, rows?: readonly (readonly number[])[]}} list
+   */
   setStops(layer, curve, side, attribute, { kind, space = Space.arcLength, rows = [] }) {
     const numbers = attribute === Attribute.color ? 4 : 2;
     if (rows.some((row) => row.length !== numbers)) {

@@ -20,15 +20,17 @@ export interface EngineCurve {
   readonly subpath: number;
 }
 
-/** A probable mistake, of `sfumato lint`. */
+/** A probable mistake, of `sfumato lint` (docs/cli.md). */
 export interface Hint {
   readonly severity: "warning" | "note";
+  /** Its kind, as "crossing". */
   readonly rule: string;
   readonly message: string;
-  /** Of the curve's element in the text that was looked at, or null. */
+  readonly layer: number | null;
+  readonly curve: number | null;
+  /** Where its curve's element stands in the text that was looked at, and which subpath; or null. */
   readonly offset: number | null;
-  /** Artboard units, or null. */
-  readonly at: readonly [number, number] | null;
+  readonly subpath: number | null;
 }
 
 /** A small change since the last text: the points of one curve, in the frame of its layer, or stops. */
@@ -64,7 +66,7 @@ export interface Engine {
    */
   show(text: string, moving: boolean, quick?: readonly QuickChange[]): void;
   /** CSS pixels times the device's ratio to an artboard unit, and what is seen: how fine is enough. */
-  look(pixelsPerUnit: number, seen: Box): void;
+  look(pixelsPerUnit: number, seen: Box, artboard: Box): void;
   /** Curves of the last text that was read. */
   readonly curves: readonly EngineCurve[];
   /** Exact colours (red, green, blue, opacity; 0 to 1) of a layer's last exact state at points, xy in its frame. */
@@ -88,6 +90,8 @@ export interface PictureUpdate {
   /** Bytes that web/viewer's readStack() reads; null: as before. */
   readonly stack: Uint8Array | null;
   readonly layers: readonly LayerUpdate[];
+  /** Layers beyond are gone. */
+  readonly layerCount: number;
   readonly isExact: boolean;
 }
 

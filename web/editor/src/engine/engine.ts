@@ -1,0 +1,271 @@
+// The engine on the page's side: two workers. The front one follows the hand; the back one solves
+// what rests exactly, and then takes the front one's place, so that the next movement begins there.
+import type { Box } from "../geometry/affine.js";
+import { detailFor, type Detail } from "./detail.js";
+import { hintsOf } from "./hints.js";
+import { Pending } from "./pending.js";
+import { EngineError } from "./rpc.js";
+import { Seat, type Host } from "./seat.js";
+import type { GivenImage, LintReport, Solved, SolveOptions, Way } from "./session.js";
+import type {
+  Engine,
+  EngineCurve,
+  EngineStatus,
+  Hint,
+  PictureUpdate,
+  QuickChange,
+  RasterWish,
+} from "./types.js";
+
+/** A frame's share for the gather, seconds. */
+const FRAME_SECONDS = 0.008;
+/** How long the hand must rest before the exact picture is asked for, milliseconds. */
+const REST = 120;
+/** How long the view must rest before finer chords are, milliseconds. */
+const VIEW_REST = 400;
+/** Frames that go on with what waits, one after another. */
+const MOST_ROUNDS = 60;
+
+/** The text that is to be seen. */
+interface Wanted {
+  readonly text: string;
+  readonly moving: boolean;
+  readonly serial: number;
+}
+
+export class WorkerEngine implements Engine {
+  onPicture: (update: PictureUpdate) => void = () => {};
+  onStatus: (status: EngineStatus) => void = () => {};
+
+  readonly #host: Host;
+  #front: Seat;
+  #back: Seat | null = null;
+  #wanted: Wanted = { text: "", moving: false, serial: -1 };
+  /** What the front seat's document lacks of the wanted text. */
+  #pending = new Pending();
+  /** Stamps of what the page shows, and the text that it is of. */
+  #shown: (string | null)[] = [];
+  #shownSerial = -1;
+  /** The text, and the options, of the exact picture that is shown. */
+  #exactSerial = -1;
+  #exactOptions: SolveOptions | null = null;
+  /** The last text that cannot be read. */
+  #badSerial = -1;
+  #detail: Detail | null = null;
+  #images: GivenImage[] = [];
+  #frames: Promise<void> | null = null;
+  #isSettling = false;
+  #timer = 0;
+  #seatCount = 0;
+  #isFree = false;
+
+  constructor(host: Host) {
+    this.#host = host;
+    this.#front = this.#newSeat();
+  }
+
+  get curves(): readonly EngineCurve[] {
+    return this.#front.curves;
+  }
+
+  #newSeat(): Seat {
+    return new Seat(this.#host, `w${this.#seatCount++}`);
+  }
+
+  /** Pixels of images that texts name from now on. */
+  addImages(images: readonly GivenImage[]): void {
+    this.#images.push(...images);
+  }
+
+  show(text: string, moving: boolean, quick?: readonly QuickChange[]): void {
+    this.#pending.add(quick);
+    this.#wanted = { text, moving, serial: this.#wanted.serial + 1 };
+    this.#follow();
+    if (!moving) this.#settleAfter(REST);
+  }
+
+  look(pixelsPerUnit: number, seen: Box, artboard: Box): void {
+    const detail = detailFor(pixelsPerUnit, seen, artboard, this.#detail);
+    if (detail === this.#detail) return;
+    const isFirst = this.#detail === null;
+    this.#detail = detail;
+    if (!isFirst) this.#settleAfter(VIEW_REST);
+  }
+
+  // Frames: one at a time, of the latest text.
+
+  #follow() {
+    this.#frames ??= this.#follows().finally(() => {
+      this.#frames = null;
+      if (this.#isFrameWanted) this.#follow();
+    });
+  }
+
+  get #isFrameWanted(): boolean {
+    const { serial } = this.#wanted;
+    return !this.#isFree && this.#shownSerial < serial && this.#badSerial < serial;
+  }
+
+  async #follows(): Promise<void> {
+    const seat = this.#front;
+    try {
+      await seat.ready;
+      while (seat === this.#front && this.#isFrameWanted) await this.#frame(seat);
+    } catch (error) {
+      this.#complain(error, seat);
+    }
+  }
+
+  async #frame(seat: Seat): Promise<void> {
+    const wanted = this.#wanted;
+    const { changes, isOneCurve } = this.#pending.take();
+    await this.#bring(seat, wanted, changes);
+    const way: Way = isOneCurve ? { kind: "quick", seconds: FRAME_SECONDS } : { kind: "draft" };
+    const options = this.#exactOptions ?? this.#options;
+    let solved = await this.#solve(seat, way, options);
+    this.#publish(solved, wanted, false);
+    // While nothing new is wanted: what the frame had no time for.
+    for (let i = 0; i < MOST_ROUNDS && solved.waiting > 0 && this.#wanted === wanted; ++i) {
+      solved = await this.#solve(seat, way, options);
+      this.#publish(solved, wanted, false);
+    }
+  }
+
+  get #options(): SolveOptions {
+    return this.#detail?.options ?? {};
+  }
+
+  async #bring(seat: Seat, { text, serial }: Wanted, changes: readonly QuickChange[] | null) {
+    await seat.bring(text, serial, changes, this.#images);
+  }
+
+  #solve(seat: Seat, way: Way, options: SolveOptions): Promise<Solved> {
+    return seat.link.call<Solved>("solve", { way, options, have: this.#shown });
+  }
+
+  #publish(solved: Solved, wanted: Wanted, isExact: boolean) {
+    this.#shown = [...solved.stamps];
+    this.#shownSerial = wanted.serial;
+    this.onPicture({ stack: solved.stack, layers: solved.layers, layerCount: solved.stamps.length, isExact });
+    const kind = isExact ? "exact" : "refining";
+    this.onStatus({ kind, milliseconds: solved.milliseconds });
+  }
+
+  // What rests.
+
+  #settleAfter(milliseconds: number) {
+    clearTimeout(this.#timer);
+    this.#timer = setTimeout(() => void this.#settle(), milliseconds) as never;
+  }
+
+  get #isSettleWanted(): boolean {
+    const { moving, serial } = this.#wanted;
+    const isExact = this.#exactSerial === serial && sameOptions(this.#exactOptions, this.#options);
+    return !this.#isFree && !moving && serial >= 0 && this.#badSerial < serial && !isExact;
+  }
+
+  async #settle(): Promise<void> {
+    if (this.#isSettling || !this.#isSettleWanted) return;
+    this.#isSettling = true;
+    const seat = (this.#back ??= this.#newSeat());
+    try {
+      await seat.ready;
+      await this.#settleIn(seat, this.#wanted, this.#options);
+    } catch (error) {
+      this.#complain(error, seat);
+    }
+    this.#isSettling = false;
+    if (this.#isSettleWanted) this.#settleAfter(REST);
+  }
+
+  async #settleIn(seat: Seat, wanted: Wanted, options: SolveOptions): Promise<void> {
+    if (seat.serial !== wanted.serial || seat.isChanged) await this.#bring(seat, wanted, null);
+    const before = this.#shown;
+    let solved = await this.#solve(seat, { kind: "exact" }, options);
+    await this.#frames;
+    if (this.#wanted !== wanted) return;
+    // Frames have changed what the page shows since the tables were asked for.
+    const { milliseconds, stack } = solved;
+    if (this.#shown !== before) {
+      solved = { ...(await this.#solve(seat, { kind: "exact" }, options)), milliseconds };
+      solved = { ...solved, stack: solved.stack ?? stack };
+    }
+    if (this.#wanted !== wanted) return;
+    this.#back = this.#front;
+    this.#front = seat;
+    this.#pending.reset();
+    this.#exactSerial = wanted.serial;
+    this.#exactOptions = options;
+    this.#publish(solved, wanted, true);
+  }
+
+  #complain(error: unknown, seat: Seat) {
+    if (this.#isFree) return;
+    const problem = EngineError.of(error);
+    this.#badSerial = this.#wanted.serial;
+    this.#pending.lose();
+    if (!problem.isOfText) this.#replace(seat);
+    const { reason, line, column } = problem;
+    if (seat.isStarted) this.onStatus({ kind: "problem", reason, line, column });
+    else this.onStatus({ kind: "failed", reason });
+  }
+
+  /** A module that has run out of memory, or has trapped, is of no more use. */
+  #replace(seat: Seat) {
+    seat.end();
+    if (seat === this.#back) this.#back = null;
+    else this.#front = this.#newSeat();
+  }
+
+  // Questions about the text that is shown.
+
+  /** The front seat, with the present text. */
+  async #idle(): Promise<Seat> {
+    await this.#frames;
+    const seat = this.#front;
+    await seat.ready;
+    if (seat.serial !== this.#wanted.serial || seat.isChanged) {
+      this.#pending.reset();
+      await this.#bring(seat, this.#wanted, null);
+    }
+    return seat;
+  }
+
+  async #ask<Value>(name: string, ...given: unknown[]): Promise<Value> {
+    return (await this.#idle()).link.call<Value>(name, ...given);
+  }
+
+  colors(layer: number, xy: Float64Array): Promise<Float32Array> {
+    return this.#ask("colors", layer, xy);
+  }
+
+  raster(wish: RasterWish): Promise<Uint8ClampedArray<ArrayBuffer> | Uint16Array<ArrayBuffer>> {
+    return this.#ask("raster", wish);
+  }
+
+  payload(): Promise<Uint8Array> {
+    return this.#ask("payload");
+  }
+
+  async lint(): Promise<readonly Hint[]> {
+    const seat = await this.#idle();
+    return hintsOf(await seat.link.call<LintReport>("lint"), seat.curves);
+  }
+
+  async convert(text: string): Promise<string> {
+    const seat = this.#front;
+    await seat.ready;
+    return seat.link.call("convert", text);
+  }
+
+  free(): void {
+    this.#isFree = true;
+    clearTimeout(this.#timer);
+    this.#front.end();
+    this.#back?.end();
+  }
+}
+
+function sameOptions(a: SolveOptions | null, b: SolveOptions): boolean {
+  return JSON.stringify(a) === JSON.stringify(b);
+}

@@ -1,0 +1,44 @@
+// What a worker's document lacks of the present text, where that can be said by changes of curves.
+import type { QuickChange } from "./types.js";
+
+function keyOf(change: QuickChange): string {
+  const { kind, layer, curve } = change;
+  if (kind === "points") return `${layer} ${curve}`;
+  return `${layer} ${curve} ${change.side} ${change.attribute}`;
+}
+
+export class Pending {
+  /** The last change of each list of points or stops; null: the whole text is needed. */
+  #changes: Map<string, QuickChange> | null = null;
+  /** Curves changed since the worker's picture was exact. */
+  #curves = new Set<string>();
+
+  /** @param quick all that changed since the text before, or undefined where that cannot be said */
+  add(quick: readonly QuickChange[] | undefined): void {
+    if (!quick) return this.lose();
+    for (const change of quick) {
+      this.#curves.add(`${change.layer} ${change.curve}`);
+      this.#changes?.set(keyOf(change), change);
+    }
+  }
+
+  /** The whole text is needed. */
+  lose(): void {
+    this.#changes = null;
+  }
+
+  /** Nothing is lacking, and the picture is exact. */
+  reset(): void {
+    this.#changes = new Map();
+    this.#curves.clear();
+  }
+
+  /** What is to be brought now. Afterwards nothing is lacking. */
+  take(): { changes: readonly QuickChange[] | null; isOneCurve: boolean } {
+    const changes = this.#changes && [...this.#changes.values()];
+    const isOneCurve = changes !== null && this.#curves.size <= 1;
+    this.#changes = new Map();
+    if (!changes) this.#curves.add("a text").add("another");
+    return { changes, isOneCurve };
+  }
+}

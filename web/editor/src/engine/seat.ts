@@ -1,0 +1,65 @@
+// A worker, and what it has of the text.
+import { Link } from "./rpc.js";
+import type { GivenImage, ReadResult } from "./session.js";
+import type { EngineCurve, QuickChange } from "./types.js";
+
+/** Where workers and the module come from: a site, or one file. */
+export interface Host {
+  module(): Promise<WebAssembly.Module>;
+  worker(): Worker;
+}
+
+export class Seat {
+  readonly link: Link;
+  /** Resolves when it can be called. */
+  readonly ready: Promise<void>;
+  isStarted = false;
+  /** Number of the text that its document is of; -1: none. */
+  serial = -1;
+  /** Whether curves were changed since it read a text. */
+  isChanged = false;
+  curves: readonly EngineCurve[] = [];
+  #imageCount = 0;
+
+  /** @param name tells its stamps from others' */
+  constructor(host: Host, name: string) {
+    this.link = new Link(host.worker());
+    this.ready = this.#start(host, name);
+    // Whoever waits hears of it; that nobody does is no error.
+    this.ready.catch(() => {});
+  }
+
+  async #start(host: Host, name: string): Promise<void> {
+    await this.link.call("start", await host.module(), name);
+    this.isStarted = true;
+  }
+
+  /**
+   * Makes its document that of a text, by changes where these are known.
+   * @throws EngineError; the document is as before then
+   */
+  async bring(
+    text: string,
+    serial: number,
+    changes: readonly QuickChange[] | null,
+    images: readonly GivenImage[],
+  ): Promise<void> {
+    if (this.#imageCount < images.length) {
+      await this.link.call("addImages", images.slice(this.#imageCount));
+      this.#imageCount = images.length;
+    }
+    if (changes) {
+      if (changes.length > 0) await this.link.call("change", changes);
+      this.isChanged ||= changes.length > 0;
+    } else {
+      const { curves } = await this.link.call<ReadResult>("read", text);
+      this.curves = curves;
+      this.isChanged = false;
+    }
+    this.serial = serial;
+  }
+
+  end(): void {
+    this.link.end();
+  }
+}

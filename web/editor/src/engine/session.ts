@@ -1,0 +1,303 @@
+// One instance of the module: a document, its picture, and what the page has of it. Runs in a
+// worker, and in node for tests.
+import {
+  loadSfumato,
+  type Sfumato,
+  type SfumatoContext,
+  type SfumatoDocument,
+  type SfumatoField,
+  type SfumatoPicture,
+} from "../../../wasm/sfumato.mjs";
+import {
+  fingerprint,
+  isChanged,
+  layerUpdate,
+  rowCounts,
+  type Origins,
+  type RowCounts,
+} from "./tables.js";
+import type { EngineCurve, LayerUpdate, QuickChange, RasterWish } from "./types.js";
+
+/** An image that a document names or holds: its file's bytes, and its pixels. */
+export interface GivenImage {
+  readonly href: string;
+  readonly bytes: Uint8Array;
+  readonly pixels: { readonly width: number; readonly height: number; readonly data: Uint8ClampedArray };
+}
+
+/** How fine a picture is to be: `sfumato_solve`'s options. */
+export type SolveOptions = Readonly<Record<string, string | number>>;
+
+export type Way =
+  /** What `sfumato render` draws. */
+  | { readonly kind: "exact" }
+  /** One curve moves: values to a few code values, in this time. */
+  | { readonly kind: "quick"; readonly seconds: number }
+  /** Several move: the mesh of a rough picture. */
+  | { readonly kind: "draft" };
+
+export interface SolveWish {
+  readonly way: Way;
+  readonly options: SolveOptions;
+  /** Of each layer, the stamp of what the page shows; null: nothing. */
+  readonly have: readonly (string | null)[];
+}
+
+export interface Solved {
+  /** As web/viewer's readStack() takes them; null: as the last that were sent. */
+  readonly stack: Uint8Array | null;
+  readonly stamps: readonly string[];
+  readonly layers: readonly LayerUpdate[];
+  /** Values that wait for time: solve again, with the same text, goes on. */
+  readonly waiting: number;
+  readonly milliseconds: number;
+}
+
+export interface ReadResult {
+  readonly curves: readonly EngineCurve[];
+  readonly warnings: readonly string[];
+}
+
+/** Tables that show one document, and the stamps by which the page knows what it has. */
+class Shown {
+  readonly origins: Origins = new Map();
+  stamps: string[] = [];
+  rows: RowCounts[] = [];
+  constructor(
+    readonly picture: SfumatoPicture,
+    readonly key: string,
+  ) {}
+}
+
+/** Curves move: chords and triangles as coarse as an eye that follows them allows. */
+const draftOptions = { "max-error": "off", detail: 0.5 };
+
+export class Session {
+  #context: SfumatoContext;
+  #document: SfumatoDocument | null = null;
+  #exact: Shown | null = null;
+  #draft: Shown | null = null;
+  #fields = new Map<number, SfumatoField>();
+  #images = new Map<string, Uint8Array>();
+  #stack: Uint8Array | null = null;
+  #stackIsOld = true;
+  #serial = 0;
+  readonly #name: string;
+
+  private constructor(sfumato: Sfumato, name: string) {
+    this.#context = sfumato.context({ "max-memory": 3000 });
+    this.#name = name;
+  }
+
+  /** @param name tells this instance's stamps from others' */
+  static async start(module: WebAssembly.Module | BufferSource, name: string): Promise<Session> {
+    return new Session(await loadSfumato(module), name);
+  }
+
+  addImages(images: readonly GivenImage[]): void {
+    for (const { href, bytes, pixels } of images) {
+      this.#context.addImage(bytes, pixels);
+      this.#images.set(href, bytes);
+    }
+  }
+
+  /** Takes a text; the picture is that of the text before until it is solved. @throws SfumatoError */
+  read(text: string): ReadResult {
+    const load = (href: string) => this.#images.get(href) ?? null;
+    const next = this.#context.read(text, { load });
+    this.#document?.free();
+    this.#document = next;
+    this.#stackIsOld = true;
+    this.#dropFields();
+    return { curves: curvesOf(next, text), warnings: this.#context.warnings };
+  }
+
+  /** Changes curves without a text. @throws SfumatoError; the document is as before then */
+  change(changes: readonly QuickChange[]): void {
+    const document = this.#read();
+    this.#dropFields();
+    for (const change of changes) {
+      const { layer, curve } = change;
+      if (change.kind === "points") {
+        document.setPoints(layer, curve, change.xy);
+      } else {
+        const { side, attribute, space, rows } = change;
+        document.setStops(layer, curve, side, attribute, { kind: 2, space, rows });
+      }
+    }
+  }
+
+  /** Points of a curve, in the frame of its layer. */
+  points(layer: number, curve: number): Float64Array {
+    return this.#read().points(layer, curve) as Float64Array;
+  }
+
+  solve({ way, options, have }: SolveWish): Solved {
+    const began = performance.now();
+    const shown = way.kind === "draft" ? this.#solveDraft(options) : this.#solveExact(way, options);
+    const layers = this.#stamp(shown, way.kind === "exact", have);
+    const milliseconds = performance.now() - began;
+    const waiting = way.kind === "quick" ? shown.picture.statistics.waitingNodes : 0;
+    return { stack: this.#newStack(shown.picture), stamps: [...shown.stamps], layers, waiting, milliseconds };
+  }
+
+  #solveExact(way: Way, options: SolveOptions): Shown {
+    const document = this.#read();
+    const key = JSON.stringify(options);
+    if (this.#exact?.key !== key) {
+      const picture = this.#context.solve(document, options);
+      this.#exact?.picture.free();
+      this.#exact = new Shown(picture, key);
+    } else {
+      const quick = way.kind === "quick" ? { seconds: way.seconds } : {};
+      this.#context.solveAgain(document, this.#exact.picture, quick);
+    }
+    return this.#exact;
+  }
+
+  #solveDraft(options: SolveOptions): Shown {
+    const document = this.#read();
+    const rough = { ...options, ...draftOptions };
+    const key = JSON.stringify(rough);
+    if (this.#draft?.key !== key) {
+      const picture = this.#context.solve(document, rough);
+      this.#draft?.picture.free();
+      this.#draft = new Shown(picture, key);
+    } else {
+      this.#context.solveAgain(document, this.#draft.picture);
+    }
+    return this.#draft;
+  }
+
+  /** What the page lacks of a picture just solved. */
+  #stamp(shown: Shown, isExact: boolean, have: readonly (string | null)[]): LayerUpdate[] {
+    const { picture, stamps, rows, origins } = shown;
+    const updates: LayerUpdate[] = [];
+    stamps.length = picture.layerCount;
+    for (let layer = 0; layer < picture.layerCount; ++layer) {
+      const before = stamps[layer];
+      if (before === undefined || isChanged(picture, layer, rows[layer])) {
+        const content = isExact ? fingerprint(picture, layer) : `${this.#name}.${++this.#serial}`;
+        stamps[layer] = content;
+        rows[layer] = rowCounts(picture, layer);
+      }
+      if (have[layer] === stamps[layer]) continue;
+      const isWhole = before === undefined || have[layer] !== before || !origins.has(layer);
+      updates.push(layerUpdate(picture, layer, isWhole, origins));
+    }
+    return updates;
+  }
+
+  #newStack(picture: SfumatoPicture): Uint8Array | null {
+    if (!this.#stackIsOld) return null;
+    this.#stackIsOld = false;
+    const stack = this.#context.pictureStack(picture) as Uint8Array;
+    const isSame = this.#stack !== null && equalBytes(stack, this.#stack);
+    this.#stack = stack;
+    return isSame ? null : stack;
+  }
+
+  /** The next picture brings its stack along, whatever was sent. */
+  forgetStack(): void {
+    this.#stack = null;
+    this.#stackIsOld = true;
+  }
+
+  /** Red, green, blue, opacity of points of a layer's frame. */
+  colors(layer: number, xy: Float64Array): Float32Array {
+    let field = this.#fields.get(layer);
+    if (!field) {
+      field = this.#context.field(this.#read(), layer) as SfumatoField;
+      this.#fields.set(layer, field);
+    }
+    return field.colors(xy);
+  }
+
+  /** The pixels that the command draws. */
+  raster({ width, height, viewport, background, depth }: RasterWish): Uint8ClampedArray | Uint16Array {
+    const options: Record<string, string | number> = { width, height };
+    if (depth === 16) options["max-error"] = 0.25;
+    if (viewport) {
+      const [x0, y0, x1, y1] = viewport;
+      options.viewport = [x0, y0, x1 - x0, y1 - y0].join(",");
+    }
+    const picture = this.#context.solve(this.#read(), options);
+    try {
+      const format = depth === 16 ? "rgba16" : "rgba8";
+      return this.#context.raster(picture, { width, height, format }, background ? { background } : {});
+    } finally {
+      picture.free();
+    }
+  }
+
+  /** What the HTML viewer draws: made fine enough to be enlarged, as the command does. */
+  payload(): Uint8Array {
+    const picture = this.#context.solve(this.#read(), { detail: 2 });
+    try {
+      return this.#context.viewerPayload(picture) as Uint8Array;
+    } finally {
+      picture.free();
+    }
+  }
+
+  lint(): LintReport {
+    return this.#context.lint(this.#read()) as LintReport;
+  }
+
+  /** Orzan's XML, or SVG, as SVG. */
+  convert(text: string): string {
+    const document = this.#context.read(text) as SfumatoDocument;
+    try {
+      return document.write();
+    } finally {
+      document.free();
+    }
+  }
+
+  #read(): SfumatoDocument {
+    if (!this.#document) throw new Error("no document was read");
+    return this.#document;
+  }
+
+  #dropFields() {
+    for (const field of this.#fields.values()) field.free();
+    this.#fields.clear();
+  }
+}
+
+/** As `sfumato lint --json` prints it. */
+export interface LintReport {
+  readonly hints: readonly Readonly<Record<string, unknown>>[];
+}
+
+function equalBytes(a: Uint8Array, b: Uint8Array): boolean {
+  return a.length === b.length && a.every((byte, i) => byte === b[i]);
+}
+
+/** Byte offsets of UTF-8 text as places in the text. */
+function placesOf(text: string): (byteOffset: number) => number {
+  // Where all is ASCII a byte is a place.
+  const bytes = new TextEncoder().encode(text);
+  if (bytes.length === text.length) return (offset) => offset;
+  const places = new Uint32Array(bytes.length + 1);
+  let at = 0;
+  for (let i = 0; i < bytes.length; ++i) {
+    const isLead = (bytes[i] & 0xc0) !== 0x80;
+    places[i] = at;
+    if (isLead) at += bytes[i] >= 0xf0 ? 2 : 1;
+  }
+  places[bytes.length] = at;
+  return (offset) => places[offset];
+}
+
+function curvesOf(document: SfumatoDocument, text: string): EngineCurve[] {
+  const place = placesOf(text);
+  const curves: EngineCurve[] = [];
+  for (let layer = 0; layer < document.layerCount; ++layer) {
+    for (let curve = 0; curve < document.curveCount(layer); ++curve) {
+      const source = document.curveSource(layer, curve);
+      if (source) curves.push({ layer, curve, offset: place(source.byteOffset), subpath: source.subpath });
+    }
+  }
+  return curves;
+}
