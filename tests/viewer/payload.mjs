@@ -1,15 +1,9 @@
 // The viewer's own reader, outside a browser: against the library's values, and fed with damage.
 import { execFileSync } from "node:child_process";
 import { readFileSync } from "node:fs";
-import { check, documentPath, pathOf } from "./harness.mjs";
-
-const FILES = ["affine", "bytes", "mesh", "field", "gl", "paints", "segments", "payload"];
-
-/** The files of web/viewer as they stand in the page: one script. */
-function loadReader() {
-  const text = FILES.map((name) => readFileSync(pathOf(`web/viewer/${name}.js`), "utf8")).join("");
-  return new Function(`"use strict"; ${text} return { PictureReader, PayloadError };`)();
-}
+import { PayloadError } from "../../web/viewer/bytes.js";
+import { PictureReader } from "../../web/viewer/payload.js";
+import { check, documentPath } from "./harness.mjs";
 
 /** A quarter of an 8-bit step. */
 const LARGEST_MISS = 0.25 / 255 + 1e-7;
@@ -61,7 +55,7 @@ function* randomNumbers(seed) {
 const DAMAGES = 3000;
 
 /** Reads a picture of which bytes were changed: it has to be read, or refused in words. */
-function feedDamage({ PictureReader, PayloadError }, bytes) {
+function feedDamage(bytes) {
   const random = randomNumbers(7);
   let refused = 0;
   for (let i = 0; i < DAMAGES; ++i) {
@@ -83,7 +77,6 @@ function feedDamage({ PictureReader, PayloadError }, bytes) {
 }
 
 export async function testPayload(tap, { dump, command }) {
-  const reader = loadReader();
   const read = (document) => {
     const [payload, values] = [command.file("picture.payload"), command.file("picture.values")];
     execFileSync(dump, [documentPath(document), payload, values]);
@@ -103,13 +96,13 @@ export async function testPayload(tap, { dump, command }) {
       `the viewer reads ${document.split("/").at(-1)} within a quarter of a step`,
       () => {
         const { bytes, values } = read(document);
-        const picture = new reader.PictureReader(bytes).run();
+        const picture = new PictureReader(bytes).run();
         const end = picture.layers.reduce((at, layer) => checkLayer(layer, values, at), 0);
         check(end === values.length, "the number of values");
       },
     );
   }
   await tap.test("damaged bytes are refused, never a crash", () => {
-    feedDamage(reader, read("tests/viewer/small.svg").bytes);
+    feedDamage(read("tests/viewer/small.svg").bytes);
   });
 }

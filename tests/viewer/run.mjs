@@ -9,6 +9,7 @@ import { Command, Pages, Tap, pathOf } from "./harness.mjs";
 import { testFramesAndPaper } from "./frames.mjs";
 import { testInteraction } from "./interaction.mjs";
 import { testGlb, testSvg } from "./outputs.mjs";
+import { testModules } from "./modules.mjs";
 import { testPayload } from "./payload.mjs";
 import { testPdf, testPdfInChromium } from "./pdf.mjs";
 import { testOtherDriver, testPictures } from "./pictures.mjs";
@@ -28,6 +29,7 @@ await tap.test("the viewer's types are right", () => {
     throw new Error(String(error.stdout));
   }
 });
+await testModules(tap, { command });
 await testPayload(tap, { dump, command });
 await testGlb(tap, { command });
 await testPdf(tap, { command });

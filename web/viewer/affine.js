@@ -8,7 +8,7 @@
  * @param {Affine} inner
  * @returns {Affine}
  */
-function composed(outer, inner) {
+export function composed(outer, inner) {
   const [a, b, c, d, e, f] = outer,
     [p, q, r, s, t, u] = inner;
   return [
@@ -25,7 +25,7 @@ function composed(outer, inner) {
  * @param {Affine} map whose determinant is not 0
  * @returns {Affine}
  */
-function inverted([a, b, c, d, e, f]) {
+export function inverted([a, b, c, d, e, f]) {
   const k = 1 / (a * d - b * c);
   const linear = [d * k, -b * k, -c * k, a * k];
   return [...linear, -(linear[0] * e + linear[2] * f), -(linear[1] * e + linear[3] * f)];
@@ -36,7 +36,7 @@ function inverted([a, b, c, d, e, f]) {
  * @param {number} y
  * @returns {Affine}
  */
-function translation(x, y) {
+export function translation(x, y) {
   return [1, 0, 0, 1, x, y];
 }
 
@@ -46,7 +46,7 @@ function translation(x, y) {
  * @param {number} y
  * @returns {number[]}
  */
-function mapped(map, x, y) {
+export function mapped(map, x, y) {
   return [map[0] * x + map[2] * y + map[4], map[1] * x + map[3] * y + map[5]];
 }
 
@@ -56,7 +56,7 @@ function mapped(map, x, y) {
  * @param {number[]} box
  * @returns {number[]}
  */
-function mappedBox(map, [x0, y0, x1, y1]) {
+export function mappedBox(map, [x0, y0, x1, y1]) {
   const corners = [
     mapped(map, x0, y0),
     mapped(map, x1, y0),
@@ -72,6 +72,6 @@ function mappedBox(map, [x0, y0, x1, y1]) {
  * The two rows that shaders take.
  * @param {Affine} map
  */
-function rowsOf([a, b, c, d, e, f]) {
+export function rowsOf([a, b, c, d, e, f]) {
   return new Float32Array([a, c, e, b, d, f]);
 }

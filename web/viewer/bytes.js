@@ -1,10 +1,10 @@
 // Reading the payload's bytes (docs/viewer.md, "Payload").
 
 /** What is wrong with the file, in words for who looks at it. */
-class PayloadError extends Error {}
+export class PayloadError extends Error {}
 
 /** Reads numbers one after another and never past the end. */
-class ByteReader {
+export class ByteReader {
   /** @param {Uint8Array} bytes */
   constructor(bytes) {
     this.bytes = bytes;
@@ -96,6 +96,6 @@ class ByteReader {
  * 0, -1, 1, -2, … of 0, 1, 2, 3, …
  * @param {number} code
  */
-function unzigzag(code) {
+export function unzigzag(code) {
   return (code >>> 1) ^ -(code & 1);
 }

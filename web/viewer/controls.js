@@ -1,5 +1,10 @@
 // Buttons, words and what else of the page is not the picture.
 
+import { EMBEDDED } from "./view.js";
+import { KEY_ZOOM } from "./input.js";
+
+/** @import { Commands } from "./input.js" */
+
 /**
  * An element of the page, of a class.
  * @template {Element} T
@@ -16,7 +21,7 @@ function element(id, type) {
 /** Beyond, the zoom is a factor. */
 const MOST_PERCENT = 10000;
 
-class Controls {
+export class Controls {
   constructor() {
     this.canvas = element("canvas", HTMLCanvasElement);
     this.tools = element("tools", HTMLDivElement);

@@ -1,6 +1,11 @@
 // The nodes of a layer's field, as src/export/html/viewer_field.cpp writes them: corners first, then
 // edges, then centres. Values are whole numbers of steps until the end.
 
+import { ByteReader, PayloadError, unzigzag } from "./bytes.js";
+import { NO_MATE } from "./mesh.js";
+
+/** @import { Topology } from "./mesh.js" */
+
 // Of a triangle; two of them on each edge, from EDGES on, and one at the centre.
 const NODES = 10;
 const EDGES = 3;
@@ -188,7 +193,7 @@ class FieldDecoder {
  * @param {number} shaderCount of the picture
  * @returns {Field}
  */
-function readField(reader, topology, ownChannels, shaderCount) {
+export function readField(reader, topology, ownChannels, shaderCount) {
   const shaders = [];
   for (let i = reader.count(1); i > 0; --i) {
     const shader = reader.varint();

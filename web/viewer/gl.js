@@ -1,6 +1,10 @@
 // A thin layer over WebGL2: programs from the shaders in the page, data textures, targets.
 
-const TABLE_WIDTH = 2048;
+import { rowsOf } from "./affine.js";
+
+/** @import { Affine } from "./affine.js" */
+
+export const TABLE_WIDTH = 2048;
 
 /** Of antialiasing in one picture; all that have WebGL 2 have as many. */
 const SAMPLES = 4;
@@ -18,7 +22,7 @@ const SAMPLES = 4;
  * @param {WebGL2RenderingContext} gl
  * @returns {Abilities}
  */
-function abilitiesOf(gl) {
+export function abilitiesOf(gl) {
   const floats = gl.getExtension("EXT_color_buffer_float") !== null;
   const halves = floats || gl.getExtension("EXT_color_buffer_half_float") !== null;
   const format = halves ? gl.RGBA16F : gl.RGBA8;
@@ -36,7 +40,7 @@ function abilitiesOf(gl) {
 }
 
 /** A program and the places of its uniforms. */
-class Program {
+export class Program {
   /**
    * @param {WebGL2RenderingContext} gl
    * @param {string} vertex text of the shader
@@ -145,7 +149,7 @@ class Program {
 }
 
 /** Programs by name and variant, made when they are first wanted. */
-class Programs {
+export class Programs {
   /**
    * @param {WebGL2RenderingContext} gl
    * @param {(name: string) => string} textOf a file of shaders/
@@ -205,7 +209,7 @@ function tableFormats(gl) {
  * @param {TableKind} kind
  * @param {TableValues} values
  */
-function makeTable(gl, kind, values) {
+export function makeTable(gl, kind, values) {
   const { internal, format, type, size } = tableFormats(gl)[kind];
   const rows = Math.max(1, Math.ceil(values.length / size / TABLE_WIDTH));
   if (rows > gl.getParameter(gl.MAX_TEXTURE_SIZE)) {

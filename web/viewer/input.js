@@ -4,7 +4,7 @@
 const DOUBLE_TAP_TIME = 350;
 const DOUBLE_TAP_DISTANCE = 24;
 
-const KEY_ZOOM = 1.5;
+export const KEY_ZOOM = 1.5;
 const KEY_MOVE = 80;
 const DOUBLE_TAP_ZOOM = 2;
 
@@ -29,7 +29,7 @@ const DOUBLE_TAP_ZOOM = 2;
  */
 
 /** Drag, pinch and taps on the canvas. */
-class PointerInput {
+export class PointerInput {
   /**
    * @param {HTMLCanvasElement} canvas
    * @param {Commands} commands
@@ -183,7 +183,7 @@ function obeyKey(event, commands) {
 }
 
 /** @param {Commands} commands */
-function listenToKeys(commands) {
+export function listenToKeys(commands) {
   window.addEventListener("keydown", (event) => {
     if (event.ctrlKey || event.metaKey || event.altKey || event.defaultPrevented) return;
     if (document.querySelector("dialog[open]")) return;

@@ -1,5 +1,13 @@
 // Layers on the GPU: their tables, and how an instance is drawn.
 
+import { composed, inverted, mappedBox, translation } from "./affine.js";
+import { makeTable } from "./gl.js";
+
+/** @import { Affine } from "./affine.js" */
+/** @import { Field } from "./field.js" */
+/** @import { Program, Programs } from "./gl.js" */
+/** @import { Instance, Layer, Picture } from "./payload.js" */
+
 /**
  * @typedef {object} LayerTables
  * @property {WebGLTexture} triangleVertex
@@ -45,7 +53,7 @@ function makeWeights(gl, field) {
   return makeTable(gl, "vector", nodeTexels(field, field.channelCount - count, count, size));
 }
 
-class LayerDrawer {
+export class LayerDrawer {
   /**
    * @param {WebGL2RenderingContext} gl
    * @param {Programs} programs

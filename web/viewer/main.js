@@ -1,5 +1,14 @@
 // Begins, and gives the page its interface: window.sfumatoViewer (docs/viewer.md).
 
+import { PayloadError } from "./bytes.js";
+import { readPicture } from "./payload.js";
+import { hashOfState, stateOfHash } from "./view.js";
+import { listenToKeys, PointerInput } from "./input.js";
+import { Controls } from "./controls.js";
+import { Viewer } from "./viewer.js";
+
+/** @import { Commands } from "./input.js" */
+
 /**
  * @param {unknown} error
  */

@@ -1,7 +1,9 @@
 // The triangles of a layer, from the codes that src/export/html/viewer_mesh.cpp writes: the walk over
 // them is the same here and there.
 
-const NO_MATE = 0xffffffff;
+import { ByteReader, PayloadError, unzigzag } from "./bytes.js";
+
+export const NO_MATE = 0xffffffff;
 
 /** What was last seen on the edges between two vertices: a table of half-edges. */
 class EdgeTable {
@@ -174,7 +176,7 @@ function readGrid(reader, topology) {
  * @param {ByteReader} reader
  * @returns {Mesh}
  */
-function readMesh(reader) {
+export function readMesh(reader) {
   const triangleCount = reader.count(1),
     vertexCount = reader.count(8);
   const topology = new TopologyDecoder(reader.counted(), triangleCount, vertexCount).run();

@@ -1,12 +1,14 @@
 // The way from one view to another: smooth, and about the point that stays where it is.
 
+/** @import { View, ViewState } from "./view.js" */
+
 /** Time in which half of the way is gone, milliseconds. */
 const HALF_TIME = 45;
 
 /** Part of the way at which it is called gone. */
 const ARRIVED = 0.999;
 
-class Motion {
+export class Motion {
   /** @param {View} view */
   constructor(view) {
     this.view = view;

@@ -1,6 +1,16 @@
 // The stack of a picture, bottom first: what is normal is drawn straight, other things by
 // themselves and then blended (docs/mathematics.md, "Pixels").
 
+import { mappedBox } from "./affine.js";
+import { intersected, isEmptyRect, unitedRects } from "./targets.js";
+
+/** @import { Affine } from "./affine.js" */
+/** @import { Programs } from "./gl.js" */
+/** @import { GroupBegin, Instance, Item, Picture, Stroke } from "./payload.js" */
+/** @import { LayerDrawer } from "./layers.js" */
+/** @import { StrokeDrawer } from "./strokes.js" */
+/** @import { Rect, Target, Targets } from "./targets.js" */
+
 const NORMAL = 0;
 
 /**
@@ -46,7 +56,7 @@ function strokeRuns(stack, real) {
   return new Map(long.slice(0, MOST_RUNS).map((run) => [run[0], run]));
 }
 
-class Painter {
+export class Painter {
   /**
    * @param {WebGL2RenderingContext} gl
    * @param {Programs} programs

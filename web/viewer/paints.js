@@ -1,6 +1,12 @@
 // Image-domain shaders: the table of paints comes as the GPU wants it (docs/gpu.md, "The table of
 // paints"); the texels of textures are made here from their files.
 
+import { PayloadError } from "./bytes.js";
+import { TABLE_WIDTH } from "./gl.js";
+
+/** @import { Affine } from "./affine.js" */
+/** @import { ByteReader } from "./bytes.js" */
+
 /**
  * A texture's file.
  * @typedef {object} TextureFile
@@ -32,7 +38,7 @@ const MOST_TEXELS = 64e6;
  * @param {ByteReader} reader
  * @returns {Paints}
  */
-function readPaints(reader) {
+export function readPaints(reader) {
   const table = reader.floatPlanes(4 * reader.count(16));
   const texelCount = reader.varint();
   const paint = Array.from({ length: reader.count(1) }, () => readPaint(reader, table));
@@ -218,7 +224,7 @@ function fillLevel(texels, source, level, extent, even) {
  * @param {WebGL2RenderingContext} gl
  * @param {Paints} paints
  */
-async function makeTexels(gl, paints) {
+export async function makeTexels(gl, paints) {
   // Levels add a third, those of a large period little more.
   if (paints.texelCount > 2 * MOST_TEXELS) throw new PayloadError("its textures are too large");
   const texels = new Uint16Array(4 * paints.texelCount);

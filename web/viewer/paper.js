@@ -1,5 +1,7 @@
 // What is printed: the whole page of the picture, whatever part of it the window shows.
 
+/** @import { Frame, Renderer } from "./renderer.js" */
+
 /** Longer side of the page on paper, pixels. */
 const PAPER_SIDE = 2400;
 
@@ -10,7 +12,7 @@ const PAPER_SIDE = 2400;
  * @param {HTMLCanvasElement} canvas the renderer's
  * @param {Frame} shown in the window
  */
-function layOnPaper(renderer, canvas, shown) {
+export function layOnPaper(renderer, canvas, shown) {
   const [x0, y0, x1, y1] = renderer.picture.viewport;
   const side = Math.min(PAPER_SIDE, renderer.abilities.largestSide);
   const zoom = side / (Math.max(x1 - x0, y1 - y0) || 1);
@@ -30,6 +32,6 @@ function layOnPaper(renderer, canvas, shown) {
   canvas.after(paper);
 }
 
-function takeFromPaper() {
+export function takeFromPaper() {
   document.getElementById("paper")?.remove();
 }

@@ -1,5 +1,17 @@
 // The picture out of the page: base64, inflate, then the tables (docs/viewer.md, "Payload").
 
+import { ByteReader, PayloadError } from "./bytes.js";
+import { readMesh } from "./mesh.js";
+import { readField } from "./field.js";
+import { readPaints } from "./paints.js";
+import { readSegments } from "./segments.js";
+
+/** @import { Affine } from "./affine.js" */
+/** @import { Mesh } from "./mesh.js" */
+/** @import { Field } from "./field.js" */
+/** @import { Paints } from "./paints.js" */
+/** @import { Segments } from "./segments.js" */
+
 const MAGIC = "SFUMATO";
 const VERSION = 1;
 const MOST_GROUPS = 16;
@@ -79,7 +91,7 @@ async function inflated(bytes) {
   }
 }
 
-class PictureReader {
+export class PictureReader {
   /** @param {Uint8Array} bytes */
   constructor(bytes) {
     this.reader = new ByteReader(bytes);
@@ -199,7 +211,7 @@ class PictureReader {
  * @param {string} base64
  * @returns {Promise<Picture>}
  */
-async function readPicture(base64) {
+export async function readPicture(base64) {
   const bytes = await inflated(bytesOfBase64(base64));
   return new PictureReader(bytes).run();
 }

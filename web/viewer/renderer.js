@@ -1,5 +1,15 @@
 // A frame: the picture on its page, the mesh on top, and, when nothing moves, finer edges.
 
+import { mappedBox } from "./affine.js";
+import { abilitiesOf, Programs } from "./gl.js";
+import { LayerDrawer } from "./layers.js";
+import { StrokeDrawer } from "./strokes.js";
+import { intersected, isEmptyRect, Target, Targets } from "./targets.js";
+import { Painter } from "./painter.js";
+
+/** @import { Affine } from "./affine.js" */
+/** @import { Picture } from "./payload.js" */
+
 /**
  * Where edges lie in the pictures that are added up to a finer one, pixels. The four samples of a
  * pixel usually stand an eighth, and three, to both sides of its centre, in x and in y: so shifted,
@@ -22,7 +32,7 @@ const SHIFTS = [
  * @property {number} lineScale device pixels to a line's unit
  */
 
-class Renderer {
+export class Renderer {
   /**
    * @param {WebGL2RenderingContext} gl
    * @param {(name: string) => string} shaderText

@@ -1,6 +1,11 @@
 // The segments of local curves, as src/export/html/viewer_stroke.cpp writes them, and the nodes that
 // they get for a zoom.
 
+import { PayloadError } from "./bytes.js";
+
+/** @import { ByteReader } from "./bytes.js" */
+/** @import { Stroke } from "./payload.js" */
+
 /**
  * Segments of a curve, in walking order; arrays of columns. Frame: the stroke's, relative to its
  * origin.
@@ -24,7 +29,7 @@ const NODES_SHARP = 12;
 const SHARP_BLUR = 5;
 
 /** Nodes of a segment in the table, at most, and its numbers there; docs/gpu.md. */
-const NODES_PER_SEGMENT = 16;
+export const NODES_PER_SEGMENT = 16;
 const SEGMENT_FLOATS = 28;
 
 const FLOATS_A_SEGMENT = 24;
@@ -33,7 +38,7 @@ const FLOATS_A_SEGMENT = 24;
  * @param {ByteReader} reader
  * @returns {Segments}
  */
-function readSegments(reader) {
+export function readSegments(reader) {
   const count = reader.count(1 + 4 * FLOATS_A_SEGMENT);
   const nodeCount = reader.planes(count, 1);
   /** Numbers whose bits differ from a guess by those that are read. */
@@ -97,7 +102,7 @@ function nodesNeeded({ nodeCount, attribute }, i, twoSided, pixel) {
 }
 
 /** Puts parts of segments into the table that the shader reads. */
-class SegmentTable {
+export class SegmentTable {
   constructor() {
     /** @type {number[]} */
     this.values = [];

@@ -1,5 +1,13 @@
 // Local curves on the GPU: the nodes of their segments are added up, then shown.
 
+import { composed, inverted, mappedBox, translation } from "./affine.js";
+import { makeTable } from "./gl.js";
+import { NODES_PER_SEGMENT, SegmentTable } from "./segments.js";
+
+/** @import { Affine } from "./affine.js" */
+/** @import { Programs } from "./gl.js" */
+/** @import { Picture, Stroke } from "./payload.js" */
+
 /** Segments drawn by one call. */
 const SEGMENTS_PER_DRAW = 65536;
 
@@ -26,7 +34,7 @@ function strokeBounds({ segments, origin }) {
   return box;
 }
 
-class StrokeDrawer {
+export class StrokeDrawer {
   /**
    * @param {WebGL2RenderingContext} gl
    * @param {Programs} programs

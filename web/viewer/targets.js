@@ -1,5 +1,7 @@
 // Pictures on the GPU that are drawn into and read again.
 
+/** @import { Abilities } from "./gl.js" */
+
 /** A rectangle of pixels: x, y, width, height. @typedef {number[]} Rect */
 
 /**
@@ -7,7 +9,7 @@
  * @param {Rect} b
  * @returns {Rect}
  */
-function intersected(a, b) {
+export function intersected(a, b) {
   const x = Math.max(a[0], b[0]),
     y = Math.max(a[1], b[1]);
   const right = Math.min(a[0] + a[2], b[0] + b[2]),
@@ -21,7 +23,7 @@ function intersected(a, b) {
  * @param {Rect} b
  * @returns {Rect}
  */
-function unitedRects(a, b) {
+export function unitedRects(a, b) {
   if (isEmptyRect(a)) return b;
   if (isEmptyRect(b)) return a;
   const x = Math.min(a[0], b[0]),
@@ -32,7 +34,7 @@ function unitedRects(a, b) {
 }
 
 /** @param {Rect} rect */
-function isEmptyRect(rect) {
+export function isEmptyRect(rect) {
   return !(rect[2] > 0 && rect[3] > 0);
 }
 
@@ -55,7 +57,7 @@ function bordered([x, y, width, height], whole) {
 /**
  * A texture to draw into and, where it is multisampled, the buffer that is drawn into before.
  */
-class Target {
+export class Target {
   /**
    * @param {WebGL2RenderingContext} gl
    * @param {number} format
@@ -150,7 +152,7 @@ class Target {
 }
 
 /** Targets of one size, made when they are first wanted. */
-class Targets {
+export class Targets {
   /**
    * @param {WebGL2RenderingContext} gl
    * @param {Abilities} abilities

@@ -1,5 +1,7 @@
 // Which part of the picture is seen, and how large.
 
+/** @import { Affine } from "./affine.js" */
+
 /**
  * @typedef {object} ViewState
  * @property {number} x artboard point in the middle of the window, user units
@@ -17,7 +19,7 @@ const CLOSEST_PAGE = 2 ** 21;
 /** CSS pixels across the page at the farthest, if it is not larger when fitted. */
 const FARTHEST_PAGE = 16;
 
-class View {
+export class View {
   /**
    * @param {number[]} page the part of the artboard that is shown
    * @param {() => boolean} hasTools whether room is left for the buttons
@@ -129,14 +131,14 @@ class View {
 }
 
 /** How an address ends that has the viewer stand in a text: no buttons. */
-const EMBEDDED = /^#embed(,|$)/;
+export const EMBEDDED = /^#embed(,|$)/;
 
 /**
  * "#x,y,zoom" or "#embed,x,y,zoom" as a state, or null where it is none.
  * @param {string} hash
  * @returns {ViewState | null}
  */
-function stateOfHash(hash) {
+export function stateOfHash(hash) {
   const numbers = hash.replace(EMBEDDED, "").replace(/^#/, "").split(",").map(Number);
   const isState = numbers.length === 3 && numbers.every(Number.isFinite) && numbers[2] > 0;
   return isState ? { x: numbers[0], y: numbers[1], zoom: numbers[2] } : null;
@@ -145,6 +147,6 @@ function stateOfHash(hash) {
 /**
  * @param {ViewState} state
  */
-function hashOfState({ x, y, zoom }) {
+export function hashOfState({ x, y, zoom }) {
   return `#${[x, y, zoom].map((value) => Number(value.toPrecision(9))).join(",")}`;
 }

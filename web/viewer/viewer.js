@@ -1,5 +1,16 @@
 // The viewer: draws when something has changed, then makes it finer, then rests.
 
+import { makeTexels } from "./paints.js";
+import { Renderer } from "./renderer.js";
+import { View } from "./view.js";
+import { Motion } from "./motion.js";
+import { layOnPaper, takeFromPaper } from "./paper.js";
+
+/** @import { Picture } from "./payload.js" */
+/** @import { Frame } from "./renderer.js" */
+/** @import { ViewState } from "./view.js" */
+/** @import { Controls } from "./controls.js" */
+
 /** Time after which a lost context is spoken of, milliseconds. */
 const PATIENCE = 1000;
 
@@ -8,7 +19,7 @@ const SLOWEST_FRAME = 1000;
 /** Frames that were too slow, one after another, before it does; the first compiles shaders. */
 const SLOW_FRAMES = 2;
 
-class Viewer {
+export class Viewer {
   /**
    * @param {Picture} picture
    * @param {Controls} controls

@@ -22,8 +22,9 @@ namespace {
 using display::embedded_file;
 using outputs::condensed;
 using outputs::escaped_html;
+using outputs::script_of_module;
 
-/// In the order in which they stand in the page; main.js begins.
+/// In the order in which they stand in the page, each after those that it imports; main.js begins.
 constexpr std::string_view kScripts[] = {"affine.js",   "bytes.js",   "mesh.js",     "field.js",
                                          "gl.js",       "paints.js",  "segments.js", "payload.js",
                                          "layers.js",   "strokes.js", "targets.js",  "painter.js",
@@ -37,7 +38,8 @@ constexpr std::string_view kShaders[] = {"common.glsl",         "paint.glsl",   
 
 std::string scripts() {
   std::string text;
-  for (std::string_view name : kScripts) text += condensed(display::embedded_file(name));
+  for (std::string_view name : kScripts)
+    text += script_of_module(condensed(display::embedded_file(name)));
   return text;
 }
 

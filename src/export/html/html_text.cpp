@@ -24,6 +24,32 @@ std::string_view code_of(std::string_view line, bool* in_comment) {
   return line.starts_with("//") ? std::string_view{} : line;
 }
 
+/// What follows a word and blanks, if the text begins with them.
+std::string_view behind_word(std::string_view text, std::string_view word) {
+  if (!text.starts_with(word)) return {};
+  text.remove_prefix(word.size());
+  const std::size_t next = text.find_first_not_of(" \t\r\n");
+  const bool is_word = next != 0 || text.find_first_of("{*\"'") == 0;
+  return is_word && next != std::string_view::npos ? text.substr(next) : std::string_view{};
+}
+
+/// Whether a text begins with an import or a list of exports; `import(…)` and `import.meta` are
+/// none.
+bool begins_with_linkage(std::string_view text) {
+  const std::string_view imported = behind_word(text, "import");
+  const std::string_view exported = behind_word(text, "export");
+  return (!imported.empty() && imported.front() != '(') || exported.starts_with('{') ||
+         exported.starts_with('*');
+}
+
+/// What follows a statement, and the end of its line where nothing else stands there.
+std::string_view behind_statement(std::string_view text) {
+  const std::size_t end = text.find(';');
+  if (end == std::string_view::npos) return {};
+  text = without_indentation(text.substr(end + 1));
+  return text.starts_with('\n') ? text.substr(1) : text;
+}
+
 }  // namespace
 
 std::string escaped_html(std::string_view text) {
@@ -60,6 +86,23 @@ std::string condensed(std::string_view source) {
       result += '\n';
     }
     source.remove_prefix(end == std::string_view::npos ? source.size() : end + 1);
+  }
+  return result;
+}
+
+std::string script_of_module(std::string_view condensed_module) {
+  constexpr std::string_view kExport = "export ";
+  std::string result;
+  for (std::string_view text = condensed_module; !text.empty();) {
+    if (begins_with_linkage(text)) {
+      text = behind_statement(text);
+      continue;
+    }
+    if (text.starts_with(kExport)) text.remove_prefix(kExport.size());
+    const std::size_t end = text.find('\n');
+    const std::string_view line = text.substr(0, end == std::string_view::npos ? end : end + 1);
+    result += line;
+    text.remove_prefix(line.size());
   }
   return result;
 }

@@ -13,4 +13,10 @@ std::string escaped_html(std::string_view text);
 /// begin a line. Line breaks are kept. Precondition: no string or template spans several lines.
 std::string condensed(std::string_view source);
 
+/// A condensed ES module as a part of one script that is no module: without its imports, and what
+/// it exports as plain declarations. Preconditions: imports and exports begin a line, an import
+/// renames nothing, imports and lists of exports end with a semicolon, nothing is exported as the
+/// default.
+std::string script_of_module(std::string_view condensed_module);
+
 }  // namespace sfumato::outputs

@@ -1,0 +1,68 @@
+// The viewer's modules, and the one script that the page holds of them.
+import { readFileSync, readdirSync } from "node:fs";
+import { Script } from "node:vm";
+import { check, pathOf } from "./harness.mjs";
+
+const folder = pathOf("web/viewer");
+const read = (file) => readFileSync(`${folder}/${file}`, "utf8");
+const files = readdirSync(folder).filter((file) => file.endsWith(".js"));
+
+const DECLARATION = /^(?:export )?(?:async )?(?:function\*?|class|const|let|var) (\w+|[{[])/gm;
+const IMPORT = /^import \{\s*(\w+,\s+)*\w+,?\s+\} from "\.\/(\w+\.js)";$/gm;
+/** Forms that one script can take the place of. */
+const LINKAGE = /^(?:import \{[\w\s,]+\} from "\.\/\w+\.js";$|export (?:async )?(?:function|class|const) )/;
+
+const matches = (pattern, text, group) => [...text.matchAll(pattern)].map((m) => m[group]);
+
+function checkNames() {
+  const owner = new Map();
+  for (const file of files) {
+    for (const name of matches(DECLARATION, read(file), 1)) {
+      check(/^\w+$/.test(name), `${file} takes names at its top level out of a value`);
+      check(!owner.has(name), `${name} stands at the top level of ${file} and ${owner.get(name)}`);
+      owner.set(name, file);
+    }
+  }
+  check(owner.size > 100, `only ${owner.size} names were found`);
+}
+
+function checkLinkage() {
+  for (const file of files) {
+    const text = read(file);
+    for (const { index } of text.matchAll(/^\s*(?:import|export)\b(?!\s*[(.:,=])/gm)) {
+      const line = text.slice(index).trimStart();
+      const form = LINKAGE.test(line.slice(0, line.indexOf(";") + 1)) || LINKAGE.test(line);
+      check(form, `${file}: ${line.slice(0, 40)}`);
+    }
+  }
+}
+
+/** The script of a page, which stands last in it. */
+const scriptOf = (page) => page.slice(page.lastIndexOf("<script>") + 8, page.lastIndexOf("</script>"));
+
+function checkScript(page) {
+  const script = scriptOf(page);
+  check(!/^\s*(import|export)\b/m.test(script), "its script holds an import or an export");
+  new Script(script);
+  const begins = new Map(
+    files.map((file) => {
+      const [first] = matches(DECLARATION, read(file), 0);
+      const at = script.indexOf(`\n${first.replace(/^export /, "")}`);
+      check(at >= 0, `its script lacks ${file}`);
+      return [file, at];
+    }),
+  );
+  for (const file of files) {
+    for (const other of matches(IMPORT, read(file), 2)) {
+      check(begins.get(other) < begins.get(file), `${file} stands before ${other}, which it imports`);
+    }
+  }
+}
+
+export async function testModules(tap, { command }) {
+  await tap.test("the viewer's modules could be one script: no name stands twice", checkNames);
+  await tap.test("they import and export in forms that a script can do without", checkLinkage);
+  await tap.test("the page holds one script, each module after those that it imports", () =>
+    checkScript(readFileSync(command.html("tests/viewer/small.svg"), "utf8")),
+  );
+}
