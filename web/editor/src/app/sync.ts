@@ -1,5 +1,6 @@
 // Tells the engine what changed: points and stops of single curves by themselves, all else as text.
-import { applied } from "../geometry/affine.js";
+import { determinant, lengthScale, mapped } from "../geometry/affine.js";
+import { parameterAtSegment } from "../geometry/length.js";
 import type { EngineCurve, QuickChange } from "../engine/types.js";
 import type { Change, CurveItem, Drawing, Handle, Side, SideValue } from "../model/types.js";
 
@@ -47,17 +48,19 @@ function ofCurve(
 ): QuickChange[] | null {
   // Copies within its layer have transforms of their own.
   const isPlain = known.length === item.paths.length && known.length > 0;
-  const isMirrored = item.layerFromItem[0] * item.layerFromItem[3] < item.layerFromItem[1] * item.layerFromItem[2];
-  if (!isPlain || isMirrored) return null;
+  // A transform that mirrors exchanges the sides.
+  if (!isPlain || determinant(item.layerFromItem) <= 0) return null;
   const all: QuickChange[] = [];
   for (const name of names) {
     for (const { layer, curve, subpath } of known) {
       if (SHAPE.has(name)) {
         all.push({ kind: "points", layer, curve, xy: pointsOf(item, subpath) });
       } else if (name in STOPS) {
-        const stops = STOPS[name].map(([side, attribute]) => stopsOf(item, side, attribute, layer, curve));
-        if (stops.includes(null)) return null;
-        all.push(...(stops as QuickChange[]));
+        for (const [side, attribute] of STOPS[name]) {
+          const stops = stopsOf(item, side, attribute, { layer, curve, subpath });
+          if (!stops) return null;
+          all.push(stops);
+        }
       } else if (name !== "stroke" && name !== "fill") {
         return null;
       }
@@ -68,7 +71,7 @@ function ofCurve(
 
 function pointsOf(item: CurveItem, subpath: number): Float64Array {
   return Float64Array.from(
-    item.paths[subpath].points.flatMap(([x, y]) => applied(item.layerFromItem, [x, y])),
+    item.paths[subpath].points.flatMap((point) => mapped(item.layerFromItem, point)),
   );
 }
 
@@ -76,21 +79,21 @@ function stopsOf(
   item: CurveItem,
   side: Side,
   attribute: "color" | "opacity" | "blur",
-  layer: number,
-  curve: number,
+  { layer, curve, subpath }: Pick<EngineCurve, "layer" | "curve" | "subpath">,
 ): QuickChange | null {
   const value: SideValue<unknown> = item[side][attribute];
   if (value.kind !== "stops") return null;
-  const [a, b, c, d] = item.layerFromItem;
-  const scale = attribute === "blur" ? Math.sqrt(Math.abs(a * d - b * c)) : 1;
+  const scale = attribute === "blur" ? lengthScale(item.layerFromItem) : 1;
+  const isArc = value.space === "arc";
+  const offset = (of: number) => (isArc ? of : parameterAtSegment(item.paths[subpath], of));
   return {
     kind: "stops",
     layer,
     curve,
     side: SIDES[side],
     attribute: ATTRIBUTES[attribute],
-    space: value.space === "arc" ? 0 : 1,
-    rows: value.stops.map((stop) => [stop.offset, ...numbersOf(stop.value, scale)]),
+    space: isArc ? 0 : 1,
+    rows: value.stops.map((stop) => [offset(stop.offset), ...numbersOf(stop.value, scale)]),
   };
 }
 

@@ -64,8 +64,9 @@ export class WorkerEngine implements Engine {
     this.#front = this.#newSeat();
   }
 
-  get curves(): readonly EngineCurve[] {
-    return this.#front.curves;
+  get index(): { readonly serial: number; readonly curves: readonly EngineCurve[] } {
+    const { readSerial, curves } = this.#front;
+    return { serial: readSerial, curves };
   }
 
   #newSeat(): Seat {
@@ -77,11 +78,12 @@ export class WorkerEngine implements Engine {
     this.#images.push(...images);
   }
 
-  show(text: string, moving: boolean, quick?: readonly QuickChange[]): void {
+  show(text: string, moving: boolean, quick?: readonly QuickChange[]): number {
     this.#pending.add(quick);
     this.#wanted = { text, moving, serial: this.#wanted.serial + 1 };
     this.#follow();
     if (!moving) this.#settleAfter(REST);
+    return this.#wanted.serial;
   }
 
   look(pixelsPerUnit: number, seen: Box, artboard: Box): void {

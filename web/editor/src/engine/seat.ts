@@ -16,7 +16,9 @@ export class Seat {
   isStarted = false;
   /** Number of the text that its document is of; -1: none. */
   serial = -1;
-  /** Whether curves were changed since it read a text. */
+  /** Number of the text that it has read; -1: none. */
+  readSerial = -1;
+  /** Whether curves were changed since then. */
   isChanged = false;
   curves: readonly EngineCurve[] = [];
   #imageCount = 0;
@@ -54,6 +56,7 @@ export class Seat {
     } else {
       const { curves } = await this.link.call<ReadResult>("read", text);
       this.curves = curves;
+      this.readSerial = serial;
       this.isChanged = false;
     }
     this.serial = serial;

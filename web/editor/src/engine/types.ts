@@ -63,12 +63,13 @@ export interface Engine {
    * The text from now on. While `moving`, pictures come quickly, within the frame's time; once it is
    * said without, the exact picture follows. `quick`: the change since the last call, where it is one
    * of these alone; ignored where the engine cannot follow it. The latest wins.
+   * @returns the number of this text
    */
-  show(text: string, moving: boolean, quick?: readonly QuickChange[]): void;
+  show(text: string, moving: boolean, quick?: readonly QuickChange[]): number;
   /** CSS pixels times the device's ratio to an artboard unit, and what is seen: how fine is enough. */
   look(pixelsPerUnit: number, seen: Box, artboard: Box): void;
-  /** Curves of the last text that was read. */
-  readonly curves: readonly EngineCurve[];
+  /** The last text that was read: its number, and its curves; changes of curves since leave both. */
+  readonly index: { readonly serial: number; readonly curves: readonly EngineCurve[] };
   /** Exact colours (red, green, blue, opacity; 0 to 1) of a layer's last exact state at points, xy in its frame. */
   colors(layer: number, xy: Float64Array): Promise<Float32Array>;
   raster(wish: RasterWish): Promise<Uint8ClampedArray<ArrayBuffer> | Uint16Array<ArrayBuffer>>;

@@ -3,6 +3,33 @@
 /** commands */
 const commands = {
   // commands: begin
+  align: "Align",
+  bringUp: "Bring up",
+  close: "Close curve",
+  cut: "Cut",
+  delete: "Delete",
+  deleteNode: "Delete node",
+  deleteStop: "Delete stop",
+  deleted: (count: number) => (count === 1 ? "1 thing deleted" : `${count} things deleted`),
+  duplicate: "Duplicate",
+  flip: "Flip",
+  group: "Group",
+  join: "Join the ends",
+  joinWantsTwo: "Select two open curves to join.",
+  makeInstance: "Make an instance",
+  makeUnique: "Make unique",
+  newLayer: "New layer",
+  nodeKind: "Change node",
+  nothingToPaste: "There is no drawing on the clipboard.",
+  open: "Open curve",
+  paste: "Paste",
+  reverse: "Reverse curve",
+  sendDown: "Send down",
+  swapSides: "Swap the sides",
+  toBottom: "Send to the bottom",
+  toTop: "Bring to the top",
+  undo: "Undo",
+  ungroup: "Ungroup",
   // commands: end
 } as const;
 

@@ -1,0 +1,77 @@
+// Copy and paste as SVG text: by the browser's own events, which need no permission, and by menus.
+import { copyItems, deleteItems, paste } from "../model/commands/index.js";
+import { SourceError } from "../source/tree.js";
+import { en } from "../strings/en.js";
+import type { DrawingEditor } from "./editor.js";
+import { chosen } from "./selected.js";
+import { isTyping } from "./keys.js";
+
+/** What was copied last, where the system's clipboard is refused. */
+let own = "";
+
+export function copySelection(editor: DrawingEditor): string {
+  const handles = chosen(editor);
+  if (handles.length === 0) return "";
+  own = copyItems(editor.drawing, handles);
+  return own;
+}
+
+export function cutSelection(editor: DrawingEditor): string {
+  const text = copySelection(editor);
+  if (text) editor.run(en.commands.cut, deleteItems(editor.drawing, chosen(editor)));
+  return text;
+}
+
+export function pasteText(editor: DrawingEditor, text: string): void {
+  try {
+    const into = editor.activeLayer?.handle ?? null;
+    if (!editor.run(en.commands.paste, paste(editor.drawing, text, into))) editor.say(en.commands.nothingToPaste);
+  } catch (error) {
+    if (!(error instanceof SourceError)) throw error;
+    editor.say(en.commands.nothingToPaste);
+  }
+}
+
+/** For menus and keys: the clipboard may be asked for by the browser, or refused. */
+export async function copyByMenu(editor: DrawingEditor, cut: boolean): Promise<void> {
+  const text = cut ? cutSelection(editor) : copySelection(editor);
+  try {
+    if (text) await navigator.clipboard.writeText(text);
+  } catch {
+    // Pasting within this page works all the same.
+  }
+}
+
+export async function pasteByMenu(editor: DrawingEditor): Promise<void> {
+  let text = own;
+  try {
+    text = (await navigator.clipboard.readText()) || own;
+  } catch {
+    // What was copied here last.
+  }
+  pasteText(editor, text);
+}
+
+/** Hears Ctrl+C, X and V as the browser tells them. */
+export function listenToClipboard(editor: DrawingEditor, onFiles: (files: readonly File[]) => void): void {
+  const on = (name: "copy" | "cut" | "paste", act: (event: ClipboardEvent) => void) =>
+    document.addEventListener(name, (event) => {
+      const isText = isTyping(document.activeElement) || String(getSelection() ?? "") !== "";
+      if (!isText && !editor.welcome.value) act(event);
+    });
+  on("copy", (event) => give(event, copySelection(editor)));
+  on("cut", (event) => give(event, cutSelection(editor)));
+  on("paste", (event) => {
+    const files = [...(event.clipboardData?.files ?? [])];
+    event.preventDefault();
+    if (files.length > 0) onFiles(files);
+    else pasteText(editor, event.clipboardData?.getData("text/plain") ?? "");
+  });
+}
+
+function give(event: ClipboardEvent, text: string) {
+  if (!text) return;
+  event.clipboardData?.setData("text/plain", text);
+  event.clipboardData?.setData("image/svg+xml", text);
+  event.preventDefault();
+}

@@ -1,0 +1,267 @@
+// What menus and keys name.
+import type { Box, Point } from "../geometry/affine.js";
+import { mappedBox } from "../geometry/affine.js";
+import {
+  addLayer,
+  curvesOf,
+  deleteItems,
+  deleteNodes,
+  duplicate,
+  group,
+  joinCurves,
+  makeInstance,
+  makeUnique,
+  restack,
+  reverseCurves,
+  setClosed,
+  setNodeKind,
+  swapSides,
+  together,
+  transform,
+  ungroup,
+  type NodeKind,
+} from "../model/commands/index.js";
+import type { Attribute, Drawing, Handle, Item, Outcome } from "../model/types.js";
+import { en } from "../strings/en.js";
+import { copyByMenu, pasteByMenu } from "./clipboard.js";
+import type { CommandTable, DrawingEditor } from "./editor.js";
+import { deleteStop } from "./stops.js";
+import { chosen, chosenCurves, chosenItems, chosenNodes, chosenStop, primaryCurve } from "./selected.js";
+import type { ToolName } from "./types.js";
+
+type Command = (editor: DrawingEditor) => void;
+
+/** How far copies stand from what they copy, artboard units: 16 pixels. */
+const copyOffset = (editor: DrawingEditor): Point => {
+  const by = 16 / editor.view.value.zoom;
+  return [by, by];
+};
+
+/** A command on what is selected, as one step of undo. */
+function edit(
+  label: string,
+  make: (drawing: Drawing, handles: readonly Handle[], editor: DrawingEditor) => Outcome | null,
+): Command {
+  return (editor) => {
+    const handles = chosen(editor);
+    if (handles.length > 0) editor.run(label, make(editor.drawing, handles, editor));
+  };
+}
+
+function stack(label: string, steps: number): Command {
+  return edit(label, (drawing, handles) => restack(drawing, handles, steps));
+}
+
+function nodeKind(label: string, kind: NodeKind): Command {
+  return (editor) => {
+    const curve = primaryCurve(editor);
+    if (!curve) return;
+    const step = editor.step(curve);
+    const made = [...chosenNodes(editor)].map(([path, nodes]) =>
+      setNodeKind(editor.drawing, curve.handle, path, nodes, kind, step),
+    );
+    editor.run(label, together(made));
+  };
+}
+
+/** The chosen stop or nodes, else whole items. */
+function deleteChosen(editor: DrawingEditor) {
+  const curve = primaryCurve(editor);
+  const stop = chosenStop(editor);
+  const nodes = chosenNodes(editor);
+  const { drawing } = editor;
+  if (curve && stop) {
+    if (editor.run(en.commands.deleteStop, deleteStop(drawing, curve, stop))) {
+      editor.selection.value = [{ handle: curve.handle, part: { kind: "whole" } }];
+    }
+  } else if (curve && nodes.size > 0) {
+    const step = editor.step(curve);
+    const made = [...nodes].map(([path, of]) => deleteNodes(drawing, curve.handle, path, of, step));
+    if (editor.run(en.commands.deleteNode, together(made)) && drawing.item(curve.handle)) {
+      editor.selection.value = [{ handle: curve.handle, part: { kind: "whole" } }];
+    }
+  } else {
+    deleteWhole(editor);
+  }
+}
+
+function deleteWhole(editor: DrawingEditor) {
+  const handles = chosen(editor);
+  const done = editor.run(en.commands.delete, deleteItems(editor.drawing, handles));
+  if (done) editor.say(en.commands.deleted(handles.length), { label: en.commands.undo, run: () => editor.undo() });
+}
+
+/** The box of items, artboard units; null where they have no points. */
+export function boxOf(items: readonly Item[]): Box | null {
+  const box: [number, number, number, number] = [Infinity, Infinity, -Infinity, -Infinity];
+  const grow = (part: Box) => {
+    box[0] = Math.min(box[0], part[0]);
+    box[1] = Math.min(box[1], part[1]);
+    box[2] = Math.max(box[2], part[2]);
+    box[3] = Math.max(box[3], part[3]);
+  };
+  const visit = (item: Item) => {
+    if (item.kind === "curve" || item.kind === "stroke") {
+      for (const { points } of item.paths) {
+        for (const [x, y] of points) grow(mappedBox(item.artboardFromItem, [x, y, x, y]));
+      }
+    } else if (item.kind === "reference") {
+      grow(mappedBox(item.artboardFromItem, item.box));
+    } else {
+      item.children.forEach(visit);
+    }
+  };
+  items.forEach(visit);
+  return box[0] <= box[2] ? box : null;
+}
+
+/** Moves each item so that an edge or the middle of its box lies where that of all lies. */
+function align(label: string, axis: 0 | 1, share: number): Command {
+  return (editor) => {
+    const items = chosenItems(editor);
+    const all = boxOf(items);
+    if (!all || items.length < 2) return;
+    const placeOf = (box: Box) => box[axis] + share * (box[axis + 2] - box[axis]);
+    const moved = items.map((item) => {
+      const box = boxOf([item]);
+      const by = box ? placeOf(all) - placeOf(box) : 0;
+      const map = axis === 0 ? [1, 0, 0, 1, by, 0] : [1, 0, 0, 1, 0, by];
+      return by === 0 ? null : transform(editor.drawing, [item.handle], map, editor.step(item));
+    });
+    editor.run(label, together(moved));
+  };
+}
+
+function flip(label: string, axis: 0 | 1): Command {
+  return edit(label, (drawing, handles, editor) => {
+    const box = boxOf(chosenItems(editor));
+    if (!box) return null;
+    const twice = box[axis] + box[axis + 2];
+    const map = axis === 0 ? [-1, 0, 0, 1, twice, 0] : [1, 0, 0, -1, 0, twice];
+    return transform(drawing, handles, map, editor.step(null));
+  });
+}
+
+function joinChosen(editor: DrawingEditor) {
+  const curves = chosenCurves(editor);
+  if (curves.length !== 2) return editor.say(en.commands.joinWantsTwo);
+  const [a, b] = curves;
+  editor.run(en.commands.join, joinCurves(editor.drawing, a.handle, b.handle, editor.step(a)));
+}
+
+function closeChosen(editor: DrawingEditor) {
+  const curve = primaryCurve(editor);
+  if (!curve) return;
+  const isClosed = curve.paths.every(({ closed }) => closed);
+  const made = curve.paths.map((_, path) =>
+    setClosed(editor.drawing, curve.handle, path, !isClosed, editor.step(curve)),
+  );
+  editor.run(isClosed ? en.commands.open : en.commands.close, together(made));
+}
+
+function selectAll(editor: DrawingEditor) {
+  const layer = editor.activeLayer;
+  const within = layer && editor.selection.value.length > 0 ? layer.children : editor.drawing.items;
+  editor.selection.value = within
+    .filter((item) => !item.locked && !item.hidden)
+    .map(({ handle }) => ({ handle, part: { kind: "whole" } }));
+}
+
+function zoomToSelection(editor: DrawingEditor) {
+  const box = boxOf(chosenItems(editor));
+  if (box) editor.fit(box);
+}
+
+function toTool(tool: ToolName): Command {
+  return (editor) => {
+    editor.tool.value = tool;
+  };
+}
+
+function showing(attribute: Attribute): Command {
+  return (editor) => {
+    editor.attribute.value = attribute;
+  };
+}
+
+type Switch = "showMesh" | "showOutlines" | "showReference" | "hideHandles" | "hintsShown";
+
+function toggle(name: Switch): Command {
+  return (editor) => {
+    editor[name].value = !editor[name].value;
+  };
+}
+
+function cycleTheme({ settings: { theme } }: DrawingEditor) {
+  const isDark = matchMedia("(prefers-color-scheme: dark)").matches;
+  const now = theme.value === "system" ? (isDark ? "dark" : "light") : theme.value;
+  theme.value = now === "dark" ? "light" : "dark";
+}
+
+const words = en.commands;
+const ZOOM = 1.5;
+
+const tools: readonly ToolName[] = ["select", "nodes", "pen", "pencil", "stroke", "sample", "blur", "hand"];
+
+const table: readonly (readonly [string, Command])[] = [
+  ...tools.map((tool) => [`tool-${tool}`, toTool(tool)] as const),
+  ["undo", (editor) => editor.undo()],
+  ["redo", (editor) => editor.redo()],
+  ["cut", (editor) => void copyByMenu(editor, true)],
+  ["copy", (editor) => void copyByMenu(editor, false)],
+  ["paste", (editor) => void pasteByMenu(editor)],
+  ["duplicate", edit(words.duplicate, (d, handles, editor) => duplicate(d, handles, copyOffset(editor)))],
+  ["delete", deleteChosen],
+  ["select-all", selectAll],
+  ["deselect", (editor) => void (editor.selection.value = [])],
+  ["group", edit(words.group, group)],
+  ["ungroup", edit(words.ungroup, ungroup)],
+  ["bring-up", stack(words.bringUp, 1)],
+  ["send-down", stack(words.sendDown, -1)],
+  ["to-top", stack(words.toTop, Infinity)],
+  ["to-bottom", stack(words.toBottom, -Infinity)],
+  ["new-layer", (editor) => void editor.run(words.newLayer, addLayer(editor.drawing, editor.activeLayer?.handle ?? null, ""))],
+  ["swap-sides", edit(words.swapSides, (d, _, editor) => swapSides(d, curvesOf(d, editor.selection.value)))],
+  ["reverse", edit(words.reverse, (d, _, editor) => reverseCurves(d, curvesOf(d, editor.selection.value), editor.step(null)))],
+  ["close-curve", closeChosen],
+  ["join", joinChosen],
+  ["make-instance", edit(words.makeInstance, (d, [handle], editor) => makeInstance(d, handle, copyOffset(editor)))],
+  ["make-unique", edit(words.makeUnique, (d, [handle]) => makeUnique(d, handle))],
+  ["corner", nodeKind(words.nodeKind, "corner")],
+  ["smooth", nodeKind(words.nodeKind, "smooth")],
+  ["symmetric", nodeKind(words.nodeKind, "symmetric")],
+  ["align-left", align(words.align, 0, 0)],
+  ["align-center", align(words.align, 0, 0.5)],
+  ["align-right", align(words.align, 0, 1)],
+  ["align-top", align(words.align, 1, 0)],
+  ["align-middle", align(words.align, 1, 0.5)],
+  ["align-bottom", align(words.align, 1, 1)],
+  ["flip-horizontal", flip(words.flip, 0)],
+  ["flip-vertical", flip(words.flip, 1)],
+  ["zoom-in", (editor) => editor.zoomBy(ZOOM)],
+  ["zoom-out", (editor) => editor.zoomBy(1 / ZOOM)],
+  ["zoom-fit", (editor) => editor.fit()],
+  ["zoom-selection", zoomToSelection],
+  ["zoom-actual", (editor) => editor.zoomBy(1 / editor.view.value.zoom)],
+  ["mesh", toggle("showMesh")],
+  ["outlines", toggle("showOutlines")],
+  ["reference", toggle("showReference")],
+  ["hide-handles", toggle("hideHandles")],
+  ["hints", toggle("hintsShown")],
+  ["grid", ({ settings: { grid } }) => void (grid.value = !grid.value)],
+  ["snap", ({ settings: { snap } }) => void (snap.value = !snap.value)],
+  ["theme", cycleTheme],
+  ["show-color", showing("color")],
+  ["show-opacity", showing("opacity")],
+  ["show-blur", showing("blur")],
+  ["welcome", (editor) => void (editor.welcome.value = true)],
+  ["tour", (editor) => void (editor.tour.value = 0)],
+  ...(["export", "keys", "new", "recover", "about", "document"] as const).map(
+    (kind) => [kind, (editor: DrawingEditor) => void (editor.dialog.value = { kind })] as const,
+  ),
+];
+
+/** All commands but those of files, which `more` adds or replaces. */
+export function commandTable(more: readonly (readonly [string, Command])[]): CommandTable {
+  return new Map([...table, ...more]);
+}

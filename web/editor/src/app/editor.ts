@@ -1,0 +1,363 @@
+// The editor's state: the drawing, what is selected and seen, and every change of them.
+import { batch, effect, signal, untracked, type Signal } from "@preact/signals";
+import type { Affine, Box, Point } from "../geometry/affine.js";
+import { inverted, mapped } from "../geometry/affine.js";
+import type { Rgb } from "../geometry/color.js";
+import type { Engine, EngineCurve, EngineStatus, Hint } from "../engine/types.js";
+import { openDrawing } from "../model/drawing.js";
+import type {
+  Attribute,
+  Change,
+  Drawing,
+  Handle,
+  Item,
+  Outcome,
+  Part,
+  Selection,
+} from "../model/types.js";
+import type { Patch } from "../source/patch.js";
+import { united } from "./changes.js";
+import { LiveGesture } from "./gesture.js";
+import { History, type HistoryLog, type Places } from "./history.js";
+import { openSettings } from "./settings.js";
+import { quickChanges } from "./sync.js";
+import type {
+  Dialog,
+  Editor,
+  FileState,
+  Gesture,
+  PickerTarget,
+  Toast,
+  ToolName,
+  ViewState,
+} from "./types.js";
+import { artboardFromStage, fitted, seenBox, stageFromArtboard, zoomed } from "./viewing.js";
+
+/** Decimals are worth writing down to this part of a pixel. */
+const STEP = 1 / 1000;
+
+/** What the editor has done by others: the commands that menus and keys name. */
+export type CommandTable = ReadonlyMap<string, (editor: DrawingEditor) => void>;
+
+export class DrawingEditor implements Editor {
+  readonly engine: Engine;
+  readonly settings = openSettings();
+  readonly selection: Signal<Selection> = signal<Selection>([]);
+  readonly tool = signal<ToolName>("select");
+  readonly attribute = signal<Attribute>("color");
+  readonly hovered = signal<Handle | null>(null);
+  readonly view = signal<ViewState>({ x: 0, y: 0, zoom: 1 });
+  readonly stage = signal({ width: 1, height: 1 });
+  readonly pointer = signal<Point | null>(null);
+  readonly status = signal<EngineStatus>({ kind: "empty" });
+  readonly hints = signal<readonly Hint[]>([]);
+  readonly hintsShown = signal(false);
+  readonly file = signal<FileState>({ name: "", isChanged: false, kept: "nowhere" });
+  readonly toast = signal<Toast | null>(null);
+  readonly dialog = signal<Dialog>(null);
+  readonly picker = signal<PickerTarget | null>(null);
+  readonly showMesh = signal(false);
+  readonly showOutlines = signal(false);
+  readonly showReference = signal(true);
+  readonly hideHandles = signal(false);
+  readonly welcome = signal(true);
+  readonly tour = signal<number | null>(null);
+  readonly announcement = signal("");
+  /** Called when the text has changed and rests. */
+  onEdit: () => void = () => {};
+
+  #drawing: Drawing;
+  readonly #revision = signal(0);
+  readonly #history = new History();
+  #commands: CommandTable;
+  /** Elements by their place, in the texts that the engine was given. */
+  #snapshots = new Map<number, ReadonlyMap<number, Handle>>();
+  #known = { serial: -1, curves: new Map<Handle, EngineCurve[]>() };
+  #isFitted = true;
+
+  constructor(engine: Engine, commands: CommandTable, text: string) {
+    this.engine = engine;
+    this.#commands = commands;
+    this.#drawing = openDrawing(text);
+    engine.onStatus = (status) => this.#hearStatus(status);
+    effect(() => this.#look());
+  }
+
+  get drawing(): Drawing {
+    this.#revision.value;
+    return this.#drawing;
+  }
+
+  get undoLabel() {
+    return this.#history.undoLabel;
+  }
+  get redoLabel() {
+    return this.#history.redoLabel;
+  }
+
+  // Documents.
+
+  /** @throws SourceError; what was open stays */
+  open(text: string, name: string, log: HistoryLog = { done: [], undone: [] }): void {
+    const drawing = openDrawing(text);
+    batch(() => {
+      this.#drawing = drawing;
+      this.#history.restore(log);
+      this.selection.value = [];
+      this.hovered.value = null;
+      this.picker.value = null;
+      this.hints.value = [];
+      this.file.value = { name, isChanged: false, kept: "nowhere" };
+      this.welcome.value = false;
+      this.#revision.value += 1;
+      this.fit();
+    });
+    this.#showText(false);
+  }
+
+  get log(): HistoryLog {
+    return this.#history.log;
+  }
+
+  // Edits.
+
+  run(label: string, outcome: Outcome | null, merge = ""): boolean {
+    if (!outcome || outcome.patch.length === 0 || !this.#mayEdit()) return false;
+    const before = this.#places();
+    const change = this.#drawing.apply(outcome.patch);
+    this.#record(label, outcome, before, merge);
+    this.#changed(change, false);
+    return true;
+  }
+
+  #mayEdit(): boolean {
+    const { readOnly } = this.#drawing;
+    if (readOnly) this.say(readOnly);
+    return !readOnly;
+  }
+
+  #record(label: string, outcome: Outcome, before: Places, merge: string) {
+    batch(() => {
+      if (outcome.select) this.#select(outcome.select);
+      else this.#prune();
+      this.#history.push({ label, patch: outcome.patch, before, after: this.#places() }, merge);
+      this.file.value = { ...this.file.value, isChanged: true };
+    });
+  }
+
+  gesture(label: string): Gesture {
+    const before = this.#places();
+    return new LiveGesture({
+      drawing: this.#drawing,
+      apply: (patch: Patch) => this.#drawing.apply(patch),
+      changed: (changes, moving) => this.#changed(united(changes), moving),
+      keep: (outcome) => {
+        if (!this.#mayEdit()) return;
+        this.#record(label, outcome, before, "");
+        this.#changed({ isStructural: false, touched: new Map() }, false);
+      },
+    });
+  }
+
+  undo(): void {
+    this.#replay(this.#history.undo());
+  }
+
+  redo(): void {
+    this.#replay(this.#history.redo());
+  }
+
+  #replay(steps: readonly { readonly patch: Patch; readonly select: Places }[]) {
+    if (steps.length === 0) return;
+    batch(() => {
+      const changes = steps.map(({ patch }) => this.#drawing.apply(patch));
+      this.#select(steps.at(-1)!.select);
+      this.file.value = { ...this.file.value, isChanged: true };
+      this.#changed(united(changes), false);
+    });
+  }
+
+  /** The text has changed: tells the engine and whoever looks. */
+  #changed(change: Change, moving: boolean) {
+    batch(() => {
+      this.#revision.value += 1;
+      if (change.isStructural) this.#prune();
+    });
+    const quick = quickChanges(this.#drawing, change, (handle) => this.#engineCurves(handle));
+    this.#showText(moving, quick);
+    if (!moving) this.onEdit();
+  }
+
+  #showText(moving: boolean, quick?: ReturnType<typeof quickChanges>) {
+    const serial = this.engine.show(this.#drawing.text, moving, quick);
+    // Texts of which it takes the change alone are not read, but for the last.
+    if (quick && moving) return;
+    // What places mean in this text is asked when the engine has read it, perhaps after other edits.
+    const places = new Map<number, Handle>();
+    for (const item of this.#drawing.all()) places.set(item.element.range.start, item.handle);
+    this.#snapshots.set(serial, places);
+  }
+
+  // The engine's numbers.
+
+  #engineCurves(handle: Handle): readonly EngineCurve[] {
+    const { serial, curves } = this.engine.index;
+    if (serial !== this.#known.serial) this.#learn(serial, curves);
+    return this.#known.curves.get(handle) ?? [];
+  }
+
+  #learn(serial: number, curves: readonly EngineCurve[]) {
+    const places = this.#snapshots.get(serial);
+    const known = new Map<Handle, EngineCurve[]>();
+    for (const curve of curves) {
+      const handle = places?.get(curve.offset);
+      if (handle === undefined) continue;
+      known.set(handle, [...(known.get(handle) ?? []), curve]);
+    }
+    this.#known = { serial, curves: known };
+    for (const old of this.#snapshots.keys()) if (old < serial) this.#snapshots.delete(old);
+  }
+
+  /** The engine's number of a layer, or null where it has no curves. */
+  engineLayer(layer: Item): number | null {
+    for (const child of layer.children) {
+      const found = child.kind === "curve" ? this.#engineCurves(child.handle)[0]?.layer : this.engineLayer(child);
+      if (found !== undefined && found !== null) return found;
+    }
+    return null;
+  }
+
+  /**
+   * What a layer shows at points of the artboard, before anything is laid over it; null where
+   * nothing is seen.
+   */
+  async colorsAt(layer: Item, points: readonly Point[]): Promise<readonly (Rgb | null)[]> {
+    const number = this.engineLayer(layer);
+    const back = inverted(layer.artboardFromItem);
+    if (number === null || !back || points.length === 0) return points.map(() => null);
+    const xy = Float64Array.from(points.flatMap((point) => mapped(back, point)));
+    try {
+      const rgba = await this.engine.colors(number, xy);
+      return points.map((_, i) => colorOf(rgba.subarray(4 * i, 4 * i + 4)));
+    } catch {
+      // Outside of what the layer shows there is nothing to take up.
+      return points.map(() => null);
+    }
+  }
+
+  #hearStatus(status: EngineStatus) {
+    this.status.value = status;
+    if (status.kind === "exact") void this.#lookForHints();
+  }
+
+  async #lookForHints(): Promise<void> {
+    const { revision } = this.#drawing;
+    try {
+      const hints = await this.engine.lint();
+      if (this.#drawing.revision === revision) this.hints.value = hints;
+    } catch {
+      // A text that cannot be looked at has a status that says so.
+      this.hints.value = [];
+    }
+  }
+
+  // Selection.
+
+  #places(): Places {
+    return untracked(() => this.selection.value).flatMap(({ handle, part }) => {
+      const item = this.#drawing.item(handle);
+      return item ? [{ at: item.element.range.start, part }] : [];
+    });
+  }
+
+  #select(places: readonly { readonly at: number; readonly part?: Part }[]) {
+    this.selection.value = places.flatMap(({ at, part = { kind: "whole" } }) => {
+      const item = this.#drawing.itemAt(at);
+      return item ? [{ handle: item.handle, part }] : [];
+    });
+  }
+
+  /** What is no longer there is not selected. */
+  #prune() {
+    const { value } = this.selection;
+    const there = value.filter(({ handle }) => this.#drawing.item(handle));
+    if (there.length < value.length) this.selection.value = there;
+    const { hovered, picker } = this;
+    if (hovered.value !== null && !this.#drawing.item(hovered.value)) hovered.value = null;
+    if (picker.value && !this.#drawing.item(picker.value.handle)) picker.value = null;
+  }
+
+  get activeLayer(): Item | null {
+    const { drawing } = this;
+    for (const { handle } of [...this.selection.value].reverse()) {
+      let item: Item | null = drawing.item(handle) ?? null;
+      while (item && item.kind !== "layer") item = item.parent;
+      if (item && !item.locked) return item;
+    }
+    const layers = [...drawing.all()].filter((item) => item.kind === "layer" && !item.locked && !item.hidden);
+    return layers.at(-1) ?? null;
+  }
+
+  step(item: Item | null): number {
+    const [a, b, c, d] = item?.artboardFromItem ?? [1, 0, 0, 1];
+    const scale = Math.sqrt(Math.abs(a * d - b * c)) || 1;
+    return STEP / (this.view.value.zoom * scale);
+  }
+
+  // View.
+
+  artboardFromStage(): Affine {
+    return artboardFromStage(this.view.value, this.stage.value);
+  }
+
+  stageFromArtboard(): Affine {
+    return stageFromArtboard(this.view.value, this.stage.value);
+  }
+
+  /** @param box null or absent: the artboard, which stays fitted while the window changes */
+  fit(box?: Box): void {
+    this.#isFitted = !box;
+    this.view.value = fitted(box ?? this.#drawing.artboard, untracked(() => this.stage.value));
+  }
+
+  /** The stage has another size. */
+  resized(width: number, height: number): void {
+    this.stage.value = { width, height };
+    if (this.#isFitted) this.fit();
+  }
+
+  zoomBy(factor: number, at?: Point): void {
+    const { width, height } = this.stage.value;
+    this.#isFitted = false;
+    const about = at ?? [width / 2, height / 2];
+    this.view.value = zoomed(this.view.value, factor, about, this.stage.value, this.#drawing.artboard);
+  }
+
+  /** The hand has moved the view. */
+  show(view: ViewState): void {
+    this.#isFitted = false;
+    this.view.value = view;
+  }
+
+  #look() {
+    const ratio = globalThis.devicePixelRatio || 1;
+    const { view, stage, drawing } = this;
+    this.engine.look(view.value.zoom * ratio, seenBox(view.value, stage.value), drawing.artboard);
+  }
+
+  // Commands and words.
+
+  command(name: string): void {
+    this.#commands.get(name)?.(this);
+  }
+
+  say(text: string, action: Toast["action"] = null): void {
+    this.toast.value = { text, action };
+    this.announcement.value = text;
+  }
+}
+
+function colorOf([r, g, b, a]: Float32Array): Rgb | null {
+  const clamped = (value: number) => Math.min(1, Math.max(0, value));
+  return a > 0 ? { r: clamped(r), g: clamped(g), b: clamped(b) } : null;
+}

@@ -1,0 +1,55 @@
+// One movement of the hand: each look at it starts from the drawing as it was.
+import { inverse, type Patch } from "../source/patch.js";
+import type { Change, Drawing, Outcome } from "../model/types.js";
+import type { Gesture } from "./types.js";
+
+/** What a gesture asks of the editor. */
+export interface GestureHost {
+  readonly drawing: Drawing;
+  apply(patch: Patch): Change;
+  /** Shows what changed: between two looks, and whether the hand still moves. */
+  changed(changes: readonly Change[], moving: boolean): void;
+  /** Keeps the patch as one step of undo. */
+  keep(outcome: Outcome): void;
+}
+
+export class LiveGesture implements Gesture {
+  #host: GestureHost;
+  #outcome: Outcome | null = null;
+  isOver = false;
+
+  constructor(host: GestureHost) {
+    this.#host = host;
+  }
+
+  show(make: (before: Drawing) => Outcome | null): void {
+    if (this.isOver) return;
+    const changes = this.#takeBack();
+    const outcome = make(this.#host.drawing);
+    if (outcome && outcome.patch.length > 0) {
+      changes.push(this.#host.apply(outcome.patch));
+      this.#outcome = outcome;
+    }
+    this.#host.changed(changes, true);
+  }
+
+  keep(): void {
+    if (this.isOver) return;
+    this.isOver = true;
+    if (this.#outcome) this.#host.keep(this.#outcome);
+    else this.#host.changed([], false);
+  }
+
+  drop(): void {
+    if (this.isOver) return;
+    this.isOver = true;
+    this.#host.changed(this.#takeBack(), false);
+  }
+
+  #takeBack(): Change[] {
+    if (!this.#outcome) return [];
+    const change = this.#host.apply(inverse(this.#outcome.patch));
+    this.#outcome = null;
+    return [change];
+  }
+}

@@ -1,0 +1,152 @@
+// Keys as data: what each does, where it stands in the list of keys, and who has changed it.
+import { signal } from "@preact/signals";
+
+export type KeyGroup = "tools" | "view" | "edit" | "curve" | "arrange" | "file";
+
+export interface KeyBinding {
+  /** A command of commands.ts. */
+  readonly command: string;
+  readonly group: KeyGroup;
+  /** As "Ctrl+Shift+Z": modifiers in this order, and KeyboardEvent.key; letters are upper case. */
+  readonly keys: readonly string[];
+}
+
+const binding = (group: KeyGroup, command: string, ...keys: string[]): KeyBinding => ({ group, command, keys });
+
+export const defaultKeys: readonly KeyBinding[] = [
+  binding("tools", "tool-select", "V"),
+  binding("tools", "tool-nodes", "A"),
+  binding("tools", "tool-pen", "P"),
+  binding("tools", "tool-pencil", "B"),
+  binding("tools", "tool-stroke", "K"),
+  binding("tools", "tool-sample", "I"),
+  binding("tools", "tool-blur", "U"),
+  binding("tools", "tool-hand", "H"),
+  binding("view", "zoom-in", "+", "="),
+  binding("view", "zoom-out", "-"),
+  binding("view", "zoom-fit", "0"),
+  binding("view", "zoom-selection", "Shift+2"),
+  binding("view", "zoom-actual", "Shift+1"),
+  binding("view", "mesh", "M"),
+  binding("view", "outlines", "O"),
+  binding("view", "reference", "R"),
+  binding("view", "keys", "?"),
+  binding("view", "hints", "F8"),
+  binding("edit", "undo", "Ctrl+Z"),
+  binding("edit", "redo", "Ctrl+Shift+Z", "Ctrl+Y"),
+  binding("edit", "cut", "Ctrl+X"),
+  binding("edit", "copy", "Ctrl+C"),
+  binding("edit", "paste", "Ctrl+V"),
+  binding("edit", "duplicate", "Ctrl+D"),
+  binding("edit", "delete", "Delete", "Backspace"),
+  binding("edit", "select-all", "Ctrl+A"),
+  binding("edit", "deselect", "Ctrl+Shift+A"),
+  binding("curve", "show-color", "1"),
+  binding("curve", "show-opacity", "2"),
+  binding("curve", "show-blur", "3"),
+  binding("curve", "swap-sides", "X"),
+  binding("curve", "reverse", "Shift+X"),
+  binding("curve", "join", "Ctrl+J"),
+  binding("curve", "close-curve", "Ctrl+Shift+J"),
+  binding("curve", "corner", "C"),
+  binding("curve", "smooth", "S"),
+  binding("curve", "symmetric", "Y"),
+  binding("arrange", "send-down", "["),
+  binding("arrange", "bring-up", "]"),
+  binding("arrange", "to-bottom", "Ctrl+["),
+  binding("arrange", "to-top", "Ctrl+]"),
+  binding("arrange", "group", "Ctrl+G"),
+  binding("arrange", "ungroup", "Ctrl+Shift+G"),
+  binding("arrange", "make-instance", "Ctrl+Alt+D"),
+  binding("file", "new", "Ctrl+Alt+N", "Ctrl+N"),
+  binding("file", "open", "Ctrl+O"),
+  binding("file", "save", "Ctrl+S"),
+  binding("file", "save-as", "Ctrl+Shift+S"),
+  binding("file", "export", "Ctrl+E"),
+];
+
+const KEY = "sfumato-editor-keys";
+
+function storedKeys(): Record<string, readonly string[]> {
+  try {
+    const value: unknown = JSON.parse(localStorage.getItem(KEY) ?? "{}");
+    const entries = Object.entries(value as object).filter(
+      ([, keys]) => Array.isArray(keys) && keys.every((key) => typeof key === "string"),
+    );
+    return Object.fromEntries(entries);
+  } catch {
+    return {};
+  }
+}
+
+/** Keys that somebody chose in the place of ours, by command. */
+const chosen = signal<Record<string, readonly string[]>>(
+  typeof localStorage === "undefined" ? {} : storedKeys(),
+);
+
+/** All keys as they are; reading it within components and effects subscribes to changes. */
+export function keyBindings(): readonly KeyBinding[] {
+  return defaultKeys.map((given) => ({ ...given, keys: chosen.value[given.command] ?? given.keys }));
+}
+
+export function keysOf(command: string): readonly string[] {
+  return keyBindings().find((given) => given.command === command)?.keys ?? [];
+}
+
+/** @returns the command that has the key already; nothing is changed then */
+export function setKeys(command: string, keys: readonly string[]): string | null {
+  const taken = keyBindings().find(
+    (given) => given.command !== command && given.keys.some((key) => keys.includes(key)),
+  );
+  if (taken) return taken.command;
+  keep({ ...chosen.value, [command]: keys });
+  return null;
+}
+
+/** All keys are ours again. */
+export function resetKeys(): void {
+  keep({});
+}
+
+function keep(keys: Record<string, readonly string[]>) {
+  chosen.value = keys;
+  try {
+    localStorage.setItem(KEY, JSON.stringify(keys));
+  } catch {
+    // They last until the page is closed.
+  }
+}
+
+const isMac = typeof navigator !== "undefined" && /Mac|iP(hone|ad|od)/.test(navigator.userAgent);
+
+/** A key as keyBindings() writes it; Cmd of a Mac counts as Ctrl. */
+export function keyName(event: KeyboardEvent): string {
+  const key = event.key.length === 1 ? event.key.toUpperCase() : event.key;
+  // Of "?" and the like Shift is part of the sign; with a digit the sign depends on the keyboard.
+  const digit = /^Digit(\d)$/.exec(event.code)?.[1];
+  const isSign = event.key.length === 1 && key === key.toLowerCase() && event.key !== " ";
+  const name = digit && event.shiftKey ? digit : key;
+  const isCtrl = isMac ? event.metaKey : event.ctrlKey;
+  const isShift = event.shiftKey && (!isSign || digit !== undefined);
+  return [isCtrl && "Ctrl", event.altKey && "Alt", isShift && "Shift", name].filter(Boolean).join("+");
+}
+
+/** As people of this machine read it. */
+export function keyLabel(key: string): string {
+  const named = key.replace("Delete", "Del").replace("Backspace", "⌫");
+  if (!isMac) return named;
+  return named.replace("Ctrl+", "⌘").replace("Alt+", "⌥").replace("Shift+", "⇧");
+}
+
+/** Whether keys go to a field that somebody types into. */
+export function isTyping(target: EventTarget | null): boolean {
+  if (!(target instanceof HTMLElement)) return false;
+  if (target.isContentEditable || target instanceof HTMLTextAreaElement || target instanceof HTMLSelectElement) return true;
+  return target instanceof HTMLInputElement && !["range", "checkbox", "radio", "button", "color"].includes(target.type);
+}
+
+/** The command of a key, or null. */
+export function commandOfKey(event: KeyboardEvent): string | null {
+  const name = keyName(event);
+  return keyBindings().find(({ keys }) => keys.includes(name))?.command ?? null;
+}
