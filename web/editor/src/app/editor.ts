@@ -35,6 +35,8 @@ import { artboardFromStage, fitted, seenBox, stageFromArtboard, zoomed } from ".
 
 /** Decimals are worth writing down to this part of a pixel. */
 const STEP = 1 / 1000;
+/** Hints are looked for when an exact picture has stood for this long, milliseconds. */
+const HINT_REST = 1000;
 
 /** What the editor has done by others: the commands that menus and keys name. */
 export type CommandTable = ReadonlyMap<string, (editor: DrawingEditor) => void>;
@@ -74,6 +76,7 @@ export class DrawingEditor implements Editor {
   #snapshots = new Map<number, ReadonlyMap<number, Handle>>();
   #known = { serial: -1, curves: new Map<Handle, EngineCurve[]>() };
   #isFitted = true;
+  #hintTimer = 0;
 
   constructor(engine: Engine, commands: CommandTable, text: string) {
     this.engine = engine;
@@ -247,14 +250,14 @@ export class DrawingEditor implements Editor {
 
   #hearStatus(status: EngineStatus) {
     this.status.value = status;
-    if (status.kind === "exact") void this.#lookForHints();
+    clearTimeout(this.#hintTimer);
+    if (status.kind === "exact") this.#hintTimer = setTimeout(() => void this.#lookForHints(), HINT_REST) as never;
   }
 
   async #lookForHints(): Promise<void> {
-    const { revision } = this.#drawing;
     try {
       const hints = await this.engine.lint();
-      if (this.#drawing.revision === revision) this.hints.value = hints;
+      if (hints) this.hints.value = hints;
     } catch {
       // A text that cannot be looked at has a status that says so.
       this.hints.value = [];

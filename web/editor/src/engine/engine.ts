@@ -44,7 +44,8 @@ export class WorkerEngine implements Engine {
   /** What the front seat's document lacks of the wanted text. */
   #pending = new Pending();
   /** Stamps of what the page shows, and the text that it is of. */
-  #shown: (string | null)[] = [];
+  #shown: readonly string[] = [];
+  #shownStack = "";
   #shownSerial = -1;
   /** The text, and the options, of the exact picture that is shown. */
   #exactSerial = -1;
@@ -55,6 +56,8 @@ export class WorkerEngine implements Engine {
   #images: GivenImage[] = [];
   #frames: Promise<void> | null = null;
   #isSettling = false;
+  /** Whether the exact picture waits for the frames to end. */
+  #isExactReady = false;
   #timer = 0;
   #seatCount = 0;
   #isFree = false;
@@ -127,7 +130,8 @@ export class WorkerEngine implements Engine {
     let solved = await this.#solve(seat, way, options);
     this.#publish(solved, wanted, false);
     // While nothing new is wanted: what the frame had no time for.
-    for (let i = 0; i < MOST_ROUNDS && solved.waiting > 0 && this.#wanted === wanted; ++i) {
+    const isLast = () => this.#wanted === wanted && !this.#isExactReady;
+    for (let i = 0; i < MOST_ROUNDS && solved.waiting > 0 && isLast(); ++i) {
       solved = await this.#solve(seat, way, options);
       this.#publish(solved, wanted, false);
     }
@@ -142,11 +146,17 @@ export class WorkerEngine implements Engine {
   }
 
   #solve(seat: Seat, way: Way, options: SolveOptions): Promise<Solved> {
-    return seat.link.call<Solved>("solve", { way, options, have: this.#shown });
+    return seat.link.call<Solved>("solve", {
+      way,
+      options,
+      have: this.#shown,
+      haveStack: this.#shownStack,
+    });
   }
 
   #publish(solved: Solved, wanted: Wanted, isExact: boolean) {
-    this.#shown = [...solved.stamps];
+    this.#shown = solved.stamps;
+    this.#shownStack = solved.stackStamp;
     this.#shownSerial = wanted.serial;
     this.onPicture({ stack: solved.stack, layers: solved.layers, layerCount: solved.stamps.length, isExact });
     const kind = isExact ? "exact" : "refining";
@@ -184,13 +194,14 @@ export class WorkerEngine implements Engine {
     if (seat.serial !== wanted.serial || seat.isChanged) await this.#bring(seat, wanted, null);
     const before = this.#shown;
     let solved = await this.#solve(seat, { kind: "exact" }, options);
+    this.#isExactReady = true;
     await this.#frames;
+    this.#isExactReady = false;
     if (this.#wanted !== wanted) return;
     // Frames have changed what the page shows since the tables were asked for.
-    const { milliseconds, stack } = solved;
+    const { milliseconds } = solved;
     if (this.#shown !== before) {
       solved = { ...(await this.#solve(seat, { kind: "exact" }, options)), milliseconds };
-      solved = { ...solved, stack: solved.stack ?? stack };
     }
     if (this.#wanted !== wanted) return;
     this.#back = this.#front;
@@ -249,9 +260,15 @@ export class WorkerEngine implements Engine {
     return this.#ask("payload");
   }
 
-  async lint(): Promise<readonly Hint[]> {
-    const seat = await this.#idle();
-    return hintsOf(await seat.link.call<LintReport>("lint"), seat.curves);
+  /** By the back seat, which rests: frames do not wait for it. */
+  async lint(): Promise<readonly Hint[] | null> {
+    if (this.#isSettling || this.#isSettleWanted || this.#wanted.serial < 0) return null;
+    const seat = (this.#back ??= this.#newSeat());
+    const wanted = this.#wanted;
+    await seat.ready;
+    if (seat.serial !== wanted.serial || seat.isChanged) await this.#bring(seat, wanted, null);
+    const report = await seat.link.call<LintReport>("lint");
+    return this.#wanted === wanted ? hintsOf(report, seat.curves) : null;
   }
 
   async convert(text: string): Promise<string> {

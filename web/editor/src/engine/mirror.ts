@@ -3,7 +3,7 @@
 import type { Box } from "../geometry/affine.js";
 import type { FieldUpdate, LayerUpdate, RowRanges } from "./types.js";
 
-type Numbers = Float32Array | Uint32Array | Uint8Array;
+type Numbers = Float32Array<ArrayBuffer> | Uint32Array<ArrayBuffer> | Uint8Array<ArrayBuffer>;
 
 /** Room for more rows, in parts of those that are there. */
 const SPARE = 0.3;
@@ -49,7 +49,7 @@ export class Rows<Data extends Numbers> {
 
 export class FieldMirror {
   readonly nodes = new Rows(10, (length) => new Uint32Array(length));
-  readonly values: Rows<Float32Array>;
+  readonly values: Rows<Float32Array<ArrayBuffer>>;
 
   constructor(readonly channelCount: number) {
     this.values = new Rows(channelCount, (length) => new Float32Array(length));

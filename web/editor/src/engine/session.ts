@@ -9,10 +9,11 @@ import {
   type SfumatoPicture,
 } from "../../../wasm/sfumato.mjs";
 import {
-  fingerprint,
   isChanged,
+  layerStamp,
   layerUpdate,
   rowCounts,
+  stampOf,
   type Origins,
   type RowCounts,
 } from "./tables.js";
@@ -39,13 +40,16 @@ export type Way =
 export interface SolveWish {
   readonly way: Way;
   readonly options: SolveOptions;
-  /** Of each layer, the stamp of what the page shows; null: nothing. */
-  readonly have: readonly (string | null)[];
+  /** Of each layer, the stamp of what the page shows. */
+  readonly have: readonly string[];
+  /** That of the stack. */
+  readonly haveStack: string;
 }
 
 export interface Solved {
-  /** As web/viewer's readStack() takes them; null: as the last that were sent. */
+  /** As web/viewer's readStack() takes them; null: the page has them. */
   readonly stack: Uint8Array | null;
+  readonly stackStamp: string;
   readonly stamps: readonly string[];
   readonly layers: readonly LayerUpdate[];
   /** Values that wait for time: solve again, with the same text, goes on. */
@@ -79,8 +83,8 @@ export class Session {
   #draft: Shown | null = null;
   #fields = new Map<number, SfumatoField>();
   #images = new Map<string, Uint8Array>();
-  #stack: Uint8Array | null = null;
-  #stackIsOld = true;
+  /** The stack of the present document; null: not made yet. */
+  #stack: { readonly bytes: Uint8Array; readonly stamp: string } | null = null;
   #serial = 0;
   readonly #name: string;
 
@@ -107,7 +111,7 @@ export class Session {
     const next = this.#context.read(text, { load });
     this.#document?.free();
     this.#document = next;
-    this.#stackIsOld = true;
+    this.#stack = null;
     this.#dropFields();
     return { curves: curvesOf(next, text), warnings: this.#context.warnings };
   }
@@ -132,13 +136,16 @@ export class Session {
     return this.#read().points(layer, curve) as Float64Array;
   }
 
-  solve({ way, options, have }: SolveWish): Solved {
+  solve({ way, options, have, haveStack }: SolveWish): Solved {
     const began = performance.now();
     const shown = way.kind === "draft" ? this.#solveDraft(options) : this.#solveExact(way, options);
     const layers = this.#stamp(shown, way.kind === "exact", have);
     const milliseconds = performance.now() - began;
     const waiting = way.kind === "quick" ? shown.picture.statistics.waitingNodes : 0;
-    return { stack: this.#newStack(shown.picture), stamps: [...shown.stamps], layers, waiting, milliseconds };
+    this.#stack ??= this.#stackOf(shown.picture);
+    const { bytes, stamp } = this.#stack;
+    const stack = stamp === haveStack ? null : bytes;
+    return { stack, stackStamp: stamp, stamps: [...shown.stamps], layers, waiting, milliseconds };
   }
 
   #solveExact(way: Way, options: SolveOptions): Shown {
@@ -170,14 +177,14 @@ export class Session {
   }
 
   /** What the page lacks of a picture just solved. */
-  #stamp(shown: Shown, isExact: boolean, have: readonly (string | null)[]): LayerUpdate[] {
+  #stamp(shown: Shown, isExact: boolean, have: readonly string[]): LayerUpdate[] {
     const { picture, stamps, rows, origins } = shown;
     const updates: LayerUpdate[] = [];
     stamps.length = picture.layerCount;
     for (let layer = 0; layer < picture.layerCount; ++layer) {
       const before = stamps[layer];
       if (before === undefined || isChanged(picture, layer, rows[layer])) {
-        const content = isExact ? fingerprint(picture, layer) : `${this.#name}.${++this.#serial}`;
+        const content = isExact ? layerStamp(picture, layer) : `${this.#name}.${++this.#serial}`;
         stamps[layer] = content;
         rows[layer] = rowCounts(picture, layer);
       }
@@ -188,19 +195,9 @@ export class Session {
     return updates;
   }
 
-  #newStack(picture: SfumatoPicture): Uint8Array | null {
-    if (!this.#stackIsOld) return null;
-    this.#stackIsOld = false;
-    const stack = this.#context.pictureStack(picture) as Uint8Array;
-    const isSame = this.#stack !== null && equalBytes(stack, this.#stack);
-    this.#stack = stack;
-    return isSame ? null : stack;
-  }
-
-  /** The next picture brings its stack along, whatever was sent. */
-  forgetStack(): void {
-    this.#stack = null;
-    this.#stackIsOld = true;
+  #stackOf(picture: SfumatoPicture) {
+    const bytes = this.#context.pictureStack(picture) as Uint8Array;
+    return { bytes, stamp: stampOf([bytes]) };
   }
 
   /** Red, green, blue, opacity of points of a layer's frame. */
@@ -268,10 +265,6 @@ export class Session {
 /** As `sfumato lint --json` prints it. */
 export interface LintReport {
   readonly hints: readonly Readonly<Record<string, unknown>>[];
-}
-
-function equalBytes(a: Uint8Array, b: Uint8Array): boolean {
-  return a.length === b.length && a.every((byte, i) => byte === b[i]);
 }
 
 /** Byte offsets of UTF-8 text as places in the text. */

@@ -45,7 +45,7 @@ function gathered<Out extends Numbers>(view: View, ranges: RowRanges, make: (n: 
 }
 
 /** Positions relative to an origin: single precision holds them near it. */
-function relative(view: View, ranges: RowRanges, origin: readonly [number, number]): Float32Array {
+function relative(view: View, ranges: RowRanges, origin: readonly [number, number]): Float32Array<ArrayBuffer> {
   const exact = gathered(view, ranges, (n) => new Float64Array(n));
   const out = new Float32Array(exact.length);
   for (let i = 0; i < exact.length; ++i) out[i] = exact[i] - origin[i % 2];
@@ -142,19 +142,30 @@ export function rowCounts(picture: SfumatoPicture, layer: number): RowCounts {
   return Object.values(Table).map((table) => look(picture, layer, table).rows);
 }
 
-/** A number that tells tables of different content apart. */
-export function fingerprint(picture: SfumatoPicture, layer: number): string {
+/** A word that tells bytes of different content apart. */
+export function stampOf(parts: Iterable<ArrayBufferView>): string {
   let [a, b] = [0x811c9dc5, 0x1b873593];
-  for (const table of Object.values(Table)) {
-    const { data } = look(picture, layer, table);
-    const words = new Uint32Array(data.buffer, data.byteOffset, data.byteLength >> 2);
-    for (let i = 0; i < words.length; ++i) {
-      a = Math.imul(a ^ words[i], 0x01000193);
-      b = Math.imul(b ^ a ^ (words[i] >>> 15), 0x85ebca6b);
-    }
-    a ^= data.byteLength;
+  const add = (word: number) => {
+    a = Math.imul(a ^ word, 0x01000193);
+    b = Math.imul(b ^ a ^ (word >>> 15), 0x85ebca6b);
+  };
+  for (const { buffer, byteOffset, byteLength } of parts) {
+    const isWhole = byteOffset % 4 === 0;
+    const words = isWhole ? new Uint32Array(buffer, byteOffset, byteLength >> 2) : [];
+    for (let i = 0; i < words.length; ++i) add(words[i]);
+    const rest = new Uint8Array(buffer, byteOffset + 4 * words.length, byteLength - 4 * words.length);
+    for (let i = 0; i < rest.length; ++i) add(rest[i]);
+    add(byteLength);
   }
-  return `${(a >>> 0).toString(36)}${(b >>> 0).toString(36)}`;
+  return `${(a >>> 0).toString(36)}.${(b >>> 0).toString(36)}`;
+}
+
+export function layerStamp(picture: SfumatoPicture, layer: number): string {
+  return stampOf(tablesOf(picture, layer));
+}
+
+function* tablesOf(picture: SfumatoPicture, layer: number) {
+  for (const table of Object.values(Table)) yield look(picture, layer, table).data;
 }
 
 /** The buffers of updates, to be handed over. */

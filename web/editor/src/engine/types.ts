@@ -75,7 +75,8 @@ export interface Engine {
   raster(wish: RasterWish): Promise<Uint8ClampedArray<ArrayBuffer> | Uint16Array<ArrayBuffer>>;
   /** The bytes of the HTML viewer's payload. */
   payload(): Promise<Uint8Array>;
-  lint(): Promise<readonly Hint[]>;
+  /** null: the text has changed, or is not exact yet. */
+  lint(): Promise<readonly Hint[] | null>;
   /** Orzan's XML as SVG. @throws Error with line and column in words */
   convert(text: string): Promise<string>;
   onPicture: (update: PictureUpdate) => void;
@@ -101,9 +102,9 @@ export interface FieldUpdate {
   readonly nodeRows: number;
   readonly valueRows: number;
   /** 10 a triangle and channelCount a node, of the rows that changed, one range behind the other. */
-  readonly nodes: Uint32Array;
+  readonly nodes: Uint32Array<ArrayBuffer>;
   readonly nodeRanges: RowRanges;
-  readonly values: Float32Array;
+  readonly values: Float32Array<ArrayBuffer>;
   readonly valueRanges: RowRanges;
 }
 
@@ -115,11 +116,11 @@ export interface LayerUpdate {
   readonly bounds: Box;
   readonly vertexRows: number;
   readonly triangleRows: number;
-  readonly positions: Float32Array;
+  readonly positions: Float32Array<ArrayBuffer>;
   readonly positionRanges: RowRanges;
-  readonly triangles: Uint32Array;
+  readonly triangles: Uint32Array<ArrayBuffer>;
   readonly triangleRanges: RowRanges;
-  readonly edges: Uint8Array;
+  readonly edges: Uint8Array<ArrayBuffer>;
   readonly edgeRanges: RowRanges;
   readonly color: FieldUpdate;
   readonly opacity: FieldUpdate | null;

@@ -1,32 +1,5 @@
-// The engine in a worker of its own: answers the page's calls by a Session.
-import { answer, Handed, type MessageEndpoint } from "./rpc.js";
-import { Session, type GivenImage, type SolveWish } from "./session.js";
-import { buffersOf } from "./tables.js";
-import type { QuickChange, RasterWish } from "./types.js";
+// The engine in a worker of its own.
+import type { MessageEndpoint } from "./rpc.js";
+import { serve } from "./serve.js";
 
-let session: Session;
-
-answer(self as unknown as MessageEndpoint, {
-  async start(module: WebAssembly.Module, name: string) {
-    session = await Session.start(module, name);
-  },
-  addImages: (images: readonly GivenImage[]) => session.addImages(images),
-  read: (text: string) => session.read(text),
-  change: (changes: readonly QuickChange[]) => session.change(changes),
-  forgetStack: () => session.forgetStack(),
-  solve(wish: SolveWish) {
-    const solved = session.solve(wish);
-    return new Handed(solved, buffersOf(solved.layers));
-  },
-  colors(layer: number, xy: Float64Array) {
-    const colors = session.colors(layer, xy);
-    return new Handed(colors, [colors.buffer as ArrayBuffer]);
-  },
-  raster(wish: RasterWish) {
-    const pixels = session.raster(wish);
-    return new Handed(pixels, [pixels.buffer as ArrayBuffer]);
-  },
-  payload: () => session.payload(),
-  lint: () => session.lint(),
-  convert: (text: string) => session.convert(text),
-});
+serve(self as unknown as MessageEndpoint);

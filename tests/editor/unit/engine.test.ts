@@ -1,0 +1,204 @@
+// The engine in two workers: what the page has after any edits is what the library solves of the
+// text, and what comes late does not undo what came later.
+import { afterEach, describe, expect, it } from "vitest";
+import { loadSfumato, Table } from "../../../web/wasm/sfumato.mjs";
+import { WorkerEngine } from "../../../web/editor/src/engine/engine.js";
+import { LayerMirror } from "../../../web/editor/src/engine/mirror.js";
+import type { EngineStatus, PictureUpdate, QuickChange } from "../../../web/editor/src/engine/types.js";
+import { hasModule, localHost, module, textOf } from "./wasm.js";
+
+const artboard = [0, 0, 200, 150] as const;
+const look = (engine: WorkerEngine) => engine.look(2, artboard, artboard);
+
+/** Two layers of two curves; the first one's first curve is bent. */
+const drawing = (bend: number, color = "#c21") => `<svg xmlns="http://www.w3.org/2000/svg"
+  xmlns:sf="urn:sfumato:1" viewBox="0 0 200 150" sf:version="1">
+  <g sf:diffuse="true">
+    <path d="M0 100 C60 ${bend} 140 130 200 90" sf:left="#9cf, #fed" sf:right="${color}"/>
+    <path d="M80 30 C90 10 110 10 120 30" sf:left="gold" sf:right="#fff" sf:blur="4"/>
+  </g>
+  <g sf:diffuse="true"><path d="M20 20 L60 40" sf:left="red" sf:right="blue" sf:opacity=".5"/></g>
+</svg>`;
+
+const pointsFor = (bend: number): QuickChange => ({
+  kind: "points",
+  layer: 0,
+  curve: 0,
+  xy: Float64Array.of(0, 100, 60, bend, 140, 130, 200, 90),
+});
+
+/** What the page has: mirrors of the layers, and what it was told. */
+class Page {
+  readonly layers: LayerMirror[] = [];
+  readonly statuses: EngineStatus[] = [];
+  updates = 0;
+  stacks = 0;
+  rows = 0;
+  isExact = false;
+
+  constructor(readonly engine: WorkerEngine) {
+    engine.onPicture = (update) => this.take(update);
+    engine.onStatus = (status) => this.statuses.push(status);
+  }
+
+  take({ layers, layerCount, stack, isExact }: PictureUpdate) {
+    this.updates += 1;
+    this.stacks += stack ? 1 : 0;
+    this.isExact = isExact;
+    for (const update of layers) {
+      this.layers[update.layer] ??= new LayerMirror();
+      this.layers[update.layer].change(update);
+      this.rows += update.color.values.length;
+    }
+    this.layers.length = layerCount;
+  }
+
+  async until(condition: () => boolean): Promise<void> {
+    for (let i = 0; i < 2000 && !condition(); ++i) await new Promise((resolve) => setTimeout(resolve, 5));
+    expect(condition()).toBe(true);
+  }
+
+  exact = () => this.until(() => this.isExact && this.statuses.at(-1)?.kind === "exact");
+}
+
+/** All tables of a text as the library solves it, with options. */
+async function solved(text: string, width: number) {
+  const context = (await loadSfumato(await module())).context();
+  const picture = context.solve(context.read(text), { width });
+  return Array.from({ length: picture.layerCount }, (_, layer) => ({
+    positions: picture.table(layer, Table.vertices).data as Float64Array,
+    triangles: picture.table(layer, Table.triangles).data,
+    edges: picture.table(layer, Table.curveEdges).data,
+    nodes: picture.table(layer, Table.colorNodes).data,
+    values: picture.table(layer, Table.colorValues).data,
+    opacities: picture.table(layer, Table.opacityValues).data,
+  }));
+}
+
+async function expectSolved(page: Page, text: string, width: number) {
+  const expected = await solved(text, width);
+  expect(page.layers.length).toBe(expected.length);
+  expected.forEach((layer, i) => {
+    const have = page.layers[i];
+    const positions = layer.positions.map((value, at) => Math.fround(value - have.origin[at % 2]));
+    expect(have.positions.values).toEqual(Float32Array.from(positions));
+    expect(have.triangles.values).toEqual(layer.triangles);
+    expect(have.edges.values).toEqual(layer.edges);
+    expect(have.color.nodes.values).toEqual(layer.nodes);
+    expect(have.color.values.values).toEqual(layer.values);
+    expect(have.opacity?.values.values ?? new Float32Array()).toEqual(layer.opacities);
+  });
+}
+
+describe.skipIf(!hasModule)("the engine", () => {
+  let page: Page;
+  const open = () => {
+    page = new Page(new WorkerEngine(localHost()));
+    look(page.engine);
+  };
+  afterEach(() => page.engine.free());
+
+  it("ends with the library's own tables, bit for bit", async () => {
+    open();
+    page.engine.show(drawing(70), false);
+    await page.exact();
+    await expectSolved(page, drawing(70), 512);
+    expect(page.engine.index.curves.map(({ layer, curve }) => [layer, curve])).toEqual([[0, 0], [0, 1], [1, 0]]);
+  });
+
+  it("follows a curve that moves, and then is exact", async () => {
+    open();
+    page.engine.show(drawing(70), false);
+    await page.exact();
+    const before = page.rows;
+    for (let bend = 70; bend < 90; ++bend) {
+      page.engine.show(drawing(bend), true, [pointsFor(bend)]);
+      await page.until(() => page.updates > 0);
+      await new Promise((resolve) => setTimeout(resolve, 20));
+    }
+    expect(page.isExact).toBe(false);
+    expect(page.rows).toBeGreaterThan(before);
+    page.engine.show(drawing(90), false, [pointsFor(90)]);
+    await page.exact();
+    await expectSolved(page, drawing(90), 512);
+  });
+
+  it("sends nothing of layers that stay, and no stack that is as it was", async () => {
+    open();
+    page.engine.show(drawing(70), false);
+    await page.exact();
+    const touched = new Set<number>();
+    const take = page.engine.onPicture;
+    page.engine.onPicture = (update) => {
+      update.layers.forEach(({ layer }) => touched.add(layer));
+      take(update);
+    };
+    const { stacks } = page;
+    page.engine.show(drawing(70, "#1c2"), false);
+    await page.exact();
+    expect([...touched]).toEqual([0]);
+    expect(page.stacks).toBe(stacks);
+  });
+
+  it("is exact in the end whatever comes when", async () => {
+    open();
+    let state = 7;
+    const random = (below: number) => (state = (state * 16807) % 2147483647) % below;
+    let bend = 70;
+    let color = "#c21";
+    for (let i = 0; i < 120; ++i) {
+      const kind = random(5);
+      if (kind === 0) color = `#${(0x100 + random(0xeff)).toString(16)}`;
+      bend = 20 + random(100);
+      const quick = kind > 1 ? [pointsFor(bend)] : undefined;
+      page.engine.show(drawing(bend, color), kind > 2, kind === 0 ? undefined : quick);
+      if (random(4) === 0) page.engine.look(2 ** random(3), artboard, artboard);
+      if (random(3) === 0) await new Promise((resolve) => setTimeout(resolve, random(200)));
+    }
+    page.engine.look(4, artboard, artboard);
+    page.engine.show(drawing(bend, color), false, [pointsFor(bend)]);
+    await page.exact();
+    await page.until(() => page.statuses.at(-1)?.kind === "exact");
+    await new Promise((resolve) => setTimeout(resolve, 800));
+    await expectSolved(page, drawing(bend, color), 800);
+  }, 60_000);
+
+  it("says where a text is wrong, keeps the picture, and goes on", async () => {
+    open();
+    page.engine.show(drawing(70), false);
+    await page.exact();
+    page.engine.show(drawing(70, "re"), false);
+    await page.until(() => page.statuses.at(-1)?.kind === "problem");
+    const problem = page.statuses.at(-1);
+    expect(problem).toMatchObject({ kind: "problem", line: 4 });
+    expect(page.layers.length).toBe(2);
+    page.engine.show(drawing(80), false);
+    await page.exact();
+    await expectSolved(page, drawing(80), 512);
+  });
+
+  it("gives colours, pixels, payload and hints of the text as it is", async () => {
+    open();
+    page.engine.show(drawing(70), false);
+    const [r, g, b, a] = await page.engine.colors(1, Float64Array.of(20, 40));
+    expect([r, g, b, a].map((value) => Math.round(10 * value))).toEqual([0, 0, 10, 5]);
+    const wish = { width: 20, height: 15, viewport: null, background: "#fff", depth: 8 } as const;
+    const pixels = await page.engine.raster(wish);
+    expect(pixels.length).toBe(4 * 20 * 15);
+    expect(new Set(pixels).size).toBeGreaterThan(10);
+    const payload = await page.engine.payload();
+    expect(new TextDecoder().decode(payload.slice(0, 7))).toBe("SFUMATO");
+    await page.exact();
+    expect(await page.engine.lint()).toEqual([]);
+  });
+
+  it("reads every example", async () => {
+    open();
+    for (const name of ["apple", "blur", "flower", "strokes"]) {
+      page.engine.show(textOf(`examples/${name}.svg`), false);
+      await page.exact();
+      expect(page.layers.length).toBeGreaterThan(0);
+      page.isExact = false;
+    }
+  }, 120_000);
+});

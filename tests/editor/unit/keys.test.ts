@@ -1,0 +1,33 @@
+// Keys: none has two meanings, and what keyboards send is found.
+import { describe, expect, it } from "vitest";
+import { commandTable } from "../../../web/editor/src/app/commands.js";
+import { defaultKeys, keyName } from "../../../web/editor/src/app/keys.js";
+
+/** What a keyboard sends. */
+const sent = (key: string, more: Partial<KeyboardEvent> = {}) =>
+  ({ key, code: "", ctrlKey: false, altKey: false, shiftKey: false, metaKey: false, ...more }) as KeyboardEvent;
+
+describe("keys", () => {
+  it("each has one meaning", () => {
+    const all = defaultKeys.flatMap(({ keys }) => keys);
+    expect(all.filter((key, i) => all.indexOf(key) !== i)).toEqual([]);
+  });
+
+  it("each command has a meaning", () => {
+    const files = ["open", "save", "save-as"];
+    const table = commandTable([]);
+    const unknown = defaultKeys.filter(({ command }) => !table.has(command) && !files.includes(command));
+    expect(unknown.map(({ command }) => command)).toEqual([]);
+  });
+
+  it("are written as people write them", () => {
+    expect(keyName(sent("z", { ctrlKey: true }))).toBe("Ctrl+Z");
+    expect(keyName(sent("Z", { ctrlKey: true, shiftKey: true }))).toBe("Ctrl+Shift+Z");
+    expect(keyName(sent("?", { shiftKey: true }))).toBe("?");
+    expect(keyName(sent("+", { shiftKey: true }))).toBe("+");
+    expect(keyName(sent("!", { code: "Digit1", shiftKey: true }))).toBe("Shift+1");
+    expect(keyName(sent("Delete"))).toBe("Delete");
+    expect(keyName(sent("]", { ctrlKey: true }))).toBe("Ctrl+]");
+    expect(keyName(sent("ArrowUp", { shiftKey: true }))).toBe("Shift+ArrowUp");
+  });
+});

@@ -1,0 +1,63 @@
+// The module for tests in node: `make editor` builds it; SFUMATO_WASM may name another.
+import { existsSync, readFileSync } from "node:fs";
+import { fileURLToPath } from "node:url";
+import type { Host } from "../../../web/editor/src/engine/seat.js";
+import type { MessageEndpoint } from "../../../web/editor/src/engine/rpc.js";
+import { serve } from "../../../web/editor/src/engine/serve.js";
+
+export const root = fileURLToPath(new URL("../../../", import.meta.url));
+const path = process.env.SFUMATO_WASM ?? `${root}build-wasm/sfumato.wasm`;
+
+/** Whether the module was built; tests that need it are skipped where it was not. */
+export const hasModule = existsSync(path);
+
+let compiled: Promise<WebAssembly.Module> | undefined;
+export function module(): Promise<WebAssembly.Module> {
+  compiled ??= WebAssembly.compile(readFileSync(path));
+  return compiled;
+}
+
+/** A text of the project. */
+export const textOf = (file: string) => readFileSync(root + file, "utf8");
+
+/** A worker that lives in this thread: messages are copied, and come later. */
+class LocalWorker {
+  onmessage: ((event: MessageEvent) => void) | null = null;
+  onerror = null;
+  #isEnded = false;
+  #scope: MessageEndpoint = {
+    onmessage: null,
+    postMessage: (data, transfer) => this.#later(data, transfer, () => this.onmessage),
+  };
+
+  constructor() {
+    serve(this.#scope);
+  }
+
+  postMessage(data: unknown, transfer: Transferable[] = []) {
+    this.#later(data, transfer, () => this.#scope.onmessage);
+  }
+
+  terminate() {
+    this.#isEnded = true;
+  }
+
+  #later(data: unknown, transfer: Transferable[], hearer: () => LocalWorker["onmessage"]) {
+    const copy = structuredClone(data, { transfer });
+    setTimeout(() => {
+      if (!this.#isEnded) hearer()?.({ data: copy } as MessageEvent);
+    });
+  }
+}
+
+/** Counts the workers that were started. */
+export function localHost(): Host & { workers: number } {
+  return {
+    workers: 0,
+    module,
+    worker() {
+      this.workers += 1;
+      return new LocalWorker() as unknown as Worker;
+    },
+  };
+}
