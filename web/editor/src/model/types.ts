@@ -3,29 +3,14 @@ import type { Affine, Box } from "../geometry/affine.js";
 import type { Rgb } from "../geometry/color.js";
 import type { CubicPath } from "../geometry/cubic.js";
 import type { Patch } from "../source/patch.js";
+import type { SideValue } from "../source/stops.js";
 import type { ElementNode } from "../source/tree.js";
+
+export type { SideValue, Stop, StopSpace } from "../source/stops.js";
 
 export type Handle = number;
 export type Side = "left" | "right";
 export type Attribute = "color" | "opacity" | "blur";
-
-/** Where stops stand: percentages of the arc length, 0 to 1, or pieces and their parameter ("@"). */
-export type StopSpace = "arc" | "parameter";
-
-export interface Stop<Value> {
-  readonly offset: number;
-  readonly value: Value;
-}
-
-/**
- * What a side bears: nothing ("open"), "none" ("barrier"), a paint, or stops, by ascending offset.
- * `inherited` where one attribute serves both sides (sf:opacity, sf:blur; sf:left of a local curve).
- */
-export type SideValue<Value> =
-  | { readonly kind: "open" }
-  | { readonly kind: "barrier" }
-  | { readonly kind: "paint"; readonly href: string }
-  | { readonly kind: "stops"; readonly space: StopSpace; readonly stops: readonly Stop<Value>[] };
 
 export interface SideValues {
   readonly color: SideValue<Rgb>;

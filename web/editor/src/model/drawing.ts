@@ -1,0 +1,343 @@
+// The document: a text, its tree, and the items that the tree says.
+import { composed } from "../geometry/affine.js";
+import type { Box } from "../geometry/affine.js";
+import type { Rgb } from "../geometry/color.js";
+import { geometryAttributes } from "../geometry/path.js";
+import { attributeOf, SFUMATO, SVG } from "../source/attributes.js";
+import { encodeValue } from "../source/entities.js";
+import { elementsOf } from "../source/nodes.js";
+import type { Attribute, Element } from "../source/nodes.js";
+import { counter, parseDocument, rereadTag } from "../source/parse.js";
+import { applied } from "../source/patch.js";
+import type { Patch } from "../source/patch.js";
+import { failure } from "../source/scan.js";
+import { isSvg, Styles } from "../source/styles.js";
+import { SourceError } from "../source/tree.js";
+import { readArtboard, readInterpolation, saidBackground } from "./artboard.js";
+import type { Artboard } from "./artboard.js";
+import { buildItems, ownTransform, readCommon, saidName } from "./building.js";
+import type { Building, BuildingItem, Built } from "./building.js";
+import { countCopies } from "./copies.js";
+import { readCurve } from "./curve-reading.js";
+import type { CurveReading } from "./curve-reading.js";
+import { reuseItems } from "./reuse.js";
+import type { Change, CurveItem, Drawing, Handle, Item, UseItem } from "./types.js";
+
+/** Attributes without a namespace on which more hangs than their element. */
+const STRUCTURAL: ReadonlySet<string> = new Set(["id", "class", "style", "href"]);
+/** Of Sfumato's: they decide what kind of thing an element is. */
+const DECIDING: ReadonlySet<string> = new Set(["diffuse", "radius", "reference"]);
+
+/** What changed between two sets of attributes of one element. */
+function changedAttributes(before: readonly Attribute[], now: readonly Attribute[]): Attribute[] {
+  const isLacking = (among: readonly Attribute[]) => (one: Attribute) =>
+    !among.some((a) => a.name === one.name && a.namespace === one.namespace && a.value === one.value);
+  return [...before.filter(isLacking(now)), ...now.filter(isLacking(before))];
+}
+
+function isStructural(
+  { namespace, local }: Attribute,
+  before: readonly Attribute[],
+  now: readonly Attribute[],
+): boolean {
+  if (namespace === SFUMATO) {
+    const isThere = (a: Attribute) => a.namespace === SFUMATO && a.local === local;
+    // A radius that stays a radius decides nothing.
+    const isKept = local === "radius" && before.some(isThere) && now.some(isThere);
+    return DECIDING.has(local) && !isKept;
+  }
+  return STRUCTURAL.has(local);
+}
+
+class TextDrawing implements Drawing {
+  text: string;
+  revision = 0;
+  root: Element;
+  readOnly: string | null;
+  artboard: Box = [0, 0, 1, 1];
+  interpolation: Drawing["interpolation"] = "srgb";
+  background: Rgb | null = null;
+  readonly #newHandle = counter();
+  /** In the order of the text. */
+  #elements: Element[] = [];
+  #styles: Styles;
+  #frame!: Artboard;
+  #built!: Built;
+
+  constructor(text: string) {
+    const { root, definesEntities } = readText(text, this.#newHandle);
+    this.text = text;
+    this.root = root;
+    this.readOnly = readOnlyReason(definesEntities);
+    this.#elements = [...elementsOf(root)];
+    this.#styles = new Styles(text, root);
+    this.#build(() => null);
+  }
+
+  get items(): readonly Item[] {
+    return this.#built.items;
+  }
+
+  item(handle: Handle): Item | undefined {
+    return this.#built.byHandle.get(handle);
+  }
+
+  itemAt(offset: number): Item | undefined {
+    const element = this.#elements[this.#indexAt(offset)];
+    return element?.at === offset ? this.item(element.handle) : undefined;
+  }
+
+  *all(): Iterable<Item> {
+    const waiting = [...this.#built.items, ...this.#built.detached].reverse();
+    for (let item = waiting.pop(); item; item = waiting.pop()) {
+      yield item;
+      for (let i = item.children.length - 1; i >= 0; i -= 1) waiting.push(item.children[i]);
+    }
+  }
+
+  apply(patch: Patch): Change {
+    const text = applied(this.text, patch);
+    const within = this.#applyWithin(patch, text);
+    if (within) return within;
+    const { root, definesEntities } = readText(text, this.#newHandle);
+    const before = this.#elements;
+    this.#elements = [...elementsOf(root)];
+    const kept = keepHandles(before, this.#elements, patch);
+    const readings = this.#readingsOf(kept);
+    this.text = text;
+    this.root = root;
+    this.readOnly = readOnlyReason(definesEntities);
+    this.#styles = new Styles(text, root);
+    this.revision += 1;
+    this.#build((element, kind) => readings.get(element)?.(kind) ?? null);
+    return { isStructural: true, touched: new Map() };
+  }
+
+  /** Index of the last element that begins at or before a place; -1: none. */
+  #indexAt(offset: number): number {
+    let low = 0;
+    let high = this.#elements.length;
+    while (low < high) {
+      const middle = (low + high) >> 1;
+      if (this.#elements[middle].at <= offset) low = middle + 1;
+      else high = middle;
+    }
+    return low - 1;
+  }
+
+  /** A patch among attributes of one element; null where it is none. */
+  #applyWithin(patch: Patch, text: string): Change | null {
+    const first = patch[0];
+    const index = first ? this.#indexAt(first.at - 1) : -1;
+    const element = this.#elements[index];
+    if (!element) return null;
+    const { at, tagLength, name, closesItself } = element;
+    const begin = at + 1 + name.length;
+    const end = at + tagLength - (closesItself ? 2 : 1);
+    if (patch.some((edit) => edit.at < begin || edit.at + edit.removed.length > end)) return null;
+    const tag = applied(
+      this.text.slice(at, at + tagLength),
+      patch.map((edit) => ({ ...edit, at: edit.at - at })),
+    );
+    const before = element.attributes;
+    try {
+      rereadTag(element, tag);
+    } catch (error) {
+      // Reading the whole text tells where, or finds that the tag became another.
+      if (error instanceof SourceError) return null;
+      throw error;
+    }
+    const changed = changedAttributes(before, element.attributes);
+    if (changed.some(({ name: n }) => n === "xmlns" || n.startsWith("xmlns:"))) {
+      element.attributes = before;
+      return null;
+    }
+    this.#shift(index, tag.length - tagLength);
+    this.text = text;
+    this.revision += 1;
+    return this.#attributesChanged(element, before, changed);
+  }
+
+  /** Moves what stands behind a start tag that grew. */
+  #shift(index: number, by: number): void {
+    const element = this.#elements[index];
+    element.tagLength += by;
+    for (let outer: Element | null = element; outer; outer = outer.parent) {
+      outer.contentLength += by;
+      outer.length += by;
+    }
+    for (let i = index + 1; i < this.#elements.length; i += 1) this.#elements[i].at += by;
+  }
+
+  #attributesChanged(
+    element: Element,
+    before: readonly Attribute[],
+    changed: readonly Attribute[],
+  ): Change {
+    const structural = changed.some((a) => isStructural(a, before, element.attributes));
+    const names = new Set(changed.map(({ local }) => local));
+    const item = this.item(element.handle);
+    const isCurve = item?.kind === "curve" || item?.kind === "stroke";
+    if (isCurve && !structural) {
+      this.#replace(item, this.#reread(item, names));
+    } else {
+      if (element.local === "style") this.#styles = new Styles(this.text, this.root);
+      const readings = this.#readingsOf(this.#elements);
+      if (isCurve) readings.delete(element);
+      this.#build((one, kind) => readings.get(one)?.(kind) ?? null, element.handle);
+    }
+    return { isStructural: structural, touched: new Map([[element.handle, names]]) };
+  }
+
+  /** A curve of which some attributes changed. */
+  #reread(item: CurveItem, names: ReadonlySet<string>): CurveItem {
+    const { element, kind, handle } = item;
+    const place = this.#built.places.get(handle);
+    if (!place) throw new RangeError("an item without a place");
+    const isMoved = geometryAttributes(element.local).some((name) => names.has(name));
+    const reading = readCurve(element, kind, this.#frame.viewBox, isMoved ? null : item);
+    const own = ownTransform(element);
+    const layerFromUser = place.layerFromUser;
+    return {
+      ...item,
+      ...reading,
+      ...readCommon(element, this.#styles),
+      name: names.has("label") ? (saidName(element) ?? item.name) : item.name,
+      artboardFromItem: composed(place.artboardFromUser, own),
+      layerFromItem: layerFromUser ? composed(layerFromUser, own) : item.layerFromItem,
+    };
+  }
+
+  /** Puts an item into the place of another, with new objects for all around it. */
+  #replace(old: Item, fresh: Item): void {
+    const built = this.#built;
+    for (let [from, to] = [old, fresh]; ; ) {
+      built.byHandle.set(to.handle, to);
+      for (const child of to.children) (child as BuildingItem).parent = to;
+      const { parent } = from;
+      if (!parent) {
+        (built as Building<Built>).items = exchanged(built.items, from, to);
+        (built as Building<Built>).detached = exchanged(built.detached, from, to);
+        break;
+      }
+      const children = exchanged(parent.children, from, to);
+      [from, to] = [parent, { ...parent, children }];
+    }
+    for (const use of built.uses) this.#retarget(use);
+  }
+
+  #retarget(use: Building<UseItem>): void {
+    const now = this.item(use.handle) as Building<UseItem>;
+    now.target = (now.target && this.item(now.target.handle)) ?? null;
+  }
+
+  /** What elements' curves say, where neither the elements nor what 100% is has changed. */
+  #readingsOf(elements: readonly Element[]): Map<Element, (kind: string) => CurveReading | null> {
+    const readings = new Map<Element, (kind: string) => CurveReading | null>();
+    const { viewBox } = this.#frame;
+    for (const element of elements) {
+      const item = this.item(element.handle);
+      if (item?.kind !== "curve" && item?.kind !== "stroke") continue;
+      const { paths, isPath, left, right, radius } = item;
+      const reading = { paths, isPath, left, right, radius };
+      const isHeld = () => viewBox.every((v, i) => v === this.#frame.viewBox[i]);
+      readings.set(element, (kind) => (kind === item.kind && isHeld() ? reading : null));
+    }
+    return readings;
+  }
+
+  /** @param touched what is another object in any case */
+  #build(
+    known: (element: Element, kind: CurveItem["kind"]) => CurveReading | null,
+    touched?: Handle,
+  ): void {
+    const before = this.#built?.byHandle;
+    if (touched !== undefined) before?.delete(touched);
+    const elementOfId = new Map<string, Element>();
+    for (const element of this.#elements) {
+      const id = attributeOf(element, "id")?.value;
+      if (id !== undefined && !elementOfId.has(id)) elementOfId.set(id, element);
+    }
+    this.#frame = readArtboard(this.root);
+    this.artboard = this.#frame.box;
+    this.interpolation = readInterpolation(this.root);
+    const built = buildItems({
+      root: this.root,
+      styles: this.#styles,
+      artboard: this.#frame,
+      elementOfId,
+      known: (element, kind) => known(element as Element, kind),
+    });
+    countCopies(built);
+    if (before) reuseItems(built, before);
+    this.#built = built;
+    const said = saidBackground(this.root);
+    this.background = said === undefined ? built.background : said;
+  }
+}
+
+function exchanged(items: readonly Item[], from: Item, to: Item): Item[] {
+  return items.map((item) => (item === from ? to : item));
+}
+
+function readOnlyReason(definesEntities: boolean): string | null {
+  return definesEntities ? "Its DOCTYPE defines entities." : null;
+}
+
+function readText(text: string, newHandle: () => number) {
+  const parsed = parseDocument(text, newHandle);
+  const { root } = parsed;
+  if (root.local === "svg" && (isSvg(root) || root.namespace === "")) return parsed;
+  const { start } = root.range;
+  throw failure(text, start, `the document is a <${root.name}>; expected <svg xmlns="${SVG}">`);
+}
+
+/** Gives elements that lived through a patch their old handles; these elements, whose tags are
+ * also as they were. */
+function keepHandles(before: readonly Element[], now: readonly Element[], patch: Patch): Element[] {
+  const old = new Map<number, Element>();
+  let next = 0;
+  let shift = 0;
+  for (const element of before) {
+    // Edits that end at or before `<`.
+    for (; next < patch.length; next += 1) {
+      const { at, removed, inserted } = patch[next];
+      if (at + removed.length > element.at) break;
+      shift += inserted.length - removed.length;
+    }
+    const edit = patch[next];
+    if (!edit || edit.at > element.at) old.set(element.at + shift, element);
+  }
+  const same: Element[] = [];
+  for (const element of now) {
+    const lived = old.get(element.at);
+    if (lived?.name !== element.name) continue;
+    element.handle = lived.handle;
+    if (hasSameAttributes(lived, element)) same.push(element);
+  }
+  return same;
+}
+
+function hasSameAttributes(a: Element, b: Element): boolean {
+  if (a.attributes.length !== b.attributes.length) return false;
+  return a.attributes.every(({ local, namespace, value }, i) => {
+    const other = b.attributes[i];
+    return other.local === local && other.namespace === namespace && other.value === value;
+  });
+}
+
+/** Reads a text. @throws SourceError where it is no XML, or no <svg> */
+export function openDrawing(text: string): Drawing {
+  return new TextDrawing(text);
+}
+
+/** The text of a drawing without curves. @param background null: none */
+export function blankText(width: number, height: number, background: string | null): string {
+  const said =
+    background === null ? "" : ` sf:background="${encodeValue(background, '"')}"`;
+  return `<svg xmlns="${SVG}" xmlns:sf="${SFUMATO}" width="${width}" height="${height}" viewBox="0 0 ${width} ${height}" sf:version="1"${said}>
+  <g id="layer-1" sf:diffuse="true">
+  </g>
+</svg>
+`;
+}

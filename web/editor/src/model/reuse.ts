@@ -1,0 +1,50 @@
+// Items that are as they were stay the objects that they were, so that identity says what changed.
+import type { Building, BuildingItem, Built } from "./building.js";
+import type { Handle, Item, UseItem } from "./types.js";
+
+function isSameValue(a: unknown, b: unknown): boolean {
+  if (a === b) return true;
+  if (typeof a !== "object" || typeof b !== "object" || !a || !b) return Object.is(a, b);
+  const [keys, others] = [Object.keys(a), Object.keys(b)];
+  const values = (from: object, key: string) => (from as Record<string, unknown>)[key];
+  return (
+    keys.length === others.length && keys.every((k) => isSameValue(values(a, k), values(b, k)))
+  );
+}
+
+/** What is looked at apart: nodes and items lead to everything. */
+const APART: ReadonlySet<string> = new Set(["element", "parent", "children", "target"]);
+
+function isSameItem(fresh: Item, old: Item): boolean {
+  if (fresh.kind !== old.kind || fresh.element !== old.element) return false;
+  if (fresh.kind === "use" && fresh.target?.handle !== (old as UseItem).target?.handle) return false;
+  if (fresh.children.length !== old.children.length) return false;
+  if (fresh.children.some((child, i) => child !== old.children[i])) return false;
+  return Object.keys(fresh).every((key) => {
+    if (APART.has(key)) return true;
+    return isSameValue(fresh[key as keyof Item], old[key as keyof Item]);
+  });
+}
+
+/** Puts old items in the place of new ones that say the same. */
+export function reuseItems(built: Built, before: ReadonlyMap<Handle, Item>): void {
+  const settled = (fresh: Item): Item => {
+    const item = fresh as BuildingItem;
+    item.children = fresh.children.map(settled);
+    const old = before.get(fresh.handle);
+    const kept = old && isSameItem(fresh, old) ? old : fresh;
+    // The parent of a kept item is set where its own parent is settled; null at the top.
+    (kept as BuildingItem).parent = null;
+    for (const child of kept.children) (child as BuildingItem).parent = kept;
+    built.byHandle.set(kept.handle, kept);
+    return kept;
+  };
+  for (const items of [built.items, built.detached]) {
+    items.forEach((item, i) => (items[i] = settled(item)));
+  }
+  built.uses.forEach((use, i) => {
+    const kept = built.byHandle.get(use.handle) as Building<UseItem>;
+    kept.target = (use.target && built.byHandle.get(use.target.handle)) ?? null;
+    built.uses[i] = kept;
+  });
+}
