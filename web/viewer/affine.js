@@ -1,6 +1,6 @@
 // Affine maps as [a, b, c, d, e, f] of SVG's matrix(): (x, y) -> (a x + c y + e, b x + d y + f).
 
-/** @typedef {number[]} Affine */
+/** @typedef {readonly number[]} Affine */
 
 /**
  * First `inner`, then `outer`.
@@ -53,8 +53,8 @@ export function mapped(map, x, y) {
 /**
  * The box around the image of a box; boxes are minimum x, y, maximum x, y.
  * @param {Affine} map
- * @param {number[]} box
- * @returns {number[]}
+ * @param {readonly number[]} box
+ * @returns {[number, number, number, number]}
  */
 export function mappedBox(map, [x0, y0, x1, y1]) {
   const corners = [

@@ -1,4 +1,5 @@
 // Path data: read, written, and rewritten as little as can be.
 export { readPathText, type PathText } from "./pathreader.js";
-export { geometryAttributes, readPath, shapePaths, type AttributeOf } from "./shape.js";
 export { numberText, writePath } from "./pathwriter.js";
+export { rewritePath } from "./rewrite.js";
+export { geometryAttributes, readPath, shapePaths, type AttributeOf } from "./shape.js";
