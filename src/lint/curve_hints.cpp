@@ -107,11 +107,13 @@ void check_seam(LayerUnderTest& test, std::uint32_t index, CurveSide which, cons
             &last = side.color.stops.stops.back().value;
   if (!is_seam(first, last)) return;
   const Vec2 at = test.curves()[index].control_points.front();
-  test.add(HintKind::seam, index,
-           "it is closed, but its colours begin with " + color_text(first) + " and end with " +
-               color_text(last) + ": a seam shows at " + rounded_number_text(at.x, 4) + ", " +
-               rounded_number_text(at.y, 4) + "; expected the first colour again at the end")
-      .side = which;
+  Hint& hint =
+      test.add(HintKind::seam, index,
+               "it is closed, but its colours begin with " + color_text(first) + " and end with " +
+                   color_text(last) + ": a seam shows at " + rounded_number_text(at.x, 4) + ", " +
+                   rounded_number_text(at.y, 4) + "; expected the first colour again at the end");
+  hint.side = which;
+  hint.at = at;
 }
 
 void check_closed(LayerUnderTest& test, std::uint32_t index, const Outline& outline) {

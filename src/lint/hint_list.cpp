@@ -21,6 +21,7 @@ void write_place(JsonWriter& json, const Document& document, const Hint& hint) {
   if (hint.shader) {
     json.member("shader", *hint.shader).member("shader_id", document.shaders[*hint.shader].id);
   }
+  if (hint.at) json.key("at").begin_array().value(hint.at->x).value(hint.at->y).end_array();
 }
 
 std::string hint_json(const Document& document, const Hint& hint) {

@@ -118,10 +118,13 @@ class MeetingCheck {
     std::size_t count = 0;
   };
 
-  void add(Finds& finds, std::uint32_t curve, std::string message) {
+  void add(Finds& finds, std::uint32_t curve, Vec2 at, std::string message) {
     if (++finds.count > kMostOfAKind) return;
-    finds.hints.push_back(
-        {.kind = finds.kind, .layer = test_.layer, .curve = curve, .message = std::move(message)});
+    finds.hints.push_back({.kind = finds.kind,
+                           .layer = test_.layer,
+                           .curve = curve,
+                           .at = at,
+                           .message = std::move(message)});
   }
 
   void tell(const Finds& finds) {
@@ -129,9 +132,11 @@ class MeetingCheck {
       test_.hints.insert(test_.hints.end(), finds.hints.begin(), finds.hints.end());
       return;
     }
-    test_.add(finds.kind, std::to_string(finds.count) + finds.more + "; curve " +
-                              std::to_string(*finds.hints[0].curve) + ": " +
-                              finds.hints[0].message);
+    const Hint& first = finds.hints[0];
+    test_
+        .add(finds.kind, std::to_string(finds.count) + finds.more + "; curve " +
+                             std::to_string(*first.curve) + ": " + first.message)
+        .at = first.at;
   }
 
   Status check_crossings() {
@@ -246,7 +251,7 @@ class MeetingCheck {
   void add_crossing(Finds& crossings, const Cross& cross) {
     const auto [first, second] = std::minmax(cross[0].curve, cross[1].curve);
     const Vec2 at = position(mesh_.origin(cross[0].half_edge));
-    add(crossings, second,
+    add(crossings, second, at,
         "it crosses curve " + std::to_string(first) + " at " + point_text(at) +
             ", and their colours do not fit there: those of one leak into what the other encloses; "
             "expected curves that do not cross, or a layer for each");
@@ -255,8 +260,9 @@ class MeetingCheck {
   void add_eight(Finds& crossings, const Cross& cross) {
     const std::uint32_t curve = cross[0].curve;
     eights_.insert(curve);
-    add(crossings, curve,
-        "it crosses itself at " + point_text(position(mesh_.origin(cross[0].half_edge))) +
+    const Vec2 at = position(mesh_.origin(cross[0].half_edge));
+    add(crossings, curve, at,
+        "it crosses itself at " + point_text(at) +
             ", so that both its sides lie outside: what colours the inside of one loop leaks from "
             "the other; expected a closed curve for each loop");
   }
@@ -296,7 +302,7 @@ class MeetingCheck {
 
   void add_gap(Finds& gaps, std::uint32_t own, const gather::FreeEnd& end) {
     const std::uint32_t other = curve_on(end.nearest);
-    add(gaps, own,
+    add(gaps, own, end.position,
         "its end at " + point_text(end.position) + " stops " + rounded_number_text(end.reach, 2) +
             " units before " +
             (own == other ? "the curve itself" : "curve " + std::to_string(other)) +
@@ -307,7 +313,7 @@ class MeetingCheck {
   /// The reach is the way back to where the curve meets another, or to its other end.
   void add_overshoot(Finds& overshoots, std::uint32_t own, const gather::FreeEnd& end) {
     if (extent_of(test_.curves()[own]) < kSpurs * end.reach) return;
-    add(overshoots, own,
+    add(overshoots, own, end.position,
         "its end at " + point_text(end.position) + " lies " + rounded_number_text(end.reach, 2) +
             " units beyond a curve that it crosses: its colours leak there; expected an end on "
             "that curve");

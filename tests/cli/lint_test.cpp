@@ -47,6 +47,15 @@ TEST(Lint, prints_json) {
                             '\n');
 }
 
+TEST(Lint, names_points_in_json) {
+  const CommandResult result = run_sfumato({"lint", "--json", "-"},
+                                           R"(<svg xmlns="http://www.w3.org/2000/svg"
+    xmlns:sf="urn:sfumato:1" viewBox="0 0 100 100" sf:version="1"><g sf:diffuse="true">
+    <circle cx="50" cy="50" r="30" sf:left="gold" sf:right="red, lime"/></g></svg>)");
+  EXPECT_NE(result.out.find(R"("side":"right","at":[80,50],"message":)"), std::string::npos)
+      << result.out;
+}
+
 TEST(Lint, tells_notes_only_where_they_are_asked_for) {
   const CommandResult result =
       run_sfumato({"lint", "--strict", "--verbose", "-"}, two_curve_scene());

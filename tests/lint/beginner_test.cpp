@@ -58,6 +58,7 @@ TEST(LintSeam, a_closed_curve_whose_first_and_last_colours_differ) {
       << found[0].message;
   Curve both = shaded_circle(kRed, kGreen);
   both.left.color = both.right.color;
+  EXPECT_EQ(found[0].at, Vec2(80.0, 50.0));
   EXPECT_EQ(count(one_layer({both}), HintKind::seam), 2u);
 }
 

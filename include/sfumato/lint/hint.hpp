@@ -53,6 +53,7 @@ struct Hint {
   std::optional<CurveSide> side{};            ///< of `curve`
   std::optional<std::uint32_t> stack_item{};  ///< index into Document::stack
   std::optional<std::uint32_t> shader{};      ///< index into Document::shaders
+  std::optional<Vec2> at{};                   ///< the point that `message` names, frame of `layer`
   std::string message{};                      ///< what is odd, and what it means
 };
 

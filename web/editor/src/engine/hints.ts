@@ -19,6 +19,7 @@ export function hintsOf({ hints }: LintReport, curves: readonly EngineCurve[]): 
       curve,
       offset: found?.offset ?? null,
       subpath: found?.subpath ?? null,
+      at: Array.isArray(hint.at) ? [Number(hint.at[0]), Number(hint.at[1])] : null,
     };
   });
 }

@@ -31,6 +31,8 @@ export interface Hint {
   /** Where its curve's element stands in the text that was looked at, and which subpath; or null. */
   readonly offset: number | null;
   readonly subpath: number | null;
+  /** The point that the message names, in the frame of the layer, or null. */
+  readonly at: readonly [number, number] | null;
 }
 
 /** A small change since the last text: the points of one curve, in the frame of its layer, or stops. */

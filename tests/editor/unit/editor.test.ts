@@ -1,0 +1,142 @@
+// The editor's state: what gestures show, what undo leads back to, what the engine is told.
+import { beforeEach, describe, expect, it } from "vitest";
+import { DrawingEditor } from "../../../web/editor/src/app/editor.js";
+import type { Engine, QuickChange } from "../../../web/editor/src/engine/types.js";
+import type { Drawing, Outcome } from "../../../web/editor/src/model/types.js";
+import { setAttribute, sf } from "../../../web/editor/src/source/attributes.js";
+
+const text = `<svg xmlns="http://www.w3.org/2000/svg" xmlns:sf="urn:sfumato:1" viewBox="0 0 200 150">
+  <g id="layer" sf:diffuse="true">
+    <path id="a" d="M0 0 L10 10" sf:left="red" sf:right="blue"/>
+    <path id="b" d="M0 20 L10 30" sf:left="red" sf:right="blue"/>
+  </g>
+</svg>`;
+
+/** Notes what it is told. */
+class NotedEngine {
+  shown: { text: string; moving: boolean; quick: readonly QuickChange[] | undefined }[] = [];
+  index = { serial: -1, curves: [] as Engine["index"]["curves"] };
+  onPicture = () => {};
+  onStatus = () => {};
+  show(shown: string, moving: boolean, quick?: readonly QuickChange[]) {
+    this.shown.push({ text: shown, moving, quick });
+    return this.shown.length - 1;
+  }
+  look() {}
+  colors = async () => new Float32Array();
+  free() {}
+
+  /** As the worker has read the last text. */
+  read() {
+    const last = this.shown.at(-1)!.text;
+    const offsets = [...last.matchAll(/<path/g)].map(({ index }) => index);
+    const curves = offsets.map((offset, curve) => ({ layer: 0, curve, offset, subpath: 0 }));
+    this.index = { serial: this.shown.length - 1, curves };
+  }
+}
+
+let engine: NotedEngine;
+let editor: DrawingEditor;
+const handleOf = (id: string) => [...editor.drawing.all()].find(({ name }) => name === id)!.handle;
+
+/** An outcome that writes path data. */
+const bent = (drawing: Drawing, id: string, d: string): Outcome => {
+  const item = [...drawing.all()].find(({ name }) => name === id)!;
+  return { patch: setAttribute(drawing.text, item.element, "d", d) };
+};
+
+beforeEach(() => {
+  engine = new NotedEngine();
+  editor = new DrawingEditor(engine as unknown as Engine, new Map(), text);
+  editor.open(text, "test.svg");
+  engine.read();
+});
+
+describe("gestures", () => {
+  it("show each look from the start, and are one step", () => {
+    const gesture = editor.gesture("bend");
+    for (const y of [20, 30, 40]) gesture.show((before) => bent(before, "a", `M0 0 L10 ${y}`));
+    expect(editor.drawing.text).toContain('d="M0 0 L10 40"');
+    gesture.keep();
+    expect(editor.undoLabel.value).toBe("bend");
+    editor.undo();
+    expect(editor.drawing.text).toBe(text);
+    editor.redo();
+    expect(editor.drawing.text).toContain('d="M0 0 L10 40"');
+  });
+
+  it("that are dropped leave nothing", () => {
+    const gesture = editor.gesture("bend");
+    gesture.show((before) => bent(before, "a", "M0 0 L10 40"));
+    gesture.drop();
+    gesture.show((before) => bent(before, "a", "M0 0 L1 1"));
+    gesture.keep();
+    expect(editor.drawing.text).toBe(text);
+    expect(editor.undoLabel.value).toBeNull();
+    expect(engine.shown.at(-1)!.text).toBe(text);
+  });
+
+  it("that show nothing at last leave nothing", () => {
+    const gesture = editor.gesture("bend");
+    gesture.show((before) => bent(before, "a", "M0 0 L10 40"));
+    gesture.show(() => null);
+    gesture.keep();
+    expect(editor.drawing.text).toBe(text);
+    expect(editor.undoLabel.value).toBeNull();
+  });
+
+  it("tell the engine numbers, where one curve moves", () => {
+    const gesture = editor.gesture("bend");
+    gesture.show((before) => bent(before, "b", "M0 20 L10 60"));
+    const { moving, quick } = engine.shown.at(-1)!;
+    expect(moving).toBe(true);
+    expect(quick).toHaveLength(1);
+    expect(quick![0]).toMatchObject({ kind: "points", layer: 0, curve: 1 });
+    expect([...(quick![0] as { xy: Float64Array }).xy.slice(-2)]).toEqual([10, 60]);
+    gesture.show((before) => ({
+      patch: setAttribute(before.text, before.item(handleOf("a"))!.element, sf("left"), "lime, red 25%"),
+    }));
+    const changes = engine.shown.at(-1)!.quick!;
+    expect(changes.map(({ kind, curve }) => [kind, curve])).toEqual([["points", 1], ["stops", 0]]);
+    gesture.keep();
+    expect(engine.shown.at(-1)).toMatchObject({ moving: false });
+  });
+
+  it("tell the engine the text, where structure changes", () => {
+    const at = editor.drawing.text.indexOf("  </g>");
+    editor.run("add", { patch: [{ at, removed: "", inserted: '<path id="c" d="M0 0 L1 1"/>' }] });
+    expect(engine.shown.at(-1)!.quick).toBeUndefined();
+  });
+});
+
+describe("selection", () => {
+  it("of an outcome is by places, and comes back with undo and redo", () => {
+    editor.selection.value = [{ handle: handleOf("b"), part: { kind: "node", path: 0, index: 1 } }];
+    const { range } = editor.drawing.item(handleOf("b"))!.element;
+    const removed = editor.drawing.text.slice(range.start, range.end);
+    editor.run("delete", { patch: [{ at: range.start, removed, inserted: "" }] });
+    expect(editor.selection.value).toEqual([]);
+    editor.undo();
+    expect(editor.selection.value).toEqual([
+      { handle: handleOf("b"), part: { kind: "node", path: 0, index: 1 } },
+    ]);
+    editor.redo();
+    expect(editor.selection.value).toEqual([]);
+  });
+});
+
+describe("documents", () => {
+  it("that cannot be read leave the one that is open", () => {
+    expect(() => editor.open("<svg>", "broken.svg")).toThrow(/Line 1/);
+    expect(editor.drawing.text).toBe(text);
+    expect(editor.file.value.name).toBe("test.svg");
+  });
+
+  it("begin with their own undo", () => {
+    editor.run("bend", bent(editor.drawing, "a", "M0 0 L5 5"));
+    editor.open(text.replace("red", "lime"), "other.svg");
+    editor.undo();
+    expect(editor.drawing.text).toContain("lime");
+    expect(editor.file.value).toMatchObject({ name: "other.svg", isChanged: false });
+  });
+});
