@@ -14,13 +14,35 @@ import { isShape, readCurve } from "./curve-reading.js";
 import type { CurveReading } from "./curve-reading.js";
 import type { ContainerItem, CurveItem, Handle, Item, ReferenceItem, UseItem } from "./types.js";
 
+/** What holds a parent for all of its children, so that one of thousands changes without them. */
+export interface Inside {
+  item: Item | null;
+}
+
 /** Items while they are built, and where a drawing changes them in place. */
 export type Building<T> = { -readonly [Key in keyof T]: T[Key] };
+export type Within<T> = Building<T> & { around: Inside; readonly inside: Inside };
 export type BuildingItem =
-  | Building<ContainerItem>
-  | Building<UseItem>
-  | Building<CurveItem>
-  | Building<ReferenceItem>;
+  | Within<ContainerItem>
+  | Within<UseItem>
+  | Within<CurveItem>
+  | Within<ReferenceItem>;
+
+/** All items: their parent is whatever stands around them now. */
+class ItemObject {
+  declare readonly around: Inside;
+
+  get parent(): Item | null {
+    return this.around.item;
+  }
+}
+
+/** The item that fields make; of a copy of an item it takes the place of that among its children. */
+export function itemOf<T extends Item>(fields: Omit<T, "parent"> & { inside: Inside }): Within<T> {
+  const item = Object.assign(new ItemObject(), fields) as unknown as Within<T>;
+  item.inside.item = item as Item;
+  return item;
+}
 
 /** Elements within each other that are read: as many as the engine reads. */
 const DEEPEST = 256;
@@ -47,7 +69,7 @@ export interface Built {
   readonly detached: Item[];
   readonly byHandle: Map<Handle, Item>;
   readonly places: Map<Handle, Place>;
-  readonly uses: Building<UseItem>[];
+  readonly uses: Within<UseItem>[];
   /** Of the <rect> that is one. */
   readonly background: Rgb | null;
 }
@@ -153,7 +175,7 @@ class Builder {
     }
   }
 
-  #placeOfCopy(use: Building<UseItem>): Place {
+  #placeOfCopy(use: Within<UseItem>): Place {
     const around = this.built.places.get(use.handle) as Place;
     const { element } = use;
     const [x0, y0, x1, y1] = this.#viewBox;
@@ -211,7 +233,8 @@ class Builder {
       kind,
       handle: element.handle,
       element,
-      parent: parent as Item | null,
+      around: parent?.inside ?? { item: null },
+      inside: { item: null },
       children: [] as readonly Item[],
       name: saidName(element) ?? `${KIND_NAMES[kind]} ${number}`,
       artboardFromItem: own.artboardFromUser,
@@ -219,8 +242,9 @@ class Builder {
     };
   }
 
-  #noted<T extends BuildingItem>(item: T): T {
-    this.built.byHandle.set(item.handle, item as Item);
+  #noted<T extends Item>(fields: Omit<T, "parent"> & { around: Inside; inside: Inside }) {
+    const item = itemOf<T>(fields);
+    this.built.byHandle.set(fields.handle, item as Item);
     return item;
   }
 
@@ -230,10 +254,10 @@ class Builder {
     parent: BuildingItem | null,
     own: Place,
     depth: number,
-  ): Building<ContainerItem> {
+  ): Within<ContainerItem> {
     const isLayer = !own.layerFromUser && valueOf(element, sf("diffuse")) === "true";
     const begun = this.#begin(isLayer ? "layer" : "group", element, place, parent, own);
-    const item: Building<ContainerItem> = this.#noted(begun);
+    const item = this.#noted<ContainerItem>(begun);
     if (isLayer && !item.hidden) this.#mayBeBackground = false;
     const inside = isLayer ? { ...own, layerFromUser: IDENTITY } : own;
     const mayBeBackground = this.#mayBeBackground;
@@ -245,7 +269,8 @@ class Builder {
 
   #use(element: ElementNode, place: Place, parent: BuildingItem | null, own: Place) {
     this.#mayBeBackground = false;
-    const item = this.#noted({ ...this.#begin("use", element, place, parent, own), target: null });
+    const begun = this.#begin("use", element, place, parent, own);
+    const item = this.#noted<UseItem>({ ...begun, target: null });
     this.built.uses.push(item);
     return item;
   }
@@ -254,7 +279,8 @@ class Builder {
     if (valueOf(element, sf("reference")) !== "true") return null;
     const box = boxOf(element, this.#viewBox) ?? [0, 0, 0, 0];
     const href = hrefOf(element)?.value ?? "";
-    return this.#noted({ ...this.#begin("reference", element, place, parent, own), href, box });
+    const begun = this.#begin("reference", element, place, parent, own);
+    return this.#noted<ReferenceItem>({ ...begun, href, box });
   }
 
   #curve(element: ElementNode, place: Place, parent: BuildingItem | null, own: Place) {
@@ -271,13 +297,12 @@ class Builder {
     const kind = isStroke ? "stroke" : "curve";
     const begun = this.#begin(kind, element, place, parent, own);
     if (isStroke && !begun.hidden) this.#mayBeBackground = false;
-    const item: Building<CurveItem> = {
+    return this.#noted<CurveItem>({
       ...begun,
       ...(known(element, kind) ?? readCurve(element, kind, artboard.viewBox, null)),
       layerFromItem: own.layerFromUser ?? IDENTITY,
       copies: 1,
-    };
-    return this.#noted(item);
+    });
   }
 
   /** Of a nested <svg> or, with its <use>, a <symbol>: the map from its viewBox. */

@@ -15,8 +15,8 @@ import { isSvg, Styles } from "../source/styles.js";
 import { SourceError } from "../source/tree.js";
 import { readArtboard, readInterpolation, saidBackground } from "./artboard.js";
 import type { Artboard } from "./artboard.js";
-import { buildItems, ownTransform, readCommon, saidName } from "./building.js";
-import type { Building, BuildingItem, Built } from "./building.js";
+import { buildItems, itemOf, ownTransform, readCommon, saidName } from "./building.js";
+import type { Building, BuildingItem, Built, Within } from "./building.js";
 import { countCopies } from "./copies.js";
 import { readCurve } from "./curve-reading.js";
 import type { CurveReading } from "./curve-reading.js";
@@ -198,14 +198,14 @@ class TextDrawing implements Drawing {
     const reading = readCurve(element, kind, this.#frame.viewBox, isMoved ? null : item);
     const own = ownTransform(element);
     const layerFromUser = place.layerFromUser;
-    return {
-      ...item,
+    return itemOf<CurveItem>({
+      ...(item as Within<CurveItem>),
       ...reading,
       ...readCommon(element, this.#styles),
       name: names.has("label") ? (saidName(element) ?? item.name) : item.name,
       artboardFromItem: composed(place.artboardFromUser, own),
       layerFromItem: layerFromUser ? composed(layerFromUser, own) : item.layerFromItem,
-    };
+    });
   }
 
   /** Puts an item into the place of another, with new objects for all around it. */
@@ -213,7 +213,6 @@ class TextDrawing implements Drawing {
     const built = this.#built;
     for (let [from, to] = [old, fresh]; ; ) {
       built.byHandle.set(to.handle, to);
-      for (const child of to.children) (child as BuildingItem).parent = to;
       const { parent } = from;
       if (!parent) {
         (built as Building<Built>).items = exchanged(built.items, from, to);
@@ -221,13 +220,13 @@ class TextDrawing implements Drawing {
         break;
       }
       const children = exchanged(parent.children, from, to);
-      [from, to] = [parent, { ...parent, children }];
+      [from, to] = [parent, itemOf({ ...(parent as BuildingItem), children })];
     }
     for (const use of built.uses) this.#retarget(use);
   }
 
-  #retarget(use: Building<UseItem>): void {
-    const now = this.item(use.handle) as Building<UseItem>;
+  #retarget(use: Within<UseItem>): void {
+    const now = this.item(use.handle) as Within<UseItem>;
     now.target = (now.target && this.item(now.target.handle)) ?? null;
   }
 

@@ -1,5 +1,5 @@
 // Items that are as they were stay the objects that they were, so that identity says what changed.
-import type { Building, BuildingItem, Built } from "./building.js";
+import type { BuildingItem, Built, Within } from "./building.js";
 import type { Handle, Item, UseItem } from "./types.js";
 
 function isSameValue(a: unknown, b: unknown): boolean {
@@ -13,7 +13,7 @@ function isSameValue(a: unknown, b: unknown): boolean {
 }
 
 /** What is looked at apart: nodes and items lead to everything. */
-const APART: ReadonlySet<string> = new Set(["element", "parent", "children", "target"]);
+const APART: ReadonlySet<string> = new Set(["element", "around", "inside", "children", "target"]);
 
 function isSameItem(fresh: Item, old: Item): boolean {
   if (fresh.kind !== old.kind || fresh.element !== old.element) return false;
@@ -33,9 +33,11 @@ export function reuseItems(built: Built, before: ReadonlyMap<Handle, Item>): voi
     item.children = fresh.children.map(settled);
     const old = before.get(fresh.handle);
     const kept = old && isSameItem(fresh, old) ? old : fresh;
-    // The parent of a kept item is set where its own parent is settled; null at the top.
-    (kept as BuildingItem).parent = null;
-    for (const child of kept.children) (child as BuildingItem).parent = kept;
+    const { inside, children } = kept as BuildingItem;
+    inside.item = kept;
+    for (const child of children) (child as BuildingItem).around = inside;
+    // Where its own parent is settled this is set again.
+    (kept as BuildingItem).around = { item: null };
     built.byHandle.set(kept.handle, kept);
     return kept;
   };
@@ -43,7 +45,7 @@ export function reuseItems(built: Built, before: ReadonlyMap<Handle, Item>): voi
     items.forEach((item, i) => (items[i] = settled(item)));
   }
   built.uses.forEach((use, i) => {
-    const kept = built.byHandle.get(use.handle) as Building<UseItem>;
+    const kept = built.byHandle.get(use.handle) as Within<UseItem>;
     kept.target = (use.target && built.byHandle.get(use.target.handle)) ?? null;
     built.uses[i] = kept;
   });
