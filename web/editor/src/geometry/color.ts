@@ -1,8 +1,165 @@
-// contract: colours.
+// Colours: sRGB code values, linear light, OKLab, OKLCH, HSV and HSL. The matrices are those of the
+// engine (src/base/color_space.cpp).
 
-/** sRGB code values, each 0 to 1. */
+/** contract: sRGB code values, each 0 to 1. */
 export interface Rgb {
   readonly r: number;
   readonly g: number;
   readonly b: number;
+}
+
+/** L 0 to 1, a and b about ±0.4. */
+export interface Oklab {
+  readonly l: number;
+  readonly a: number;
+  readonly b: number;
+}
+
+/** L 0 to 1, chroma 0 to about 0.32, hue in degrees from 0 up to 360; 0 for a gray. */
+export interface Oklch {
+  readonly l: number;
+  readonly c: number;
+  readonly h: number;
+}
+
+/** Hue in degrees from 0 up to 360, saturation and value 0 to 1. */
+export interface Hsv {
+  readonly h: number;
+  readonly s: number;
+  readonly v: number;
+}
+
+/** Chroma below this is a gray, whose hue says nothing. */
+const GRAY = 4e-6;
+
+const clamped = (value: number) => Math.min(Math.max(value, 0), 1);
+const turned = (degrees: number) => ((degrees % 360) + 360) % 360;
+const mapRgb = (color: Rgb, f: (channel: number) => number): Rgb => ({
+  r: f(color.r),
+  g: f(color.g),
+  b: f(color.b),
+});
+
+/** Of one channel; odd beyond 0, so that colours outside of sRGB keep their place. */
+export function linearFromCode(code: number): number {
+  const size = Math.abs(code);
+  return size <= 0.04045 ? code / 12.92 : Math.sign(code) * ((size + 0.055) / 1.055) ** 2.4;
+}
+
+export function codeFromLinear(linear: number): number {
+  const size = Math.abs(linear);
+  if (size <= 0.0031308) return linear * 12.92;
+  return Math.sign(linear) * (1.055 * size ** (1 / 2.4) - 0.055);
+}
+
+/** Light, each channel 0 to 1. */
+export const linearFromRgb = (color: Rgb): Rgb => mapRgb(color, linearFromCode);
+export const rgbFromLinear = (light: Rgb): Rgb => mapRgb(light, codeFromLinear);
+
+export function oklabFromRgb(color: Rgb): Oklab {
+  const { r, g, b } = linearFromRgb(color);
+  const l = Math.cbrt(0.4122214708 * r + 0.5363325363 * g + 0.0514459929 * b);
+  const m = Math.cbrt(0.2119034982 * r + 0.6806995451 * g + 0.1073969566 * b);
+  const s = Math.cbrt(0.0883024619 * r + 0.2817188376 * g + 0.6299787005 * b);
+  return {
+    l: 0.2104542553 * l + 0.793617785 * m - 0.0040720468 * s,
+    a: 1.9779984951 * l - 2.428592205 * m + 0.4505937099 * s,
+    b: 0.0259040371 * l + 0.7827717662 * m - 0.808675766 * s,
+  };
+}
+
+/** Outside of sRGB where the colour is. By the inverses of the matrices above, to the last digit. */
+export function rgbFromOklab({ l: lightness, a, b }: Oklab): Rgb {
+  const l = (0.9999999984505198 * lightness + 0.39633779217376786 * a + 0.2158037580607588 * b) ** 3;
+  const m = (1.0000000088817609 * lightness - 0.10556134232365635 * a - 0.06385417477170591 * b) ** 3;
+  const s = (1.0000000546724108 * lightness - 0.08948418209496575 * a - 1.2914855378640917 * b) ** 3;
+  return rgbFromLinear({
+    r: 4.076741661347994 * l - 3.3077115904081933 * m + 0.2309699287294279 * s,
+    g: -1.268438004092176 * l + 2.6097574006633715 * m - 0.3413193963102196 * s,
+    b: -0.004196086541837109 * l - 0.7034186144594496 * m + 1.7076147009309448 * s,
+  });
+}
+
+export function oklchFromOklab({ l, a, b }: Oklab): Oklch {
+  const c = Math.hypot(a, b);
+  return { l, c, h: c < GRAY ? 0 : turned((Math.atan2(b, a) * 180) / Math.PI) };
+}
+
+export function oklabFromOklch({ l, c, h }: Oklch): Oklab {
+  const angle = (h * Math.PI) / 180;
+  return { l, a: c * Math.cos(angle), b: c * Math.sin(angle) };
+}
+
+export const oklchFromRgb = (color: Rgb): Oklch => oklchFromOklab(oklabFromRgb(color));
+/** Outside of sRGB where the colour is: inGamut() brings it in. */
+export const rgbFromOklch = (color: Oklch): Rgb => rgbFromOklab(oklabFromOklch(color));
+
+/** The colour's distance from another in OKLab: 0.02 is just seen. */
+export function deltaE(a: Rgb, b: Rgb): number {
+  const [p, q] = [oklabFromRgb(a), oklabFromRgb(b)];
+  return Math.hypot(p.l - q.l, p.a - q.a, p.b - q.b);
+}
+
+/** Whether all channels are from 0 to 1, but for rounding. */
+export function isInGamut({ r, g, b }: Rgb): boolean {
+  return [r, g, b].every((channel) => channel >= -1e-4 && channel <= 1 + 1e-4);
+}
+
+export const clampedRgb = (color: Rgb): Rgb => mapRgb(color, clamped);
+
+/** The largest chroma in sRGB of a lightness and a hue. */
+export function largestChroma(l: number, h: number): number {
+  if (!(l > 0 && l < 1)) return 0;
+  let [inside, outside] = [0, 0.5];
+  for (let i = 0; i < 30; ++i) {
+    const c = (inside + outside) / 2;
+    if (isInGamut(rgbFromOklch({ l, c, h }))) inside = c;
+    else outside = c;
+  }
+  return inside;
+}
+
+/** The colour of sRGB with the same lightness and hue and as much of the chroma as there is. */
+export function inGamut(color: Oklch): Rgb {
+  const l = clamped(color.l);
+  const rgb = rgbFromOklch({ ...color, l });
+  if (isInGamut(rgb)) return clampedRgb(rgb);
+  return clampedRgb(rgbFromOklch({ l, c: largestChroma(l, color.h), h: color.h }));
+}
+
+/** Of a gray the hue is 0, of black the saturation. */
+export function hsvFromRgb({ r, g, b }: Rgb): Hsv {
+  const v = Math.max(r, g, b);
+  const range = v - Math.min(r, g, b);
+  if (range <= 0) return { h: 0, s: 0, v };
+  const sector = v === r ? (g - b) / range : v === g ? 2 + (b - r) / range : 4 + (r - g) / range;
+  return { h: turned(60 * sector), s: range / v, v };
+}
+
+export function rgbFromHsv({ h, s, v }: Hsv): Rgb {
+  const channel = (n: number) => {
+    const k = (n + turned(h) / 60) % 6;
+    return v - v * s * Math.max(0, Math.min(k, 4 - k, 1));
+  };
+  return { r: channel(5), g: channel(3), b: channel(1) };
+}
+
+/** Hue in degrees, saturation and lightness 0 to 1. */
+export function rgbFromHsl(h: number, s: number, l: number): Rgb {
+  const v = l + s * Math.min(l, 1 - l);
+  return rgbFromHsv({ h, s: v > 0 ? 2 * (1 - l / v) : 0, v });
+}
+
+/** Between two colours, where the document mixes them. */
+export function mixed(a: Rgb, b: Rgb, t: number, space: "srgb" | "linear" | "oklab"): Rgb {
+  const between = (p: number, q: number) => p + (q - p) * t;
+  if (space === "oklab") {
+    const [p, q] = [oklabFromRgb(a), oklabFromRgb(b)];
+    return clampedRgb(
+      rgbFromOklab({ l: between(p.l, q.l), a: between(p.a, q.a), b: between(p.b, q.b) }),
+    );
+  }
+  const [p, q] = space === "linear" ? [linearFromRgb(a), linearFromRgb(b)] : [a, b];
+  const mix = { r: between(p.r, q.r), g: between(p.g, q.g), b: between(p.b, q.b) };
+  return space === "linear" ? clampedRgb(rgbFromLinear(mix)) : mix;
 }

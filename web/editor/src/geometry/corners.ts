@@ -1,0 +1,65 @@
+// Where a hand turned on purpose.
+import type { Sample } from "./fit.js";
+import { dot, distance, subtract, unit } from "./vector.js";
+
+/** A turn by more is a corner; where the hand is slow, by less. */
+const SHARP = Math.cos((60 * Math.PI) / 180);
+const SHARP_WHERE_SLOW = Math.cos((40 * Math.PI) / 180);
+const SLOW = 1 / 3;
+
+/** The first sample from i on, in steps of ±1, that is `reach` away; the last where none is. */
+function armOf(samples: readonly Sample[], i: number, step: number, reach: number, loop: boolean): number {
+  const count = samples.length;
+  let j = i;
+  for (let steps = 1; steps < count; ++steps) {
+    const next = loop ? (i + step * steps + steps * count) % count : i + step * steps;
+    if (next < 0 || next >= count) break;
+    j = next;
+    if (distance(samples[i].point, samples[j].point) >= reach) break;
+  }
+  return j;
+}
+
+/** Per sample, the cosine of the turn there; 1 at the ends of an open stroke. */
+function turnsOf(samples: readonly Sample[], reach: number, loop: boolean): number[] {
+  return samples.map(({ point }, i) => {
+    const back = armOf(samples, i, -1, reach, loop);
+    const ahead = armOf(samples, i, 1, reach, loop);
+    const into = unit(subtract(point, samples[back].point));
+    const out = unit(subtract(samples[ahead].point, point));
+    return into && out ? dot(into, out) : 1;
+  });
+}
+
+/** Distance over time around each sample, as a share of the median; 1 where there are no times. */
+function speedsOf(samples: readonly Sample[]): number[] {
+  const last = samples.length - 1;
+  const speeds = samples.map((_, i) => {
+    const [a, b] = [samples[Math.max(i - 1, 0)], samples[Math.min(i + 1, last)]];
+    return b.time > a.time ? distance(a.point, b.point) / (b.time - a.time) : Infinity;
+  });
+  const middle = [...speeds].sort((a, b) => a - b)[speeds.length >> 1];
+  return speeds.map((speed) => (Number.isFinite(middle) && middle > 0 ? speed / middle : 1));
+}
+
+/**
+ * Indices of samples at which the stroke has a corner, ascending; not the ends of an open one.
+ * @param reach how far from a sample its directions are looked at: what trembles less is no corner
+ * @param loop whether the last sample is followed by the first
+ */
+export function cornersOf(samples: readonly Sample[], reach: number, loop: boolean): number[] {
+  const turns = turnsOf(samples, reach, loop);
+  const speeds = speedsOf(samples);
+  const isSharp = (i: number) => turns[i] <= (speeds[i] < SLOW ? SHARP_WHERE_SLOW : SHARP);
+  const corners: number[] = [];
+  for (let i = loop ? 0 : 1; i < samples.length - (loop ? 0 : 1); ++i) {
+    if (!isSharp(i)) continue;
+    // Of samples of one corner the sharpest counts.
+    const last = corners[corners.length - 1];
+    const isNear =
+      last !== undefined && distance(samples[last].point, samples[i].point) < reach;
+    if (!isNear) corners.push(i);
+    else if (turns[i] < turns[last]) corners[corners.length - 1] = i;
+  }
+  return corners;
+}
