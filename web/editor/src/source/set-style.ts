@@ -5,29 +5,67 @@ import { declarationsOf } from "./styles.js";
 import type { Property, Styles } from "./styles.js";
 import type { ElementNode } from "./tree.js";
 
-/** style="" with a declaration set, or taken away; null where nothing is left of it. */
-function withDeclaration(style: string, property: string, written: string | null): string | null {
+/** style="" with a declaration set, in the place of its last one, or taken away. */
+function withDeclaration(style: string, property: string, written: string | null): string {
   const own = declarationsOf(style).filter(({ name }) => name === property);
-  let text = style;
-  for (const { start, end } of own.reverse()) {
-    const isLast = own[0].start === start;
-    const behind = /^\s*;?\s*/.exec(text.slice(end))?.[0].length ?? 0;
-    text = isLast && written !== null
-      ? `${text.slice(0, start)}${property}:${written}${text.slice(end)}`
-      : text.slice(0, start) + text.slice(end + behind);
-  }
-  if (own.length === 0 && written !== null) {
-    const trimmed = text.trimEnd();
+  if (own.length === 0) {
+    if (written === null) return style;
+    const trimmed = style.trimEnd();
     const mark = trimmed === "" || trimmed.endsWith(";") ? "" : ";";
-    text = `${trimmed}${mark}${property}:${written}`;
+    return `${trimmed}${mark}${property}:${written}`;
   }
-  return text.trim().replace(/^;+$/, "") === "" ? null : text;
+  let text = style;
+  own.reverse().forEach(({ start, end, valueStart }, i) => {
+    if (i === 0 && written !== null) {
+      text = text.slice(0, valueStart) + written + text.slice(end);
+    } else {
+      const behind = /^\s*;?\s*/.exec(text.slice(end))?.[0].length ?? 0;
+      text = text.slice(0, start) + text.slice(end + behind);
+    }
+  });
+  return text;
 }
 
+/** Whether nothing is declared, and style="" may go. */
+function isEmpty(style: string): boolean {
+  return /^[\s;]*$/.test(style);
+}
+
+/** Properties that programs read in style="" only. */
+const STYLE_ONLY: ReadonlySet<Property> = new Set(["mix-blend-mode"]);
+
 /**
- * The edits that give a property a value; null takes away what the element itself says. It goes
+ * The edits that give properties values; null takes away what the element itself says. A value goes
  * into style="" where that or a style sheet would win, else into an attribute.
  */
+export function setStyles(
+  text: string,
+  styles: Styles,
+  element: ElementNode,
+  values: Partial<Record<Property, string | null>>,
+): Edit[] {
+  const before = attributeOf(element, "style")?.value ?? "";
+  let style = before;
+  const edits: Edit[] = [];
+  for (const [property, value] of Object.entries(values) as [Property, string | null][]) {
+    const inStyle = styles.inStyle(element, property);
+    const inSheets = styles.inSheets(element, property);
+    const isDeclared = declarationsOf(style).some(({ name }) => name === property);
+    if (value === null) {
+      style = withDeclaration(style, property, null);
+      edits.push(...setAttribute(text, element, property, null));
+    } else if (inStyle || inSheets || isDeclared || STYLE_ONLY.has(property)) {
+      const isImportant = inStyle?.isImportant || inSheets?.isImportant;
+      style = withDeclaration(style, property, isImportant ? `${value}!important` : value);
+    } else {
+      edits.push(...setAttribute(text, element, property, value));
+    }
+  }
+  if (style === before) return edits;
+  return [...edits, ...setAttribute(text, element, "style", isEmpty(style) ? null : style)];
+}
+
+/** The edits for one property: see setStyles. */
 export function setStyle(
   text: string,
   styles: Styles,
@@ -35,18 +73,5 @@ export function setStyle(
   property: Property,
   value: string | null,
 ): Edit[] {
-  const inStyle = styles.inStyle(element, property);
-  const inSheets = styles.inSheets(element, property);
-  const style = attributeOf(element, "style")?.value ?? "";
-  const isDeclared = declarationsOf(style).some(({ name }) => name === property);
-  if (value === null) {
-    const edits = setAttribute(text, element, property, null);
-    if (!isDeclared) return edits;
-    const left = withDeclaration(style, property, null);
-    return [...edits, ...setAttribute(text, element, "style", left)];
-  }
-  if (!inStyle && !inSheets && !isDeclared) return setAttribute(text, element, property, value);
-  const isImportant = inStyle?.isImportant || inSheets?.isImportant;
-  const written = isImportant ? `${value}!important` : value;
-  return setAttribute(text, element, "style", withDeclaration(style, property, written));
+  return setStyles(text, styles, element, { [property]: value });
 }
