@@ -1,0 +1,20 @@
+// What kind of window this is.
+import { signal, type ReadonlySignal } from "@preact/signals";
+
+const known = new Map<string, ReadonlySignal<boolean>>();
+
+/** Whether a media query holds, as a signal; one for each query, for as long as the page lives. */
+export function media(query: string): ReadonlySignal<boolean> {
+  const found = known.get(query);
+  if (found) return found;
+  const list = matchMedia(query);
+  const holds = signal(list.matches);
+  list.addEventListener("change", () => {
+    holds.value = list.matches;
+  });
+  known.set(query, holds);
+  return holds;
+}
+
+/** Panels are a sheet and tools a row. */
+export const isPhone = () => media("(max-width: 799px)");

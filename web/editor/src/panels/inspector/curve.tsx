@@ -1,0 +1,90 @@
+// What a single curve or local stroke has: colours, blur or radius, opacity, node, weight.
+import type { CurveItem, Side } from "../../model/types.js";
+import { setNumber } from "../../model/commands/index.js";
+import { en } from "../../strings/en.js";
+import { IconButton } from "../controls/button.js";
+import { NumberField } from "../controls/field.js";
+import { openMenu } from "../controls/menu.js";
+import { edits } from "../controls/sink.js";
+import { object } from "../menus/main.js";
+import { useShell } from "../services.js";
+import { BlurSection, RadiusSection } from "./blur.js";
+import { NodeSection } from "./node.js";
+import { OpacitySection } from "./opacity.js";
+import { Section } from "./sections.js";
+import { ColorSide } from "./side.js";
+import { StopRow } from "./stoprow.js";
+
+const words = en.panels;
+
+function Head({ item }: { readonly item: CurveItem }) {
+  const { editor } = useShell();
+  return (
+    <>
+      <IconButton small icon="arrow-up-down" label={words.swapSides} command="swap-sides" />
+      <IconButton
+        small
+        icon="ellipsis"
+        label={words.more}
+        popup="menu"
+        onClick={(event) => openMenu(words.moreOf(item.name), object(editor), event.currentTarget)}
+      />
+    </>
+  );
+}
+
+/** sf:weight of a diffusion curve, sf:alpha of a local one: what is missing counts as 1. */
+function numberAttribute(item: CurveItem, name: "alpha" | "weight"): number {
+  const text = item.element.attributes.find(({ local, namespace }) => local === name && namespace !== "")?.value;
+  const value = text === undefined ? 1 : Number(text);
+  return Number.isFinite(value) ? value : 1;
+}
+
+function Weight({ item }: { readonly item: CurveItem }) {
+  const { editor } = useShell();
+  const name = item.kind === "stroke" ? "alpha" : "weight";
+  const value = numberAttribute(item, name);
+  const scale = name === "alpha" ? 100 : 1;
+  return (
+    <Section title={words[name]}>
+      <div class="two">
+        <NumberField
+          name={words[name]}
+          value={value * scale}
+          digits={name === "alpha" ? 0 : 2}
+          unit={name === "alpha" ? "%" : undefined}
+          min={name === "alpha" ? 0 : 0.01}
+          max={name === "alpha" ? 1000 : 1000}
+          step={name === "alpha" ? 1 : 0.1}
+          sink={edits(editor, words[name].toLowerCase(), (to: number, before) =>
+            setNumber(before, [item.handle], name, to === scale ? null : to / scale),
+          )}
+        />
+      </div>
+    </Section>
+  );
+}
+
+export function CurveSections({ item }: { readonly item: CurveItem }) {
+  const sides: readonly Side[] = ["left", "right"];
+  const title = item.kind === "stroke" ? words.strokeTitle(item.name) : words.curveTitle(item.name);
+  return (
+    <>
+      <Section
+        title={title}
+        badge={item.copies > 1 ? words.changesCopies(item.copies) : undefined}
+        actions={<Head item={item} />}
+      >
+        {sides.map((side) => (
+          <ColorSide key={side} item={item} side={side} />
+        ))}
+        <StopRow item={item} />
+      </Section>
+      {item.kind === "stroke" ? <RadiusSection item={item} /> : <BlurSection item={item} />}
+      {item.kind === "stroke" ? <BlurSection item={item} /> : <OpacitySection item={item} />}
+      <NodeSection />
+      <Weight item={item} />
+    </>
+  );
+}
+

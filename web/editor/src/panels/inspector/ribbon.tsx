@@ -1,0 +1,182 @@
+// The values of one side from the curve's start to its end, with its stops.
+import { useRef } from "preact/hooks";
+import type { TargetedKeyboardEvent, TargetedPointerEvent } from "preact";
+import type { Gesture } from "../../app/types.js";
+import type { CurveItem, Side } from "../../model/types.js";
+import { en } from "../../strings/en.js";
+import { follow } from "../controls/follow.js";
+import { decimal } from "../format.js";
+import { useShell } from "../services.js";
+import {
+  fractionOf,
+  movedStop,
+  offsetAt,
+  valueAt,
+  withoutStop,
+  withStop,
+  type Mix,
+  type Placed,
+  type Put,
+  type Stops,
+} from "../stops.js";
+
+const words = en.panels;
+/** CSS pixels: pulled further away, a stop is gone; nearer, a press is no drag. */
+const PULLED = 24;
+const SLOP = 3;
+/** The band stands this far within the ribbon. */
+const INSET = 7;
+
+export interface RibbonProps<Value> {
+  readonly item: CurveItem;
+  readonly side: Side;
+  readonly attribute: "color" | "opacity";
+  readonly list: Stops<Value>;
+  readonly mix: Mix<Value>;
+  readonly put: Put<Value>;
+  /** CSS: what the band shows, and a stop's colour. */
+  readonly band: string;
+  readonly css: (value: Value) => string;
+  readonly describe: (value: Value) => string;
+  /** Index of the stop that is chosen, or null. */
+  readonly chosen: number | null;
+  readonly onOpen?: (index: number) => void;
+}
+
+/** Where a list's stop is while it is dragged: away from the ribbon it is not in the list. */
+type Dragged<Value> = (fraction: number) => Placed<Value>;
+
+/** Neighbours at one place stand side by side, so that both can be taken. */
+function sidestep<Value>(list: Stops<Value>, index: number): number {
+  const { offset } = list.stops[index];
+  const first = list.stops.findIndex((stop) => stop.offset === offset);
+  const count = list.stops.filter((stop) => stop.offset === offset).length;
+  return count < 2 ? 0 : (index - first - (count - 1) / 2) * 6;
+}
+
+/** What a hand can do with the stops: add, move, copy, pull away. */
+function useStopDrag<Value>(props: RibbonProps<Value>, ribbon: { current: HTMLDivElement | null }) {
+  const { editor } = useShell();
+  const { item, side, attribute, list, put } = props;
+  const choose = (index: number) => {
+    editor.selection.value = [{ handle: item.handle, part: { kind: "stop", side, attribute, index } }];
+  };
+  const fractionAt = (clientX: number) => {
+    const box = ribbon.current?.getBoundingClientRect();
+    if (!box) return 0;
+    return Math.min(Math.max((clientX - box.left - INSET) / (box.width - 2 * INSET), 0), 1);
+  };
+
+  /** @param without the list where the stop is pulled away; null: it cannot be. @param begins at once, without a move */
+  const drag = (event: PointerEvent, label: string, dragged: Dragged<Value>, without: Stops<Value> | null, begins: boolean) => {
+    const holder = ribbon.current;
+    if (!holder) return;
+    let gesture: Gesture | null = null;
+    let isGone = false;
+    const show = ({ clientX, clientY }: PointerEvent) => {
+      gesture ??= editor.gesture(label);
+      const box = holder.getBoundingClientRect();
+      isGone = without !== null && (clientY < box.top - PULLED || clientY > box.bottom + PULLED);
+      const placed = dragged(fractionAt(clientX));
+      gesture.show((before) => put(before, side, isGone && without ? without : placed.value));
+      if (isGone) editor.selection.value = [{ handle: item.handle, part: { kind: "whole" } }];
+      else choose(placed.index);
+    };
+    const end = (isKept: boolean) => {
+      if (!isKept) return gesture?.drop();
+      gesture?.keep();
+      if (isGone) editor.say(words.stopRemoved, { label: words.undoShort, run: () => editor.undo() });
+    };
+    if (begins) show(event);
+    follow(holder, event, { slop: SLOP, onMove: show, onEnd: end });
+  };
+
+  const offsetHere = (fraction: number) => offsetAt(item, list.space, fraction);
+  const pressBand = (event: TargetedPointerEvent<HTMLElement>) => {
+    if (event.button !== 0) return;
+    const value = valueAt(list.stops, offsetHere(fractionAt(event.clientX)), props.mix);
+    drag(event, words.addStop, (fraction) => withStop(list, { offset: offsetHere(fraction), value }), null, true);
+  };
+  const pressStop = (index: number) => (event: TargetedPointerEvent<HTMLElement>) => {
+    if (event.button !== 0) return;
+    event.stopPropagation();
+    choose(index);
+    if (event.altKey) {
+      const { value } = list.stops[index];
+      return drag(event, words.copyStop, (f) => withStop(list, { offset: offsetHere(f), value }), list, false);
+    }
+    const without = list.stops.length > 1 ? withoutStop(list, index) : null;
+    drag(event, words.moveStop, (f) => movedStop(list, index, offsetHere(f)), without, false);
+  };
+  return { choose, pressBand, pressStop };
+}
+
+/** A key on a stop: arrows move it, Delete takes it away, Enter opens it. */
+function useStopKeys<Value>(props: RibbonProps<Value>, choose: (index: number) => void) {
+  const { editor } = useShell();
+  const { item, side, list, put } = props;
+  return (index: number) => (event: TargetedKeyboardEvent<HTMLElement>) => {
+    const step = (event.shiftKey ? 0.1 : 0.01) * (event.key === "ArrowRight" ? 1 : event.key === "ArrowLeft" ? -1 : 0);
+    if (step !== 0) {
+      const fraction = fractionOf(item, list.space, list.stops[index].offset) + step;
+      const placed = movedStop(list, index, offsetAt(item, list.space, fraction));
+      editor.run(words.moveStop, put(editor.drawing, side, placed.value), words.moveStop);
+      choose(placed.index);
+      editor.announcement.value = words.stopAt(decimal(Math.min(Math.max(fraction, 0), 1) * 100, 1));
+    } else if ((event.key === "Delete" || event.key === "Backspace") && list.stops.length > 1) {
+      editor.run(words.removeStop, put(editor.drawing, side, withoutStop(list, index)));
+      choose(Math.min(index, list.stops.length - 2));
+    } else if (event.key === "Enter" && props.onOpen) props.onOpen(index);
+    else return;
+    event.preventDefault();
+    event.stopPropagation();
+  };
+}
+
+export function bandOf(stops: readonly { at: number; css: string }[], space: "srgb" | "srgb-linear" | "oklab"): string {
+  const list = stops.length === 1 ? [stops[0], stops[0]] : stops;
+  return `linear-gradient(90deg in ${space}, ${list.map(({ at, css }) => `${css} ${decimal(at * 100, 2)}%`).join(", ")})`;
+}
+
+export function Ribbon<Value>(props: RibbonProps<Value>) {
+  const { item, side, list, chosen, css } = props;
+  const ribbon = useRef<HTMLDivElement>(null);
+  const { choose, pressBand, pressStop } = useStopDrag(props, ribbon);
+  const keys = useStopKeys(props, choose);
+  return (
+    <div
+      class={`ribbon ${props.attribute}`}
+      ref={ribbon}
+      role="group"
+      aria-label={words.ribbonOf(words.sides[side])}
+      style={{ "--stops": props.band }}
+    >
+      <div class="band" onPointerDown={pressBand} />
+      <div class="stops">
+        {list.stops.map((stop, index) => {
+          const at = fractionOf(item, list.space, stop.offset);
+          return (
+            <button
+              key={index}
+              type="button"
+              class="stop"
+              style={{ "--at": at, "--c": css(stop.value), translate: `${sidestep(list, index)}px 0` }}
+              aria-pressed={index === chosen}
+              aria-label={words.stopName(
+                words.sides[side],
+                index + 1,
+                list.stops.length,
+                props.describe(stop.value),
+                decimal(at * 100, 1),
+              )}
+              onPointerDown={pressStop(index)}
+              onFocus={(event) => event.currentTarget.matches(":focus-visible") && choose(index)}
+              onDblClick={() => props.onOpen?.(index)}
+              onKeyDown={keys(index)}
+            />
+          );
+        })}
+      </div>
+    </div>
+  );
+}

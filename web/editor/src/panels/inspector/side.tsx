@@ -1,0 +1,163 @@
+// The colours of one side: stops on a ribbon, or open, a barrier, a paint.
+import { setColor, setPaint } from "../../model/commands/index.js";
+import type { Rgb } from "../../geometry/color.js";
+import type { CurveItem, Drawing, Outcome, Side } from "../../model/types.js";
+import { boundsOf } from "../../geometry/cubic.js";
+import { en } from "../../strings/en.js";
+import { Icon } from "../../icons.js";
+import { hexOf } from "../../geometry/colortext.js";
+import { cssSpaces, mixerOf } from "../color.js";
+import { openMenu, type MenuItem } from "../controls/menu.js";
+import { useShell, type Shell } from "../services.js";
+import { constant, fractionOf, putColor } from "../stops.js";
+import { chosenStop } from "./chosen.js";
+import { bandOf, Ribbon } from "./ribbon.js";
+
+const words = en.panels;
+
+/** A colour for a side that has had none: the other side's first, else a middle grey. */
+function startColor(item: CurveItem, side: Side): Rgb {
+  const other = item[side === "left" ? "right" : "left"].color;
+  return other.kind === "stops" ? other.stops[0].value : { r: 0.5, g: 0.5, b: 0.5 };
+}
+
+/** A gradient across the curve's box, from what the side shows to white. */
+function gradient(before: Drawing, item: CurveItem, side: Side, kind: "linear" | "radial"): Outcome | null {
+  const { color } = item[side];
+  const box = item.paths.map(boundsOf).reduce((a, b) => [Math.min(a[0], b[0]), Math.min(a[1], b[1]), Math.max(a[2], b[2]), Math.max(a[3], b[3])]);
+  const middle = (box[1] + box[3]) / 2;
+  const from = color.kind === "stops" ? color.stops[0].value : startColor(item, side);
+  const to = color.kind === "stops" && color.stops.length > 1 ? color.stops[color.stops.length - 1].value : { r: 1, g: 1, b: 1 };
+  return setPaint(before, item.handle, side, "color", {
+    kind,
+    stops: [
+      { offset: 0, color: from, opacity: 1 },
+      { offset: 1, color: to, opacity: 1 },
+    ],
+    from: kind === "linear" ? [box[0], middle] : [(box[0] + box[2]) / 2, middle],
+    to: [box[2], middle],
+  });
+}
+
+/** Ids of gradients and patterns that the document has. */
+function paintsOf(drawing: Drawing): readonly string[] {
+  const found: string[] = [];
+  const look = (element: Drawing["root"]) => {
+    if (/^(linearGradient|radialGradient|pattern)$/.test(element.local)) {
+      const id = element.attributes.find(({ name }) => name === "id")?.value;
+      if (id) found.push(id);
+    }
+    element.children.forEach(look);
+  };
+  for (const child of drawing.root.children) if (child.local !== "g") look(child);
+  return found;
+}
+
+async function texture({ editor, services }: Shell, item: CurveItem, side: Side) {
+  const picture = await services.chooseTexture();
+  if (!picture) return;
+  editor.run(words.setTexture, setPaint(editor.drawing, item.handle, side, "color", { kind: "texture", ...picture }));
+}
+
+function sideMenu(shell: Shell, item: CurveItem, side: Side): readonly MenuItem[] {
+  const { editor } = shell;
+  const { color } = item[side];
+  const run = (label: string, make: (before: Drawing) => Outcome | null) => () => void editor.run(label, make(editor.drawing));
+  const put = putColor(item.handle);
+  const paints = paintsOf(editor.drawing).map((id) => ({
+    label: id,
+    checked: color.kind === "paint" && color.href.endsWith(`#${id}`),
+    run: run(words.setPaint, (before) => setPaint(before, item.handle, side, "color", { kind: "existing", id })),
+  }));
+  const local = item.kind === "stroke";
+  return [
+    {
+      label: words.sideStops,
+      checked: color.kind === "stops",
+      run: () => {
+        if (color.kind !== "stops") editor.run(words.giveColor, put(editor.drawing, side, constant(startColor(item, side))));
+      },
+    },
+    { label: words.sideOpen, checked: color.kind === "open", run: run(words.openSide, (before) => put(before, side, { kind: "open" })) },
+    ...(local
+      ? []
+      : [
+          {
+            label: words.sideBarrier,
+            checked: color.kind === "barrier",
+            run: run(words.makeBarrier, (before) => setColor(before, item.handle, side, { kind: "barrier" })),
+          },
+          "line" as const,
+          { label: words.linear, run: run(words.setPaint, (before) => gradient(before, item, side, "linear")) },
+          { label: words.radial, run: run(words.setPaint, (before) => gradient(before, item, side, "radial")) },
+          { label: words.texture, run: () => void texture(shell, item, side) },
+          ...(paints.length > 0 ? [{ label: words.paintOfDocument, items: paints }] : []),
+        ]),
+  ];
+}
+
+function OtherThanStops({ item, side }: { readonly item: CurveItem; readonly side: Side }) {
+  const { editor } = useShell();
+  const { color } = item[side];
+  const text =
+    color.kind === "barrier" ? words.barrierNow : color.kind === "paint" ? words.paintNow(color.href.replace(/^#/, "")) : item.kind === "stroke" ? words.asOther : words.openNow;
+  return (
+    <div class="side-state">
+      <span class={color.kind === "paint" ? "swatch paint" : "swatch none"} aria-hidden="true" />
+      <span class="grow">{text}</span>
+      <button
+        type="button"
+        class="button quiet"
+        onClick={() =>
+          void editor.run(words.giveColor, setColor(editor.drawing, item.handle, side, constant(startColor(item, side))))
+        }
+      >
+        {words.giveColorShort}
+      </button>
+    </div>
+  );
+}
+
+export function ColorSide({ item, side }: { readonly item: CurveItem; readonly side: Side }) {
+  const shell = useShell();
+  const { editor } = shell;
+  const { color } = item[side];
+  const { interpolation } = editor.drawing;
+  const chosen = chosenStop(editor, item, "color");
+  return (
+    <div class="side-row">
+      <button
+        type="button"
+        class="side-name"
+        aria-haspopup="menu"
+        aria-label={words.kindOfSide(words.sides[side])}
+        onClick={(event) => openMenu(words.kindOfSide(words.sides[side]), sideMenu(shell, item, side), event.currentTarget)}
+      >
+        {words.sides[side]}
+        <Icon name="chevron-down" small />
+      </button>
+      {color.kind === "stops" ? (
+        <Ribbon
+          item={item}
+          side={side}
+          attribute="color"
+          list={color}
+          mix={mixerOf(interpolation)}
+          put={putColor(item.handle)}
+          band={bandOf(
+            color.stops.map(({ offset, value }) => ({ at: fractionOf(item, color.space, offset), css: hexOf(value) })),
+            cssSpaces[interpolation],
+          )}
+          css={hexOf}
+          describe={hexOf}
+          chosen={chosen?.side === side ? chosen.index : null}
+          onOpen={(stop) => {
+            editor.picker.value = { handle: item.handle, side, stop };
+          }}
+        />
+      ) : (
+        <OtherThanStops item={item} side={side} />
+      )}
+    </div>
+  );
+}

@@ -1,0 +1,168 @@
+// One row of the tree.
+import { useLayoutEffect, useRef } from "preact/hooks";
+import type { TargetedKeyboardEvent, TargetedPointerEvent } from "preact";
+import { Icon, type IconName } from "../../icons.js";
+import { rename } from "../../model/commands/index.js";
+import type { Item } from "../../model/types.js";
+import { en } from "../../strings/en.js";
+import { blendName } from "../blend.js";
+import { useShell } from "../services.js";
+import { curvesWithin, type Row } from "./rows.js";
+import { settledOf } from "./settled.js";
+import { Thumb } from "./thumb.js";
+
+const words = en.layers;
+
+/** What a row tells its tree. */
+export interface RowEvents {
+  readonly onTwist: (item: Item) => void;
+  readonly onPress: (item: Item, event: TargetedPointerEvent<HTMLElement>) => void;
+  readonly onSweep: (item: Item, what: "hidden" | "locked", event: TargetedPointerEvent<HTMLElement>) => void;
+  readonly onToggle: (item: Item, what: "hidden" | "locked") => void;
+  readonly onRename: (item: Item | null) => void;
+}
+
+interface RowViewProps extends RowEvents {
+  readonly row: Row;
+  readonly top: number;
+  readonly isActive: boolean;
+  readonly isSelected: boolean;
+  readonly isInside: boolean;
+  readonly isDragged: boolean;
+  readonly isTarget: boolean;
+  readonly isRenamed: boolean;
+}
+
+const kindIcon = (item: Item, isOriginal: boolean): IconName => {
+  if (isOriginal) return "component";
+  return ({ curve: "spline", stroke: "brush", use: "link-2", reference: "image", layer: "layers", group: "folder" } as const)[item.kind];
+};
+
+function Name({ item, onDone }: { readonly item: Item; readonly onDone: () => void }) {
+  const { editor } = useShell();
+  const input = useRef<HTMLInputElement>(null);
+  const isOver = useRef(false);
+  useLayoutEffect(() => {
+    input.current?.focus();
+    input.current?.select();
+  }, []);
+  const end = (isKept: boolean) => {
+    if (isOver.current) return;
+    isOver.current = true;
+    const name = input.current?.value.trim() ?? "";
+    if (isKept && name !== "" && name !== item.name) editor.run(words.rename, rename(editor.drawing, item.handle, name));
+    onDone();
+  };
+  const key = (event: TargetedKeyboardEvent<HTMLInputElement>) => {
+    event.stopPropagation();
+    if (event.key === "Enter") end(true);
+    else if (event.key === "Escape") end(false);
+    else return;
+    event.preventDefault();
+  };
+  return (
+    <input
+      class="name rename"
+      ref={input}
+      aria-label={words.nameOf(item.name)}
+      defaultValue={item.name}
+      onKeyDown={key}
+      onBlur={() => end(true)}
+      onPointerDown={(event) => event.stopPropagation()}
+    />
+  );
+}
+
+interface SwitchProps extends Pick<RowEvents, "onSweep" | "onToggle"> {
+  readonly item: Item;
+  readonly what: "hidden" | "locked";
+}
+
+function Switch({ item, what, onSweep, onToggle }: SwitchProps) {
+  const isOn = item[what];
+  const icon = what === "hidden" ? (isOn ? "eye-off" : "eye") : isOn ? "lock" : "lock-open";
+  return (
+    <button
+      type="button"
+      class="icon-button"
+      tabIndex={-1}
+      aria-pressed={isOn}
+      aria-label={words[what](item.name)}
+      data-sweep={what}
+      data-handle={item.handle}
+      onPointerDown={(event) => {
+        event.stopPropagation();
+        if (event.button === 0) onSweep(item, what, event);
+      }}
+      onClick={(event) => event.detail === 0 && onToggle(item, what)}
+    >
+      <Icon name={icon} small />
+    </button>
+  );
+}
+
+export function RowView(props: RowViewProps) {
+  const { row, isRenamed } = props;
+  const { item } = row;
+  const { editor } = useShell();
+  const isContainer = item.kind === "layer" || item.kind === "group";
+  const copies = settledOf(editor).uses.value.get(item.handle) ?? 0;
+  const names = ["tree-row"];
+  if (item.hidden) names.push("off");
+  if (props.isInside) names.push("inside");
+  if (props.isDragged) names.push("dragged");
+  if (props.isTarget) names.push("target");
+  return (
+    <div
+      class={names.join(" ")}
+      role="treeitem"
+      id={`row-${item.handle}`}
+      data-handle={item.handle}
+      aria-level={row.depth + 1}
+      aria-posinset={row.position}
+      aria-setsize={row.siblings}
+      aria-selected={props.isSelected}
+      aria-expanded={row.isOpen ?? undefined}
+      tabIndex={props.isActive ? 0 : -1}
+      style={{ "--depth": row.depth, top: `${props.top}px` }}
+      onPointerDown={(event) => props.onPress(item, event)}
+      onPointerEnter={() => {
+        editor.hovered.value = item.handle;
+      }}
+      onPointerLeave={() => {
+        editor.hovered.value = null;
+      }}
+    >
+      <span class="grip">
+        <Icon name="grip-vertical" small />
+      </span>
+      <span
+        class={row.isOpen ? "twist open" : "twist"}
+        onPointerDown={(event) => {
+          if (row.isOpen === null) return;
+          event.stopPropagation();
+          props.onTwist(item);
+        }}
+      >
+        {row.isOpen !== null && <Icon name="chevron-right" small />}
+      </span>
+      {isContainer && copies === 0 ? <Thumb item={item} /> : <Icon name={kindIcon(item, copies > 0)} small />}
+      {isRenamed ? (
+        <Name item={item} onDone={() => props.onRename(null)} />
+      ) : (
+        <span class="name" onDblClick={() => props.onRename(item)}>
+          {item.name}
+        </span>
+      )}
+      {copies > 0 && (
+        <span class="badge" title={words.copiesFollow(copies)}>
+          {words.original}
+        </span>
+      )}
+      {item.blend !== "normal" && <span class="badge">{blendName(item.blend)}</span>}
+      {isContainer && <span class="kind">{curvesWithin(item).length}</span>}
+      <Switch item={item} what="locked" {...props} />
+      <Switch item={item} what="hidden" {...props} />
+    </div>
+  );
+}

@@ -1,0 +1,54 @@
+// A small picture of a layer or group: the page's, or its curves in their colours.
+import { memo } from "preact/compat";
+import type { Affine } from "../../geometry/affine.js";
+import type { CurveItem, Item } from "../../model/types.js";
+import { hexOf } from "../../geometry/colortext.js";
+import { useShell } from "../services.js";
+import { curvesWithin } from "./rows.js";
+import { settledOf } from "./settled.js";
+
+/** More curves than this say no more at this size. */
+const MOST = 24;
+
+const mapped = (m: Affine, [x, y]: readonly [number, number]) =>
+  `${(m[0] * x + m[2] * y + m[4]).toFixed(1)} ${(m[1] * x + m[3] * y + m[5]).toFixed(1)}`;
+
+function outline(item: CurveItem): string {
+  return item.paths
+    .map(({ points }) => {
+      const [first, ...rest] = points.map((point) => mapped(item.artboardFromItem, point));
+      return `M${first}C${rest.join(" ")}`;
+    })
+    .join("");
+}
+
+function color(item: CurveItem): string {
+  for (const { color: side } of [item.right, item.left]) {
+    if (side.kind === "stops" && side.stops.length > 0) {
+      return hexOf(side.stops[Math.floor(side.stops.length / 2)].value);
+    }
+  }
+  return "#ffffff";
+}
+
+const Outlines = memo(
+  ({ item, box }: { readonly item: Item; readonly revision: number; readonly box: readonly number[] }) => (
+    <svg
+      class="thumb"
+      viewBox={`${box[0]} ${box[1]} ${box[2] - box[0]} ${box[3] - box[1]}`}
+      aria-hidden="true"
+    >
+      {(curvesWithin(item, MOST) as CurveItem[]).map((curve) => (
+        <path key={curve.handle} d={outline(curve)} stroke={color(curve)} />
+      ))}
+    </svg>
+  ),
+  (before, after) => before.revision === after.revision && before.item.handle === after.item.handle,
+);
+
+export function Thumb({ item }: { readonly item: Item }) {
+  const { editor, services } = useShell();
+  const url = services.thumb(item.handle);
+  if (url) return <img class="thumb" src={url} alt="" />;
+  return <Outlines item={item} revision={settledOf(editor).revision.value} box={editor.drawing.artboard} />;
+}

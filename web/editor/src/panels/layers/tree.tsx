@@ -1,0 +1,198 @@
+// The tree of layers by WAI-ARIA. Only the rows in sight are in the page, and the one with the focus.
+import { useSignal, type Signal } from "@preact/signals";
+import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
+import type { TargetedPointerEvent } from "preact";
+import type { Editor } from "../../app/types.js";
+import { setHidden, setLocked } from "../../model/commands/index.js";
+import type { Handle, Item, Selection } from "../../model/types.js";
+import { en } from "../../strings/en.js";
+import { useShell } from "../services.js";
+import { Ghost, useRowDrag } from "./drag.js";
+import { treeKeys } from "./keys.js";
+import { RowView } from "./row.js";
+import { ancestors, rowsOf, type Row } from "./rows.js";
+
+const words = en.layers;
+/** Rows beyond the edges that are made all the same. */
+const SPARE = 6;
+
+export interface TreeState {
+  readonly editor: Editor;
+  readonly open: Signal<ReadonlySet<Handle>>;
+  /** The row in the tab order. */
+  readonly active: Signal<Handle | null>;
+  readonly renamed: Signal<Handle | null>;
+  readonly rows: readonly Row[];
+}
+
+export const whole = (handle: Handle) => ({ handle, part: { kind: "whole" } }) as const;
+
+/** A click's meaning: alone; with Ctrl, in or out; with Shift, all rows from the primary to here. */
+export function select(state: TreeState, item: Item, event: { ctrlKey: boolean; metaKey: boolean; shiftKey: boolean }) {
+  const { selection } = state.editor;
+  const now = selection.value;
+  const primary = now[now.length - 1]?.handle;
+  if (event.shiftKey && primary !== undefined) {
+    const handles = state.rows.map((row) => row.item.handle);
+    const [from, to] = [handles.indexOf(primary), handles.indexOf(item.handle)];
+    if (from >= 0) {
+      const range = handles.slice(Math.min(from, to), Math.max(from, to) + 1).filter((handle) => handle !== primary);
+      selection.value = [...range, primary].map(whole);
+      return;
+    }
+  }
+  if (event.ctrlKey || event.metaKey) {
+    const rest: Selection = now.filter(({ handle }) => handle !== item.handle);
+    selection.value = rest.length === now.length ? [...now, whole(item.handle)] : rest;
+    return;
+  }
+  selection.value = [whole(item.handle)];
+}
+
+export function toggle(open: Signal<ReadonlySet<Handle>>, handle: Handle, to?: boolean) {
+  const next = new Set(open.value);
+  if (to ?? !next.has(handle)) next.add(handle);
+  else next.delete(handle);
+  open.value = next;
+}
+
+const setters = { hidden: setHidden, locked: setLocked } as const;
+
+/** Pressed on an eye or a lock: it and those that the pointer goes over become alike, in one step. */
+function sweep(editor: Editor, item: Item, what: "hidden" | "locked") {
+  const to = !item[what];
+  const handles = new Set([item.handle]);
+  const gesture = editor.gesture(words.set[what][to ? "on" : "off"]);
+  const show = () => gesture.show((before) => setters[what](before, [...handles], to));
+  const move = (event: PointerEvent) => {
+    const button = document.elementFromPoint(event.clientX, event.clientY)?.closest<HTMLElement>(`[data-sweep=${what}]`);
+    const handle = Number(button?.dataset.handle);
+    if (!button || handles.has(handle)) return;
+    handles.add(handle);
+    show();
+  };
+  const end = () => {
+    window.removeEventListener("pointermove", move);
+    window.removeEventListener("pointerup", end);
+    window.removeEventListener("pointercancel", end);
+    gesture.keep();
+  };
+  show();
+  window.addEventListener("pointermove", move);
+  window.addEventListener("pointerup", end);
+  window.addEventListener("pointercancel", end);
+}
+
+/** Rows from `first` up to `last`, and the active one. */
+function inSight(rows: readonly Row[], scroll: { top: number; height: number }, rowHeight: number, active: number) {
+  const first = Math.max(Math.floor(scroll.top / rowHeight) - SPARE, 0);
+  const last = Math.min(Math.ceil((scroll.top + scroll.height) / rowHeight) + SPARE, rows.length);
+  const indices = Array.from({ length: Math.max(last - first, 0) }, (_, k) => first + k);
+  if (active >= 0 && (active < first || active >= last)) indices.push(active);
+  return indices;
+}
+
+/** Unfolds what holds the selection, and scrolls to it when it was made elsewhere. */
+function useReveal(state: TreeState, tree: { current: HTMLElement | null }, rowHeight: number) {
+  const { editor, open, active } = state;
+  const selection = editor.selection.value;
+  const primary = selection[selection.length - 1]?.handle ?? null;
+  useEffect(() => {
+    const item = primary === null ? undefined : editor.drawing.item(primary);
+    if (!item) return;
+    const closed = ancestors(item).filter(({ handle }) => !open.peek().has(handle));
+    if (closed.length > 0) open.value = new Set([...open.peek(), ...closed.map(({ handle }) => handle)]);
+    active.value = primary;
+    const index = rowsOf(editor.drawing, open.peek()).findIndex((row) => row.item.handle === primary);
+    const view = tree.current;
+    if (!view || index < 0) return;
+    const top = index * rowHeight;
+    if (top < view.scrollTop) view.scrollTop = top;
+    else if (top + rowHeight > view.scrollTop + view.clientHeight) view.scrollTop = top + rowHeight - view.clientHeight;
+  }, [primary]);
+}
+
+export function Tree() {
+  const { editor } = useShell();
+  const tree = useRef<HTMLDivElement>(null);
+  const open = useSignal<ReadonlySet<Handle>>(new Set());
+  const active = useSignal<Handle | null>(null);
+  const renamed = useSignal<Handle | null>(null);
+  const scroll = useSignal({ top: 0, height: 600 });
+  const rowHeight = useSignal(28);
+  const rows = rowsOf(editor.drawing, open.value);
+  const state: TreeState = { editor, open, active, renamed, rows };
+  const measure = () => {
+    const view = tree.current;
+    if (!view) return;
+    scroll.value = { top: view.scrollTop, height: view.clientHeight };
+    rowHeight.value = parseFloat(getComputedStyle(view).getPropertyValue("--row")) || 28;
+  };
+  useLayoutEffect(() => {
+    measure();
+    const observer = new ResizeObserver(measure);
+    if (tree.current) observer.observe(tree.current);
+    return () => observer.disconnect();
+  }, []);
+  useReveal(state, tree, rowHeight.value);
+  const drag = useRowDrag(state, tree, rowHeight.value);
+
+  const selected = new Set(editor.selection.value.map(({ handle }) => handle));
+  const inside = new Set<Handle>();
+  for (const handle of selected) {
+    const item = editor.drawing.item(handle);
+    if (item) ancestors(item).forEach((above) => inside.add(above.handle));
+  }
+  const activeIndex = Math.max(rows.findIndex(({ item }) => item.handle === active.value), 0);
+  const press = (item: Item, event: TargetedPointerEvent<HTMLElement>) => {
+    if (event.button !== 0) return;
+    active.value = item.handle;
+    drag.press(item, event);
+  };
+  return (
+    <div
+      class="tree"
+      role="tree"
+      aria-label={words.treeOf(editor.file.value.name)}
+      aria-multiselectable="true"
+      ref={tree}
+      onScroll={measure}
+      onKeyDown={treeKeys(state, tree, rowHeight.value)}
+      onContextMenu={(event) => drag.menu(event)}
+    >
+      <div class="tree-rows" role="presentation" style={{ height: `${rows.length * rowHeight.value}px` }}>
+        {inSight(rows, scroll.value, rowHeight.value, activeIndex).map((index) => {
+          const row = rows[index];
+          const { handle } = row.item;
+          return (
+            <RowView
+              key={handle}
+              row={row}
+              top={index * rowHeight.value}
+              isActive={index === activeIndex}
+              isSelected={selected.has(handle)}
+              isInside={inside.has(handle) && !selected.has(handle)}
+              isDragged={drag.dragged.has(handle)}
+              isTarget={drag.drop?.kind === "into" && drag.drop.row === index}
+              isRenamed={renamed.value === handle}
+              onTwist={(item) => toggle(open, item.handle)}
+              onPress={press}
+              onSweep={(item, what) => sweep(editor, item, what)}
+              onToggle={(item, what) =>
+                void editor.run(words.set[what][item[what] ? "off" : "on"], setters[what](editor.drawing, [item.handle], !item[what]))
+              }
+              onRename={(item) => {
+                renamed.value = item?.handle ?? null;
+                if (!item) tree.current?.querySelector<HTMLElement>(`#row-${handle}`)?.focus();
+              }}
+            />
+          );
+        })}
+        {drag.drop?.kind === "line" && (
+          <div class="drop-line" style={{ "--depth": drag.drop.depth, top: `${drag.drop.row * rowHeight.value}px` }} />
+        )}
+      </div>
+      <Ghost drag={drag} />
+    </div>
+  );
+}

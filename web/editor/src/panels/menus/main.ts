@@ -1,0 +1,135 @@
+// What ☰, the canvas, the rows and the zoom button offer.
+import type { Editor } from "../../app/types.js";
+import { en } from "../../strings/en.js";
+import type { MenuItem } from "../controls/menu.js";
+
+const words = en.panels;
+
+const file = (): readonly MenuItem[] => [
+  { label: words.new, command: "new" },
+  { label: words.open, command: "open" },
+  "line",
+  { label: words.save, command: "save" },
+  { label: words.saveAs, command: "save-as" },
+  { label: words.export, command: "export" },
+  "line",
+  { label: words.placePhoto, command: "place-photo" },
+  { label: words.document, command: "document" },
+  { label: words.recover, command: "recover" },
+  "line",
+  { label: words.home, command: "welcome" },
+];
+
+const clipboard = (editor: Editor): readonly MenuItem[] => {
+  const nothing = editor.selection.value.length === 0;
+  return [
+    { label: words.cut, command: "cut", disabled: nothing },
+    { label: words.copy, command: "copy", disabled: nothing },
+    { label: words.paste, command: "paste" },
+    { label: words.duplicate, command: "duplicate", disabled: nothing },
+    { label: words.delete, command: "delete", disabled: nothing },
+  ];
+};
+
+const edit = (editor: Editor): readonly MenuItem[] => {
+  const undo = editor.undoLabel.value;
+  const redo = editor.redoLabel.value;
+  return [
+    { label: undo === null ? words.undo : words.undoOf(undo), command: "undo", disabled: undo === null },
+    { label: redo === null ? words.redo : words.redoOf(redo), command: "redo", disabled: redo === null },
+    "line",
+    ...clipboard(editor),
+    "line",
+    { label: words.selectAll, command: "select-all" },
+  ];
+};
+
+/** What can be done with what is selected, by its kind. */
+export function object(editor: Editor): readonly MenuItem[] {
+  const chosen = editor.selection.value.map(({ handle }) => editor.drawing.item(handle));
+  const has = (...kinds: string[]) => chosen.some((item) => item && kinds.includes(item.kind));
+  const nothing = chosen.length === 0;
+  const noCurve = !has("curve", "stroke");
+  return [
+    { label: words.group, command: "group", disabled: nothing },
+    { label: words.ungroup, command: "ungroup", disabled: !has("group", "layer") },
+    { label: words.bringUp, command: "bring-up", disabled: nothing },
+    { label: words.sendDown, command: "send-down", disabled: nothing },
+    { label: words.toTop, command: "to-top", disabled: nothing },
+    { label: words.toBottom, command: "to-bottom", disabled: nothing },
+    "line",
+    { label: words.swapSides, command: "swap-sides", disabled: noCurve },
+    { label: words.reverse, command: "reverse", disabled: noCurve },
+    { label: words.close, command: "close-curve", disabled: noCurve },
+    { label: words.join, command: "join", disabled: chosen.length !== 2 || noCurve },
+    "line",
+    { label: words.flipHorizontal, command: "flip-horizontal", disabled: nothing },
+    { label: words.flipVertical, command: "flip-vertical", disabled: nothing },
+    { label: words.makeInstance, command: "make-instance", disabled: !has("group", "layer", "use") },
+    { label: words.makeUnique, command: "make-unique", disabled: !has("use") },
+  ];
+}
+
+const zooms: readonly MenuItem[] = [
+  { label: words.zoomIn, command: "zoom-in" },
+  { label: words.zoomOut, command: "zoom-out" },
+  { label: words.zoomFit, command: "zoom-fit" },
+  { label: words.zoomSelection, command: "zoom-selection" },
+  { label: words.zoomActual, command: "zoom-actual" },
+];
+
+const view = (editor: Editor): readonly MenuItem[] => [
+  ...zooms,
+  "line",
+  { label: words.outlines, command: "outlines", checked: editor.showOutlines.value },
+  { label: words.mesh, command: "mesh", checked: editor.showMesh.value },
+  { label: words.reference, command: "reference", checked: editor.showReference.value },
+  { label: words.grid, command: "grid", checked: editor.settings.grid.value },
+  { label: words.snap, command: "snap", checked: editor.settings.snap.value },
+  "line",
+  {
+    label: words.theme,
+    items: (["system", "light", "dark"] as const).map((theme) => ({
+      label: words.themes[theme],
+      checked: editor.settings.theme.value === theme,
+      run: () => {
+        editor.settings.theme.value = theme;
+      },
+    })),
+  },
+];
+
+const help = (): readonly MenuItem[] => [
+  { label: words.keys, command: "keys" },
+  { label: words.tour, command: "tour" },
+  { label: words.about, command: "about" },
+];
+
+/** Tools that have no place in the row of a phone. */
+const hiddenTools = (editor: Editor): readonly MenuItem[] =>
+  (["stroke", "hand"] as const).map((tool) => ({
+    label: words.tool[tool],
+    checked: editor.tool.value === tool,
+    run: () => {
+      editor.tool.value = tool;
+    },
+  }));
+
+export function mainMenu(editor: Editor, isPhone: boolean): readonly MenuItem[] {
+  return [
+    { label: words.file, items: file() },
+    { label: words.edit, items: edit(editor) },
+    { label: words.object, items: object(editor) },
+    { label: words.view, items: view(editor) },
+    ...(isPhone ? [{ label: words.tools, items: hiddenTools(editor) }] : []),
+    "line",
+    ...help(),
+  ];
+}
+
+export const zoomMenu = (): readonly MenuItem[] => zooms;
+
+/** On the canvas, and on what is selected there. */
+export function contextMenu(editor: Editor): readonly MenuItem[] {
+  return [...clipboard(editor), "line", ...object(editor)];
+}

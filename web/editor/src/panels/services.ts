@@ -1,0 +1,98 @@
+// What the page gives to the panels beside the editor's state: files, keys, pictures.
+import { createContext } from "preact";
+import { useContext } from "preact/hooks";
+import type { ReadonlySignal } from "@preact/signals";
+import type { Editor } from "../app/types.js";
+import type { Box } from "../geometry/affine.js";
+import type { Hint } from "../engine/types.js";
+import type { Rgb } from "../geometry/color.js";
+import type { Handle } from "../model/types.js";
+
+/** What is to be written. */
+export interface ExportWish {
+  readonly format: "svg" | "png" | "html";
+  /** Pixels; of PNG alone. */
+  readonly width: number;
+  readonly height: number;
+  /** The part of the artboard's plane that is written, artboard units. */
+  readonly viewport: Box;
+  /** Without the document's background. */
+  readonly transparent: boolean;
+  /** Whether SVG keeps the photo that is traced over. */
+  readonly keepReference: boolean;
+}
+
+/** A drawing to begin from. */
+export interface Example {
+  readonly name: string;
+  readonly curves: number;
+  /** Address of a picture, 4 : 3. */
+  readonly thumb: string;
+  /** The text of its SVG. */
+  load(): Promise<string>;
+}
+
+export interface RecentFile {
+  readonly name: string;
+  /** Milliseconds since 1970. */
+  readonly time: number;
+  open(): void;
+}
+
+/** A drawing that this browser kept. */
+export interface Autosave {
+  readonly id: string;
+  readonly name: string;
+  readonly time: number;
+  readonly curves: number;
+}
+
+/** Why a file could not be opened, and the text around the place. */
+export interface Problem {
+  readonly title: string;
+  readonly reason: string;
+  /** From 1; 0: unknown. */
+  readonly line: number;
+  readonly column: number;
+  /** The line itself, if there is a text. */
+  readonly source: string | null;
+}
+
+export interface Services {
+  readonly version: string;
+  readonly examples: readonly Example[];
+  readonly recent: ReadonlySignal<readonly RecentFile[]>;
+  readonly problem: ReadonlySignal<Problem | null>;
+  /** @throws Error, in words */
+  exportTo(wish: ExportWish): Promise<void>;
+  /** The picture to the clipboard. @throws Error, in words */
+  copyPicture(wish: ExportWish): Promise<void>;
+  /** Bytes, roughly; null: cannot be told. */
+  estimate(wish: ExportWish): Promise<number | null>;
+  /** Address of a picture of that part, at most 640 px wide; the caller revokes it. null: none can be made. */
+  preview(viewport: Box, transparent: boolean): Promise<string | null>;
+  autosaves(): Promise<readonly Autosave[]>;
+  recover(id: string): Promise<void>;
+  forget(id: string): Promise<void>;
+  /** Asks for a place of the picture or the photo and gives its colour; null: the person left it. */
+  pickColor(signal: AbortSignal): Promise<Rgb | null>;
+  /** A picture of a layer or group for its row, or null while there is none. Reading it subscribes. */
+  thumb(handle: Handle): string | null;
+  /** Mends what a hint says, in one step of undo; null: this kind cannot be mended by itself. */
+  mend(hint: Hint): { readonly label: string; readonly run: () => void } | null;
+  /** Asks for a picture file to use as a texture; null: the person left it. */
+  chooseTexture(): Promise<{ readonly href: string; readonly width: number; readonly height: number } | null>;
+}
+
+export interface Shell {
+  readonly editor: Editor;
+  readonly services: Services;
+}
+
+export const ShellContext = createContext<Shell | null>(null);
+
+export function useShell(): Shell {
+  const shell = useContext(ShellContext);
+  if (!shell) throw new Error("no shell around");
+  return shell;
+}

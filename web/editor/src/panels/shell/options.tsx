@@ -1,0 +1,124 @@
+// Options of the tool that is held, over the middle of the stage.
+import { setNodeKind, type NodeKind } from "../../model/commands/index.js";
+import { en } from "../../strings/en.js";
+import { IconButton } from "../controls/button.js";
+import { NumberField } from "../controls/field.js";
+import { Segments } from "../controls/segments.js";
+import { setting } from "../controls/sink.js";
+import { kindOfNodes, selectedNodes } from "../nodes.js";
+import { useShell } from "../services.js";
+
+const words = en.panels;
+
+export function NodeKinds({ full }: { readonly full?: boolean }) {
+  const { editor } = useShell();
+  const nodes = selectedNodes(editor);
+  if (nodes === null) return null;
+  const choose = (kind: NodeKind) =>
+    editor.run(
+      words.nodeKind,
+      setNodeKind(editor.drawing, nodes.item.handle, nodes.path, nodes.indices, kind, editor.step(nodes.item)),
+    );
+  return (
+    <Segments
+      label={words.nodeKind}
+      full={full}
+      value={kindOfNodes(nodes)}
+      onChange={choose}
+      choices={[
+        { value: "corner", label: words.corner, icon: "node-corner", shows: "icon", command: "corner" },
+        { value: "smooth", label: words.smooth, icon: "node-smooth", shows: "icon", command: "smooth" },
+        { value: "symmetric", label: words.symmetric, icon: "node-symmetric", shows: "icon", command: "symmetric" },
+      ]}
+    />
+  );
+}
+
+function Attributes() {
+  const { editor } = useShell();
+  return (
+    <Segments
+      label={words.showOnCurve}
+      value={editor.attribute.value}
+      onChange={(value) => {
+        editor.attribute.value = value;
+      }}
+      choices={[
+        { value: "color", label: words.attribute.color, icon: "palette", shows: "narrow", command: "show-color" },
+        { value: "opacity", label: words.attribute.opacity, icon: "blend", shows: "narrow", command: "show-opacity" },
+        { value: "blur", label: words.attribute.blur, icon: "focus", shows: "narrow", command: "show-blur" },
+      ]}
+    />
+  );
+}
+
+function Align() {
+  const { editor } = useShell();
+  const chosen = editor.selection.value.length;
+  return (
+    <div class="row align">
+      <IconButton icon="align-start-vertical" label={words.alignLeft} command="align-left" disabled={chosen < 2} />
+      <IconButton icon="align-center-vertical" label={words.alignCenter} command="align-center" disabled={chosen < 2} />
+      <IconButton icon="align-end-vertical" label={words.alignRight} command="align-right" disabled={chosen < 2} />
+      <IconButton icon="flip-horizontal-2" label={words.flipHorizontal} command="flip-horizontal" disabled={chosen < 1} />
+      <IconButton icon="flip-vertical-2" label={words.flipVertical} command="flip-vertical" disabled={chosen < 1} />
+    </div>
+  );
+}
+
+function Smoothing() {
+  const { smoothing } = useShell().editor.settings;
+  return (
+    <NumberField class="option" label={words.smoothing} value={smoothing.value} min={0.5} max={8} step={0.5} digits={1} unit="px" sink={setting(smoothing)} />
+  );
+}
+
+function StrokeOptions() {
+  const { strokeRadius } = useShell().editor.settings;
+  return (
+    <>
+      <NumberField class="option" label={words.strokeRadius} value={strokeRadius.value} min={0.1} max={10000} step={1} digits={1} sink={setting(strokeRadius)} />
+      <Smoothing />
+    </>
+  );
+}
+
+function SampleOptions() {
+  const { editor } = useShell();
+  const { sampleDistance, sampleTolerance } = editor.settings;
+  return (
+    <>
+      <NumberField class="option" label={words.sampleDistance} value={sampleDistance.value} min={1} max={12} step={1} digits={0} unit="px" sink={setting(sampleDistance)} />
+      <NumberField class="option" label={words.sampleTolerance} value={sampleTolerance.value} min={0.002} max={0.2} step={0.005} digits={3} sink={setting(sampleTolerance)} />
+    </>
+  );
+}
+
+const options = {
+  select: Align,
+  nodes: () => (
+    <>
+      <NodeKinds />
+      <Attributes />
+    </>
+  ),
+  pen: Attributes,
+  pencil: Smoothing,
+  stroke: StrokeOptions,
+  sample: SampleOptions,
+  blur: () => null,
+  hand: () => null,
+} as const;
+
+export function ToolOptions() {
+  const { editor } = useShell();
+  const Options = options[editor.tool.value];
+  return (
+    <div class="options" role="group" aria-label={words.toolOptions}>
+      <Options />
+      <span class="bar-line" />
+      <IconButton icon="scan-line" label={words.outlines} command="outlines" pressed={editor.showOutlines.value} />
+      <IconButton icon="image" label={words.reference} command="reference" pressed={editor.showReference.value} />
+    </div>
+  );
+}

@@ -1,0 +1,59 @@
+// The right column: what is selected above, layers below, a line between them.
+import { useSignal } from "@preact/signals";
+import { useRef } from "preact/hooks";
+import { en } from "../../strings/en.js";
+import { Resizer } from "../controls/resizer.js";
+import { Inspector } from "../inspector/inspector.js";
+import { LayersPanel } from "../layers/layers.js";
+import { useShell } from "../services.js";
+
+const words = en.panels;
+/** Least heights of the two parts, CSS pixels. */
+const LEAST = 180;
+
+export function Side() {
+  const { panelWidth } = useShell().editor.settings;
+  /** Height of the upper part; null: as high as what it holds. */
+  const split = useSignal<number | null>(null);
+  const side = useRef<HTMLElement>(null);
+  const upper = useRef<HTMLDivElement>(null);
+  const height = split.value ?? upper.current?.offsetHeight ?? LEAST;
+  return (
+    <aside class="side panel" aria-label={words.panels} ref={side}>
+      <Resizer
+        kind="column"
+        label={words.panelsWidth}
+        value={panelWidth.value}
+        min={240}
+        max={480}
+        sign={-1}
+        onChange={(width) => {
+          panelWidth.value = width;
+        }}
+      />
+      <div
+        class={split.value === null ? "inspector" : "inspector set"}
+        ref={upper}
+        data-region
+        style={split.value === null ? undefined : { "--split": `${split.value}px` }}
+      >
+        <Inspector />
+      </div>
+      <Resizer
+        kind="line"
+        label={words.panelsSplit}
+        value={height}
+        min={LEAST}
+        max={Math.max((side.current?.offsetHeight ?? 800) - LEAST, LEAST)}
+        sign={1}
+        onChange={(to) => {
+          split.value = to;
+        }}
+        onReset={() => {
+          split.value = null;
+        }}
+      />
+      <LayersPanel />
+    </aside>
+  );
+}

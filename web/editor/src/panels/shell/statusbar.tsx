@@ -1,0 +1,159 @@
+// The bar below: what the tool does, hints, whether the picture is exact, place, surround, zoom.
+import { useSignal, useSignalEffect } from "@preact/signals";
+import type { EngineStatus } from "../../engine/types.js";
+import { Icon, type IconName } from "../../icons.js";
+import { en } from "../../strings/en.js";
+import { openMenu } from "../controls/menu.js";
+import { radioKeys } from "../controls/radio.js";
+import { decimal } from "../format.js";
+import { zoomMenu } from "../menus/main.js";
+import { useShell } from "../services.js";
+
+const words = en.panels;
+/** "Refining…" is not shown sooner than this, milliseconds. */
+const PATIENCE = 150;
+
+function ToolHint() {
+  const { tool } = useShell().editor;
+  return (
+    <span class="status-hint">
+      <b>{words.tool[tool.value]}</b> {words.toolHint[tool.value]}
+    </span>
+  );
+}
+
+function HintsButton() {
+  const { editor } = useShell();
+  const count = editor.hints.value.length;
+  return (
+    <button
+      type="button"
+      class={count > 0 ? "status-button hints-button some" : "status-button hints-button"}
+      aria-expanded={editor.hintsShown.value}
+      onClick={() => {
+        editor.hintsShown.value = !editor.hintsShown.value;
+      }}
+    >
+      <Icon name={count > 0 ? "triangle-alert" : "check"} small />
+      {words.hintCount(count)}
+    </button>
+  );
+}
+
+/** The engine's state, but for "refining" while it is younger than PATIENCE. */
+function usePatientStatus() {
+  const { editor } = useShell();
+  const shown = useSignal<EngineStatus>(editor.status.peek());
+  useSignalEffect(() => {
+    const now = editor.status.value;
+    if (now.kind !== "refining" || shown.peek().kind === "refining") {
+      shown.value = now;
+      return;
+    }
+    const timer = window.setTimeout(() => {
+      shown.value = now;
+    }, PATIENCE);
+    return () => window.clearTimeout(timer);
+  });
+  return shown.value;
+}
+
+const icons: Readonly<Record<EngineStatus["kind"], IconName>> = {
+  empty: "check",
+  exact: "check",
+  refining: "loader-circle",
+  problem: "circle-alert",
+  failed: "circle-alert",
+};
+
+function Engine() {
+  const { editor } = useShell();
+  const status = usePatientStatus();
+  const time = "milliseconds" in status ? words.milliseconds(decimal(status.milliseconds, status.milliseconds < 10 ? 1 : 0)) : null;
+  const face = (
+    <>
+      <Icon name={icons[status.kind]} small />
+      <span class="status-word">{words.status[status.kind]}</span>
+    </>
+  );
+  if (status.kind === "problem" || status.kind === "failed") {
+    return (
+      <button
+        type="button"
+        class="status-button bad"
+        data-tip={words.showProblem}
+        onClick={() => {
+          editor.dialog.value = { kind: "problem" };
+        }}
+      >
+        {face}
+      </button>
+    );
+  }
+  return (
+    <span class={`status-item engine ${status.kind === "exact" ? "ok" : ""}`} data-tip={status.kind === "exact" ? words.exactTip : undefined}>
+      {face}
+      {time && <span class="muted desk-wide">{time}</span>}
+    </span>
+  );
+}
+
+function Place() {
+  const { pointer } = useShell().editor;
+  const at = pointer.value;
+  if (!at) return <span class="status-item place desk-wide" />;
+  return <span class="status-item place desk-wide muted">{words.position(decimal(at[0], 1), decimal(at[1], 1))}</span>;
+}
+
+function Surrounds() {
+  const { surround } = useShell().editor.settings;
+  return (
+    <span class="surrounds" role="radiogroup" aria-label={words.surround} onKeyDown={radioKeys()}>
+      {(["dark", "mid", "light"] as const).map((name) => (
+        <button
+          key={name}
+          type="button"
+          role="radio"
+          class={`surround-${name}`}
+          aria-checked={surround.value === name}
+          tabIndex={surround.value === name ? 0 : -1}
+          aria-label={words.surrounds[name]}
+          data-tip={words.surrounds[name]}
+          onClick={() => {
+            surround.value = name;
+          }}
+        />
+      ))}
+    </span>
+  );
+}
+
+function Zoom() {
+  const { view } = useShell().editor;
+  const percent = decimal(view.value.zoom * 100, view.value.zoom < 0.1 ? 1 : 0);
+  return (
+    <button
+      type="button"
+      class="status-button zoom"
+      aria-haspopup="menu"
+      aria-label={words.zoom(percent)}
+      onClick={(event) => openMenu(words.zoom(percent), zoomMenu(), event.currentTarget)}
+    >
+      {words.percent(percent)}
+      <Icon name="chevron-up" small />
+    </button>
+  );
+}
+
+export function StatusBar() {
+  return (
+    <footer class="status" data-region>
+      <ToolHint />
+      <HintsButton />
+      <Engine />
+      <Place />
+      <Surrounds />
+      <Zoom />
+    </footer>
+  );
+}

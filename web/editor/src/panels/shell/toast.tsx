@@ -1,0 +1,42 @@
+// What was done, with a way back. One at a time; longer under the pointer or with the focus.
+import { useEffect, useRef } from "preact/hooks";
+import { en } from "../../strings/en.js";
+import { useShell } from "../services.js";
+
+/** Milliseconds. */
+const STAYS = 5000;
+
+export function ToastView() {
+  const { toast } = useShell().editor;
+  const now = toast.value;
+  const timer = useRef(0);
+  const wait = () => {
+    window.clearTimeout(timer.current);
+    timer.current = window.setTimeout(() => {
+      toast.value = null;
+    }, STAYS);
+  };
+  const stay = () => window.clearTimeout(timer.current);
+  useEffect(() => {
+    if (now) wait();
+    return stay;
+  }, [now]);
+  return (
+    <div class="toasts" role="status">
+      {now && (
+        <div class="toast" onPointerEnter={stay} onPointerLeave={wait} onFocusIn={stay} onFocusOut={wait}>
+          {now.text}
+          <button
+            type="button"
+            onClick={() => {
+              toast.value = null;
+              now.action?.run();
+            }}
+          >
+            {now.action?.label ?? en.panels.dismiss}
+          </button>
+        </div>
+      )}
+    </div>
+  );
+}
