@@ -118,6 +118,11 @@ export class DrawingEditor implements Editor {
     this.#showText(false);
   }
 
+  /** The engine has what it lacked before. */
+  showAgain(): void {
+    this.#showText(false);
+  }
+
   get log(): HistoryLog {
     return this.#history.log;
   }

@@ -33,6 +33,28 @@ const commands = {
   // commands: end
 } as const;
 
+/** What the page says of files and of itself. */
+const page = {
+  // page: begin
+  cannotOpen: (name: string) => `“${name}” cannot be opened`,
+  downloaded: (name: string) => `“${name}” was handed to the browser’s downloads.`,
+  gone: "This drawing is no longer kept here.",
+  missing: (names: readonly string[]) =>
+    names.length === 1
+      ? `The picture “${names[0]}” is not there. Drop it together with the drawing.`
+      : `${names.length} pictures are not there. Drop them together with the drawing.`,
+  notOpened: "Nothing was opened",
+  otherTab: "Another tab of this browser has this drawing open.",
+  placePhoto: "Place photo",
+  saveAnyway: "Save anyway",
+  saveElsewhere: "Save elsewhere",
+  saved: (name: string) => `“${name}” saved`,
+  takeOver: "Edit here",
+  takenByTab: "Another tab goes on with this drawing. Changes here are no longer kept.",
+  untitled: "Untitled.svg",
+  // page: end
+} as const;
+
 /** engine */
 const engine = {
   // engine: begin
@@ -377,4 +399,4 @@ const keys = {
   // keys: end
 } as const;
 
-export const en = { commands, engine, canvas, tools, panels, layers, picker, dialogs, welcome, tour, files, keys } as const;
+export const en = { page, commands, engine, canvas, tools, panels, layers, picker, dialogs, welcome, tour, files, keys } as const;

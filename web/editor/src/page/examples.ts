@@ -1,0 +1,49 @@
+// The drawings of the gallery, to begin from. Their texts are fetched when one is chosen; the editor
+// that is one file holds them.
+import { besideFiles } from "../files/images.js";
+import type { Documents } from "./documents.js";
+
+const texts = import.meta.glob<string>("../../../../examples/{portrait,apple,fish,flower,strokes,textures}.svg", {
+  query: "?raw",
+  import: "default",
+});
+const pictures = import.meta.glob<string>("../../../../examples/*.png", { query: "?url", import: "default" });
+const thumbs = import.meta.glob<string>("../../thumbs/*.jpg", { query: "?url", import: "default", eager: true });
+
+/** What stands in the gallery: the number of curves is that of the file (tests look). */
+const known = [
+  { id: "portrait", name: "Portrait", curves: 167 },
+  { id: "apple", name: "Apple", curves: 13 },
+  { id: "fish", name: "Fish", curves: 49 },
+  { id: "flower", name: "Flower", curves: 80 },
+  { id: "strokes", name: "Strokes", curves: 650 },
+  { id: "textures", name: "Textures", curves: 2 },
+] as const;
+
+export const exampleIds = known.map(({ id }) => id);
+
+export function textOfExample(id: string): Promise<string> {
+  return texts[`../../../../examples/${id}.svg`]();
+}
+
+async function fileOf(path: string): Promise<File> {
+  const answer = await fetch(await pictures[path]());
+  return new File([await answer.blob()], path.split("/").at(-1)!);
+}
+
+/** Opens a copy of an example, with the pictures that lie beside it. */
+async function openExample(documents: Documents, id: string): Promise<void> {
+  const text = await textOfExample(id);
+  const named = Object.keys(pictures).filter((path) => text.includes(path.split("/").at(-1)!));
+  const files = await Promise.all(named.map(fileOf));
+  await documents.begin(text, `${id}.svg`, besideFiles(files));
+}
+
+export function examplesOf(documents: Documents) {
+  return known.map(({ id, name, curves }) => ({
+    name,
+    curves,
+    thumb: thumbs[`../../thumbs/${id}.jpg`],
+    open: () => openExample(documents, id),
+  }));
+}

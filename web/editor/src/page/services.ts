@@ -1,0 +1,104 @@
+// What the panels get beside the editor's state.
+import { computed, signal, type Signal } from "@preact/signals";
+import type { DrawingEditor } from "../app/editor.js";
+import { defaultKeys, keyBindings, resetKeys, setKeys, type KeyGroup as Group } from "../app/keys.js";
+import { copyPng, estimateSize, exportDrawing, exportTypes, type ExportWish } from "../files/export.js";
+import { pickFile } from "../files/open.js";
+import { saveExport } from "../files/save.js";
+import type { KeyBook, KeyGroup, Services } from "../panels/services.js";
+import type { Rgb } from "../geometry/color.js";
+import { en } from "../strings/en.js";
+import type { Documents } from "./documents.js";
+import { examplesOf } from "./examples.js";
+import { dataUri } from "./files.js";
+import { mendOf } from "./mend.js";
+import { previewOf } from "./preview.js";
+
+const groupOrder: readonly Group[] = ["tools", "view", "edit", "curve", "arrange", "file"];
+
+function keyBook(): KeyBook {
+  const groups = computed<readonly KeyGroup[]>(() =>
+    groupOrder.map((group) => ({
+      title: en.keys.groups[group],
+      commands: keyBindings()
+        .filter((given) => given.group === group)
+        .map(({ command, keys }) => ({
+          name: command,
+          label: en.keys.commands[command as keyof typeof en.keys.commands],
+          chords: keys,
+          isFixed: false,
+        })),
+    })),
+  );
+  return {
+    groups,
+    change(name, chords) {
+      setKeys(name, chords ?? defaultKeys.find(({ command }) => command === name)!.keys);
+    },
+    reset: resetKeys,
+  };
+}
+
+function sourceOf(editor: DrawingEditor) {
+  const { drawing, engine, file } = editor;
+  return { engine, text: drawing.text, name: file.value.name, artboard: drawing.artboard };
+}
+
+async function exportTo(editor: DrawingEditor, wish: ExportWish): Promise<void> {
+  const blob = exportDrawing(wish, sourceOf(editor));
+  // A dialog that is left must not leave a failure that nobody hears of.
+  blob.catch(() => {});
+  await saveExport(blob, editor.file.value.name, exportTypes[wish.format], wish.format);
+}
+
+export interface ColorAsk {
+  readonly give: (color: Rgb | null) => void;
+}
+
+/** Whoever waits for a colour of the picture: the stage answers. */
+export const colorAsk: Signal<ColorAsk | null> = signal(null);
+
+function pickColor(stop: AbortSignal): Promise<Rgb | null> {
+  return new Promise((resolve) => {
+    const give = (color: Rgb | null) => {
+      colorAsk.value = null;
+      resolve(color);
+    };
+    stop.addEventListener("abort", () => give(null));
+    colorAsk.value = { give };
+  });
+}
+
+async function chooseTexture(editor: DrawingEditor) {
+  const opened = await pickFile((text) => editor.engine.convert(text), "photo");
+  if (!opened) return null;
+  if (opened.kind !== "photo") {
+    editor.say(opened.kind === "problem" ? opened.reason : en.page.noPicture);
+    return null;
+  }
+  const { width, height, blob } = opened;
+  return { href: await dataUri(blob), width, height };
+}
+
+export function servicesOf(editor: DrawingEditor, documents: Documents, version: string): Services {
+  return {
+    version,
+    keys: keyBook(),
+    examples: examplesOf(documents),
+    recent: computed(() =>
+      documents.kept.value.map(({ id, name, time }) => ({ name, time, open: () => void documents.recover(id) })),
+    ),
+    problem: documents.problem,
+    exportTo: (wish) => exportTo(editor, wish),
+    copyPicture: (wish) => copyPng(wish, sourceOf(editor)),
+    estimate: (wish) => estimateSize(wish, sourceOf(editor)),
+    preview: (viewport, transparent) => previewOf(editor, viewport, transparent),
+    autosaves: async () => documents.kept.value,
+    recover: (id) => documents.recover(id),
+    forget: (id) => documents.forget(id),
+    pickColor,
+    thumb: () => null,
+    mend: (hint) => mendOf(editor, hint),
+    chooseTexture: () => chooseTexture(editor),
+  };
+}
