@@ -436,6 +436,13 @@ SFUMATO_API int32_t sfumato_encode(sfumato_context* context, const sfumato_image
  * options: background [the document's, else white]. */
 SFUMATO_API int32_t sfumato_viewer_payload(sfumato_context* context, const sfumato_picture* picture,
                                            const char* options, sfumato_bytes** bytes);
+/** Makes those bytes without the meshes and fields of the layers, for who draws these from
+ * sfumato_picture_table(): instances, local curves, groups, paints, and of each layer its order and
+ * the paints of its colour and its opacity. Its time does not depend on the layers' tables.
+ *
+ * options: background [the document's, else white]. */
+SFUMATO_API int32_t sfumato_picture_stack(sfumato_context* context, const sfumato_picture* picture,
+                                          const char* options, sfumato_bytes** bytes);
 
 /** Hands in the pixels of an image that the caller has decoded: where a document that the context
  * reads later has a texture whose file is these `byte_count` bytes, these are its pixels. The

@@ -1,4 +1,6 @@
+#include <cstdint>
 #include <utility>
+#include <vector>
 
 #include "capi/bytes.hpp"
 #include "capi/picture.hpp"
@@ -9,8 +11,10 @@
 namespace sfumato::capi {
 namespace {
 
-Outcome make_payload(Workshop& workshop, const sfumato_picture* handle, const char* text,
-                     sfumato_bytes** out) {
+using Writer = Result<std::vector<std::uint8_t>> (*)(Context&, const Picture&, const Rgb&);
+
+Outcome make_payload(Writer write, Workshop& workshop, const sfumato_picture* handle,
+                     const char* text, sfumato_bytes** out) {
   if (!handle) return bad_usage("NULL given, expected a picture");
   options::Settings settings;
   if (Outcome read = read_options(text, options::kPayload, options::render_options(), settings);
@@ -20,7 +24,7 @@ Outcome make_payload(Workshop& workshop, const sfumato_picture* handle, const ch
   const Rgb background = settings.no_background
                              ? Rgb{1, 1, 1}
                              : outputs::viewer_background(picture, settings.raster.background);
-  auto payload = outputs::viewer_payload(workshop.context, picture, background);
+  auto payload = write(workshop.context, picture, background);
   if (!payload) return payload.status();
   *out = new sfumato_bytes{std::move(*payload)};
   return {};
@@ -32,6 +36,15 @@ Outcome make_payload(Workshop& workshop, const sfumato_picture* handle, const ch
 int32_t sfumato_viewer_payload(sfumato_context* context, const sfumato_picture* picture,
                                const char* options, sfumato_bytes** bytes) {
   return sfumato::capi::make(context, bytes, [&](sfumato::capi::Workshop& workshop) {
-    return sfumato::capi::make_payload(workshop, picture, options, bytes);
+    return sfumato::capi::make_payload(sfumato::outputs::viewer_payload, workshop, picture, options,
+                                       bytes);
+  });
+}
+
+int32_t sfumato_picture_stack(sfumato_context* context, const sfumato_picture* picture,
+                              const char* options, sfumato_bytes** bytes) {
+  return sfumato::capi::make(context, bytes, [&](sfumato::capi::Workshop& workshop) {
+    return sfumato::capi::make_payload(sfumato::outputs::viewer_stack, workshop, picture, options,
+                                       bytes);
   });
 }

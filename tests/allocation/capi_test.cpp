@@ -145,6 +145,8 @@ void show(Session& session, sfumato_context* c, Drawing& drawing) {
   sfumato_bytes_free(bytes);
   session.take(sfumato_viewer_payload(c, drawing.picture, "background=red", &bytes), &bytes);
   sfumato_bytes_free(bytes);
+  session.take(sfumato_picture_stack(c, drawing.picture, "background=red", &bytes), &bytes);
+  sfumato_bytes_free(bytes);
 }
 
 using Calls = void (*)(Session&, sfumato_context*, Drawing&);

@@ -192,6 +192,40 @@ TEST(CViewerPayload, is_of_the_version_that_is_documented_and_has_the_background
   EXPECT_EQ(sfumato_viewer_payload(few.get(), picture.get(), "", &none), SFUMATO_LIMIT);
 }
 
+TEST(CPictureStack, is_the_payload_around_the_layers_and_does_not_grow_with_them) {
+  const ContextHandle context = context_of();
+  sfumato_context* c = context.get();
+  const DocumentHandle document = read_text(c, example("evening.xml"));
+  const auto bytes_of = [&](auto call, const sfumato_picture* picture) {
+    sfumato_bytes* bytes = nullptr;
+    EXPECT_EQ(call(c, picture, "background=#00ff00", &bytes), SFUMATO_OK);
+    return text_of(BytesHandle(bytes).get());
+  };
+  const PictureHandle coarse = solve(c, document.get(), "max-error=8");
+  const PictureHandle fine = solve(c, document.get(), "max-error=1");
+  const std::string stack = bytes_of(sfumato_picture_stack, coarse.get());
+  EXPECT_EQ(stack.substr(0, 8), "SFUMATO\x81");
+  EXPECT_TRUE(stack == bytes_of(sfumato_picture_stack, fine.get()));
+  const std::string payload = bytes_of(sfumato_viewer_payload, coarse.get());
+  EXPECT_LT(payload.size(), bytes_of(sfumato_viewer_payload, fine.get()).size());
+  // Boxes, interpolation and background; then, behind the layers, an instance: its blending ends
+  // it.
+  EXPECT_EQ(stack.substr(8, 77), payload.substr(8, 77));
+  EXPECT_EQ(stack.substr(stack.size() - 54), payload.substr(payload.size() - 54));
+}
+
+TEST(CPictureStack, takes_what_the_viewer_could_not_and_no_unknown_option) {
+  const ContextHandle few = context_of("limit.viewer-triangles=1");
+  sfumato_context* c = few.get();
+  const DocumentHandle document = read_text(c, example("evening.xml"));
+  const PictureHandle picture = solve(c, document.get());
+  sfumato_bytes* bytes = nullptr;
+  EXPECT_EQ(sfumato_picture_stack(c, picture.get(), "width=9", &bytes), SFUMATO_BAD_USAGE);
+  EXPECT_EQ(bytes, nullptr);
+  EXPECT_EQ(sfumato_picture_stack(c, picture.get(), "", &bytes), SFUMATO_OK);
+  const BytesHandle stack(bytes);
+}
+
 TEST(CPixels, encoded_are_the_file_that_is_exported) {
   const ContextHandle context = context_of();
   sfumato_context* c = context.get();

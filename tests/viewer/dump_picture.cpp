@@ -1,7 +1,7 @@
 // Writes what the viewer has to decode, for tests/viewer/run.mjs: dump_picture IN OUT.payload
-// OUT.values. The payload is deflated; the values are raw doubles: for each layer the triangles,
-// channels of colour and of opacity, then for each triangle, in the viewer's order, its corners x,
-// y and the ten nodes' values of each field.
+// OUT.values OUT.stack. The payload is not deflated, the stack is it without tables; the values are
+// raw doubles: for each layer the triangles, channels of colour and of opacity, then for each
+// triangle, in the viewer's order, its corners x, y and the ten nodes' values of each field.
 #include <cstdio>
 #include <sfumato/sfumato.hpp>
 #include <vector>
@@ -46,8 +46,8 @@ Status add_layer(Context& context, const PatchLayer& layer, std::vector<double>&
   return ok_status();
 }
 
-Status dump(const std::string& in, const std::string& payload_path,
-            const std::string& values_path) {
+Status dump(const std::string& in, const std::string& payload_path, const std::string& values_path,
+            const std::string& stack_path) {
   Context context;
   auto text = read_file(in, limits::kInputBytes);
   if (!text) return text.status();
@@ -58,6 +58,9 @@ Status dump(const std::string& in, const std::string& payload_path,
   auto payload = outputs::viewer_payload(context, *picture, {1, 1, 1});
   if (!payload) return payload.status();
   if (Status status = write_file(payload_path, *payload); !status) return status;
+  auto stack = outputs::viewer_stack(context, *picture, {1, 1, 1});
+  if (!stack) return stack.status();
+  if (Status status = write_file(stack_path, *stack); !status) return status;
   std::vector<double> values;
   for (const PatchLayer& layer : picture->layers)
     if (Status status = add_layer(context, layer, values); !status) return status;
@@ -68,11 +71,11 @@ Status dump(const std::string& in, const std::string& payload_path,
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 4) {
-    std::fputs("usage: dump_picture IN OUT.payload OUT.values\n", stderr);
+  if (argc != 5) {
+    std::fputs("usage: dump_picture IN OUT.payload OUT.values OUT.stack\n", stderr);
     return 2;
   }
-  const Status status = dump(argv[1], argv[2], argv[3]);
+  const Status status = dump(argv[1], argv[2], argv[3], argv[4]);
   if (!status) std::fprintf(stderr, "%s\n", to_string(status).c_str());
   return status ? 0 : 1;
 }

@@ -1,8 +1,9 @@
 // The viewer's own reader, outside a browser: against the library's values, and fed with damage.
 import { execFileSync } from "node:child_process";
 import { readFileSync } from "node:fs";
+import { isDeepStrictEqual } from "node:util";
 import { PayloadError } from "../../web/viewer/bytes.js";
-import { PictureReader } from "../../web/viewer/payload.js";
+import { PictureReader, readStack } from "../../web/viewer/payload.js";
 import { check, documentPath } from "./harness.mjs";
 
 /** A quarter of an 8-bit step. */
@@ -55,7 +56,7 @@ function* randomNumbers(seed) {
 const DAMAGES = 3000;
 
 /** Reads a picture of which bytes were changed: it has to be read, or refused in words. */
-function feedDamage(bytes) {
+function feedDamage(bytes, readPicture) {
   const random = randomNumbers(7);
   let refused = 0;
   for (let i = 0; i < DAMAGES; ++i) {
@@ -67,7 +68,7 @@ function feedDamage(bytes) {
       damaged[random.next().value % damaged.length] = random.next().value & 255;
     }
     try {
-      new PictureReader(damaged).run();
+      readPicture(damaged);
     } catch (error) {
       if (!(error instanceof PayloadError)) throw error;
       refused += 1;
@@ -76,14 +77,37 @@ function feedDamage(bytes) {
   check(refused > DAMAGES / 10, `only ${refused} of ${DAMAGES} were refused`);
 }
 
+/** A stack has all that its picture has, but for what tables have. */
+function checkStack(stack, picture) {
+  const layers = picture.layers.map(({ order, color, opacity }) => ({
+    order,
+    colorShaders: color.shaders,
+    opacityShaders: opacity && opacity.shaders,
+  }));
+  const expected = { ...picture, layers };
+  check(isDeepStrictEqual(stack, expected), "the stack is not the picture's");
+}
+
+function checkRefused(read, message) {
+  try {
+    read();
+  } catch (error) {
+    check(error instanceof PayloadError && error.message === message, error.message);
+    return;
+  }
+  throw new Error(`not refused: ${message}`);
+}
+
 export async function testPayload(tap, { dump, command }) {
   const read = (document) => {
-    const [payload, values] = [command.file("picture.payload"), command.file("picture.values")];
-    execFileSync(dump, [documentPath(document), payload, values]);
+    const files = ["payload", "values", "stack"].map((name) => command.file(`picture.${name}`));
+    execFileSync(dump, [documentPath(document), ...files]);
+    const [payload, values, stack] = files;
     const bytes = new Uint8Array(readFileSync(payload));
     const raw = readFileSync(values);
     return {
       bytes,
+      stack: new Uint8Array(readFileSync(stack)),
       values: new Float64Array(raw.buffer.slice(raw.byteOffset, raw.byteOffset + raw.length)),
     };
   };
@@ -102,7 +126,20 @@ export async function testPayload(tap, { dump, command }) {
       },
     );
   }
+  for (const document of ["tests/viewer/small.svg", "tests/viewer/compositing.svg"]) {
+    await tap.test(`the stack of ${document.split("/").at(-1)} is its picture's`, () => {
+      const { bytes, stack } = read(document);
+      checkStack(readStack(stack), new PictureReader(bytes).run());
+    });
+  }
   await tap.test("damaged bytes are refused, never a crash", () => {
-    feedDamage(read("tests/viewer/small.svg").bytes);
+    const { bytes, stack } = read("tests/viewer/small.svg");
+    feedDamage(bytes, (damaged) => new PictureReader(damaged).run());
+    feedDamage(stack, readStack);
+  });
+  await tap.test("a picture is not taken for a stack, nor a stack for a picture", () => {
+    const { bytes, stack } = read("tests/viewer/small.svg");
+    checkRefused(() => readStack(bytes), "its version is 1, not 129");
+    checkRefused(() => new PictureReader(stack).run(), "its version is 129, not 1");
   });
 }

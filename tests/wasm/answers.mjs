@@ -31,6 +31,8 @@ const CASES = [
   ["svg", CONTROLS, ""],
   ["payload", EVENING, ""],
   ["payload", CONTROLS, ""],
+  ["stack", EVENING, ""],
+  ["stack", CONTROLS, ""],
   ["lint", CONTROLS, "verbose"],
   ["lint", "examples/fish.svg", "verbose"],
 ];
@@ -61,6 +63,7 @@ const ANSWERS = {
   svg: (context, document) => new TextEncoder().encode(document.write()),
   payload: (context, document, options) =>
     context.viewerPayload(context.solve(document, options)),
+  stack: (context, document, options) => context.pictureStack(context.solve(document, options)),
 };
 
 export async function testAnswers(tap, sfumato, program) {

@@ -101,6 +101,9 @@ bool answer(const std::string& question, Work& work) {
   if (question == "payload" && solve(work)) {
     sfumato_viewer_payload(work.context, work.picture, "", &bytes);
   }
+  if (question == "stack" && solve(work)) {
+    sfumato_picture_stack(work.context, work.picture, "", &bytes);
+  }
   return put_and_free(bytes);
 }
 
@@ -109,8 +112,8 @@ bool answer(const std::string& question, Work& work) {
 int main(int argc, char** argv) {
   if (argc < 3) {
     std::fputs(
-        "usage: native_answers tables|dragged|colors|pixels|svg|payload|lint IN "
-        "[OPTIONS]\n",
+        "usage: native_answers tables|dragged|colors|pixels|svg|payload|stack|lint "
+        "IN [OPTIONS]\n",
         stderr);
     return 2;
   }

@@ -187,6 +187,20 @@ class FieldDecoder {
 }
 
 /**
+ * The shaders whose weights are a field's last channels.
+ * @param {ByteReader} reader
+ * @param {number} shaderCount of the picture
+ * @returns {number[]}
+ */
+export function readShaders(reader, shaderCount) {
+  return Array.from({ length: reader.count(1) }, () => {
+    const shader = reader.varint();
+    if (shader >= shaderCount) throw new PayloadError("a shader of it is not there");
+    return shader;
+  });
+}
+
+/**
  * @param {ByteReader} reader
  * @param {Topology} topology
  * @param {number} ownChannels those that are no shader's weight
@@ -194,12 +208,7 @@ class FieldDecoder {
  * @returns {Field}
  */
 export function readField(reader, topology, ownChannels, shaderCount) {
-  const shaders = [];
-  for (let i = reader.count(1); i > 0; --i) {
-    const shader = reader.varint();
-    if (shader >= shaderCount) throw new PayloadError("a shader of it is not there");
-    shaders.push(shader);
-  }
+  const shaders = readShaders(reader, shaderCount);
   const channelCount = ownChannels + shaders.length;
   const steps = Array.from({ length: channelCount }, () => reader.f32());
   const nodes = new FieldDecoder(reader, topology, channelCount).run();

@@ -2,7 +2,7 @@
 
 import { ByteReader, PayloadError } from "./bytes.js";
 import { readMesh } from "./mesh.js";
-import { readField } from "./field.js";
+import { readField, readShaders } from "./field.js";
 import { readPaints } from "./paints.js";
 import { readSegments } from "./segments.js";
 
@@ -14,6 +14,8 @@ import { readSegments } from "./segments.js";
 
 const MAGIC = "SFUMATO";
 const VERSION = 1;
+/** Added to the version where layers have no tables. */
+const WITHOUT_TABLES = 128;
 const MOST_GROUPS = 16;
 const MOST_BLEND = 15;
 
@@ -50,15 +52,28 @@ const MOST_BLEND = 15;
 /** @typedef {Instance | Stroke | GroupBegin | GroupEnd} Item */
 
 /**
- * @typedef {object} Picture
+ * What of a layer is in no table.
+ * @typedef {object} BareLayer
+ * @property {number} order 0 linear, 1 quadratic, 2 cubic
+ * @property {number[]} colorShaders indices of the picture's shaders, the last channels of its colour
+ * @property {number[] | null} opacityShaders null: the layer is opaque
+ */
+
+/**
+ * A picture, of layers as they are at hand.
+ * @template L
+ * @typedef {object} PictureOf
  * @property {number[]} artboard
  * @property {number[]} viewport
  * @property {number} interpolation 0 code values, 1 linear light, 2 OKLab
  * @property {number[]} background
  * @property {Paints} paints
- * @property {Layer[]} layers
+ * @property {L[]} layers
  * @property {Item[]} stack
  */
+
+/** @typedef {PictureOf<Layer>} Picture */
+/** @typedef {PictureOf<BareLayer>} Stack */
 
 /**
  * The bytes of base64 text.
@@ -91,7 +106,8 @@ async function inflated(bytes) {
   }
 }
 
-export class PictureReader {
+/** Reads a picture as far as it is the same with layers' tables and without. */
+class StackReader {
   /** @param {Uint8Array} bytes */
   constructor(bytes) {
     this.reader = new ByteReader(bytes);
@@ -99,20 +115,25 @@ export class PictureReader {
     this.layerCount = 0;
   }
 
-  /** @returns {Picture} */
-  run() {
+  /**
+   * @template L
+   * @param {number} expected version
+   * @param {() => L} readLayer
+   * @returns {PictureOf<L>}
+   */
+  picture(expected, readLayer) {
     const { reader } = this;
     const magic = String.fromCharCode(...reader.take(MAGIC.length));
     if (magic !== MAGIC) throw new PayloadError("it does not begin as it should");
     const version = reader.u8();
-    if (version !== VERSION) throw new PayloadError(`its version is ${version}, not ${VERSION}`);
+    if (version !== expected) throw new PayloadError(`its version is ${version}, not ${expected}`);
     const artboard = this.box(),
       viewport = this.box();
     const interpolation = this.below(3);
     const background = [reader.f32(), reader.f32(), reader.f32()];
     const paints = readPaints(reader);
     this.shaderCount = paints.paint.length;
-    const layers = this.list(() => this.layer());
+    const layers = this.list(readLayer);
     this.layerCount = layers.length;
     const stack = this.list(() => this.item());
     this.checkGroups(stack);
@@ -140,16 +161,6 @@ export class PictureReader {
     if (!(box[0] <= box[2] && box[1] <= box[3]))
       throw new PayloadError("a rectangle of it is empty");
     return box;
-  }
-
-  /** @returns {Layer} */
-  layer() {
-    const order = this.below(3);
-    const mesh = readMesh(this.reader);
-    const color = readField(this.reader, mesh.topology, 3, this.shaderCount);
-    const hasOpacity = this.below(2) === 1;
-    const opacity = hasOpacity ? readField(this.reader, mesh.topology, 1, this.shaderCount) : null;
-    return { order, mesh, color, opacity };
   }
 
   /** @returns {Item} */
@@ -205,6 +216,37 @@ export class PictureReader {
     }
     if (depth !== 0) throw new PayloadError("its groups do not nest");
   }
+}
+
+export class PictureReader extends StackReader {
+  /** @returns {Picture} */
+  run() {
+    return this.picture(VERSION, () => this.layer());
+  }
+
+  /** @returns {Layer} */
+  layer() {
+    const order = this.below(3);
+    const mesh = readMesh(this.reader);
+    const color = readField(this.reader, mesh.topology, 3, this.shaderCount);
+    const hasOpacity = this.below(2) === 1;
+    const opacity = hasOpacity ? readField(this.reader, mesh.topology, 1, this.shaderCount) : null;
+    return { order, mesh, color, opacity };
+  }
+}
+
+/**
+ * A picture whose layers have no tables, as sfumato_picture_stack() makes it; throws PayloadError.
+ * @param {Uint8Array} bytes
+ * @returns {Stack}
+ */
+export function readStack(bytes) {
+  const reader = new StackReader(bytes);
+  return reader.picture(VERSION + WITHOUT_TABLES, () => ({
+    order: reader.below(3),
+    colorShaders: readShaders(reader.reader, reader.shaderCount),
+    opacityShaders: reader.below(2) === 1 ? readShaders(reader.reader, reader.shaderCount) : null,
+  }));
 }
 
 /**

@@ -283,6 +283,16 @@ export class SfumatoContext extends Handle {
   }
 
   /**
+   * What web/viewer's readStack() reads: a picture whose layers have no tables; these are the
+   * picture's table(). @param options background
+   */
+  pictureStack(picture, options = null) {
+    return this.#withOptions(options, (text) =>
+      this.library.takeBytes(this.make("sfumato_picture_stack", picture.address, text)),
+    );
+  }
+
+  /**
    * Looks for probable mistakes: {file, hints, hint_count}, as `sfumato lint --json` prints it.
    * @param {Options} options verbose
    */

@@ -20,6 +20,10 @@ namespace {
 
 constexpr std::string_view kMagic = "SFUMATO";
 constexpr std::uint8_t kVersion = 1;
+/// Added to the version where layers have no tables.
+constexpr std::uint8_t kWithoutTables = 128;
+
+enum class Tables : std::uint8_t { with, without };
 
 /// Kinds of items of the stack, as the viewer numbers them.
 enum class ItemKind : std::uint8_t { instance, stroke, group_begin, group_end };
@@ -33,9 +37,12 @@ void write_blending(float opacity, BlendMode blend, ByteWriter& out) {
   out.u8(static_cast<std::uint8_t>(blend));
 }
 
+Status check_boxes(const Picture& picture) {
+  if (rules::has_area(picture.artboard) && rules::has_area(picture.viewport)) return ok_status();
+  return make_error(StatusCode::bad_input, "the picture's artboard or viewport is empty");
+}
+
 Status check_size(const Limits& limits, const Picture& picture) {
-  if (!rules::has_area(picture.artboard) || !rules::has_area(picture.viewport))
-    return make_error(StatusCode::bad_input, "the picture's artboard or viewport is empty");
   std::size_t triangles = 0;
   for (const PatchLayer& layer : picture.layers) triangles += layer.triangle_count();
   if (triangles <= limits.viewer_triangles) return ok_status();
@@ -46,20 +53,22 @@ Status check_size(const Limits& limits, const Picture& picture) {
 
 class PayloadWriter {
  public:
-  PayloadWriter(Context& context, const Picture& picture)
-      : context_(context), picture_(picture), out_(context) {}
+  PayloadWriter(Context& context, const Picture& picture, Tables tables)
+      : context_(context), picture_(picture), tables_(tables), out_(context) {}
 
   Status run(const Rgb& background) {
     out_.raw({reinterpret_cast<const std::uint8_t*>(kMagic.data()), kMagic.size()});
-    out_.u8(kVersion);
+    out_.u8(tables_ == Tables::with ? kVersion : kVersion | kWithoutTables);
     write_box(picture_.artboard, out_);
     write_box(picture_.viewport, out_);
     out_.u8(static_cast<std::uint8_t>(picture_.interpolation));
     for (float value : {background.r, background.g, background.b}) out_.f32(value);
     if (Status status = write_paints(context_, picture_, out_); !status) return status;
     out_.varint(picture_.layers.size());
-    for (const PatchLayer& layer : picture_.layers)
-      if (Status status = write_layer(layer); !status) return status;
+    for (const PatchLayer& layer : picture_.layers) {
+      Status status = tables_ == Tables::with ? write_layer(layer) : write_bare(layer);
+      if (!status) return status;
+    }
     out_.varint(picture_.stack.size());
     for (const PictureItem& item : picture_.stack) {
       Status status = std::visit([this](const auto& x) { return write_item(x); }, item);
@@ -84,6 +93,15 @@ class PayloadWriter {
     if (layer.opacity.channel_count == 0) return ok_status();
     write_shaders(layer.opacity, out_);
     return write_field(context_, layer.opacity, *mesh, viewer_step(InterpolationSpace::srgb), out_);
+  }
+
+  Status write_bare(const PatchLayer& layer) {
+    out_.u8(static_cast<std::uint8_t>(layer.order));
+    write_shaders(layer.color, out_);
+    const bool has_opacity = layer.opacity.channel_count > 0;
+    out_.u8(has_opacity ? 1 : 0);
+    if (has_opacity) write_shaders(layer.opacity, out_);
+    return ok_status();
   }
 
   static void write_shaders(const PatchField& field, ByteWriter& out) {
@@ -118,9 +136,17 @@ class PayloadWriter {
 
   Context& context_;
   const Picture& picture_;
+  const Tables tables_;
   ByteWriter out_;
   std::size_t segment_count_ = 0;
 };
+
+Result<std::vector<std::uint8_t>> written(Context& context, const Picture& picture,
+                                          const Rgb& background, Tables tables) {
+  PayloadWriter writer(context, picture, tables);
+  if (Status status = writer.run(background); !status) return status;
+  return writer.finish();
+}
 
 }  // namespace
 
@@ -131,10 +157,15 @@ Rgb viewer_background(const Picture& picture, const std::optional<Rgb>& wanted) 
 Result<std::vector<std::uint8_t>> viewer_payload(Context& context, const Picture& picture,
                                                  const Rgb& background) {
   if (Status status = picture::check_picture(context, picture); !status) return status;
+  if (Status status = check_boxes(picture); !status) return status;
   if (Status status = check_size(context.limits, picture); !status) return status;
-  PayloadWriter writer(context, picture);
-  if (Status status = writer.run(background); !status) return status;
-  return writer.finish();
+  return written(context, picture, background, Tables::with);
+}
+
+Result<std::vector<std::uint8_t>> viewer_stack(Context& context, const Picture& picture,
+                                               const Rgb& background) {
+  if (Status status = check_boxes(picture); !status) return status;
+  return written(context, picture, background, Tables::without);
 }
 
 }  // namespace sfumato::outputs

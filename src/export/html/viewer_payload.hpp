@@ -23,4 +23,12 @@ Rgb viewer_background(const Picture& picture, const std::optional<Rgb>& wanted);
 Result<std::vector<std::uint8_t>> viewer_payload(Context& context, const Picture& picture,
                                                  const Rgb& background);
 
+/// The same bytes without meshes and fields: of each layer its order and the shaders of its fields.
+/// Precondition: the picture's tables are consistent, as in one that was solved.
+///
+/// Errors: bad_input (no area), limit (kViewerStrokeSegments, memory), cancelled. Cost: that of the
+/// strokes and the textures' files, whatever the layers hold.
+Result<std::vector<std::uint8_t>> viewer_stack(Context& context, const Picture& picture,
+                                               const Rgb& background);
+
 }  // namespace sfumato::outputs
