@@ -11,7 +11,7 @@ import { counter, parseDocument, rereadTag } from "../source/parse.js";
 import { applied } from "../source/patch.js";
 import type { Patch } from "../source/patch.js";
 import { failure } from "../source/scan.js";
-import { isSvg, Styles } from "../source/styles.js";
+import { Styles } from "../source/styles.js";
 import { SourceError } from "../source/tree.js";
 import { readArtboard, readInterpolation, saidBackground } from "./artboard.js";
 import type { Artboard } from "./artboard.js";
@@ -286,7 +286,8 @@ function readOnlyReason(definesEntities: boolean): string | null {
 function readText(text: string, newHandle: () => number) {
   const parsed = parseDocument(text, newHandle);
   const { root } = parsed;
-  if (root.local === "svg" && (isSvg(root) || root.namespace === "")) return parsed;
+  // In whatever namespace: so does the engine.
+  if (root.local === "svg") return parsed;
   const { start } = root.range;
   throw failure(text, start, `the document is a <${root.name}>; expected <svg xmlns="${SVG}">`);
 }

@@ -16,11 +16,25 @@ export const BLEND_MODES = [
 const isShare = (text: string) => shareOf(text) !== null;
 const isColor = (text: string) => keywordOf(text) === "currentcolor" || parseColor(text) !== null;
 const isOneOf = (...words: string[]) => (text: string) => words.includes(keywordOf(text) ?? "");
-const isWord = (text: string) => /^[a-z]+(?:-[a-z]+)*(?:\s+[a-z-]+){0,2}$/i.test(text.trim());
+
+/** The words of `display`, up to three of them. */
+const DISPLAYS: ReadonlySet<string> = new Set([
+  "none", "inline", "block", "contents", "flow", "flow-root", "inline-block", "list-item", "run-in",
+  "table", "inline-table", "table-row-group", "table-header-group", "table-footer-group",
+  "table-row", "table-cell", "table-column-group", "table-column", "table-caption", "flex",
+  "inline-flex", "grid", "inline-grid", "ruby", "ruby-base", "ruby-text", "ruby-base-container",
+  "ruby-text-container",
+]);
+
+function isDisplay(text: string): boolean {
+  const words = solid(tokensOf(text));
+  const isKnown = ({ kind, value }: Token) => kind === "ident" && DISPLAYS.has(value.toLowerCase());
+  return words.length > 0 && words.length <= 3 && words.every(isKnown);
+}
 
 /** Whether CSS keeps a declaration of a property with this value. */
 const IS_VALUE = {
-  display: isWord,
+  display: isDisplay,
   visibility: isOneOf("visible", "hidden", "collapse"),
   opacity: isShare,
   "mix-blend-mode": isOneOf(...BLEND_MODES),
