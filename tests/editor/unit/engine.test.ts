@@ -3,7 +3,7 @@
 import { afterEach, describe, expect, it } from "vitest";
 import { loadSfumato, Table } from "../../../web/wasm/sfumato.mjs";
 import { WorkerEngine } from "../../../web/editor/src/engine/engine.js";
-import { LayerMirror } from "../../../web/editor/src/engine/mirror.js";
+import { LayerMirror, type MirroredLayer } from "../../../web/editor/src/engine/mirror.js";
 import type { EngineStatus, PictureUpdate, QuickChange } from "../../../web/editor/src/engine/types.js";
 import { hasModule, localHost, module, textOf } from "./wasm.js";
 
@@ -29,7 +29,8 @@ const pointsFor = (bend: number): QuickChange => ({
 
 /** What the page has: mirrors of the layers, and what it was told. */
 class Page {
-  readonly layers: LayerMirror[] = [];
+  readonly mirrors: LayerMirror[] = [];
+  readonly layers: MirroredLayer[] = [];
   readonly statuses: EngineStatus[] = [];
   updates = 0;
   stacks = 0;
@@ -46,8 +47,9 @@ class Page {
     this.stacks += stack ? 1 : 0;
     this.isExact = isExact;
     for (const update of layers) {
-      this.layers[update.layer] ??= new LayerMirror();
-      this.layers[update.layer].change(update);
+      const mirror = (this.mirrors[update.layer] ??= new LayerMirror());
+      mirror.change(update);
+      this.layers[update.layer] = mirror.tables(update);
       this.rows += update.color.values.length;
     }
     this.layers.length = layerCount;
@@ -86,12 +88,12 @@ async function expectSolved(page: Page, text: string, width: number) {
   expected.forEach((layer, i) => {
     const have = page.layers[i];
     const positions = layer.positions.map((value, at) => Math.fround(value - have.origin[at % 2]));
-    expect(have.positions.values).toEqual(Float32Array.from(positions));
-    expect(have.triangles.values).toEqual(layer.triangles);
-    expect(have.edges.values).toEqual(layer.edges);
-    expect(have.color.nodes.values).toEqual(layer.nodes);
-    expect(have.color.values.values).toEqual(layer.values);
-    expect(have.opacity?.values.values ?? new Float32Array()).toEqual(layer.opacities);
+    expect(have.positions).toEqual(Float32Array.from(positions));
+    expect(have.triangleVertex).toEqual(layer.triangles);
+    expect(have.edgeIsCurve).toEqual(layer.edges);
+    expect(have.color.triangleNode).toEqual(layer.nodes);
+    expect(have.color.value).toEqual(layer.values);
+    expect(have.opacity?.value ?? new Float32Array()).toEqual(layer.opacities);
   });
 }
 

@@ -1,6 +1,5 @@
 // The page's copy of a layer's tables, which the renderer draws from and builds up again from after
 // the graphics card has lost them.
-import type { Box } from "../geometry/affine.js";
 import type { FieldUpdate, LayerUpdate, RowRanges } from "./types.js";
 
 type Numbers = Float32Array<ArrayBuffer> | Uint32Array<ArrayBuffer> | Uint8Array<ArrayBuffer>;
@@ -47,7 +46,10 @@ export class Rows<Data extends Numbers> {
   }
 }
 
-export class FieldMirror {
+/** Rows that are not as before, by the names of web/wasm/sfumato.mjs; null: all may be new. */
+export type LayerChange = Readonly<Record<string, RowRanges>> | null;
+
+class FieldRows {
   readonly nodes = new Rows(10, (length) => new Uint32Array(length));
   readonly values: Rows<Float32Array<ArrayBuffer>>;
 
@@ -59,31 +61,69 @@ export class FieldMirror {
     this.nodes.change(update.nodeRows, update.nodeRanges, update.nodes);
     this.values.change(update.valueRows, update.valueRanges, update.values);
   }
+
+  /** As web/viewer/field.js has it. */
+  get field() {
+    const { channelCount } = this;
+    return { channelCount, triangleNode: this.nodes.values, value: this.values.values };
+  }
+}
+
+/** Tables of a layer as web/viewer's renderer takes them, but for what its stack says. */
+export interface MirroredLayer {
+  origin: number[];
+  bounds: number[];
+  positions: Float32Array;
+  triangleVertex: Uint32Array;
+  edgeIsCurve: Uint8Array;
+  color: FieldRows["field"];
+  opacity: FieldRows["field"] | null;
 }
 
 export class LayerMirror {
-  readonly positions = new Rows(2, (length) => new Float32Array(length));
-  readonly triangles = new Rows(3, (length) => new Uint32Array(length));
-  readonly edges = new Rows(3, (length) => new Uint8Array(length));
-  origin: readonly [number, number] = [0, 0];
-  bounds: Box = [0, 0, 0, 0];
-  color = new FieldMirror(3);
-  opacity: FieldMirror | null = null;
+  #positions = new Rows(2, (length) => new Float32Array(length));
+  #triangles = new Rows(3, (length) => new Uint32Array(length));
+  #edges = new Rows(3, (length) => new Uint8Array(length));
+  #color = new FieldRows(3);
+  #opacity: FieldRows | null = null;
 
-  change(update: LayerUpdate): void {
-    this.origin = update.origin;
-    this.bounds = update.bounds;
-    this.positions.change(update.vertexRows, update.positionRanges, update.positions);
-    this.triangles.change(update.triangleRows, update.triangleRanges, update.triangles);
-    this.edges.change(update.triangleRows, update.edgeRanges, update.edges);
-    this.color = changed(this.color, update.color);
-    this.opacity = update.opacity && changed(this.opacity, update.opacity);
+  /** @returns what the renderer has to look at */
+  change(update: LayerUpdate): LayerChange {
+    const { color, opacity } = update;
+    this.#positions.change(update.vertexRows, update.positionRanges, update.positions);
+    this.#triangles.change(update.triangleRows, update.triangleRanges, update.triangles);
+    this.#edges.change(update.triangleRows, update.edgeRanges, update.edges);
+    this.#color = changed(this.#color, color);
+    this.#opacity = opacity && changed(this.#opacity, opacity);
+    if (update.isWhole) return null;
+    return {
+      vertices: update.positionRanges,
+      triangles: update.triangleRanges,
+      curveEdges: update.edgeRanges,
+      colorNodes: color.nodeRanges,
+      colorValues: color.valueRanges,
+      opacityNodes: opacity?.nodeRanges ?? [],
+      opacityValues: opacity?.valueRanges ?? [],
+    };
+  }
+
+  /** Views of the tables, which last until the next change. */
+  tables(update: Pick<LayerUpdate, "origin" | "bounds">): MirroredLayer {
+    return {
+      origin: [...update.origin],
+      bounds: [...update.bounds],
+      positions: this.#positions.values,
+      triangleVertex: this.#triangles.values,
+      edgeIsCurve: this.#edges.values,
+      color: this.#color.field,
+      opacity: this.#opacity?.field ?? null,
+    };
   }
 }
 
 /** A field of other channels is a new one; its update is whole then. */
-function changed(field: FieldMirror | null, update: FieldUpdate): FieldMirror {
-  const fits = field?.channelCount === update.channelCount ? field : new FieldMirror(update.channelCount);
+function changed(field: FieldRows | null, update: FieldUpdate): FieldRows {
+  const fits = field?.channelCount === update.channelCount ? field : new FieldRows(update.channelCount);
   fits.change(update);
   return fits;
 }

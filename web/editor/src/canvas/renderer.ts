@@ -1,0 +1,186 @@
+// Draws the picture into the stage's canvas: at once where something has changed, then finer, then
+// not at all until something changes.
+import { effect } from "@preact/signals";
+import { makeTexels } from "../../../viewer/paints.js";
+import { Renderer } from "../../../viewer/renderer.js";
+import type { Editor } from "../app/types.js";
+import type { PictureUpdate } from "../engine/types.js";
+import { Scene, type SceneChange } from "./scene.js";
+import { shaderText } from "./shaders.js";
+
+/** How long the picture must rest before it is made finer, milliseconds. */
+const REST = 150;
+/** A context that is lost for longer is spoken of, milliseconds. */
+const PATIENCE = 1000;
+
+type Paints = NonNullable<Scene["picture"]>["paints"];
+
+export interface PictureWords {
+  /** WebGL 2 is missing. */
+  readonly missing: string;
+  /** The graphics were taken away. */
+  readonly lost: string;
+}
+
+export class PictureCanvas {
+  readonly #editor: Editor;
+  readonly #words: PictureWords;
+  readonly #scene = new Scene();
+  #canvas: HTMLCanvasElement | null = null;
+  #gl: WebGL2RenderingContext | null = null;
+  #renderer: Renderer | null = null;
+  /** Texels of the paints that are drawn; new ones take time, and updates wait for them. */
+  #texels: { readonly paints: Paints; readonly texels: Uint16Array } | null = null;
+  #queue: Promise<void> = Promise.resolve();
+  #isDirty = false;
+  #frame = 0;
+  #changedAt = 0;
+  #waiting: (() => void)[] = [];
+  #stop: () => void = () => {};
+
+  constructor(editor: Editor, words: PictureWords) {
+    this.#editor = editor;
+    this.#words = words;
+  }
+
+  /** The canvas to draw into, or none any more. */
+  attach(canvas: HTMLCanvasElement | null): void {
+    this.#stop();
+    this.#renderer?.free();
+    this.#renderer = null;
+    this.#canvas = canvas;
+    if (!canvas) return;
+    canvas.classList.add("picture");
+    this.#open(canvas);
+    this.#stop = effect(() => this.#watch());
+  }
+
+  #open(canvas: HTMLCanvasElement) {
+    const wish = { alpha: false, antialias: false, depth: false, stencil: false } as const;
+    this.#gl = canvas.getContext("webgl2", wish);
+    if (!this.#gl) return this.#editor.say(this.#words.missing);
+    canvas.addEventListener("webglcontextlost", (event) => this.#lose(event));
+    canvas.addEventListener("webglcontextrestored", () => this.#build());
+    this.#build();
+  }
+
+  #lose(event: Event) {
+    event.preventDefault();
+    this.#renderer = null;
+    setTimeout(() => {
+      if (!this.#renderer) this.#editor.say(this.#words.lost);
+    }, PATIENCE);
+  }
+
+  /** Everything anew from what the page has. */
+  #build() {
+    const { picture } = this.#scene;
+    if (!this.#gl || this.#gl.isContextLost() || !picture || !this.#texels) return;
+    this.#renderer = new Renderer(this.#gl, shaderText, picture, this.#texels.texels);
+    this.change();
+  }
+
+  /** What a frame depends on, beside the picture. */
+  #watch() {
+    const { view, stage, showMesh, settings } = this.#editor;
+    void [view.value, stage.value, showMesh.value, settings.surround.value, settings.theme.value];
+    this.change();
+  }
+
+  take(update: PictureUpdate): void {
+    // One behind the other: textures are decoded in the meantime.
+    this.#queue = this.#queue.then(() => this.#take(update)).catch((error: Error) => this.#editor.say(error.message));
+  }
+
+  async #take(update: PictureUpdate): Promise<void> {
+    const change = this.#scene.take(update);
+    const { picture } = this.#scene;
+    if (!picture || !this.#gl) return;
+    const isNew = !this.#texels || !samePaints(this.#texels.paints, picture.paints);
+    if (isNew) this.#texels = { paints: picture.paints, texels: await this.#texelsOf(this.#gl, picture.paints) };
+    this.#follow(change);
+  }
+
+  /** Without textures at once: a frame in between would show other paints' weights. */
+  async #texelsOf(gl: WebGL2RenderingContext, paints: Paints): Promise<Uint16Array> {
+    return paints.texelCount === 0 ? new Uint16Array() : makeTexels(gl, paints);
+  }
+
+  #follow({ isOther, layers }: SceneChange) {
+    const { picture } = this.#scene;
+    if (!this.#renderer) return this.#build();
+    if (isOther) this.#renderer.setPicture(picture!, this.#texels!.texels);
+    for (const { layer, change } of layers) this.#renderer.updateLayer(layer, change);
+    this.change();
+  }
+
+  /** Something is to be seen that was not drawn yet. */
+  change(): void {
+    this.#isDirty = true;
+    this.#changedAt = performance.now();
+    this.#schedule();
+  }
+
+  #schedule() {
+    if (this.#frame === 0) this.#frame = requestAnimationFrame(() => this.#tick());
+  }
+
+  #tick() {
+    this.#frame = 0;
+    const renderer = this.#renderer;
+    if (!renderer) return;
+    // What the GPU has not done yet would only pile up.
+    if (renderer.isBusy) return this.#schedule();
+    if (this.#isDirty) {
+      this.#isDirty = false;
+      renderer.draw(this.#frameOf());
+    } else if (!renderer.canRefine) {
+      return this.#settle();
+    } else if (performance.now() - this.#changedAt > REST) {
+      renderer.refine(this.#frameOf());
+    }
+    this.#schedule();
+  }
+
+  #settle() {
+    for (const resolve of this.#waiting.splice(0)) resolve();
+  }
+
+  #frameOf() {
+    const canvas = this.#canvas!;
+    const { width, height } = this.#editor.stage.peek();
+    const ratio = devicePixelRatio || 1;
+    const size = [width, height].map((length) => Math.max(1, Math.round(length * ratio)));
+    if (canvas.width !== size[0]) canvas.width = size[0];
+    if (canvas.height !== size[1]) canvas.height = size[1];
+    const map = this.#editor.stageFromArtboard();
+    const pixelFromArtboard = map.map((value) => value * ratio);
+    return { size, pixelFromArtboard, desk: deskOf(canvas), mesh: this.#editor.showMesh.peek(), lineScale: ratio };
+  }
+
+  /** When the last picture that was taken is drawn as fine as it gets. */
+  async drawn(): Promise<void> {
+    await this.#queue;
+    await new Promise<void>((resolve) => {
+      this.#waiting.push(resolve);
+      this.#schedule();
+    });
+  }
+}
+
+/** The grey around the artboard. */
+function deskOf(canvas: HTMLCanvasElement): number[] {
+  const text = getComputedStyle(canvas.parentElement!).backgroundColor;
+  return (text.match(/[\d.]+/g) ?? ["119", "119", "119"]).slice(0, 3).map((value) => Number(value) / 255);
+}
+
+function samePaints(a: Paints, b: Paints): boolean {
+  const isSame = a.texelCount === b.texelCount && a.paint.length === b.paint.length && sameNumbers(a.table, b.table);
+  return isSame && a.paint.every(({ file }, i) => file?.bytes.length === b.paint[i].file?.bytes.length && sameNumbers(file?.bytes ?? [], b.paint[i].file?.bytes ?? []));
+}
+
+function sameNumbers(a: ArrayLike<number>, b: ArrayLike<number>): boolean {
+  if (a.length !== b.length) return false;
+  for (let i = 0; i < a.length; ++i) if (a[i] !== b[i]) return false;
+  return true;
+}

@@ -1,0 +1,13 @@
+// The viewer's shaders, as text.
+const texts = import.meta.glob<string>("../../../viewer/shaders/*", {
+  query: "?raw",
+  import: "default",
+  eager: true,
+});
+
+/** @param name of a file in web/viewer/shaders */
+export function shaderText(name: string): string {
+  const text = texts[`../../../viewer/shaders/${name}`];
+  if (text === undefined) throw new Error(`there is no shader ${name}`);
+  return text;
+}
