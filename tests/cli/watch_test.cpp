@@ -1,23 +1,15 @@
-#include <arpa/inet.h>
 #include <gtest/gtest.h>
 #include <signal.h>
-#include <sys/socket.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include <chrono>
-#include <cstdlib>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <thread>
 
 #include "cli/run_command.hpp"
+#include "cli/served_command.hpp"
 
 namespace sfumato::test {
 namespace {
-
-constexpr int kMostSeconds = 60;  ///< that anything may take on a busy machine
 
 std::string drawing(const std::string& color) {
   return "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:sf=\"urn:sfumato:1\" "
@@ -30,67 +22,9 @@ void write(const std::string& path, const std::string& content) {
   std::ofstream(path, std::ios::binary) << content;
 }
 
-/// `sfumato watch` with a pipe for its standard output.
-class Watch {
+class Watch : public ServedCommand {
  public:
-  explicit Watch(std::vector<std::string> arguments) {
-    arguments.insert(arguments.begin(), {SFUMATO_BINARY, "watch"});
-    int ends[2];
-    EXPECT_EQ(pipe(ends), 0);
-    id_ = fork();
-    if (id_ == 0) {
-      dup2(ends[1], STDOUT_FILENO);
-      std::vector<char*> words;
-      for (std::string& word : arguments) words.push_back(word.data());
-      words.push_back(nullptr);
-      execv(words[0], words.data());
-      _exit(127);
-    }
-    close(ends[1]);
-    char c = 0;
-    while (read(ends[0], &c, 1) == 1 && c != '\n') address_ += c;
-    close(ends[0]);
-    port_ = std::atoi(address_.substr(address_.rfind(':') + 1).c_str());
-  }
-  ~Watch() {
-    if (id_ > 0) stop(SIGKILL);
-  }
-
-  int stop(int signal_number) {
-    kill(id_, signal_number);
-    int status = 0;
-    waitpid(id_, &status, 0);
-    id_ = 0;
-    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-  }
-
-  int port() const { return port_; }
-  const std::string& address() const { return address_; }
-
-  std::string ask(const std::string& request) const {
-    const int fd = socket(AF_INET, SOCK_STREAM, 0);
-    timeval most{kMostSeconds, 0};
-    setsockopt(fd, SOL_SOCKET, SO_RCVTIMEO, &most, sizeof(most));
-    sockaddr_in address{};
-    address.sin_family = AF_INET;
-    address.sin_port = htons(static_cast<std::uint16_t>(port_));
-    inet_pton(AF_INET, "127.0.0.1", &address.sin_addr);
-    std::string answer;
-    if (connect(fd, reinterpret_cast<sockaddr*>(&address), sizeof(address)) == 0) {
-      EXPECT_GT(send(fd, request.data(), request.size(), MSG_NOSIGNAL), 0);
-      char bytes[4096];
-      for (ssize_t count = 0; (count = recv(fd, bytes, sizeof(bytes), 0)) > 0;) {
-        answer.append(bytes, static_cast<std::size_t>(count));
-      }
-    }
-    close(fd);
-    return answer;
-  }
-
-  std::string get(const std::string& path, std::string host = {}) const {
-    if (host.empty()) host = "127.0.0.1:" + std::to_string(port_);
-    return ask("GET " + path + " HTTP/1.1\r\nHost: " + host + "\r\nConnection: close\r\n\r\n");
-  }
+  explicit Watch(std::vector<std::string> arguments) : ServedCommand(words(std::move(arguments))) {}
 
   /// The state once it holds `text`; asks for each newer one as the page does.
   std::string wait_for(const std::string& text) const {
@@ -106,16 +40,13 @@ class Watch {
     return state;
   }
 
-  std::string picture() const {
-    const std::string answer = get("/picture.png");
-    const std::size_t body = answer.find("\r\n\r\n");
-    return body == std::string::npos ? std::string() : answer.substr(body + 4);
-  }
+  std::string picture() const { return body_of(get("/picture.png")); }
 
  private:
-  pid_t id_ = 0;
-  int port_ = 0;
-  std::string address_;
+  static std::vector<std::string> words(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), {SFUMATO_BINARY, "watch"});
+    return arguments;
+  }
 };
 
 TEST(Watch, serves_a_page_and_the_newest_picture_to_many) {
@@ -201,6 +132,18 @@ TEST(Watch, answers_this_machine_by_name_alone_and_has_no_files) {
                 .find(" 200 "),
             std::string::npos);
   EXPECT_EQ(watch.stop(SIGTERM), 143);
+}
+
+TEST(Watch, answers_no_page_of_another_origin) {
+  const TemporaryFolder folder;
+  Watch watch({folder.add("a.svg", drawing("red"))});
+  const auto from = [&watch](const std::string& origin) {
+    return watch.ask("GET / HTTP/1.1\r\nHost: " + watch.host() + "\r\nOrigin: " + origin +
+                     "\r\nConnection: close\r\n\r\n");
+  };
+  EXPECT_NE(from("http://" + watch.host()).find(" 200 "), std::string::npos);
+  EXPECT_NE(from("http://evil.example").find(" 403 "), std::string::npos);
+  EXPECT_NE(from("null").find(" 403 "), std::string::npos);
 }
 
 TEST(Watch, a_port_that_is_taken_is_told) {
