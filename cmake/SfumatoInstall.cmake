@@ -67,6 +67,10 @@ install(FILES ${PROJECT_SOURCE_DIR}/completions/_sfumato
 install(FILES ${PROJECT_SOURCE_DIR}/completions/sfumato.fish
         DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
 
+# What `make editor` has made; `sfumato edit` serves it.
+install(FILES ${PROJECT_SOURCE_DIR}/build/editor.html OPTIONAL
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/sfumato)
+
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/sfumato)
 install(EXPORT sfumato NAMESPACE sfumato:: FILE sfumatoTargets.cmake DESTINATION ${package_folder})
 install(EXPORT sfumato_c NAMESPACE sfumato:: FILE sfumatoCTargets.cmake

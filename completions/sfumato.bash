@@ -10,7 +10,7 @@ _sfumato() {
   local command='' word options
   for word in "${COMP_WORDS[@]:1:COMP_CWORD-1}"; do
     case $word in
-      render | info | convert | lint | compare | init | watch)
+      render | info | convert | lint | compare | init | watch | edit)
         command=$word
         break
         ;;
@@ -86,11 +86,12 @@ _sfumato() {
       options='--output --port --viewport --width --height --scale --threads --allow-files --quiet
         --max-memory --max-time --limit --help'
       ;;
+    edit) options='--no-browser --port --allow-files --help' ;;
     compare)
       options='--output --scale --json
         --max-memory --max-time --limit --help'
       ;;
-    *) options='render info convert lint compare init watch --help --version' ;;
+    *) options='render info convert lint compare init watch edit --help --version' ;;
   esac
   mapfile -t COMPREPLY < <(compgen -W "$options" -- "$current")
 }

@@ -1,6 +1,6 @@
 # fish completion for sfumato
 
-set -l commands render info convert lint compare init watch
+set -l commands render info convert lint compare init watch edit
 set -l limits input-bytes= unpack-ratio= xml-depth= xml-elements= xml-attributes= style-values= used-elements= used-bytes= id-bytes= curves= control-points= stops= stops-per-list= layers= shaders-per-layer= stack-items= group-depth= image-file-bytes= textures= texels= segments= triangles= nodes= image-side= viewer-triangles= viewer-stroke-segments= svg-triangles=
 
 complete -c sfumato -s h -l help -d 'Print the help'
@@ -12,6 +12,7 @@ complete -c sfumato -n "not __fish_seen_subcommand_from $commands" -f -a lint -d
 complete -c sfumato -n "not __fish_seen_subcommand_from $commands" -f -a compare -d 'Measure how two images of one size differ'
 complete -c sfumato -n "not __fish_seen_subcommand_from $commands" -f -a init -d 'Write a drawing to begin with'
 complete -c sfumato -n "not __fish_seen_subcommand_from $commands" -f -a watch -d 'Show a drawing, anew whenever it changes'
+complete -c sfumato -n "not __fish_seen_subcommand_from $commands" -f -a edit -d 'Draw in the browser, and save to the file'
 
 complete -c sfumato -n '__fish_seen_subcommand_from render' -s o -l output -r -F -d 'The image'
 complete -c sfumato -n '__fish_seen_subcommand_from render' -l out-dir -x -a '(__fish_complete_directories)' -d 'Every picture into this folder'
@@ -104,3 +105,7 @@ complete -c sfumato -n '__fish_seen_subcommand_from watch' -l quiet -d 'No warni
 complete -c sfumato -n '__fish_seen_subcommand_from watch' -l max-memory -x -d 'Give up before taking more MiB'
 complete -c sfumato -n '__fish_seen_subcommand_from watch' -l max-time -x -a off -d 'Give up after these seconds'
 complete -c sfumato -n '__fish_seen_subcommand_from watch' -l limit -x -a "$limits" -d 'Set another limit on the input'
+
+complete -c sfumato -n '__fish_seen_subcommand_from edit' -l no-browser -d 'Print the address, open no browser'
+complete -c sfumato -n '__fish_seen_subcommand_from edit' -l port -x -d 'Of the page on 127.0.0.1'
+complete -c sfumato -n '__fish_seen_subcommand_from edit' -l allow-files -x -a '(__fish_complete_directories)' -d 'Read textures from this folder too'

@@ -233,7 +233,7 @@ is_table {
 
 # The command's options are the command's: it adds them to what the library says.
 folder != "" && folder != "cli" && /"/ &&
-    words_for_people($0) ~ /--[a-z]|sfumato (init|render|lint|convert|info|compare|watch) / {
+    words_for_people($0) ~ /--[a-z]|sfumato (init|render|lint|convert|info|compare|watch|edit) / {
   complain("the library may not speak of the command")
 }
 

@@ -23,6 +23,7 @@ constexpr const char* kDescription =
 constexpr const char* kRootFooter =
     "Examples:\n"
     "  sfumato init drawing.svg\n"
+    "  sfumato edit drawing.svg\n"
     "  sfumato watch drawing.svg\n"
     "  sfumato render lady_bug.xml -o lady_bug.png\n"
     "  sfumato info lady_bug.xml\n"
@@ -176,6 +177,7 @@ Command parse_arguments(int argc, const char* const* argv) {
   InitArguments init;
   WatchArguments watch;
   RenderChoices watch_choices;
+  EditArguments edit;
   const CLI::App* render_app = add_render(root, render, choices);
   const CLI::App* info_app = add_info(root, info);
   const CLI::App* convert_app = add_convert(root, convert);
@@ -183,6 +185,7 @@ Command parse_arguments(int argc, const char* const* argv) {
   const CLI::App* compare_app = add_compare(root, compare);
   const CLI::App* init_app = add_init(root, init);
   const CLI::App* watch_app = add_watch(root, watch, watch_choices);
+  const CLI::App* edit_app = add_edit(root, edit);
   try {
     root.parse(argc, argv);
     if (render_app->parsed()) {
@@ -206,6 +209,10 @@ Command parse_arguments(int argc, const char* const* argv) {
     if (watch_app->parsed()) {
       settle(watch, watch_choices);
       return watch;
+    }
+    if (edit_app->parsed()) {
+      settle(edit);
+      return edit;
     }
     return NoCommand{root.help(), kBadUsage};
   } catch (const CLI::CallForHelp&) {

@@ -64,6 +64,12 @@ struct WatchArguments : DocumentArguments {
   std::optional<RenderArguments> file;  ///< the file that is written too
 };
 
+/// `input`: the drawing, which is created where it is not there.
+struct EditArguments : DocumentArguments {
+  int port = 0;  ///< of 127.0.0.1; 0: any
+  bool opens_browser = true;
+};
+
 struct CompareArguments {
   std::string first;
   std::string second;
@@ -80,8 +86,9 @@ struct NoCommand {
   ExitCode exit_code = kBadUsage;
 };
 
-using Command = std::variant<NoCommand, RenderArguments, InfoArguments, ConvertArguments,
-                             LintArguments, CompareArguments, InitArguments, WatchArguments>;
+using Command =
+    std::variant<NoCommand, RenderArguments, InfoArguments, ConvertArguments, LintArguments,
+                 CompareArguments, InitArguments, WatchArguments, EditArguments>;
 
 /// Reads the command line. Never prints, never exits.
 Command parse_arguments(int argc, const char* const* argv);

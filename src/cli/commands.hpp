@@ -12,6 +12,7 @@ int lint(const LintArguments& arguments);
 int compare(const CompareArguments& arguments);
 int init(const InitArguments& arguments);
 int watch(const WatchArguments& arguments);
+int edit(const EditArguments& arguments);
 
 /// The whole program: parses, runs, and catches exceptions of third-party libraries.
 int run(int argc, const char* const* argv);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/ascii.hpp"
 #include "cli/paths.hpp"
 #include "cli/templates.hpp"
 
@@ -22,6 +23,15 @@ constexpr const char* kWatchFooter =
     "\n"
     "The page's address is printed; only this machine can open it. Ctrl-C ends.";
 
+constexpr const char* kEditFooter =
+    "Examples:\n"
+    "  sfumato edit drawing.svg\n"
+    "  sfumato edit drawing.svg --no-browser --port 8080\n"
+    "\n"
+    "The page's address is printed. It holds a secret: who has it reads and writes the drawing, "
+    "and\n"
+    "nothing else. Saving on the page writes the file; Ctrl-C ends.";
+
 std::vector<std::string> template_names() {
   std::vector<std::string> names;
   for (const Template& known : templates()) names.emplace_back(known.name);
@@ -30,6 +40,12 @@ std::vector<std::string> template_names() {
 
 bool is_template(const std::string& text) {
   return std::ranges::find(templates(), text, &Template::name) != templates().end();
+}
+
+/// --port of a page.
+void add_port(CLI::App& app, int& port) {
+  add_value(app, "--port", {"a whole number from 0 to 65535", "N"},
+            "Of the page on 127.0.0.1; 0: any that is free [0]", whole_into(port, 0, 65535));
 }
 
 }  // namespace
@@ -71,9 +87,7 @@ CLI::App* add_watch(CLI::App& root, WatchArguments& arguments, RenderChoices& ch
       ->type_name("");
   add_output(*app, choices.output, {.takes_dash = false}, "OUT",
              "Also write the picture, at each change");
-  add_value(*app, "--port", {"a whole number from 0 to 65535", "N"},
-            "Of the page on 127.0.0.1; 0: any that is free [0]",
-            whole_into(arguments.port, 0, 65535));
+  add_port(*app, arguments.port);
   add_allowed_folders(*app, arguments);
   add_place_options(*app, arguments.page.settings);
   add_value(
@@ -100,6 +114,26 @@ void settle(WatchArguments& arguments, const RenderChoices& choices) {
   }
   shown.output = "-";
   settle(page, shown);
+}
+
+CLI::App* add_edit(CLI::App& root, EditArguments& arguments) {
+  CLI::App* app = root.add_subcommand("edit", "Draw in the browser, and save to the file");
+  app->footer(kEditFooter);
+  app->add_option("DRAWING", arguments.input, "An SVG (.svg, .svgz); created where it is not there")
+      ->required()
+      ->type_name("");
+  app->add_flag("!--no-browser", arguments.opens_browser, "Print the address, open no browser");
+  add_port(*app, arguments.port);
+  add_allowed_folders(*app, arguments);
+  return app;
+}
+
+void settle(const EditArguments& arguments) {
+  const std::string name = ascii_lower(arguments.input);
+  if (name.ends_with(".svg") || name.ends_with(".svgz")) return;
+  throw CLI::ValidationError("DRAWING", "\"" + arguments.input +
+                                            "\" given, expected a file name that ends in .svg or "
+                                            ".svgz; `sfumato convert` makes an SVG of Orzan's XML");
 }
 
 }  // namespace sfumato::cli
