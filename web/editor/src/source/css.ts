@@ -2,7 +2,7 @@
 
 export type TokenKind =
   | "blank" | "comment" | "ident" | "function" | "at" | "hash" | "string" | "url"
-  | "number" | "percentage" | "dimension" | "delim" | "bad"
+  | "number" | "percentage" | "dimension" | "delim" | "bad" | "cdo" | "cdc"
   | "(" | ")" | "[" | "]" | "{" | "}" | "," | ":" | ";";
 
 export interface Token {
@@ -23,6 +23,8 @@ const IDENT = String.raw`(?:--${PART}*|-?${START}${PART}*)`;
 const PATTERNS: readonly (readonly [TokenKind, RegExp])[] = [
   ["comment", /\/\*[\s\S]*?(?:\*\/|$)/y],
   ["blank", /[ \t\r\n\f]+/y],
+  ["cdo", /<!--/y],
+  ["cdc", /-->/y],
   ["url", /url\([ \t\r\n\f]*(?!["' \t\r\n\f])((?:[^"'()\\ \t\r\n\f]|\\[^\r\n\f])*)[ \t\r\n\f]*(?:\)|$)/iy],
   ["function", new RegExp(`(${IDENT})\\(`, "y")],
   ["percentage", /([+-]?(?:\d+(?:\.\d+)?|\.\d+)(?:[eE][+-]?\d+)?)%/y],

@@ -90,7 +90,7 @@ class Parser {
       case "/":
         return this.#endTag(at);
       case "?":
-        return behind(text, at, "?>", "the processing instruction");
+        return behind(text, at, ["<?", "?>"], "the processing instruction");
       case "!":
         return this.#declaration(at);
       default:
@@ -100,9 +100,9 @@ class Parser {
 
   #declaration(at: number): number {
     const text = this.#text;
-    if (text.startsWith("<!--", at)) return behind(text, at + 2, "-->", "the comment");
+    if (text.startsWith("<!--", at)) return behind(text, at, ["<!--", "-->"], "the comment");
     if (text.startsWith("<![CDATA[", at)) {
-      if (this.#open) return behind(text, at, "]]>", "the CDATA section");
+      if (this.#open) return behind(text, at, ["<![CDATA[", "]]>"], "the CDATA section");
     } else if (text.startsWith("<!DOCTYPE", at) && !this.#root) {
       const doctype = scanDoctype(text, at);
       this.#definesEntities = doctype.definesEntities;

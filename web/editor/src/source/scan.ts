@@ -53,10 +53,15 @@ export function shown(name: string): string {
   return name.length > 40 ? `${name.slice(0, 40)}…` : name;
 }
 
-/** Behind `closing`, which ends what begins at `from`. */
-export function behind(text: string, from: number, closing: string, what: string): number {
-  const found = text.indexOf(closing, from + 2);
-  if (found < 0) throw failure(text, from, `${what} has no end; expected "${closing}"`);
+/** Behind `closing`, which ends what begins with `opening` at `at`. */
+export function behind(
+  text: string,
+  at: number,
+  [opening, closing]: readonly [string, string],
+  what: string,
+): number {
+  const found = text.indexOf(closing, at + opening.length);
+  if (found < 0) throw failure(text, at, `${what} has no end; expected "${closing}"`);
   return found + closing.length;
 }
 

@@ -225,30 +225,31 @@ export class Styles {
 
   #addSheet(sheet: string): void {
     const tokens = tokensOf(sheet);
-    let from = 0;
-    while (from < tokens.length) from = this.#addRule(sheet, tokens, from);
+    /** Of @media that apply: their braces are passed over. */
+    let depth = 0;
+    for (let at = 0; at < tokens.length; ) {
+      const { kind } = tokens[at];
+      const isMark = depth === 0 && (kind === "cdo" || kind === "cdc");
+      if (kind === "blank" || kind === "comment" || isMark) at += 1;
+      else if (kind === "}" && depth > 0) [at, depth] = [at + 1, depth - 1];
+      else {
+        const prelude = preludeAt(tokens, at, depth > 0);
+        const isMedia = prelude.hasBlock && isMediaThatApplies(sheet, tokens, at, prelude.end);
+        if (isMedia) depth += 1;
+        at = isMedia ? prelude.end + 1 : this.#addRule(sheet, tokens, at, prelude);
+      }
+    }
   }
 
   /** Reads the rule that begins at a token; gives the token behind it. */
-  #addRule(sheet: string, tokens: readonly Token[], from: number): number {
-    const { kind, value } = tokens[from];
-    const isSkipped = kind === "blank" || kind === "comment" || /^(?:<!--|-->)/.test(sheet.slice(tokens[from].start, tokens[from].start + 4));
-    if (isSkipped) return kind === "delim" ? from + 4 : from + 1;
-    let open = from;
-    while (open < tokens.length && tokens[open].kind !== "{") {
-      if (kind === "at" && tokens[open].kind === ";") return open + 1;
-      open = behindComponent(tokens, open);
-    }
-    if (open === tokens.length) return open;
+  #addRule(sheet: string, tokens: readonly Token[], from: number, prelude: Prelude): number {
+    const { end: open, hasBlock } = prelude;
+    if (!hasBlock) return open + (tokens[open]?.kind === ";" ? 1 : 0);
     const behind = behindComponent(tokens, open);
-    const isClosed = tokens[behind - 1].kind === "}" && behind - 1 > open;
+    const isClosed = behind - 1 > open && tokens[behind - 1].kind === "}";
     const end = isClosed ? tokens[behind - 1].start : sheet.length;
-    const block = sheet.slice(tokens[open].end, end);
-    if (kind === "at") {
-      const query = sheet.slice(tokens[from].end, tokens[open].start);
-      if (value.toLowerCase() === "media" && isForScreen(query)) this.#addSheet(block);
-    } else {
-      this.#add(solid(tokens.slice(from, open)), block);
+    if (tokens[from].kind !== "at") {
+      this.#add(solid(tokens.slice(from, open)), sheet.slice(tokens[open].end, end));
     }
     return behind;
   }
@@ -282,6 +283,36 @@ export class Styles {
     if (first.kind === "hash") return listed(this.#byId, first.value);
     return first.value === "*" ? this.#ofAll : null;
   }
+}
+
+/** What stands before a block, or before what ends a rule without one. */
+interface Prelude {
+  /** The token of the brace, or what ends the rule. */
+  readonly end: number;
+  readonly hasBlock: boolean;
+}
+
+function preludeAt(tokens: readonly Token[], from: number, isWithin: boolean): Prelude {
+  const isAtRule = tokens[from].kind === "at";
+  let at = from;
+  while (at < tokens.length) {
+    const { kind } = tokens[at];
+    if (kind === "{") return { end: at, hasBlock: true };
+    if ((isAtRule && kind === ";") || (isWithin && kind === "}")) break;
+    at = behindComponent(tokens, at);
+  }
+  return { end: at, hasBlock: false };
+}
+
+function isMediaThatApplies(
+  sheet: string,
+  tokens: readonly Token[],
+  from: number,
+  open: number,
+): boolean {
+  const { kind, value, end } = tokens[from];
+  const isMedia = kind === "at" && value.toLowerCase() === "media";
+  return isMedia && isForScreen(sheet.slice(end, tokens[open].start));
 }
 
 /** What no selector of CSS is: CSS drops the whole rule then. */
