@@ -312,6 +312,17 @@ export class DrawingEditor implements Editor {
     return STEP / (this.view.value.zoom * scale);
   }
 
+  /** When what is shown is the exact picture, or cannot be. */
+  settled(): Promise<void> {
+    return new Promise((resolve) => {
+      const stop = effect(() => {
+        if (this.status.value.kind === "refining") return;
+        resolve();
+        queueMicrotask(() => stop());
+      });
+    });
+  }
+
   // View.
 
   artboardFromStage(): Affine {

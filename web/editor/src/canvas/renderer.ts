@@ -57,7 +57,7 @@ export class PictureCanvas {
 
   #open(canvas: HTMLCanvasElement) {
     const wish = { alpha: false, antialias: false, depth: false, stencil: false } as const;
-    this.#gl = canvas.getContext("webgl2", wish);
+    this.#gl = canvas.getContext("webgl2", wish) as WebGL2RenderingContext | null;
     if (!this.#gl) return this.#editor.say(this.#words.missing);
     canvas.addEventListener("webglcontextlost", (event) => this.#lose(event));
     canvas.addEventListener("webglcontextrestored", () => this.#build());

@@ -84,6 +84,7 @@ export class WorkerEngine implements Engine {
   show(text: string, moving: boolean, quick?: readonly QuickChange[]): number {
     this.#pending.add(quick);
     this.#wanted = { text, moving, serial: this.#wanted.serial + 1 };
+    this.onStatus({ kind: "refining", milliseconds: 0 });
     this.#follow();
     if (!moving) this.#settleAfter(REST);
     return this.#wanted.serial;

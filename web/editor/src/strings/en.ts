@@ -39,6 +39,10 @@ const page = {
   cannotOpen: (name: string) => `“${name}” cannot be opened`,
   downloaded: (name: string) => `“${name}” was handed to the browser’s downloads.`,
   gone: "This drawing is no longer kept here.",
+  graphics: {
+    missing: "This browser has no WebGL 2, which draws the picture. Everything else works.",
+    lost: "The graphics card let go of the page. Drawing again…",
+  },
   missing: (names: readonly string[]) =>
     names.length === 1
       ? `The picture “${names[0]}” is not there. Drop it together with the drawing.`
