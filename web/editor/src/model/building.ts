@@ -98,7 +98,7 @@ export function readCommon(element: ElementNode, styles: Styles) {
 }
 
 /** inkscape:label or the id, or null. */
-export function saidName(element: ElementNode): string | null {
+function saidName(element: ElementNode): string | null {
   const label = valueOf(element, { namespace: INKSCAPE, local: "label" });
   return label || valueOf(element, "id") || null;
 }

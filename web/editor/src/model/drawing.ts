@@ -15,7 +15,7 @@ import { Styles } from "../source/styles.js";
 import { SourceError } from "../source/tree.js";
 import { readArtboard, readInterpolation, saidBackground } from "./artboard.js";
 import type { Artboard } from "./artboard.js";
-import { buildItems, itemOf, ownTransform, readCommon, saidName } from "./building.js";
+import { buildItems, itemOf, ownTransform, readCommon } from "./building.js";
 import type { Building, BuildingItem, Built, Within } from "./building.js";
 import { countCopies } from "./copies.js";
 import { readCurve } from "./curve-reading.js";
@@ -178,7 +178,8 @@ class TextDrawing implements Drawing {
     const names = new Set(changed.map(({ local }) => local));
     const item = this.item(element.handle);
     const isCurve = item?.kind === "curve" || item?.kind === "stroke";
-    if (isCurve && !structural) {
+    // Without its label a curve has a number, which it does not know by itself.
+    if (isCurve && !structural && !names.has("label")) {
       this.#replace(item, this.#reread(item, names));
     } else {
       if (element.local === "style") this.#styles = new Styles(this.text, this.root);
@@ -202,7 +203,6 @@ class TextDrawing implements Drawing {
       ...(item as Within<CurveItem>),
       ...reading,
       ...readCommon(element, this.#styles),
-      name: names.has("label") ? (saidName(element) ?? item.name) : item.name,
       artboardFromItem: composed(place.artboardFromUser, own),
       layerFromItem: layerFromUser ? composed(layerFromUser, own) : item.layerFromItem,
     });
