@@ -11,5 +11,10 @@ export default defineConfig({
   worker: { format: "es" },
   esbuild: false,
   oxc: { jsx: { runtime: "automatic", importSource: "preact" } },
-  test: { include: [path("../../tests/editor/unit/**/*.test.ts")], environment: "node" },
+  test: {
+    include: [path("../../tests/editor/unit/**/*.test.ts")],
+    environment: "node",
+    // Property tests on a machine that does other things besides.
+    testTimeout: 60000,
+  },
 });

@@ -87,6 +87,20 @@ function centerDirection(points: readonly Point[], i: number, reach: number): Po
 }
 
 /**
+ * One piece as near to the points as it gets with these ends and end directions.
+ * @param points at least 3, no two neighbours the same
+ */
+export function fittedOnce(points: readonly Point[], out: Point, into: Point): FittedPiece {
+  let parameters = chordParameters(points);
+  let cubic = leastSquares(points, parameters, out, into);
+  for (let round = 0; round < 4 * ROUNDS; ++round) {
+    parameters = reparametrized(cubic, points, parameters);
+    cubic = leastSquares(points, parameters, out, into);
+  }
+  return { cubic, parameters };
+}
+
+/**
  * Pieces, smooth where they meet, that pass each point within `tolerance`.
  * @param points at least 2, no two neighbours the same
  * @param out direction at the beginning, of length 1

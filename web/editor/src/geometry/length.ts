@@ -64,10 +64,16 @@ export function parameterAtLength(cubic: Cubic, wanted: number): number {
   return 0.5 * (low + high);
 }
 
+/** Paths do not change: each is measured once. */
+const measured = new WeakMap<CubicPath, readonly number[]>();
+
 /** Entry i is the length before piece i, the last the whole length. */
-export function cumulativeLengths(path: CubicPath): number[] {
+export function cumulativeLengths(path: CubicPath): readonly number[] {
+  const known = measured.get(path);
+  if (known) return known;
   const lengths = [0];
   for (const cubic of piecesOf(path)) lengths.push(lengths[lengths.length - 1] + cubicLength(cubic));
+  measured.set(path, lengths);
   return lengths;
 }
 
@@ -101,11 +107,8 @@ export function leftNormalAt(path: CubicPath, at: number): Point | null {
 }
 
 /** The place (piece + t) at a share, 0 to 1, of the arc length. */
-export function parameterAtFraction(
-  path: CubicPath,
-  fraction: number,
-  lengths: readonly number[] = cumulativeLengths(path),
-): number {
+export function parameterAtFraction(path: CubicPath, fraction: number): number {
+  const lengths = cumulativeLengths(path);
   const pieces = pieceCount(path);
   if (!(fraction > 0)) return 0;
   if (fraction >= 1) return pieces;
@@ -120,11 +123,8 @@ export function parameterAtFraction(
 }
 
 /** The share of the arc length before a place. 0 for a path of no length. */
-export function fractionAtParameter(
-  path: CubicPath,
-  at: number,
-  lengths: readonly number[] = cumulativeLengths(path),
-): number {
+export function fractionAtParameter(path: CubicPath, at: number): number {
+  const lengths = cumulativeLengths(path);
   const { piece, t } = locate(path, at);
   const whole = lengths[pieceCount(path)];
   if (!(whole > 0)) return 0;

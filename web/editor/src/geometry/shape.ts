@@ -190,6 +190,36 @@ export function shapePaths(local: string, attribute: AttributeOf, viewBox: Box):
   return shape.builder.done.filter(hasLength);
 }
 
+/**
+ * Path data that draws what an element draws, with the same segments: its own, or commands of lines and
+ * arcs in the place of a basic shape.
+ */
+export function shapeData(local: string, attribute: AttributeOf, viewBox: Box): string {
+  if (local === "path") return attribute("d") ?? "";
+  const radii = local === "rect" || local === "ellipse" || local === "circle";
+  return shapePaths(local, attribute, viewBox)
+    .map((path) => dataOf(path, radii))
+    .join(" ");
+}
+
+/** Segments of several pieces are quarters of ellipses whose axes are upright. */
+function dataOf({ points, closed, segments }: CubicPath, hasArcs: boolean): string {
+  const text = (p: Point) => `${p[0]} ${p[1]}`;
+  const parts = [`M${text(points[0])}`];
+  const pieces = (points.length - 1) / 3;
+  const firsts = segments ?? Array.from({ length: pieces + 1 }, (_, i) => i);
+  for (let i = 0; i + 1 < firsts.length; ++i) {
+    const [from, to] = [points[3 * firsts[i]], points[3 * firsts[i + 1]]];
+    const isArc = hasArcs && firsts[i + 1] - firsts[i] > 1;
+    const isClosing = closed && !isArc && i > 0 && i + 2 === firsts.length && !isSame(from, to);
+    const radii = `${Math.abs(to[0] - from[0])} ${Math.abs(to[1] - from[1])}`;
+    if (isArc) parts.push(`A${radii} 0 0 1 ${text(to)}`);
+    else if (!isClosing) parts.push(`L${text(to)}`);
+  }
+  if (closed) parts.push("Z");
+  return parts.join(" ");
+}
+
 /** The subpaths of path data, without those of no length; none where there is a mistake in it. */
 export function readPath(d: string): CubicPath[] {
   return (readPathText(d)?.paths ?? []).filter(hasLength);

@@ -311,9 +311,10 @@ function keepHandles(before: readonly Element[], now: readonly Element[], patch:
   const same: Element[] = [];
   for (const element of now) {
     const lived = old.get(element.at);
-    if (lived?.name !== element.name) continue;
+    if (!lived) continue;
+    // Also under another name: a circle that became a path is the same curve.
     element.handle = lived.handle;
-    if (hasSameAttributes(lived, element)) same.push(element);
+    if (lived.name === element.name && hasSameAttributes(lived, element)) same.push(element);
   }
   return same;
 }
