@@ -7,8 +7,10 @@ import { en } from "../strings/en.js";
 import { isPhone } from "./controls/media.js";
 import { Menus, openMenu } from "./controls/menu.js";
 import { Tooltip } from "./controls/tooltip.js";
+import { Dialogs } from "./dialogs/dialogs.js";
 import { HintRing, HintsDock } from "./hints/hints.js";
 import { contextMenu } from "./menus/main.js";
+import { Picker } from "./picker/picker.js";
 import { ShellContext, useShell, type Services } from "./services.js";
 import { watchRegions } from "./shell/regions.js";
 import { Sheet } from "./shell/sheet.js";
@@ -17,6 +19,8 @@ import { StatusBar } from "./shell/statusbar.js";
 import { ToastView } from "./shell/toast.js";
 import { Tools } from "./shell/tools.js";
 import { TopBar } from "./shell/topbar.js";
+import { Tour, useTourStart } from "./tour/tour.js";
+import { Welcome } from "./welcome/welcome.js";
 
 /** Theme and surround stand on `<html>`, where tokens.css looks for them. */
 function useAppearance() {
@@ -46,7 +50,7 @@ function Workplace({ children }: { readonly children: ComponentChildren }) {
   const width = editor.settings.panelWidth.value;
   const phone = isPhone().value;
   return (
-    <div class="app" style={width === CHOSEN_BY_NOBODY ? undefined : { "--panel": `${width}px` }}>
+    <div class="app" data-tour={editor.tour.value ?? undefined} style={width === CHOSEN_BY_NOBODY ? undefined : { "--panel": `${width}px` }}>
       <TopBar />
       <Tools />
       <div class="center">
@@ -66,16 +70,21 @@ function Workplace({ children }: { readonly children: ComponentChildren }) {
       </div>
       {phone ? <Sheet /> : <Side />}
       {!phone && <StatusBar />}
+      <Picker />
+      <Tour />
     </div>
   );
 }
 
 function Page({ stage }: { readonly stage: ComponentChildren }) {
+  const { editor } = useShell();
   useAppearance();
+  useTourStart();
   useEffect(watchRegions, []);
   return (
     <>
-      <Workplace>{stage}</Workplace>
+      {editor.welcome.value ? <Welcome /> : <Workplace>{stage}</Workplace>}
+      <Dialogs />
       <ToastView />
       <Menus />
       <Tooltip />

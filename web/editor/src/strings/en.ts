@@ -316,6 +316,8 @@ const panels = {
   interpolation: "Colours mix in",
   linearLight: "Linear",
   setInterpolation: "change how colours mix",
+  deselect: "Select nothing",
+  showStops: { color: "Colour stops", opacity: "Opacity stops", blur: "Blur along the curve" },
   // panels: end
 } as const;
 
@@ -363,6 +365,27 @@ const layers = {
 /** picker */
 const picker = {
   // picker: begin
+  title: (side: string, index: number) => `Colour of ${side.toLowerCase()} stop ${index}`,
+  head: (side: string, index: number, count: number) => `${side}, stop ${index} of ${count}`,
+  change: "change colour",
+  open: "open the side",
+  pick: "Pick from the screen",
+  close: "Close",
+  lightness: "Lightness",
+  chroma: "Chroma",
+  hue: "Hue",
+  saturation: "Saturation",
+  value: "Value",
+  channels: { r: "Red", g: "Green", b: "Blue" },
+  alpha: "Alpha: opacity of the side",
+  percent: (value: string) => `${value} %`,
+  degrees: (value: string) => `${value} degrees`,
+  goBack: (hex: string) => `Back to ${hex}`,
+  model: "Colour model",
+  hex: "Hex",
+  recent: "Recent",
+  inPicture: "In this picture",
+  none: "None: leave this side open",
   // picker: end
 } as const;
 
@@ -377,18 +400,124 @@ const dialogs = {
   hintOf: (name: string) => `“${name}”`,
   hideRule: "Hide all of this kind",
   showHidden: (count: number) => (count === 1 ? "Show 1 hidden hint" : `Show ${count} hidden hints`),
+  close: "Close",
+  export: "Export",
+  format: "Format",
+  formats: { svg: "Editable, any size", png: "Pixels, anywhere", html: "One file that zooms" },
+  size: "Size",
+  scale: "Scale",
+  keepProportions: "Keep the proportions",
+  megapixels: (count: string) => `${count} megapixels`,
+  area: "Area",
+  areas: { artboard: "Artboard", selection: "Selection", view: "View" },
+  transparent: "Transparent background",
+  leaveOut: "Leave out the reference photo",
+  htmlNote: "A page that shows the drawing sharp at any zoom, without this editor and without a network.",
+  previewAlt: "The picture as it will be written",
+  about: (size: string) => `about ${size}, sRGB`,
+  sizeUnknown: "sRGB",
+  exportAs: (format: string) => `Export ${format}`,
+  exporting: "Exporting…",
+  copied: "The picture is on the clipboard.",
+  keys: "Keys",
+  find: "Find",
+  findKey: "Find a key",
+  allKeys: "All keys",
+  noKey: "none",
+  macNote: "On a Mac, Ctrl is ⌘ and Alt is ⌥.",
+  changeKeys: "Change keys",
+  doneChanging: "Keep them",
+  resetKeys: "All as at first",
+  changeHint: "Choose a key, then press the new one. Esc leaves it.",
+  pressKeys: "Press a key",
+  changeKeyOf: (name: string, key: string) => `Change the key of “${name}”, now ${key}`,
+  keySet: (name: string, key: string) => `“${name}” is ${key} now.`,
+  keyTaken: (other: string) => `That key is “${other}”. Nothing was changed.`,
+  keyGroups: { tools: "Tools", curve: "Curve", edit: "Edit", view: "View", arrange: "Order", file: "File" },
+  moveAbout: "Move about",
+  fixedKeys: [
+    { name: "Next, previous", keys: ["Tab", "⇧ Tab"] },
+    { name: "Go in", keys: ["Enter"] },
+    { name: "Go out", keys: ["Esc"] },
+    { name: "Move by 1 px", keys: ["←", "→", "↑", "↓"] },
+    { name: "Move by 10 px", keys: ["⇧ ←"] },
+    { name: "Hand (hold)", keys: ["Space"] },
+    { name: "Hide handles (hold)", keys: ["`"] },
+    { name: "Rename a layer", keys: ["F2"] },
+    { name: "Next part of the window", keys: ["F6"] },
+  ],
+  new: "New drawing",
+  sizes: "Sizes",
+  create: "Make it",
+  untitled: "untitled.svg",
+  recover: "Recover a drawing",
+  nothingKept: "Nothing is kept in this browser yet.",
+  storageRefused: "This browser refused to look. Private windows keep nothing.",
+  keptAt: (when: string, curves: number) => (curves === 1 ? `${when}, 1 curve` : `${when}, ${curves} curves`),
+  openKept: "Open",
+  forget: (name: string) => `Forget “${name}”`,
+  stopped: "The picture cannot be drawn here",
+  cannotDraw: "This text cannot be drawn",
+  reasonAt: (line: number, column: number, reason: string) => `Line ${line}, column ${column}: ${reason}`,
+  lineOf: (line: number) => `Line ${line}`,
+  showLine: "Show the line",
+  goOn: "Go on",
+  aboutText: "Draws diffusion curves: give a curve a colour on each side, and the picture fills itself in. Everything stays on this device.",
+  version: (version: string) => `Version ${version}`,
+  licences:
+    "MIT licence. Made with Preact and signals (MIT), idb-keyval and browser-fs-access (Apache 2.0), fast-png (MIT) and icons of Lucide (ISC).",
   // dialogs: end
 } as const;
 
 /** welcome */
 const welcome = {
   // welcome: begin
+  lede: "Paint with curves",
+  ledeText: "Give a curve a colour on each side. The picture fills itself in, smooth at any size.",
+  blank: "Start blank",
+  blankText: "An artboard and a pen",
+  photo: "Trace a photo",
+  photoText: "Draw over a picture and take its colours",
+  open: "Open a file",
+  openText: "SVG or Orzan’s XML; or drop it here",
+  begin: "Begin from a picture",
+  curves: (count: number) => (count === 1 ? "1 curve" : `${count} curves`),
+  exampleFailed: (name: string) => `“${name}” could not be read. Nothing was opened.`,
+  recent: "Recent files",
+  how: "How it works",
+  tryIt: "Try the five steps",
+  steps: [
+    { title: "Draw a curve", text: "Anywhere. It changes nothing yet." },
+    { title: "Colour both sides", text: "Each side spreads until it meets another." },
+    { title: "Vary them along it", text: "Add a stop wherever the colour turns." },
+    { title: "Soften with blur", text: "Pull the bracket: sharp here, soft there." },
+    { title: "Stack layers", text: "Curves meet only within their layer." },
+  ],
+  private: "Everything stays on this device. Nothing is uploaded.",
   // welcome: end
 } as const;
 
 /** tour */
 const tour = {
   // tour: begin
+  label: "The five steps",
+  leave: "Leave the tour",
+  next: "Next",
+  skip: "Skip",
+  end: "Done",
+  done: "Done",
+  finished: "That is all. Ctrl Z goes back as far as you like.",
+  stepOf: (step: number, count: number) => `Step ${step} of ${count}`,
+  steps: [
+    { title: "Draw a curve", text: "The pencil is in your hand. Draw a line across the page." },
+    {
+      title: "Colour both sides",
+      text: "Double-click a stop on the Left ribbon and choose a colour, then one on the Right.",
+    },
+    { title: "Soften it with blur", text: "Drag away from the curve: sharp where you leave it, soft where you pull." },
+    { title: "Add a layer", text: "Press + above the layers. Curves meet only within their layer." },
+    { title: "Export", text: "Press Export. SVG stays a drawing, PNG is pixels, HTML zooms in any browser." },
+  ],
   // tour: end
 } as const;
 

@@ -65,13 +65,17 @@ function Weight({ item }: { readonly item: CurveItem }) {
   );
 }
 
+/** Else it is called after what it is. */
+const hasOwnName = ({ element }: CurveItem) =>
+  element.attributes.some(({ name, local }) => name === "id" || local === "label");
+
 export function CurveSections({ item }: { readonly item: CurveItem }) {
   const sides: readonly Side[] = ["left", "right"];
-  const title = item.kind === "stroke" ? words.strokeTitle(item.name) : words.curveTitle(item.name);
+  const titled = item.kind === "stroke" ? words.strokeTitle : words.curveTitle;
   return (
     <>
       <Section
-        title={title}
+        title={hasOwnName(item) ? titled(item.name) : item.name}
         badge={item.copies > 1 ? words.changesCopies(item.copies) : undefined}
         actions={<Head item={item} />}
       >

@@ -3,6 +3,7 @@ import { memo } from "preact/compat";
 import type { Affine } from "../../geometry/affine.js";
 import type { CurveItem, Item } from "../../model/types.js";
 import { hexOf } from "../../geometry/colortext.js";
+import { boxOf } from "../inspector/box.js";
 import { useShell } from "../services.js";
 import { curvesWithin } from "./rows.js";
 import { settledOf } from "./settled.js";
@@ -31,15 +32,21 @@ function color(item: CurveItem): string {
   return "#ffffff";
 }
 
+/** The curves' box with some room, never without extent. */
+function viewBox(item: Item): string {
+  const [left, top, right, bottom] = boxOf([item]) ?? [0, 0, 1, 1];
+  const size = Math.max(right - left, bottom - top, 1e-3);
+  const room = size * 0.08;
+  return [left - room, top - room, Math.max(right - left, size / 50) + 2 * room, Math.max(bottom - top, size / 50) + 2 * room].join(" ");
+}
+
+const isClosed = ({ paths }: CurveItem) => paths.every(({ closed }) => closed);
+
 const Outlines = memo(
-  ({ item, box }: { readonly item: Item; readonly revision: number; readonly box: readonly number[] }) => (
-    <svg
-      class="thumb"
-      viewBox={`${box[0]} ${box[1]} ${box[2] - box[0]} ${box[3] - box[1]}`}
-      aria-hidden="true"
-    >
+  ({ item }: { readonly item: Item; readonly revision: number }) => (
+    <svg class="thumb" viewBox={viewBox(item)} aria-hidden="true">
       {(curvesWithin(item, MOST) as CurveItem[]).map((curve) => (
-        <path key={curve.handle} d={outline(curve)} stroke={color(curve)} />
+        <path key={curve.handle} d={outline(curve)} stroke={color(curve)} fill={isClosed(curve) ? color(curve) : "none"} />
       ))}
     </svg>
   ),
@@ -50,5 +57,5 @@ export function Thumb({ item }: { readonly item: Item }) {
   const { editor, services } = useShell();
   const url = services.thumb(item.handle);
   if (url) return <img class="thumb" src={url} alt="" />;
-  return <Outlines item={item} revision={settledOf(editor).revision.value} box={editor.drawing.artboard} />;
+  return <Outlines item={item} revision={settledOf(editor).revision.value} />;
 }

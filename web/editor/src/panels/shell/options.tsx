@@ -60,8 +60,8 @@ function Align() {
       <IconButton icon="align-start-vertical" label={words.alignLeft} command="align-left" disabled={chosen < 2} />
       <IconButton icon="align-center-vertical" label={words.alignCenter} command="align-center" disabled={chosen < 2} />
       <IconButton icon="align-end-vertical" label={words.alignRight} command="align-right" disabled={chosen < 2} />
-      <IconButton icon="flip-horizontal-2" label={words.flipHorizontal} command="flip-horizontal" disabled={chosen < 1} />
-      <IconButton icon="flip-vertical-2" label={words.flipVertical} command="flip-vertical" disabled={chosen < 1} />
+      <IconButton icon="flip-vertical-2" label={words.flipHorizontal} command="flip-horizontal" disabled={chosen < 1} />
+      <IconButton icon="flip-horizontal-2" label={words.flipVertical} command="flip-vertical" disabled={chosen < 1} />
     </div>
   );
 }

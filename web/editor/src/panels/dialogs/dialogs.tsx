@@ -1,0 +1,26 @@
+// The dialog that is asked for.
+import { useShell } from "../services.js";
+import { AboutDialog } from "./about.js";
+import { DocumentDialog } from "./document.js";
+import { ExportDialog } from "./export.js";
+import { KeysDialog } from "./keys.js";
+import { NewDialog } from "./new.js";
+import { ProblemDialog } from "./problem.js";
+import { RecoverDialog } from "./recover.js";
+
+const dialogs = {
+  about: AboutDialog,
+  document: DocumentDialog,
+  export: ExportDialog,
+  keys: KeysDialog,
+  new: NewDialog,
+  problem: ProblemDialog,
+  recover: RecoverDialog,
+} as const;
+
+export function Dialogs() {
+  const dialog = useShell().editor.dialog.value;
+  if (!dialog) return null;
+  const Shown = dialogs[dialog.kind];
+  return <Shown key={dialog.kind} />;
+}

@@ -1,0 +1,251 @@
+// Export: what, how large, which part. The format decides which rows there are.
+import { useSignal } from "@preact/signals";
+import { useEffect } from "preact/hooks";
+import { Icon } from "../../icons.js";
+import { en } from "../../strings/en.js";
+import { IconButton } from "../controls/button.js";
+import { NumberField } from "../controls/field.js";
+import { Segments } from "../controls/segments.js";
+import type { Sink } from "../controls/sink.js";
+import { bytes, decimal } from "../format.js";
+import { useShell, type ExportWish } from "../services.js";
+import { sizeAt, viewportOf, type Area, type Size } from "./area.js";
+import { Frame } from "./frame.js";
+
+const words = en.dialogs;
+/** Pixels of a side, as the command has it. */
+const MOST = 16384;
+/** An estimate is asked for when nothing was changed for this long, milliseconds. */
+const REST = 300;
+
+interface Choice {
+  readonly format: ExportWish["format"];
+  readonly area: Area;
+  readonly size: Size;
+  readonly linked: boolean;
+  readonly transparent: boolean;
+  readonly keepReference: boolean;
+}
+
+/** The last choice for each file, for as long as the page lives. */
+const remembered = new Map<string, Choice>();
+
+const once = (set: (value: number) => void, now: number): Sink<number> => ({
+  set,
+  begin: () => ({ show: set, keep: () => undefined, drop: () => set(now) }),
+});
+
+type Change = (to: Partial<Choice>) => void;
+
+function Formats({ choice, change }: { readonly choice: Choice; readonly change: Change }) {
+  return (
+    <div class="formats" role="radiogroup" aria-label={words.format}>
+      {(["svg", "png", "html"] as const).map((format) => (
+        <label key={format} class="format">
+          <input type="radio" name="format" checked={choice.format === format} onChange={() => change({ format })} />
+          <b>{format.toUpperCase()}</b>
+          <span>{words.formats[format]}</span>
+        </label>
+      ))}
+    </div>
+  );
+}
+
+function SizeRow({ choice, change, natural }: { readonly choice: Choice; readonly change: Change; readonly natural: Size }) {
+  const { size, linked } = choice;
+  const set = (axis: keyof Size) => (value: number) => {
+    const pixels = Math.max(1, Math.round(value));
+    const other = axis === "width" ? "height" : "width";
+    const kept = linked ? Math.max(1, Math.round((pixels * natural[other]) / natural[axis])) : size[other];
+    change({ size: axis === "width" ? { width: pixels, height: kept } : { width: kept, height: pixels } });
+  };
+  const scale = [1, 2, 4].find((s) => size.width === natural.width * s && size.height === natural.height * s);
+  return (
+    <div>
+      <div class="form-label">
+        <span>{words.size}</span>
+        <span class="muted">{words.megapixels(decimal((size.width * size.height) / 1e6, 1))}</span>
+      </div>
+      <div class="size-row">
+        <NumberField label="W" name={en.panels.width} value={size.width} digits={0} min={1} max={MOST} unit="px" sink={once(set("width"), size.width)} />
+        <IconButton icon={linked ? "link-2" : "unlink-2"} label={words.keepProportions} pressed={linked} onClick={() => change({ linked: !linked })} />
+        <NumberField label="H" name={en.panels.height} value={size.height} digits={0} min={1} max={MOST} unit="px" sink={once(set("height"), size.height)} />
+        <Segments
+          label={words.scale}
+          value={scale === undefined ? null : String(scale)}
+          choices={["1", "2", "4"].map((value) => ({ value, label: `${value}×` }))}
+          onChange={(value) =>
+            change({ size: { width: natural.width * Number(value), height: natural.height * Number(value) }, linked: true })
+          }
+        />
+      </div>
+    </div>
+  );
+}
+
+function Check(props: { readonly checked: boolean; readonly label: string; readonly note?: string; readonly onChange: (to: boolean) => void }) {
+  return (
+    <label class="check">
+      <input type="checkbox" checked={props.checked} onChange={(event) => props.onChange(event.currentTarget.checked)} />
+      <span>
+        {props.label}
+        {props.note && <small>{props.note}</small>}
+      </span>
+    </label>
+  );
+}
+
+/** A picture of what would be written, made anew when the part changes. */
+function Preview({ wish }: { readonly wish: ExportWish }) {
+  const { services } = useShell();
+  const url = useSignal<string | null>(null);
+  const transparent = wish.format === "png" && wish.transparent;
+  useEffect(() => {
+    let isOver = false;
+    void services.preview(wish.viewport, transparent).then((made) => {
+      if (isOver) {
+        if (made) URL.revokeObjectURL(made);
+        return;
+      }
+      if (url.peek()) URL.revokeObjectURL(url.peek()!);
+      url.value = made;
+    });
+    return () => {
+      isOver = true;
+    };
+  }, [wish.viewport.join(), transparent]);
+  useEffect(() => () => void (url.peek() && URL.revokeObjectURL(url.peek()!)), []);
+  return (
+    <div class="export-view">
+      {url.value && <img class={transparent ? "chequer" : undefined} src={url.value} alt={words.previewAlt} />}
+    </div>
+  );
+}
+
+function useEstimate(wish: ExportWish): number | null {
+  const { services } = useShell();
+  const size = useSignal<number | null>(null);
+  useEffect(() => {
+    let isOver = false;
+    size.value = null;
+    const timer = window.setTimeout(
+      () => void services.estimate(wish).then((found) => !isOver && (size.value = found)),
+      REST,
+    );
+    return () => {
+      isOver = true;
+      window.clearTimeout(timer);
+    };
+  }, [JSON.stringify(wish)]);
+  return size.value;
+}
+
+/** Does a work, and says in the dialog why it failed. */
+function useWork() {
+  const { editor } = useShell();
+  const isBusy = useSignal(false);
+  const reason = useSignal<string | null>(null);
+  const run = async (work: () => Promise<void>, done: string | null) => {
+    isBusy.value = true;
+    reason.value = null;
+    try {
+      await work();
+      editor.dialog.value = null;
+      if (done) editor.say(done);
+    } catch (error) {
+      // Closing the browser's own dialog is no failure.
+      if (!(error instanceof DOMException && error.name === "AbortError")) {
+        reason.value = error instanceof Error ? error.message : String(error);
+      }
+    }
+    isBusy.value = false;
+  };
+  return { isBusy, reason, run };
+}
+
+export function ExportDialog() {
+  const { editor, services } = useShell();
+  const name = editor.file.value.name;
+  const artboard = editor.drawing.artboard;
+  const choice = useSignal<Choice>(
+    remembered.get(name) ?? {
+      format: "png",
+      area: "artboard",
+      size: sizeAt(artboard, 2),
+      linked: true,
+      transparent: false,
+      keepReference: false,
+    },
+  );
+  const { isBusy, reason, run } = useWork();
+  const now = choice.value;
+  const viewport = (now.format === "png" ? viewportOf(editor, now.area) : null) ?? artboard;
+  const natural = sizeAt(viewport, 1);
+  const change: Change = (to) => {
+    choice.value = { ...choice.value, ...to };
+    remembered.set(name, choice.value);
+  };
+  const setArea = (area: Area) => {
+    const box = viewportOf(editor, area) ?? artboard;
+    const factor = now.size.width / natural.width;
+    change({ area, size: sizeAt(box, Math.min(factor, MOST / Math.max(box[2] - box[0], box[3] - box[1]))) });
+  };
+  const wish: ExportWish = {
+    format: now.format,
+    ...now.size,
+    viewport,
+    transparent: now.transparent,
+    keepReference: now.keepReference,
+  };
+  const estimate = useEstimate(wish);
+  const format = now.format.toUpperCase();
+  const areas: readonly Area[] = viewportOf(editor, "selection") ? ["artboard", "selection", "view"] : ["artboard", "view"];
+  const foot = (
+    <>
+      <span class="muted foot-note">
+        {estimate === null ? words.sizeUnknown : words.about(bytes(estimate))}
+      </span>
+      <span class="spacer" />
+      {now.format === "png" && (
+        <button type="button" class="button large" disabled={isBusy.value} onClick={() => void run(() => services.copyPicture(wish), words.copied)}>
+          <Icon name="copy" />
+          {en.panels.copy}
+        </button>
+      )}
+      <button type="button" class="button primary large" disabled={isBusy.value} onClick={() => void run(() => services.exportTo(wish), null)}>
+        {isBusy.value ? words.exporting : words.exportAs(format)}
+      </button>
+    </>
+  );
+  return (
+    <Frame title={words.export} class="export" foot={foot}>
+      <div class="export-grid">
+        <Preview wish={wish} />
+        <div class="form export-form">
+          <Formats choice={now} change={change} />
+          {now.format === "png" && <SizeRow choice={now} change={change} natural={natural} />}
+          {now.format === "png" && (
+            <div>
+              <div class="form-label">
+                <span>{words.area}</span>
+              </div>
+              <Segments full label={words.area} value={now.area} choices={areas.map((value) => ({ value, label: words.areas[value] }))} onChange={setArea} />
+            </div>
+          )}
+          <div class="checks">
+            {now.format === "png" && <Check checked={now.transparent} label={words.transparent} onChange={(transparent) => change({ transparent })} />}
+            {now.format === "svg" && (
+              <Check checked={!now.keepReference} label={words.leaveOut} onChange={(leaveOut) => change({ keepReference: !leaveOut })} />
+            )}
+            {now.format === "html" && <p class="read muted">{words.htmlNote}</p>}
+          </div>
+          {reason.value && (
+            <p class="read failure" role="alert">
+              {reason.value}
+            </p>
+          )}
+        </div>
+      </div>
+    </Frame>
+  );
+}

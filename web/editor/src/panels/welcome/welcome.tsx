@@ -1,0 +1,110 @@
+// The page to begin from: three starts, drawings, recent files, the five steps.
+import { Icon, type IconName } from "../../icons.js";
+import { en } from "../../strings/en.js";
+import { IconButton } from "../controls/button.js";
+import { date } from "../format.js";
+import { useShell, type Example } from "../services.js";
+import { Teaser } from "./teaser.js";
+import { Wordmark } from "./wordmark.js";
+
+const words = en.welcome;
+
+function Start(props: { readonly icon: IconName; readonly title: string; readonly text: string; readonly onClick: () => void }) {
+  return (
+    <button type="button" class="start" onClick={props.onClick}>
+      <Icon name={props.icon} />
+      <span>
+        <b>{props.title}</b>
+        <small>{props.text}</small>
+      </span>
+    </button>
+  );
+}
+
+function Gallery() {
+  const { editor, services } = useShell();
+  const open = async ({ name, load }: Example) => {
+    try {
+      editor.open(await load(), `${name.toLowerCase()}.svg`);
+    } catch {
+      editor.say(words.exampleFailed(name));
+    }
+  };
+  if (services.examples.length === 0) return null;
+  return (
+    <section>
+      <h2>{words.begin}</h2>
+      <ul class="gallery">
+        {services.examples.map((example) => (
+          <li key={example.name}>
+            <button type="button" onClick={() => void open(example)}>
+              <img src={example.thumb} alt="" />
+              <span class="gallery-name">
+                {example.name}
+                <small>{words.curves(example.curves)}</small>
+              </span>
+            </button>
+          </li>
+        ))}
+      </ul>
+    </section>
+  );
+}
+
+function Recent() {
+  const recent = useShell().services.recent.value;
+  if (recent.length === 0) return null;
+  return (
+    <section>
+      <h2>{words.recent}</h2>
+      <ul class="recent-list">
+        {recent.map(({ name, time, open }) => (
+          <li key={`${name} ${time}`}>
+            <button type="button" onClick={open}>
+              <b>{name}</b>
+              <span class="muted">{date(time)}</span>
+            </button>
+          </li>
+        ))}
+      </ul>
+    </section>
+  );
+}
+
+export function Welcome() {
+  const { editor } = useShell();
+  const begin = (command: string) => () => editor.command(command);
+  return (
+    <main class="welcome">
+      <header class="welcome-bar">
+        <Wordmark />
+        <span class="spacer" />
+        <IconButton icon="contrast" label={en.panels.theme} command="theme" />
+      </header>
+      <div class="welcome-body">
+        <div class="lede">
+          <h1>{words.lede}</h1>
+          <p>{words.ledeText}</p>
+        </div>
+        <div class="starts">
+          <Start icon="file-plus-2" title={words.blank} text={words.blankText} onClick={begin("new")} />
+          <Start icon="image-plus" title={words.photo} text={words.photoText} onClick={begin("place-photo")} />
+          <Start icon="folder-open" title={words.open} text={words.openText} onClick={begin("open")} />
+        </div>
+        <Gallery />
+        <Recent />
+        <section>
+          <div class="tour-head">
+            <h2>{words.how}</h2>
+            <button type="button" class="button" onClick={begin("tour")}>
+              <Icon name="play" small />
+              {words.tryIt}
+            </button>
+          </div>
+          <Teaser />
+        </section>
+        <p class="muted welcome-foot">{words.private}</p>
+      </div>
+    </main>
+  );
+}
