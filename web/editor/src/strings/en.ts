@@ -69,12 +69,65 @@ const engine = {
 /** canvas */
 const canvas = {
   // canvas: begin
+  name: "Canvas",
+  describe: "Tab goes from curve to curve, Enter goes into one, Escape out of it. Arrows move what is selected.",
+  handlesOf: (curve: string) => `Handles of curve “${curve}”`,
+  boxOf: (name: string) => `Box of “${name}”`,
+  boxOfSeveral: (count: number) => `Box of ${count} things`,
+  node: (index: number, curve: string) => `Node ${index} of curve “${curve}”`,
+  handle: (node: number, end: "start" | "end") => `Handle of node ${node}, towards the ${end}`,
+  sides: { left: "Left", right: "Right" },
+  stop: (side: string, index: number, count: number, value: string, at: string) =>
+    `${side} stop ${index} of ${count}, ${value}, at ${at}`,
+  bracket: (kind: "blur" | "radius", side: string, value: string, at: string) =>
+    `${kind === "blur" ? "Blur" : "Radius"} ${value}, ${side.toLowerCase()} side, at ${at}`,
+  offset: (percent: string) => `${percent} %`,
+  segment: (number: string) => `segment ${number}`,
+  opacity: (percent: string) => `opacity ${percent} %`,
+  scale: {
+    nw: "Scale, north-west", n: "Scale, north", ne: "Scale, north-east", e: "Scale, east",
+    se: "Scale, south-east", s: "Scale, south", sw: "Scale, south-west", w: "Scale, west",
+  },
+  turn: "Rotate",
+  selectedCurve: (name: string, index: number, count: number) => `Curve “${name}”, ${index} of ${count}`,
+  at: (thing: string, x: string, y: string) => `${thing} at x ${x}, y ${y}`,
+  size: (width: string, height: string) => `${width} × ${height}`,
+  angle: (degrees: string) => `${degrees}°`,
+  blurTag: (value: string) => `Blur ${value}`,
+  radiusTag: (value: string) => `Radius ${value}`,
   // canvas: end
 } as const;
 
 /** tools */
 const tools = {
   // tools: begin
+  undo: {
+    move: "move",
+    copy: "copy",
+    scale: "scale",
+    turn: "rotate",
+    moveNodes: "move nodes",
+    moveNode: "move node",
+    moveHandle: "move handle",
+    bend: "bend curve",
+    addNode: "add node",
+    deleteNodes: "delete nodes",
+    kind: "change nodes",
+    moveStop: "move stop",
+    addStop: "add stop",
+    deleteStops: "delete stops",
+    blur: "change blur",
+    radius: "change radius",
+    pen: "draw curve",
+    pencil: "draw curve",
+    stroke: "draw stroke",
+    sample: "sample colours",
+    pick: "pick colour",
+    close: "close curve",
+  },
+  noPhoto: "There is no photo to sample. Drop a picture on the canvas first.",
+  photoUnread: "The photo cannot be read, so it has no colours to sample.",
+  noColors: "Nothing is there to take colours from, so the curve has grey sides.",
   // tools: end
 } as const;
 

@@ -1,0 +1,151 @@
+// The box around what is selected, its handles, and the maps that dragging them makes.
+import { composed, mapped, mappedBox, translation, type Affine, type Box, type Point } from "../geometry/affine.js";
+import { boundsOf, mappedPath, unionOf } from "../geometry/cubic.js";
+import type { Drawing, Handle, Item, Selection } from "../model/types.js";
+import { en } from "../strings/en.js";
+import type { BoxMark } from "./marks.js";
+import { isHidden, isLocked, placesOf, type Place } from "./places.js";
+
+/** The box stands off what it holds, and the handle that turns it off the box, CSS pixels. */
+export const BOX_OFF = 6;
+const TURN_OFF = 26;
+/** A box narrower than this has handles at its corners alone. */
+const NARROW = 40;
+
+const kept = new WeakMap<Place, Box>();
+
+/** Around the curves of a place, artboard units. */
+export function placeBounds(place: Place): Box {
+  const known = kept.get(place);
+  if (known) return known;
+  const boxes = place.item.paths.map((path) => boundsOf(mappedPath(place.artboardFromItem, path)));
+  const box = unionOf(boxes) ?? [Infinity, Infinity, -Infinity, -Infinity];
+  kept.set(place, box);
+  return box;
+}
+
+/** Handles of what is selected as a whole. */
+export function wholes(selection: Selection): Handle[] {
+  return selection.filter(({ part }) => part.kind === "whole").map(({ handle }) => handle);
+}
+
+/** What of a selection may be moved: nothing that is locked, nor what is within something else of it. */
+export function movable(drawing: Drawing, selection: Selection): Item[] {
+  const chosen = new Set(wholes(selection));
+  const isInside = (item: Item | null): boolean =>
+    item !== null && (chosen.has(item.handle) || isInside(item.parent));
+  return [...chosen].flatMap((handle) => {
+    const item = drawing.item(handle);
+    return item && !isLocked(item) && !isInside(item.parent) ? [item] : [];
+  });
+}
+
+/** Around what is selected and seen, artboard units; null: nothing is. */
+export function selectionBox(drawing: Drawing, selection: Selection): Box | null {
+  const chosen = new Set(wholes(selection));
+  if (chosen.size === 0) return null;
+  const isChosen = (item: Item | null): boolean =>
+    item !== null && (chosen.has(item.handle) || isChosen(item.parent));
+  const boxes = placesOf(drawing)
+    .filter(({ owner }) => isChosen(owner))
+    .map(placeBounds);
+  for (const handle of chosen) {
+    const item = drawing.item(handle);
+    if (item?.kind === "reference" && !isHidden(item)) boxes.push(mappedBox(item.artboardFromItem, item.box));
+  }
+  const box = unionOf(boxes);
+  return box && box[0] <= box[2] ? box : null;
+}
+
+const NAMES = {
+  "-1,-1": "nw", "0,-1": "n", "1,-1": "ne", "1,0": "e", "1,1": "se", "0,1": "s", "-1,1": "sw", "-1,0": "w",
+} as const;
+export type GripName = (typeof NAMES)[keyof typeof NAMES];
+
+export function gripName([x, y]: readonly [number, number]): GripName {
+  return NAMES[`${x},${y}` as keyof typeof NAMES];
+}
+
+const GRIPS = Object.keys(NAMES).map((key) => key.split(",").map(Number) as [number, number]);
+
+/** The box as it is drawn, on the stage. */
+export function drawnBox(box: Box, stageFromArtboard: Affine): Box {
+  const [x0, y0, x1, y1] = mappedBox(stageFromArtboard, box);
+  return [x0 - BOX_OFF, y0 - BOX_OFF, x1 + BOX_OFF, y1 + BOX_OFF];
+}
+
+export function boxMarks(box: Box, stageFromArtboard: Affine, handle: Handle): BoxMark[] {
+  const [x0, y0, x1, y1] = drawnBox(box, stageFromArtboard);
+  const base = { handle, part: { kind: "whole" }, isChosen: false } as const;
+  const marks = GRIPS.filter(([x, y]) => (x !== 0 || x1 - x0 > NARROW) && (y !== 0 || y1 - y0 > NARROW)).map(
+    (grip): BoxMark => {
+      const at: Point = [x0 + ((grip[0] + 1) / 2) * (x1 - x0), y0 + ((grip[1] + 1) / 2) * (y1 - y0)];
+      return { ...base, kind: "scale", at, foot: at, grip, label: en.canvas.scale[gripName(grip)] };
+    },
+  );
+  const foot: Point = [(x0 + x1) / 2, y0];
+  return [...marks, { ...base, kind: "turn", at: [foot[0], y0 - TURN_OFF], foot, grip: [0, -1], label: en.canvas.turn }];
+}
+
+/** What a scaled box may not become: nothing that cannot be scaled back. */
+const LEAST_FACTOR = 1e-3;
+
+/**
+ * The map that brings a corner or edge of a box by a vector, artboard units.
+ * @param keepsShape both directions by the same factor
+ * @param aboutMiddle else the opposite corner or edge stays
+ */
+export function scaling(
+  [x0, y0, x1, y1]: Box,
+  [gx, gy]: readonly [number, number],
+  by: Point,
+  keepsShape: boolean,
+  aboutMiddle: boolean,
+): Affine {
+  const fixed = (grip: number, low: number, high: number) =>
+    aboutMiddle || grip === 0 ? (low + high) / 2 : grip > 0 ? low : high;
+  const cx = fixed(gx, x0, x1);
+  const cy = fixed(gy, y0, y1);
+  const factor = (grip: number, low: number, high: number, delta: number) => {
+    const extent = (aboutMiddle ? 0.5 : 1) * (high - low);
+    if (grip === 0 || !(extent > 0)) return 1;
+    const raw = 1 + (grip * delta) / extent;
+    return Math.abs(raw) < LEAST_FACTOR ? Math.sign(raw || 1) * LEAST_FACTOR : raw;
+  };
+  let sx = factor(gx, x0, x1, by[0]);
+  let sy = factor(gy, y0, y1, by[1]);
+  if (keepsShape) {
+    const most = gx === 0 ? sy : gy === 0 ? sx : Math.abs(sx - 1) > Math.abs(sy - 1) ? sx : sy;
+    [sx, sy] = [most, most];
+  }
+  return about([cx, cy], [sx, 0, 0, sy, 0, 0]);
+}
+
+/** The map that turns about a point. @param angle rad, clockwise on the screen */
+export function turning(middle: Point, angle: number): Affine {
+  const [c, s] = [Math.cos(angle), Math.sin(angle)];
+  return about(middle, [c, s, -s, c, 0, 0]);
+}
+
+function about([x, y]: Point, linear: Affine): Affine {
+  return composed(translation(x, y), composed(linear, translation(-x, -y)));
+}
+
+/** Fifteen degrees, to which Shift holds angles. */
+const STEP = Math.PI / 12;
+
+export function toStep(angle: number): number {
+  return Math.round(angle / STEP) * STEP;
+}
+
+/** A point brought to a multiple of 15° about another, as far away as it was. */
+export function heldToAngle(from: Point, to: Point): Point {
+  const length = Math.hypot(to[0] - from[0], to[1] - from[1]);
+  const angle = toStep(Math.atan2(to[1] - from[1], to[0] - from[0]));
+  return [from[0] + length * Math.cos(angle), from[1] + length * Math.sin(angle)];
+}
+
+/** The corners of a box after a map, as a box: for the announcement at the end. */
+export function middleOf(box: Box, map: Affine): Point {
+  return mapped(map, [(box[0] + box[2]) / 2, (box[1] + box[3]) / 2]);
+}

@@ -1,0 +1,139 @@
+// What stage, overlay and tools share: the marks, what lies under a point, where points snap.
+import { computed, signal, type ReadonlySignal, type Signal } from "@preact/signals";
+import { inverted, mapped, type Affine, type Point } from "../geometry/affine.js";
+import type { Editor } from "../app/types.js";
+import type { Attribute, CurveItem, Handle, Item } from "../model/types.js";
+import { boxMarks, selectionBox } from "./box.js";
+import { CurveGrid, markAt, REACH, type CurveHit, type PointerKind } from "./hit.js";
+import { chosenParts, nodeMarks, stageFromItem, stopMarks, type Mark } from "./marks.js";
+import { isCurve, isHidden, isLocked, placesOf, type Place } from "./places.js";
+import { NO_SKETCH, type Sketch } from "./sketch.js";
+import { snapped, type Snapped } from "./snap.js";
+import { stageFromArtboard } from "./view.js";
+
+/** Nodes are shown of so many selected curves at most: more would hide the picture. */
+const MOST_WITH_NODES = 24;
+
+export class Canvas {
+  readonly sketch: Signal<Sketch> = signal(NO_SKETCH);
+  readonly marks: ReadonlySignal<readonly Mark[]>;
+  private grid: { readonly key: readonly unknown[]; readonly grid: CurveGrid } | null = null;
+
+  constructor(readonly editor: Editor) {
+    this.marks = computed(() => this.collectMarks());
+  }
+
+  draw(part: Partial<Sketch>): void {
+    this.sketch.value = { ...this.sketch.peek(), ...part };
+  }
+
+  /** Reading it in a component or an effect subscribes to the view. */
+  stageFromArtboard(): Affine {
+    const { width, height } = this.editor.stage.value;
+    return stageFromArtboard(this.editor.view.value, width, height);
+  }
+
+  toStage(point: Point): Point {
+    return mapped(this.stageFromArtboard(), point);
+  }
+
+  toArtboard(point: Point): Point {
+    const back = inverted(this.stageFromArtboard());
+    return back ? mapped(back, point) : point;
+  }
+
+  /** A vector of the artboard in an item's coordinates. */
+  toItem(item: Item, point: Point): Point {
+    const back = inverted(item.artboardFromItem);
+    return back ? mapped(back, point) : point;
+  }
+
+  vectorToItem(item: Item, [dx, dy]: Point): Point {
+    const [x0, y0] = this.toItem(item, [0, 0]);
+    const [x1, y1] = this.toItem(item, [dx, dy]);
+    return [x1 - x0, y1 - y0];
+  }
+
+  /** The curves whose nodes and stops are shown: selected, seen and not locked; the primary last. */
+  chosenCurves(): CurveItem[] {
+    const handles = new Set(this.editor.selection.value.map(({ handle }) => handle));
+    const curves = [...handles].map((handle) => this.editor.drawing.item(handle));
+    return curves.filter(isCurve).filter((item) => !isHidden(item) && !isLocked(item) && inverted(item.artboardFromItem) !== null);
+  }
+
+  primaryCurve(): CurveItem | null {
+    const last = this.editor.selection.value.at(-1);
+    return this.chosenCurves().find((item) => item.handle === last?.handle) ?? null;
+  }
+
+  /** Which stops stand on the curve: the blur tool shows blur, whatever else is chosen. */
+  attribute(): Attribute {
+    return this.editor.tool.value === "blur" ? "blur" : this.editor.attribute.value;
+  }
+
+  private collectMarks(): readonly Mark[] {
+    const { editor } = this;
+    const map = this.stageFromArtboard();
+    const tool = editor.tool.value;
+    if (tool === "select") {
+      const selection = editor.selection.value;
+      const box = selectionBox(editor.drawing, selection);
+      const last = selection.at(-1);
+      return box && last ? boxMarks(box, map, last.handle) : [];
+    }
+    if (tool !== "nodes" && tool !== "blur" && tool !== "sample") return [];
+    const marks: Mark[] = [];
+    const primary = this.primaryCurve();
+    if (tool === "nodes") {
+      for (const item of this.chosenCurves().slice(-MOST_WITH_NODES)) {
+        marks.push(...nodeMarks(item, stageFromItem(map, item), chosenParts(editor.selection.value, item.handle)));
+      }
+    }
+    if (primary) {
+      const parts = chosenParts(editor.selection.value, primary.handle);
+      marks.push(...stopMarks(primary, stageFromItem(map, primary), this.attribute(), parts));
+    }
+    return marks;
+  }
+
+  /** The curves on the stage, as they are now. */
+  curves(): CurveGrid {
+    const { drawing, view, stage } = this.editor;
+    const { width, height } = stage.peek();
+    const key = [drawing, drawing.revision, view.peek(), width, height];
+    if (!this.grid || !this.grid.key.every((value, k) => value === key[k])) {
+      const map = stageFromArtboard(view.peek(), width, height);
+      this.grid = { key, grid: new CurveGrid(placesOf(drawing), map, width, height) };
+    }
+    return this.grid.grid;
+  }
+
+  markAt(at: Point, kind: PointerKind): Mark | null {
+    if (this.editor.hideHandles.peek()) return null;
+    return markAt(this.marks.peek(), at, REACH[kind].mark);
+  }
+
+  curveAt(at: Point, kind: PointerKind): CurveHit | null {
+    return this.curves().near(at, REACH[kind].curve)[0] ?? null;
+  }
+
+  /**
+   * Where a point of the stage goes, and the guides that say why.
+   * @param grid of the drawing before a gesture
+   * @param moved curves that do not count
+   */
+  snap(at: Point, grid: CurveGrid, moved: ReadonlySet<Handle>): Snapped {
+    const isWanted = ({ item, owner }: Place) => !isWithin(item, moved) && !moved.has(owner.handle);
+    return snapped(grid, at, {
+      snaps: this.editor.settings.snap.peek(),
+      grid: this.editor.settings.grid.peek(),
+      zoom: this.editor.view.peek().zoom,
+      origin: this.toStage([0, 0]),
+      isWanted,
+    });
+  }
+}
+
+function isWithin(item: Item | null, handles: ReadonlySet<Handle>): boolean {
+  return item !== null && (handles.has(item.handle) || isWithin(item.parent, handles));
+}

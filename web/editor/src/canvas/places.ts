@@ -1,0 +1,62 @@
+// Where the curves of a drawing are seen: each in its place, and through every <use> once more.
+import { composed, inverted, translation, type Affine } from "../geometry/affine.js";
+import type { CurveItem, Drawing, Item, UseItem } from "../model/types.js";
+
+export interface Place {
+  readonly item: CurveItem;
+  /** What a click on it selects: the curve, or the outermost <use> that shows it. */
+  readonly owner: Item;
+  readonly artboardFromItem: Affine;
+}
+
+/** <use> in <use>: deeper ones are not drawn here. A circle of them is an error of the document. */
+const DEEPEST = 16;
+export function isCurve(item: Item | undefined): item is CurveItem {
+  return item?.kind === "curve" || item?.kind === "stroke";
+}
+
+/** Whether it, or something around it, is locked. */
+export function isLocked(item: Item): boolean {
+  return item.locked || (item.parent !== null && isLocked(item.parent));
+}
+
+export function isHidden(item: Item): boolean {
+  return item.hidden || (item.parent !== null && isHidden(item.parent));
+}
+
+const kept = new WeakMap<Drawing, { revision: number; places: readonly Place[] }>();
+
+/** The places that can be seen and are not locked, the last on top. */
+export function placesOf(drawing: Drawing): readonly Place[] {
+  const known = kept.get(drawing);
+  if (known?.revision === drawing.revision) return known.places;
+  const places: Place[] = [];
+  for (const item of drawing.items) collect(item, null, null, 0, places);
+  kept.set(drawing, { revision: drawing.revision, places });
+  return places;
+}
+
+/** @param shift from where an item stands in the text to where a <use> shows it; null: it is there */
+function collect(item: Item, owner: Item | null, shift: Affine | null, depth: number, to: Place[]): void {
+  if (item.hidden || item.locked || depth > DEEPEST) return;
+  if (isCurve(item)) {
+    const map = shift ? composed(shift, item.artboardFromItem) : item.artboardFromItem;
+    if (inverted(map)) to.push({ item, owner: owner ?? item, artboardFromItem: map });
+  } else if (item.kind === "use" && item.target) {
+    const inner = shiftOf(item, item.target);
+    if (inner) collect(item.target, owner ?? item, shift ? composed(shift, inner) : inner, depth + 1, to);
+  } else {
+    for (const child of item.children) collect(child, owner, shift, depth, to);
+  }
+}
+
+/** From where the target of a <use> stands to where the <use> shows it; null: it cannot be said. */
+function shiftOf(use: UseItem, target: Item): Affine | null {
+  const number = (name: string) =>
+    Number(use.element.attributes.find((a) => a.local === name && a.namespace === "")?.value ?? 0) || 0;
+  const placed = composed(use.artboardFromItem, translation(number("x"), number("y")));
+  const around = target.parent?.artboardFromItem;
+  if (!around) return placed;
+  const back = inverted(around);
+  return back && composed(placed, back);
+}

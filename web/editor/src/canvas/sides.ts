@@ -1,0 +1,76 @@
+// Stops on the two sides of a curve: where they stand, and lists with one of them changed.
+import type { Rgb } from "../geometry/color.js";
+import type { Attribute, CurveItem, Side, SideValue, Stop, StopSpace } from "../model/types.js";
+
+export type StopKind = Attribute | "radius";
+export type Value = Rgb | number;
+
+export interface Stops<V> {
+  readonly space: StopSpace;
+  readonly stops: readonly Stop<V>[];
+}
+
+export const SIDES: readonly Side[] = ["left", "right"];
+
+/** What stands on the curve for an attribute: of a local curve its radii take the place of blur. */
+export function kindOn(item: CurveItem, attribute: Attribute): StopKind | null {
+  if (item.kind === "curve") return attribute;
+  return attribute === "blur" ? "radius" : attribute === "color" ? "color" : null;
+}
+
+export function sideValue(item: CurveItem, side: Side, kind: StopKind): SideValue<Value> {
+  if (kind === "radius") return item.radius;
+  return item[side][kind];
+}
+
+/** The stops of a side, or null where it has none. */
+export function stopsOf(item: CurveItem, side: Side, kind: StopKind): Stops<Value> | null {
+  const value = sideValue(item, side, kind);
+  return value.kind === "stops" && value.stops.length > 0 ? value : null;
+}
+
+/** A list with a stop elsewhere, between its neighbours: stops never pass each other. */
+export function withOffset<V>(list: Stops<V>, index: number, offset: number): SideValue<V> {
+  const low = list.stops[index - 1]?.offset ?? 0;
+  const high = list.stops[index + 1]?.offset ?? Infinity;
+  const stops = list.stops.map((stop, k) =>
+    k === index ? { ...stop, offset: Math.min(high, Math.max(low, offset)) } : stop,
+  );
+  return { kind: "stops", space: list.space, stops };
+}
+
+export function withValue<V>(list: Stops<V>, index: number, value: V): SideValue<V> {
+  const stops = list.stops.map((stop, k) => (k === index ? { ...stop, value } : stop));
+  return { kind: "stops", space: list.space, stops };
+}
+
+/** A list with a stop more, and which it is. */
+export function withStop<V>(list: Stops<V>, offset: number, value: V): { value: SideValue<V>; index: number } {
+  const after = list.stops.findIndex((stop) => stop.offset > offset);
+  const index = after < 0 ? list.stops.length : after;
+  const stops = [...list.stops.slice(0, index), { offset, value }, ...list.stops.slice(index)];
+  return { value: { kind: "stops", space: list.space, stops }, index };
+}
+
+/** A list without some stops; without any the side is open. */
+export function withoutStops<V>(list: Stops<V>, indices: ReadonlySet<number>): SideValue<V> {
+  const stops = list.stops.filter((_, k) => !indices.has(k));
+  return stops.length > 0 ? { kind: "stops", space: list.space, stops } : { kind: "open" };
+}
+
+/** The value at an offset: linear between stops, constant beyond the ends. */
+export function valueAt<V extends Value>(
+  { stops }: Stops<V>,
+  offset: number,
+  mix: (a: V, b: V, share: number) => V,
+): V {
+  const after = stops.findIndex((stop) => stop.offset > offset);
+  if (after < 0) return stops[stops.length - 1].value;
+  if (after === 0) return stops[0].value;
+  const [a, b] = [stops[after - 1], stops[after]];
+  return mix(a.value, b.value, (offset - a.offset) / (b.offset - a.offset));
+}
+
+export function mixNumbers(a: number, b: number, share: number): number {
+  return a + (b - a) * share;
+}
