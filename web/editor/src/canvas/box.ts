@@ -1,27 +1,40 @@
 // The box around what is selected, its handles, and the maps that dragging them makes.
-import { composed, mapped, mappedBox, translation, type Affine, type Box, type Point } from "../geometry/affine.js";
-import { boundsOf, mappedPath, unionOf } from "../geometry/cubic.js";
+import {
+  composed,
+  mapped,
+  mappedBox,
+  translation,
+  type Affine,
+  type Box,
+  type Point,
+} from "../geometry/affine.js";
+import { boundsOf, mappedPath, unionOf, type CubicPath } from "../geometry/cubic.js";
 import type { Drawing, Handle, Item, Selection } from "../model/types.js";
 import { en } from "../strings/en.js";
 import type { BoxMark } from "./marks.js";
 import { isHidden, isLocked, placesOf, type Place } from "./places.js";
 
 /** The box stands off what it holds, and the handle that turns it off the box, CSS pixels. */
-export const BOX_OFF = 6;
+export const BOX_OFF = 8;
 const TURN_OFF = 26;
 /** A box narrower than this has handles at its corners alone. */
 const NARROW = 40;
 
-const kept = new WeakMap<Place, Box>();
+const NOTHING: Box = [Infinity, Infinity, -Infinity, -Infinity];
+/** In the coordinates of the element, by its paths. */
+const kept = new WeakMap<readonly CubicPath[], Box>();
 
 /** Around the curves of a place, artboard units. */
-export function placeBounds(place: Place): Box {
-  const known = kept.get(place);
-  if (known) return known;
-  const boxes = place.item.paths.map((path) => boundsOf(mappedPath(place.artboardFromItem, path)));
-  const box = unionOf(boxes) ?? [Infinity, Infinity, -Infinity, -Infinity];
-  kept.set(place, box);
-  return box;
+export function placeBounds({ item, artboardFromItem }: Place): Box {
+  const { paths } = item;
+  if (paths.length === 0) return NOTHING;
+  const [, b, c] = artboardFromItem;
+  // The box of a turned box would be too large.
+  if (b !== 0 || c !== 0)
+    return unionOf(paths.map((path) => boundsOf(mappedPath(artboardFromItem, path)))) ?? NOTHING;
+  const box = kept.get(paths) ?? unionOf(paths.map(boundsOf)) ?? NOTHING;
+  kept.set(paths, box);
+  return mappedBox(artboardFromItem, box);
 }
 
 /** Handles of what is selected as a whole. */
@@ -51,14 +64,22 @@ export function selectionBox(drawing: Drawing, selection: Selection): Box | null
     .map(placeBounds);
   for (const handle of chosen) {
     const item = drawing.item(handle);
-    if (item?.kind === "reference" && !isHidden(item)) boxes.push(mappedBox(item.artboardFromItem, item.box));
+    if (item?.kind === "reference" && !isHidden(item))
+      boxes.push(mappedBox(item.artboardFromItem, item.box));
   }
   const box = unionOf(boxes);
   return box && box[0] <= box[2] ? box : null;
 }
 
 const NAMES = {
-  "-1,-1": "nw", "0,-1": "n", "1,-1": "ne", "1,0": "e", "1,1": "se", "0,1": "s", "-1,1": "sw", "-1,0": "w",
+  "-1,-1": "nw",
+  "0,-1": "n",
+  "1,-1": "ne",
+  "1,0": "e",
+  "1,1": "se",
+  "0,1": "s",
+  "-1,1": "sw",
+  "-1,0": "w",
 } as const;
 export type GripName = (typeof NAMES)[keyof typeof NAMES];
 
@@ -77,14 +98,26 @@ export function drawnBox(box: Box, stageFromArtboard: Affine): Box {
 export function boxMarks(box: Box, stageFromArtboard: Affine, handle: Handle): BoxMark[] {
   const [x0, y0, x1, y1] = drawnBox(box, stageFromArtboard);
   const base = { handle, part: { kind: "whole" }, isChosen: false } as const;
-  const marks = GRIPS.filter(([x, y]) => (x !== 0 || x1 - x0 > NARROW) && (y !== 0 || y1 - y0 > NARROW)).map(
-    (grip): BoxMark => {
-      const at: Point = [x0 + ((grip[0] + 1) / 2) * (x1 - x0), y0 + ((grip[1] + 1) / 2) * (y1 - y0)];
-      return { ...base, kind: "scale", at, foot: at, grip, label: en.canvas.scale[gripName(grip)] };
-    },
-  );
+  // An edge has a handle where there is room, and something to scale.
+  const hasRoom = ([x, y]: readonly [number, number]) =>
+    (x !== 0 || (x1 - x0 > NARROW && box[3] > box[1])) &&
+    (y !== 0 || (y1 - y0 > NARROW && box[2] > box[0]));
+  const marks = GRIPS.filter(hasRoom).map((grip): BoxMark => {
+    const at: Point = [x0 + ((grip[0] + 1) / 2) * (x1 - x0), y0 + ((grip[1] + 1) / 2) * (y1 - y0)];
+    return { ...base, kind: "scale", at, foot: at, grip, label: en.canvas.scale[gripName(grip)] };
+  });
   const foot: Point = [(x0 + x1) / 2, y0];
-  return [...marks, { ...base, kind: "turn", at: [foot[0], y0 - TURN_OFF], foot, grip: [0, -1], label: en.canvas.turn }];
+  return [
+    ...marks,
+    {
+      ...base,
+      kind: "turn",
+      at: [foot[0], y0 - TURN_OFF],
+      foot,
+      grip: [0, -1],
+      label: en.canvas.turn,
+    },
+  ];
 }
 
 /** What a scaled box may not become: nothing that cannot be scaled back. */
@@ -136,13 +169,6 @@ const STEP = Math.PI / 12;
 
 export function toStep(angle: number): number {
   return Math.round(angle / STEP) * STEP;
-}
-
-/** A point brought to a multiple of 15° about another, as far away as it was. */
-export function heldToAngle(from: Point, to: Point): Point {
-  const length = Math.hypot(to[0] - from[0], to[1] - from[1]);
-  const angle = toStep(Math.atan2(to[1] - from[1], to[0] - from[0]));
-  return [from[0] + length * Math.cos(angle), from[1] + length * Math.sin(angle)];
 }
 
 /** The corners of a box after a map, as a box: for the announcement at the end. */

@@ -9,7 +9,7 @@ import { chosenParts, nodeMarks, stageFromItem, stopMarks, type Mark } from "./m
 import { isCurve, isHidden, isLocked, placesOf, type Place } from "./places.js";
 import { NO_SKETCH, type Sketch } from "./sketch.js";
 import { snapped, type Snapped } from "./snap.js";
-import { stageFromArtboard } from "./view.js";
+import { stageFromArtboard, type Navigation } from "./view.js";
 
 /** Nodes are shown of so many selected curves at most: more would hide the picture. */
 const MOST_WITH_NODES = 24;
@@ -19,7 +19,10 @@ export class Canvas {
   readonly marks: ReadonlySignal<readonly Mark[]>;
   private grid: { readonly key: readonly unknown[]; readonly grid: CurveGrid } | null = null;
 
-  constructor(readonly editor: Editor) {
+  constructor(
+    readonly editor: Editor,
+    readonly navigation: Navigation,
+  ) {
     this.marks = computed(() => this.collectMarks());
   }
 
@@ -58,7 +61,11 @@ export class Canvas {
   chosenCurves(): CurveItem[] {
     const handles = new Set(this.editor.selection.value.map(({ handle }) => handle));
     const curves = [...handles].map((handle) => this.editor.drawing.item(handle));
-    return curves.filter(isCurve).filter((item) => !isHidden(item) && !isLocked(item) && inverted(item.artboardFromItem) !== null);
+    return curves
+      .filter(isCurve)
+      .filter(
+        (item) => !isHidden(item) && !isLocked(item) && inverted(item.artboardFromItem) !== null,
+      );
   }
 
   primaryCurve(): CurveItem | null {
@@ -86,7 +93,13 @@ export class Canvas {
     const primary = this.primaryCurve();
     if (tool === "nodes") {
       for (const item of this.chosenCurves().slice(-MOST_WITH_NODES)) {
-        marks.push(...nodeMarks(item, stageFromItem(map, item), chosenParts(editor.selection.value, item.handle)));
+        marks.push(
+          ...nodeMarks(
+            item,
+            stageFromItem(map, item),
+            chosenParts(editor.selection.value, item.handle),
+          ),
+        );
       }
     }
     if (primary) {

@@ -66,7 +66,9 @@ export class CurveGrid {
 
   private addPath({ points, closed }: CubicPath, map: Affine, place: number, path: number): void {
     const stage = points.map((point) => mapped(map, point));
-    if (!closed) for (const k of [0, -1]) this.ends.push({ point: stage.at(k) as Point, place: this.places[place] });
+    if (!closed)
+      for (const k of [0, -1])
+        this.ends.push({ point: stage.at(k) as Point, place: this.places[place] });
     for (let k = 0; k + 3 < stage.length; k += 3) {
       const quad: Quad = [stage[k], stage[k + 1], stage[k + 2], stage[k + 3]];
       this.addPiece(quad, k / 3, k / 3 + 1, 0, place, path);
@@ -74,7 +76,14 @@ export class CurveGrid {
   }
 
   /** Only what is on the stage is cut: the work does not grow with the zoom. */
-  private addPiece(quad: Quad, at0: number, at1: number, depth: number, place: number, path: number): void {
+  private addPiece(
+    quad: Quad,
+    at0: number,
+    at1: number,
+    depth: number,
+    place: number,
+    path: number,
+  ): void {
     if (this.isOutside(quad)) return;
     const [a, b, c, d] = quad;
     if (depth >= DEEPEST || isStraight(quad)) {
@@ -92,7 +101,11 @@ export class CurveGrid {
   private isOutside(quad: Quad): boolean {
     const beyond = (axis: 0 | 1, extent: number) =>
       quad.every((p) => p[axis] < -CELL) || quad.every((p) => p[axis] > extent + CELL);
-    return beyond(0, this.width) || beyond(1, this.height) || !quad.every((p) => Number.isFinite(p[0] + p[1]));
+    return (
+      beyond(0, this.width) ||
+      beyond(1, this.height) ||
+      !quad.every((p) => Number.isFinite(p[0] + p[1]))
+    );
   }
 
   private addSegment(segment: Segment): void {
@@ -140,7 +153,8 @@ export class CurveGrid {
           if (hit.distance > reach || (isWanted && !isWanted(hit.place))) continue;
           const key = `${segment.place}/${segment.path}`;
           const known = best.get(key);
-          if (!known || hit.distance < known.distance) best.set(key, { ...hit, order: segment.place });
+          if (!known || hit.distance < known.distance)
+            best.set(key, { ...hit, order: segment.place });
         }
       }
     }
@@ -161,17 +175,22 @@ export class CurveGrid {
   }
 
   /** Ends of open curves within `reach` of a point, on the stage. */
-  endsNear([x, y]: Point, reach: number, isWanted: (place: Place) => boolean): Point[] {
-    return this.ends
-      .filter(({ point, place }) => Math.hypot(point[0] - x, point[1] - y) <= reach && isWanted(place))
-      .map(({ point }) => point);
+  endsNear(
+    [x, y]: Point,
+    reach: number,
+    isWanted: (place: Place) => boolean,
+  ): readonly { readonly point: Point }[] {
+    return this.ends.filter(
+      ({ point, place }) => Math.hypot(point[0] - x, point[1] - y) <= reach && isWanted(place),
+    );
   }
 
   private onSegment(segment: Segment, x: number, y: number): CurveHit {
     const { x0, y0, x1, y1, at0, at1 } = segment;
     const [dx, dy] = [x1 - x0, y1 - y0];
     const square = dx * dx + dy * dy;
-    const share = square > 0 ? Math.min(1, Math.max(0, ((x - x0) * dx + (y - y0) * dy) / square)) : 0;
+    const share =
+      square > 0 ? Math.min(1, Math.max(0, ((x - x0) * dx + (y - y0) * dy) / square)) : 0;
     const point: Point = [x0 + share * dx, y0 + share * dy];
     return {
       place: this.places[segment.place],
@@ -184,9 +203,18 @@ export class CurveGrid {
 }
 
 /** Whether a chord has a point in a rectangle: what is left of it after each of the four cuts. */
-function crosses({ x0: ax, y0: ay, x1: bx, y1: by }: Segment, x0: number, y0: number, x1: number, y1: number): boolean {
+function crosses(
+  { x0: ax, y0: ay, x1: bx, y1: by }: Segment,
+  x0: number,
+  y0: number,
+  x1: number,
+  y1: number,
+): boolean {
   let [from, to] = [0, 1];
-  for (const [start, way, low, high] of [[ax, bx - ax, x0, x1], [ay, by - ay, y0, y1]]) {
+  for (const [start, way, low, high] of [
+    [ax, bx - ax, x0, x1],
+    [ay, by - ay, y0, y1],
+  ]) {
     if (way === 0) {
       if (start < low || start > high) return false;
       continue;
@@ -203,7 +231,8 @@ function middle(a: Point, b: Point): Point {
 
 /** Whether the chord is within the tolerance, and goes at the pace of the curve. */
 function isStraight([a, b, c, d]: Quad): boolean {
-  const bend = (p: Point, q: Point, r: Point) => Math.hypot(p[0] - 2 * q[0] + r[0], p[1] - 2 * q[1] + r[1]);
+  const bend = (p: Point, q: Point, r: Point) =>
+    Math.hypot(p[0] - 2 * q[0] + r[0], p[1] - 2 * q[1] + r[1]);
   return 0.75 * Math.max(bend(a, b, c), bend(b, c, d)) <= TOLERANCE;
 }
 
@@ -229,13 +258,19 @@ export function layerAt(places: readonly Place[], [x, y]: Point): Item | null {
   const boxes = new Map<Handle, { owner: Item; box: [number, number, number, number] }>();
   for (const { item, owner, artboardFromItem } of places) {
     const top = outermostLayer(owner);
-    const known = boxes.get(top.handle) ?? { owner: top, box: [Infinity, Infinity, -Infinity, -Infinity] };
+    const known = boxes.get(top.handle) ?? {
+      owner: top,
+      box: [Infinity, Infinity, -Infinity, -Infinity],
+    };
     // Later places are on top: a map keeps the order in which keys came last.
     boxes.delete(top.handle);
     boxes.set(top.handle, known);
-    for (const path of item.paths) for (const point of path.points) extend(known.box, mapped(artboardFromItem, point));
+    for (const path of item.paths)
+      for (const point of path.points) extend(known.box, mapped(artboardFromItem, point));
   }
-  const around = [...boxes.values()].filter(({ box }) => x >= box[0] && y >= box[1] && x <= box[2] && y <= box[3]);
+  const around = [...boxes.values()].filter(
+    ({ box }) => x >= box[0] && y >= box[1] && x <= box[2] && y <= box[3],
+  );
   return around.at(-1)?.owner ?? null;
 }
 

@@ -2,11 +2,20 @@
 import { composed, lengthScale, mapped, type Affine, type Point } from "../geometry/affine.js";
 import { mappedPath, nodeCount, type CubicPath } from "../geometry/cubic.js";
 import type { Rgb } from "../geometry/color.js";
+import { hexOf } from "../geometry/colortext.js";
 import { placeOfOffset } from "../geometry/length.js";
-import type { Attribute, CurveItem, Handle, Part, Selected, Selection, Side } from "../model/types.js";
+import type {
+  Attribute,
+  CurveItem,
+  Handle,
+  Part,
+  Selected,
+  Selection,
+  Side,
+} from "../model/types.js";
 import { en } from "../strings/en.js";
 import { standing } from "./along.js";
-import { hexOf, percent, shown } from "./format.js";
+import { percent, shown } from "./format.js";
 import { handlesOf, nodeOfHandle } from "./nodes.js";
 import { isSamePart } from "./sketch.js";
 import { kindOn, SIDES, stopsOf, type StopKind, type Stops, type Value } from "./sides.js";
@@ -77,7 +86,15 @@ function nodesOnly(
     const part: Part = { kind: "node", path: k, index };
     const at = stage[3 * index];
     const isChosen = parts.some((one) => isSamePart(one, part));
-    return { kind: "node", at, foot: at, handle: item.handle, part, isChosen, label: en.canvas.node(index + 1, item.name) };
+    return {
+      kind: "node",
+      at,
+      foot: at,
+      handle: item.handle,
+      part,
+      isChosen,
+      label: en.canvas.node(index + 1, item.name),
+    };
   });
 }
 
@@ -114,12 +131,19 @@ function handleMarks(
 }
 
 /** The stops of a curve for an attribute, on both sides of each of its subpaths. */
-export function stopMarks(item: CurveItem, map: Affine, attribute: Attribute, parts: readonly Part[]): StopMark[] {
+export function stopMarks(
+  item: CurveItem,
+  map: Affine,
+  attribute: Attribute,
+  parts: readonly Part[],
+): StopMark[] {
   const kind = kindOn(item, attribute);
   if (!kind) return [];
   return SIDES.flatMap((side) => {
     const list = stopsOf(item, side, kind);
-    return list ? item.paths.flatMap((path, k) => sideMarks(item, path, k, map, side, kind, list, parts)) : [];
+    return list
+      ? item.paths.flatMap((path, k) => sideMarks(item, path, k, map, side, kind, list, parts))
+      : [];
   });
 }
 
@@ -146,7 +170,10 @@ function sideMarks(
     const part: Part = { kind: "stop", side, attribute: kind, index };
     return {
       kind: isBracket ? "bracket" : "stop",
-      at: [foot[0] + normal[0] * off + along[0] * slide, foot[1] + normal[1] * off + along[1] * slide],
+      at: [
+        foot[0] + normal[0] * off + along[0] * slide,
+        foot[1] + normal[1] * off + along[1] * slide,
+      ],
       foot,
       normal,
       path: k,
@@ -170,15 +197,23 @@ function slideOf(list: Stops<Value>, index: number): number {
 
 function stopLabel(side: Side, kind: StopKind, list: Stops<Value>, index: number): string {
   const { offset, value } = list.stops[index];
-  const place = list.space === "arc" ? en.canvas.offset(percent(offset)) : en.canvas.segment(shown(offset));
+  const place =
+    list.space === "arc" ? en.canvas.offset(percent(offset)) : en.canvas.segment(shown(offset));
   const name = en.canvas.sides[side];
-  if (kind === "blur" || kind === "radius") return en.canvas.bracket(kind, name, shown(Number(value)), place);
+  if (kind === "blur" || kind === "radius")
+    return en.canvas.bracket(kind, name, shown(Number(value)), place);
   const said = kind === "color" ? hexOf(value as Rgb) : en.canvas.opacity(percent(Number(value)));
   return en.canvas.stop(name, index + 1, list.stops.length, said, place);
 }
 
 /** The blur's or radius's edge along a side of a path, as points of the stage. */
-export function bandOf(item: CurveItem, path: CubicPath, map: Affine, side: Side, list: Stops<Value>): Point[] {
+export function bandOf(
+  item: CurveItem,
+  path: CubicPath,
+  map: Affine,
+  side: Side,
+  list: Stops<Value>,
+): Point[] {
   const inLayer = mappedPath(item.layerFromItem, path);
   const at = list.stops.map((stop) => placeOfOffset(inLayer, list.space, stop.offset));
   const scale = lengthScale(map);
@@ -196,7 +231,10 @@ function radiusAt(list: Stops<Value>, at: readonly number[], after: number, here
   const value = (k: number) => Number(list.stops[k].value);
   if (after < 0) return value(list.stops.length - 1);
   if (after === 0) return value(0);
-  return value(after - 1) + ((value(after) - value(after - 1)) * (here - at[after - 1])) / (at[after] - at[after - 1]);
+  return (
+    value(after - 1) +
+    ((value(after) - value(after - 1)) * (here - at[after - 1])) / (at[after] - at[after - 1])
+  );
 }
 
 /** What selecting a mark selects. */

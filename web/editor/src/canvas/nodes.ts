@@ -8,7 +8,10 @@ const COLLINEAR = 0.02;
 const SHORT = 1e-6;
 
 /** Control points of the handles towards the beginning and the end; null where the path ends. */
-export function handlesOf(path: CubicPath, node: number): { before: number | null; after: number | null } {
+export function handlesOf(
+  path: CubicPath,
+  node: number,
+): { before: number | null; after: number | null } {
   const last = path.points.length - 1;
   const at = 3 * node;
   return {
@@ -57,7 +60,12 @@ export function withPoints(path: CubicPath, moved: ReadonlyMap<number, Point>): 
  * A path with one handle moved. Where the node was smooth the opposite handle turns with it, and
  * where it was symmetric is as long; unless `isBroken`.
  */
-export function withHandle(path: CubicPath, handle: number, to: Point, isBroken: boolean): CubicPath {
+export function withHandle(
+  path: CubicPath,
+  handle: number,
+  to: Point,
+  isBroken: boolean,
+): CubicPath {
   const moved = new Map<number, Point>([[handle, to]]);
   const opposite = oppositeOf(path, handle);
   const node = nodeOfHandle(path, handle);

@@ -37,14 +37,21 @@ export function placesOf(drawing: Drawing): readonly Place[] {
 }
 
 /** @param shift from where an item stands in the text to where a <use> shows it; null: it is there */
-function collect(item: Item, owner: Item | null, shift: Affine | null, depth: number, to: Place[]): void {
+function collect(
+  item: Item,
+  owner: Item | null,
+  shift: Affine | null,
+  depth: number,
+  to: Place[],
+): void {
   if (item.hidden || item.locked || depth > DEEPEST) return;
   if (isCurve(item)) {
     const map = shift ? composed(shift, item.artboardFromItem) : item.artboardFromItem;
     if (inverted(map)) to.push({ item, owner: owner ?? item, artboardFromItem: map });
   } else if (item.kind === "use" && item.target) {
     const inner = shiftOf(item, item.target);
-    if (inner) collect(item.target, owner ?? item, shift ? composed(shift, inner) : inner, depth + 1, to);
+    if (inner)
+      collect(item.target, owner ?? item, shift ? composed(shift, inner) : inner, depth + 1, to);
   } else {
     for (const child of item.children) collect(child, owner, shift, depth, to);
   }
@@ -53,7 +60,9 @@ function collect(item: Item, owner: Item | null, shift: Affine | null, depth: nu
 /** From where the target of a <use> stands to where the <use> shows it; null: it cannot be said. */
 function shiftOf(use: UseItem, target: Item): Affine | null {
   const number = (name: string) =>
-    Number(use.element.attributes.find((a) => a.local === name && a.namespace === "")?.value ?? 0) || 0;
+    Number(
+      use.element.attributes.find((a) => a.local === name && a.namespace === "")?.value ?? 0,
+    ) || 0;
   const placed = composed(use.artboardFromItem, translation(number("x"), number("y")));
   const around = target.parent?.artboardFromItem;
   if (!around) return placed;

@@ -1,6 +1,14 @@
 // Stops on the two sides of a curve: where they stand, and lists with one of them changed.
-import type { Rgb } from "../geometry/color.js";
-import type { Attribute, CurveItem, Side, SideValue, Stop, StopSpace } from "../model/types.js";
+import { mixed, type Rgb } from "../geometry/color.js";
+import type {
+  Attribute,
+  CurveItem,
+  Drawing,
+  Side,
+  SideValue,
+  Stop,
+  StopSpace,
+} from "../model/types.js";
 
 export type StopKind = Attribute | "radius";
 export type Value = Rgb | number;
@@ -45,7 +53,11 @@ export function withValue<V>(list: Stops<V>, index: number, value: V): SideValue
 }
 
 /** A list with a stop more, and which it is. */
-export function withStop<V>(list: Stops<V>, offset: number, value: V): { value: SideValue<V>; index: number } {
+export function withStop<V>(
+  list: Stops<V>,
+  offset: number,
+  value: V,
+): { value: SideValue<V>; index: number } {
   const after = list.stops.findIndex((stop) => stop.offset > offset);
   const index = after < 0 ? list.stops.length : after;
   const stops = [...list.stops.slice(0, index), { offset, value }, ...list.stops.slice(index)];
@@ -59,7 +71,7 @@ export function withoutStops<V>(list: Stops<V>, indices: ReadonlySet<number>): S
 }
 
 /** The value at an offset: linear between stops, constant beyond the ends. */
-export function valueAt<V extends Value>(
+export function valueAt<V>(
   { stops }: Stops<V>,
   offset: number,
   mix: (a: V, b: V, share: number) => V,
@@ -71,6 +83,12 @@ export function valueAt<V extends Value>(
   return mix(a.value, b.value, (offset - a.offset) / (b.offset - a.offset));
 }
 
-export function mixNumbers(a: number, b: number, share: number): number {
-  return a + (b - a) * share;
+/** Mixes two values of one kind as the document does. */
+export function mixer(
+  space: Drawing["interpolation"],
+): (a: Value, b: Value, share: number) => Value {
+  return (a, b, share) =>
+    typeof a === "number" || typeof b === "number"
+      ? Number(a) + (Number(b) - Number(a)) * share
+      : mixed(a, b, share, space);
 }

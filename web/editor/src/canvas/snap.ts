@@ -1,5 +1,6 @@
 // Places that a dragged point is drawn to: ends of curves, curves, the grid.
 import type { Point } from "../geometry/affine.js";
+import { nearestTarget, onGrid } from "../geometry/snap.js";
 import type { CurveGrid } from "./hit.js";
 import type { Place } from "./places.js";
 import type { Guide } from "./sketch.js";
@@ -27,32 +28,24 @@ export interface SnapWish {
 
 /** Where a point of the stage goes. Ends of curves go before curves, these before the grid. */
 export function snapped(grid: CurveGrid, at: Point, wish: SnapWish): Snapped {
-  const end = wish.snaps ? endNear(grid, at, wish.isWanted) : null;
-  if (end) return { at: end, guides: [{ from: end, to: end }] };
+  const ends = wish.snaps ? grid.endsNear(at, SNAP_REACH, wish.isWanted) : [];
+  const end = nearestTarget(at, ends, SNAP_REACH);
+  if (end) return { at: end.point, guides: [{ from: end.point, to: end.point }] };
   const curve = wish.snaps ? grid.near(at, SNAP_REACH, wish.isWanted)[0] : undefined;
   if (curve) return { at: curve.point, guides: [{ from: curve.point, to: curve.point }] };
   return wish.grid ? toGrid(at, wish) : { at, guides: [] };
-}
-
-function endNear(grid: CurveGrid, [x, y]: Point, isWanted: (place: Place) => boolean): Point | null {
-  let best: Point | null = null;
-  let least = SNAP_REACH;
-  for (const [ex, ey] of grid.endsNear([x, y], SNAP_REACH, isWanted)) {
-    const distance = Math.hypot(ex - x, ey - y);
-    if (distance <= least) [best, least] = [[ex, ey], distance];
-  }
-  return best;
 }
 
 /** Artboard units between lines: 1, 2 or 5 times a power of ten, and at least 8 pixels. */
 export function gridStep(zoom: number): number {
   const least = GRID_STEP_PX / zoom;
   const power = 10 ** Math.floor(Math.log10(least));
-  return [1, 2, 5, 10].map((k) => k * power).find((step) => step >= least * (1 - 1e-9)) ?? 10 * power;
+  return (
+    [1, 2, 5, 10].map((k) => k * power).find((step) => step >= least * (1 - 1e-9)) ?? 10 * power
+  );
 }
 
 function toGrid([x, y]: Point, { zoom, origin }: SnapWish): Snapped {
-  const step = gridStep(zoom) * zoom;
-  const round = (value: number, from: number) => from + Math.round((value - from) / step) * step;
-  return { at: [round(x, origin[0]), round(y, origin[1])], guides: [] };
+  const [gx, gy] = onGrid([x - origin[0], y - origin[1]], gridStep(zoom) * zoom);
+  return { at: [gx + origin[0], gy + origin[1]], guides: [] };
 }

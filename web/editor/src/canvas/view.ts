@@ -11,11 +11,19 @@ const LEAST_EXTENT = 1e-6;
 /** How much of the stage the artboard never leaves, as a share of its width and height. */
 const KEPT = 0.1;
 
-export function stageFromArtboard({ x, y, zoom }: ViewState, width: number, height: number): Affine {
+export function stageFromArtboard(
+  { x, y, zoom }: ViewState,
+  width: number,
+  height: number,
+): Affine {
   return [zoom, 0, 0, zoom, width / 2 - x * zoom, height / 2 - y * zoom];
 }
 
-export function artboardFromStage({ x, y, zoom }: ViewState, width: number, height: number): Affine {
+export function artboardFromStage(
+  { x, y, zoom }: ViewState,
+  width: number,
+  height: number,
+): Affine {
   return [1 / zoom, 0, 0, 1 / zoom, x - width / (2 * zoom), y - height / (2 * zoom)];
 }
 
@@ -32,7 +40,10 @@ class StageView extends View {
   showing([x0, y0, x1, y1]: Box): ViewState {
     const across = Math.max(1, this.width - 2 * MARGIN);
     const down = Math.max(1, this.height - 2 * MARGIN);
-    const zoom = Math.min(across / Math.max(x1 - x0, LEAST_EXTENT), down / Math.max(y1 - y0, LEAST_EXTENT));
+    const zoom = Math.min(
+      across / Math.max(x1 - x0, LEAST_EXTENT),
+      down / Math.max(y1 - y0, LEAST_EXTENT),
+    );
     return { x: (x0 + x1) / 2, y: (y0 + y1) / 2, zoom };
   }
 
@@ -58,7 +69,9 @@ class StageView extends View {
 }
 
 /** What navigation needs of the editor. */
-export type ViewOwner = Pick<Editor, "view" | "stage"> & { readonly drawing: { readonly artboard: Box } };
+export type ViewOwner = Pick<Editor, "view" | "stage"> & {
+  readonly drawing: { readonly artboard: Box };
+};
 
 /** Moves the editor's view. Points are of the stage, CSS pixels. */
 export class Navigation {

@@ -127,7 +127,6 @@ const tools = {
   },
   noPhoto: "There is no photo to sample. Drop a picture on the canvas first.",
   photoUnread: "The photo cannot be read, so it has no colours to sample.",
-  noColors: "Nothing is there to take colours from, so the curve has grey sides.",
   // tools: end
 } as const;
 

@@ -4,7 +4,16 @@ import { duplicate, transform } from "../../model/commands/index.js";
 import type { Handle, Item, Selected } from "../../model/types.js";
 import { en } from "../../strings/en.js";
 import {
-  drawnBox, gripName, middleOf, movable, placeBounds, scaling, selectionBox, toStep, turning, wholes,
+  drawnBox,
+  gripName,
+  middleOf,
+  movable,
+  placeBounds,
+  scaling,
+  selectionBox,
+  toStep,
+  turning,
+  wholes,
 } from "../box.js";
 import type { Canvas } from "../canvas.js";
 import { resizeCursor, type CursorName } from "../cursors.js";
@@ -12,7 +21,15 @@ import { shown } from "../format.js";
 import { layerAt } from "../hit.js";
 import type { BoxMark } from "../marks.js";
 import { placesOf } from "../places.js";
-import { EditDrag, MarqueeDrag, toggled, travelled, type Drag, type Press, type Tool } from "./tool.js";
+import {
+  EditDrag,
+  MarqueeDrag,
+  toggled,
+  travelled,
+  type Drag,
+  type Press,
+  type Tool,
+} from "./tool.js";
 
 const WHOLE = { kind: "whole" } as const;
 
@@ -21,7 +38,7 @@ export class SelectTool implements Tool {
 
   hover(p: Press): CursorName {
     const { canvas } = this;
-    const mark = canvas.markAt(p.at, p.kind);
+    const mark = this.markAt(p);
     const curve = mark ? null : canvas.curveAt(p.at, p.kind);
     canvas.editor.hovered.value = curve?.place.owner.handle ?? null;
     if (mark?.kind === "scale") return resizeCursor(gripName(mark.grip));
@@ -32,12 +49,27 @@ export class SelectTool implements Tool {
 
   press(p: Press): Drag | null {
     const { canvas } = this;
-    const mark = canvas.markAt(p.at, p.kind);
-    if (mark?.kind === "scale" || mark?.kind === "turn") return this.reshape(mark, p);
+    const mark = this.markAt(p);
+    if (mark) return this.reshape(mark, p);
     const hit = canvas.curveAt(p.at, p.kind);
     if (hit) return this.pressOn(hit.place.owner, p);
     if (this.isInBox(p.at) && !p.shift) return this.move(p, () => this.clickEmpty(p));
-    return new MarqueeDrag(canvas, p, (low, high, end) => this.take(low, high, end.shift), () => this.clickEmpty(p));
+    return new MarqueeDrag(
+      canvas,
+      p,
+      (low, high, end) => this.take(low, high, end.shift),
+      () => this.clickEmpty(p),
+    );
+  }
+
+  /** A handle of the box; where a curve is nearer, it is the curve that is meant. */
+  private markAt(p: Press): BoxMark | null {
+    const { canvas } = this;
+    const mark = canvas.markAt(p.at, p.kind);
+    if (mark?.kind !== "scale" && mark?.kind !== "turn") return null;
+    const away = Math.hypot(mark.at[0] - p.at[0], mark.at[1] - p.at[1]);
+    const curve = canvas.curveAt(p.at, p.kind);
+    return curve && curve.distance < away ? null : mark;
   }
 
   private isSelected(item: Item): boolean {
@@ -95,7 +127,10 @@ export class SelectTool implements Tool {
     }
     for (const hit of this.canvas.curves().within(low, high)) handles.add(hit.owner.handle);
     const before = adds ? editor.selection.peek().filter(({ handle }) => !handles.has(handle)) : [];
-    editor.selection.value = [...before, ...[...handles].map((handle) => ({ handle, part: WHOLE }))];
+    editor.selection.value = [
+      ...before,
+      ...[...handles].map((handle) => ({ handle, part: WHOLE })),
+    ];
   }
 
   private movedItems(): Item[] {
@@ -117,12 +152,17 @@ export class SelectTool implements Tool {
       cursor: start.alt ? "copy" : "move",
       make: (p, before) => {
         const raw = travelled(start, p);
-        const snap = p.ctrl || p.shift ? { by: raw, guides: [] } : snapEnds(canvas, grid, ends, raw, new Set(handles));
+        const snap =
+          p.ctrl || p.shift
+            ? { by: raw, guides: [] }
+            : snapEnds(canvas, grid, ends, raw, new Set(handles));
         canvas.draw({ guides: snap.guides });
         const { zoom } = editor.view.peek();
         by = [snap.by[0] / zoom, snap.by[1] / zoom];
         if (handles.length === 0) return null;
-        return p.alt ? duplicate(before, handles, by) : transform(before, handles, translation(...by), step);
+        return p.alt
+          ? duplicate(before, handles, by)
+          : transform(before, handles, translation(...by), step);
       },
       click,
       kept: () => box && say(canvas, middleOf(box, translation(...by))),
@@ -132,11 +172,16 @@ export class SelectTool implements Tool {
   /** Ends of the open curves that are moved, on the stage: what snaps to others. */
   private endsOf(handles: ReadonlySet<Handle>): Point[] {
     const { canvas } = this;
-    const isMoved = (item: Item | null): boolean => item !== null && (handles.has(item.handle) || isMoved(item.parent));
+    const isMoved = (item: Item | null): boolean =>
+      item !== null && (handles.has(item.handle) || isMoved(item.parent));
     const ends = placesOf(canvas.editor.drawing)
       .filter(({ owner }) => isMoved(owner))
       .flatMap(({ item, artboardFromItem }) =>
-        item.paths.filter(({ closed }) => !closed).flatMap(({ points }) => [points[0], points[points.length - 1]].map((p) => mapped(artboardFromItem, p))),
+        item.paths
+          .filter(({ closed }) => !closed)
+          .flatMap(({ points }) =>
+            [points[0], points[points.length - 1]].map((p) => mapped(artboardFromItem, p)),
+          ),
       );
     return ends.length <= MOST_ENDS ? ends.map((end) => canvas.toStage(end)) : [];
   }
@@ -198,7 +243,10 @@ function snapEnds(
     const at: Point = [x + by[0], y + by[1]];
     const found = canvas.snap(at, grid, moved);
     if (found.guides.length > 0) {
-      return { by: [by[0] + found.at[0] - at[0], by[1] + found.at[1] - at[1]], guides: found.guides };
+      return {
+        by: [by[0] + found.at[0] - at[0], by[1] + found.at[1] - at[1]],
+        guides: found.guides,
+      };
     }
   }
   return { by, guides: [] };

@@ -41,6 +41,8 @@ export interface Drag {
   cancel(): void;
   /** A key was pressed or let go while it lasts; `p` is the last moment with the keys of now. */
   keys?(p: Press): void;
+  /** Space goes down or up while it lasts; absent: Space moves the picture. */
+  space?(isDown: boolean): void;
   readonly cursor?: CursorName;
 }
 
@@ -168,7 +170,11 @@ export class MarqueeDrag implements Drag {
 }
 
 /** The selection with one more, or without it where it was in it. */
-export function toggled<T>(list: readonly T[], one: T, isSame: (a: T, b: T) => boolean): readonly T[] {
+export function toggled<T>(
+  list: readonly T[],
+  one: T,
+  isSame: (a: T, b: T) => boolean,
+): readonly T[] {
   const rest = list.filter((other) => !isSame(other, one));
   return rest.length < list.length ? rest : [...list, one];
 }

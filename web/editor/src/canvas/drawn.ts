@@ -1,0 +1,90 @@
+// New curves: what was drawn becomes part of the document, in its layer, with colours.
+import type { Editor } from "../app/types.js";
+import { IDENTITY, inverted, lengthScale, type Affine } from "../geometry/affine.js";
+import { mappedPath, type CubicPath } from "../geometry/cubic.js";
+import { addCurves } from "../model/commands/index.js";
+import type { Drawing, Handle, Item, Outcome, SideValue } from "../model/types.js";
+import type { Rgb } from "../geometry/color.js";
+import { isCurve } from "./places.js";
+import { takenSides } from "./taken.js";
+
+/** Colours of the first curve of a layer: warm and cool, so that one sees what sides are. */
+const FIRST = {
+  left: one({ r: 0.957, g: 0.847, b: 0.647 }),
+  right: one({ r: 0.29, g: 0.427, b: 0.549 }),
+} as const;
+
+/** A local stroke's colour where none was used before. */
+const WHITE: Rgb = { r: 1, g: 1, b: 1 };
+
+function one<V>(value: V): SideValue<V> {
+  return { kind: "stops", space: "arc", stops: [{ offset: 0, value }] };
+}
+
+/**
+ * Adds a diffusion curve to the layer that is at work, with the colours that the picture has beside
+ * it, so that the picture stays as it is.
+ * @param path artboard units
+ * @returns whether it came into being
+ */
+export async function addCurve(editor: Editor, path: CubicPath, label: string): Promise<boolean> {
+  const layer = editor.activeLayer;
+  const back = layer ? inverted(layer.artboardFromItem) : IDENTITY;
+  if (!back) return false;
+  const inLayer = mappedPath(back, path);
+  const sides = (layer && (await takenSides(editor, layer, inLayer))) ?? FIRST;
+  // The layer may have gone while its colours were asked for.
+  const into = layer && editor.drawing.item(layer.handle) ? layer.handle : null;
+  const made = addCurves(
+    editor.drawing,
+    into,
+    [{ path: into === null ? path : inLayer, ...sides }],
+    editor.step(layer),
+  );
+  return editor.run(label, made);
+}
+
+/** Where a local stroke goes: on top of the stroke or into the group that is selected. */
+function strokeParent(editor: Editor): { into: Handle | null; map: Affine } {
+  const last = editor.selection.peek().at(-1);
+  const item = last && editor.drawing.item(last.handle);
+  if (item?.kind === "stroke")
+    return { into: item.handle, map: item.parent?.artboardFromItem ?? IDENTITY };
+  if (item?.kind === "group" && !isInLayer(item))
+    return { into: item.handle, map: item.artboardFromItem };
+  return { into: null, map: IDENTITY };
+}
+
+function isInLayer(item: Item): boolean {
+  return item.kind === "layer" || (item.parent !== null && isInLayer(item.parent));
+}
+
+/** A stroke of the local kind. @param radii by the share of its length, artboard units */
+export function strokeOutcome(
+  editor: Editor,
+  drawing: Drawing,
+  path: CubicPath,
+  radii: readonly { readonly offset: number; readonly value: number }[],
+): Outcome | null {
+  const { into, map } = strokeParent(editor);
+  const back = inverted(map);
+  if (!back) return null;
+  const scale = lengthScale(back);
+  const color = one(strokeColor(editor));
+  const radius: SideValue<number> = {
+    kind: "stops",
+    space: "arc",
+    stops: radii.map(({ offset, value }) => ({ offset, value: value * scale })),
+  };
+  const curve = { path: mappedPath(back, path), left: color, right: color, radius };
+  return addCurves(drawing, into, [curve], editor.step(null));
+}
+
+/** That of the stroke that is selected, else the last one used. */
+function strokeColor(editor: Editor): Rgb {
+  const last = editor.selection.peek().at(-1);
+  const item = last && editor.drawing.item(last.handle);
+  const value = isCurve(item) && item.kind === "stroke" ? item.left.color : null;
+  if (value?.kind === "stops" && value.stops[0]) return value.stops[0].value;
+  return editor.settings.recent.peek()[0] ?? WHITE;
+}

@@ -1,0 +1,64 @@
+// The stage's own keys. What is not handled here goes on to the editor's.
+import type { Point } from "../geometry/affine.js";
+import type { Canvas } from "./canvas.js";
+import { deleteParts, nudge } from "./edits.js";
+import type { Pointers } from "./pointers.js";
+import type { Tool } from "./tools/tool.js";
+import { goIn, goOut, walk } from "./walk.js";
+
+export interface StageKey {
+  readonly key: string;
+  readonly shift: boolean;
+  readonly alt: boolean;
+  readonly ctrl: boolean;
+}
+
+const ARROWS: Readonly<Record<string, Point>> = {
+  ArrowLeft: [-1, 0],
+  ArrowRight: [1, 0],
+  ArrowUp: [0, -1],
+  ArrowDown: [0, 1],
+};
+/** Of Shift and an arrow, CSS pixels. */
+const LARGE_STEP = 10;
+
+/** @returns whether the key was the stage's */
+export function pressKey(canvas: Canvas, pointers: Pointers, tool: Tool, key: StageKey): boolean {
+  pointers.modifiers(key);
+  if (key.key === "Escape" && pointers.cancel()) return true;
+  if (key.key === " ") {
+    pointers.space(true);
+    return true;
+  }
+  if (pointers.isDragging) return false;
+  if (tool.key?.(key)) return true;
+  return pressPlainKey(canvas, key);
+}
+
+export function releaseKey(pointers: Pointers, key: StageKey): void {
+  pointers.modifiers(key);
+  if (key.key === " ") pointers.space(false);
+}
+
+function pressPlainKey(canvas: Canvas, { key, shift, alt, ctrl }: StageKey): boolean {
+  const { editor } = canvas;
+  if (ctrl || alt) return false;
+  const arrow = ARROWS[key];
+  if (arrow) {
+    const step = shift ? LARGE_STEP : 1;
+    return nudge(editor, [arrow[0] * step, arrow[1] * step]);
+  }
+  switch (key) {
+    case "Tab":
+      return walk(editor, canvas.marks.peek(), shift ? -1 : 1);
+    case "Enter":
+      return goIn(editor);
+    case "Escape":
+      return goOut(editor);
+    case "Delete":
+    case "Backspace":
+      return deleteParts(editor);
+    default:
+      return false;
+  }
+}

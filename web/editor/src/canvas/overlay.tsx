@@ -1,0 +1,286 @@
+// Everything drawn above the picture: one <svg> in CSS pixels of the stage.
+import { useComputed } from "@preact/signals";
+import { composed, lengthScale, type Affine, type Point } from "../geometry/affine.js";
+import { en } from "../strings/en.js";
+import { drawnBox, selectionBox } from "./box.js";
+import type { Canvas } from "./canvas.js";
+import { MarkView } from "./mark.js";
+import { bandOf, stageFromItem, type Mark } from "./marks.js";
+import { outlineOf, outlinesOf, pathData } from "./outline.js";
+import { isHidden, placesOf } from "./places.js";
+import { isSamePart, type Draft, type Sketch } from "./sketch.js";
+import { kindOn, SIDES, stopsOf } from "./sides.js";
+import { keyOf } from "./walk.js";
+
+/** Marks are so much larger for fingers. */
+const COARSE = 1.35;
+
+const matrix = (map: Affine) => `matrix(${map.join(" ")})`;
+const polyline = (points: readonly Point[]) =>
+  `M${points.map(([x, y]) => `${x.toFixed(2)} ${y.toFixed(2)}`).join(" ")}`;
+
+export function Overlay({ canvas }: { readonly canvas: Canvas }) {
+  const { editor } = canvas;
+  const map = canvas.stageFromArtboard();
+  const sketch = canvas.sketch.value;
+  const isHiding = editor.hideHandles.value;
+  const isCoarse = typeof matchMedia === "function" && matchMedia("(pointer: coarse)").matches;
+  return (
+    <>
+      <svg
+        class="overlay canvas-overlay"
+        role="group"
+        aria-label={labelOf(canvas)}
+        style={`--zoom:${isCoarse ? 1 / COARSE : 1}`}
+      >
+        {editor.showReference.value && <References canvas={canvas} map={map} />}
+        <Artboard canvas={canvas} map={map} />
+        {editor.showOutlines.value && <AllOutlines canvas={canvas} map={map} />}
+        {!isHiding && <Handles canvas={canvas} map={map} sketch={sketch} />}
+        {sketch.draft && <DraftView draft={sketch.draft} map={map} />}
+        <Aids sketch={sketch} />
+      </svg>
+      {sketch.tag && (
+        <span
+          class="tag canvas-tag"
+          style={`left:${sketch.tag.at[0] + 16}px;top:${sketch.tag.at[1] + 16}px`}
+        >
+          {sketch.tag.text}
+        </span>
+      )}
+    </>
+  );
+}
+
+function labelOf(canvas: Canvas): string {
+  const { editor } = canvas;
+  const selection = editor.selection.value;
+  const last = selection.at(-1);
+  const item = last && editor.drawing.item(last.handle);
+  if (!item) return en.canvas.name;
+  if (editor.tool.value !== "select") return en.canvas.handlesOf(item.name);
+  return selection.length > 1
+    ? en.canvas.boxOfSeveral(selection.length)
+    : en.canvas.boxOf(item.name);
+}
+
+/** Photos to trace over, above the picture and below the handles. */
+function References({ canvas, map }: { readonly canvas: Canvas; readonly map: Affine }) {
+  const { editor } = canvas;
+  const references = useComputed(() =>
+    [...editor.drawing.all()].filter((item) => item.kind === "reference" && !isHidden(item)),
+  );
+  return (
+    <>
+      {references.value.map((item) =>
+        item.kind === "reference" ? (
+          <image
+            key={item.handle}
+            href={item.href}
+            x={item.box[0]}
+            y={item.box[1]}
+            width={item.box[2] - item.box[0]}
+            height={item.box[3] - item.box[1]}
+            opacity={item.opacity}
+            preserveAspectRatio="none"
+            transform={matrix(composed(map, item.artboardFromItem))}
+            aria-hidden="true"
+          />
+        ) : null,
+      )}
+    </>
+  );
+}
+
+function Artboard({ canvas, map }: { readonly canvas: Canvas; readonly map: Affine }) {
+  const [x0, y0, x1, y1] = canvas.editor.drawing.artboard;
+  return (
+    <rect
+      class="artboard-edge"
+      x={x0 * map[0] + map[4]}
+      y={y0 * map[3] + map[5]}
+      width={(x1 - x0) * map[0]}
+      height={(y1 - y0) * map[3]}
+    />
+  );
+}
+
+function AllOutlines({ canvas, map }: { readonly canvas: Canvas; readonly map: Affine }) {
+  const { editor } = canvas;
+  const data = useComputed(() => outlineOf(placesOf(editor.drawing)));
+  return (
+    <g transform={matrix(map)}>
+      <path class="outline-rim" d={data.value} />
+      <path class="outline" d={data.value} />
+    </g>
+  );
+}
+
+function Handles({
+  canvas,
+  map,
+  sketch,
+}: {
+  readonly canvas: Canvas;
+  readonly map: Affine;
+  readonly sketch: Sketch;
+}) {
+  const marks = canvas.marks.value;
+  const isDragged = (mark: Mark) =>
+    sketch.dragged !== null &&
+    sketch.dragged.handle === mark.handle &&
+    isSamePart(sketch.dragged.part, mark.part);
+  const rest = sketch.isFaded ? marks.filter((mark) => !isDragged(mark)) : marks;
+  return (
+    <>
+      <g class={sketch.isFaded ? "handles faded" : "handles"}>
+        <Curves canvas={canvas} map={map} />
+        <SelectionBox canvas={canvas} map={map} />
+        <Bands canvas={canvas} map={map} />
+        {rest.map((mark) => (
+          <HandleLine key={keyOf(mark)} mark={mark} />
+        ))}
+        {rest.map((mark) => (
+          <MarkView key={keyOf(mark)} mark={mark} />
+        ))}
+      </g>
+      {sketch.isFaded &&
+        marks.filter(isDragged).map((mark) => (
+          <g key={keyOf(mark)}>
+            <HandleLine mark={mark} />
+            <MarkView mark={mark} />
+          </g>
+        ))}
+    </>
+  );
+}
+
+function Curves({ canvas, map }: { readonly canvas: Canvas; readonly map: Affine }) {
+  const { editor } = canvas;
+  const data = useComputed(() => {
+    const selected = new Set(editor.selection.value.map(({ handle }) => handle));
+    const found = outlinesOf(placesOf(editor.drawing), selected, editor.hovered.value);
+    return {
+      selected: outlineOf(found.selected),
+      light: outlineOf([...found.within, ...found.hovered]),
+    };
+  });
+  const { selected, light } = data.value;
+  return (
+    <g transform={matrix(map)}>
+      {light !== "" && <path class="thin-rim" d={light} />}
+      {light !== "" && <path class="curve-hover" d={light} />}
+      {selected !== "" && <path class="rim" d={selected} />}
+      {selected !== "" && <path class="curve-on" d={selected} />}
+      {selected !== "" && <path class="curve-dash" d={selected} />}
+    </g>
+  );
+}
+
+function SelectionBox({ canvas, map }: { readonly canvas: Canvas; readonly map: Affine }) {
+  const { editor } = canvas;
+  if (editor.tool.value !== "select") return null;
+  const box = selectionBox(editor.drawing, editor.selection.value);
+  if (!box) return null;
+  const [x0, y0, x1, y1] = drawnBox(box, map);
+  const sides = { x: x0, y: y0, width: x1 - x0, height: y1 - y0 };
+  return (
+    <>
+      <rect class="box-rim" {...sides} />
+      <rect class="box" {...sides} />
+    </>
+  );
+}
+
+/** The edges of the blur, or of a local curve's radius, on both sides of the primary curve. */
+function Bands({ canvas, map }: { readonly canvas: Canvas; readonly map: Affine }) {
+  const tool = canvas.editor.tool.value;
+  const item = canvas.primaryCurve();
+  const kind = item && kindOn(item, canvas.attribute());
+  if (
+    !item ||
+    (kind !== "blur" && kind !== "radius") ||
+    (tool !== "nodes" && tool !== "blur" && tool !== "sample")
+  )
+    return null;
+  const own = stageFromItem(map, item);
+  if (!(lengthScale(own) > 0)) return null;
+  const edges = SIDES.flatMap((side) => {
+    const list = stopsOf(item, side, kind);
+    return list ? item.paths.map((path) => polyline(bandOf(item, path, own, side, list))) : [];
+  }).join("");
+  return edges === "" ? null : (
+    <>
+      <path class="band-rim" d={edges} />
+      <path class="band" d={edges} />
+    </>
+  );
+}
+
+/** From a node to its handle, from the curve to a bracket, from the box to what turns it. */
+function HandleLine({ mark }: { readonly mark: Mark }) {
+  if (mark.kind === "node" || mark.kind === "stop" || mark.kind === "scale") return null;
+  const ends = { x1: mark.foot[0], y1: mark.foot[1], x2: mark.at[0], y2: mark.at[1] };
+  return (
+    <>
+      <line class="thin-rim" {...ends} />
+      <line class={mark.kind === "bracket" ? "dash" : "thin"} {...ends} />
+    </>
+  );
+}
+
+function DraftView({ draft, map }: { readonly draft: Draft; readonly map: Affine }) {
+  const data = pathData(draft.path);
+  const nodes = draft.hasNodes ? draft.path.points.filter((_, k) => k % 3 === 0) : [];
+  const place = ([x, y]: Point) => `--x:${x * map[0] + map[4]}px;--y:${y * map[3] + map[5]}px`;
+  return (
+    <>
+      <g transform={matrix(map)}>
+        {draft.rubber && <path class="thin-rim" d={pathData(draft.rubber)} />}
+        {draft.rubber && <path class="curve-hover" d={pathData(draft.rubber)} />}
+        <path class="rim" d={data} />
+        <path class="curve-on" d={data} />
+        <path class="curve-dash" d={data} />
+      </g>
+      {nodes.map((point, k) => (
+        <g key={k} class="mark" style={place(point)}>
+          <rect class="node" x={-4.5} y={-4.5} width={9} height={9} rx={1} />
+          {k === 0 && draft.closes && <circle class="stop-on" r={9.5} />}
+        </g>
+      ))}
+    </>
+  );
+}
+
+/** Guides, the selecting rectangle, the brush. */
+function Aids({ sketch }: { readonly sketch: Sketch }) {
+  const { marquee, guides, brush } = sketch;
+  return (
+    <>
+      {guides.map(({ to }, k) => (
+        <g key={k} class="mark" style={`--x:${to[0]}px;--y:${to[1]}px`}>
+          <circle class="guide-rim" r={8} />
+          <circle class="guide" r={8} />
+        </g>
+      ))}
+      {marquee && <Marquee from={marquee[0]} to={marquee[1]} />}
+      {brush && <circle class="brush-rim" cx={brush.at[0]} cy={brush.at[1]} r={brush.radius} />}
+      {brush && <circle class="brush" cx={brush.at[0]} cy={brush.at[1]} r={brush.radius} />}
+    </>
+  );
+}
+
+function Marquee({ from, to }: { readonly from: Point; readonly to: Point }) {
+  const sides = {
+    x: Math.min(from[0], to[0]),
+    y: Math.min(from[1], to[1]),
+    width: Math.abs(to[0] - from[0]),
+    height: Math.abs(to[1] - from[1]),
+  };
+  return (
+    <>
+      <rect class="marquee-rim" {...sides} />
+      <rect class="marquee" {...sides} />
+    </>
+  );
+}

@@ -1,0 +1,76 @@
+// The pixels of a picture to trace over.
+import {
+  composed,
+  inverted,
+  mapped,
+  translation,
+  type Affine,
+  type Point,
+} from "../geometry/affine.js";
+import type { Drawing, ReferenceItem } from "../model/types.js";
+import { isHidden } from "./places.js";
+
+export interface Photo {
+  readonly width: number;
+  readonly height: number;
+  /** Red, green, blue, alpha, a byte each. */
+  readonly data: Uint8ClampedArray;
+  readonly artboardFromPixel: Affine;
+}
+
+/** Pixels of the photos that were read last: they are large. */
+const MOST_KEPT = 2;
+const kept = new Map<string, Promise<ImageData | null>>();
+
+/** The topmost picture to trace over that is seen, at a point or at all; null: there is none. */
+export function referenceAt(drawing: Drawing, point: Point | null): ReferenceItem | null {
+  const seen = [...drawing.all()].flatMap((item) =>
+    item.kind === "reference" && !isHidden(item) ? [item] : [],
+  );
+  return seen.filter((item) => point === null || isWithin(item, point)).at(-1) ?? null;
+}
+
+function isWithin(item: ReferenceItem, point: Point): boolean {
+  const back = inverted(item.artboardFromItem);
+  if (!back) return false;
+  const [x, y] = mapped(back, point);
+  const [x0, y0, x1, y1] = item.box;
+  return x >= x0 && x <= x1 && y >= y0 && y <= y1;
+}
+
+/** Its pixels; null where no browser decodes it. */
+export async function photoOf(item: ReferenceItem): Promise<Photo | null> {
+  const image = await pixelsOf(item.href);
+  const [x0, y0, x1, y1] = item.box;
+  if (!image || !(x1 > x0 && y1 > y0)) return null;
+  const { width, height, data } = image;
+  const itemFromPixel = composed(translation(x0, y0), [
+    (x1 - x0) / width,
+    0,
+    0,
+    (y1 - y0) / height,
+    0,
+    0,
+  ]);
+  return { width, height, data, artboardFromPixel: composed(item.artboardFromItem, itemFromPixel) };
+}
+
+function pixelsOf(href: string): Promise<ImageData | null> {
+  const known = kept.get(href);
+  const pixels = known ?? decoded(href).catch(() => null);
+  kept.delete(href);
+  kept.set(href, pixels);
+  for (const old of [...kept.keys()].slice(0, -MOST_KEPT)) kept.delete(old);
+  return pixels;
+}
+
+async function decoded(href: string): Promise<ImageData | null> {
+  const image = new Image();
+  image.src = href;
+  await image.decode();
+  const { naturalWidth: width, naturalHeight: height } = image;
+  const context = new OffscreenCanvas(width, height).getContext("2d", { willReadFrequently: true });
+  if (!context) return null;
+  context.drawImage(image, 0, 0);
+  return context.getImageData(0, 0, width, height);
+}

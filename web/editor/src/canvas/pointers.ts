@@ -1,0 +1,200 @@
+// Which pointer does what: draws, moves the picture, or is not heard.
+import { signal, type Signal } from "@preact/signals";
+import type { Point } from "../geometry/affine.js";
+import type { Canvas } from "./canvas.js";
+import type { CursorName } from "./cursors.js";
+import type { PointerKind } from "./hit.js";
+import { PanDrag } from "./tools/hand.js";
+import type { Drag, Press, Tool, TrailPoint } from "./tools/tool.js";
+
+/** A pointer event, with its place on the stage in CSS pixels. */
+export interface StagePointer {
+  readonly id: number;
+  readonly kind: PointerKind;
+  readonly button: number;
+  readonly at: Point;
+  readonly pressure: number;
+  readonly shift: boolean;
+  readonly alt: boolean;
+  readonly ctrl: boolean;
+  /** Milliseconds. */
+  readonly time: number;
+  /** Moments since the last event, the last of them `at`. */
+  readonly trail: readonly TrailPoint[];
+}
+
+export interface Modifiers {
+  readonly shift: boolean;
+  readonly alt: boolean;
+  readonly ctrl: boolean;
+}
+
+/** A hand that lies on the screen after the pen is not a finger: milliseconds. */
+const PALM_TIME = 500;
+/** Two presses within these are a double click: milliseconds, CSS pixels by kind. */
+const DOUBLE_TIME = 400;
+const DOUBLE_REACH = { mouse: 4, pen: 8, touch: 24 } as const;
+const MIDDLE = 1;
+
+interface Held {
+  readonly id: number;
+  readonly drag: Drag | null;
+  readonly clicks: number;
+  last: Press;
+}
+
+/** The state of all pointers over a stage. It knows no DOM. */
+export class Pointers {
+  readonly cursor: Signal<CursorName> = signal("default");
+  private held: Held | null = null;
+  private readonly fingers = new Map<number, Point>();
+  /** Fingers that move the picture: until all are lifted none of them draws. */
+  private isPinching = false;
+  private isSpace = false;
+  private penTime = -Infinity;
+  private lastDown = { time: -Infinity, at: [0, 0] as Point, clicks: 0 };
+
+  constructor(
+    private readonly canvas: Canvas,
+    private readonly tool: () => Tool,
+  ) {}
+
+  get isDragging(): boolean {
+    return this.held !== null || this.isPinching;
+  }
+
+  private isPalm(e: StagePointer): boolean {
+    if (e.kind === "pen") this.penTime = e.time;
+    return e.kind === "touch" && e.time - this.penTime < PALM_TIME;
+  }
+
+  private press(e: StagePointer, clicks = 1): Press {
+    const { at, pressure, kind, shift, alt, ctrl } = e;
+    const trail = e.trail.length > 0 ? e.trail : [{ at, pressure }];
+    return { at, pressure, kind, shift, alt, ctrl, clicks, trail };
+  }
+
+  private countClicks(e: StagePointer): number {
+    const { time, at, clicks } = this.lastDown;
+    const isNear = Math.hypot(e.at[0] - at[0], e.at[1] - at[1]) <= DOUBLE_REACH[e.kind];
+    const now = e.time - time <= DOUBLE_TIME && isNear ? clicks + 1 : 1;
+    // A third click begins anew.
+    this.lastDown = { time: e.time, at: e.at, clicks: now === 2 ? 0 : now };
+    return now;
+  }
+
+  /** @returns whether the pointer is to be captured */
+  down(e: StagePointer): boolean {
+    if (this.isPalm(e)) return false;
+    if (e.kind === "touch") {
+      this.fingers.set(e.id, e.at);
+      if (this.fingers.size >= 2) {
+        this.cancel();
+        this.isPinching = true;
+      }
+      if (this.isPinching) return true;
+    }
+    if (this.held || (e.button !== 0 && e.button !== MIDDLE)) return false;
+    const isPan = e.button === MIDDLE || this.isSpace;
+    const p = this.press(e, isPan ? 1 : this.countClicks(e));
+    const drag = isPan ? new PanDrag(this.canvas, p) : this.tool().press(p);
+    this.held = { id: e.id, drag, clicks: p.clicks, last: p };
+    this.cursor.value = drag?.cursor ?? this.cursor.peek();
+    return true;
+  }
+
+  move(e: StagePointer): void {
+    if (this.isPalm(e)) return;
+    this.canvas.editor.pointer.value = this.canvas.toArtboard(e.at);
+    if (this.fingers.has(e.id) && this.isPinching) {
+      this.pinch(e);
+      return;
+    }
+    if (this.fingers.has(e.id)) this.fingers.set(e.id, e.at);
+    const { held } = this;
+    if (held && held.id !== e.id) return;
+    if (held) {
+      held.last = this.press(e, held.clicks);
+      held.drag?.move(held.last);
+    } else if (e.kind !== "touch") this.hover(e);
+  }
+
+  private hover(e: StagePointer): void {
+    const over = this.tool().hover(this.press(e));
+    this.cursor.value = this.isSpace ? "grab" : over;
+  }
+
+  /** Two fingers: what lies under them stays under them. */
+  private pinch(e: StagePointer): void {
+    const before = this.spread();
+    this.fingers.set(e.id, e.at);
+    const after = this.spread();
+    const { navigation } = this.canvas;
+    navigation.moveBy(after.at[0] - before.at[0], after.at[1] - before.at[1]);
+    if (before.width > 0 && after.width > 0)
+      navigation.zoomBy(after.width / before.width, after.at, false);
+  }
+
+  private spread(): { at: Point; width: number } {
+    const [a, b] = [...this.fingers.values()];
+    if (!b) return { at: a, width: 0 };
+    return {
+      at: [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2],
+      width: Math.hypot(a[0] - b[0], a[1] - b[1]),
+    };
+  }
+
+  up(e: StagePointer): void {
+    if (this.isPalm(e) && !this.fingers.has(e.id)) return;
+    this.lift(e.id);
+    const { held } = this;
+    if (held?.id !== e.id) return;
+    this.held = null;
+    held.drag?.end(this.press(e, held.clicks));
+    if (e.kind !== "touch") this.hover(e);
+  }
+
+  private lift(id: number): void {
+    if (this.fingers.delete(id) && this.fingers.size === 0) this.isPinching = false;
+  }
+
+  /** The pointer was taken away: as if it had not been pressed. */
+  lost(id: number): void {
+    this.lift(id);
+    if (this.held?.id === id) this.cancel();
+  }
+
+  /** Drops what is dragged. @returns whether something was */
+  cancel(): boolean {
+    const { held } = this;
+    this.held = null;
+    held?.drag?.cancel();
+    return held?.drag != null;
+  }
+
+  /** Keys that change what a drag does. */
+  modifiers(now: Modifiers): void {
+    const { held } = this;
+    if (!held) return;
+    held.last = { ...held.last, ...now, trail: [] };
+    held.drag?.keys?.(held.last);
+  }
+
+  space(isDown: boolean): void {
+    const drag = this.held?.drag;
+    if (drag?.space) {
+      drag.space(isDown);
+      return;
+    }
+    if (this.isSpace === isDown) return;
+    this.isSpace = isDown;
+    if (!this.held) this.cursor.value = isDown ? "grab" : "default";
+  }
+
+  leave(): void {
+    if (this.held) return;
+    this.canvas.editor.hovered.value = null;
+    this.canvas.editor.pointer.value = null;
+    this.canvas.draw({ brush: null, guides: [] });
+  }
+}

@@ -1,0 +1,141 @@
+// Colours that the picture has beside a curve: what a new curve bears, so that nothing changes.
+import type { Editor } from "../app/types.js";
+import { inverted, lengthScale, mapped, type Point } from "../geometry/affine.js";
+import { oklabFromRgb, type Rgb } from "../geometry/color.js";
+import { mappedPath, pieceCount, type CubicPath } from "../geometry/cubic.js";
+import {
+  cumulativeLengths,
+  parameterAtFraction,
+  pathDirectionAt,
+  pathPointAt,
+} from "../geometry/length.js";
+import { simplifiedGraph } from "../geometry/simplify.js";
+import { leftOf } from "../geometry/vector.js";
+import type { CurveItem, Item, SideValue, Stop } from "../model/types.js";
+import { outermostLayer } from "./hit.js";
+
+/** How far beside the curve colours are asked for, and how far apart, CSS pixels. */
+const BESIDE = 1.5;
+const APART = 4;
+/** Places along a curve, whatever its length. */
+const FEWEST = 8;
+const MOST = 160;
+/** How far stops may be from the colours that they stand for, in OKLab: hardly seen. */
+const TOLERANCE = 0.008;
+/** What covers less is not there. */
+const NOTHING = 1 / 255;
+
+interface Sides<V> {
+  readonly left: V;
+  readonly right: V;
+}
+
+/** Number of a layer in the engine, by a curve of it; null: the engine knows none. */
+function engineLayer(editor: Editor, layer: Item): number | null {
+  const { start, end } = layer.element.range;
+  const curve = editor.engine.curves.find(({ offset }) => offset >= start && offset < end);
+  return curve?.layer ?? null;
+}
+
+/** Colours at points of a layer, in its frame; null for a point where nothing is, or for all. */
+async function colorsAt(
+  editor: Editor,
+  layer: Item,
+  points: readonly Point[],
+): Promise<(Rgb | null)[] | null> {
+  const index = engineLayer(editor, layer);
+  if (index === null) return null;
+  try {
+    const rgba = await editor.engine.colors(index, Float64Array.from(points.flat()));
+    return points.map((_, k) => {
+      const [r, g, b, opacity] = rgba.subarray(4 * k, 4 * k + 4);
+      return opacity > NOTHING && Number.isFinite(r + g + b) ? { r, g, b } : null;
+    });
+  } catch {
+    // Without the engine a curve can still be drawn.
+    return null;
+  }
+}
+
+function reachOf(editor: Editor, layer: Item): number {
+  return BESIDE / (editor.view.peek().zoom * (lengthScale(layer.artboardFromItem) || 1));
+}
+
+/** The points at a distance left and right of a place on a path. */
+function pointsBeside(path: CubicPath, at: number, distance: number): [Point, Point] {
+  const [x, y] = pathPointAt(path, at);
+  const [nx, ny] = leftOf(pathDirectionAt(path, at) ?? [1, 0]);
+  return [
+    [x + nx * distance, y + ny * distance],
+    [x - nx * distance, y - ny * distance],
+  ];
+}
+
+/**
+ * Stops for both sides of a path that is to come into a layer. A side beside which nothing is stays
+ * open. null: the layer has no colours yet, or the engine does not tell.
+ * @param path in the layer's frame
+ */
+export async function takenSides(
+  editor: Editor,
+  layer: Item,
+  path: CubicPath,
+): Promise<Sides<SideValue<Rgb>> | null> {
+  const reach = reachOf(editor, layer);
+  const lengths = cumulativeLengths(path);
+  const length = lengths[pieceCount(path)] * (BESIDE / reach);
+  const count = Math.min(MOST, Math.max(FEWEST, Math.ceil(length / APART)));
+  const shares = Array.from({ length: count + 1 }, (_, k) => k / count);
+  const beside = shares.map((share) =>
+    pointsBeside(path, parameterAtFraction(path, share, lengths), reach),
+  );
+  const colors = await colorsAt(editor, layer, [
+    ...beside.map(([left]) => left),
+    ...beside.map(([, right]) => right),
+  ]);
+  if (!colors || colors.every((color) => color === null)) return null;
+  return {
+    left: sideOf(shares, colors.slice(0, shares.length)),
+    right: sideOf(shares, colors.slice(shares.length)),
+  };
+}
+
+/** As few stops as stand for colours along a side. */
+function sideOf(shares: readonly number[], colors: readonly (Rgb | null)[]): SideValue<Rgb> {
+  const stops = shares.flatMap((offset, k): Stop<Rgb>[] => {
+    const value = colors[k];
+    return value ? [{ offset, value }] : [];
+  });
+  if (stops.length === 0) return { kind: "open" };
+  const rows = stops.map(({ offset, value }) => {
+    const { l, a, b } = oklabFromRgb(value);
+    return [offset, l, a, b];
+  });
+  const kept = simplifiedGraph(rows, TOLERANCE).map((k) => stops[k]);
+  const isEven = kept.length <= 2 && distance(rows[0], rows[rows.length - 1]) < TOLERANCE;
+  return { kind: "stops", space: "arc", stops: isEven ? [{ ...kept[0], offset: 0 }] : kept };
+}
+
+function distance(a: readonly number[], b: readonly number[]): number {
+  return Math.hypot(a[1] - b[1], a[2] - b[2], a[3] - b[3]);
+}
+
+/** The colours beside one place of a curve; null: there are none. @param at piece + t */
+export async function colorsBeside(
+  editor: Editor,
+  item: CurveItem,
+  path: number,
+  at: number,
+): Promise<Sides<Rgb | null> | null> {
+  const layer = outermostLayer(item);
+  const inLayer = mappedPath(item.layerFromItem, item.paths[path]);
+  const colors = await colorsAt(editor, layer, pointsBeside(inLayer, at, reachOf(editor, layer)));
+  return colors && { left: colors[0], right: colors[1] };
+}
+
+/** The colour of an item's layer at a point of the artboard; null: there is none. */
+export async function colorAt(editor: Editor, item: Item, point: Point): Promise<Rgb | null> {
+  const layer = outermostLayer(item);
+  const back = inverted(layer.artboardFromItem);
+  return back && ((await colorsAt(editor, layer, [mapped(back, point)]))?.[0] ?? null);
+}

@@ -1,0 +1,309 @@
+// Nodes: nodes, handles, the curve itself, and the stops along it.
+import { mapped, type Point } from "../../geometry/affine.js";
+import { nodeCount, type CubicPath } from "../../geometry/cubic.js";
+import { locate } from "../../geometry/length.js";
+import { atAngle } from "../../geometry/snap.js";
+import { setPath, splitPiece } from "../../model/commands/index.js";
+import type { CurveItem, Selected } from "../../model/types.js";
+import { en } from "../../strings/en.js";
+import type { Canvas } from "../canvas.js";
+import { blurCursor, type CursorName } from "../cursors.js";
+import { itemVector, movedNodes, plus, setKinds } from "../edits.js";
+import { shown } from "../format.js";
+import type { CurveHit } from "../hit.js";
+import { selectedOf, stageFromItem, type Mark, type NodeMark } from "../marks.js";
+import { bent, handlesOf, nodeOfHandle, withHandle } from "../nodes.js";
+import { isCurve, isLocked } from "../places.js";
+import { isSamePart } from "../sketch.js";
+import { addStop, dragStop, inStrip } from "./stops.js";
+import {
+  EditDrag,
+  MarqueeDrag,
+  toggled,
+  travelled,
+  type Drag,
+  type KeyPress,
+  type Press,
+  type Tool,
+} from "./tool.js";
+
+const KINDS = { c: "corner", s: "smooth", y: "symmetric" } as const;
+
+export class NodesTool implements Tool {
+  constructor(private readonly canvas: Canvas) {}
+
+  hover(p: Press): CursorName {
+    const { canvas } = this;
+    const mark = canvas.markAt(p.at, p.kind);
+    const curve = mark ? null : canvas.curveAt(p.at, p.kind);
+    canvas.editor.hovered.value = curve?.place.owner.handle ?? null;
+    if (mark?.kind === "bracket") return blurCursor(Math.atan2(mark.normal[1], mark.normal[0]));
+    if (mark?.kind === "stop") return "stop";
+    if (mark) return "move";
+    if (curve) return "bend";
+    return inStrip(canvas, p) ? "copy" : "default";
+  }
+
+  press(p: Press): Drag | null {
+    const { canvas } = this;
+    const mark = canvas.markAt(p.at, p.kind);
+    if (mark) return this.pressMark(mark, p);
+    const hit = canvas.curveAt(p.at, p.kind);
+    if (hit) return this.pressCurve(hit, p);
+    return new MarqueeDrag(
+      canvas,
+      p,
+      (low, high, end) => this.take(low, high, end.shift),
+      (end) => this.click(end),
+    );
+  }
+
+  key({ key, ctrl, alt }: KeyPress): boolean {
+    const kind = KINDS[key.toLowerCase() as keyof typeof KINDS];
+    return kind !== undefined && !ctrl && !alt && setKinds(this.canvas.editor, kind);
+  }
+
+  private pressMark(mark: Mark, p: Press): Drag | null {
+    const { editor } = this.canvas;
+    const one = selectedOf(mark);
+    if (mark.kind === "stop" || mark.kind === "bracket") {
+      editor.selection.value = [one];
+      return dragStop(this.canvas, mark, p);
+    }
+    if (mark.kind === "handle") {
+      editor.selection.value = [one];
+      return this.dragHandle(mark, p);
+    }
+    if (mark.kind !== "node") return null;
+    const nodes = editor.selection.peek().filter(({ part }) => part.kind === "node");
+    if (p.shift) editor.selection.value = withoutWholes(toggled(nodes, one, isSame), one);
+    else if (!mark.isChosen) editor.selection.value = [one];
+    if (p.alt) return this.pullHandle(mark, p);
+    return this.dragNodes(mark, p, () => {
+      if (!p.shift) editor.selection.value = [one];
+    });
+  }
+
+  private dragNodes(mark: NodeMark, start: Press, click: () => void): Drag {
+    const { canvas } = this;
+    const { editor } = canvas;
+    const grid = canvas.curves();
+    const selection = editor.selection.peek();
+    const moved = new Set(selection.map(({ handle }) => handle));
+    return new EditDrag(canvas, start, {
+      label: selection.length > 1 ? en.tools.undo.moveNodes : en.tools.undo.moveNode,
+      dragged: { handle: mark.handle, part: mark.part },
+      cursor: "move",
+      make: (p, before) => {
+        const by = travelled(start, p);
+        const wanted = plus(mark.at, by);
+        const to =
+          p.shift || p.ctrl ? { at: wanted, guides: [] } : canvas.snap(wanted, grid, moved);
+        canvas.draw({ guides: to.guides });
+        const { zoom } = editor.view.peek();
+        const vector: Point = [(to.at[0] - mark.at[0]) / zoom, (to.at[1] - mark.at[1]) / zoom];
+        return movedNodes(before, selection, vector, (item) => editor.step(item));
+      },
+      click,
+      kept: () => this.tell(mark),
+    });
+  }
+
+  /** A handle turns the other with it where the node is smooth; Alt breaks them. */
+  private dragHandle(mark: NodeMark, start: Press): Drag {
+    const { canvas } = this;
+    const { editor } = canvas;
+    return new EditDrag(canvas, start, {
+      label: en.tools.undo.moveHandle,
+      dragged: { handle: mark.handle, part: mark.part },
+      cursor: "move",
+      make: (p, before) => {
+        const item = before.item(mark.handle);
+        const path =
+          isCurve(item) && mark.part.kind === "handle" ? item.paths[mark.part.path] : undefined;
+        if (!isCurve(item) || !path || mark.part.kind !== "handle") return null;
+        const raw = plus(mark.at, [p.at[0] - start.at[0], p.at[1] - start.at[1]]);
+        const to = p.shift ? atAngle(mark.foot, raw) : raw;
+        const by = itemVector(item, canvas.stageFromArtboard(), [
+          to[0] - mark.at[0],
+          to[1] - mark.at[1],
+        ]);
+        if (!by) return null;
+        const { index, path: k } = mark.part;
+        const changed = withHandle(path, index, plus(path.points[index], by), p.alt);
+        return setPath(before, item.handle, k, changed, editor.step(item));
+      },
+      kept: () => this.tell(mark),
+    });
+  }
+
+  /** With Alt a node gives a handle of its own: the one towards where it is pulled. */
+  private pullHandle(mark: NodeMark, start: Press): Drag | null {
+    const { canvas } = this;
+    const { editor } = canvas;
+    const { part } = mark;
+    if (part.kind !== "node") return null;
+    return new EditDrag(canvas, start, {
+      label: en.tools.undo.moveHandle,
+      dragged: { handle: mark.handle, part },
+      cursor: "move",
+      make: (p, before) => {
+        const item = before.item(mark.handle);
+        if (!isCurve(item)) return null;
+        const path = item.paths[part.path];
+        const { before: back, after } = handlesOf(path, part.index);
+        const by = itemVector(item, canvas.stageFromArtboard(), [
+          p.at[0] - start.at[0],
+          p.at[1] - start.at[1],
+        ]);
+        const handle = by && pulled(path, part.index, back, after, by);
+        if (handle === null || !by) return null;
+        const to = plus(path.points[3 * part.index], by);
+        return setPath(
+          before,
+          item.handle,
+          part.path,
+          withHandle(path, handle, to, true),
+          editor.step(item),
+        );
+      },
+      kept: () => this.tell(mark),
+    });
+  }
+
+  /** The curve is bent so that it goes through the pointer; a double click adds a node. */
+  private pressCurve(hit: CurveHit, p: Press): Drag | null {
+    const { canvas } = this;
+    const { editor } = canvas;
+    const { owner, item } = hit.place;
+    const isIn = editor.selection.peek().some(({ handle }) => handle === owner.handle);
+    if (!isIn || p.shift) {
+      const one: Selected = { handle: owner.handle, part: { kind: "whole" } };
+      editor.selection.value = p.shift
+        ? toggled(editor.selection.peek(), one, (a, b) => a.handle === b.handle)
+        : [one];
+    }
+    // What a <use> shows is edited where it stands.
+    if (owner !== item || p.shift) return null;
+    if (p.clicks >= 2) {
+      this.split(hit);
+      return null;
+    }
+    const whole: Selected = { handle: owner.handle, part: { kind: "whole" } };
+    return new EditDrag(canvas, p, {
+      label: en.tools.undo.bend,
+      dragged: { handle: item.handle, part: { kind: "whole" } },
+      cursor: "bend",
+      make: (to, before) => {
+        const now = before.item(item.handle);
+        const path = isCurve(now) ? now.paths[hit.path] : undefined;
+        const by = isCurve(now) && itemVector(now, canvas.stageFromArtboard(), travelled(p, to));
+        if (!isCurve(now) || !path || !by) return null;
+        return setPath(before, now.handle, hit.path, bent(path, hit.at, by), editor.step(now));
+      },
+      click: () => {
+        editor.selection.value = [whole];
+      },
+    });
+  }
+
+  private split(hit: CurveHit): void {
+    const { editor } = this.canvas;
+    const item = editor.drawing.item(hit.place.item.handle);
+    if (!isCurve(item) || isLocked(item)) return;
+    const { piece, t } = locate(item.paths[hit.path], hit.at);
+    const made = splitPiece(editor.drawing, item.handle, hit.path, piece, t, editor.step(item));
+    if (!editor.run(en.tools.undo.addNode, made)) return;
+    editor.selection.value = [
+      { handle: item.handle, part: { kind: "node", path: hit.path, index: piece + 1 } },
+    ];
+  }
+
+  /** Beside the curve a click makes a stop; elsewhere it lets go: of parts, then of the curve. */
+  private click(p: Press): void {
+    const on = inStrip(this.canvas, p);
+    if (on) {
+      void addStop(this.canvas, on, this.canvas.attribute());
+      return;
+    }
+    this.letGo();
+  }
+
+  private letGo(): void {
+    const { editor } = this.canvas;
+    const selection = editor.selection.peek();
+    const hasParts = selection.some(({ part }) => part.kind !== "whole");
+    const wholes = [...new Set(selection.map(({ handle }) => handle))];
+    editor.selection.value = hasParts
+      ? wholes.map((handle) => ({ handle, part: { kind: "whole" } }))
+      : [];
+  }
+
+  /** The nodes of the chosen curves that are in a rectangle of the stage. */
+  private take(low: Point, high: Point, adds: boolean): void {
+    const { canvas } = this;
+    const { editor } = canvas;
+    const found = canvas.chosenCurves().flatMap((item) => this.nodesIn(item, low, high));
+    const before = adds ? editor.selection.peek().filter(({ part }) => part.kind === "node") : [];
+    const fresh = found.filter((one) => !before.some((other) => isSame(one, other)));
+    if (before.length + fresh.length > 0) editor.selection.value = [...before, ...fresh];
+    else this.letGo();
+  }
+
+  private nodesIn(item: CurveItem, [x0, y0]: Point, [x1, y1]: Point): Selected[] {
+    const map = stageFromItem(this.canvas.stageFromArtboard(), item);
+    return item.paths.flatMap((path, k) =>
+      Array.from({ length: nodeCount(path) }, (_, index) => index)
+        .filter((index) => {
+          const [x, y] = mapped(map, path.points[3 * index]);
+          return x >= x0 && x <= x1 && y >= y0 && y <= y1;
+        })
+        .map((index) => ({ handle: item.handle, part: { kind: "node", path: k, index } as const })),
+    );
+  }
+
+  /** Says where a node or handle has come to. */
+  private tell(mark: NodeMark): void {
+    const { editor } = this.canvas;
+    const item = editor.drawing.item(mark.handle);
+    const { part } = mark;
+    if (!isCurve(item) || (part.kind !== "node" && part.kind !== "handle")) return;
+    const path = item.paths[part.path];
+    const point = path?.points[part.kind === "node" ? 3 * part.index : part.index];
+    if (!point) return;
+    const [x, y] = mapped(item.artboardFromItem, point);
+    const node = part.kind === "node" ? part.index : nodeOfHandle(path, part.index);
+    editor.announcement.value = en.canvas.at(
+      en.canvas.node(node + 1, item.name),
+      shown(x),
+      shown(y),
+    );
+  }
+}
+
+function isSame(a: Selected, b: Selected): boolean {
+  return a.handle === b.handle && isSamePart(a.part, b.part);
+}
+
+/** A curve whose last node is let go stays chosen. */
+function withoutWholes(nodes: readonly Selected[], last: Selected): readonly Selected[] {
+  return nodes.length > 0 ? nodes : [{ handle: last.handle, part: { kind: "whole" } }];
+}
+
+/** Of a node's two handles the one whose piece leads to where it is pulled. */
+function pulled(
+  path: CubicPath,
+  node: number,
+  before: number | null,
+  after: number | null,
+  [dx, dy]: Point,
+): number | null {
+  if (before === null || after === null) return after ?? before;
+  const [x, y] = path.points[3 * node];
+  const last = path.points.length - 1;
+  const towards = (index: number) => {
+    const [nx, ny] = path.points[(index + last) % last];
+    return ((nx - x) * dx + (ny - y) * dy) / Math.max(Math.hypot(nx - x, ny - y), 1e-12);
+  };
+  return towards(3 * node - 3) > towards(3 * node + 3) ? before : after;
+}

@@ -1,0 +1,265 @@
+// Pen: click for a corner, drag for a curve; the first node closes, Enter ends.
+import { mapped, type Point } from "../../geometry/affine.js";
+import { nodeCount, type CubicPath } from "../../geometry/cubic.js";
+import { locate } from "../../geometry/length.js";
+import { atAngle } from "../../geometry/snap.js";
+import { deleteNodes, splitPiece } from "../../model/commands/index.js";
+import { en } from "../../strings/en.js";
+import { nearestAt } from "../along.js";
+import type { Canvas } from "../canvas.js";
+import type { CursorName } from "../cursors.js";
+import { addCurve } from "../drawn.js";
+import { REACH } from "../hit.js";
+import { stageFromItem } from "../marks.js";
+import { NO_SKETCH, type Guide } from "../sketch.js";
+import { isBeyond, type Drag, type KeyPress, type Press, type Tool } from "./tool.js";
+
+/** A node as it is set, artboard units; handles that lie on it are none. */
+interface PenNode {
+  readonly at: Point;
+  readonly into: Point;
+  readonly out: Point;
+}
+
+export function pathOf(nodes: readonly PenNode[], closed: boolean): CubicPath {
+  const all = closed ? [...nodes, nodes[0]] : nodes;
+  const points: Point[] = [all[0].at];
+  for (let k = 1; k < all.length; k += 1) {
+    const [from, to] = [all[k - 1], all[k]];
+    // Without handles it is a line, whose handles stand at its thirds.
+    const isLine = isSame(from.out, from.at) && isSame(to.into, to.at);
+    points.push(
+      isLine ? third(from.at, to.at) : from.out,
+      isLine ? third(to.at, from.at) : to.into,
+      to.at,
+    );
+  }
+  return { points, closed };
+}
+
+function isSame(a: Point, b: Point): boolean {
+  return a[0] === b[0] && a[1] === b[1];
+}
+
+function third(from: Point, to: Point): Point {
+  return [from[0] + (to[0] - from[0]) / 3, from[1] + (to[1] - from[1]) / 3];
+}
+
+export class PenTool implements Tool {
+  private nodes: readonly PenNode[] = [];
+  private queue: Promise<void> = Promise.resolve();
+
+  constructor(private readonly canvas: Canvas) {}
+
+  hover(p: Press): CursorName {
+    const { canvas } = this;
+    canvas.editor.hovered.value = null;
+    if (this.nodes.length === 0) {
+      if (p.alt) return this.onSelected(p)?.kind ?? "pen";
+      canvas.draw({ guides: this.place(p).guides });
+      return "pen";
+    }
+    const closes = this.closes(p);
+    const { at, guides } = this.place(p);
+    const next: PenNode = closes ? this.nodes[0] : { at, into: at, out: at };
+    this.show(pathOf([this.nodes[this.nodes.length - 1], next], false), closes, guides);
+    return closes ? "pen-close" : "pen";
+  }
+
+  press(p: Press): Drag | null {
+    if (this.nodes.length === 0 && p.alt) {
+      this.onSelected(p)?.run();
+      return null;
+    }
+    if (p.clicks >= 2 && this.nodes.length > 1) {
+      this.finish(false);
+      return null;
+    }
+    const closes = this.closes(p);
+    const at = closes ? this.nodes[0].at : this.place(p).at;
+    return new PenDrag(this.canvas, p, at, {
+      show: (node) => this.showSet(node, closes),
+      set: (node) => {
+        if (closes) this.close(node);
+        else this.nodes = [...this.nodes, node];
+      },
+      drop: () => this.show(null, false, []),
+    });
+  }
+
+  key({ key }: KeyPress): boolean {
+    if (this.nodes.length === 0) return false;
+    if (key === "Enter" || key === "Escape") this.finish(false);
+    else if (key === "Backspace" || key === "Delete") {
+      this.nodes = this.nodes.slice(0, -1);
+      this.show(null, false, []);
+    } else return false;
+    return true;
+  }
+
+  leave(): void {
+    if (this.nodes.length > 0) this.finish(false);
+  }
+
+  /** Settles when what was drawn is in the document. */
+  get isDone(): Promise<void> {
+    return this.queue;
+  }
+
+  private closes(p: Press): boolean {
+    const first = this.nodes.length > 1 && this.canvas.toStage(this.nodes[0].at);
+    return first !== false && !isBeyond(first, p.at, REACH[p.kind].mark);
+  }
+
+  /** Where a node would be set, artboard units. */
+  private place(p: Press): { at: Point; guides: readonly Guide[] } {
+    const { canvas } = this;
+    const last = this.nodes[this.nodes.length - 1];
+    const held = p.shift && last ? atAngle(canvas.toStage(last.at), p.at) : p.at;
+    const to =
+      p.shift || p.ctrl ? { at: held, guides: [] } : canvas.snap(held, canvas.curves(), new Set());
+    return { at: canvas.toArtboard(to.at), guides: to.guides };
+  }
+
+  private show(rubber: CubicPath | null, closes: boolean, guides: readonly Guide[]): void {
+    const draft =
+      this.nodes.length > 0
+        ? { path: pathOf(this.nodes, false), rubber, closes, hasNodes: true }
+        : null;
+    this.canvas.draw({ draft, guides });
+  }
+
+  private showSet(node: PenNode, closes: boolean): void {
+    const nodes = closes
+      ? [{ ...this.nodes[0], into: node.into }, ...this.nodes.slice(1)]
+      : [...this.nodes, node];
+    const rubber = pathOf([node, { at: node.out, into: node.out, out: node.out }], false);
+    this.canvas.draw({
+      draft: {
+        path: pathOf(nodes, closes),
+        rubber: isSame(node.at, node.out) ? null : rubber,
+        closes,
+        hasNodes: true,
+      },
+    });
+  }
+
+  private close(node: PenNode): void {
+    const first = { ...this.nodes[0], into: node.into };
+    this.nodes = [first, ...this.nodes.slice(1)];
+    this.finish(true);
+  }
+
+  /** What there is becomes a curve; a single node none. */
+  private finish(closed: boolean): void {
+    const { canvas, nodes } = this;
+    this.nodes = [];
+    if (nodes.length < 2) {
+      canvas.sketch.value = NO_SKETCH;
+      return;
+    }
+    const path = pathOf(nodes, closed);
+    const draft = { path, rubber: null, closes: false, hasNodes: false };
+    canvas.sketch.value = { ...NO_SKETCH, draft };
+    this.queue = this.queue.then(async () => {
+      await addCurve(canvas.editor, path, en.tools.undo.pen);
+      if (canvas.sketch.peek().draft === draft) canvas.sketch.value = NO_SKETCH;
+    });
+  }
+
+  /** With Alt: what a click does to the selected curve. */
+  private onSelected(p: Press): { kind: "pen-add" | "pen-remove"; run: () => void } | null {
+    const { canvas } = this;
+    const { editor } = canvas;
+    const item = canvas.primaryCurve();
+    if (!item) return null;
+    const map = stageFromItem(canvas.stageFromArtboard(), item);
+    const reach = REACH[p.kind];
+    for (const [k, path] of item.paths.entries()) {
+      for (let node = 0; node < nodeCount(path); node += 1) {
+        const [x, y] = mapped(map, path.points[3 * node]);
+        if (Math.hypot(x - p.at[0], y - p.at[1]) > reach.curve) continue;
+        const run = () =>
+          void editor.run(
+            en.tools.undo.deleteNodes,
+            deleteNodes(editor.drawing, item.handle, k, [node], editor.step(item)),
+          );
+        return { kind: "pen-remove", run };
+      }
+      const near = nearestAt(path, map, p.at);
+      if (near.distance > reach.curve) continue;
+      const { piece, t } = locate(path, near.at);
+      const run = () =>
+        void editor.run(
+          en.tools.undo.addNode,
+          splitPiece(editor.drawing, item.handle, k, piece, t, editor.step(item)),
+        );
+      return { kind: "pen-add", run };
+    }
+    return null;
+  }
+}
+
+interface PenMoves {
+  show(node: PenNode): void;
+  set(node: PenNode): void;
+  drop(): void;
+}
+
+/** Sets a node: a drag pulls its handles out, Alt only the one ahead, Space moves the node. */
+class PenDrag implements Drag {
+  readonly cursor = "pen";
+  private node: PenNode;
+  private last: Press;
+  private isSpace = false;
+
+  constructor(
+    private readonly canvas: Canvas,
+    private readonly start: Press,
+    at: Point,
+    private readonly moves: PenMoves,
+  ) {
+    this.node = { at, into: at, out: at };
+    this.last = start;
+    moves.show(this.node);
+  }
+
+  space(isDown: boolean): void {
+    this.isSpace = isDown;
+  }
+
+  move(p: Press): void {
+    const { canvas } = this;
+    if (this.isSpace) {
+      const { zoom } = canvas.editor.view.peek();
+      const [dx, dy] = [(p.at[0] - this.last.at[0]) / zoom, (p.at[1] - this.last.at[1]) / zoom];
+      const shifted = ([x, y]: Point): Point => [x + dx, y + dy];
+      this.node = {
+        at: shifted(this.node.at),
+        into: shifted(this.node.into),
+        out: shifted(this.node.out),
+      };
+    } else if (isBeyond(this.start.at, p.at) || !isSame(this.node.out, this.node.at)) {
+      const at = canvas.toStage(this.node.at);
+      const out = canvas.toArtboard(p.shift ? atAngle(at, p.at) : p.at);
+      const [x, y] = this.node.at;
+      const into: Point = p.alt ? this.node.into : [2 * x - out[0], 2 * y - out[1]];
+      this.node = { at: this.node.at, into, out };
+    }
+    this.last = p;
+    this.moves.show(this.node);
+  }
+
+  keys(p: Press): void {
+    this.move({ ...p, at: this.last.at });
+  }
+
+  end(): void {
+    this.moves.set(this.node);
+    this.canvas.draw({ guides: [] });
+  }
+
+  cancel(): void {
+    this.moves.drop();
+  }
+}

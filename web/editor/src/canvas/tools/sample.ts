@@ -1,0 +1,239 @@
+// Sample: along a curve both sides take the photo's colours; from a stop it is an eyedropper.
+import type { Gesture } from "../../app/types.js";
+import type { Rgb } from "../../geometry/color.js";
+import { hexOf, parseColor } from "../../geometry/colortext.js";
+import { pieceCount } from "../../geometry/cubic.js";
+import { setColor, together } from "../../model/commands/index.js";
+import type { Drawing, Outcome } from "../../model/types.js";
+import { en } from "../../strings/en.js";
+import { nearestAt } from "../along.js";
+import type { Canvas } from "../canvas.js";
+import type { CursorName } from "../cursors.js";
+import { setSide } from "../edits.js";
+import type { CurveHit } from "../hit.js";
+import { stageFromItem, type StopMark } from "../marks.js";
+import { photoOf, referenceAt, type Photo } from "../photo.js";
+import { isCurve, isLocked } from "../places.js";
+import { photoColor, sampledSide } from "../sampled.js";
+import { SIDES, stopsOf, withValue, type Value } from "../sides.js";
+import { NO_SKETCH } from "../sketch.js";
+import { colorAt } from "../taken.js";
+import { isBeyond, type Drag, type Press, type Tool } from "./tool.js";
+
+/** The system's eyedropper, where there is one. */
+interface EyeDropper {
+  open(): Promise<{ readonly sRGBHex: string }>;
+}
+
+export class SampleTool implements Tool {
+  constructor(private readonly canvas: Canvas) {}
+
+  hover(p: Press): CursorName {
+    const { canvas } = this;
+    const curve = canvas.markAt(p.at, p.kind) ? null : canvas.curveAt(p.at, p.kind);
+    canvas.editor.hovered.value = curve?.place.owner.handle ?? null;
+    return "sample";
+  }
+
+  press(p: Press): Drag | null {
+    const { canvas } = this;
+    const { editor } = canvas;
+    const mark = canvas.markAt(p.at, p.kind);
+    if (mark?.kind === "stop" && mark.attribute === "color") {
+      editor.selection.value = [{ handle: mark.handle, part: mark.part }];
+      return new PickDrag(canvas, mark, p);
+    }
+    const hit = canvas.curveAt(p.at, p.kind);
+    if (!hit) {
+      editor.selection.value = [];
+      return null;
+    }
+    editor.selection.value = [{ handle: hit.place.owner.handle, part: { kind: "whole" } }];
+    if (hit.place.owner !== hit.place.item || isLocked(hit.place.item)) return null;
+    const reference =
+      referenceAt(editor.drawing, canvas.toArtboard(p.at)) ?? referenceAt(editor.drawing, null);
+    if (!reference) {
+      editor.say(en.tools.noPhoto);
+      return null;
+    }
+    return new SampleDrag(canvas, hit, p, photoOf(reference));
+  }
+}
+
+/** Along a curve, from where it was pressed; a click takes all of it. */
+class SampleDrag implements Drag {
+  readonly cursor = "sample";
+  private photo: Photo | null = null;
+  private gesture: Gesture | null = null;
+  private low: number;
+  private high: number;
+  private isOver = false;
+
+  constructor(
+    private readonly canvas: Canvas,
+    private readonly hit: CurveHit,
+    private readonly start: Press,
+    private readonly loading: Promise<Photo | null>,
+  ) {
+    this.low = hit.at;
+    this.high = hit.at;
+    void loading.then((photo) => {
+      this.photo = photo;
+      if (!photo) canvas.editor.say(en.tools.photoUnread);
+      else if (!this.isOver && this.gesture) this.show();
+    });
+  }
+
+  move(p: Press): void {
+    const { canvas, hit } = this;
+    if (!this.gesture) {
+      if (!isBeyond(this.start.at, p.at)) return;
+      this.gesture = canvas.editor.gesture(en.tools.undo.sample);
+      canvas.draw({ isFaded: true });
+    }
+    const path = hit.place.item.paths[hit.path];
+    const map = stageFromItem(canvas.stageFromArtboard(), hit.place.item);
+    for (const { at } of p.trail) {
+      const place = nearestAt(path, map, at).at;
+      this.low = Math.min(this.low, place);
+      this.high = Math.max(this.high, place);
+    }
+    this.show();
+  }
+
+  private show(): void {
+    const { photo } = this;
+    if (photo) this.gesture?.show((before) => this.sampled(before, photo, [this.low, this.high]));
+  }
+
+  private sampled(
+    drawing: Drawing,
+    photo: Photo,
+    range: readonly [number, number],
+  ): Outcome | null {
+    const curve = drawing.item(this.hit.place.item.handle);
+    if (!isCurve(curve) || !curve.paths[this.hit.path]) return null;
+    const { settings } = this.canvas.editor;
+    const wish = {
+      distance: settings.sampleDistance.peek(),
+      tolerance: settings.sampleTolerance.peek(),
+      range,
+    };
+    const sides = SIDES.map((side) => ({
+      side,
+      value: sampledSide(photo, curve, this.hit.path, side, wish),
+    }));
+    return together(
+      sides.map(({ side, value }) => value && setColor(drawing, curve.handle, side, value)),
+    );
+  }
+
+  end(): void {
+    this.isOver = true;
+    const { gesture } = this;
+    // The photo may still be on its way.
+    void this.loading.then((photo) => {
+      this.canvas.sketch.value = NO_SKETCH;
+      if (gesture) {
+        this.show();
+        gesture.keep();
+      } else if (photo) this.sampleAll(photo);
+    });
+  }
+
+  private sampleAll(photo: Photo): void {
+    const { editor } = this.canvas;
+    const item = editor.drawing.item(this.hit.place.item.handle);
+    if (!isCurve(item) || !item.paths[this.hit.path]) return;
+    const all = [0, pieceCount(item.paths[this.hit.path])] as const;
+    editor.run(en.tools.undo.sample, this.sampled(editor.drawing, photo, all));
+  }
+
+  cancel(): void {
+    this.isOver = true;
+    this.gesture?.drop();
+    this.canvas.sketch.value = NO_SKETCH;
+  }
+}
+
+/** From a stop to the colour it takes: of the photo, else of the picture; a click asks the system. */
+class PickDrag implements Drag {
+  readonly cursor = "sample";
+  private gesture: Gesture | null = null;
+  private latest = 0;
+  private asked: Promise<void> = Promise.resolve();
+
+  constructor(
+    private readonly canvas: Canvas,
+    private readonly mark: StopMark,
+    private readonly start: Press,
+  ) {}
+
+  move(p: Press): void {
+    const { canvas } = this;
+    if (!this.gesture) {
+      if (!isBeyond(this.start.at, p.at)) return;
+      this.gesture = canvas.editor.gesture(en.tools.undo.pick);
+      canvas.draw({ isFaded: true, dragged: { handle: this.mark.handle, part: this.mark.part } });
+    }
+    this.latest += 1;
+    const turn = this.latest;
+    this.asked = this.pick(p).then((color) => {
+      // The latest wins: answers may come in any order.
+      if (color && turn === this.latest) this.show(color, p);
+    });
+  }
+
+  private async pick(p: Press): Promise<Rgb | null> {
+    const { editor } = this.canvas;
+    const point = this.canvas.toArtboard(p.at);
+    const reference = editor.showReference.peek() ? referenceAt(editor.drawing, point) : null;
+    const photo = reference && (await photoOf(reference));
+    const item = editor.drawing.item(this.mark.handle);
+    return (photo && photoColor(photo, point)) ?? (item ? colorAt(editor, item, point) : null);
+  }
+
+  private show(color: Rgb, p: Press): void {
+    if (!this.gesture || this.gesture.isOver) return;
+    this.canvas.draw({ tag: { at: p.at, text: hexOf(color) } });
+    this.gesture.show((before) => this.colored(before, color));
+  }
+
+  private colored(drawing: Drawing, color: Rgb): Outcome | null {
+    const { handle, side, index } = this.mark;
+    const item = drawing.item(handle);
+    const list = isCurve(item) ? stopsOf(item, side, "color") : null;
+    if (!isCurve(item) || !list?.stops[index]) return null;
+    return setSide(drawing, item, side, "color", withValue<Value>(list, index, color));
+  }
+
+  end(): void {
+    const { gesture } = this;
+    if (!gesture) {
+      void this.askSystem();
+      return;
+    }
+    void this.asked.then(() => {
+      if (!gesture.isOver) gesture.keep();
+      this.canvas.sketch.value = NO_SKETCH;
+    });
+  }
+
+  private async askSystem(): Promise<void> {
+    const { EyeDropper } = globalThis as { EyeDropper?: new () => EyeDropper };
+    if (!EyeDropper) return;
+    try {
+      const color = parseColor((await new EyeDropper().open()).sRGBHex);
+      const { editor } = this.canvas;
+      if (color) editor.run(en.tools.undo.pick, this.colored(editor.drawing, color));
+    } catch {
+      // It was left by Escape.
+    }
+  }
+
+  cancel(): void {
+    this.latest += 1;
+    if (this.gesture && !this.gesture.isOver) this.gesture.drop();
+    this.canvas.sketch.value = NO_SKETCH;
+  }
+}
