@@ -5,7 +5,7 @@ import {
   artboardFromStage,
   stageFromArtboard,
   turnWheel,
-} from "../../../web/editor/src/canvas/view.js";
+} from "../../../web/editor/src/app/view.js";
 import { navigationOf } from "./support/editor.js";
 import { randomFrom } from "./random.js";
 

@@ -40,7 +40,7 @@ const stage = (
 
 listenToKeys(editor);
 listenToClipboard(editor, (files) => void documents.drop(files));
-render(<App editor={editor} services={servicesOf(editor, documents, __VERSION__)} stage={stage} />, document.getElementById("app")!);
+render(<App editor={editor} services={servicesOf(editor, documents)} stage={stage} />, document.getElementById("app")!);
 publish(editor, documents, async () => {
   await editor.settled();
   await picture.drawn();

@@ -9,7 +9,7 @@ import {
   Navigation,
   artboardFromStage,
   stageFromArtboard,
-} from "../../../../web/editor/src/canvas/view.js";
+} from "../../../../web/editor/src/app/view.js";
 import { FakeDrawing, type FakeOutcome } from "./drawing.js";
 
 export interface FakeEditor extends Editor {

@@ -169,7 +169,7 @@ function selectAll(editor: DrawingEditor) {
 
 function zoomToSelection(editor: DrawingEditor) {
   const box = boxOf(chosenItems(editor));
-  if (box) editor.fit(box);
+  if (box) editor.navigation.fit(box);
 }
 
 function toTool(tool: ToolName): Command {
@@ -240,9 +240,9 @@ const table: readonly (readonly [string, Command])[] = [
   ["flip-vertical", flip(words.flip, 1)],
   ["zoom-in", (editor) => editor.zoomBy(ZOOM)],
   ["zoom-out", (editor) => editor.zoomBy(1 / ZOOM)],
-  ["zoom-fit", (editor) => editor.fit()],
+  ["zoom-fit", ({ navigation }) => navigation.fit()],
   ["zoom-selection", zoomToSelection],
-  ["zoom-actual", (editor) => editor.zoomBy(1 / editor.view.value.zoom)],
+  ["zoom-actual", ({ navigation }) => navigation.showActualSize()],
   ["mesh", toggle("showMesh")],
   ["outlines", toggle("showOutlines")],
   ["reference", toggle("showReference")],

@@ -1,8 +1,6 @@
 // The editor's state: the drawing, what is selected and seen, and every change of them.
 import { batch, effect, signal, untracked, type Signal } from "@preact/signals";
 import type { Affine, Box, Point } from "../geometry/affine.js";
-import { inverted, mapped } from "../geometry/affine.js";
-import type { Rgb } from "../geometry/color.js";
 import type { Engine, EngineCurve, EngineStatus, Hint } from "../engine/types.js";
 import { openDrawing } from "../model/drawing.js";
 import type {
@@ -31,7 +29,7 @@ import type {
   ToolName,
   ViewState,
 } from "./types.js";
-import { artboardFromStage, fitted, seenBox, stageFromArtboard, zoomed } from "./viewing.js";
+import { artboardFromStage, Navigation, seenBox, stageFromArtboard } from "./view.js";
 
 /** Decimals are worth writing down to this part of a pixel. */
 const STEP = 1 / 1000;
@@ -44,6 +42,7 @@ export type CommandTable = ReadonlyMap<string, (editor: DrawingEditor) => void>;
 export class DrawingEditor implements Editor {
   readonly engine: Engine;
   readonly settings = openSettings();
+  readonly navigation: Navigation;
   readonly selection: Signal<Selection> = signal<Selection>([]);
   readonly tool = signal<ToolName>("select");
   readonly attribute = signal<Attribute>("color");
@@ -75,7 +74,8 @@ export class DrawingEditor implements Editor {
   /** Elements by their place, in the texts that the engine was given. */
   #snapshots = new Map<number, ReadonlyMap<number, Handle>>();
   #known = { serial: -1, curves: new Map<Handle, EngineCurve[]>() };
-  #isFitted = true;
+  /** The view that shows all of the artboard; another is the hand's. */
+  #fitted: ViewState | null = null;
   #hintTimer = 0;
 
   constructor(engine: Engine, commands: CommandTable, text: string) {
@@ -83,6 +83,8 @@ export class DrawingEditor implements Editor {
     this.#commands = commands;
     this.#drawing = openDrawing(text);
     engine.onStatus = (status) => this.#hearStatus(status);
+    this.navigation = new Navigation(this);
+    effect(() => this.#keepFitted());
     effect(() => this.#look());
   }
 
@@ -235,24 +237,6 @@ export class DrawingEditor implements Editor {
     return null;
   }
 
-  /**
-   * What a layer shows at points of the artboard, before anything is laid over it; null where
-   * nothing is seen.
-   */
-  async colorsAt(layer: Item, points: readonly Point[]): Promise<readonly (Rgb | null)[]> {
-    const number = this.engineLayer(layer);
-    const back = inverted(layer.artboardFromItem);
-    if (number === null || !back || points.length === 0) return points.map(() => null);
-    const xy = Float64Array.from(points.flatMap((point) => mapped(back, point)));
-    try {
-      const rgba = await this.engine.colors(number, xy);
-      return points.map((_, i) => colorOf(rgba.subarray(4 * i, 4 * i + 4)));
-    } catch {
-      // Outside of what the layer shows there is nothing to take up.
-      return points.map(() => null);
-    }
-  }
-
   #hearStatus(status: EngineStatus) {
     this.status.value = status;
     clearTimeout(this.#hintTimer);
@@ -326,36 +310,28 @@ export class DrawingEditor implements Editor {
   // View.
 
   artboardFromStage(): Affine {
-    return artboardFromStage(this.view.value, this.stage.value);
+    const { width, height } = this.stage.value;
+    return artboardFromStage(this.view.value, width, height);
   }
 
   stageFromArtboard(): Affine {
-    return stageFromArtboard(this.view.value, this.stage.value);
+    const { width, height } = this.stage.value;
+    return stageFromArtboard(this.view.value, width, height);
   }
 
-  /** @param box null or absent: the artboard, which stays fitted while the window changes */
   fit(box?: Box): void {
-    this.#isFitted = !box;
-    this.view.value = fitted(box ?? this.#drawing.artboard, untracked(() => this.stage.value));
-  }
-
-  /** The stage has another size. */
-  resized(width: number, height: number): void {
-    this.stage.value = { width, height };
-    if (this.#isFitted) this.fit();
+    this.navigation.fit(box, false);
+    this.#fitted = box ? null : this.view.peek();
   }
 
   zoomBy(factor: number, at?: Point): void {
-    const { width, height } = this.stage.value;
-    this.#isFitted = false;
-    const about = at ?? [width / 2, height / 2];
-    this.view.value = zoomed(this.view.value, factor, about, this.stage.value, this.#drawing.artboard);
+    this.navigation.zoomBy(factor, at);
   }
 
-  /** The hand has moved the view. */
-  show(view: ViewState): void {
-    this.#isFitted = false;
-    this.view.value = view;
+  /** The artboard stays fitted while the window changes, until the hand moves the view. */
+  #keepFitted() {
+    void this.stage.value;
+    if (this.#fitted && this.#fitted === this.view.peek()) untracked(() => this.fit());
   }
 
   #look() {
@@ -374,9 +350,4 @@ export class DrawingEditor implements Editor {
     this.toast.value = { text, action };
     this.announcement.value = text;
   }
-}
-
-function colorOf([r, g, b, a]: Float32Array): Rgb | null {
-  const clamped = (value: number) => Math.min(1, Math.max(0, value));
-  return a > 0 ? { r: clamped(r), g: clamped(g), b: clamped(b) } : null;
 }

@@ -116,6 +116,8 @@ export interface Editor {
   open(text: string, name: string): void;
   /** The layer that new curves go into: the selection's, else the topmost that is not locked. */
   readonly activeLayer: Item | null;
+  /** The engine's number of a layer, or null where it has no curves that the engine has read. */
+  engineLayer(layer: Item): number | null;
   /** The unit of the last decimal to write for an element: 1/1000 of a CSS pixel at this zoom. */
   step(item: Item | null): number;
   artboardFromStage(): Affine;

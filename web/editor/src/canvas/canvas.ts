@@ -9,7 +9,7 @@ import { chosenParts, nodeMarks, stageFromItem, stopMarks, type Mark } from "./m
 import { isCurve, isHidden, isLocked, placesOf, type Place } from "./places.js";
 import { NO_SKETCH, type Sketch } from "./sketch.js";
 import { snapped, type Snapped } from "./snap.js";
-import { stageFromArtboard, type Navigation } from "./view.js";
+import { stageFromArtboard, type Navigation } from "../app/view.js";
 
 /** Nodes are shown of so many selected curves at most: more would hide the picture. */
 const MOST_WITH_NODES = 24;

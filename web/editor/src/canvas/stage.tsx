@@ -14,7 +14,7 @@ import { Pointers, type StagePointer } from "./pointers.js";
 import { NO_SKETCH } from "./sketch.js";
 import { makeTools } from "./tools/index.js";
 import type { Tool } from "./tools/tool.js";
-import { turnWheel, type Navigation } from "./view.js";
+import { turnWheel, type Navigation } from "../app/view.js";
 import { keyOf } from "./walk.js";
 
 export interface StageProps {

@@ -30,20 +30,13 @@ interface Sides<V> {
   readonly right: V;
 }
 
-/** Number of a layer in the engine, by a curve of it; null: the engine knows none. */
-function engineLayer(editor: Editor, layer: Item): number | null {
-  const { start, end } = layer.element.range;
-  const curve = editor.engine.curves.find(({ offset }) => offset >= start && offset < end);
-  return curve?.layer ?? null;
-}
-
 /** Colours at points of a layer, in its frame; null for a point where nothing is, or for all. */
 async function colorsAt(
   editor: Editor,
   layer: Item,
   points: readonly Point[],
 ): Promise<(Rgb | null)[] | null> {
-  const index = engineLayer(editor, layer);
+  const index = editor.engineLayer(layer);
   if (index === null) return null;
   try {
     const rgba = await editor.engine.colors(index, Float64Array.from(points.flat()));

@@ -67,6 +67,10 @@ export class WorkerEngine implements Engine {
     this.#front = this.#newSeat();
   }
 
+  get version(): string {
+    return this.#front.version;
+  }
+
   get index(): { readonly serial: number; readonly curves: readonly EngineCurve[] } {
     const { readSerial, curves } = this.#front;
     return { serial: readSerial, curves };

@@ -14,6 +14,7 @@ export class Seat {
   /** Resolves when it can be called. */
   readonly ready: Promise<void>;
   isStarted = false;
+  version = "";
   /** Number of the text that its document is of; -1: none. */
   serial = -1;
   /** Number of the text that it has read; -1: none. */
@@ -32,7 +33,7 @@ export class Seat {
   }
 
   async #start(host: Host, name: string): Promise<void> {
-    await this.link.call("start", await host.module(), name);
+    this.version = await this.link.call<string>("start", await host.module(), name);
     this.isStarted = true;
   }
 

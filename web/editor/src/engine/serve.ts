@@ -9,6 +9,7 @@ export function serve(scope: MessageEndpoint): void {
   answer(scope, {
     async start(module: WebAssembly.Module, name: string) {
       session = await Session.start(module, name);
+      return session.version;
     },
     addImages: (images: readonly GivenImage[]) => session.addImages(images),
     read: (text: string) => session.read(text),

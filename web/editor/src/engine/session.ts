@@ -87,8 +87,11 @@ export class Session {
   #stack: { readonly bytes: Uint8Array; readonly stamp: string } | null = null;
   #serial = 0;
   readonly #name: string;
+  /** Of the library. */
+  readonly version: string;
 
   private constructor(sfumato: Sfumato, name: string) {
+    this.version = sfumato.version ?? "";
     this.#context = sfumato.context({ "max-memory": 3000 });
     this.#name = name;
   }

@@ -70,6 +70,8 @@ export interface Engine {
   show(text: string, moving: boolean, quick?: readonly QuickChange[]): number;
   /** CSS pixels times the device's ratio to an artboard unit, and what is seen: how fine is enough. */
   look(pixelsPerUnit: number, seen: Box, artboard: Box): void;
+  /** Of the library; "" until it has started. */
+  readonly version: string;
   /** The last text that was read: its number, and its curves; changes of curves since leave both. */
   readonly index: { readonly serial: number; readonly curves: readonly EngineCurve[] };
   /** Exact colours (red, green, blue, opacity; 0 to 1) of a layer's last exact state at points, xy in its frame. */

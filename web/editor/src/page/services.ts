@@ -1,11 +1,10 @@
 // What the panels get beside the editor's state.
 import { computed, signal, type Signal } from "@preact/signals";
 import type { DrawingEditor } from "../app/editor.js";
-import { defaultKeys, keyBindings, resetKeys, setKeys, type KeyGroup as Group } from "../app/keys.js";
 import { copyPng, estimateSize, exportDrawing, exportTypes, type ExportWish } from "../files/export.js";
 import { pickFile } from "../files/open.js";
 import { saveExport } from "../files/save.js";
-import type { KeyBook, KeyGroup, Services } from "../panels/services.js";
+import type { Services } from "../panels/services.js";
 import type { Rgb } from "../geometry/color.js";
 import { en } from "../strings/en.js";
 import type { Documents } from "./documents.js";
@@ -13,31 +12,6 @@ import { examplesOf } from "./examples.js";
 import { dataUri } from "./files.js";
 import { mendOf } from "./mend.js";
 import { previewOf } from "./preview.js";
-
-const groupOrder: readonly Group[] = ["tools", "view", "edit", "curve", "arrange", "file"];
-
-function keyBook(): KeyBook {
-  const groups = computed<readonly KeyGroup[]>(() =>
-    groupOrder.map((group) => ({
-      title: en.keys.groups[group],
-      commands: keyBindings()
-        .filter((given) => given.group === group)
-        .map(({ command, keys }) => ({
-          name: command,
-          label: en.keys.commands[command as keyof typeof en.keys.commands],
-          chords: keys,
-          isFixed: false,
-        })),
-    })),
-  );
-  return {
-    groups,
-    change(name, chords) {
-      setKeys(name, chords ?? defaultKeys.find(({ command }) => command === name)!.keys);
-    },
-    reset: resetKeys,
-  };
-}
 
 function sourceOf(editor: DrawingEditor) {
   const { drawing, engine, file } = editor;
@@ -80,10 +54,11 @@ async function chooseTexture(editor: DrawingEditor) {
   return { href: await dataUri(blob), width, height };
 }
 
-export function servicesOf(editor: DrawingEditor, documents: Documents, version: string): Services {
+export function servicesOf(editor: DrawingEditor, documents: Documents): Services {
   return {
-    version,
-    keys: keyBook(),
+    get version() {
+      return editor.engine.version;
+    },
     examples: examplesOf(documents),
     recent: computed(() =>
       documents.kept.value.map(({ id, name, time }) => ({ name, time, open: () => void documents.recover(id) })),

@@ -2,7 +2,7 @@
 import { Motion } from "../../../viewer/motion.js";
 import { View } from "../../../viewer/view.js";
 import type { Affine, Box, Point } from "../geometry/affine.js";
-import type { Editor, ViewState } from "../app/types.js";
+import type { Editor, ViewState } from "./types.js";
 
 /** Around what is fitted into the stage, CSS pixels. */
 const MARGIN = 24;
@@ -25,6 +25,12 @@ export function artboardFromStage(
   height: number,
 ): Affine {
   return [1 / zoom, 0, 0, 1 / zoom, x - width / (2 * zoom), y - height / (2 * zoom)];
+}
+
+/** What of the plane is seen. */
+export function seenBox({ x, y, zoom }: ViewState, { width, height }: { readonly width: number; readonly height: number }): Box {
+  const [dx, dy] = [width / 2 / zoom, height / 2 / zoom];
+  return [x - dx, y - dy, x + dx, y + dy];
 }
 
 /** The viewer's view, with an editor's room: the artboard may be moved to the side. */
