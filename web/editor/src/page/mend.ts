@@ -7,6 +7,6 @@ import { en } from "../strings/en.js";
 export function mendOf(editor: DrawingEditor, hint: Hint): { readonly label: string; readonly run: () => void } | null {
   const fix = fixOf(editor.drawing, hint);
   if (!fix) return null;
-  const label = en.lintFixes[fix.label];
+  const label = en.commands.lintFixes[fix.label];
   return { label, run: () => void editor.run(label, fix.outcome) };
 }

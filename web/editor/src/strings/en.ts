@@ -30,6 +30,17 @@ const commands = {
   toTop: "Bring to the top",
   undo: "Undo",
   ungroup: "Ungroup",
+  lintFixes: {
+    closeCurve: "Close the curve",
+    swapSides: "Swap its sides",
+    deleteCurve: "Delete the curve",
+    deleteHidden: "Delete the curve below",
+    deleteEmptyLayers: "Delete empty layers",
+    removeBlur: "Remove the blur",
+    addBarrier: "Stop colours at the open side",
+    matchEnds: "End with the first colour",
+    joinToCurve: "Move the end onto the curve",
+  },
   // commands: end
 } as const;
 
