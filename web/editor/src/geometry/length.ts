@@ -107,8 +107,11 @@ export function leftNormalAt(path: CubicPath, at: number): Point | null {
 }
 
 /** The place (piece + t) at a share, 0 to 1, of the arc length. */
-export function parameterAtFraction(path: CubicPath, fraction: number): number {
-  const lengths = cumulativeLengths(path);
+export function parameterAtFraction(
+  path: CubicPath,
+  fraction: number,
+  lengths: readonly number[] = cumulativeLengths(path),
+): number {
   const pieces = pieceCount(path);
   if (!(fraction > 0)) return 0;
   if (fraction >= 1) return pieces;
