@@ -231,18 +231,22 @@ describe.skipIf(!isBuilt)(`the model agrees with the engine (SFUMATO_WASM: ${mod
     }
   });
 
-  test.skipIf(scenesFolder === null)("on every scene of the paper (SFUMATO_SCENES)", async () => {
-    const context = await engine();
-    for (const scene of scenes()) {
-      const original = context.read(scene.bytes);
-      const text = original.write();
-      const source = { name: scene.name, bytes: Buffer.from(text), text };
-      const document = context.read(text);
-      expect(difference(source, document), scene.name).toBe("");
-      document.free();
-      original.free();
-    }
-  }, 120_000);
+  test.skipIf(scenesFolder === null)(
+    "on every scene of the paper (SFUMATO_SCENES)",
+    async () => {
+      const context = await engine();
+      for (const scene of scenes()) {
+        const original = context.read(scene.bytes);
+        const text = original.write();
+        const source = { name: scene.name, bytes: Buffer.from(text), text };
+        const document = context.read(text);
+        expect(difference(source, document), scene.name).toBe("");
+        document.free();
+        original.free();
+      }
+    },
+    120_000,
+  );
 
   test("on every find of the fuzzers that the engine reads", async () => {
     const context = await engine();

@@ -1,20 +1,45 @@
 // Commands that set what curves bear and what the document says: each says that, and nothing else.
 import { describe, expect, test } from "vitest";
 import {
-  recolor, setBoth, setColor, setNumber, setNumbers, setRadius, swapSides,
+  recolor,
+  setBoth,
+  setColor,
+  setNumber,
+  setNumbers,
+  setRadius,
+  swapSides,
 } from "../../../web/editor/src/model/commands/attributes.js";
 import {
-  rename, setArtboard, setBackground, setBlend, setHidden, setInterpolation, setLocked, setOpacity,
+  rename,
+  setArtboard,
+  setBackground,
+  setBlend,
+  setHidden,
+  setInterpolation,
+  setLocked,
+  setOpacity,
 } from "../../../web/editor/src/model/commands/document.js";
-import { curvesOf, isContainer, together } from "../../../web/editor/src/model/commands/together.js";
+import {
+  curvesOf,
+  isContainer,
+  together,
+} from "../../../web/editor/src/model/commands/together.js";
 import { openDrawing } from "../../../web/editor/src/model/drawing.js";
-import type { CurveItem, Drawing, Item, Outcome, SideValue, SideValues } from "../../../web/editor/src/model/types.js";
+import type {
+  CurveItem,
+  Drawing,
+  Item,
+  Outcome,
+  SideValue,
+  SideValues,
+} from "../../../web/editor/src/model/types.js";
 import { parseOpaque } from "../../../web/editor/src/source/colors.js";
 import { applied, inverse } from "../../../web/editor/src/source/patch.js";
 import type { Rgb } from "../../../web/editor/src/geometry/color.js";
 import { examples, pick, randomNumbers } from "./corpus.js";
 
-const HEAD = '<svg xmlns="http://www.w3.org/2000/svg" xmlns:sf="urn:sfumato:1" viewBox="0 0 100 100">';
+const HEAD =
+  '<svg xmlns="http://www.w3.org/2000/svg" xmlns:sf="urn:sfumato:1" viewBox="0 0 100 100">';
 
 function open(content: string, head = HEAD): Drawing {
   return openDrawing(`${head}${content}</svg>`);
@@ -51,7 +76,10 @@ function attributes(d: Drawing, outcome: Outcome | null): string {
 const rgb = (text: string) => parseOpaque(text) as Rgb;
 
 function colors(...names: string[]): SideValue<Rgb> {
-  const stops = names.map((name, i) => ({ offset: i / Math.max(names.length - 1, 1), value: rgb(name) }));
+  const stops = names.map((name, i) => ({
+    offset: i / Math.max(names.length - 1, 1),
+    value: rgb(name),
+  }));
   return { kind: "stops", space: "arc", stops };
 }
 
@@ -75,8 +103,12 @@ describe("a side's colour", () => {
   test("can be nothing, none and a paint, and is not written where nothing changes", () => {
     const { d, h, item } = curve('sf:left="red"');
     expect(attributes(d, setColor(d, h, "left", OPEN))).toBe("");
-    expect(attributes(d, setColor(d, h, "right", { kind: "barrier" }))).toBe('sf:left="red" sf:right="none"');
-    expect(attributes(d, setColor(d, h, "left", { kind: "paint", href: "#a" }))).toBe('sf:left="url(#a)"');
+    expect(attributes(d, setColor(d, h, "right", { kind: "barrier" }))).toBe(
+      'sf:left="red" sf:right="none"',
+    );
+    expect(attributes(d, setColor(d, h, "left", { kind: "paint", href: "#a" }))).toBe(
+      'sf:left="url(#a)"',
+    );
     expect(setColor(d, h, "left", item().left.color)).toBeNull();
     expect(setColor(d, h, "right", OPEN)).toBeNull();
     expect(setColor(d, 999, "left", OPEN)).toBeNull();
@@ -84,7 +116,10 @@ describe("a side's colour", () => {
 
   test("has few decimals where the hand put it", () => {
     const { d, h } = curve("");
-    const stops = [{ offset: 1 / 3, value: rgb("red") }, { offset: 0.5000001, value: rgb("gold") }];
+    const stops = [
+      { offset: 1 / 3, value: rgb("red") },
+      { offset: 0.5000001, value: rgb("gold") },
+    ];
     const outcome = setColor(d, h, "left", { kind: "stops", space: "arc", stops });
     expect(attributes(d, outcome)).toBe('sf:left="#f00 33.333%, #ffd700 50%"');
     const at = setColor(d, h, "left", { kind: "stops", space: "parameter", stops });
@@ -93,17 +128,25 @@ describe("a side's colour", () => {
 
   test("of a local curve leaves the other side as it is seen", () => {
     const { d, h } = stroke('sf:left="red" sf:radius="3"');
-    expect(attributes(d, setColor(d, h, "left", colors("blue")))).toBe('sf:left="#00f" sf:radius="3" sf:right="red"');
-    expect(attributes(d, setColor(d, h, "right", colors("blue")))).toBe('sf:left="red" sf:radius="3" sf:right="#00f"');
+    expect(attributes(d, setColor(d, h, "left", colors("blue")))).toBe(
+      'sf:left="#00f" sf:radius="3" sf:right="red"',
+    );
+    expect(attributes(d, setColor(d, h, "right", colors("blue")))).toBe(
+      'sf:left="red" sf:radius="3" sf:right="#00f"',
+    );
   });
 });
 
 describe("opacity and blur", () => {
   test("of one side leave the other one, also where one attribute serves both", () => {
     const { d, h } = curve('sf:blur="3"');
-    expect(attributes(d, setNumbers(d, h, "left", "blur", numbers(1, 2)))).toBe('sf:blur="3" sf:left-blur="1, 2"');
+    expect(attributes(d, setNumbers(d, h, "left", "blur", numbers(1, 2)))).toBe(
+      'sf:blur="3" sf:left-blur="1, 2"',
+    );
     expect(attributes(d, setNumbers(d, h, "left", "blur", OPEN))).toBe('sf:right-blur="3"');
-    expect(attributes(d, setNumbers(d, h, "right", "opacity", numbers(0.25)))).toBe('sf:blur="3" sf:right-opacity=".25"');
+    expect(attributes(d, setNumbers(d, h, "right", "opacity", numbers(0.25)))).toBe(
+      'sf:blur="3" sf:right-opacity=".25"',
+    );
   });
 
   test("of both sides take one attribute", () => {
@@ -114,14 +157,22 @@ describe("opacity and blur", () => {
 
   test("of a local curve are for both sides, and opacity is none", () => {
     const { d, h } = stroke('sf:left="red" sf:radius="3"');
-    expect(attributes(d, setNumbers(d, h, "right", "blur", numbers(2)))).toBe('sf:left="red" sf:radius="3" sf:blur="2"');
+    expect(attributes(d, setNumbers(d, h, "right", "blur", numbers(2)))).toBe(
+      'sf:left="red" sf:radius="3" sf:blur="2"',
+    );
     expect(setNumbers(d, h, "left", "opacity", numbers(1))).toBeNull();
     expect(setBoth(d, h, "opacity", numbers(1))).toBeNull();
   });
 
   test("by chance say on that side what was asked, and on the other what was there", () => {
     const random = randomNumbers(23);
-    const written = ["", 'sf:blur="3"', 'sf:blur="1, 2" sf:left-blur="0"', 'sf:opacity=".5" sf:right-opacity="none"', 'sf:left-opacity="0, 1"'];
+    const written = [
+      "",
+      'sf:blur="3"',
+      'sf:blur="1, 2" sf:left-blur="0"',
+      'sf:opacity=".5" sf:right-opacity="none"',
+      'sf:left-opacity="0, 1"',
+    ];
     for (let i = 0; i < 300; i += 1) {
       const { d, h, item } = curve(pick(written, random));
       const side = pick(["left", "right"] as const, random);
@@ -134,7 +185,8 @@ describe("opacity and blur", () => {
       const other = side === "left" ? "right" : "left";
       expect(now[other]).toEqual(before[other]);
       expect({ ...now[side], [name]: null }).toEqual({ ...before[side], [name]: null });
-      const digits = (value: SideValue<number>) => value.kind === "stops" ? value.stops.map(({ value: v }) => v.toPrecision(6)) : value;
+      const digits = (value: SideValue<number>) =>
+        value.kind === "stops" ? value.stops.map(({ value: v }) => v.toPrecision(6)) : value;
       expect(digits(now[side][name])).toEqual(digits(to));
     }
   });
@@ -142,7 +194,9 @@ describe("opacity and blur", () => {
 
 test("the radius of a local curve is set, and does not go", () => {
   const { d, h } = stroke('sf:left="red" sf:radius="3mm"');
-  expect(attributes(d, setRadius(d, h, numbers(1, 14, 3)))).toBe('sf:left="red" sf:radius="1, 14 50%, 3"');
+  expect(attributes(d, setRadius(d, h, numbers(1, 14, 3)))).toBe(
+    'sf:left="red" sf:radius="1, 14 50%, 3"',
+  );
   expect(setRadius(d, h, OPEN)).toBeNull();
   const of = curve("");
   expect(setRadius(of.d, of.h, numbers(1))).toBeNull();
@@ -161,7 +215,9 @@ test("sides that are swapped twice are as they were, and once the other way roun
     const d = openDrawing(text);
     const items = [...d.all()].filter((item): item is CurveItem => item.kind === "curve");
     const handles = items.map(({ handle }) => handle);
-    const before = new Map(items.map((item) => [item.handle, [item.left, item.right] as [SideValues, SideValues]]));
+    const before = new Map(
+      items.map((item) => [item.handle, [item.left, item.right] as [SideValues, SideValues]]),
+    );
     const outcome = swapSides(d, handles);
     if (!outcome) continue;
     d.apply(outcome.patch);
@@ -182,7 +238,9 @@ test("one colour is exchanged for another everywhere, and nothing else", () => {
   expect(handles.length).toBe(2);
   const outcome = recolor(d, handles, rgb("red"), rgb("blue"));
   expect(after(d, outcome)).toBe(
-    d.text.replace("#f00, gold 20%", "#00f, gold 20%").replace("red @0, RED @1", "#00f @0, #00f @1"),
+    d.text
+      .replace("#f00, gold 20%", "#00f, gold 20%")
+      .replace("red @0, RED @1", "#00f @0, #00f @1"),
   );
   expect(recolor(d, handles, rgb("lime"), rgb("blue"))).toBeNull();
 });
@@ -213,14 +271,26 @@ describe("a name", () => {
 
   test("of a second element with the same id leaves what refers to the first", () => {
     const d = open('<g id="a"/><g id="a"/><use href="#a"/>');
-    expect(after(d, rename(d, d.items[1].handle, "b"))).toBe(d.text.replace('<g id="a"/><use', '<g id="b"/><use'));
+    expect(after(d, rename(d, d.items[1].handle, "b"))).toBe(
+      d.text.replace('<g id="a"/><use', '<g id="b"/><use'),
+    );
   });
 });
 
 describe("what is hidden", () => {
-  const cases = ['', 'display="none"', 'style="display:none"', 'class="off"', 'visibility="hidden"', 'class="off" style="display:none; visibility:hidden"', 'class="hard"'];
+  const cases = [
+    "",
+    'display="none"',
+    'style="display:none"',
+    'class="off"',
+    'visibility="hidden"',
+    'class="off" style="display:none; visibility:hidden"',
+    'class="hard"',
+  ];
   test.each(cases)("is shown, hidden and shown again: %s", (own) => {
-    const d = open(`<style>.off{display:none}.hard{display:none!important}</style><g visibility="hidden"><g id="a" ${own}/></g>`);
+    const d = open(
+      `<style>.off{display:none}.hard{display:none!important}</style><g visibility="hidden"><g id="a" ${own}/></g>`,
+    );
     const h = named(d, "a").handle;
     for (const hidden of [false, true, false]) {
       const outcome = setHidden(d, [h], hidden);
@@ -303,11 +373,18 @@ describe("patches side by side", () => {
   test("are one, with what each selects", () => {
     const text = "<svg><a/><b/></svg>";
     const first = { patch: [{ at: 5, removed: "", inserted: "<n/>" }], select: [{ at: 5 }] };
-    const second = { patch: [{ at: 9, removed: "<b/>", inserted: "<mm/><m/>" }], select: [{ at: 14 }, { at: 5 }] };
+    const second = {
+      patch: [{ at: 9, removed: "<b/>", inserted: "<mm/><m/>" }],
+      select: [{ at: 14 }, { at: 5 }],
+    };
     const both = together([second, null, first]) as Outcome;
     const now = applied(text, both.patch);
     expect(now).toBe("<svg><n/><a/><mm/><m/></svg>");
-    expect(both.select?.map(({ at }) => now.slice(at, at + 3))).toEqual(["<m/>".slice(0, 3), "<a/", "<n/"]);
+    expect(both.select?.map(({ at }) => now.slice(at, at + 3))).toEqual([
+      "<m/>".slice(0, 3),
+      "<a/",
+      "<n/",
+    ]);
     expect(applied(now, inverse(both.patch))).toBe(text);
     expect(together([])).toBeNull();
     expect(together([null, first])).toBe(first);
@@ -326,7 +403,10 @@ describe("patches side by side", () => {
       const items = [...d.all()].filter((item): item is CurveItem => item.kind === "curve");
       for (let i = 0; i < 20 && items.length > 1; i += 1) {
         const one = pick(items, random).handle;
-        const two = pick(items.filter(({ handle }) => handle !== one), random).handle;
+        const two = pick(
+          items.filter(({ handle }) => handle !== one),
+          random,
+        ).handle;
         const commands = [
           (now: Drawing) => setColor(now, one, "left", colors("#123", "#456")),
           (now: Drawing) => setBoth(now, two, "blur", numbers(i, 1)),

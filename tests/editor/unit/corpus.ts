@@ -29,9 +29,12 @@ export function examples(): Source[] {
 function filesOfTar(path: string): Source[] {
   const tar = readFileSync(path);
   const found: Source[] = [];
-  for (let at = 0; at + 512 <= tar.length && tar[at] !== 0; ) {
+  for (let at = 0; at + 512 <= tar.length && tar[at] !== 0;) {
     const field = (from: number, length: number) =>
-      tar.toString("latin1", at + from, at + from + length).replace(/\0.*$/s, "").trim();
+      tar
+        .toString("latin1", at + from, at + from + length)
+        .replace(/\0.*$/s, "")
+        .trim();
     const size = parseInt(field(124, 12), 8);
     const isFile = field(156, 1) === "0" || field(156, 1) === "";
     if (isFile) found.push(source(field(0, 100), tar.subarray(at + 512, at + 512 + size)));

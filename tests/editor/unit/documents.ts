@@ -17,10 +17,26 @@ function number(random: Random, from = -90, to = 90): string {
 }
 
 const COLORS = [
-  "red", "CornflowerBlue", "#c21", "#C2115F", "rgb(1, 2, 3)", "rgb(10% 20% 30%)", "rgb(1 2 3 / 1)",
-  "rgba(10, 20, 30, 1)", "hsl(120, 50%, 25%)", "hsl(-40deg 50 25)", "hsl(.5turn none 25%)",
-  "hsl(200grad 90% 60%)", "hwb(90 20% 30%)", "hwb(2rad 80% 70%)", "rgb( 12.5%, 50% , 7.25% )",
-  "r\\65 d", "/* two */ blue", "rgb(1/**/2 3)", "#f00f", "RGB(300 -5 .5)",
+  "red",
+  "CornflowerBlue",
+  "#c21",
+  "#C2115F",
+  "rgb(1, 2, 3)",
+  "rgb(10% 20% 30%)",
+  "rgb(1 2 3 / 1)",
+  "rgba(10, 20, 30, 1)",
+  "hsl(120, 50%, 25%)",
+  "hsl(-40deg 50 25)",
+  "hsl(.5turn none 25%)",
+  "hsl(200grad 90% 60%)",
+  "hwb(90 20% 30%)",
+  "hwb(2rad 80% 70%)",
+  "rgb( 12.5%, 50% , 7.25% )",
+  "r\\65 d",
+  "/* two */ blue",
+  "rgb(1/**/2 3)",
+  "#f00f",
+  "RGB(300 -5 .5)",
 ];
 const RADII = ["0", "4", "2.5px", ".5mm", "1pt", "1e1", "0.1in", "1pc", ".2cm"];
 const OPACITIES = ["0", "1", ".5", "0.25", "1e-1", "+.75"];
@@ -40,9 +56,12 @@ function sides(random: Random): string {
     maybe(random, 0.5, () => ` sf:${name}="${random() < 0.1 ? "none" : list(random, values)}"`);
   const radii = (name: string) => maybe(random, 0.4, () => ` sf:${name}="${list(random, RADII)}"`);
   return [
-    side("left", COLORS), side("right", COLORS),
-    side("opacity", OPACITIES), side("left-opacity", OPACITIES),
-    radii("blur"), radii("right-blur"),
+    side("left", COLORS),
+    side("right", COLORS),
+    side("opacity", OPACITIES),
+    side("left-opacity", OPACITIES),
+    radii("blur"),
+    radii("right-blur"),
   ].join("");
 }
 
@@ -62,7 +81,11 @@ function transform(random: Random): string {
       ],
       random,
     )();
-  return maybe(random, 0.5, () => ` transform="${times(random, 3, one).join(pick([" ", ",", ""], random))}"`);
+  return maybe(
+    random,
+    0.5,
+    () => ` transform="${times(random, 3, one).join(pick([" ", ",", ""], random))}"`,
+  );
 }
 
 function pathData(random: Random): string {
@@ -70,15 +93,21 @@ function pathData(random: Random): string {
   const command = () =>
     pick(
       [
-        () => `L${n()} ${n()}`, () => `l${n()},${n()}`, () => `h${n()}`, () => `V${n()}`,
-        () => `C${n()} ${n()} ${n()} ${n()} ${n()} ${n()}`, () => `s${n()} ${n()} ${n()} ${n()}`,
-        () => `Q${n()} ${n()} ${n()} ${n()}`, () => `t${n()} ${n()}`,
+        () => `L${n()} ${n()}`,
+        () => `l${n()},${n()}`,
+        () => `h${n()}`,
+        () => `V${n()}`,
+        () => `C${n()} ${n()} ${n()} ${n()} ${n()} ${n()}`,
+        () => `s${n()} ${n()} ${n()} ${n()}`,
+        () => `Q${n()} ${n()} ${n()} ${n()}`,
+        () => `t${n()} ${n()}`,
         () => `A${number(random, 5, 50)} 20 ${n()} 0 1 ${n()} ${n()}`,
         () => `a30 30 0 10${n()} ${n()}`,
       ],
       random,
     )();
-  const subpath = () => `M${n()} ${n()}${times(random, 4, command).join("")}${maybe(random, 0.3, () => "Z")}`;
+  const subpath = () =>
+    `M${n()} ${n()}${times(random, 4, command).join("")}${maybe(random, 0.3, () => "Z")}`;
   return times(random, 2, subpath).join(" ");
 }
 
@@ -93,7 +122,8 @@ function shape(random: Random): string {
       () => `<polygon points="0 0 ${n()} ${n()} ${n()} 7"`,
       () => `<circle cx="${n()}" r="${side()}"`,
       () => `<ellipse rx="${side()}" ry="12%" cy="1in"`,
-      () => `<rect x="${n()}" y="1" width="${side()}" height="${side()}"${maybe(random, 0.5, () => ' rx="3"')}`,
+      () =>
+        `<rect x="${n()}" y="1" width="${side()}" height="${side()}"${maybe(random, 0.5, () => ' rx="3"')}`,
     ],
     random,
   )();
@@ -103,17 +133,31 @@ function styled(random: Random): string {
   return [
     maybe(random, 0.2, () => ` class="${pick(["off", "on", "off on", "dim"], random)}"`),
     maybe(random, 0.1, () => ` display="${pick(["none", "inline"], random)}"`),
-    maybe(random, 0.2, () => ` style="${pick(["display:none", "DISPLAY : inline", "display:no\\6e e", "opacity:.5;display:banana", "display:inline!important", "/*display:none*/"], random)}"`),
+    maybe(
+      random,
+      0.2,
+      () =>
+        ` style="${pick(["display:none", "DISPLAY : inline", "display:no\\6e e", "opacity:.5;display:banana", "display:inline!important", "/*display:none*/"], random)}"`,
+    ),
   ].join("");
 }
 
 const SHEETS = [
-  "", ".off{display:none}", ".off { display : none } .on{display:inline}",
-  "path{display:none}", "*{display:none} g,svg,circle{display:inline}",
-  ".off{display:none!important}", "@media print{path{display:none}}",
-  "@media screen { .off{display:none} }", ".off,g > path{display:none}", ".off,!{display:none}",
-  "<![CDATA[.off{display:none}]]>", ".off{display:none;;color:red} /* .on{display:none} */",
-  "rect{display:inline} *{display:none}", "@import 'x'; .off{display:none", ".off{display:non}",
+  "",
+  ".off{display:none}",
+  ".off { display : none } .on{display:inline}",
+  "path{display:none}",
+  "*{display:none} g,svg,circle{display:inline}",
+  ".off{display:none!important}",
+  "@media print{path{display:none}}",
+  "@media screen { .off{display:none} }",
+  ".off,g > path{display:none}",
+  ".off,!{display:none}",
+  "<![CDATA[.off{display:none}]]>",
+  ".off{display:none;;color:red} /* .on{display:none} */",
+  "rect{display:inline} *{display:none}",
+  "@import 'x'; .off{display:none",
+  ".off{display:non}",
 ];
 
 /** What stands in a layer. */
@@ -136,7 +180,16 @@ export function randomDocument(random: Random): string {
       ? `<svg x="5" y="1%" width="50" height="20" viewBox="0 0 10 10">${layer()}</svg>`
       : layer();
   });
-  const size = pick(["", ' width="200" height="150"', ' width="50mm"', ' width="300" height="150" preserveAspectRatio="none"', ' width="90" height="300" preserveAspectRatio="xMinYMax slice"'], random);
+  const size = pick(
+    [
+      "",
+      ' width="200" height="150"',
+      ' width="50mm"',
+      ' width="300" height="150" preserveAspectRatio="none"',
+      ' width="90" height="300" preserveAspectRatio="xMinYMax slice"',
+    ],
+    random,
+  );
   return `<svg xmlns="http://www.w3.org/2000/svg" xmlns:sf="urn:sfumato:1" viewBox="0 0 200 150"${size} sf:version="1">
 <style>${pick(SHEETS, random)}</style>
 ${content.join("\n")}

@@ -31,7 +31,18 @@ const start = (item: Item | null) => item && item.element.range.start;
 function said(item: Item): unknown {
   const { kind, name, hidden, locked, opacity, blend, artboardFromItem } = item;
   const children = item.children.map(start);
-  const common = [kind, name, start(item), start(item.parent), children, hidden, locked, opacity, blend, artboardFromItem];
+  const common = [
+    kind,
+    name,
+    start(item),
+    start(item.parent),
+    children,
+    hidden,
+    locked,
+    opacity,
+    blend,
+    artboardFromItem,
+  ];
   if (item.kind === "use") return [...common, start(item.target)];
   if (item.kind === "reference") return [...common, item.href, item.box];
   if (item.kind !== "curve" && item.kind !== "stroke") return common;
@@ -41,14 +52,29 @@ function said(item: Item): unknown {
 
 /** All that a drawing says. */
 function dump(d: Drawing): string {
-  const elements = [...elementsOf(d.root)].map(({ name, namespace, range, startTag, content, attributes }) => [
-    name, namespace, range, startTag, content,
-    attributes.map((a) => [a.name, a.namespace, a.value, a.range, a.valueRange, a.quote]),
-  ]);
+  const elements = [...elementsOf(d.root)].map(
+    ({ name, namespace, range, startTag, content, attributes }) => [
+      name,
+      namespace,
+      range,
+      startTag,
+      content,
+      attributes.map((a) => [a.name, a.namespace, a.value, a.range, a.valueRange, a.quote]),
+    ],
+  );
   const items = [...d.all()].map(said);
   const outermost = d.items.map(start);
   const { text, artboard, interpolation, background, readOnly } = d;
-  return JSON.stringify([text, artboard, interpolation, background, readOnly, outermost, items, elements]);
+  return JSON.stringify([
+    text,
+    artboard,
+    interpolation,
+    background,
+    readOnly,
+    outermost,
+    items,
+    elements,
+  ]);
 }
 
 /** Names and values that change one attribute in a way that something hangs on. */
@@ -73,7 +99,10 @@ const SETTINGS: readonly (readonly [AttributeName, readonly (string | null)[]])[
   [sf("reference"), ["true", null]],
   [sf("background"), ["#abc", "none", null]],
   [sf("interpolation"), ["oklab", null]],
-  [{ namespace: "http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd", local: "insensitive" }, ["true", null]],
+  [
+    { namespace: "http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd", local: "insensitive" },
+    ["true", null],
+  ],
   [{ namespace: "http://www.inkscape.org/namespaces/inkscape", local: "label" }, ["A b", "", null]],
 ];
 
@@ -94,15 +123,26 @@ function textEdit(d: Drawing, random: () => number): Patch {
   if (random() < 0.5) return [{ at: target.start, removed: "", inserted: markup }];
   const at = Math.floor(random() * d.text.length);
   const removed = d.text.slice(at, at + Math.floor(random() * 12));
-  return [{ at, removed, inserted: pick(["", " ", ">", '"', "<!---->", '<g id="a"/>', " x='1'"], random) }];
+  return [
+    {
+      at,
+      removed,
+      inserted: pick(["", " ", ">", '"', "<!---->", '<g id="a"/>', " x='1'"], random),
+    },
+  ];
 }
 
 test("after any edit the drawing is what reading its text again says", () => {
   const random = randomNumbers(17);
   const texts = [
-    ...examples().filter(({ text }) => text.length < 20_000).map(({ text }) => text),
+    ...examples()
+      .filter(({ text }) => text.length < 20_000)
+      .map(({ text }) => text),
     ...Array.from({ length: 20 }, (_, i) => randomDocument(randomNumbers(1000 + i))),
-    ...fuzzed().map(({ text }) => text).filter((t) => t.length < 3000 && t.includes("<use")).slice(0, 60),
+    ...fuzzed()
+      .map(({ text }) => text)
+      .filter((t) => t.length < 3000 && t.includes("<use"))
+      .slice(0, 60),
   ];
   let structural = 0;
   let refused = 0;
@@ -188,7 +228,12 @@ describe("handles", () => {
   });
 
   test("an edit of a style, an id, a class or what makes a thing a layer is structural", () => {
-    for (const [name, value] of [["id", "z"], ["class", "z"], ["style", "opacity:1"], [sf("radius"), "1"]] as const) {
+    for (const [name, value] of [
+      ["id", "z"],
+      ["class", "z"],
+      ["style", "opacity:1"],
+      [sf("radius"), "1"],
+    ] as const) {
       const d = openDrawing(text);
       const change = d.apply(patchOf(setAttribute(d.text, named(d, "p").element, name, value)));
       expect(change.isStructural).toBe(true);
@@ -213,7 +258,12 @@ describe("items", () => {
     );
     const shape = (item: Item): unknown => [item.kind, item.name, ...item.children.map(shape)];
     expect(d.items.map(shape)).toEqual([
-      ["group", "outer", ["layer", "Layer 1", ["group", "Group 2", ["curve", "Curve 1"]], ["curve", "Curve 2"]], ["stroke", "Stroke 1"]],
+      [
+        "group",
+        "outer",
+        ["layer", "Layer 1", ["group", "Group 2", ["curve", "Curve 1"]], ["curve", "Curve 2"]],
+        ["stroke", "Stroke 1"],
+      ],
       ["reference", "Photo 1"],
     ]);
     const photo = named(d, "Photo 1");
@@ -227,7 +277,9 @@ describe("items", () => {
   });
 
   test("bear what one attribute says for both sides, and their own before it", () => {
-    const d = open('<g sf:diffuse="true"><path id="p" d="M0 0L1 1" sf:opacity=".5" sf:left-opacity="none" sf:blur="2" sf:right="url(#x)"/></g>');
+    const d = open(
+      '<g sf:diffuse="true"><path id="p" d="M0 0L1 1" sf:opacity=".5" sf:left-opacity="none" sf:blur="2" sf:right="url(#x)"/></g>',
+    );
     expect(named(d, "p")).toMatchObject({
       left: { color: { kind: "open" }, opacity: { kind: "barrier" } },
       right: { color: { kind: "paint", href: "#x" }, opacity: { stops: [{ value: 0.5 }] } },
@@ -264,9 +316,17 @@ describe("items", () => {
   });
 
   test("that copy themselves copy nothing", () => {
-    const d = open('<g id="a"><use id="u" href="#a"/></g><defs><g id="b"><use id="v" href="#c"/></g><g id="c"><use id="w" href="#b"/></g></defs><use id="x" href="#b"/>');
+    const d = open(
+      '<g id="a"><use id="u" href="#a"/></g><defs><g id="b"><use id="v" href="#c"/></g><g id="c"><use id="w" href="#b"/></g></defs><use id="x" href="#b"/>',
+    );
     const follow = (item: Item | null, depth = 0): number =>
-      item === null ? depth : Math.max(depth, ...item.children.map((c) => follow(c, depth + 1)), item.kind === "use" ? follow(item.target, depth + 1) : 0);
+      item === null
+        ? depth
+        : Math.max(
+            depth,
+            ...item.children.map((c) => follow(c, depth + 1)),
+            item.kind === "use" ? follow(item.target, depth + 1) : 0,
+          );
     expect(follow(named(d, "a"))).toBeLessThan(10);
     expect(follow(named(d, "x"))).toBeLessThan(10);
     expect((named(d, "x") as UseItem).target).toBe(named(d, "b"));
@@ -277,22 +337,38 @@ describe("items", () => {
       '<style>.off{display:none}#k{mix-blend-mode:screen}</style><g id="a" class="off"/><g id="b" visibility="hidden"><g id="c"/><g id="d" visibility="visible"/></g>' +
         '<g id="k" opacity="50%" xmlns:s="http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd" s:insensitive="true" style="opacity:.25"/>',
     );
-    expect(["a", "b", "c", "d", "k"].map((name) => named(d, name).hidden)).toEqual([true, true, true, false, false]);
+    expect(["a", "b", "c", "d", "k"].map((name) => named(d, name).hidden)).toEqual([
+      true,
+      true,
+      true,
+      false,
+      false,
+    ]);
     expect(named(d, "k")).toMatchObject({ locked: true, opacity: 0.25, blend: "screen" });
   });
 
   test("have labels before ids", () => {
-    const d = open('<g id="a" xmlns:i="http://www.inkscape.org/namespaces/inkscape" i:label="Sky &amp; sea"/>');
+    const d = open(
+      '<g id="a" xmlns:i="http://www.inkscape.org/namespaces/inkscape" i:label="Sky &amp; sea"/>',
+    );
     expect(d.items[0].name).toBe("Sky & sea");
   });
 
   test("of 100,000 levels, of long chains of uses and of doubling uses do no harm", () => {
     const deep = "<g>".repeat(100_000) + "</g>".repeat(100_000);
     expect([...open(deep).all()].length).toBeLessThan(1000);
-    const chain = Array.from({ length: 20_000 }, (_, i) => `<use id="c${i}" href="#c${i + 1}"/>`).join("");
+    const chain = Array.from(
+      { length: 20_000 },
+      (_, i) => `<use id="c${i}" href="#c${i + 1}"/>`,
+    ).join("");
     expect([...open(chain).all()].length).toBe(20_000);
-    const doubling = Array.from({ length: 60 }, (_, i) => `<g id="d${i}"><use href="#d${i + 1}"/><use href="#d${i + 1}"/></g>`).join("");
-    const d = open(`<defs>${doubling}<g id="d60" sf:diffuse="true"><path id="p" d="M0 0L1 1"/></g></defs><use href="#d0"/>`);
+    const doubling = Array.from(
+      { length: 60 },
+      (_, i) => `<g id="d${i}"><use href="#d${i + 1}"/><use href="#d${i + 1}"/></g>`,
+    ).join("");
+    const d = open(
+      `<defs>${doubling}<g id="d60" sf:diffuse="true"><path id="p" d="M0 0L1 1"/></g></defs><use href="#d0"/>`,
+    );
     expect((named(d, "p") as CurveItem).copies).toBe(Number.MAX_SAFE_INTEGER);
   });
 });
@@ -301,9 +377,19 @@ describe("the artboard", () => {
   test("is the viewBox, or width and height, and more or less of the plane where aspects differ", () => {
     expect(open("", 'viewBox="-10,5 30 40"').artboard).toEqual([-10, 5, 20, 45]);
     expect(open("", 'width="2in" height="96"').artboard).toEqual([0, 0, 192, 96]);
-    expect(open("", 'viewBox="0 0 100 100" width="200" height="100"').artboard).toEqual([-50, 0, 150, 100]);
-    expect(open("", 'viewBox="0 0 100 100" width="200" height="100" preserveAspectRatio="xMinYMin slice"').artboard).toEqual([0, 0, 100, 50]);
-    const stretched = open('<g id="a"/>', 'viewBox="0 0 100 100" width="100" height="200" preserveAspectRatio="none"');
+    expect(open("", 'viewBox="0 0 100 100" width="200" height="100"').artboard).toEqual([
+      -50, 0, 150, 100,
+    ]);
+    expect(
+      open(
+        "",
+        'viewBox="0 0 100 100" width="200" height="100" preserveAspectRatio="xMinYMin slice"',
+      ).artboard,
+    ).toEqual([0, 0, 100, 50]);
+    const stretched = open(
+      '<g id="a"/>',
+      'viewBox="0 0 100 100" width="100" height="200" preserveAspectRatio="none"',
+    );
     expect(stretched.artboard).toEqual([0, 0, 100, 200]);
     expect(named(stretched, "a").artboardFromItem).toEqual([1, 0, 0, 2, 0, 0]);
   });
@@ -312,11 +398,24 @@ describe("the artboard", () => {
     const rect = '<rect width="100%" height="100%" fill="#fff"/>';
     const white = { r: 1, g: 1, b: 1 };
     expect(open(rect).background).toEqual(white);
-    expect(open(`<g style="color:#fff" fill="currentColor"><rect width="100" height="101"/></g>`).background).toEqual(white);
-    for (const none of [`<rect width="99" height="100"/>`, `<g display="none">${rect}</g>`, `<g sf:diffuse="true"/>${rect}`, `<g opacity="1">${rect.replace("#fff", "none")}</g>`, rect.replace("/>", ' fill-opacity=".5"/>')]) {
+    expect(
+      open(`<g style="color:#fff" fill="currentColor"><rect width="100" height="101"/></g>`)
+        .background,
+    ).toEqual(white);
+    for (const none of [
+      `<rect width="99" height="100"/>`,
+      `<g display="none">${rect}</g>`,
+      `<g sf:diffuse="true"/>${rect}`,
+      `<g opacity="1">${rect.replace("#fff", "none")}</g>`,
+      rect.replace("/>", ' fill-opacity=".5"/>'),
+    ]) {
       expect(open(none).background, none).toBeNull();
     }
-    expect(open(rect, 'viewBox="0 0 100 100" sf:background="black"').background).toEqual({ r: 0, g: 0, b: 0 });
+    expect(open(rect, 'viewBox="0 0 100 100" sf:background="black"').background).toEqual({
+      r: 0,
+      g: 0,
+      b: 0,
+    });
     expect(open(rect, 'viewBox="0 0 100 100" sf:background="none"').background).toBeNull();
   });
 

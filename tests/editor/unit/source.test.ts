@@ -1,6 +1,13 @@
 // The tree over a text is lossless, its errors have places, and edits change what they mean to.
 import { describe, expect, test } from "vitest";
-import { attributeOf, patchOf, setAttribute, sf, sfName, valueOf } from "../../../web/editor/src/source/attributes.js";
+import {
+  attributeOf,
+  patchOf,
+  setAttribute,
+  sf,
+  sfName,
+  valueOf,
+} from "../../../web/editor/src/source/attributes.js";
 import { insertElement, removeElement } from "../../../web/editor/src/source/elements.js";
 import { elementsOf } from "../../../web/editor/src/source/nodes.js";
 import { parse, parseDocument } from "../../../web/editor/src/source/parse.js";
@@ -88,7 +95,25 @@ describe("the tree is lossless", () => {
       const at = Math.floor(random() * a.length);
       const from = Math.floor(random() * b.length);
       const removed = Math.floor(random() * random() * 40);
-      const inserted = pick(["", "<", ">", "/", '"', "'", "&amp;", "<!--", "-->", "\r\n", "<g>", "</g>", "]]>", b.slice(from, from + 20)], random);
+      const inserted = pick(
+        [
+          "",
+          "<",
+          ">",
+          "/",
+          '"',
+          "'",
+          "&amp;",
+          "<!--",
+          "-->",
+          "\r\n",
+          "<g>",
+          "</g>",
+          "]]>",
+          b.slice(from, from + 20),
+        ],
+        random,
+      );
       const text = a.slice(0, at) + inserted + a.slice(at + removed);
       const root = parsed(text);
       if (!root) continue;
@@ -116,7 +141,9 @@ describe("the tree is lossless", () => {
 
 describe("values", () => {
   test("have entities and line ends decoded, and unknown entities as they are", () => {
-    const root = parse(`<svg a="&lt;&#65;&#x1F600;&apos;&quot;&amp;amp;" b="1\r\n2\t3\r4" c="&ns;&#0;&x" d="&#10;"/>`);
+    const root = parse(
+      `<svg a="&lt;&#65;&#x1F600;&apos;&quot;&amp;amp;" b="1\r\n2\t3\r4" c="&ns;&#0;&x" d="&#10;"/>`,
+    );
     const values = root.attributes.map(({ value }) => value);
     expect(values).toEqual(["<A\u{1f600}'\"&amp;", "1 2 3 4", "&ns;&#0;&x", "\n"]);
   });
@@ -132,7 +159,9 @@ describe("values", () => {
 
 describe("namespaces", () => {
   test("belong to prefixes where these are declared", () => {
-    const root = parse('<svg xmlns="a" xmlns:p="b" p:x="1" y="2"><g xmlns="c" xmlns:p="d" p:x="3"/><p:h q:z="4"/></svg>');
+    const root = parse(
+      '<svg xmlns="a" xmlns:p="b" p:x="1" y="2"><g xmlns="c" xmlns:p="d" p:x="3"/><p:h q:z="4"/></svg>',
+    );
     const [g, h] = root.children;
     expect([root.namespace, g.namespace, h.namespace, h.local]).toEqual(["a", "c", "b", "h"]);
     expect(root.attributes[2].namespace).toBe("b");
@@ -255,7 +284,9 @@ describe("a new attribute", () => {
     expect(set("<svg/>", "a", "1")).toBe('<svg a="1"/>');
     expect(set("<svg ></svg>", "a", "1")).toBe('<svg a="1" ></svg>');
     expect(set("<svg b='2' />", "a", "1")).toBe("<svg b='2' a='1' />");
-    expect(set('<svg\n   b="2"\n   c="3" />', "a", "1")).toBe('<svg\n   b="2"\n   c="3"\n   a="1" />');
+    expect(set('<svg\n   b="2"\n   c="3" />', "a", "1")).toBe(
+      '<svg\n   b="2"\n   c="3"\n   a="1" />',
+    );
     expect(set('<svg b="2"\r\n\tc="3"/>', "a", "1")).toBe('<svg b="2"\r\n\tc="3"\r\n\ta="1"/>');
     expect(set('<svg b="2"   c="3"/>', "a", "1")).toBe('<svg b="2"   c="3" a="1"/>');
   });
@@ -277,10 +308,12 @@ describe("a new attribute", () => {
     expect(set('<svg xmlns:sf="urn:other"><g/></svg>', to, "red")).toBe(
       '<svg xmlns:sf="urn:other" xmlns:sf2="urn:sfumato:1" sf2:version="1"><g sf2:left="red"/></svg>',
     );
-    expect(set('<svg xmlns:sf="urn:sfumato:1"><g xmlns:sf="urn:other"/></svg>', to, "red")).toContain(
-      'xmlns:sf2="urn:sfumato:1"',
+    expect(
+      set('<svg xmlns:sf="urn:sfumato:1"><g xmlns:sf="urn:other"/></svg>', to, "red"),
+    ).toContain('xmlns:sf2="urn:sfumato:1"');
+    expect(set("<svg/>", sf("version"), "1")).toBe(
+      '<svg xmlns:sf="urn:sfumato:1" sf:version="1"/>',
     );
-    expect(set("<svg/>", sf("version"), "1")).toBe('<svg xmlns:sf="urn:sfumato:1" sf:version="1"/>');
     expect(sfName(parse('<svg xmlns:d="urn:sfumato:1"/>'), "left")).toBe("d:left");
     expect(sfName(parse("<svg/>"), "left")).toBe("sf:left");
   });
@@ -345,7 +378,12 @@ describe("elements", () => {
   test("that are put in and taken out leave the text as it was", () => {
     for (const { text: example } of examples()) {
       for (const element of [...elementsOf(parse(example))].slice(1, 80)) {
-        const { edit, lead } = insertElement(example, element.parent as ElementNode, element, "<new/>");
+        const { edit, lead } = insertElement(
+          example,
+          element.parent as ElementNode,
+          element,
+          "<new/>",
+        );
         const after = applied(example, [edit]);
         const found = [...elementsOf(parse(after))].find(
           ({ range }) => range.start === edit.at + lead,

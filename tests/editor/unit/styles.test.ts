@@ -31,7 +31,22 @@ describe("colours", () => {
   });
 
   test("that are none, or are not opaque", () => {
-    for (const text of ["", "#12", "#12345", "gray50", "rgb(1 2)", "rgb(1,2 3)", "rgb(1,2,none)", "rgb(1%,2,3)", "hwb(0,1%,2%)", "hsl(0,1,2)", "rgb(1 2 3, 1)", "red blue", "currentColor", "url(#a)"]) {
+    for (const text of [
+      "",
+      "#12",
+      "#12345",
+      "gray50",
+      "rgb(1 2)",
+      "rgb(1,2 3)",
+      "rgb(1,2,none)",
+      "rgb(1%,2,3)",
+      "hwb(0,1%,2%)",
+      "hsl(0,1,2)",
+      "rgb(1 2 3, 1)",
+      "red blue",
+      "currentColor",
+      "url(#a)",
+    ]) {
       expect(parseColor(text), text).toBeNull();
     }
     expect(parseOpaque("rgb(1 2 3 / .99)")).toBeNull();
@@ -65,13 +80,19 @@ function singles(value: unknown): unknown {
 describe("stop lists", () => {
   const offsets = (text: string, segments = 4) => {
     const side = readSide(text, COLORS, segments);
-    return side.kind === "stops" ? [side.space, ...side.stops.map(({ offset }) => offset)] : side.kind;
+    return side.kind === "stops"
+      ? [side.space, ...side.stops.map(({ offset }) => offset)]
+      : side.kind;
   };
 
   test("have the missing offsets spread between their neighbours", () => {
     expect(offsets("red")).toEqual(["arc", 0]);
     expect(offsets("red, gold")).toEqual(["arc", 0, 1]);
-    expect(offsets("red, gold, blue, white 60%, black")).toEqual(["arc", 0, 0.6 / 3, 0.4, 0.6, 1].map((v) => (typeof v === "number" ? expect.closeTo(v, 12) : v)));
+    expect(offsets("red, gold, blue, white 60%, black")).toEqual(
+      ["arc", 0, 0.6 / 3, 0.4, 0.6, 1].map((v) =>
+        typeof v === "number" ? expect.closeTo(v, 12) : v,
+      ),
+    );
     expect(offsets("red 50%, gold 20%")).toEqual(["arc", 0.5, 0.5]);
     expect(offsets("red @1, gold 75%, white @9")).toEqual(["parameter", 1, 3, 4]);
     expect(offsets("red @1, gold, white")).toEqual(["parameter", 1, 2.5, 4]);
@@ -143,7 +164,11 @@ describe("stop lists", () => {
   });
 });
 
-function document(sheet: string, attributes: string, around = ""): { text: string; styles: Styles; element: ReturnType<typeof parse> } {
+function document(
+  sheet: string,
+  attributes: string,
+  around = "",
+): { text: string; styles: Styles; element: ReturnType<typeof parse> } {
   const text = `<svg xmlns="http://www.w3.org/2000/svg"><style>${sheet}</style><g ${around}><path ${attributes}/></g></svg>`;
   const root = parse(text);
   return { text, styles: new Styles(text, root), element: root.children[1].children[0] };
@@ -157,7 +182,12 @@ describe("the cascade", () => {
     ["path{opacity:.1}", 'style="opacity:.25"', "opacity", ".25"],
     ["path{opacity:.1!important}", 'style="opacity:.25"', "opacity", ".1"],
     ["path{opacity:.1!important}", 'style="opacity:.25 ! IMPORTANT"', "opacity", ".25"],
-    ["*{opacity:.1}path{opacity:.2}.a{opacity:.3}#b{opacity:.4}", 'id="b" class="x a"', "opacity", ".4"],
+    [
+      "*{opacity:.1}path{opacity:.2}.a{opacity:.3}#b{opacity:.4}",
+      'id="b" class="x a"',
+      "opacity",
+      ".4",
+    ],
     ["#b{opacity:.4}.a{opacity:.3}path{opacity:.2}*{opacity:.1}", 'class="x a"', "opacity", ".3"],
     [".a{opacity:.3}.b{opacity:.4}", 'class="b a"', "opacity", ".4"],
     ["path{opacity:.1}path{opacity:.2;opacity:x}", "", "opacity", ".2"],
@@ -182,7 +212,13 @@ describe("the cascade", () => {
   });
 
   test("is read in linear time, however it is nested or broken", () => {
-    for (const sheet of ["{".repeat(50_000), "@media screen{".repeat(20_000), "a,".repeat(50_000) + "b{}", "'".repeat(50_001), "\\".repeat(50_000)]) {
+    for (const sheet of [
+      "{".repeat(50_000),
+      "@media screen{".repeat(20_000),
+      "a,".repeat(50_000) + "b{}",
+      "'".repeat(50_001),
+      "\\".repeat(50_000),
+    ]) {
       expect(document(sheet.replaceAll("<", "&lt;"), "").styles.isEmpty).toBeTypeOf("boolean");
     }
   });
@@ -190,7 +226,14 @@ describe("the cascade", () => {
 
 describe("a property that is set holds", () => {
   const sheets = ["", "path{opacity:.1}", "*{opacity:.1!important}", ".a{display:none}"];
-  const attributes = ["", 'opacity=".5"', 'style="opacity:.25"', 'class="a" style="fill:red; opacity : .2 ;"', 'style="opacity:.1!important;opacity:.3"', 'class="a" display="none" style=";"'];
+  const attributes = [
+    "",
+    'opacity=".5"',
+    'style="opacity:.25"',
+    'class="a" style="fill:red; opacity : .2 ;"',
+    'style="opacity:.1!important;opacity:.3"',
+    'class="a" display="none" style=";"',
+  ];
 
   test("whatever styles say, and says nothing else", () => {
     for (const sheet of sheets) {
@@ -215,8 +258,12 @@ describe("a property that is set holds", () => {
       return /<path ?(.*)\/>/.exec(after)?.[1];
     };
     expect(set("", 'd=""', ".5")).toBe('d="" opacity=".5"');
-    expect(set("", 'style="fill:red;opacity:.5;stroke:none"', "1")).toBe('style="fill:red;opacity:1;stroke:none"');
-    expect(set("", 'style="fill:red;opacity:.5;stroke:none"', null)).toBe('style="fill:red;stroke:none"');
+    expect(set("", 'style="fill:red;opacity:.5;stroke:none"', "1")).toBe(
+      'style="fill:red;opacity:1;stroke:none"',
+    );
+    expect(set("", 'style="fill:red;opacity:.5;stroke:none"', null)).toBe(
+      'style="fill:red;stroke:none"',
+    );
     expect(set("", 'style="opacity:.5"', null)).toBe("");
     expect(set("path{opacity:1}", 'd=""', ".5")).toBe('d="" style="opacity:.5"');
     expect(set("", 'opacity=".5" d=""', null)).toBe(' d=""'.trimStart());

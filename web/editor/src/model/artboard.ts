@@ -11,7 +11,7 @@ import type { Drawing } from "./types.js";
 export interface Artboard {
   /** What 100% is of, and what the document's numbers count in. */
   readonly viewBox: Box;
-  /** What the picture shows: the viewBox, and more or less of the plane where the aspects differ. */
+  /** What the picture shows: the viewBox; more or less of the plane where the aspects differ. */
   readonly box: Box;
   /** Stretches where preserveAspectRatio="none" does, else the identity. */
   readonly artboardFromUser: Affine;

@@ -38,8 +38,10 @@ export function backgroundOf(
   const [x0, y0, x1, y1] = mappedBox(artboardFromUser, box);
   const slack = SLACK * Math.max(viewBox[2] - viewBox[0], viewBox[3] - viewBox[1]);
   const covers =
-    x0 - slack <= viewBox[0] && y0 - slack <= viewBox[1] &&
-    x1 + slack >= viewBox[2] && y1 + slack >= viewBox[3];
+    x0 - slack <= viewBox[0] &&
+    y0 - slack <= viewBox[1] &&
+    x1 + slack >= viewBox[2] &&
+    y1 + slack >= viewBox[3];
   const isOne = (property: "opacity" | "fill-opacity") =>
     shareOf(styles.value(element, property) ?? "1") === 1;
   if (!covers || !isOne("opacity") || !isOne("fill-opacity")) return null;

@@ -2,47 +2,19 @@
 import { composed, IDENTITY, translation } from "../geometry/affine.js";
 import type { Affine, Box } from "../geometry/affine.js";
 import type { Rgb } from "../geometry/color.js";
-import { hrefOf, INKSCAPE, sf, SODIPODI, valueOf } from "../source/attributes.js";
-import { keywordOf, shareOf } from "../source/css.js";
+import { hrefOf, sf, valueOf } from "../source/attributes.js";
 import { fitted, parseLength, parseTransform, parseViewBox } from "../source/lengths.js";
-import { BLEND_MODES, isSvg } from "../source/styles.js";
+import { isSvg } from "../source/styles.js";
 import type { Styles } from "../source/styles.js";
 import type { ElementNode } from "../source/tree.js";
 import type { Artboard } from "./artboard.js";
 import { backgroundOf, boxOf } from "./background.js";
 import { isShape, readCurve } from "./curve-reading.js";
 import type { CurveReading } from "./curve-reading.js";
+import { itemOf } from "./item-object.js";
+import type { Building, BuildingItem, Inside, Within } from "./item-object.js";
+import { readCommon, saidName } from "./item-reading.js";
 import type { ContainerItem, CurveItem, Handle, Item, ReferenceItem, UseItem } from "./types.js";
-
-/** What holds a parent for all of its children, so that one of thousands changes without them. */
-export interface Inside {
-  item: Item | null;
-}
-
-/** Items while they are built, and where a drawing changes them in place. */
-export type Building<T> = { -readonly [Key in keyof T]: T[Key] };
-export type Within<T> = Building<T> & { around: Inside; readonly inside: Inside };
-export type BuildingItem =
-  | Within<ContainerItem>
-  | Within<UseItem>
-  | Within<CurveItem>
-  | Within<ReferenceItem>;
-
-/** All items: their parent is whatever stands around them now. */
-class ItemObject {
-  declare readonly around: Inside;
-
-  get parent(): Item | null {
-    return this.around.item;
-  }
-}
-
-/** The item that fields make; of a copy of an item it takes the place of that among its children. */
-export function itemOf<T extends Item>(fields: Omit<T, "parent"> & { inside: Inside }): Within<T> {
-  const item = Object.assign(new ItemObject(), fields) as unknown as Within<T>;
-  item.inside.item = item as Item;
-  return item;
-}
 
 /** Elements within each other that are read: as many as the engine reads. */
 const DEEPEST = 256;
@@ -83,25 +55,6 @@ const KIND_NAMES: Readonly<Record<Item["kind"], string>> = {
   stroke: "Stroke",
   reference: "Photo",
 };
-
-/** What any item says of itself, but for its place among others. */
-export function readCommon(element: ElementNode, styles: Styles) {
-  const isDisplayed = keywordOf(styles.value(element, "display") ?? "") !== "none";
-  const visibility = keywordOf(styles.value(element, "visibility") ?? "visible");
-  const blend = keywordOf(styles.value(element, "mix-blend-mode") ?? "normal") ?? "";
-  return {
-    hidden: !isDisplayed || visibility !== "visible",
-    locked: valueOf(element, { namespace: SODIPODI, local: "insensitive" }) === "true",
-    opacity: shareOf(styles.value(element, "opacity") ?? "1") ?? 1,
-    blend: (BLEND_MODES as readonly string[]).includes(blend) ? blend : "normal",
-  };
-}
-
-/** inkscape:label or the id, or null. */
-function saidName(element: ElementNode): string | null {
-  const label = valueOf(element, { namespace: INKSCAPE, local: "label" });
-  return label || valueOf(element, "id") || null;
-}
 
 export function ownTransform(element: ElementNode): Affine {
   return parseTransform(valueOf(element, "transform") ?? "") ?? IDENTITY;
@@ -161,7 +114,8 @@ class Builder {
     for (let i = 0; i < built.uses.length; i += 1) {
       const use = built.uses[i];
       const element = referredElement(use.element, elementOfId);
-      if (!element || built.byHandle.has(element.handle) || isWithin(use.element, element)) continue;
+      if (!element || built.byHandle.has(element.handle) || isWithin(use.element, element))
+        continue;
       const item = this.#item(element, this.#placeOfCopy(use), null, 0, use.element);
       if (item) built.detached.push(item as Item);
     }
@@ -188,7 +142,12 @@ class Builder {
     return this.#from.artboard.viewBox;
   }
 
-  #children(element: ElementNode, place: Place, parent: BuildingItem | null, depth: number): Item[] {
+  #children(
+    element: ElementNode,
+    place: Place,
+    parent: BuildingItem | null,
+    depth: number,
+  ): Item[] {
     if (depth >= DEEPEST) return [];
     const items: Item[] = [];
     for (const child of element.children) {

@@ -1,5 +1,6 @@
 // What <use> makes of items: how often each is shown, and uses that go round in a circle.
-import type { Building, Built } from "./building.js";
+import type { Built } from "./building.js";
+import type { Building } from "./item-object.js";
 import type { CurveItem, Item, UseItem } from "./types.js";
 
 /** Uses of uses that are followed. */

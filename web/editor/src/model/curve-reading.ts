@@ -30,8 +30,7 @@ export function readCurve(
   before: CurveReading | null,
 ): CurveReading {
   const { local } = element;
-  const paths =
-    before?.paths ?? shapePaths(local, (name) => valueOf(element, name), viewBox);
+  const paths = before?.paths ?? shapePaths(local, (name) => valueOf(element, name), viewBox);
   const segments = segmentCount(paths);
   function side<Value>(notation: Notation<Value>, ...names: string[]): SideValue<Value> {
     for (const name of names) {

@@ -15,39 +15,18 @@ import { Styles } from "../source/styles.js";
 import { SourceError } from "../source/tree.js";
 import { readArtboard, readInterpolation, saidBackground } from "./artboard.js";
 import type { Artboard } from "./artboard.js";
-import { buildItems, itemOf, ownTransform, readCommon } from "./building.js";
-import type { Building, BuildingItem, Built, Within } from "./building.js";
+import { buildItems, ownTransform } from "./building.js";
+import type { Built } from "./building.js";
+import { changedAttributes, isStructural } from "./changes.js";
 import { countCopies } from "./copies.js";
 import { readCurve } from "./curve-reading.js";
 import type { CurveReading } from "./curve-reading.js";
+import { itemOf } from "./item-object.js";
+import type { Building, BuildingItem, Within } from "./item-object.js";
+import { readCommon } from "./item-reading.js";
+import { keepHandles } from "./kept-handles.js";
 import { reuseItems } from "./reuse.js";
 import type { Change, CurveItem, Drawing, Handle, Item, UseItem } from "./types.js";
-
-/** Attributes without a namespace on which more hangs than their element. */
-const STRUCTURAL: ReadonlySet<string> = new Set(["id", "class", "style", "href"]);
-/** Of Sfumato's: they decide what kind of thing an element is. */
-const DECIDING: ReadonlySet<string> = new Set(["diffuse", "radius", "reference"]);
-
-/** What changed between two sets of attributes of one element. */
-function changedAttributes(before: readonly Attribute[], now: readonly Attribute[]): Attribute[] {
-  const isLacking = (among: readonly Attribute[]) => (one: Attribute) =>
-    !among.some((a) => a.name === one.name && a.namespace === one.namespace && a.value === one.value);
-  return [...before.filter(isLacking(now)), ...now.filter(isLacking(before))];
-}
-
-function isStructural(
-  { namespace, local }: Attribute,
-  before: readonly Attribute[],
-  now: readonly Attribute[],
-): boolean {
-  if (namespace === SFUMATO) {
-    const isThere = (a: Attribute) => a.namespace === SFUMATO && a.local === local;
-    // A radius that stays a radius decides nothing.
-    const isKept = local === "radius" && before.some(isThere) && now.some(isThere);
-    return DECIDING.has(local) && !isKept;
-  }
-  return STRUCTURAL.has(local);
-}
 
 class TextDrawing implements Drawing {
   text: string;
@@ -211,7 +190,7 @@ class TextDrawing implements Drawing {
   /** Puts an item into the place of another, with new objects for all around it. */
   #replace(old: Item, fresh: Item): void {
     const built = this.#built;
-    for (let [from, to] = [old, fresh]; ; ) {
+    for (let [from, to] = [old, fresh]; ;) {
       built.byHandle.set(to.handle, to);
       const { parent } = from;
       if (!parent) {
@@ -292,41 +271,6 @@ function readText(text: string, newHandle: () => number) {
   throw failure(text, start, `the document is a <${root.name}>; expected <svg xmlns="${SVG}">`);
 }
 
-/** Gives elements that lived through a patch their old handles; these elements, whose tags are
- * also as they were. */
-function keepHandles(before: readonly Element[], now: readonly Element[], patch: Patch): Element[] {
-  const old = new Map<number, Element>();
-  let next = 0;
-  let shift = 0;
-  for (const element of before) {
-    // Edits that end at or before `<`.
-    for (; next < patch.length; next += 1) {
-      const { at, removed, inserted } = patch[next];
-      if (at + removed.length > element.at) break;
-      shift += inserted.length - removed.length;
-    }
-    const edit = patch[next];
-    if (!edit || edit.at > element.at) old.set(element.at + shift, element);
-  }
-  const same: Element[] = [];
-  for (const element of now) {
-    const lived = old.get(element.at);
-    if (!lived) continue;
-    // Also under another name: a circle that became a path is the same curve.
-    element.handle = lived.handle;
-    if (lived.name === element.name && hasSameAttributes(lived, element)) same.push(element);
-  }
-  return same;
-}
-
-function hasSameAttributes(a: Element, b: Element): boolean {
-  if (a.attributes.length !== b.attributes.length) return false;
-  return a.attributes.every(({ local, namespace, value }, i) => {
-    const other = b.attributes[i];
-    return other.local === local && other.namespace === namespace && other.value === value;
-  });
-}
-
 /** Reads a text. @throws SourceError where it is no XML, or no <svg> */
 export function openDrawing(text: string): Drawing {
   return new TextDrawing(text);
@@ -334,9 +278,9 @@ export function openDrawing(text: string): Drawing {
 
 /** The text of a drawing without curves. @param background null: none */
 export function blankText(width: number, height: number, background: string | null): string {
-  const said =
-    background === null ? "" : ` sf:background="${encodeValue(background, '"')}"`;
-  return `<svg xmlns="${SVG}" xmlns:sf="${SFUMATO}" width="${width}" height="${height}" viewBox="0 0 ${width} ${height}" sf:version="1"${said}>
+  const said = background === null ? "" : ` sf:background="${encodeValue(background, '"')}"`;
+  const size = `width="${width}" height="${height}" viewBox="0 0 ${width} ${height}"`;
+  return `<svg xmlns="${SVG}" xmlns:sf="${SFUMATO}" ${size} sf:version="1"${said}>
   <g id="layer-1" sf:diffuse="true">
   </g>
 </svg>

@@ -1,5 +1,6 @@
 // Items that are as they were stay the objects that they were, so that identity says what changed.
-import type { BuildingItem, Built, Within } from "./building.js";
+import type { Built } from "./building.js";
+import type { BuildingItem, Within } from "./item-object.js";
 import type { Handle, Item, UseItem } from "./types.js";
 
 function isSameValue(a: unknown, b: unknown): boolean {
@@ -17,7 +18,8 @@ const APART: ReadonlySet<string> = new Set(["element", "around", "inside", "chil
 
 function isSameItem(fresh: Item, old: Item): boolean {
   if (fresh.kind !== old.kind || fresh.element !== old.element) return false;
-  if (fresh.kind === "use" && fresh.target?.handle !== (old as UseItem).target?.handle) return false;
+  if (fresh.kind === "use" && fresh.target?.handle !== (old as UseItem).target?.handle)
+    return false;
   if (fresh.children.length !== old.children.length) return false;
   if (fresh.children.some((child, i) => child !== old.children[i])) return false;
   return Object.keys(fresh).every((key) => {

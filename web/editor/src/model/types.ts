@@ -27,7 +27,7 @@ interface ItemBase {
   readonly children: readonly Item[];
   /** inkscape:label, else the id, else what it is with a number. */
   readonly name: string;
-  /** From the coordinates of the element's own attributes (its transform included) to the artboard's. */
+  /** To the artboard's coordinates from those of the element's attributes, its transform included. */
   readonly artboardFromItem: Affine;
   readonly hidden: boolean;
   readonly locked: boolean;
@@ -46,7 +46,7 @@ export interface UseItem extends ItemBase {
   readonly target: Item | null;
 }
 
-/** A shape: of a layer a diffusion curve for each subpath, elsewhere with sf:radius a local curve. */
+/** A shape: in a layer a diffusion curve for each subpath, elsewhere with sf:radius a local one. */
 export interface CurveItem extends ItemBase {
   readonly kind: "curve" | "stroke";
   /** Subpaths in the element's coordinates; those of no length are not there. */

@@ -145,7 +145,9 @@ export function setAttribute(
   const prefix = prefixOf(element, namespace) ?? freePrefix(element, namespace);
   const declaration = declare(text, element, namespace);
   const version = declaration.length > 0 && local === "version" && !element.parent;
-  return version ? declaration : [...declaration, added(text, element, `${prefix}:${local}`, value)];
+  return version
+    ? declaration
+    : [...declaration, added(text, element, `${prefix}:${local}`, value)];
 }
 
 /**

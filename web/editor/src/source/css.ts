@@ -1,9 +1,30 @@
 // The tokens of CSS Syntax 3, as far as styles and colours of documents need them.
 
 export type TokenKind =
-  | "blank" | "comment" | "ident" | "function" | "at" | "hash" | "string" | "url"
-  | "number" | "percentage" | "dimension" | "delim" | "bad" | "cdo" | "cdc"
-  | "(" | ")" | "[" | "]" | "{" | "}" | "," | ":" | ";";
+  | "blank"
+  | "comment"
+  | "ident"
+  | "function"
+  | "at"
+  | "hash"
+  | "string"
+  | "url"
+  | "number"
+  | "percentage"
+  | "dimension"
+  | "delim"
+  | "bad"
+  | "cdo"
+  | "cdc"
+  | "("
+  | ")"
+  | "["
+  | "]"
+  | "{"
+  | "}"
+  | ","
+  | ":"
+  | ";";
 
 export interface Token {
   readonly kind: TokenKind;
@@ -25,10 +46,16 @@ const PATTERNS: readonly (readonly [TokenKind, RegExp])[] = [
   ["blank", /[ \t\r\n\f]+/y],
   ["cdo", /<!--/y],
   ["cdc", /-->/y],
-  ["url", /url\([ \t\r\n\f]*(?!["' \t\r\n\f])((?:[^"'()\\ \t\r\n\f]|\\[^\r\n\f])*)[ \t\r\n\f]*(?:\)|$)/iy],
+  [
+    "url",
+    /url\([ \t\r\n\f]*(?!["' \t\r\n\f])((?:[^"'()\\ \t\r\n\f]|\\[^\r\n\f])*)[ \t\r\n\f]*(?:\)|$)/iy,
+  ],
   ["function", new RegExp(`(${IDENT})\\(`, "y")],
   ["percentage", /([+-]?(?:\d+(?:\.\d+)?|\.\d+)(?:[eE][+-]?\d+)?)%/y],
-  ["dimension", new RegExp(String.raw`([+-]?(?:\d+(?:\.\d+)?|\.\d+)(?:[eE][+-]?\d+)?)(${IDENT})`, "y")],
+  [
+    "dimension",
+    new RegExp(String.raw`([+-]?(?:\d+(?:\.\d+)?|\.\d+)(?:[eE][+-]?\d+)?)(${IDENT})`, "y"),
+  ],
   ["number", /([+-]?(?:\d+(?:\.\d+)?|\.\d+)(?:[eE][+-]?\d+)?)/y],
   ["ident", new RegExp(`(${IDENT})`, "y")],
   ["hash", new RegExp(`#(${PART}+)`, "y")],

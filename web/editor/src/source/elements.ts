@@ -1,4 +1,4 @@
-// Elements of a text: taken out and put in by edits, in lines of their own where their siblings are.
+// Elements of a text: taken out and put in by edits, in lines of their own where siblings are.
 import { blanksBefore } from "./attributes.js";
 import type { Edit } from "./patch.js";
 import type { ElementNode } from "./tree.js";
@@ -46,7 +46,10 @@ function lineWithin(text: string, parent: ElementNode): string {
   const line = lineBefore(text, parent);
   if (line === "") return parent.parent ? "" : text.includes("\r\n") ? "\r\n" : "\n";
   const outer = parent.parent ? lineBefore(text, parent.parent) : "";
-  const step = line.length > outer.length && line.startsWith(outer) && outer !== "" ? line.slice(outer.length) : "  ";
+  const step =
+    line.length > outer.length && line.startsWith(outer) && outer !== ""
+      ? line.slice(outer.length)
+      : "  ";
   return line + step;
 }
 

@@ -1,6 +1,12 @@
 // What stands between quotes, and what it means.
 
-const NAMED: Readonly<Record<string, string>> = { lt: "<", gt: ">", amp: "&", quot: '"', apos: "'" };
+const NAMED: Readonly<Record<string, string>> = {
+  lt: "<",
+  gt: ">",
+  amp: "&",
+  quot: '"',
+  apos: "'",
+};
 
 function referred(whole: string, name: string): string {
   if (!name.startsWith("#")) return Object.hasOwn(NAMED, name) ? NAMED[name] : whole;

@@ -52,7 +52,14 @@ function turned(degrees: number): readonly [sin: number, cos: number] {
   // Right angles are exact: a rotated rectangle stays one.
   const quarters = degrees / 90;
   if (Number.isInteger(quarters)) {
-    return ([[0, 1], [1, 0], [0, -1], [-1, 0]] as const)[((quarters % 4) + 4) % 4];
+    return (
+      [
+        [0, 1],
+        [1, 0],
+        [0, -1],
+        [-1, 0],
+      ] as const
+    )[((quarters % 4) + 4) % 4];
   }
   const angle = ((degrees % 360) * Math.PI) / 180;
   return [Math.sin(angle), Math.cos(angle)];
@@ -98,7 +105,7 @@ export function parseTransform(text: string): Affine | null {
   return product.every(Number.isFinite) ? product : null;
 }
 
-/** The map that fits a box into another by preserveAspectRatio; a text that is none: the default. */
+/** The map that fits a box into another by preserveAspectRatio; its default where it is wrong. */
 export function fitted(content: Box, target: Box, ratio: string): Affine {
   const [, x, y, how] =
     /^(?:defer\s+)?x(min|mid|max)y(min|mid|max)(?:\s+(meet|slice))?$/.exec(
@@ -115,7 +122,10 @@ export function fitted(content: Box, target: Box, ratio: string): Affine {
   const spareX = target[2] - target[0] - scaleX * width;
   const spareY = target[3] - target[1] - scaleY * height;
   return [
-    scaleX, 0, 0, scaleY,
+    scaleX,
+    0,
+    0,
+    scaleY,
     target[0] + share(x) * spareX - scaleX * content[0],
     target[1] + share(y) * spareY - scaleY * content[1],
   ];

@@ -1,7 +1,16 @@
 // A lossless tree over the text of an XML file, in linear time and whatever the depth.
 import { decodeValue } from "./entities.js";
 import { Attribute, Element } from "./nodes.js";
-import { behind, failure, nameAt, placeOf, scanDoctype, scanStartTag, shown, skipBlanks } from "./scan.js";
+import {
+  behind,
+  failure,
+  nameAt,
+  placeOf,
+  scanDoctype,
+  scanStartTag,
+  shown,
+  skipBlanks,
+} from "./scan.js";
 import type { StartTag } from "./scan.js";
 
 const XMLNS = "http://www.w3.org/2000/xmlns/";
@@ -42,7 +51,15 @@ function attributesOf(
     const value = decodeValue(text.slice(valueAt, valueEnd));
     const quote = text[valueEnd] as '"' | "'";
     return new Attribute(
-      owner, name, local, namespace, value, begin - at, valueAt - at, valueEnd - at, quote,
+      owner,
+      name,
+      local,
+      namespace,
+      value,
+      begin - at,
+      valueAt - at,
+      valueEnd - at,
+      quote,
     );
   });
 }
@@ -120,7 +137,13 @@ class Parser {
     this.#declare(tag);
     const [prefix, local] = split(tag.name);
     const element = new Element(
-      parent, tag.name, local, this.#meaning(prefix), this.#newHandle(), at, tag.closesItself,
+      parent,
+      tag.name,
+      local,
+      this.#meaning(prefix),
+      this.#newHandle(),
+      at,
+      tag.closesItself,
     );
     element.attributes = attributesOf(element, tag, this.#text, at, (name) => this.#meaning(name));
     element.tagLength = element.contentLength = element.length = tag.end - at;
@@ -228,7 +251,11 @@ export function rereadTag(element: Element, tag: string): void {
     const prefix = declaredPrefix(name);
     if (prefix !== null) own.set(prefix, decodeValue(tag.slice(valueAt, valueEnd)));
   }
-  element.attributes = attributesOf(element, read, tag, 0, (prefix) =>
-    own.get(prefix) ?? meaningWithin(element.parent, prefix),
+  element.attributes = attributesOf(
+    element,
+    read,
+    tag,
+    0,
+    (prefix) => own.get(prefix) ?? meaningWithin(element.parent, prefix),
   );
 }

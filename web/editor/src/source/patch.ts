@@ -1,6 +1,9 @@
 // Changes of a text, and what undoes them.
 
-/** `removed` stands at `at` in the text before, and `inserted` takes its place. Offsets count UTF-16 units. */
+/**
+ * `removed` stands at `at` in the text before, and `inserted` takes its place. Offsets count UTF-16
+ * units.
+ */
 export interface Edit {
   readonly at: number;
   readonly removed: string;

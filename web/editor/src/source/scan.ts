@@ -108,7 +108,11 @@ function scanAttribute(text: string, at: number, tag: string): AttributeToken {
   if (close < 0) throw failure(text, at, `the value of ${shown(name)} has no closing quote`);
   const inside = text.slice(open + 1, close).indexOf("<");
   if (inside >= 0) {
-    throw failure(text, open + 1 + inside, `"<" in the value of ${shown(name)}; a quote is missing`);
+    throw failure(
+      text,
+      open + 1 + inside,
+      `"<" in the value of ${shown(name)}; a quote is missing`,
+    );
   }
   return { name, nameAt: at, valueAt: open + 1, valueEnd: close };
 }

@@ -1,7 +1,7 @@
 // Properties of elements set so that they hold, whatever styles say.
 import { attributeOf, setAttribute } from "./attributes.js";
 import type { Edit } from "./patch.js";
-import { declarationsOf } from "./styles.js";
+import { declarationsOf } from "./declarations.js";
 import type { Property, Styles } from "./styles.js";
 import type { ElementNode } from "./tree.js";
 

@@ -13,7 +13,7 @@ export interface Stop<Value> {
   readonly value: Value;
 }
 
-/** What a side bears: nothing ("open"), "none" ("barrier"), a paint, or stops by ascending offset. */
+/** What a side bears: nothing ("open"), "none" ("barrier"), a paint, or stops by their offsets. */
 export type SideValue<Value> =
   | { readonly kind: "open" }
   | { readonly kind: "barrier" }
@@ -99,7 +99,7 @@ function itemsOfTokens(text: string): string[][] {
   const tokens = tokensOf(text);
   const items: string[][] = [[]];
   let last = -1;
-  for (let i = 0; i < tokens.length; ) {
+  for (let i = 0; i < tokens.length;) {
     const { kind, start } = tokens[i];
     const next = behindComponent(tokens, i);
     if (kind === ",") {
@@ -174,7 +174,8 @@ function placed<Value>(written: readonly Written<Value>[], segments: number): Si
 }
 
 /**
- * What an attribute of a side says. Nothing, and what cannot be read (the engine says why), is open.
+ * What an attribute of a side says. Nothing is open, and so is what cannot be read: the engine says
+ * why.
  * @param segments of the subpath: where lists with "@" end
  */
 export function readSide<Value>(

@@ -33,7 +33,7 @@ export interface ElementNode {
   readonly range: Range;
   /** From `<` to behind `>` of the start tag. */
   readonly startTag: Range;
-  /** Between start and end tag; empty, and at the end of the tag, where the element closes itself. */
+  /** Between start and end tag; of an element that closes itself the place at its end. */
   readonly content: Range;
   readonly closesItself: boolean;
   /** The same number for the same element as long as it lives, also after edits of the text. */

@@ -50,11 +50,7 @@ function showing(
 }
 
 /** By `display`; what is hidden by `visibility` is shown too. */
-export function setHidden(
-  d: Drawing,
-  handles: readonly Handle[],
-  hidden: boolean,
-): Outcome | null {
+export function setHidden(d: Drawing, handles: readonly Handle[], hidden: boolean): Outcome | null {
   const styles = new Styles(d.text, d.root);
   return ofEach(d, handles, (element) => {
     if (!hidden) {
@@ -63,17 +59,14 @@ export function setHidden(
         ...showing(styles, element, "visibility", "visible"),
       });
     }
-    const isHidden = !isShown(styles, element, "display") || !isShown(styles, element, "visibility");
+    const isHidden =
+      !isShown(styles, element, "display") || !isShown(styles, element, "visibility");
     return isHidden ? [] : setStyle(d.text, styles, element, "display", "none");
   });
 }
 
 /** As Inkscape locks: sodipodi:insensitive. */
-export function setLocked(
-  d: Drawing,
-  handles: readonly Handle[],
-  locked: boolean,
-): Outcome | null {
+export function setLocked(d: Drawing, handles: readonly Handle[], locked: boolean): Outcome | null {
   const insensitive = { namespace: SODIPODI, local: "insensitive" };
   return ofEach(d, handles, (element) =>
     setAttribute(d.text, element, insensitive, locked ? "true" : null),
@@ -106,7 +99,8 @@ export function setBlend(d: Drawing, h: Handle, blend: string): Outcome | null {
 
 /** The length times a factor, in the same unit; null where it is none, or a percentage. */
 function scaledLength(text: string | undefined, factor: number): string | null {
-  const [, number, unit] = /^\s*([+-]?[\d.]+(?:[eE][+-]?\d+)?)([a-zA-Z]*)\s*$/.exec(text ?? "") ?? [];
+  const [, number, unit] =
+    /^\s*([+-]?[\d.]+(?:[eE][+-]?\d+)?)([a-zA-Z]*)\s*$/.exec(text ?? "") ?? [];
   return number === undefined ? null : `${numberText(Number(number) * factor, 1e-4)}${unit}`;
 }
 
@@ -125,7 +119,10 @@ export function setArtboard(
   };
   if (viewBox.some((value, i) => value !== box[i])) {
     set("viewBox", [x0, y0, width, height].map((value) => numberText(value, 1e-4)).join(" "));
-    const sides = { width: width / (viewBox[2] - viewBox[0]), height: height / (viewBox[3] - viewBox[1]) };
+    const sides = {
+      width: width / (viewBox[2] - viewBox[0]),
+      height: height / (viewBox[3] - viewBox[1]),
+    };
     for (const [name, factor] of Object.entries(sides)) {
       const length = scaledLength(valueOf(d.root, name), factor);
       if (length !== null && factor !== 1) set(name, length);
@@ -135,10 +132,7 @@ export function setArtboard(
 }
 
 /** Where colours are mixed; "srgb" is the default and not written. */
-export function setInterpolation(
-  d: Drawing,
-  to: "srgb" | "linear" | "oklab",
-): Outcome | null {
+export function setInterpolation(d: Drawing, to: "srgb" | "linear" | "oklab"): Outcome | null {
   if (d.interpolation === to) return null;
   const value = to === "srgb" ? null : to;
   return outcomeOf(setAttribute(d.text, d.root, sf("interpolation"), value));

@@ -10,7 +10,10 @@ import { outcomeOf } from "./together.js";
 
 /** A name as an id: its letters and digits, begun by a letter. */
 function asId(name: string): string {
-  const kept = name.trim().replace(/\s+/g, "-").replace(/[^-.\w\u00c0-\uffff]/g, "");
+  const kept = name
+    .trim()
+    .replace(/\s+/g, "-")
+    .replace(/[^-.\w\u00c0-\uffff]/g, "");
   return /^[A-Za-z_\u00c0-\uffff]/.test(kept) || kept === "" ? kept : `_${kept}`;
 }
 

@@ -3,12 +3,12 @@ import { patchOf } from "../../source/attributes.js";
 import type { Edit, Patch } from "../../source/patch.js";
 import type { Drawing, Handle, Item, Outcome, Selection } from "../types.js";
 
-/** Edits as what a command makes; null where there are none. @throws RangeError where they overlap */
+/** Edits as what a command makes; null: there are none. @throws RangeError where they overlap */
 export function outcomeOf(edits: readonly Edit[]): Outcome | null {
   return edits.length === 0 ? null : { patch: patchOf(edits) };
 }
 
-/** Where a place of the text after `own` is after `all`, which has the edits of `own` among others. */
+/** Where a place of the text after `own` is after `all`, which has those edits among others. */
 function placeAfter(at: number, own: Patch, all: Patch): number {
   let ownShift = 0;
   let before = at;
