@@ -118,14 +118,24 @@ describe("colours that change along the curve", () => {
 });
 
 describe("a ramp", () => {
-  test.each([2, 3, 4, 6, 8])("of half width %d asks for a blur of it", (width) => {
-    const photo = photoOf(100, 100, (x) => mix(RED, BLUE, clamp((x - 50 + width) / (2 * width))));
+  /** The engine's transition across a curve. */
+  const smoothstep = (t: number) => clamp(t) ** 2 * (3 - 2 * clamp(t));
+
+  test.each([2, 3, 4, 6, 8])("that a blur of %d px makes asks for this blur", (radius) => {
+    const photo = photoOf(100, 100, (x) => mix(RED, BLUE, smoothstep((x - 50 + radius) / (2 * radius))));
     const { blur } = tracePhoto(photo, line([50, 90], [50, 10]), options({ distance: 9 }));
     expect(blur.length).toBe(1);
     // OKLab bends the ramp of code values a little.
-    expect(Math.abs(blur[0].value - width) / width).toBeLessThan(0.25);
+    expect(Math.abs(blur[0].value - radius) / radius).toBeLessThan(0.15);
     const halved = options({ photoFromPath: [2, 0, 0, 2, 0, 0], spacing: 1 });
     expect(tracePhoto(photo, line([25, 45], [25, 5]), halved).blur[0].value * 2).toBeCloseTo(blur[0].value, 1);
+  });
+
+  test.each([2, 4, 6, 8])("that is straight for %d px asks for the blur of the same steepness", (width) => {
+    const photo = photoOf(100, 100, (x) => mix(RED, BLUE, clamp((x - 50 + width) / (2 * width))));
+    const { blur } = tracePhoto(photo, line([50, 90], [50, 10]), options());
+    expect(blur[0].value).toBeGreaterThan(width);
+    expect(blur[0].value).toBeLessThan(1.5 * width);
   });
 
   test("that grows along the curve has growing radii", () => {
@@ -134,8 +144,8 @@ describe("a ramp", () => {
     const { blur } = tracePhoto(photo, line([50, 95], [50, 5]), options());
     expect(blur.length).toBeGreaterThan(1);
     expect(blur.length).toBeLessThan(8);
-    expect(blur[0].value).toBeLessThan(3);
-    expect(blur[blur.length - 1].value).toBeGreaterThan(6);
+    expect(blur[0].value).toBeLessThan(4);
+    expect(blur[blur.length - 1].value).toBeGreaterThan(7);
   });
 
   test("of nothing is none", () => {

@@ -8,7 +8,7 @@ export const REACHES = [1, 2, 4, 8] as const;
 /** A step of less in OKLab says nothing about its width. */
 const LEAST_STEP = 0.05;
 /** A transition this narrow, in pixels to each side, is the camera's. */
-const SHARP = 1.3;
+const SHARP = 1.5;
 
 /** The colours on both sides of a place, as far as they can be seen: at the first of REACHES, … */
 export interface Profile {
@@ -31,21 +31,25 @@ function sharesOf({ left, right }: Profile): number[] | null {
   return Array.from({ length: count }, (_, i) => along(right[i]) - along(left[i]));
 }
 
+/** How much of a step the engine's blur leaves within s of the curve, y = s / R: 2 β - 1 of eq. 8. */
+function blurredShare(y: number): number {
+  return y < 1 ? (3 * y - y ** 3) / 2 : 1;
+}
+
 /**
- * Half the width of the ramp between both sides, in pixels: 0 for a step, at most the last reach.
- * null: there is no step to speak of, or it cannot be seen.
+ * The blur radius whose transition is nearest to the one between both sides, in pixels: 0 for a step, at
+ * most a little beyond the last reach. null: there is no step to speak of, or it cannot be seen.
  */
-export function rampHalfWidth(profile: Profile): number | null {
+export function rampRadius(profile: Profile): number | null {
   const shares = sharesOf(profile);
   if (!shares) return null;
-  const last = REACHES[shares.length - 1];
-  // The last is 1 by construction. A ramp has min(1, s / w) within s.
-  const miss = (width: number) =>
-    shares.slice(0, -1).reduce((sum, share, i) => sum + (share - Math.min(1, REACHES[i] / width)) ** 2, 0);
+  const miss = (radius: number) =>
+    shares.reduce((sum, share, i) => sum + (share - blurredShare(REACHES[i] / radius)) ** 2, 0);
+  const last = 1.4 * REACHES[shares.length - 1];
   let [best, least] = [0.5, Infinity];
-  for (let width = 0.5; width <= last * 1.001; width *= 1.02) {
-    const found = miss(width);
-    if (found < least - 1e-12) [best, least] = [width, found];
+  for (let radius = 0.5; radius <= last; radius *= 1.02) {
+    const found = miss(radius);
+    if (found < least - 1e-12) [best, least] = [radius, found];
   }
-  return best <= SHARP ? 0 : Math.min(best, last);
+  return best <= SHARP ? 0 : best;
 }

@@ -6,7 +6,7 @@ import { mappedPath, type CubicPath } from "./cubic.js";
 import { pathDirectionAt, pathPointAt } from "./length.js";
 import { flatten } from "./nearest.js";
 import { colorAt, labDistance, median, medianLab, type Photo } from "./photo.js";
-import { rampHalfWidth, REACHES } from "./ramp.js";
+import { rampRadius, REACHES } from "./ramp.js";
 import { simplifiedGraph } from "./simplify.js";
 import { add, distance, leftOf, scaled, unit } from "./vector.js";
 
@@ -113,7 +113,7 @@ class Looker {
   }
 
   /** As far as both sides can be seen. */
-  halfWidth(station: Station): number | null {
+  radius(station: Station): number | null {
     const left: Oklab[] = [];
     const right: Oklab[] = [];
     for (const reach of REACHES) {
@@ -122,7 +122,7 @@ class Looker {
       left.push(a);
       right.push(b);
     }
-    return rampHalfWidth({ left, right });
+    return rampRadius({ left, right });
   }
 }
 
@@ -219,6 +219,6 @@ export function tracePhoto(photo: Photo, path: CubicPath, options: TraceOptions)
   return {
     left: side(options.distance),
     right: side(-options.distance),
-    blur: blurStops(gather((station) => looker.halfWidth(station)), path.closed, scale),
+    blur: blurStops(gather((station) => looker.radius(station)), path.closed, scale),
   };
 }
