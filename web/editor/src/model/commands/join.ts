@@ -10,7 +10,8 @@ import type { Edit } from "../../source/patch.js";
 import type { CurveItem, Drawing, Handle, Item, Outcome } from "../types.js";
 import { joinedAttributes, type Half } from "./join-sides.js";
 import { removal } from "./removal.js";
-import { curveOf, dataEdits, dataOf, editShape } from "./shape-edit.js";
+import { dataEdits } from "./data-edits.js";
+import { curveOf, dataOf, editShape } from "./shape-edit.js";
 
 /** Ends this near become one node, in CSS pixels; a step is a thousandth of one. */
 const WELD = 8 * 1000;

@@ -5,7 +5,9 @@ import { encodeValue } from "../../source/entities.js";
 import type { Edit } from "../../source/patch.js";
 import type { ElementNode } from "../../source/tree.js";
 import type { CurveItem, Drawing, Handle, Outcome } from "../types.js";
-import { curveOf, dataEdits, dataOf } from "./shape-edit.js";
+import { dataEdits } from "./data-edits.js";
+import { onlySubpaths, partedElement } from "./parting.js";
+import { curveOf, dataOf } from "./shape-edit.js";
 import { editedLists, segmentCount, type ListEdit } from "./stop-follow.js";
 
 const OTHER_SIDE: Readonly<Record<string, string>> = {
@@ -56,9 +58,26 @@ function sideEdits(
 function reversed(drawing: Drawing, { element, paths }: CurveItem, step: number): Edit[] {
   const data = reversedData(dataOf(drawing, element), step);
   if (data === null || readPath(data).length !== paths.length) return [];
-  const segments = segmentCount(paths[0]);
-  const lists = editedLists(drawing, element, segments, mirroredIn(segments));
-  return [...dataEdits(drawing.text, element, data, true), ...sideEdits(drawing.text, element, lists)];
+  const counts = paths.map(segmentCount);
+  const [first] = counts;
+  const lists = new Map(
+    counts.map((count) => [count, editedLists(drawing, element, count, mirroredIn(count))] as const),
+  );
+  const listsOf = (count: number) => lists.get(count) ?? new Map<string, string>();
+  // Offsets "@" from the other end are others where a subpath has more segments.
+  const odd = [...lists.keys()].filter((count) => !isSameFor(listsOf(count), listsOf(first)));
+  const part = (count: number, isIn: (index: number) => boolean) => ({
+    data: onlySubpaths(data, isIn, step),
+    edits: sideEdits(drawing.text, element, listsOf(count)),
+  });
+  const own = part(first, (i) => !odd.includes(counts[i]));
+  if (odd.length === 0) return [...dataEdits(drawing.text, element, own.data, true), ...own.edits];
+  const others = odd.map((count) => part(count, (i) => counts[i] === count));
+  return partedElement(drawing, element, own, others).edits;
+}
+
+function isSameFor(a: ReadonlyMap<string, string>, b: ReadonlyMap<string, string>): boolean {
+  return [...a].every(([name, text]) => b.get(name) === text);
 }
 
 /** Reverses the direction of curves: sides change places and offsets run backwards, so that the picture stays. */

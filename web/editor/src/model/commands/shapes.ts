@@ -14,7 +14,8 @@ import {
 import { rewritePath } from "../../geometry/path.js";
 import { patchOf } from "../../source/attributes.js";
 import type { Drawing, Handle, Outcome } from "../types.js";
-import { curveOf, dataEdits, dataOf, editShape } from "./shape-edit.js";
+import { dataEdits } from "./data-edits.js";
+import { curveOf, dataOf, editShape } from "./shape-edit.js";
 import { removal } from "./removal.js";
 
 export { joinCurves } from "./join.js";
