@@ -28,8 +28,8 @@ export interface Example {
   readonly curves: number;
   /** Address of a picture, 4 : 3. */
   readonly thumb: string;
-  /** The text of its SVG. */
-  load(): Promise<string>;
+  /** @throws Error where it cannot be read */
+  open(): Promise<void>;
 }
 
 export interface RecentFile {

@@ -22,6 +22,9 @@ export function fractionOf(item: CurveItem, space: StopSpace, offset: number): n
   return fractionAtParameter(path, placeOfOffset(path, space, offset));
 }
 
+/** A share of the length to the thousandth: finer than a hand or an eye. */
+export const rounded = (fraction: number) => Math.round(Math.min(Math.max(fraction, 0), 1) * 1000) / 1000;
+
 /** The offset of a stop at a share of the length, in the list's own space. */
 export function offsetAt(item: CurveItem, space: StopSpace, fraction: number): number {
   const path = pathOf(item);

@@ -8,32 +8,38 @@ interface Follow {
   readonly onEnd: (isKept: boolean) => void;
 }
 
-/** The holder gets the pointer's events until it is let go; it must outlive the movement. */
+/**
+ * Follows the pointer until it is let go. The holder captures it once it moves, and not sooner, so
+ * that clicks and double clicks stay with what was pressed.
+ */
 export function follow(holder: HTMLElement, pressed: PointerEvent, { slop, onMove, onEnd }: Follow) {
-  let hasMoved = slop === 0;
+  const { pointerId, clientX, clientY } = pressed;
+  let hasMoved = false;
   const move = (event: PointerEvent) => {
-    hasMoved ||= Math.hypot(event.clientX - pressed.clientX, event.clientY - pressed.clientY) > slop;
-    if (hasMoved) onMove(event);
+    if (event.pointerId !== pointerId) return;
+    if (!hasMoved && Math.hypot(event.clientX - clientX, event.clientY - clientY) <= slop) return;
+    if (!hasMoved && holder.isConnected) holder.setPointerCapture(pointerId);
+    hasMoved = true;
+    onMove(event);
   };
   const end = (isKept: boolean) => {
-    holder.removeEventListener("pointermove", move);
-    holder.removeEventListener("lostpointercapture", keep);
-    holder.removeEventListener("pointercancel", drop);
+    window.removeEventListener("pointermove", move);
+    window.removeEventListener("pointerup", up);
+    window.removeEventListener("pointercancel", cancel);
     window.removeEventListener("keydown", escape, true);
-    if (holder.hasPointerCapture(pressed.pointerId)) holder.releasePointerCapture(pressed.pointerId);
+    if (holder.hasPointerCapture(pointerId)) holder.releasePointerCapture(pointerId);
     onEnd(isKept);
   };
-  const keep = () => end(true);
-  const drop = () => end(false);
+  const up = (event: PointerEvent) => event.pointerId === pointerId && end(true);
+  const cancel = (event: PointerEvent) => event.pointerId === pointerId && end(false);
   const escape = (key: KeyboardEvent) => {
     if (key.key !== "Escape") return;
     key.preventDefault();
     key.stopPropagation();
-    drop();
+    end(false);
   };
-  holder.setPointerCapture(pressed.pointerId);
-  holder.addEventListener("pointermove", move);
-  holder.addEventListener("lostpointercapture", keep);
-  holder.addEventListener("pointercancel", drop);
+  window.addEventListener("pointermove", move);
+  window.addEventListener("pointerup", up);
+  window.addEventListener("pointercancel", cancel);
   window.addEventListener("keydown", escape, true);
 }

@@ -7,7 +7,7 @@ import { en } from "../../strings/en.js";
 import { follow } from "../controls/follow.js";
 import { decimal } from "../format.js";
 import { useShell } from "../services.js";
-import { constant, fractionOf, mixNumbers, movedStop, offsetAt, valueAt, withoutStop, withStop, withValue, type Stops } from "../stops.js";
+import { constant, fractionOf, mixNumbers, movedStop, offsetAt, rounded, valueAt, withoutStop, withStop, withValue, type Stops } from "../stops.js";
 
 const words = en.panels;
 /** The profile's own units. */
@@ -65,7 +65,7 @@ function useProfileDrag(props: ProfileProps, box: { current: HTMLDivElement | nu
     event.stopPropagation();
     const list = lists[side];
     const grip = placeAt(holder, side, event);
-    const place = (fraction: number) => offsetAt(item, list.space, fraction);
+    const place = (fraction: number) => offsetAt(item, list.space, rounded(fraction));
     const index = start ?? withStop(list, { offset: place(grip.at), value: 0 }).index;
     const base = start === null ? withStop(list, { offset: place(grip.at), value: valueAt(list.stops, place(grip.at), mixNumbers) }).value : list;
     const first = base.stops[index];
@@ -108,7 +108,7 @@ function useProfileKeys(props: ProfileProps, choose: (side: Side, index: number)
       editor.run(words.moveRadius, put(editor.drawing, side, withValue(list, index, value)), words.moveRadius);
     } else if (along !== 0) {
       const fraction = fractionOf(item, list.space, list.stops[index].offset) + along;
-      const placed = movedStop(list, index, offsetAt(item, list.space, fraction));
+      const placed = movedStop(list, index, offsetAt(item, list.space, rounded(fraction)));
       editor.run(words.moveRadius, put(editor.drawing, side, placed.value), words.moveRadius);
       choose(side, placed.index);
     } else if ((event.key === "Delete" || event.key === "Backspace") && list.stops.length > 1) {

@@ -11,6 +11,7 @@ import {
   fractionOf,
   movedStop,
   offsetAt,
+  rounded,
   valueAt,
   withoutStop,
   withStop,
@@ -91,7 +92,7 @@ function useStopDrag<Value>(props: RibbonProps<Value>, ribbon: { current: HTMLDi
     follow(holder, event, { slop: SLOP, onMove: show, onEnd: end });
   };
 
-  const offsetHere = (fraction: number) => offsetAt(item, list.space, fraction);
+  const offsetHere = (fraction: number) => offsetAt(item, list.space, rounded(fraction));
   const pressBand = (event: TargetedPointerEvent<HTMLElement>) => {
     if (event.button !== 0) return;
     const value = valueAt(list.stops, offsetHere(fractionAt(event.clientX)), props.mix);
@@ -119,7 +120,7 @@ function useStopKeys<Value>(props: RibbonProps<Value>, choose: (index: number) =
     const step = (event.shiftKey ? 0.1 : 0.01) * (event.key === "ArrowRight" ? 1 : event.key === "ArrowLeft" ? -1 : 0);
     if (step !== 0) {
       const fraction = fractionOf(item, list.space, list.stops[index].offset) + step;
-      const placed = movedStop(list, index, offsetAt(item, list.space, fraction));
+      const placed = movedStop(list, index, offsetAt(item, list.space, rounded(fraction)));
       editor.run(words.moveStop, put(editor.drawing, side, placed.value), words.moveStop);
       choose(placed.index);
       editor.announcement.value = words.stopAt(decimal(Math.min(Math.max(fraction, 0), 1) * 100, 1));

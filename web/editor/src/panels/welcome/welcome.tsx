@@ -23,13 +23,7 @@ function Start(props: { readonly icon: IconName; readonly title: string; readonl
 
 function Gallery() {
   const { editor, services } = useShell();
-  const open = async ({ name, load }: Example) => {
-    try {
-      editor.open(await load(), `${name.toLowerCase()}.svg`);
-    } catch {
-      editor.say(words.exampleFailed(name));
-    }
-  };
+  const open = (example: Example) => example.open().catch(() => editor.say(words.exampleFailed(example.name)));
   if (services.examples.length === 0) return null;
   return (
     <section>
