@@ -76,6 +76,27 @@ describe("gestures", () => {
     expect(engine.shown.at(-1)!.text).toBe(text);
   });
 
+  it("that are open when something else is done are a step before it", () => {
+    const gesture = editor.gesture("bend");
+    gesture.show((before) => bent(before, "a", "M0 0 L10 40"));
+    const shown = editor.drawing.text;
+    editor.run("other", bent(editor.drawing, "b", "M0 20 L5 5"));
+    expect(gesture.isOver).toBe(true);
+    editor.undo();
+    expect(editor.drawing.text).toBe(shown);
+    editor.undo();
+    expect(editor.drawing.text).toBe(text);
+  });
+
+  it("that are open are what undo takes back", () => {
+    const gesture = editor.gesture("bend");
+    gesture.show((before) => bent(before, "a", "M0 0 L10 40"));
+    editor.undo();
+    expect(editor.drawing.text).toBe(text);
+    gesture.show((before) => bent(before, "a", "M0 0 L1 1"));
+    expect(editor.drawing.text).toBe(text);
+  });
+
   it("that show nothing at last leave nothing", () => {
     const gesture = editor.gesture("bend");
     gesture.show((before) => bent(before, "a", "M0 0 L10 40"));

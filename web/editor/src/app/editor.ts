@@ -70,6 +70,7 @@ export class DrawingEditor implements Editor {
   #drawing: Drawing;
   readonly #revision = signal(0);
   readonly #history = new History();
+  #gesture: LiveGesture | null = null;
   #commands: CommandTable;
   /** Elements by their place, in the texts that the engine was given. */
   #snapshots = new Map<number, ReadonlyMap<number, Handle>>();
@@ -105,6 +106,7 @@ export class DrawingEditor implements Editor {
   /** @throws SourceError; what was open stays */
   open(text: string, name: string, log: HistoryLog = { done: [], undone: [] }): void {
     const drawing = openDrawing(text);
+    this.#endGesture();
     batch(() => {
       this.#drawing = drawing;
       this.#history.restore(log);
@@ -133,6 +135,7 @@ export class DrawingEditor implements Editor {
 
   run(label: string, outcome: Outcome | null, merge = ""): boolean {
     if (!outcome || outcome.patch.length === 0 || !this.#mayEdit()) return false;
+    this.#endGesture();
     const before = this.#places();
     const change = this.#drawing.apply(outcome.patch);
     this.#record(label, outcome, before, merge);
@@ -155,9 +158,16 @@ export class DrawingEditor implements Editor {
     });
   }
 
+  /** A gesture that is still open (the picker's) is a step of its own before the next edit. */
+  #endGesture() {
+    this.#gesture?.keep();
+    this.#gesture = null;
+  }
+
   gesture(label: string): Gesture {
+    this.#endGesture();
     const before = this.#places();
-    return new LiveGesture({
+    this.#gesture = new LiveGesture({
       drawing: this.#drawing,
       apply: (patch: Patch) => this.#drawing.apply(patch),
       changed: (changes, moving) => this.#changed(united(changes), moving),
@@ -167,13 +177,16 @@ export class DrawingEditor implements Editor {
         this.#changed({ isStructural: false, touched: new Map() }, false);
       },
     });
+    return this.#gesture;
   }
 
   undo(): void {
+    this.#endGesture();
     this.#replay(this.#history.undo());
   }
 
   redo(): void {
+    this.#endGesture();
     this.#replay(this.#history.redo());
   }
 

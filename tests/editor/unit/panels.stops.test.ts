@@ -1,0 +1,65 @@
+// Stop lists as ribbons and profiles edit them.
+import { describe, expect, it } from "vitest";
+import { mixNumbers, movedStop, valueAt, withStop, withoutStop, type Stops } from "../../../web/editor/src/panels/stops.js";
+import { randomFrom } from "./random.js";
+
+const list = (...stops: readonly [number, number][]): Stops<number> => ({
+  kind: "stops",
+  space: "arc",
+  stops: stops.map(([offset, value]) => ({ offset, value })),
+});
+const offsets = ({ stops }: Stops<number>) => stops.map(({ offset }) => offset);
+const values = ({ stops }: Stops<number>) => stops.map(({ value }) => value);
+
+describe("a list of stops", () => {
+  it("is linear between stops and constant beyond them", () => {
+    const { stops } = list([0.2, 10], [0.6, 30]);
+    expect(valueAt(stops, 0, mixNumbers)).toBe(10);
+    expect(valueAt(stops, 0.4, mixNumbers)).toBeCloseTo(20, 12);
+    expect(valueAt(stops, 1, mixNumbers)).toBe(30);
+  });
+
+  it("has, at a hard step, the value behind it", () => {
+    expect(valueAt(list([0, 1], [0.5, 2], [0.5, 8], [1, 9]).stops, 0.5, mixNumbers)).toBe(8);
+  });
+
+  it("keeps its order when a stop passes others, and tells where it went", () => {
+    const { value, index } = movedStop(list([0, 1], [0.3, 2], [0.6, 3], [1, 4]), 1, 0.8);
+    expect(values(value)).toEqual([1, 3, 2, 4]);
+    expect(index).toBe(2);
+  });
+
+  it("keeps a hard step that is moved onto its own place", () => {
+    const step = list([0, 1], [0.5, 2], [0.5, 8], [1, 9]);
+    expect(values(movedStop(step, 1, 0.5).value)).toEqual([1, 2, 8, 9]);
+    expect(values(movedStop(step, 2, 0.5).value)).toEqual([1, 2, 8, 9]);
+  });
+
+  it("stays in order, keeps what it holds and its values, whatever is done", () => {
+    const random = randomFrom(11);
+    let now = list([0, 0], [1, 1]);
+    for (let i = 0; i < 2000; ++i) {
+      const at = Math.round(random() * 20) / 20;
+      const index = Math.floor(random() * now.stops.length);
+      const before = now;
+      if (random() < 0.4) {
+        const placed = withStop(now, { offset: at, value: valueAt(now.stops, at, mixNumbers) });
+        expect(placed.value.stops[placed.index].offset).toBe(at);
+        now = placed.value;
+        // A stop with the value that is there changes nothing that is seen.
+        for (const t of [0, 0.13, 0.5, 0.77, 1]) {
+          expect(valueAt(now.stops, t, mixNumbers)).toBeCloseTo(valueAt(before.stops, t, mixNumbers), 9);
+        }
+      } else if (random() < 0.5 && now.stops.length > 2) {
+        now = withoutStop(now, index);
+        expect(now.stops.length).toBe(before.stops.length - 1);
+      } else {
+        const placed = movedStop(now, index, at);
+        expect(placed.value.stops[placed.index]).toEqual({ offset: at, value: before.stops[index].value });
+        expect([...values(placed.value)].sort()).toEqual([...values(before)].sort());
+        now = placed.value;
+      }
+      expect(offsets(now)).toEqual([...offsets(now)].sort((a, b) => a - b));
+    }
+  });
+});
