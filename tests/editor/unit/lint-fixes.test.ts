@@ -1,0 +1,81 @@
+// A fix takes its hint away, and is undone as any edit.
+import { readFileSync } from "node:fs";
+import { expect, test } from "vitest";
+import { openDrawing } from "../../../web/editor/src/model/drawing.js";
+import { FIXABLE_RULES, fixOf } from "../../../web/editor/src/model/lint-fixes.js";
+import { applied } from "../../../web/editor/src/source/patch.js";
+import { en } from "../../../web/editor/src/strings/en.js";
+import { file, modulePath } from "./drawings.js";
+
+const frame = '<path id="frame" d="M0 0H512V512H0Z" sf:right="#abc" sf:left="none"/>';
+const text = (inner: string, outer = "", before = "") =>
+  `<svg xmlns="http://www.w3.org/2000/svg" xmlns:sf="urn:sfumato:1" viewBox="0 0 512 512" sf:version="1">` +
+  `${before}<g sf:diffuse="true">${inner}</g>${outer}</svg>`;
+const curve = (d: string, said: string) => `<path d="${d}" ${said}/>`;
+const RING = "M200 100C300 100 300 300 200 300C100 300 100 100 200 100";
+
+/** A drawing with one hint of each rule. */
+const FAULTY: Readonly<Record<string, string>> = {
+  "open-loop": text(frame + curve(`${RING.slice(0, -7)}202 100`, 'sf:left="#abc" sf:right="red"')),
+  "inside-empty": text(frame + curve(`${RING}Z`, 'sf:left="red"')),
+  "no-attribute": text(frame + curve("M90 90L300 200", "")),
+  outside: text(frame + curve("M900 900L930 950", 'sf:left="red"')),
+  duplicate: text(frame + curve("M90 90L300 200", 'sf:left="red" sf:right="red"') + curve("M90 90L300 200", 'sf:left="blue" sf:right="blue"')),
+  "blur-without-shader": text(frame + curve("M90 90L300 200", 'sf:left="red" sf:blur="9"')),
+  "stroke-blur": text(frame, curve("M90 90L300 200", 'sf:left="red" sf:right="red" sf:radius="9" sf:blur="4"')),
+  seam: text(frame + curve(`${RING}Z`, 'sf:left="#abc" sf:right="red, gold, blue"')),
+  gap: text(frame + curve("M100 50V400", 'sf:left="red" sf:right="red"') + curve("M102 200H400", 'sf:left="#fff" sf:right="#000"')),
+  overshoot: text(frame + curve("M100 50V400", 'sf:left="red" sf:right="red"') + curve("M98 200H400", 'sf:left="#fff" sf:right="#000"')),
+  flood: text(curve(`${RING}Z`, 'sf:right="red"')),
+  "empty-layer": text(frame, '<g sf:diffuse="true"></g>'),
+};
+
+interface Found {
+  readonly kind: string;
+  readonly layer?: number;
+  readonly curve?: number;
+  readonly stack_item?: number;
+}
+
+async function linter() {
+  const { loadSfumato } = await import(file("../../../web/wasm/sfumato.mjs"));
+  const library = await loadSfumato(readFileSync(modulePath() as string));
+  return (source: string) => {
+    const context = library.context();
+    const document = context.read(source);
+    const hints = context.lint(document).hints as Found[];
+    const found = hints.map(({ kind, layer, curve: index }) => {
+      const place = layer === undefined || index === undefined ? null : document.curveSource(layer, index);
+      // Local curves have no such place: there is one.
+      const offset = place?.byteOffset ?? (kind.startsWith("stroke") ? source.lastIndexOf("<path") : null);
+      return { rule: kind, offset };
+    });
+    context.free();
+    return found;
+  };
+}
+
+test("every rule with a fix has a drawing here, and words", () => {
+  expect(Object.keys(FAULTY).sort()).toEqual([...FIXABLE_RULES].sort());
+});
+
+test.skipIf(!modulePath()).each(Object.keys(FAULTY))("%s: the fix takes the hint away", async (rule) => {
+  const lint = await linter();
+  const source = FAULTY[rule];
+  const hint = lint(source).find((found) => found.rule === rule);
+  expect(hint, JSON.stringify(lint(source))).toBeDefined();
+  const fix = fixOf(openDrawing(source), hint ?? { rule, offset: null });
+  expect(fix).not.toBeNull();
+  expect(en.commands.lintFixes[fix?.label ?? "closeCurve"]).toMatch(/^[A-Z]/);
+  const mended = applied(source, fix?.outcome.patch ?? []);
+  expect(lint(mended).filter((found) => found.rule === rule), mended).toEqual([]);
+});
+
+test("a hint that has no curve any more, or a rule that nobody can mend, has none", () => {
+  const d = openDrawing(FAULTY.seam);
+  expect(fixOf(d, { rule: "seam", offset: 3 })).toBeNull();
+  expect(fixOf(d, { rule: "seam", offset: null })).toBeNull();
+  expect(fixOf(d, { rule: "leak", offset: null })).toBeNull();
+  expect(fixOf(d, { rule: "toString", offset: 0 })).toBeNull();
+  expect(fixOf(d, { rule: "empty-layer", offset: null })).toBeNull();
+});

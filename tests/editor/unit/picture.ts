@@ -1,0 +1,66 @@
+// Pictures of texts, as the module draws them.
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
+import { file, modulePath } from "./drawings.js";
+
+/** Code values, red, green, blue and alpha in turn; colours are premultiplied: what is not seen does not count. */
+export type Pixels = Float64Array;
+
+export interface Painter {
+  /** Of the artboard. @throws SfumatoError where the text is no drawing */
+  paint(text: string, width?: number): Pixels;
+}
+
+/** A picture for any image: what commands do to drawings does not hang on it. */
+const STAND_IN = { width: 2, height: 2, data: new Uint8Array([200, 90, 40, 255, 30, 80, 160, 255, 60, 120, 50, 255, 240, 230, 200, 255]) };
+
+/** null where there is no module. */
+export async function painter(): Promise<Painter | null> {
+  const path = modulePath();
+  if (!path) return null;
+  const { loadSfumato } = await import(file("../../../web/wasm/sfumato.mjs"));
+  const library = await loadSfumato(readFileSync(path));
+  const folder = file("../../../examples/");
+  const paint = (text: string, width = 128): Pixels => {
+    const context = library.context();
+    try {
+      const load = (href: string) => {
+        const bytes = new Uint8Array(readFileSync(join(folder, href)));
+        context.addImage(bytes, STAND_IN);
+        return bytes;
+      };
+      const document = context.read(text, { load });
+      const [, , w, h] = document.artboard;
+      const height = Math.max(1, Math.round((width * h) / w));
+      const picture = context.solve(document, `width=${width}`);
+      const rgba = context.raster(picture, { width, height, format: "rgba16" });
+      document.free();
+      picture.free();
+      return premultiplied(rgba);
+    } finally {
+      context.free();
+    }
+  };
+  return { paint };
+}
+
+function premultiplied(rgba: Uint16Array): Pixels {
+  return Float64Array.from(rgba, (value, i) => {
+    const alpha = rgba[i | 3] / 65535;
+    return (i % 4 === 3 ? value : value * alpha) / 257;
+  });
+}
+
+/** The largest difference, and the mean one, in code values. */
+export function difference(a: Pixels, b: Pixels): { most: number; mean: number } {
+  if (a.length !== b.length) return { most: Infinity, mean: Infinity };
+  let most = 0;
+  let sum = 0;
+  a.forEach((value, i) => {
+    const apart = Math.abs(value - b[i]);
+    most = Math.max(most, apart);
+    sum += apart;
+  });
+  return { most, mean: sum / a.length };
+}
+

@@ -1,0 +1,3 @@
+// Items as text, for here and elsewhere.
+export { copyItems } from "./copying.js";
+export { paste } from "./paste.js";
