@@ -110,6 +110,8 @@ const BadInput kAttributes[] = {
      "circle, ellipse, rect"},
     {"diffuse_on_path", with("sf:diffuse='true'"),
      "3:1: sf:diffuse on <path> means nothing; it belongs on a <g>"},
+    {"reference_on_path", with("sf:reference='true'"),
+     "3:1: sf:reference on <path> means nothing; it belongs on an <image>"},
     {"version_on_group", svg("<g sf:version='1'/>"),
      "2:1: sf:version on <g> means nothing; it belongs on the outermost <svg>"},
     {"alpha_without_radius", with("sf:alpha='1'"),

@@ -14,14 +14,14 @@ constexpr std::array<std::string_view, 7> kShapes{"path",   "line",    "polyline
                                                   "circle", "ellipse", "rect"};
 
 /// Where an attribute stands.
-enum class Bearer : unsigned char { root, group, any_curve, diffusion_curve, local_curve };
+enum class Bearer : unsigned char { root, group, any_curve, diffusion_curve, local_curve, image };
 
 struct Attribute {
   std::string_view name;
   Bearer bearer;
 };
 
-constexpr std::array<Attribute, 15> kAttributes{{
+constexpr std::array<Attribute, 16> kAttributes{{
     {"version", Bearer::root},
     {"interpolation", Bearer::root},
     {"background", Bearer::root},
@@ -37,6 +37,7 @@ constexpr std::array<Attribute, 15> kAttributes{{
     {"weight", Bearer::diffusion_curve},
     {"radius", Bearer::local_curve},
     {"alpha", Bearer::local_curve},
+    {"reference", Bearer::image},
 }};
 
 std::string_view description(Bearer bearer) {
@@ -51,6 +52,8 @@ std::string_view description(Bearer bearer) {
       return "it belongs on a shape in a layer, one without sf:radius";
     case Bearer::local_curve:
       return "it belongs on a shape with sf:radius, a local curve";
+    case Bearer::image:
+      return "it belongs on an <image>";
   }
   return {};
 }
@@ -67,6 +70,8 @@ bool fits(std::string_view name, bool is_root, bool has_radius, Bearer bearer) {
       return is_shape(name) && !has_radius;
     case Bearer::local_curve:
       return is_shape(name) && has_radius;
+    case Bearer::image:
+      return name == "image";
   }
   return false;
 }
