@@ -1,15 +1,37 @@
 import { fileURLToPath } from "node:url";
+import type { Plugin } from "vite";
 import { defineConfig } from "vitest/config";
+import { viewerPagePlugin } from "./tools/viewer-page.mjs";
 
 const path = (relative: string) => fileURLToPath(new URL(relative, import.meta.url));
+
+/** Tests lie outside of this folder, and name its packages all the same. */
+const packagesForTests: Plugin = {
+  name: "packages-for-tests",
+  enforce: "pre",
+  async resolveId(id, importer) {
+    if (!/^[@a-z]/.test(id) || !importer?.startsWith(path("../../tests/editor/"))) return null;
+    return this.resolve(id, path("src/main.tsx"), { skipSelf: true });
+  },
+};
 
 export default defineConfig({
   root: path("."),
   base: "./",
+  plugins: [viewerPagePlugin(), packagesForTests],
+  // What `make wasm` makes; SFUMATO_WASM names another.
+  resolve: {
+    alias: [{ find: /^sfumato-module(?=\?)/, replacement: process.env.SFUMATO_WASM ?? path("../../build-wasm/sfumato.wasm") }],
+  },
   server: { fs: { allow: [path("../..")] } },
-  build: { outDir: path("../../build/editor"), emptyOutDir: true, target: "es2022" },
+  build: {
+    outDir: path("../../build/editor"),
+    emptyOutDir: true,
+    target: "es2022",
+    modulePreload: false,
+    assetsInlineLimit: 0,
+  },
   worker: { format: "es" },
-  esbuild: false,
   oxc: { jsx: { runtime: "automatic", importSource: "preact" } },
   test: {
     include: [path("../../tests/editor/unit/**/*.test.ts")],

@@ -1,0 +1,179 @@
+// What a drawing is exported as: PNG, SVG, and the HTML of the viewer.
+import type { Box } from "../geometry/affine.js";
+import type { Engine } from "../engine/types.js";
+import { encodePng } from "../engine/png.js";
+import { parse } from "../source/parse.js";
+import type { ElementNode } from "../source/tree.js";
+import { en } from "../strings/en.js";
+import { deflated, jpegUri, pageOf } from "./page.js";
+
+const words = en.files;
+
+/** What is to be written. */
+export interface ExportWish {
+  readonly format: "svg" | "png" | "html";
+  /** Pixels; of PNG alone. */
+  readonly width: number;
+  readonly height: number;
+  /** The part of the artboard's plane that is written, artboard units; of PNG alone. */
+  readonly viewport: Box;
+  /** Without the document's background; of PNG alone. */
+  readonly transparent: boolean;
+  /** Whether SVG keeps the photo that is traced over. */
+  readonly keepReference: boolean;
+  /** Bits of a channel; of PNG alone. */
+  readonly depth?: 8 | 16;
+}
+
+/** The drawing that is exported. */
+export interface ExportSource {
+  readonly engine: Pick<Engine, "raster" | "payload">;
+  readonly text: string;
+  /** Of the drawing's file, or its title. */
+  readonly name: string;
+  /** The whole artboard. */
+  readonly artboard: Box;
+}
+
+export interface ExportWatch {
+  /** "draw": the engine works, "pack": the file is made. */
+  readonly onStage?: (stage: "draw" | "pack") => void;
+  readonly signal?: AbortSignal;
+}
+
+export const exportTypes = { svg: "image/svg+xml", png: "image/png", html: "text/html" } as const;
+
+/** Limits of a PNG: a side, as the command has it, and bytes of pixels, which are in memory thrice. */
+export const mostSide = 16384;
+export const mostPixelBytes = 512 * 2 ** 20;
+
+const bytesPerPixel = (wish: ExportWish) => ((wish.depth ?? 8) === 16 ? 8 : 4);
+
+/** What is wrong with a size, in words; null: nothing. */
+export function complaintAboutSize(wish: ExportWish): string | null {
+  const { width, height } = wish;
+  const isWhole = Number.isInteger(width) && Number.isInteger(height) && width > 0 && height > 0;
+  if (!isWhole) return words.badSize;
+  if (Math.max(width, height) > mostSide) return words.sideTooLong(mostSide);
+  return width * height * bytesPerPixel(wish) > mostPixelBytes ? words.pictureTooLarge : null;
+}
+
+/** What a call gives, unless the signal comes first. */
+function unlessAborted<Value>(work: Promise<Value>, signal?: AbortSignal): Promise<Value> {
+  if (!signal) return work;
+  signal.throwIfAborted();
+  return new Promise((resolve, reject) => {
+    signal.addEventListener("abort", () => reject(signal.reason), { once: true });
+    work.then(resolve, reject);
+  });
+}
+
+async function exportPng(wish: ExportWish, { engine }: ExportSource, watch: ExportWatch): Promise<Blob> {
+  const complaint = complaintAboutSize(wish);
+  if (complaint !== null) throw new Error(complaint);
+  const { width, height, viewport } = wish;
+  const background = wish.transparent ? "none" : null;
+  watch.onStage?.("draw");
+  const drawing = engine.raster({ width, height, viewport, background, depth: wish.depth ?? 8 });
+  const data = await unlessAborted(drawing, watch.signal);
+  watch.onStage?.("pack");
+  return new Blob([await encodePng({ width, height, data }, watch.signal)], { type: exportTypes.png });
+}
+
+const sfumato = "urn:sfumato:1";
+
+function* references(element: ElementNode): Generator<ElementNode> {
+  const isReference = element.attributes.some(
+    ({ local, namespace, value }) => local === "reference" && namespace === sfumato && value === "true",
+  );
+  if (element.local === "image" && isReference) yield element;
+  else for (const child of element.children) yield* references(child);
+}
+
+/** A text without the photos that are traced over, and the lines that were theirs alone. @throws SourceError */
+export function withoutReference(text: string): string {
+  const parts: string[] = [];
+  let at = 0;
+  for (const { range } of references(parse(text))) {
+    const before = text.slice(at, range.start);
+    const hasOwnLine = /\n[ \t]*$/.test(before) && /^[ \t]*(\r?\n|$)/.test(text.slice(range.end, range.end + 80));
+    parts.push(hasOwnLine ? before.replace(/\r?\n[ \t]*$/, "") : before);
+    at = range.end;
+  }
+  return parts.join("") + text.slice(at);
+}
+
+/** The longer side of the picture for browsers without WebGL 2, as the command has it. */
+const fallbackSide = 640;
+
+function smallWish({ artboard }: ExportSource): ExportWish {
+  const [left, top, right, bottom] = artboard;
+  const scale = fallbackSide / Math.max(right - left, bottom - top);
+  const pixels = (length: number) => Math.max(1, Math.round(length * scale));
+  const size = { width: pixels(right - left), height: pixels(bottom - top) };
+  return { format: "png", ...size, viewport: artboard, transparent: false, keepReference: false };
+}
+
+async function fallbackOf(source: ExportSource): Promise<string | null> {
+  const { width, height, viewport } = smallWish(source);
+  const data = await source.engine.raster({ width, height, viewport, background: null, depth: 8 });
+  return data instanceof Uint16Array ? null : jpegUri({ width, height, data });
+}
+
+async function exportHtml(source: ExportSource, watch: ExportWatch): Promise<Blob> {
+  watch.onStage?.("draw");
+  const { default: template } = await import("virtual:viewer-page");
+  const payload = new Uint8Array(await unlessAborted(source.engine.payload(), watch.signal));
+  const fallback = await unlessAborted(fallbackOf(source), watch.signal);
+  watch.onStage?.("pack");
+  const title = source.name.replace(/\.(svgz?|xml)$/i, "");
+  const page = await unlessAborted(pageOf(template, { title, fallback, payload }), watch.signal);
+  return new Blob([page], { type: exportTypes.html });
+}
+
+/** The file that a wish asks for. @throws Error in words; what the signal was aborted with */
+export function exportDrawing(wish: ExportWish, source: ExportSource, watch: ExportWatch = {}): Promise<Blob> {
+  if (wish.format === "png") return exportPng(wish, source, watch);
+  if (wish.format === "html") return exportHtml(source, watch);
+  return svgOf(wish, source).then((text) => new Blob([text], { type: exportTypes.svg }));
+}
+
+// Async, so that what parse() throws is a promise's affair.
+const svgOf = async (wish: ExportWish, { text }: ExportSource) =>
+  wish.keepReference ? text : withoutReference(text);
+
+/** Pixels of the picture that an estimate is made from. */
+const sampledPixels = 256 * 256;
+
+async function estimatePng(wish: ExportWish, source: ExportSource): Promise<number> {
+  const share = Math.min(1, Math.sqrt(sampledPixels / (wish.width * wish.height)));
+  const size = { width: Math.ceil(wish.width * share), height: Math.ceil(wish.height * share) };
+  const blob = await exportPng({ ...wish, ...size }, source, {});
+  return Math.round((blob.size * wish.width * wish.height) / (size.width * size.height));
+}
+
+/** Bytes of the file, roughly; null: that cannot be told. */
+export async function estimateSize(wish: ExportWish, source: ExportSource): Promise<number | null> {
+  try {
+    if (wish.format === "svg") return new Blob([await svgOf(wish, source)]).size;
+    if (wish.format === "png") return complaintAboutSize(wish) === null ? await estimatePng(wish, source) : null;
+    const { default: template } = await import("virtual:viewer-page");
+    const payload = await deflated(new Uint8Array(await source.engine.payload()));
+    const fallback = await fallbackOf(source);
+    return template.length + Math.ceil((payload.size * 4) / 3) + (fallback?.length ?? 0);
+  } catch {
+    return null;
+  }
+}
+
+/** The picture to the clipboard; to be called while a click is handled. @throws Error in words */
+export async function copyPng(wish: ExportWish, source: ExportSource, watch: ExportWatch = {}): Promise<void> {
+  if (!("ClipboardItem" in globalThis) || !navigator.clipboard?.write) throw new Error(words.noClipboard);
+  const png = exportDrawing({ ...wish, format: "png" }, source, watch);
+  // Handed over as a promise, since browsers forget the click while the picture is drawn.
+  const item = new ClipboardItem({ [exportTypes.png]: png });
+  await navigator.clipboard.write([item]).catch(async (error: unknown) => {
+    await png;
+    throw error instanceof DOMException ? new Error(words.clipboardRefused) : error;
+  });
+}

@@ -1,0 +1,97 @@
+// Drawings to files: the one they came from, one that is chosen, or a download.
+import { fileSave, supported } from "browser-fs-access";
+import { en } from "../strings/en.js";
+import type { Place } from "./place.js";
+import { withExtension } from "./place.js";
+import { saveServed } from "./served.js";
+import { bytesOf } from "./text.js";
+
+const words = en.files;
+
+export type Saved =
+  /** The drawing is safe there. */
+  | { readonly kind: "saved"; readonly place: Place }
+  /** The browser was given the file; whether it arrived nobody tells. */
+  | { readonly kind: "downloaded"; readonly place: Place }
+  /** The person left the dialog. */
+  | { readonly kind: "cancelled" }
+  /** Somebody else has written the file since: save() with `anyway` replaces it. */
+  | { readonly kind: "changed"; readonly reason: string }
+  | { readonly kind: "problem"; readonly reason: string };
+
+/** Why the disk did not take a file. */
+export function reasonOf(error: unknown): string {
+  const name = error instanceof DOMException ? error.name : "";
+  if (name === "NotAllowedError" || name === "SecurityError") return words.notAllowed;
+  if (name === "NotFoundError") return words.gone;
+  if (name === "QuotaExceededError") return words.diskFull;
+  return words.diskRefused;
+}
+
+const isAbort = (error: unknown) => error instanceof DOMException && error.name === "AbortError";
+
+type HandleTarget = Extract<Place["target"], { kind: "handle" }>;
+
+async function saveToHandle(bytes: Uint8Array<ArrayBuffer>, place: Place, target: HandleTarget, anyway: boolean): Promise<Saved> {
+  const { handle } = target;
+  try {
+    const now = await handle.getFile();
+    if (!anyway && now.lastModified !== target.modified) return { kind: "changed", reason: words.changedOnDisk(place.name) };
+  } catch (error) {
+    if (!anyway) return { kind: "problem", reason: reasonOf(error) };
+  }
+  try {
+    await fileSave(new Blob([bytes]), { fileName: place.name }, handle, true);
+    const { lastModified } = await handle.getFile();
+    return { kind: "saved", place: { ...place, target: { kind: "handle", handle, modified: lastModified } } };
+  } catch (error) {
+    return isAbort(error) ? { kind: "cancelled" } : { kind: "problem", reason: reasonOf(error) };
+  }
+}
+
+/**
+ * Saves to where the drawing came from; asks, or downloads, where that is nowhere. A file holds the
+ * old text or the new one, whole.
+ * @param anyway replaces what somebody else has written since
+ */
+export async function save(text: string, place: Place, anyway = false): Promise<Saved> {
+  const { target } = place;
+  if (target.kind === "none") return saveAs(text, place);
+  const bytes = await bytesOf(text, place.form);
+  if (target.kind === "handle") return saveToHandle(bytes, place, target, anyway);
+  return saveServed(bytes, place, target.tag, anyway);
+}
+
+/** Asks for a name; where the browser has no such dialog, downloads. */
+export async function saveAs(text: string, place: Place): Promise<Saved> {
+  const { packed } = place.form;
+  const name = withExtension(place.name, packed ? "svgz" : "svg");
+  const kinds = { extensions: packed ? [".svgz"] : [".svg"], mimeTypes: ["image/svg+xml"] };
+  const type = packed ? "application/gzip" : "image/svg+xml";
+  try {
+    const blob = bytesOf(text, place.form).then((bytes) => new Blob([bytes], { type }));
+    const handle = await fileSave(blob, { fileName: name, description: words.drawings, ...kinds, id: "sfumato" });
+    if (!handle) return { kind: "downloaded", place: { ...place, name } };
+    const { lastModified } = await handle.getFile();
+    const target = { kind: "handle", handle, modified: lastModified } as const;
+    return { kind: "saved", place: { name: handle.name, form: place.form, target } };
+  } catch (error) {
+    return isAbort(error) ? { kind: "cancelled" } : { kind: "problem", reason: reasonOf(error) };
+  }
+}
+
+/** Whether save dialogs are there; else everything is downloaded. */
+export const canChoosePlace = supported;
+
+/** A file that was made of a drawing, to where the person says. false: they left the dialog. @throws Error in words */
+export async function saveExport(blob: Promise<Blob>, name: string, type: string, extension: string): Promise<boolean> {
+  try {
+    const kinds = { extensions: [`.${extension}`], mimeTypes: [type] };
+    await fileSave(blob, { fileName: withExtension(name, extension), ...kinds, id: "sfumato-export" });
+    return true;
+  } catch (error) {
+    if (isAbort(error)) return false;
+    throw error instanceof DOMException ? new Error(reasonOf(error)) : error;
+  }
+}
+

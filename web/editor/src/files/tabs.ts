@@ -1,0 +1,70 @@
+// One drawing in two tabs of this browser: the second one is told.
+
+/** A drawing that this tab alone works on, until it gives it up or another tab takes it. */
+export interface Claim {
+  release(): void;
+}
+
+/**
+ * Claims a drawing: the id of its autosave, or its address under `sfumato edit`. null: another tab
+ * has it. A browser without locks grants everything.
+ * @param lost another tab has taken it
+ * @param take it is taken from the other tab
+ */
+export function claim(key: string, lost: () => void, take = false): Promise<Claim | null> {
+  const locks = globalThis.navigator?.locks;
+  if (!locks) return Promise.resolve({ release: () => undefined });
+  return new Promise((resolve) => {
+    let isHeld = false;
+    let release = (): void => undefined;
+    const held = new Promise<void>((done) => (release = done));
+    const options: LockOptions = take ? { steal: true } : { ifAvailable: true };
+    locks
+      .request(`sfumato:${key}`, options, (lock) => {
+        if (!lock) return resolve(null);
+        isHeld = true;
+        resolve({ release });
+        return held;
+      })
+      // What ends a lock that is held is another tab; before, the browser refuses locks at all.
+      .catch(() => (isHeld ? lost() : resolve({ release: () => undefined })));
+  });
+}
+
+type Word = { readonly kind: "who"; readonly ask: string; readonly handle: FileSystemFileHandle } | { readonly kind: "I"; readonly ask: string };
+
+const answerWithin = 200;
+
+/** Whether another tab has this file open. */
+export async function isOpenElsewhere(handle: FileSystemFileHandle): Promise<boolean> {
+  if (!("BroadcastChannel" in globalThis)) return false;
+  const channel = new BroadcastChannel("sfumato-files");
+  const ask = crypto.randomUUID();
+  try {
+    return await new Promise<boolean>((resolve) => {
+      channel.onmessage = ({ data }: MessageEvent<Word>) => {
+        if (data.kind === "I" && data.ask === ask) resolve(true);
+      };
+      const who: Word = { kind: "who", ask, handle };
+      channel.postMessage(who);
+      setTimeout(() => resolve(false), answerWithin);
+    });
+  } catch {
+    return false;
+  } finally {
+    channel.close();
+  }
+}
+
+/** Answers other tabs for as long as this one lives. @param current the file that this tab has open */
+export function answerOtherTabs(current: () => FileSystemFileHandle | null): () => void {
+  if (!("BroadcastChannel" in globalThis)) return () => undefined;
+  const channel = new BroadcastChannel("sfumato-files");
+  channel.onmessage = async ({ data }: MessageEvent<Word>) => {
+    const own = current();
+    if (data.kind !== "who" || !own || !(await own.isSameEntry(data.handle).catch(() => false))) return;
+    const answer: Word = { kind: "I", ask: data.ask };
+    channel.postMessage(answer);
+  };
+  return () => channel.close();
+}

@@ -1,0 +1,77 @@
+// The viewer's page as `sfumato render -o page.html` writes it, with the marks {{title}}, {{fallback}} and
+// {{payload}} left for the editor. What stands in it, and in which order, src/export/html/html.cpp says.
+import { readFileSync } from "node:fs";
+import { fileURLToPath } from "node:url";
+
+const file = (path) => fileURLToPath(new URL(`../../../${path}`, import.meta.url));
+const read = (path) => readFileSync(file(path), "utf8");
+const assembly = "src/export/html/html.cpp";
+
+/** The names in a list of html.cpp. */
+function listed(source, name) {
+  const body = new RegExp(`string_view ${name}\\[\\] = \\{([^}]*)\\}`).exec(source)?.[1];
+  const names = [...(body ?? "").matchAll(/"([^"]+)"/g)].map(([, found]) => found);
+  if (names.length === 0) throw new Error(`${assembly} has no list ${name}`);
+  return names;
+}
+
+/** As condensed() of src/export/html/html_text.hpp. */
+export function condensed(source) {
+  let inComment = false;
+  const codeOf = (whole) => {
+    let line = whole.replace(/^[ \t\r]+/, "");
+    while (inComment || line.startsWith("/*")) {
+      const end = line.indexOf("*/", inComment ? 0 : 2);
+      inComment = end < 0;
+      if (inComment) return "";
+      line = line.slice(end + 2).replace(/^[ \t\r]+/, "");
+    }
+    return line.startsWith("//") ? "" : line;
+  };
+  const lines = source.split("\n").map(codeOf);
+  return lines.filter((line) => line !== "").map((line) => `${line}\n`).join("");
+}
+
+/** As script_of_module() there: imports and lists of exports fall away, `export` before a declaration. */
+export function scriptOfModule(text) {
+  const linkage = /^(?:import(?=[\s{*"'])(?!\s*\()|export\s*(?=[{*]))[^;]*;[ \t\r]*\n?/;
+  let result = "";
+  for (let rest = text; rest !== ""; ) {
+    const statement = linkage.exec(rest);
+    if (statement) {
+      rest = rest.slice(statement[0].length);
+      continue;
+    }
+    if (rest.startsWith("export ")) rest = rest.slice("export ".length);
+    const end = rest.indexOf("\n") + 1 || rest.length;
+    result += rest.slice(0, end);
+    rest = rest.slice(end);
+  }
+  return result;
+}
+
+const viewer = (name) => condensed(read(`web/viewer/${name}`));
+
+/** The template's text. */
+export function viewerPage() {
+  const source = read(assembly);
+  const shaders = listed(source, "kShaders").map(
+    (name) => `<script type="text/plain" data-shader="${name}">${viewer(`shaders/${name}`)}</script>\n`,
+  );
+  const parts = {
+    style: viewer("viewer.css"),
+    shaders: shaders.join(""),
+    script: listed(source, "kScripts").map((name) => scriptOfModule(viewer(name))).join(""),
+  };
+  return read("web/viewer/page.html").replace(/\{\{(\w+)\}\}/g, (mark, name) => parts[name] ?? mark);
+}
+
+/** Gives the page to `import template from "virtual:viewer-page"`. */
+export function viewerPagePlugin() {
+  const name = "virtual:viewer-page";
+  return {
+    name: "viewer-page",
+    resolveId: (id) => (id === name ? `\0${name}` : null),
+    load: (id) => (id === `\0${name}` ? `export default ${JSON.stringify(viewerPage())};` : null),
+  };
+}
