@@ -8,7 +8,7 @@ fuzz_seconds := 60
 
 .DEFAULT_GOAL := help
 .PHONY: help demo build test check docs kills sanitize fuzz fuzz-merge bench wasm hostile-growth \
-  hostile-sanitized equal clean
+  hostile-sanitized equal editor clean
 
 help:
 	@echo 'make demo    install what the build needs, build, draw $(scene)'
@@ -24,6 +24,7 @@ help:
 	@echo 'make hostile-sanitized   all hostile inputs under AddressSanitizer and UBSan'
 	@echo 'make equal   random scenes $(equal_scenes): the same bits by any threads and instructions'
 	@echo 'make wasm    the library for WebAssembly: build-wasm/sfumato.wasm'
+	@echo 'make editor  draw in a browser: $(build_folder)/editor/ and $(build_folder)/editor.html'
 	@echo 'make clean   remove what was built'
 
 build:
@@ -81,6 +82,10 @@ bench:
 wasm:
 	@scripts/setup wasm
 	@scripts/build-wasm build-wasm
+
+editor:
+	@scripts/build-editor
+	@echo 'To draw, open $(build_folder)/editor.html in a browser; $(build_folder)/editor/ is a site of static files'
 
 hostile-growth:
 	@scripts/setup build check

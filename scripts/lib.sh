@@ -21,6 +21,12 @@ passed() { echo "ok - $1"; }
 failed() { echo "not ok - $1"; }
 skipped() { echo "ok - $1 # SKIP $2"; }
 
+# install_npm FOLDER: what its package-lock.json names; nothing where it is there.
+install_npm() {
+  [[ $1/node_modules/.package-lock.json -nt $1/package-lock.json ]] ||
+    npm ci --prefix "$1" --no-audit --no-fund
+}
+
 # timed COMMAND...: runs it and says how long it took.
 timed() {
   local began=$SECONDS status=0

@@ -13,10 +13,10 @@ test("images are found however they are written", () => {
 
 // Were a search quadratic, this would take minutes.
 test("text that is no XML is looked through once", () => {
-  const long = "x".repeat(2e7);
+  const long = "x".repeat(2e6);
   expect(hrefsOf(`<image href="${long}"/><image href='b'/>`)).toEqual([long, "b"]);
   for (const piece of ["<image ", "<image x", '<image a="', "<image a='<image b=\"", "<", "<a:", '<image a="b" ']) {
-    expect(hrefsOf(piece.repeat(2e6 / piece.length))).toEqual([]);
+    expect(hrefsOf(piece.repeat(4e5 / piece.length))).toEqual([]);
   }
   expect(hrefsOf(`<image href="${long}`)).toEqual([]);
 });

@@ -2,7 +2,8 @@
 import { setAttribute, valueOf } from "../../source/attributes.js";
 import type { Edit } from "../../source/patch.js";
 import { setStyle } from "../../source/set-style.js";
-import { declarationsOf, isSvg, Styles } from "../../source/declarations.js";
+import { declarationsOf } from "../../source/declarations.js";
+import { isSvg, Styles } from "../../source/styles.js";
 import type { ElementNode } from "../../source/tree.js";
 import { ownTransform } from "../building.js";
 import type { Drawing, Handle, Item, Outcome } from "../types.js";
