@@ -10,6 +10,7 @@ import { blurCursor } from "../cursors.js";
 import { setSide } from "../edits.js";
 import { colorsBeside } from "../taken.js";
 import { shown } from "../format.js";
+import { REACH } from "../hit.js";
 import { stageFromItem, type StopMark } from "../marks.js";
 import { isCurve } from "../places.js";
 import {
@@ -157,7 +158,7 @@ export function beside(canvas: Canvas, item: CurveItem, p: Press): OnSide {
  * new one; with Shift on both sides. Of a local curve it is the radius of influence.
  */
 export function pullBlur(canvas: Canvas, from: OnSide, start: Press): Drag {
-  const { item, path, side } = from;
+  const { item } = from;
   const kind: StopKind = item.kind === "stroke" ? "radius" : "blur";
   return new EditDrag(canvas, start, {
     label: labelOf(kind),
@@ -165,29 +166,32 @@ export function pullBlur(canvas: Canvas, from: OnSide, start: Press): Drag {
     cursor: "stop",
     make: (p, before) => {
       const now = before.item(item.handle);
-      if (!isCurve(now)) return null;
-      const map = stageFromItem(canvas.stageFromArtboard(), now);
-      const { foot, normal } = standing(now.paths[path], map, from.at, side === "left" ? 1 : -1);
-      const radius = radiusFor(
-        canvas,
-        now,
-        (p.at[0] - foot[0]) * normal[0] + (p.at[1] - foot[1]) * normal[1],
-      );
-      tellRadius(canvas, kind, radius, p);
-      return setSide(
-        before,
-        now,
-        side,
-        kind,
-        blurWith(canvas, now, path, side, kind, from.at, radius),
-        p.shift,
-      );
+      return isCurve(now) ? pulledBlur(canvas, before, { ...from, item: now }, kind, p) : null;
     },
     kept: () => {
       canvas.editor.announcement.value =
         canvas.marks.peek().find((mark) => mark.handle === item.handle)?.label ?? "";
     },
   });
+}
+
+/** Pressed on the curve itself, the side is that to which it is pulled. */
+function pulledBlur(
+  canvas: Canvas,
+  before: Drawing,
+  { item, path, at, side, distance }: OnSide,
+  kind: StopKind,
+  p: Press,
+): Outcome | null {
+  const map = stageFromItem(canvas.stageFromArtboard(), item);
+  const { foot, normal } = standing(item.paths[path], map, at, 1);
+  const leftwards = (p.at[0] - foot[0]) * normal[0] + (p.at[1] - foot[1]) * normal[1];
+  const isOnCurve = distance <= REACH[p.kind].curve;
+  const pulled = isOnCurve ? (leftwards >= 0 ? "left" : "right") : side;
+  const radius = radiusFor(canvas, item, pulled === "left" ? leftwards : -leftwards);
+  tellRadius(canvas, kind, radius, p);
+  const value = blurWith(canvas, item, path, pulled, kind, at, radius);
+  return setSide(before, item, pulled, kind, value, p.shift);
 }
 
 /** A stop nearer than this along the curve is the one that is meant, CSS pixels. */
