@@ -20,7 +20,9 @@ let a: CurveItem;
 
 beforeEach(() => {
   const red = { r: 1, g: 0, b: 0 };
-  a = curve("a", [line([100, 100], [200, 100])], { left: { ...NO_SIDES, color: stopsOf([0, red]) } });
+  a = curve("a", [line([100, 100], [200, 100])], {
+    left: { ...NO_SIDES, color: stopsOf([0, red]) },
+  });
   editor = fakeEditor([layer("layer", [a, curve("b", [line([100, 200], [200, 200])])])]);
   canvas = canvasOf(editor);
   tool = new SelectTool(canvas);
@@ -71,7 +73,9 @@ test("enter_goes_in_and_escape_out_again", () => {
 });
 
 test("enter_on_a_stop_asks_for_its_colour", () => {
-  editor.selection.value = [{ handle: a.handle, part: { kind: "stop", side: "left", attribute: "color", index: 0 } }];
+  editor.selection.value = [
+    { handle: a.handle, part: { kind: "stop", side: "left", attribute: "color", index: 0 } },
+  ];
   expect(press("Enter")).toBe(true);
   expect(editor.picker.value).toEqual({ handle: a.handle, side: "left", stop: 0 });
 });

@@ -53,7 +53,13 @@ beforeEach(() => {
   pointers = new Pointers(canvas, () => tool);
 });
 
-const key = (name: string, more = {}) => ({ key: name, shift: false, alt: false, ctrl: false, ...more });
+const key = (name: string, more = {}) => ({
+  key: name,
+  shift: false,
+  alt: false,
+  ctrl: false,
+  ...more,
+});
 
 describe("a mouse", () => {
   test("presses_drags_and_lets_go", () => {
@@ -78,7 +84,11 @@ describe("a mouse", () => {
     hand.wait(1000);
     click(60);
     expect(tool.heard.filter((word) => word === "press" || word === "double")).toEqual([
-      "press", "double", "press", "press", "press",
+      "press",
+      "double",
+      "press",
+      "press",
+      "press",
     ]);
   });
 
@@ -126,7 +136,11 @@ describe("a drag", () => {
     expect(pressKey(canvas, pointers, tool, key("Escape"))).toBe(true);
     hand.move([50, 50]);
     hand.up([50, 50]);
-    expect(tool.heard.filter((word) => word !== "hover" && word !== "keys")).toEqual(["press", "move", "cancel"]);
+    expect(tool.heard.filter((word) => word !== "hover" && word !== "keys")).toEqual([
+      "press",
+      "move",
+      "cancel",
+    ]);
   });
 
   test.each(["lost", "cancelled"])("is_dropped_when_the_pointer_is_%s", () => {

@@ -47,11 +47,20 @@ describe("the pen", () => {
   });
 
   test("sets_corners_by_clicks_and_ends_by_enter_in_one_step", async () => {
-    for (const at of [[20, 20], [80, 20], [80, 90]] as Point[]) click(pen, at);
+    for (const at of [
+      [20, 20],
+      [80, 20],
+      [80, 90],
+    ] as Point[])
+      click(pen, at);
     expect(editor.steps).toEqual([]);
     expect(pen.key({ ...plain, key: "Enter" })).toBe(true);
     await pen.isDone;
-    expect(nodes(made())).toEqual([[20, 20], [80, 20], [80, 90]]);
+    expect(nodes(made())).toEqual([
+      [20, 20],
+      [80, 20],
+      [80, 90],
+    ]);
     expect(made().paths[0].closed).toBe(false);
     expect(editor.steps).toEqual(["draw curve"]);
     expect(canvas.sketch.value.draft).toBeNull();
@@ -59,7 +68,11 @@ describe("the pen", () => {
 
   test("pulls_both_handles_out_of_a_node_that_is_dragged", async () => {
     click(pen, [20, 100]);
-    dragThrough(pen, [[100, 100], [110, 100], [130, 80]]);
+    dragThrough(pen, [
+      [100, 100],
+      [110, 100],
+      [130, 80],
+    ]);
     click(pen, [180, 100]);
     pen.key({ ...plain, key: "Enter" });
     await pen.isDone;
@@ -69,15 +82,29 @@ describe("the pen", () => {
   });
 
   test("closes_at_its_first_node", async () => {
-    for (const at of [[20, 20], [80, 20], [80, 90], [24, 23]] as Point[]) click(pen, at);
+    for (const at of [
+      [20, 20],
+      [80, 20],
+      [80, 90],
+      [24, 23],
+    ] as Point[])
+      click(pen, at);
     await pen.isDone;
     expect(made().paths[0].closed).toBe(true);
-    expect(nodes(made())).toEqual([[20, 20], [80, 20], [80, 90], [20, 20]]);
+    expect(nodes(made())).toEqual([
+      [20, 20],
+      [80, 20],
+      [80, 90],
+      [20, 20],
+    ]);
   });
 
   test("moves_the_node_that_is_set_while_space_is_down", async () => {
     click(pen, [20, 100]);
-    const drag = begun(pen, [[100, 100], [130, 80]]);
+    const drag = begun(pen, [
+      [100, 100],
+      [130, 80],
+    ]);
     drag.space?.(true);
     drag.move(press([140, 90]));
     drag.space?.(false);
@@ -90,12 +117,18 @@ describe("the pen", () => {
   test("forgets_a_node_whose_drag_is_cancelled_and_the_last_by_backspace", async () => {
     click(pen, [20, 20]);
     click(pen, [80, 20]);
-    begun(pen, [[80, 90], [120, 120]]).cancel();
+    begun(pen, [
+      [80, 90],
+      [120, 120],
+    ]).cancel();
     click(pen, [50, 150]);
     pen.key({ ...plain, key: "Backspace" });
     pen.key({ ...plain, key: "Escape" });
     await pen.isDone;
-    expect(nodes(made())).toEqual([[20, 20], [80, 20]]);
+    expect(nodes(made())).toEqual([
+      [20, 20],
+      [80, 20],
+    ]);
   });
 
   test("makes_nothing_of_a_single_node", async () => {
@@ -187,7 +220,10 @@ describe("colours of a new curve", () => {
 });
 
 describe("the pencil", () => {
-  const wave = Array.from({ length: 60 }, (_, k): Point => [20 + 4 * k, 150 + 40 * Math.sin(k / 10)]);
+  const wave = Array.from({ length: 60 }, (_, k): Point => [
+    20 + 4 * k,
+    150 + 40 * Math.sin(k / 10),
+  ]);
 
   test("draws_a_smooth_curve_near_the_hand_in_one_step", async () => {
     const pencil = new PencilTool(canvas);
@@ -200,7 +236,10 @@ describe("the pencil", () => {
   });
 
   test("closes_a_way_that_comes_back", async () => {
-    const ring = Array.from({ length: 41 }, (_, k): Point => [150 + 60 * Math.cos(k * 0.157), 150 + 60 * Math.sin(k * 0.157)]);
+    const ring = Array.from({ length: 41 }, (_, k): Point => [
+      150 + 60 * Math.cos(k * 0.157),
+      150 + 60 * Math.sin(k * 0.157),
+    ]);
     const pencil = new PencilTool(canvas);
     dragThrough(pencil, ring, { ctrl: true });
     await pencil.isDone;
@@ -209,7 +248,10 @@ describe("the pencil", () => {
 
   test("makes_nothing_of_a_dot_or_of_what_is_cancelled", async () => {
     const pencil = new PencilTool(canvas);
-    dragThrough(pencil, [[50, 50], [51, 50]]);
+    dragThrough(pencil, [
+      [50, 50],
+      [51, 50],
+    ]);
     begun(pencil, wave).cancel();
     await pencil.isDone;
     expect(editor.steps).toEqual([]);
@@ -249,7 +291,11 @@ describe("the stroke", () => {
   test("is_as_wide_as_the_pen_presses", () => {
     const tool = new StrokeTool(canvas);
     const drag = tool.press(press(way[0], { kind: "pen", pressure: 0, ctrl: true }));
-    way.slice(1).forEach((at, k) => drag.move(press(at, { kind: "pen", pressure: (k + 1) / 29, ctrl: true })));
+    way
+      .slice(1)
+      .forEach((at, k) =>
+        drag.move(press(at, { kind: "pen", pressure: (k + 1) / 29, ctrl: true })),
+      );
     drag.end(press(way[29], { kind: "pen", pressure: 1, ctrl: true }));
     const { radius } = stroke();
     if (radius.kind !== "stops") throw new Error("no stops");
@@ -263,7 +309,9 @@ describe("the blur tool", () => {
   let blur: BlurTool;
   const side = (name: "left" | "right") => {
     const value = (editor.drawing.item(horizon.handle) as CurveItem)[name].blur;
-    return value.kind === "stops" ? value.stops.map(({ offset, value: radius }) => [offset, radius]) : [];
+    return value.kind === "stops"
+      ? value.stops.map(({ offset, value: radius }) => [offset, radius])
+      : [];
   };
   beforeEach(() => {
     blur = new BlurTool(canvas);
@@ -273,14 +321,25 @@ describe("the blur tool", () => {
 
   test("sets_the_radius_where_it_is_pulled_on_the_side_that_is_pulled", () => {
     // Down the screen, left is to the right.
-    dragThrough(blur, [[300, 150], [310, 150], [340, 150]]);
-    expect(side("left")).toEqual([[0, 5], [0.5, 40], [1, 5]]);
+    dragThrough(blur, [
+      [300, 150],
+      [310, 150],
+      [340, 150],
+    ]);
+    expect(side("left")).toEqual([
+      [0, 5],
+      [0.5, 40],
+      [1, 5],
+    ]);
     expect(side("right")).toEqual([]);
     expect(editor.steps).toEqual(["change blur"]);
   });
 
   test("sets_both_sides_with_shift", () => {
-    const drag = begun(blur, [[300, 150], [280, 150]]);
+    const drag = begun(blur, [
+      [300, 150],
+      [280, 150],
+    ]);
     drag.move(press([280, 150], { shift: true }));
     drag.end(press([280, 150], { shift: true }));
     expect(side("left")).toEqual(side("right"));
@@ -288,19 +347,36 @@ describe("the blur tool", () => {
   });
 
   test("gives_all_of_a_side_the_radius_where_it_had_none", () => {
-    dragThrough(blur, [[300, 150], [260, 150]]);
+    dragThrough(blur, [
+      [300, 150],
+      [260, 150],
+    ]);
     expect(side("right")).toEqual([[0, 40]]);
   });
 
   test("changes_a_stop_that_is_near_rather_than_making_one", () => {
-    dragThrough(blur, [[300, 24], [330, 24]]);
-    expect(side("left")).toEqual([[0, 30], [1, 5]]);
+    dragThrough(blur, [
+      [300, 24],
+      [330, 24],
+    ]);
+    expect(side("left")).toEqual([
+      [0, 30],
+      [1, 5],
+    ]);
   });
 
   test("is_sharp_again_at_the_curve_and_never_below", () => {
-    dragThrough(blur, [[300, 150], [340, 150], [301, 150]]);
+    dragThrough(blur, [
+      [300, 150],
+      [340, 150],
+      [301, 150],
+    ]);
     expect(side("left")[1]).toEqual([0.5, 0]);
-    dragThrough(blur, [[320, 150], [330, 150], [200, 150]]);
+    dragThrough(blur, [
+      [320, 150],
+      [330, 150],
+      [200, 150],
+    ]);
     expect(side("left")[1]).toEqual([0.5, 0]);
     expect(side("right")).toEqual([]);
   });
@@ -310,13 +386,26 @@ describe("the blur tool", () => {
     if (!bracket) throw new Error("no bracket");
     const [x, y] = bracket.at;
     expect(x).toBeCloseTo(309, 6);
-    dragThrough(blur, [[x, y], [x + 10, y], [350, y]]);
-    expect(side("left")).toEqual([[0, 50], [1, 5]]);
+    dragThrough(blur, [
+      [x, y],
+      [x + 10, y],
+      [350, y],
+    ]);
+    expect(side("left")).toEqual([
+      [0, 50],
+      [1, 5],
+    ]);
   });
 
   test("puts_back_what_was_when_it_is_cancelled", () => {
-    begun(blur, [[300, 150], [340, 150]]).cancel();
-    expect(side("left")).toEqual([[0, 5], [1, 5]]);
+    begun(blur, [
+      [300, 150],
+      [340, 150],
+    ]).cancel();
+    expect(side("left")).toEqual([
+      [0, 5],
+      [1, 5],
+    ]);
     expect(canvas.sketch.value.tag).toBeNull();
   });
 });

@@ -1,12 +1,12 @@
 import { beforeEach, describe, expect, test, vi } from "vitest";
 import type { Canvas } from "../../../web/editor/src/canvas/canvas.js";
 import { deleteParts, nudge } from "../../../web/editor/src/canvas/edits.js";
-import { jointOf } from "../../../web/editor/src/canvas/nodes.js";
 import { NodesTool } from "../../../web/editor/src/canvas/tools/nodes.js";
 import type { Affine, Point } from "../../../web/editor/src/geometry/affine.js";
 import { mapped } from "../../../web/editor/src/geometry/affine.js";
 import type { CubicPath } from "../../../web/editor/src/geometry/cubic.js";
 import { pathPointAt } from "../../../web/editor/src/geometry/length.js";
+import { kindOf } from "../../../web/editor/src/geometry/nodes.js";
 import type { CurveItem, Part } from "../../../web/editor/src/model/types.js";
 import { curve, layer, line, NO_SIDES, stopsOf } from "./support/drawing.js";
 import { canvasOf, fakeEditor, near, type FakeEditor } from "./support/editor.js";
@@ -169,7 +169,7 @@ describe("a handle", () => {
     ]);
     expect(points()[4]).toEqual([150, 150]);
     expect(near(points()[2], [150, 50])).toBe(true);
-    expect(jointOf(now().paths[0], 1)).toBe("symmetric");
+    expect(kindOf(now().paths[0], 1)).toBe("symmetric");
   });
 
   test("turns_the_other_and_leaves_its_length_where_the_node_is_smooth", () => {
@@ -180,7 +180,7 @@ describe("a handle", () => {
       [150, 150],
     ]);
     expect(near(points()[2], [150, 100 - Math.hypot(15, 15)])).toBe(true);
-    expect(jointOf(now().paths[0], 1)).toBe("smooth");
+    expect(kindOf(now().paths[0], 1)).toBe("smooth");
   });
 
   test("leaves_the_other_with_alt", () => {

@@ -7,14 +7,12 @@ import {
   type Affine,
   type Point,
 } from "../geometry/affine.js";
+import type { Photo } from "../geometry/photo.js";
 import type { Drawing, ReferenceItem } from "../model/types.js";
 import { isHidden } from "./places.js";
 
-export interface Photo {
-  readonly width: number;
-  readonly height: number;
-  /** Red, green, blue, alpha, a byte each. */
-  readonly data: Uint8ClampedArray;
+/** A photo in its place. */
+export interface PlacedPhoto extends Photo {
   readonly artboardFromPixel: Affine;
 }
 
@@ -39,7 +37,7 @@ function isWithin(item: ReferenceItem, point: Point): boolean {
 }
 
 /** Its pixels; null where no browser decodes it. */
-export async function photoOf(item: ReferenceItem): Promise<Photo | null> {
+export async function photoOf(item: ReferenceItem): Promise<PlacedPhoto | null> {
   const image = await pixelsOf(item.href);
   const [x0, y0, x1, y1] = item.box;
   if (!image || !(x1 > x0 && y1 > y0)) return null;

@@ -1,5 +1,6 @@
 // Where the curves of a drawing are seen: each in its place, and through every <use> once more.
 import { composed, inverted, translation, type Affine } from "../geometry/affine.js";
+import { outerFrame } from "../model/commands/items.js";
 import type { CurveItem, Drawing, Item, UseItem } from "../model/types.js";
 
 export interface Place {
@@ -64,8 +65,6 @@ function shiftOf(use: UseItem, target: Item): Affine | null {
       use.element.attributes.find((a) => a.local === name && a.namespace === "")?.value ?? 0,
     ) || 0;
   const placed = composed(use.artboardFromItem, translation(number("x"), number("y")));
-  const around = target.parent?.artboardFromItem;
-  if (!around) return placed;
-  const back = inverted(around);
+  const back = inverted(outerFrame(target));
   return back && composed(placed, back);
 }

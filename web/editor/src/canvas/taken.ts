@@ -1,12 +1,12 @@
 // Colours that the picture has beside a curve: what a new curve bears, so that nothing changes.
 import type { Editor } from "../app/types.js";
-import { inverted, lengthScale, mapped, type Point } from "../geometry/affine.js";
+import { determinant, inverted, lengthScale, mapped, type Point } from "../geometry/affine.js";
 import { oklabFromRgb, type Rgb } from "../geometry/color.js";
-import { mappedPath, pieceCount, type CubicPath } from "../geometry/cubic.js";
+import { mappedPath, type CubicPath } from "../geometry/cubic.js";
 import {
-  cumulativeLengths,
   parameterAtFraction,
   pathDirectionAt,
+  pathLength,
   pathPointAt,
 } from "../geometry/length.js";
 import { simplifiedGraph } from "../geometry/simplify.js";
@@ -75,13 +75,10 @@ export async function takenSides(
   path: CubicPath,
 ): Promise<Sides<SideValue<Rgb>> | null> {
   const reach = reachOf(editor, layer);
-  const lengths = cumulativeLengths(path);
-  const length = lengths[pieceCount(path)] * (BESIDE / reach);
+  const length = pathLength(path) * (BESIDE / reach);
   const count = Math.min(MOST, Math.max(FEWEST, Math.ceil(length / APART)));
   const shares = Array.from({ length: count + 1 }, (_, k) => k / count);
-  const beside = shares.map((share) =>
-    pointsBeside(path, parameterAtFraction(path, share, lengths), reach),
-  );
+  const beside = shares.map((share) => pointsBeside(path, parameterAtFraction(path, share), reach));
   const colors = await colorsAt(editor, layer, [
     ...beside.map(([left]) => left),
     ...beside.map(([, right]) => right),
@@ -123,7 +120,10 @@ export async function colorsBeside(
   const layer = outermostLayer(item);
   const inLayer = mappedPath(item.layerFromItem, item.paths[path]);
   const colors = await colorsAt(editor, layer, pointsBeside(inLayer, at, reachOf(editor, layer)));
-  return colors && { left: colors[0], right: colors[1] };
+  if (!colors) return null;
+  // A map that mirrors exchanges the sides of the curve.
+  const [left, right] = determinant(item.layerFromItem) < 0 ? [colors[1], colors[0]] : colors;
+  return { left, right };
 }
 
 /** The colour of an item's layer at a point of the artboard; null: there is none. */

@@ -1,24 +1,29 @@
 // Sample: along a curve both sides take the photo's colours; from a stop it is an eyedropper.
 import type { Gesture } from "../../app/types.js";
+import { composed, IDENTITY, inverted, lengthScale, type Box } from "../../geometry/affine.js";
 import type { Rgb } from "../../geometry/color.js";
 import { hexOf, parseColor } from "../../geometry/colortext.js";
-import { pieceCount } from "../../geometry/cubic.js";
+import { mappedPath, pieceCount, type CubicPath } from "../../geometry/cubic.js";
 import { setColor, together } from "../../model/commands/index.js";
-import type { Drawing, Outcome } from "../../model/types.js";
+import type { CurveItem, Drawing, Outcome } from "../../model/types.js";
 import { en } from "../../strings/en.js";
 import { nearestAt } from "../along.js";
+import { placeBounds } from "../box.js";
 import type { Canvas } from "../canvas.js";
 import type { CursorName } from "../cursors.js";
 import { setSide } from "../edits.js";
-import type { CurveHit } from "../hit.js";
+import { outermostLayer, type CurveHit } from "../hit.js";
 import { stageFromItem, type StopMark } from "../marks.js";
-import { photoOf, referenceAt, type Photo } from "../photo.js";
-import { isCurve, isLocked } from "../places.js";
-import { photoColor, sampledSide } from "../sampled.js";
+import { photoOf, referenceAt, type PlacedPhoto } from "../photo.js";
+import { isCurve, isLocked, placesOf } from "../places.js";
+import { photoColor, sampledSides } from "../sampled.js";
 import { SIDES, stopsOf, withValue, type Value } from "../sides.js";
 import { NO_SKETCH } from "../sketch.js";
 import { colorAt } from "../taken.js";
 import { isBeyond, type Drag, type Press, type Tool } from "./tool.js";
+
+/** Between samples, CSS pixels. */
+const SPACING = 2;
 
 /** The system's eyedropper, where there is one. */
 interface EyeDropper {
@@ -63,7 +68,7 @@ export class SampleTool implements Tool {
 /** Along a curve, from where it was pressed; a click takes all of it. */
 class SampleDrag implements Drag {
   readonly cursor = "sample";
-  private photo: Photo | null = null;
+  private photo: PlacedPhoto | null = null;
   private gesture: Gesture | null = null;
   private low: number;
   private high: number;
@@ -73,7 +78,7 @@ class SampleDrag implements Drag {
     private readonly canvas: Canvas,
     private readonly hit: CurveHit,
     private readonly start: Press,
-    private readonly loading: Promise<Photo | null>,
+    private readonly loading: Promise<PlacedPhoto | null>,
   ) {
     this.low = hit.at;
     this.high = hit.at;
@@ -108,23 +113,28 @@ class SampleDrag implements Drag {
 
   private sampled(
     drawing: Drawing,
-    photo: Photo,
+    photo: PlacedPhoto,
     range: readonly [number, number],
   ): Outcome | null {
     const curve = drawing.item(this.hit.place.item.handle);
     if (!isCurve(curve) || !curve.paths[this.hit.path]) return null;
-    const { settings } = this.canvas.editor;
-    const wish = {
+    const { settings, view } = this.canvas.editor;
+    const pixel =
+      1 /
+      (view.peek().zoom *
+        lengthScale(composed(curve.artboardFromItem, inverted(curve.layerFromItem) ?? IDENTITY)));
+    const values = sampledSides(photo, curve, this.hit.path, {
       distance: settings.sampleDistance.peek(),
       tolerance: settings.sampleTolerance.peek(),
+      spacing: SPACING * pixel,
+      others: neighbours(drawing, curve),
       range,
-    };
-    const sides = SIDES.map((side) => ({
-      side,
-      value: sampledSide(photo, curve, this.hit.path, side, wish),
-    }));
+    });
     return together(
-      sides.map(({ side, value }) => value && setColor(drawing, curve.handle, side, value)),
+      SIDES.map((side) => {
+        const value = values[side];
+        return value && setColor(drawing, curve.handle, side, value);
+      }),
     );
   }
 
@@ -141,7 +151,7 @@ class SampleDrag implements Drag {
     });
   }
 
-  private sampleAll(photo: Photo): void {
+  private sampleAll(photo: PlacedPhoto): void {
     const { editor } = this.canvas;
     const item = editor.drawing.item(this.hit.place.item.handle);
     if (!isCurve(item) || !item.paths[this.hit.path]) return;
@@ -154,6 +164,23 @@ class SampleDrag implements Drag {
     this.gesture?.drop();
     this.canvas.sketch.value = NO_SKETCH;
   }
+}
+
+/** Curves of the same layer that may come between a curve and its samples, in the layer's frame. */
+function neighbours(drawing: Drawing, curve: CurveItem): CubicPath[] {
+  const layer = outermostLayer(curve);
+  const [x0, y0, x1, y1] = boundsOfCurve(curve);
+  return placesOf(drawing)
+    .filter(({ item, owner }) => owner === item && item !== curve && outermostLayer(item) === layer)
+    .filter(({ item }) => {
+      const [a0, b0, a1, b1] = boundsOfCurve(item);
+      return a0 <= x1 && a1 >= x0 && b0 <= y1 && b1 >= y0;
+    })
+    .flatMap(({ item }) => item.paths.map((path) => mappedPath(item.layerFromItem, path)));
+}
+
+function boundsOfCurve(item: CurveItem): Box {
+  return placeBounds({ item, owner: item, artboardFromItem: item.artboardFromItem });
 }
 
 /** From a stop to the colour it takes: of the photo, else of the picture; a click asks the system. */
