@@ -39,6 +39,14 @@ export function checkNear(actual, expected, tolerance, what) {
   check(Math.abs(actual - expected) <= tolerance, `${what}: ${actual}, expected ${expected}`);
 }
 
+/** The same numbers in every run. */
+export function* randomNumbers(seed) {
+  for (let state = seed >>> 0; ;) {
+    state = (Math.imul(state, 1664525) + 1013904223) >>> 0;
+    yield state >>> 8;
+  }
+}
+
 /** A document of the tests; skips where it is a public scene that is not here. */
 export function documentPath(name) {
   const path = pathOf(name);

@@ -10,7 +10,8 @@ const files = readdirSync(folder).filter((file) => file.endsWith(".js"));
 const DECLARATION = /^(?:export )?(?:async )?(?:function\*?|class|const|let|var) (\w+|[{[])/gm;
 const IMPORT = /^import \{\s*(\w+,\s+)*\w+,?\s+\} from "\.\/(\w+\.js)";$/gm;
 /** Forms that one script can take the place of. */
-const LINKAGE = /^(?:import \{[\w\s,]+\} from "\.\/\w+\.js";$|export (?:async )?(?:function|class|const) )/;
+const LINKAGE =
+  /^(?:import \{[\w\s,]+\} from "\.\/\w+\.js";$|export (?:async )?(?:function|class|const) )/;
 
 const matches = (pattern, text, group) => [...text.matchAll(pattern)].map((m) => m[group]);
 
@@ -38,7 +39,8 @@ function checkLinkage() {
 }
 
 /** The script of a page, which stands last in it. */
-const scriptOf = (page) => page.slice(page.lastIndexOf("<script>") + 8, page.lastIndexOf("</script>"));
+const scriptOf = (page) =>
+  page.slice(page.lastIndexOf("<script>") + "<script>".length, page.lastIndexOf("</script>"));
 
 function checkScript(page) {
   const script = scriptOf(page);
@@ -54,7 +56,8 @@ function checkScript(page) {
   );
   for (const file of files) {
     for (const other of matches(IMPORT, read(file), 2)) {
-      check(begins.get(other) < begins.get(file), `${file} stands before ${other}, which it imports`);
+      const isBehind = begins.get(other) < begins.get(file);
+      check(isBehind, `${file} stands before ${other}, which it imports`);
     }
   }
 }

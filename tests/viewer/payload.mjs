@@ -4,7 +4,7 @@ import { readFileSync } from "node:fs";
 import { isDeepStrictEqual } from "node:util";
 import { PayloadError } from "../../web/viewer/bytes.js";
 import { PictureReader, readStack } from "../../web/viewer/payload.js";
-import { check, documentPath } from "./harness.mjs";
+import { check, documentPath, randomNumbers } from "./harness.mjs";
 
 /** A quarter of an 8-bit step. */
 const LARGEST_MISS = 0.25 / 255 + 1e-7;
@@ -22,18 +22,19 @@ function fieldMiss(field, t, values, at) {
 }
 
 function checkLayer(layer, values, at) {
-  const { mesh, color, opacity } = layer;
+  const { color, opacity } = layer;
   const [triangleCount, colorChannels, opacityChannels] = values.subarray(at, at + 3);
-  check(mesh.topology.triangleCount === triangleCount, "the number of triangles");
+  check(layer.triangleVertex.length === 3 * triangleCount, "the number of triangles");
   check(color.channelCount === colorChannels, "the channels of colour");
   check((opacity?.channelCount ?? 0) === opacityChannels, "the channels of opacity");
-  const extent = Math.max(mesh.bounds[2] - mesh.bounds[0], mesh.bounds[3] - mesh.bounds[1]);
+  const [x0, y0, x1, y1] = layer.bounds;
+  const extent = Math.max(x1 - x0, y1 - y0);
   at += 3;
   for (let t = 0; t < triangleCount; ++t) {
     for (let k = 0; k < 3; ++k) {
       for (let axis = 0; axis < 2; ++axis) {
-        const vertex = mesh.topology.cornerVertex[3 * t + k];
-        const position = mesh.position[2 * vertex + axis] + mesh.origin[axis];
+        const vertex = layer.triangleVertex[3 * t + k];
+        const position = layer.positions[2 * vertex + axis] + layer.origin[axis];
         check(Math.abs(position - values[at++]) <= extent * 2 ** -22, `a corner of triangle ${t}`);
       }
     }
@@ -43,14 +44,6 @@ function checkLayer(layer, values, at) {
     }
   }
   return at;
-}
-
-/** The same numbers in every run. */
-function* randomNumbers(seed) {
-  for (let state = seed >>> 0; ;) {
-    state = (Math.imul(state, 1664525) + 1013904223) >>> 0;
-    yield state >>> 8;
-  }
 }
 
 const DAMAGES = 3000;

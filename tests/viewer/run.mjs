@@ -14,6 +14,8 @@ import { testPayload } from "./payload.mjs";
 import { testPdf, testPdfInChromium } from "./pdf.mjs";
 import { testOtherDriver, testPictures } from "./pictures.mjs";
 import { testRobustness } from "./robustness.mjs";
+import { testTables } from "./tables.mjs";
+import { testUpdates } from "./updates.mjs";
 import { testWatch } from "./watch.mjs";
 
 const [program, dump, folder] = process.argv.slice(2);
@@ -31,6 +33,7 @@ await tap.test("the viewer's types are right", () => {
 });
 await testModules(tap, { command });
 await testPayload(tap, { dump, command });
+await testTables(tap);
 await testGlb(tap, { command });
 await testPdf(tap, { command });
 
@@ -74,6 +77,7 @@ await tap.test("Chromium starts, and all tests come to their end", async () => {
   const [first, other] = (await hasWebGl(MESA)) ? [MESA, SWIFTSHADER] : [SWIFTSHADER, MESA];
   await withBrowser(first, async (tools) => {
     await testPictures(tap, tools);
+    await testUpdates(tap, tools);
     await testInteraction(tap, tools);
     await testRobustness(tap, tools);
     await testFramesAndPaper(tap, tools);

@@ -16,7 +16,6 @@ const NO_NODE = 0xffffffff;
  * @typedef {object} Field
  * @property {number} channelCount
  * @property {number[]} shaders indices of the picture's shaders, the last channels
- * @property {number} nodeCount
  * @property {Uint32Array} triangleNode NODES a triangle: Z0 Z1 Z2 Z01 Z10 Z12 Z21 Z20 Z02 Z012
  * @property {Float32Array} value channelCount a node
  */
@@ -216,6 +215,5 @@ export function readField(reader, topology, ownChannels, shaderCount) {
   for (let c = 0; c < channelCount; ++c) {
     for (let i = c; i < value.length; i += channelCount) value[i] = nodes.value[i] * steps[c];
   }
-  const { nodeCount, triangleNode } = nodes;
-  return { channelCount, shaders, nodeCount, triangleNode, value };
+  return { channelCount, shaders, triangleNode: nodes.triangleNode, value };
 }

@@ -1,10 +1,8 @@
-// A thin layer over WebGL2: programs from the shaders in the page, data textures, targets.
+// A thin layer over WebGL2: what a browser can do, and programs from shaders.
 
 import { rowsOf } from "./affine.js";
 
 /** @import { Affine } from "./affine.js" */
-
-export const TABLE_WIDTH = 2048;
 
 /** Of antialiasing in one picture; all that have WebGL 2 have as many. */
 const SAMPLES = 4;
@@ -183,57 +181,9 @@ export class Programs {
     this.made.set(key, program);
     return program;
   }
-}
 
-/**
- * How the texels of a data texture look: format, layout, type and numbers a texel.
- * @param {WebGL2RenderingContext} gl
- */
-function tableFormats(gl) {
-  return {
-    index: { internal: gl.R32UI, format: gl.RED_INTEGER, type: gl.UNSIGNED_INT, size: 1 },
-    byte: { internal: gl.R8UI, format: gl.RED_INTEGER, type: gl.UNSIGNED_BYTE, size: 1 },
-    scalar: { internal: gl.R32F, format: gl.RED, type: gl.FLOAT, size: 1 },
-    point: { internal: gl.RG32F, format: gl.RG, type: gl.FLOAT, size: 2 },
-    vector: { internal: gl.RGBA32F, format: gl.RGBA, type: gl.FLOAT, size: 4 },
-    texel: { internal: gl.RGBA16UI, format: gl.RGBA_INTEGER, type: gl.UNSIGNED_SHORT, size: 4 },
-  };
-}
-
-/** @typedef {keyof ReturnType<typeof tableFormats>} TableKind */
-/** @typedef {Float32Array | Uint32Array | Uint16Array | Uint8Array} TableValues */
-
-/**
- * A texture that holds an array: entry i at (i & 2047, i >> 11).
- * @param {WebGL2RenderingContext} gl
- * @param {TableKind} kind
- * @param {TableValues} values
- */
-export function makeTable(gl, kind, values) {
-  const { internal, format, type, size } = tableFormats(gl)[kind];
-  const rows = Math.max(1, Math.ceil(values.length / size / TABLE_WIDTH));
-  if (rows > gl.getParameter(gl.MAX_TEXTURE_SIZE)) {
-    throw new Error("The picture is too large for this device's graphics.");
+  free() {
+    for (const { program } of this.made.values()) this.gl.deleteProgram(program);
+    this.made.clear();
   }
-  const texture = gl.createTexture();
-  gl.bindTexture(gl.TEXTURE_2D, texture);
-  gl.texStorage2D(gl.TEXTURE_2D, 1, internal, TABLE_WIDTH, rows);
-  gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
-  const whole = Math.floor(values.length / size / TABLE_WIDTH);
-  const upload = (
-    /** @type {number} */ row,
-    /** @type {number} */ width,
-    /** @type {number} */ height,
-  ) => {
-    const first = row * TABLE_WIDTH * size;
-    const part = values.subarray(first, first + width * height * size);
-    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, row, width, height, format, type, part);
-  };
-  if (whole > 0) upload(0, TABLE_WIDTH, whole);
-  const rest = values.length / size - whole * TABLE_WIDTH;
-  if (rest > 0) upload(whole, rest, 1);
-  for (const name of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) {
-    gl.texParameteri(gl.TEXTURE_2D, name, gl.NEAREST);
-  }
-  return texture;
 }

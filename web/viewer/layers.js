@@ -1,57 +1,16 @@
-// Layers on the GPU: their tables, and how an instance is drawn.
+// How an instance of a layer is drawn.
 
 import { composed, inverted, mappedBox, translation } from "./affine.js";
-import { makeTable } from "./gl.js";
+import { arraySource, DataTable } from "./tables.js";
+import { LayerTables } from "./layer_tables.js";
 
 /** @import { Affine } from "./affine.js" */
-/** @import { Field } from "./field.js" */
 /** @import { Program, Programs } from "./gl.js" */
+/** @import { LayerDelta } from "./layer_tables.js" */
 /** @import { Instance, Layer, Picture } from "./payload.js" */
-
-/**
- * @typedef {object} LayerTables
- * @property {WebGLTexture} triangleVertex
- * @property {WebGLTexture} vertexPosition
- * @property {WebGLTexture} triangleNode
- * @property {WebGLTexture} nodeColor
- * @property {WebGLTexture | null} colorWeight
- * @property {WebGLTexture | null} triangleOpacityNode
- * @property {WebGLTexture | null} nodeOpacity
- * @property {WebGLTexture | null} opacityWeight
- * @property {WebGLTexture | null} edgeIsCurve made when the mesh is first shown
- */
 
 /** Paints that the shader has room for: views in its uniform block, two vectors each. */
 const MOST_PAINTS = 128;
-
-/**
- * Channels of a field's nodes as texels of `size` numbers, what is missing 0.
- * @param {Field} field
- * @param {number} first channel
- * @param {number} count of channels
- * @param {number} size
- */
-function nodeTexels(field, first, count, size) {
-  const texels = new Float32Array(size * field.nodeCount);
-  for (let i = 0; i < field.nodeCount; ++i) {
-    for (let c = 0; c < count; ++c) {
-      texels[size * i + c] = field.value[field.channelCount * i + first + c];
-    }
-  }
-  return texels;
-}
-
-/**
- * Four weights to a texel, as many texels to a node as it needs.
- * @param {WebGL2RenderingContext} gl
- * @param {Field} field
- */
-function makeWeights(gl, field) {
-  const count = field.shaders.length;
-  if (count === 0) return null;
-  const size = 4 * Math.ceil(count / 4);
-  return makeTable(gl, "vector", nodeTexels(field, field.channelCount - count, count, size));
-}
 
 export class LayerDrawer {
   /**
@@ -63,30 +22,72 @@ export class LayerDrawer {
   constructor(gl, programs, picture, texels) {
     this.gl = gl;
     this.programs = programs;
-    this.picture = picture;
-    this.tables = picture.layers.map((layer) => this.upload(layer));
-    this.paintTable = makeTable(gl, "vector", picture.paints.table);
-    this.paintTexels = makeTable(gl, "texel", texels);
+    /** @type {Map<Layer, LayerTables>} */
+    this.tables = new Map();
+    this.paintTable = new DataTable(gl, "vector");
+    this.paintTexels = new DataTable(gl, "texel");
     this.paintViews = gl.createBuffer();
+    this.picture = picture;
+    this.texels = texels;
+    this.writeLayers(picture.layers);
+    this.paintTable.write(arraySource(picture.paints.table, 4));
+    this.paintTexels.write(arraySource(texels, 4));
   }
 
   /**
-   * @param {Layer} layer
-   * @returns {LayerTables}
+   * Draws another picture from now on. Tables of layers that it has too stay as they are.
+   * @param {Picture} picture
+   * @param {Uint16Array} texels of the paints
    */
-  upload({ mesh, color, opacity }) {
-    const { gl } = this;
-    return {
-      triangleVertex: makeTable(gl, "index", mesh.topology.cornerVertex),
-      vertexPosition: makeTable(gl, "point", mesh.position),
-      triangleNode: makeTable(gl, "index", color.triangleNode),
-      nodeColor: makeTable(gl, "vector", nodeTexels(color, 0, 3, 4)),
-      colorWeight: makeWeights(gl, color),
-      triangleOpacityNode: opacity && makeTable(gl, "index", opacity.triangleNode),
-      nodeOpacity: opacity && makeTable(gl, "scalar", nodeTexels(opacity, 0, 1, 1)),
-      opacityWeight: opacity && makeWeights(gl, opacity),
-      edgeIsCurve: null,
-    };
+  setPicture(picture, texels) {
+    const before = this.picture;
+    this.writeLayers(picture.layers);
+    this.picture = picture;
+    if (picture.paints !== before.paints)
+      this.paintTable.write(arraySource(picture.paints.table, 4));
+    if (texels !== this.texels) this.paintTexels.write(arraySource(texels, 4));
+    this.texels = texels;
+  }
+
+  /**
+   * Gives layers tables, and frees those of others. Throws where one is too large; the others are
+   * then still there.
+   * @param {Layer[]} layers
+   */
+  writeLayers(layers) {
+    const wanted = new Set(layers);
+    for (const layer of wanted) {
+      if (!this.tables.has(layer)) this.tables.set(layer, new LayerTables(this.gl, layer));
+    }
+    for (const [layer, tables] of this.tables) {
+      if (wanted.has(layer)) continue;
+      tables.free();
+      this.tables.delete(layer);
+    }
+  }
+
+  /**
+   * A layer of the picture has changed.
+   * @param {Layer} layer
+   * @param {LayerDelta | null} delta null: all of it may be new
+   */
+  update(layer, delta) {
+    this.tablesOf(layer).update(delta);
+  }
+
+  /** @param {Layer} layer */
+  tablesOf(layer) {
+    const tables = this.tables.get(layer);
+    if (!tables) throw new Error("The layer is not in the picture that is drawn.");
+    return tables;
+  }
+
+  free() {
+    for (const tables of this.tables.values()) tables.free();
+    this.tables.clear();
+    this.paintTable.free();
+    this.paintTexels.free();
+    this.gl.deleteBuffer(this.paintViews);
   }
 
   /**
@@ -95,7 +96,7 @@ export class LayerDrawer {
    * @param {Affine} pixelFromArtboard
    */
   pixelFromPositions(instance, pixelFromArtboard) {
-    const { origin } = this.picture.layers[instance.layer].mesh;
+    const { origin } = this.picture.layers[instance.layer];
     const artboard = composed(instance.artboardFromLayer, translation(origin[0], origin[1]));
     return composed(pixelFromArtboard, artboard);
   }
@@ -110,18 +111,18 @@ export class LayerDrawer {
   draw(instance, opacity, pixelFromArtboard, clipFromPixel) {
     const { gl, picture } = this;
     const layer = picture.layers[instance.layer],
-      tables = this.tables[instance.layer];
-    const hasPaints = tables.colorWeight !== null || tables.opacityWeight !== null;
+      tables = this.tablesOf(layer);
+    const hasPaints = layer.color.shaders.length > 0 || (layer.opacity?.shaders.length ?? 0) > 0;
     const defines = [];
     if (layer.opacity) defines.push("WITH_OPACITY");
     if (hasPaints) defines.push("WITH_PAINTS");
     const program = this.programs.get("patch", "patch", defines).use();
     const pixel = this.pixelFromPositions(instance, pixelFromArtboard);
     program
-      .texture("triangle_vertex", tables.triangleVertex)
-      .texture("vertex_position", tables.vertexPosition)
-      .texture("triangle_node", tables.triangleNode)
-      .texture("node_color", tables.nodeColor)
+      .texture("triangle_vertex", tables.texture("triangleVertex"))
+      .texture("vertex_position", tables.texture("vertexPosition"))
+      .texture("triangle_node", tables.texture("triangleNode"))
+      .texture("node_color", tables.texture("nodeColor"))
       .int("first_triangle", 0)
       .map("clip_from_layer", composed(clipFromPixel, pixel))
       .int("patch_order", layer.order + 1)
@@ -129,11 +130,11 @@ export class LayerDrawer {
       .float("opacity", opacity);
     if (layer.opacity) {
       program
-        .texture("triangle_opacity_node", tables.triangleOpacityNode)
-        .texture("node_opacity", tables.nodeOpacity);
+        .texture("triangle_opacity_node", tables.texture("triangleOpacityNode"))
+        .texture("node_opacity", tables.texture("nodeOpacity"));
     }
     if (hasPaints) this.setPaints(program, instance, pixelFromArtboard);
-    gl.drawArrays(gl.TRIANGLES, 0, 3 * layer.mesh.topology.triangleCount);
+    gl.drawArrays(gl.TRIANGLES, 0, layer.triangleVertex.length);
   }
 
   /**
@@ -143,16 +144,20 @@ export class LayerDrawer {
    */
   setPaints(program, instance, pixelFromArtboard) {
     const { gl, picture } = this;
-    const { color, opacity } = picture.layers[instance.layer];
-    const tables = this.tables[instance.layer];
+    const layer = picture.layers[instance.layer],
+      tables = this.tablesOf(layer);
+    const { color, opacity } = layer;
     const opacityShaders = opacity ? opacity.shaders : [];
     program
-      .texture("paint_table", this.paintTable)
-      .texture("paint_texels", this.paintTexels)
-      .texture("color_weight", tables.colorWeight ?? this.paintTable)
+      .texture("paint_table", this.paintTable.texture)
+      .texture("paint_texels", this.paintTexels.texture)
+      .texture("color_weight", tables.texture("colorWeight") ?? this.paintTable.texture)
       .float("paint_step", 1);
     gl.uniform2i(program.place("paint_count"), color.shaders.length, opacityShaders.length);
-    if (opacity) program.texture("opacity_weight", tables.opacityWeight ?? this.paintTable);
+    if (opacity) {
+      const weight = tables.texture("opacityWeight") ?? this.paintTable.texture;
+      program.texture("opacity_weight", weight);
+    }
     const layerFromPixel = inverted(composed(pixelFromArtboard, instance.artboardFromLayer));
     const views = new Float32Array(8 * MOST_PAINTS);
     [...color.shaders, ...opacityShaders].forEach((shader, i) => {
@@ -178,20 +183,20 @@ export class LayerDrawer {
    */
   drawMesh(instance, pixelFromArtboard, size, lineScale) {
     const { gl } = this;
-    const { mesh } = this.picture.layers[instance.layer];
-    const tables = this.tables[instance.layer];
-    tables.edgeIsCurve ??= makeTable(gl, "byte", mesh.edgeIsCurve);
+    const layer = this.picture.layers[instance.layer],
+      tables = this.tablesOf(layer);
+    tables.wantEdges();
     this.programs
       .get("overlay", "overlay")
       .use()
-      .texture("triangle_vertex", tables.triangleVertex)
-      .texture("vertex_position", tables.vertexPosition)
-      .texture("edge_is_curve", tables.edgeIsCurve)
+      .texture("triangle_vertex", tables.texture("triangleVertex"))
+      .texture("vertex_position", tables.texture("vertexPosition"))
+      .texture("edge_is_curve", tables.texture("edgeIsCurve"))
       .int("first_triangle", 0)
       .map("pixel_from_layer", this.pixelFromPositions(instance, pixelFromArtboard))
       .vec2("target_size", size[0], size[1])
       .float("line_scale", lineScale);
-    gl.drawArrays(gl.TRIANGLES, 0, 18 * mesh.topology.triangleCount);
+    gl.drawArrays(gl.TRIANGLES, 0, 6 * layer.triangleVertex.length);
   }
 
   /**
@@ -199,6 +204,6 @@ export class LayerDrawer {
    * @param {Instance} instance
    */
   bounds(instance) {
-    return mappedBox(instance.artboardFromLayer, this.picture.layers[instance.layer].mesh.bounds);
+    return mappedBox(instance.artboardFromLayer, this.picture.layers[instance.layer].bounds);
   }
 }

@@ -168,7 +168,7 @@ function readGrid(reader, topology) {
  * @property {Topology} topology
  * @property {number[]} origin what positions are relative to, layer frame
  * @property {number[]} bounds minimum x, y, maximum x, y; layer frame
- * @property {Float32Array} position 2 a vertex
+ * @property {Float32Array} positions 2 a vertex
  * @property {Uint8Array} edgeIsCurve 3 a triangle
  */
 
@@ -183,12 +183,12 @@ export function readMesh(reader) {
   const min = [reader.finite(), reader.finite()],
     step = [reader.finite(), reader.finite()];
   const grid = readGrid(reader, topology);
-  const position = new Float32Array(2 * vertexCount);
+  const positions = new Float32Array(2 * vertexCount);
   // The middle of the grid: single precision holds its steps exactly.
   const middle = 2 ** 21;
   for (let axis = 0; axis < 2; ++axis) {
     for (let i = 0; i < vertexCount; ++i) {
-      position[2 * i + axis] = (grid[axis][i] - middle) * step[axis];
+      positions[2 * i + axis] = (grid[axis][i] - middle) * step[axis];
     }
   }
   const extent = grid.map((axis) => axis.reduce((a, b) => Math.max(a, b), 0));
@@ -201,7 +201,7 @@ export function readMesh(reader) {
     topology,
     origin: [min[0] + middle * step[0], min[1] + middle * step[1]],
     bounds: [...min, min[0] + extent[0] * step[0], min[1] + extent[1] * step[1]],
-    position,
+    positions,
     edgeIsCurve,
   };
 }

@@ -35,6 +35,13 @@ function realGroups(stack) {
   return real;
 }
 
+/**
+ * Strokes that are kept as one picture on the GPU.
+ * @typedef {object} Run
+ * @property {number} slot which of these pictures
+ * @property {number[]} items indices into the stack
+ */
+
 /** Runs of strokes that are kept: each is a picture on the GPU. */
 const MOST_RUNS = 4;
 
@@ -43,7 +50,7 @@ const MOST_RUNS = 4;
  * composited as one, they look the same.
  * @param {Item[]} stack
  * @param {Set<Item>} real groups
- * @returns {Map<number, number[]>} indices into the stack
+ * @returns {Map<number, Run>} by the index of its first item
  */
 function strokeRuns(stack, real) {
   /** @type {number[][]} */
@@ -53,7 +60,7 @@ function strokeRuns(stack, real) {
     else if (item.kind === "instance" || real.has(item)) runs.push([]);
   });
   const long = runs.filter((run) => run.length > 1).sort((a, b) => b.length - a.length);
-  return new Map(long.slice(0, MOST_RUNS).map((run) => [run[0], run]));
+  return new Map(long.slice(0, MOST_RUNS).map((items, slot) => [items[0], { slot, items }]));
 }
 
 export class Painter {
@@ -69,12 +76,16 @@ export class Painter {
     this.gl = gl;
     this.programs = programs;
     this.targets = targets;
-    this.picture = picture;
     this.layers = layers;
     this.strokes = strokes;
-    this.realGroups = realGroups(picture.stack);
-    this.runs = strokeRuns(picture.stack, this.realGroups);
-    this.inRun = new Set([...this.runs.values()].flat());
+    this.picture = picture;
+    /** @type {Set<Item>} */
+    this.realGroups = new Set();
+    /** @type {Map<number, Run>} */
+    this.runs = new Map();
+    /** @type {Set<number>} */
+    this.inRun = new Set();
+    this.setPicture(picture);
     /** Whether runs look as they did in the picture before. */
     this.runsAreKept = false;
     /** @type {Affine} */
@@ -84,6 +95,17 @@ export class Painter {
     this.level = 0;
     /** Groups that are painted at present. @type {GroupBegin[]} */
     this.open = [];
+  }
+
+  /**
+   * Paints another picture from now on, whose layers and strokes the drawers know.
+   * @param {Picture} picture
+   */
+  setPicture(picture) {
+    this.picture = picture;
+    this.realGroups = realGroups(picture.stack);
+    this.runs = strokeRuns(picture.stack, this.realGroups);
+    this.inRun = new Set([...this.runs.values()].flatMap(({ items }) => items));
   }
 
   /**
@@ -213,16 +235,16 @@ export class Painter {
   }
 
   /**
-   * @param {number[]} run
+   * @param {Run} run
    * @param {Rect[]} rects of all items
    */
-  paintRun(run, rects) {
-    const rect = run.reduce((all, i) => unitedRects(all, rects[i]), [0, 0, 0, 0]);
+  paintRun({ slot, items }, rects) {
+    const rect = items.reduce((all, i) => unitedRects(all, rects[i]), [0, 0, 0, 0]);
     if (isEmptyRect(rect)) return;
-    const target = this.targets.run(run[0]);
+    const target = this.targets.run(slot);
     if (!this.runsAreKept) {
       target.begin(rect);
-      for (const i of run) {
+      for (const i of items) {
         const stroke = /** @type {Stroke} */ (this.picture.stack[i]);
         if (!isEmptyRect(rects[i])) this.paintStroke(stroke, rects[i], target);
       }

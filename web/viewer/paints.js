@@ -2,7 +2,7 @@
 // paints"); the texels of textures are made here from their files.
 
 import { PayloadError } from "./bytes.js";
-import { TABLE_WIDTH } from "./gl.js";
+import { TABLE_WIDTH } from "./tables.js";
 
 /** @import { Affine } from "./affine.js" */
 /** @import { ByteReader } from "./bytes.js" */

@@ -7,7 +7,6 @@ import { readPaints } from "./paints.js";
 import { readSegments } from "./segments.js";
 
 /** @import { Affine } from "./affine.js" */
-/** @import { Mesh } from "./mesh.js" */
 /** @import { Field } from "./field.js" */
 /** @import { Paints } from "./paints.js" */
 /** @import { Segments } from "./segments.js" */
@@ -20,11 +19,16 @@ const MOST_GROUPS = 16;
 const MOST_BLEND = 15;
 
 /**
+ * A layer as it is drawn. Its tables are those of sfumato_picture_table(), but for positions.
  * @typedef {object} Layer
  * @property {number} order 0 linear, 1 quadratic, 2 cubic
- * @property {Mesh} mesh
- * @property {Field} color
- * @property {Field | null} opacity none: the layer is opaque
+ * @property {number[]} origin what positions are relative to, layer frame
+ * @property {number[]} bounds minimum x, y, maximum x, y of what it can touch; layer frame
+ * @property {Float32Array} positions 2 a vertex, layer frame, relative to the origin
+ * @property {Uint32Array} triangleVertex 3 a triangle
+ * @property {Uint8Array} edgeIsCurve 3 a triangle
+ * @property {Field} color channels red, green, blue, weights of shaders
+ * @property {Field | null} opacity channels opacity, weights of shaders; null: the layer is opaque
  */
 
 /**
@@ -227,11 +231,11 @@ export class PictureReader extends StackReader {
   /** @returns {Layer} */
   layer() {
     const order = this.below(3);
-    const mesh = readMesh(this.reader);
-    const color = readField(this.reader, mesh.topology, 3, this.shaderCount);
+    const { topology, ...mesh } = readMesh(this.reader);
+    const color = readField(this.reader, topology, 3, this.shaderCount);
     const hasOpacity = this.below(2) === 1;
-    const opacity = hasOpacity ? readField(this.reader, mesh.topology, 1, this.shaderCount) : null;
-    return { order, mesh, color, opacity };
+    const opacity = hasOpacity ? readField(this.reader, topology, 1, this.shaderCount) : null;
+    return { order, ...mesh, triangleVertex: topology.cornerVertex, color, opacity };
   }
 }
 

@@ -8,7 +8,8 @@ import { intersected, isEmptyRect, Target, Targets } from "./targets.js";
 import { Painter } from "./painter.js";
 
 /** @import { Affine } from "./affine.js" */
-/** @import { Picture } from "./payload.js" */
+/** @import { LayerDelta } from "./layer_tables.js" */
+/** @import { Layer, Picture } from "./payload.js" */
 
 /**
  * Where edges lie in the pictures that are added up to a finer one, pixels. The four samples of a
@@ -46,17 +47,57 @@ export class Renderer {
     this.programs = new Programs(gl, shaderText);
     this.targets = new Targets(gl, this.abilities);
     this.layers = new LayerDrawer(gl, this.programs, picture, texels);
-    const strokes = new StrokeDrawer(gl, this.programs, picture);
-    this.painter = new Painter(gl, this.programs, this.targets, picture, this.layers, strokes);
+    this.strokes = new StrokeDrawer(gl, this.programs, picture);
+    this.painter = new Painter(gl, this.programs, this.targets, picture, this.layers, this.strokes);
     this.noInk = new Target(gl, gl.RG8, [1, 1], 0);
     this.noInk.clear([0, 0, 1, 1], [0, 0, 0, 0]);
-    gl.bindVertexArray(gl.createVertexArray());
+    this.vertices = gl.createVertexArray();
+    gl.bindVertexArray(this.vertices);
     gl.disable(gl.CULL_FACE);
     gl.disable(gl.DEPTH_TEST);
     gl.disable(gl.DITHER);
-    /** Pictures added up so far. */
-    this.added = 0;
+    /** Pictures added up so far; all where no frame was drawn of what is to be seen now. */
+    this.added = SHIFTS.length;
     /** @type {WebGLSync | null} */
+    this.fence = null;
+  }
+
+  /**
+   * Draws another picture from now on. Tables of its layers are made, and those of layers that are
+   * not in it any more go; layers that are in both, the same objects, keep theirs. Throws where a
+   * layer is too large for the GPU; it draws the picture before then.
+   * @param {Picture} picture
+   * @param {Uint16Array} texels of the paints; the same array where these have not changed
+   */
+  setPicture(picture, texels) {
+    this.layers.setPicture(picture, texels);
+    this.picture = picture;
+    this.strokes.setPicture(picture);
+    this.painter.setPicture(picture);
+    this.added = SHIFTS.length;
+  }
+
+  /**
+   * Follows a layer of the picture whose tables have changed.
+   * @param {Layer} layer
+   * @param {LayerDelta | null} delta null: all of it may be new
+   */
+  updateLayer(layer, delta) {
+    this.layers.update(layer, delta);
+    this.added = SHIFTS.length;
+  }
+
+  /** Gives back all that it has on the GPU; nothing may be called afterwards. */
+  free() {
+    const { gl } = this;
+    this.layers.free();
+    this.strokes.free();
+    this.targets.free();
+    this.noInk.free();
+    this.programs.free();
+    gl.bindVertexArray(null);
+    gl.deleteVertexArray(this.vertices);
+    gl.deleteSync(this.fence);
     this.fence = null;
   }
 
@@ -89,7 +130,7 @@ export class Renderer {
     this.markWork();
   }
 
-  /** Whether `refine` has more to do for the frame drawn last. */
+  /** Whether `refine` has more to do for the frame drawn last, if nothing has changed since. */
   get canRefine() {
     return this.abilities.halfTargets && this.added < SHIFTS.length;
   }

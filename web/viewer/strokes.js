@@ -1,7 +1,7 @@
 // Local curves on the GPU: the nodes of their segments are added up, then shown.
 
 import { composed, inverted, mappedBox, translation } from "./affine.js";
-import { makeTable } from "./gl.js";
+import { arraySource, DataTable } from "./tables.js";
 import { NODES_PER_SEGMENT, SegmentTable } from "./segments.js";
 
 /** @import { Affine } from "./affine.js" */
@@ -43,18 +43,35 @@ export class StrokeDrawer {
   constructor(gl, programs, picture) {
     this.gl = gl;
     this.programs = programs;
-    this.interpolation = picture.interpolation;
-    this.strokes = picture.stack.filter((item) => item.kind === "stroke");
-    this.boundsOf = new Map(this.strokes.map((stroke) => [stroke, strokeBounds(stroke)]));
-    /** First segment in the table and their number. @type {Map<Stroke, number[]>} */
-    this.places = new Map();
-    /** @type {WebGLTexture | null} */
-    this.table = null;
+    this.table = new DataTable(gl, "vector");
     /** Powers of two that the table was made for: device pixels to a user unit. */
     this.octave = NaN;
     this.quad = gl.createBuffer();
     gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, this.quad);
     gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, QUAD, gl.STATIC_DRAW);
+    this.interpolation = 0;
+    /** @type {Stroke[]} */
+    this.strokes = [];
+    /** @type {Map<Stroke, number[]>} */
+    this.boundsOf = new Map();
+    /** First segment in the table and their number. @type {Map<Stroke, number[]>} */
+    this.places = new Map();
+    this.setPicture(picture);
+  }
+
+  /**
+   * Draws the strokes of another picture from now on.
+   * @param {Picture} picture
+   */
+  setPicture({ interpolation, stack }) {
+    const before = this.boundsOf;
+    this.interpolation = interpolation;
+    this.strokes = stack.filter((item) => item.kind === "stroke");
+    this.boundsOf = new Map(
+      this.strokes.map((stroke) => [stroke, before.get(stroke) ?? strokeBounds(stroke)]),
+    );
+    this.places = new Map();
+    this.octave = NaN;
   }
 
   /**
@@ -72,8 +89,7 @@ export class StrokeDrawer {
       table.add(stroke, 2 ** -octave / Math.sqrt(Math.abs(p * s - q * r)));
       this.places.set(stroke, [first, table.count - first]);
     }
-    this.gl.deleteTexture(this.table);
-    this.table = makeTable(this.gl, "vector", new Float32Array(table.values));
+    this.table.write(arraySource(new Float32Array(table.values), 4));
   }
 
   /**
@@ -102,7 +118,7 @@ export class StrokeDrawer {
     const program = this.programs
       .get("stroke", "stroke")
       .use()
-      .texture("stroke_segment", this.table)
+      .texture("stroke_segment", this.table.texture)
       .map("pixel_from_frame", pixelFromFrame)
       .vec2("target_size", size[0], size[1])
       .float("smallest_radius", Math.sqrt(Math.abs(a * d - b * c)))
@@ -136,5 +152,10 @@ export class StrokeDrawer {
     gl.enable(gl.BLEND);
     gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
     gl.drawArrays(gl.TRIANGLES, 0, 3);
+  }
+
+  free() {
+    this.table.free();
+    this.gl.deleteBuffer(this.quad);
   }
 }

@@ -168,9 +168,13 @@ export class Targets {
   /** @param {number[]} size */
   resize(size) {
     if (size[0] === this.size[0] && size[1] === this.size[1]) return;
+    this.free();
+    this.size = size;
+  }
+
+  free() {
     for (const target of this.made.values()) target.free();
     this.made.clear();
-    this.size = size;
   }
 
   /** @returns {Rect} */
@@ -211,10 +215,10 @@ export class Targets {
 
   /**
    * What a run of strokes shows.
-   * @param {number} first index of its first
+   * @param {number} slot
    */
-  run(first) {
-    return this.get(`run ${first}`, this.format, 0);
+  run(slot) {
+    return this.get(`run ${slot}`, this.format, 0);
   }
 
   /** Where pictures are added up to a finer one. */

@@ -1,0 +1,173 @@
+// The tables of a layer on the GPU, which follow those that they were made of.
+
+import { arraySource, DataTable } from "./tables.js";
+
+/** @import { Field } from "./field.js" */
+/** @import { Layer } from "./payload.js" */
+/** @import { Range, TableKind, TableSource } from "./tables.js" */
+
+/**
+ * Rows of a layer's tables that are not as before, by the tables' names in web/wasm/sfumato.mjs; what
+ * is missing has not changed. Where a table has grown, its new rows are among them.
+ * @typedef {object} LayerDelta
+ * @property {readonly Range[]} [vertices]
+ * @property {readonly Range[]} [triangles]
+ * @property {readonly Range[]} [curveEdges]
+ * @property {readonly Range[]} [colorNodes]
+ * @property {readonly Range[]} [colorValues]
+ * @property {readonly Range[]} [opacityNodes]
+ * @property {readonly Range[]} [opacityValues]
+ */
+
+/**
+ * Channels of a field's nodes, what is missing 0.
+ * @param {Field} field
+ * @param {number} first channel
+ * @param {number} count of channels
+ * @param {number} texels a node
+ * @param {number} size numbers a texel
+ * @returns {TableSource}
+ */
+function channelSource(field, first, count, texels, size) {
+  const { channelCount, value } = field;
+  const part = (/** @type {number} */ from, /** @type {number} */ partCount) => {
+    const numbers = new Float32Array(size * partCount);
+    let node = Math.floor(from / texels),
+      channel = size * (from % texels);
+    for (let i = 0; i < numbers.length; ++i) {
+      if (channel < count) numbers[i] = value[channelCount * node + first + channel];
+      channel += 1;
+      if (channel < size * texels) continue;
+      channel = 0;
+      node += 1;
+    }
+    return numbers;
+  };
+  return { count: texels * (value.length / channelCount), part };
+}
+
+/**
+ * What of a layer decides on the tables that it has, and on their texels.
+ * @param {Layer} layer
+ */
+function shapeOf({ color, opacity }) {
+  return [color, opacity].map((field) => (field ? field.shaders.length : "none")).join();
+}
+
+export class LayerTables {
+  /**
+   * @param {WebGL2RenderingContext} gl
+   * @param {Layer} layer
+   */
+  constructor(gl, layer) {
+    this.gl = gl;
+    this.layer = layer;
+    /** @type {Map<string, DataTable>} */
+    this.tables = new Map();
+    /** What shapeOf() said when all tables were written; empty where some are not. */
+    this.shape = "";
+    try {
+      this.update(null);
+    } catch (error) {
+      this.free();
+      throw error;
+    }
+  }
+
+  /**
+   * @param {string} name
+   * @returns {WebGLTexture | null} where the layer has no such table
+   */
+  texture(name) {
+    return this.tables.get(name)?.texture ?? null;
+  }
+
+  /**
+   * Follows the layer. Throws where it is too large for the GPU; the next update then writes all.
+   * @param {LayerDelta | null} delta null: all may be new
+   */
+  update(delta) {
+    const { layer } = this;
+    const shape = shapeOf(layer);
+    const isSame = delta !== null && shape === this.shape;
+    if (shape !== this.shape) this.free();
+    this.shape = "";
+    const changed = (/** @type {keyof LayerDelta} */ name) => (isSame ? (delta[name] ?? []) : null);
+    const { positions, triangleVertex } = layer;
+    this.write("vertexPosition", "point", arraySource(positions, 2), changed("vertices"), 1);
+    this.write("triangleVertex", "index", arraySource(triangleVertex, 1), changed("triangles"), 3);
+    if (this.tables.has("edgeIsCurve")) this.writeEdges(changed("curveEdges"));
+    this.writeColor(layer.color, changed("colorNodes"), changed("colorValues"));
+    if (layer.opacity) {
+      this.writeOpacity(layer.opacity, changed("opacityNodes"), changed("opacityValues"));
+    }
+    this.shape = shape;
+  }
+
+  /** From now on there is a table of curve edges, which only the mesh needs. */
+  wantEdges() {
+    if (!this.tables.has("edgeIsCurve")) this.writeEdges(null);
+  }
+
+  /** @param {readonly Range[] | null} rows */
+  writeEdges(rows) {
+    this.write("edgeIsCurve", "byte", arraySource(this.layer.edgeIsCurve, 1), rows, 3);
+  }
+
+  /**
+   * @param {Field} field
+   * @param {readonly Range[] | null} nodes
+   * @param {readonly Range[] | null} values
+   */
+  writeColor(field, nodes, values) {
+    this.write("triangleNode", "index", arraySource(field.triangleNode, 1), nodes, 10);
+    this.write("nodeColor", "vector", channelSource(field, 0, 3, 1, 4), values, 1);
+    this.writeWeights("colorWeight", field, values);
+  }
+
+  /**
+   * @param {Field} field
+   * @param {readonly Range[] | null} nodes
+   * @param {readonly Range[] | null} values
+   */
+  writeOpacity(field, nodes, values) {
+    this.write("triangleOpacityNode", "index", arraySource(field.triangleNode, 1), nodes, 10);
+    this.write("nodeOpacity", "scalar", channelSource(field, 0, 1, 1, 1), values, 1);
+    this.writeWeights("opacityWeight", field, values);
+  }
+
+  /**
+   * Four weights to a texel, as many texels to a node as it needs.
+   * @param {string} name
+   * @param {Field} field
+   * @param {readonly Range[] | null} values
+   */
+  writeWeights(name, field, values) {
+    const count = field.shaders.length;
+    if (count === 0) return;
+    const texels = Math.ceil(count / 4);
+    const source = channelSource(field, field.channelCount - count, count, texels, 4);
+    this.write(name, "vector", source, values, texels);
+  }
+
+  /**
+   * @param {string} name
+   * @param {TableKind} kind
+   * @param {TableSource} source
+   * @param {readonly Range[] | null} rows that have changed; null: all
+   * @param {number} texels a row
+   */
+  write(name, kind, source, rows, texels) {
+    let table = this.tables.get(name);
+    if (!table) {
+      table = new DataTable(this.gl, kind);
+      this.tables.set(name, table);
+    }
+    table.write(source, rows && rows.map(([from, to]) => [texels * from, texels * to]));
+  }
+
+  free() {
+    for (const table of this.tables.values()) table.free();
+    this.tables.clear();
+  }
+}
