@@ -21,7 +21,8 @@ import { hexOf, parseColor } from "../../../web/editor/src/geometry/colortext.js
 import { Random } from "./random.js";
 
 const rgb = (r: number, g: number, b: number): Rgb => ({ r, g, b });
-const miss = (p: Rgb, q: Rgb) => Math.max(...(["r", "g", "b"] as const).map((k) => Math.abs(p[k] - q[k])));
+const miss = (p: Rgb, q: Rgb) =>
+  Math.max(...(["r", "g", "b"] as const).map((k) => Math.abs(p[k] - q[k])));
 const randomColor = (random: Random) => rgb(random.next(), random.next(), random.next());
 
 describe("colour spaces", () => {
@@ -33,7 +34,8 @@ describe("colour spaces", () => {
       expect(miss(rgbFromOklab(oklabFromRgb(color)), color)).toBeLessThan(1e-6);
       // A gray has no hue to come back from.
       const lch = oklchFromRgb(color);
-      if (lch.c > 0) expect(miss(rgbFromOklch(lch), color)).toBeLessThan(lch.c < 1e-5 ? 1e-4 : 1e-6);
+      if (lch.c > 0)
+        expect(miss(rgbFromOklch(lch), color)).toBeLessThan(lch.c < 1e-5 ? 1e-4 : 1e-6);
       expect(miss(rgbFromHsv(hsvFromRgb(color)), color)).toBeLessThan(1e-12);
     }
   });
@@ -46,8 +48,12 @@ describe("colour spaces", () => {
     const lab = oklabFromRgb(rgb(0, 128 / 255, 0));
     expect(lab.a).toBeCloseTo(-0.1403, 4);
     expect(lab.b).toBeCloseTo(0.10768, 4);
-    expect(miss(rgbFromOklch({ l: 0.5, c: 0.2, h: 0 }), rgb(0.70492, 0.02351, 0.37073))).toBeLessThan(2e-4);
-    expect(miss(rgbFromOklch({ l: 0.5, c: 0.2, h: 270 }), rgb(0.23056, 0.3173, 0.82628))).toBeLessThan(2e-4);
+    expect(
+      miss(rgbFromOklch({ l: 0.5, c: 0.2, h: 0 }), rgb(0.70492, 0.02351, 0.37073)),
+    ).toBeLessThan(2e-4);
+    expect(
+      miss(rgbFromOklch({ l: 0.5, c: 0.2, h: 270 }), rgb(0.23056, 0.3173, 0.82628)),
+    ).toBeLessThan(2e-4);
     expect(oklabFromRgb(rgb(1, 1, 1)).l).toBeCloseTo(1, 6);
     expect(oklchFromRgb(rgb(0.5, 0.5, 0.5)).h).toBe(0);
   });
@@ -114,15 +120,38 @@ describe("colours as text", () => {
   });
 
   test.each([
-    "", "#", "#12", "#1234", "#12345678", "#ggg", "rouge", "constructor", "toString(1 2 3)", "rgb()",
-    "rgb(1 2)", "rgb(1 2 3 4)", "rgb(1 2 3 / .5)", "rgb(1deg 2 3)", "hsl(1% 2% 3%)", "rgb(1,2,3", "rgb(1 2 3 / 1 / 1)",
-    "transparent", "oklch(1 2 3deg 4)", "rgb(1e999 0 0)", "url(#a)",
+    "",
+    "#",
+    "#12",
+    "#1234",
+    "#12345678",
+    "#ggg",
+    "rouge",
+    "constructor",
+    "toString(1 2 3)",
+    "rgb()",
+    "rgb(1 2)",
+    "rgb(1 2 3 4)",
+    "rgb(1 2 3 / .5)",
+    "rgb(1deg 2 3)",
+    "hsl(1% 2% 3%)",
+    "rgb(1,2,3",
+    "rgb(1 2 3 / 1 / 1)",
+    "transparent",
+    "oklch(1 2 3deg 4)",
+    "rgb(1e999 0 0)",
+    "url(#a)",
   ])("%j is no opaque colour", (text) => expect(parseColor(text)).toBeNull());
 
   test("hex leads back to the same bytes", () => {
     const random = new Random(11);
     for (let i = 0; i < 500; ++i) {
-      const hex = "#" + random.below(1 << 24).toString(16).padStart(6, "0");
+      const hex =
+        "#" +
+        random
+          .below(1 << 24)
+          .toString(16)
+          .padStart(6, "0");
       expect(hexOf(parseColor(hex)!)).toBe(hex);
     }
   });

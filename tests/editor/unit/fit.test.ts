@@ -1,12 +1,26 @@
 // Strokes of a hand, fitted.
 import { describe, expect, test } from "vitest";
-import { directionAt, pieceAt, pieceCount, type CubicPath } from "../../../web/editor/src/geometry/cubic.js";
-import { calmed, fitStroke, pressureStops, type Sample } from "../../../web/editor/src/geometry/fit.js";
+import {
+  directionAt,
+  pieceAt,
+  pieceCount,
+  type CubicPath,
+} from "../../../web/editor/src/geometry/cubic.js";
+import {
+  calmed,
+  fitStroke,
+  pressureStops,
+  type Sample,
+} from "../../../web/editor/src/geometry/fit.js";
 import { pathPointAt } from "../../../web/editor/src/geometry/length.js";
 import { distance, dot } from "../../../web/editor/src/geometry/vector.js";
 import { Random } from "./random.js";
 
-const sample = (x: number, y: number, time = 0, pressure = 0.5): Sample => ({ point: [x, y], time, pressure });
+const sample = (x: number, y: number, time = 0, pressure = 0.5): Sample => ({
+  point: [x, y],
+  time,
+  pressure,
+});
 
 /** Steps of a walk that turns smoothly, and sharply now and then. */
 function strokeOf(random: Random): Sample[] {
@@ -36,7 +50,9 @@ describe("a fitted stroke", () => {
       expect(fit.path.closed).toBe(closed);
       expect(fit.places.length).toBe(fit.samples.length);
       fit.samples.forEach(({ point }, i) => {
-        expect(distance(pathPointAt(fit.path, fit.places[i]), point), `seed ${seed}`).toBeLessThan(tolerance + 1e-9);
+        expect(distance(pathPointAt(fit.path, fit.places[i]), point), `seed ${seed}`).toBeLessThan(
+          tolerance + 1e-9,
+        );
         if (i > 0) expect(fit.places[i]).toBeGreaterThanOrEqual(fit.places[i - 1]);
       });
       expect(fit.places[fit.places.length - 1]).toBe(pieceCount(fit.path));
@@ -49,7 +65,10 @@ describe("a fitted stroke", () => {
     const { path } = fitStroke(samples, 0.5)!;
     expect(pieceCount(path)).toBeLessThan(9);
     for (let i = 1; i < pieceCount(path); ++i) {
-      const [into, out] = [directionAt(pieceAt(path, i - 1), 1)!, directionAt(pieceAt(path, i), 0)!];
+      const [into, out] = [
+        directionAt(pieceAt(path, i - 1), 1)!,
+        directionAt(pieceAt(path, i), 0)!,
+      ];
       expect(dot(into, out)).toBeGreaterThan(0.999999);
     }
   });
@@ -71,7 +90,11 @@ describe("a fitted stroke", () => {
       const turn = (50 * Math.PI) / 180;
       const time = (i: number) => 232 + pause + 8 * i;
       const on = Array.from({ length: 30 }, (_, i) =>
-        sample(58 + 2 * (i + 1) * Math.cos(turn), 2 * (i + 1) * Math.sin(turn), time(i + 1) + pause),
+        sample(
+          58 + 2 * (i + 1) * Math.cos(turn),
+          2 * (i + 1) * Math.sin(turn),
+          time(i + 1) + pause,
+        ),
       );
       return fitStroke([...out, ...on], 1)!.path;
     };
@@ -82,7 +105,9 @@ describe("a fitted stroke", () => {
     expect(node).toBeDefined();
     const smooth = strokeWith(0);
     for (let i = 1; i < pieceCount(smooth); ++i) {
-      expect(dot(directionAt(pieceAt(smooth, i - 1), 1)!, directionAt(pieceAt(smooth, i), 0)!)).toBeGreaterThan(0.999);
+      expect(
+        dot(directionAt(pieceAt(smooth, i - 1), 1)!, directionAt(pieceAt(smooth, i), 0)!),
+      ).toBeGreaterThan(0.999);
     }
   });
 
@@ -92,7 +117,10 @@ describe("a fitted stroke", () => {
       return sample(50 * Math.cos(angle), 50 * Math.sin(angle), 8 * i);
     });
     const { path } = fitStroke(samples, 0.3, true)!;
-    const [out, into] = [directionAt(pieceAt(path, 0), 0)!, directionAt(pieceAt(path, pieceCount(path) - 1), 1)!];
+    const [out, into] = [
+      directionAt(pieceAt(path, 0), 0)!,
+      directionAt(pieceAt(path, pieceCount(path) - 1), 1)!,
+    ];
     expect(dot(out, into)).toBeGreaterThan(0.9999);
     expect(pieceCount(path)).toBeLessThan(9);
   });
@@ -118,9 +146,15 @@ describe("a fitted stroke", () => {
 
   test("of ten thousand samples that jump about ends soon", () => {
     const random = new Random(1);
-    const samples = Array.from({ length: 10000 }, (_, i) => sample(random.between(0, 99), random.between(0, 99), i));
+    const samples = Array.from({ length: 10000 }, (_, i) =>
+      sample(random.between(0, 99), random.between(0, 99), i),
+    );
     const fit = fitStroke(samples, 0.5)!;
-    expect(fit.samples.every(({ point }, i) => distance(pathPointAt(fit.path, fit.places[i]), point) < 0.51)).toBe(true);
+    expect(
+      fit.samples.every(
+        ({ point }, i) => distance(pathPointAt(fit.path, fit.places[i]), point) < 0.51,
+      ),
+    ).toBe(true);
   });
 });
 

@@ -36,44 +36,55 @@ const HARD = `<svg xmlns="http://www.w3.org/2000/svg" xmlns:sf="urn:sfumato:1" v
   '<line x1="1in" y2="10%" sf:left="red"/><path d="M5 5ZM1 1 2 2Z" sf:left="red"/><circle r="10%" sf:left="red"/>',
 ].join("\n")}</g></svg>`;
 
-test.skipIf(!existsSync(wasm))("pieces are the engine's", async () => {
-  const { loadSfumato } = await import(file("../../../web/wasm/sfumato.mjs"));
-  const library = await loadSfumato(readFileSync(wasm));
-  const folder = file("../../../examples/");
-  const names = (readdirSync(folder, { recursive: true }) as string[]).filter((n) => n.endsWith(".svg"));
-  const texts = [HARD, ...names.map((name) => readFileSync(folder + name, "utf8"))];
-  let compared = 0;
-  for (const text of texts) {
-    const context = library.context();
-    let document;
-    try {
-      document = context.read(text);
-    } catch {
-      context.free(); // a drawing with files beside it, or none of ours
-      continue;
-    }
-    const bytes = Buffer.from(text);
-    const viewBox = viewBoxOf(text);
-    for (let layer = 0; document.layerId(layer) !== null; ++layer) {
-      for (let curve = 0; curve < document.curveCount(layer); ++curve) {
-        const source = document.curveSource(layer, curve);
-        const element = source && bytes.subarray(source.byteOffset, source.byteOffset + 100000).toString();
-        const shape = element && SHAPE.exec(element);
-        if (!shape) continue;
-        const tag = element.slice(0, element.indexOf(">"));
-        const attribute = (name: string) => new RegExp(`\\s${name}="([^"]*)"`).exec(tag)?.[1];
-        const paths = shapePaths(shape[1], attribute, viewBox);
-        const points = document.points(layer, curve);
-        // Transforms of shapes within layers are compared by the number of pieces alone.
-        const isPlain = text === HARD || !/transform/.test(text);
-        const found = Math.min(...paths.map((p) => distanceOf(p.points, points)));
-        if (isPlain) expect(found, tag).toBeLessThan(1e-7);
-        else expect(paths.map((p) => 2 * p.points.length), tag).toContain(points.length);
-        ++compared;
+test.skipIf(!existsSync(wasm))(
+  "pieces are the engine's",
+  async () => {
+    const { loadSfumato } = await import(file("../../../web/wasm/sfumato.mjs"));
+    const library = await loadSfumato(readFileSync(wasm));
+    const folder = file("../../../examples/");
+    const names = (readdirSync(folder, { recursive: true }) as string[]).filter((n) =>
+      n.endsWith(".svg"),
+    );
+    const texts = [HARD, ...names.map((name) => readFileSync(folder + name, "utf8"))];
+    let compared = 0;
+    for (const text of texts) {
+      const context = library.context();
+      let document;
+      try {
+        document = context.read(text);
+      } catch {
+        context.free(); // a drawing with files beside it, or none of ours
+        continue;
       }
+      const bytes = Buffer.from(text);
+      const viewBox = viewBoxOf(text);
+      for (let layer = 0; document.layerId(layer) !== null; ++layer) {
+        for (let curve = 0; curve < document.curveCount(layer); ++curve) {
+          const source = document.curveSource(layer, curve);
+          const element =
+            source && bytes.subarray(source.byteOffset, source.byteOffset + 100000).toString();
+          const shape = element && SHAPE.exec(element);
+          if (!shape) continue;
+          const tag = element.slice(0, element.indexOf(">"));
+          const attribute = (name: string) => new RegExp(`\\s${name}="([^"]*)"`).exec(tag)?.[1];
+          const paths = shapePaths(shape[1], attribute, viewBox);
+          const points = document.points(layer, curve);
+          // Transforms of shapes within layers are compared by the number of pieces alone.
+          const isPlain = text === HARD || !/transform/.test(text);
+          const found = Math.min(...paths.map((p) => distanceOf(p.points, points)));
+          if (isPlain) expect(found, tag).toBeLessThan(1e-7);
+          else
+            expect(
+              paths.map((p) => 2 * p.points.length),
+              tag,
+            ).toContain(points.length);
+          ++compared;
+        }
+      }
+      document.free();
+      context.free();
     }
-    document.free();
-    context.free();
-  }
-  expect(compared).toBeGreaterThan(300);
-}, 60000);
+    expect(compared).toBeGreaterThan(300);
+  },
+  60000,
+);

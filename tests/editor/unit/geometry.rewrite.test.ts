@@ -29,13 +29,16 @@ function randomData(random: Random): string {
   };
   let d = "";
   for (let subpath = random.below(3); subpath >= 0; --subpath) {
-    if (d === "" || !/[zZ]\s*$/.test(d) || random.chance(0.7)) d += random.pick("Mm".split("")) + blank() + numbers("M");
+    if (d === "" || !/[zZ]\s*$/.test(d) || random.chance(0.7))
+      d += random.pick("Mm".split("")) + blank() + numbers("M");
     else d += random.pick(["L", "l"]) + blank() + numbers("L");
     let last = "";
     for (let i = 1 + random.below(7); i > 0; --i) {
       const again = last !== "" && random.chance(0.4);
       if (!again) last = random.pick("LlHhVvCcSsQqTtAaCcLl".split(""));
-      d += (again ? random.pick([" ", " ,", "\n "]) : blank() + last + blank()) + numbers(last.toUpperCase());
+      d +=
+        (again ? random.pick([" ", " ,", "\n "]) : blank() + last + blank()) +
+        numbers(last.toUpperCase());
     }
     if (random.chance(0.5)) d += blank() + random.pick(["Z", "z"]);
     d += blank();
@@ -47,7 +50,9 @@ function moved(path: CubicPath, node: number, by: readonly [number, number]): Cu
   const nodes = pieceCount(path);
   const near = new Set([3 * node - 1, 3 * node, 3 * node + 1]);
   if (path.closed && node === 0) [3 * nodes - 1, 3 * nodes].forEach((i) => near.add(i));
-  const points = path.points.map((p, i) => (near.has(i) ? ([p[0] + by[0], p[1] + by[1]] as const) : p));
+  const points = path.points.map((p, i) =>
+    near.has(i) ? ([p[0] + by[0], p[1] + by[1]] as const) : p,
+  );
   return { points, closed: path.closed };
 }
 
@@ -93,7 +98,9 @@ describe("rewriting", () => {
   test("what did not change leaves the text as it is", () => {
     for (let seed = 0; seed < 1500; ++seed) {
       const d = randomData(new Random(seed));
-      readPath(d).forEach((path, i) => expect(rewritePath(d, i, path, path, STEP), `seed ${seed}`).toBe(d));
+      readPath(d).forEach((path, i) =>
+        expect(rewritePath(d, i, path, path, STEP), `seed ${seed}`).toBe(d),
+      );
     }
   });
 
@@ -113,21 +120,31 @@ describe("rewriting", () => {
       expect(found.length, `seed ${seed}\n${d}\n${result}`).toBe(paths.length);
       paths.forEach((path, i) => {
         const limit = i === index ? HALF : HALF / 100;
-        expect(miss(found[i], i === index ? after : path), `seed ${seed}\n${d}\n${result}`).toBeLessThan(limit);
+        expect(
+          miss(found[i], i === index ? after : path),
+          `seed ${seed}\n${d}\n${result}`,
+        ).toBeLessThan(limit);
       });
       const old = readPathText(d)!.commands;
       const now = readPathText(result)!.commands;
       if (old.length !== now.length || node === 0 || before.segments) continue;
       // Commands in front of the node's, and those from the second behind it.
-      const text = (data: string, { start, end }: { start: number; end: number }) => data.slice(start, end);
-      const subpath = readPathText(d)!.paths.findIndex(({ points }) => points.every((p, i) => isSame(p, before.points[i])));
+      const text = (data: string, { start, end }: { start: number; end: number }) =>
+        data.slice(start, end);
+      const subpath = readPathText(d)!.paths.findIndex(({ points }) =>
+        points.every((p, i) => isSame(p, before.points[i])),
+      );
       old.forEach((command, i) => {
         const { drawn, op, isRelative } = command;
         // T goes on from the control point of what stands before it, m from its end.
         if (op === "T" || (op === "M" && isRelative)) return;
-        if (drawn?.subpath === subpath && drawn.segment >= node - 1 && drawn.segment <= node + 1) return;
+        if (drawn?.subpath === subpath && drawn.segment >= node - 1 && drawn.segment <= node + 1)
+          return;
         const bare = (s: string) => s.replace(/^[a-zA-Z]\s*/, "");
-        expect(bare(text(result, now[i])), `seed ${seed}, command ${i}, node ${node}\n${d}\n${result}`).toBe(bare(text(d, command)));
+        expect(
+          bare(text(result, now[i])),
+          `seed ${seed}, command ${i}, node ${node}\n${d}\n${result}`,
+        ).toBe(bare(text(d, command)));
         ++kept;
       });
     }
@@ -146,7 +163,9 @@ describe("rewriting", () => {
       const found = readPath(result);
       const wanted = paths.flatMap((path, i) => (i !== index ? [path] : after ? [after] : []));
       expect(found.length, `seed ${seed}\n${d}\n${result}`).toBe(wanted.length);
-      wanted.forEach((path, i) => expect(miss(found[i], path), `seed ${seed}\n${d}\n${result}`).toBeLessThan(HALF));
+      wanted.forEach((path, i) =>
+        expect(miss(found[i], path), `seed ${seed}\n${d}\n${result}`).toBeLessThan(HALF),
+      );
     }
   });
 
@@ -159,12 +178,14 @@ describe("rewriting", () => {
       d = rewritePath(d, 0, path, moved(path, 1, random.point(0.1)), STEP);
     }
     const last = readPath(d)[0];
-    for (const i of [0, 6, 9, 12, 15]) expect(distance(first.points[i], last.points[i])).toBeLessThan(STEP);
+    for (const i of [0, 6, 9, 12, 15])
+      expect(distance(first.points[i], last.points[i])).toBeLessThan(STEP);
     expect(d).toMatch(/^m 10\.123,20\.456 c .* l 3,4 5,6 h 7$/);
   });
 
   test("a circle keeps the quarters that did not change as arcs", () => {
-    const d = "M50 30 A20 20 0 0 1 30 50 A20 20 0 0 1 10 30 A20 20 0 0 1 30 10 A20 20 0 0 1 50 30 Z";
+    const d =
+      "M50 30 A20 20 0 0 1 30 50 A20 20 0 0 1 10 30 A20 20 0 0 1 30 10 A20 20 0 0 1 50 30 Z";
     const [path] = readPath(d);
     const result = rewritePath(d, 0, path, moved(path, 6, [1, 0]), STEP);
     expect(result).toContain("M50 30 A20 20 0 0 1 30 50 C");

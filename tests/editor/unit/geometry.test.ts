@@ -1,6 +1,12 @@
 // Curves: evaluated, split, measured, and looked for, against plain methods.
 import { describe, expect, test } from "vitest";
-import { composed, inverted, lengthScale, mapped, mappedBox } from "../../../web/editor/src/geometry/affine.js";
+import {
+  composed,
+  inverted,
+  lengthScale,
+  mapped,
+  mappedBox,
+} from "../../../web/editor/src/geometry/affine.js";
 import {
   boundsOf,
   cubicBounds,
@@ -31,13 +37,21 @@ import {
 } from "../../../web/editor/src/geometry/length.js";
 import { flatten, nearestOn } from "../../../web/editor/src/geometry/nearest.js";
 import { readPath } from "../../../web/editor/src/geometry/path.js";
-import { atAngle, nearestTarget, onGrid, weldTarget } from "../../../web/editor/src/geometry/snap.js";
+import {
+  atAngle,
+  nearestTarget,
+  onGrid,
+  weldTarget,
+} from "../../../web/editor/src/geometry/snap.js";
 import { simplified, simplifiedGraph } from "../../../web/editor/src/geometry/simplify.js";
 import { distance } from "../../../web/editor/src/geometry/vector.js";
 import { Random } from "./random.js";
 
 const cubicOf = (random: Random, extent = 100): Cubic => [
-  random.point(extent), random.point(extent), random.point(extent), random.point(extent),
+  random.point(extent),
+  random.point(extent),
+  random.point(extent),
+  random.point(extent),
 ];
 
 /** With cusps, loops, straight pieces and handles on their nodes. */
@@ -107,9 +121,39 @@ describe("a piece", () => {
   });
 
   test("has a direction even where handles lie on nodes, unless it is a point", () => {
-    expect(directionAt([[0, 0], [0, 0], [3, 0], [3, 0]], 0)).toEqual([1, 0]);
-    expect(directionAt([[0, 0], [0, 0], [3, 0], [3, 0]], 1)).toEqual([1, 0]);
-    expect(directionAt([[5, 5], [5, 5], [5, 5], [5, 5]], 0.5)).toBeNull();
+    expect(
+      directionAt(
+        [
+          [0, 0],
+          [0, 0],
+          [3, 0],
+          [3, 0],
+        ],
+        0,
+      ),
+    ).toEqual([1, 0]);
+    expect(
+      directionAt(
+        [
+          [0, 0],
+          [0, 0],
+          [3, 0],
+          [3, 0],
+        ],
+        1,
+      ),
+    ).toEqual([1, 0]);
+    expect(
+      directionAt(
+        [
+          [5, 5],
+          [5, 5],
+          [5, 5],
+          [5, 5],
+        ],
+        0.5,
+      ),
+    ).toBeNull();
     const random = new Random(4);
     for (let i = 0; i < 200; ++i) {
       const cubic = cubicOf(random);
@@ -122,7 +166,14 @@ describe("a piece", () => {
 
   test("is a line only where a line command draws it", () => {
     expect(isLine(lineBetween([1, 2], [30, -4]))).toBe(true);
-    expect(isLine([[0, 0], [1, 0], [2, 0], [3.1, 0]])).toBe(false);
+    expect(
+      isLine([
+        [0, 0],
+        [1, 0],
+        [2, 0],
+        [3.1, 0],
+      ]),
+    ).toBe(false);
   });
 
   test("is as long as its chords", () => {
@@ -130,7 +181,8 @@ describe("a piece", () => {
     for (let i = 0; i < 100; ++i) {
       const cubic = cubicOf(random);
       let chords = 0;
-      for (let k = 0; k < 4000; ++k) chords += distance(pointAt(cubic, k / 4000), pointAt(cubic, (k + 1) / 4000));
+      for (let k = 0; k < 4000; ++k)
+        chords += distance(pointAt(cubic, k / 4000), pointAt(cubic, (k + 1) / 4000));
       expect(cubicLength(cubic) / chords).toBeCloseTo(1, 5);
     }
   });
@@ -164,7 +216,12 @@ describe("offsets", () => {
         expect(offsetOfPlace(path, space, placeOfOffset(path, space, share))).toBeCloseTo(share, 7);
       }
     }
-    expect([-1, NaN, 2, 99].map((offset) => parameterAtSegment(path, offset))).toEqual([0, 0, pieces, pieces]);
+    expect([-1, NaN, 2, 99].map((offset) => parameterAtSegment(path, offset))).toEqual([
+      0,
+      0,
+      pieces,
+      pieces,
+    ]);
   });
 
   test("a closed clockwise path has its outside on the left", () => {
@@ -190,7 +247,9 @@ describe("offsets", () => {
     const path = pathOf(new Random(10));
     const [x0, y0, x1, y1] = boundsOf(path);
     const moved = boundsOf(mappedPath([2, 0, 0, 2, 5, -7], path));
-    [2 * x0 + 5, 2 * y0 - 7, 2 * x1 + 5, 2 * y1 - 7].forEach((value, i) => expect(moved[i]).toBeCloseTo(value, 9));
+    [2 * x0 + 5, 2 * y0 - 7, 2 * x1 + 5, 2 * y1 - 7].forEach((value, i) =>
+      expect(moved[i]).toBeCloseTo(value, 9),
+    );
   });
 });
 
@@ -218,7 +277,20 @@ describe("the nearest point", () => {
       const point = pathPointAt(path, random.between(0, pieceCount(path)));
       expect(nearestOn(path, point).distance).toBeLessThan(1e-3);
     }
-    expect(nearestOn({ points: [[3, 3], [3, 3], [3, 3], [3, 3]], closed: false }, [0, -1]).distance).toBe(5);
+    expect(
+      nearestOn(
+        {
+          points: [
+            [3, 3],
+            [3, 3],
+            [3, 3],
+            [3, 3],
+          ],
+          closed: false,
+        },
+        [0, -1],
+      ).distance,
+    ).toBe(5);
   });
 
   test("chords stay within the tolerance", () => {
@@ -244,7 +316,9 @@ describe("snapping", () => {
       const snapped = atAngle(from, to);
       const angle = (Math.atan2(snapped[1] - from[1], snapped[0] - from[0]) * 180) / Math.PI / 15;
       expect(Math.abs(angle - Math.round(angle))).toBeLessThan(1e-6);
-      expect(distance(snapped, to)).toBeLessThanOrEqual(distance(from, to) * Math.sin((7.5 * Math.PI) / 180) + 1e-9);
+      expect(distance(snapped, to)).toBeLessThanOrEqual(
+        distance(from, to) * Math.sin((7.5 * Math.PI) / 180) + 1e-9,
+      );
     }
     expect(atAngle([1, 1], [1, 1])).toEqual([1, 1]);
     const [a, b] = [{ point: [0, 3] as const }, { point: [4, 0] as const }];
@@ -265,22 +339,56 @@ describe("simplification", () => {
   test("keeps every row within the tolerance, and no row that a line tells", () => {
     const random = new Random(16);
     for (let i = 0; i < 100; ++i) {
-      const rows = Array.from({ length: 60 }, (_, k) => [k, Math.sin(k / random.between(3, 9)), random.between(0, 0.05)]);
+      const rows = Array.from({ length: 60 }, (_, k) => [
+        k,
+        Math.sin(k / random.between(3, 9)),
+        random.between(0, 0.05),
+      ]);
       const tolerance = random.between(0.01, 0.5);
       const kept = simplifiedGraph(rows, tolerance);
       for (let s = 0; s + 1 < kept.length; ++s) {
         const [from, to] = [rows[kept[s]], rows[kept[s + 1]]];
         for (let k = kept[s]; k <= kept[s + 1]; ++k) {
           const share = (k - from[0]) / (to[0] - from[0]);
-          const miss = Math.hypot(...[1, 2].map((c) => rows[k][c] - from[c] - share * (to[c] - from[c])));
+          const miss = Math.hypot(
+            ...[1, 2].map((c) => rows[k][c] - from[c] - share * (to[c] - from[c])),
+          );
           expect(miss).toBeLessThanOrEqual(tolerance + 1e-12);
         }
       }
     }
-    expect(simplified([[0, 0], [1, 0.001], [2, 0], [3, 5]], 0.01)).toEqual([0, 2, 3]);
-    expect(simplifiedGraph([[0, 1], [0, 1], [0, 1]], 0.1)).toEqual([0, 2]);
+    expect(
+      simplified(
+        [
+          [0, 0],
+          [1, 0.001],
+          [2, 0],
+          [3, 5],
+        ],
+        0.01,
+      ),
+    ).toEqual([0, 2, 3]);
+    expect(
+      simplifiedGraph(
+        [
+          [0, 1],
+          [0, 1],
+          [0, 1],
+        ],
+        0.1,
+      ),
+    ).toEqual([0, 2]);
     expect(simplified([], 1)).toEqual([]);
     expect(simplified([[1, 2]], 1)).toEqual([0]);
-    expect(simplified([[0, 0], [9, 9], [0, 0]], 1)).toEqual([0, 1, 2]);
+    expect(
+      simplified(
+        [
+          [0, 0],
+          [9, 9],
+          [0, 0],
+        ],
+        1,
+      ),
+    ).toEqual([0, 1, 2]);
   });
 });

@@ -13,13 +13,20 @@ import { Random } from "./random.js";
 type Color = readonly [number, number, number];
 
 /** A photo by a function of the pixels' centres, bytes; with noise of a size. */
-function photoOf(width: number, height: number, color: (x: number, y: number) => Color, noise = 0): Photo {
+function photoOf(
+  width: number,
+  height: number,
+  color: (x: number, y: number) => Color,
+  noise = 0,
+): Photo {
   const random = new Random(99);
   const data = new Uint8ClampedArray(4 * width * height);
   for (let y = 0; y < height; ++y) {
     for (let x = 0; x < width; ++x) {
       const at = 4 * (y * width + x);
-      color(x + 0.5, y + 0.5).forEach((value, k) => (data[at + k] = value + random.between(-noise, noise)));
+      color(x + 0.5, y + 0.5).forEach(
+        (value, k) => (data[at + k] = value + random.between(-noise, noise)),
+      );
       data[at + 3] = 255;
     }
   }
@@ -28,7 +35,8 @@ function photoOf(width: number, height: number, color: (x: number, y: number) =>
 
 const RED: Color = [200, 30, 40];
 const BLUE: Color = [30, 60, 180];
-const mix = (a: Color, b: Color, t: number): Color => [0, 1, 2].map((k) => a[k] + (b[k] - a[k]) * t) as unknown as Color;
+const mix = (a: Color, b: Color, t: number): Color =>
+  [0, 1, 2].map((k) => a[k] + (b[k] - a[k]) * t) as unknown as Color;
 const rgb = ([r, g, b]: Color): Rgb => ({ r: r / 255, g: g / 255, b: b / 255 });
 const clamp = (t: number) => Math.min(Math.max(t, 0), 1);
 
@@ -67,7 +75,10 @@ describe("a step between two colours", () => {
   test("under noise gives nearly these colours, in few stops", () => {
     const noisy = photoOf(100, 100, (x) => (x < 50 ? RED : BLUE), 6);
     const { left, right, blur } = tracePhoto(noisy, line([50, 95], [50, 5]), options());
-    for (const [stops, color] of [[left, RED], [right, BLUE]] as const) {
+    for (const [stops, color] of [
+      [left, RED],
+      [right, BLUE],
+    ] as const) {
       expect(stops.length).toBeLessThan(4);
       for (const { value } of stops) expect(deltaE(value, rgb(color))).toBeLessThan(0.02);
     }
@@ -75,8 +86,12 @@ describe("a step between two colours", () => {
   });
 
   test("specks are no colours of the side", () => {
-    const specks = photoOf(100, 100, (x, y) => (Math.abs(y - 40) < 3 && x > 44 && x < 49 ? [255, 255, 255] : x < 50 ? RED : BLUE));
-    expect(tracePhoto(specks, line([50, 95], [50, 5]), options()).left).toEqual([{ offset: 0, value: rgb(RED) }]);
+    const specks = photoOf(100, 100, (x, y) =>
+      Math.abs(y - 40) < 3 && x > 44 && x < 49 ? [255, 255, 255] : x < 50 ? RED : BLUE,
+    );
+    expect(tracePhoto(specks, line([50, 95], [50, 5]), options()).left).toEqual([
+      { offset: 0, value: rgb(RED) },
+    ]);
   });
 });
 
@@ -86,14 +101,21 @@ describe("colours that change along the curve", () => {
       const t = (x - 10) / 200;
       return y < 30 ? mix(RED, BLUE, clamp(t)) : t < 0.5 ? RED : BLUE;
     });
-    const { left, right } = tracePhoto(photo, line([10, 30], [210, 30]), options({ tolerance: 0.03 }));
+    const { left, right } = tracePhoto(
+      photo,
+      line([10, 30], [210, 30]),
+      options({ tolerance: 0.03 }),
+    );
     expect(left.length).toBeLessThan(6);
     expect(left[0].offset).toBe(0);
     expect(left[left.length - 1].offset).toBe(1);
     expect(deltaE(left[0].value, rgb(RED))).toBeLessThan(0.03);
     expect(deltaE(left[left.length - 1].value, rgb(BLUE))).toBeLessThan(0.03);
     // A step: two stops beside each other in the middle.
-    const [before, behind] = [right.filter((s) => s.offset < 0.5).at(-1)!, right.find((s) => s.offset >= 0.5)!];
+    const [before, behind] = [
+      right.filter((s) => s.offset < 0.5).at(-1)!,
+      right.find((s) => s.offset >= 0.5)!,
+    ];
     expect(behind.offset - before.offset).toBeLessThan(0.03);
     expect(deltaE(before.value, rgb(RED))).toBeLessThan(0.03);
     expect(deltaE(behind.value, rgb(BLUE))).toBeLessThan(0.03);
@@ -101,7 +123,10 @@ describe("colours that change along the curve", () => {
 
   test("never become more than thirty stops", () => {
     const random = new Random(4);
-    const bands = Array.from({ length: 100 }, () => [0, 1, 2].map(() => random.below(256)) as unknown as Color);
+    const bands = Array.from(
+      { length: 100 },
+      () => [0, 1, 2].map(() => random.below(256)) as unknown as Color,
+    );
     const photo = photoOf(600, 40, (x) => bands[Math.floor(x / 6)]);
     const { left } = tracePhoto(photo, line([0, 20], [600, 20]), options({ tolerance: 0.001 }));
     expect(left.length).toBeLessThanOrEqual(30);
@@ -122,25 +147,38 @@ describe("a ramp", () => {
   const smoothstep = (t: number) => clamp(t) ** 2 * (3 - 2 * clamp(t));
 
   test.each([2, 3, 4, 6, 8])("that a blur of %d px makes asks for this blur", (radius) => {
-    const photo = photoOf(100, 100, (x) => mix(RED, BLUE, smoothstep((x - 50 + radius) / (2 * radius))));
+    const photo = photoOf(100, 100, (x) =>
+      mix(RED, BLUE, smoothstep((x - 50 + radius) / (2 * radius))),
+    );
     const { blur } = tracePhoto(photo, line([50, 90], [50, 10]), options({ distance: 9 }));
     expect(blur.length).toBe(1);
     // OKLab bends the ramp of code values a little.
     expect(Math.abs(blur[0].value - radius) / radius).toBeLessThan(0.15);
     const halved = options({ photoFromPath: [2, 0, 0, 2, 0, 0], spacing: 1 });
-    expect(tracePhoto(photo, line([25, 45], [25, 5]), halved).blur[0].value * 2).toBeCloseTo(blur[0].value, 1);
+    expect(tracePhoto(photo, line([25, 45], [25, 5]), halved).blur[0].value * 2).toBeCloseTo(
+      blur[0].value,
+      1,
+    );
   });
 
-  test.each([2, 4, 6, 8])("that is straight for %d px asks for the blur of the same steepness", (width) => {
-    const photo = photoOf(100, 100, (x) => mix(RED, BLUE, clamp((x - 50 + width) / (2 * width))));
-    const { blur } = tracePhoto(photo, line([50, 90], [50, 10]), options());
-    expect(blur[0].value).toBeGreaterThan(width);
-    expect(blur[0].value).toBeLessThan(1.5 * width);
-  });
+  test.each([2, 4, 6, 8])(
+    "that is straight for %d px asks for the blur of the same steepness",
+    (width) => {
+      const photo = photoOf(100, 100, (x) => mix(RED, BLUE, clamp((x - 50 + width) / (2 * width))));
+      const { blur } = tracePhoto(photo, line([50, 90], [50, 10]), options());
+      expect(blur[0].value).toBeGreaterThan(width);
+      expect(blur[0].value).toBeLessThan(1.5 * width);
+    },
+  );
 
   test("that grows along the curve has growing radii", () => {
     const half = (y: number) => 2 + (6 * (95 - y)) / 90;
-    const photo = photoOf(100, 100, (x, y) => mix(RED, BLUE, clamp((x - 50 + half(y)) / (2 * half(y)))), 1);
+    const photo = photoOf(
+      100,
+      100,
+      (x, y) => mix(RED, BLUE, clamp((x - 50 + half(y)) / (2 * half(y)))),
+      1,
+    );
     const { blur } = tracePhoto(photo, line([50, 95], [50, 5]), options());
     expect(blur.length).toBeGreaterThan(1);
     expect(blur.length).toBeLessThan(8);
@@ -162,7 +200,9 @@ describe("what stands in the way", () => {
     const without = tracePhoto(photo, path, options({ distance: 4 }));
     expect(without.left.length).toBeGreaterThan(1);
     const others = [line([48, -5], [48, 51])];
-    expect(tracePhoto(photo, path, options({ distance: 4, others })).left).toEqual([{ offset: 0, value: rgb(RED) }]);
+    expect(tracePhoto(photo, path, options({ distance: 4, others })).left).toEqual([
+      { offset: 0, value: rgb(RED) },
+    ]);
   });
 
   test("of the photo's edge and its clear pixels: nothing is seen there", () => {
@@ -171,7 +211,11 @@ describe("what stands in the way", () => {
     expect(left).toEqual([]);
     expect(right).toEqual([{ offset: 0, value: rgb(RED) }]);
     photo.data.fill(0);
-    expect(tracePhoto(photo, line([50, 90], [50, 10]), options())).toEqual({ left: [], right: [], blur: [] });
+    expect(tracePhoto(photo, line([50, 90], [50, 10]), options())).toEqual({
+      left: [],
+      right: [],
+      blur: [],
+    });
     expect(colorAt(photo, [NaN, 3])).toBeNull();
   });
 
@@ -179,7 +223,9 @@ describe("what stands in the way", () => {
     const photo = photoOf(20, 20, () => RED);
     const nothing = { left: [], right: [], blur: [] };
     expect(tracePhoto(photo, line([5, 5], [5, 5]), options())).toEqual(nothing);
-    expect(tracePhoto(photo, line([5, 5], [9, 5]), options({ photoFromPath: [1, 0, 2, 0, 0, 0] }))).toEqual(nothing);
+    expect(
+      tracePhoto(photo, line([5, 5], [9, 5]), options({ photoFromPath: [1, 0, 2, 0, 0, 0] })),
+    ).toEqual(nothing);
     expect(tracePhoto(photo, line([5, 5], [9, 5]), options({ spacing: 0 }))).toEqual(nothing);
   });
 
@@ -188,7 +234,10 @@ describe("what stands in the way", () => {
     const lines = Array.from({ length: 60 }, () => [random.point(80), random.point(80)] as const);
     const crossings = new Crossings();
     lines.forEach((points) => crossings.add(points));
-    crossings.add([[-1e7, 500], [1e7, 501]]);
+    crossings.add([
+      [-1e7, 500],
+      [1e7, 501],
+    ]);
     for (let i = 0; i < 400; ++i) {
       const from = random.point(90);
       const to = [from[0] + random.between(-9, 9), from[1] + random.between(-9, 9)] as const;
@@ -205,7 +254,10 @@ describe("the magnet", () => {
   test("draws a shaky circle onto the edge", () => {
     const random = new Random(2);
     const points = Array.from({ length: 60 }, (_, i) => {
-      const [angle, radius] = [(i / 60) * 6, 30 + 3.5 * Math.sin(i / 4) + random.between(-0.3, 0.3)];
+      const [angle, radius] = [
+        (i / 60) * 6,
+        30 + 3.5 * Math.sin(i / 4) + random.between(-0.3, 0.3),
+      ];
       return [60 + radius * Math.cos(angle), 50 + radius * Math.sin(angle)] as const;
     });
     const drawn = magnet(edges, points);
@@ -216,10 +268,19 @@ describe("the magnet", () => {
   });
 
   test("leaves points where there is no edge, and odd ones", () => {
-    const far = [[5, 5], [8, 5], [11, 5]] as const;
+    const far = [
+      [5, 5],
+      [8, 5],
+      [11, 5],
+    ] as const;
     expect(magnet(edges, far)).toEqual(far);
     expect(magnet(edges, [])).toEqual([]);
     expect(magnet(edges, [[60, 20]])).toEqual([[60, 20]]);
-    expect(magnet(edges, [[NaN, 1], [2, 2]])).toHaveLength(2);
+    expect(
+      magnet(edges, [
+        [NaN, 1],
+        [2, 2],
+      ]),
+    ).toHaveLength(2);
   });
 });

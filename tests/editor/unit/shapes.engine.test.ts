@@ -4,7 +4,11 @@ import { fileURLToPath } from "node:url";
 import { beforeAll, describe, expect, test } from "vitest";
 import { mappedPath } from "../../../web/editor/src/geometry/cubic.js";
 import { nearestOn } from "../../../web/editor/src/geometry/nearest.js";
-import { joinCurves, reverseCurves, splitPiece } from "../../../web/editor/src/model/commands/shapes.js";
+import {
+  joinCurves,
+  reverseCurves,
+  splitPiece,
+} from "../../../web/editor/src/model/commands/shapes.js";
 import { openDrawing } from "../../../web/editor/src/model/drawing.js";
 import type { CurveItem, Drawing, Outcome } from "../../../web/editor/src/model/types.js";
 
@@ -36,7 +40,9 @@ const SHAPES = [
 /** Whether a point lies so near to a curve that chords of it pass on its other side. */
 function isOnCurve(drawing: Drawing, point: readonly [number, number]): boolean {
   return curvesIn(drawing).some((item) =>
-    item.paths.some((path) => nearestOn(mappedPath(item.layerFromItem, path), point).distance < 0.5),
+    item.paths.some(
+      (path) => nearestOn(mappedPath(item.layerFromItem, path), point).distance < 0.5,
+    ),
   );
 }
 
@@ -89,7 +95,10 @@ describe.skipIf(!existsSync(wasm))("the engine's picture stays", () => {
       ),
     );
     const [a, b] = curvesIn(drawing).map(({ handle }) => handle);
-    for (const [first, second] of [[a, b], [b, a]]) {
+    for (const [first, second] of [
+      [a, b],
+      [b, a],
+    ]) {
       expect(difference(drawing, joinCurves(drawing, first, second, STEP))).toBeLessThan(1);
     }
   });

@@ -3,7 +3,12 @@ import { describe, expect, test } from "vitest";
 import { mapped } from "../../../web/editor/src/geometry/affine.js";
 import { mixed, type Rgb } from "../../../web/editor/src/geometry/color.js";
 import { pieceCount, segmentsOf, type CubicPath } from "../../../web/editor/src/geometry/cubic.js";
-import { fractionAtParameter, leftNormalAt, pathPointAt, placeOfOffset } from "../../../web/editor/src/geometry/length.js";
+import {
+  fractionAtParameter,
+  leftNormalAt,
+  pathPointAt,
+  placeOfOffset,
+} from "../../../web/editor/src/geometry/length.js";
 import { farthestFrom, nearestOn } from "../../../web/editor/src/geometry/nearest.js";
 import { distance } from "../../../web/editor/src/geometry/vector.js";
 import {
@@ -18,7 +23,13 @@ import {
 } from "../../../web/editor/src/model/commands/shapes.js";
 import { kindOf } from "../../../web/editor/src/geometry/nodes.js";
 import { openDrawing } from "../../../web/editor/src/model/drawing.js";
-import type { CurveItem, Drawing, Outcome, Side, SideValue } from "../../../web/editor/src/model/types.js";
+import type {
+  CurveItem,
+  Drawing,
+  Outcome,
+  Side,
+  SideValue,
+} from "../../../web/editor/src/model/types.js";
 import { Random } from "./random.js";
 
 const STEP = 0.001;
@@ -31,7 +42,9 @@ const documentOf = (...shapes: string[]) =>
 </svg>`;
 
 function curvesIn(drawing: Drawing): CurveItem[] {
-  return [...drawing.all()].filter((item): item is CurveItem => item.kind === "curve" || item.kind === "stroke");
+  return [...drawing.all()].filter(
+    (item): item is CurveItem => item.kind === "curve" || item.kind === "stroke",
+  );
 }
 
 /** The drawing afterwards. */
@@ -50,7 +63,10 @@ function valueAt<Value>(
   mix: (a: Value, b: Value, t: number) => Value,
 ): Value | string {
   if (side.kind !== "stops") return side.kind;
-  const stops = side.stops.map(({ offset, value }) => ({ at: placeOfOffset(path, side.space, offset), value }));
+  const stops = side.stops.map(({ offset, value }) => ({
+    at: placeOfOffset(path, side.space, offset),
+    value,
+  }));
   // Arc length is interpolated in arc length: places of its stops are not enough.
   const measure = side.space === "arc" ? fractionAtParameter(path, place) : place;
   const marks = side.space === "arc" ? side.stops.map((s) => s.offset) : stops.map((s) => s.at);
@@ -65,7 +81,12 @@ const mixRgb = (a: Rgb, b: Rgb, t: number) => mixed(a, b, t, "srgb");
 const mixNumber = (a: number, b: number, t: number) => a + (b - a) * t;
 
 /** What a curve shows beside points of it: the side that faces a direction. */
-function shownAt(item: CurveItem, index: number, point: readonly [number, number], facing: readonly [number, number]) {
+function shownAt(
+  item: CurveItem,
+  index: number,
+  point: readonly [number, number],
+  facing: readonly [number, number],
+) {
   const path = item.paths[index];
   const { at } = nearestOn(path, point);
   const normal = leftNormalAt(path, at)!;
@@ -80,7 +101,13 @@ function shownAt(item: CurveItem, index: number, point: readonly [number, number
 }
 
 /** The picture's curve is the same: shape, and what it shows on both sides. */
-function expectSamePicture(a: CurveItem, b: CurveItem, hint: string, tolerance = 0.02, shift = 2 * STEP): void {
+function expectSamePicture(
+  a: CurveItem,
+  b: CurveItem,
+  hint: string,
+  tolerance = 0.02,
+  shift = 2 * STEP,
+): void {
   expect(b.paths.length, hint).toBe(a.paths.length);
   a.paths.forEach((path, i) => {
     expect(farthestFrom(path, b.paths[i], 6), hint).toBeLessThan(shift);
@@ -99,10 +126,12 @@ function expectSamePicture(a: CurveItem, b: CurveItem, hint: string, tolerance =
 }
 
 function expectNear(p: unknown, q: unknown, tolerance: number, hint: string): void {
-  if (typeof p === "number" && typeof q === "number") expect(Math.abs(p - q), hint).toBeLessThan(tolerance);
+  if (typeof p === "number" && typeof q === "number")
+    expect(Math.abs(p - q), hint).toBeLessThan(tolerance);
   else if (p && q && typeof p === "object" && typeof q === "object") {
     expect(Object.keys(q), hint).toEqual(Object.keys(p));
-    for (const [key, value] of Object.entries(p)) expectNear(value, (q as Record<string, unknown>)[key], tolerance, hint);
+    for (const [key, value] of Object.entries(p))
+      expectNear(value, (q as Record<string, unknown>)[key], tolerance, hint);
   } else expect(q, hint).toBe(p);
 }
 
@@ -129,7 +158,11 @@ function wave(random: Random, pieces: number, closed: boolean): string {
     const points = random.chance(0.3) ? [[tx, ty]] : [out(a), out(b), [tx, ty]];
     const letter = points.length === 1 ? "L" : "C";
     const shift = relative ? [x, y] : [0, 0];
-    d += ` ${relative ? letter.toLowerCase() : letter} ` + points.map((p) => `${(p[0] - shift[0]).toFixed(3)},${(p[1] - shift[1]).toFixed(3)}`).join(" ");
+    d +=
+      ` ${relative ? letter.toLowerCase() : letter} ` +
+      points
+        .map((p) => `${(p[0] - shift[0]).toFixed(3)},${(p[1] - shift[1]).toFixed(3)}`)
+        .join(" ");
     [x, y] = [tx, ty];
   }
   return d + (closed ? " Z" : "");
@@ -144,7 +177,9 @@ function listOf(random: Random, segments: number, value: () => string): string {
   return offsets
     .map((offset, i) => {
       if (style <= 1 || (style === 2 && random.chance(0.3))) return value();
-      return style === 2 ? `${value()} ${(100 * offset).toFixed(1)}%` : `${value()} @${(segments * offset).toFixed(2)}${i % 2 ? "0" : ""}`;
+      return style === 2
+        ? `${value()} ${(100 * offset).toFixed(1)}%`
+        : `${value()} @${(segments * offset).toFixed(2)}${i % 2 ? "0" : ""}`;
     })
     .join(", ");
 }
@@ -152,7 +187,8 @@ function listOf(random: Random, segments: number, value: () => string): string {
 function attributesOf(random: Random, segments: number): string {
   const color = () => random.pick(COLORS);
   const number = (most: number) => () => random.between(0, most).toFixed(2);
-  const list = (name: string, value: () => string) => (random.chance(0.6) ? ` sf:${name}="${listOf(random, segments, value)}"` : "");
+  const list = (name: string, value: () => string) =>
+    random.chance(0.6) ? ` sf:${name}="${listOf(random, segments, value)}"` : "";
   return [
     list("left", color),
     random.chance(0.1) ? ' sf:right="none"' : list("right", color),
@@ -179,7 +215,10 @@ describe("splitting", () => {
     for (let seed = 0; seed < 30; ++seed) {
       const { random, pieces, drawing, curve } = randomCurve(seed);
       const piece = random.below(pieces);
-      const next = after(drawing, splitPiece(drawing, curve.handle, 0, piece, random.between(0.1, 0.9), STEP));
+      const next = after(
+        drawing,
+        splitPiece(drawing, curve.handle, 0, piece, random.between(0.1, 0.9), STEP),
+      );
       const [now] = curvesIn(next);
       expect(pieceCount(now.paths[0])).toBe(pieces + 1);
       expectSamePicture(curve, now, `seed ${seed}\n${drawing.text}\n${next.text}`);
@@ -187,7 +226,11 @@ describe("splitting", () => {
   });
 
   test("leaves lists by arc length alone, and @ ones follow", () => {
-    const drawing = openDrawing(documentOf('<path d="M0 0L10 0L10 10" sf:left="red, blue 40%, gold" sf:right="red @0, blue @1.5, gold @2"/>'));
+    const drawing = openDrawing(
+      documentOf(
+        '<path d="M0 0L10 0L10 10" sf:left="red, blue 40%, gold" sf:right="red @0, blue @1.5, gold @2"/>',
+      ),
+    );
     const [curve] = curvesIn(drawing);
     const { text } = after(drawing, splitPiece(drawing, curve.handle, 0, 0, 0.5, STEP));
     expect(text).toContain('sf:left="red, blue 40%, gold"');
@@ -197,7 +240,13 @@ describe("splitting", () => {
 
   test("of nothing is nothing", () => {
     const { drawing, curve } = randomCurve(1);
-    for (const [piece, t] of [[-1, 0.5], [99, 0.5], [0, 0], [0, 1], [0, NaN]]) {
+    for (const [piece, t] of [
+      [-1, 0.5],
+      [99, 0.5],
+      [0, 0],
+      [0, 1],
+      [0, NaN],
+    ]) {
       expect(splitPiece(drawing, curve.handle, 0, piece, t, STEP)).toBeNull();
     }
     expect(splitPiece(drawing, curve.handle, 7, 0, 0.5, STEP)).toBeNull();
@@ -211,7 +260,9 @@ describe("reversing", () => {
       const { drawing, curve } = randomCurve(seed);
       const next = after(drawing, reverseCurves(drawing, [curve.handle], STEP));
       const [now] = curvesIn(next);
-      expect(distance(now.paths[0].points[1], curve.paths[0].points[curve.paths[0].points.length - 2])).toBeLessThan(STEP);
+      expect(
+        distance(now.paths[0].points[1], curve.paths[0].points[curve.paths[0].points.length - 2]),
+      ).toBeLessThan(STEP);
       expectSamePicture(curve, now, `seed ${seed}\n${drawing.text}\n${next.text}`);
     }
   });
@@ -222,22 +273,37 @@ describe("reversing", () => {
       const once = after(drawing, reverseCurves(drawing, [curve.handle], STEP));
       const twice = after(once, reverseCurves(once, [curvesIn(once)[0].handle], STEP));
       const [now] = curvesIn(twice);
-      now.paths[0].points.forEach((p, i) => expect(distance(p, curve.paths[0].points[i])).toBeLessThan(STEP));
+      now.paths[0].points.forEach((p, i) =>
+        expect(distance(p, curve.paths[0].points[i])).toBeLessThan(STEP),
+      );
       for (const side of ["left", "right"] as const) {
-        for (const key of ["color", "opacity", "blur"] as const) expectNear(curve[side][key], now[side][key], 1e-5, `seed ${seed}`);
+        for (const key of ["color", "opacity", "blur"] as const)
+          expectNear(curve[side][key], now[side][key], 1e-5, `seed ${seed}`);
       }
     }
   });
 
   test("a circle, an arc and subpaths keep their segments", () => {
     const drawing = openDrawing(
-      documentOf('<circle cx="50" cy="50" r="20" sf:left="red @0, blue @1, gold @2.5" sf:right="#000"/>', '<path d="M0 0A9 7 30 0 1 20 4q3 3 9 1t5 5M50 0h9v4h3z" sf:right="#111, #999" sf:left="#000"/>'),
+      documentOf(
+        '<circle cx="50" cy="50" r="20" sf:left="red @0, blue @1, gold @2.5" sf:right="#000"/>',
+        '<path d="M0 0A9 7 30 0 1 20 4q3 3 9 1t5 5M50 0h9v4h3z" sf:right="#111, #999" sf:left="#000"/>',
+      ),
     );
     const curves = curvesIn(drawing);
-    const next = after(drawing, reverseCurves(drawing, curves.map((c) => c.handle), STEP));
+    const next = after(
+      drawing,
+      reverseCurves(
+        drawing,
+        curves.map((c) => c.handle),
+        STEP,
+      ),
+    );
     curvesIn(next).forEach((now, i) => {
       expectSamePicture(curves[i], now, next.text);
-      now.paths.forEach((path, k) => expect(segmentsOf(path).length).toBe(segmentsOf(curves[i].paths[k]).length));
+      now.paths.forEach((path, k) =>
+        expect(segmentsOf(path).length).toBe(segmentsOf(curves[i].paths[k]).length),
+      );
     });
     expect(next.text).toContain("<path d=");
     expect(next.text).not.toContain("circle");
@@ -268,14 +334,18 @@ describe("shapes that become paths", () => {
   });
 
   test("Inkscape's own words for a shape go, others stay", () => {
-    const text = documentOf('<path sodipodi:type="star" sodipodi:nodetypes="ccc" inkscape:label="s" d="M0 0L9 0L9 9" sf:left="red"/>').replace(
+    const text = documentOf(
+      '<path sodipodi:type="star" sodipodi:nodetypes="ccc" inkscape:label="s" d="M0 0L9 0L9 9" sf:left="red"/>',
+    ).replace(
       "<svg ",
       '<svg xmlns:sodipodi="http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd" xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape" ',
     );
     const drawing = openDrawing(text);
     const [curve] = curvesIn(drawing);
     const moved = after(drawing, moveNodes(drawing, curve.handle, 0, [1], [1, 1], STEP));
-    expect(moved.text).toContain('<path sodipodi:nodetypes="ccc" inkscape:label="s" d="M0 0L10 1L9 9" sf:left="red"/>');
+    expect(moved.text).toContain(
+      '<path sodipodi:nodetypes="ccc" inkscape:label="s" d="M0 0L10 1L9 9" sf:left="red"/>',
+    );
     const split = after(drawing, splitPiece(drawing, curve.handle, 0, 0, 0.5, STEP));
     expect(split.text).toContain('<path inkscape:label="s" d="M0 0L');
   });
@@ -283,7 +353,9 @@ describe("shapes that become paths", () => {
 
 describe("moving nodes", () => {
   test("changes d alone, moves handles along, and keeps lines straight", () => {
-    const drawing = openDrawing(documentOf('<path d="m 0,0 10,0 0,10 c 1,1 2,2 3,3 z" sf:left="red @0, gold @3"/>'));
+    const drawing = openDrawing(
+      documentOf('<path d="m 0,0 10,0 0,10 c 1,1 2,2 3,3 z" sf:left="red @0, gold @3"/>'),
+    );
     const [curve] = curvesIn(drawing);
     const { text } = after(drawing, moveNodes(drawing, curve.handle, 0, [1], [2, 3], STEP));
     expect(text).toBe(drawing.text.replace("m 0,0 10,0 0,10 c", "m 0,0 12,3 -2,7 c"));
@@ -295,7 +367,11 @@ describe("moving nodes", () => {
   });
 
   test("of an arc's node lets stops on it stay at their places", () => {
-    const drawing = openDrawing(documentOf('<circle cx="50" cy="50" r="20" sf:left="red @0, blue @1.5, gold @4" sf:right="#000"/>'));
+    const drawing = openDrawing(
+      documentOf(
+        '<circle cx="50" cy="50" r="20" sf:left="red @0, blue @1.5, gold @4" sf:right="#000"/>',
+      ),
+    );
     const [curve] = curvesIn(drawing);
     const next = after(drawing, moveNodes(drawing, curve.handle, 0, [2], [0.001, 0], 1e-6));
     const [now] = curvesIn(next);
@@ -304,7 +380,9 @@ describe("moving nodes", () => {
   });
 
   test("one subpath of several leaves the others' text", () => {
-    const drawing = openDrawing(documentOf('<path d="M0 0L9 0L9 9M20,20c1,1 2,2 3,9Zm5 5h9" sf:left="red"/>'));
+    const drawing = openDrawing(
+      documentOf('<path d="M0 0L9 0L9 9M20,20c1,1 2,2 3,9Zm5 5h9" sf:left="red"/>'),
+    );
     const [curve] = curvesIn(drawing);
     const { text } = after(drawing, moveNodes(drawing, curve.handle, 1, [1], [1, 1], STEP));
     expect(text).toContain('d="M0 0L9 0L9 9M20,20c');
@@ -321,10 +399,26 @@ describe("moving nodes", () => {
 describe("setting a path", () => {
   test("writes it, and never one of no length", () => {
     const { drawing, curve } = randomCurve(4);
-    const to: CubicPath = { points: [[0, 0], [1, 5], [8, 5], [9, 0]], closed: false };
+    const to: CubicPath = {
+      points: [
+        [0, 0],
+        [1, 5],
+        [8, 5],
+        [9, 0],
+      ],
+      closed: false,
+    };
     const [now] = curvesIn(after(drawing, setPath(drawing, curve.handle, 0, to, STEP)));
     expect(now.paths[0].points).toEqual(to.points);
-    const point: CubicPath = { points: [[3, 3], [3, 3], [3, 3], [3, 3]], closed: false };
+    const point: CubicPath = {
+      points: [
+        [3, 3],
+        [3, 3],
+        [3, 3],
+        [3, 3],
+      ],
+      closed: false,
+    };
     expect(setPath(drawing, curve.handle, 0, point, STEP)).toBeNull();
   });
 });
@@ -354,11 +448,22 @@ describe("deleting nodes", () => {
   });
 
   test("ends cut, corners leave lines, and too few nodes leave nothing", () => {
-    const drawing = openDrawing(documentOf('<path d="M0 0L10 0L10 10L0 10Z" sf:left="red"/>', '<path d="M0 0L5 5C6 6 7 6 8 5" sf:left="red"/>'));
+    const drawing = openDrawing(
+      documentOf(
+        '<path d="M0 0L10 0L10 10L0 10Z" sf:left="red"/>',
+        '<path d="M0 0L5 5C6 6 7 6 8 5" sf:left="red"/>',
+      ),
+    );
     const [square, open] = curvesIn(drawing);
-    expect(after(drawing, deleteNodes(drawing, square.handle, 0, [2], STEP)).text).toContain('d="M0 0L10 0L0 10Z"');
-    expect(after(drawing, deleteNodes(drawing, square.handle, 0, [0], STEP)).text).toMatch(/d="M10 0L10 10[ L]0 10Z"/);
-    expect(after(drawing, deleteNodes(drawing, open.handle, 0, [2], STEP)).text).toContain('d="M0 0L5 5"');
+    expect(after(drawing, deleteNodes(drawing, square.handle, 0, [2], STEP)).text).toContain(
+      'd="M0 0L10 0L0 10Z"',
+    );
+    expect(after(drawing, deleteNodes(drawing, square.handle, 0, [0], STEP)).text).toMatch(
+      /d="M10 0L10 10[ L]0 10Z"/,
+    );
+    expect(after(drawing, deleteNodes(drawing, open.handle, 0, [2], STEP)).text).toContain(
+      'd="M0 0L5 5"',
+    );
     const gone = after(drawing, deleteNodes(drawing, open.handle, 0, [0, 1], STEP));
     expect(curvesIn(gone).length).toBe(1);
     expect(gone.text).toContain('sf:left="red"/>\n  </g>');
@@ -368,16 +473,26 @@ describe("deleting nodes", () => {
     const drawing = openDrawing(documentOf('<path d="M0 0L9 0M20 20L30 30m1 1h5" sf:left="red"/>'));
     const [curve] = curvesIn(drawing);
     const [now] = curvesIn(after(drawing, deleteNodes(drawing, curve.handle, 1, [0, 1], STEP)));
-    expect(now.paths.map((path) => path.points[0])).toEqual([[0, 0], [31, 31]]);
+    expect(now.paths.map((path) => path.points[0])).toEqual([
+      [0, 0],
+      [31, 31],
+    ]);
   });
 });
 
 describe("subpaths that share a list with @", () => {
-  const shape = '<path id="p" d="M0 0L20 0L20 20M40 40h20v20h-20zm50 0h30" class="k" sf:left="red @0, blue @1.5, gold @2" sf:right="#000, #fff"/>';
+  const shape =
+    '<path id="p" d="M0 0L20 0L20 20M40 40h20v20h-20zm50 0h30" class="k" sf:left="red @0, blue @1.5, gold @2" sf:right="#000, #fff"/>';
 
   /** Of all curves, the one that draws a place. */
-  const shownBy = (curves: readonly CurveItem[], point: readonly [number, number], facing: readonly [number, number]) => {
-    const near = curves.flatMap((item) => item.paths.map((path, i) => ({ item, i, miss: nearestOn(path, point).distance })));
+  const shownBy = (
+    curves: readonly CurveItem[],
+    point: readonly [number, number],
+    facing: readonly [number, number],
+  ) => {
+    const near = curves.flatMap((item) =>
+      item.paths.map((path, i) => ({ item, i, miss: nearestOn(path, point).distance })),
+    );
     near.sort((a, b) => a.miss - b.miss);
     expect(near[0].miss).toBeLessThan(2 * STEP);
     const { item, i } = near[0];
@@ -404,7 +519,12 @@ describe("subpaths that share a list with @", () => {
         const at = (k / 20.3) * pieceCount(path);
         const [point, normal] = [pathPointAt(path, at), leftNormalAt(path, at)!];
         for (const facing of [normal, [-normal[0], -normal[1]] as const]) {
-          expectNear(shownAt(curve, i, point, facing), shownBy(curves, point, facing), 0.02, `${i} ${at}\n${next.text}`);
+          expectNear(
+            shownAt(curve, i, point, facing),
+            shownBy(curves, point, facing),
+            0.02,
+            `${i} ${at}\n${next.text}`,
+          );
         }
       }
     });
@@ -413,7 +533,9 @@ describe("subpaths that share a list with @", () => {
   test("stay together where nothing of the list changes", () => {
     const drawing = openDrawing(documentOf(shape));
     const [curve] = curvesIn(drawing);
-    expect(curvesIn(after(drawing, moveNodes(drawing, curve.handle, 1, [1], [1, 1], STEP))).length).toBe(1);
+    expect(
+      curvesIn(after(drawing, moveNodes(drawing, curve.handle, 1, [1], [1, 1], STEP))).length,
+    ).toBe(1);
   });
 });
 
@@ -435,7 +557,9 @@ describe("kinds of nodes", () => {
 
 describe("closing", () => {
   test("draws a line where the ends differ, and opening keeps the shape", () => {
-    const drawing = openDrawing(documentOf('<path d="M0 0L10 0L10 10" sf:left="red @0, gold @2"/>'));
+    const drawing = openDrawing(
+      documentOf('<path d="M0 0L10 0L10 10" sf:left="red @0, gold @2"/>'),
+    );
     const [curve] = curvesIn(drawing);
     const closed = after(drawing, setClosed(drawing, curve.handle, 0, true, STEP));
     expect(closed.text).toContain('d="M0 0L10 0L10 10 Z"');
@@ -452,7 +576,12 @@ describe("joining", () => {
   const straight = (d: string, rest: string) => `<path d="${d}" ${rest}/>`;
 
   test("lays stops behind each other by shares of the length", () => {
-    const drawing = openDrawing(documentOf(straight("M0 0H30", 'sf:left="red, blue" sf:blur="1"'), straight("M30 0H40", 'sf:left="gold" sf:blur="1"')));
+    const drawing = openDrawing(
+      documentOf(
+        straight("M0 0H30", 'sf:left="red, blue" sf:blur="1"'),
+        straight("M30 0H40", 'sf:left="gold" sf:blur="1"'),
+      ),
+    );
     const [a, b] = curvesIn(drawing);
     const outcome = joinCurves(drawing, a.handle, b.handle, STEP);
     const next = after(drawing, outcome);
@@ -469,9 +598,14 @@ describe("joining", () => {
       const pieces = ["M10 50 C20 40 40 70 60 50", "M60 50 C80 30 90 60 120 50 L150 40"];
       const shapes = pieces.map((d, i) => {
         const segments = i + 1;
-        const lists = ["left", "right"].map((side) => `sf:${side}="${listOf(random, segments, () => random.pick(COLORS))}"`);
+        const lists = ["left", "right"].map(
+          (side) => `sf:${side}="${listOf(random, segments, () => random.pick(COLORS))}"`,
+        );
         const radius = `sf:left-blur="${listOf(random, segments, () => random.between(0, 5).toFixed(2))}"`;
-        return straight(d, [...lists, random.chance(0.5) ? radius : 'sf:blur="2"', 'sf:opacity=".5"'].join(" "));
+        return straight(
+          d,
+          [...lists, random.chance(0.5) ? radius : 'sf:blur="2"', 'sf:opacity=".5"'].join(" "),
+        );
       });
       let drawing = openDrawing(documentOf(...(random.chance(0.5) ? shapes : shapes.reverse())));
       for (const { handle } of curvesIn(drawing)) {
@@ -492,7 +626,12 @@ describe("joining", () => {
           for (const facing of [normal, [-normal[0], -normal[1]] as const]) {
             const isInParameters = /@/.test(drawing.text);
             const [p, q] = [shownAt(half, 0, point, facing), shownAt(now, 0, point, facing)];
-            expectNear(p, q, isInParameters ? 5 : 0.03, `seed ${seed}, ${at}\n${drawing.text}\n${next.text}`);
+            expectNear(
+              p,
+              q,
+              isInParameters ? 5 : 0.03,
+              `seed ${seed}, ${at}\n${drawing.text}\n${next.text}`,
+            );
           }
         }
       }
@@ -501,7 +640,10 @@ describe("joining", () => {
 
   test("brings the second into the first's frame: radii grow, a mirror image changes sides", () => {
     const drawing = openDrawing(
-      documentOf(straight("M0 0H30", 'sf:left="red" sf:right="blue" sf:blur="1"'), straight("M15 0H30", 'transform="scale(2 -2)" sf:left="red" sf:right="blue" sf:blur="1"')),
+      documentOf(
+        straight("M0 0H30", 'sf:left="red" sf:right="blue" sf:blur="1"'),
+        straight("M15 0H30", 'transform="scale(2 -2)" sf:left="red" sf:right="blue" sf:blur="1"'),
+      ),
     );
     const [a, b] = curvesIn(drawing);
     const { text } = after(drawing, joinCurves(drawing, a.handle, b.handle, STEP));
@@ -512,10 +654,11 @@ describe("joining", () => {
 
   test("bridges far ends by a line, closes a curve with itself, and refuses others", () => {
     const drawing = openDrawing(
-      documentOf(straight("M0 0H30", 'sf:left="red"'), straight("M80 0H120", 'sf:left="red"'), straight("M0 9H9V20Z", 'sf:left="red"')).replace(
-        "</svg>",
-        '<g sf:diffuse="true"><path d="M0 0H5" sf:left="red"/></g></svg>',
-      ),
+      documentOf(
+        straight("M0 0H30", 'sf:left="red"'),
+        straight("M80 0H120", 'sf:left="red"'),
+        straight("M0 9H9V20Z", 'sf:left="red"'),
+      ).replace("</svg>", '<g sf:diffuse="true"><path d="M0 0H5" sf:left="red"/></g></svg>'),
     );
     const [a, b, loop, elsewhere] = curvesIn(drawing);
     const { text } = after(drawing, joinCurves(drawing, a.handle, b.handle, STEP));

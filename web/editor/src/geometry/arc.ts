@@ -63,7 +63,14 @@ function sineAndCosine(degrees: number): Point {
   const rest = (turn - 90 * quarter) * (Math.PI / 180);
   const s = Math.sin(rest);
   const c = Math.cos(rest);
-  return ([[s, c], [c, -s], [-s, -c], [-c, s]] as const)[quarter & 3];
+  return (
+    [
+      [s, c],
+      [c, -s],
+      [-s, -c],
+      [-c, s],
+    ] as const
+  )[quarter & 3];
 }
 
 /**
@@ -79,7 +86,8 @@ export function arcPieces(
   point: Point,
 ): ArcPiece[] | null {
   let radii: Point = [Math.abs(written[0]), Math.abs(written[1])];
-  if ((point[0] === from[0] && point[1] === from[1]) || radii[0] === 0 || radii[1] === 0) return null;
+  if ((point[0] === from[0] && point[1] === from[1]) || radii[0] === 0 || radii[1] === 0)
+    return null;
   const [sin, cos] = sineAndCosine(degrees);
   const [hx, hy] = scaled(subtract(from, point), 0.5);
   let half: Point = [(cos * hx + sin * hy) / radii[0], (cos * hy - sin * hx) / radii[1]];
@@ -103,9 +111,11 @@ export function arcPieces(
       middle[1] + sin * radii[0] * x + cos * radii[1] * y,
     ];
   };
-  return stations.slice(1).map((to, i) => [
-    toUser(add(stations[i], scaled(quarterTurn(stations[i], sweep), handle))),
-    toUser(subtract(to, scaled(quarterTurn(to, sweep), handle))),
-    i === stations.length - 2 ? point : toUser(to),
-  ]);
+  return stations
+    .slice(1)
+    .map((to, i) => [
+      toUser(add(stations[i], scaled(quarterTurn(stations[i], sweep), handle))),
+      toUser(subtract(to, scaled(quarterTurn(to, sweep), handle))),
+      i === stations.length - 2 ? point : toUser(to),
+    ]);
 }

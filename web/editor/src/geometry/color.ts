@@ -68,11 +68,16 @@ export function oklabFromRgb(color: Rgb): Oklab {
   };
 }
 
-/** Outside of sRGB where the colour is. By the inverses of the matrices above, to the last digit. */
+/**
+ * Outside of sRGB where the colour is. By the inverses of the matrices above, to the last digit.
+ */
 export function rgbFromOklab({ l: lightness, a, b }: Oklab): Rgb {
-  const l = (0.9999999984505198 * lightness + 0.39633779217376786 * a + 0.2158037580607588 * b) ** 3;
-  const m = (1.0000000088817609 * lightness - 0.10556134232365635 * a - 0.06385417477170591 * b) ** 3;
-  const s = (1.0000000546724108 * lightness - 0.08948418209496575 * a - 1.2914855378640917 * b) ** 3;
+  const l =
+    (0.9999999984505198 * lightness + 0.39633779217376786 * a + 0.2158037580607588 * b) ** 3;
+  const m =
+    (1.0000000088817609 * lightness - 0.10556134232365635 * a - 0.06385417477170591 * b) ** 3;
+  const s =
+    (1.0000000546724108 * lightness - 0.08948418209496575 * a - 1.2914855378640917 * b) ** 3;
   return rgbFromLinear({
     r: 4.076741661347994 * l - 3.3077115904081933 * m + 0.2309699287294279 * s,
     g: -1.268438004092176 * l + 2.6097574006633715 * m - 0.3413193963102196 * s,

@@ -27,7 +27,9 @@ const NUMBER = /^([+-]?(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?)(%|deg|grad|rad|turn)?$
 function numberOf(text: string): { value: number; unit: string } | null {
   if (text === "none") return { value: 0, unit: "" };
   const [, value, unit] = NUMBER.exec(text) ?? [];
-  return value !== undefined && Number.isFinite(Number(value)) ? { value: Number(value), unit: unit ?? "" } : null;
+  return value !== undefined && Number.isFinite(Number(value))
+    ? { value: Number(value), unit: unit ?? "" }
+    : null;
 }
 
 /** A number, `whole` of which is 1, or a percentage of 1. */
@@ -54,7 +56,9 @@ function fromRgb(texts: Arguments): Rgb | null {
 
 function fromHsl([hue, saturation, lightness]: Arguments): Rgb | null {
   const [h, s, l] = [degrees(hue), share(saturation, 100), share(lightness, 100)];
-  return h === null || s === null || l === null ? null : clampedRgb(rgbFromHsl(h, clamp(s), clamp(l)));
+  return h === null || s === null || l === null
+    ? null
+    : clampedRgb(rgbFromHsl(h, clamp(s), clamp(l)));
 }
 
 function fromHwb([hue, whiteness, blackness]: Arguments): Rgb | null {

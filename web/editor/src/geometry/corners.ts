@@ -8,7 +8,13 @@ const SHARP_WHERE_SLOW = Math.cos((40 * Math.PI) / 180);
 const SLOW = 1 / 3;
 
 /** The first sample from i on, in steps of ±1, that is `reach` away; the last where none is. */
-function armOf(samples: readonly Sample[], i: number, step: number, reach: number, loop: boolean): number {
+function armOf(
+  samples: readonly Sample[],
+  i: number,
+  step: number,
+  reach: number,
+  loop: boolean,
+): number {
   const count = samples.length;
   let j = i;
   for (let steps = 1; steps < count; ++steps) {
@@ -56,8 +62,7 @@ export function cornersOf(samples: readonly Sample[], reach: number, loop: boole
     if (!isSharp(i)) continue;
     // Of samples of one corner the sharpest counts.
     const last = corners[corners.length - 1];
-    const isNear =
-      last !== undefined && distance(samples[last].point, samples[i].point) < reach;
+    const isNear = last !== undefined && distance(samples[last].point, samples[i].point) < reach;
     if (!isNear) corners.push(i);
     else if (turns[i] < turns[last]) corners[corners.length - 1] = i;
   }

@@ -69,8 +69,8 @@ export function secondDerivativeAt([p0, p1, p2, p3]: Cubic, t: number): Point {
 }
 
 /**
- * The direction of the curve at t, of length 1; where handles coincide with their node, that in which
- * it leaves or arrives. null: the piece is a point.
+ * The direction of the curve at t, of length 1; where handles coincide with their node, that in
+ * which it leaves or arrives. null: the piece is a point.
  */
 export function directionAt(cubic: Cubic, t: number): Point | null {
   const extent = Math.max(...cubic.map((p) => distance(p, cubic[0])));
@@ -89,7 +89,10 @@ export function split([p0, p1, p2, p3]: Cubic, t: number): [Cubic, Cubic] {
   const abc = lerp(ab, bc, t);
   const bcd = lerp(bc, cd, t);
   const middle = lerp(abc, bcd, t);
-  return [[p0, ab, abc, middle], [middle, bcd, cd, p3]];
+  return [
+    [p0, ab, abc, middle],
+    [middle, bcd, cd, p3],
+  ];
 }
 
 /** The stretch from t0 to t1. */

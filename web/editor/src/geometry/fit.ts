@@ -59,12 +59,18 @@ function rotated(samples: readonly Sample[], corners: readonly number[]): Sample
 }
 
 /**
- * A curve within `tolerance` of each sample, smooth but for corners. null: the samples are one point.
+ * A curve within `tolerance` of each sample, smooth but for corners. null: the samples are one
+ * point.
  * @param closed whether the end runs to the beginning
  */
-export function fitStroke(samples: readonly Sample[], tolerance: number, closed = false): Fit | null {
+export function fitStroke(
+  samples: readonly Sample[],
+  tolerance: number,
+  closed = false,
+): Fit | null {
   let clean = cleaned(samples);
-  if (clean.length > 2 && closed && isSame(clean[0].point, clean[clean.length - 1].point)) clean.pop();
+  if (clean.length > 2 && closed && isSame(clean[0].point, clean[clean.length - 1].point))
+    clean.pop();
   if (clean.length < 2) return null;
   const isLoop = closed && clean.length > 2;
   const slack = tolerance > 0 ? tolerance : 0;
@@ -94,7 +100,12 @@ export function fitStroke(samples: readonly Sample[], tolerance: number, closed 
   return { path: { points: control, closed: isLoop }, samples: clean, places };
 }
 
-function piecesThrough(run: readonly Point[], out: Point | null, into: Point | null, slack: number) {
+function piecesThrough(
+  run: readonly Point[],
+  out: Point | null,
+  into: Point | null,
+  slack: number,
+) {
   const isStraight = run.length === 2 || !out || !into;
   if (!isStraight) return fitted(run, out, into, slack);
   return run.slice(1).map((to, i) => ({ cubic: lineBetween(run[i], to), parameters: [0, 1] }));

@@ -25,8 +25,15 @@ function chordParameters(points: readonly Point[]): number[] {
   return lengths.map((length) => length / whole);
 }
 
-/** The cubic of least squares with these ends and end directions (`into` points back from the end). */
-function leastSquares(points: readonly Point[], t: readonly number[], out: Point, into: Point): Cubic {
+/**
+ * The cubic of least squares with these ends and end directions (`into` points back from the end).
+ */
+function leastSquares(
+  points: readonly Point[],
+  t: readonly number[],
+  out: Point,
+  into: Point,
+): Cubic {
   const from = points[0];
   const to = points[points.length - 1];
   let [c00, c01, c11, x0, x1] = [0, 0, 0, 0, 0];

@@ -72,7 +72,8 @@ export function cumulativeLengths(path: CubicPath): readonly number[] {
   const known = measured.get(path);
   if (known) return known;
   const lengths = [0];
-  for (const cubic of piecesOf(path)) lengths.push(lengths[lengths.length - 1] + cubicLength(cubic));
+  for (const cubic of piecesOf(path))
+    lengths.push(lengths[lengths.length - 1] + cubicLength(cubic));
   measured.set(path, lengths);
   return lengths;
 }

@@ -27,7 +27,9 @@ function planesOf({ width, height, data }: Photo): Float32Array[] {
   return planes;
 }
 
-/** Sobel's operator on all three channels together. Work for a worker: a second for ten megapixels. */
+/**
+ * Sobel's operator on all three channels together. Work for a worker: a second for ten megapixels.
+ */
 export function edgeMap(photo: Photo): EdgeMap {
   const { width, height } = photo;
   const strength = new Float32Array(width * height);
@@ -38,11 +40,17 @@ export function edgeMap(photo: Photo): EdgeMap {
         const [left, right] = [Math.max(x - 1, 0), Math.min(x + 1, width - 1)];
         const at = y * width;
         const dx =
-          plane[up + right] - plane[up + left] + 2 * (plane[at + right] - plane[at + left]) +
-          plane[down + right] - plane[down + left];
+          plane[up + right] -
+          plane[up + left] +
+          2 * (plane[at + right] - plane[at + left]) +
+          plane[down + right] -
+          plane[down + left];
         const dy =
-          plane[down + left] - plane[up + left] + 2 * (plane[down + x] - plane[up + x]) +
-          plane[down + right] - plane[up + right];
+          plane[down + left] -
+          plane[up + left] +
+          2 * (plane[down + x] - plane[up + x]) +
+          plane[down + right] -
+          plane[up + right];
         strength[at + x] += (dx * dx + dy * dy) / 64;
       }
     }
@@ -62,7 +70,9 @@ function strengthAt({ width, height, strength }: EdgeMap, [px, py]: Point): numb
   return upper * (1 - v) + lower * v;
 }
 
-/** How far along the normal the strongest edge is; nearer ones are preferred. null: there is none. */
+/**
+ * How far along the normal the strongest edge is; nearer ones are preferred. null: there is none.
+ */
 function edgeAlong(edges: EdgeMap, point: Point, normal: Point, reach: number): number | null {
   let [best, most] = [0, LEAST];
   for (let t = -reach; t <= reach; t += STEP) {
@@ -74,8 +84,9 @@ function edgeAlong(edges: EdgeMap, point: Point, normal: Point, reach: number): 
 }
 
 /**
- * Points of a stroke, in photo pixels, moved along its normal to the edges that it follows, by at most
- * `reach`. Where neighbours go elsewhere a point goes with them; where there is no edge it stays.
+ * Points of a stroke, in photo pixels, moved along its normal to the edges that it follows, by at
+ * most `reach`. Where neighbours go elsewhere a point goes with them; where there is no edge it
+ * stays.
  */
 export function magnet(edges: EdgeMap, points: readonly Point[], reach = 6): Point[] {
   const last = points.length - 1;

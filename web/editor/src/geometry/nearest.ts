@@ -39,9 +39,7 @@ export function flatten(path: CubicPath, tolerance: number): Polyline {
 
 /** A chord over h of t is at most h²/8 of the largest second derivative from its arc. */
 function chordCount(cubic: Cubic, tolerance: number): number {
-  const bend = Math.max(
-    ...[0, 1].map((t) => Math.hypot(...secondDerivativeAt(cubic, t))),
-  );
+  const bend = Math.max(...[0, 1].map((t) => Math.hypot(...secondDerivativeAt(cubic, t))));
   const count = Math.ceil(Math.sqrt(bend / (8 * Math.max(tolerance, Number.MIN_VALUE))));
   return Math.min(Math.max(Number.isFinite(count) ? count : MOST_CHORDS, 1), MOST_CHORDS);
 }
@@ -115,7 +113,8 @@ class Search {
     for (const t of [t0, middle, t1]) this.#try(t);
     const extent = distance(cubic[0], cubic[3]);
     if (depth >= 24 || extent + deviation(cubic) === 0) return;
-    if (depth > 2 && deviation(cubic) < 1e-3 * extent) return this.#try(polished(this.#whole, this.point, this.#onChord(cubic, t0, t1)));
+    if (depth > 2 && deviation(cubic) < 1e-3 * extent)
+      return this.#try(polished(this.#whole, this.point, this.#onChord(cubic, t0, t1)));
     const [first, second] = split(cubic, 0.5);
     const halves = [
       { half: first, t0, t1: middle },

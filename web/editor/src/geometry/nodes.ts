@@ -1,4 +1,5 @@
-// Curves edited by their nodes. Node i is control point 3 i; of a closed path the last is the first.
+// Curves edited by their nodes. Node i is control point 3 i; of a closed path the last is the
+// first.
 import type { Point } from "./affine.js";
 import {
   directionAt,
@@ -12,36 +13,18 @@ import {
   type Cubic,
   type CubicPath,
 } from "./cubic.js";
+import { STAYS, withPoints, type Edited } from "./edited.js";
 import { fittedOnce } from "./fitcubic.js";
 import { cubicLength, parameterAtLength } from "./length.js";
-import { add, distance, isSame, scaled, size, subtract, unit } from "./vector.js";
+import { add, distance, isSame, scaled, subtract, unit } from "./vector.js";
 
-/** A path after an edit, and what became of places (piece + t) on the path before. */
-export interface Edited {
-  readonly path: CubicPath;
-  readonly follow: (place: number) => number;
-  /** Places before, at which the speed of `follow` changes. */
-  readonly bends: readonly number[];
-}
-
-const STAYS = { follow: (place: number) => place, bends: [] } as const;
-
-/** The same pieces with other points. */
-export function withPoints(path: CubicPath, points: readonly Point[]): Edited {
-  return { path: { points, closed: path.closed }, ...STAYS };
-}
+export { piecesAround, withPoints, type Edited } from "./edited.js";
+export { kindOf, withKind, type NodeKind } from "./nodekind.js";
 
 export function pathOf(cubics: readonly Cubic[], closed: boolean): CubicPath {
   const points = [cubics[0][0], ...cubics.flatMap((cubic) => cubic.slice(1))];
   if (closed) points[points.length - 1] = points[0];
   return { points, closed };
-}
-
-/** Pieces before and after a node; null where the path ends there. */
-export function piecesAround(path: CubicPath, node: number): { into: number | null; out: number | null } {
-  const pieces = pieceCount(path);
-  if (path.closed) return { into: (node - 1 + pieces) % pieces, out: node % pieces };
-  return { into: node > 0 ? node - 1 : null, out: node < pieces ? node : null };
 }
 
 /** Lines whose ends moved are lines again. */
@@ -86,7 +69,8 @@ export function movedHandle(path: CubicPath, index: number, to: Point, link: Han
     const length = link === "symmetric" ? distance(at, to) : distance(at, points[other]);
     const piece = Math.floor(other / 3);
     // The other side of a line has no handle that could answer.
-    if (direction && !isLine(pieceAt(path, piece))) points[other] = add(at, scaled(direction, length));
+    if (direction && !isLine(pieceAt(path, piece)))
+      points[other] = add(at, scaled(direction, length));
   }
   return withPoints(path, points);
 }
@@ -154,8 +138,8 @@ function merged(cubics: readonly Cubic[]): Cubic {
 }
 
 /**
- * Takes nodes away: the pieces beside them become one that is fitted to their shape, and an open path
- * ends at what is left. null: less than two nodes are left.
+ * Takes nodes away: the pieces beside them become one that is fitted to their shape, and an open
+ * path ends at what is left. null: less than two nodes are left.
  */
 export function withoutNodes(path: CubicPath, nodes: readonly number[]): Edited | null {
   const pieces = pieceCount(path);
@@ -191,7 +175,9 @@ function shareIn(group: readonly Cubic[], cubic: Cubic, place: number): number {
   return whole > 0 ? parameterAtLength(cubic, (reached / whole) * cubicLength(cubic)) : 0;
 }
 
-/** Closes a path, by a line where its ends differ by more than `gap`; or opens it where it begins. */
+/**
+ * Closes a path, by a line where its ends differ by more than `gap`; or opens it where it begins.
+ */
 export function withClosed(path: CubicPath, closed: boolean, gap: number): Edited {
   if (closed === path.closed) return withPoints(path, path.points);
   const points = [...path.points];
@@ -203,100 +189,11 @@ export function withClosed(path: CubicPath, closed: boolean, gap: number): Edite
   return { path: { points, closed }, ...STAYS };
 }
 
-export type NodeKind = "corner" | "smooth" | "symmetric";
-
-/** What a node is by its handles: neither lines nor ends are smooth. */
-export function kindOf(path: CubicPath, node: number): NodeKind {
-  const { into, out } = piecesAround(path, node);
-  if (into === null || out === null) return "corner";
-  const at = path.points[3 * node];
-  const [a, b] = [subtract(at, path.points[3 * into + 2]), subtract(path.points[3 * out + 1], at)];
-  const [from, to] = [unit(a), unit(b)];
-  const isBothLines = isLine(pieceAt(path, into)) && isLine(pieceAt(path, out));
-  if (!from || !to || isBothLines || distance(from, to) > 1e-3) return "corner";
-  return Math.abs(size(a) - size(b)) <= 1e-3 * Math.max(size(a), size(b)) ? "symmetric" : "smooth";
-}
-
-/** Gives nodes a kind: a corner has no handles, the others have them in one line. */
-export function withKind(path: CubicPath, nodes: readonly number[], kind: NodeKind): Edited {
-  const points = [...path.points];
-  for (const node of nodes) {
-    const { into, out } = piecesAround(path, node);
-    const handles = { path, points, node, into, out };
-    if (kind === "corner") retract(handles);
-    else align(handles, kind === "symmetric");
-  }
-  return withPoints(path, points);
-}
-
-interface Handles {
-  readonly path: CubicPath;
-  /** As they are so far; changed. */
-  readonly points: Point[];
-  readonly node: number;
-  readonly into: number | null;
-  readonly out: number | null;
-}
-
-const pieceOf = (points: readonly Point[], i: number): Cubic => [
-  points[3 * i],
-  points[3 * i + 1],
-  points[3 * i + 2],
-  points[3 * i + 3],
-];
-
-function retract({ points, node, into, out }: Handles): void {
-  const at = points[3 * node];
-  for (const [piece, own] of [[into, 2], [out, 1]] as const) {
-    if (piece === null || isLine(pieceOf(points, piece))) continue;
-    points[3 * piece + own] = at;
-    const [from, first, second, to] = pieceOf(points, piece);
-    // Without a handle at either end it is a line, in equal parts.
-    if (!isSame(first, from) || !isSame(second, to)) continue;
-    [, points[3 * piece + 1], points[3 * piece + 2]] = lineBetween(from, to);
-  }
-}
-
-function align({ points, node, into, out }: Handles, isSymmetric: boolean): void {
-  if (into === null || out === null) return;
-  const at = points[3 * node];
-  const [before, after] = [pieceOf(points, into), pieceOf(points, out)];
-  const [isLineBefore, isLineAfter] = [isLine(before), isLine(after)];
-  const arm = (cubic: Cubic, own: 1 | 2): number => {
-    const length = distance(at, cubic[own]);
-    return length > 0 ? length : distance(cubic[0], cubic[3]) / 3;
-  };
-  let [back, ahead] = [arm(before, 2), arm(after, 1)];
-  if (isSymmetric) back = ahead = (back + ahead) / 2;
-  const direction = alignment(at, before, after);
-  if (!direction) return;
-  // Beside a curve a line stays, and gives the direction; symmetry bends it.
-  const keepsLine = isLineBefore !== isLineAfter && !isSymmetric;
-  if (!(keepsLine && isLineBefore)) points[3 * into + 2] = add(at, scaled(direction, -back));
-  if (!(keepsLine && isLineAfter)) points[3 * out + 1] = add(at, scaled(direction, ahead));
-}
-
-/** The common direction of a node's handles: of the line beside it, else the mean of what they have. */
-function alignment(at: Point, before: Cubic, after: Cubic): Point | null {
-  const [isLineBefore, isLineAfter] = [isLine(before), isLine(after)];
-  if (isLineBefore !== isLineAfter) {
-    const [from, , , to] = isLineBefore ? before : after;
-    return unit(subtract(to, from));
-  }
-  const into = unit(subtract(at, before[2]));
-  const out = unit(subtract(after[1], at));
-  const chord = unit(subtract(after[3], before[0]));
-  if (isLineBefore || !into || !out) return chord ?? into ?? out;
-  return unit(add(into, out)) ?? chord;
-}
-
 /** Two open paths as one: `gap` is bridged by a line, or with null the second's beginning moves. */
 export function joined(first: CubicPath, second: CubicPath, weld: boolean): CubicPath {
   const end = first.points[first.points.length - 1];
   const [begin] = second.points;
-  const moved = weld
-    ? movedNodes(second, [0], subtract(end, begin)).path.points
-    : second.points;
+  const moved = weld ? movedNodes(second, [0], subtract(end, begin)).path.points : second.points;
   const bridge = weld || isSame(end, begin) ? [] : lineBetween(end, begin).slice(1);
   return { points: [...first.points, ...bridge, ...moved.slice(1)], closed: false };
 }

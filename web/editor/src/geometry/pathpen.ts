@@ -58,12 +58,19 @@ export class PathPen {
   }
 
   /** A command as it stands in `d`, where it draws these points now; else nothing, and false. */
-  keep(d: string, gap: string, command: Command, points: readonly Point[], closes: boolean): boolean {
+  keep(
+    d: string,
+    gap: string,
+    command: Command,
+    points: readonly Point[],
+    closes: boolean,
+  ): boolean {
     const { op, isRelative, numbers } = command;
     const [drawn, pen] = this.#drawnBy(op, isRelative, numbers);
     const slack = 0.5 * this.step * (1 + 1e-6);
     if (drawn.length !== points.length) return false;
-    if (!drawn.every((p, i) => distance(p, points[i]) <= Math.max(slack, roundingOf(p)))) return false;
+    if (!drawn.every((p, i) => distance(p, points[i]) <= Math.max(slack, roundingOf(p))))
+      return false;
     if (closes && !closesWithoutLine(pen.current, this.begin)) return false;
     this.#put(gap, d.slice(command.start, command.end), command);
     this.#pen = pen;
@@ -92,7 +99,8 @@ export class PathPen {
     const before = { text: this.text, pen: this.#pen, letter: this.#letter };
     this.#write(gap, op, isRelative, hasLetter, points, fine);
     if (!wish.closes || closesWithoutLine(this.current, this.begin)) return;
-    // Rounding left a gap, which Z would fill with a line: the very numbers of the beginning do not.
+    // Rounding left a gap, which Z would fill with a line: the very numbers of the beginning do
+    // not.
     this.text = before.text;
     this.#pen = before.pen;
     this.#letter = before.letter;
@@ -136,13 +144,16 @@ export class PathPen {
       const write = (value: number) => (isExact ? plainText(value) : numberText(value, step));
       return [write(x - ox), write(y - oy)] as const;
     });
-    const pairs =
-      op === "H" ? [texts[0][0]] : op === "V" ? [texts[0][1]] : this.#joined(texts);
+    const pairs = op === "H" ? [texts[0][0]] : op === "V" ? [texts[0][1]] : this.#joined(texts);
     const letter = isRelative ? op.toLowerCase() : op;
     const written = hasLetter || this.#letter !== letter;
     const blank = this.style.blankBehindLetter ? " " : "";
     this.#isVerbatim = false;
-    this.#put(gap, (written ? letter + blank : "") + pairs.join(" "), { op, isRelative, hasLetter: written });
+    this.#put(gap, (written ? letter + blank : "") + pairs.join(" "), {
+      op,
+      isRelative,
+      hasLetter: written,
+    });
     const numbers = op === "H" ? [texts[0][0]] : op === "V" ? [texts[0][1]] : texts.flat();
     this.#pen = this.#drawnBy(op, isRelative, numbers.map(Number))[1];
   }
@@ -195,4 +206,3 @@ function isQuadratic(cubic: Cubic): boolean {
   const slack = 1e-9 * Math.max(...cubic.flat().map(Math.abs));
   return distance(lerp(p3, p2, 1.5), quadraticControl(cubic)) <= slack && distance(p0, p3) > 0;
 }
-

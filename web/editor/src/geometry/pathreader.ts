@@ -26,7 +26,9 @@ export interface Command {
   /** In upper case; further pairs after M are L. */
   readonly op: string;
   readonly isRelative: boolean;
-  /** Where its letter stands, or its first number where it has none; up to behind the last number. */
+  /**
+   * Where its letter stands, or its first number where it has none; up to behind the last number.
+   */
   readonly start: number;
   readonly end: number;
   readonly hasLetter: boolean;
@@ -88,7 +90,16 @@ class Reader {
     const segment = this.#builder.openSegments;
     const draws = this.#draw(op, isRelative, numbers);
     const drawn = draws ? { subpath, segment } : null;
-    this.#commands.push({ op, isRelative, start, end: this.#at, hasLetter, numbers, before, drawn });
+    this.#commands.push({
+      op,
+      isRelative,
+      start,
+      end: this.#at,
+      hasLetter,
+      numbers,
+      before,
+      drawn,
+    });
     return letter;
   }
 

@@ -18,7 +18,8 @@ export function median(values: readonly number[]): number {
   return sorted.length % 2 === 1 ? sorted[middle] : (sorted[middle - 1] + sorted[middle]) / 2;
 }
 
-export const labDistance = (p: Oklab, q: Oklab): number => Math.hypot(p.l - q.l, p.a - q.a, p.b - q.b);
+export const labDistance = (p: Oklab, q: Oklab): number =>
+  Math.hypot(p.l - q.l, p.a - q.a, p.b - q.b);
 
 export const medianLab = (colors: readonly Oklab[]): Oklab => ({
   l: median(colors.map(({ l }) => l)),
@@ -26,7 +27,9 @@ export const medianLab = (colors: readonly Oklab[]): Oklab => ({
   b: median(colors.map(({ b }) => b)),
 });
 
-/** The median of the 3 × 3 pixels around a point, per channel; null outside and where it is clear. */
+/**
+ * The median of the 3 × 3 pixels around a point, per channel; null outside and where it is clear.
+ */
 export function colorAt({ width, height, data }: Photo, [x, y]: Point): Oklab | null {
   const [i, j] = [Math.floor(x), Math.floor(y)];
   if (!(i >= 0 && i < width && j >= 0 && j < height)) return null;

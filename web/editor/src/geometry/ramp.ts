@@ -10,7 +10,7 @@ const LEAST_STEP = 0.05;
 /** A transition this narrow, in pixels to each side, is the camera's. */
 const SHARP = 1.5;
 
-/** The colours on both sides of a place, as far as they can be seen: at the first of REACHES, … */
+/** The colours on both sides of a place, at REACHES, as far as they can be seen. */
 export interface Profile {
   readonly left: readonly Oklab[];
   readonly right: readonly Oklab[];
@@ -31,14 +31,17 @@ function sharesOf({ left, right }: Profile): number[] | null {
   return Array.from({ length: count }, (_, i) => along(right[i]) - along(left[i]));
 }
 
-/** How much of a step the engine's blur leaves within s of the curve, y = s / R: 2 β - 1 of eq. 8. */
+/**
+ * How much of a step the engine's blur leaves within s of the curve, y = s / R: 2 β - 1 of eq. 8.
+ */
 function blurredShare(y: number): number {
   return y < 1 ? (3 * y - y ** 3) / 2 : 1;
 }
 
 /**
- * The blur radius whose transition is nearest to the one between both sides, in pixels: 0 for a step, at
- * most a little beyond the last reach. null: there is no step to speak of, or it cannot be seen.
+ * The blur radius whose transition is nearest to the one between both sides, in pixels: 0 for a
+ * step, at most a little beyond the last reach. null: there is no step to speak of, or it cannot be
+ * seen.
  */
 export function rampRadius(profile: Profile): number | null {
   const shares = sharesOf(profile);

@@ -10,8 +10,8 @@ const FINER = 1000;
 
 /**
  * Path data of which each subpath runs backwards, with the same segments in reverse order: lines,
- * curves and arcs stay what they are, a closed subpath begins where it began. null: there is a mistake
- * in it.
+ * curves and arcs stay what they are, a closed subpath begins where it began. null: there is a
+ * mistake in it.
  */
 export function reversedData(d: string, step: number): string | null {
   const text = readPathText(d);

@@ -61,39 +61,52 @@ interface Stretch {
   readonly like: number | null;
 }
 
+/** Whether a segment is as it was, in pieces that stand `shift` further on. */
+function keeps(before: CubicPath, after: CubicPath, segment: number, shift: number): boolean {
+  const segments = segmentsOf(before);
+  const [from, to] = [segments[segment], segments[segment + 1]];
+  if (from + shift < 0 || to + shift > pieceCount(after)) return false;
+  for (let i = from; i < to; ++i) if (!isSamePiece(before, i, after, i + shift)) return false;
+  return true;
+}
+
+/** Segments before and behind what was exchanged for another number of pieces. */
+function commonEnds(before: CubicPath, after: CubicPath): { head: number; tail: number } {
+  const segments = segmentsOf(before);
+  const shift = pieceCount(after) - pieceCount(before);
+  let head = 0;
+  while (head < segments.length - 1 && keeps(before, after, head, 0)) ++head;
+  let tail = segments.length - 1;
+  const isFree = (segment: number) => segments[segment] + shift >= segments[head];
+  while (tail > head && isFree(tail - 1) && keeps(before, after, tail - 1, shift)) --tail;
+  return { head, tail };
+}
+
 function stretchesOf(before: CubicPath, after: CubicPath): Stretch[] {
   const segments = segmentsOf(before);
   const count = segments.length - 1;
   const shift = pieceCount(after) - pieceCount(before);
-  const keeps = (segment: number, by: number): boolean => {
-    const [from, to] = [segments[segment], segments[segment + 1]];
-    if (from + by < 0 || to + by > pieceCount(after)) return false;
-    for (let i = from; i < to; ++i) if (!isSamePiece(before, i, after, i + by)) return false;
-    return true;
-  };
-  let head = 0;
-  while (head < count && keeps(head, 0)) ++head;
-  let tail = count;
-  while (tail > head && segments[tail - 1] + shift >= segments[head] && keeps(tail - 1, shift)) --tail;
-  const stretches: Stretch[] = [];
-  const add = (from: number, to: number, by: number) => {
-    for (let j = from; j < to; ++j) {
-      const pieces = segments[j + 1] - segments[j];
-      const kept = keeps(j, by) ? j : null;
-      if (kept !== null) stretches.push({ piece: segments[j] + by, pieces, kept, like: j });
-      else for (let i = 0; i < pieces; ++i) stretches.push({ piece: segments[j] + by + i, pieces: 1, kept, like: j });
-    }
-  };
-  add(0, head, 0);
-  if (shift === 0) add(head, tail, 0);
-  else {
-    for (let i = segments[head]; i < segments[tail] + shift; ++i) {
-      const like = i === segments[head] && head < tail ? head : null;
-      stretches.push({ piece: i, pieces: 1, kept: null, like });
-    }
-  }
-  add(tail, count, shift);
-  return stretches;
+  const single = (piece: number, like: number | null): Stretch => ({
+    piece,
+    pieces: 1,
+    kept: null,
+    like,
+  });
+  const sameOf = (from: number, to: number, by: number): Stretch[] =>
+    Array.from({ length: to - from }, (_, i) => from + i).flatMap((segment) => {
+      const piece = segments[segment] + by;
+      const pieces = segments[segment + 1] - segments[segment];
+      if (keeps(before, after, segment, by))
+        return [{ piece, pieces, kept: segment, like: segment }];
+      return Array.from({ length: pieces }, (_, i) => single(piece + i, segment));
+    });
+  if (shift === 0) return sameOf(0, count, 0);
+  const { head, tail } = commonEnds(before, after);
+  const first = segments[head];
+  const middle = Array.from({ length: segments[tail] + shift - first }, (_, i) =>
+    single(first + i, i === 0 && head < tail ? head : null),
+  );
+  return [...sameOf(0, head, 0), ...middle, ...sameOf(tail, count, shift)];
 }
 
 class Rewriter {
@@ -215,23 +228,23 @@ function assembled(d: string, region: Region, middle: string, rest: string): str
 /** Whether `d` draws these subpaths, within half a step. */
 function draws(d: string, paths: readonly CubicPath[], step: number): boolean {
   const found = readPathText(d)?.paths ?? [];
+  const isNear = (p: Point, q: Point) =>
+    distance(p, q) <= 0.51 * Math.SQRT2 * step + 1e-12 * Math.max(...p.map(Math.abs));
   return (
     found.length === paths.length &&
-    paths.every(({ points, closed }, i) => {
-      const slack = 0.51 * Math.SQRT2 * step;
-      return (
+    paths.every(
+      ({ points, closed }, i) =>
         found[i].closed === closed &&
         found[i].points.length === points.length &&
-        points.every((p, k) => distance(p, found[i].points[k]) <= slack + 1e-9 * Math.abs(p[0] + p[1]))
-      );
-    })
+        points.every((p, k) => isNear(p, found[i].points[k])),
+    )
   );
 }
 
 /**
- * Path data in which one subpath is another; null takes it away. Segments whose points are as before
- * keep their text, relative or absolute; the others are written like what they take the place of. What
- * comes out reads back as `after` within half a step.
+ * Path data in which one subpath is another; null takes it away. Segments whose points are as
+ * before keep their text, relative or absolute; the others are written like what they take the
+ * place of. What comes out reads back as `after` within half a step.
  * @param index among the subpaths that have a length, as readPath() gives them
  * @param before that subpath, as it was read
  * @throws RangeError where there is none

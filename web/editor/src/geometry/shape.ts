@@ -1,5 +1,5 @@
-// SVG's basic shapes as curves, by the engine's rules (src/formats/svg/shapes.cpp): they begin where
-// SVG says, and run clockwise on the screen.
+// SVG's basic shapes as curves, by the engine's rules (src/formats/svg/shapes.cpp): they begin
+// where SVG says, and run clockwise on the screen.
 import type { Box, Point } from "./affine.js";
 import type { CubicPath } from "./cubic.js";
 import { PathBuilder } from "./pathbuilder.js";
@@ -65,7 +65,12 @@ class Shape {
     if (rx === 0 || ry === 0) return;
     const { builder } = this;
     builder.moveTo([cx + rx, cy]);
-    for (const [x, y] of [[0, ry], [-rx, 0], [0, -ry], [rx, 0]]) {
+    for (const [x, y] of [
+      [0, ry],
+      [-rx, 0],
+      [0, -ry],
+      [rx, 0],
+    ]) {
       builder.arcTo([rx, ry], 0, false, true, [cx + x, cy + y]);
     }
     builder.close();
@@ -191,8 +196,8 @@ export function shapePaths(local: string, attribute: AttributeOf, viewBox: Box):
 }
 
 /**
- * Path data that draws what an element draws, with the same segments: its own, or commands of lines and
- * arcs in the place of a basic shape.
+ * Path data that draws what an element draws, with the same segments: its own, or commands of lines
+ * and arcs in the place of a basic shape.
  */
 export function shapeData(local: string, attribute: AttributeOf, viewBox: Box): string {
   if (local === "path") return attribute("d") ?? "";

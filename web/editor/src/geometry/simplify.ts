@@ -2,7 +2,9 @@
 
 type Row = readonly number[];
 
-/** The squared distance of a point from the line between two others, in any number of dimensions. */
+/**
+ * The squared distance of a point from the line between two others, in any number of dimensions.
+ */
 function squaredDistance(row: Row, from: Row, to: Row): number {
   let along = 0;
   let length = 0;
@@ -45,7 +47,9 @@ function kept(rows: readonly Row[], tolerance: number, measure: typeof squaredMi
   return [...keep].sort((a, b) => a - b);
 }
 
-/** Indices of the points to keep: no point is farther than `tolerance` from the line through these. */
+/**
+ * Indices of the points to keep: no point is farther than `tolerance` from the line through these.
+ */
 export function simplified(points: readonly Row[], tolerance: number): number[] {
   return kept(points, tolerance, squaredDistance);
 }

@@ -27,7 +27,9 @@ export function endsOf(path: CubicPath): { readonly point: Point; readonly node:
   return path.closed ? [first] : [first, { point: path.points[3 * last], node: last }];
 }
 
-/** The nearest end of paths within a distance, else the nearest point of them; null: there is none. */
+/**
+ * The nearest end of paths within a distance, else the nearest point of them; null: there is none.
+ */
 export function weldTarget(
   point: Point,
   paths: readonly CubicPath[],

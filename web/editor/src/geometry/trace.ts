@@ -1,5 +1,12 @@
 // Colours of a photo along both sides of a curve, as stops; and the blur that its edges ask for.
-import { determinant, lengthScale, mapped, mappedVector, type Affine, type Point } from "./affine.js";
+import {
+  determinant,
+  lengthScale,
+  mapped,
+  mappedVector,
+  type Affine,
+  type Point,
+} from "./affine.js";
 import { rgbFromOklab, clampedRgb, type Oklab, type Rgb } from "./color.js";
 import { Crossings } from "./crossings.js";
 import { mappedPath, type CubicPath } from "./cubic.js";
@@ -33,7 +40,9 @@ export interface Trace {
   /** Empty where nothing of the photo can be seen on that side. */
   readonly left: readonly TracedStop<Rgb>[];
   readonly right: readonly TracedStop<Rgb>[];
-  /** Radii for both sides, in the path's coordinates; empty: the edge is sharp, or there is none. */
+  /**
+   * Radii for both sides, in the path's coordinates; empty: the edge is sharp, or there is none.
+   */
   readonly blur: readonly TracedStop<number>[];
 }
 
@@ -60,7 +69,8 @@ interface Station {
 function stationsOf(path: CubicPath, { photoFromPath, spacing }: TraceOptions): Station[] {
   const { points, places } = flatten(path, spacing / 32);
   const lengths = [0];
-  for (let i = 1; i < points.length; ++i) lengths.push(lengths[i - 1] + distance(points[i - 1], points[i]));
+  for (let i = 1; i < points.length; ++i)
+    lengths.push(lengths[i - 1] + distance(points[i - 1], points[i]));
   const whole = lengths[lengths.length - 1];
   if (!(whole > 0)) return [];
   const count = Math.min(Math.max(Math.ceil(whole / spacing), 2), MOST_SAMPLES);
@@ -155,12 +165,14 @@ function usual<Value>(
 /** Few rows near all, at most MOST_STOPS; one where they are all alike. */
 function reduced(rows: readonly (readonly number[])[], tolerance: number): number[] {
   let kept = simplifiedGraph(rows, tolerance);
-  for (let slack = tolerance; kept.length > MOST_STOPS; ) {
+  for (let slack = tolerance; kept.length > MOST_STOPS;) {
     slack = Math.max(slack * 1.25, 1e-4);
     kept = simplifiedGraph(rows, slack);
   }
   const [first] = rows;
-  const isFlat = rows.every((row) => Math.hypot(...row.slice(1).map((v, i) => v - first[i + 1])) <= tolerance);
+  const isFlat = rows.every(
+    (row) => Math.hypot(...row.slice(1).map((v, i) => v - first[i + 1])) <= tolerance,
+  );
   return isFlat ? kept.slice(0, 1) : kept;
 }
 
@@ -182,7 +194,11 @@ function inBytes(color: Oklab): Rgb {
   return { r: byte(r), g: byte(g), b: byte(b) };
 }
 
-function colorStops(found: readonly Found<Oklab>[], closed: boolean, tolerance: number): TracedStop<Rgb>[] {
+function colorStops(
+  found: readonly Found<Oklab>[],
+  closed: boolean,
+  tolerance: number,
+): TracedStop<Rgb>[] {
   const kept = usual(found, closed, medianLab, labDistance, NOISE);
   if (kept.length === 0) return [];
   const rows = kept.map(({ offset, value: { l, a, b } }) => [offset, l, a, b]);
@@ -193,17 +209,24 @@ function colorStops(found: readonly Found<Oklab>[], closed: boolean, tolerance: 
   }));
 }
 
-function blurStops(found: readonly Found<number>[], closed: boolean, scale: number): TracedStop<number>[] {
+function blurStops(
+  found: readonly Found<number>[],
+  closed: boolean,
+  scale: number,
+): TracedStop<number>[] {
   const apart = (a: number, b: number) => Math.abs(a - b);
   const kept = usual(found, closed, median, apart, RADIUS_TOLERANCE);
   if (kept.length === 0 || median(kept.map(({ value }) => value)) === 0) return [];
   const rows = kept.map(({ offset, value }) => [offset, value]);
   const stops = reduced(rows, RADIUS_TOLERANCE);
-  if (stops.length === 1) return [{ offset: 0, value: median(kept.map(({ value }) => value)) / scale }];
+  if (stops.length === 1)
+    return [{ offset: 0, value: median(kept.map(({ value }) => value)) / scale }];
   return stops.map((i) => ({ offset: kept[i].offset, value: kept[i].value / scale }));
 }
 
-/** What the photo has beside a curve. Samples across other curves, or outside of it, are left out. */
+/**
+ * What the photo has beside a curve. Samples across other curves, or outside of it, are left out.
+ */
 export function tracePhoto(photo: Photo, path: CubicPath, options: TraceOptions): Trace {
   const scale = lengthScale(options.photoFromPath);
   if (!(options.spacing > 0) || !(scale > 0)) return { left: [], right: [], blur: [] };
@@ -215,10 +238,18 @@ export function tracePhoto(photo: Photo, path: CubicPath, options: TraceOptions)
       return value === null ? [] : [{ offset: station.offset, value }];
     });
   const side = (reach: number) =>
-    colorStops(gather((station) => looker.color(station, reach)), path.closed, options.tolerance);
+    colorStops(
+      gather((station) => looker.color(station, reach)),
+      path.closed,
+      options.tolerance,
+    );
   return {
     left: side(options.distance),
     right: side(-options.distance),
-    blur: blurStops(gather((station) => looker.radius(station)), path.closed, scale),
+    blur: blurStops(
+      gather((station) => looker.radius(station)),
+      path.closed,
+      scale,
+    ),
   };
 }

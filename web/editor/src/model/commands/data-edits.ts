@@ -5,9 +5,13 @@ import { encodeValue } from "../../source/entities.js";
 import type { Edit } from "../../source/patch.js";
 import type { ElementNode } from "../../source/tree.js";
 
-/** Inkscape's own words for a shape go before d when it opens the file; its kinds of nodes count them. */
+/**
+ * Inkscape's own words for a shape go before d when it opens the file; its kinds of nodes count
+ * them.
+ */
 function stale(text: string, element: ElementNode, isRecounted: boolean): Edit[] {
-  const remove = (local: string) => setAttribute(text, element, { namespace: SODIPODI, local }, null);
+  const remove = (local: string) =>
+    setAttribute(text, element, { namespace: SODIPODI, local }, null);
   return [...remove("type"), ...(isRecounted ? remove("nodetypes") : [])];
 }
 
@@ -35,7 +39,12 @@ function exchanged(text: string, element: ElementNode, d: string): Edit[] {
 }
 
 /** The edits that give an element path data; another shape becomes a path. */
-export function dataEdits(text: string, element: ElementNode, d: string, isRecounted: boolean): Edit[] {
+export function dataEdits(
+  text: string,
+  element: ElementNode,
+  d: string,
+  isRecounted: boolean,
+): Edit[] {
   const edits = stale(text, element, isRecounted);
   if (element.local === "path") return [...edits, ...setAttribute(text, element, "d", d)];
   return [...edits, ...renamed(text, element, "path"), ...exchanged(text, element, d)];

@@ -3,7 +3,16 @@ import { segmentsOf, type CubicPath } from "../../geometry/cubic.js";
 import { fractionAtParameter, parameterAtSegment } from "../../geometry/length.js";
 import { setAttribute, sf, SFUMATO, valueOf } from "../../source/attributes.js";
 import type { Edit } from "../../source/patch.js";
-import { COLORS, RADII, readSide, SHARES, sideText, type Notation, type SideValue, type Stop } from "../../source/stops.js";
+import {
+  COLORS,
+  RADII,
+  readSide,
+  SHARES,
+  sideText,
+  type Notation,
+  type SideValue,
+  type Stop,
+} from "../../source/stops.js";
 import type { ElementNode } from "../../source/tree.js";
 import type { CurveItem, Side } from "../types.js";
 
@@ -27,7 +36,11 @@ export type Halves = readonly [Half, Half];
 const other = (side: Side): Side => (side === "left" ? "right" : "left");
 
 /** What a half bears, by the first of these attributes that it has. */
-function borne<Value>(half: Half, notation: Notation<Value>, names: readonly string[]): SideValue<Value> {
+function borne<Value>(
+  half: Half,
+  notation: Notation<Value>,
+  names: readonly string[],
+): SideValue<Value> {
   const text = names.map((name) => valueOf(half.element, sf(name))).find((it) => it !== undefined);
   return readSide(text, notation, segmentsOf(half.own).length - 1);
 }
@@ -53,13 +66,13 @@ function laid<Value>(stops: readonly Stop<Value>[], from: number, to: number): S
 }
 
 /**
- * What both halves bear, behind each other. Of what cannot stand on a part of a curve, what the first
- * half bears counts, if it bears anything.
+ * What both halves bear, behind each other. Of what cannot stand on a part of a curve, what the
+ * first half bears counts, if it bears anything.
  * @param absent the value that a half without any has
  */
 /**
- * What both halves bear, behind each other. Of what cannot stand on a part of a curve, what the first
- * half bears counts, if it bears anything.
+ * What both halves bear, behind each other. Of what cannot stand on a part of a curve, what the
+ * first half bears counts, if it bears anything.
  * @param absent the value that a half has which bears nothing
  */
 function together<Value>(
@@ -86,7 +99,9 @@ function together<Value>(
   const stops = [
     ...laid(before, 0, first.length / whole),
     ...laid(behind, (first.length + bridge) / whole, 1),
-  ].filter((stop, i, all) => i === 0 || stop.offset !== all[i - 1].offset || !isSame(stop, all[i - 1]));
+  ].filter(
+    (stop, i, all) => i === 0 || stop.offset !== all[i - 1].offset || !isSame(stop, all[i - 1]),
+  );
   const isOne = stops.every((stop) => isSame(stop, stops[0]));
   return { kind: "stops", space: "arc", stops: isOne ? stops.slice(0, 1) : stops };
 }
@@ -96,7 +111,10 @@ const scaledBy = (side: SideValue<number>, scale: number): SideValue<number> =>
     ? { ...side, stops: side.stops.map((stop) => ({ ...stop, value: stop.value * scale })) }
     : side;
 
-/** The edits that let `element` bear what both halves bore. @param bridge length of a line between them */
+/**
+ * The edits that let `element` bear what both halves bore. @param bridge length of a line between
+ * them
+ */
 export function joinedAttributes(
   text: string,
   element: ElementNode,
@@ -111,13 +129,23 @@ export function joinedAttributes(
   const known = halves.flatMap((half) =>
     half.element.attributes.filter(({ namespace }) => namespace === SFUMATO),
   );
-  const written = <Value>(side: SideValue<Value>, notation: Notation<Value>, ...names: string[]) => {
+  const written = <Value>(
+    side: SideValue<Value>,
+    notation: Notation<Value>,
+    ...names: string[]
+  ) => {
     const texts = known.filter(({ local }) => names.includes(local)).map(({ value }) => value);
     return sideText(side, notation, texts.join(", "));
   };
   const color = (side: Side): string | null => {
-    const names = (half: Half) => (isStroke ? [own(half, side), other(own(half, side))] : [own(half, side)]);
-    return written(together(halves, bridge, (half) => borne(half, COLORS, names(half))), COLORS, "left", "right");
+    const names = (half: Half) =>
+      isStroke ? [own(half, side), other(own(half, side))] : [own(half, side)];
+    return written(
+      together(halves, bridge, (half) => borne(half, COLORS, names(half))),
+      COLORS,
+      "left",
+      "right",
+    );
   };
   const numbers = (name: "opacity" | "blur", notation: Notation<number>): Edit[] => {
     const [left, right] = (["left", "right"] as const).map((side) => {

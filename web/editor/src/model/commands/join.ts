@@ -58,7 +58,14 @@ function halvesOf(a: CurveItem, b: CurveItem, step: number) {
   const isWelded = gap <= WELD * step;
   const walked = isReversed ? reversedPath(mapped) : mapped;
   const plain = ({ points }: CubicPath): CubicPath => ({ points, closed: false });
-  const kept: Half = { element: a.element, own, length: pathLength(own), isReversed: false, isSwapped: false, scale: 1 };
+  const kept: Half = {
+    element: a.element,
+    own,
+    length: pathLength(own),
+    isReversed: false,
+    isSwapped: false,
+    scale: 1,
+  };
   const added: Half = {
     element: b.element,
     own: other,
@@ -79,9 +86,10 @@ function joinedBefore(own: CubicPath, before: CubicPath, isWelded: boolean): Cub
 }
 
 /**
- * Joins the ends of two open curves of one layer, the nearest of them, to one curve: the first, in its
- * direction. Near ends become one node, others are joined by a line. What the curves bear stays where
- * it is, by shares of the arc length. A curve with itself is closed. null: they cannot be joined.
+ * Joins the ends of two open curves of one layer, the nearest of them, to one curve: the first, in
+ * its direction. Near ends become one node, others are joined by a line. What the curves bear stays
+ * where it is, by shares of the arc length. A curve with itself is closed. null: they cannot be
+ * joined.
  */
 export function joinCurves(drawing: Drawing, a: Handle, b: Handle, step: number): Outcome | null {
   const [first, second] = [curveOf(drawing, a), curveOf(drawing, b)];

@@ -13,7 +13,11 @@ export interface ElementPart {
 }
 
 /** Path data without some of its subpaths, as readPath() counts them. */
-export function onlySubpaths(data: string, isKept: (index: number) => boolean, step: number): string {
+export function onlySubpaths(
+  data: string,
+  isKept: (index: number) => boolean,
+  step: number,
+): string {
   let rest = data;
   for (let i = readPath(data).length - 1; i >= 0; --i) {
     if (!isKept(i)) rest = rewritePath(rest, i, readPath(rest)[i], null, step);
@@ -28,7 +32,12 @@ function* freeIds(text: string, id: string): Generator<string, never> {
   }
 }
 
-function copied(text: string, element: ElementNode, { data, edits }: ElementPart, id: string | null): string {
+function copied(
+  text: string,
+  element: ElementNode,
+  { data, edits }: ElementPart,
+  id: string | null,
+): string {
   const { start, end } = element.range;
   const all = [
     ...dataEdits(text, element, data, true),

@@ -29,11 +29,7 @@ const mirroredIn =
   };
 
 /** The attributes of one side become those of the other, where they stand. */
-function sideEdits(
-  text: string,
-  element: ElementNode,
-  lists: ReadonlyMap<string, string>,
-): Edit[] {
+function sideEdits(text: string, element: ElementNode, lists: ReadonlyMap<string, string>): Edit[] {
   const names = [...Object.keys(OTHER_SIDE), "opacity", "blur", "radius"];
   return names.flatMap((name) => {
     const attribute = attributeOf(element, sf(name));
@@ -61,7 +57,9 @@ function reversed(drawing: Drawing, { element, paths }: CurveItem, step: number)
   const counts = paths.map(segmentCount);
   const [first] = counts;
   const lists = new Map(
-    counts.map((count) => [count, editedLists(drawing, element, count, mirroredIn(count))] as const),
+    counts.map(
+      (count) => [count, editedLists(drawing, element, count, mirroredIn(count))] as const,
+    ),
   );
   const listsOf = (count: number) => lists.get(count) ?? new Map<string, string>();
   // Offsets "@" from the other end are others where a subpath has more segments.
@@ -80,13 +78,18 @@ function isSameFor(a: ReadonlyMap<string, string>, b: ReadonlyMap<string, string
   return [...a].every(([name, text]) => b.get(name) === text);
 }
 
-/** Reverses the direction of curves: sides change places and offsets run backwards, so that the picture stays. */
+/**
+ * Reverses the direction of curves: sides change places and offsets run backwards, so that the
+ * picture stays.
+ */
 export function reverseCurves(
   drawing: Drawing,
   handles: readonly Handle[],
   step: number,
 ): Outcome | null {
   const curves = [...new Set(handles)].flatMap((handle) => curveOf(drawing, handle) ?? []);
-  const edits = curves.flatMap((item) => (item.paths.length > 0 ? reversed(drawing, item, step) : []));
+  const edits = curves.flatMap((item) =>
+    item.paths.length > 0 ? reversed(drawing, item, step) : [],
+  );
   return edits.length > 0 ? { patch: patchOf(edits) } : null;
 }

@@ -22,9 +22,9 @@ export function dataOf(drawing: Drawing, element: ElementNode): string {
 }
 
 /**
- * A change of one subpath, as a patch. null: nothing would change, or there is no such subpath. Where
- * several subpaths share lists that must follow one of them, that one becomes an element of its own,
- * and is selected.
+ * A change of one subpath, as a patch. null: nothing would change, or there is no such subpath.
+ * Where several subpaths share lists that must follow one of them, that one becomes an element of
+ * its own, and is selected.
  */
 export function editShape(
   drawing: Drawing,

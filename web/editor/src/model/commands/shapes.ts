@@ -23,7 +23,13 @@ export { reverseCurves } from "./reverse.js";
 export type { NodeKind } from "../../geometry/nodes.js";
 
 /** Replaces one subpath; segments whose points are as before keep how they are written. */
-export function setPath(d: Drawing, h: Handle, path: number, to: CubicPath, step: number): Outcome | null {
+export function setPath(
+  d: Drawing,
+  h: Handle,
+  path: number,
+  to: CubicPath,
+  step: number,
+): Outcome | null {
   return editShape(d, h, path, step, (before) => {
     const isLess = pieceCount(to) < pieceCount(before);
     // Stops stay at their pieces, those of pieces that are gone at the end.
@@ -60,8 +66,8 @@ export function splitPiece(
 }
 
 /**
- * Takes nodes away and fits what is left to the shape. A subpath without two nodes goes, and with the
- * last of them the element.
+ * Takes nodes away and fits what is left to the shape. A subpath without two nodes goes, and with
+ * the last of them the element.
  */
 export function deleteNodes(
   d: Drawing,
@@ -92,7 +98,9 @@ export function setNodeKind(
   return editShape(d, h, path, step, (before) => withKind(before, nodes, kind));
 }
 
-/** Closes a subpath, by a line where its ends differ; or opens it, with both ends where it began. */
+/**
+ * Closes a subpath, by a line where its ends differ; or opens it, with both ends where it began.
+ */
 export function setClosed(
   d: Drawing,
   h: Handle,

@@ -74,17 +74,22 @@ export function segmentCount(path: CubicPath): number {
 }
 
 /** Stops with one more where a list passes a place, strictly between two of different offsets. */
-function withStopAt<Value>(stops: readonly Stop<Value>[], offset: number, mix: Mix<Value>): Stop<Value>[] {
+function withStopAt<Value>(
+  stops: readonly Stop<Value>[],
+  offset: number,
+  mix: Mix<Value>,
+): Stop<Value>[] {
   const behind = stops.findIndex((stop) => stop.offset > offset);
   const [a, b] = [stops[behind - 1], stops[behind]];
-  if (!a || !b || a.offset >= offset || JSON.stringify(a.value) === JSON.stringify(b.value)) return [...stops];
+  if (!a || !b || a.offset >= offset || JSON.stringify(a.value) === JSON.stringify(b.value))
+    return [...stops];
   const value = mix(a.value, b.value, (offset - a.offset) / (b.offset - a.offset));
   return [...stops.slice(0, behind), { offset, value }, ...stops.slice(behind)];
 }
 
 /**
- * Edits that let lists with "@" follow their places onto another path, so that the same colours stay
- * at the same places. Lists by arc length stay as they are.
+ * Edits that let lists with "@" follow their places onto another path, so that the same colours
+ * stay at the same places. Lists by arc length stay as they are.
  * @param after the path as it reads back, with its segments
  */
 export function followedLists(
@@ -97,9 +102,15 @@ export function followedLists(
   const count = segmentCount(before);
   const texts = editedLists(drawing, element, count, (side, mix) => {
     if (side.space === "arc") return null;
-    const places = side.stops.map((stop) => ({ ...stop, offset: parameterAtSegment(before, stop.offset) }));
+    const places = side.stops.map((stop) => ({
+      ...stop,
+      offset: parameterAtSegment(before, stop.offset),
+    }));
     const full = bends.reduce((stops, bend) => withStopAt(stops, bend, mix), places);
-    const stops = full.map((stop) => ({ ...stop, offset: segmentAtParameter(after, follow(stop.offset)) }));
+    const stops = full.map((stop) => ({
+      ...stop,
+      offset: segmentAtParameter(after, follow(stop.offset)),
+    }));
     const isSame =
       segmentCount(after) === count &&
       stops.length === side.stops.length &&
