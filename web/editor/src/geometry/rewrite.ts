@@ -62,8 +62,13 @@ interface Stretch {
 }
 
 /** Whether a segment is as it was, in pieces that stand `shift` further on. */
-function keeps(before: CubicPath, after: CubicPath, segment: number, shift: number): boolean {
-  const segments = segmentsOf(before);
+function keeps(
+  before: CubicPath,
+  after: CubicPath,
+  segments: readonly number[],
+  segment: number,
+  shift: number,
+): boolean {
   const [from, to] = [segments[segment], segments[segment + 1]];
   if (from + shift < 0 || to + shift > pieceCount(after)) return false;
   for (let i = from; i < to; ++i) if (!isSamePiece(before, i, after, i + shift)) return false;
@@ -75,10 +80,10 @@ function commonEnds(before: CubicPath, after: CubicPath): { head: number; tail: 
   const segments = segmentsOf(before);
   const shift = pieceCount(after) - pieceCount(before);
   let head = 0;
-  while (head < segments.length - 1 && keeps(before, after, head, 0)) ++head;
+  while (head < segments.length - 1 && keeps(before, after, segments, head, 0)) ++head;
   let tail = segments.length - 1;
   const isFree = (segment: number) => segments[segment] + shift >= segments[head];
-  while (tail > head && isFree(tail - 1) && keeps(before, after, tail - 1, shift)) --tail;
+  while (tail > head && isFree(tail - 1) && keeps(before, after, segments, tail - 1, shift)) --tail;
   return { head, tail };
 }
 
@@ -96,7 +101,7 @@ function stretchesOf(before: CubicPath, after: CubicPath): Stretch[] {
     Array.from({ length: to - from }, (_, i) => from + i).flatMap((segment) => {
       const piece = segments[segment] + by;
       const pieces = segments[segment + 1] - segments[segment];
-      if (keeps(before, after, segment, by))
+      if (keeps(before, after, segments, segment, by))
         return [{ piece, pieces, kept: segment, like: segment }];
       return Array.from({ length: pieces }, (_, i) => single(piece + i, segment));
     });
@@ -159,7 +164,7 @@ class Rewriter {
       !closesWithoutLine(this.#pen.current, this.#pen.begin);
     if (byZ) return;
     const closes = isLast && after.closed;
-    const gap = command && command.op !== "Z" ? this.#gapBefore(command) : " ";
+    const gap = command && command.op !== "Z" ? this.#gapBefore(command, like) : " ";
     const points = after.points.slice(3 * piece + 1, 3 * (piece + pieces) + 1);
     if (kept !== null && command && command.op !== "Z") {
       if (this.#pen.keep(this.d, gap, command, points, closes)) return;
@@ -182,10 +187,10 @@ class Rewriter {
     return isSame(old[old.length - 1], now[now.length - 1]);
   }
 
-  /** What parts a command from the one before it. */
-  #gapBefore(command: Command): string {
+  /** What parts a command, that of a segment, from the one before it. */
+  #gapBefore(command: Command, segment: number | null): string {
     const { move, drawing } = this.region;
-    const previous = drawing[drawing.indexOf(command) - 1] ?? move;
+    const previous = drawing[(segment ?? 0) - 1] ?? move;
     return previous ? this.d.slice(previous.end, command.start) : "";
   }
 
