@@ -1,7 +1,7 @@
 // The model reads what the engine reads: the same curves at the same places with the same stops.
 import { existsSync, readFileSync } from "node:fs";
 import { join } from "node:path";
-import { describe, expect, test } from "vitest";
+import { describe, expect, test, vi } from "vitest";
 import { determinant, lengthScale, mapped } from "../../../web/editor/src/geometry/affine.js";
 import { parameterAtSegment } from "../../../web/editor/src/geometry/length.js";
 import { openDrawing } from "../../../web/editor/src/model/drawing.js";
@@ -13,6 +13,9 @@ import { SourceError } from "../../../web/editor/src/source/tree.js";
 import { examples, fuzzed, randomNumbers, repository, scenes, scenesFolder } from "./corpus.js";
 import type { Source } from "./corpus.js";
 import { randomDocument } from "./documents.js";
+
+// Much is generated; machines may be busy.
+vi.setConfig({ testTimeout: 120_000 });
 
 const modulePath = process.env.SFUMATO_WASM ?? join(repository, "build-wasm/sfumato.wasm");
 const isBuilt = existsSync(modulePath);
@@ -262,7 +265,7 @@ describe.skipIf(!isBuilt)(`the model agrees with the engine (SFUMATO_WASM: ${mod
     }
     expect(wrong).toEqual([]);
     expect(count).toBeGreaterThan(300);
-  }, 120_000);
+  });
 
   test("on documents of all notations, transforms and styles", async () => {
     const context = await engine();
@@ -273,5 +276,5 @@ describe.skipIf(!isBuilt)(`the model agrees with the engine (SFUMATO_WASM: ${mod
       expect(what && `${what}\n${text}`, `seed ${seed}`).toBe("");
       document.free();
     }
-  }, 120_000);
+  });
 });

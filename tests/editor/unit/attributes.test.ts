@@ -1,5 +1,5 @@
 // Commands that set what curves bear and what the document says: each says that, and nothing else.
-import { describe, expect, test } from "vitest";
+import { describe, expect, test, vi } from "vitest";
 import {
   recolor,
   setBoth,
@@ -37,6 +37,9 @@ import { parseOpaque } from "../../../web/editor/src/source/colors.js";
 import { applied, inverse } from "../../../web/editor/src/source/patch.js";
 import type { Rgb } from "../../../web/editor/src/geometry/color.js";
 import { examples, pick, randomNumbers } from "./corpus.js";
+
+// Much is generated; machines may be busy.
+vi.setConfig({ testTimeout: 120_000 });
 
 const HEAD =
   '<svg xmlns="http://www.w3.org/2000/svg" xmlns:sf="urn:sfumato:1" viewBox="0 0 100 100">';

@@ -1,5 +1,5 @@
 // The document's items, and that they are after an edit what reading the text again says.
-import { describe, expect, test } from "vitest";
+import { describe, expect, test, vi } from "vitest";
 import { blankText, openDrawing } from "../../../web/editor/src/model/drawing.js";
 import type { CurveItem, Drawing, Item, UseItem } from "../../../web/editor/src/model/types.js";
 import { patchOf, setAttribute, sf } from "../../../web/editor/src/source/attributes.js";
@@ -10,6 +10,9 @@ import type { Patch } from "../../../web/editor/src/source/patch.js";
 import { SourceError } from "../../../web/editor/src/source/tree.js";
 import { examples, fuzzed, pick, randomNumbers } from "./corpus.js";
 import { randomDocument } from "./documents.js";
+
+// Much is generated; machines may be busy.
+vi.setConfig({ testTimeout: 120_000 });
 
 function svg(content: string, attributes = 'viewBox="0 0 100 100"'): string {
   return `<svg xmlns="http://www.w3.org/2000/svg" xmlns:sf="urn:sfumato:1" xmlns:xlink="http://www.w3.org/1999/xlink" ${attributes}>${content}</svg>`;
@@ -183,7 +186,7 @@ test("after any edit the drawing is what reading its text again says", () => {
     }
   }
   expect(Math.min(structural, within, refused)).toBeGreaterThan(40);
-}, 120_000);
+});
 
 describe("handles", () => {
   const text = svg(

@@ -12,7 +12,7 @@ import { backgroundOf, boxOf } from "./background.js";
 import { isShape, readCurve } from "./curve-reading.js";
 import type { CurveReading } from "./curve-reading.js";
 import { itemOf } from "./item-object.js";
-import type { Building, BuildingItem, Inside, Within } from "./item-object.js";
+import type { Building, BuildingItem, Fields, Within } from "./item-object.js";
 import { readCommon, saidName } from "./item-reading.js";
 import type { ContainerItem, CurveItem, Handle, Item, ReferenceItem, UseItem } from "./types.js";
 
@@ -57,7 +57,8 @@ const KIND_NAMES: Readonly<Record<Item["kind"], string>> = {
 };
 
 export function ownTransform(element: ElementNode): Affine {
-  return parseTransform(valueOf(element, "transform") ?? "") ?? IDENTITY;
+  const text = valueOf(element, "transform");
+  return text === undefined ? IDENTITY : (parseTransform(text) ?? IDENTITY);
 }
 
 /** The element that a <use> copies, or undefined. */
@@ -69,7 +70,9 @@ export function referredElement(
   return href.startsWith("#") ? elementOfId.get(href.slice(1)) : undefined;
 }
 
-function moved({ artboardFromUser, layerFromUser }: Place, by: Affine): Place {
+function moved(place: Place, by: Affine): Place {
+  const { artboardFromUser, layerFromUser } = place;
+  if (by === IDENTITY) return place;
   return {
     artboardFromUser: composed(artboardFromUser, by),
     layerFromUser: layerFromUser && composed(layerFromUser, by),
@@ -188,7 +191,12 @@ class Builder {
     const number = (this.#counts.get(kind) ?? 0) + 1;
     this.#counts.set(kind, number);
     this.built.places.set(element.handle, place);
+    const { hidden, locked, opacity, blend } = readCommon(element, this.#from.styles);
     return {
+      hidden,
+      locked,
+      opacity,
+      blend,
       kind,
       handle: element.handle,
       element,
@@ -197,11 +205,10 @@ class Builder {
       children: [] as readonly Item[],
       name: saidName(element) ?? `${KIND_NAMES[kind]} ${number}`,
       artboardFromItem: own.artboardFromUser,
-      ...readCommon(element, this.#from.styles),
     };
   }
 
-  #noted<T extends Item>(fields: Omit<T, "parent"> & { around: Inside; inside: Inside }) {
+  #noted<T extends Item>(fields: Fields<T>) {
     const item = itemOf<T>(fields);
     this.built.byHandle.set(fields.handle, item as Item);
     return item;
@@ -256,9 +263,14 @@ class Builder {
     const kind = isStroke ? "stroke" : "curve";
     const begun = this.#begin(kind, element, place, parent, own);
     if (isStroke && !begun.hidden) this.#mayBeBackground = false;
+    const reading = known(element, kind) ?? readCurve(element, kind, artboard.viewBox, null);
     return this.#noted<CurveItem>({
       ...begun,
-      ...(known(element, kind) ?? readCurve(element, kind, artboard.viewBox, null)),
+      paths: reading.paths,
+      isPath: reading.isPath,
+      left: reading.left,
+      right: reading.right,
+      radius: reading.radius,
       layerFromItem: own.layerFromUser ?? IDENTITY,
       copies: 1,
     });

@@ -16,17 +16,18 @@ import { SourceError } from "../source/tree.js";
 import { readArtboard, readInterpolation, saidBackground } from "./artboard.js";
 import type { Artboard } from "./artboard.js";
 import { buildItems, ownTransform } from "./building.js";
-import type { Built } from "./building.js";
+import type { Built, Sources } from "./building.js";
 import { changedAttributes, isStructural } from "./changes.js";
 import { countCopies } from "./copies.js";
 import { readCurve } from "./curve-reading.js";
-import type { CurveReading } from "./curve-reading.js";
 import { itemOf } from "./item-object.js";
 import type { Building, BuildingItem, Within } from "./item-object.js";
 import { readCommon } from "./item-reading.js";
 import { keepHandles } from "./kept-handles.js";
 import { reuseItems } from "./reuse.js";
 import type { Change, CurveItem, Drawing, Handle, Item, UseItem } from "./types.js";
+
+type Known = Sources["known"];
 
 class TextDrawing implements Drawing {
   text: string;
@@ -81,14 +82,14 @@ class TextDrawing implements Drawing {
     const { root, definesEntities } = readText(text, this.#newHandle);
     const before = this.#elements;
     this.#elements = [...elementsOf(root)];
-    const kept = keepHandles(before, this.#elements, patch);
-    const readings = this.#readingsOf(kept);
+    const kept = new Set(keepHandles(before, this.#elements, patch));
+    const known = this.#knownOf((element) => kept.has(element));
     this.text = text;
     this.root = root;
     this.readOnly = readOnlyReason(definesEntities);
     this.#styles = new Styles(text, root);
     this.revision += 1;
-    this.#build((element, kind) => readings.get(element)?.(kind) ?? null);
+    this.#build(known);
     return { isStructural: true, touched: new Map() };
   }
 
@@ -162,9 +163,10 @@ class TextDrawing implements Drawing {
       this.#replace(item, this.#reread(item, names));
     } else {
       if (element.local === "style") this.#styles = new Styles(this.text, this.root);
-      const readings = this.#readingsOf(this.#elements);
-      if (isCurve) readings.delete(element);
-      this.#build((one, kind) => readings.get(one)?.(kind) ?? null, element.handle);
+      this.#build(
+        this.#knownOf((one) => one !== element),
+        element.handle,
+      );
     }
     return { isStructural: structural, touched: new Map([[element.handle, names]]) };
   }
@@ -209,28 +211,20 @@ class TextDrawing implements Drawing {
     now.target = (now.target && this.item(now.target.handle)) ?? null;
   }
 
-  /** What elements' curves say, where neither the elements nor what 100% is has changed. */
-  #readingsOf(elements: readonly Element[]): Map<Element, (kind: string) => CurveReading | null> {
-    const readings = new Map<Element, (kind: string) => CurveReading | null>();
+  /** What an element's curve says, if it and what 100% is are as they were at the last build. */
+  #knownOf(isAsItWas: (element: Element) => boolean): Known {
+    const { byHandle } = this.#built;
     const { viewBox } = this.#frame;
-    for (const element of elements) {
-      const item = this.item(element.handle);
-      if (item?.kind !== "curve" && item?.kind !== "stroke") continue;
-      const { paths, isPath, left, right, radius } = item;
-      const reading = { paths, isPath, left, right, radius };
-      const isHeld = () => viewBox.every((v, i) => v === this.#frame.viewBox[i]);
-      readings.set(element, (kind) => (kind === item.kind && isHeld() ? reading : null));
-    }
-    return readings;
+    return (element, kind) => {
+      const item = byHandle.get(element.handle);
+      const isHeld = item?.kind === kind && isAsItWas(element as Element);
+      return isHeld && viewBox.every((v, i) => v === this.#frame.viewBox[i]) ? item : null;
+    };
   }
 
   /** @param touched what is another object in any case */
-  #build(
-    known: (element: Element, kind: CurveItem["kind"]) => CurveReading | null,
-    touched?: Handle,
-  ): void {
+  #build(known: Known, touched?: Handle): void {
     const before = this.#built?.byHandle;
-    if (touched !== undefined) before?.delete(touched);
     const elementOfId = new Map<string, Element>();
     for (const element of this.#elements) {
       const id = attributeOf(element, "id")?.value;
@@ -244,9 +238,10 @@ class TextDrawing implements Drawing {
       styles: this.#styles,
       artboard: this.#frame,
       elementOfId,
-      known: (element, kind) => known(element as Element, kind),
+      known,
     });
     countCopies(built);
+    if (touched !== undefined) before?.delete(touched);
     if (before) reuseItems(built, before);
     this.#built = built;
     const said = saidBackground(this.root);
