@@ -5,22 +5,9 @@ import type { ReadonlySignal } from "@preact/signals";
 import type { Editor } from "../app/types.js";
 import type { Box } from "../geometry/affine.js";
 import type { Hint } from "../engine/types.js";
+import type { ExportWish } from "../files/export.js";
 import type { Rgb } from "../geometry/color.js";
 import type { Handle } from "../model/types.js";
-
-/** What is to be written. */
-export interface ExportWish {
-  readonly format: "svg" | "png" | "html";
-  /** Pixels; of PNG alone. */
-  readonly width: number;
-  readonly height: number;
-  /** The part of the artboard's plane that is written, artboard units. */
-  readonly viewport: Box;
-  /** Without the document's background. */
-  readonly transparent: boolean;
-  /** Whether SVG keeps the photo that is traced over. */
-  readonly keepReference: boolean;
-}
 
 /** A drawing to begin from. */
 export interface Example {

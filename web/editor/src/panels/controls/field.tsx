@@ -128,7 +128,7 @@ export function NumberField(props: NumberFieldProps) {
         onBlur={blur}
         onKeyDown={key}
       />
-      {unit && <span class="unit">{unit}</span>}
+      {unit && value !== null && <span class="unit">{unit}</span>}
       {reason && (
         <span class="field-why" id={`${id}-why`} role="alert">
           {reason}

@@ -36,6 +36,7 @@ export function Resizer(props: ResizerProps) {
     else if (event.key === "Enter" && props.onReset) props.onReset();
     else return;
     event.preventDefault();
+    event.stopPropagation();
   };
   return (
     <div

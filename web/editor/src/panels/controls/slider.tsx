@@ -47,6 +47,7 @@ export function Slider(props: SliderProps) {
         movement.current ??= sink.begin();
         movement.current.show(next);
       }}
+      onKeyDown={(event) => /^(Arrow|Home|End|Page)/.test(event.key) && event.stopPropagation()}
       onChange={end}
       onPointerUp={end}
       onPointerCancel={end}

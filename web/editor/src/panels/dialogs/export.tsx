@@ -1,6 +1,7 @@
 // Export: what, how large, which part. The format decides which rows there are.
 import { useSignal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
+import { complaintAboutSize, mostSide, type ExportWish } from "../../files/export.js";
 import { Icon } from "../../icons.js";
 import { en } from "../../strings/en.js";
 import { IconButton } from "../controls/button.js";
@@ -8,13 +9,11 @@ import { NumberField } from "../controls/field.js";
 import { Segments } from "../controls/segments.js";
 import type { Sink } from "../controls/sink.js";
 import { bytes, decimal } from "../format.js";
-import { useShell, type ExportWish } from "../services.js";
+import { useShell } from "../services.js";
 import { sizeAt, viewportOf, type Area, type Size } from "./area.js";
 import { Frame } from "./frame.js";
 
 const words = en.dialogs;
-/** Pixels of a side, as the command has it. */
-const MOST = 16384;
 /** An estimate is asked for when nothing was changed for this long, milliseconds. */
 const REST = 300;
 
@@ -67,9 +66,9 @@ function SizeRow({ choice, change, natural }: { readonly choice: Choice; readonl
         <span class="muted">{words.megapixels(decimal((size.width * size.height) / 1e6, 1))}</span>
       </div>
       <div class="size-row">
-        <NumberField label="W" name={en.panels.width} value={size.width} digits={0} min={1} max={MOST} unit="px" sink={once(set("width"), size.width)} />
+        <NumberField label="W" name={en.panels.width} value={size.width} digits={0} min={1} max={mostSide} unit="px" sink={once(set("width"), size.width)} />
         <IconButton icon={linked ? "link-2" : "unlink-2"} label={words.keepProportions} pressed={linked} onClick={() => change({ linked: !linked })} />
-        <NumberField label="H" name={en.panels.height} value={size.height} digits={0} min={1} max={MOST} unit="px" sink={once(set("height"), size.height)} />
+        <NumberField label="H" name={en.panels.height} value={size.height} digits={0} min={1} max={mostSide} unit="px" sink={once(set("height"), size.height)} />
         <Segments
           label={words.scale}
           value={scale === undefined ? null : String(scale)}
@@ -188,7 +187,7 @@ export function ExportDialog() {
   const setArea = (area: Area) => {
     const box = viewportOf(editor, area) ?? artboard;
     const factor = now.size.width / natural.width;
-    change({ area, size: sizeAt(box, Math.min(factor, MOST / Math.max(box[2] - box[0], box[3] - box[1]))) });
+    change({ area, size: sizeAt(box, Math.min(factor, mostSide / Math.max(box[2] - box[0], box[3] - box[1]))) });
   };
   const wish: ExportWish = {
     format: now.format,
@@ -197,6 +196,7 @@ export function ExportDialog() {
     transparent: now.transparent,
     keepReference: now.keepReference,
   };
+  const complaint = now.format === "png" ? complaintAboutSize(wish) : null;
   const estimate = useEstimate(wish);
   const format = now.format.toUpperCase();
   const areas: readonly Area[] = viewportOf(editor, "selection") ? ["artboard", "selection", "view"] : ["artboard", "view"];
@@ -207,12 +207,12 @@ export function ExportDialog() {
       </span>
       <span class="spacer" />
       {now.format === "png" && (
-        <button type="button" class="button large" disabled={isBusy.value} onClick={() => void run(() => services.copyPicture(wish), words.copied)}>
+        <button type="button" class="button large" disabled={isBusy.value || complaint !== null} onClick={() => void run(() => services.copyPicture(wish), words.copied)}>
           <Icon name="copy" />
           {en.panels.copy}
         </button>
       )}
-      <button type="button" class="button primary large" disabled={isBusy.value} onClick={() => void run(() => services.exportTo(wish), null)}>
+      <button type="button" class="button primary large" disabled={isBusy.value || complaint !== null} onClick={() => void run(() => services.exportTo(wish), null)}>
         {isBusy.value ? words.exporting : words.exportAs(format)}
       </button>
     </>
@@ -239,9 +239,9 @@ export function ExportDialog() {
             )}
             {now.format === "html" && <p class="read muted">{words.htmlNote}</p>}
           </div>
-          {reason.value && (
+          {(reason.value ?? complaint) && (
             <p class="read failure" role="alert">
-              {reason.value}
+              {reason.value ?? complaint}
             </p>
           )}
         </div>

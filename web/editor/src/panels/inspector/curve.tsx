@@ -8,6 +8,7 @@ import { openMenu } from "../controls/menu.js";
 import { edits } from "../controls/sink.js";
 import { object } from "../menus/main.js";
 import { useShell } from "../services.js";
+import { numberOf } from "./numbers.js";
 import { BlurSection, RadiusSection } from "./blur.js";
 import { NodeSection } from "./node.js";
 import { OpacitySection } from "./opacity.js";
@@ -33,17 +34,10 @@ function Head({ item }: { readonly item: CurveItem }) {
   );
 }
 
-/** sf:weight of a diffusion curve, sf:alpha of a local one: what is missing counts as 1. */
-function numberAttribute(item: CurveItem, name: "alpha" | "weight"): number {
-  const text = item.element.attributes.find(({ local, namespace }) => local === name && namespace !== "")?.value;
-  const value = text === undefined ? 1 : Number(text);
-  return Number.isFinite(value) ? value : 1;
-}
-
 function Weight({ item }: { readonly item: CurveItem }) {
   const { editor } = useShell();
   const name = item.kind === "stroke" ? "alpha" : "weight";
-  const value = numberAttribute(item, name);
+  const value = numberOf(item, name);
   const scale = name === "alpha" ? 100 : 1;
   return (
     <Section title={words[name]}>
@@ -54,7 +48,7 @@ function Weight({ item }: { readonly item: CurveItem }) {
           digits={name === "alpha" ? 0 : 2}
           unit={name === "alpha" ? "%" : undefined}
           min={name === "alpha" ? 0 : 0.01}
-          max={name === "alpha" ? 1000 : 1000}
+          max={1000}
           step={name === "alpha" ? 1 : 0.1}
           sink={edits(editor, words[name].toLowerCase(), (to: number, before) =>
             setNumber(before, [item.handle], name, to === scale ? null : to / scale),

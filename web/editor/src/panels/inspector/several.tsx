@@ -12,6 +12,7 @@ import { decimal } from "../format.js";
 import { useShell } from "../services.js";
 import { constant, type Stops } from "../stops.js";
 import { BoxFields } from "./box.js";
+import { numberOf } from "./numbers.js";
 import { radiiOf } from "./profile.js";
 import { Section } from "./sections.js";
 
@@ -19,10 +20,15 @@ const words = en.panels;
 /** More colours than this are not offered for exchange. */
 const MOST = 24;
 
+/** The one value, or null where there are several. */
+function alike(values: readonly number[]): number | null {
+  const texts = new Set(values.map((value) => decimal(value, 6)));
+  return texts.size === 1 ? Number([...texts][0]) : null;
+}
+
 /** The value that all have on both sides all along, or null. */
 function shared(curves: readonly CurveItem[], lists: (curve: CurveItem) => readonly Stops<number>[]): number | null {
-  const values = new Set(curves.flatMap(lists).flatMap((list) => list.stops.map(({ value }) => decimal(value, 6))));
-  return values.size === 1 ? Number([...values][0]) : null;
+  return alike(curves.flatMap(lists).flatMap((list) => list.stops.map(({ value }) => value)));
 }
 
 const opacities = (curve: CurveItem) =>
@@ -67,8 +73,8 @@ function Recolor({ curves }: { readonly curves: readonly CurveItem[] }) {
         ))}
       </div>
       <div class="row">
-        <span class="grow">{words.recolorFrom(hexOf(from))}</span>
-        <HexField name={words.recolorTo} value={from} marked onChange={change} />
+        <span class="nowrap">{words.recolorFrom(hexOf(from))}</span>
+        <HexField name={words.recolorTo} value={from} marked grow onChange={change} />
       </div>
     </Section>
   );
@@ -106,7 +112,7 @@ function Shared({ curves }: { readonly curves: readonly CurveItem[] }) {
         {diffusion.length === curves.length && (
           <NumberField
             label={words.weight}
-            value={null}
+            value={alike(curves.map((curve) => numberOf(curve, "weight")))}
             digits={2}
             min={0.01}
             max={1000}

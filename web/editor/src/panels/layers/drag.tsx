@@ -2,7 +2,7 @@
 import { useSignal } from "@preact/signals";
 import { useRef } from "preact/hooks";
 import type { TargetedMouseEvent, TargetedPointerEvent } from "preact";
-import { moveInto } from "../../model/commands/index.js";
+import { moveInto, setHidden, setLocked } from "../../model/commands/index.js";
 import type { Handle, Item } from "../../model/types.js";
 import { en } from "../../strings/en.js";
 import { openMenu } from "../controls/menu.js";
@@ -133,6 +133,7 @@ export function useRowDrag(state: TreeState, tree: { current: HTMLElement | null
 
 /** The row's own things, then what concerns all that is selected. */
 export function rowMenu({ editor, renamed }: TreeState, item: Item) {
+  const chosen = () => [...new Set(editor.selection.value.map(({ handle }) => handle))];
   return [
     {
       label: words.rename,
@@ -140,8 +141,14 @@ export function rowMenu({ editor, renamed }: TreeState, item: Item) {
         renamed.value = item.handle;
       },
     },
-    { label: item.hidden ? words.show : words.hide, command: "toggle-hidden" },
-    { label: item.locked ? words.unlock : words.lock, command: "toggle-locked" },
+    {
+      label: item.hidden ? words.show : words.hide,
+      run: () => void editor.run(words.set.hidden[item.hidden ? "off" : "on"], setHidden(editor.drawing, chosen(), !item.hidden)),
+    },
+    {
+      label: item.locked ? words.unlock : words.lock,
+      run: () => void editor.run(words.set.locked[item.locked ? "off" : "on"], setLocked(editor.drawing, chosen(), !item.locked)),
+    },
     "line" as const,
     ...contextMenu(editor),
   ];

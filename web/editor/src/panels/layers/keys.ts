@@ -67,6 +67,7 @@ export function treeKeys(state: TreeState, tree: { current: HTMLElement | null }
     else if (event.key === "Enter") select(state, row.item, event);
     else if (event.key === " ") select(state, row.item, { ctrlKey: true, metaKey: false, shiftKey: false });
     else if (event.key === "ContextMenu" || (event.key === "F10" && event.shiftKey)) {
+      if (!state.editor.selection.value.some(({ handle }) => handle === row.item.handle)) select(state, row.item, { ctrlKey: false, metaKey: false, shiftKey: false });
       const box = document.getElementById(`row-${row.item.handle}`)?.getBoundingClientRect();
       if (box) openMenu(row.item.name, rowMenu(state, row.item), { x: box.left + 40, y: box.bottom });
     } else if (event.key.length === 1 && /\p{L}|\p{N}/u.test(event.key) && !event.ctrlKey && !event.metaKey && !event.altKey) {

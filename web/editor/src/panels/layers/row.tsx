@@ -7,7 +7,7 @@ import type { Item } from "../../model/types.js";
 import { en } from "../../strings/en.js";
 import { blendName } from "../blend.js";
 import { useShell } from "../services.js";
-import { curvesWithin, type Row } from "./rows.js";
+import { countWithin, type Row } from "./rows.js";
 import { settledOf } from "./settled.js";
 import { Thumb } from "./thumb.js";
 
@@ -160,7 +160,7 @@ export function RowView(props: RowViewProps) {
         </span>
       )}
       {item.blend !== "normal" && <span class="badge">{blendName(item.blend)}</span>}
-      {isContainer && <span class="kind">{curvesWithin(item).length}</span>}
+      {isContainer && <span class="kind">{countWithin(item)}</span>}
       <Switch item={item} what="locked" {...props} />
       <Switch item={item} what="hidden" {...props} />
     </div>

@@ -45,6 +45,12 @@ export function curvesWithin(item: Item, most = Infinity): Item[] {
   return found;
 }
 
+/** What a container's row counts: curves, and instances as one each. */
+export function countWithin(item: Item): number {
+  if (item.kind === "curve" || item.kind === "stroke" || item.kind === "use") return 1;
+  return item.children.reduce((sum, child) => sum + countWithin(child), 0);
+}
+
 /** The next row from `from` whose name begins with a text, going round. */
 export function typeAhead(rows: readonly Row[], from: number, text: string): number {
   const wanted = text.toLocaleLowerCase();
