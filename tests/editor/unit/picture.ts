@@ -1,5 +1,5 @@
 // Pictures of texts, as the module draws them.
-import { readFileSync } from "node:fs";
+import { existsSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { file, modulePath } from "./drawings.js";
 
@@ -7,6 +7,8 @@ import { file, modulePath } from "./drawings.js";
 export type Pixels = Float64Array;
 
 export interface Painter {
+  /** @throws SfumatoError where the text is no drawing */
+  read(text: string): void;
   /** Of the artboard. @throws SfumatoError where the text is no drawing */
   paint(text: string, width?: number): Pixels;
 }
@@ -21,15 +23,24 @@ export async function painter(): Promise<Painter | null> {
   const { loadSfumato } = await import(file("../../../web/wasm/sfumato.mjs"));
   const library = await loadSfumato(readFileSync(path));
   const folder = file("../../../examples/");
+  const load = (context: { addImage(file: Uint8Array, image: typeof STAND_IN): void }) => (href: string) => {
+    const path = join(folder, href);
+    const bytes = new Uint8Array(readFileSync(existsSync(path) ? path : join(folder, "wood.png")));
+    context.addImage(bytes, STAND_IN);
+    return bytes;
+  };
+  const read = (text: string) => {
+    const context = library.context();
+    try {
+      context.read(text, { load: load(context) }).free();
+    } finally {
+      context.free();
+    }
+  };
   const paint = (text: string, width = 128): Pixels => {
     const context = library.context();
     try {
-      const load = (href: string) => {
-        const bytes = new Uint8Array(readFileSync(join(folder, href)));
-        context.addImage(bytes, STAND_IN);
-        return bytes;
-      };
-      const document = context.read(text, { load });
+      const document = context.read(text, { load: load(context) });
       const [, , w, h] = document.artboard;
       const height = Math.max(1, Math.round((width * h) / w));
       const picture = context.solve(document, `width=${width}`);
@@ -41,7 +52,7 @@ export async function painter(): Promise<Painter | null> {
       context.free();
     }
   };
-  return { paint };
+  return { read, paint };
 }
 
 function premultiplied(rgba: Uint16Array): Pixels {

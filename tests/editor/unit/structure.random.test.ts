@@ -21,6 +21,7 @@ import { openDrawing } from "../../../web/editor/src/model/drawing.js";
 import type { Drawing, Item, Outcome } from "../../../web/editor/src/model/types.js";
 import { applied, inverse } from "../../../web/editor/src/source/patch.js";
 import { examples, SAMPLES } from "./drawings.js";
+import { painter } from "./picture.js";
 import { Random } from "./random.js";
 
 const PATH = { points: [[1, 2], [3, 4], [5, 6], [7, 8]], closed: false } as const;
@@ -68,7 +69,8 @@ const KINDS: Readonly<Record<string, Item["kind"]>> = { ungroup: "group", makeUn
 
 const texts = [...SAMPLES, ...examples().filter(({ text }) => text.length < 40000)];
 
-test.each(Object.keys(COMMANDS))("%s: what it makes can be read, undone and selected", (name) => {
+test.each(Object.keys(COMMANDS))("%s: what it makes can be read, undone and selected", async (name) => {
+  const module = await painter();
   const random = new Random(name.length * 977 + 5);
   let done = 0;
   for (let i = 0; i < 150; i += 1) {
@@ -86,6 +88,7 @@ test.each(Object.keys(COMMANDS))("%s: what it makes can be read, undone and sele
     expect(applied(after, inverse(outcome.patch)), context).toBe(text);
     if (!COPY.includes(name)) expect(blankLines(after), context).toBeLessThanOrEqual(blankLines(text));
     if (text.includes("\r\n")) expect(after, context).not.toMatch(/[^\r]\n/);
+    expect(() => module?.read(after), `${context}\n${after}`).not.toThrow();
     d.apply(outcome.patch);
     const fresh = openDrawing(after);
     expect([...d.all()].length, context).toBe([...fresh.all()].length);

@@ -41,7 +41,8 @@ export function setPaint(
   const isNew = paint.kind !== "existing";
   if (!isNew && !ids.has(paint.id)) return null;
   const draft = new Draft(d.text);
-  const id = isNew ? freeId(paint.kind === "texture" ? "texture" : "gradient", new Set(ids.keys())) : paint.id;
+  const wish = paint.kind === "texture" ? "texture" : "gradient";
+  const id = isNew ? freeId(wish, new Set(ids.keys())) : paint.id;
   if (isNew) intoDefs(d, draft, [paintMarkup(d, paint, id)]);
   const name = attribute === "color" ? side : `${side}-opacity`;
   draft.add(setAttribute(d.text, item.element, sf(name), `url(#${id})`));

@@ -2,6 +2,7 @@
 import { declare, SFUMATO, valueOf } from "../../source/attributes.js";
 import { parse } from "../../source/parse.js";
 import { applied } from "../../source/patch.js";
+import type { Edit } from "../../source/patch.js";
 import { SourceError } from "../../source/tree.js";
 import type { ElementNode } from "../../source/tree.js";
 import { openDrawing } from "../drawing.js";
@@ -74,6 +75,7 @@ function isPasted({ root }: Drawing, { element }: Item): boolean {
 class Pasting {
   readonly #draft: Draft;
   readonly #names = new Map<string, string>();
+  readonly #ids: ReadonlyMap<string, ElementNode>;
   readonly #tag: string;
 
   constructor(
@@ -82,16 +84,18 @@ class Pasting {
     items: readonly Item[],
   ) {
     this.#draft = new Draft(d.text);
+    this.#ids = idsWithin(d.root);
     this.#tag = rootTag(from, items.map(({ element }) => element)).tag;
     const elements = items.map(({ element }) => element);
     const needed = neededBy(elements, idsWithin(from.root)).filter((it) => !this.#isThere(it));
-    const taken = new Set(idsWithin(d.root).keys());
+    const taken = new Set(this.#ids.keys());
     for (const element of [...needed, ...elements]) {
       for (const [id, name] of freshNames(element, taken)) {
         if (!this.#names.has(id)) this.#names.set(id, name);
       }
     }
-    intoDefs(d, this.#draft, needed.map((element) => this.#text(element, d.root)));
+    const definitions = needed.map((it) => this.#text(it, d.root, this.#renaming(it)));
+    intoDefs(d, this.#draft, definitions);
     if (items.length > 0) this.#draft.add(declare(d.text, d.root, SFUMATO));
   }
 
@@ -101,7 +105,7 @@ class Pasting {
 
   /** Whether the drawing has an element of this id with this very text. */
   #isThere(element: ElementNode): boolean {
-    const found = idsWithin(this.d.root).get(valueOf(element, "id") ?? "");
+    const found = this.#ids.get(valueOf(element, "id") ?? "");
     if (!found) return false;
     const { start, end } = found.range;
     const text = respelled(this.#tag, this.#source(element), this.d.root);
@@ -112,8 +116,12 @@ class Pasting {
     return this.from.text.slice(range.start, range.end);
   }
 
-  /** As it is to stand within a parent, with ids of its own. */
-  #text(element: ElementNode, parent: ElementNode, edits = renaming(this.from.text, element, this.#names)): string {
+  #renaming(element: ElementNode): Edit[] {
+    return renaming(this.from.text, element, this.#names);
+  }
+
+  /** As edits of the other text leave it, in the prefixes of a parent. */
+  #text(element: ElementNode, parent: ElementNode, edits: readonly Edit[]): string {
     const markup = new Draft(this.from.text).rewritten(element, edits);
     return respelled(this.#tag, markup, parent);
   }
@@ -123,8 +131,8 @@ class Pasting {
     return items.flatMap((item) => {
       const moved = reframing(this.from, item, frame);
       if (!moved) return [];
-      const named = renaming(this.from.text, item.element, this.#names);
-      return [this.#text(item.element, place.parent, [...named, ...moved])];
+      const edits = [...this.#renaming(item.element), ...moved];
+      return [this.#text(item.element, place.parent, edits)];
     });
   }
 

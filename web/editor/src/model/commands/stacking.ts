@@ -45,7 +45,7 @@ export function carriedOut(d: Drawing, draft: Draft, moves: readonly Move[]): Ou
   return outcome && applied(d.text, outcome.patch) === d.text ? null : outcome;
 }
 
-/** Siblings after each chosen one went `steps` up; chosen ones keep their order and do not pass each other. */
+/** Siblings after each chosen one went `steps` up; chosen ones do not pass each other. */
 function restacked(siblings: readonly Item[], chosen: ReadonlySet<Item>, steps: number): Item[] {
   const order = [...siblings];
   const up = steps > 0;
