@@ -1,7 +1,7 @@
 // Colours, stop lists and styles, read and written.
-import { describe, expect, test, vi } from "vitest";
+import { describe, expect, test } from "vitest";
 import { colorText, parseColor, parseOpaque } from "../../../web/editor/src/source/colors.js";
-import { COLOR_NAMES } from "../../../web/editor/src/source/color-names.js";
+import { COLOR_NAMES } from "../../../web/editor/src/geometry/colornames.js";
 import { parse } from "../../../web/editor/src/source/parse.js";
 import { applied } from "../../../web/editor/src/source/patch.js";
 import { patchOf } from "../../../web/editor/src/source/attributes.js";
@@ -11,9 +11,6 @@ import type { Notation, SideValue } from "../../../web/editor/src/source/stops.j
 import { Styles } from "../../../web/editor/src/source/styles.js";
 import type { Property } from "../../../web/editor/src/source/styles.js";
 import { pick, randomNumbers } from "./corpus.js";
-
-// Much is generated; machines may be busy.
-vi.setConfig({ testTimeout: 120_000 });
 
 describe("colours", () => {
   const bytes = (text: string) => {
@@ -222,7 +219,7 @@ describe("the cascade", () => {
       "'".repeat(50_001),
       "\\".repeat(50_000),
     ]) {
-      expect(document(sheet.replaceAll("<", "&lt;"), "").styles).toBeInstanceOf(Styles);
+      expect(document(sheet.replaceAll("<", "&lt;"), "").styles.isEmpty).toBeTypeOf("boolean");
     }
   });
 });

@@ -128,10 +128,11 @@ export function fakeEditor(items: readonly Item[], width = 400, height = 300): F
       artboardFromStage(view.peek(), stage.peek().width, stage.peek().height),
     stageFromArtboard: () =>
       stageFromArtboard(view.peek(), stage.peek().width, stage.peek().height),
+    engineLayer({ element: { range } }: Item): number | null {
+      const within = (offset: number) => offset >= range.start && offset < range.end;
+      return editor.layers.find(({ offset }) => within(offset))?.layer ?? null;
+    },
     engine: {
-      get curves() {
-        return editor.layers.map(({ layer, offset }) => ({ layer, offset, curve: 0, subpath: 0 }));
-      },
       colors: async (_layer: number, xy: Float64Array) => {
         const out = new Float32Array(xy.length * 2);
         for (let k = 0; 2 * k < xy.length; k += 1)

@@ -46,18 +46,18 @@ function ofCurve(
   names: ReadonlySet<string>,
   known: readonly EngineCurve[],
 ): QuickChange[] | null {
-  // Copies within its layer have transforms of their own.
+  // Both are in the order of the text. Copies within its layer have transforms of their own.
   const isPlain = known.length === item.paths.length && known.length > 0;
   // A transform that mirrors exchanges the sides.
   if (!isPlain || determinant(item.layerFromItem) <= 0) return null;
   const all: QuickChange[] = [];
   for (const name of names) {
-    for (const { layer, curve, subpath } of known) {
+    for (const [i, { layer, curve }] of known.entries()) {
       if (SHAPE.has(name)) {
-        all.push({ kind: "points", layer, curve, xy: pointsOf(item, subpath) });
+        all.push({ kind: "points", layer, curve, xy: pointsOf(item, i) });
       } else if (name in STOPS) {
         for (const [side, attribute] of STOPS[name]) {
-          const stops = stopsOf(item, side, attribute, { layer, curve, subpath });
+          const stops = stopsOf(item, side, attribute, { layer, curve, path: i });
           if (!stops) return null;
           all.push(stops);
         }
@@ -69,9 +69,9 @@ function ofCurve(
   return all;
 }
 
-function pointsOf(item: CurveItem, subpath: number): Float64Array {
+function pointsOf(item: CurveItem, path: number): Float64Array {
   return Float64Array.from(
-    item.paths[subpath].points.flatMap((point) => mapped(item.layerFromItem, point)),
+    item.paths[path].points.flatMap((point) => mapped(item.layerFromItem, point)),
   );
 }
 
@@ -79,13 +79,13 @@ function stopsOf(
   item: CurveItem,
   side: Side,
   attribute: "color" | "opacity" | "blur",
-  { layer, curve, subpath }: Pick<EngineCurve, "layer" | "curve" | "subpath">,
+  { layer, curve, path }: { readonly layer: number; readonly curve: number; readonly path: number },
 ): QuickChange | null {
   const value: SideValue<unknown> = item[side][attribute];
   if (value.kind !== "stops") return null;
   const scale = attribute === "blur" ? lengthScale(item.layerFromItem) : 1;
   const isArc = value.space === "arc";
-  const offset = (of: number) => (isArc ? of : parameterAtSegment(item.paths[subpath], of));
+  const offset = (of: number) => (isArc ? of : parameterAtSegment(item.paths[path], of));
   return {
     kind: "stops",
     layer,

@@ -149,10 +149,24 @@ export function rgbFromHsv({ h, s, v }: Hsv): Rgb {
   return { r: channel(5), g: channel(3), b: channel(1) };
 }
 
+/** CSS Color 4, section 7.1. `n`: 0 for red, 8 green, 4 blue. */
+function hslChannel(n: number, h: number, s: number, l: number): number {
+  const k = (n + turned(h) / 30) % 12;
+  return l - s * Math.min(l, 1 - l) * Math.max(-1, Math.min(k - 3, 9 - k, 1));
+}
+
 /** Hue in degrees, saturation and lightness 0 to 1. */
 export function rgbFromHsl(h: number, s: number, l: number): Rgb {
-  const v = l + s * Math.min(l, 1 - l);
-  return rgbFromHsv({ h, s: v > 0 ? 2 * (1 - l / v) : 0, v });
+  const channel = (n: number) => clamped(hslChannel(n, h, s, l));
+  return { r: channel(0), g: channel(8), b: channel(4) };
+}
+
+/** Hue in degrees, whiteness and blackness 0 to 1; a gray where they are 1 together. */
+export function rgbFromHwb(h: number, white: number, black: number): Rgb {
+  const sum = white + black;
+  if (sum >= 1) return { r: white / sum, g: white / sum, b: white / sum };
+  const channel = (n: number) => hslChannel(n, h, 1, 0.5) * (1 - sum) + white;
+  return { r: channel(0), g: channel(8), b: channel(4) };
 }
 
 /** Between two colours, where the document mixes them. */

@@ -1,6 +1,6 @@
 // Colours as text: what people type and files say.
-import { clampedRgb, inGamut, rgbFromHsl, type Rgb } from "./color.js";
-import { NAMED_COLORS } from "./colornames.js";
+import { clampedRgb, inGamut, rgbFromHsl, rgbFromHwb, type Rgb } from "./color.js";
+import { COLOR_NAMES } from "./colornames.js";
 
 const byteOf = (channel: number) => Math.round(Math.min(Math.max(channel, 0), 1) * 255);
 
@@ -17,8 +17,8 @@ function fromHex(digits: string): Rgb | null {
 }
 
 function fromName(name: string): Rgb | null {
-  if (!Object.hasOwn(NAMED_COLORS, name)) return null;
-  return fromHex(NAMED_COLORS[name].toString(16).padStart(6, "0"));
+  const bytes = COLOR_NAMES.get(name);
+  return bytes === undefined ? null : fromHex(bytes.toString(16).padStart(6, "0"));
 }
 
 const NUMBER = /^([+-]?(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?)(%|deg|grad|rad|turn)?$/;
@@ -56,19 +56,13 @@ function fromRgb(texts: Arguments): Rgb | null {
 
 function fromHsl([hue, saturation, lightness]: Arguments): Rgb | null {
   const [h, s, l] = [degrees(hue), share(saturation, 100), share(lightness, 100)];
-  return h === null || s === null || l === null
-    ? null
-    : clampedRgb(rgbFromHsl(h, clamp(s), clamp(l)));
+  return h === null || s === null || l === null ? null : rgbFromHsl(h, clamp(s), clamp(l));
 }
 
 function fromHwb([hue, whiteness, blackness]: Arguments): Rgb | null {
   const [h, w, k] = [degrees(hue), share(whiteness, 100), share(blackness, 100)];
   if (h === null || w === null || k === null) return null;
-  const [white, black] = [clamp(w), clamp(k)];
-  const sum = Math.max(white + black, 1);
-  const pure = rgbFromHsl(h, 1, 0.5);
-  const channel = (value: number) => (value * (sum - white - black) + white) / sum;
-  return { r: channel(pure.r), g: channel(pure.g), b: channel(pure.b) };
+  return rgbFromHwb(h, clamp(w), clamp(k));
 }
 
 /** Of CSS Color 4: a percentage of chroma is one of 0.4. */

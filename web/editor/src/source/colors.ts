@@ -1,6 +1,7 @@
 // Colours as CSS Color 4 writes them.
 import type { Rgb } from "../geometry/color.js";
-import { COLOR_NAMES } from "./color-names.js";
+import { rgbFromHsl, rgbFromHwb } from "../geometry/color.js";
+import { COLOR_NAMES } from "../geometry/colornames.js";
 import { solid, tokensOf } from "./css.js";
 import type { Token } from "./css.js";
 
@@ -47,33 +48,12 @@ function share({ kind, value }: Token, whole: number): number {
   return kind === "percentage" ? clamped(Number(value) / 100) : NaN;
 }
 
-/** In turns, 0 up to 1. */
+/** In degrees, 0 up to 360. */
 function hue({ kind, value, unit }: Token): number {
   if (kind === "ident") return 0;
   const units = kind === "number" ? 360 : kind === "dimension" ? UNITS_OF_A_TURN[unit] : NaN;
   const fraction = (Number(value) / units) % 1;
-  return fraction < 0 ? fraction + 1 : fraction;
-}
-
-/** CSS Color 4, section 7.1. `n`: 0 for red, 8 green, 4 blue. */
-function hslChannel(n: number, turns: number, saturation: number, lightness: number): number {
-  const k = (n + turns * 12) % 12;
-  const a = saturation * Math.min(lightness, 1 - lightness);
-  return lightness - a * Math.max(-1, Math.min(k - 3, 9 - k, 1));
-}
-
-function fromHsl(turns: number, saturation: number, lightness: number): Rgb {
-  const channel = (n: number) => clamped(hslChannel(n, turns, saturation, lightness));
-  return { r: channel(0), g: channel(8), b: channel(4) };
-}
-
-function fromHwb(turns: number, white: number, black: number): Rgb {
-  if (white + black >= 1) {
-    const gray = white / (white + black);
-    return { r: gray, g: gray, b: gray };
-  }
-  const channel = (n: number) => hslChannel(n, turns, 1, 0.5) * (1 - white - black) + white;
-  return { r: channel(0), g: channel(8), b: channel(4) };
+  return 360 * (fraction < 0 ? fraction + 1 : fraction);
 }
 
 interface Arguments {
@@ -108,8 +88,8 @@ function components(name: string, { values, hasCommas }: Arguments): Rgb | null 
   const arePercentages = second.kind === "percentage" && third.kind === "percentage";
   if (hasCommas && !arePercentages) return null;
   const numbers = [hue(first), share(second, 100), share(third, 100)] as const;
-  if (name === "hsl" || name === "hsla") return fromHsl(...numbers);
-  return name === "hwb" && !hasCommas ? fromHwb(...numbers) : null;
+  if (name === "hsl" || name === "hsla") return rgbFromHsl(...numbers);
+  return name === "hwb" && !hasCommas ? rgbFromHwb(...numbers) : null;
 }
 
 function fromFunction(name: string, tokens: readonly Token[]): Color | null {

@@ -43,12 +43,10 @@ export class Sheet {
   readonly #byClass: Index = new Map();
   readonly #byName: Index = new Map();
   readonly #ofAll: Rule[] = [];
-  readonly #properties = new Set<Property>();
   #count = 0;
 
-  /** Whether any rule sets a property. */
-  sets(property: Property): boolean {
-    return this.#properties.has(property);
+  get isEmpty(): boolean {
+    return this.#count === 0;
   }
 
   /** What the rules say of a property of an element, by importance, specificity and order. */
@@ -107,7 +105,6 @@ export class Sheet {
     const declarations = declarationsOf(block);
     const rule = { settings: settingsOf(declarations), order: this.#count };
     this.#count += Math.max(declarations.length, 1);
-    for (const property of rule.settings.keys()) this.#properties.add(property);
     for (const selector of selectors) this.#rulesOf(selector)?.push(rule);
   }
 

@@ -30,9 +30,13 @@ export class Styles {
     }
   }
 
+  get isEmpty(): boolean {
+    return this.#sheet.isEmpty;
+  }
+
   /** What the sheets say of a property of an element. */
   inSheets(element: ElementNode, property: Property): Setting | null {
-    if (!this.#sheet.sets(property)) return null;
+    if (this.isEmpty) return null;
     const classes = (valueOf(element, "class") ?? "").split(/\s+/).filter((name) => name !== "");
     const bearer = { id: valueOf(element, "id") ?? "", classes, name: element.local };
     return this.#sheet.find(bearer, property);
