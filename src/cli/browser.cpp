@@ -8,11 +8,7 @@
 namespace sfumato::cli {
 namespace {
 
-#ifdef __APPLE__
-constexpr const char* kOpener = "open";
-#else
 constexpr const char* kOpener = "xdg-open";
-#endif
 
 /// In a session of its own, without our blocked and ignored signals.
 bool set_attributes(posix_spawnattr_t& attributes) {

@@ -13,6 +13,7 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <new>
 #include <system_error>
 #include <thread>
 #include <utility>
@@ -146,8 +147,14 @@ bool LocalServer::Loop::is_for_us(evhttp_request* request) const {
 
 void LocalServer::Loop::answer(evhttp_request* request) {
   add_header(request, "Content-Security-Policy", std::string(setup_.policy));
-  if (is_for_us(request)) return setup_.answer(request);
-  reply(request, 403, "text/plain", "expected the address that was printed\n");
+  if (!is_for_us(request)) {
+    return reply(request, 403, "text/plain", "expected the address that was printed\n");
+  }
+  try {
+    setup_.answer(request);
+  } catch (const std::bad_alloc&) {  // libevent's frames let no exception through
+    evhttp_send_error(request, HTTP_INTERNAL, nullptr);
+  }
 }
 
 LocalServer::LocalServer() = default;

@@ -136,7 +136,10 @@ export interface Pixels {
   readonly data: Uint8ClampedArray<ArrayBuffer> | Uint8Array<ArrayBuffer>;
 }
 
-/** Decodes a picture, in a page or a worker; null: no browser does. */
+/** Texels that the engine takes. */
+const mostTexels = 64e6;
+
+/** Decodes a picture, in a page or a worker; null: no browser does, or it is too large for the engine. */
 export async function decodeImage(bytes: Uint8Array<ArrayBuffer>): Promise<Pixels | null> {
   const picture = await createImageBitmap(new Blob([bytes]), {
     colorSpaceConversion: "none",
@@ -145,6 +148,7 @@ export async function decodeImage(bytes: Uint8Array<ArrayBuffer>): Promise<Pixel
   }).catch(() => null);
   if (!picture) return null;
   try {
+    if (picture.width * picture.height > mostTexels) return null;
     return pixelsByGl(picture) ?? pixelsByCanvas(picture);
   } finally {
     picture.close();

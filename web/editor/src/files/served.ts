@@ -13,7 +13,7 @@ export function servedName(): string | null {
   return document.querySelector<HTMLMetaElement>('meta[name="sfumato-file"]')?.content ?? null;
 }
 
-/** A request to the command; what answers below 500 but for 412 is no answer of its own. */
+/** A request to the command; null: it has ended. */
 async function ask(path: string, init: RequestInit = {}): Promise<Response | null> {
   return fetch(new URL(path, document.baseURI), { ...init, cache: "no-store" }).catch(() => null);
 }
