@@ -2,7 +2,9 @@
 // belong together: they are fetched as a whole, and answer until every tab with them is closed.
 const version = "{{version}}";
 const files = ["{{files}}"];
-const own = `sfumato-${version}`;
+// Several editors may lie below one origin, each in a folder of its own.
+const ours = `sfumato:${registration.scope}:`;
+const own = ours + version;
 
 async function keep() {
   const cache = await caches.open(own);
@@ -11,7 +13,7 @@ async function keep() {
 
 async function forgetOthers() {
   const names = await caches.keys();
-  const old = names.filter((name) => name.startsWith("sfumato-") && name !== own);
+  const old = names.filter((name) => name.startsWith(ours) && name !== own);
   await Promise.all(old.map((name) => caches.delete(name)));
 }
 

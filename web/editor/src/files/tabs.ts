@@ -31,9 +31,13 @@ export function claim(key: string, lost: () => void, take = false): Promise<Clai
   });
 }
 
-type Word = { readonly kind: "who"; readonly ask: string; readonly handle: FileSystemFileHandle } | { readonly kind: "I"; readonly ask: string };
+type Word =
+  | { readonly kind: "who"; readonly ask: string; readonly tab: string; readonly handle: FileSystemFileHandle }
+  | { readonly kind: "I"; readonly ask: string };
 
 const answerWithin = 200;
+/** A tab hears its own words too. */
+const thisTab = crypto.randomUUID();
 
 /** Whether another tab has this file open. */
 export async function isOpenElsewhere(handle: FileSystemFileHandle): Promise<boolean> {
@@ -45,7 +49,7 @@ export async function isOpenElsewhere(handle: FileSystemFileHandle): Promise<boo
       channel.onmessage = ({ data }: MessageEvent<Word>) => {
         if (data.kind === "I" && data.ask === ask) resolve(true);
       };
-      const who: Word = { kind: "who", ask, handle };
+      const who: Word = { kind: "who", ask, tab: thisTab, handle };
       channel.postMessage(who);
       setTimeout(() => resolve(false), answerWithin);
     });
@@ -61,8 +65,9 @@ export function answerOtherTabs(current: () => FileSystemFileHandle | null): () 
   if (!("BroadcastChannel" in globalThis)) return () => undefined;
   const channel = new BroadcastChannel("sfumato-files");
   channel.onmessage = async ({ data }: MessageEvent<Word>) => {
+    if (data.kind !== "who" || data.tab === thisTab) return;
     const own = current();
-    if (data.kind !== "who" || !own || !(await own.isSameEntry(data.handle).catch(() => false))) return;
+    if (!own || !(await own.isSameEntry(data.handle).catch(() => false))) return;
     const answer: Word = { kind: "I", ask: data.ask };
     channel.postMessage(answer);
   };
