@@ -1,7 +1,11 @@
-import { describe, expect, test } from "vitest";
+import { afterEach, describe, expect, test, vi } from "vitest";
+import { chooseFolder } from "../../../web/editor/src/files/folder.js";
 import { besideFiles, besideFolder, bytesOfDataUri, hrefsOf, imagesOf, partsOf } from "../../../web/editor/src/files/images.js";
 
 const bytes = (text: string) => Uint8Array.from(text, (c) => c.charCodeAt(0));
+
+const directoryOpen = vi.hoisted(() => vi.fn());
+vi.mock("browser-fs-access", () => ({ directoryOpen }));
 
 test("images are found however they are written", () => {
   const text = `<svg><!-- <IMAGE href="no"/> -->
@@ -65,11 +69,39 @@ describe("files beside a drawing", () => {
     expect(asked).toEqual(["maps/t.png", "t.png"]);
   });
 
+  test("of a folder that was listed are found by their path, not by their name", async () => {
+    const listed = (path: string) => Object.defineProperty(new File([path], "t.png"), "webkitRelativePath", { value: path });
+    const beside = besideFiles([listed("art/a/t.png"), listed("art/b/t.png")]);
+    expect(await beside.bytes("a/t.png")).toEqual(bytes("art/a/t.png"));
+    expect(await beside.bytes("./b/../a/t.png")).toEqual(bytes("art/a/t.png"));
+    expect(await beside.bytes("t.png")).toBeNull();
+  });
+
   test("are named where they are missing", async () => {
     const text = '<image href="data:,x"/><image href="t.png"/><image href="http://a/t.png"/>';
     expect(await imagesOf(text, besideFiles([]))).toEqual({
       found: [{ href: "data:,x", bytes: bytes("x") }],
       missing: ["t.png", "http://a/t.png"],
     });
+  });
+});
+
+describe("a folder", () => {
+  afterEach(() => vi.unstubAllGlobals());
+  const left = () => Promise.reject(new DOMException("", "AbortError"));
+
+  test("is asked for as a handle where that is possible, else as a list", async () => {
+    const getFileHandle = async () => ({ getFile: async () => new File(["handle"], "t.png") });
+    directoryOpen.mockResolvedValue([new File(["list"], "t.png")]);
+    expect(await (await chooseFolder())?.bytes("t.png")).toEqual(bytes("list"));
+    vi.stubGlobal("showDirectoryPicker", async () => ({ getFileHandle }));
+    expect(await (await chooseFolder())?.bytes("t.png")).toEqual(bytes("handle"));
+  });
+
+  test("that the person did not choose is none", async () => {
+    directoryOpen.mockImplementation(left);
+    expect(await chooseFolder()).toBeNull();
+    vi.stubGlobal("showDirectoryPicker", left);
+    expect(await chooseFolder()).toBeNull();
   });
 });

@@ -22,12 +22,18 @@ export function partsOf(href: string): readonly string[] | null {
   return parts.length === 0 ? null : parts;
 }
 
-/** Files that were dropped or chosen with the drawing: their folders are not known, so names count. */
+/** Where a file of a chosen folder lies in it; of another, its name: its folder is not known. */
+const placeOf = ({ webkitRelativePath, name }: File) =>
+  webkitRelativePath ? webkitRelativePath.slice(webkitRelativePath.indexOf("/") + 1) : name;
+
+/** Files that were dropped with the drawing, whose names count, or those of a chosen folder, whose paths do. */
 export function besideFiles(files: readonly File[]): Beside {
-  const byName = new Map(files.map((file) => [file.name, file]));
+  const byPlace = new Map(files.map((file) => [placeOf(file), file]));
+  const hasFolder = files.some(({ webkitRelativePath }) => webkitRelativePath);
   return {
     async bytes(href) {
-      const file = byName.get(partsOf(href)?.at(-1) ?? "");
+      const parts = partsOf(href);
+      const file = byPlace.get((hasFolder ? parts?.join("/") : parts?.at(-1)) ?? "");
       return file ? read(file).catch(() => null) : null;
     },
   };
