@@ -4,7 +4,8 @@ import { openDrawing } from "../../../web/editor/src/model/drawing.js";
 import type { Drawing } from "../../../web/editor/src/model/types.js";
 import { moveInto } from "../../../web/editor/src/model/commands/index.js";
 import { dropAt } from "../../../web/editor/src/panels/layers/drop.js";
-import { rowsOf, typeAhead } from "../../../web/editor/src/panels/layers/rows.js";
+import { nextBeginning } from "../../../web/editor/src/panels/controls/typed.js";
+import { rowsOf } from "../../../web/editor/src/panels/layers/rows.js";
 
 const curve = (id: string) => `<path id="${id}" d="M0 0L9 9" sf:left="red"/>`;
 const text = `<svg xmlns="http://www.w3.org/2000/svg" xmlns:sf="urn:sfumato:1" viewBox="0 0 90 90">
@@ -25,10 +26,13 @@ describe("rows", () => {
   });
 
   it("are found by their first letters, going round", () => {
-    const rows = rowsOf(openDrawing(text), new Set());
-    expect(typeAhead(rows, 1, "s")).toBe(0);
-    expect(typeAhead(rows, 0, "gr")).toBe(2);
-    expect(typeAhead(rows, 0, "x")).toBe(-1);
+    const shown = ["Sky", "both", "ground", "green"];
+    expect(nextBeginning(shown, 1, "s")).toBe(0);
+    expect(nextBeginning(shown, 2, "g")).toBe(3);
+    expect(nextBeginning(shown, 2, "gr")).toBe(2);
+    expect(nextBeginning(shown, 2, "gre")).toBe(3);
+    expect(nextBeginning(shown, 0, "x")).toBe(-1);
+    expect(nextBeginning([], 0, "x")).toBe(-1);
   });
 });
 

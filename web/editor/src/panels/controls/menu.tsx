@@ -5,6 +5,7 @@ import type { TargetedKeyboardEvent, TargetedMouseEvent, TargetedPointerEvent } 
 import { Icon, type IconName } from "../../icons.js";
 import { useShell } from "../services.js";
 import { chordOf } from "./chords.js";
+import { nextBeginning, typedWord } from "./typed.js";
 
 export type MenuItem =
   | "line"
@@ -118,11 +119,11 @@ function step(menu: HTMLElement, event: KeyboardEvent): boolean {
   else if (event.key === "ArrowUp") wrap(at < 0 ? -1 : at - 1);
   else if (event.key === "Home") wrap(0);
   else if (event.key === "End") wrap(-1);
-  else if (event.key.length === 1 && !event.ctrlKey && !event.metaKey && event.key !== " ") {
-    const letter = event.key.toLowerCase();
-    const later = [...items.slice(at + 1), ...items.slice(0, at + 1)];
-    later.find((item) => item.textContent?.trim().toLowerCase().startsWith(letter))?.focus();
-  } else return false;
+  else {
+    const word = typedWord(event);
+    if (word === null) return false;
+    items[nextBeginning(items.map((item) => item.textContent?.trim() ?? ""), at, word)]?.focus();
+  }
   return true;
 }
 

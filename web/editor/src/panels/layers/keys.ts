@@ -4,15 +4,13 @@ import { moveInto, restack } from "../../model/commands/index.js";
 import type { Item } from "../../model/types.js";
 import { en } from "../../strings/en.js";
 import { openMenu } from "../controls/menu.js";
+import { nextBeginning, typedWord } from "../controls/typed.js";
 import { rowMenu } from "./drag.js";
 import { mayHold } from "./drop.js";
-import { siblingsOf, typeAhead } from "./rows.js";
+import { siblingsOf } from "./rows.js";
 import { select, toggle, type TreeState } from "./tree.js";
 
 const words = en.layers;
-/** Letters that follow each other within this are one word, milliseconds. */
-const WORD = 600;
-let typed = { text: "", time: 0 };
 
 /** Alt with an arrow: up and down among siblings; right into the row above, left out of what holds it. */
 function move({ editor }: TreeState, item: Item, key: string): void {
@@ -70,11 +68,12 @@ export function treeKeys(state: TreeState, tree: { current: HTMLElement | null }
       if (!state.editor.selection.value.some(({ handle }) => handle === row.item.handle)) select(state, row.item, { ctrlKey: false, metaKey: false, shiftKey: false });
       const box = document.getElementById(`row-${row.item.handle}`)?.getBoundingClientRect();
       if (box) openMenu(row.item.name, rowMenu(state, row.item), { x: box.left + 40, y: box.bottom });
-    } else if (event.key.length === 1 && /\p{L}|\p{N}/u.test(event.key) && !event.ctrlKey && !event.metaKey && !event.altKey) {
-      typed = { text: event.timeStamp - typed.time < WORD ? typed.text + event.key : event.key, time: event.timeStamp };
-      const found = typeAhead(rows, at, typed.text);
+    } else {
+      const word = typedWord(event);
+      if (word === null) return;
+      const found = nextBeginning(rows.map(({ item }) => item.name), at, word);
       if (found >= 0) go(found);
-    } else return;
+    }
     event.preventDefault();
     event.stopPropagation();
   };

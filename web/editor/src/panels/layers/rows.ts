@@ -50,14 +50,3 @@ export function countWithin(item: Item): number {
   if (item.kind === "curve" || item.kind === "stroke" || item.kind === "use") return 1;
   return item.children.reduce((sum, child) => sum + countWithin(child), 0);
 }
-
-/** The next row from `from` whose name begins with a text, going round. */
-export function typeAhead(rows: readonly Row[], from: number, text: string): number {
-  const wanted = text.toLocaleLowerCase();
-  const start = text.length > 1 ? from : from + 1;
-  for (let step = 0; step < rows.length; step += 1) {
-    const index = (start + step) % rows.length;
-    if (rows[index].item.name.toLocaleLowerCase().startsWith(wanted)) return index;
-  }
-  return -1;
-}

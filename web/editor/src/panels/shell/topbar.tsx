@@ -12,13 +12,14 @@ const words = en.panels;
 function FileName() {
   const { editor } = useShell();
   const { name, isChanged, kept } = editor.file.value;
-  const state = kept === "nowhere" || !isChanged || kept === "browser" ? words.kept[kept] : words.unsaved;
+  const isLost = isChanged && kept === "nowhere";
+  const state = kept === "file" && isChanged ? words.unsaved : kept === "nowhere" && !isChanged ? "" : words.kept[kept];
   return (
     <h1 class="file">
       <button type="button" class="file-name" data-tip={words.document} onClick={() => editor.command("document")}>
         {name}
       </button>
-      <span class={kept === "nowhere" ? "saved warn" : "muted saved"}>{state}</span>
+      <span class={isLost ? "saved warn" : "muted saved"}>{state}</span>
     </h1>
   );
 }
