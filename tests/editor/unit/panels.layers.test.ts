@@ -15,8 +15,10 @@ const text = `<svg xmlns="http://www.w3.org/2000/svg" xmlns:sf="urn:sfumato:1" v
 </svg>`;
 
 const all = (drawing: Drawing) => new Set([...drawing.all()].map(({ handle }) => handle));
-const named = (drawing: Drawing, name: string) => [...drawing.all()].find((item) => item.name === name)!;
-const names = (drawing: Drawing, open = all(drawing)) => rowsOf(drawing, open).map(({ item }) => item.name);
+const named = (drawing: Drawing, name: string) =>
+  [...drawing.all()].find((item) => item.name === name)!;
+const names = (drawing: Drawing, open = all(drawing)) =>
+  rowsOf(drawing, open).map(({ item }) => item.name);
 
 describe("rows", () => {
   it("stand with the uppermost first, and those within what is unfolded", () => {
@@ -49,7 +51,16 @@ function dropped(what: string, y: number, depth: number): string[] | null {
 
 describe("a dragged row", () => {
   it("goes above the row over whose upper part it is let go", () => {
-    expect(dropped("ground", 0.1, 0)).toEqual(["ground", "b", "a", "sky", "d", "both", "inner", "c"]);
+    expect(dropped("ground", 0.1, 0)).toEqual([
+      "ground",
+      "b",
+      "a",
+      "sky",
+      "d",
+      "both",
+      "inner",
+      "c",
+    ]);
   });
 
   it("goes to the bottom below the last row", () => {
@@ -72,6 +83,15 @@ describe("a dragged row", () => {
   it("does not go into itself, nor a curve out of the layers", () => {
     expect(dropped("both", 3.5, 1)).toBeNull();
     expect(dropped("a", 0.0, 0)).toBeNull();
-    expect(dropped("sky", 5.5, 1)).not.toEqual(["both", "inner", "c", "ground", "sky", "d", "b", "a"]);
+    expect(dropped("sky", 5.5, 1)).not.toEqual([
+      "both",
+      "inner",
+      "c",
+      "ground",
+      "sky",
+      "d",
+      "b",
+      "a",
+    ]);
   });
 });

@@ -1,6 +1,13 @@
 // Stop lists as ribbons and profiles edit them.
 import { describe, expect, it } from "vitest";
-import { mixNumbers, movedStop, valueAt, withStop, withoutStop, type Stops } from "../../../web/editor/src/panels/stops.js";
+import {
+  mixNumbers,
+  movedStop,
+  valueAt,
+  withStop,
+  withoutStop,
+  type Stops,
+} from "../../../web/editor/src/panels/stops.js";
 import { randomFrom } from "./random.js";
 
 const list = (...stops: readonly [number, number][]): Stops<number> => ({
@@ -48,14 +55,20 @@ describe("a list of stops", () => {
         now = placed.value;
         // A stop with the value that is there changes nothing that is seen.
         for (const t of [0, 0.13, 0.5, 0.77, 1]) {
-          expect(valueAt(now.stops, t, mixNumbers)).toBeCloseTo(valueAt(before.stops, t, mixNumbers), 9);
+          expect(valueAt(now.stops, t, mixNumbers)).toBeCloseTo(
+            valueAt(before.stops, t, mixNumbers),
+            9,
+          );
         }
       } else if (random() < 0.5 && now.stops.length > 2) {
         now = withoutStop(now, index);
         expect(now.stops.length).toBe(before.stops.length - 1);
       } else {
         const placed = movedStop(now, index, at);
-        expect(placed.value.stops[placed.index]).toEqual({ offset: at, value: before.stops[index].value });
+        expect(placed.value.stops[placed.index]).toEqual({
+          offset: at,
+          value: before.stops[index].value,
+        });
         expect([...values(placed.value)].sort()).toEqual([...values(before)].sort());
         now = placed.value;
       }

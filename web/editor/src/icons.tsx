@@ -135,11 +135,16 @@ const own = {
 export type IconName = keyof typeof lucide | keyof typeof own;
 
 /** What stands between `<svg …>` and `</svg>` of lucide's file. */
-const inside = (svg: string) => svg.slice(svg.indexOf(">", svg.indexOf("<svg")) + 1, svg.lastIndexOf("</svg>"));
+const inside = (svg: string) =>
+  svg.slice(svg.indexOf(">", svg.indexOf("<svg")) + 1, svg.lastIndexOf("</svg>"));
 
 /** Decoration: a name is given by what holds it. 16 px, small 14 px. */
 export function Icon({ name, small }: { readonly name: IconName; readonly small?: boolean }) {
-  const shape = { class: small ? "icon small" : "icon", viewBox: "0 0 24 24", "aria-hidden": true } as const;
+  const shape = {
+    class: small ? "icon small" : "icon",
+    viewBox: "0 0 24 24",
+    "aria-hidden": true,
+  } as const;
   if (name in own) return <svg {...shape}>{own[name as keyof typeof own]}</svg>;
   const markup = inside(lucide[name as keyof typeof lucide]);
   return <svg {...shape} dangerouslySetInnerHTML={{ __html: markup }} />;

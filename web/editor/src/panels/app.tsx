@@ -50,7 +50,11 @@ function Workplace({ children }: { readonly children: ComponentChildren }) {
   const width = editor.settings.panelWidth.value;
   const phone = isPhone().value;
   return (
-    <div class="app" data-tour={editor.tour.value ?? undefined} style={width === CHOSEN_BY_NOBODY ? undefined : { "--panel": `${width}px` }}>
+    <div
+      class="app"
+      data-tour={editor.tour.value ?? undefined}
+      style={width === CHOSEN_BY_NOBODY ? undefined : { "--panel": `${width}px` }}
+    >
       <TopBar />
       <Tools />
       <div class="center">
@@ -94,7 +98,11 @@ function Page({ stage }: { readonly stage: ComponentChildren }) {
 }
 
 /** The whole page. `stage`: what fills the middle; it finds its size by itself. */
-export function App(props: { readonly editor: Editor; readonly services: Services; readonly stage: ComponentChildren }) {
+export function App(props: {
+  readonly editor: Editor;
+  readonly services: Services;
+  readonly stage: ComponentChildren;
+}) {
   return (
     <ShellContext.Provider value={{ editor: props.editor, services: props.services }}>
       <Page stage={props.stage} />

@@ -20,4 +20,5 @@ export const blendModes = [
   "luminosity",
 ] as const;
 
-export const blendName = (mode: string): string => (en.layers.blend as Readonly<Record<string, string>>)[mode] ?? mode;
+export const blendName = (mode: string): string =>
+  (en.layers.blend as Readonly<Record<string, string>>)[mode] ?? mode;

@@ -11,7 +11,9 @@ export const mixerOf =
     mixed(a, b, t, space);
 
 /** The same, as CSS names it in gradients. */
-export const cssSpaces: Readonly<Record<Drawing["interpolation"], "srgb" | "srgb-linear" | "oklab">> = {
+export const cssSpaces: Readonly<
+  Record<Drawing["interpolation"], "srgb" | "srgb-linear" | "oklab">
+> = {
   srgb: "srgb",
   linear: "srgb-linear",
   oklab: "oklab",
@@ -23,7 +25,8 @@ export function colorsOf(drawing: Drawing, most: number): readonly Rgb[] {
   for (const item of drawing.all()) {
     if (item.kind !== "curve" && item.kind !== "stroke") continue;
     for (const { color } of [item.left, item.right]) {
-      if (color.kind === "stops") color.stops.forEach(({ value }) => found.set(hexOf(value), value));
+      if (color.kind === "stops")
+        color.stops.forEach(({ value }) => found.set(hexOf(value), value));
     }
     if (found.size >= most) break;
   }

@@ -1,8 +1,6 @@
 // Nodes that are selected, and of what kind they are.
 import type { Editor } from "../app/types.js";
-import type { Point } from "../geometry/affine.js";
-import type { CubicPath } from "../geometry/cubic.js";
-import type { NodeKind } from "../model/commands/index.js";
+import { kindOf, type NodeKind } from "../geometry/nodes.js";
 import type { CurveItem } from "../model/types.js";
 
 export interface SelectedNodes {
@@ -23,27 +21,11 @@ export function selectedNodes(editor: Editor): SelectedNodes | null {
   const indices = selection.flatMap(({ handle, part }) =>
     handle === primary.handle && part.kind === "node" && part.path === path ? [part.index] : [],
   );
-  return { item, path, indices: [...new Set(indices)].filter((index) => item.paths[path].points[3 * index]) };
-}
-
-const arm = (from: Point, to: Point): Point => [to[0] - from[0], to[1] - from[1]];
-/** A tangent that turns by less than this is one, radians. */
-const STRAIGHT = 0.01;
-/** Handles of one length, relatively. */
-const ALIKE = 0.01;
-
-function kindOf({ points, closed }: CubicPath, index: number): NodeKind {
-  const at = 3 * index;
-  const before = points[at - 1] ?? (closed ? points[points.length - 2] : undefined);
-  const behind = points[at + 1] ?? (closed ? points[1] : undefined);
-  if (!before || !behind) return "corner";
-  const [ax, ay] = arm(before, points[at]);
-  const [bx, by] = arm(points[at], behind);
-  const a = Math.hypot(ax, ay);
-  const b = Math.hypot(bx, by);
-  if (a === 0 || b === 0) return "corner";
-  if (Math.abs(Math.atan2(ax * by - ay * bx, ax * bx + ay * by)) > STRAIGHT) return "corner";
-  return Math.abs(a - b) <= ALIKE * Math.max(a, b) ? "symmetric" : "smooth";
+  return {
+    item,
+    path,
+    indices: [...new Set(indices)].filter((index) => item.paths[path].points[3 * index]),
+  };
 }
 
 /** The kind that all of them have, or null. */

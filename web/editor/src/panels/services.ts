@@ -56,19 +56,30 @@ export interface Services {
   copyPicture(wish: ExportWish): Promise<void>;
   /** Bytes, roughly; null: cannot be told. */
   estimate(wish: ExportWish): Promise<number | null>;
-  /** Address of a picture of that part, at most 640 px wide; the caller revokes it. null: none can be made. */
+  /**
+   * Address of a picture of that part, at most 640 px wide; the caller revokes it. null: none can
+   * be made.
+   */
   preview(viewport: Box, transparent: boolean): Promise<string | null>;
   autosaves(): Promise<readonly Autosave[]>;
   recover(id: string): Promise<void>;
   forget(id: string): Promise<void>;
-  /** Asks for a place of the picture or the photo and gives its colour; null: the person left it. */
+  /**
+   * Asks for a place of the picture or the photo and gives its colour; null: the person left it.
+   */
   pickColor(signal: AbortSignal): Promise<Rgb | null>;
-  /** A picture of a layer or group for its row, or null while there is none. Reading it subscribes. */
+  /**
+   * A picture of a layer or group for its row, or null while there is none. Reading it subscribes.
+   */
   thumb(handle: Handle): string | null;
   /** Mends what a hint says, in one step of undo; null: this kind cannot be mended by itself. */
   mend(hint: Hint): { readonly label: string; readonly run: () => void } | null;
   /** Asks for a picture file to use as a texture; null: the person left it. */
-  chooseTexture(): Promise<{ readonly href: string; readonly width: number; readonly height: number } | null>;
+  chooseTexture(): Promise<{
+    readonly href: string;
+    readonly width: number;
+    readonly height: number;
+  } | null>;
 }
 
 export interface Shell {

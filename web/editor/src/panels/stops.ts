@@ -1,9 +1,22 @@
 // Stop lists as the panels edit them: by their share of the curve's length.
 import type { CubicPath } from "../geometry/cubic.js";
-import { fractionAtParameter, offsetOfPlace, parameterAtFraction, placeOfOffset } from "../geometry/length.js";
+import {
+  fractionAtParameter,
+  offsetOfPlace,
+  parameterAtFraction,
+  placeOfOffset,
+} from "../geometry/length.js";
 import { setColor, setNumbers } from "../model/commands/index.js";
 import type { Rgb } from "../geometry/color.js";
-import type { CurveItem, Drawing, Outcome, Side, SideValue, Stop, StopSpace } from "../model/types.js";
+import type {
+  CurveItem,
+  Drawing,
+  Outcome,
+  Side,
+  SideValue,
+  Stop,
+  StopSpace,
+} from "../model/types.js";
 
 /** A side's value where it has stops. */
 export type Stops<Value> = Extract<SideValue<Value>, { kind: "stops" }>;
@@ -23,7 +36,8 @@ export function fractionOf(item: CurveItem, space: StopSpace, offset: number): n
 }
 
 /** A share of the length to the thousandth: finer than a hand or an eye. */
-export const rounded = (fraction: number) => Math.round(Math.min(Math.max(fraction, 0), 1) * 1000) / 1000;
+export const rounded = (fraction: number) =>
+  Math.round(Math.min(Math.max(fraction, 0), 1) * 1000) / 1000;
 
 /** The offset of a stop at a share of the length, in the list's own space. */
 export function offsetAt(item: CurveItem, space: StopSpace, fraction: number): number {
@@ -34,7 +48,11 @@ export function offsetAt(item: CurveItem, space: StopSpace, fraction: number): n
 }
 
 /** Linear between stops, constant beyond the ends; of a hard step, the side behind it. */
-export function valueAt<Value>(stops: readonly Stop<Value>[], offset: number, mix: Mix<Value>): Value {
+export function valueAt<Value>(
+  stops: readonly Stop<Value>[],
+  offset: number,
+  mix: Mix<Value>,
+): Value {
   const next = stops.findIndex((stop) => stop.offset > offset);
   if (next === 0) return stops[0].value;
   if (next < 0) return stops[stops.length - 1].value;
@@ -48,7 +66,7 @@ export interface Placed<Value> {
   readonly index: number;
 }
 
-const inserted = <Value,>(stops: readonly Stop<Value>[], at: number, stop: Stop<Value>) => [
+const inserted = <Value>(stops: readonly Stop<Value>[], at: number, stop: Stop<Value>) => [
   ...stops.slice(0, at),
   stop,
   ...stops.slice(at),
@@ -70,7 +88,9 @@ export function movedStop<Value>(list: Stops<Value>, index: number, offset: numb
   const stop = { ...list.stops[index], offset };
   const rest = withoutStop(list, index);
   // Onto another from behind: it stays behind; from before: it stays before.
-  const place = rest.stops.findIndex((other, k) => (k < index ? other.offset > offset : other.offset >= offset));
+  const place = rest.stops.findIndex((other, k) =>
+    k < index ? other.offset > offset : other.offset >= offset,
+  );
   const to = place < 0 ? rest.stops.length : place;
   return { value: { ...list, stops: inserted(rest.stops, to, stop) }, index: to };
 }
@@ -80,7 +100,7 @@ export function withValue<Value>(list: Stops<Value>, index: number, value: Value
 }
 
 /** One value all along. */
-export const constant = <Value,>(value: Value): Stops<Value> => ({
+export const constant = <Value>(value: Value): Stops<Value> => ({
   kind: "stops",
   space: "arc",
   stops: [{ offset: 0, value }],

@@ -31,7 +31,9 @@ interface IconButtonProps {
 export function IconButton(props: IconButtonProps) {
   const { editor } = useShell();
   const tip = useTip(props.label, props.command);
-  const names = ["icon-button", props.small ? "small" : "", props.class ?? ""].filter(Boolean).join(" ");
+  const names = ["icon-button", props.small ? "small" : "", props.class ?? ""]
+    .filter(Boolean)
+    .join(" ");
   return (
     <button
       type="button"
@@ -41,7 +43,9 @@ export function IconButton(props: IconButtonProps) {
       aria-expanded={props.expanded}
       aria-haspopup={props.popup}
       disabled={props.disabled}
-      onClick={(event) => (props.onClick ? props.onClick(event) : props.command && editor.command(props.command))}
+      onClick={(event) =>
+        props.onClick ? props.onClick(event) : props.command && editor.command(props.command)
+      }
     >
       <Icon name={props.icon} />
     </button>

@@ -3,7 +3,9 @@ import { keyLabel, keysOf } from "../../app/keys.js";
 
 /** Caps of one key: "Ctrl+Shift+Z" is Ctrl, Shift, Z. "+" itself stands last. */
 export function capsOf(key: string): readonly string[] {
-  const parts = key.endsWith("+") ? [...key.slice(0, -1).split("+").filter(Boolean), "+"] : key.split("+");
+  const parts = key.endsWith("+")
+    ? [...key.slice(0, -1).split("+").filter(Boolean), "+"]
+    : key.split("+");
   return parts.map((part) => keyLabel(part === "Shift" ? "⇧" : part));
 }
 

@@ -1,4 +1,5 @@
-// Sums in fields: "30*2", "(4+1)/2", "-3.5", "1/3". Its own small reader; nothing is evaluated as code.
+// Sums in fields: "30*2", "(4+1)/2", "-3.5", "1/3". Its own small reader; nothing is evaluated as
+// code.
 
 const ops: Readonly<Record<string, (a: number, b: number) => number>> = {
   "+": (a, b) => a + b,
@@ -20,13 +21,15 @@ class Reader {
 
   sum(depth: number): number {
     let value = this.product(depth);
-    while (this.next === "+" || this.next === "-") value = ops[this.tokens[this.at++]](value, this.product(depth));
+    while (this.next === "+" || this.next === "-")
+      value = ops[this.tokens[this.at++]](value, this.product(depth));
     return value;
   }
 
   private product(depth: number): number {
     let value = this.factor(depth);
-    while (this.next === "*" || this.next === "/") value = ops[this.tokens[this.at++]](value, this.factor(depth));
+    while (this.next === "*" || this.next === "/")
+      value = ops[this.tokens[this.at++]](value, this.factor(depth));
     return value;
   }
 
@@ -45,9 +48,15 @@ class Reader {
   }
 }
 
-/** The value of a sum, or null where it is none or not finite. A comma is taken for a decimal point. */
+/**
+ * The value of a sum, or null where it is none or not finite. A comma is taken for a decimal point.
+ */
 export function evaluate(text: string): number | null {
-  const plain = text.replaceAll(",", ".").replaceAll("×", "*").replaceAll("−", "-").replaceAll("÷", "/");
+  const plain = text
+    .replaceAll(",", ".")
+    .replaceAll("×", "*")
+    .replaceAll("−", "-")
+    .replaceAll("÷", "/");
   const tokens = plain.match(/\d+\.?\d*(?:e[+-]?\d+)?|\.\d+(?:e[+-]?\d+)?|[-+*/()]/gi) ?? [];
   if (tokens.length === 0 || tokens.join("") !== plain.replace(/\s+/g, "")) return null;
   const reader = new Reader(tokens);

@@ -26,10 +26,14 @@ interface NumberFieldProps {
   readonly sink: Sink<number>;
 }
 
-const factor = (event: { shiftKey: boolean; altKey: boolean }) => (event.shiftKey ? 10 : event.altKey ? 0.1 : 1);
+const factor = (event: { shiftKey: boolean; altKey: boolean }) =>
+  event.shiftKey ? 10 : event.altKey ? 0.1 : 1;
 
 /** Why a text is no value for the field, or the value. */
-function read(text: string, { min = -Infinity, max = Infinity }: NumberFieldProps): number | string {
+function read(
+  text: string,
+  { min = -Infinity, max = Infinity }: NumberFieldProps,
+): number | string {
   const value = evaluate(text);
   if (value === null) return words.notANumber;
   if (value < min) return words.atLeast(decimal(min, 3));

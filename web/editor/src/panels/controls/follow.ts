@@ -12,7 +12,11 @@ interface Follow {
  * Follows the pointer until it is let go. The holder captures it once it moves, and not sooner, so
  * that clicks and double clicks stay with what was pressed.
  */
-export function follow(holder: HTMLElement, pressed: PointerEvent, { slop, onMove, onEnd }: Follow) {
+export function follow(
+  holder: HTMLElement,
+  pressed: PointerEvent,
+  { slop, onMove, onEnd }: Follow,
+) {
   const { pointerId, clientX, clientY } = pressed;
   let hasMoved = false;
   const move = (event: PointerEvent) => {

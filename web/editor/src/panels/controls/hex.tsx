@@ -40,7 +40,9 @@ export function HexField({ name, value, marked, grow, onChange }: HexFieldProps)
     event.preventDefault();
     event.stopPropagation();
   };
-  const names = ["field", "mono", grow ? "grow" : "", isWrong ? "invalid" : ""].filter(Boolean).join(" ");
+  const names = ["field", "mono", grow ? "grow" : "", isWrong ? "invalid" : ""]
+    .filter(Boolean)
+    .join(" ");
   return (
     <div class={names}>
       {marked && (

@@ -33,7 +33,11 @@ const levels = signal<readonly Level[]>([]);
 let opener: HTMLElement | null = null;
 
 /** `anchor`: the element below which it opens, or a place of the window. */
-export function openMenu(label: string, items: readonly MenuItem[], anchor: HTMLElement | { x: number; y: number }) {
+export function openMenu(
+  label: string,
+  items: readonly MenuItem[],
+  anchor: HTMLElement | { x: number; y: number },
+) {
   opener = anchor instanceof HTMLElement ? anchor : (document.activeElement as HTMLElement | null);
   const at =
     anchor instanceof HTMLElement
@@ -62,11 +66,22 @@ function place(menu: HTMLElement | null, { at, beside }: Level) {
   menu.style.top = `${Math.max(EDGE, Math.min(top, innerHeight - height - EDGE))}px`;
 }
 
-function Entry({ item, depth }: { readonly item: Exclude<MenuItem, "line">; readonly depth: number }) {
+function Entry({
+  item,
+  depth,
+}: {
+  readonly item: Exclude<MenuItem, "line">;
+  readonly depth: number;
+}) {
   const { editor } = useShell();
   const openInner = (element: HTMLElement) => {
     if (!item.items) return false;
-    const level = { items: item.items, label: item.label, at: element.getBoundingClientRect(), beside: true };
+    const level = {
+      items: item.items,
+      label: item.label,
+      at: element.getBoundingClientRect(),
+      beside: true,
+    };
     levels.value = [...levels.value.slice(0, depth + 1), level];
     return true;
   };
@@ -122,7 +137,13 @@ function step(menu: HTMLElement, event: KeyboardEvent): boolean {
   else {
     const word = typedWord(event);
     if (word === null) return false;
-    items[nextBeginning(items.map((item) => item.textContent?.trim() ?? ""), at, word)]?.focus();
+    items[
+      nextBeginning(
+        items.map((item) => item.textContent?.trim() ?? ""),
+        at,
+        word,
+      )
+    ]?.focus();
   }
   return true;
 }
@@ -132,13 +153,19 @@ function Menu({ level, depth }: { readonly level: Level; readonly depth: number 
   useEffect(() => {
     const now = menu.current;
     place(now, level);
-    (now?.querySelector<HTMLElement>("[aria-checked=true]") ?? now?.querySelector<HTMLElement>("button:not(:disabled)"))?.focus();
+    (
+      now?.querySelector<HTMLElement>("[aria-checked=true]") ??
+      now?.querySelector<HTMLElement>("button:not(:disabled)")
+    )?.focus();
   }, [level]);
   const key = (event: TargetedKeyboardEvent<HTMLDivElement>) => {
     if (event.key === "Tab") closeMenus();
     else if (depth > 0 && (event.key === "ArrowLeft" || event.key === "Escape")) {
       levels.value = levels.value.slice(0, depth);
-      document.querySelectorAll<HTMLElement>(".menu")[depth - 1]?.querySelector<HTMLElement>("[aria-expanded=true]")?.focus();
+      document
+        .querySelectorAll<HTMLElement>(".menu")
+        [depth - 1]?.querySelector<HTMLElement>("[aria-expanded=true]")
+        ?.focus();
     } else if (event.key === "Escape") closeMenus();
     else if (!step(event.currentTarget, event)) {
       event.stopPropagation();

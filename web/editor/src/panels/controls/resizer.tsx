@@ -20,12 +20,18 @@ const STEP = 16;
 
 export function Resizer(props: ResizerProps) {
   const { kind, sign, value } = props;
-  const set = (next: number) => props.onChange(Math.round(Math.min(Math.max(next, props.min), props.max)));
+  const set = (next: number) =>
+    props.onChange(Math.round(Math.min(Math.max(next, props.min), props.max)));
   const drag = (event: TargetedPointerEvent<HTMLElement>) => {
-    const along = (at: { clientX: number; clientY: number }) => (kind === "column" ? at.clientX : at.clientY);
+    const along = (at: { clientX: number; clientY: number }) =>
+      kind === "column" ? at.clientX : at.clientY;
     const from = along(event);
     const move = (to: PointerEvent) => set(value + sign * (along(to) - from));
-    follow(event.currentTarget, event, { slop: 0, onMove: move, onEnd: (isKept) => !isKept && set(value) });
+    follow(event.currentTarget, event, {
+      slop: 0,
+      onMove: move,
+      onEnd: (isKept) => !isKept && set(value),
+    });
   };
   const key = (event: TargetedKeyboardEvent<HTMLElement>) => {
     const [less, more] = kind === "column" ? ["ArrowLeft", "ArrowRight"] : ["ArrowUp", "ArrowDown"];

@@ -21,7 +21,12 @@ interface SegmentsProps<Value> {
   readonly onChange: (value: Value) => void;
 }
 
-function Segment<Value extends string>(props: { choice: Choice<Value>; on: boolean; stops: boolean; onChange: (value: Value) => void }) {
+function Segment<Value extends string>(props: {
+  choice: Choice<Value>;
+  on: boolean;
+  stops: boolean;
+  onChange: (value: Value) => void;
+}) {
   const { choice, on } = props;
   const tip = useTip(choice.label, choice.command);
   const needsTip = choice.shows !== undefined || choice.command !== undefined;
@@ -36,15 +41,28 @@ function Segment<Value extends string>(props: { choice: Choice<Value>; on: boole
       onClick={() => props.onChange(choice.value)}
     >
       {choice.icon && <Icon name={choice.icon} small={choice.shows !== "icon"} />}
-      {choice.shows !== "icon" && <span class={choice.shows === "narrow" ? "wide" : undefined}>{choice.label}</span>}
+      {choice.shows !== "icon" && (
+        <span class={choice.shows === "narrow" ? "wide" : undefined}>{choice.label}</span>
+      )}
     </button>
   );
 }
 
-export function Segments<Value extends string>({ label, choices, value, full, onChange }: SegmentsProps<Value>) {
+export function Segments<Value extends string>({
+  label,
+  choices,
+  value,
+  full,
+  onChange,
+}: SegmentsProps<Value>) {
   const chosen = choices.findIndex((choice) => choice.value === value);
   return (
-    <div class={full ? "segments full" : "segments"} role="radiogroup" aria-label={label} onKeyDown={radioKeys()}>
+    <div
+      class={full ? "segments full" : "segments"}
+      role="radiogroup"
+      aria-label={label}
+      onKeyDown={radioKeys()}
+    >
       {choices.map((choice, index) => (
         <Segment
           key={String(choice.value)}

@@ -12,7 +12,14 @@ interface SelectProps<Value> {
   readonly onChange: (value: Value) => void;
 }
 
-export function Select<Value extends string>({ label, choices, value, mixed, grow, onChange }: SelectProps<Value>) {
+export function Select<Value extends string>({
+  label,
+  choices,
+  value,
+  mixed,
+  grow,
+  onChange,
+}: SelectProps<Value>) {
   const now = choices.find((choice) => choice.value === value)?.label ?? mixed ?? "";
   const items = choices.map((choice) => ({
     label: choice.label,

@@ -11,7 +11,9 @@ export interface Movement<Value> {
 }
 
 export interface Sink<Value> {
-  /** A value at once. `merges`: one step of undo together with those just before (held arrow keys). */
+  /**
+   * A value at once. `merges`: one step of undo together with those just before (held arrow keys).
+   */
   set(value: Value, merges?: boolean): void;
   begin(): Movement<Value>;
 }
@@ -23,7 +25,8 @@ export function edits<Value>(
   make: (value: Value, before: Drawing) => Outcome | null,
 ): Sink<Value> {
   return {
-    set: (value, merges) => void editor.run(label, make(value, editor.drawing), merges ? label : undefined),
+    set: (value, merges) =>
+      void editor.run(label, make(value, editor.drawing), merges ? label : undefined),
     begin: () => {
       const gesture = editor.gesture(label);
       return {
@@ -54,7 +57,11 @@ export function mapped<From, To>(sink: Sink<To>, map: (value: From) => To): Sink
     set: (value, merges) => sink.set(map(value), merges),
     begin: () => {
       const movement = sink.begin();
-      return { show: (value) => movement.show(map(value)), keep: movement.keep, drop: movement.drop };
+      return {
+        show: (value) => movement.show(map(value)),
+        keep: movement.keep,
+        drop: movement.drop,
+      };
     },
   };
 }

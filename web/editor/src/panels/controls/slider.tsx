@@ -26,7 +26,10 @@ export function Slider(props: SliderProps) {
     movement.current?.keep();
     movement.current = null;
   };
-  const style = { "--value": (value - min) / (max - min), ...(props.track ? { "--track": props.track } : {}) };
+  const style = {
+    "--value": (value - min) / (max - min),
+    ...(props.track ? { "--track": props.track } : {}),
+  };
   return (
     <input
       type="range"

@@ -1,7 +1,10 @@
 // One tooltip for the page: over whatever bears data-tip, with the key of data-tip-key.
 import { useEffect, useState } from "preact/hooks";
 
-/** After this long over an element; at once if another was shown this short a time ago. Milliseconds. */
+/**
+ * After this long over an element; at once if another was shown this short a time ago.
+ * Milliseconds.
+ */
 const WAIT = 500;
 const NEIGHBOUR = 300;
 const GAP = 6;
@@ -26,7 +29,11 @@ function watch(show: (shown: Shown | null) => void): () => void {
   const reveal = (element: HTMLElement) => {
     if (!element.isConnected) return;
     current = element;
-    show({ text: element.dataset.tip ?? "", chord: element.dataset.tipKey, at: element.getBoundingClientRect() });
+    show({
+      text: element.dataset.tip ?? "",
+      chord: element.dataset.tipKey,
+      at: element.getBoundingClientRect(),
+    });
   };
   const enter = (event: Event, wait: number) => {
     const element = (event.target as Element).closest?.<HTMLElement>("[data-tip]");
@@ -36,8 +43,10 @@ function watch(show: (shown: Shown | null) => void): () => void {
     if (!element) return;
     timer = window.setTimeout(() => reveal(element), soon ? 0 : wait);
   };
-  const over = (event: PointerEvent) => event.pointerType === "mouse" && event.buttons === 0 && enter(event, WAIT);
-  const focus = (event: FocusEvent) => (event.target as Element).matches?.(":focus-visible") && enter(event, WAIT);
+  const over = (event: PointerEvent) =>
+    event.pointerType === "mouse" && event.buttons === 0 && enter(event, WAIT);
+  const focus = (event: FocusEvent) =>
+    (event.target as Element).matches?.(":focus-visible") && enter(event, WAIT);
   const key = (event: KeyboardEvent) => event.key === "Escape" && leave();
   document.addEventListener("pointerover", over);
   document.addEventListener("focusin", focus);
@@ -58,7 +67,10 @@ function watch(show: (shown: Shown | null) => void): () => void {
 function place(tip: HTMLElement | null, at: DOMRect) {
   if (!tip) return;
   const { width, height } = tip.getBoundingClientRect();
-  const left = Math.min(Math.max(at.left + at.width / 2 - width / 2, GAP), innerWidth - width - GAP);
+  const left = Math.min(
+    Math.max(at.left + at.width / 2 - width / 2, GAP),
+    innerWidth - width - GAP,
+  );
   const below = at.bottom + GAP;
   tip.style.left = `${left}px`;
   tip.style.top = `${below + height < innerHeight ? below : at.top - GAP - height}px`;

@@ -9,7 +9,10 @@ let last = -Infinity;
 export function typedWord(event: KeyboardEvent): string | null {
   const isLetter = event.key.length === 1 && /\p{L}|\p{N}/u.test(event.key);
   if (!isLetter || event.ctrlKey || event.metaKey || event.altKey) return null;
-  word = event.timeStamp - last < PAUSE ? word + event.key.toLocaleLowerCase() : event.key.toLocaleLowerCase();
+  word =
+    event.timeStamp - last < PAUSE
+      ? word + event.key.toLocaleLowerCase()
+      : event.key.toLocaleLowerCase();
   last = event.timeStamp;
   return word;
 }

@@ -9,7 +9,9 @@ export type Area = "artboard" | "selection" | "view";
 export function viewportOf(editor: Editor, area: Area): Box | null {
   if (area === "artboard") return editor.drawing.artboard;
   if (area === "selection") {
-    const box = boxOf(editor.selection.value.flatMap(({ handle }) => editor.drawing.item(handle) ?? []));
+    const box = boxOf(
+      editor.selection.value.flatMap(({ handle }) => editor.drawing.item(handle) ?? []),
+    );
     return box && box[2] > box[0] && box[3] > box[1] ? box : null;
   }
   const { width, height } = editor.stage.value;

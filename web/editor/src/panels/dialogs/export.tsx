@@ -1,6 +1,5 @@
 // Export: what, how large, which part. The format decides which rows there are.
 import { useSignal } from "@preact/signals";
-import { useEffect } from "preact/hooks";
 import { complaintAboutSize, mostSide, type ExportWish } from "../../files/export.js";
 import { Icon } from "../../icons.js";
 import { en } from "../../strings/en.js";
@@ -11,11 +10,10 @@ import type { Sink } from "../controls/sink.js";
 import { bytes, decimal } from "../format.js";
 import { useShell } from "../services.js";
 import { sizeAt, viewportOf, type Area, type Size } from "./area.js";
+import { Preview, useEstimate, useWork } from "./exporting.js";
 import { Frame } from "./frame.js";
 
 const words = en.dialogs;
-/** An estimate is asked for when nothing was changed for this long, milliseconds. */
-const REST = 300;
 
 interface Choice {
   readonly format: ExportWish["format"];
@@ -41,7 +39,12 @@ function Formats({ choice, change }: { readonly choice: Choice; readonly change:
     <div class="formats" role="radiogroup" aria-label={words.format}>
       {(["svg", "png", "html"] as const).map((format) => (
         <label key={format} class="format">
-          <input type="radio" name="format" checked={choice.format === format} onChange={() => change({ format })} />
+          <input
+            type="radio"
+            name="format"
+            checked={choice.format === format}
+            onChange={() => change({ format })}
+          />
           <b>{format.toUpperCase()}</b>
           <span>{words.formats[format]}</span>
         </label>
@@ -50,15 +53,29 @@ function Formats({ choice, change }: { readonly choice: Choice; readonly change:
   );
 }
 
-function SizeRow({ choice, change, natural }: { readonly choice: Choice; readonly change: Change; readonly natural: Size }) {
+function SizeRow({
+  choice,
+  change,
+  natural,
+}: {
+  readonly choice: Choice;
+  readonly change: Change;
+  readonly natural: Size;
+}) {
   const { size, linked } = choice;
   const set = (axis: keyof Size) => (value: number) => {
     const pixels = Math.max(1, Math.round(value));
     const other = axis === "width" ? "height" : "width";
-    const kept = linked ? Math.max(1, Math.round((pixels * natural[other]) / natural[axis])) : size[other];
-    change({ size: axis === "width" ? { width: pixels, height: kept } : { width: kept, height: pixels } });
+    const kept = linked
+      ? Math.max(1, Math.round((pixels * natural[other]) / natural[axis]))
+      : size[other];
+    change({
+      size: axis === "width" ? { width: pixels, height: kept } : { width: kept, height: pixels },
+    });
   };
-  const scale = [1, 2, 4].find((s) => size.width === natural.width * s && size.height === natural.height * s);
+  const scale = [1, 2, 4].find(
+    (s) => size.width === natural.width * s && size.height === natural.height * s,
+  );
   return (
     <div>
       <div class="form-label">
@@ -66,15 +83,44 @@ function SizeRow({ choice, change, natural }: { readonly choice: Choice; readonl
         <span class="muted">{words.megapixels(decimal((size.width * size.height) / 1e6, 1))}</span>
       </div>
       <div class="size-row">
-        <NumberField label="W" name={en.panels.width} value={size.width} digits={0} min={1} max={mostSide} unit="px" sink={once(set("width"), size.width)} />
-        <IconButton icon={linked ? "link-2" : "unlink-2"} label={words.keepProportions} pressed={linked} onClick={() => change({ linked: !linked })} />
-        <NumberField label="H" name={en.panels.height} value={size.height} digits={0} min={1} max={mostSide} unit="px" sink={once(set("height"), size.height)} />
+        <NumberField
+          label="W"
+          name={en.panels.width}
+          value={size.width}
+          digits={0}
+          min={1}
+          max={mostSide}
+          unit="px"
+          sink={once(set("width"), size.width)}
+        />
+        <IconButton
+          icon={linked ? "link-2" : "unlink-2"}
+          label={words.keepProportions}
+          pressed={linked}
+          onClick={() => change({ linked: !linked })}
+        />
+        <NumberField
+          label="H"
+          name={en.panels.height}
+          value={size.height}
+          digits={0}
+          min={1}
+          max={mostSide}
+          unit="px"
+          sink={once(set("height"), size.height)}
+        />
         <Segments
           label={words.scale}
           value={scale === undefined ? null : String(scale)}
           choices={["1", "2", "4"].map((value) => ({ value, label: `${value}×` }))}
           onChange={(value) =>
-            change({ size: { width: natural.width * Number(value), height: natural.height * Number(value) }, linked: true })
+            change({
+              size: {
+                width: natural.width * Number(value),
+                height: natural.height * Number(value),
+              },
+              linked: true,
+            })
           }
         />
       </div>
@@ -82,84 +128,25 @@ function SizeRow({ choice, change, natural }: { readonly choice: Choice; readonl
   );
 }
 
-function Check(props: { readonly checked: boolean; readonly label: string; readonly note?: string; readonly onChange: (to: boolean) => void }) {
+function Check(props: {
+  readonly checked: boolean;
+  readonly label: string;
+  readonly note?: string;
+  readonly onChange: (to: boolean) => void;
+}) {
   return (
     <label class="check">
-      <input type="checkbox" checked={props.checked} onChange={(event) => props.onChange(event.currentTarget.checked)} />
+      <input
+        type="checkbox"
+        checked={props.checked}
+        onChange={(event) => props.onChange(event.currentTarget.checked)}
+      />
       <span>
         {props.label}
         {props.note && <small>{props.note}</small>}
       </span>
     </label>
   );
-}
-
-/** A picture of what would be written, made anew when the part changes. */
-function Preview({ wish }: { readonly wish: ExportWish }) {
-  const { services } = useShell();
-  const url = useSignal<string | null>(null);
-  const transparent = wish.format === "png" && wish.transparent;
-  useEffect(() => {
-    let isOver = false;
-    void services.preview(wish.viewport, transparent).then((made) => {
-      if (isOver) {
-        if (made) URL.revokeObjectURL(made);
-        return;
-      }
-      if (url.peek()) URL.revokeObjectURL(url.peek()!);
-      url.value = made;
-    });
-    return () => {
-      isOver = true;
-    };
-  }, [wish.viewport.join(), transparent]);
-  useEffect(() => () => void (url.peek() && URL.revokeObjectURL(url.peek()!)), []);
-  return (
-    <div class="export-view">
-      {url.value && <img class={transparent ? "chequer" : undefined} src={url.value} alt={words.previewAlt} />}
-    </div>
-  );
-}
-
-function useEstimate(wish: ExportWish): number | null {
-  const { services } = useShell();
-  const size = useSignal<number | null>(null);
-  useEffect(() => {
-    let isOver = false;
-    size.value = null;
-    const timer = window.setTimeout(
-      () => void services.estimate(wish).then((found) => !isOver && (size.value = found)),
-      REST,
-    );
-    return () => {
-      isOver = true;
-      window.clearTimeout(timer);
-    };
-  }, [JSON.stringify(wish)]);
-  return size.value;
-}
-
-/** Does a work, and says in the dialog why it failed. */
-function useWork() {
-  const { editor } = useShell();
-  const isBusy = useSignal(false);
-  const reason = useSignal<string | null>(null);
-  const run = async (work: () => Promise<void>, done: string | null) => {
-    isBusy.value = true;
-    reason.value = null;
-    try {
-      await work();
-      editor.dialog.value = null;
-      if (done) editor.say(done);
-    } catch (error) {
-      // Closing the browser's own dialog is no failure.
-      if (!(error instanceof DOMException && error.name === "AbortError")) {
-        reason.value = error instanceof Error ? error.message : String(error);
-      }
-    }
-    isBusy.value = false;
-  };
-  return { isBusy, reason, run };
 }
 
 export function ExportDialog() {
@@ -187,7 +174,10 @@ export function ExportDialog() {
   const setArea = (area: Area) => {
     const box = viewportOf(editor, area) ?? artboard;
     const factor = now.size.width / natural.width;
-    change({ area, size: sizeAt(box, Math.min(factor, mostSide / Math.max(box[2] - box[0], box[3] - box[1]))) });
+    change({
+      area,
+      size: sizeAt(box, Math.min(factor, mostSide / Math.max(box[2] - box[0], box[3] - box[1]))),
+    });
   };
   const wish: ExportWish = {
     format: now.format,
@@ -199,7 +189,9 @@ export function ExportDialog() {
   const complaint = now.format === "png" ? complaintAboutSize(wish) : null;
   const estimate = useEstimate(wish);
   const format = now.format.toUpperCase();
-  const areas: readonly Area[] = viewportOf(editor, "selection") ? ["artboard", "selection", "view"] : ["artboard", "view"];
+  const areas: readonly Area[] = viewportOf(editor, "selection")
+    ? ["artboard", "selection", "view"]
+    : ["artboard", "view"];
   const foot = (
     <>
       <span class="muted foot-note">
@@ -207,12 +199,22 @@ export function ExportDialog() {
       </span>
       <span class="spacer" />
       {now.format === "png" && (
-        <button type="button" class="button large" disabled={isBusy.value || complaint !== null} onClick={() => void run(() => services.copyPicture(wish), words.copied)}>
+        <button
+          type="button"
+          class="button large"
+          disabled={isBusy.value || complaint !== null}
+          onClick={() => void run(() => services.copyPicture(wish), words.copied)}
+        >
           <Icon name="copy" />
           {en.panels.copy}
         </button>
       )}
-      <button type="button" class="button primary large" disabled={isBusy.value || complaint !== null} onClick={() => void run(() => services.exportTo(wish), null)}>
+      <button
+        type="button"
+        class="button primary large"
+        disabled={isBusy.value || complaint !== null}
+        onClick={() => void run(() => services.exportTo(wish), null)}
+      >
         {isBusy.value ? words.exporting : words.exportAs(format)}
       </button>
     </>
@@ -229,13 +231,29 @@ export function ExportDialog() {
               <div class="form-label">
                 <span>{words.area}</span>
               </div>
-              <Segments full label={words.area} value={now.area} choices={areas.map((value) => ({ value, label: words.areas[value] }))} onChange={setArea} />
+              <Segments
+                full
+                label={words.area}
+                value={now.area}
+                choices={areas.map((value) => ({ value, label: words.areas[value] }))}
+                onChange={setArea}
+              />
             </div>
           )}
           <div class="checks">
-            {now.format === "png" && <Check checked={now.transparent} label={words.transparent} onChange={(transparent) => change({ transparent })} />}
+            {now.format === "png" && (
+              <Check
+                checked={now.transparent}
+                label={words.transparent}
+                onChange={(transparent) => change({ transparent })}
+              />
+            )}
             {now.format === "svg" && (
-              <Check checked={!now.keepReference} label={words.leaveOut} onChange={(leaveOut) => change({ keepReference: !leaveOut })} />
+              <Check
+                checked={!now.keepReference}
+                label={words.leaveOut}
+                onChange={(leaveOut) => change({ keepReference: !leaveOut })}
+              />
             )}
             {now.format === "html" && <p class="read muted">{words.htmlNote}</p>}
           </div>

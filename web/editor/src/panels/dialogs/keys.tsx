@@ -1,7 +1,14 @@
 // All keys, to be found and changed.
 import { useSignal, type Signal } from "@preact/signals";
 import type { TargetedKeyboardEvent } from "preact";
-import { keyBindings, keyName, resetKeys, setKeys, type KeyBinding, type KeyGroup } from "../../app/keys.js";
+import {
+  keyBindings,
+  keyName,
+  resetKeys,
+  setKeys,
+  type KeyBinding,
+  type KeyGroup,
+} from "../../app/keys.js";
 import { Icon } from "../../icons.js";
 import { en } from "../../strings/en.js";
 import { capsOf } from "../controls/chords.js";
@@ -13,7 +20,11 @@ const groups: readonly KeyGroup[] = ["tools", "curve", "edit", "view", "arrange"
 
 function Caps({ keys }: { readonly keys: readonly string[] }) {
   const [first] = keys;
-  return first === undefined ? <span class="muted">{words.noKey}</span> : capsOf(first).map((cap) => <kbd key={cap}>{cap}</kbd>);
+  return first === undefined ? (
+    <span class="muted">{words.noKey}</span>
+  ) : (
+    capsOf(first).map((cap) => <kbd key={cap}>{cap}</kbd>)
+  );
 }
 
 interface KeyRowProps {
@@ -37,7 +48,10 @@ function KeyRow({ binding, isChanging, waiting, message }: KeyRowProps) {
     waiting.value = null;
     if (event.key === "Escape") return;
     const taken = setKeys(command, [keyName(event)]);
-    message.value = taken === null ? words.keySet(name, capsOf(keyName(event)).join(" ")) : words.keyTaken(nameOfCommand(taken));
+    message.value =
+      taken === null
+        ? words.keySet(name, capsOf(keyName(event)).join(" "))
+        : words.keyTaken(nameOfCommand(taken));
   };
   return (
     <div>
@@ -47,7 +61,9 @@ function KeyRow({ binding, isChanging, waiting, message }: KeyRowProps) {
           <button
             type="button"
             class={isWaiting ? "key-change waiting" : "key-change"}
-            aria-label={isWaiting ? words.pressKeys : words.changeKeyOf(name, keys[0] ?? words.noKey)}
+            aria-label={
+              isWaiting ? words.pressKeys : words.changeKeyOf(name, keys[0] ?? words.noKey)
+            }
             onClick={() => {
               waiting.value = command;
               message.value = null;
@@ -98,7 +114,9 @@ export function KeysDialog() {
   const isChanging = useSignal(false);
   const waiting = useSignal<string | null>(null);
   const message = useSignal<string | null>(null);
-  const found = keyBindings().filter(({ command, keys }) => fits(query.value, nameOfCommand(command), ...keys));
+  const found = keyBindings().filter(({ command, keys }) =>
+    fits(query.value, nameOfCommand(command), ...keys),
+  );
   const search = (
     <div class="field search">
       <span class="label" aria-hidden="true">
@@ -149,7 +167,13 @@ export function KeysDialog() {
               <h3>{words.keyGroups[group]}</h3>
               <dl>
                 {rows.map((binding) => (
-                  <KeyRow key={binding.command} binding={binding} isChanging={isChanging.value} waiting={waiting} message={message} />
+                  <KeyRow
+                    key={binding.command}
+                    binding={binding}
+                    isChanging={isChanging.value}
+                    waiting={waiting}
+                    message={message}
+                  />
                 ))}
               </dl>
             </section>

@@ -14,7 +14,12 @@ import { Frame } from "./frame.js";
 const words = en.dialogs;
 const MOST = 100000;
 const WHITE: Rgb = { r: 1, g: 1, b: 1 };
-const presets = { "640×480": [640, 480], "1080×1080": [1080, 1080], "1920×1080": [1920, 1080], A4: [794, 1123] } as const;
+const presets = {
+  "640×480": [640, 480],
+  "1080×1080": [1080, 1080],
+  "1920×1080": [1920, 1080],
+  A4: [794, 1123],
+} as const;
 type Preset = keyof typeof presets;
 
 export function NewDialog() {
@@ -23,7 +28,9 @@ export function NewDialog() {
   const height = useSignal(480);
   const background = useSignal<Rgb | null>(WHITE);
   const names = Object.keys(presets) as Preset[];
-  const preset = names.find((name) => presets[name][0] === width.value && presets[name][1] === height.value) ?? null;
+  const preset =
+    names.find((name) => presets[name][0] === width.value && presets[name][1] === height.value) ??
+    null;
   const create = () => {
     const color = background.value;
     editor.dialog.value = null;
@@ -50,8 +57,24 @@ export function NewDialog() {
           }}
         />
         <div class="two">
-          <NumberField label="W" name={en.panels.width} value={width.value} digits={2} min={1} max={MOST} sink={setting(width)} />
-          <NumberField label="H" name={en.panels.height} value={height.value} digits={2} min={1} max={MOST} sink={setting(height)} />
+          <NumberField
+            label="W"
+            name={en.panels.width}
+            value={width.value}
+            digits={2}
+            min={1}
+            max={MOST}
+            sink={setting(width)}
+          />
+          <NumberField
+            label="H"
+            name={en.panels.height}
+            value={height.value}
+            digits={2}
+            min={1}
+            max={MOST}
+            sink={setting(height)}
+          />
         </div>
         <div>
           <label class="check">

@@ -13,7 +13,8 @@ function useProblem(): Problem | null {
   const { editor, services } = useShell();
   const status = editor.status.value;
   if (services.problem.value) return services.problem.value;
-  if (status.kind === "failed") return { title: words.stopped, reason: status.reason, line: 0, column: 0, source: null };
+  if (status.kind === "failed")
+    return { title: words.stopped, reason: status.reason, line: 0, column: 0, source: null };
   if (status.kind !== "problem") return null;
   const { reason, line, column } = status;
   const source = line > 0 ? (editor.drawing.text.split(/\r\n|\r|\n/)[line - 1] ?? null) : null;
@@ -26,10 +27,21 @@ function around(source: string, column: number): { text: string; at: number } {
   const from = Math.max(place - AROUND, 0);
   const to = Math.min(place + AROUND, source.length);
   const before = from > 0 ? "…" : "";
-  return { text: before + source.slice(from, to) + (to < source.length ? "…" : ""), at: place - from + before.length };
+  return {
+    text: before + source.slice(from, to) + (to < source.length ? "…" : ""),
+    at: place - from + before.length,
+  };
 }
 
-function Line({ source, line, column }: { readonly source: string; readonly line: number; readonly column: number }) {
+function Line({
+  source,
+  line,
+  column,
+}: {
+  readonly source: string;
+  readonly line: number;
+  readonly column: number;
+}) {
   const { text, at } = around(source, column);
   return (
     <pre class="problem-line" tabIndex={0} aria-label={words.lineOf(line)}>

@@ -28,13 +28,31 @@ function HintRow({ hint }: { readonly hint: Hint }) {
     const { at } = hint;
     if (at) editor.fit([at[0] - AROUND, at[1] - AROUND, at[0] + AROUND, at[1] + AROUND]);
   };
-  const names = ["hint", hint.severity === "warning" ? "warn" : "info", current.value === hint ? "current" : ""];
+  const names = [
+    "hint",
+    hint.severity === "warning" ? "warn" : "info",
+    current.value === hint ? "current" : "",
+  ];
   return (
-    <li class={names.filter(Boolean).join(" ")} onPointerEnter={() => look(true)} onPointerLeave={() => look(false)}>
+    <li
+      class={names.filter(Boolean).join(" ")}
+      onPointerEnter={() => look(true)}
+      onPointerLeave={() => look(false)}
+    >
       <Icon name={hint.severity === "warning" ? "triangle-alert" : "info"} />
-      <button type="button" class="hint-text" onClick={go} onFocus={() => look(true)} onBlur={() => look(false)}>
+      <button
+        type="button"
+        class="hint-text"
+        onClick={go}
+        onFocus={() => look(true)}
+        onBlur={() => look(false)}
+      >
         <strong>{hint.message}</strong>
-        {item && <span class="muted">{item.parent ? words.hintIn(item.name, item.parent.name) : words.hintOf(item.name)}</span>}
+        {item && (
+          <span class="muted">
+            {item.parent ? words.hintIn(item.name, item.parent.name) : words.hintOf(item.name)}
+          </span>
+        )}
       </button>
       <div class="actions">
         {repair && (
@@ -89,7 +107,12 @@ export function HintsDock() {
   const height = useSignal(240);
   if (!editor.hintsShown.value) return null;
   return (
-    <section class="hints" aria-label={words.hints} data-region style={{ "--hints": `${height.value}px` }}>
+    <section
+      class="hints"
+      aria-label={words.hints}
+      data-region
+      style={{ "--hints": `${height.value}px` }}
+    >
       <Resizer
         kind="line"
         label={words.hintsHeight}
@@ -129,7 +152,12 @@ export function HintRing() {
   void editor.stage.value;
   const [x, y] = mapped(editor.stageFromArtboard(), at);
   return (
-    <svg class="leak" viewBox="0 0 40 40" aria-hidden="true" style={{ left: `${x - 20}px`, top: `${y - 20}px` }}>
+    <svg
+      class="leak"
+      viewBox="0 0 40 40"
+      aria-hidden="true"
+      style={{ left: `${x - 20}px`, top: `${y - 20}px` }}
+    >
       <circle cx="20" cy="20" r="17" />
       <circle class="in" cx="20" cy="20" r="17" />
     </svg>

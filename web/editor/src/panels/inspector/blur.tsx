@@ -15,7 +15,8 @@ import { Section } from "./sections.js";
 
 const words = en.panels;
 
-const same = (a: SideValue<number>, b: SideValue<number>) => JSON.stringify(radiiOf(a)) === JSON.stringify(radiiOf(b));
+const same = (a: SideValue<number>, b: SideValue<number>) =>
+  JSON.stringify(radiiOf(a)) === JSON.stringify(radiiOf(b));
 
 type Put = (before: Drawing, side: Side, value: SideValue<number>) => Outcome | null;
 
@@ -42,7 +43,9 @@ function Fields({ item, list, chosen, label, least, put }: FieldsProps) {
         value={stop.value}
         digits={2}
         min={least}
-        sink={edits(editor, words.moveRadius, (value: number, before) => put(before, side, withValue(list, index, value)))}
+        sink={edits(editor, words.moveRadius, (value: number, before) =>
+          put(before, side, withValue(list, index, value)),
+        )}
       />
       <NumberField
         label={words.at}
@@ -53,18 +56,28 @@ function Fields({ item, list, chosen, label, least, put }: FieldsProps) {
         min={0}
         max={100}
         sink={edits(editor, words.moveRadius, (percent: number, before) =>
-          put(before, side, movedStop(list, index, offsetAt(item, list.space, percent / 100)).value),
+          put(
+            before,
+            side,
+            movedStop(list, index, offsetAt(item, list.space, percent / 100)).value,
+          ),
         )}
       />
     </div>
   );
 }
 
-const summary = (list: Stops<number>) => list.stops.map(({ value }) => decimal(value, 2)).join(", ");
+const summary = (list: Stops<number>) =>
+  list.stops.map(({ value }) => decimal(value, 2)).join(", ");
 
 /** The point whose fields stand below: the chosen one where it still is, else the first. */
-function current(chosen: ChosenStop | null, lists: Readonly<Record<Side, Stops<number>>>): ChosenStop {
-  return chosen && chosen.index < lists[chosen.side].stops.length ? chosen : { side: "left", index: 0 };
+function current(
+  chosen: ChosenStop | null,
+  lists: Readonly<Record<Side, Stops<number>>>,
+): ChosenStop {
+  return chosen && chosen.index < lists[chosen.side].stops.length
+    ? chosen
+    : { side: "left", index: 0 };
 }
 
 export function BlurSection({ item }: { readonly item: CurveItem }) {
@@ -76,7 +89,9 @@ export function BlurSection({ item }: { readonly item: CurveItem }) {
   const isLocal = item.kind === "stroke";
   const linked = isLocal || (same(left, right) && parted.value !== item.handle);
   const put: Put = (before, side, value) =>
-    linked ? setBoth(before, item.handle, "blur", value) : setNumbers(before, item.handle, side, "blur", value);
+    linked
+      ? setBoth(before, item.handle, "blur", value)
+      : setNumbers(before, item.handle, side, "blur", value);
   const lists = { left: radiiOf(left), right: radiiOf(right) };
   const chosen = chosenStop(editor, item, "blur");
   const link = () => {
@@ -93,7 +108,17 @@ export function BlurSection({ item }: { readonly item: CurveItem }) {
   return (
     <Section
       title={words.blur}
-      actions={isLocal ? undefined : <IconButton small icon={linked ? "link-2" : "unlink-2"} label={words.bothAlike} pressed={linked} onClick={link} />}
+      actions={
+        isLocal ? undefined : (
+          <IconButton
+            small
+            icon={linked ? "link-2" : "unlink-2"}
+            label={words.bothAlike}
+            pressed={linked}
+            onClick={link}
+          />
+        )
+      }
     >
       <Profile
         item={item}
@@ -127,7 +152,14 @@ export function RadiusSection({ item }: { readonly item: CurveItem }) {
         chosen={chosen}
         put={put}
       />
-      <Fields item={item} list={list} chosen={current(chosen, { left: list, right: list })} label={words.radius} least={0} put={put} />
+      <Fields
+        item={item}
+        list={list}
+        chosen={current(chosen, { left: list, right: list })}
+        label={words.radius}
+        least={0}
+        put={put}
+      />
     </Section>
   );
 }

@@ -14,7 +14,11 @@ const words = en.panels;
 /** The box around the curves of items, artboard units; null: there are none. */
 export function boxOf(items: readonly Item[]): Box | null {
   const curves = items.flatMap((item) => curvesWithin(item)) as CurveItem[];
-  return unionOf(curves.flatMap((curve) => curve.paths.map((path) => boundsOf(mappedPath(curve.artboardFromItem, path)))));
+  return unionOf(
+    curves.flatMap((curve) =>
+      curve.paths.map((path) => boundsOf(mappedPath(curve.artboardFromItem, path))),
+    ),
+  );
 }
 
 /** Scales about the box's corner; a box without extent keeps it. */
@@ -40,10 +44,38 @@ export function BoxFields({ items }: BoxFieldsProps) {
   const move = (dx: number, dy: number): Affine => [1, 0, 0, 1, dx, dy];
   return (
     <div class="two">
-      <NumberField label="X" name={words.left} value={x} digits={2} sink={sink(words.move, (to) => move(to - x, 0))} />
-      <NumberField label="Y" name={words.top} value={y} digits={2} sink={sink(words.move, (to) => move(0, to - y))} />
-      <NumberField label="W" name={words.width} value={right - x} digits={2} min={0.01} disabled={right === x} sink={sink(words.resize, (to) => scaled(box, to, bottom - y))} />
-      <NumberField label="H" name={words.height} value={bottom - y} digits={2} min={0.01} disabled={bottom === y} sink={sink(words.resize, (to) => scaled(box, right - x, to))} />
+      <NumberField
+        label="X"
+        name={words.left}
+        value={x}
+        digits={2}
+        sink={sink(words.move, (to) => move(to - x, 0))}
+      />
+      <NumberField
+        label="Y"
+        name={words.top}
+        value={y}
+        digits={2}
+        sink={sink(words.move, (to) => move(0, to - y))}
+      />
+      <NumberField
+        label="W"
+        name={words.width}
+        value={right - x}
+        digits={2}
+        min={0.01}
+        disabled={right === x}
+        sink={sink(words.resize, (to) => scaled(box, to, bottom - y))}
+      />
+      <NumberField
+        label="H"
+        name={words.height}
+        value={bottom - y}
+        digits={2}
+        min={0.01}
+        disabled={bottom === y}
+        sink={sink(words.resize, (to) => scaled(box, right - x, to))}
+      />
     </div>
   );
 }

@@ -8,13 +8,27 @@ export interface ChosenStop {
 }
 
 /** The primary stop of an attribute that is selected on a curve, or null. */
-export function chosenStop(editor: Editor, item: CurveItem, attribute: Attribute | "radius"): ChosenStop | null {
-  const found = [...editor.selection.value].reverse().find(
-    ({ handle, part }) => handle === item.handle && part.kind === "stop" && part.attribute === attribute,
-  );
+export function chosenStop(
+  editor: Editor,
+  item: CurveItem,
+  attribute: Attribute | "radius",
+): ChosenStop | null {
+  const found = [...editor.selection.value]
+    .reverse()
+    .find(
+      ({ handle, part }) =>
+        handle === item.handle && part.kind === "stop" && part.attribute === attribute,
+    );
   return found?.part.kind === "stop" ? { side: found.part.side, index: found.part.index } : null;
 }
 
-export function chooseStop(editor: Editor, item: CurveItem, attribute: Attribute | "radius", { side, index }: ChosenStop) {
-  editor.selection.value = [{ handle: item.handle, part: { kind: "stop", side, attribute, index } }];
+export function chooseStop(
+  editor: Editor,
+  item: CurveItem,
+  attribute: Attribute | "radius",
+  { side, index }: ChosenStop,
+) {
+  editor.selection.value = [
+    { handle: item.handle, part: { kind: "stop", side, attribute, index } },
+  ];
 }

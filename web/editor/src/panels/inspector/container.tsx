@@ -23,7 +23,9 @@ export function Compositing({ item }: { readonly item: Item }) {
   const { editor } = useShell();
   const percent = item.opacity * 100;
   const sink = mapped(
-    edits(editor, words.setOpacity, (value: number, before) => setOpacity(before, item.handle, value)),
+    edits(editor, words.setOpacity, (value: number, before) =>
+      setOpacity(before, item.handle, value),
+    ),
     (value: number) => value / 100,
   );
   return (
@@ -38,7 +40,9 @@ export function Compositing({ item }: { readonly item: Item }) {
           value={item.blend}
           mixed={blendName(item.blend)}
           choices={blendModes.map((mode) => ({ value: mode as string, label: blendName(mode) }))}
-          onChange={(mode) => void editor.run(words.setBlend, setBlend(editor.drawing, item.handle, mode))}
+          onChange={(mode) =>
+            void editor.run(words.setBlend, setBlend(editor.drawing, item.handle, mode))
+          }
         />
       </div>
       <div class="row">
@@ -56,7 +60,16 @@ export function Compositing({ item }: { readonly item: Item }) {
           text={words.percent(decimal(percent, 0))}
           sink={sink}
         />
-        <NumberField class="narrow" name={words.opacityPercent} value={percent} digits={1} unit="%" min={0} max={100} sink={sink} />
+        <NumberField
+          class="narrow"
+          name={words.opacityPercent}
+          value={percent}
+          digits={1}
+          unit="%"
+          min={0}
+          max={100}
+          sink={sink}
+        />
       </div>
     </>
   );

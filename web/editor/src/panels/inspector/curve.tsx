@@ -85,4 +85,3 @@ export function CurveSections({ item }: { readonly item: CurveItem }) {
     </>
   );
 }
-

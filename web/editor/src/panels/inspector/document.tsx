@@ -18,13 +18,47 @@ export function ArtboardFields() {
   const { editor } = useShell();
   const [x, y, right, bottom] = editor.drawing.artboard;
   const sink = (make: (value: number) => readonly [number, number, number, number]) =>
-    edits(editor, words.setArtboard, (value: number, before: Drawing) => setArtboard(before, make(value)));
+    edits(editor, words.setArtboard, (value: number, before: Drawing) =>
+      setArtboard(before, make(value)),
+    );
   return (
     <div class="two">
-      <NumberField label="W" name={words.width} value={right - x} digits={2} min={1} max={MOST} sink={sink((to) => [x, y, x + to, bottom])} />
-      <NumberField label="H" name={words.height} value={bottom - y} digits={2} min={1} max={MOST} sink={sink((to) => [x, y, right, y + to])} />
-      <NumberField label="X" name={words.left} value={x} digits={2} min={-MOST} max={MOST} sink={sink((to) => [to, y, to + right - x, bottom])} />
-      <NumberField label="Y" name={words.top} value={y} digits={2} min={-MOST} max={MOST} sink={sink((to) => [x, to, right, to + bottom - y])} />
+      <NumberField
+        label="W"
+        name={words.width}
+        value={right - x}
+        digits={2}
+        min={1}
+        max={MOST}
+        sink={sink((to) => [x, y, x + to, bottom])}
+      />
+      <NumberField
+        label="H"
+        name={words.height}
+        value={bottom - y}
+        digits={2}
+        min={1}
+        max={MOST}
+        sink={sink((to) => [x, y, right, y + to])}
+      />
+      <NumberField
+        label="X"
+        name={words.left}
+        value={x}
+        digits={2}
+        min={-MOST}
+        max={MOST}
+        sink={sink((to) => [to, y, to + right - x, bottom])}
+      />
+      <NumberField
+        label="Y"
+        name={words.top}
+        value={y}
+        digits={2}
+        min={-MOST}
+        max={MOST}
+        sink={sink((to) => [x, to, right, to + bottom - y])}
+      />
     </div>
   );
 }
@@ -38,7 +72,12 @@ export function BackgroundField() {
         <input
           type="checkbox"
           checked={background !== null}
-          onChange={() => void editor.run(words.setBackground, setBackground(editor.drawing, background ? null : WHITE))}
+          onChange={() =>
+            void editor.run(
+              words.setBackground,
+              setBackground(editor.drawing, background ? null : WHITE),
+            )
+          }
         />
         <span>{words.background}</span>
       </label>
@@ -47,7 +86,9 @@ export function BackgroundField() {
           name={words.backgroundColor}
           value={background}
           marked
-          onChange={(color) => void editor.run(words.setBackground, setBackground(editor.drawing, color))}
+          onChange={(color) =>
+            void editor.run(words.setBackground, setBackground(editor.drawing, color))
+          }
         />
       )}
     </>
@@ -66,7 +107,9 @@ export function InterpolationField() {
         { value: "linear", label: words.linearLight },
         { value: "oklab", label: "OKLab" },
       ]}
-      onChange={(to) => void editor.run(words.setInterpolation, setInterpolation(editor.drawing, to))}
+      onChange={(to) =>
+        void editor.run(words.setInterpolation, setInterpolation(editor.drawing, to))
+      }
     />
   );
 }

@@ -26,15 +26,39 @@ export function NodeSection() {
       if (!back) return null;
       const wanted: Point = axis === 0 ? [value, at[1]] : [at[0], value];
       const to = mapped(back, wanted);
-      return moveNodes(before, item.handle, path, indices, [to[0] - local[0], to[1] - local[1]], editor.step(item));
+      return moveNodes(
+        before,
+        item.handle,
+        path,
+        indices,
+        [to[0] - local[0], to[1] - local[1]],
+        editor.step(item),
+      );
     });
   const count = nodeCount(item.paths[path]);
-  const title = indices.length > 1 ? words.nodesTitle(indices.length, count) : words.nodeTitle(index + 1, count);
+  const title =
+    indices.length > 1
+      ? words.nodesTitle(indices.length, count)
+      : words.nodeTitle(index + 1, count);
   return (
     <Section title={title}>
       <div class="two">
-        <NumberField label="X" name={words.nodeX} value={at[0]} digits={2} disabled={!back} sink={coordinate(0)} />
-        <NumberField label="Y" name={words.nodeY} value={at[1]} digits={2} disabled={!back} sink={coordinate(1)} />
+        <NumberField
+          label="X"
+          name={words.nodeX}
+          value={at[0]}
+          digits={2}
+          disabled={!back}
+          sink={coordinate(0)}
+        />
+        <NumberField
+          label="Y"
+          name={words.nodeY}
+          value={at[1]}
+          digits={2}
+          disabled={!back}
+          sink={coordinate(1)}
+        />
       </div>
       <NodeKinds full />
     </Section>

@@ -22,10 +22,21 @@ const stopsOf = (item: CurveItem, side: Side): Stops<number> | null => {
   return opacity.kind === "stops" && opacity.stops.length > 0 ? opacity : null;
 };
 
-function OpacityRibbon({ item, side, list }: { readonly item: CurveItem; readonly side: Side; readonly list: Stops<number> }) {
+function OpacityRibbon({
+  item,
+  side,
+  list,
+}: {
+  readonly item: CurveItem;
+  readonly side: Side;
+  readonly list: Stops<number>;
+}) {
   const { editor } = useShell();
   const chosen = chosenStop(editor, item, "opacity");
-  const stops = list.stops.map(({ offset, value }) => ({ at: fractionOf(item, list.space, offset), css: css(value) }));
+  const stops = list.stops.map(({ offset, value }) => ({
+    at: fractionOf(item, list.space, offset),
+    css: css(value),
+  }));
   return (
     <div class="side-row">
       <span class="side-name">{words.sides[side]}</span>
@@ -50,7 +61,8 @@ function OpacityField({ item, side }: { readonly item: CurveItem; readonly side:
   const { opacity } = item[side];
   const list = stopsOf(item, side);
   const chosen = chosenStop(editor, item, "opacity");
-  const index = chosen?.side === side && list && chosen.index < list.stops.length ? chosen.index : 0;
+  const index =
+    chosen?.side === side && list && chosen.index < list.stops.length ? chosen.index : 0;
   const put = putOpacity(item.handle);
   return (
     <NumberField
@@ -71,13 +83,23 @@ function OpacityField({ item, side }: { readonly item: CurveItem; readonly side:
 export function OpacitySection({ item }: { readonly item: CurveItem }) {
   const { editor } = useShell();
   const lists = { left: stopsOf(item, "left"), right: stopsOf(item, "right") };
-  const varies = editor.attribute.value === "opacity" || [lists.left, lists.right].some((list) => list && list.stops.length > 1);
+  const varies =
+    editor.attribute.value === "opacity" ||
+    [lists.left, lists.right].some((list) => list && list.stops.length > 1);
   const hasAny = item.left.opacity.kind !== "open" || item.right.opacity.kind !== "open";
-  const forget = () => editor.run(words.opaqueAgain, setBoth(editor.drawing, item.handle, "opacity", { kind: "open" }));
+  const forget = () =>
+    editor.run(
+      words.opaqueAgain,
+      setBoth(editor.drawing, item.handle, "opacity", { kind: "open" }),
+    );
   return (
     <Section
       title={words.opacity}
-      actions={hasAny ? <IconButton small icon="x" label={words.opaqueAgain} onClick={forget} /> : undefined}
+      actions={
+        hasAny ? (
+          <IconButton small icon="x" label={words.opaqueAgain} onClick={forget} />
+        ) : undefined
+      }
     >
       {varies && lists.left && <OpacityRibbon item={item} side="left" list={lists.left} />}
       {varies && lists.right && <OpacityRibbon item={item} side="right" list={lists.right} />}

@@ -7,7 +7,19 @@ import { en } from "../../strings/en.js";
 import { follow } from "../controls/follow.js";
 import { decimal } from "../format.js";
 import { useShell } from "../services.js";
-import { constant, fractionOf, mixNumbers, movedStop, offsetAt, rounded, valueAt, withoutStop, withStop, withValue, type Stops } from "../stops.js";
+import {
+  constant,
+  fractionOf,
+  mixNumbers,
+  movedStop,
+  offsetAt,
+  rounded,
+  valueAt,
+  withoutStop,
+  withStop,
+  withValue,
+  type Stops,
+} from "../stops.js";
 
 const words = en.panels;
 /** The profile's own units. */
@@ -29,25 +41,38 @@ export interface ProfileProps {
 }
 
 /** What is not said is a radius of 0 all along. */
-export const radiiOf = (value: SideValue<number>): Stops<number> => (value.kind === "stops" && value.stops.length > 0 ? value : constant(0));
+export const radiiOf = (value: SideValue<number>): Stops<number> =>
+  value.kind === "stops" && value.stops.length > 0 ? value : constant(0);
 
 export const largestOf = (list: Stops<number>) => Math.max(...list.stops.map(({ value }) => value));
 
 /** Points of the edge, ends included, as (share of length, radius). */
 function edge(item: CurveItem, list: Stops<number>): readonly (readonly [number, number])[] {
-  const points = list.stops.map(({ offset, value }) => [fractionOf(item, list.space, offset), value] as const);
+  const points = list.stops.map(
+    ({ offset, value }) => [fractionOf(item, list.space, offset), value] as const,
+  );
   return [[0, points[0][1]], ...points, [1, points[points.length - 1][1]]];
 }
 
 const drawn = (points: readonly (readonly [number, number])[], scale: number, sign: number) =>
-  points.map(([at, radius]) => `${decimal(at * WIDTH, 2)} ${decimal(HEIGHT / 2 - sign * radius * scale * HEIGHT, 2)}`);
+  points.map(
+    ([at, radius]) =>
+      `${decimal(at * WIDTH, 2)} ${decimal(HEIGHT / 2 - sign * radius * scale * HEIGHT, 2)}`,
+  );
 
-function useProfileDrag(props: ProfileProps, box: { current: HTMLDivElement | null }, scale: number, freeze: (on: boolean) => void) {
+function useProfileDrag(
+  props: ProfileProps,
+  box: { current: HTMLDivElement | null },
+  scale: number,
+  freeze: (on: boolean) => void,
+) {
   const { editor } = useShell();
   const { item, attribute, put } = props;
   const lists = { left: radiiOf(props.left), right: radiiOf(props.right) };
   const choose = (side: Side, index: number) => {
-    editor.selection.value = [{ handle: item.handle, part: { kind: "stop", side, attribute, index } }];
+    editor.selection.value = [
+      { handle: item.handle, part: { kind: "stop", side, attribute, index } },
+    ];
   };
   /** Share of the length, and radius, of a place of the window. */
   const placeAt = (holder: HTMLElement, side: Side, { clientX, clientY }: PointerEvent) => {
@@ -58,7 +83,10 @@ function useProfileDrag(props: ProfileProps, box: { current: HTMLDivElement | nu
       radius: Math.max((side === "left" ? up : -up) / scale, 0),
     };
   };
-  /** @param start the point that is moved; null: one is added where the pointer is, at the radius there */
+  /**
+   * @param start the point that is moved; null: one is added where the pointer is, at the radius
+   * there
+   */
   const drag = (event: TargetedPointerEvent<HTMLElement>, side: Side, start: number | null) => {
     const holder = box.current;
     if (event.button !== 0 || !holder) return;
@@ -67,7 +95,13 @@ function useProfileDrag(props: ProfileProps, box: { current: HTMLDivElement | nu
     const grip = placeAt(holder, side, event);
     const place = (fraction: number) => offsetAt(item, list.space, rounded(fraction));
     const index = start ?? withStop(list, { offset: place(grip.at), value: 0 }).index;
-    const base = start === null ? withStop(list, { offset: place(grip.at), value: valueAt(list.stops, place(grip.at), mixNumbers) }).value : list;
+    const base =
+      start === null
+        ? withStop(list, {
+            offset: place(grip.at),
+            value: valueAt(list.stops, place(grip.at), mixNumbers),
+          }).value
+        : list;
     const first = base.stops[index];
     let gesture: Gesture | null = null;
     const show = (value: Stops<number>, chosen: number) => {
@@ -99,25 +133,31 @@ function useProfileDrag(props: ProfileProps, box: { current: HTMLDivElement | nu
 function useProfileKeys(props: ProfileProps, choose: (side: Side, index: number) => void) {
   const { editor } = useShell();
   const { item, put } = props;
-  return (side: Side, list: Stops<number>, index: number) => (event: TargetedKeyboardEvent<HTMLElement>) => {
-    const by = event.shiftKey ? 10 : 1;
-    const radius = by * (event.key === "ArrowUp" ? 1 : event.key === "ArrowDown" ? -1 : 0);
-    const along = (by / 100) * (event.key === "ArrowRight" ? 1 : event.key === "ArrowLeft" ? -1 : 0);
-    if (radius !== 0) {
-      const value = Math.max(list.stops[index].value + radius, 0);
-      editor.run(words.moveRadius, put(editor.drawing, side, withValue(list, index, value)), words.moveRadius);
-    } else if (along !== 0) {
-      const fraction = fractionOf(item, list.space, list.stops[index].offset) + along;
-      const placed = movedStop(list, index, offsetAt(item, list.space, rounded(fraction)));
-      editor.run(words.moveRadius, put(editor.drawing, side, placed.value), words.moveRadius);
-      choose(side, placed.index);
-    } else if ((event.key === "Delete" || event.key === "Backspace") && list.stops.length > 1) {
-      editor.run(words.removeRadius, put(editor.drawing, side, withoutStop(list, index)));
-      choose(side, Math.min(index, list.stops.length - 2));
-    } else return;
-    event.preventDefault();
-    event.stopPropagation();
-  };
+  return (side: Side, list: Stops<number>, index: number) =>
+    (event: TargetedKeyboardEvent<HTMLElement>) => {
+      const by = event.shiftKey ? 10 : 1;
+      const radius = by * (event.key === "ArrowUp" ? 1 : event.key === "ArrowDown" ? -1 : 0);
+      const along =
+        (by / 100) * (event.key === "ArrowRight" ? 1 : event.key === "ArrowLeft" ? -1 : 0);
+      if (radius !== 0) {
+        const value = Math.max(list.stops[index].value + radius, 0);
+        editor.run(
+          words.moveRadius,
+          put(editor.drawing, side, withValue(list, index, value)),
+          words.moveRadius,
+        );
+      } else if (along !== 0) {
+        const fraction = fractionOf(item, list.space, list.stops[index].offset) + along;
+        const placed = movedStop(list, index, offsetAt(item, list.space, rounded(fraction)));
+        editor.run(words.moveRadius, put(editor.drawing, side, placed.value), words.moveRadius);
+        choose(side, placed.index);
+      } else if ((event.key === "Delete" || event.key === "Backspace") && list.stops.length > 1) {
+        editor.run(words.removeRadius, put(editor.drawing, side, withoutStop(list, index)));
+        choose(side, Math.min(index, list.stops.length - 2));
+      } else return;
+      event.preventDefault();
+      event.stopPropagation();
+    };
 }
 
 export function Profile(props: ProfileProps) {
@@ -142,7 +182,13 @@ export function Profile(props: ProfileProps) {
   };
   return (
     <div class="profile-box" ref={box} onPointerDown={press}>
-      <svg class="profile" viewBox={`0 0 ${WIDTH} ${HEIGHT}`} preserveAspectRatio="none" role="img" aria-label={props.label}>
+      <svg
+        class="profile"
+        viewBox={`0 0 ${WIDTH} ${HEIGHT}`}
+        preserveAspectRatio="none"
+        role="img"
+        aria-label={props.label}
+      >
         <path class="area" d={`M${upper.join("L")}L${[...lower].reverse().join("L")}Z`} />
         <path class="edge" d={`M${upper.join("L")}M${lower.join("L")}`} />
         <path class="axis" d={`M0 ${HEIGHT / 2}H${WIDTH}`} />
@@ -165,7 +211,9 @@ export function Profile(props: ProfileProps) {
                 decimal(at * 100, 1),
               )}
               onPointerDown={(event) => drag(event, side, index)}
-              onFocus={(event) => event.currentTarget.matches(":focus-visible") && choose(side, index)}
+              onFocus={(event) =>
+                event.currentTarget.matches(":focus-visible") && choose(side, index)
+              }
               onKeyDown={keys(side, lists[side], index)}
             />
           );

@@ -16,7 +16,9 @@ export function ReferenceSections({ item }: { readonly item: ReferenceItem }) {
   const { sampleDistance, sampleTolerance } = editor.settings;
   const percent = item.opacity * 100;
   const sink = mapped(
-    edits(editor, words.setOpacity, (value: number, before) => setOpacity(before, item.handle, value)),
+    edits(editor, words.setOpacity, (value: number, before) =>
+      setOpacity(before, item.handle, value),
+    ),
     (value: number) => value / 100,
   );
   return (
@@ -26,14 +28,38 @@ export function ReferenceSections({ item }: { readonly item: ReferenceItem }) {
           <span class="side-name wide-name" aria-hidden="true">
             {words.opacity}
           </span>
-          <Slider class="grow" label={words.opacity} value={percent} min={0} max={100} step={1} reset={100} text={words.percent(decimal(percent, 0))} sink={sink} />
-          <NumberField class="narrow" name={words.opacityPercent} value={percent} digits={1} unit="%" min={0} max={100} sink={sink} />
+          <Slider
+            class="grow"
+            label={words.opacity}
+            value={percent}
+            min={0}
+            max={100}
+            step={1}
+            reset={100}
+            text={words.percent(decimal(percent, 0))}
+            sink={sink}
+          />
+          <NumberField
+            class="narrow"
+            name={words.opacityPercent}
+            value={percent}
+            digits={1}
+            unit="%"
+            min={0}
+            max={100}
+            sink={sink}
+          />
         </div>
         <label class="check">
           <input
             type="checkbox"
             checked={!item.hidden}
-            onChange={() => void editor.run(words.showOrHide, setHidden(editor.drawing, [item.handle], !item.hidden))}
+            onChange={() =>
+              void editor.run(
+                words.showOrHide,
+                setHidden(editor.drawing, [item.handle], !item.hidden),
+              )
+            }
           />
           <span>{words.visible}</span>
         </label>
@@ -41,7 +67,12 @@ export function ReferenceSections({ item }: { readonly item: ReferenceItem }) {
           <input
             type="checkbox"
             checked={item.locked}
-            onChange={() => void editor.run(words.lockOrUnlock, setLocked(editor.drawing, [item.handle], !item.locked))}
+            onChange={() =>
+              void editor.run(
+                words.lockOrUnlock,
+                setLocked(editor.drawing, [item.handle], !item.locked),
+              )
+            }
           />
           <span>
             {words.locked}
@@ -51,8 +82,24 @@ export function ReferenceSections({ item }: { readonly item: ReferenceItem }) {
       </Section>
       <Section title={words.sampling}>
         <div class="two">
-          <NumberField label={words.sampleDistance} value={sampleDistance.value} digits={0} unit="px" min={1} max={12} sink={setting(sampleDistance)} />
-          <NumberField label={words.sampleTolerance} value={sampleTolerance.value} digits={3} min={0.002} max={0.2} step={0.005} sink={setting(sampleTolerance)} />
+          <NumberField
+            label={words.sampleDistance}
+            value={sampleDistance.value}
+            digits={0}
+            unit="px"
+            min={1}
+            max={12}
+            sink={setting(sampleDistance)}
+          />
+          <NumberField
+            label={words.sampleTolerance}
+            value={sampleTolerance.value}
+            digits={3}
+            min={0.002}
+            max={0.2}
+            step={0.005}
+            sink={setting(sampleTolerance)}
+          />
         </div>
       </Section>
     </>

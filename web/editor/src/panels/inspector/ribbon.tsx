@@ -60,7 +60,9 @@ function useStopDrag<Value>(props: RibbonProps<Value>, ribbon: { current: HTMLDi
   const { editor } = useShell();
   const { item, side, attribute, list, put } = props;
   const choose = (index: number) => {
-    editor.selection.value = [{ handle: item.handle, part: { kind: "stop", side, attribute, index } }];
+    editor.selection.value = [
+      { handle: item.handle, part: { kind: "stop", side, attribute, index } },
+    ];
   };
   const fractionAt = (clientX: number) => {
     const box = ribbon.current?.getBoundingClientRect();
@@ -68,8 +70,17 @@ function useStopDrag<Value>(props: RibbonProps<Value>, ribbon: { current: HTMLDi
     return Math.min(Math.max((clientX - box.left - INSET) / (box.width - 2 * INSET), 0), 1);
   };
 
-  /** @param without the list where the stop is pulled away; null: it cannot be. @param begins at once, without a move */
-  const drag = (event: PointerEvent, label: string, dragged: Dragged<Value>, without: Stops<Value> | null, begins: boolean) => {
+  /**
+   * @param without the list where the stop is pulled away; null: it cannot be
+   * @param begins at once, without a move
+   */
+  const drag = (
+    event: PointerEvent,
+    label: string,
+    dragged: Dragged<Value>,
+    without: Stops<Value> | null,
+    begins: boolean,
+  ) => {
     const holder = ribbon.current;
     if (!holder) return;
     let gesture: Gesture | null = null;
@@ -86,7 +97,8 @@ function useStopDrag<Value>(props: RibbonProps<Value>, ribbon: { current: HTMLDi
     const end = (isKept: boolean) => {
       if (!isKept) return gesture?.drop();
       gesture?.keep();
-      if (isGone) editor.say(words.stopRemoved, { label: words.undoShort, run: () => editor.undo() });
+      if (isGone)
+        editor.say(words.stopRemoved, { label: words.undoShort, run: () => editor.undo() });
     };
     if (begins) show(event);
     follow(holder, event, { slop: SLOP, onMove: show, onEnd: end });
@@ -96,7 +108,13 @@ function useStopDrag<Value>(props: RibbonProps<Value>, ribbon: { current: HTMLDi
   const pressBand = (event: TargetedPointerEvent<HTMLElement>) => {
     if (event.button !== 0) return;
     const value = valueAt(list.stops, offsetHere(fractionAt(event.clientX)), props.mix);
-    drag(event, words.addStop, (fraction) => withStop(list, { offset: offsetHere(fraction), value }), null, true);
+    drag(
+      event,
+      words.addStop,
+      (fraction) => withStop(list, { offset: offsetHere(fraction), value }),
+      null,
+      true,
+    );
   };
   const pressStop = (index: number) => (event: TargetedPointerEvent<HTMLElement>) => {
     if (event.button !== 0) return;
@@ -104,7 +122,13 @@ function useStopDrag<Value>(props: RibbonProps<Value>, ribbon: { current: HTMLDi
     choose(index);
     if (event.altKey) {
       const { value } = list.stops[index];
-      return drag(event, words.copyStop, (f) => withStop(list, { offset: offsetHere(f), value }), list, false);
+      return drag(
+        event,
+        words.copyStop,
+        (f) => withStop(list, { offset: offsetHere(f), value }),
+        list,
+        false,
+      );
     }
     const without = list.stops.length > 1 ? withoutStop(list, index) : null;
     drag(event, words.moveStop, (f) => movedStop(list, index, offsetHere(f)), without, false);
@@ -117,13 +141,17 @@ function useStopKeys<Value>(props: RibbonProps<Value>, choose: (index: number) =
   const { editor } = useShell();
   const { item, side, list, put } = props;
   return (index: number) => (event: TargetedKeyboardEvent<HTMLElement>) => {
-    const step = (event.shiftKey ? 0.1 : 0.01) * (event.key === "ArrowRight" ? 1 : event.key === "ArrowLeft" ? -1 : 0);
+    const step =
+      (event.shiftKey ? 0.1 : 0.01) *
+      (event.key === "ArrowRight" ? 1 : event.key === "ArrowLeft" ? -1 : 0);
     if (step !== 0) {
       const fraction = fractionOf(item, list.space, list.stops[index].offset) + step;
       const placed = movedStop(list, index, offsetAt(item, list.space, rounded(fraction)));
       editor.run(words.moveStop, put(editor.drawing, side, placed.value), words.moveStop);
       choose(placed.index);
-      editor.announcement.value = words.stopAt(decimal(Math.min(Math.max(fraction, 0), 1) * 100, 1));
+      editor.announcement.value = words.stopAt(
+        decimal(Math.min(Math.max(fraction, 0), 1) * 100, 1),
+      );
     } else if ((event.key === "Delete" || event.key === "Backspace") && list.stops.length > 1) {
       editor.run(words.removeStop, put(editor.drawing, side, withoutStop(list, index)));
       choose(Math.min(index, list.stops.length - 2));
@@ -134,7 +162,10 @@ function useStopKeys<Value>(props: RibbonProps<Value>, choose: (index: number) =
   };
 }
 
-export function bandOf(stops: readonly { at: number; css: string }[], space: "srgb" | "srgb-linear" | "oklab"): string {
+export function bandOf(
+  stops: readonly { at: number; css: string }[],
+  space: "srgb" | "srgb-linear" | "oklab",
+): string {
   const list = stops.length === 1 ? [stops[0], stops[0]] : stops;
   return `linear-gradient(90deg in ${space}, ${list.map(({ at, css }) => `${css} ${decimal(at * 100, 2)}%`).join(", ")})`;
 }
@@ -161,7 +192,11 @@ export function Ribbon<Value>(props: RibbonProps<Value>) {
               key={index}
               type="button"
               class="stop"
-              style={{ "--at": at, "--c": css(stop.value), translate: `${sidestep(list, index)}px 0` }}
+              style={{
+                "--at": at,
+                "--c": css(stop.value),
+                translate: `${sidestep(list, index)}px 0`,
+              }}
               aria-pressed={index === chosen}
               aria-label={words.stopName(
                 words.sides[side],

@@ -27,18 +27,24 @@ function alike(values: readonly number[]): number | null {
 }
 
 /** The value that all have on both sides all along, or null. */
-function shared(curves: readonly CurveItem[], lists: (curve: CurveItem) => readonly Stops<number>[]): number | null {
+function shared(
+  curves: readonly CurveItem[],
+  lists: (curve: CurveItem) => readonly Stops<number>[],
+): number | null {
   return alike(curves.flatMap(lists).flatMap((list) => list.stops.map(({ value }) => value)));
 }
 
 const opacities = (curve: CurveItem) =>
-  [curve.left.opacity, curve.right.opacity].map((value) => (value.kind === "stops" ? value : constant(1)));
+  [curve.left.opacity, curve.right.opacity].map((value) =>
+    value.kind === "stops" ? value : constant(1),
+  );
 
 function colorsIn(curves: readonly CurveItem[]): readonly Rgb[] {
   const found = new Map<string, Rgb>();
   for (const { left, right } of curves) {
     for (const { color } of [left, right]) {
-      if (color.kind === "stops") color.stops.forEach(({ value }) => found.set(hexOf(value), value));
+      if (color.kind === "stops")
+        color.stops.forEach(({ value }) => found.set(hexOf(value), value));
     }
     if (found.size >= MOST) break;
   }
@@ -52,7 +58,15 @@ function Recolor({ curves }: { readonly curves: readonly CurveItem[] }) {
   const from = colors.find((color) => hexOf(color) === chosen.value) ?? colors[0];
   if (!from) return null;
   const change = (to: Rgb) => {
-    editor.run(words.recolor, recolor(editor.drawing, curves.map(({ handle }) => handle), from, to));
+    editor.run(
+      words.recolor,
+      recolor(
+        editor.drawing,
+        curves.map(({ handle }) => handle),
+        from,
+        to,
+      ),
+    );
     chosen.value = hexOf(to);
   };
   return (
@@ -118,7 +132,12 @@ function Shared({ curves }: { readonly curves: readonly CurveItem[] }) {
             max={1000}
             step={0.1}
             sink={edits(editor, words.weight.toLowerCase(), (value: number, before) =>
-              setNumber(before, curves.map(({ handle }) => handle), "weight", value),
+              setNumber(
+                before,
+                curves.map(({ handle }) => handle),
+                "weight",
+                value,
+              ),
             )}
           />
         )}
@@ -137,7 +156,9 @@ export function SeveralSections({ items }: { readonly items: readonly Item[] }) 
   const isAllCurves = items.every(({ kind }) => kind === "curve" || kind === "stroke");
   return (
     <>
-      <Section title={isAllCurves ? words.curvesTitle(items.length) : words.thingsTitle(items.length)}>
+      <Section
+        title={isAllCurves ? words.curvesTitle(items.length) : words.thingsTitle(items.length)}
+      >
         <BoxFields items={items} />
       </Section>
       {curves.length > 0 && <Shared curves={curves} />}

@@ -22,12 +22,27 @@ function startColor(item: CurveItem, side: Side): Rgb {
 }
 
 /** A gradient across the curve's box, from what the side shows to white. */
-function gradient(before: Drawing, item: CurveItem, side: Side, kind: "linear" | "radial"): Outcome | null {
+function gradient(
+  before: Drawing,
+  item: CurveItem,
+  side: Side,
+  kind: "linear" | "radial",
+): Outcome | null {
   const { color } = item[side];
-  const box = item.paths.map(boundsOf).reduce((a, b) => [Math.min(a[0], b[0]), Math.min(a[1], b[1]), Math.max(a[2], b[2]), Math.max(a[3], b[3])]);
+  const box = item.paths
+    .map(boundsOf)
+    .reduce((a, b) => [
+      Math.min(a[0], b[0]),
+      Math.min(a[1], b[1]),
+      Math.max(a[2], b[2]),
+      Math.max(a[3], b[3]),
+    ]);
   const middle = (box[1] + box[3]) / 2;
   const from = color.kind === "stops" ? color.stops[0].value : startColor(item, side);
-  const to = color.kind === "stops" && color.stops.length > 1 ? color.stops[color.stops.length - 1].value : { r: 1, g: 1, b: 1 };
+  const to =
+    color.kind === "stops" && color.stops.length > 1
+      ? color.stops[color.stops.length - 1].value
+      : { r: 1, g: 1, b: 1 };
   return setPaint(before, item.handle, side, "color", {
     kind,
     stops: [
@@ -56,18 +71,24 @@ function paintsOf(drawing: Drawing): readonly string[] {
 async function texture({ editor, services }: Shell, item: CurveItem, side: Side) {
   const picture = await services.chooseTexture();
   if (!picture) return;
-  editor.run(words.setTexture, setPaint(editor.drawing, item.handle, side, "color", { kind: "texture", ...picture }));
+  editor.run(
+    words.setTexture,
+    setPaint(editor.drawing, item.handle, side, "color", { kind: "texture", ...picture }),
+  );
 }
 
 function sideMenu(shell: Shell, item: CurveItem, side: Side): readonly MenuItem[] {
   const { editor } = shell;
   const { color } = item[side];
-  const run = (label: string, make: (before: Drawing) => Outcome | null) => () => void editor.run(label, make(editor.drawing));
+  const run = (label: string, make: (before: Drawing) => Outcome | null) => () =>
+    void editor.run(label, make(editor.drawing));
   const put = putColor(item.handle);
   const paints = paintsOf(editor.drawing).map((id) => ({
     label: id,
     checked: color.kind === "paint" && color.href.endsWith(`#${id}`),
-    run: run(words.setPaint, (before) => setPaint(before, item.handle, side, "color", { kind: "existing", id })),
+    run: run(words.setPaint, (before) =>
+      setPaint(before, item.handle, side, "color", { kind: "existing", id }),
+    ),
   }));
   const local = item.kind === "stroke";
   return [
@@ -75,21 +96,34 @@ function sideMenu(shell: Shell, item: CurveItem, side: Side): readonly MenuItem[
       label: words.sideStops,
       checked: color.kind === "stops",
       run: () => {
-        if (color.kind !== "stops") editor.run(words.giveColor, put(editor.drawing, side, constant(startColor(item, side))));
+        if (color.kind !== "stops")
+          editor.run(words.giveColor, put(editor.drawing, side, constant(startColor(item, side))));
       },
     },
-    { label: words.sideOpen, checked: color.kind === "open", run: run(words.openSide, (before) => put(before, side, { kind: "open" })) },
+    {
+      label: words.sideOpen,
+      checked: color.kind === "open",
+      run: run(words.openSide, (before) => put(before, side, { kind: "open" })),
+    },
     ...(local
       ? []
       : [
           {
             label: words.sideBarrier,
             checked: color.kind === "barrier",
-            run: run(words.makeBarrier, (before) => setColor(before, item.handle, side, { kind: "barrier" })),
+            run: run(words.makeBarrier, (before) =>
+              setColor(before, item.handle, side, { kind: "barrier" }),
+            ),
           },
           "line" as const,
-          { label: words.linear, run: run(words.setPaint, (before) => gradient(before, item, side, "linear")) },
-          { label: words.radial, run: run(words.setPaint, (before) => gradient(before, item, side, "radial")) },
+          {
+            label: words.linear,
+            run: run(words.setPaint, (before) => gradient(before, item, side, "linear")),
+          },
+          {
+            label: words.radial,
+            run: run(words.setPaint, (before) => gradient(before, item, side, "radial")),
+          },
           { label: words.texture, run: () => void texture(shell, item, side) },
           ...(paints.length > 0 ? [{ label: words.paintOfDocument, items: paints }] : []),
         ]),
@@ -100,7 +134,13 @@ function OtherThanStops({ item, side }: { readonly item: CurveItem; readonly sid
   const { editor } = useShell();
   const { color } = item[side];
   const text =
-    color.kind === "barrier" ? words.barrierNow : color.kind === "paint" ? words.paintNow(color.href.replace(/^#/, "")) : item.kind === "stroke" ? words.asOther : words.openNow;
+    color.kind === "barrier"
+      ? words.barrierNow
+      : color.kind === "paint"
+        ? words.paintNow(color.href.replace(/^#/, ""))
+        : item.kind === "stroke"
+          ? words.asOther
+          : words.openNow;
   return (
     <div class="side-state">
       <span class={color.kind === "paint" ? "swatch paint" : "swatch none"} aria-hidden="true" />
@@ -109,7 +149,10 @@ function OtherThanStops({ item, side }: { readonly item: CurveItem; readonly sid
         type="button"
         class="button quiet"
         onClick={() =>
-          void editor.run(words.giveColor, setColor(editor.drawing, item.handle, side, constant(startColor(item, side))))
+          void editor.run(
+            words.giveColor,
+            setColor(editor.drawing, item.handle, side, constant(startColor(item, side))),
+          )
         }
       >
         {words.giveColorShort}
@@ -131,7 +174,13 @@ export function ColorSide({ item, side }: { readonly item: CurveItem; readonly s
         class="side-name"
         aria-haspopup="menu"
         aria-label={words.kindOfSide(words.sides[side])}
-        onClick={(event) => openMenu(words.kindOfSide(words.sides[side]), sideMenu(shell, item, side), event.currentTarget)}
+        onClick={(event) =>
+          openMenu(
+            words.kindOfSide(words.sides[side]),
+            sideMenu(shell, item, side),
+            event.currentTarget,
+          )
+        }
       >
         {words.sides[side]}
         <Icon name="chevron-down" small />
@@ -145,7 +194,10 @@ export function ColorSide({ item, side }: { readonly item: CurveItem; readonly s
           mix={mixerOf(interpolation)}
           put={putColor(item.handle)}
           band={bandOf(
-            color.stops.map(({ offset, value }) => ({ at: fractionOf(item, color.space, offset), css: hexOf(value) })),
+            color.stops.map(({ offset, value }) => ({
+              at: fractionOf(item, color.space, offset),
+              css: hexOf(value),
+            })),
             cssSpaces[interpolation],
           )}
           css={hexOf}

@@ -9,18 +9,30 @@ import { NumberField } from "../controls/field.js";
 import { HexField } from "../controls/hex.js";
 import { edits } from "../controls/sink.js";
 import { useShell } from "../services.js";
-import { curveOf, fractionOf, movedStop, offsetAt, putColor, withValue, type Stops } from "../stops.js";
+import {
+  curveOf,
+  fractionOf,
+  movedStop,
+  offsetAt,
+  putColor,
+  withValue,
+  type Stops,
+} from "../stops.js";
 import { chooseStop, chosenStop, type ChosenStop } from "./chosen.js";
 
 const words = en.panels;
 
 /** The stop that the row is about: the chosen one, else the first that there is. */
-function stopOfRow(item: CurveItem, chosen: ChosenStop | null): { list: Stops<Rgb>; at: ChosenStop } | null {
+function stopOfRow(
+  item: CurveItem,
+  chosen: ChosenStop | null,
+): { list: Stops<Rgb>; at: ChosenStop } | null {
   const sides: readonly Side[] = chosen ? [chosen.side] : ["left", "right"];
   for (const side of sides) {
     const { color } = item[side];
     const index = chosen?.index ?? 0;
-    if (color.kind === "stops" && index < color.stops.length) return { list: color, at: { side, index } };
+    if (color.kind === "stops" && index < color.stops.length)
+      return { list: color, at: { side, index } };
   }
   return null;
 }
@@ -34,7 +46,8 @@ export function StopRow({ item }: { readonly item: CurveItem }) {
   const { side, index } = at;
   const stop = list.stops[index];
   const put = putColor(item.handle);
-  const setColor = (value: Rgb) => editor.run(words.setColor, put(editor.drawing, side, withValue(list, index, value)));
+  const setColor = (value: Rgb) =>
+    editor.run(words.setColor, put(editor.drawing, side, withValue(list, index, value)));
   const pick = async () => {
     abort.current?.abort();
     abort.current = new AbortController();
@@ -74,7 +87,12 @@ export function StopRow({ item }: { readonly item: CurveItem }) {
           return put(before, side, placed.value);
         })}
       />
-      <IconButton icon="pipette" label={words.pickFromPicture} command="tool-sample" onClick={() => void pick()} />
+      <IconButton
+        icon="pipette"
+        label={words.pickFromPicture}
+        command="tool-sample"
+        onClick={() => void pick()}
+      />
     </div>
   );
 }

@@ -35,7 +35,9 @@ interface Dragging {
   readonly y: number;
 }
 
-/** What moves when `item` is dragged: all that is selected if it is, else it alone; nothing twice. */
+/**
+ * What moves when `item` is dragged: all that is selected if it is, else it alone; nothing twice.
+ */
 function movable({ editor, rows }: TreeState, item: Item): readonly Item[] {
   const chosen = editor.selection.value.map(({ handle }) => handle);
   if (!chosen.includes(item.handle)) return [item];
@@ -44,10 +46,17 @@ function movable({ editor, rows }: TreeState, item: Item): readonly Item[] {
     for (let above = at.parent; above; above = above.parent) if (set.has(above.handle)) return true;
     return false;
   };
-  return rows.map((row) => row.item).filter((at) => set.has(at.handle) && !isWithin(at)).reverse();
+  return rows
+    .map((row) => row.item)
+    .filter((at) => set.has(at.handle) && !isWithin(at))
+    .reverse();
 }
 
-export function useRowDrag(state: TreeState, tree: { current: HTMLElement | null }, rowHeight: number): RowDrag {
+export function useRowDrag(
+  state: TreeState,
+  tree: { current: HTMLElement | null },
+  rowHeight: number,
+): RowDrag {
   const dragging = useSignal<Dragging | null>(null);
   const latest = useRef(state);
   latest.current = state;
@@ -61,7 +70,12 @@ export function useRowDrag(state: TreeState, tree: { current: HTMLElement | null
     const y = (event.clientY - box.top + view.scrollTop) / rowHeight;
     const depth = Math.round((event.clientX - box.left - 2 * INDENT) / INDENT);
     const { editor, rows } = latest.current;
-    dragging.value = { items, drop: dropAt(editor.drawing, rows, y, depth, items), x: event.clientX, y: event.clientY };
+    dragging.value = {
+      items,
+      drop: dropAt(editor.drawing, rows, y, depth, items),
+      x: event.clientX,
+      y: event.clientY,
+    };
   };
 
   const finish = () => {
@@ -70,16 +84,24 @@ export function useRowDrag(state: TreeState, tree: { current: HTMLElement | null
     if (!now?.drop) return;
     const { editor } = latest.current;
     const handles = now.items.map(({ handle }) => handle);
-    editor.run(words.move, moveInto(editor.drawing, handles, now.drop.parent?.handle ?? null, now.drop.index));
+    editor.run(
+      words.move,
+      moveInto(editor.drawing, handles, now.drop.parent?.handle ?? null, now.drop.index),
+    );
   };
 
   const press = (item: Item, event: TargetedPointerEvent<HTMLElement>) => {
     const from = { x: event.clientX, y: event.clientY };
     const isTouch = event.pointerType === "touch" && !(event.target as Element).closest(".grip");
     const wasSelected = state.editor.selection.value.some(({ handle }) => handle === item.handle);
-    if (!wasSelected || event.ctrlKey || event.metaKey || event.shiftKey) select(state, item, event);
+    if (!wasSelected || event.ctrlKey || event.metaKey || event.shiftKey)
+      select(state, item, event);
     const move = (to: PointerEvent) => {
-      if (!dragging.value && (isTouch || Math.hypot(to.clientX - from.x, to.clientY - from.y) < SLOP)) return;
+      if (
+        !dragging.value &&
+        (isTouch || Math.hypot(to.clientX - from.x, to.clientY - from.y) < SLOP)
+      )
+        return;
       follow(dragging.value?.items ?? movable(latest.current, item), to);
     };
     const stop = () => {
@@ -90,9 +112,11 @@ export function useRowDrag(state: TreeState, tree: { current: HTMLElement | null
     };
     const up = (to: PointerEvent) => {
       stop();
-      const isClick = dragging.value === null && Math.hypot(to.clientX - from.x, to.clientY - from.y) < SLOP;
+      const isClick =
+        dragging.value === null && Math.hypot(to.clientX - from.x, to.clientY - from.y) < SLOP;
       finish();
-      if (isClick && wasSelected && !to.ctrlKey && !to.metaKey && !to.shiftKey) select(latest.current, item, to);
+      if (isClick && wasSelected && !to.ctrlKey && !to.metaKey && !to.shiftKey)
+        select(latest.current, item, to);
     };
     const cancel = () => {
       stop();
@@ -110,7 +134,9 @@ export function useRowDrag(state: TreeState, tree: { current: HTMLElement | null
   };
 
   const menu = (event: TargetedMouseEvent<HTMLElement>) => {
-    const handle = Number((event.target as Element).closest<HTMLElement>("[role=treeitem]")?.dataset.handle);
+    const handle = Number(
+      (event.target as Element).closest<HTMLElement>("[role=treeitem]")?.dataset.handle,
+    );
     const item = state.editor.drawing.item(handle);
     if (!item) return;
     event.preventDefault();
@@ -143,11 +169,19 @@ export function rowMenu({ editor, renamed }: TreeState, item: Item) {
     },
     {
       label: item.hidden ? words.show : words.hide,
-      run: () => void editor.run(words.set.hidden[item.hidden ? "off" : "on"], setHidden(editor.drawing, chosen(), !item.hidden)),
+      run: () =>
+        void editor.run(
+          words.set.hidden[item.hidden ? "off" : "on"],
+          setHidden(editor.drawing, chosen(), !item.hidden),
+        ),
     },
     {
       label: item.locked ? words.unlock : words.lock,
-      run: () => void editor.run(words.set.locked[item.locked ? "off" : "on"], setLocked(editor.drawing, chosen(), !item.locked)),
+      run: () =>
+        void editor.run(
+          words.set.locked[item.locked ? "off" : "on"],
+          setLocked(editor.drawing, chosen(), !item.locked),
+        ),
     },
     "line" as const,
     ...contextMenu(editor),
@@ -158,7 +192,11 @@ export function Ghost({ drag }: { readonly drag: RowDrag }) {
   const [item] = drag.items;
   if (!item) return null;
   return (
-    <div class="drag-ghost floating" aria-hidden="true" style={{ left: `${drag.at.x - 20}px`, top: `${drag.at.y + 6}px` }}>
+    <div
+      class="drag-ghost floating"
+      aria-hidden="true"
+      style={{ left: `${drag.at.x - 20}px`, top: `${drag.at.y + 6}px` }}
+    >
       {(item.kind === "layer" || item.kind === "group") && <Thumb item={item} />}
       {drag.items.length > 1 ? words.many(drag.items.length) : item.name}
     </div>

@@ -15,11 +15,16 @@ export interface Drop {
 const isInLayer = (parent: Item | null) =>
   parent !== null && [parent, ...ancestors(parent)].some(({ kind }) => kind === "layer");
 
-/** Whether items may stand in a parent: not within themselves, and what a layer holds stays in layers. */
+/**
+ * Whether items may stand in a parent: not within themselves, and what a layer holds stays in
+ * layers.
+ */
 export function mayHold(parent: Item | null, items: readonly Item[]): boolean {
   const above = parent ? [parent, ...ancestors(parent)] : [];
   if (parent && parent.kind !== "layer" && parent.kind !== "group") return false;
-  return items.every((item) => !above.includes(item) && isInLayer(parent) === isInLayer(item.parent));
+  return items.every(
+    (item) => !above.includes(item) && isInLayer(parent) === isInLayer(item.parent),
+  );
 }
 
 /** The gap above row `at`, at the depth that is nearest to the wish. */
@@ -43,14 +48,26 @@ function gap(drawing: Drawing, rows: readonly Row[], at: number, wish: number): 
  * @param depth that the pointer's x stands for
  * @returns null where the items may not go
  */
-export function dropAt(drawing: Drawing, rows: readonly Row[], y: number, depth: number, items: readonly Item[]): Drop | null {
+export function dropAt(
+  drawing: Drawing,
+  rows: readonly Row[],
+  y: number,
+  depth: number,
+  items: readonly Item[],
+): Drop | null {
   if (rows.length === 0) return null;
   const over = Math.min(Math.max(Math.floor(y), 0), rows.length - 1);
   const part = y - over;
   const row = rows[over];
   const isContainer = row.item.kind === "layer" || row.item.kind === "group";
   if (isContainer && part > 1 / 3 && part < 2 / 3 && mayHold(row.item, items)) {
-    return { parent: row.item, index: row.item.children.length, kind: "into", row: over, depth: row.depth };
+    return {
+      parent: row.item,
+      index: row.item.children.length,
+      kind: "into",
+      row: over,
+      depth: row.depth,
+    };
   }
   const place = gap(drawing, rows, part < 0.5 ? over : over + 1, depth);
   return mayHold(place.parent, items) ? place : null;

@@ -14,8 +14,20 @@ export function LayersPanel() {
       <div class="section-head">
         <h2>{words.title}</h2>
         <IconButton small icon="plus" label={words.newLayer} command="new-layer" />
-        <IconButton small icon="folder-plus" label={en.panels.group} command="group" disabled={nothing} />
-        <IconButton small icon="trash-2" label={en.panels.delete} command="delete" disabled={nothing} />
+        <IconButton
+          small
+          icon="folder-plus"
+          label={en.panels.group}
+          command="group"
+          disabled={nothing}
+        />
+        <IconButton
+          small
+          icon="trash-2"
+          label={en.panels.delete}
+          command="delete"
+          disabled={nothing}
+        />
       </div>
       {editor.drawing.items.length === 0 ? <p class="empty">{words.empty}</p> : <Tree />}
     </section>

@@ -17,7 +17,11 @@ const words = en.layers;
 export interface RowEvents {
   readonly onTwist: (item: Item) => void;
   readonly onPress: (item: Item, event: TargetedPointerEvent<HTMLElement>) => void;
-  readonly onSweep: (item: Item, what: "hidden" | "locked", event: TargetedPointerEvent<HTMLElement>) => void;
+  readonly onSweep: (
+    item: Item,
+    what: "hidden" | "locked",
+    event: TargetedPointerEvent<HTMLElement>,
+  ) => void;
   readonly onToggle: (item: Item, what: "hidden" | "locked") => void;
   readonly onRename: (item: Item | null) => void;
 }
@@ -35,7 +39,16 @@ interface RowViewProps extends RowEvents {
 
 const kindIcon = (item: Item, isOriginal: boolean): IconName => {
   if (isOriginal) return "component";
-  return ({ curve: "spline", stroke: "brush", use: "link-2", reference: "image", layer: "layers", group: "folder" } as const)[item.kind];
+  return (
+    {
+      curve: "spline",
+      stroke: "brush",
+      use: "link-2",
+      reference: "image",
+      layer: "layers",
+      group: "folder",
+    } as const
+  )[item.kind];
 };
 
 function Name({ item, onDone }: { readonly item: Item; readonly onDone: () => void }) {
@@ -50,7 +63,8 @@ function Name({ item, onDone }: { readonly item: Item; readonly onDone: () => vo
     if (isOver.current) return;
     isOver.current = true;
     const name = input.current?.value.trim() ?? "";
-    if (isKept && name !== "" && name !== item.name) editor.run(words.rename, rename(editor.drawing, item.handle, name));
+    if (isKept && name !== "" && name !== item.name)
+      editor.run(words.rename, rename(editor.drawing, item.handle, name));
     onDone();
   };
   const key = (event: TargetedKeyboardEvent<HTMLInputElement>) => {
@@ -146,7 +160,11 @@ export function RowView(props: RowViewProps) {
       >
         {row.isOpen !== null && <Icon name="chevron-right" small />}
       </span>
-      {isContainer && copies === 0 ? <Thumb item={item} /> : <Icon name={kindIcon(item, copies > 0)} small />}
+      {isContainer && copies === 0 ? (
+        <Thumb item={item} />
+      ) : (
+        <Icon name={kindIcon(item, copies > 0)} small />
+      )}
       {isRenamed ? (
         <Name item={item} onDone={() => props.onRename(null)} />
       ) : (

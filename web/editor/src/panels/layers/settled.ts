@@ -18,7 +18,8 @@ const known = new WeakMap<Editor, Settled>();
 function countUses(editor: Editor): ReadonlyMap<Handle, number> {
   const uses = new Map<Handle, number>();
   for (const item of editor.drawing.all()) {
-    if (item.kind === "use" && item.target) uses.set(item.target.handle, (uses.get(item.target.handle) ?? 0) + 1);
+    if (item.kind === "use" && item.target)
+      uses.set(item.target.handle, (uses.get(item.target.handle) ?? 0) + 1);
   }
   return uses;
 }
@@ -36,9 +37,13 @@ export function settledOf(editor: Editor): Settled {
       revision.value = now;
     }, REST);
   });
-  let counted: { revision: number; uses: ReadonlyMap<Handle, number> } = { revision: -1, uses: new Map() };
+  let counted: { revision: number; uses: ReadonlyMap<Handle, number> } = {
+    revision: -1,
+    uses: new Map(),
+  };
   const uses = computed(() => {
-    if (counted.revision !== revision.value) counted = { revision: revision.value, uses: countUses(editor) };
+    if (counted.revision !== revision.value)
+      counted = { revision: revision.value, uses: countUses(editor) };
     return counted.uses;
   });
   const settled = { revision, uses };

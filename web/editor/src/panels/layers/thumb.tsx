@@ -37,7 +37,12 @@ function viewBox(item: Item): string {
   const [left, top, right, bottom] = boxOf([item]) ?? [0, 0, 1, 1];
   const size = Math.max(right - left, bottom - top, 1e-3);
   const room = size * 0.08;
-  return [left - room, top - room, Math.max(right - left, size / 50) + 2 * room, Math.max(bottom - top, size / 50) + 2 * room].join(" ");
+  return [
+    left - room,
+    top - room,
+    Math.max(right - left, size / 50) + 2 * room,
+    Math.max(bottom - top, size / 50) + 2 * room,
+  ].join(" ");
 }
 
 const isClosed = ({ paths }: CurveItem) => paths.every(({ closed }) => closed);
@@ -46,7 +51,12 @@ const Outlines = memo(
   ({ item }: { readonly item: Item; readonly revision: number }) => (
     <svg class="thumb" viewBox={viewBox(item)} aria-hidden="true">
       {(curvesWithin(item, MOST) as CurveItem[]).map((curve) => (
-        <path key={curve.handle} d={outline(curve)} stroke={color(curve)} fill={isClosed(curve) ? color(curve) : "none"} />
+        <path
+          key={curve.handle}
+          d={outline(curve)}
+          stroke={color(curve)}
+          fill={isClosed(curve) ? color(curve) : "none"}
+        />
       ))}
     </svg>
   ),

@@ -1,4 +1,5 @@
-// The tree of layers by WAI-ARIA. Only the rows in sight are in the page, and the one with the focus.
+// The tree of layers by WAI-ARIA. Only the rows in sight are in the page, and the one with the
+// focus.
 import { useSignal, type Signal } from "@preact/signals";
 import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
 import type { TargetedPointerEvent } from "preact";
@@ -27,8 +28,14 @@ export interface TreeState {
 
 export const whole = (handle: Handle) => ({ handle, part: { kind: "whole" } }) as const;
 
-/** A click's meaning: alone; with Ctrl, in or out; with Shift, all rows from the primary to here. */
-export function select(state: TreeState, item: Item, event: { ctrlKey: boolean; metaKey: boolean; shiftKey: boolean }) {
+/**
+ * A click's meaning: alone; with Ctrl, in or out; with Shift, all rows from the primary to here.
+ */
+export function select(
+  state: TreeState,
+  item: Item,
+  event: { ctrlKey: boolean; metaKey: boolean; shiftKey: boolean },
+) {
   const { selection } = state.editor;
   const now = selection.value;
   const primary = now[now.length - 1]?.handle;
@@ -36,7 +43,9 @@ export function select(state: TreeState, item: Item, event: { ctrlKey: boolean; 
     const handles = state.rows.map((row) => row.item.handle);
     const [from, to] = [handles.indexOf(primary), handles.indexOf(item.handle)];
     if (from >= 0) {
-      const range = handles.slice(Math.min(from, to), Math.max(from, to) + 1).filter((handle) => handle !== primary);
+      const range = handles
+        .slice(Math.min(from, to), Math.max(from, to) + 1)
+        .filter((handle) => handle !== primary);
       selection.value = [...range, primary].map(whole);
       return;
     }
@@ -58,14 +67,18 @@ export function toggle(open: Signal<ReadonlySet<Handle>>, handle: Handle, to?: b
 
 const setters = { hidden: setHidden, locked: setLocked } as const;
 
-/** Pressed on an eye or a lock: it and those that the pointer goes over become alike, in one step. */
+/**
+ * Pressed on an eye or a lock: it and those that the pointer goes over become alike, in one step.
+ */
 function sweep(editor: Editor, item: Item, what: "hidden" | "locked") {
   const to = !item[what];
   const handles = new Set([item.handle]);
   const gesture = editor.gesture(words.set[what][to ? "on" : "off"]);
   const show = () => gesture.show((before) => setters[what](before, [...handles], to));
   const move = (event: PointerEvent) => {
-    const button = document.elementFromPoint(event.clientX, event.clientY)?.closest<HTMLElement>(`[data-sweep=${what}]`);
+    const button = document
+      .elementFromPoint(event.clientX, event.clientY)
+      ?.closest<HTMLElement>(`[data-sweep=${what}]`);
     const handle = Number(button?.dataset.handle);
     if (!button || handles.has(handle)) return;
     handles.add(handle);
@@ -84,7 +97,12 @@ function sweep(editor: Editor, item: Item, what: "hidden" | "locked") {
 }
 
 /** Rows from `first` up to `last`, and the active one. */
-function inSight(rows: readonly Row[], scroll: { top: number; height: number }, rowHeight: number, active: number) {
+function inSight(
+  rows: readonly Row[],
+  scroll: { top: number; height: number },
+  rowHeight: number,
+  active: number,
+) {
   const first = Math.max(Math.floor(scroll.top / rowHeight) - SPARE, 0);
   const last = Math.min(Math.ceil((scroll.top + scroll.height) / rowHeight) + SPARE, rows.length);
   const indices = Array.from({ length: Math.max(last - first, 0) }, (_, k) => first + k);
@@ -101,14 +119,18 @@ function useReveal(state: TreeState, tree: { current: HTMLElement | null }, rowH
     const item = primary === null ? undefined : editor.drawing.item(primary);
     if (!item) return;
     const closed = ancestors(item).filter(({ handle }) => !open.peek().has(handle));
-    if (closed.length > 0) open.value = new Set([...open.peek(), ...closed.map(({ handle }) => handle)]);
+    if (closed.length > 0)
+      open.value = new Set([...open.peek(), ...closed.map(({ handle }) => handle)]);
     active.value = primary;
-    const index = rowsOf(editor.drawing, open.peek()).findIndex((row) => row.item.handle === primary);
+    const index = rowsOf(editor.drawing, open.peek()).findIndex(
+      (row) => row.item.handle === primary,
+    );
     const view = tree.current;
     if (!view || index < 0) return;
     const top = index * rowHeight;
     if (top < view.scrollTop) view.scrollTop = top;
-    else if (top + rowHeight > view.scrollTop + view.clientHeight) view.scrollTop = top + rowHeight - view.clientHeight;
+    else if (top + rowHeight > view.scrollTop + view.clientHeight)
+      view.scrollTop = top + rowHeight - view.clientHeight;
   }, [primary]);
 }
 
@@ -143,7 +165,10 @@ export function Tree() {
     const item = editor.drawing.item(handle);
     if (item) ancestors(item).forEach((above) => inside.add(above.handle));
   }
-  const activeIndex = Math.max(rows.findIndex(({ item }) => item.handle === active.value), 0);
+  const activeIndex = Math.max(
+    rows.findIndex(({ item }) => item.handle === active.value),
+    0,
+  );
   const press = (item: Item, event: TargetedPointerEvent<HTMLElement>) => {
     if (event.button !== 0) return;
     active.value = item.handle;
@@ -160,7 +185,11 @@ export function Tree() {
       onKeyDown={treeKeys(state, tree, rowHeight.value)}
       onContextMenu={(event) => drag.menu(event)}
     >
-      <div class="tree-rows" role="presentation" style={{ height: `${rows.length * rowHeight.value}px` }}>
+      <div
+        class="tree-rows"
+        role="presentation"
+        style={{ height: `${rows.length * rowHeight.value}px` }}
+      >
         {inSight(rows, scroll.value, rowHeight.value, activeIndex).map((index) => {
           const row = rows[index];
           const { handle } = row.item;
@@ -179,7 +208,10 @@ export function Tree() {
               onPress={press}
               onSweep={(item, what) => sweep(editor, item, what)}
               onToggle={(item, what) =>
-                void editor.run(words.set[what][item[what] ? "off" : "on"], setters[what](editor.drawing, [item.handle], !item[what]))
+                void editor.run(
+                  words.set[what][item[what] ? "off" : "on"],
+                  setters[what](editor.drawing, [item.handle], !item[what]),
+                )
               }
               onRename={(item) => {
                 renamed.value = item?.handle ?? null;
@@ -189,7 +221,10 @@ export function Tree() {
           );
         })}
         {drag.drop?.kind === "line" && (
-          <div class="drop-line" style={{ "--depth": drag.drop.depth, top: `${drag.drop.row * rowHeight.value}px` }} />
+          <div
+            class="drop-line"
+            style={{ "--depth": drag.drop.depth, top: `${drag.drop.row * rowHeight.value}px` }}
+          />
         )}
       </div>
       <Ghost drag={drag} />

@@ -35,8 +35,16 @@ const edit = (editor: Editor): readonly MenuItem[] => {
   const undo = editor.undoLabel.value;
   const redo = editor.redoLabel.value;
   return [
-    { label: undo === null ? words.undo : words.undoOf(undo), command: "undo", disabled: undo === null },
-    { label: redo === null ? words.redo : words.redoOf(redo), command: "redo", disabled: redo === null },
+    {
+      label: undo === null ? words.undo : words.undoOf(undo),
+      command: "undo",
+      disabled: undo === null,
+    },
+    {
+      label: redo === null ? words.redo : words.redoOf(redo),
+      command: "redo",
+      disabled: redo === null,
+    },
     "line",
     ...clipboard(editor),
     "line",
@@ -65,7 +73,11 @@ export function object(editor: Editor): readonly MenuItem[] {
     "line",
     { label: words.flipHorizontal, command: "flip-horizontal", disabled: nothing },
     { label: words.flipVertical, command: "flip-vertical", disabled: nothing },
-    { label: words.makeInstance, command: "make-instance", disabled: !has("group", "layer", "use") },
+    {
+      label: words.makeInstance,
+      command: "make-instance",
+      disabled: !has("group", "layer", "use"),
+    },
     { label: words.makeUnique, command: "make-unique", disabled: !has("use") },
   ];
 }

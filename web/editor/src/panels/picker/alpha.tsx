@@ -22,7 +22,8 @@ export function Alpha({ session }: { readonly session: Session }) {
   const sink = edits(editor, en.panels.setOpacity, (value: number, before) =>
     setNumbers(before, target.handle, target.side, "opacity", constant(value / 100)),
   );
-  const chequers = "repeating-conic-gradient(var(--check-b) 0 25%, var(--check-a) 0 50%) 0 0 / 8px 8px";
+  const chequers =
+    "repeating-conic-gradient(var(--check-b) 0 25%, var(--check-a) 0 50%) 0 0 / 8px 8px";
   return (
     <Slider
       label={words.alpha}

@@ -26,18 +26,66 @@ interface Channel {
 
 function oklch({ polar, onPolar }: ModelProps): readonly Channel[] {
   return [
-    { label: "L", name: words.lightness, value: polar.l * 100, digits: 1, max: 100, step: 1, set: (v) => onPolar({ ...polar, l: v / 100 }) },
-    { label: "C", name: words.chroma, value: polar.c, digits: 3, max: 0.4, step: 0.01, set: (c) => onPolar({ ...polar, c }) },
-    { label: "H", name: words.hue, value: polar.h, digits: 1, max: 360, step: 1, set: (h) => onPolar({ ...polar, h }) },
+    {
+      label: "L",
+      name: words.lightness,
+      value: polar.l * 100,
+      digits: 1,
+      max: 100,
+      step: 1,
+      set: (v) => onPolar({ ...polar, l: v / 100 }),
+    },
+    {
+      label: "C",
+      name: words.chroma,
+      value: polar.c,
+      digits: 3,
+      max: 0.4,
+      step: 0.01,
+      set: (c) => onPolar({ ...polar, c }),
+    },
+    {
+      label: "H",
+      name: words.hue,
+      value: polar.h,
+      digits: 1,
+      max: 360,
+      step: 1,
+      set: (h) => onPolar({ ...polar, h }),
+    },
   ];
 }
 
 function hsv({ color, onColor }: ModelProps): readonly Channel[] {
   const now = hsvFromRgb(color);
   return [
-    { label: "H", name: words.hue, value: now.h, digits: 1, max: 360, step: 1, set: (h) => onColor(rgbFromHsv({ ...now, h })) },
-    { label: "S", name: words.saturation, value: now.s * 100, digits: 1, max: 100, step: 1, set: (s) => onColor(rgbFromHsv({ ...now, s: s / 100 })) },
-    { label: "V", name: words.value, value: now.v * 100, digits: 1, max: 100, step: 1, set: (v) => onColor(rgbFromHsv({ ...now, v: v / 100 })) },
+    {
+      label: "H",
+      name: words.hue,
+      value: now.h,
+      digits: 1,
+      max: 360,
+      step: 1,
+      set: (h) => onColor(rgbFromHsv({ ...now, h })),
+    },
+    {
+      label: "S",
+      name: words.saturation,
+      value: now.s * 100,
+      digits: 1,
+      max: 100,
+      step: 1,
+      set: (s) => onColor(rgbFromHsv({ ...now, s: s / 100 })),
+    },
+    {
+      label: "V",
+      name: words.value,
+      value: now.v * 100,
+      digits: 1,
+      max: 100,
+      step: 1,
+      set: (v) => onColor(rgbFromHsv({ ...now, v: v / 100 })),
+    },
   ];
 }
 
@@ -79,4 +127,3 @@ export function ModelFields(props: ModelProps & { readonly model: keyof typeof m
     </div>
   );
 }
-

@@ -32,14 +32,28 @@ const hueTrack = "linear-gradient(90deg in oklch longer hue, oklch(.68 .16 0), o
 function usePolar(color: Rgb): { polar: Oklch; setHue: (hue: number) => void } {
   const hue = useRef<number | null>(null);
   const exact = oklchFromRgb(color);
-  if (exact.c > GREY && (hue.current === null || Math.abs(((exact.h - hue.current + 540) % 360) - 180) > 1.5)) hue.current = exact.h;
+  if (
+    exact.c > GREY &&
+    (hue.current === null || Math.abs(((exact.h - hue.current + 540) % 360) - 180) > 1.5)
+  )
+    hue.current = exact.h;
   const setHue = (to: number) => {
     hue.current = to;
   };
   return { polar: { ...exact, h: hue.current ?? exact.h }, setHue };
 }
 
-function Swatches({ title, colors, now, onChoose }: { title: string; colors: readonly Rgb[]; now: Rgb; onChoose: (color: Rgb) => void }) {
+function Swatches({
+  title,
+  colors,
+  now,
+  onChoose,
+}: {
+  title: string;
+  colors: readonly Rgb[];
+  now: Rgb;
+  onChoose: (color: Rgb) => void;
+}) {
   if (colors.length === 0) return null;
   return (
     <div>
@@ -78,7 +92,9 @@ function Compare({ session }: { readonly session: Session }) {
   );
 }
 
-type EyeDropper = new () => { open(options: { signal: AbortSignal }): Promise<{ sRGBHex: string }> };
+type EyeDropper = new () => {
+  open(options: { signal: AbortSignal }): Promise<{ sRGBHex: string }>;
+};
 
 /** From the screen where the browser can, else from the picture. */
 function usePick(onColor: (color: Rgb) => void) {
@@ -97,7 +113,8 @@ function usePick(onColor: (color: Rgb) => void) {
     }
     const picked = await new Dropper().open({ signal }).catch(() => null);
     const value = picked ? Number.parseInt(picked.sRGBHex.slice(1), 16) : null;
-    if (value !== null) onColor({ r: (value >> 16) / 255, g: ((value >> 8) & 255) / 255, b: (value & 255) / 255 });
+    if (value !== null)
+      onColor({ r: (value >> 16) / 255, g: ((value >> 8) & 255) / 255, b: (value & 255) / 255 });
   };
 }
 
@@ -115,13 +132,25 @@ function Body({ session }: { readonly session: Session }) {
     session.show(to);
     remember(editor, to);
   };
-  const hueSink = { set: setHueTo, begin: () => ({ show: setHueTo, keep: () => undefined, drop: () => undefined }) };
+  const hueSink = {
+    set: setHueTo,
+    begin: () => ({ show: setHueTo, keep: () => undefined, drop: () => undefined }),
+  };
   return (
     <div class="picker-body">
       <Plane color={polar} onChange={showPolar} />
       <div class="bars">
         <div class="bars-sliders">
-          <Slider label={words.hue} value={polar.h} min={0} max={360} step={1} text={words.degrees(decimal(polar.h, 0))} track={hueTrack} sink={hueSink} />
+          <Slider
+            label={words.hue}
+            value={polar.h}
+            min={0}
+            max={360}
+            step={1}
+            text={words.degrees(decimal(polar.h, 0))}
+            track={hueTrack}
+            sink={hueSink}
+          />
           <Alpha session={session} />
         </div>
         <Compare session={session} />
@@ -141,9 +170,20 @@ function Body({ session }: { readonly session: Session }) {
         />
         <HexField grow marked name={words.hex} value={color} onChange={(to) => session.show(to)} />
       </div>
-      <ModelFields model={colorModel.value} color={color} polar={polar} onPolar={showPolar} onColor={(to) => session.show(to)} />
+      <ModelFields
+        model={colorModel.value}
+        color={color}
+        polar={polar}
+        onPolar={showPolar}
+        onColor={(to) => session.show(to)}
+      />
       <Swatches title={words.recent} colors={recent.value} now={color} onChoose={choose} />
-      <Swatches title={words.inPicture} colors={colorsOf(editor.drawing, MOST)} now={color} onChoose={choose} />
+      <Swatches
+        title={words.inPicture}
+        colors={colorsOf(editor.drawing, MOST)}
+        now={color}
+        onChoose={choose}
+      />
       <button type="button" class="button none-button" onClick={session.open}>
         <span class="swatch none" />
         {words.none}

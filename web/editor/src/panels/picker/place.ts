@@ -31,7 +31,12 @@ function beside(editor: Editor, target: PickerTarget, width: number): Point {
 }
 
 /** Puts it where it belongs when it opens, and back into the window when that shrinks. */
-export function usePlace(editor: Editor, target: PickerTarget, popover: { current: HTMLElement | null }, isPhone: boolean) {
+export function usePlace(
+  editor: Editor,
+  target: PickerTarget,
+  popover: { current: HTMLElement | null },
+  isPhone: boolean,
+) {
   useLayoutEffect(() => {
     const put = () => {
       const element = popover.current;

@@ -37,7 +37,11 @@ interface PlaneProps {
 }
 
 /** The nearest that sRGB has: the point slides along the border. */
-const slid = (l: number, c: number, h: number): Oklch => ({ l, c: Math.min(c, largestChroma(l, h)), h });
+const slid = (l: number, c: number, h: number): Oklch => ({
+  l,
+  c: Math.min(c, largestChroma(l, h)),
+  h,
+});
 
 export function Plane({ color, onChange }: PlaneProps) {
   const canvas = useRef<HTMLCanvasElement>(null);
@@ -60,7 +64,9 @@ export function Plane({ color, onChange }: PlaneProps) {
   const key = (event: TargetedKeyboardEvent<HTMLElement>) => {
     const by = event.shiftKey ? 0.1 : 0.01;
     const l = color.l + by * (event.key === "ArrowUp" ? 1 : event.key === "ArrowDown" ? -1 : 0);
-    const c = color.c + by * MOST_CHROMA * (event.key === "ArrowRight" ? 1 : event.key === "ArrowLeft" ? -1 : 0);
+    const c =
+      color.c +
+      by * MOST_CHROMA * (event.key === "ArrowRight" ? 1 : event.key === "ArrowLeft" ? -1 : 0);
     if (l === color.l && c === color.c) return;
     event.preventDefault();
     event.stopPropagation();
@@ -82,16 +88,22 @@ export function Plane({ color, onChange }: PlaneProps) {
   return (
     <div class="plane" onPointerDown={press}>
       <canvas ref={canvas} width={WIDTH} height={HEIGHT} aria-hidden="true" />
-      <span class="plane-point" style={{ "--x": clamp(color.c / MOST_CHROMA), "--y": 1 - color.l }} />
+      <span
+        class="plane-point"
+        style={{ "--x": clamp(color.c / MOST_CHROMA), "--y": 1 - color.l }}
+      />
       <span class="axis-name up" aria-hidden="true">
         {words.lightness}
       </span>
       <span class="axis-name across" aria-hidden="true">
         {words.chroma}
       </span>
-      {hidden(words.lightness, color.l, words.percent(decimal(color.l * 100, 1)), (l) => slid(l, color.c, color.h))}
-      {hidden(words.chroma, color.c / MOST_CHROMA, decimal(color.c, 3), (c) => slid(color.l, c * MOST_CHROMA, color.h))}
+      {hidden(words.lightness, color.l, words.percent(decimal(color.l * 100, 1)), (l) =>
+        slid(l, color.c, color.h),
+      )}
+      {hidden(words.chroma, color.c / MOST_CHROMA, decimal(color.c, 3), (c) =>
+        slid(color.l, c * MOST_CHROMA, color.h),
+      )}
     </div>
   );
 }
-

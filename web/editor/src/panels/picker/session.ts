@@ -57,7 +57,8 @@ export function useSession(editor: Editor, target: PickerTarget): Session | null
     () => () => {
       if (gesture.current && !gesture.current.isOver) gesture.current.keep();
       gesture.current = null;
-      if (latest.current && before && hexOf(latest.current) !== hexOf(before)) remember(editor, latest.current);
+      if (latest.current && before && hexOf(latest.current) !== hexOf(before))
+        remember(editor, latest.current);
     },
     [key],
   );

@@ -17,7 +17,14 @@ export function NodeKinds({ full }: { readonly full?: boolean }) {
   const choose = (kind: NodeKind) =>
     editor.run(
       words.nodeKind,
-      setNodeKind(editor.drawing, nodes.item.handle, nodes.path, nodes.indices, kind, editor.step(nodes.item)),
+      setNodeKind(
+        editor.drawing,
+        nodes.item.handle,
+        nodes.path,
+        nodes.indices,
+        kind,
+        editor.step(nodes.item),
+      ),
     );
   return (
     <Segments
@@ -26,9 +33,27 @@ export function NodeKinds({ full }: { readonly full?: boolean }) {
       value={kindOfNodes(nodes)}
       onChange={choose}
       choices={[
-        { value: "corner", label: words.corner, icon: "node-corner", shows: "icon", command: "corner" },
-        { value: "smooth", label: words.smooth, icon: "node-smooth", shows: "icon", command: "smooth" },
-        { value: "symmetric", label: words.symmetric, icon: "node-symmetric", shows: "icon", command: "symmetric" },
+        {
+          value: "corner",
+          label: words.corner,
+          icon: "node-corner",
+          shows: "icon",
+          command: "corner",
+        },
+        {
+          value: "smooth",
+          label: words.smooth,
+          icon: "node-smooth",
+          shows: "icon",
+          command: "smooth",
+        },
+        {
+          value: "symmetric",
+          label: words.symmetric,
+          icon: "node-symmetric",
+          shows: "icon",
+          command: "symmetric",
+        },
       ]}
     />
   );
@@ -44,9 +69,27 @@ function Attributes() {
         editor.attribute.value = value;
       }}
       choices={[
-        { value: "color", label: words.attribute.color, icon: "palette", shows: "narrow", command: "show-color" },
-        { value: "opacity", label: words.attribute.opacity, icon: "blend", shows: "narrow", command: "show-opacity" },
-        { value: "blur", label: words.attribute.blur, icon: "focus", shows: "narrow", command: "show-blur" },
+        {
+          value: "color",
+          label: words.attribute.color,
+          icon: "palette",
+          shows: "narrow",
+          command: "show-color",
+        },
+        {
+          value: "opacity",
+          label: words.attribute.opacity,
+          icon: "blend",
+          shows: "narrow",
+          command: "show-opacity",
+        },
+        {
+          value: "blur",
+          label: words.attribute.blur,
+          icon: "focus",
+          shows: "narrow",
+          command: "show-blur",
+        },
       ]}
     />
   );
@@ -57,11 +100,36 @@ function Align() {
   const chosen = editor.selection.value.length;
   return (
     <div class="row align">
-      <IconButton icon="align-start-vertical" label={words.alignLeft} command="align-left" disabled={chosen < 2} />
-      <IconButton icon="align-center-vertical" label={words.alignCenter} command="align-center" disabled={chosen < 2} />
-      <IconButton icon="align-end-vertical" label={words.alignRight} command="align-right" disabled={chosen < 2} />
-      <IconButton icon="flip-vertical-2" label={words.flipHorizontal} command="flip-horizontal" disabled={chosen < 1} />
-      <IconButton icon="flip-horizontal-2" label={words.flipVertical} command="flip-vertical" disabled={chosen < 1} />
+      <IconButton
+        icon="align-start-vertical"
+        label={words.alignLeft}
+        command="align-left"
+        disabled={chosen < 2}
+      />
+      <IconButton
+        icon="align-center-vertical"
+        label={words.alignCenter}
+        command="align-center"
+        disabled={chosen < 2}
+      />
+      <IconButton
+        icon="align-end-vertical"
+        label={words.alignRight}
+        command="align-right"
+        disabled={chosen < 2}
+      />
+      <IconButton
+        icon="flip-vertical-2"
+        label={words.flipHorizontal}
+        command="flip-horizontal"
+        disabled={chosen < 1}
+      />
+      <IconButton
+        icon="flip-horizontal-2"
+        label={words.flipVertical}
+        command="flip-vertical"
+        disabled={chosen < 1}
+      />
     </div>
   );
 }
@@ -69,7 +137,17 @@ function Align() {
 function Smoothing() {
   const { smoothing } = useShell().editor.settings;
   return (
-    <NumberField class="option" label={words.smoothing} value={smoothing.value} min={0.5} max={8} step={0.5} digits={1} unit="px" sink={setting(smoothing)} />
+    <NumberField
+      class="option"
+      label={words.smoothing}
+      value={smoothing.value}
+      min={0.5}
+      max={8}
+      step={0.5}
+      digits={1}
+      unit="px"
+      sink={setting(smoothing)}
+    />
   );
 }
 
@@ -77,7 +155,16 @@ function StrokeOptions() {
   const { strokeRadius } = useShell().editor.settings;
   return (
     <>
-      <NumberField class="option" label={words.strokeRadius} value={strokeRadius.value} min={0.1} max={10000} step={1} digits={1} sink={setting(strokeRadius)} />
+      <NumberField
+        class="option"
+        label={words.strokeRadius}
+        value={strokeRadius.value}
+        min={0.1}
+        max={10000}
+        step={1}
+        digits={1}
+        sink={setting(strokeRadius)}
+      />
       <Smoothing />
     </>
   );
@@ -88,8 +175,27 @@ function SampleOptions() {
   const { sampleDistance, sampleTolerance } = editor.settings;
   return (
     <>
-      <NumberField class="option" label={words.sampleDistance} value={sampleDistance.value} min={1} max={12} step={1} digits={0} unit="px" sink={setting(sampleDistance)} />
-      <NumberField class="option" label={words.sampleTolerance} value={sampleTolerance.value} min={0.002} max={0.2} step={0.005} digits={3} sink={setting(sampleTolerance)} />
+      <NumberField
+        class="option"
+        label={words.sampleDistance}
+        value={sampleDistance.value}
+        min={1}
+        max={12}
+        step={1}
+        digits={0}
+        unit="px"
+        sink={setting(sampleDistance)}
+      />
+      <NumberField
+        class="option"
+        label={words.sampleTolerance}
+        value={sampleTolerance.value}
+        min={0.002}
+        max={0.2}
+        step={0.005}
+        digits={3}
+        sink={setting(sampleTolerance)}
+      />
     </>
   );
 }
@@ -117,8 +223,18 @@ export function ToolOptions() {
     <div class="options" role="group" aria-label={words.toolOptions}>
       <Options />
       <span class="bar-line" />
-      <IconButton icon="scan-line" label={words.outlines} command="outlines" pressed={editor.showOutlines.value} />
-      <IconButton icon="image" label={words.reference} command="reference" pressed={editor.showReference.value} />
+      <IconButton
+        icon="scan-line"
+        label={words.outlines}
+        command="outlines"
+        pressed={editor.showOutlines.value}
+      />
+      <IconButton
+        icon="image"
+        label={words.reference}
+        command="reference"
+        pressed={editor.showReference.value}
+      />
     </div>
   );
 }

@@ -1,7 +1,6 @@
 // F6 goes round the regions of the page, Shift F6 back; each remembers what had the focus.
 const remembered = new WeakMap<Element, HTMLElement>();
-const tabbable =
-  'button:not(:disabled):not([tabindex="-1"]), input:not(:disabled), [tabindex="0"], a[href], select:not(:disabled)';
+const tabbable = 'button:not(:disabled):not([tabindex="-1"]), input:not(:disabled), [tabindex="0"]';
 
 const visible = (element: HTMLElement) => element.getClientRects().length > 0;
 

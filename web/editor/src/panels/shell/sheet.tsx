@@ -54,7 +54,8 @@ function Grabber({ height, onMove, onStep }: GrabberProps) {
       onMove(now, true);
     };
     const end = (isKept: boolean) => {
-      if (hasMoved.current) onMove(isKept ? landing(now, speed, detents(innerHeight)) : height, false);
+      if (hasMoved.current)
+        onMove(isKept ? landing(now, speed, detents(innerHeight)) : height, false);
     };
     follow(event.currentTarget, event, { slop: 3, onMove: move, onEnd: end });
   };
@@ -74,7 +75,8 @@ export function Sheet() {
   const tab = useSignal<Tab>("curve");
   const height = useSignal(detents(innerHeight)[1]);
   const isHeld = useSignal(false);
-  const label = (name: Tab) => (name === "hints" ? words.hintsTab(editor.hints.value.length) : words.sheetTabs[name]);
+  const label = (name: Tab) =>
+    name === "hints" ? words.hintsTab(editor.hints.value.length) : words.sheetTabs[name];
   const step = () => {
     const all = detents(innerHeight);
     height.value = all.find((detent) => detent > height.value) ?? all[0];

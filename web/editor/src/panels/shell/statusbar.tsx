@@ -69,7 +69,10 @@ const icons: Readonly<Record<EngineStatus["kind"], IconName>> = {
 function Engine() {
   const { editor } = useShell();
   const status = usePatientStatus();
-  const time = "milliseconds" in status ? words.milliseconds(decimal(status.milliseconds, status.milliseconds < 10 ? 1 : 0)) : null;
+  const time =
+    "milliseconds" in status
+      ? words.milliseconds(decimal(status.milliseconds, status.milliseconds < 10 ? 1 : 0))
+      : null;
   const face = (
     <>
       <Icon name={icons[status.kind]} small />
@@ -91,7 +94,10 @@ function Engine() {
     );
   }
   return (
-    <span class={`status-item engine ${status.kind === "exact" ? "ok" : ""}`} data-tip={status.kind === "exact" ? words.exactTip : undefined}>
+    <span
+      class={`status-item engine ${status.kind === "exact" ? "ok" : ""}`}
+      data-tip={status.kind === "exact" ? words.exactTip : undefined}
+    >
       {face}
       {time && <span class="muted desk-wide">{time}</span>}
     </span>
@@ -102,7 +108,11 @@ function Place() {
   const { pointer } = useShell().editor;
   const at = pointer.value;
   if (!at) return <span class="status-item place desk-wide" />;
-  return <span class="status-item place desk-wide muted">{words.position(decimal(at[0], 1), decimal(at[1], 1))}</span>;
+  return (
+    <span class="status-item place desk-wide muted">
+      {words.position(decimal(at[0], 1), decimal(at[1], 1))}
+    </span>
+  );
 }
 
 function Surrounds() {

@@ -24,7 +24,13 @@ export function ToastView() {
   return (
     <div class="toasts" role="status">
       {now && (
-        <div class="toast" onPointerEnter={stay} onPointerLeave={wait} onFocusIn={stay} onFocusOut={wait}>
+        <div
+          class="toast"
+          onPointerEnter={stay}
+          onPointerLeave={wait}
+          onFocusIn={stay}
+          onFocusOut={wait}
+        >
           {now.text}
           <button
             type="button"

@@ -13,10 +13,20 @@ function FileName() {
   const { editor } = useShell();
   const { name, isChanged, kept } = editor.file.value;
   const isLost = isChanged && kept === "nowhere";
-  const state = kept === "file" && isChanged ? words.unsaved : kept === "nowhere" && !isChanged ? "" : words.kept[kept];
+  const state =
+    kept === "file" && isChanged
+      ? words.unsaved
+      : kept === "nowhere" && !isChanged
+        ? ""
+        : words.kept[kept];
   return (
     <h1 class="file">
-      <button type="button" class="file-name" data-tip={words.document} onClick={() => editor.command("document")}>
+      <button
+        type="button"
+        class="file-name"
+        data-tip={words.document}
+        onClick={() => editor.command("document")}
+      >
         {name}
       </button>
       <span class={isLost ? "saved warn" : "muted saved"}>{state}</span>
@@ -48,7 +58,10 @@ function History() {
 
 /** The other of light and dark than what is seen now. */
 function toggleTheme(theme: { value: "system" | "light" | "dark" }) {
-  const isDark = theme.value === "system" ? matchMedia("(prefers-color-scheme: dark)").matches : theme.value === "dark";
+  const isDark =
+    theme.value === "system"
+      ? matchMedia("(prefers-color-scheme: dark)").matches
+      : theme.value === "dark";
   theme.value = isDark ? "light" : "dark";
 }
 
@@ -60,13 +73,20 @@ export function TopBar() {
         icon="menu"
         label={words.menu}
         popup="menu"
-        onClick={(event) => openMenu(words.menu, mainMenu(editor, isPhone().value), event.currentTarget)}
+        onClick={(event) =>
+          openMenu(words.menu, mainMenu(editor, isPhone().value), event.currentTarget)
+        }
       />
       <FileName />
       <History />
       <ToolOptions />
       <div class="bar-end">
-        <IconButton class="theme" icon="contrast" label={words.theme} onClick={() => toggleTheme(editor.settings.theme)} />
+        <IconButton
+          class="theme"
+          icon="contrast"
+          label={words.theme}
+          onClick={() => toggleTheme(editor.settings.theme)}
+        />
         <IconButton class="keys-link" icon="keyboard" label={words.keys} command="keys" />
         <button type="button" class="button primary" onClick={() => editor.command("export")}>
           {words.export}

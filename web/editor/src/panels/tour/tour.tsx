@@ -20,7 +20,9 @@ export function useTourStart() {
     () =>
       effect(() => {
         if (editor.tour.value === null || !editor.welcome.value) return;
-        untracked(() => editor.open(blankText(SIZE.width, SIZE.height, SIZE.background), en.dialogs.untitled));
+        untracked(() =>
+          editor.open(blankText(SIZE.width, SIZE.height, SIZE.background), en.dialogs.untitled),
+        );
       }),
     [],
   );
@@ -67,7 +69,10 @@ function Card({ step }: { readonly step: number }) {
       <div class="tour-card-head">
         <span class="tour-dots" aria-hidden="true">
           {watches.map((_, k) => (
-            <i key={k} class={k < step || (k === step && isDone.value) ? "past" : k === step ? "now" : ""} />
+            <i
+              key={k}
+              class={k < step || (k === step && isDone.value) ? "past" : k === step ? "now" : ""}
+            />
           ))}
         </span>
         <span class="visually-hidden">{words.stepOf(step + 1, watches.length)}</span>

@@ -3,19 +3,30 @@ import type { Editor } from "../../app/types.js";
 import type { CurveItem, Drawing, SideValue } from "../../model/types.js";
 
 const curvesOf = (drawing: Drawing): readonly CurveItem[] =>
-  [...drawing.all()].flatMap((item) => (item.kind === "curve" || item.kind === "stroke" ? [item] : []));
+  [...drawing.all()].flatMap((item) =>
+    item.kind === "curve" || item.kind === "stroke" ? [item] : [],
+  );
 
-const layersOf = (drawing: Drawing) => [...drawing.all()].filter(({ kind }) => kind === "layer").length;
+const layersOf = (drawing: Drawing) =>
+  [...drawing.all()].filter(({ kind }) => kind === "layer").length;
 
 const blurOf = (value: SideValue<number>) =>
   value.kind === "stops" ? value.stops.reduce((sum, stop) => sum + stop.value, 0) : 0;
 
 /** Each side's colours of each curve, as text. */
 const colors = (drawing: Drawing) =>
-  new Map(curvesOf(drawing).map(({ handle, left, right }) => [handle, [left, right].map((side) => JSON.stringify(side.color))]));
+  new Map(
+    curvesOf(drawing).map(({ handle, left, right }) => [
+      handle,
+      [left, right].map((side) => JSON.stringify(side.color)),
+    ]),
+  );
 
 const blurs = (drawing: Drawing) =>
-  curvesOf(drawing).reduce((sum, { left, right }) => sum + blurOf(left.blur) + blurOf(right.blur), 0);
+  curvesOf(drawing).reduce(
+    (sum, { left, right }) => sum + blurOf(left.blur) + blurOf(right.blur),
+    0,
+  );
 
 /** Made when a step begins; the function that it gives tells whether the step is done. */
 type Watch = (editor: Editor) => () => boolean;
@@ -51,7 +62,10 @@ export function prepare(editor: Editor, step: number) {
   if (step === 2) editor.tool.value = "blur";
   if (step !== 1 && step !== 2) return;
   const curve = curvesOf(editor.drawing).at(-1);
-  const isChosen = editor.selection.peek().some(({ handle }) => editor.drawing.item(handle)?.kind === "curve");
-  if (curve && !isChosen) editor.selection.value = [{ handle: curve.handle, part: { kind: "whole" } }];
+  const isChosen = editor.selection
+    .peek()
+    .some(({ handle }) => editor.drawing.item(handle)?.kind === "curve");
+  if (curve && !isChosen)
+    editor.selection.value = [{ handle: curve.handle, part: { kind: "whole" } }];
   editor.attribute.value = step === 1 ? "color" : "blur";
 }

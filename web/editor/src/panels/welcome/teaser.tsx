@@ -20,7 +20,13 @@ const drawings: readonly ComponentChildren[] = [
   <>
     <path d={ABOVE} fill="url(#t-up)" />
     <path d={BELOW} fill="url(#t-vary)" />
-    {([[22, 58, "#ffd98a"], [60, 44, "#ef6b4a"], [98, 56, "#7b2a5a"]] as const).map(([x, y, color]) => (
+    {(
+      [
+        [22, 58, "#ffd98a"],
+        [60, 44, "#ef6b4a"],
+        [98, 56, "#7b2a5a"],
+      ] as const
+    ).map(([x, y, color]) => (
       <g key={x}>
         <circle cx={x} cy={y} r="5" fill="#fff" stroke="rgb(0 0 0/.6)" />
         <circle cx={x} cy={y} r="3" fill={color} />

@@ -9,7 +9,12 @@ import { Wordmark } from "./wordmark.js";
 
 const words = en.welcome;
 
-function Start(props: { readonly icon: IconName; readonly title: string; readonly text: string; readonly onClick: () => void }) {
+function Start(props: {
+  readonly icon: IconName;
+  readonly title: string;
+  readonly text: string;
+  readonly onClick: () => void;
+}) {
   return (
     <button type="button" class="start" onClick={props.onClick}>
       <Icon name={props.icon} />
@@ -23,7 +28,8 @@ function Start(props: { readonly icon: IconName; readonly title: string; readonl
 
 function Gallery() {
   const { editor, services } = useShell();
-  const open = (example: Example) => example.open().catch(() => editor.say(words.exampleFailed(example.name)));
+  const open = (example: Example) =>
+    example.open().catch(() => editor.say(words.exampleFailed(example.name)));
   if (services.examples.length === 0) return null;
   return (
     <section>
@@ -81,9 +87,24 @@ export function Welcome() {
           <p>{words.ledeText}</p>
         </div>
         <div class="starts">
-          <Start icon="file-plus-2" title={words.blank} text={words.blankText} onClick={begin("new")} />
-          <Start icon="image-plus" title={words.photo} text={words.photoText} onClick={begin("place-photo")} />
-          <Start icon="folder-open" title={words.open} text={words.openText} onClick={begin("open")} />
+          <Start
+            icon="file-plus-2"
+            title={words.blank}
+            text={words.blankText}
+            onClick={begin("new")}
+          />
+          <Start
+            icon="image-plus"
+            title={words.photo}
+            text={words.photoText}
+            onClick={begin("place-photo")}
+          />
+          <Start
+            icon="folder-open"
+            title={words.open}
+            text={words.openText}
+            onClick={begin("open")}
+          />
         </div>
         <Gallery />
         <Recent />

@@ -14,7 +14,13 @@ export function Wordmark() {
         </defs>
         <path d="M14 1.5C18 8 6 15 10 22.5A11 11 0 0 1 14 1.5Z" fill={`url(#${id})`} />
         <circle cx="12" cy="12" r="10.25" fill="none" stroke="currentColor" stroke-width="1.5" />
-        <path d="M14 2C18 8 6 15 10 22" fill="none" stroke="currentColor" stroke-width="1.5" stroke-linecap="round" />
+        <path
+          d="M14 2C18 8 6 15 10 22"
+          fill="none"
+          stroke="currentColor"
+          stroke-width="1.5"
+          stroke-linecap="round"
+        />
       </svg>
       Sfumato
     </span>
