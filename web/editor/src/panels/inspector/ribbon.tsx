@@ -162,12 +162,14 @@ function useStopKeys<Value>(props: RibbonProps<Value>, choose: (index: number) =
   };
 }
 
+/** A gradient of CSS with stops at shares of the length. */
 export function bandOf(
   stops: readonly { at: number; css: string }[],
   space: "srgb" | "srgb-linear" | "oklab",
 ): string {
   const list = stops.length === 1 ? [stops[0], stops[0]] : stops;
-  return `linear-gradient(90deg in ${space}, ${list.map(({ at, css }) => `${css} ${decimal(at * 100, 2)}%`).join(", ")})`;
+  const parts = list.map(({ at, css }) => `${css} ${decimal(at * 100, 2)}%`);
+  return `linear-gradient(90deg in ${space}, ${parts.join(", ")})`;
 }
 
 export function Ribbon<Value>(props: RibbonProps<Value>) {
