@@ -34,7 +34,7 @@ function Gallery() {
   return (
     <section>
       <h2>{words.begin}</h2>
-      <ul class="gallery">
+      <ul class={services.examples.length > 4 ? "gallery many" : "gallery"}>
         {services.examples.map((example) => (
           <li key={example.name}>
             <button type="button" onClick={() => void open(example)}>
