@@ -10,7 +10,7 @@ import { pieceCount, type CubicPath } from "../../../web/editor/src/geometry/cub
 import { pathPointAt } from "../../../web/editor/src/geometry/length.js";
 import { CurveGrid, layerAt, markAt } from "../../../web/editor/src/canvas/hit.js";
 import type { Mark } from "../../../web/editor/src/canvas/marks.js";
-import { placesOf, type Place } from "../../../web/editor/src/canvas/places.js";
+import { editedAt, placesOf, type Place } from "../../../web/editor/src/canvas/places.js";
 import { curve, FakeDrawing, layer, line, use } from "./support/drawing.js";
 import { randomFrom } from "./random.js";
 
@@ -170,6 +170,19 @@ describe("copies by <use>", () => {
     const hits = grid.near([190, 260], 2);
     expect(hits.map(({ place }) => place.owner.name)).toEqual(["copy"]);
     expect(hits[0].place.item.name).toBe("fin");
+  });
+
+  test("are_edited_where_their_curve_stands_and_elsewhere_as_a_whole", () => {
+    const fin = curve("fin", [line([10, 10], [60, 10])], { artboardFromItem: translation(7, 0) });
+    const group = { ...layer("fish", [fin]), artboardFromItem: translation(7, 0) };
+    (fin as { parent: unknown }).parent = group;
+    const [here, there] = [
+      use("here", group, translation(7, 0)),
+      use("there", group, translation(0, 90)),
+    ];
+    const places = placesOf(new FakeDrawing([here, there]));
+    expect(places.map(({ owner }) => owner.name)).toEqual(["here", "there"]);
+    expect(places.map((place) => editedAt(place).name)).toEqual(["fin", "there"]);
   });
 
   test("of_copies_of_themselves_end", () => {

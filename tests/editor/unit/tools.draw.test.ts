@@ -168,14 +168,14 @@ describe("the pen", () => {
 describe("colours of a new curve", () => {
   test("are_those_that_the_picture_has_on_its_sides", async () => {
     // Left of a curve that runs to the right is above it.
-    editor.paint = (x, y) => (y < 100 ? [x / 400, 0, 0, 1] : [0, 0, 0.5, 1]);
+    editor.paint = (x, y) => (y < 100 ? [x / 400, 0, 0, 1] : [0, 0, 0.6, 1]);
     const pen = new PenTool(canvas);
     click(pen, [100, 100]);
     click(pen, [200, 100]);
     pen.leave();
     await pen.isDone;
     const { left, right } = made();
-    expect(right.color).toEqual(stopsOf([0, { r: 0, g: 0, b: 0.5 }]));
+    expect(right.color).toEqual(stopsOf([0, { r: 0, g: 0, b: 0.6 }]));
     if (left.color.kind !== "stops") throw new Error("no stops");
     const { stops } = left.color;
     expect(stops.length).toBeLessThan(6);

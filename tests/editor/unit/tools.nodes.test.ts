@@ -315,10 +315,10 @@ describe("stops", () => {
 
   test("on_an_open_side_take_the_colour_of_the_picture", async () => {
     editor.layers = [{ layer: 3, offset: item.element.range.start }];
-    editor.paint = (_, y) => (y > 100 ? [0.25, 0.5, 0.75, 1] : [1, 1, 1, 1]);
+    editor.paint = (_, y) => (y > 100 ? [0.2, 0.4, 0.6, 1] : [1, 1, 1, 1]);
     click(tool, [100, 118]);
     await vi.waitFor(() => expect(editor.steps).toEqual(["add stop"]));
-    expect(now().right.color).toEqual(stopsOf([0.25, { r: 0.25, g: 0.5, b: 0.75 }]));
+    expect(now().right.color).toEqual(stopsOf([0.25, { r: 0.2, g: 0.4, b: 0.6 }]));
   });
 
   test("go_with_delete_and_the_last_one_leaves_the_side_open", () => {

@@ -10,8 +10,8 @@ import { takenSides } from "./taken.js";
 
 /** Colours of the first curve of a layer: warm and cool, so that one sees what sides are. */
 const FIRST = {
-  left: one({ r: 0.957, g: 0.847, b: 0.647 }),
-  right: one({ r: 0.29, g: 0.427, b: 0.549 }),
+  left: one({ r: 244 / 255, g: 216 / 255, b: 165 / 255 }),
+  right: one({ r: 74 / 255, g: 109 / 255, b: 140 / 255 }),
 } as const;
 
 /** A local stroke's colour where none was used before. */

@@ -1,6 +1,7 @@
 // What lies under the pointer: marks first, then curves, then the layer that is seen there.
-import { mapped, composed, type Affine, type Point } from "../geometry/affine.js";
-import type { CubicPath } from "../geometry/cubic.js";
+import { mapped, composed, type Affine, type Box, type Point } from "../geometry/affine.js";
+import { split, type Cubic, type CubicPath } from "../geometry/cubic.js";
+import { distanceToBox, flatten, nearestOn } from "../geometry/nearest.js";
 import type { Handle, Item } from "../model/types.js";
 import type { Mark } from "./marks.js";
 import type { Place } from "./places.js";
@@ -9,7 +10,9 @@ import type { Place } from "./places.js";
 const CELL = 32;
 /** How far a chord may be from its curve, CSS pixels. */
 const TOLERANCE = 0.25;
-const DEEPEST = 20;
+/** A part that is larger than this is cut, CSS pixels. */
+const LARGEST = 2 * CELL;
+const DEEPEST = 24;
 
 /** How far from the pointer things are hit, CSS pixels. */
 export const REACH = {
@@ -32,22 +35,19 @@ export interface CurveHit {
   readonly distance: number;
 }
 
-interface Segment {
+/** A stretch of a piece, on the stage. */
+interface Part {
+  readonly cubic: Cubic;
+  /** Piece and its parameter where it begins and ends. */
+  readonly from: number;
+  readonly to: number;
   readonly place: number;
   readonly path: number;
-  readonly at0: number;
-  readonly at1: number;
-  readonly x0: number;
-  readonly y0: number;
-  readonly x1: number;
-  readonly y1: number;
 }
 
-type Quad = readonly [Point, Point, Point, Point];
-
-/** The curves on a stage, cut into chords that lie in square cells. */
+/** The curves on a stage, cut into parts that lie in square cells. */
 export class CurveGrid {
-  private readonly cells = new Map<number, Segment[]>();
+  private readonly cells = new Map<number, Part[]>();
   private readonly columns: number;
   private readonly ends: { readonly point: Point; readonly place: Place }[] = [];
 
@@ -66,65 +66,50 @@ export class CurveGrid {
 
   private addPath({ points, closed }: CubicPath, map: Affine, place: number, path: number): void {
     const stage = points.map((point) => mapped(map, point));
-    if (!closed)
-      for (const k of [0, -1])
-        this.ends.push({ point: stage.at(k) as Point, place: this.places[place] });
+    if (!closed) {
+      this.ends.push({ point: stage[0], place: this.places[place] });
+      this.ends.push({ point: stage[stage.length - 1], place: this.places[place] });
+    }
     for (let k = 0; k + 3 < stage.length; k += 3) {
-      const quad: Quad = [stage[k], stage[k + 1], stage[k + 2], stage[k + 3]];
-      this.addPiece(quad, k / 3, k / 3 + 1, 0, place, path);
+      const cubic: Cubic = [stage[k], stage[k + 1], stage[k + 2], stage[k + 3]];
+      this.addPart({ cubic, from: k / 3, to: k / 3 + 1, place, path }, 0);
     }
   }
 
-  /** Only what is on the stage is cut: the work does not grow with the zoom. */
-  private addPiece(
-    quad: Quad,
-    at0: number,
-    at1: number,
-    depth: number,
-    place: number,
-    path: number,
-  ): void {
-    if (this.isOutside(quad)) return;
-    const [a, b, c, d] = quad;
-    if (depth >= DEEPEST || isStraight(quad)) {
-      this.addSegment({ place, path, at0, at1, x0: a[0], y0: a[1], x1: d[0], y1: d[1] });
-      return;
-    }
-    const [ab, bc, cd] = [middle(a, b), middle(b, c), middle(c, d)];
-    const [abc, bcd] = [middle(ab, bc), middle(bc, cd)];
-    const half = middle(abc, bcd);
-    const at = (at0 + at1) / 2;
-    this.addPiece([a, ab, abc, half], at0, at, depth + 1, place, path);
-    this.addPiece([half, bcd, cd, d], at, at1, depth + 1, place, path);
+  /** Only what is on the stage is cut, and only as far as the cells ask for it. */
+  private addPart(part: Part, depth: number): void {
+    const [x0, y0, x1, y1] = hullBox(part.cubic);
+    // Comparisons that numbers which are none fail.
+    const isSeen =
+      x1 >= -CELL && y1 >= -CELL && x0 <= this.width + CELL && y0 <= this.height + CELL;
+    if (!isSeen) return;
+    if (Math.max(x1 - x0, y1 - y0) <= LARGEST || depth >= DEEPEST) {
+      this.addTo(part, this.column(x0), this.column(x1), y0, y1);
+    } else if (isStraight(part.cubic)) this.addChord(part);
+    else for (const half of halves(part)) this.addPart(half, depth + 1);
   }
 
-  private isOutside(quad: Quad): boolean {
-    const beyond = (axis: 0 | 1, extent: number) =>
-      quad.every((p) => p[axis] < -CELL) || quad.every((p) => p[axis] > extent + CELL);
-    return (
-      beyond(0, this.width) ||
-      beyond(1, this.height) ||
-      !quad.every((p) => Number.isFinite(p[0] + p[1]))
-    );
-  }
-
-  private addSegment(segment: Segment): void {
-    const { x0, y0, x1, y1 } = segment;
-    const [left, right] = x0 <= x1 ? [x0, x1] : [x1, x0];
-    const slope = x1 === x0 ? 0 : (y1 - y0) / (x1 - x0);
-    const last = this.column(right);
-    for (let column = this.column(left); column <= last; column += 1) {
+  /** A long chord lies in few of the cells of its box. */
+  private addChord(part: Part): void {
+    const [[ax, ay], , , [bx, by]] = part.cubic;
+    const slope = bx === ax ? 0 : (by - ay) / (bx - ax);
+    const [left, right] = [Math.min(ax, bx), Math.max(ax, bx)];
+    for (let column = this.column(left); column <= this.column(right); column += 1) {
       // Heights at which the chord enters and leaves this column.
       const from = Math.max(left, (column - 1) * CELL);
       const to = Math.min(right, column * CELL);
-      const ya = x1 === x0 ? y0 : y0 + slope * (from - x0);
-      const yb = x1 === x0 ? y1 : y0 + slope * (to - x0);
-      const end = this.row(Math.max(ya, yb));
-      for (let row = this.row(Math.min(ya, yb)); row <= end; row += 1) {
+      const heights = bx === ax ? [ay, by] : [ay + slope * (from - ax), ay + slope * (to - ax)];
+      this.addTo(part, column, column, Math.min(...heights) - 1, Math.max(...heights) + 1);
+    }
+  }
+
+  private addTo(part: Part, first: number, last: number, top: number, bottom: number): void {
+    for (let row = this.row(top); row <= this.row(bottom); row += 1) {
+      for (let column = first; column <= last; column += 1) {
         const cell = row * this.columns + column;
         const list = this.cells.get(cell);
-        if (list) list.push(segment);
-        else this.cells.set(cell, [segment]);
+        if (list) list.push(part);
+        else this.cells.set(cell, [part]);
       }
     }
   }
@@ -138,38 +123,46 @@ export class CurveGrid {
     return Math.min(Math.ceil(this.height / CELL) + 2, Math.max(0, Math.floor(y / CELL) + 1));
   }
 
+  /** The parts that may come near a rectangle, each once. */
+  private partsIn(x0: number, y0: number, x1: number, y1: number): Set<Part> {
+    const found = new Set<Part>();
+    for (let row = this.row(y0); row <= this.row(y1); row += 1) {
+      for (let column = this.column(x0); column <= this.column(x1); column += 1) {
+        for (const part of this.cells.get(row * this.columns + column) ?? []) found.add(part);
+      }
+    }
+    return found;
+  }
+
   /**
    * Curves within `reach` of a point, each once for each subpath: the nearest first, of those equally
    * near the one on top.
    * @param isWanted leaves out curves
    */
-  near([x, y]: Point, reach: number, isWanted?: (place: Place) => boolean): CurveHit[] {
+  near(at: Point, reach: number, isWanted?: (place: Place) => boolean): CurveHit[] {
     const best = new Map<string, CurveHit & { readonly order: number }>();
-    const end = [this.column(x + reach), this.row(y + reach)];
-    for (let row = this.row(y - reach); row <= end[1]; row += 1) {
-      for (let column = this.column(x - reach); column <= end[0]; column += 1) {
-        for (const segment of this.cells.get(row * this.columns + column) ?? []) {
-          const hit = this.onSegment(segment, x, y);
-          if (hit.distance > reach || (isWanted && !isWanted(hit.place))) continue;
-          const key = `${segment.place}/${segment.path}`;
-          const known = best.get(key);
-          if (!known || hit.distance < known.distance)
-            best.set(key, { ...hit, order: segment.place });
-        }
-      }
+    const [x, y] = at;
+    for (const part of this.partsIn(x - reach, y - reach, x + reach, y + reach)) {
+      const place = this.places[part.place];
+      if (distanceToBox(at, hullBox(part.cubic)) > reach || (isWanted && !isWanted(place)))
+        continue;
+      const found = nearestOn({ points: part.cubic, closed: false }, at);
+      const key = `${part.place}/${part.path}`;
+      if (found.distance > reach || found.distance >= (best.get(key)?.distance ?? Infinity))
+        continue;
+      const { point, distance } = found;
+      const along = part.from + found.at * (part.to - part.from);
+      best.set(key, { place, path: part.path, at: along, point, distance, order: part.place });
     }
     return [...best.values()].sort((a, b) => a.distance - b.distance || b.order - a.order);
   }
 
-  /** Places of which a chord crosses a rectangle of the stage, each once. */
-  within([x0, y0]: Point, [x1, y1]: Point): Set<Place> {
+  /** Places of which a curve crosses a rectangle of the stage, each once. */
+  within(low: Point, high: Point): Set<Place> {
     const found = new Set<Place>();
-    for (let row = this.row(y0); row <= this.row(y1); row += 1) {
-      for (let column = this.column(x0); column <= this.column(x1); column += 1) {
-        for (const segment of this.cells.get(row * this.columns + column) ?? []) {
-          if (crosses(segment, x0, y0, x1, y1)) found.add(this.places[segment.place]);
-        }
-      }
+    for (const part of this.partsIn(low[0], low[1], high[0], high[1])) {
+      const place = this.places[part.place];
+      if (!found.has(place) && crosses(part.cubic, low, high)) found.add(place);
     }
     return found;
   }
@@ -184,56 +177,53 @@ export class CurveGrid {
       ({ point, place }) => Math.hypot(point[0] - x, point[1] - y) <= reach && isWanted(place),
     );
   }
-
-  private onSegment(segment: Segment, x: number, y: number): CurveHit {
-    const { x0, y0, x1, y1, at0, at1 } = segment;
-    const [dx, dy] = [x1 - x0, y1 - y0];
-    const square = dx * dx + dy * dy;
-    const share =
-      square > 0 ? Math.min(1, Math.max(0, ((x - x0) * dx + (y - y0) * dy) / square)) : 0;
-    const point: Point = [x0 + share * dx, y0 + share * dy];
-    return {
-      place: this.places[segment.place],
-      path: segment.path,
-      at: at0 + share * (at1 - at0),
-      point,
-      distance: Math.hypot(point[0] - x, point[1] - y),
-    };
-  }
 }
 
-/** Whether a chord has a point in a rectangle: what is left of it after each of the four cuts. */
-function crosses(
-  { x0: ax, y0: ay, x1: bx, y1: by }: Segment,
-  x0: number,
-  y0: number,
-  x1: number,
-  y1: number,
-): boolean {
+function halves({ cubic, from, to, place, path }: Part): [Part, Part] {
+  const [first, second] = split(cubic, 0.5);
+  const middle = (from + to) / 2;
+  return [
+    { cubic: first, from, to: middle, place, path },
+    { cubic: second, from: middle, to, place, path },
+  ];
+}
+
+/** Whether a curve has a point in a rectangle. */
+function crosses(cubic: Cubic, low: Point, high: Point): boolean {
+  const { points } = flatten({ points: cubic, closed: false }, TOLERANCE);
+  return points.some((point, k) => k > 0 && chordCrosses(points[k - 1], point, low, high));
+}
+
+/** What is left of a chord after each of the four cuts. */
+function chordCrosses(a: Point, b: Point, low: Point, high: Point): boolean {
   let [from, to] = [0, 1];
-  for (const [start, way, low, high] of [
-    [ax, bx - ax, x0, x1],
-    [ay, by - ay, y0, y1],
-  ]) {
+  for (const axis of [0, 1] as const) {
+    const way = b[axis] - a[axis];
     if (way === 0) {
-      if (start < low || start > high) return false;
+      if (a[axis] < low[axis] || a[axis] > high[axis]) return false;
       continue;
     }
-    const [near, far] = [(low - start) / way, (high - start) / way].sort((a, b) => a - b);
-    [from, to] = [Math.max(from, near), Math.min(to, far)];
+    const [p, q] = [(low[axis] - a[axis]) / way, (high[axis] - a[axis]) / way];
+    [from, to] = [Math.max(from, Math.min(p, q)), Math.min(to, Math.max(p, q))];
   }
   return from <= to;
 }
 
-function middle(a: Point, b: Point): Point {
-  return [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2];
-}
-
-/** Whether the chord is within the tolerance, and goes at the pace of the curve. */
-function isStraight([a, b, c, d]: Quad): boolean {
+/** Whether the chord is within the tolerance of the curve. */
+function isStraight([a, b, c, d]: Cubic): boolean {
   const bend = (p: Point, q: Point, r: Point) =>
     Math.hypot(p[0] - 2 * q[0] + r[0], p[1] - 2 * q[1] + r[1]);
   return 0.75 * Math.max(bend(a, b, c), bend(b, c, d)) <= TOLERANCE;
+}
+
+/** The box of the control points, within which the curve lies. */
+function hullBox([p0, p1, p2, p3]: Cubic): Box {
+  return [
+    Math.min(p0[0], p1[0], p2[0], p3[0]),
+    Math.min(p0[1], p1[1], p2[1], p3[1]),
+    Math.max(p0[0], p1[0], p2[0], p3[0]),
+    Math.max(p0[1], p1[1], p2[1], p3[1]),
+  ];
 }
 
 const ORDER: readonly Mark["kind"][] = ["turn", "scale", "bracket", "stop", "node", "handle"];

@@ -1,6 +1,6 @@
 // Everything on the picture that can be taken hold of, in its place on the stage.
 import { composed, lengthScale, mapped, type Affine, type Point } from "../geometry/affine.js";
-import { mappedPath, nodeCount, type CubicPath } from "../geometry/cubic.js";
+import { mappedPath, nodeCount, pieceCount, type CubicPath } from "../geometry/cubic.js";
 import type { Rgb } from "../geometry/color.js";
 import { hexOf } from "../geometry/colortext.js";
 import { placeOfOffset } from "../geometry/length.js";
@@ -58,6 +58,9 @@ const STOP_OFF = 18;
 const STOP_APART = 16;
 /** A bracket of radius 0 is still to be found. */
 const BRACKET_OFF = 9;
+/** Points of a band for each piece, and for all of a path. */
+const ON_BAND = 24;
+const MOST_ON_BAND = 480;
 
 export function stageFromItem(stageFromArtboard: Affine, item: CurveItem): Affine {
   return composed(stageFromArtboard, item.artboardFromItem);
@@ -217,9 +220,9 @@ export function bandOf(
   const inLayer = mappedPath(item.layerFromItem, path);
   const at = list.stops.map((stop) => placeOfOffset(inLayer, list.space, stop.offset));
   const scale = lengthScale(map);
-  const samples = Math.max(24, 8 * Math.round((path.points.length - 1) / 3));
+  const samples = Math.min(MOST_ON_BAND, ON_BAND * pieceCount(path));
   return Array.from({ length: samples + 1 }, (_, k) => {
-    const here = (k / samples) * ((path.points.length - 1) / 3);
+    const here = (k / samples) * pieceCount(path);
     const after = at.findIndex((one) => one > here);
     const radius = radiusAt(list, at, after, here) * scale;
     const { foot, normal } = standing(path, map, here, side === "left" ? 1 : -1);

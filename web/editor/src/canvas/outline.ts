@@ -2,7 +2,7 @@
 import type { Affine } from "../geometry/affine.js";
 import { mappedPath, type CubicPath } from "../geometry/cubic.js";
 import type { CurveItem, Handle, Item } from "../model/types.js";
-import type { Place } from "./places.js";
+import { editedAt, type Place } from "./places.js";
 
 /** Decimals of artboard units: enough at any zoom. */
 const DECIMALS = 6;
@@ -32,39 +32,19 @@ export function outlineOf(places: readonly Place[]): string {
   return places.map(placeData).join("");
 }
 
-export interface Outlines {
-  /** Selected themselves, shown by what is selected, and under the pointer. */
-  readonly selected: readonly Place[];
-  readonly within: readonly Place[];
-  readonly hovered: readonly Place[];
-}
-
-export function outlinesOf(
+/** What is selected itself, and what is shown by something that is selected: a layer, a group, a use. */
+export function selectedPlaces(
   places: readonly Place[],
   selected: ReadonlySet<Handle>,
-  hovered: Handle | null,
-): Outlines {
-  const isWithin = (item: Item | null, is: (handle: Handle) => boolean): boolean =>
-    item !== null && (is(item.handle) || isWithin(item.parent, is));
-  const isSelected = ({ item, owner }: Place) =>
-    selected.has(item.handle) || selected.has(owner.handle);
+): { readonly selected: readonly Place[]; readonly within: readonly Place[] } {
+  if (selected.size === 0) return { selected: [], within: [] };
+  const isWithin = (item: Item | null): boolean =>
+    item !== null && (selected.has(item.handle) || isWithin(item.parent));
+  const isOwn = (place: Place) => selected.has(place.item.handle) && editedAt(place) === place.item;
   return {
-    selected:
-      selected.size > 0
-        ? places.filter((place) => isSelected(place) && place.owner.kind !== "use")
-        : [],
-    within:
-      selected.size > 0
-        ? places.filter(
-            (place) =>
-              !(isSelected(place) && place.owner.kind !== "use") &&
-              (isWithin(place.owner, (handle) => selected.has(handle)) ||
-                isWithin(place.item, (handle) => selected.has(handle))),
-          )
-        : [],
-    hovered:
-      hovered === null
-        ? []
-        : places.filter(({ owner }) => owner.handle === hovered && !selected.has(hovered)),
+    selected: places.filter(isOwn),
+    within: places.filter(
+      (place) => !isOwn(place) && (isWithin(place.owner) || isWithin(place.item)),
+    ),
   };
 }

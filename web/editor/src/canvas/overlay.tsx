@@ -6,7 +6,7 @@ import { drawnBox, selectionBox } from "./box.js";
 import type { Canvas } from "./canvas.js";
 import { MarkView } from "./mark.js";
 import { bandOf, stageFromItem, type Mark } from "./marks.js";
-import { outlineOf, outlinesOf, pathData } from "./outline.js";
+import { outlineOf, pathData, selectedPlaces } from "./outline.js";
 import { isHidden, placesOf } from "./places.js";
 import { isSamePart, type Draft, type Sketch } from "./sketch.js";
 import { kindOn, SIDES, stopsOf } from "./sides.js";
@@ -14,6 +14,8 @@ import { keyOf } from "./walk.js";
 
 /** Marks are so much larger for fingers. */
 const COARSE = 1.35;
+/** More curves than these have one line each: rims and dashes would cost frames. */
+const MANY = 400;
 
 const matrix = (map: Affine) => `matrix(${map.join(" ")})`;
 const polyline = (points: readonly Point[]) =>
@@ -107,11 +109,14 @@ function Artboard({ canvas, map }: { readonly canvas: Canvas; readonly map: Affi
 
 function AllOutlines({ canvas, map }: { readonly canvas: Canvas; readonly map: Affine }) {
   const { editor } = canvas;
-  const data = useComputed(() => outlineOf(placesOf(editor.drawing)));
+  const data = useComputed(() => {
+    const places = placesOf(editor.drawing);
+    return { path: outlineOf(places), isMany: places.length > MANY };
+  });
+  const { path, isMany } = data.value;
   return (
     <g transform={matrix(map)}>
-      <path class="outline-rim" d={data.value} />
-      <path class="outline" d={data.value} />
+      {isMany ? <path class="curve-hover" d={path} /> : <Light data={path} />}
     </g>
   );
 }
@@ -155,25 +160,49 @@ function Handles({
   );
 }
 
+/** A thin line with its rim. */
+function Light({ data }: { readonly data: string }) {
+  if (data === "") return null;
+  return (
+    <>
+      <path class="thin-rim" d={data} />
+      <path class="curve-hover" d={data} />
+    </>
+  );
+}
+
 function Curves({ canvas, map }: { readonly canvas: Canvas; readonly map: Affine }) {
   const { editor } = canvas;
-  const data = useComputed(() => {
-    const selected = new Set(editor.selection.value.map(({ handle }) => handle));
-    const found = outlinesOf(placesOf(editor.drawing), selected, editor.hovered.value);
-    return {
-      selected: outlineOf(found.selected),
-      light: outlineOf([...found.within, ...found.hovered]),
-    };
+  const selected = useComputed(() => {
+    const handles = new Set(editor.selection.value.map(({ handle }) => handle));
+    const found = selectedPlaces(placesOf(editor.drawing), handles);
+    const isMany = found.selected.length + found.within.length > MANY;
+    return { own: outlineOf(found.selected), within: outlineOf(found.within), isMany };
   });
-  const { selected, light } = data.value;
+  const hovered = useComputed(() => {
+    const over = editor.hovered.value;
+    const isSelected = editor.selection.value.some(({ handle }) => handle === over);
+    if (over === null || isSelected) return "";
+    return outlineOf(placesOf(editor.drawing).filter(({ owner }) => owner.handle === over));
+  });
+  const { own, within, isMany } = selected.value;
   return (
     <g transform={matrix(map)}>
-      {light !== "" && <path class="thin-rim" d={light} />}
-      {light !== "" && <path class="curve-hover" d={light} />}
-      {selected !== "" && <path class="rim" d={selected} />}
-      {selected !== "" && <path class="curve-on" d={selected} />}
-      {selected !== "" && <path class="curve-dash" d={selected} />}
+      {isMany ? <path class="curve-hover" d={own + within} /> : <Light data={within} />}
+      {!isMany && own !== "" && <Strong data={own} />}
+      <Light data={hovered.value} />
     </g>
+  );
+}
+
+/** The selected curve: a blue core that alternates with white, between dark rims. */
+function Strong({ data }: { readonly data: string }) {
+  return (
+    <>
+      <path class="rim" d={data} />
+      <path class="curve-on" d={data} />
+      <path class="curve-dash" d={data} />
+    </>
   );
 }
 
@@ -236,11 +265,8 @@ function DraftView({ draft, map }: { readonly draft: Draft; readonly map: Affine
   return (
     <>
       <g transform={matrix(map)}>
-        {draft.rubber && <path class="thin-rim" d={pathData(draft.rubber)} />}
-        {draft.rubber && <path class="curve-hover" d={pathData(draft.rubber)} />}
-        <path class="rim" d={data} />
-        <path class="curve-on" d={data} />
-        <path class="curve-dash" d={data} />
+        {draft.rubber && <Light data={pathData(draft.rubber)} />}
+        <Strong data={data} />
       </g>
       {nodes.map((point, k) => (
         <g key={k} class="mark" style={place(point)}>

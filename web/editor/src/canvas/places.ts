@@ -10,6 +10,20 @@ export interface Place {
   readonly artboardFromItem: Affine;
 }
 
+/**
+ * What of a place can be edited: the curve where it stands, also if only a <use> shows it there;
+ * else the <use>.
+ */
+export function editedAt({ item, owner, artboardFromItem }: Place): Item {
+  const isInPlace = item.artboardFromItem.every(
+    (value, k) => Math.abs(value - artboardFromItem[k]) <= SAME * Math.max(1, Math.abs(value)),
+  );
+  return isInPlace ? item : owner;
+}
+
+/** Maps that were multiplied in another order differ by rounding. */
+const SAME = 1e-9;
+
 /** <use> in <use>: deeper ones are not drawn here. A circle of them is an error of the document. */
 const DEEPEST = 16;
 export function isCurve(item: Item | undefined): item is CurveItem {

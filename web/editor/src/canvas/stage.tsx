@@ -159,11 +159,12 @@ function useListeners(parts: Parts, root: { current: HTMLDivElement | null }): v
       act: (event: HTMLElementEventMap[K]) => void,
     ) => element.addEventListener(name, act, { signal: stop.signal, passive: false });
     on("pointerdown", (event) => {
-      // The browser would move the focus to nothing, and scroll with the middle button.
-      event.preventDefault();
-      element.focus({ preventScroll: true });
       if (pointers.down(pointerOf(element, event)) && event.isTrusted)
         element.setPointerCapture(event.pointerId);
+    });
+    on("mousedown", (event) => {
+      // The middle button would scroll. The others are left alone: they give the stage the focus.
+      if (event.button === 1) event.preventDefault();
     });
     on("pointermove", (event) => pointers.move(pointerOf(element, event)));
     on("pointerup", (event) => pointers.up(pointerOf(element, event)));

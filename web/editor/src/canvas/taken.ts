@@ -1,7 +1,7 @@
 // Colours that the picture has beside a curve: what a new curve bears, so that nothing changes.
 import type { Editor } from "../app/types.js";
 import { determinant, inverted, lengthScale, mapped, type Point } from "../geometry/affine.js";
-import { oklabFromRgb, type Rgb } from "../geometry/color.js";
+import { clampedRgb, oklabFromRgb, type Rgb } from "../geometry/color.js";
 import { mappedPath, type CubicPath } from "../geometry/cubic.js";
 import {
   parameterAtFraction,
@@ -42,12 +42,19 @@ async function colorsAt(
     const rgba = await editor.engine.colors(index, Float64Array.from(points.flat()));
     return points.map((_, k) => {
       const [r, g, b, opacity] = rgba.subarray(4 * k, 4 * k + 4);
-      return opacity > NOTHING && Number.isFinite(r + g + b) ? { r, g, b } : null;
+      return opacity > NOTHING && Number.isFinite(r + g + b) ? inBytes({ r, g, b }) : null;
     });
   } catch {
     // Without the engine a curve can still be drawn.
     return null;
   }
+}
+
+/** A colour as files say it in short: half a code value at most from what it was. */
+function inBytes(color: Rgb): Rgb {
+  const { r, g, b } = clampedRgb(color);
+  const byte = (channel: number) => Math.round(channel * 255) / 255;
+  return { r: byte(r), g: byte(g), b: byte(b) };
 }
 
 function reachOf(editor: Editor, layer: Item): number {

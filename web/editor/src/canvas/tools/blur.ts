@@ -4,6 +4,7 @@ import type { Canvas } from "../canvas.js";
 import { standing } from "../along.js";
 import { blurCursor, type CursorName } from "../cursors.js";
 import { stageFromItem } from "../marks.js";
+import { editedAt } from "../places.js";
 import { addStop, beside, dragStop, pullBlur, type OnSide } from "./stops.js";
 import type { Drag, Press, Tool } from "./tool.js";
 
@@ -35,11 +36,11 @@ export class BlurTool implements Tool {
       return dragStop(canvas, mark, p);
     }
     const hit = canvas.curveAt(p.at, p.kind);
-    const { owner, item } = hit?.place ?? { owner: null, item: null };
+    const owner = hit && editedAt(hit.place);
     if (owner && owner.handle !== canvas.primaryCurve()?.handle) {
       editor.selection.value = [{ handle: owner.handle, part: { kind: "whole" } }];
     }
-    if (owner !== item) return null;
+    if (hit && owner !== hit.place.item) return null;
     const on = this.under(p);
     if (!on) {
       if (!hit) editor.selection.value = [];

@@ -13,7 +13,7 @@ import { shown } from "../format.js";
 import type { CurveHit } from "../hit.js";
 import { selectedOf, stageFromItem, type Mark, type NodeMark } from "../marks.js";
 import { bent, handlesOf, nodeOfHandle, withHandle } from "../nodes.js";
-import { isCurve, isLocked } from "../places.js";
+import { editedAt, isCurve, isLocked } from "../places.js";
 import { isSamePart } from "../sketch.js";
 import { addStop, dragStop, inStrip } from "./stops.js";
 import {
@@ -175,7 +175,8 @@ export class NodesTool implements Tool {
   private pressCurve(hit: CurveHit, p: Press): Drag | null {
     const { canvas } = this;
     const { editor } = canvas;
-    const { owner, item } = hit.place;
+    const { item } = hit.place;
+    const owner = editedAt(hit.place);
     const isIn = editor.selection.peek().some(({ handle }) => handle === owner.handle);
     if (!isIn || p.shift) {
       const one: Selected = { handle: owner.handle, part: { kind: "whole" } };

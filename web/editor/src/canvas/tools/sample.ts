@@ -15,7 +15,7 @@ import { setSide } from "../edits.js";
 import { outermostLayer, type CurveHit } from "../hit.js";
 import { stageFromItem, type StopMark } from "../marks.js";
 import { photoOf, referenceAt, type PlacedPhoto } from "../photo.js";
-import { isCurve, isLocked, placesOf } from "../places.js";
+import { editedAt, isCurve, placesOf } from "../places.js";
 import { photoColor, sampledSides } from "../sampled.js";
 import { SIDES, stopsOf, withValue, type Value } from "../sides.js";
 import { NO_SKETCH } from "../sketch.js";
@@ -53,8 +53,9 @@ export class SampleTool implements Tool {
       editor.selection.value = [];
       return null;
     }
-    editor.selection.value = [{ handle: hit.place.owner.handle, part: { kind: "whole" } }];
-    if (hit.place.owner !== hit.place.item || isLocked(hit.place.item)) return null;
+    const owner = editedAt(hit.place);
+    editor.selection.value = [{ handle: owner.handle, part: { kind: "whole" } }];
+    if (owner !== hit.place.item) return null;
     const reference =
       referenceAt(editor.drawing, canvas.toArtboard(p.at)) ?? referenceAt(editor.drawing, null);
     if (!reference) {
