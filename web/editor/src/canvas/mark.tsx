@@ -21,7 +21,7 @@ export function MarkView({ mark }: { readonly mark: Mark }) {
       role="button"
       aria-label={mark.label}
       aria-pressed={mark.isChosen}
-      tabIndex={-1}
+      tabindex={-1}
       data-mark={keyOf(mark)}
     >
       {shapeOf(mark)}

@@ -24,6 +24,19 @@ export function nodeOfHandle(path: CubicPath, handle: number): number {
   return path.closed && 3 * node === path.points.length - 1 ? 0 : node;
 }
 
+/** Of a node's two handles the one whose piece leads to where it is pulled. */
+export function pulledHandle(path: CubicPath, node: number, [dx, dy]: Point): number | null {
+  const { before, after } = handlesOf(path, node);
+  if (before === null || after === null) return after ?? before;
+  const [x, y] = path.points[3 * node];
+  const last = path.points.length - 1;
+  const towards = (index: number) => {
+    const [nx, ny] = path.points[(index + last) % last];
+    return ((nx - x) * dx + (ny - y) * dy) / Math.max(Math.hypot(nx - x, ny - y), 1e-12);
+  };
+  return towards(3 * node - 3) > towards(3 * node + 3) ? before : after;
+}
+
 /**
  * A path with one handle moved. Where the node was smooth the opposite handle turns with it, and
  * where it was symmetric is as long; unless `isBroken`.

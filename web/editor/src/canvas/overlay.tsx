@@ -4,12 +4,14 @@ import { composed, lengthScale, type Affine, type Point } from "../geometry/affi
 import { en } from "../strings/en.js";
 import { drawnBox, selectionBox } from "./box.js";
 import type { Canvas } from "./canvas.js";
+import { Aids, DraftView, Light, matrix, Strong } from "./drafts.js";
 import { MarkView } from "./mark.js";
 import { bandOf, stageFromItem, type Mark } from "./marks.js";
-import { outlineOf, pathData, selectedPlaces } from "./outline.js";
+import { outlineOf, selectedPlaces } from "./outline.js";
 import { isHidden, placesOf } from "./places.js";
-import { isSamePart, type Draft, type Sketch } from "./sketch.js";
+import { isSamePart, type Sketch } from "./sketch.js";
 import { kindOn, SIDES, stopsOf } from "./sides.js";
+import { Tags } from "./tags.js";
 import { keyOf } from "./walk.js";
 
 /** Marks are so much larger for fingers. */
@@ -17,7 +19,6 @@ const COARSE = 1.35;
 /** More curves than these have one line each: rims and dashes would cost frames. */
 const MANY = 400;
 
-const matrix = (map: Affine) => `matrix(${map.join(" ")})`;
 const polyline = (points: readonly Point[]) =>
   `M${points.map(([x, y]) => `${x.toFixed(2)} ${y.toFixed(2)}`).join(" ")}`;
 
@@ -42,14 +43,7 @@ export function Overlay({ canvas }: { readonly canvas: Canvas }) {
         {sketch.draft && <DraftView draft={sketch.draft} map={map} />}
         <Aids sketch={sketch} />
       </svg>
-      {sketch.tag && (
-        <span
-          class="tag canvas-tag"
-          style={`left:${sketch.tag.at[0] + 16}px;top:${sketch.tag.at[1] + 16}px`}
-        >
-          {sketch.tag.text}
-        </span>
-      )}
+      <Tags canvas={canvas} map={map} sketch={sketch} />
     </>
   );
 }
@@ -160,17 +154,6 @@ function Handles({
   );
 }
 
-/** A thin line with its rim. */
-function Light({ data }: { readonly data: string }) {
-  if (data === "") return null;
-  return (
-    <>
-      <path class="thin-rim" d={data} />
-      <path class="curve-hover" d={data} />
-    </>
-  );
-}
-
 function Curves({ canvas, map }: { readonly canvas: Canvas; readonly map: Affine }) {
   const { editor } = canvas;
   const selected = useComputed(() => {
@@ -192,17 +175,6 @@ function Curves({ canvas, map }: { readonly canvas: Canvas; readonly map: Affine
       {!isMany && own !== "" && <Strong data={own} />}
       <Light data={hovered.value} />
     </g>
-  );
-}
-
-/** The selected curve: a blue core that alternates with white, between dark rims. */
-function Strong({ data }: { readonly data: string }) {
-  return (
-    <>
-      <path class="rim" d={data} />
-      <path class="curve-on" d={data} />
-      <path class="curve-dash" d={data} />
-    </>
   );
 }
 
@@ -254,59 +226,6 @@ function HandleLine({ mark }: { readonly mark: Mark }) {
     <>
       <line class="thin-rim" {...ends} />
       <line class={mark.kind === "bracket" ? "dash" : "thin"} {...ends} />
-    </>
-  );
-}
-
-function DraftView({ draft, map }: { readonly draft: Draft; readonly map: Affine }) {
-  const data = pathData(draft.path);
-  const nodes = draft.hasNodes ? draft.path.points.filter((_, k) => k % 3 === 0) : [];
-  const place = ([x, y]: Point) => `--x:${x * map[0] + map[4]}px;--y:${y * map[3] + map[5]}px`;
-  return (
-    <>
-      <g transform={matrix(map)}>
-        {draft.rubber && <Light data={pathData(draft.rubber)} />}
-        <Strong data={data} />
-      </g>
-      {nodes.map((point, k) => (
-        <g key={k} class="mark" style={place(point)}>
-          <rect class="node" x={-4.5} y={-4.5} width={9} height={9} rx={1} />
-          {k === 0 && draft.closes && <circle class="stop-on" r={9.5} />}
-        </g>
-      ))}
-    </>
-  );
-}
-
-/** Guides, the selecting rectangle, the brush. */
-function Aids({ sketch }: { readonly sketch: Sketch }) {
-  const { marquee, guides, brush } = sketch;
-  return (
-    <>
-      {guides.map(({ to }, k) => (
-        <g key={k} class="mark" style={`--x:${to[0]}px;--y:${to[1]}px`}>
-          <circle class="guide-rim" r={8} />
-          <circle class="guide" r={8} />
-        </g>
-      ))}
-      {marquee && <Marquee from={marquee[0]} to={marquee[1]} />}
-      {brush && <circle class="brush-rim" cx={brush.at[0]} cy={brush.at[1]} r={brush.radius} />}
-      {brush && <circle class="brush" cx={brush.at[0]} cy={brush.at[1]} r={brush.radius} />}
-    </>
-  );
-}
-
-function Marquee({ from, to }: { readonly from: Point; readonly to: Point }) {
-  const sides = {
-    x: Math.min(from[0], to[0]),
-    y: Math.min(from[1], to[1]),
-    width: Math.abs(to[0] - from[0]),
-    height: Math.abs(to[1] - from[1]),
-  };
-  return (
-    <>
-      <rect class="marquee-rim" {...sides} />
-      <rect class="marquee" {...sides} />
     </>
   );
 }

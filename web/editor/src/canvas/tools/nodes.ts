@@ -1,6 +1,6 @@
 // Nodes: nodes, handles, the curve itself, and the stops along it.
 import { mapped, type Point } from "../../geometry/affine.js";
-import { nodeCount, type CubicPath } from "../../geometry/cubic.js";
+import { nodeCount } from "../../geometry/cubic.js";
 import { locate } from "../../geometry/length.js";
 import { atAngle } from "../../geometry/snap.js";
 import { setPath, splitPiece } from "../../model/commands/index.js";
@@ -12,7 +12,7 @@ import { itemVector, movedNodes, plus, setKinds } from "../edits.js";
 import { shown } from "../format.js";
 import type { CurveHit } from "../hit.js";
 import { selectedOf, stageFromItem, type Mark, type NodeMark } from "../marks.js";
-import { bent, handlesOf, nodeOfHandle, withHandle } from "../nodes.js";
+import { bent, nodeOfHandle, pulledHandle, withHandle } from "../nodes.js";
 import { editedAt, isCurve, isLocked } from "../places.js";
 import { isSamePart } from "../sketch.js";
 import { addStop, dragStop, inStrip } from "./stops.js";
@@ -151,12 +151,11 @@ export class NodesTool implements Tool {
         const item = before.item(mark.handle);
         if (!isCurve(item)) return null;
         const path = item.paths[part.path];
-        const { before: back, after } = handlesOf(path, part.index);
         const by = itemVector(item, canvas.stageFromArtboard(), [
           p.at[0] - start.at[0],
           p.at[1] - start.at[1],
         ]);
-        const handle = by && pulled(path, part.index, back, after, by);
+        const handle = by && pulledHandle(path, part.index, by);
         if (handle === null || !by) return null;
         const to = plus(path.points[3 * part.index], by);
         return setPath(
@@ -289,22 +288,4 @@ function isSame(a: Selected, b: Selected): boolean {
 /** A curve whose last node is let go stays chosen. */
 function withoutWholes(nodes: readonly Selected[], last: Selected): readonly Selected[] {
   return nodes.length > 0 ? nodes : [{ handle: last.handle, part: { kind: "whole" } }];
-}
-
-/** Of a node's two handles the one whose piece leads to where it is pulled. */
-function pulled(
-  path: CubicPath,
-  node: number,
-  before: number | null,
-  after: number | null,
-  [dx, dy]: Point,
-): number | null {
-  if (before === null || after === null) return after ?? before;
-  const [x, y] = path.points[3 * node];
-  const last = path.points.length - 1;
-  const towards = (index: number) => {
-    const [nx, ny] = path.points[(index + last) % last];
-    return ((nx - x) * dx + (ny - y) * dy) / Math.max(Math.hypot(nx - x, ny - y), 1e-12);
-  };
-  return towards(3 * node - 3) > towards(3 * node + 3) ? before : after;
 }
