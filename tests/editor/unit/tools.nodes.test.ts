@@ -138,6 +138,17 @@ describe("a node", () => {
     expect(points()[6]).toEqual([90, 40]);
   });
 
+  test("of_a_subpath_moves_though_nodes_of_another_are_chosen_too", () => {
+    open(WAVE, { paths: [line([50, 200], [250, 200]), WAVE] });
+    select({ kind: "node", path: 0, index: 0 }, { kind: "node", path: 1, index: 1 });
+    dragThrough(tool, [
+      [150, 100],
+      [160, 110],
+    ]);
+    expect(now().paths[1].points[3]).toEqual([160, 110]);
+    expect(now().paths[0].points[0]).toEqual([50, 200]);
+  });
+
   test("is_drawn_to_the_end_of_another_curve_but_not_to_its_own", () => {
     const other = curve("other", [line([300, 50], [300, 150])]);
     editor = fakeEditor([layer("layer", [item, other])]);
@@ -234,6 +245,14 @@ describe("the curve itself", () => {
     expect(points()[0]).toEqual(WAVE.points[0]);
     expect(points()[3]).toEqual(WAVE.points[3]);
     expect(editor.steps).toEqual(["bend curve"]);
+  });
+
+  test("stays_smooth_where_it_was_when_a_piece_is_bent", () => {
+    select({ kind: "whole" });
+    const from = pathPointAt(WAVE, 0.5);
+    dragThrough(tool, [from, [from[0] + 20, from[1] + 30]]);
+    expect(points()[2]).not.toEqual(WAVE.points[2]);
+    expect(kindOf(now().paths[0], 1)).toBe("symmetric");
   });
 
   test("gets_a_node_where_it_is_clicked_twice_and_keeps_its_shape", () => {

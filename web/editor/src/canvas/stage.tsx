@@ -15,7 +15,7 @@ import { NO_SKETCH } from "./sketch.js";
 import { makeTools } from "./tools/index.js";
 import type { Tool } from "./tools/tool.js";
 import { turnWheel, type Navigation } from "../app/view.js";
-import { keyOf } from "./walk.js";
+import { keyOf, letGoOfParts } from "./walk.js";
 
 export interface StageProps {
   readonly editor: Editor;
@@ -201,6 +201,8 @@ function useToolChanges(editor: Editor, parts: Parts): void {
     const { draft } = parts.canvas.sketch.peek();
     parts.canvas.sketch.value = { ...NO_SKETCH, draft };
     last.current = now;
+    // The box is of whole things.
+    if (now === "select") letGoOfParts(editor);
   });
 }
 

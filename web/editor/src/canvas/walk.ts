@@ -85,6 +85,15 @@ export function goOut(editor: Editor): boolean {
   return true;
 }
 
+/** Instead of parts what they are of. @returns whether there were parts */
+export function letGoOfParts(editor: Editor): boolean {
+  const selection = editor.selection.peek();
+  if (selection.every(({ part }) => part.kind === "whole")) return false;
+  const handles = [...new Set(selection.map(({ handle }) => handle))];
+  editor.selection.value = handles.map((handle) => ({ handle, part: WHOLE }));
+  return true;
+}
+
 function choose(editor: Editor, handle: Handle, part: Part): void {
   const one: Selected = { handle, part };
   editor.selection.value = [one];

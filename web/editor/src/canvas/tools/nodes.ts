@@ -4,7 +4,7 @@ import { nodeCount } from "../../geometry/cubic.js";
 import { locate } from "../../geometry/length.js";
 import { atAngle } from "../../geometry/snap.js";
 import { setPath, splitPiece } from "../../model/commands/index.js";
-import type { CurveItem, Selected } from "../../model/types.js";
+import type { CurveItem, Part, Selected } from "../../model/types.js";
 import { en } from "../../strings/en.js";
 import type { Canvas } from "../canvas.js";
 import { blurCursor, type CursorName } from "../cursors.js";
@@ -15,6 +15,7 @@ import { selectedOf, stageFromItem, type Mark, type NodeMark } from "../marks.js
 import { bent, nodeOfHandle, pulledHandle, withHandle } from "../nodes.js";
 import { editedAt, isCurve, isLocked } from "../places.js";
 import { isSamePart } from "../sketch.js";
+import { letGoOfParts } from "../walk.js";
 import { addStop, dragStop, inStrip } from "./stops.js";
 import {
   EditDrag,
@@ -88,7 +89,10 @@ export class NodesTool implements Tool {
     const { canvas } = this;
     const { editor } = canvas;
     const grid = canvas.curves();
-    const selection = editor.selection.peek();
+    // Of a curve only nodes of one subpath can move at once: of the one that is dragged, its own.
+    const selection = editor.selection
+      .peek()
+      .filter(({ handle, part }) => handle !== mark.handle || isOfPath(part, mark.part));
     const moved = new Set(selection.map(({ handle }) => handle));
     return new EditDrag(canvas, start, {
       label: selection.length > 1 ? en.tools.undo.moveNodes : en.tools.undo.moveNode,
@@ -231,12 +235,7 @@ export class NodesTool implements Tool {
 
   private letGo(): void {
     const { editor } = this.canvas;
-    const selection = editor.selection.peek();
-    const hasParts = selection.some(({ part }) => part.kind !== "whole");
-    const wholes = [...new Set(selection.map(({ handle }) => handle))];
-    editor.selection.value = hasParts
-      ? wholes.map((handle) => ({ handle, part: { kind: "whole" } }))
-      : [];
+    if (!letGoOfParts(editor)) editor.selection.value = [];
   }
 
   /** The nodes of the chosen curves that are in a rectangle of the stage. */
@@ -283,6 +282,10 @@ export class NodesTool implements Tool {
 
 function isSame(a: Selected, b: Selected): boolean {
   return a.handle === b.handle && isSamePart(a.part, b.part);
+}
+
+function isOfPath(part: Part, other: Part): boolean {
+  return "path" in part && "path" in other && part.path === other.path;
 }
 
 /** A curve whose last node is let go stays chosen. */
