@@ -8,7 +8,7 @@ import { curve, FakeDrawing, line } from "./support/drawing.js";
 const a = curve("a", [line([100, 100], [200, 100])]);
 const b = curve("b", [line([204, 60], [204, 160])]);
 const grid = new CurveGrid(placesOf(new FakeDrawing([a, b])), [1, 0, 0, 1, 0, 0], 400, 300);
-const wish = { snaps: true, grid: false, zoom: 1, origin: [0, 0] as Point, isWanted: () => true };
+const wish = { snaps: true, grid: false, zoom: 1, origin: [0, 0] as Point, isWanted: () => true, also: [] };
 
 describe("a point", () => {
   test("goes_to_an_end_before_a_curve_that_is_nearer", () => {

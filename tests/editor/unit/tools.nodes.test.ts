@@ -138,6 +138,16 @@ describe("a node", () => {
     expect(points()[6]).toEqual([90, 40]);
   });
 
+  test("at_an_end_is_drawn_to_the_other_end_of_its_curve", () => {
+    select({ kind: "whole" });
+    dragThrough(tool, [
+      [250, 100],
+      [150, 150],
+      [54, 96],
+    ]);
+    expect(points()[6]).toEqual(points()[0]);
+  });
+
   test("of_a_subpath_moves_though_nodes_of_another_are_chosen_too", () => {
     open(WAVE, { paths: [line([50, 200], [250, 200]), WAVE] });
     select({ kind: "node", path: 0, index: 0 }, { kind: "node", path: 1, index: 1 });

@@ -134,8 +134,14 @@ export class Canvas {
    * Where a point of the stage goes, and the guides that say why.
    * @param grid of the drawing before a gesture
    * @param moved curves that do not count
+   * @param also ends of these that do
    */
-  snap(at: Point, grid: CurveGrid, moved: ReadonlySet<Handle>): Snapped {
+  snap(
+    at: Point,
+    grid: CurveGrid,
+    moved: ReadonlySet<Handle>,
+    also: readonly Point[] = [],
+  ): Snapped {
     const isWanted = ({ item, owner }: Place) => !isWithin(item, moved) && !moved.has(owner.handle);
     return snapped(grid, at, {
       snaps: this.editor.settings.snap.peek(),
@@ -143,6 +149,7 @@ export class Canvas {
       zoom: this.editor.view.peek().zoom,
       origin: this.toStage([0, 0]),
       isWanted,
+      also,
     });
   }
 }

@@ -24,6 +24,13 @@ export function nodeOfHandle(path: CubicPath, handle: number): number {
   return path.closed && 3 * node === path.points.length - 1 ? 0 : node;
 }
 
+/** The other end of an open path, where a node is one of its ends; null: it is none. */
+export function otherEnd(path: CubicPath, node: number): Point | null {
+  const last = pieceCount(path);
+  if (path.closed || last < 2 || (node !== 0 && node !== last)) return null;
+  return path.points[node === 0 ? 3 * last : 0];
+}
+
 /** Of a node's two handles the one whose piece leads to where it is pulled. */
 export function pulledHandle(path: CubicPath, node: number, [dx, dy]: Point): number | null {
   const { before, after } = handlesOf(path, node);

@@ -24,11 +24,14 @@ export interface SnapWish {
   readonly origin: Point;
   /** Curves that do not count: those that are moved. */
   readonly isWanted: (place: Place) => boolean;
+  /** Ends that count although their curve is moved: its own other end. */
+  readonly also: readonly Point[];
 }
 
 /** Where a point of the stage goes. Ends of curves go before curves, these before the grid. */
 export function snapped(grid: CurveGrid, at: Point, wish: SnapWish): Snapped {
-  const ends = wish.snaps ? grid.endsNear(at, SNAP_REACH, wish.isWanted) : [];
+  const own = wish.also.map((point) => ({ point }));
+  const ends = wish.snaps ? [...grid.endsNear(at, SNAP_REACH, wish.isWanted), ...own] : [];
   const end = nearestTarget(at, ends, SNAP_REACH);
   if (end) return { at: end.point, guides: [{ from: end.point, to: end.point }] };
   const curve = wish.snaps ? grid.near(at, SNAP_REACH, wish.isWanted)[0] : undefined;

@@ -12,7 +12,7 @@ import { itemVector, movedNodes, plus, setKinds } from "../edits.js";
 import { shown } from "../format.js";
 import type { CurveHit } from "../hit.js";
 import { selectedOf, stageFromItem, type Mark, type NodeMark } from "../marks.js";
-import { bent, nodeOfHandle, pulledHandle, withHandle } from "../nodes.js";
+import { bent, nodeOfHandle, otherEnd, pulledHandle, withHandle } from "../nodes.js";
 import { editedAt, isCurve, isLocked } from "../places.js";
 import { isSamePart } from "../sketch.js";
 import { letGoOfParts } from "../walk.js";
@@ -94,6 +94,7 @@ export class NodesTool implements Tool {
       .peek()
       .filter(({ handle, part }) => handle !== mark.handle || isOfPath(part, mark.part));
     const moved = new Set(selection.map(({ handle }) => handle));
+    const own = selection.length === 1 ? this.otherEnd(mark) : [];
     return new EditDrag(canvas, start, {
       label: selection.length > 1 ? en.tools.undo.moveNodes : en.tools.undo.moveNode,
       dragged: { handle: mark.handle, part: mark.part },
@@ -102,7 +103,7 @@ export class NodesTool implements Tool {
         const by = travelled(start, p);
         const wanted = plus(mark.at, by);
         const to =
-          p.shift || p.ctrl ? { at: wanted, guides: [] } : canvas.snap(wanted, grid, moved);
+          p.shift || p.ctrl ? { at: wanted, guides: [] } : canvas.snap(wanted, grid, moved, own);
         canvas.draw({ guides: to.guides });
         const { zoom } = editor.view.peek();
         const vector: Point = [(to.at[0] - mark.at[0]) / zoom, (to.at[1] - mark.at[1]) / zoom];
@@ -111,6 +112,13 @@ export class NodesTool implements Tool {
       click,
       kept: () => this.tell(mark),
     });
+  }
+
+  private otherEnd({ handle, part }: NodeMark): Point[] {
+    const item = this.canvas.editor.drawing.item(handle);
+    if (!isCurve(item) || part.kind !== "node") return [];
+    const end = otherEnd(item.paths[part.path], part.index);
+    return end ? [mapped(stageFromItem(this.canvas.stageFromArtboard(), item), end)] : [];
   }
 
   /** A handle turns the other with it where the node is smooth; Alt breaks them. */
