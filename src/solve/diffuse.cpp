@@ -22,7 +22,8 @@ PictureItem picture_item(const Item& item) {
   return item;
 }
 
-/// The shaders of a document as pixels need them: without the files that textures came from.
+/// The shaders of a document. The files that textures came from are in them too: the HTML viewer
+/// takes these.
 Result<std::vector<Shader>> copy_shaders(Context& context, const std::vector<Shader>& shaders) {
   std::vector<Shader> copies;
   TableMemory memory("textures");
@@ -31,6 +32,7 @@ Result<std::vector<Shader>> copy_shaders(Context& context, const std::vector<Sha
       Texture copy{texture->width,   texture->height, {}, texture->layer_from_texture,
                    texture->repeats, texture->period, {}};
       Status status = memory.append(context, texture->rgba, copy.rgba);
+      if (status) status = memory.append(context, texture->file, copy.file);
       if (!status) return status;
       copies.push_back({shader.id, std::move(copy)});
     } else {
