@@ -18,7 +18,8 @@ export class Motion {
     this.to = view.state;
     this.share = 1;
     this.time = 0;
-    this.still = window.matchMedia("(prefers-reduced-motion: reduce)");
+    // Tests of the editor's view run without a window.
+    this.still = globalThis.matchMedia?.("(prefers-reduced-motion: reduce)") ?? { matches: true };
   }
 
   get isMoving() {

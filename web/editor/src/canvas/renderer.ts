@@ -128,7 +128,8 @@ export class PictureCanvas {
   #tick() {
     this.#frame = 0;
     const renderer = this.#renderer;
-    if (!renderer) return;
+    // Without graphics there is nothing to wait for.
+    if (!renderer) return this.#settle();
     // What the GPU has not done yet would only pile up.
     if (renderer.isBusy) return this.#schedule();
     if (this.#isDirty) {

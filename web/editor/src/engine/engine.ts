@@ -21,6 +21,8 @@ import type {
 const FRAME_SECONDS = 0.008;
 /** How long the hand must rest before the exact picture is asked for, milliseconds. */
 const REST = 120;
+/** The same while a gesture is not over: a colour picker that is open, a hand that holds still. */
+const HELD = 600;
 /** How long the view must rest before finer chords are, milliseconds. */
 const VIEW_REST = 400;
 /** Frames that go on with what waits, one after another. */
@@ -90,7 +92,7 @@ export class WorkerEngine implements Engine {
     this.#wanted = { text, moving, serial: this.#wanted.serial + 1 };
     this.onStatus({ kind: "refining", milliseconds: 0 });
     this.#follow();
-    if (!moving) this.#settleAfter(REST);
+    this.#settleAfter(this.#rest);
     return this.#wanted.serial;
   }
 
@@ -175,10 +177,14 @@ export class WorkerEngine implements Engine {
     this.#timer = setTimeout(() => void this.#settle(), milliseconds) as never;
   }
 
+  get #rest(): number {
+    return this.#wanted.moving ? HELD : REST;
+  }
+
   get #isSettleWanted(): boolean {
-    const { moving, serial } = this.#wanted;
+    const { serial } = this.#wanted;
     const isExact = this.#exactSerial === serial && sameOptions(this.#exactOptions, this.#options);
-    return !this.#isFree && !moving && serial >= 0 && this.#badSerial < serial && !isExact;
+    return !this.#isFree && serial >= 0 && this.#badSerial < serial && !isExact;
   }
 
   async #settle(): Promise<void> {
@@ -192,7 +198,7 @@ export class WorkerEngine implements Engine {
       this.#complain(error, seat);
     }
     this.#isSettling = false;
-    if (this.#isSettleWanted) this.#settleAfter(REST);
+    if (this.#isSettleWanted) this.#settleAfter(this.#rest);
   }
 
   async #settleIn(seat: Seat, wanted: Wanted, options: SolveOptions): Promise<void> {
