@@ -34,6 +34,11 @@ function isColors(value: unknown): value is readonly Rgb[] {
   );
 }
 
+/** At first the grey around the artboard is as dark as the page. */
+function prefersDark(): boolean {
+  return globalThis.matchMedia?.("(prefers-color-scheme: dark)").matches ?? false;
+}
+
 /** Settings as they were left; changes are kept where the browser lets them. */
 export function openSettings(): Settings {
   const before = stored();
@@ -50,7 +55,7 @@ export function openSettings(): Settings {
   }
   const settings: Settings = {
     theme: setting<Theme>("theme", "system", oneOf("system", "light", "dark")),
-    surround: setting<Surround>("surround", "mid", oneOf("dark", "mid", "light")),
+    surround: setting<Surround>("surround", prefersDark() ? "dark" : "light", oneOf("dark", "mid", "light")),
     smoothing: setting("smoothing", 2, between(0.5, 8)),
     snap: setting("snap", true, isBoolean),
     grid: setting("grid", false, isBoolean),
