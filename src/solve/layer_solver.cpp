@@ -10,6 +10,7 @@
 #include "base/parallel.hpp"
 #include "base/stopwatch.hpp"
 #include "base/table_memory.hpp"
+#include "solve/rough.hpp"
 
 namespace sfumato::solve {
 namespace {
@@ -94,7 +95,7 @@ Result<PatchLayer> LayerSolver::solve(std::optional<RefinedLayer>* refined) {
   const std::uint64_t nodes_before = stats_ ? stats_->nodes : 0;
   Status status = refine();
   if (status) status = put_in_order();
-  if (status && options_.max_error > 0 && options_.gather.method != gather::Method::exact) {
+  if (status && refines(options_) && options_.gather.method != gather::Method::exact) {
     if (stats_) stats_->nodes = nodes_before;
     status = gather(options_.gather, true);
   }
@@ -164,7 +165,7 @@ Status LayerSolver::refine() {
     if (Status status = mesher_.refine(context_); !status) return status;
   }
   if (stats_) stats_->triangulation_seconds += watch.seconds();
-  const bool refines = options_.max_error > 0;
+  const bool is_led = refines(options_);
   Status status = take_mesh();
   if (status && is_blurred_) status = list_all_triangles();
   if (status && is_blurred_) status = follow_blur();
@@ -172,8 +173,8 @@ Status LayerSolver::refine() {
   std::vector<std::uint32_t> missed;
   for (int round = 0; status; ++round) {
     if (way_.progress) (*way_.progress)(round / double{kMaxRounds});
-    status = gather(refines ? gather::GatherOptions{} : options_.gather, false);
-    if (!status || !refines || round == kMaxRounds) break;
+    status = gather(is_led ? gather::GatherOptions{} : options_.gather, false);
+    if (!status || !is_led || round == kMaxRounds) break;
     status = find_misses(missed);
     if (!status || missed.empty()) break;
     status = make_smaller(missed);
@@ -220,7 +221,7 @@ Status LayerSolver::update_mesh() {
 /// All triangles are new then.
 Status LayerSolver::lay_out() {
   const Stopwatch watch;
-  const std::size_t spare = options_.max_error > 0 ? mesh_->triangle_count() / 2 : 0;
+  const std::size_t spare = refines(options_) ? mesh_->triangle_count() / 2 : 0;
   Status status = for_fields_side_by_side(
       [&](FieldSolver& field) { return field.lay_out(context_, *mesh_, spare); });
   if (status) status = list_all_triangles();
@@ -246,7 +247,7 @@ Status LayerSolver::list_all_triangles() {
 /// Makes the mesh at blurred curves as fine as their radii, before anything is gathered: where it
 /// changed.
 Status LayerSolver::follow_blur(std::vector<std::uint32_t>* all_changed) {
-  const double edge_per_radius = options_.max_error > 0 ? kProbedEdgePerRadius : kEdgePerRadius;
+  const double edge_per_radius = refines(options_) ? kProbedEdgePerRadius : kEdgePerRadius;
   TableMemory scratch("patches");
   std::vector<std::uint8_t> coarse;
   std::vector<std::uint32_t> triangles;

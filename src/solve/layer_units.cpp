@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "sfumato/base/limits.hpp"
+#include "solve/rough.hpp"
 
 namespace sfumato::solve {
 namespace {
@@ -20,6 +21,9 @@ constexpr Tolerance kTolerance{0.05 / 512, 0.04};
 
 /// Of the paper's mesh, which is the one without a bound on the error.
 constexpr Tolerance kPaperTolerance{0.1 / 512, 0.2};
+
+/// Of a layer that is solved roughly.
+constexpr Tolerance kRoughTolerance{kRoughness * kTolerance.per_side, kRoughness* kTolerance.px};
 
 /// A mesh as fine as a smaller radius would be all triangles: antialiasing shows those blurs.
 constexpr double kSmallestRadiusPx = 0.75;
@@ -39,6 +43,14 @@ constexpr double kSmallestEdgePx = 1.0;
 /// would take n times n triangles. Those of a whole pixel show where colours change within a tenth
 /// of one.
 constexpr double kSmallAnglesEdgePx = 0.5;
+/// Both in a rough layer: on edges of this many pixels nodes are a third of it apart, which is near
+/// enough for any blur that a mesh has to show.
+constexpr double kRoughEdgePx = 4;
+
+const Tolerance& tolerance_of(const DiffuseOptions& options) {
+  if (is_rough(options)) return kRoughTolerance;
+  return options.max_error > 0 ? kTolerance : kPaperTolerance;
+}
 
 double longer_side(const Box& box) {
   return std::max(box.width(), box.height());
@@ -69,7 +81,7 @@ double LayerUnits::smallest_radius() const {
 }
 
 double LayerUnits::smallest_edge() const {
-  return kSmallestEdgePx * pixel();
+  return (is_rough(options_) ? kRoughEdgePx : kSmallestEdgePx) * pixel();
 }
 
 curves::FlattenOptions LayerUnits::flatten_options() const {
@@ -83,7 +95,7 @@ curves::FlattenOptions LayerUnits::flatten_options() const {
     flatten.tolerance = *options_.tolerance / sight_.scale;
     return flatten;
   }
-  const Tolerance& tolerance = options_.max_error > 0 ? kTolerance : kPaperTolerance;
+  const Tolerance& tolerance = tolerance_of(options_);
   for (const LayerView& view : sight_.views) {
     const double outside = tolerance.per_side * artboard_side_ * (sight_.scale / view.scale);
     const double inside = tolerance.px / (options_.pixels_per_unit * view.scale);
@@ -105,7 +117,9 @@ mesh::MeshOptions LayerUnits::mesh_options() const {
   mesh.min_angle_deg = options_.min_angle_deg;
   mesh.max_area = options_.max_area_fraction * whole_area_;
   // Without a bound on the error the mesh is the paper's.
-  if (options_.max_error > 0) mesh.small_edge = kSmallAnglesEdgePx * pixel();
+  if (options_.max_error > 0) {
+    mesh.small_edge = (is_rough(options_) ? kRoughEdgePx : kSmallAnglesEdgePx) * pixel();
+  }
   return mesh;
 }
 

@@ -10,6 +10,7 @@
 #include "base/public_verb.hpp"
 #include "base/table_memory.hpp"
 #include "solve/layer_rows.hpp"
+#include "solve/rough.hpp"
 #include "solve/solution_state.hpp"
 
 namespace sfumato {
@@ -124,20 +125,22 @@ std::optional<std::size_t> Solution::State::find_same(const Document& old,
   return is_same(i) ? std::optional(i) : std::nullopt;
 }
 
-Result<std::vector<LayerTask>> Solution::State::tasks(const Context& context,
-                                                      const Box& viewport) const {
+Result<std::vector<LayerTask>> Solution::State::tasks(const Context& context, const Box& viewport,
+                                                      SolveGoal goal) const {
   Result<std::vector<LayerSight>> sights = solve::sights_of_layers(context, document, viewport);
   if (!sights) return sights.status();
   std::vector<LayerTask> tasks;
   for (std::uint32_t i = 0; i < layers.size(); ++i) {
     LayerSight& sight = (*sights)[i];
-    if (layers[i].is_solved() && layers[i].sight == sight) continue;
+    const bool is_done = goal == SolveGoal::exact ? layers[i].is_exact() : layers[i].is_solved();
+    if (is_done && layers[i].sight == sight) continue;
     tasks.push_back({i, std::move(sight)});
   }
   return tasks;
 }
 
-Status Solution::State::solve(Context& context, const DiffuseOptions& wanted, DiffuseStats* stats) {
+Status Solution::State::solve(Context& context, const DiffuseOptions& wanted, SolveGoal goal,
+                              DiffuseStats* stats) {
   const SpareRelease release(*this);
   coloring.reset();
   if (Status status = solve::validate(wanted); !status) return status;
@@ -147,8 +150,9 @@ Status Solution::State::solve(Context& context, const DiffuseOptions& wanted, Di
     forget(wanted);
   }
   const Box viewport = wanted.viewport.value_or(document.artboard);
-  const auto run = [&](bool keeps) { return solve_layers(context, viewport, stats, keeps); };
-  Status status = run_with_all_memory(run, expects_drags && &context.budget == budget);
+  const auto run = [&](bool keeps) { return solve_layers(context, viewport, goal, stats, keeps); };
+  const bool keeps = goal == SolveGoal::exact && expects_drags && &context.budget == budget;
+  Status status = run_with_all_memory(run, keeps);
   const bool is_shown = std::ranges::all_of(
       layers, [](const LayerState& layer) { return layer.in_picture.has_value(); });
   if (!status || (is_shown && !frame_changed)) return status;
@@ -156,15 +160,16 @@ Status Solution::State::solve(Context& context, const DiffuseOptions& wanted, Di
 }
 
 /// Those that are not solved, and keeps what was finished; with `keeps` also what drags begin from.
-Status Solution::State::solve_layers(Context& context, const Box& viewport, DiffuseStats* stats,
-                                     bool keeps) {
-  Result<std::vector<LayerTask>> to_solve = tasks(context, viewport);
+Status Solution::State::solve_layers(Context& context, const Box& viewport, SolveGoal goal,
+                                     DiffuseStats* stats, bool keeps) {
+  Result<std::vector<LayerTask>> to_solve = tasks(context, viewport, goal);
   if (!to_solve || to_solve->empty()) return to_solve.status();
   for (const LayerTask& task : *to_solve) layers[task.layer].refined.reset();
-  solve::LayerRuns runs(context, document, *to_solve, *options, keeps);
+  const DiffuseOptions how = goal == SolveGoal::exact ? *options : solve::roughly(*options);
+  solve::LayerRuns runs(context, document, *to_solve, how, keeps);
   Status status = runs.run();
   if (stats) runs.add_to(*stats);
-  Status kept = keep(context, *to_solve, runs);
+  Status kept = keep(context, *to_solve, goal, runs);
   return status ? kept : status;
 }
 
@@ -187,14 +192,14 @@ void Solution::State::forget(const DiffuseOptions& wanted) {
 }
 
 /// What was finished, although other layers may have failed.
-Status Solution::State::keep(const Context& context, std::span<LayerTask> tasks,
+Status Solution::State::keep(const Context& context, std::span<LayerTask> tasks, SolveGoal goal,
                              solve::LayerRuns& runs) {
   for (std::uint32_t i = 0; i < tasks.size(); ++i) {
     std::optional<PatchLayer> layer = runs.take_finished(i);
     if (!layer) continue;
     if (Status status = hold(context, *layer); !status) return status;
     layers[tasks[i].layer] = {std::move(tasks[i].sight), std::nullopt, std::move(layer),
-                              runs.take_refined(i)};
+                              runs.take_refined(i), goal == SolveGoal::rough};
   }
   return ok_status();
 }
@@ -270,7 +275,14 @@ Result<Change> Solution::apply(Context& context, Change change) {
 }
 
 Status Solution::solve(Context& context, const DiffuseOptions& options, DiffuseStats* stats) {
-  return public_verb(context, [&] { return state_->solve(context, options, stats); });
+  return public_verb(
+      context, [&] { return state_->solve(context, options, State::SolveGoal::exact, stats); });
+}
+
+Status Solution::solve_roughly(Context& context, const DiffuseOptions& options,
+                               DiffuseStats* stats) {
+  return public_verb(
+      context, [&] { return state_->solve(context, options, State::SolveGoal::rough, stats); });
 }
 
 void Solution::expect_drags() {

@@ -2,6 +2,7 @@
 
 #include "curves/response.hpp"
 #include "solve/layer_rows.hpp"
+#include "solve/rough.hpp"
 #include "solve/solution_state.hpp"
 
 /// Solution while curves are dragged and colours change.
@@ -38,10 +39,15 @@ Status Solution::State::begin_engine(Context& context, Drag& begun) {
   std::optional<solve::RefinedLayer> none;
   const bool is_at_home = &context.budget == budget;
   Result<solve::LayerDrag> engine =
-      solve::LayerDrag::begin(context, document, begun.layer, begun.curve, layer.sight, *options,
-                              is_at_home ? layer.refined : none);
+      solve::LayerDrag::begin(context, document, begun.layer, begun.curve, layer.sight,
+                              options_of(layer), is_at_home ? layer.refined : none);
   if (engine) begun.engine.emplace(std::move(*engine));
   return engine.status();
+}
+
+/// With which it is solved.
+DiffuseOptions Solution::State::options_of(const LayerState& layer) const {
+  return layer.is_rough ? solve::roughly(*options) : *options;
 }
 
 /// What fails leaves the curve and its layer as they were.
@@ -57,9 +63,14 @@ Status Solution::State::drag_to(Context& context, Curve curve, const solve::Fram
   LayerState& layer = layers[drag->layer];
   layer.refined.reset();
   LayerState before = std::exchange(layer, {});
-  if (!drag->engine) return ok_status();
-  Status status = no_throw([&] { return show(context, curve, {.time = time, .stats = stats}); });
-  if (status) return status;
+  Status status;
+  if (drag->engine) {
+    status = no_throw([&] { return show(context, curve, {.time = time, .stats = stats}); });
+  }
+  if (status) {
+    if (!layer.is_solved()) layer = shown_roughly(std::move(before.sight), drag->layer);
+    return status;
+  }
   drag->forget_frames();  // one may be of the new curve
   layer = std::move(before);
   std::swap(document.layers[drag->layer].curves[drag->curve],
@@ -132,7 +143,9 @@ Status Solution::State::show(Context& context, const Curve& curve, const solve::
   solve::FramePatches frame;
   solve::LayerDrag* maker = nullptr;
   Status status = make_frame(context, curve, how, frame, maker);
-  if (status.code == StatusCode::bad_input) return solve(context, *options, how.stats);
+  if (status.code == StatusCode::bad_input) {
+    return solve(context, *options, SolveGoal::rough, how.stats);
+  }
   if (status) status = hold_more(context, frame.layer, spare_bytes);
   return status ? show_frame(context, maker, std::move(frame)) : status;
 }
@@ -178,8 +191,9 @@ Status Solution::State::begin_color(Context& context, const StopPlace& place) {
   const bool is_at_home = &context.budget == budget;
   return run_with_all_memory([&](bool) {
     std::optional<solve::RefinedLayer> none;
-    Result<solve::ColorDrag> begun = solve::ColorDrag::begin(
-        context, document, place, layer.sight, *options, is_at_home ? layer.refined : none);
+    Result<solve::ColorDrag> begun =
+        solve::ColorDrag::begin(context, document, place, layer.sight, options_of(layer),
+                                is_at_home ? layer.refined : none);
     if (begun) coloring.emplace(std::move(*begun));
     return begun.status();
   });
@@ -200,7 +214,7 @@ Status Solution::State::color_to(Context& context, const StopValue& value) {
   const bool keeps = coloring->keeps(curve);
   std::optional<PatchLayer> solved = coloring->show(curve, picture.layers[place.layer]);
   if (!keeps) {
-    layer = {};
+    layer = shown_roughly(std::move(layer.sight), place.layer);
   } else if (layer.in_picture && solved) {
     layer.fresh = std::move(solved);
     layer.in_picture.reset();

@@ -21,6 +21,9 @@ namespace sfumato {
 /// What a Solution holds. solution.cpp solves layers; solution_drag.cpp drags curves and changes
 /// colours.
 struct Solution::State {
+  /// What layers are to be that are not solved.
+  enum class SolveGoal : std::uint8_t { exact, rough };
+
   using Drag = solve::DraggedCurve;
 
   static constexpr std::string_view kPurpose = "the solution of a document";
@@ -31,9 +34,17 @@ struct Solution::State {
     std::optional<std::uint32_t> in_picture{};     ///< the picture's layer that has them
     std::optional<PatchLayer> fresh{};             ///< or they, where no picture has them yet
     std::optional<solve::RefinedLayer> refined{};  ///< for drags, if memory allows
+    /// They show the curves as they are now, and are not those of diffuse().
+    bool is_rough = false;
 
     bool is_solved() const { return in_picture || fresh; }
+    bool is_exact() const { return is_solved() && !is_rough; }
   };
+
+  /// A layer of the picture that a frame has made.
+  static LayerState shown_roughly(solve::LayerSight sight, std::uint32_t layer) {
+    return {std::move(sight), layer, std::nullopt, std::nullopt, true};
+  }
 
   State(Context& context, Document d)
       : document(std::move(d)),
@@ -45,7 +56,7 @@ struct Solution::State {
   /// Comes first: charges the document.
   Status start(const Context& context) { return hold(context, document); }
   Result<Change> apply(Context& context, Change change);
-  Status solve(Context& context, const DiffuseOptions& wanted, DiffuseStats* stats);
+  Status solve(Context& context, const DiffuseOptions& wanted, SolveGoal goal, DiffuseStats* stats);
   Status begin_drag(Context& context, std::uint32_t layer, std::uint32_t curve);
   Status drag_to(Context& context, Curve curve, const solve::FrameTime& time, DiffuseStats* stats);
   Status drag_more(Context& context, const solve::FrameTime& time, DiffuseStats* stats);
@@ -85,15 +96,19 @@ struct Solution::State {
   bool drop_refined();
   template <class Work>
   Status run_with_all_memory(const Work& work, bool keeps = false);
-  Status solve_layers(Context& context, const Box& viewport, DiffuseStats* stats, bool keeps);
+  Status solve_layers(Context& context, const Box& viewport, SolveGoal goal, DiffuseStats* stats,
+                      bool keeps);
+  DiffuseOptions options_of(const LayerState& layer) const;
   Status begin_engine(Context& context, Drag& begun);
   Status begin_roomy(Context& context);
   solve::FramePatches take_spare(const solve::LayerDrag* maker);
   Status make_frame(Context& context, const Curve& curve, const solve::FrameOptions& how,
                     solve::FramePatches& patches, solve::LayerDrag*& maker);
   Status show_frame(const Context& context, solve::LayerDrag* maker, solve::FramePatches frame);
-  Result<std::vector<solve::LayerTask>> tasks(const Context& context, const Box& viewport) const;
-  Status keep(const Context& context, std::span<solve::LayerTask> tasks, solve::LayerRuns& runs);
+  Result<std::vector<solve::LayerTask>> tasks(const Context& context, const Box& viewport,
+                                              SolveGoal goal) const;
+  Status keep(const Context& context, std::span<solve::LayerTask> tasks, SolveGoal goal,
+              solve::LayerRuns& runs);
   Status assemble(Context& context, const Box& viewport);
   PictureDelta delta_with_news() const;
   Status make_room(const Context& context, const InsertCurve& insert);

@@ -135,6 +135,7 @@ TEST_P(Allocation, solution) {
     if (status && !document.layers.empty() && !document.layers[0].curves.empty()) {
       const Curve& curve = document.layers[0].curves[0];
       status = solution->apply(context, InsertCurve{0, 0, curve}).status();
+      if (status) status = solution->solve_roughly(context, {});
       if (status) status = solution->apply(context, RemoveCurve{0, 1}).status();
     }
     if (status) status = solution->apply(context, ReplaceStack{document.stack}).status();

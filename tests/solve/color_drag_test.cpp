@@ -247,6 +247,8 @@ TEST_F(ColorDrag, refuses_what_is_not_a_stop_or_not_solved) {
   expect_refused(solution.color(context, 0.5f), "a colour for an opacity");
   expect_refused(solution.color(context, Rgb{0, 1.5f, 0}), "not within 0 to 1");
   ASSERT_TRUE(solution.color(context, kBlue).ok());
+  const Curve curve = solution.document().layers[0].curves[0];
+  ASSERT_TRUE(solution.apply(context, ReplaceCurve{0, 0, curve}).ok());
   expect_refused(begin(kFirst), "to be solved");
   expect_refused(solution.color(context, kBlue), "no stop is prepared");
   expect_refused(solution.begin_drag(context, 0, 0), "to be solved");

@@ -77,6 +77,18 @@ class Solution {
   /// what is solved now.
   Status solve(Context& context, const DiffuseOptions& options, DiffuseStats* stats = nullptr);
 
+  /// The same for a picture to look at while more moves than one curve: layers that solve() would
+  /// solve are solved roughly, from chords about four times as coarse, without refinement where a
+  /// patch misses. What is gathered is exact; the triangles are a third to a half as many, and
+  /// pixels differ from the exact picture's by a third of a code value in the mean (lady_bug,
+  /// portrait, dolphin, roses). A layer that already shows its curves as they are stays as it is,
+  /// exact, rough or as drag() or color() left it. The next solve() solves anew what is not exact.
+  ///
+  /// Errors: as solve(); the picture is the last one then. Cost: a fifth to a seventh of that of
+  /// solve().
+  Status solve_roughly(Context& context, const DiffuseOptions& options,
+                       DiffuseStats* stats = nullptr);
+
   /// From here on solve() keeps the meshes, fields and nodes that drags begin from, where it is
   /// given the Context of create(), which is charged for them: four to five times as much as for
   /// the picture. Where memory is scarce they are not kept, and what of this Solution lacks memory
@@ -86,12 +98,14 @@ class Solution {
   /// Prepares a curve to be dragged: takes it off its layer. The picture stays as it is.
   ///
   /// What this holds is charged to this Context, which must outlive the drag. It lasts until the
-  /// next call of begin_drag(), end_drag() or apply(), or of solve() with other options.
+  /// next call of begin_drag(), end_drag() or apply(), or of solve() or solve_roughly() with other
+  /// options.
   ///
   /// Errors: bad_input (no such curve, or the last picture is not that of the document), limit,
   /// cancelled, out_of_memory. Cost: that of meshing the layer, and a gather of what sees the
   /// curve, where solve() has kept what drags begin from and this Context is that of create();
-  /// otherwise that of solving the layer.
+  /// otherwise that of solving the layer, roughly where the picture's layer is not that of solve():
+  /// its mesh is as coarse throughout the drag, then.
   Status begin_drag(Context& context, std::uint32_t layer, std::uint32_t curve);
 
   /// Puts another curve in the place of the one that is dragged, in the document and in the
@@ -111,10 +125,11 @@ class Solution {
   ///
   /// Errors: bad_input (nothing is dragged, an invalid curve, or no such time), limit, cancelled,
   /// out_of_memory. Document and picture are as they were then. Cost: O(triangles and nodes of the
-  /// layer) for tables, and a gather of what may see the curve. That of solving the layer where the
-  /// curve bears an opacity for the first time, or is farther beyond the picture than that is
-  /// large; where it is beyond it at all, once if this Context is that of begin_drag(), each time
-  /// if it is another.
+  /// layer) for tables, and a gather of what may see the curve. Where the curve bears an opacity
+  /// for the first time, or is farther beyond the picture than that is large, that of solving the
+  /// layer roughly, and the picture is as after solve_roughly(). Where it is beyond it at all that
+  /// of solving the layer: once if this Context is that of begin_drag(), each time if it is
+  /// another.
   Status drag(Context& context, Curve curve, DiffuseStats* stats = nullptr,
               std::optional<double> seconds = {});
 
@@ -134,12 +149,13 @@ class Solution {
   /// begin_drag() ends this.
   ///
   /// What this holds is charged to this Context, which must outlive it. It lasts until the next
-  /// call of begin_color(), begin_drag(), end_drag(), apply() or solve().
+  /// call of begin_color(), begin_drag(), end_drag(), apply(), solve() or solve_roughly().
   ///
   /// Errors: bad_input (there is no such stop, the side's attribute is not given by stops, or the
   /// last picture is not that of the document), limit, cancelled, out_of_memory. Cost: that of
   /// meshing the layer, and a gather of what sees the curve, where solve() has kept what drags
-  /// begin from and this Context is that of create(); otherwise that of solving the layer, too.
+  /// begin from and this Context is that of create(); otherwise that of solving the layer, too:
+  /// roughly where the picture's layer is not that of solve().
   Status begin_color(Context& context, const StopPlace& place);
 
   /// Gives another value to the stop that was prepared, in the document and in the picture. Of all
@@ -167,7 +183,7 @@ class Solution {
   /// is.
   void end_drag();
 
-  /// The last picture that solve(), drag() or color() finished.
+  /// The last picture that solve(), solve_roughly(), drag() or color() finished.
   const Picture& picture() const;
 
   /// What of picture() is new since the last call of this function. The first call after the first
