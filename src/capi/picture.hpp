@@ -25,9 +25,10 @@ using ChangedRows = std::array<RowRanges, SFUMATO_OPACITY_VALUES + 1>;
 /// What the options of a solution say for a document.
 DiffuseOptions solve_options(const options::Settings& settings, const Document& document);
 
-/// Reads the options by which a document is solved. Errors: bad usage, also where options do not
-/// go together.
-Outcome read_solve_options(const char* text, options::Call call, options::Settings& settings);
+/// Reads the options by which a document is solved, and those of a picture unless `picture` is
+/// null. Errors: bad usage, also where options do not go together.
+Outcome read_solve_options(const char* text, options::Call call, options::Settings& settings,
+                           options::PictureSettings* picture = nullptr);
 
 /// The rows that are new, which are all of them in layers that are so as a whole.
 void note_changes(const Picture& picture, const PictureDelta& delta,

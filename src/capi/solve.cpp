@@ -7,7 +7,7 @@
 #include "base/charge.hpp"
 #include "capi/document.hpp"
 #include "capi/picture.hpp"
-#include "capi/read_options.hpp"
+#include "options/option_reader.hpp"
 #include "options/tables.hpp"
 #include "output/output_size.hpp"
 
@@ -51,14 +51,17 @@ RowRanges new_rows(const LayerRows& rows, std::uint32_t table, std::uint32_t cou
   }
 }
 
+/// How a picture is brought up to a document.
+using Solve = Status (Solution::*)(Context&, const DiffuseOptions&, DiffuseStats*);
+
 /// Brings the picture up to what its solution's document is. Whatever may fail comes before the
 /// handle changes.
-Status bring_up(Context& context, sfumato_picture& handle) {
+Status bring_up(Context& context, Solve solve, sfumato_picture& handle) {
   const Document& document = handle.solution.document();
   std::vector<ChangedRows> changed(document.layers.size());
   const DiffuseOptions options = solve_options(handle.settings, document);
   DiffuseStats stats;
-  if (Status status = handle.solution.solve(context, options, &stats); !status) return status;
+  if (Status status = (handle.solution.*solve)(context, options, &stats); !status) return status;
   handle.stats = stats;
   note_changes(handle.solution.picture(), handle.solution.take_delta(), changed);
   handle.changed = std::move(changed);
@@ -77,7 +80,8 @@ Result<Document> copy_of(const Context& context, const Document& document) {
 Outcome solve(Workshop& workshop, sfumato_context* context, const sfumato_document& document,
               const char* text, sfumato_picture** out) {
   options::Settings settings;
-  Outcome read = read_solve_options(text, options::kSolve, settings);
+  options::PictureSettings own;
+  Outcome read = read_solve_options(text, options::kSolve, settings, &own);
   if (read.code != SFUMATO_OK) return read;
   Result<Document> copy = copy_of(workshop.context, document.document);
   if (!copy) return copy.status();
@@ -85,7 +89,9 @@ Outcome solve(Workshop& workshop, sfumato_context* context, const sfumato_docume
   if (!solution) return solution.status();
   auto handle =
       std::make_unique<sfumato_picture>(context->workshop, std::move(*solution), settings);
-  if (Status status = bring_up(workshop.context, *handle); !status) return status;
+  if (own.expects_drags) handle->solution.expect_drags();
+  Status status = bring_up(workshop.context, &Solution::solve, *handle);
+  if (!status) return status;
   handle->shown = handle->applied = document.edits.now();
   *out = handle.release();
   return {};
@@ -126,15 +132,16 @@ Status follow(Context& context, const sfumato_document& document, sfumato_pictur
   return status;
 }
 
-Outcome solve_exactly(Workshop& workshop, const sfumato_document& document,
-                      sfumato_picture& handle) {
+/// Whatever the document has become.
+Outcome solve_all(Workshop& workshop, const sfumato_document& document, Solve solve,
+                  sfumato_picture& handle) {
   handle.solution.end_drag();
   handle.dragged.reset();
   handle.colored.reset();
   handle.drag_workshop.reset();
   handle.shown = {};  // until it is brought up
   Status status = follow(workshop.context, document, handle);
-  if (status) status = bring_up(workshop.context, handle);
+  if (status) status = bring_up(workshop.context, solve, handle);
   if (status) handle.shown = document.edits.now();
   return status;
 }
@@ -157,7 +164,7 @@ Outcome solve_quickly(sfumato_context& context, const sfumato_document& document
     Status status = show_change(context, *moved, document, seconds, handle);
     if (is_shown(status)) return status;
   }
-  return solve_exactly(*context.workshop, document, handle);
+  return solve_all(*context.workshop, document, &Solution::solve_roughly, handle);
 }
 
 Outcome no_pair() {
@@ -168,7 +175,7 @@ Outcome solve_again(sfumato_context& context, const sfumato_document* document, 
                     sfumato_picture* handle) {
   if (!document || !handle) return no_pair();
   return quick != 0 ? solve_quickly(context, *document, kNoHurry, *handle)
-                    : solve_exactly(*context.workshop, *document, *handle);
+                    : solve_all(*context.workshop, *document, &Solution::solve, *handle);
 }
 
 Outcome solve_within(sfumato_context& context, const sfumato_document* document, double seconds,
@@ -206,10 +213,12 @@ DiffuseOptions solve_options(const options::Settings& settings, const Document& 
   return options;
 }
 
-Outcome read_solve_options(const char* text, options::Call call, options::Settings& settings) {
-  if (Outcome read = read_options(text, call, options::render_options(), settings);
-      read.code != SFUMATO_OK)
-    return read;
+Outcome read_solve_options(const char* text, options::Call call, options::Settings& settings,
+                           options::PictureSettings* picture) {
+  options::OptionReader reader(call);
+  reader.take(options::render_options(), settings);
+  if (picture) reader.take(options::picture_options(), *picture);
+  if (Status status = reader.read(text ? text : ""); !status) return bad_usage(std::move(status));
   if (settings.size.scale && (settings.size.width || settings.size.height)) {
     return bad_usage("scale: expected without width and height");
   }

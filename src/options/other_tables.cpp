@@ -43,6 +43,11 @@ constexpr Option<ContextSettings> kContextOptions[] = {
 };
 static_assert(static_cast<int>(SimdLevel::avx512) == 2, "in the order of the words");
 
+constexpr Option<PictureSettings> kPictureOptions[] = {
+    {{.key = "drags", .kind = ValueKind::flag, .calls = kSolve},
+     [](PictureSettings& s, const Value&) { s.expects_drags = true; }},
+};
+
 constexpr Option<LintSettings> kLintOptions[] = {
     {{.key = "verbose", .kind = ValueKind::flag, .calls = kLint},
      [](LintSettings& s, const Value&) { s.verbose = true; }},
@@ -76,6 +81,10 @@ std::span<const Option<Resources>> resource_options() {
 
 std::span<const Option<ContextSettings>> context_options() {
   return kContextOptions;
+}
+
+std::span<const Option<PictureSettings>> picture_options() {
+  return kPictureOptions;
 }
 
 std::span<const Option<LintSettings>> lint_options() {

@@ -74,6 +74,11 @@ struct ContextSettings {
   std::optional<SimdLevel> simd{};  ///< none: the best that the machine has
 };
 
+/// Of a picture that the C interface keeps solved.
+struct PictureSettings {
+  bool expects_drags = false;  ///< Solution::expect_drags()
+};
+
 /// Of a look for probable mistakes.
 struct LintSettings {
   bool verbose = false;  ///< with notes

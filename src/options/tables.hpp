@@ -13,9 +13,10 @@ std::span<const Option<Settings>> render_options();
 /// Those that bound work; `limit` is set by set_limit().
 std::span<const Option<Resources>> resource_options();
 
-/// Those that the C interface alone has from here: for a new context, for a new document, and for
-/// hints.
+/// Those that the C interface alone has from here: for a new context, for a new document, for a
+/// picture, and for hints.
 std::span<const Option<ContextSettings>> context_options();
+std::span<const Option<PictureSettings>> picture_options();
 std::span<const Option<LintSettings>> lint_options();
 std::span<const Option<DocumentSettings>> document_options();
 

@@ -129,6 +129,20 @@ void hurry(Session& session, sfumato_context* c, Drawing& drawing) {
   session.take(sfumato_solve_within(c, drawing.document, 0, drawing.picture));
 }
 
+void insert_another(Session& session, sfumato_context* c, Drawing& drawing) {
+  const double points[] = {0, 2, 3, 2, 6, 2, 8, 2}, blue[] = {0, 0, 0, 1};
+  sfumato_document* const document = drawing.document;
+  if (!session.take(sfumato_insert_curve(c, document, 0, UINT32_MAX, points, 4))) return;
+  session.take(sfumato_set_curve_stops(c, document, 0, 1, 0, 0, SFUMATO_STOPS, 0, blue, 1));
+}
+
+/// A rough picture, and a drag that begins from it.
+void move_two(Session& session, sfumato_context* c, Drawing& drawing) {
+  insert_another(session, c, drawing);
+  session.take(sfumato_solve_again(c, drawing.document, 1, drawing.picture));
+  move_curve(session, c, drawing);
+}
+
 void end_changes(Session& session, sfumato_context* c, Drawing& drawing) {
   session.take(sfumato_solve_again(c, drawing.document, 0, drawing.picture));
   sfumato_view response{};
@@ -212,6 +226,7 @@ INSTANTIATE_TEST_SUITE_P(Of, CAllocation,
                                          Part{"other_colors", begin_picture, change_colors},
                                          Part{"a_curve_that_moves", begin_colors, move_curve},
                                          Part{"a_frame_in_a_hurry", begin_move, hurry},
+                                         Part{"curves_that_change", begin_picture, move_two},
                                          Part{"the_end_of_changes", begin_move, end_changes},
                                          Part{"outputs", begin_picture, show}),
                          [](const testing::TestParamInfo<Part>& part) { return part.param.name; });

@@ -23,6 +23,9 @@ const CASES = [
   ["dragged", EVENING, ""],
   ["dragged", CONTROLS, ""],
   ["dragged", scene("lady_bug"), ""],
+  ["dragged", scene("lady_bug"), "drags"],
+  ["rough", EVENING, ""],
+  ["rough", scene("lady_bug"), ""],
   ["colors", EVENING, ""],
   ["colors", scene("lady_bug"), ""],
   ["pixels", CONTROLS, "width=64"],
@@ -37,17 +40,23 @@ const CASES = [
   ["lint", "examples/fish.svg", "verbose"],
 ];
 
+/** Those of the quick picture after the first curves have moved. */
+function tablesOfMoved(context, document, options, curves) {
+  const picture = context.solve(document, options);
+  for (let curve = 0; curve < curves; ++curve) {
+    const moved = document.points(0, curve).map((x, i) => x + (i % 2 === 0 ? 2 : 1));
+    document.setPoints(0, curve, moved);
+  }
+  context.solveAgain(document, picture, { quick: true });
+  return tablesOf(picture, Table);
+}
+
 /** How native_answers makes the same. */
 const ANSWERS = {
   tables: (context, document, options) =>
     tablesOf(context.solve(document, options), Table),
-  dragged(context, document, options) {
-    const picture = context.solve(document, options);
-    const moved = document.points(0, 0).map((x, i) => x + (i % 2 === 0 ? 2 : 1));
-    document.setPoints(0, 0, moved);
-    context.solveAgain(document, picture, { quick: true });
-    return tablesOf(picture, Table);
-  },
+  dragged: (context, document, options) => tablesOfMoved(context, document, options, 1),
+  rough: (context, document, options) => tablesOfMoved(context, document, options, 2),
   colors(context, document, options) {
     const [x, y, width, height] = document.artboard;
     const xy = [];

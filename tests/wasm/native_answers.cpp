@@ -46,15 +46,23 @@ bool put_tables(const sfumato_picture* picture) {
   return true;
 }
 
-/// The picture after the first curve has moved by 2 to the right and 1 down.
-bool put_dragged(Work& work) {
+/// By 2 to the right and 1 down, in the first layer.
+bool move_curve(Work& work, std::uint32_t curve) {
   sfumato_view view;
-  if (!solve(work) || sfumato_curve_points(work.document, 0, 0, &view)) return false;
+  if (sfumato_curve_points(work.document, 0, curve, &view)) return false;
   std::vector<double> xy(2 * view.rows);
   std::memcpy(xy.data(), view.data, view.rows * view.row_bytes);
   for (std::size_t i = 0; i < xy.size(); ++i) xy[i] += i % 2 == 0 ? 2 : 1;
-  return !sfumato_set_curve_points(work.context, work.document, 0, 0, xy.data(), view.rows) &&
-         !sfumato_solve_again(work.context, work.document, 1, work.picture) &&
+  return !sfumato_set_curve_points(work.context, work.document, 0, curve, xy.data(), view.rows);
+}
+
+/// The quick picture after the first curves have moved.
+bool put_moved(Work& work, std::uint32_t curves) {
+  if (!solve(work)) return false;
+  for (std::uint32_t curve = 0; curve < curves; ++curve) {
+    if (!move_curve(work, curve)) return false;
+  }
+  return !sfumato_solve_again(work.context, work.document, 1, work.picture) &&
          put_tables(work.picture);
 }
 
@@ -91,7 +99,8 @@ bool put_pixels(Work& work) {
 bool answer(const std::string& question, Work& work) {
   sfumato_bytes* bytes = nullptr;  // stays null where a call fails
   if (question == "tables") return solve(work) && put_tables(work.picture);
-  if (question == "dragged") return put_dragged(work);
+  if (question == "dragged") return put_moved(work, 1);
+  if (question == "rough") return put_moved(work, 2);
   if (question == "colors") return put_colors(work);
   if (question == "pixels") return put_pixels(work);
   if (question == "lint") {

@@ -225,7 +225,7 @@ export class SfumatoContext extends Handle {
     });
   }
 
-  /** @param {Options} options of sfumato_solve: max-error, width, … */
+  /** @param {Options} options of sfumato_solve: max-error, width, drags (for pictures of an editor), … */
   solve(document, options = null) {
     return this.#withOptions(options, (text) => {
       const picture = this.make("sfumato_solve", document.address, text);
@@ -237,8 +237,8 @@ export class SfumatoContext extends Handle {
    * Makes a picture that of a document.
    * @param {SfumatoDocument} document
    * @param {SfumatoPicture} picture
-   * @param {{quick?: boolean, seconds?: number | undefined}} way quick: to look at while one curve moves;
-   *   seconds: so, and once they are over, values wait (picture.statistics.waitingNodes)
+   * @param {{quick?: boolean, seconds?: number | undefined}} way quick: to look at while curves
+   *   move, rough where it is not one alone; seconds: so, and once they are over, values wait (picture.statistics.waitingNodes)
    */
   solveAgain(document, picture, { quick = false, seconds = undefined } = {}) {
     if (seconds !== undefined) {
