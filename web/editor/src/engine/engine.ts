@@ -130,9 +130,8 @@ export class WorkerEngine implements Engine {
 
   async #frame(seat: Seat): Promise<void> {
     const wanted = this.#wanted;
-    const { changes, isOneCurve } = this.#pending.take();
-    await this.#bring(seat, wanted, changes);
-    const way: Way = isOneCurve ? { kind: "quick", seconds: FRAME_SECONDS } : { kind: "draft" };
+    await this.#bring(seat, wanted, this.#pending.take());
+    const way: Way = { kind: "quick", seconds: FRAME_SECONDS };
     const options = this.#exactOptions ?? this.#options;
     let solved = await this.#solve(seat, way, options);
     this.#publish(solved, wanted, false);

@@ -10,16 +10,11 @@ function keyOf(change: QuickChange): string {
 export class Pending {
   /** The last change of each list of points or stops; null: the whole text is needed. */
   #changes: Map<string, QuickChange> | null = null;
-  /** Curves changed since the worker's picture was exact. */
-  #curves = new Set<string>();
 
   /** @param quick all that changed since the text before, or undefined where that cannot be said */
   add(quick: readonly QuickChange[] | undefined): void {
     if (!quick) return this.lose();
-    for (const change of quick) {
-      this.#curves.add(`${change.layer} ${change.curve}`);
-      this.#changes?.set(keyOf(change), change);
-    }
+    for (const change of quick) this.#changes?.set(keyOf(change), change);
   }
 
   /** The whole text is needed. */
@@ -27,18 +22,15 @@ export class Pending {
     this.#changes = null;
   }
 
-  /** Nothing is lacking, and the picture is exact. */
+  /** Nothing is lacking. */
   reset(): void {
     this.#changes = new Map();
-    this.#curves.clear();
   }
 
-  /** What is to be brought now. Afterwards nothing is lacking. */
-  take(): { changes: readonly QuickChange[] | null; isOneCurve: boolean } {
+  /** What is to be brought now; null: the whole text. Afterwards nothing is lacking. */
+  take(): readonly QuickChange[] | null {
     const changes = this.#changes && [...this.#changes.values()];
-    const isOneCurve = changes !== null && this.#curves.size <= 1;
-    this.#changes = new Map();
-    if (!changes) this.#curves.add("a text").add("another");
-    return { changes, isOneCurve };
+    this.reset();
+    return changes;
   }
 }

@@ -32,10 +32,8 @@ export type SolveOptions = Readonly<Record<string, string | number>>;
 export type Way =
   /** What `sfumato render` draws. */
   | { readonly kind: "exact" }
-  /** One curve moves: values to a few code values, in this time. */
-  | { readonly kind: "quick"; readonly seconds: number }
-  /** Several move: the mesh of a rough picture. */
-  | { readonly kind: "draft" };
+  /** To look at while something moves: of one curve in this time, of more roughly. */
+  | { readonly kind: "quick"; readonly seconds: number };
 
 export interface SolveWish {
   readonly way: Way;
@@ -73,14 +71,10 @@ class Shown {
   ) {}
 }
 
-/** Curves move: chords and triangles as coarse as an eye that follows them allows. */
-const draftOptions = { "max-error": "off", detail: 0.5 };
-
 export class Session {
   #context: SfumatoContext;
   #document: SfumatoDocument | null = null;
-  #exact: Shown | null = null;
-  #draft: Shown | null = null;
+  #shown: Shown | null = null;
   #fields = new Map<number, SfumatoField>();
   #images = new Map<string, Uint8Array>();
   /** The stack of the present document; null: not made yet. */
@@ -141,7 +135,7 @@ export class Session {
 
   solve({ way, options, have, haveStack }: SolveWish): Solved {
     const began = performance.now();
-    const shown = way.kind === "draft" ? this.#solveDraft(options) : this.#solveExact(way, options);
+    const shown = this.#solved(way, options);
     const layers = this.#stamp(shown, way.kind === "exact", have);
     const milliseconds = performance.now() - began;
     const waiting = way.kind === "quick" ? shown.picture.statistics.waitingNodes : 0;
@@ -151,32 +145,29 @@ export class Session {
     return { stack, stackStamp: stamp, stamps: [...shown.stamps], layers, waiting, milliseconds };
   }
 
-  #solveExact(way: Way, options: SolveOptions): Shown {
+  #solved(way: Way, options: SolveOptions): Shown {
     const document = this.#read();
     const key = JSON.stringify(options);
-    if (this.#exact?.key !== key) {
-      const picture = this.#context.solve(document, options);
-      this.#exact?.picture.free();
-      this.#exact = new Shown(picture, key);
-    } else {
-      const quick = way.kind === "quick" ? { seconds: way.seconds } : {};
-      this.#context.solveAgain(document, this.#exact.picture, quick);
+    if (this.#shown?.key !== key) {
+      this.#shown?.picture.free();
+      this.#shown = null;
+      this.#shown = new Shown(this.#begun(way, options), key);
     }
-    return this.#exact;
+    const quick = way.kind === "quick" ? { seconds: way.seconds } : {};
+    this.#context.solveAgain(document, this.#shown.picture, quick);
+    return this.#shown;
   }
 
-  #solveDraft(options: SolveOptions): Shown {
-    const document = this.#read();
-    const rough = { ...options, ...draftOptions };
-    const key = JSON.stringify(rough);
-    if (this.#draft?.key !== key) {
-      const picture = this.#context.solve(document, rough);
-      this.#draft?.picture.free();
-      this.#draft = new Shown(picture, key);
-    } else {
-      this.#context.solveAgain(document, this.#draft.picture);
+  /** A picture to go on from: for a quick one that of an empty drawing, so that all is rough. */
+  #begun(way: Way, options: SolveOptions): SfumatoPicture {
+    const solving = { ...options, drags: true };
+    if (way.kind === "exact") return this.#context.solve(this.#read(), solving);
+    const empty = this.#context.newDocument({ artboard: this.#read().artboard.join(",") });
+    try {
+      return this.#context.solve(empty, solving);
+    } finally {
+      empty.free();
     }
-    return this.#draft;
   }
 
   /** What the page lacks of a picture just solved. */
