@@ -149,10 +149,11 @@ export class EditorPage {
     return this.page.evaluate(([a, b]) => window.sfumatoEditor.place(a, b), [x, y]);
   }
 
-  /** The pixels of the canvas. */
+  /** The picture on the stage as a PNG, without what is drawn above it. */
   async picture() {
     await this.settled();
-    return this.page.locator("canvas.picture").screenshot({ animations: "disabled" });
+    const style = ".canvas-stage > :not(canvas), .toasts, .tooltip { visibility: hidden !important; }";
+    return this.page.locator(".canvas-stage > canvas").screenshot({ animations: "disabled", style });
   }
 
   async key(...names) {
