@@ -1,7 +1,7 @@
 // What the panels get beside the editor's state.
 import { computed, signal, type Signal } from "@preact/signals";
 import type { DrawingEditor } from "../app/editor.js";
-import { copyPng, estimateSize, exportDrawing, exportTypes, type ExportWish } from "../files/export.js";
+import { copyPng, estimateSize, exportDrawing, exportTypes, type ExportWatch, type ExportWish } from "../files/export.js";
 import { pickFile } from "../files/open.js";
 import { saveExport } from "../files/save.js";
 import type { Services } from "../panels/services.js";
@@ -18,11 +18,12 @@ function sourceOf(editor: DrawingEditor) {
   return { engine, text: drawing.text, name: file.value.name, artboard: drawing.artboard };
 }
 
-async function exportTo(editor: DrawingEditor, wish: ExportWish): Promise<void> {
-  const blob = exportDrawing(wish, sourceOf(editor));
+async function exportTo(editor: DrawingEditor, wish: ExportWish, watch: ExportWatch): Promise<void> {
+  const blob = exportDrawing(wish, sourceOf(editor), watch);
   // A dialog that is left must not leave a failure that nobody hears of.
   blob.catch(() => {});
-  await saveExport(blob, editor.file.value.name, exportTypes[wish.format], wish.format);
+  const isSaved = await saveExport(blob, editor.file.value.name, exportTypes[wish.format], wish.format);
+  if (!isSaved) throw new DOMException("left", "AbortError");
 }
 
 export interface ColorAsk {
@@ -64,8 +65,8 @@ export function servicesOf(editor: DrawingEditor, documents: Documents): Service
       documents.kept.value.map(({ id, name, time }) => ({ name, time, open: () => void documents.recover(id) })),
     ),
     problem: documents.problem,
-    exportTo: (wish) => exportTo(editor, wish),
-    copyPicture: (wish) => copyPng(wish, sourceOf(editor)),
+    exportTo: (wish, watch) => exportTo(editor, wish, watch),
+    copyPicture: (wish, watch) => copyPng(wish, sourceOf(editor), watch),
     estimate: (wish) => estimateSize(wish, sourceOf(editor)),
     preview: (viewport, transparent) => previewOf(editor, viewport, transparent),
     autosaves: async () => documents.kept.value,

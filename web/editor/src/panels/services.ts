@@ -5,7 +5,7 @@ import type { ReadonlySignal } from "@preact/signals";
 import type { Editor } from "../app/types.js";
 import type { Box } from "../geometry/affine.js";
 import type { Hint } from "../engine/types.js";
-import type { ExportWish } from "../files/export.js";
+import type { ExportWatch, ExportWish } from "../files/export.js";
 import type { Rgb } from "../geometry/color.js";
 import type { Handle } from "../model/types.js";
 
@@ -50,10 +50,10 @@ export interface Services {
   readonly examples: readonly Example[];
   readonly recent: ReadonlySignal<readonly RecentFile[]>;
   readonly problem: ReadonlySignal<Problem | null>;
-  /** @throws Error, in words */
-  exportTo(wish: ExportWish): Promise<void>;
-  /** The picture to the clipboard. @throws Error, in words */
-  copyPicture(wish: ExportWish): Promise<void>;
+  /** @throws Error, in words; AbortError: the person left it */
+  exportTo(wish: ExportWish, watch: ExportWatch): Promise<void>;
+  /** The picture to the clipboard. @throws Error, in words; AbortError: the person left it */
+  copyPicture(wish: ExportWish, watch: ExportWatch): Promise<void>;
   /** Bytes, roughly; null: cannot be told. */
   estimate(wish: ExportWish): Promise<number | null>;
   /**

@@ -47,13 +47,19 @@ const commands = {
 /** What the page says of files and of itself. */
 const page = {
   // page: begin
+  brokenPictures: (count: number) =>
+    count === 1
+      ? "This browser cannot read a picture that the drawing uses."
+      : `This browser cannot read ${count} pictures that the drawing uses.`,
   cannotOpen: (name: string) => `“${name}” cannot be opened`,
+  chooseFolder: "Choose its folder",
   downloaded: (name: string) => `“${name}” was handed to the browser’s downloads.`,
   gone: "This drawing is no longer kept here.",
   graphics: {
     missing: "This browser has no WebGL 2, which draws the picture. Everything else works.",
     lost: "The graphics card let go of the page. Drawing again…",
   },
+  keptHere: "Your drawing is kept in this browser.",
   missing: (names: readonly string[]) =>
     names.length === 1
       ? `The picture “${names[0]}” is not there. Drop it together with the drawing.`
@@ -74,6 +80,9 @@ const page = {
 /** engine */
 const engine = {
   // engine: begin
+  noWorker: "This browser starts no worker for this page, and only workers can compute the picture.",
+  noWebAssembly: "This browser has no WebAssembly, which computes the picture.",
+  noModule: (reason: string) => `What computes the picture could not be loaded (${reason}).`,
   // engine: end
 } as const;
 
@@ -474,13 +483,15 @@ const dialogs = {
   area: "Area",
   areas: { artboard: "Artboard", selection: "Selection", view: "View" },
   transparent: "Transparent background",
+  sixteenBits: "16 bits a channel",
+  sixteenBitsNote: "Finer steps, for print and further work",
   leaveOut: "Leave out the reference photo",
   htmlNote: "A page that shows the drawing sharp at any zoom, without this editor and without a network.",
   previewAlt: "The picture as it will be written",
   about: (size: string) => `about ${size}, sRGB`,
   sizeUnknown: "sRGB",
   exportAs: (format: string) => `Export ${format}`,
-  exporting: "Exporting…",
+  exporting: { begin: "Exporting…", draw: "Drawing…", pack: "Packing…" },
   copied: "The picture is on the clipboard.",
   keys: "Keys",
   find: "Find",

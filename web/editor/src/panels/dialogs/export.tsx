@@ -22,6 +22,7 @@ interface Choice {
   readonly linked: boolean;
   readonly transparent: boolean;
   readonly keepReference: boolean;
+  readonly depth: 8 | 16;
 }
 
 /** The last choice for each file, for as long as the page lives. */
@@ -161,9 +162,10 @@ export function ExportDialog() {
       linked: true,
       transparent: false,
       keepReference: false,
+      depth: 8,
     },
   );
-  const { isBusy, reason, run } = useWork();
+  const { stage, reason, run } = useWork();
   const now = choice.value;
   const viewport = (now.format === "png" ? viewportOf(editor, now.area) : null) ?? artboard;
   const natural = sizeAt(viewport, 1);
@@ -185,6 +187,7 @@ export function ExportDialog() {
     viewport,
     transparent: now.transparent,
     keepReference: now.keepReference,
+    depth: now.depth,
   };
   const complaint = now.format === "png" ? complaintAboutSize(wish) : null;
   const estimate = useEstimate(wish);
@@ -202,8 +205,8 @@ export function ExportDialog() {
         <button
           type="button"
           class="button large"
-          disabled={isBusy.value || complaint !== null}
-          onClick={() => void run(() => services.copyPicture(wish), words.copied)}
+          disabled={stage.value !== null || complaint !== null}
+          onClick={() => void run((watch) => services.copyPicture(wish, watch), words.copied)}
         >
           <Icon name="copy" />
           {en.panels.copy}
@@ -212,10 +215,10 @@ export function ExportDialog() {
       <button
         type="button"
         class="button primary large"
-        disabled={isBusy.value || complaint !== null}
-        onClick={() => void run(() => services.exportTo(wish), null)}
+        disabled={stage.value !== null || complaint !== null}
+        onClick={() => void run((watch) => services.exportTo(wish, watch), null)}
       >
-        {isBusy.value ? words.exporting : words.exportAs(format)}
+        {stage.value ? words.exporting[stage.value] : words.exportAs(format)}
       </button>
     </>
   );
@@ -246,6 +249,14 @@ export function ExportDialog() {
                 checked={now.transparent}
                 label={words.transparent}
                 onChange={(transparent) => change({ transparent })}
+              />
+            )}
+            {now.format === "png" && (
+              <Check
+                checked={now.depth === 16}
+                label={words.sixteenBits}
+                note={words.sixteenBitsNote}
+                onChange={(isDeep) => change({ depth: isDeep ? 16 : 8 })}
               />
             )}
             {now.format === "svg" && (

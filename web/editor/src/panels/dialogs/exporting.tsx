@@ -1,7 +1,7 @@
 // What the export dialog finds out and does: a preview, an estimate, the work itself.
 import { useSignal } from "@preact/signals";
-import { useEffect } from "preact/hooks";
-import type { ExportWish } from "../../files/export.js";
+import { useEffect, useRef } from "preact/hooks";
+import type { ExportWatch, ExportWish } from "../../files/export.js";
 import { en } from "../../strings/en.js";
 import { useShell } from "../services.js";
 
@@ -56,25 +56,31 @@ export function useEstimate(wish: ExportWish): number | null {
   return size.value;
 }
 
-/** Does a work, and says in the dialog why it failed. */
+type Stage = "begin" | "draw" | "pack";
+
+/** Does a work, and says in the dialog how far it is and why it failed. It ends with the dialog. */
 export function useWork() {
   const { editor } = useShell();
-  const isBusy = useSignal(false);
+  /** null: nothing is done. */
+  const stage = useSignal<Stage | null>(null);
   const reason = useSignal<string | null>(null);
-  const run = async (work: () => Promise<void>, done: string | null) => {
-    isBusy.value = true;
+  const stop = useRef(new AbortController());
+  useEffect(() => () => stop.current.abort(), []);
+  const run = async (work: (watch: ExportWatch) => Promise<void>, done: string | null) => {
+    const { signal } = stop.current;
+    stage.value = "begin";
     reason.value = null;
     try {
-      await work();
+      await work({ signal, onStage: (now) => (stage.value = now) });
       editor.dialog.value = null;
       if (done) editor.say(done);
     } catch (error) {
-      // Closing the browser's own dialog is no failure.
+      // Leaving this dialog, or the browser's own, is no failure.
       if (!(error instanceof DOMException && error.name === "AbortError")) {
         reason.value = error instanceof Error ? error.message : String(error);
       }
     }
-    isBusy.value = false;
+    stage.value = null;
   };
-  return { isBusy, reason, run };
+  return { stage, reason, run };
 }
