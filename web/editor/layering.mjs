@@ -9,7 +9,7 @@ const below = {
   geometry: [],
   source: ["geometry"],
   model: ["source", "geometry"],
-  engine: ["geometry"],
+  engine: ["geometry", "strings"],
   app: ["model", "source", "engine", "geometry", "strings"],
   files: ["app", "model", "source", "engine", "geometry", "strings"],
   canvas: ["app", "model", "engine", "geometry", "strings"],

@@ -94,12 +94,23 @@ export interface MessageEndpoint {
 export class Link {
   #next = 0;
   #waiting = new Map<number, { resolve: (value: never) => void; reject: (error: Error) => void }>();
-  #worker: Worker;
+  #worker: Worker | null;
+  /** Why nothing is answered any more. */
+  #failure: Failure | null = null;
 
-  constructor(worker: Worker) {
+  /**
+   * @param worker null: the browser makes none
+   * @param notStarted says so
+   */
+  constructor(worker: Worker | null, notStarted: string) {
     this.#worker = worker;
+    if (!worker) {
+      this.#fail(notStarted);
+      return;
+    }
     worker.onmessage = ({ data }: MessageEvent<Answer>) => this.#take(data);
-    worker.onerror = (event) => this.#fail(event.message || "The worker could not be started.");
+    worker.onmessageerror = () => this.#fail(notStarted);
+    worker.onerror = (event) => this.#fail(event.message || notStarted);
   }
 
   /** Whether a call is being answered. */
@@ -110,14 +121,15 @@ export class Link {
   call<Value>(name: string, ...given: unknown[]): Promise<Value> {
     const id = this.#next++;
     return new Promise<Value>((resolve, reject) => {
+      if (this.#failure) return reject(new EngineError(this.#failure));
       this.#waiting.set(id, { resolve, reject });
-      this.#worker.postMessage({ id, name, given });
+      this.#worker?.postMessage({ id, name, given });
     });
   }
 
   /** Ends the worker; what was not answered fails. */
   end(): void {
-    this.#worker.terminate();
+    this.#worker?.terminate();
     this.#fail("The worker was ended.");
   }
 
@@ -129,7 +141,7 @@ export class Link {
   }
 
   #fail(message: string) {
-    const failure = failureOf(new Error(message));
+    const failure = (this.#failure = failureOf(new Error(message)));
     for (const { reject } of this.#waiting.values()) reject(new EngineError(failure));
     this.#waiting.clear();
   }

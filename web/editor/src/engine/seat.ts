@@ -2,11 +2,32 @@
 import { Link } from "./rpc.js";
 import type { GivenImage, ReadResult } from "./session.js";
 import type { EngineCurve, QuickChange } from "./types.js";
+import { en } from "../strings/en.js";
+
+const words = en.engine;
 
 /** Where workers and the module come from: a site, or one file. */
 export interface Host {
   module(): Promise<WebAssembly.Module>;
   worker(): Worker;
+}
+
+/** null: the browser makes none for this page. */
+function workerOf(host: Host): Worker | null {
+  try {
+    return host.worker();
+  } catch {
+    return null;
+  }
+}
+
+async function moduleOf(host: Host): Promise<WebAssembly.Module> {
+  if (!("WebAssembly" in globalThis)) throw new Error(words.noWebAssembly);
+  try {
+    return await host.module();
+  } catch (error) {
+    throw new Error(words.noModule(error instanceof Error ? error.message : String(error)));
+  }
 }
 
 export class Seat {
@@ -26,14 +47,14 @@ export class Seat {
 
   /** @param name tells its stamps from others' */
   constructor(host: Host, name: string) {
-    this.link = new Link(host.worker());
+    this.link = new Link(workerOf(host), words.noWorker);
     this.ready = this.#start(host, name);
     // Whoever waits hears of it; that nobody does is no error.
     this.ready.catch(() => {});
   }
 
   async #start(host: Host, name: string): Promise<void> {
-    this.version = await this.link.call<string>("start", await host.module(), name);
+    this.version = await this.link.call<string>("start", await moduleOf(host), name);
     this.isStarted = true;
   }
 
