@@ -32,6 +32,8 @@ export class PictureCanvas {
   /** Texels of the paints that are drawn; new ones take time, and updates wait for them. */
   #texels: { readonly paints: Paints; readonly texels: Uint16Array } | null = null;
   #queue: Promise<void> = Promise.resolve();
+  /** Whether layers and paints belong together: while textures are decoded they do not. */
+  #isWhole = true;
   #isDirty = false;
   #frame = 0;
   #changedAt = 0;
@@ -93,11 +95,13 @@ export class PictureCanvas {
   }
 
   async #take(update: PictureUpdate): Promise<void> {
+    this.#isWhole = false;
     const change = this.#scene.take(update);
     const { picture } = this.#scene;
     if (!picture || !this.#gl) return;
     const isNew = !this.#texels || !samePaints(this.#texels.paints, picture.paints);
     if (isNew) this.#texels = { paints: picture.paints, texels: await this.#texelsOf(this.#gl, picture.paints) };
+    this.#isWhole = true;
     this.#follow(change);
   }
 
@@ -128,8 +132,8 @@ export class PictureCanvas {
   #tick() {
     this.#frame = 0;
     const renderer = this.#renderer;
-    // Without graphics there is nothing to wait for.
-    if (!renderer) return this.#settle();
+    // Without graphics there is nothing to wait for; what comes makes a frame itself.
+    if (!renderer || !this.#isWhole) return this.#settle();
     // What the GPU has not done yet would only pile up.
     if (renderer.isBusy) return this.#schedule();
     if (this.#isDirty) {
