@@ -30,11 +30,22 @@ export function reasonOf(error: unknown): string {
 
 const isAbort = (error: unknown) => error instanceof DOMException && error.name === "AbortError";
 
+interface Asking {
+  requestPermission?(options: { mode: "readwrite" }): Promise<PermissionState>;
+}
+
+/** Asks where the browser wants that: of what was dropped, or recovered, it has not asked yet. */
+async function askForPermission(handle: FileSystemFileHandle & Asking): Promise<void> {
+  const state = await (handle.requestPermission?.({ mode: "readwrite" }) ?? "granted");
+  if (state !== "granted") throw new DOMException("refused", "NotAllowedError");
+}
+
 type HandleTarget = Extract<Place["target"], { kind: "handle" }>;
 
 async function saveToHandle(bytes: Uint8Array<ArrayBuffer>, place: Place, target: HandleTarget, anyway: boolean): Promise<Saved> {
   const { handle } = target;
   try {
+    await askForPermission(handle);
     const now = await handle.getFile();
     if (!anyway && now.lastModified !== target.modified) return { kind: "changed", reason: words.changedOnDisk(place.name) };
   } catch (error) {
@@ -83,13 +94,28 @@ export async function saveAs(text: string, place: Place): Promise<Saved> {
 /** Whether save dialogs are there; else everything is downloaded. */
 export const canChoosePlace = supported;
 
+/** What the browser made when a place was chosen, where nothing came to stand in it. */
+async function removeEmpty(handle: (FileSystemFileHandle & { remove?(): Promise<void> }) | null): Promise<void> {
+  try {
+    if (handle && (await handle.getFile()).size === 0) await handle.remove?.();
+  } catch {
+    // An empty file stays.
+  }
+}
+
 /** A file that was made of a drawing, to where the person says. false: they left the dialog. @throws Error in words */
 export async function saveExport(blob: Promise<Blob>, name: string, type: string, extension: string): Promise<boolean> {
+  let chosen: FileSystemFileHandle | null = null;
+  const choose = (handle: FileSystemFileHandle | null): null => {
+    chosen = handle;
+    return null;
+  };
   try {
-    const kinds = { extensions: [`.${extension}`], mimeTypes: [type] };
-    await fileSave(blob, { fileName: withExtension(name, extension), ...kinds, id: "sfumato-export" });
+    const options = { fileName: withExtension(name, extension), extensions: [`.${extension}`], mimeTypes: [type] };
+    await fileSave(blob, { ...options, id: "sfumato-export" }, null, false, choose);
     return true;
   } catch (error) {
+    await removeEmpty(chosen);
     if (isAbort(error)) return false;
     throw error instanceof DOMException ? new Error(reasonOf(error)) : error;
   }
