@@ -13,6 +13,7 @@ import { blankText } from "./model/drawing.js";
 import { publish } from "./page/api.js";
 import { fileCommands } from "./page/commands.js";
 import { Documents } from "./page/documents.js";
+import { listenToDrops } from "./page/drops.js";
 import { Pictures } from "./page/pictures.js";
 import { servicesOf } from "./page/services.js";
 import { App } from "./panels/app.js";
@@ -33,12 +34,12 @@ const stage = (
     editor={editor}
     navigation={editor.navigation}
     onCanvas={attach}
-    onFiles={(files) => void documents.drop(files)}
     onMenu={() => {}}
   />
 );
 
 listenToKeys(editor);
+listenToDrops(documents);
 listenToClipboard(editor, (files) => void documents.drop(files));
 render(<App editor={editor} services={servicesOf(editor, documents)} stage={stage} />, document.getElementById("app")!);
 publish(editor, documents, async () => {

@@ -66,6 +66,8 @@ export class DrawingEditor implements Editor {
   readonly announcement = signal("");
   /** Called when the text has changed and rests. */
   onEdit: () => void = () => {};
+  /** Called before another drawing takes the place of this one, whoever opens it. */
+  onOpen: (name: string) => void = () => {};
 
   #drawing: Drawing;
   readonly #revision = signal(0);
@@ -107,6 +109,7 @@ export class DrawingEditor implements Editor {
   open(text: string, name: string, log: HistoryLog = { done: [], undone: [] }): void {
     const drawing = openDrawing(text);
     this.#endGesture();
+    this.onOpen(name);
     batch(() => {
       this.#drawing = drawing;
       this.#history.restore(log);
@@ -114,7 +117,7 @@ export class DrawingEditor implements Editor {
       this.hovered.value = null;
       this.picker.value = null;
       this.hints.value = [];
-      this.file.value = { name, isChanged: false, kept: "nowhere" };
+      this.file.value = { name, isChanged: false, kept: "browser" };
       this.welcome.value = false;
       this.#revision.value += 1;
       this.fit();

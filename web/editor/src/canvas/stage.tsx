@@ -22,8 +22,6 @@ export interface StageProps {
   readonly navigation: Navigation;
   /** The canvas to draw into, once; null when it goes. Its size in pixels is the renderer's matter. */
   readonly onCanvas: (canvas: HTMLCanvasElement | null) => void;
-  /** Files that were dropped, and where on the artboard. */
-  readonly onFiles: (files: readonly File[], at: Point) => void;
   /** The context menu is asked for: place in the window, CSS pixels. */
   readonly onMenu: (x: number, y: number) => void;
 }
@@ -48,7 +46,7 @@ function makeParts(editor: Editor, navigation: Navigation): Parts {
   };
 }
 
-export function Stage({ editor, navigation, onCanvas, onFiles, onMenu }: StageProps) {
+export function Stage({ editor, navigation, onCanvas, onMenu }: StageProps) {
   const parts = useMemo(() => makeParts(editor, navigation), [editor, navigation]);
   const { canvas, pointers } = parts;
   const root = useRef<HTMLDivElement>(null);
@@ -56,7 +54,6 @@ export function Stage({ editor, navigation, onCanvas, onFiles, onMenu }: StagePr
   useListeners(parts, root);
   useToolChanges(editor, parts);
   useFocus(canvas, root);
-  const at = (event: MouseEvent) => placeOf(root.current, event);
   return (
     <div
       ref={root}
@@ -69,12 +66,6 @@ export function Stage({ editor, navigation, onCanvas, onFiles, onMenu }: StagePr
       onContextMenu={(event) => {
         event.preventDefault();
         onMenu(event.clientX, event.clientY);
-      }}
-      onDragOver={(event) => event.preventDefault()}
-      onDrop={(event) => {
-        event.preventDefault();
-        const files = [...(event.dataTransfer?.files ?? [])];
-        if (files.length > 0) onFiles(files, canvas.toArtboard(at(event)));
       }}
     >
       <CanvasElement onCanvas={onCanvas} />

@@ -129,10 +129,15 @@ export class Autosave {
     return (this.#last = this.#last.then(() => this.#keep(kept)));
   }
 
-  /** The drawing is safe in a file. */
-  forget(): Promise<void> {
+  /** What waits is no longer to be kept: another tab goes on with the drawing. */
+  drop(): void {
     if (this.#timer !== null) clearTimeout(this.#timer);
     this.#timer = this.#waiting = null;
+  }
+
+  /** The drawing is safe in a file. */
+  forget(): Promise<void> {
+    this.drop();
     const id = this.#id;
     return (this.#last = this.#last.then(() => forgetDrawings([id], this.#opened())).catch(() => undefined));
   }

@@ -123,11 +123,18 @@ export function bytesOfDataUri(uri: string): Uint8Array<ArrayBuffer> | null {
   }
 }
 
-/** The files that a drawing names or holds. Nothing is fetched: an address of another site is missing. */
-export async function imagesOf(text: string, beside: Beside = nothingBeside): Promise<DrawingImages> {
+/**
+ * The files that a drawing names or holds. Nothing is fetched: an address of another site is missing.
+ * @param isWanted which of them
+ */
+export async function imagesOf(
+  text: string,
+  beside: Beside = nothingBeside,
+  isWanted: (href: string) => boolean = () => true,
+): Promise<DrawingImages> {
   const found: DrawingImage[] = [];
   const missing: string[] = [];
-  for (const href of hrefsOf(text)) {
+  for (const href of hrefsOf(text).filter(isWanted)) {
     const bytes = bytesOfDataUri(href) ?? (await beside.bytes(href));
     if (bytes) found.push({ href, bytes });
     else missing.push(href);

@@ -2,8 +2,11 @@
 
 /** A drawing that this tab alone works on, until it gives it up or another tab takes it. */
 export interface Claim {
-  release(): void;
+  /** Resolves when others, and this tab again, may claim it. */
+  release(): Promise<void>;
 }
+
+const unguarded: Claim = { release: () => Promise.resolve() };
 
 /**
  * Claims a drawing: the id of its autosave, or its address under `sfumato edit`. null: another tab
@@ -13,21 +16,21 @@ export interface Claim {
  */
 export function claim(key: string, lost: () => void, take = false): Promise<Claim | null> {
   const locks = globalThis.navigator?.locks;
-  if (!locks) return Promise.resolve({ release: () => undefined });
+  if (!locks) return Promise.resolve(unguarded);
   return new Promise((resolve) => {
     let isHeld = false;
-    let release = (): void => undefined;
-    const held = new Promise<void>((done) => (release = done));
+    let letGo = (): void => undefined;
+    const held = new Promise<void>((done) => (letGo = done));
     const options: LockOptions = take ? { steal: true } : { ifAvailable: true };
-    locks
+    const over = locks
       .request(`sfumato:${key}`, options, (lock) => {
         if (!lock) return resolve(null);
         isHeld = true;
-        resolve({ release });
+        resolve({ release: () => (letGo(), over) });
         return held;
       })
       // What ends a lock that is held is another tab; before, the browser refuses locks at all.
-      .catch(() => (isHeld ? lost() : resolve({ release: () => undefined })));
+      .catch(() => (isHeld ? lost() : resolve(unguarded)));
   });
 }
 

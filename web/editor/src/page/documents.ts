@@ -1,9 +1,10 @@
 // The drawing that is open: where it came from, where it is saved to, and what the browser keeps of it.
-import { signal, type Signal } from "@preact/signals";
+import { effect, signal, type Signal } from "@preact/signals";
 import type { DrawingEditor } from "../app/editor.js";
 import type { HistoryLog } from "../app/history.js";
 import { Autosave, forgetDrawings, keptDrawings, recoverDrawing, type KeptHead } from "../files/autosave.js";
 import { openDropped } from "../files/drop.js";
+import { chooseFolder } from "../files/folder.js";
 import { besideFiles, nothingBeside, type Beside } from "../files/images.js";
 import { openFile, pickFile, type Opened, type Photo } from "../files/open.js";
 import { newPlace, type Place } from "../files/place.js";
@@ -15,7 +16,7 @@ import { blankText } from "../model/drawing.js";
 import { SourceError } from "../source/tree.js";
 import { en } from "../strings/en.js";
 import { dataUri } from "./files.js";
-import type { Pictures } from "./pictures.js";
+import type { Lost, Pictures } from "./pictures.js";
 
 const words = en.page;
 
@@ -28,14 +29,33 @@ export interface Problem {
   readonly source: string | null;
 }
 
+/** Where a drawing comes from. */
+interface Origin {
+  readonly place: Place;
+  /** Of what the browser has kept of it; absent: nothing. */
+  readonly id?: string;
+}
+
+/** Names are shown at most this long, characters. */
+const LONGEST = 60;
+const shortened = (name: string) => (name.length > LONGEST ? `${name.slice(0, LONGEST)}…` : name);
+
 export class Documents {
   readonly problem: Signal<Problem | null> = signal(null);
   readonly kept: Signal<readonly KeptHead[]> = signal([]);
   #place: Place = newPlace("");
   #autosave: Autosave;
   #claim: Claim | null = null;
+  /** Claims follow one another. */
+  #claims: Promise<void> = Promise.resolve();
   /** Another tab goes on with the drawing: what this one kept would write over it. */
   #isTaken = false;
+  /** Of the drawing that the editor is about to open. */
+  #arriving: Origin | null = null;
+  /** Counts what was asked to be opened: the last of several wins. */
+  #turn = 0;
+  /** Saves follow one another: each looks at what the last one wrote. */
+  #saves: Promise<void> = Promise.resolve();
   #convert = (text: string) => this.editor.engine.convert(text);
 
   constructor(
@@ -44,10 +64,19 @@ export class Documents {
   ) {
     this.#autosave = new Autosave(({ kept, reason }) => this.#keptIn(kept, reason));
     editor.onEdit = () => this.#edited();
+    editor.onOpen = (name) => this.#adopt(this.#arriving ?? { place: newPlace(name) });
+    effect(() => {
+      // What was wrong with a file is no longer what is asked for.
+      if (editor.dialog.value?.kind !== "problem") this.problem.value = null;
+    });
     answerOtherTabs(() => (this.#place.target.kind === "handle" ? this.#place.target.handle : null));
     addEventListener("pagehide", () => void this.#autosave.flush());
     document.addEventListener("visibilitychange", () => {
       if (document.hidden) void this.#autosave.flush();
+    });
+    addEventListener("beforeunload", (event) => {
+      const { isChanged, kept } = editor.file.peek();
+      if (isChanged && kept === "nowhere") event.preventDefault();
     });
     void this.refreshKept();
   }
@@ -66,7 +95,7 @@ export class Documents {
 
   /** A drawing without a file. */
   async begin(text: string, name: string, beside: Beside = nothingBeside): Promise<void> {
-    await this.#show(text, newPlace(name), beside);
+    await this.#show(text, { place: newPlace(name) }, beside);
   }
 
   async choose(): Promise<void> {
@@ -98,38 +127,83 @@ export class Documents {
     if (opened.kind === "photo") return this.#placePhoto(opened);
     const { target } = opened.place;
     if (target.kind === "handle" && (await isOpenElsewhere(target.handle))) this.editor.say(words.otherTab);
-    await this.#show(opened.text, opened.place, beside);
+    await this.#show(opened.text, { place: opened.place }, beside);
   }
 
-  async #show(text: string, place: Place, beside: Beside, id?: string, log?: HistoryLog): Promise<void> {
-    this.pictures.begin(beside);
+  async #show(text: string, origin: Origin, beside: Beside, log?: HistoryLog): Promise<void> {
+    const turn = ++this.#turn;
+    const besideBefore = this.pictures.begin(beside);
     const lost = await this.pictures.take(text);
+    if (turn !== this.#turn) return;
+    this.#arriving = origin;
     try {
-      this.editor.open(text, place.name, log);
+      this.editor.open(text, origin.place.name, log);
     } catch (error) {
-      return this.#refuseText(place.name, error, text);
+      this.pictures.begin(besideBefore);
+      return this.#refuseText(origin.place.name, error, text);
+    } finally {
+      this.#arriving = null;
     }
-    this.#place = place;
-    this.#autosave.begin(id);
-    void this.#claimTab();
-    const isInFile = place.target.kind !== "none";
-    this.editor.file.value = { name: place.name, isChanged: id !== undefined, kept: isInFile ? "file" : "browser" };
-    if (lost.length > 0) this.editor.say(words.missing(lost));
+    const { name, target } = origin.place;
+    const isChanged = origin.id !== undefined;
+    this.editor.file.value = { name, isChanged, kept: isChanged || target.kind === "none" ? "browser" : "file" };
+    this.editor.dialog.value = null;
+    this.#tellLost(lost);
   }
 
-  /** Two tabs that recovered one drawing would write over each other. */
-  async #claimTab(take = false): Promise<void> {
-    this.#claim?.release();
-    this.#isTaken = false;
-    const lost = () => {
-      this.#isTaken = true;
-      this.editor.say(words.takenByTab);
-    };
-    this.#claim = await claim(this.#autosave.id, lost, take);
-    if (!this.#claim) {
-      const run = () => void this.#claimTab(true);
-      this.editor.say(words.otherTab, { label: words.takeOver, run });
+  /** The editor opens a drawing; the one before it is still there. */
+  #adopt({ place, id }: Origin) {
+    if (!this.#arriving) {
+      this.#turn += 1;
+      this.pictures.begin(nothingBeside);
     }
+    this.#autosave.begin(id);
+    this.#place = place;
+    this.#isTaken = false;
+    void this.#claimTab();
+  }
+
+  /** Two tabs that work on one drawing would write over each other. */
+  #claimTab(take = false): Promise<void> {
+    const key = this.#place.target.kind === "served" ? document.baseURI : this.#autosave.id;
+    return (this.#claims = this.#claims.then(() => this.#claimKey(key, take)));
+  }
+
+  async #claimKey(key: string, take: boolean): Promise<void> {
+    await this.#claim?.release();
+    const lose = (text: string) => {
+      this.#isTaken = true;
+      this.#autosave.drop();
+      this.editor.file.value = { ...this.editor.file.value, kept: "nowhere" };
+      this.editor.say(text, { label: words.takeOver, run: () => void this.#takeOver() });
+    };
+    this.#claim = await claim(key, () => lose(words.takenByTab), take);
+    if (!this.#claim) lose(words.otherTab);
+  }
+
+  async #takeOver(): Promise<void> {
+    await this.#claimTab(true);
+    const { file } = this.editor;
+    this.#isTaken = false;
+    file.value = { ...file.value, kept: "browser" };
+    if (file.value.isChanged) this.#keep();
+  }
+
+  #tellLost({ missing, broken }: Lost) {
+    if (missing.length > 0) {
+      const action = { label: words.chooseFolder, run: () => void this.#chooseFolder() };
+      this.editor.say(words.missing(missing.map(shortened)), action);
+    } else if (broken > 0) {
+      this.editor.say(words.brokenPictures(broken));
+    }
+  }
+
+  /** Looks for the drawing's pictures in a folder that the person grants. */
+  async #chooseFolder(): Promise<void> {
+    const folder = await chooseFolder().catch(() => null);
+    if (!folder) return;
+    this.pictures.begin(folder);
+    await this.#takePictures();
   }
 
   #refuse(title: string, reason: string, place: Partial<Problem> = {}) {
@@ -155,26 +229,43 @@ export class Documents {
 
   // Saving.
 
-  async save(anyway = false): Promise<void> {
-    this.#saved(await save(this.editor.drawing.text, this.#place, anyway), this.editor.drawing.revision);
+  save(anyway = false): Promise<void> {
+    return this.#saveBy((text, place) => save(text, place, anyway));
   }
 
-  async saveAs(): Promise<void> {
-    this.#saved(await saveAs(this.editor.drawing.text, this.#place), this.editor.drawing.revision);
+  saveAs(): Promise<void> {
+    return this.#saveBy(saveAs);
   }
 
-  #saved(saved: Saved, revision: number) {
+  #saveBy(write: (text: string, place: Place) => Promise<Saved>): Promise<void> {
+    const saved = this.#saves.then(async () => {
+      const { text, revision } = this.editor.drawing;
+      const place = this.#place;
+      this.#saved(await write(text, place), place, revision);
+    });
+    this.#saves = saved.catch(() => undefined);
+    return saved;
+  }
+
+  #saved(saved: Saved, from: Place, revision: number) {
     const { editor } = this;
     if (saved.kind === "cancelled") return;
-    if (saved.kind === "problem") return editor.say(saved.reason, { label: words.saveElsewhere, run: () => void this.saveAs() });
+    const elsewhere = { label: words.saveElsewhere, run: () => void this.saveAs() };
+    if (saved.kind === "problem") return editor.say(this.#withKept(saved.reason), elsewhere);
     if (saved.kind === "changed") {
-      return editor.say(saved.reason, { label: words.saveAnyway, run: () => void this.save(true) });
+      return editor.say(this.#withKept(saved.reason), { label: words.saveAnyway, run: () => void this.save(true) });
     }
+    editor.say(saved.kind === "saved" ? words.saved(saved.place.name) : words.downloaded(saved.place.name));
+    // Another drawing was opened in the meantime.
+    if (this.#place !== from) return;
     this.#place = saved.place;
     const isChanged = editor.drawing.revision !== revision;
     editor.file.value = { name: saved.place.name, isChanged, kept: isChanged ? editor.file.value.kept : "file" };
-    editor.say(saved.kind === "saved" ? words.saved(saved.place.name) : words.downloaded(saved.place.name));
     if (saved.kind === "saved" && !isChanged) void this.#autosave.forget().then(() => this.refreshKept());
+  }
+
+  #withKept(reason: string): string {
+    return this.editor.file.value.kept === "browser" ? `${reason} ${words.keptHere}` : reason;
   }
 
   // What the browser keeps.
@@ -182,6 +273,7 @@ export class Documents {
   #edited() {
     const { editor } = this;
     if (!this.#isTaken) this.#keep();
+    else if (!editor.toast.value) editor.say(words.takenByTab, { label: words.takeOver, run: () => void this.#takeOver() });
     if (this.pictures.hasNew(editor.drawing.text)) void this.#takePictures();
   }
 
@@ -199,7 +291,7 @@ export class Documents {
   async #takePictures(): Promise<void> {
     const lost = await this.pictures.take(this.editor.drawing.text);
     this.editor.showAgain();
-    if (lost.length > 0) this.editor.say(words.missing(lost));
+    this.#tellLost(lost);
   }
 
   #keptIn(kept: "browser" | "nowhere", reason: string | null) {
@@ -213,8 +305,7 @@ export class Documents {
   async recover(id: string): Promise<void> {
     const found = await recoverDrawing(id);
     if (!found) return this.editor.say(words.gone);
-    const place = found.place as Place;
-    await this.#show(found.text, place, nothingBeside, id, found.undo as HistoryLog);
+    await this.#show(found.text, { place: found.place as Place, id }, nothingBeside, found.undo as HistoryLog);
   }
 
   async forget(id: string): Promise<void> {
