@@ -1,16 +1,28 @@
-// Tests of the editor in Chromium: node run.mjs BUILD_FOLDER [ONLY]. BUILD_FOLDER holds editor/ and editor.html.
-import { resolve } from "node:path";
+// The editor's tests in Chromium, printed as TAP.
+//
+//   node tests/editor/e2e/run.mjs BUILD_FOLDER [ONLY]
+//
+// BUILD_FOLDER has editor/ and editor.html, as `make editor` leaves them; ONLY: tests whose names hold it.
+import { join, resolve } from "node:path";
+import { pathToFileURL } from "node:url";
 import { launch, serve, Tap } from "./harness.mjs";
-import { testDraw } from "./draw.mjs";
+import { testFiles } from "./files.mjs";
 
-const themes = [testDraw];
+const themes = [
+  testFiles,
+];
 
 const [folder = "build", only = ""] = process.argv.slice(2);
 const tap = new Tap(only);
 const server = await serve(resolve(folder, "editor"));
 const browser = await launch();
+const given = {
+  browser,
+  address: server.address,
+  folder: resolve(folder),
+  oneFile: pathToFileURL(join(resolve(folder), "editor.html")).href,
+};
 try {
-  const given = { browser, address: server.address, oneFile: resolve(folder, "editor.html") };
   for (const test of themes) await test(tap, given);
 } finally {
   await browser.close();

@@ -1,0 +1,105 @@
+// Files as the browser's dialogs give them, without dialogs: handles of the page's own file system.
+
+/**
+ * To be run before the page's scripts. The tests lead it by `window.disk`: `chosen` is the name that
+ * the next dialog gives, "" leaves it; `permission` and `failure` are what writing meets.
+ */
+function install() {
+  const folder = () => navigator.storage.getDirectory();
+  const handle = async (name, create) => (await folder()).getFileHandle(name, { create });
+  const disk = { chosen: "", permission: "granted", failure: "", writes: 0, asked: null };
+  const proto = FileSystemFileHandle.prototype;
+  const { createWritable } = proto;
+  const leave = () => {
+    throw new DOMException("left", "AbortError");
+  };
+  disk.write = async (name, bytes) => {
+    const stream = await createWritable.call(await handle(name, true));
+    await stream.write(Uint8Array.from(bytes));
+    await stream.close();
+  };
+  disk.read = async (name) => [...new Uint8Array(await (await (await handle(name)).getFile()).arrayBuffer())];
+  disk.remove = async (name) => (await folder()).removeEntry(name);
+  disk.has = async (name) => (await Array.fromAsync((await folder()).keys())).includes(name);
+  window.disk = disk;
+  window.showOpenFilePicker = async () => (disk.chosen ? [await handle(disk.chosen)] : leave());
+  window.showSaveFilePicker = async (asked) => {
+    disk.asked = asked;
+    return disk.chosen ? handle(disk.chosen, true) : leave();
+  };
+  window.showDirectoryPicker = async () => folder();
+  proto.requestPermission = async () => disk.permission;
+  proto.createWritable = function (...given) {
+    if (disk.failure) throw new DOMException("refused", disk.failure);
+    disk.writes += 1;
+    return createWritable.apply(this, given);
+  };
+}
+
+/** Gives a context such a disk. */
+export const giveDisk = (context) => context.addInitScript(install);
+
+/** What the test does on a page's disk. */
+export class Disk {
+  constructor(page) {
+    this.page = page;
+  }
+
+  set(values) {
+    return this.page.evaluate((given) => void Object.assign(window.disk, given), values);
+  }
+  get(name) {
+    return this.page.evaluate((key) => window.disk[key], name);
+  }
+  write(name, bytes) {
+    return this.page.evaluate(([n, b]) => window.disk.write(n, b), [name, [...Buffer.from(bytes)]]);
+  }
+  async read(name) {
+    return Buffer.from(await this.page.evaluate((n) => window.disk.read(n), name));
+  }
+  remove(name) {
+    return this.page.evaluate((n) => window.disk.remove(n), name);
+  }
+  has(name) {
+    return this.page.evaluate((n) => window.disk.has(n), name);
+  }
+}
+
+/** Drops files as a script can: {name, bytes, type, size}; `size` instead of bytes makes zeros. */
+export function drop(page, files, target = "#app") {
+  const given = files.map(({ bytes, ...file }) => ({ ...file, bytes: bytes && [...Buffer.from(bytes)] }));
+  return page.evaluate(
+    ([list, selector]) => {
+      const data = new DataTransfer();
+      for (const { name, bytes, type = "", size } of list) {
+        const mega = new Uint8Array(2 ** 20);
+        const parts = bytes ? [Uint8Array.from(bytes)] : Array(Math.ceil(size / mega.length)).fill(mega);
+        data.items.add(new File(parts, name, { type }));
+      }
+      const event = (type) => new DragEvent(type, { dataTransfer: data, bubbles: true, cancelable: true });
+      const element = document.querySelector(selector);
+      const isTaken = !element.dispatchEvent(event("dragover"));
+      if (isTaken) element.dispatchEvent(event("drop"));
+      return isTaken;
+    },
+    [given, target],
+  );
+}
+
+/** Drops files and folders of the real disk, as the system does. */
+export async function dropPaths(editor, paths, [x, y] = [700, 400]) {
+  const session = await editor.context.newCDPSession(editor.page);
+  const data = { items: [], files: paths, dragOperationsMask: 1 };
+  for (const type of ["dragEnter", "dragOver", "drop"]) {
+    await session.send("Input.dispatchDragEvent", { type, x, y, data });
+  }
+  await session.detach();
+}
+
+/** The bytes of a download, which an action brings. */
+export async function downloaded(page, act) {
+  const [download] = await Promise.all([page.waitForEvent("download"), act()]);
+  const parts = [];
+  for await (const part of await download.createReadStream()) parts.push(part);
+  return { name: download.suggestedFilename(), bytes: Buffer.concat(parts) };
+}
