@@ -14,9 +14,6 @@ const hostPlugin = {
   resolveId: (id) => (/\/host\.js$/.test(id) ? here("../src/engine/host.file.ts") : null),
 };
 
-/** A script as the content of an element: what would end or nest it is written otherwise. */
-const inScript = (text) => text.replace(/<\/(script)/gi, "<\\/$1").replace(/<!--/g, "<\\!--");
-
 const iconUri = () => {
   const text = readFileSync(here("../public/icon.svg"), "utf8").replace(/\s*\n\s*/g, " ").trim();
   return `data:image/svg+xml,${encodeURIComponent(text)}`;
@@ -28,18 +25,29 @@ function contentOf(output) {
   const others = output.filter(({ type, fileName }) => type === "asset" && !/\.(css|html)$/.test(fileName));
   const names = [...code.slice(1), ...others].map(({ fileName }) => fileName);
   if (names.length > 0) throw new Error(`the one file would need others: ${names.join(", ")}`);
-  return { script: `\n${inScript(code[0].code)}`, style: styles.map(({ source }) => String(source)).join("\n") };
+  return { script: code[0].code, style: styles.map(({ source }) => String(source)).join("\n") };
+}
+
+/** An element that holds bytes, packed. */
+function packedElement(id, content) {
+  const packed = gzipSync(content, { level: 9 }).toString("base64");
+  return `<script type="application/octet-stream" id="${id}">${packed}</script>`;
 }
 
 /** @param module path of sfumato.wasm */
 function pageOf({ script, style }, module) {
-  const policy = policyTag(hashOf(script), hashOf(style));
-  const packed = gzipSync(readFileSync(module), { level: 9 }).toString("base64");
-  const body = `<script type="application/octet-stream" id="sfumato-module">${packed}</script>`;
+  const unpack = `\n${readFileSync(here("unpack.js"), "utf8")}`;
+  const policy = policyTag([unpack, script].map(hashOf).join(" "), hashOf(style));
   const icon = `<link rel="icon" href="${iconUri()}" />`;
+  const elements = [
+    packedElement("packed-style", style),
+    packedElement("packed-script", script),
+    packedElement("sfumato-module", readFileSync(module)),
+    `<script type="module">${unpack}</script>`,
+  ];
   return intoHead(readFileSync(here("../index.html"), "utf8"), policy)
-    .replace("</head>", () => `  ${icon}\n    <style>${style}</style>\n  </head>`)
-    .replace(/<script type="module" src="[^"]*"><\/script>/, () => `${body}\n    <script type="module">${script}</script>`);
+    .replace("</head>", () => `  ${icon}\n  </head>`)
+    .replace(/<script type="module" src="[^"]*"><\/script>/, () => elements.join("\n    "));
 }
 
 /** @param file where it goes */

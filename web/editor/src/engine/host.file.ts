@@ -13,9 +13,13 @@ export const getModule = (): Promise<WebAssembly.Module> => (module ??= compile(
 
 /** The element is written by tools/one-file.mjs: base64 of gzip. */
 async function compile(): Promise<WebAssembly.Module> {
-  const text = document.getElementById("sfumato-module")?.textContent;
-  if (!text) throw new Error("sfumato.wasm is missing in the page");
-  const packed = Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
-  const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
-  return WebAssembly.compile(await new Response(stream).arrayBuffer());
+  const element = document.getElementById("sfumato-module");
+  if (!element?.textContent) throw new Error("sfumato.wasm is missing in the page");
+  const { body } = await fetch(`data:application/gzip;base64,${element.textContent}`);
+  const bytes = body!.pipeThrough(new DecompressionStream("gzip"));
+  const headers = { "Content-Type": "application/wasm" };
+  const compiled = await WebAssembly.compileStreaming(new Response(bytes, { headers }));
+  // A megabyte of text that nobody reads again.
+  element.remove();
+  return compiled;
 }
