@@ -194,16 +194,26 @@ describe("colours of a new curve", () => {
     expect(made().right.color).toEqual({ kind: "open" });
   });
 
-  test("are_two_that_can_be_told_apart_on_an_empty_layer", async () => {
+  const drawnInto = async (items: Item[]) => {
+    editor = fakeEditor(items);
     editor.layers = [];
-    const pen = new PenTool(canvas);
+    const pen = new PenTool(canvasOf(editor));
     click(pen, [100, 100]);
     click(pen, [200, 100]);
     pen.leave();
     await pen.isDone;
-    const { left, right } = made();
+    return made();
+  };
+
+  test("are_two_that_can_be_told_apart_in_an_empty_drawing", async () => {
+    const { left, right } = await drawnInto([layer("empty", [])]);
     expect([left.color.kind, right.color.kind]).toEqual(["stops", "stops"]);
     expect(left.color).not.toEqual(right.color);
+  });
+
+  test("are_none_in_an_empty_layer_above_a_picture", async () => {
+    const { left, right } = await drawnInto([layer("empty", []), layer("picture", [horizon])]);
+    expect([left.color.kind, right.color.kind]).toEqual(["open", "open"]);
   });
 
   test("do_not_hinder_drawing_where_the_engine_fails", async () => {

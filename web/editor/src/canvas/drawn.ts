@@ -8,11 +8,14 @@ import type { Rgb } from "../geometry/color.js";
 import { isCurve } from "./places.js";
 import { takenSides } from "./taken.js";
 
-/** Colours of the first curve of a layer: warm and cool, so that one sees what sides are. */
+/** Colours of the first curve of a drawing: warm and cool, so that one sees what sides are. */
 const FIRST = {
   left: one({ r: 244 / 255, g: 216 / 255, b: 165 / 255 }),
   right: one({ r: 74 / 255, g: 109 / 255, b: 140 / 255 }),
 } as const;
+
+/** Sides of the first curve of a layer: a colour would fill all of it, and hide the picture below. */
+const OPEN = { left: { kind: "open" }, right: { kind: "open" } } as const;
 
 /** A local stroke's colour where none was used before. */
 const WHITE: Rgb = { r: 1, g: 1, b: 1 };
@@ -32,7 +35,7 @@ export async function addCurve(editor: Editor, path: CubicPath, label: string): 
   const back = layer ? inverted(layer.artboardFromItem) : IDENTITY;
   if (!back) return false;
   const inLayer = mappedPath(back, path);
-  const sides = (layer && (await takenSides(editor, layer, inLayer))) ?? FIRST;
+  const sides = (layer && (await takenSides(editor, layer, inLayer))) ?? (isBlank(editor) ? FIRST : OPEN);
   // The layer may have gone while its colours were asked for.
   const into = layer && editor.drawing.item(layer.handle) ? layer.handle : null;
   const made = addCurves(
@@ -42,6 +45,10 @@ export async function addCurve(editor: Editor, path: CubicPath, label: string): 
     editor.step(layer),
   );
   return editor.run(label, made);
+}
+
+function isBlank({ drawing }: Editor): boolean {
+  return ![...drawing.all()].some(({ kind }) => kind === "curve" || kind === "stroke");
 }
 
 /** Where a local stroke goes: on top of the stroke or into the group that is selected. */
