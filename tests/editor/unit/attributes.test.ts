@@ -7,6 +7,7 @@ import {
   setNumber,
   setNumbers,
   setRadius,
+  setSideOpacity,
   swapSides,
 } from "../../../web/editor/src/model/commands/attributes.js";
 import {
@@ -193,6 +194,17 @@ describe("opacity and blur", () => {
       expect(digits(now[side][name])).toEqual(digits(to));
     }
   });
+});
+
+test("the side beside a first opacity stays opaque; one that takes part is left alone", () => {
+  const first = curve('sf:left="red"');
+  first.d.apply(setSideOpacity(first.d, first.h, "right", numbers(0.5))!.patch);
+  expect([first.item().left.opacity, first.item().right.opacity]).toEqual([numbers(1), numbers(0.5)]);
+  const { d, h, item } = curve('sf:left-opacity="0.2"');
+  d.apply(setSideOpacity(d, h, "right", numbers(0.5))!.patch);
+  expect([item().left.opacity, item().right.opacity]).toEqual([numbers(0.2), numbers(0.5)]);
+  const gone = curve('sf:left-opacity=".5"');
+  expect(attributes(gone.d, setSideOpacity(gone.d, gone.h, "left", OPEN))).toBe("");
 });
 
 test("the radius of a local curve is set, and does not go", () => {

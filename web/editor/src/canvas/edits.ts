@@ -15,6 +15,7 @@ import {
   setColor,
   setNodeKind,
   setNumbers,
+  setSideOpacity,
   setPath,
   setRadius,
   together,
@@ -54,6 +55,7 @@ export function setSide(
   if (kind === "radius") return setRadius(drawing, handle, numbers);
   // Only sf:blur serves the sides of a local curve.
   if (isBoth || item.kind === "stroke") return setBoth(drawing, handle, kind, numbers);
+  if (kind === "opacity") return setSideOpacity(drawing, handle, side, numbers);
   return setNumbers(drawing, handle, side, kind, numbers);
 }
 

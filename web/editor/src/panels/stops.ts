@@ -6,7 +6,7 @@ import {
   parameterAtFraction,
   placeOfOffset,
 } from "../geometry/length.js";
-import { setColor, setNumbers } from "../model/commands/index.js";
+import { setColor, setSideOpacity } from "../model/commands/index.js";
 import type { Rgb } from "../geometry/color.js";
 import type {
   CurveItem,
@@ -123,4 +123,4 @@ export const putColor =
 export const putOpacity =
   (handle: number): Put<number> =>
   (before, side, value) =>
-    setNumbers(before, handle, side, "opacity", value);
+    setSideOpacity(before, handle, side, value);

@@ -5,7 +5,7 @@ import type { Edit } from "../../source/patch.js";
 import { COLORS, RADII, readSide, SHARES, sideText } from "../../source/stops.js";
 import type { Notation } from "../../source/stops.js";
 import type { CurveItem, Drawing, Handle, Outcome, Side, SideValue } from "../types.js";
-import { outcomeOf } from "./together.js";
+import { outcomeOf, together } from "./together.js";
 
 function curveOf(d: Drawing, handle: Handle): CurveItem | null {
   const item = d.item(handle);
@@ -98,6 +98,19 @@ export function setNumbers(
     }
   }
   return outcomeOf(edits);
+}
+
+/**
+ * Opacity of one side. Where the curve took no part in opacity the other side becomes opaque, as it
+ * was: nothing would be seen there else.
+ */
+export function setSideOpacity(d: Drawing, h: Handle, side: Side, to: SideValue<number>): Outcome | null {
+  const made = setNumbers(d, h, side, "opacity", to);
+  const item = curveOf(d, h);
+  const other = otherSide(side);
+  const isFirst = item?.kind === "curve" && [side, other].every((one) => item[one].opacity.kind === "open");
+  if (!made || !isFirst || to.kind === "open") return made;
+  return together([made, outcomeOf(setAttribute(d.text, item.element, sf(`${other}-opacity`), "1"))]);
 }
 
 /** The same on both sides, by one attribute. */
