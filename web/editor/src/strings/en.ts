@@ -90,7 +90,8 @@ const engine = {
 const canvas = {
   // canvas: begin
   name: "Canvas",
-  describe: "Tab goes from curve to curve, Enter goes into one, Escape out of it. Arrows move what is selected.",
+  describe: "Tab goes from curve to curve, Enter goes into one, Escape out of it. Arrows move what is selected; with the pen and nothing selected they move a point, and Enter sets a node there.",
+  caret: "Pen",
   handlesOf: (curve: string) => `Handles of curve “${curve}”`,
   boxOf: (name: string) => `Box of “${name}”`,
   boxOfSeveral: (count: number) => `Box of ${count} things`,

@@ -12,6 +12,7 @@ import { addCurve } from "../drawn.js";
 import { REACH } from "../hit.js";
 import { stageFromItem } from "../marks.js";
 import { NO_SKETCH, type Guide } from "../sketch.js";
+import { Caret } from "./caret.js";
 import { isBeyond, type Drag, type KeyPress, type Press, type Tool } from "./tool.js";
 
 /** A node as it is set, artboard units; handles that lie on it are none. */
@@ -48,11 +49,15 @@ function third(from: Point, to: Point): Point {
 export class PenTool implements Tool {
   private nodes: readonly PenNode[] = [];
   private queue: Promise<void> = Promise.resolve();
+  private readonly caret: Caret;
 
-  constructor(private readonly canvas: Canvas) {}
+  constructor(private readonly canvas: Canvas) {
+    this.caret = new Caret(canvas);
+  }
 
   hover(p: Press): CursorName {
     const { canvas } = this;
+    this.caret.hide();
     canvas.editor.hovered.value = null;
     if (this.nodes.length === 0) {
       if (p.alt) return this.onSelected(p)?.kind ?? "pen";
@@ -87,7 +92,13 @@ export class PenTool implements Tool {
     });
   }
 
-  key({ key }: KeyPress): boolean {
+  /** Arrows move a point where nothing is selected, Enter sets a node there; on a node it ends. */
+  key({ key, shift, ctrl, alt }: KeyPress): boolean {
+    const isFree = this.nodes.length > 0 || this.canvas.editor.selection.peek().length === 0;
+    if (isFree && !ctrl && !alt && this.caret.move(key, shift)) return this.follow(this.caret.at!);
+    const { at } = this.caret;
+    const last = this.nodes[this.nodes.length - 1];
+    if (key === "Enter" && at && !(last && isSame(last.at, at))) return this.setAt(at);
     if (this.nodes.length === 0) return false;
     if (key === "Enter" || key === "Escape") this.finish(false);
     else if (key === "Backspace" || key === "Delete") {
@@ -97,7 +108,20 @@ export class PenTool implements Tool {
     return true;
   }
 
+  private follow(at: Point): true {
+    const last = this.nodes[this.nodes.length - 1];
+    if (last) this.show(pathOf([last, { at, into: at, out: at }], false), false, []);
+    return true;
+  }
+
+  private setAt(at: Point): true {
+    this.nodes = [...this.nodes, { at, into: at, out: at }];
+    this.show(null, false, []);
+    return true;
+  }
+
   leave(): void {
+    this.caret.hide();
     if (this.nodes.length > 0) this.finish(false);
   }
 
@@ -153,6 +177,7 @@ export class PenTool implements Tool {
   /** What there is becomes a curve; a single node none. */
   private finish(closed: boolean): void {
     const { canvas, nodes } = this;
+    this.caret.hide();
     this.nodes = [];
     if (nodes.length < 2) {
       canvas.sketch.value = NO_SKETCH;
