@@ -1,6 +1,7 @@
 // What is dropped or chosen, as a drawing or a photo to trace over. What a file is shows in its bytes.
 import { fileOpen } from "browser-fs-access";
 import type { FileWithHandle } from "browser-fs-access";
+import { complaintOf } from "../engine/complaint.js";
 import { en } from "../strings/en.js";
 import type { Place } from "./place.js";
 import { withExtension } from "./place.js";
@@ -18,7 +19,8 @@ export interface Photo {
 }
 
 export type Opened =
-  | { readonly kind: "drawing"; readonly text: string; readonly place: Place }
+  /** `isConverted`: the text is not the file's, which must not be written over. */
+  | { readonly kind: "drawing"; readonly text: string; readonly place: Place; readonly isConverted?: true }
   | Photo
   | { readonly kind: "problem"; readonly reason: string };
 
@@ -78,17 +80,17 @@ async function openBytes(bytes: Uint8Array<ArrayBuffer>, file: File, convert: Co
   if (root === "svg") return { kind: "drawing", text, place: { name, form, target: { kind: "none" } } };
   // Orzan's XML becomes a new drawing: saving must not write SVG into that file.
   const svg = await convert(text).catch((error: unknown) => {
-    throw new FileProblem(error instanceof Error ? error.message : String(error));
+    throw new FileProblem(complaintOf(error));
   });
   const place = { name: withExtension(name, "svg"), form: plainForm, target: { kind: "none" } } as const;
-  return { kind: "drawing", text: svg, place };
+  return { kind: "drawing", text: svg, place, isConverted: true };
 }
 
 /** @param handle saving writes to it, where it is an SVG */
 export async function openFile(file: File, convert: Convert, handle: FileSystemFileHandle | null = null): Promise<Opened> {
   try {
     const opened = await openBytes(await read(file), file, convert);
-    if (!handle || opened.kind !== "drawing" || opened.place.name !== file.name) return opened;
+    if (!handle || opened.kind !== "drawing" || opened.isConverted) return opened;
     const target = { kind: "handle", handle, modified: file.lastModified } as const;
     return { ...opened, place: { ...opened.place, target } };
   } catch (error) {

@@ -26,7 +26,7 @@ export async function openServed(name: string, convert: Convert): Promise<Opened
   if (Number(answer.headers.get("Content-Length")) > mostFileBytes) return { kind: "problem", reason: words.tooLarge(name) };
   const opened = await openFile(new File([await answer.blob()], name), convert);
   const tag = answer.headers.get("ETag");
-  if (opened.kind !== "drawing" || opened.place.name !== name || tag === null) return opened;
+  if (opened.kind !== "drawing" || opened.isConverted || tag === null) return opened;
   return { ...opened, place: { ...opened.place, target: { kind: "served", tag } } };
 }
 

@@ -1,6 +1,7 @@
 // What the export dialog finds out and does: a preview, an estimate, the work itself.
 import { useSignal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
+import { complaintOf } from "../../engine/complaint.js";
 import type { ExportWatch, ExportWish } from "../../files/export.js";
 import { en } from "../../strings/en.js";
 import { useShell } from "../services.js";
@@ -77,7 +78,7 @@ export function useWork() {
     } catch (error) {
       // Leaving this dialog, or the browser's own, is no failure.
       if (!(error instanceof DOMException && error.name === "AbortError")) {
-        reason.value = error instanceof Error ? error.message : String(error);
+        reason.value = complaintOf(error);
       }
     }
     stage.value = null;
