@@ -2,7 +2,8 @@
 
 /**
  * To be run before the page's scripts. The tests lead it by `window.disk`: `chosen` is the name that
- * the next dialog gives, "" leaves it; `permission` and `failure` are what writing meets.
+ * the next dialog gives, "" leaves it; `permission` and `failure` are what writing meets, `writes`
+ * counts what was written whole.
  */
 function install() {
   const folder = () => navigator.storage.getDirectory();
@@ -29,10 +30,16 @@ function install() {
   };
   window.showDirectoryPicker = async () => folder();
   proto.requestPermission = async () => disk.permission;
-  proto.createWritable = function (...given) {
+  proto.createWritable = async function (...given) {
     if (disk.failure) throw new DOMException("refused", disk.failure);
-    disk.writes += 1;
-    return createWritable.apply(this, given);
+    const stream = await createWritable.apply(this, given);
+    const ends = {
+      write: (chunk) => stream.write(chunk),
+      close: () => stream.close().then(() => void (disk.writes += 1)),
+      abort: (reason) => stream.abort(reason),
+    };
+    // Those who write by themselves, and those who pipe.
+    return Object.assign(new WritableStream(ends), { write: ends.write, close: ends.close });
   };
 }
 

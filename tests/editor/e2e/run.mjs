@@ -6,10 +6,14 @@
 import { join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 import { launch, serve, Tap } from "./harness.mjs";
+import { testExporting } from "./exporting.mjs";
 import { testFiles } from "./files.mjs";
+import { testSaving } from "./saving.mjs";
 
 const themes = [
+  testExporting,
   testFiles,
+  testSaving,
 ];
 
 const [folder = "build", only = ""] = process.argv.slice(2);

@@ -56,10 +56,8 @@ export const inkscape = `<?xml version="1.0" encoding="UTF-8" standalone="no"?>
 
 export const illustrator = `<?xml version="1.0" encoding="utf-8"?>
 <!-- Generator: Adobe Illustrator 27.0.0, SVG Export Plug-In . SVG Version: 6.00 Build 0)  -->
-<!DOCTYPE svg PUBLIC "-//W3C//DTD SVG 1.1//EN" "http://www.w3.org/Graphics/SVG/1.1/DTD/svg11.dtd" [
-\t<!ENTITY ns_sfumato "urn:sfumato:1">
-]>
-<svg version="1.1" id="Layer_1" xmlns="http://www.w3.org/2000/svg" xmlns:sf="&ns_sfumato;" x="0px" y="0px"
+<!DOCTYPE svg PUBLIC "-//W3C//DTD SVG 1.1//EN" "http://www.w3.org/Graphics/SVG/1.1/DTD/svg11.dtd">
+<svg version="1.1" id="Layer_1" xmlns="http://www.w3.org/2000/svg" xmlns:sf="urn:sfumato:1" x="0px" y="0px"
 \t viewBox="0 0 100 80" style="enable-background:new 0 0 100 80;" xml:space="preserve">
 <style type="text/css">
 \t.st0{fill:none;stroke:#787878;stroke-miterlimit:10;}
@@ -69,6 +67,11 @@ export const illustrator = `<?xml version="1.0" encoding="utf-8"?>
 </g>
 </svg>
 `;
+
+/** As older versions of Illustrator write: the editor shows it, and edits nothing. */
+export const entities = illustrator
+  .replace("svg11.dtd\"", 'svg11.dtd" [\n\t<!ENTITY ns_ai "http://ns.adobe.com/AdobeIllustrator/10.0/">\n]')
+  .replace("x=\"0px\"", 'xmlns:i="&ns_ai;" x="0px"');
 
 const mark = Buffer.from([0xef, 0xbb, 0xbf]);
 

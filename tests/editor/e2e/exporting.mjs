@@ -1,0 +1,183 @@
+// What is exported and copied: the engine's pixels, the text, a page; and what another page pastes.
+import { mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { pathToFileURL } from "node:url";
+import { downloaded, giveDisk, Disk } from "./disk.mjs";
+import { check, checkEqual, EditorPage, packageOf, pathOf } from "./harness.mjs";
+import { example, small } from "./texts.mjs";
+import { closeDialog, said, shows, textAfter } from "./words.mjs";
+
+const { decode } = packageOf("fast-png");
+
+/** The engine of the site's own module, in this process. */
+async function contextOf(folder) {
+  const assets = join(folder, "editor/assets");
+  const name = readdirSync(assets).find((file) => file.endsWith(".wasm"));
+  const { loadSfumato } = await import(pathToFileURL(pathOf("web/wasm/sfumato.mjs")).href);
+  return (await loadSfumato(readFileSync(join(assets, name)))).context({});
+}
+
+/** RGBA of the engine, as `sfumato raster` has it. */
+function rasterOf(context, text, { width, height, format, background }) {
+  const fine = format === "rgba16" ? { "max-error": 0.25 } : {};
+  const picture = context.solve(context.read(text), { width, height, ...fine });
+  return context.raster(picture, { width, height, format }, background ? { background } : {});
+}
+
+/** Opens the dialog, makes choices, exports; the file. */
+async function exported({ page }, format, { checks = [], scale = null } = {}) {
+  await page.keyboard.press("Control+e");
+  const dialog = page.locator("dialog.export");
+  await dialog.getByRole("radio", { name: format }).check();
+  if (scale) await dialog.getByText(scale, { exact: true }).click();
+  for (const name of checks) await dialog.getByRole("checkbox", { name }).check();
+  const file = await downloaded(page, () => dialog.getByRole("button", { name: `Export ${format}` }).click());
+  await page.waitForFunction(() => !document.querySelector("dialog[open]"));
+  return file;
+}
+
+/** The channels that a PNG has of RGBA. */
+function withAlpha({ data, channels, width, height, depth }) {
+  if (channels === 4) return data;
+  const rgba = new data.constructor(4 * width * height).fill(2 ** depth - 1);
+  for (let i = 0; i < width * height; ++i) for (let c = 0; c < 3; ++c) rgba[4 * i + c] = data[3 * i + c];
+  return rgba;
+}
+
+async function testPng(editor, context) {
+  const text = example("fish.svg");
+  await editor.load(text, "fish.svg");
+  const { name, bytes } = await exported(editor, "PNG", { scale: "1×" });
+  checkEqual(name, "fish.png", "the name of the PNG");
+  const png = decode(bytes);
+  const size = { width: png.width, height: png.height };
+  checkEqual(size, { width: 840, height: 560 }, "the size of the PNG at 1×");
+  const wanted = rasterOf(context, text, { ...size, format: "rgba8" });
+  check(Buffer.from(withAlpha(png)).equals(Buffer.from(wanted)), "the PNG's pixels are not the engine's");
+}
+
+async function testDeepPng(editor, context) {
+  const background = small.replace("<g ", '<rect width="100" height="80" fill="#fff"/>\n  <g ');
+  await editor.load(background, "small.svg");
+  const checks = ["16 bits a channel", "Transparent background"];
+  const png = decode((await exported(editor, "PNG", { checks })).bytes);
+  checkEqual(png.depth, 16, "bits of a channel");
+  const size = { width: png.width, height: png.height };
+  const wanted = rasterOf(context, background, { ...size, format: "rgba16", background: "none" });
+  check(Buffer.from(withAlpha(png).buffer).equals(Buffer.from(wanted.buffer, wanted.byteOffset, wanted.byteLength)), "16 bits differ from the engine's");
+}
+
+/** Without its texture the drawing cannot be drawn: the dialog says so, and where. */
+async function testUndrawable(editor) {
+  const { page } = editor;
+  await editor.load(example("apple.svg"), "apple.svg");
+  await page.keyboard.press("Control+e");
+  await page.getByRole("button", { name: "Export PNG" }).click();
+  await said(page, /^Line \d+, column \d+: .*wood\.png/, "dialog [role=alert]");
+  await closeDialog(page);
+}
+
+async function testSvg(editor) {
+  const photo = '\n  <image sf:reference="true" href="data:image/png;base64,iVBORw0KGgo=" width="9" height="9"/>';
+  const traced = small.replace("\n</svg>", `${photo}\n</svg>`);
+  await editor.load(traced, "traced.svg");
+  const { name, bytes } = await exported(editor, "SVG");
+  checkEqual([name, String(bytes)], ["traced.svg", small], "the SVG without its photo");
+}
+
+/** The viewer's page, alone, shows what the editor's canvas shows. */
+async function testHtml(editor, browser) {
+  await editor.load(small, "small.svg");
+  const { name, bytes } = await exported(editor, "HTML");
+  checkEqual(name, "small.html", "the page's name");
+  const folder = mkdtempSync(join(tmpdir(), "sfumato-html-"));
+  const page = await browser.newPage({ viewport: { width: 600, height: 600 } });
+  try {
+    const errors = [];
+    page.on("pageerror", (error) => errors.push(String(error)));
+    writeFileSync(join(folder, name), bytes);
+    await page.goto(pathToFileURL(join(folder, name)).href);
+    await page.waitForFunction(() => document.querySelector("canvas")?.width > 300);
+    const colors = async () => new Set(decode(await page.screenshot()).data).size;
+    for (let i = 0; i < 100 && (await colors()) < 64; ++i);
+    check((await colors()) >= 64, "the exported page shows no picture");
+    checkEqual([errors, await page.title()], [[], "small"], "the exported page");
+  } finally {
+    await page.close();
+    rmSync(folder, { recursive: true });
+  }
+}
+
+/** What fails, or is left, is told or silent, and leaves no empty file behind. */
+async function testFailure(browser, address) {
+  const context = await browser.newContext({ viewport: { width: 1000, height: 700 } });
+  await giveDisk(context);
+  const editor = await EditorPage.within(context, address);
+  const { page } = editor;
+  const disk = new Disk(page);
+  await editor.load(small, "small.svg");
+  const go = async () => {
+    await page.keyboard.press("Control+e");
+    await page.getByRole("button", { name: "Export PNG" }).click();
+  };
+  await disk.set({ chosen: "a.png", failure: "QuotaExceededError" });
+  await go();
+  await said(page, /disk is full/, "dialog");
+  checkEqual(await disk.has("a.png"), false, "an empty file after a failed export");
+  await closeDialog(page);
+  await disk.set({ chosen: "", failure: "" });
+  await go();
+  await page.waitForFunction(() => [...document.querySelectorAll("dialog button")].some((b) => b.textContent === "Export PNG"));
+  checkEqual(await page.locator("dialog [role=alert]").count(), 0, "complaints after the browser's dialog was left");
+  await closeDialog(page);
+  await disk.set({ chosen: "b.png" });
+  await go();
+  await page.waitForFunction(() => !document.querySelector("dialog[open]"));
+  check(decode(await disk.read("b.png")).width > 0, "no PNG was written");
+  editor.checkQuiet();
+  await editor.close();
+}
+
+async function testClipboard(browser, address) {
+  const context = await browser.newContext({ viewport: { width: 1000, height: 700 }, permissions: ["clipboard-read", "clipboard-write"] });
+  const from = await EditorPage.within(context, address);
+  await from.load(small);
+  await from.key("Control+a", "Control+c");
+  const to = await EditorPage.within(context, address);
+  const blank = small.replace(/<path[^]*?\/>/, "");
+  await to.load(blank);
+  await to.page.locator(".canvas-stage").focus();
+  await to.key("Control+v");
+  const pasted = await textAfter(to.page, blank);
+  check(/sf:left="#d04020"/.test(pasted) && /sf:right="#2040d0"/.test(pasted), "the curve did not arrive");
+  await to.key("Control+z");
+  await shows(to.page, blank);
+  await to.page.evaluate(() => navigator.clipboard.writeText('<svg xmlns="http://www.w3.org/2000/svg"><path stroke="red" d="M10,10 L50,60"/></svg>'));
+  await to.key("Control+v");
+  check(/M\s?10[ ,]10/.test(await textAfter(to.page, blank)), "plain SVG was not pasted");
+  await to.key("Control+z");
+  await shows(to.page, blank);
+  await to.page.evaluate(() => navigator.clipboard.writeText("Dear Sir,"));
+  await to.key("Control+v");
+  await said(to.page, /no drawing on the clipboard/);
+  checkEqual(await to.text, blank, "the text after words were pasted");
+  for (const editor of [from, to]) editor.checkQuiet();
+  await context.close();
+}
+
+export async function testExporting(tap, { browser, address, folder }) {
+  const context = await browser.newContext({ viewport: { width: 1000, height: 700 } });
+  await context.addInitScript(() => delete window.showOpenFilePicker);
+  const editor = await EditorPage.within(context, address);
+  const engine = await contextOf(folder);
+  await tap.test("exporting: a PNG has the engine's pixels", () => testPng(editor, engine));
+  await tap.test("exporting: 16 bits and transparency are the engine's", () => testDeepPng(editor, engine));
+  await tap.test("exporting: an SVG leaves the photo out", () => testSvg(editor));
+  await tap.test("exporting: the HTML shows the picture by itself", () => testHtml(editor, browser));
+  await tap.test("exporting: what cannot be drawn is told with its line", () => testUndrawable(editor));
+  await tap.test("exporting: nothing was complained of", () => editor.checkQuiet());
+  await editor.close();
+  await tap.test("exporting: failures are told in the dialog", () => testFailure(browser, address));
+  await tap.test("exporting: copies are pasted into another page", () => testClipboard(browser, address));
+}
