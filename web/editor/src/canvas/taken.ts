@@ -30,6 +30,24 @@ interface Sides<V> {
   readonly right: V;
 }
 
+/**
+ * Points of a layer as the engine can tell them: beside the artboard, where nothing is solved, the
+ * nearest one of its edge stands for them.
+ */
+function withinArtboard(editor: Editor, layer: Item, points: readonly Point[]): readonly Point[] {
+  const back = inverted(layer.artboardFromItem);
+  if (!back) return points;
+  const [x0, y0, x1, y1] = editor.drawing.artboard;
+  // On the edge itself rounding decides what is within.
+  const [dx, dy] = [(x1 - x0) * 1e-6, (y1 - y0) * 1e-6];
+  const kept = (value: number, from: number, to: number) => Math.min(Math.max(value, from), to);
+  return points.map((point) => {
+    const [x, y] = mapped(layer.artboardFromItem, point);
+    const held: Point = [kept(x, x0 + dx, x1 - dx), kept(y, y0 + dy, y1 - dy)];
+    return held[0] === x && held[1] === y ? point : mapped(back, held);
+  });
+}
+
 /** Colours at points of a layer, in its frame; null for a point where nothing is, or for all. */
 async function colorsAt(
   editor: Editor,
@@ -39,7 +57,8 @@ async function colorsAt(
   const index = editor.engineLayer(layer);
   if (index === null) return null;
   try {
-    const rgba = await editor.engine.colors(index, Float64Array.from(points.flat()));
+    const held = withinArtboard(editor, layer, points);
+    const rgba = await editor.engine.colors(index, Float64Array.from(held.flat()));
     return points.map((_, k) => {
       const [r, g, b, opacity] = rgba.subarray(4 * k, 4 * k + 4);
       return opacity > NOTHING && Number.isFinite(r + g + b) ? inBytes({ r, g, b }) : null;
