@@ -68,8 +68,9 @@ class StrokeDrag implements Drag {
     if (this.start.kind !== "pen" || !(pathLength(fit.path) > 0))
       return [{ offset: 0, value: full }];
     return pressureStops(fit, PRESSURE_TOLERANCE).map(([place, pressure]) => ({
-      offset: fractionAtParameter(fit.path, place),
-      value: full * (THINNEST + (1 - THINNEST) * pressure),
+      // As fine as a hand is: a thousandth of the way, three figures of the radius.
+      offset: Number(fractionAtParameter(fit.path, place).toFixed(3)),
+      value: Number((full * (THINNEST + (1 - THINNEST) * pressure)).toPrecision(3)),
     }));
   }
 
