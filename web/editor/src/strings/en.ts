@@ -366,6 +366,7 @@ const panels = {
   top: "Upper edge",
   width: "Width",
   height: "Height",
+  onPicture: "On the picture",
   blend: "Blend",
   blendMode: "Blend mode",
   setBlend: "change blend mode",

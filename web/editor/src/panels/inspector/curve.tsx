@@ -10,6 +10,7 @@ import { object } from "../menus/main.js";
 import { useShell } from "../services.js";
 import { numberOf } from "./numbers.js";
 import { BlurSection, RadiusSection } from "./blur.js";
+import { Compositing } from "./container.js";
 import { NodeSection } from "./node.js";
 import { OpacitySection } from "./opacity.js";
 import { Section } from "./sections.js";
@@ -82,6 +83,11 @@ export function CurveSections({ item }: { readonly item: CurveItem }) {
       {item.kind === "stroke" ? <BlurSection item={item} /> : <OpacitySection item={item} />}
       <NodeSection />
       <Weight item={item} />
+      {item.kind === "stroke" && (
+        <Section title={words.onPicture}>
+          <Compositing item={item} />
+        </Section>
+      )}
     </>
   );
 }
