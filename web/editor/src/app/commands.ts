@@ -220,7 +220,7 @@ const table: readonly (readonly [string, Command])[] = [
   ["send-down", stack(words.sendDown, -1)],
   ["to-top", stack(words.toTop, Infinity)],
   ["to-bottom", stack(words.toBottom, -Infinity)],
-  ["new-layer", (editor) => void editor.run(words.newLayer, addLayer(editor.drawing, editor.activeLayer?.handle ?? null, ""))],
+  ["new-layer", (editor) => void editor.run(words.newLayer, addLayer(editor.drawing, editor.selection.value.at(-1)?.handle ?? null, ""))],
   ["swap-sides", edit(words.swapSides, (d, _, editor) => swapSides(d, curvesOf(d, editor.selection.value)))],
   ["reverse", edit(words.reverse, (d, _, editor) => reverseCurves(d, curvesOf(d, editor.selection.value), editor.step(null)))],
   ["close-curve", closeChosen],
