@@ -51,6 +51,24 @@ export function placesOf(drawing: Drawing): readonly Place[] {
   return places;
 }
 
+/** Curves where the text has them: of thousands one has changed, and is another object. */
+const inPlace = new WeakMap<CurveItem, Place | null>();
+
+function placeInText(item: CurveItem): Place | null {
+  let place = inPlace.get(item);
+  if (place === undefined) {
+    place = inverted(item.artboardFromItem) && { item, owner: item, artboardFromItem: item.artboardFromItem };
+    inPlace.set(item, place);
+  }
+  return place;
+}
+
+function placeBy(item: CurveItem, owner: Item | null, shift: Affine | null): Place | null {
+  if (!owner && !shift) return placeInText(item);
+  const map = shift ? composed(shift, item.artboardFromItem) : item.artboardFromItem;
+  return inverted(map) && { item, owner: owner ?? item, artboardFromItem: map };
+}
+
 /** @param shift from where an item stands in the text to where a <use> shows it; null: it is there */
 function collect(
   item: Item,
@@ -61,8 +79,8 @@ function collect(
 ): void {
   if (item.hidden || item.locked || depth > DEEPEST) return;
   if (isCurve(item)) {
-    const map = shift ? composed(shift, item.artboardFromItem) : item.artboardFromItem;
-    if (inverted(map)) to.push({ item, owner: owner ?? item, artboardFromItem: map });
+    const place = placeBy(item, owner, shift);
+    if (place) to.push(place);
   } else if (item.kind === "use" && item.target) {
     const inner = shiftOf(item, item.target);
     if (inner)

@@ -11,14 +11,22 @@ import { useShell } from "../services.js";
 
 const words = en.panels;
 
+/** A curve that changes, or is placed elsewhere, is another object. */
+const boxes = new WeakMap<CurveItem, Box | null>();
+
+function boxOfCurve(curve: CurveItem): Box | null {
+  const known = boxes.get(curve);
+  if (known !== undefined) return known;
+  const { artboardFromItem, paths } = curve;
+  const box = unionOf(paths.map((path) => boundsOf(mappedPath(artboardFromItem, path))));
+  boxes.set(curve, box);
+  return box;
+}
+
 /** The box around the curves of items, artboard units; null: there are none. */
 export function boxOf(items: readonly Item[]): Box | null {
   const curves = items.flatMap((item) => curvesWithin(item)) as CurveItem[];
-  return unionOf(
-    curves.flatMap((curve) =>
-      curve.paths.map((path) => boundsOf(mappedPath(curve.artboardFromItem, path))),
-    ),
-  );
+  return unionOf(curves.map(boxOfCurve).filter((box) => box !== null));
 }
 
 /** Scales about the box's corner; a box without extent keeps it. */

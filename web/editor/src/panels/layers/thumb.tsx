@@ -1,5 +1,6 @@
 // A small picture of a layer or group: the page's, or its curves in their colours.
 import { memo } from "preact/compat";
+import { useRef } from "preact/hooks";
 import type { Affine } from "../../geometry/affine.js";
 import type { CurveItem, Item } from "../../model/types.js";
 import { hexOf } from "../../geometry/colortext.js";
@@ -47,25 +48,32 @@ function viewBox(item: Item): string {
 
 const isClosed = ({ paths }: CurveItem) => paths.every(({ closed }) => closed);
 
-const Outlines = memo(
-  ({ item }: { readonly item: Item; readonly revision: number }) => (
-    <svg class="thumb" viewBox={viewBox(item)} aria-hidden="true">
-      {(curvesWithin(item, MOST) as CurveItem[]).map((curve) => (
-        <path
-          key={curve.handle}
-          d={outline(curve)}
-          stroke={color(curve)}
-          fill={isClosed(curve) ? color(curve) : "none"}
-        />
-      ))}
-    </svg>
-  ),
-  (before, after) => before.revision === after.revision && before.item.handle === after.item.handle,
-);
+/** An item with anything else in it is another object. */
+const Outlines = memo(({ item }: { readonly item: Item }) => (
+  <svg class="thumb" viewBox={viewBox(item)} aria-hidden="true">
+    {(curvesWithin(item, MOST) as CurveItem[]).map((curve) => (
+      <path
+        key={curve.handle}
+        d={outline(curve)}
+        stroke={color(curve)}
+        fill={isClosed(curve) ? color(curve) : "none"}
+      />
+    ))}
+  </svg>
+));
+
+/** The item as it was when the drawing last came to rest. */
+function useSettled(item: Item): Item {
+  const { editor } = useShell();
+  const revision = settledOf(editor).revision.value;
+  const shown = useRef({ revision, item });
+  if (shown.current.revision !== revision || shown.current.item.handle !== item.handle)
+    shown.current = { revision, item };
+  return shown.current.item;
+}
 
 export function Thumb({ item }: { readonly item: Item }) {
-  const { editor, services } = useShell();
-  const url = services.thumb(item.handle);
-  if (url) return <img class="thumb" src={url} alt="" />;
-  return <Outlines item={item} revision={settledOf(editor).revision.value} />;
+  const settled = useSettled(item);
+  const url = useShell().services.thumb(item.handle);
+  return url ? <img class="thumb" src={url} alt="" /> : <Outlines item={settled} />;
 }
