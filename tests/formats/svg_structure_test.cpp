@@ -339,10 +339,10 @@ TEST(SvgEditors, file_as_illustrator_and_svgo_write_it_is_read) {
 }
 
 TEST(SvgWarnings, are_one_for_each_kind_with_line_and_element) {
-  const auto warnings =
-      warnings_of(svg("<text x='1'>a</text>\n<text>b</text>\n <image sf:reference='true' href='x.png'/>\n"
-                      "<g sf:diffuse='true' clip-path='url(#c)' filter='none'>\n<text/>" +
-                      kCurve + "</g>"));
+  const auto warnings = warnings_of(
+      svg("<text x='1'>a</text>\n<text>b</text>\n <image sf:reference='true' href='x.png'/>\n"
+          "<g sf:diffuse='true' clip-path='url(#c)' filter='none'>\n<text/>" +
+          kCurve + "</g>"));
   ASSERT_EQ(warnings.size(), 3u);
   EXPECT_EQ(warnings[0], "a.svg:2:1: <text> is not read; such elements are ignored");
   EXPECT_EQ(warnings[1], "a.svg:4:2: <image> is not read; such elements are ignored");
