@@ -77,11 +77,12 @@ export class NodesTool implements Tool {
     }
     if (mark.kind !== "node") return null;
     const nodes = editor.selection.peek().filter(({ part }) => part.kind === "node");
-    if (p.shift) editor.selection.value = withoutWholes(toggled(nodes, one, isSame), one);
-    else if (!mark.isChosen) editor.selection.value = [one];
+    if (!mark.isChosen) editor.selection.value = p.shift ? [...nodes, one] : [one];
     if (p.alt) return this.pullHandle(mark, p);
+    // With Shift a chosen node is let go of by a click; a drag moves it straight.
     return this.dragNodes(mark, p, () => {
       if (!p.shift) editor.selection.value = [one];
+      else if (mark.isChosen) editor.selection.value = withoutWholes(toggled(nodes, one, isSame), one);
     });
   }
 

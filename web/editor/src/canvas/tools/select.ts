@@ -97,11 +97,14 @@ export class SelectTool implements Tool {
       editor.tool.value = "nodes";
       return this.move(p, () => undefined);
     }
-    if (p.shift) editor.selection.value = toggled(editor.selection.peek(), one, isSameWhole);
-    else if (!wasSelected) editor.selection.value = [one];
-    // A click on one of several leaves it alone; a drag moves them all.
+    const toggle = () => {
+      editor.selection.value = toggled(editor.selection.peek(), one, isSameWhole);
+    };
+    if (!wasSelected) p.shift ? toggle() : (editor.selection.value = [one]);
+    // A click on one of several leaves it alone, or lets go of it with Shift; a drag moves them all.
     return this.move(p, () => {
       if (!p.shift) editor.selection.value = [one];
+      else if (wasSelected) toggle();
     });
   }
 
