@@ -197,5 +197,13 @@ export function Menus() {
       window.removeEventListener("blur", closeMenus);
     };
   }, [open.length === 0]);
-  return open.map((level, depth) => <Menu key={depth} level={level} depth={depth} />);
+  if (open.length === 0) return null;
+  // A landmark, as all that stands on the page has to be in one.
+  return (
+    <nav aria-label={open[0].label}>
+      {open.map((level, depth) => (
+        <Menu key={depth} level={level} depth={depth} />
+      ))}
+    </nav>
+  );
 }
