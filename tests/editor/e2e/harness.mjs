@@ -90,6 +90,12 @@ export function launch(flags = mesa) {
   return chromium.launch({ executablePath, args: [...quiet, ...flags] });
 }
 
+/** A browser with a profile that outlives it. */
+export function launchPersistent(profile, options = {}) {
+  const executablePath = process.env.CHROMIUM ?? "/usr/bin/chromium";
+  return chromium.launchPersistentContext(profile, { executablePath, args: [...quiet, ...mesa], ...options });
+}
+
 /** The editor in a page of a fresh profile, and what it says on its console. */
 export class EditorPage {
   /** Messages of errors that the page did not expect. */

@@ -8,12 +8,16 @@ import { pathToFileURL } from "node:url";
 import { launch, serve, Tap } from "./harness.mjs";
 import { testExporting } from "./exporting.mjs";
 import { testFiles } from "./files.mjs";
+import { testRecover } from "./recover.mjs";
 import { testSaving } from "./saving.mjs";
+import { testServedDrawing } from "./served.mjs";
 
 const themes = [
   testExporting,
   testFiles,
+  testRecover,
   testSaving,
+  testServedDrawing,
 ];
 
 const [folder = "build", only = ""] = process.argv.slice(2);

@@ -1,0 +1,179 @@
+// What the browser keeps of a drawing: after a killed page, beside another tab, and where it keeps nothing.
+import { mkdtempSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { check, checkEqual, EditorPage, launchPersistent } from "./harness.mjs";
+import { small } from "./texts.mjs";
+import { said, shows } from "./words.mjs";
+
+const size = { viewport: { width: 900, height: 600 } };
+
+/** Moves the first curve by a key. */
+async function edit(editor) {
+  const before = await editor.text;
+  await editor.page.locator(".canvas-stage").focus();
+  await editor.key("Tab", "ArrowRight");
+  await editor.page.waitForFunction((text) => window.sfumatoEditor.text !== text, before);
+  return editor.text;
+}
+
+const state = (page, pattern) =>
+  page.waitForFunction((source) => new RegExp(source).test(document.querySelector(".saved")?.textContent), pattern.source);
+
+/** Waits until the browser has a text in its keeping. */
+function isKept(page, text) {
+  const look = (wanted) =>
+    new Promise((resolve) => {
+      const ask = indexedDB.open("sfumato-editor");
+      ask.onsuccess = () => {
+        const all = ask.result.transaction("drawings").objectStore("drawings").getAll();
+        all.onsuccess = () => {
+          ask.result.close();
+          resolve(all.result.some((value) => value.text === wanted));
+        };
+      };
+    });
+  return page.waitForFunction(look, text, { polling: 200 });
+}
+
+/** The browser's process dies; the next one has the drawing, and its undo. */
+async function testKilled(address) {
+  const profile = mkdtempSync(join(tmpdir(), "sfumato-profile-"));
+  try {
+    const first = await launchPersistent(profile, size);
+    const editor = await EditorPage.within(first, address);
+    await editor.load(small, "lost.svg");
+    const once = await edit(editor);
+    await isKept(editor.page, once);
+    const session = await first.browser()?.newBrowserCDPSession();
+    if (session) await session.send("Browser.crash").catch(() => undefined);
+    await first.close().catch(() => undefined);
+    const second = await launchPersistent(profile, size);
+    const again = await EditorPage.within(second, address);
+    await again.page.locator(".recent-list button").first().click();
+    await shows(again.page, once);
+    await again.key("Control+z");
+    await shows(again.page, small);
+    await again.key("Control+Shift+z");
+    await shows(again.page, once);
+    again.checkQuiet();
+    await second.close();
+  } finally {
+    rmSync(profile, { recursive: true, force: true });
+  }
+}
+
+/** An edit of the last second is kept though another drawing is opened at once; each keeps its own text. */
+async function testSwitched(browser, address) {
+  const editor = await EditorPage.open(browser, address, { size: [900, 600] });
+  const { page } = editor;
+  await editor.load(small, "first.svg");
+  const edited = await edit(editor);
+  const other = small.replace("#d04020", "#20d040");
+  await editor.load(other, "second.svg");
+  await editor.key("Control+n");
+  await page.getByRole("button", { name: "Make it" }).click();
+  await page.reload();
+  await page.locator(".recent-list button", { hasText: "first.svg" }).click();
+  await shows(page, edited);
+  // The drawing that is open is recovered once more: no other tab has it.
+  await page.locator(".canvas-stage").focus();
+  await page.evaluate(() => document.querySelector("[aria-label=Menu]").click());
+  await page.getByRole("menuitem", { name: "File" }).click();
+  await page.getByRole("menuitem", { name: "Recover" }).click();
+  await page.locator(".kept-list li", { hasText: "first.svg" }).getByRole("button", { name: "Open" }).click();
+  await page.waitForFunction(() => !document.querySelector("dialog[open]"));
+  checkEqual(await page.locator(".toast").allTextContents(), [], "toasts after one's own drawing was recovered");
+  editor.checkQuiet();
+  await editor.close();
+}
+
+async function testRefused(browser, address, script, pattern) {
+  const context = await browser.newContext(size);
+  await context.addInitScript(script);
+  const editor = await EditorPage.within(context, address);
+  const { page } = editor;
+  await editor.load(small, "mine.svg");
+  await edit(editor);
+  await said(page, pattern);
+  await state(page, /Not saved: this browser keeps nothing/);
+  check(await page.getByRole("button", { name: "Save elsewhere" }).isVisible(), "nobody offers to save elsewhere");
+  // Leaving asks first.
+  const asked = new Promise((resolve) => page.on("dialog", (dialog) => resolve(dialog.accept().then(() => dialog.type()))));
+  await page.close({ runBeforeUnload: true });
+  checkEqual(await asked, "beforeunload", "what leaving asks");
+  checkEqual(editor.errors, [], "errors on the console");
+  await context.close();
+}
+
+const throwing = () => {
+  indexedDB.open = () => {
+    throw new DOMException("denied", "SecurityError");
+  };
+};
+const missing = () => Object.defineProperty(window, "indexedDB", { value: undefined });
+const full = () => {
+  IDBObjectStore.prototype.put = function () {
+    throw new DOMException("full", "QuotaExceededError");
+  };
+};
+
+/** Two tabs on one drawing: the second is told, may take it, and the first one writes no more. */
+async function testTabs(browser, address) {
+  const context = await browser.newContext(size);
+  const first = await EditorPage.within(context, address);
+  await first.load(small, "shared.svg");
+  const once = await edit(first);
+  await isKept(first.page, once);
+  const second = await EditorPage.within(context, address);
+  await second.page.locator(".recent-list button").first().click();
+  await shows(second.page, once);
+  await said(second.page, /Another tab of this browser has this drawing open/);
+  await state(second.page, /Not saved/);
+  await second.page.getByRole("button", { name: "Edit here" }).click();
+  await said(first.page, /Another tab goes on with this drawing/);
+  await state(second.page, /Saved on this device/);
+  await first.page.bringToFront();
+  await edit(first);
+  await second.page.bringToFront();
+  const last = await edit(second);
+  await state(first.page, /Not saved/);
+  const third = await EditorPage.within(context, address);
+  await third.page.waitForFunction(() => document.querySelector(".recent-list button"));
+  await isKept(third.page, last);
+  await third.page.locator(".recent-list button").first().click();
+  await third.page.waitForFunction(() => !document.querySelector(".welcome"));
+  checkEqual(await third.text, last, "what is kept after the second tab took the drawing");
+  for (const editor of [first, second, third]) editor.checkQuiet();
+  await context.close();
+}
+
+/** The oldest of more than twenty go. */
+async function testPruned(browser, address) {
+  const editor = await EditorPage.open(browser, address, { size: [900, 600] });
+  const { page } = editor;
+  for (let i = 0; i < 23; ++i) {
+    await page.evaluate(([t, n]) => window.sfumatoEditor.open(t, n), [small, `${i}.svg`]);
+    await edit(editor);
+    await page.evaluate(() => dispatchEvent(new Event("pagehide")));
+  }
+  await state(page, /Saved on this device/);
+  await page.reload();
+  await page.waitForFunction(() => document.querySelectorAll(".recent-list b").length > 0);
+  const names = await page.locator(".recent-list b").allTextContents();
+  checkEqual(names, Array.from({ length: 20 }, (_, i) => `${22 - i}.svg`), "what is kept");
+  editor.checkQuiet();
+  await editor.close();
+}
+
+export async function testRecover(tap, { browser, address }) {
+  await tap.test("recover: a killed browser loses neither drawing nor undo", () => testKilled(address));
+  await tap.test("recover: every drawing is kept as itself", () => testSwitched(browser, address));
+  const refusals = { throws: throwing, "is missing": missing };
+  for (const [name, script] of Object.entries(refusals)) {
+    await tap.test(`recover: storage that ${name} is told of`, () => testRefused(browser, address, script, /keeps nothing from this page/));
+  }
+  await tap.test("recover: storage that is full is told of", () => testRefused(browser, address, full, /no room to keep/));
+  await tap.test("recover: two tabs do not write over each other", () => testTabs(browser, address));
+  await tap.test("recover: twenty drawings are kept", () => testPruned(browser, address));
+}
