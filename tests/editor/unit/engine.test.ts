@@ -147,6 +147,35 @@ describe.skipIf(!hasModule)("the engine", () => {
     expect(page.stacks).toBe(stacks);
   });
 
+  it("solves a drawing in both workers, and shows it once", async () => {
+    const host = localHost();
+    const exact: number[] = [];
+    const watched = {
+      ...host,
+      worker() {
+        const worker = host.worker();
+        const number = host.workers;
+        const post = worker.postMessage.bind(worker);
+        worker.postMessage = (message: { given: { way?: { kind: string } }[] }) => {
+          if (message.given[0]?.way?.kind === "exact") exact.push(number);
+          post(message);
+        };
+        return worker;
+      },
+    };
+    page = new Page(new WorkerEngine(watched));
+    look(page.engine);
+    page.show(drawing(70), false);
+    await page.exact();
+    const { updates } = page;
+    await page.until(() => new Set(exact).size === 2);
+    await page.engine.lint();
+    expect(page.updates).toBe(updates);
+    page.show(drawing(80), false);
+    await page.exact();
+    await expectSolved(page, drawing(80), 512);
+  });
+
   it("is exact in the end whatever comes when", async () => {
     open();
     let state = 7;

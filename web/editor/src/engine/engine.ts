@@ -4,6 +4,7 @@ import type { Box } from "../geometry/affine.js";
 import { detailFor, type Detail } from "./detail.js";
 import { hintsOf } from "./hints.js";
 import { Pending } from "./pending.js";
+import { Rest } from "./rest.js";
 import { EngineError } from "./rpc.js";
 import { Seat, type Host } from "./seat.js";
 import type { GivenImage, LintReport, Solved, SolveOptions, Way } from "./session.js";
@@ -19,10 +20,6 @@ import type {
 
 /** A frame's share for the gather, seconds. */
 const FRAME_SECONDS = 0.008;
-/** How long the hand must rest before the exact picture is asked for, milliseconds. */
-const REST = 120;
-/** The same while a gesture is not over: a colour picker that is open, a hand that holds still. */
-const HELD = 600;
 /** How long the view must rest before finer chords are, milliseconds. */
 const VIEW_REST = 400;
 /** Frames that go on with what waits, one after another. */
@@ -61,6 +58,7 @@ export class WorkerEngine implements Engine {
   /** Whether the exact picture waits for the frames to end. */
   #isExactReady = false;
   #timer = 0;
+  readonly #rest = new Rest();
   #seatCount = 0;
   #isFree = false;
 
@@ -92,7 +90,7 @@ export class WorkerEngine implements Engine {
     this.#wanted = { text, moving, serial: this.#wanted.serial + 1 };
     this.onStatus({ kind: "refining", milliseconds: 0 });
     this.#follow();
-    this.#settleAfter(this.#rest);
+    this.#settleAfter(this.#rest.afterChange(moving));
     return this.#wanted.serial;
   }
 
@@ -176,10 +174,6 @@ export class WorkerEngine implements Engine {
     this.#timer = setTimeout(() => void this.#settle(), milliseconds) as never;
   }
 
-  get #rest(): number {
-    return this.#wanted.moving ? HELD : REST;
-  }
-
   get #isSettleWanted(): boolean {
     const { serial } = this.#wanted;
     const isExact = this.#exactSerial === serial && sameOptions(this.#exactOptions, this.#options);
@@ -197,7 +191,7 @@ export class WorkerEngine implements Engine {
       this.#complain(error, seat);
     }
     this.#isSettling = false;
-    if (this.#isSettleWanted) this.#settleAfter(this.#rest);
+    if (this.#isSettleWanted) this.#settleAfter(this.#rest.again(this.#wanted.moving));
   }
 
   async #settleIn(seat: Seat, wanted: Wanted, options: SolveOptions): Promise<void> {
@@ -219,7 +213,19 @@ export class WorkerEngine implements Engine {
     this.#pending.reset();
     this.#exactSerial = wanted.serial;
     this.#exactOptions = options;
+    seat.exactFor = options;
     this.#publish(solved, wanted, true);
+    // If it fails, so does what asks this seat next.
+    this.#warm(this.#back, wanted, options).catch(() => {});
+  }
+
+  /** Has the back seat make once what its next exact pictures differ from by an edit alone. */
+  async #warm(seat: Seat, wanted: Wanted, options: SolveOptions): Promise<void> {
+    await seat.ready;
+    if (this.#wanted !== wanted || sameOptions(seat.exactFor, options)) return;
+    seat.exactFor = options;
+    if (seat.serial !== wanted.serial || seat.isChanged) await this.#bring(seat, wanted, null);
+    await this.#solve(seat, { kind: "exact" }, options);
   }
 
   #complain(error: unknown, seat: Seat) {

@@ -1,6 +1,6 @@
 // A worker, and what it has of the text.
 import { Link } from "./rpc.js";
-import type { GivenImage, ReadResult } from "./session.js";
+import type { GivenImage, ReadResult, SolveOptions } from "./session.js";
 import type { EngineCurve, QuickChange } from "./types.js";
 import { en } from "../strings/en.js";
 
@@ -43,6 +43,8 @@ export class Seat {
   /** Whether curves were changed since then. */
   isChanged = false;
   curves: readonly EngineCurve[] = [];
+  /** The options that it has made an exact picture for; null: none. */
+  exactFor: SolveOptions | null = null;
   #imageCount = 0;
 
   /** @param name tells its stamps from others' */
