@@ -8,20 +8,19 @@
 // (or in the folder that SFUMATO_SCENES names): they are left out where they are missing.
 // N curves of the layer with the most, evenly spread, are dragged and coloured.
 // --strict: exit with 1 where a figure is more than 20 % above what is required.
-import { existsSync, readFileSync } from "node:fs";
+import { readFileSync } from "node:fs";
 import { basename, dirname, join } from "node:path";
-import { fileURLToPath } from "node:url";
 import { parseArgs } from "node:util";
 import v8 from "node:v8";
 import { Attribute, Kind, loadSfumato, Side, Table } from "../../../web/wasm/sfumato.mjs";
+import { modulePath, sceneFile } from "./scenes.mjs";
 
-const here = (path) => fileURLToPath(new URL(path, import.meta.url));
 const { values: options, positionals } = parseArgs({
   allowPositionals: true,
   options: {
     curves: { type: "string", default: "12" },
     strict: { type: "boolean", default: false },
-    module: { type: "string", default: process.env.SFUMATO_WASM ?? here("../../../build-wasm/sfumato.wasm") },
+    module: { type: "string", default: modulePath },
     scenes: { type: "string", default: process.env.SFUMATO_SCENES ?? "" },
   },
 });
@@ -51,11 +50,6 @@ function cpu(body) {
 function percentile(numbers, share) {
   const sorted = [...numbers].sort((a, b) => a - b);
   return sorted[Math.min(sorted.length - 1, Math.floor(share * sorted.length))] ?? NaN;
-}
-
-function sceneFile(name) {
-  const places = [here(`../../../examples/${name}.svg`), join(options.scenes, `${name}.xml`)];
-  return places.find(existsSync) ?? null;
 }
 
 function read(context, path) {
@@ -128,7 +122,7 @@ function measure(sfumato, path) {
   const context = sfumato.context("max-time=600");
   const document = read(context, path);
   let picture;
-  const solve = cpu(() => (picture = context.solve(document)));
+  const solve = cpu(() => (picture = context.solve(document, { drags: true })));
   const layer = largestLayer(document);
   const scene = { context, document, picture, layer };
   const count = document.curveCount(layer);
@@ -181,7 +175,7 @@ v8.setFlagsFromString("--no-wasm-lazy-compilation");
 const module = new WebAssembly.Module(readFileSync(options.module));
 let missed = 0;
 for (const name of positionals.length > 0 ? positionals : Object.keys(REQUIRED)) {
-  const path = sceneFile(name);
+  const path = sceneFile(name, options.scenes);
   if (path) missed += print(name, measure(await loadSfumato(module), path));
   else console.log(`${name.padEnd(10)}is not there`);
 }

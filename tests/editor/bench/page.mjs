@@ -1,0 +1,254 @@
+// What the editor takes in a browser, drawing apart: node tests/editor/bench/page.mjs [--strict]
+//     [--scenes FOLDER] [--moves N] [SCENE...]
+//
+// Opens build/editor.html from disk in Chromium. Of each scene: how long the first picture takes after a
+// cold start, the engine's own time and the way of its answer to the page for the frames of a drag of one
+// node, the main thread's script for each movement of a drag, a pan and a hover, and for undo, and
+// memory. Beside what is required. Scenes are those of frame.mjs; those of Orzan's are opened as they are.
+// --strict: exit with 1 where a figure is more than 20 % above what is required.
+import { loadavg } from "node:os";
+import { basename } from "node:path";
+import { parseArgs } from "node:util";
+import { EditorPage, launch, pathOf } from "../e2e/harness.mjs";
+import { manyCurves, sceneFile, svgOf } from "./scenes.mjs";
+import { tabMegabytes } from "./tab-memory.mjs";
+import { watchWorkers } from "./watch-workers.mjs";
+
+const { values: options, positionals } = parseArgs({
+  allowPositionals: true,
+  options: {
+    moves: { type: "string", default: "40" },
+    strict: { type: "boolean", default: false },
+    scenes: { type: "string", default: process.env.SFUMATO_SCENES ?? "" },
+  },
+});
+const MOVES = Number(options.moves);
+const TOLERANCE = 1.2;
+const SCRIPT = 8;
+/** Frames among which is the one that prepares the drag: the first may move nothing yet. */
+const BEGIN = 3;
+
+/** At most: milliseconds, and megabytes. */
+const REQUIRED = {
+  lady_bug: { engine: 5, begin: 15, way: 0.5, settle: 100 },
+  portrait: { first: 1000, engine: 3, way: 0.5, memory: 150 },
+  fish: { engine: 3, way: 0.5 },
+  dolphin: { engine: 8, begin: 60, way: 0.5 },
+  roses: { engine: 8, way: 0.5 },
+};
+
+function percentile(numbers, share) {
+  const sorted = [...numbers].sort((a, b) => a - b);
+  return sorted[Math.min(sorted.length - 1, Math.floor(share * sorted.length))] ?? NaN;
+}
+
+// Script of the main thread, by Chromium's trace.
+
+const CATEGORIES = ["devtools.timeline", "disabled-by-default-devtools.timeline", "v8"];
+/** Where the browser calls script. Frames of animation, where WebGL draws, are apart. */
+const CALLS = new Set(["EventDispatch", "RunMicrotasks", "FunctionCall", "TimerFire", "v8.callFunction", "HandlePostMessage"]);
+
+/** Intervals of script, none within another, of the page's main thread; microseconds. */
+function scriptOf(events) {
+  const main = events.find(({ name, args }) => name === "thread_name" && args.name === "CrRendererMain");
+  const own = events
+    .filter(({ ph, pid, tid, dur }) => ph === "X" && dur > 0 && pid === main?.pid && tid === main.tid)
+    .sort((a, b) => a.ts - b.ts || b.dur - a.dur);
+  const calls = [];
+  let end = -Infinity;
+  for (const { name, ts, dur } of own) {
+    if (ts < end) continue;
+    if (name === "FireAnimationFrame") end = ts + dur;
+    if (!CALLS.has(name)) continue;
+    calls.push({ ts, dur });
+    end = ts + dur;
+  }
+  return calls;
+}
+
+/** Of each step, the milliseconds of script from its beginning to the next one's. */
+async function scriptOfSteps(editor, browser, steps) {
+  await browser.startTracing(editor.page, { categories: CATEGORIES });
+  for (const [i, step] of steps.entries()) {
+    await editor.page.evaluate((name) => console.timeStamp(name), `step ${i}`);
+    await step();
+    // What the step leads to is done within two frames.
+    await editor.page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+  }
+  const trace = JSON.parse((await browser.stopTracing()).toString());
+  const events = trace.traceEvents ?? trace;
+  const stamps = events.filter(({ name, args }) => name === "TimeStamp" && /^step /.test(args?.data?.message ?? ""));
+  const times = stamps.map(({ ts }) => ts).sort((a, b) => a - b);
+  const sums = times.map(() => 0);
+  for (const { ts, dur } of scriptOf(events)) {
+    const step = times.findLastIndex((time) => time <= ts);
+    if (step >= 0) sums[step] += dur / 1000;
+  }
+  return sums;
+}
+
+// What a hand does.
+
+/** Places on the page where paths of a text begin, if nothing maps them. */
+async function startsOf(editor) {
+  const text = await editor.text;
+  const starts = [...text.matchAll(/\sd="\s*M\s*([-\d.e]+)[\s,]+([-\d.e]+)/gi)];
+  const step = Math.max(1, Math.floor(starts.length / 40));
+  return starts.filter((_, i) => i % step === 0).map(([, x, y]) => [Number(x), Number(y)]);
+}
+
+/** Selects a node that can be dragged; gives its place on the page. */
+async function takeNode(editor) {
+  await editor.page.locator(".canvas-stage").focus();
+  await editor.key("a");
+  for (const [x, y] of await startsOf(editor)) {
+    const place = await editor.at(x, y);
+    const isSeen = await editor.page.evaluate(([a, b]) => document.elementFromPoint(a, b)?.closest(".canvas-stage") !== null, place);
+    if (!isSeen) continue;
+    for (let i = 0; i < 2; i += 1) await editor.page.mouse.click(...place);
+    const selection = await editor.page.evaluate(() => window.sfumatoEditor.selection);
+    if (selection.length === 1 && selection[0].part.kind === "node") return place;
+  }
+  throw new Error("no node of the drawing can be taken hold of");
+}
+
+const circle = (i, radius) => [radius * Math.cos(i / 5) - radius, radius * Math.sin(i / 5)];
+
+const moves = (editor, [x, y], radius) =>
+  Array.from({ length: MOVES }, (_, i) => () => {
+    const [dx, dy] = circle(i, radius);
+    return editor.page.mouse.move(x + dx, y + dy);
+  });
+
+async function dragNode(editor, browser) {
+  const place = await takeNode(editor);
+  await editor.settled();
+  const watch = () => editor.page.evaluate(() => window.watchedWorkers.splice(0));
+  await watch();
+  await editor.page.mouse.move(...place);
+  await editor.page.mouse.down();
+  const script = await scriptOfSteps(editor, browser, moves(editor, place, 15));
+  await editor.page.mouse.up();
+  const frames = await watch();
+  await editor.settled();
+  return { script, frames, rest: await watch() };
+}
+
+async function pan(editor, browser) {
+  const { page } = editor;
+  const [width, height] = [700, 450];
+  await page.keyboard.down("Space");
+  await page.mouse.move(width, height);
+  await page.mouse.down();
+  const script = await scriptOfSteps(editor, browser, moves(editor, [width, height], 60));
+  await page.mouse.up();
+  await page.keyboard.up("Space");
+  return script;
+}
+
+async function hover(editor, browser) {
+  await editor.key("v", "Escape");
+  return scriptOfSteps(editor, browser, moves(editor, [700, 450], 200));
+}
+
+async function undo(editor, browser) {
+  const keys = ["Control+z", "Control+Shift+z", "Control+z"];
+  return scriptOfSteps(editor, browser, keys.map((key) => () => editor.key(key)));
+}
+
+// One scene.
+
+/** Milliseconds from the start of navigation until a scene's first picture is handed to the graphics. */
+async function start(editor, text) {
+  await editor.page.addInitScript(watchWorkers);
+  await editor.go(`file://${pathOf("build/editor.html")}`);
+  const opened = await editor.page.evaluate(
+    async (given) => {
+      await window.sfumatoEditor.open(given, "scene.svg");
+      return performance.now();
+    },
+    text,
+  );
+  await editor.page.waitForFunction(() => window.watchedWorkers.some(({ name }) => name === "solve"));
+  const first = await editor.page.evaluate(() => window.watchedWorkers.find(({ name }) => name === "solve").end);
+  return { first, opened };
+}
+
+async function measure(browser, text) {
+  const context = await browser.newContext({ viewport: { width: 1440, height: 900 } });
+  const editor = new EditorPage(await context.newPage());
+  editor.context = context;
+  const { first, opened } = await start(editor, text);
+  await editor.settled();
+  const exact = await editor.page.evaluate(() => window.watchedWorkers.filter(({ name }) => name === "solve").at(-1).end);
+  const { heap, whole } = await tabMegabytes(browser, editor.page);
+  const drag = await dragNode(editor, browser);
+  const panned = await pan(editor, browser);
+  const hovered = await hover(editor, browser);
+  const undone = await undo(editor, browser);
+  await editor.close();
+  const solved = drag.frames.filter(({ name }) => name === "solve");
+  const own = solved.map(({ milliseconds }) => milliseconds);
+  const way = solved.map(({ begin, end, milliseconds }) => Math.max(0, end - begin - milliseconds));
+  const settle = drag.rest.filter(({ name, way }) => name === "solve" && way === "exact");
+  return {
+    first, opened, exact, heap, whole, way,
+    begin: Math.max(...own.slice(0, BEGIN)), engine: own.slice(BEGIN), take: solved.map(({ taken }) => taken),
+    settle: settle.map(({ milliseconds }) => milliseconds), drag: drag.script, panned, hovered, undone,
+  };
+}
+
+const ROWS = [
+  ["first", "first picture after a cold start, ms", (t) => t.first],
+  ["", "of it until the text is open, ms", (t) => t.opened],
+  ["", "exact picture after a cold start, ms", (t) => t.exact],
+  ["begin", "first frame of a drag, engine, ms", (t) => t.begin],
+  ["engine", "drag frame, engine, p95 ms", (t) => percentile(t.engine, 0.95)],
+  ["", "drag frame, engine, p50 ms", (t) => percentile(t.engine, 0.5)],
+  ["way", "way of its answer to the page, p50 ms", (t) => percentile(t.way, 0.5)],
+  ["", "taking it: tables and upload, p50 ms", (t) => percentile(t.take, 0.5)],
+  ["settle", "exact again, engine, ms", (t) => t.settle[0] ?? NaN],
+  ["script", "script of a drag's movement, p95 ms", (t) => percentile(t.drag, 0.95)],
+  ["", "script of a drag's movement, p50 ms", (t) => percentile(t.drag, 0.5)],
+  ["script", "script of a pan's movement, p95 ms", (t) => percentile(t.panned, 0.95)],
+  ["script", "script of a hover's movement, p95 ms", (t) => percentile(t.hovered, 0.95)],
+  ["script", "script of undo, most, ms", (t) => Math.max(...t.undone)],
+  ["memory", "memory of the tab, MB", (t) => t.whole],
+  ["", "of it the page's heap, MB", (t) => t.heap],
+];
+
+/** Prints one scene; gives how many figures are missed. */
+function print(name, times) {
+  let missed = 0;
+  for (const [key, label, value] of ROWS) {
+    const figure = value(times);
+    const required = key === "script" ? SCRIPT : REQUIRED[name]?.[key];
+    const isMissed = required !== undefined && !(figure <= required * TOLERANCE);
+    if (isMissed) missed += 1;
+    const shown = figure >= 100 ? figure.toFixed(0) : figure.toFixed(2);
+    const beside = required === undefined ? "" : `<= ${required}${isMissed ? "  MISSED" : ""}`;
+    console.log(`${name.padEnd(10)}${label.padEnd(40)}${shown.padStart(10)}  ${beside}`);
+  }
+  return missed;
+}
+
+/** The text of a scene; null: it is not there. "many" is made. */
+async function textOf(name) {
+  if (name === "many") return manyCurves(4000);
+  const path = sceneFile(name, options.scenes);
+  return path && svgOf(path);
+}
+
+let missed = 0;
+for (const name of positionals.length > 0 ? positionals : [...Object.keys(REQUIRED), "many"]) {
+  const text = await textOf(name);
+  if (text === null) {
+    console.log(`${name.padEnd(10)}is not there`);
+    continue;
+  }
+  const browser = await launch();
+  missed += print(basename(name).replace(/\.\w+$/, ""), await measure(browser, text));
+  await browser.close();
+}
+console.log(`load average ${loadavg()[0].toFixed(1)}; ${missed} figures are more than 20 % above what is required`);
+process.exitCode = options.strict && missed > 0 ? 1 : 0;

@@ -1,0 +1,28 @@
+// What a tab holds, by Linux: its heaps, the modules of its workers, and Chromium's own part of it.
+import { readFileSync } from "node:fs";
+
+/** Processes that show pages. */
+async function renderers(browser) {
+  const session = await browser.newBrowserCDPSession();
+  const { processInfo } = await session.send("SystemInfo.getProcessInfo");
+  await session.detach();
+  return processInfo.filter(({ type }) => type === "renderer").map(({ id }) => id);
+}
+
+function privateBytes(pid) {
+  const text = readFileSync(`/proc/${pid}/smaps_rollup`, "utf8");
+  const lines = [...text.matchAll(/^Private_\w+:\s+(\d+) kB$/gm)];
+  return lines.reduce((sum, [, kilobytes]) => sum + 1024 * Number(kilobytes), 0);
+}
+
+/** Memory that the largest of them shares with no other process, after the garbage is collected; MB. */
+export async function tabMegabytes(browser, page) {
+  const session = await page.context().newCDPSession(page);
+  await session.send("HeapProfiler.collectGarbage");
+  await session.send("Performance.enable");
+  const { metrics } = await session.send("Performance.getMetrics");
+  await session.detach();
+  const heap = metrics.find(({ name }) => name === "JSHeapUsedSize").value / 1e6;
+  const pids = await renderers(browser);
+  return { heap, whole: Math.max(...pids.map(privateBytes)) / 1e6 };
+}
