@@ -96,6 +96,9 @@ export function launchPersistent(profile, options = {}) {
   return chromium.launchPersistentContext(profile, { executablePath, args: [...quiet, ...mesa], ...options });
 }
 
+/** What has not happened after this never will, milliseconds. */
+const WAIT = Number(process.env.SFUMATO_WAIT ?? 15000);
+
 /** The editor in a page of a fresh profile, and what it says on its console. */
 export class EditorPage {
   /** Messages of errors that the page did not expect. */
@@ -118,6 +121,7 @@ export class EditorPage {
 
   constructor(page) {
     this.page = page;
+    page.setDefaultTimeout(WAIT);
     page.on("pageerror", (error) => this.errors.push(String(error)));
     page.on("console", (message) => {
       if (message.type() === "error") this.errors.push(message.text());
@@ -158,8 +162,15 @@ export class EditorPage {
   /** The picture on the stage as a PNG, without what is drawn above it. */
   async picture() {
     await this.settled();
-    const style = ".canvas-stage > :not(canvas), .toasts, .tooltip { visibility: hidden !important; }";
-    return this.page.locator(".canvas-stage > canvas").screenshot({ animations: "disabled", style });
+    await this.page.evaluate(() => {
+      const sheet = new CSSStyleSheet();
+      sheet.replaceSync(".canvas-stage > :not(canvas), .toasts, .tooltip { visibility: hidden !important }");
+      document.adoptedStyleSheets = [sheet];
+    });
+    // The page's policy lets nobody add a <style>, as hiding the caret would.
+    const png = await this.page.locator(".canvas-stage > canvas").screenshot({ caret: "initial" });
+    await this.page.evaluate(() => void (document.adoptedStyleSheets = []));
+    return png;
   }
 
   async key(...names) {
@@ -192,7 +203,7 @@ export class EditorPage {
   async shot(name) {
     const folder = pathOf("build/editor-shots");
     mkdirSync(folder, { recursive: true });
-    await this.page.screenshot({ path: `${folder}/${name}.png` });
+    await this.page.screenshot({ path: `${folder}/${name}.png`, caret: "initial" });
   }
 
   close() {

@@ -6,18 +6,28 @@
 import { join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 import { launch, serve, Tap } from "./harness.mjs";
+import { testAccess } from "./access.mjs";
+import { testDraw } from "./draw.mjs";
 import { testExporting } from "./exporting.mjs";
 import { testFiles } from "./files.mjs";
+import { testKeys } from "./keys.mjs";
+import { testPanels } from "./panels.mjs";
 import { testRecover } from "./recover.mjs";
 import { testSaving } from "./saving.mjs";
 import { testServedDrawing } from "./served.mjs";
+import { testTools } from "./tools.mjs";
 
 const themes = [
+  testAccess,
+  testDraw,
   testExporting,
   testFiles,
+  testKeys,
+  testPanels,
   testRecover,
   testSaving,
   testServedDrawing,
+  testTools,
 ];
 
 const [folder = "build", only = ""] = process.argv.slice(2);

@@ -1,0 +1,273 @@
+// The panels: each field and button does one step that undo takes back; picker, tree, dialogs, hints, tour.
+import { check, checkEqual, EditorPage } from "./harness.mjs";
+import { changing, count, openWithoutPickers } from "./draw.mjs";
+
+const pixel = "data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mP8z8BQDwAEhQGAhKmMIQAAAABJRU5ErkJggg==";
+const drawing = `<svg xmlns="http://www.w3.org/2000/svg" xmlns:sf="urn:sfumato:1" viewBox="0 0 640 480" sf:background="#fff">
+  <g id="back" sf:diffuse="true">
+    <path id="low" d="M100 300C200 250 300 350 400 300" sf:left="#e33, #fe8" sf:right="#36c" sf:left-opacity=".5" sf:right-opacity="1"/>
+    <path id="high" d="M100 120L300 100L500 140" sf:left="#fe8" sf:right="#284" sf:left-blur="4"/>
+  </g>
+  <g id="front" sf:diffuse="true"><path id="own" d="M200 400L440 420" sf:left="#fff" sf:right="#000"/></g>
+  <use id="copy" href="#front" transform="translate(20 -200)"/>
+  <g id="strokes"><path id="brush" d="M500 100L600 300" sf:left="#f00" sf:right="#00f" sf:radius="12"/></g>
+  <image id="photo" sf:reference="true" href="${pixel}" x="500" y="20" width="100" height="80"/>
+</svg>
+`;
+
+const row = (page, name) => page.getByRole("treeitem", { name: new RegExp(`^${name}\\b`) });
+
+async function select(editor, name, layer) {
+  const { page } = editor;
+  await editor.load(drawing);
+  await page.locator(".canvas-stage").focus();
+  if (layer) {
+    await row(page, layer).click();
+    await page.keyboard.press("ArrowRight");
+  }
+  await row(page, name).click();
+}
+
+/** How each state of the panel comes to be. */
+const states = {
+  document: (editor) => editor.load(drawing),
+  curve: (editor) => select(editor, "low", "back"),
+  async node(editor) {
+    await select(editor, "high", "back");
+    await editor.page.locator(".canvas-stage").focus();
+    await editor.key("a", "Enter");
+  },
+  async several(editor) {
+    await select(editor, "low", "back");
+    await row(editor.page, "high").click({ modifiers: ["Shift"] });
+  },
+  stroke: (editor) => select(editor, "brush", "strokes"),
+  layer: (editor) => select(editor, "front"),
+  group: (editor) => select(editor, "strokes"),
+  instance: (editor) => select(editor, "copy"),
+  reference: (editor) => select(editor, "photo"),
+};
+
+/** Fields that say of one thing where it is: another number there would be the same place. */
+const step = (value) => (value.startsWith("100") ? "90" : String(Number(value || 1) + 1));
+
+/** A single stop is everywhere, whatever place is written; how a photo is sampled is no part of the drawing. */
+const isQuiet = (name, value) => (/^Place of|place of point/.test(name) && value === "0") || /^(Distance|Tolerance)$/.test(name);
+
+/** Every field of the inspector takes a value by typing, and undo gives the text back. */
+async function fields(editor, state) {
+  const { page } = editor;
+  const inputs = page.locator(".inspector input:not([type=range]):not([type=checkbox]):not([disabled])");
+  const names = await inputs.evaluateAll((all) => all.map((one) => one.getAttribute("aria-label") ?? one.labels?.[0]?.textContent ?? ""));
+  const failed = [];
+  for (const [k, name] of names.entries()) {
+    const before = await editor.text;
+    const input = inputs.nth(k);
+    const value = await input.inputValue();
+    if (isQuiet(name, value)) continue;
+    const wanted = /hex/i.test(name) ? (value === "123456" ? "654321" : "123456") : step(value);
+    try {
+      await input.fill(wanted);
+      await changing(editor, `${state}, “${name}” from ${value} to ${wanted}`, () => input.press("Enter"));
+      await page.locator(".canvas-stage").focus();
+      await page.keyboard.press("Control+z");
+      await page.waitForFunction((text) => window.sfumatoEditor.text === text, before);
+    } catch (error) {
+      failed.push(error.message.split("\n")[0]);
+    }
+  }
+  check(names.length > 0, `${state} has no fields`);
+  return failed;
+}
+
+async function testFields({ browser, address }) {
+  const editor = await EditorPage.open(browser, address);
+  const failed = [];
+  for (const [state, enter] of Object.entries(states)) {
+    await enter(editor);
+    failed.push(...(await fields(editor, state)));
+  }
+  checkEqual(failed, [], "fields that do nothing");
+  const { page } = editor;
+  await states.curve(editor);
+  const at = page.locator(".inspector").getByLabel("Blur, radius of point 1");
+  await at.fill("3*4+2");
+  check((await changing(editor, "a sum", () => at.press("Enter"))).includes('="14"'), "the sum is not 14");
+  const before = await editor.text;
+  await at.fill("abc");
+  await at.press("Enter");
+  await page.getByText("Not a number").waitFor();
+  await at.press("Escape");
+  checkEqual(await at.inputValue(), "14", "the field after Escape");
+  checkEqual(await editor.text, before, "the text");
+  editor.checkQuiet();
+  await editor.close();
+}
+
+async function undone(editor, what, act) {
+  const before = await editor.text;
+  const after = await changing(editor, what, act);
+  await editor.page.locator(".canvas-stage").focus();
+  await editor.page.keyboard.press("Control+z");
+  await editor.page.waitForFunction((text) => window.sfumatoEditor.text === text, before).catch(() => check(false, `${what} is more than one step`));
+  return after;
+}
+
+async function testPicker({ browser, address }) {
+  const editor = await EditorPage.open(browser, address);
+  const { page } = editor;
+  await states.curve(editor);
+  await page.getByRole("button", { name: /^Colour of left stop 1/ }).click();
+  const picker = page.locator(".picker");
+  // Alpha is the side's opacity, which is a step of its own.
+  const alpha = picker.getByRole("slider", { name: /^Alpha/ });
+  await changing(editor, "alpha", () => alpha.press("ArrowLeft"));
+  const start = await editor.text;
+  const plane = await picker.locator(".plane").boundingBox();
+  await changing(editor, "a drag on the plane", async () => {
+    await page.mouse.move(plane.x + 60, plane.y + 60);
+    await page.mouse.down();
+    await page.mouse.move(plane.x + 160, plane.y + 90, { steps: 5 });
+    await page.mouse.up();
+  });
+  await changing(editor, "the hue", () => picker.getByRole("slider", { name: "Hue" }).press("ArrowLeft"));
+  for (const model of ["HSV", "RGB", "OKLCH"]) {
+    await picker.getByRole("button", { name: /Colour model/ }).click();
+    await page.getByRole("menuitemcheckbox", { name: model }).or(page.getByRole("menuitem", { name: model })).click();
+    const first = picker.locator(".four input").first();
+    const value = Number(await first.inputValue());
+    await first.fill(String(value > 50 ? value - 9 : value + 9));
+    await changing(editor, `a number of ${model}`, () => first.press("Enter"));
+  }
+  await changing(editor, "a swatch", () => picker.locator(".swatches .swatch").last().click());
+  await changing(editor, "back to the old colour", () => picker.getByRole("button", { name: /^Back to/ }).click());
+  await changing(editor, "the hex", async () => {
+    await picker.getByLabel("Hex").fill("#0af");
+    await picker.getByLabel("Hex").press("Enter");
+  });
+  await picker.press("Escape");
+  await picker.waitFor({ state: "detached" });
+  await page.locator(".canvas-stage").focus();
+  await page.keyboard.press("Control+z");
+  await page.waitForFunction((text) => window.sfumatoEditor.text === text, start).catch(() => check(false, "a session of the picker is more than one step"));
+  editor.checkQuiet();
+  await editor.close();
+}
+
+const names = (page) => page.getByRole("treeitem").locator(".name").allInnerTexts();
+
+async function testTree({ browser, address }) {
+  const editor = await EditorPage.open(browser, address);
+  const { page } = editor;
+  await editor.load(drawing);
+  const first = page.getByRole("treeitem").first();
+  await first.click();
+  await page.keyboard.press("End");
+  await page.waitForFunction(() => document.activeElement?.getAttribute("role") === "treeitem" && document.activeElement.querySelector(".name")?.textContent === "back");
+  await page.keyboard.press("ArrowRight");
+  await row(page, "low").waitFor();
+  await page.keyboard.press("ArrowDown");
+  await page.waitForFunction(() => window.sfumatoEditor.selection[0]?.name === "high");
+  await undone(editor, "Alt and an arrow", () => page.keyboard.press("Alt+ArrowDown"));
+  await row(page, "high").click();
+  await page.keyboard.press("F2");
+  await page.keyboard.type("peak");
+  const renamed = await changing(editor, "F2", () => page.keyboard.press("Enter"));
+  check(/peak/.test(renamed), "it is not renamed");
+  await undone(editor, "an eye", () => row(page, "front").getByRole("button", { name: /^Hide/ }).click());
+  await undone(editor, "a lock", async () => {
+    await row(page, "front").hover();
+    await row(page, "front").getByRole("button", { name: /^Lock/ }).click();
+  });
+  const before = await names(page);
+  const moved = await undone(editor, "a drag of a row", async () => {
+    const [from, to] = [await row(page, "front").boundingBox(), await row(page, "copy").boundingBox()];
+    await page.mouse.move(from.x + 60, from.y + from.height / 2);
+    await page.mouse.down();
+    await page.mouse.move(to.x + 60, to.y + 3, { steps: 8 });
+    await page.locator(".drop-line").waitFor();
+    await page.mouse.up();
+  });
+  check(moved.indexOf('id="front"') > moved.indexOf('id="copy"'), "the row did not move up");
+  checkEqual(await names(page), before, "the rows after undo");
+  const panel = page.getByRole("region", { name: "Layers" });
+  await undone(editor, "New layer", () => panel.getByRole("button", { name: "New layer" }).click());
+  await row(page, "front").click();
+  await undone(editor, "Group", () => panel.getByRole("button", { name: /^Group/ }).click());
+  await row(page, "front").click();
+  await undone(editor, "Delete", () => panel.getByRole("button", { name: /^Delete/ }).click());
+  editor.checkQuiet();
+  await editor.close();
+}
+
+async function testExport({ browser, address }) {
+  const editor = await openWithoutPickers(browser, address);
+  const { page } = editor;
+  await editor.load(drawing);
+  for (const format of ["SVG", "PNG", "HTML"]) {
+    await page.getByRole("button", { name: /^Export/ }).first().click();
+    const dialog = page.getByRole("dialog", { name: "Export" });
+    await dialog.getByRole("radio", { name: new RegExp(`^${format}`) }).click();
+    const download = page.waitForEvent("download");
+    await dialog.getByRole("button", { name: `Export ${format}` }).click();
+    check((await download).suggestedFilename().endsWith(`.${format.toLowerCase()}`), `${format} has another name`);
+    await page.keyboard.press("Escape");
+    await dialog.waitFor({ state: "detached" });
+  }
+  editor.checkQuiet();
+  await editor.close();
+}
+
+const leaky = `<svg xmlns="http://www.w3.org/2000/svg" xmlns:sf="urn:sfumato:1" viewBox="0 0 640 480">
+  <g id="l" sf:diffuse="true"><path id="ring" d="M300 100C420 100 420 300 300 300S180 110 296 101" sf:left="#e33" sf:right="#36c"/></g>
+</svg>
+`;
+
+async function testHints({ browser, address }) {
+  const editor = await EditorPage.open(browser, address);
+  const { page } = editor;
+  await editor.load(leaky);
+  await page.getByRole("button", { name: /^\d+ hints?/ }).click();
+  const mend = page.locator(".hints .hint button.button, .hints li .button").first();
+  await mend.waitFor();
+  await undone(editor, "a hint's button", () => mend.click());
+  editor.checkQuiet();
+  await editor.close();
+}
+
+async function testTour({ browser, address }) {
+  const editor = await EditorPage.open(browser, address);
+  const { page } = editor;
+  await page.getByRole("button", { name: "Try the five steps" }).click();
+  const title = (text) => page.locator(".tour-card").getByRole("heading", { name: text }).waitFor();
+  await title("Draw a curve");
+  await editor.settled();
+  await editor.drag([[120, 260], [300, 200], [500, 260]], { steps: 8 });
+  await title("Colour both sides");
+  for (const [side, color] of [["Left", "f06040"], ["Right", "2050a0"]]) {
+    await page.getByRole("group", { name: `${side} side` }).locator(".stop").first().dblclick();
+    await page.locator(".picker").getByLabel("Hex").fill(color);
+    await page.locator(".picker").getByLabel("Hex").press("Enter");
+    await page.locator(".picker").press("Escape");
+  }
+  await title("Soften it with blur");
+  await page.getByRole("radio", { name: "Blur", checked: true }).first().waitFor();
+  await editor.drag([[300, 212], [300, 270]]);
+  await title("Add a layer");
+  await page.getByRole("button", { name: "New layer" }).click();
+  await title("Export");
+  await page.getByRole("button", { name: /^Export/ }).first().click();
+  await page.locator(".tour-card").waitFor({ state: "detached" });
+  checkEqual(count(await editor.text, /sf:diffuse/g), 2, "layers");
+  editor.checkQuiet();
+  await editor.close();
+}
+
+export async function testPanels(tap, given) {
+  await tap.test("each field of the panel does one step", () => testFields(given));
+  await tap.test("the picker's parts change the colour, all in one step", () => testPicker(given));
+  await tap.test("the tree by mouse and by keys", () => testTree(given));
+  await tap.test("the export dialog writes each format", () => testExport(given));
+  await tap.test("a hint is mended by its button", () => testHints(given));
+  await tap.test("the tour goes through its five steps", () => testTour(given));
+}
