@@ -30,6 +30,9 @@ function sizeOf({ patch }: Step): number {
   return patch.reduce((sum, edit) => sum + edit.removed.length + edit.inserted.length, 200);
 }
 
+/** Parts of a text hold the whole of it in memory: copies do not. */
+const detached = (patch: Patch): Patch => JSON.parse(JSON.stringify(patch)) as Patch;
+
 export class History {
   #done: Step[] = [];
   #undone: Step[] = [];
@@ -52,7 +55,7 @@ export class History {
       merge !== "" && this.#merge?.key === merge && now - this.#merge.time < MERGE_TIME;
     if (!isMerged) this.#group += 1;
     this.#merge = { key: merge, time: now };
-    this.#done.push({ ...step, group: this.#group });
+    this.#done.push({ ...step, patch: detached(step.patch), group: this.#group });
     this.#size += sizeOf(step as Step);
     this.#undone = [];
     while (this.#size > MOST_CHARACTERS && this.#done.length > 1) {
