@@ -15,6 +15,7 @@ import { testPanels } from "./panels.mjs";
 import { testRecover } from "./recover.mjs";
 import { testSaving } from "./saving.mjs";
 import { testServedDrawing } from "./served.mjs";
+import { testSunset } from "./sunset.mjs";
 import { testTools } from "./tools.mjs";
 
 const themes = [
@@ -27,6 +28,7 @@ const themes = [
   testRecover,
   testSaving,
   testServedDrawing,
+  testSunset,
   testTools,
 ];
 

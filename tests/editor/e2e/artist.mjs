@@ -1,0 +1,202 @@
+// What a person does in the editor, in words of the page: pointer, a tablet's pen, keys and panels.
+
+/** Points between points, as a hand would make them (Catmull and Rom); [x, y, pressure]. */
+function dense(points, count = 5) {
+  const mix = (a, b, c, d, t) =>
+    b + (t * (c - a + t * (2 * a - 5 * b + 4 * c - d + t * (3 * (b - c) + d - a)))) / 2;
+  const between = points.slice(1).flatMap((to, k) => {
+    const row = [points[Math.max(k - 1, 0)], points[k], to, points[Math.min(k + 2, points.length - 1)]];
+    return Array.from({ length: count }, (_, i) =>
+      [0, 1, 2].map((axis) => mix(...row.map((point) => point[axis]), (i + 1) / count)),
+    );
+  });
+  const pressed = ([x, y, force]) => [x, y, Math.min(Math.max(force, 0.02), 1)];
+  return [points[0], ...between].map(pressed);
+}
+
+/** Points between points on the straight way. */
+function straight(points, count = 3) {
+  const between = (a, b) =>
+    Array.from({ length: count }, (_, i) => a.map((from, axis) => from + ((b[axis] - from) * (i + 1)) / count));
+  return [points[0], ...points.slice(1).flatMap((to, k) => between(points[k], to))];
+}
+
+/** Uses the editor as a person does: steps of undo are those of the hand. */
+export class Artist {
+  constructor(editor) {
+    this.editor = editor;
+    this.page = editor.page;
+    /** The tablet's pen, once it was used. */
+    this.pen = null;
+  }
+
+  tool(name) {
+    return this.page.getByRole("radio", { name, exact: true }).click();
+  }
+
+  /** What comes next belongs to nothing that is there. */
+  async deselect() {
+    await this.tool("Select");
+    await this.editor.key("Control+Shift+A");
+  }
+
+  async blank(width, height, background) {
+    const { page } = this;
+    await this.editor.key("Control+Alt+N");
+    const dialog = page.getByRole("dialog");
+    await this.type(dialog.getByLabel("Width", { exact: true }), width);
+    await this.type(dialog.getByLabel("Height", { exact: true }), height);
+    await this.type(dialog.getByLabel("Background, hex"), background);
+    await dialog.getByRole("button", { name: "Make it" }).click();
+    // Room around the artboard, for curves that run beyond it.
+    await this.editor.key("-");
+    await this.editor.settled();
+  }
+
+  async menu(...names) {
+    await this.page.getByRole("button", { name: "Menu", exact: true }).click();
+    for (const name of names) {
+      const item = this.page.locator(".menu-item").filter({ has: this.page.getByText(name, { exact: true }) });
+      await item.last().click();
+    }
+  }
+
+  /** A click on what lies there. */
+  async select(x, y) {
+    await this.tool("Select");
+    await this.editor.click(x, y);
+  }
+
+  async blend(mode) {
+    await this.page.getByLabel("Blend mode").click();
+    await this.page.locator(".menu-item").filter({ hasText: mode }).click();
+  }
+
+  /** A row of the layers. */
+  row(name) {
+    return this.page.getByRole("treeitem").filter({ has: this.page.getByText(name, { exact: true }) });
+  }
+
+  choose(name, options) {
+    return this.row(name).locator(".name").click(options);
+  }
+
+  async type(field, value) {
+    await field.fill(String(value));
+    await field.press("Enter");
+  }
+
+  /** Nodes with the pen: [x, y], or [x, y, hx, hy] with the handle ahead pulled to hx, hy. */
+  async curve(nodes, { closes = false } = {}) {
+    const { editor, page } = this;
+    await this.tool("Pen");
+    for (const [x, y, hx, hy] of closes ? [...nodes, nodes[0]] : nodes) {
+      const [at, to] = [await editor.at(x, y), hx === undefined ? null : await editor.at(hx, hy)];
+      await page.mouse.move(...at);
+      await page.mouse.down();
+      if (to) await page.mouse.move(...to, { steps: 3 });
+      await page.mouse.up();
+    }
+    if (!closes) await editor.key("Enter");
+    await page.waitForFunction(() => window.sfumatoEditor.selection[0]?.name !== undefined);
+    await editor.settled();
+  }
+
+  /** A stroke of the pen of a tablet through points [x, y, pressure], smooth between them. */
+  async stroke(points, { radius, smoothing = 1, isStraight = false }) {
+    const { editor, page } = this;
+    await this.tool("Stroke");
+    const options = page.getByRole("group", { name: "Options of the tool" });
+    await this.type(options.getByLabel("Radius"), radius);
+    await this.type(options.getByLabel("Smoothing"), smoothing);
+    this.pen ??= await editor.context.newCDPSession(page);
+    const send = (type, [x, y, force]) =>
+      this.pen.send("Input.dispatchMouseEvent", {
+        ...{ type, x, y, force, pointerType: "pen", button: force > 0 ? "left" : "none" },
+        ...{ buttons: force > 0 ? 1 : 0, clickCount: 1 },
+      });
+    const places = [];
+    const way = isStraight ? straight(points) : dense(points);
+    for (const [x, y, force] of way) places.push([...(await editor.at(x, y)), force]);
+    // A pen is seen before it touches.
+    await send("mouseMoved", [places[0][0], places[0][1], 0]);
+    await send("mousePressed", places[0]);
+    for (const place of places.slice(1)) await send("mouseMoved", place);
+    await send("mouseReleased", places.at(-1));
+    await editor.settled();
+  }
+
+  stop(side, index) {
+    return this.page.getByRole("group", { name: `${side} side` }).first().locator(".stops .stop").nth(index);
+  }
+
+  /** The colour of a stop, typed in the panel. */
+  async color(side, index, hex) {
+    await this.stop(side, index).click();
+    await this.type(this.page.getByLabel("Colour, hex"), hex);
+  }
+
+  /** The colour of a stop, by the picker: strokes take the last such colour. */
+  async pick(side, index, hex) {
+    await this.stop(side, index).dblclick();
+    const picker = this.page.getByRole("dialog");
+    await this.type(picker.getByRole("textbox").first(), hex);
+    await this.editor.key("Escape");
+    await picker.waitFor({ state: "detached" });
+  }
+
+  async placeOn(side, fraction) {
+    const box = await this.page.getByRole("group", { name: `${side} side` }).first().locator(".band").boundingBox();
+    return [box.x + box.width * fraction, box.y + box.height / 2];
+  }
+
+  async addStop(side, fraction, hex) {
+    await this.page.mouse.click(...(await this.placeOn(side, fraction)));
+    if (hex) await this.type(this.page.getByLabel("Colour, hex"), hex);
+  }
+
+  async copyStop(side, index, fraction) {
+    const box = await this.stop(side, index).boundingBox();
+    const to = await this.placeOn(side, fraction);
+    await this.page.keyboard.down("Alt");
+    await this.page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+    await this.page.mouse.down();
+    await this.page.mouse.move(to[0], box.y + box.height / 2, { steps: 4 });
+    await this.page.mouse.up();
+    await this.page.keyboard.up("Alt");
+  }
+
+  field(name, value) {
+    return this.type(this.page.getByLabel(name, { exact: true }), value);
+  }
+
+  async handle(name) {
+    const { x, y, width, height } = await this.page.getByRole("button", { name, exact: true }).boundingBox();
+    return [x + width / 2, y + height / 2];
+  }
+
+  /** Drags a corner of the box, in proportion. */
+  async scale(corner, factor) {
+    const opposite = { "south-east": "north-west" }[corner];
+    const [from, fixed] = [await this.handle(`Scale, ${corner}`), await this.handle(`Scale, ${opposite}`)];
+    const to = from.map((value, axis) => fixed[axis] + (value - fixed[axis]) * factor);
+    await this.sweep(from, to, "Shift");
+  }
+
+  /** Drags what is selected from a point of the artboard to another. */
+  async move(from, to) {
+    await this.sweep(await this.editor.at(...from), await this.editor.at(...to));
+  }
+
+  /** The mouse, pressed between two points of the window while a key is held. */
+  async sweep(from, to, key) {
+    const { mouse, keyboard } = this.page;
+    if (key) await keyboard.down(key);
+    await mouse.move(...from);
+    await mouse.down();
+    await mouse.move(...to, { steps: 5 });
+    await mouse.up();
+    if (key) await keyboard.up(key);
+    await this.editor.settled();
+  }
+}

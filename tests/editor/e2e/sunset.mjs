@@ -1,0 +1,178 @@
+// A picture drawn from nothing through what a person has: pointer, pen, keys and panels.
+import { readFileSync } from "node:fs";
+import { Artist } from "./artist.mjs";
+import { EditorPage, check, checkEqual, pathOf } from "./harness.mjs";
+
+const STEPS = 60;
+const BLUR = "Blur, radius of point 1";
+
+/** Nodes of a circle for the pen, clockwise from an angle, degrees. */
+function circle(x, y, radius, from) {
+  return [0, 90, 180, 270].map((more) => {
+    const angle = ((from + more) * Math.PI) / 180;
+    const [dx, dy] = [radius * Math.cos(angle), radius * Math.sin(angle)];
+    return [x + dx, y + dy, x + dx - 0.5523 * dy, y + dy + 0.5523 * dx];
+  });
+}
+
+/** All curves while there are but two colours: what is drawn later takes what it finds. 8 steps. */
+async function sketch(artist) {
+  await artist.curve([[-150, 272], [1110, 272]]);
+  await artist.curve(circle(330, 214, 44, 180), { closes: true });
+  await artist.curve([[-150, 580, -40, 576], [360, 486, 450, 466], [690, 436, 770, 412],
+    [1110, 330]]);
+  await artist.curve([[-150, 622, -40, 620], [380, 526, 470, 502], [710, 470, 790, 446],
+    [1110, 360]]);
+  await artist.curve([[-150, 730], [1110, 630]]);
+  await artist.curve([[-150, -30], [1110, -30]]);
+  await artist.curve([[-150, 160, 0, 164], [230, 118, 335, 116], [540, 150, 640, 148],
+    [800, 100, 880, 88], [1110, 110]]);
+  await artist.deselect();
+  const foam = [[-20, 556, 0.5], [60, 549, 0.9], [150, 531, 0.6], [260, 509, 1], [360, 487, 0.7],
+    [450, 472, 0.4], [560, 461, 0.8], [690, 436, 0.5], [800, 404, 0.8], [980, 360, 0.4]];
+  await artist.stroke(foam, { radius: 8, smoothing: 2 });
+}
+
+/** Sand, wet sand and sea. 7 steps. */
+async function shore(artist) {
+  await artist.select(900, 646.7);
+  await artist.color("Left", 0, "a06a55");
+  await artist.select(380, 526);
+  await artist.color("Left", 0, "8a6460");
+  await artist.color("Right", 0, "ecc08e");
+  await artist.field(BLUR, 12);
+  await artist.select(360, 486);
+  await artist.color("Left", 0, "29697c");
+  await artist.color("Right", 0, "a87d78");
+  await artist.field(BLUR, 3);
+}
+
+/** One colour at both ends, another where the sun stands. 4 steps. */
+async function glowing(artist, side, end, middle) {
+  await artist.color(side, 0, end);
+  await artist.copyStop(side, 0, 1);
+  await artist.addStop(side, 0.38);
+  await artist.pick(side, 1, middle);
+}
+
+/** The horizon, the clouds above it, and the light on both. 21 steps. */
+async function sky(artist) {
+  await artist.select(540, 150);
+  await glowing(artist, "Left", "5b4182", "96608f");
+  await glowing(artist, "Right", "cf6680", "ffab78");
+  await artist.field(BLUR, 26);
+  await artist.select(800, 272);
+  await glowing(artist, "Right", "75476f", "ffb676");
+  await glowing(artist, "Left", "d4636a", "ffe0a0");
+  await artist.field(BLUR, 5);
+  await artist.deselect();
+  await artist.stroke([[330, 214, 1], [330, 330, 1]], { radius: 200 });
+  await artist.blend("Screen");
+  await artist.deselect();
+  await artist.stroke(glitter(), { radius: 7, smoothing: 0.5, isStraight: true });
+}
+
+/** The sun on the water: dashes that end in points. */
+function glitter() {
+  const turns = [[282, 279], [384, 285], [270, 293], [372, 301], [290, 309], [378, 318],
+    [300, 328], [362, 339], [286, 350], [352, 362], [312, 374], [356, 388], [318, 402],
+    [340, 416]];
+  return turns.flatMap(([x, y], k) => {
+    const [nextX, nextY] = turns[k + 1] ?? [x, y];
+    const at = (share, force) => [x + share * (nextX - x), y + share * (nextY - y), force];
+    return k + 1 < turns.length ? [at(0, 0.02), at(0.25, 0.6), at(0.5, 0.8), at(0.75, 0.6)] : [at(0, 0.02)];
+  });
+}
+
+/** The sky's edge, whose colour shadow and gulls take; the sun, whose colour the highlight. 8 steps. */
+async function shades(artist) {
+  await artist.select(480, -30);
+  await artist.pick("Right", 0, "382a5c");
+  await artist.deselect();
+  await artist.stroke([[640, 512, 0.6], [700, 524, 0.9], [780, 542, 1],
+    [860, 568, 0.35]], { radius: 36 });
+  await artist.field("Strength", 80);
+  await artist.deselect();
+  await artist.stroke([[520, 192, 0.1], [532, 181, 0.7], [546, 182, 0.8], [555, 191, 1],
+    [565, 181, 0.8], [580, 179, 0.7], [594, 189, 0.1]], { radius: 3.6 });
+  await artist.deselect();
+  await artist.stroke([[612, 158, 0.1], [620, 151, 0.7], [629, 152, 0.8], [634, 158, 1],
+    [641, 151, 0.8], [650, 150, 0.7], [659, 157, 0.1]], { radius: 2.6 });
+  await artist.select(330, 170);
+  await artist.color("Left", 0, "ffdc8c");
+  await artist.pick("Right", 0, "fffbe6");
+  await artist.field(BLUR, 4);
+}
+
+/** A layer of one circle, a stroke for its highlight, its shadow; and all of it once more. 16 steps. */
+async function balls(artist) {
+  const { page, editor } = artist;
+  await artist.deselect();
+  await page.getByRole("button", { name: "New layer" }).click();
+  await artist.curve(circle(640, 445, 80, 72), { closes: true });
+  await artist.color("Right", 0, "4a1038");
+  await artist.copyStop("Right", 0, 1);
+  await artist.addStop("Right", 0.45, "ffa868");
+  await artist.addStop("Right", 0.22, "d8353a");
+  await artist.copyStop("Right", 1, 0.68);
+  await artist.field("Opacity, left", 0);
+  await artist.field(BLUR, 1);
+  await artist.deselect();
+  await artist.stroke([[592, 420, 0.2], [600, 402, 0.9], [612, 391, 1],
+    [632, 383, 0.2]], { radius: 14 });
+  await artist.choose("Stroke 4");
+  await artist.choose("Layer 2", { modifiers: ["Control"] });
+  await artist.choose("Stroke 7", { modifiers: ["Control"] });
+  await artist.tool("Select");
+  await editor.key("Control+G", "Control+Alt+D");
+  await artist.scale("south-east", 0.38);
+  await artist.move([613, 419], [876, 418]);
+}
+
+/** Draws the sunset: 60 steps of undo after the empty page, whose text it returns. */
+export async function drawSunset(editor) {
+  const artist = new Artist(editor);
+  await artist.blank(960, 600, "232a58");
+  await artist.menu("View", "Snap");
+  const start = await editor.text;
+  await sketch(artist);
+  await shore(artist);
+  await sky(artist);
+  await shades(artist);
+  await balls(artist);
+  return start;
+}
+
+/** Numbers differ by rounding between machines; everything else is to be the same. */
+function checkAlike(actual, expected, what) {
+  const number = /-?\d*\.?\d+(?:e-?\d+)?/g;
+  const frame = (text) => text.replace(number, "0");
+  checkEqual(frame(actual), frame(expected), `${what}, but for numbers`);
+  const [a, b] = [actual, expected].map((text) => (text.match(number) ?? []).map(Number));
+  const far = a.findIndex((value, k) => Math.abs(value - b[k]) > 0.5);
+  check(far < 0, `${what}: ${a[far]}, expected ${b[far]}`);
+}
+
+export async function testSunset(tap, { browser, address }) {
+  await tap.test(`a sunset is drawn in ${STEPS} steps, and they lead back`, async () => {
+    const editor = await EditorPage.open(browser, address);
+    try {
+      const start = await drawSunset(editor);
+      const drawn = await editor.text;
+      checkAlike(drawn, readFileSync(pathOf("examples/sunset.svg"), "utf8"), "what was drawn");
+      const undo = editor.page.getByRole("button", { name: /^Undo/ });
+      const redo = editor.page.getByRole("button", { name: /^Redo/ });
+      for (let step = 0; step < STEPS; step += 1) {
+        check(await undo.isEnabled(), `there are ${step} steps to undo only`);
+        await undo.click();
+      }
+      checkEqual(await editor.text, start, "the text after all steps were undone");
+      check(await undo.isDisabled(), `there are more than ${STEPS} steps`);
+      for (let step = 0; step < STEPS; step += 1) await redo.click();
+      checkEqual(await editor.text, drawn, "the text after all steps were redone");
+      editor.checkQuiet();
+    } finally {
+      await editor.close();
+    }
+  });
+}
