@@ -5,7 +5,7 @@ function dense(points, count = 5) {
   const mix = (a, b, c, d, t) =>
     b + (t * (c - a + t * (2 * a - 5 * b + 4 * c - d + t * (3 * (b - c) + d - a)))) / 2;
   const between = points.slice(1).flatMap((to, k) => {
-    const row = [points[Math.max(k - 1, 0)], points[k], to, points[Math.min(k + 2, points.length - 1)]];
+    const row = [points[k - 1] ?? points[k], points[k], to, points[k + 2] ?? to];
     return Array.from({ length: count }, (_, i) =>
       [0, 1, 2].map((axis) => mix(...row.map((point) => point[axis]), (i + 1) / count)),
     );
@@ -17,7 +17,9 @@ function dense(points, count = 5) {
 /** Points between points on the straight way. */
 function straight(points, count = 3) {
   const between = (a, b) =>
-    Array.from({ length: count }, (_, i) => a.map((from, axis) => from + ((b[axis] - from) * (i + 1)) / count));
+    Array.from({ length: count }, (_, i) =>
+      a.map((from, axis) => from + ((b[axis] - from) * (i + 1)) / count),
+    );
   return [points[0], ...points.slice(1).flatMap((to, k) => between(points[k], to))];
 }
 
@@ -56,8 +58,8 @@ export class Artist {
   async menu(...names) {
     await this.page.getByRole("button", { name: "Menu", exact: true }).click();
     for (const name of names) {
-      const item = this.page.locator(".menu-item").filter({ has: this.page.getByText(name, { exact: true }) });
-      await item.last().click();
+      const label = this.page.getByText(name, { exact: true });
+      await this.page.locator(".menu-item").filter({ has: label }).last().click();
     }
   }
 
@@ -74,7 +76,8 @@ export class Artist {
 
   /** A row of the layers. */
   row(name) {
-    return this.page.getByRole("treeitem").filter({ has: this.page.getByText(name, { exact: true }) });
+    const label = this.page.getByText(name, { exact: true });
+    return this.page.getByRole("treeitem").filter({ has: label });
   }
 
   choose(name, options) {
@@ -89,6 +92,7 @@ export class Artist {
   /** Nodes with the pen: [x, y], or [x, y, hx, hy] with the handle ahead pulled to hx, hy. */
   async curve(nodes, { closes = false } = {}) {
     const { editor, page } = this;
+    const before = await editor.text;
     await this.tool("Pen");
     for (const [x, y, hx, hy] of closes ? [...nodes, nodes[0]] : nodes) {
       const [at, to] = [await editor.at(x, y), hx === undefined ? null : await editor.at(hx, hy)];
@@ -98,8 +102,13 @@ export class Artist {
       await page.mouse.up();
     }
     if (!closes) await editor.key("Enter");
-    await page.waitForFunction(() => window.sfumatoEditor.selection[0]?.name !== undefined);
-    await editor.settled();
+    await this.changed(before);
+  }
+
+  /** When the text is another one, and its picture is drawn. */
+  async changed(before) {
+    await this.page.waitForFunction((text) => window.sfumatoEditor.text !== text, before);
+    await this.editor.settled();
   }
 
   /** A stroke of the pen of a tablet through points [x, y, pressure], smooth between them. */
@@ -118,16 +127,22 @@ export class Artist {
     const places = [];
     const way = isStraight ? straight(points) : dense(points);
     for (const [x, y, force] of way) places.push([...(await editor.at(x, y)), force]);
+    const before = await editor.text;
     // A pen is seen before it touches.
     await send("mouseMoved", [places[0][0], places[0][1], 0]);
     await send("mousePressed", places[0]);
     for (const place of places.slice(1)) await send("mouseMoved", place);
     await send("mouseReleased", places.at(-1));
-    await editor.settled();
+    await this.changed(before);
+  }
+
+  /** The colours of a side in the panel. */
+  ribbon(side) {
+    return this.page.getByRole("group", { name: `${side} side` }).first();
   }
 
   stop(side, index) {
-    return this.page.getByRole("group", { name: `${side} side` }).first().locator(".stops .stop").nth(index);
+    return this.ribbon(side).locator(".stops .stop").nth(index);
   }
 
   /** The colour of a stop, typed in the panel. */
@@ -136,7 +151,7 @@ export class Artist {
     await this.type(this.page.getByLabel("Colour, hex"), hex);
   }
 
-  /** The colour of a stop, by the picker: strokes take the last such colour. */
+  /** The colour of a stop, by the picker: new strokes have the last colour that it chose. */
   async pick(side, index, hex) {
     await this.stop(side, index).dblclick();
     const picker = this.page.getByRole("dialog");
@@ -146,7 +161,7 @@ export class Artist {
   }
 
   async placeOn(side, fraction) {
-    const box = await this.page.getByRole("group", { name: `${side} side` }).first().locator(".band").boundingBox();
+    const box = await this.ribbon(side).locator(".band").boundingBox();
     return [box.x + box.width * fraction, box.y + box.height / 2];
   }
 
@@ -171,14 +186,16 @@ export class Artist {
   }
 
   async handle(name) {
-    const { x, y, width, height } = await this.page.getByRole("button", { name, exact: true }).boundingBox();
+    const button = this.page.getByRole("button", { name, exact: true });
+    const { x, y, width, height } = await button.boundingBox();
     return [x + width / 2, y + height / 2];
   }
 
   /** Drags a corner of the box, in proportion. */
   async scale(corner, factor) {
     const opposite = { "south-east": "north-west" }[corner];
-    const [from, fixed] = [await this.handle(`Scale, ${corner}`), await this.handle(`Scale, ${opposite}`)];
+    const from = await this.handle(`Scale, ${corner}`);
+    const fixed = await this.handle(`Scale, ${opposite}`);
     const to = from.map((value, axis) => fixed[axis] + (value - fixed[axis]) * factor);
     await this.sweep(from, to, "Shift");
   }
