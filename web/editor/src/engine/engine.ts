@@ -118,11 +118,15 @@ export class WorkerEngine implements Engine {
 
   async #follows(): Promise<void> {
     const seat = this.#front;
+    let { serial } = this.#wanted;
     try {
       await seat.ready;
-      while (seat === this.#front && this.#isFrameWanted) await this.#frame(seat);
+      while (seat === this.#front && this.#isFrameWanted) {
+        serial = this.#wanted.serial;
+        await this.#frame(seat);
+      }
     } catch (error) {
-      this.#complain(error, seat);
+      this.#complain(error, seat, serial);
     }
   }
 
@@ -184,11 +188,13 @@ export class WorkerEngine implements Engine {
     if (this.#isSettling || !this.#isSettleWanted) return;
     this.#isSettling = true;
     const seat = (this.#back ??= this.#newSeat());
+    let { serial } = this.#wanted;
     try {
       await seat.ready;
+      serial = this.#wanted.serial;
       await this.#settleIn(seat, this.#wanted, this.#options);
     } catch (error) {
-      this.#complain(error, seat);
+      this.#complain(error, seat, serial);
     }
     this.#isSettling = false;
     if (this.#isSettleWanted) this.#settleAfter(this.#rest.again(this.#wanted.moving));
@@ -228,12 +234,14 @@ export class WorkerEngine implements Engine {
     await this.#solve(seat, { kind: "exact" }, options);
   }
 
-  #complain(error: unknown, seat: Seat) {
+  /** @param serial of the text that failed, which another may have followed */
+  #complain(error: unknown, seat: Seat, serial: number) {
     if (this.#isFree) return;
     const problem = EngineError.of(error);
-    this.#badSerial = this.#wanted.serial;
+    this.#badSerial = Math.max(this.#badSerial, serial);
     this.#pending.lose();
     if (!problem.isOfText) this.#replace(seat);
+    if (serial < this.#wanted.serial) return;
     const { reason, line, column } = problem;
     if (seat.isStarted) this.onStatus({ kind: "problem", reason, line, column });
     else this.onStatus({ kind: "failed", reason });
