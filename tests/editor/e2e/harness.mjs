@@ -90,12 +90,6 @@ export function launch(flags = mesa) {
   return chromium.launch({ executablePath, args: [...quiet, ...flags] });
 }
 
-/** A browser with a profile that outlives it. */
-export function launchPersistent(profile, options = {}) {
-  const executablePath = process.env.CHROMIUM ?? "/usr/bin/chromium";
-  return chromium.launchPersistentContext(profile, { executablePath, args: [...quiet, ...mesa], ...options });
-}
-
 /** What has not happened after this never will, milliseconds. */
 const WAIT = Number(process.env.SFUMATO_WAIT ?? 15000);
 

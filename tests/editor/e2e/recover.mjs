@@ -1,21 +1,9 @@
-// What the browser keeps of a drawing: after a killed page, beside another tab, and where it keeps nothing.
-import { mkdtempSync, rmSync } from "node:fs";
-import { tmpdir } from "node:os";
-import { join } from "node:path";
-import { check, checkEqual, EditorPage, launchPersistent } from "./harness.mjs";
+// What the browser keeps of a drawing: after a page that ended, beside another tab, and where it keeps nothing.
+import { check, checkEqual, EditorPage } from "./harness.mjs";
 import { small } from "./texts.mjs";
-import { said, shows } from "./words.mjs";
+import { edit, said, shows } from "./words.mjs";
 
 const size = { viewport: { width: 900, height: 600 } };
-
-/** Moves the first curve by a key. */
-async function edit(editor) {
-  const before = await editor.text;
-  await editor.page.locator(".canvas-stage").focus();
-  await editor.key("Tab", "ArrowRight");
-  await editor.page.waitForFunction((text) => window.sfumatoEditor.text !== text, before);
-  return editor.text;
-}
 
 const state = (page, pattern) =>
   page.waitForFunction((source) => new RegExp(source).test(document.querySelector(".saved")?.textContent), pattern.source);
@@ -34,33 +22,6 @@ function isKept(page, text) {
       };
     });
   return page.waitForFunction(look, text, { polling: 200 });
-}
-
-/** The browser's process dies; the next one has the drawing, and its undo. */
-async function testKilled(address) {
-  const profile = mkdtempSync(join(tmpdir(), "sfumato-profile-"));
-  try {
-    const first = await launchPersistent(profile, size);
-    const editor = await EditorPage.within(first, address);
-    await editor.load(small, "lost.svg");
-    const once = await edit(editor);
-    await isKept(editor.page, once);
-    const session = await first.browser()?.newBrowserCDPSession();
-    if (session) await session.send("Browser.crash").catch(() => undefined);
-    await first.close().catch(() => undefined);
-    const second = await launchPersistent(profile, size);
-    const again = await EditorPage.within(second, address);
-    await again.page.locator(".recent-list button").first().click();
-    await shows(again.page, once);
-    await again.key("Control+z");
-    await shows(again.page, small);
-    await again.key("Control+Shift+z");
-    await shows(again.page, once);
-    again.checkQuiet();
-    await second.close();
-  } finally {
-    rmSync(profile, { recursive: true, force: true });
-  }
 }
 
 /** An edit of the last second is kept though another drawing is opened at once; each keeps its own text. */
@@ -167,7 +128,6 @@ async function testPruned(browser, address) {
 }
 
 export async function testRecover(tap, { browser, address }) {
-  await tap.test("recover: a killed browser loses neither drawing nor undo", () => testKilled(address));
   await tap.test("recover: every drawing is kept as itself", () => testSwitched(browser, address));
   const refusals = { throws: throwing, "is missing": missing };
   for (const [name, script] of Object.entries(refusals)) {

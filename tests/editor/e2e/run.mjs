@@ -13,6 +13,7 @@ import { testFiles } from "./files.mjs";
 import { testKeys } from "./keys.mjs";
 import { testPanels } from "./panels.mjs";
 import { testRecover } from "./recover.mjs";
+import { testRobust } from "./robust.mjs";
 import { testSaving } from "./saving.mjs";
 import { testServedDrawing } from "./served.mjs";
 import { testSunset } from "./sunset.mjs";
@@ -26,6 +27,7 @@ const themes = [
   testKeys,
   testPanels,
   testRecover,
+  testRobust,
   testSaving,
   testServedDrawing,
   testSunset,

@@ -3,7 +3,7 @@ import { gunzipSync, gzipSync } from "node:zlib";
 import { downloaded, giveDisk, Disk } from "./disk.mjs";
 import { check, checkEqual, EditorPage } from "./harness.mjs";
 import { corpus, entities, example, exampleNames, small, strangers } from "./texts.mjs";
-import { said } from "./words.mjs";
+import { edit, said } from "./words.mjs";
 
 const bytesOfExamples = () => exampleNames.map((name) => [name, Buffer.from(example(name))]);
 
@@ -143,13 +143,6 @@ async function testReadOnly(editor, disk) {
   await editor.key("Tab", "ArrowRight");
   await said(editor.page, /entit/i);
   checkEqual(await editor.text, entities, "the text of a file with entities of its own");
-}
-
-async function edit(editor) {
-  const before = await editor.text;
-  await editor.page.locator(".canvas-stage").focus();
-  await editor.key("Tab", "ArrowRight");
-  await editor.page.waitForFunction((text) => window.sfumatoEditor.text !== text, before);
 }
 
 async function testRefused(editor, disk) {

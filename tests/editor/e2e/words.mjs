@@ -1,4 +1,4 @@
-// What the page says, waited for.
+// What the page says, waited for; and the smallest edit by hand.
 import { check } from "./harness.mjs";
 
 /** Waits until the page says what matches; gives its words. */
@@ -30,4 +30,13 @@ export async function shows(page, text) {
 export async function closeDialog(page) {
   await page.keyboard.press("Escape");
   await page.waitForFunction(() => !document.querySelector("dialog[open]"));
+}
+
+/** Moves the first curve, or what is selected, by a key. @returns the new text */
+export async function edit(editor) {
+  const before = await editor.text;
+  await editor.page.locator(".canvas-stage").focus();
+  if ((await editor.page.evaluate(() => window.sfumatoEditor.selection.length)) === 0) await editor.key("Tab");
+  await editor.key("ArrowRight");
+  return textAfter(editor.page, before);
 }

@@ -1,0 +1,196 @@
+// What goes wrong around the page: graphics, workers, the module, the network; and what it may never do.
+import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { drop } from "./disk.mjs";
+import { check, checkEqual, EditorPage, packageOf, serve } from "./harness.mjs";
+import { example, small } from "./texts.mjs";
+import { edit, said, shows } from "./words.mjs";
+
+const { decode } = packageOf("fast-png");
+const size = [900, 600];
+const status = ({ page }) => page.evaluate(() => window.sfumatoEditor.status);
+
+async function within(browser, address, script, body) {
+  const context = await browser.newContext({ viewport: { width: 900, height: 600 } });
+  if (script) await context.addInitScript(script);
+  const editor = await EditorPage.within(context, address);
+  try {
+    await body(editor);
+  } finally {
+    await context.close();
+  }
+}
+
+/** The part of two pictures' numbers that differ. */
+function share(a, b) {
+  const [one, two] = [a, b].map((png) => decode(png).data);
+  return one.filter((value, i) => value !== two[i]).length / one.length;
+}
+
+async function testLostContext(editor) {
+  const { page } = editor;
+  await editor.load(small);
+  const before = await editor.picture();
+  await page.evaluate(() => {
+    const gl = document.querySelector("canvas.picture").getContext("webgl2");
+    window.taken = gl.getExtension("WEBGL_lose_context");
+    window.taken.loseContext();
+  });
+  await said(page, /graphics card let go/);
+  await edit(editor);
+  await editor.key("Control+z");
+  await page.evaluate(() => window.taken.restoreContext());
+  await page.waitForFunction(() => !document.querySelector("canvas.picture").getContext("webgl2").isContextLost());
+  await editor.key("Control+Shift+a");
+  await page.waitForFunction(() => !document.querySelector(".toast"));
+  // Marks of what has the focus may lie above it.
+  const others = share(before, await editor.picture());
+  check(others < 0.02, `${(100 * others).toFixed(1)} % of the picture differ after the graphics came back`);
+}
+
+/** Without what draws or computes, the text is edited and saved all the same. */
+async function testWithout(editor, kind, pattern) {
+  await editor.load(small);
+  await editor.page.waitForFunction((wanted) => window.sfumatoEditor.status.kind === wanted, kind);
+  if (kind === "failed") check(pattern.test((await status(editor)).reason), `the reason: ${(await status(editor)).reason}`);
+  else await said(editor.page, pattern);
+  await edit(editor);
+  await editor.key("Control+z");
+  await shows(editor.page, small);
+}
+
+const noWebGl = () => {
+  const { getContext } = HTMLCanvasElement.prototype;
+  HTMLCanvasElement.prototype.getContext = function (name, ...given) {
+    return name === "webgl2" ? null : getContext.call(this, name, ...given);
+  };
+};
+const noWebAssembly = () => delete window.WebAssembly;
+const noWorker = () => {
+  window.Worker = class {
+    constructor() {
+      throw new DOMException("refused", "SecurityError");
+    }
+  };
+};
+const brokenWorker = () => {
+  window.Worker = class {
+    constructor() {
+      setTimeout(() => this.onerror?.({ message: "" }));
+    }
+    postMessage() {}
+    terminate() {}
+  };
+};
+
+/** More than the engine's memory holds: words, and the next drawing is drawn. */
+async function testHuge(editor) {
+  const curves = Array.from({ length: 40000 }, (_, i) => `<path d="M${i % 200},${i / 200} c1,2 3,4 5,${i % 7}" sf:left="#fff" sf:right="#000"/>`);
+  const huge = small.replace(/<path[^]*?\/>/, curves.join("\n"));
+  await editor.page.evaluate((text) => window.sfumatoEditor.open(text.replace("#fff", "salmonish"), "huge.svg"), huge);
+  await editor.page.waitForFunction(() => window.sfumatoEditor.status.kind === "problem", null, { timeout: 60000 });
+  await editor.load(small);
+  checkEqual((await status(editor)).kind, "exact", "the next picture");
+  editor.checkQuiet();
+}
+
+/** A whole session: what asks other servers, or breaks the page's own policy, is heard. */
+async function testSession(editor) {
+  const { page } = editor;
+  for (const command of ["?", "Control+e", "Control+n"]) {
+    await page.keyboard.press(command);
+    if (await page.locator("dialog[open]").count()) await page.keyboard.press("Escape");
+  }
+  await drop(page, [{ name: "textures.svg", bytes: Buffer.from(example("textures.svg")) }, ...["wood.png", "waves.png", "hemp.png"].map((name) => ({ name, bytes: readFileSync(new URL(`../../../examples/${name}`, import.meta.url)) }))]);
+  await shows(page, example("textures.svg"));
+  await editor.load(small);
+  await edit(editor);
+  for (const key of ["v", "a", "p", "b", "k", "i", "u", "h", "m", "o", "F8", "1", "2", "3"]) await page.keyboard.press(key);
+  for (const key of ["Control+e", "Control+n", "?"]) {
+    await page.keyboard.press(key);
+    await page.locator("dialog[open]").waitFor();
+    await page.keyboard.press("Escape");
+    await page.waitForFunction(() => !document.querySelector("dialog[open]"));
+  }
+  const remote = small.replace("</svg>", '<image href="https://example.org/a.png" width="9" height="9"/></svg>');
+  await drop(page, [{ name: "remote.svg", bytes: Buffer.from(remote) }]);
+  await shows(page, remote);
+  checkEqual(await page.evaluate(() => window.violations), [], "violations of the page's policy");
+  editor.checkQuiet();
+}
+
+const listen = () => {
+  window.violations = [];
+  addEventListener("securitypolicyviolation", (event) => window.violations.push(`${event.violatedDirective} ${event.blockedURI}`));
+};
+
+/** From a folder below the origin, and then without any network; an update is whole. */
+async function testOffline(browser, folder) {
+  const root = mkdtempSync(join(tmpdir(), "sfumato-site-"));
+  const below = join(root, "art/editor");
+  cpSync(join(folder, "editor"), below, { recursive: true });
+  const server = await serve(root);
+  const address = `${server.address.replace("127.0.0.1", "localhost")}art/editor/`;
+  const context = await browser.newContext({ viewport: { width: 900, height: 600 } });
+  const opened = async () => {
+    const editor = await EditorPage.within(context, address);
+    await editor.load(small);
+    checkEqual((await status(editor)).kind, "exact", "the picture");
+    editor.checkQuiet();
+    return editor;
+  };
+  try {
+    const first = await opened();
+    await first.page.evaluate(() => navigator.serviceWorker.ready.then(() => undefined));
+    const worker = join(below, "sw.js");
+    writeFileSync(worker, readFileSync(worker, "utf8").replace(/const version = "/, 'const version = "next-'));
+    await first.page.evaluate(async () => void (await (await navigator.serviceWorker.ready).update()));
+    await first.page.close();
+    const second = await opened();
+    await second.page.waitForFunction(async () => (await caches.keys()).some((name) => name.includes("next-")));
+    await second.page.close();
+    await context.setOffline(true);
+    const third = await opened();
+    await third.page.close();
+  } finally {
+    await context.close();
+    server.close();
+    rmSync(root, { recursive: true });
+  }
+}
+
+async function testOneFile(editor) {
+  await editor.load(small, "disk.svg");
+  checkEqual((await status(editor)).kind, "exact", "the picture");
+  await edit(editor);
+  await editor.settled();
+  await editor.page.keyboard.press("Control+e");
+  await editor.page.locator("dialog .export-view img").waitFor();
+  checkEqual(await editor.page.evaluate(() => window.violations), [], "violations of the page's policy");
+  editor.checkQuiet();
+}
+
+/** From the disk to the first exact picture: told, not judged. */
+async function testColdStart(browser, oneFile) {
+  const editor = await EditorPage.open(browser, oneFile, { size });
+  await editor.page.getByRole("button", { name: /Portrait/ }).click();
+  await editor.page.waitForFunction(() => window.sfumatoEditor.status.kind === "exact");
+  const seconds = (await editor.page.evaluate(() => performance.now())) / 1000;
+  console.log(`# portrait stands ${seconds.toFixed(2)} s after a start from disk`);
+  await editor.close();
+}
+
+export async function testRobust(tap, { browser, address, oneFile, folder }) {
+  const test = (name, script, body, at = address) => tap.test(`robust: ${name}`, () => within(browser, at, script, body));
+  await test("graphics that were lost come back", null, testLostContext);
+  await test("without WebGL 2 all but the picture works", noWebGl, (editor) => testWithout(editor, "exact", /no WebGL 2/));
+  await test("without WebAssembly the page says so", noWebAssembly, (editor) => testWithout(editor, "failed", /no WebAssembly/));
+  await test("workers that are refused are told of", noWorker, (editor) => testWithout(editor, "failed", /starts no worker/));
+  await test("workers that do not start are told of", brokenWorker, (editor) => testWithout(editor, "failed", /starts no worker/));
+  await test("a huge text that is wrong is told of", null, testHuge);
+  await test("a session asks nobody and breaks no policy", listen, testSession);
+  await tap.test("robust: a folder, no network, an update", () => testOffline(browser, folder));
+  await test("one file from the disk works", listen, testOneFile, oneFile);
+  await tap.test("robust: a cold start from the disk", () => testColdStart(browser, oneFile));
+}
