@@ -14,9 +14,15 @@ export function group(d: Drawing, handles: readonly Handle[]): Outcome | null {
   const top = items.at(-1);
   if (!top || items.some((item) => !mayStandIn(item, top.parent))) return null;
   const siblings = siblingsOf(d, top);
+  // A group around what stands in <defs> would be seen nowhere.
+  if (!siblings.includes(top) || isInDefs(top.element)) return null;
   const first = siblings.indexOf(items[0]);
   const isRun = items.every((item, i) => item === siblings[first + i]);
   return isRun ? wrapped(d, items) : gathered(d, items, top);
+}
+
+function isInDefs({ parent }: ElementNode): boolean {
+  return parent !== null && (parent.local === "defs" || isInDefs(parent));
 }
 
 /** Siblings in a row stay where they are: a start tag and an end tag go around them. */
