@@ -141,6 +141,13 @@ export class Artist {
     return this.page.getByRole("group", { name: `${side} side` }).first();
   }
 
+  /** A colour for a side that is open: the first curve of a layer has none. */
+  async giveColor(side) {
+    const row = this.page.locator(".side-row", { has: this.page.getByText(side, { exact: true }) });
+    await row.getByRole("button", { name: "Give it a colour" }).click();
+    await this.ribbon(side).waitFor();
+  }
+
   stop(side, index) {
     return this.ribbon(side).locator(".stops .stop").nth(index);
   }

@@ -84,14 +84,13 @@ function glitter() {
   });
 }
 
-/** The sky's edge, whose colour shadow and gulls take; the sun, whose colour the highlight. 8 steps. */
+/** The sky's edge, whose colour shadow and gulls take; the sun, whose colour the highlight. 7 steps. */
 async function shades(artist) {
   await artist.select(480, -30);
   await artist.pick("Right", 0, "382a5c");
   await artist.deselect();
   await artist.stroke([[640, 512, 0.6], [700, 524, 0.9], [780, 542, 1],
     [860, 568, 0.35]], { radius: 36 });
-  await artist.field("Strength", 80);
   await artist.deselect();
   await artist.stroke([[520, 192, 0.1], [532, 181, 0.7], [546, 182, 0.8], [555, 191, 1],
     [565, 181, 0.8], [580, 179, 0.7], [594, 189, 0.1]], { radius: 3.6 });
@@ -104,12 +103,13 @@ async function shades(artist) {
   await artist.field(BLUR, 4);
 }
 
-/** A layer of one circle, a stroke for its highlight, its shadow; and all of it once more. 16 steps. */
+/** A layer of one circle, a stroke for its highlight, its shadow; and all of it once more. 17 steps. */
 async function balls(artist) {
   const { page, editor } = artist;
   await artist.deselect();
   await page.getByRole("button", { name: "New layer" }).click();
   await artist.curve(circle(640, 445, 80, 72), { closes: true });
+  await artist.giveColor("Right");
   await artist.color("Right", 0, "4a1038");
   await artist.copyStop("Right", 0, 1);
   await artist.addStop("Right", 0.45, "ffa868");
