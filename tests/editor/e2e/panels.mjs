@@ -72,6 +72,9 @@ async function fields(editor, state) {
       await page.locator(".canvas-stage").focus();
       await page.keyboard.press("Control+z");
       await page.waitForFunction((text) => window.sfumatoEditor.text === text, before);
+      // The panel is drawn a little later than the text changes.
+      const shown = await input.elementHandle();
+      await page.waitForFunction(([field, text]) => field.value === text, [shown, value]);
     } catch (error) {
       failed.push(error.message.split("\n")[0]);
     }
