@@ -8,20 +8,51 @@ const size = { viewport: { width: 900, height: 600 } };
 const state = (page, pattern) =>
   page.waitForFunction((source) => new RegExp(source).test(document.querySelector(".saved")?.textContent), pattern.source);
 
-/** Waits until the browser has a text in its keeping. */
-function isKept(page, text) {
-  const look = (wanted) =>
-    new Promise((resolve) => {
+/** Waits until the browser has a drawing in its keeping, by its text or its name. */
+async function isKept(page, wanted) {
+  const look = async (what) => {
+    // Opening a database that is not there would make an empty one.
+    const known = await indexedDB.databases();
+    if (!known.some(({ name }) => name === "sfumato-editor")) return false;
+    return new Promise((resolve) => {
       const ask = indexedDB.open("sfumato-editor");
       ask.onsuccess = () => {
         const all = ask.result.transaction("drawings").objectStore("drawings").getAll();
         all.onsuccess = () => {
           ask.result.close();
-          resolve(all.result.some((value) => value.text === wanted));
+          resolve(all.result.some(({ text, name }) => text === what || name === what));
         };
       };
     });
-  return page.waitForFunction(look, text, { polling: 200 });
+  };
+  for (let tries = 0; !(await page.evaluate(look, wanted)); ++tries) {
+    check(tries < 100, "the browser does not keep it");
+    await page.waitForTimeout(100);
+  }
+}
+
+/** A page that is killed loses nothing but the last second; what was done can be undone. */
+async function testKilled(browser, address) {
+  const context = await browser.newContext(size);
+  const editor = await EditorPage.within(context, address);
+  await editor.load(small, "killed.svg");
+  await edit(editor);
+  const edited = await edit(editor);
+  await isKept(editor.page, edited);
+  const session = await context.newCDPSession(editor.page);
+  // The answer never comes.
+  void session.send("Page.crash").catch(() => {});
+  await editor.page.waitForEvent("crash");
+  const next = await EditorPage.within(context, address);
+  await next.page.locator(".recent-list button", { hasText: "killed.svg" }).click();
+  await shows(next.page, edited);
+  await next.page.locator(".canvas-stage").focus();
+  await next.key("Control+z", "Control+z");
+  await shows(next.page, small);
+  await next.key("Control+y", "Control+y");
+  await shows(next.page, edited);
+  next.checkQuiet();
+  await context.close();
 }
 
 /** An edit of the last second is kept though another drawing is opened at once; each keeps its own text. */
@@ -118,7 +149,7 @@ async function testPruned(browser, address) {
     await edit(editor);
     await page.evaluate(() => dispatchEvent(new Event("pagehide")));
   }
-  await state(page, /Saved on this device/);
+  await isKept(page, "22.svg");
   await page.reload();
   await page.waitForFunction(() => document.querySelectorAll(".recent-list b").length > 0);
   const names = await page.locator(".recent-list b").allTextContents();
@@ -128,6 +159,7 @@ async function testPruned(browser, address) {
 }
 
 export async function testRecover(tap, { browser, address }) {
+  await tap.test("recover: a page that is killed loses nothing", () => testKilled(browser, address));
   await tap.test("recover: every drawing is kept as itself", () => testSwitched(browser, address));
   const refusals = { throws: throwing, "is missing": missing };
   for (const [name, script] of Object.entries(refusals)) {
