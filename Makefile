@@ -8,7 +8,7 @@ fuzz_seconds := 60
 
 .DEFAULT_GOAL := help
 .PHONY: help demo build test check docs kills sanitize fuzz fuzz-merge bench wasm hostile-growth \
-  hostile-sanitized equal editor clean
+  hostile-sanitized equal editor editor-tests clean
 
 help:
 	@echo 'make demo    install what the build needs, build, draw $(scene)'
@@ -25,6 +25,7 @@ help:
 	@echo 'make equal   random scenes $(equal_scenes): the same bits by any threads and instructions'
 	@echo 'make wasm    the library for WebAssembly: build-wasm/sfumato.wasm'
 	@echo 'make editor  draw in a browser: $(build_folder)/editor/ and $(build_folder)/editor.html'
+	@echo 'make editor-tests   the editor in Chromium: all that a person does, and what fuzzers found'
 	@echo 'make clean   remove what was built'
 
 build:
@@ -104,6 +105,10 @@ equal:
 	@cmake --preset release -DSFUMATO_TESTS=ON -DSFUMATO_WERROR=OFF --log-level=WARNING >/dev/null
 	@cmake --build $(build_folder) --parallel $(jobs) --target equal_scenes
 	@$(build_folder)/tests/equal_scenes hashes few $(equal_scenes)
+
+editor-tests: build editor
+	@scripts/setup viewers
+	@SFUMATO="$(CURDIR)/$(build_folder)/sfumato" node tests/editor/e2e/run.mjs $(build_folder)
 
 clean:
 	rm -rf $(build_folder) build-wasm build-check build-asan build-tsan build-fuzz

@@ -91,7 +91,7 @@ export function launch(flags = mesa) {
 }
 
 /** What has not happened after this never will, milliseconds. */
-const WAIT = Number(process.env.SFUMATO_WAIT ?? 15000);
+const WAIT = Number(process.env.SFUMATO_WAIT ?? 45000);
 
 /** The editor in a page of a fresh profile, and what it says on its console. */
 export class EditorPage {

@@ -19,35 +19,48 @@ import { testServedDrawing } from "./served.mjs";
 import { testSunset } from "./sunset.mjs";
 import { testTools } from "./tools.mjs";
 
+/** The longest first. */
 const themes = [
-  testAccess,
-  testDraw,
-  testExporting,
-  testFiles,
-  testKeys,
-  testPanels,
-  testRecover,
-  testRobust,
-  testSaving,
-  testServedDrawing,
   testSunset,
   testTools,
+  testKeys,
+  testAccess,
+  testSaving,
+  testPanels,
+  testExporting,
+  testFiles,
+  testRobust,
+  testRecover,
+  testDraw,
+  testServedDrawing,
 ];
+
+/** Browsers at work side by side: each of them waits much of its time. */
+const LANES = 2;
 
 const [folder = "build", only = ""] = process.argv.slice(2);
 const tap = new Tap(only);
 const server = await serve(resolve(folder, "editor"));
-const browser = await launch();
-const given = {
-  browser,
-  address: server.address,
-  folder: resolve(folder),
-  oneFile: pathToFileURL(join(resolve(folder), "editor.html")).href,
-};
+const waiting = [...themes];
+
+async function lane() {
+  const browser = await launch();
+  const given = {
+    browser,
+    address: server.address,
+    folder: resolve(folder),
+    oneFile: pathToFileURL(join(resolve(folder), "editor.html")).href,
+  };
+  try {
+    for (let test = waiting.shift(); test; test = waiting.shift()) await test(tap, given);
+  } finally {
+    await browser.close();
+  }
+}
+
 try {
-  for (const test of themes) await test(tap, given);
+  await Promise.all(Array.from({ length: LANES }, lane));
 } finally {
-  await browser.close();
   server.close();
 }
 process.exitCode = tap.failures > 0 ? 1 : 0;
