@@ -67,7 +67,7 @@ class Keys {
   }
 
   async until(what, test) {
-    const end = Date.now() + 5000;
+    const end = Date.now() + 20000;
     while (!(await test())) check(Date.now() < end, `not so: ${what}`);
   }
 
@@ -78,8 +78,17 @@ class Keys {
     });
   }
 
+  /** The zoom once it rests: views move smoothly. */
+  async rest() {
+    for (let last = NaN; ; await this.page.waitForTimeout(100)) {
+      const now = await this.zoom();
+      if (now === last) return now;
+      last = now;
+    }
+  }
+
   async zooms(key, test) {
-    const before = await this.zoom();
+    const before = await this.rest();
     await this.press(key);
     await this.until(`${key} zooms`, async () => test(await this.zoom(), before));
   }
