@@ -83,6 +83,26 @@ async function fields(editor, state) {
   return failed;
 }
 
+/** The eyedropper of the panel takes the colour that a click on the picture hits; Escape leaves it. */
+async function testPicked({ browser, address }) {
+  const editor = await EditorPage.open(browser, address);
+  const { page } = editor;
+  await states.curve(editor);
+  await editor.settled();
+  const drop = page.locator(".inspector").getByRole("button", { name: "Pick from the picture" });
+  const before = await editor.text;
+  await drop.click();
+  await page.keyboard.press("Escape");
+  await editor.click(20, 20);
+  checkEqual(await editor.text, before, "the text after Escape");
+  await states.curve(editor);
+  await drop.click();
+  // The copy of the upper layer is black there.
+  const picked = await changing(editor, "the eyedropper", () => editor.click(250, 330));
+  check(/sf:left="#0(00|10101),/.test(picked), `not the colour there: ${picked}`);
+  await editor.close();
+}
+
 async function testFields({ browser, address }) {
   const editor = await EditorPage.open(browser, address);
   const failed = [];
@@ -254,6 +274,7 @@ async function testTour({ browser, address }) {
 }
 
 export async function testPanels(tap, given) {
+  await tap.test("a colour is picked from the picture", () => testPicked(given));
   await tap.test("each field of the panel does one step", () => testFields(given));
   await tap.test("the picker's parts change the colour, all in one step", () => testPicker(given));
   await tap.test("the tree by buttons and by keys", () => testTree(given));

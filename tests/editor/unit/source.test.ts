@@ -1,20 +1,18 @@
 // The tree over a text is lossless, its errors have places, and edits change what they mean to.
 import { describe, expect, test } from "vitest";
 import {
-  attributeOf,
   patchOf,
   setAttribute,
   sf,
   sfName,
   valueOf,
 } from "../../../web/editor/src/source/attributes.js";
-import { insertElement, removeElement } from "../../../web/editor/src/source/elements.js";
 import { elementsOf } from "../../../web/editor/src/source/nodes.js";
 import { parse, parseDocument } from "../../../web/editor/src/source/parse.js";
 import { applied, inverse } from "../../../web/editor/src/source/patch.js";
 import type { Edit, Patch } from "../../../web/editor/src/source/patch.js";
 import { SourceError } from "../../../web/editor/src/source/tree.js";
-import type { ElementNode, Range } from "../../../web/editor/src/source/tree.js";
+import type { ElementNode } from "../../../web/editor/src/source/tree.js";
 import { examples, fuzzed, pick, randomNumbers, scenes } from "./corpus.js";
 
 function parsed(text: string): ElementNode | null {
@@ -24,10 +22,6 @@ function parsed(text: string): ElementNode | null {
     if (error instanceof SourceError) return null;
     throw error;
   }
-}
-
-function cut(text: string, { start, end }: Range): string {
-  return text.slice(start, end);
 }
 
 /** expect() is slow, and asked millions of times here. */
@@ -332,71 +326,5 @@ describe("a new attribute", () => {
     const text = '<svg a="1"/>';
     const edits = ["2", "3"].flatMap((value) => setAttribute(text, parse(text), "a", value));
     expect(() => patchOf(edits)).toThrow(RangeError);
-  });
-});
-
-describe("elements", () => {
-  const text = `<svg>\n  <g>\n    <path/>\n    <path id="b"/>\n  </g>\n  <g id="empty"/>\n</svg>\n`;
-  const root = parse(text);
-  const [g, empty] = root.children;
-
-  function inserted(parent: ElementNode, before: ElementNode | null, markup = "<new/>") {
-    const { edit, lead } = insertElement(text, parent, before, markup);
-    const after = applied(text, [edit]);
-    expect(after.startsWith(markup, edit.at + lead)).toBe(true);
-    parse(after);
-    return after;
-  }
-
-  test("are put in lines of their own where their siblings are", () => {
-    expect(inserted(g, null)).toContain('<path id="b"/>\n    <new/>\n  </g>');
-    expect(inserted(g, g.children[0])).toContain("<g>\n    <new/>\n    <path/>");
-    expect(inserted(empty, null)).toContain('<g id="empty">\n    <new/>\n  </g>');
-    expect(inserted(root, null)).toContain('<g id="empty"/>\n  <new/>\n</svg>');
-  });
-
-  test("are put side by side where all is in one line", () => {
-    const line = "<svg><g><a/></g></svg>";
-    const [only] = parse(line).children;
-    expect(applied(line, [insertElement(line, only, null, "<b/>").edit])).toBe(
-      "<svg><g><a/><b/></g></svg>",
-    );
-  });
-
-  test("go with their lines", () => {
-    const without = (element: ElementNode) => applied(text, [removeElement(text, element)]);
-    expect(without(g.children[0])).toBe(text.replace("\n    <path/>", ""));
-    expect(without(empty)).toBe(text.replace('\n  <g id="empty"/>', ""));
-    const mixed = "<svg>\n <a/><b/> text\n</svg>";
-    const [a, b] = parse(mixed).children;
-    expect(applied(mixed, [removeElement(mixed, b)])).toBe("<svg>\n <a/> text\n</svg>");
-    expect(applied(mixed, [removeElement(mixed, a), removeElement(mixed, b)])).toBe(
-      "<svg> text\n</svg>",
-    );
-  });
-
-  test("that are put in and taken out leave the text as it was", () => {
-    for (const { text: example } of examples()) {
-      for (const element of [...elementsOf(parse(example))].slice(1, 80)) {
-        const { edit, lead } = insertElement(
-          example,
-          element.parent as ElementNode,
-          element,
-          "<new/>",
-        );
-        const after = applied(example, [edit]);
-        const found = [...elementsOf(parse(after))].find(
-          ({ range }) => range.start === edit.at + lead,
-        ) as ElementNode;
-        expect(cut(after, found.range)).toBe("<new/>");
-        expect(applied(after, [removeElement(after, found)])).toBe(example);
-      }
-    }
-  });
-
-  test("are found by attribute whatever the prefix", () => {
-    const one = parse('<svg xmlns:d="urn:sfumato:1" d:left="red" left="blue"/>');
-    expect(attributeOf(one, sf("left"))?.value).toBe("red");
-    expect(attributeOf(one, "left")?.value).toBe("blue");
   });
 });

@@ -126,6 +126,14 @@ export class Canvas {
     return markAt(this.marks.peek(), at, REACH[kind].mark);
   }
 
+  /** What lies under the pointer, a mark before a curve; the curve looks so. */
+  hover(at: Point, kind: PointerKind): { readonly mark: Mark | null; readonly curve: CurveHit | null } {
+    const mark = this.markAt(at, kind);
+    const curve = mark ? null : this.curveAt(at, kind);
+    this.editor.hovered.value = curve?.place.owner.handle ?? null;
+    return { mark, curve };
+  }
+
   curveAt(at: Point, kind: PointerKind): CurveHit | null {
     return this.curves().near(at, REACH[kind].curve)[0] ?? null;
   }

@@ -1,16 +1,16 @@
 // What the panels get beside the editor's state.
-import { computed, signal, type Signal } from "@preact/signals";
+import { computed } from "@preact/signals";
 import type { DrawingEditor } from "../app/editor.js";
 import { copyPng, estimateSize, exportDrawing, exportTypes, type ExportWatch, type ExportWish } from "../files/export.js";
 import { pickFile } from "../files/open.js";
 import { saveExport } from "../files/save.js";
 import type { Services } from "../panels/services.js";
-import type { Rgb } from "../geometry/color.js";
 import { en } from "../strings/en.js";
 import type { Documents } from "./documents.js";
 import { examplesOf } from "./examples.js";
 import { dataUri } from "./files.js";
 import { mendOf } from "./mend.js";
+import { pickColor } from "./pick.js";
 import { previewOf } from "./preview.js";
 
 function sourceOf(editor: DrawingEditor) {
@@ -24,24 +24,6 @@ async function exportTo(editor: DrawingEditor, wish: ExportWish, watch: ExportWa
   blob.catch(() => {});
   const isSaved = await saveExport(blob, editor.file.value.name, exportTypes[wish.format], wish.format);
   if (!isSaved) throw new DOMException("left", "AbortError");
-}
-
-export interface ColorAsk {
-  readonly give: (color: Rgb | null) => void;
-}
-
-/** Whoever waits for a colour of the picture: the stage answers. */
-export const colorAsk: Signal<ColorAsk | null> = signal(null);
-
-function pickColor(stop: AbortSignal): Promise<Rgb | null> {
-  return new Promise((resolve) => {
-    const give = (color: Rgb | null) => {
-      colorAsk.value = null;
-      resolve(color);
-    };
-    stop.addEventListener("abort", () => give(null));
-    colorAsk.value = { give };
-  });
 }
 
 async function chooseTexture(editor: DrawingEditor) {
@@ -72,7 +54,7 @@ export function servicesOf(editor: DrawingEditor, documents: Documents): Service
     autosaves: async () => documents.kept.value,
     recover: (id) => documents.recover(id),
     forget: (id) => documents.forget(id),
-    pickColor,
+    pickColor: (stop) => pickColor(editor, stop),
     thumb: () => null,
     mend: (hint) => mendOf(editor, hint),
     chooseTexture: () => chooseTexture(editor),

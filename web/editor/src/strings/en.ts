@@ -1,4 +1,4 @@
-// All words that the editor shows; each part of it has its own object.
+// A table: all words that the editor shows; each part of it has its own object.
 
 /** commands */
 const commands = {

@@ -16,9 +16,7 @@ export class BlurTool implements Tool {
 
   hover(p: Press): CursorName {
     const { canvas } = this;
-    const mark = canvas.markAt(p.at, p.kind);
-    const curve = mark ? null : canvas.curveAt(p.at, p.kind);
-    canvas.editor.hovered.value = curve?.place.owner.handle ?? null;
+    const { mark, curve } = canvas.hover(p.at, p.kind);
     if (mark?.kind === "bracket") return blurCursor(Math.atan2(mark.normal[1], mark.normal[0]));
     const on = this.under(p);
     if (!on) return curve ? "stop" : "default";

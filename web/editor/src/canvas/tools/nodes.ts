@@ -35,9 +35,7 @@ export class NodesTool implements Tool {
 
   hover(p: Press): CursorName {
     const { canvas } = this;
-    const mark = canvas.markAt(p.at, p.kind);
-    const curve = mark ? null : canvas.curveAt(p.at, p.kind);
-    canvas.editor.hovered.value = curve?.place.owner.handle ?? null;
+    const { mark, curve } = canvas.hover(p.at, p.kind);
     if (mark?.kind === "bracket") return blurCursor(Math.atan2(mark.normal[1], mark.normal[0]));
     if (mark?.kind === "stop") return "stop";
     if (mark) return "move";
