@@ -176,8 +176,8 @@ inline auto fields(Image& v) {
   return std::tie(width, height, format, bytes);
 }
 inline auto fields(Hint& v) {
-  auto& [kind, layer, curve, side, stack_item, shader, message] = v;
-  return std::tie(kind, layer, curve, side, stack_item, shader, message);
+  auto& [kind, layer, curve, side, stack_item, shader, at, message] = v;
+  return std::tie(kind, layer, curve, side, stack_item, shader, at, message);
 }
 inline auto fields(SourcePlace& v) {
   auto& [file, line, column] = v;

@@ -312,7 +312,7 @@ TEST(WrongValues, of_statuses_have_words) {
 
 TEST(WrongValues, of_hints_have_words) {
   const Document document = document_of_everything();
-  Hint hint{HintKind::leak, 0, 0, CurveSide::left, 0, 0, "words"};
+  Hint hint{HintKind::leak, 0, 0, CurveSide::left, 0, 0, Vec2{1, 2}, "words"};
   try_wrong_values(hint, "hint", [&](const std::string&) {
     static_cast<void>(place_text(document, hint));
     static_cast<void>(hint_name(hint.kind));
