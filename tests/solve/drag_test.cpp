@@ -11,6 +11,7 @@
 #include "sfumato/solve/solution.hpp"
 #include "solve/diffused.hpp"
 #include "solve/mean_difference.hpp"
+#include "solve/solved.hpp"
 #include "support/cancel_at.hpp"
 #include "support/drawing.hpp"
 #include "support/random_document.hpp"
@@ -30,6 +31,7 @@ using test::kBlue;
 using test::kGreen;
 using test::kRed;
 using test::mean_difference;
+using test::solved;
 
 constexpr std::uint64_t kDocuments = SFUMATO_HAS_SANITIZER ? 2 : 10;
 
@@ -46,22 +48,12 @@ Document circles() {
   return document;
 }
 
-Solution solved(Context& context, Document document, const DiffuseOptions& options = {}) {
-  Result<Solution> solution = Solution::create(context, std::move(document));
-  EXPECT_TRUE(solution.ok()) << to_string(solution.status());
-  const Status status = solution->solve(context, options);
-  EXPECT_TRUE(status.ok()) << to_string(status);
-  solution->take_delta();
-  return std::move(*solution);
-}
-
 /// A solution that keeps what drags begin from.
 Solution expecting_drags(Context& context, Document document) {
-  Result<Solution> solution = Solution::create(context, std::move(document));
-  EXPECT_TRUE(solution.ok()) << to_string(solution.status());
-  solution->expect_drags();
-  EXPECT_TRUE(solution->solve(context, {}).ok());
-  return std::move(*solution);
+  Solution solution = test::solution_of(context, std::move(document));
+  solution.expect_drags();
+  EXPECT_TRUE(solution.solve(context, {}).ok());
+  return solution;
 }
 
 TEST(Drag, shows_the_curve_where_it_is) {

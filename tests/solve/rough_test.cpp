@@ -12,6 +12,7 @@
 #include "sfumato/solve/solution.hpp"
 #include "solve/diffused.hpp"
 #include "solve/mean_difference.hpp"
+#include "solve/solved.hpp"
 #include "support/cancel_at.hpp"
 #include "support/drawing.hpp"
 #include "support/random_document.hpp"
@@ -31,6 +32,7 @@ using test::kBlue;
 using test::kGreen;
 using test::kRed;
 using test::mean_difference;
+using test::solved;
 
 constexpr std::uint32_t kDocuments = SFUMATO_HAS_SANITIZER ? 3 : 20;
 
@@ -59,15 +61,6 @@ Document circles() {
   document.stack.push_back(stroke_at({80, 20}));
   document.stack.push_back(LayerInstance{2, {}});
   return document;
-}
-
-Solution solved(Context& context, Document document, const DiffuseOptions& options = {}) {
-  Result<Solution> solution = Solution::create(context, std::move(document));
-  EXPECT_TRUE(solution.ok()) << to_string(solution.status());
-  const Status status = solution->solve(context, options);
-  EXPECT_TRUE(status.ok()) << to_string(status);
-  solution->take_delta();
-  return std::move(*solution);
 }
 
 void move_two(Context& context, Solution& solution, double by) {

@@ -8,6 +8,7 @@
 
 #include "sfumato/base/native/thread_pool.hpp"
 #include "solve/diffused.hpp"
+#include "solve/solved.hpp"
 #include "support/cancel_at.hpp"
 #include "support/drawing.hpp"
 #include "support/random_document.hpp"
@@ -24,15 +25,10 @@ using test::diffused;
 using test::kBlue;
 using test::kGreen;
 using test::kRed;
+using test::solution_of;
 using test::straight_curve;
 
 using Layers = std::vector<std::uint32_t>;
-
-Solution solution_of(Context& context, Document document) {
-  Result<Solution> solution = Solution::create(context, std::move(document));
-  EXPECT_TRUE(solution.ok()) << to_string(solution.status());
-  return std::move(*solution);
-}
 
 void expect_as_diffused(const Solution& solution, const DiffuseOptions& options) {
   EXPECT_EQ(difference_of(solution.picture(), diffused(solution.document(), options)), "");

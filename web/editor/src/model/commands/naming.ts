@@ -6,6 +6,7 @@ import type { Edit } from "../../source/patch.js";
 import { isSvg } from "../../source/styles.js";
 import type { AttributeNode, ElementNode } from "../../source/tree.js";
 import type { Drawing, Handle, Outcome } from "../types.js";
+import { freeId, idsWithin } from "./references.js";
 import { outcomeOf } from "./together.js";
 
 /** A name as an id: its letters and digits, begun by a letter. */
@@ -15,15 +16,6 @@ function asId(name: string): string {
     .replace(/\s+/g, "-")
     .replace(/[^-.\w\u00c0-\uffff]/g, "");
   return /^[A-Za-z_\u00c0-\uffff]/.test(kept) || kept === "" ? kept : `_${kept}`;
-}
-
-function freeId(root: ElementNode, wanted: string): string {
-  const taken = new Set<string>();
-  for (const element of elementsOf(root)) taken.add(attributeOf(element, "id")?.value ?? "");
-  for (let i = 1; ; i += 1) {
-    const id = i === 1 ? wanted : `${wanted}-${i}`;
-    if (!taken.has(id)) return id;
-  }
 }
 
 function escaped(text: string): string {
@@ -88,7 +80,7 @@ export function rename(d: Drawing, h: Handle, name: string): Outcome | null {
     const isReferred = before !== undefined && references(`${before}-`).length > 0;
     return isReferred ? null : outcomeOf(setAttribute(text, element, "id", null));
   }
-  const to = freeId(d.root, wanted);
+  const to = freeId(wanted, new Set(idsWithin(d.root).keys()));
   return outcomeOf([...setAttribute(text, element, "id", to), ...references(to)]);
 }
 

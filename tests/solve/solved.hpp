@@ -1,0 +1,27 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <utility>
+
+#include "sfumato/solve/solution.hpp"
+
+namespace sfumato::test {
+
+/// A Solution of a document, not solved yet.
+inline Solution solution_of(Context& context, Document document) {
+  Result<Solution> solution = Solution::create(context, std::move(document));
+  EXPECT_TRUE(solution.ok()) << to_string(solution.status());
+  return std::move(*solution);
+}
+
+/// A Solution that was solved, and whose delta was taken.
+inline Solution solved(Context& context, Document document, const DiffuseOptions& options = {}) {
+  Solution solution = solution_of(context, std::move(document));
+  const Status status = solution.solve(context, options);
+  EXPECT_TRUE(status.ok()) << to_string(status);
+  solution.take_delta();
+  return solution;
+}
+
+}  // namespace sfumato::test
