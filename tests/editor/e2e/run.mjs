@@ -10,6 +10,7 @@ import { testAccess } from "./access.mjs";
 import { testDraw } from "./draw.mjs";
 import { testExporting } from "./exporting.mjs";
 import { testFiles } from "./files.mjs";
+import { testFocus } from "./focus.mjs";
 import { testKeys } from "./keys.mjs";
 import { testPanels } from "./panels.mjs";
 import { testRecover } from "./recover.mjs";
@@ -29,6 +30,7 @@ const themes = [
   testPanels,
   testExporting,
   testFiles,
+  testFocus,
   testRobust,
   testRecover,
   testDraw,

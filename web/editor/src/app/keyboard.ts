@@ -16,7 +16,30 @@ function leaveField({ key, target }: KeyboardEvent): boolean {
   return true;
 }
 
+/** The field that somebody types into, or null. */
+function fieldNow(): HTMLElement | null {
+  const { activeElement } = document;
+  return isTyping(activeElement) ? (activeElement as HTMLElement) : null;
+}
+
+/** What was typed counts before what comes next, which may take the field away. */
+function keepTyped(): void {
+  const field = fieldNow();
+  field?.blur();
+  field?.focus();
+}
+
+/** A press elsewhere ends the typing before it does anything: it may select something else. */
+function listenToLeaving(): void {
+  const press = ({ target }: Event) => {
+    const field = fieldNow();
+    if (field && !field.contains(target as Node)) field.blur();
+  };
+  document.addEventListener("pointerdown", press, true);
+}
+
 export function listenToKeys(editor: DrawingEditor): void {
+  listenToLeaving();
   document.addEventListener("keydown", (event) => {
     if (event.defaultPrevented || event.isComposing) return;
     const isInDialog = document.querySelector("dialog[open]") !== null;
@@ -27,6 +50,7 @@ export function listenToKeys(editor: DrawingEditor): void {
     const isBlocked = isTyping(event.target) || isInDialog;
     if (isBlocked && !ALWAYS.has(command)) return;
     event.preventDefault();
+    keepTyped();
     editor.command(command);
   });
   const show = (event: Event) => {

@@ -205,6 +205,8 @@ function useFocus(canvas: Canvas, root: { current: HTMLDivElement | null }): voi
     if (!element?.contains(document.activeElement)) return;
     // The marks of now are drawn after this.
     requestAnimationFrame(() => {
+      // Somebody may have gone to a field in the meantime.
+      if (!element.contains(document.activeElement)) return;
       const mark = chosen && element.querySelector<SVGGElement>(`[data-mark="${keyOf(chosen)}"]`);
       if (mark) mark.focus({ preventScroll: true });
       else if (document.activeElement !== element) element.focus({ preventScroll: true });

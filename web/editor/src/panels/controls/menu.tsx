@@ -1,6 +1,6 @@
 // Menus: one stack of them for the page. Opened by openMenu(), drawn by <Menus>.
 import { signal } from "@preact/signals";
-import { useEffect, useRef } from "preact/hooks";
+import { useLayoutEffect, useRef } from "preact/hooks";
 import type { TargetedKeyboardEvent, TargetedMouseEvent, TargetedPointerEvent } from "preact";
 import { Icon, type IconName } from "../../icons.js";
 import { useShell } from "../services.js";
@@ -150,7 +150,8 @@ function step(menu: HTMLElement, event: KeyboardEvent): boolean {
 
 function Menu({ level, depth }: { readonly level: Level; readonly depth: number }) {
   const menu = useRef<HTMLDivElement>(null);
-  useEffect(() => {
+  // At once, not a frame later: a key that comes next is the menu's.
+  useLayoutEffect(() => {
     const now = menu.current;
     place(now, level);
     (
@@ -185,7 +186,7 @@ function Menu({ level, depth }: { readonly level: Level; readonly depth: number 
 
 export function Menus() {
   const open = levels.value;
-  useEffect(() => {
+  useLayoutEffect(() => {
     if (open.length === 0) return;
     const outside = (event: PointerEvent) => {
       if (!(event.target as Element).closest?.(".menu")) levels.value = [];

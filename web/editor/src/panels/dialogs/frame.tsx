@@ -1,6 +1,6 @@
 // A modal dialog: head, what it holds, foot. The browser keeps the focus within and gives it back.
 import type { ComponentChildren } from "preact";
-import { useEffect, useId, useRef } from "preact/hooks";
+import { useId, useLayoutEffect, useRef } from "preact/hooks";
 import { en } from "../../strings/en.js";
 import { IconButton } from "../controls/button.js";
 import { useShell } from "../services.js";
@@ -23,12 +23,15 @@ export function Frame(props: FrameProps) {
   const close = () => {
     editor.dialog.value = null;
   };
-  useEffect(() => {
+  // With the page that shows it, not a frame later: a key that comes at once is the dialog's.
+  useLayoutEffect(() => {
     const element = dialog.current;
     element?.showModal();
     element?.focus();
     return () => element?.close();
   }, []);
+  // However the browser closed it. When another one takes its place, that one stays.
+  const closed = () => dialog.current && close();
   return (
     <dialog
       ref={dialog}
@@ -36,6 +39,7 @@ export function Frame(props: FrameProps) {
       aria-labelledby={id}
       tabIndex={-1}
       onCancel={close}
+      onClose={closed}
       onKeyDown={(event) => event.key !== "Escape" && event.stopPropagation()}
     >
       <div class="dialog-head">

@@ -54,7 +54,11 @@ function goTo(
     view.scrollTop = top + rowHeight - view.clientHeight;
   state.active.value = row.item.handle;
   if (!event.ctrlKey && !event.metaKey) select(state, row.item, event);
-  requestAnimationFrame(() => view.querySelector<HTMLElement>(`#row-${row.item.handle}`)?.focus());
+  // The row is drawn after this; somebody may have gone elsewhere in the meantime.
+  requestAnimationFrame(() => {
+    if (view.contains(document.activeElement))
+      view.querySelector<HTMLElement>(`#row-${row.item.handle}`)?.focus();
+  });
 }
 
 export function treeKeys(

@@ -23,7 +23,9 @@ export interface RowEvents {
     event: TargetedPointerEvent<HTMLElement>,
   ) => void;
   readonly onToggle: (item: Item, what: "hidden" | "locked") => void;
-  readonly onRename: (item: Item | null) => void;
+  readonly onRename: (item: Item) => void;
+  /** `goesOn`: the row gets the focus. */
+  readonly onRenamed: (goesOn: boolean) => void;
 }
 
 interface RowViewProps extends RowEvents {
@@ -51,7 +53,13 @@ const kindIcon = (item: Item, isOriginal: boolean): IconName => {
   )[item.kind];
 };
 
-function Name({ item, onDone }: { readonly item: Item; readonly onDone: () => void }) {
+interface NameProps {
+  readonly item: Item;
+  /** `goesOn`: the keys are the row's again; else somebody has gone elsewhere. */
+  readonly onDone: (goesOn: boolean) => void;
+}
+
+function Name({ item, onDone }: NameProps) {
   const { editor } = useShell();
   const input = useRef<HTMLInputElement>(null);
   const isOver = useRef(false);
@@ -59,18 +67,18 @@ function Name({ item, onDone }: { readonly item: Item; readonly onDone: () => vo
     input.current?.focus();
     input.current?.select();
   }, []);
-  const end = (isKept: boolean) => {
+  const end = (isKept: boolean, goesOn: boolean) => {
     if (isOver.current) return;
     isOver.current = true;
     const name = input.current?.value.trim() ?? "";
     if (isKept && name !== "" && name !== item.name)
       editor.run(words.rename, rename(editor.drawing, item.handle, name));
-    onDone();
+    onDone(goesOn);
   };
   const key = (event: TargetedKeyboardEvent<HTMLInputElement>) => {
     event.stopPropagation();
-    if (event.key === "Enter") end(true);
-    else if (event.key === "Escape") end(false);
+    if (event.key === "Enter") end(true, true);
+    else if (event.key === "Escape") end(false, true);
     else return;
     event.preventDefault();
   };
@@ -81,7 +89,7 @@ function Name({ item, onDone }: { readonly item: Item; readonly onDone: () => vo
       aria-label={words.nameOf(item.name)}
       defaultValue={item.name}
       onKeyDown={key}
-      onBlur={() => end(true)}
+      onBlur={() => end(true, false)}
       onPointerDown={(event) => event.stopPropagation()}
     />
   );
@@ -166,7 +174,7 @@ export function RowView(props: RowViewProps) {
         <Icon name={kindIcon(item, copies > 0)} small />
       )}
       {isRenamed ? (
-        <Name item={item} onDone={() => props.onRename(null)} />
+        <Name item={item} onDone={props.onRenamed} />
       ) : (
         <span class="name" onDblClick={() => props.onRename(item)}>
           {item.name}

@@ -214,8 +214,12 @@ export function Tree() {
                 )
               }
               onRename={(item) => {
-                renamed.value = item?.handle ?? null;
-                if (!item) tree.current?.querySelector<HTMLElement>(`#row-${handle}`)?.focus();
+                renamed.value = item.handle;
+              }}
+              onRenamed={(goesOn) => {
+                renamed.value = null;
+                if (goesOn)
+                  tree.current?.querySelector<HTMLElement>(`#row-${handle}`)?.focus();
               }}
             />
           );

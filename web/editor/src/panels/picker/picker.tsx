@@ -202,8 +202,11 @@ function Popover({ target }: { readonly target: PickerTarget }) {
   usePlace(editor, target, popover, phone);
   useLayoutEffect(() => {
     opener.current = document.activeElement;
-    popover.current?.focus();
-    return () => (opener.current as HTMLElement | null)?.focus?.();
+    const element = popover.current;
+    element?.focus();
+    // Whoever has gone to another field stays there.
+    const hadFocus = () => element?.contains(document.activeElement);
+    return () => void (hadFocus() && (opener.current as HTMLElement | null)?.focus?.());
   }, []);
   useEffect(() => {
     if (!session) editor.picker.value = null;

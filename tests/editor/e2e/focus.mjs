@@ -1,0 +1,123 @@
+// Who has the focus keeps it while the page is drawn anew, and nothing that was typed is lost.
+// Frames are held back where that is what went wrong: a busy machine draws them late.
+import { check, checkEqual, EditorPage } from "./harness.mjs";
+import { changing, openWithoutPickers } from "./draw.mjs";
+
+const drawing = `<svg xmlns="http://www.w3.org/2000/svg" xmlns:sf="urn:sfumato:1" viewBox="0 0 640 480" sf:background="#fff">
+  <g id="back" sf:diffuse="true">
+    <path id="low" d="M100 300L400 300" sf:left="#e33" sf:right="#36c" sf:left-opacity=".5" sf:right-opacity="1"/>
+    <path id="high" d="M100 120L500 140" sf:left="#fe8" sf:right="#284"/>
+  </g>
+</svg>
+`;
+
+/** From now on frames wait until they are let go. */
+const holdFrames = (page) =>
+  page.evaluate(() => {
+    const held = [];
+    const { requestAnimationFrame } = window;
+    window.requestAnimationFrame = (act) => held.push(act);
+    window.letFramesGo = () => {
+      window.requestAnimationFrame = requestAnimationFrame;
+      held.forEach((act) => requestAnimationFrame(act));
+      return new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(() => resolve(held.length))));
+    };
+  });
+const letFramesGo = (page) => page.evaluate(() => window.letFramesGo());
+
+const opacity = (page) => page.locator(".inspector").getByRole("textbox", { name: /^Opacity, left/ });
+const hasFocus = (field) => field.evaluate((input) => input === document.activeElement);
+
+/** A curve is chosen on the stage, whose marks are drawn a frame later; by then somebody is in a field. */
+async function testLateMarks({ browser, address }) {
+  const editor = await EditorPage.open(browser, address);
+  const { page } = editor;
+  await editor.load(drawing);
+  await page.locator(".canvas-stage").focus();
+  await editor.key("a");
+  await holdFrames(page);
+  await editor.click(250, 300);
+  const field = opacity(page);
+  await field.fill("51");
+  check((await letFramesGo(page)) > 0, "no frame was asked for");
+  check(await hasFocus(field), "the stage took the focus");
+  const text = await changing(editor, "Enter", () => page.keyboard.press("Enter"));
+  check(text.includes('sf:left-opacity=".51"'), `not the opacity: ${text}`);
+  editor.checkQuiet();
+  await editor.close();
+}
+
+/** A press on another curve takes the field away; what was typed counts. So it does for Ctrl S. */
+async function testTyped({ browser, address }) {
+  const editor = await openWithoutPickers(browser, address);
+  const { page } = editor;
+  await editor.load(drawing);
+  await editor.click(250, 300);
+  await opacity(page).fill("40");
+  const left = await changing(editor, "a press elsewhere", () => editor.click(300, 130));
+  check(left.includes('sf:left-opacity=".4"'), `not the opacity: ${left}`);
+  checkEqual(await page.evaluate(() => window.sfumatoEditor.selection[0]?.name), "high", "what is selected");
+  await editor.click(250, 300);
+  const field = opacity(page);
+  await field.fill("30");
+  const download = page.waitForEvent("download");
+  const saved = await changing(editor, "Ctrl S", () => page.keyboard.press("Control+s"));
+  await download;
+  check(saved.includes('sf:left-opacity=".3"'), `not the opacity: ${saved}`);
+  check(await hasFocus(field), "Ctrl S took the focus");
+  editor.checkQuiet();
+  await editor.close();
+}
+
+/** A layer is renamed; a click into a field ends that, and the field has the focus. */
+async function testRenaming({ browser, address }) {
+  const editor = await EditorPage.open(browser, address);
+  const { page } = editor;
+  await editor.load(drawing);
+  await page.getByRole("treeitem").first().click();
+  await editor.key("F2");
+  await page.locator(".rename").fill("ground");
+  const field = page.locator(".inspector input[inputmode=decimal]").first();
+  const text = await changing(editor, "a click elsewhere", () => field.click());
+  check(text.includes("ground"), "the name is lost");
+  check(await hasFocus(field), "the row took the focus");
+  await editor.close();
+}
+
+/** Dialogs and menus hear the very next key, before any frame. */
+async function testDialogs({ browser, address }) {
+  const editor = await EditorPage.open(browser, address);
+  const { page } = editor;
+  await editor.load(drawing);
+  await page.locator(".canvas-stage").focus();
+  const isOpen = await page.evaluate(async () => {
+    window.requestAnimationFrame = () => 0;
+    const { activeElement } = document;
+    activeElement.dispatchEvent(new KeyboardEvent("keydown", { key: "?", bubbles: true, cancelable: true }));
+    for (let turn = 0; turn < 20; turn += 1) await Promise.resolve();
+    return document.querySelector("dialog")?.open ?? null;
+  });
+  checkEqual(isOpen, true, "the dialog is open as soon as it is there");
+  await editor.key("Escape");
+  await page.waitForFunction(() => !document.querySelector("dialog"));
+  // The browser may close a dialog by itself, without asking: it is gone then, too.
+  await editor.key("?");
+  await page.locator("dialog[open]").evaluate((dialog) => dialog.close());
+  await page.waitForFunction(() => !document.querySelector("dialog"));
+  const opener = page.getByRole("button", { name: /^Menu/ });
+  const inMenu = await opener.evaluate(async (button) => {
+    button.click();
+    for (let turn = 0; turn < 20; turn += 1) await Promise.resolve();
+    return document.activeElement.closest("[role=menu]") !== null;
+  });
+  check(inMenu, "the menu has the focus as soon as it is there");
+  editor.checkQuiet();
+  await editor.close();
+}
+
+export async function testFocus(tap, given) {
+  await tap.test("focus: a field keeps it when marks are drawn late", () => testLateMarks(given));
+  await tap.test("focus: what was typed counts, however the field is left", () => testTyped(given));
+  await tap.test("focus: a click ends renaming and goes where it was meant", () => testRenaming(given));
+  await tap.test("focus: dialogs and menus hear the next key", () => testDialogs(given));
+}
