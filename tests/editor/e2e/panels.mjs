@@ -142,10 +142,10 @@ async function testPicker({ browser, address }) {
   await states.curve(editor);
   await page.getByRole("button", { name: /^Colour of left stop 1/ }).click();
   const picker = page.locator(".picker");
-  // Alpha is the side's opacity, which is a step of its own.
+  const start = await editor.text;
+  // Alpha is the side's opacity: another attribute, the same step.
   const alpha = picker.getByRole("slider", { name: /^Alpha/ });
   await changing(editor, "alpha", () => alpha.press("ArrowLeft"));
-  const start = await editor.text;
   const plane = await picker.locator(".plane").boundingBox();
   await changing(editor, "a drag on the plane", async () => {
     await page.mouse.move(plane.x + 60, plane.y + 60);

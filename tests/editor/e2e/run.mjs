@@ -11,6 +11,7 @@ import { testDraw } from "./draw.mjs";
 import { testExporting } from "./exporting.mjs";
 import { testFiles } from "./files.mjs";
 import { testFocus } from "./focus.mjs";
+import { testGradients } from "./gradients.mjs";
 import { testKeys } from "./keys.mjs";
 import { testPanels } from "./panels.mjs";
 import { testRecover } from "./recover.mjs";
@@ -31,6 +32,7 @@ const themes = [
   testExporting,
   testFiles,
   testFocus,
+  testGradients,
   testRobust,
   testRecover,
   testDraw,

@@ -1,5 +1,6 @@
 // A stop that is chosen on the canvas or in a panel, as a command.
-import { setBoth, setColor, setNumbers, setRadius } from "../model/commands/index.js";
+import { setBoth, setColor, setGradientStops, setNumbers, setRadius } from "../model/commands/index.js";
+import { gradientOf } from "../model/gradients.js";
 import type { CurveItem, Drawing, Outcome, Part, SideValue } from "../model/types.js";
 
 type StopPart = Part & { kind: "stop" };
@@ -8,6 +9,13 @@ function without<Value>(value: SideValue<Value>, index: number): SideValue<Value
   if (value.kind !== "stops" || index >= value.stops.length) return null;
   const stops = value.stops.filter((_, i) => i !== index);
   return stops.length > 0 ? { ...value, stops } : { kind: "open" };
+}
+
+/** Of a gradient one stop at least stays. */
+function withoutGradientStop(drawing: Drawing, href: string, index: number): Outcome | null {
+  const stops = gradientOf(drawing, href)?.stops ?? [];
+  if (index >= stops.length) return null;
+  return setGradientStops(drawing, href, stops.filter((_, i) => i !== index));
 }
 
 /** Takes a stop away; the last one leaves its side open. */
@@ -19,7 +27,9 @@ export function deleteStop(drawing: Drawing, curve: CurveItem, part: StopPart): 
     return radius && radius.kind === "stops" ? setRadius(drawing, handle, radius) : null;
   }
   if (attribute === "color") {
-    const color = without(curve[side].color, index);
+    const now = curve[side].color;
+    if (now.kind === "paint") return withoutGradientStop(drawing, now.href, index);
+    const color = without(now, index);
     return color && setColor(drawing, handle, side, color);
   }
   const numbers = without(curve[side][attribute], index);

@@ -32,6 +32,7 @@ import type {
   Side,
   SideValue,
 } from "../model/types.js";
+import { deleteStop } from "../app/stops.js";
 import { en } from "../strings/en.js";
 import { movable } from "./box.js";
 import { withHandle } from "./nodes.js";
@@ -140,18 +141,19 @@ function deleteStops(editor: Editor, handle: Handle, parts: readonly Part[]): vo
   if (!isCurve(item) || isLocked(item) || primary?.kind !== "stop") return;
   const { side, attribute } = primary;
   const list = stopsOf(item, side, attribute);
-  if (!list) return;
+  const taken = (outcome: Outcome | null) => {
+    if (editor.run(en.tools.undo.deleteStops, outcome))
+      editor.selection.value = [{ handle, part: { kind: "whole" } }];
+  };
+  // Of a gradient, whose stops are not on the canvas.
+  if (!list) return taken(deleteStop(editor.drawing, item, primary));
   const gone = parts.flatMap((part) =>
     part.kind === "stop" && part.side === side && part.attribute === attribute ? [part.index] : [],
   );
   const value = withoutStops(list, new Set(gone));
   // A local curve without a radius would be none.
   if (attribute === "radius" && value.kind === "open") return;
-  if (
-    editor.run(en.tools.undo.deleteStops, setSide(editor.drawing, item, side, attribute, value))
-  ) {
-    editor.selection.value = [{ handle, part: { kind: "whole" } }];
-  }
+  taken(setSide(editor.drawing, item, side, attribute, value));
 }
 
 /**

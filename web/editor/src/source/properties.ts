@@ -76,6 +76,8 @@ export const IS_VALUE = {
   fill: (text: string) => isColor(text) || keywordOf(text) === "none" || /^\s*url\(/i.test(text),
   "fill-opacity": isShare,
   color: isColor,
+  "stop-color": isColor,
+  "stop-opacity": isShare,
 } as const;
 
 export type Property = keyof typeof IS_VALUE;

@@ -3,6 +3,7 @@ export * from "./attributes.js";
 export * from "./clipboard.js";
 export * from "./create.js";
 export * from "./document.js";
+export * from "./gradients.js";
 export * from "./paints.js";
 export * from "./shapes.js";
 export * from "./structure.js";

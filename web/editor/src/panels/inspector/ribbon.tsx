@@ -1,5 +1,5 @@
 // The values of one side from the curve's start to its end, with its stops.
-import { useRef } from "preact/hooks";
+import { useLayoutEffect, useRef } from "preact/hooks";
 import type { TargetedKeyboardEvent, TargetedPointerEvent } from "preact";
 import type { Gesture } from "../../app/types.js";
 import type { CurveItem, Side } from "../../model/types.js";
@@ -32,6 +32,8 @@ export interface RibbonProps<Value> {
   readonly item: CurveItem;
   readonly side: Side;
   readonly attribute: "color" | "opacity";
+  /** The ribbon's name; absent: the side's. */
+  readonly label?: string;
   readonly list: Stops<Value>;
   readonly mix: Mix<Value>;
   readonly put: Put<Value>;
@@ -136,9 +138,32 @@ function useStopDrag<Value>(props: RibbonProps<Value>, ribbon: { current: HTMLDi
   return { choose, pressBand, pressStop };
 }
 
-/** A key on a stop: arrows move it, Delete takes it away, Enter opens it. */
-function useStopKeys<Value>(props: RibbonProps<Value>, choose: (index: number) => void) {
+/** Where a stop behind another one is added by a key: halfway to the next, or to the end. */
+function halfway<Value>({ stops, space }: Stops<Value>, index: number, item: CurveItem): number {
+  const [from, to] = [stops[index], stops[index + 1]].map(
+    (stop) => stop && fractionOf(item, space, stop.offset),
+  );
+  return rounded((from + (to ?? 1)) / 2);
+}
+
+/** A key on a stop: arrows move it, Insert adds another, Delete takes it away, Enter opens it. */
+function useStopKeys<Value>(
+  props: RibbonProps<Value>,
+  ribbon: { current: HTMLElement | null },
+  chooseStop: (index: number) => void,
+) {
   const { editor } = useShell();
+  const focused = useRef<number | null>(null);
+  // Stops change places, and go: the focus goes with the one that is chosen.
+  useLayoutEffect(() => {
+    if (focused.current === null) return;
+    ribbon.current?.querySelectorAll<HTMLElement>(".stop")[focused.current]?.focus();
+    focused.current = null;
+  });
+  const choose = (index: number) => {
+    focused.current = index;
+    chooseStop(index);
+  };
   const { item, side, list, put } = props;
   return (index: number) => (event: TargetedKeyboardEvent<HTMLElement>) => {
     const step =
@@ -155,6 +180,11 @@ function useStopKeys<Value>(props: RibbonProps<Value>, choose: (index: number) =
     } else if ((event.key === "Delete" || event.key === "Backspace") && list.stops.length > 1) {
       editor.run(words.removeStop, put(editor.drawing, side, withoutStop(list, index)));
       choose(Math.min(index, list.stops.length - 2));
+    } else if (event.key === "Insert") {
+      const offset = offsetAt(item, list.space, halfway(list, index, item));
+      const placed = withStop(list, { offset, value: valueAt(list.stops, offset, props.mix) });
+      editor.run(words.addStop, put(editor.drawing, side, placed.value));
+      choose(placed.index);
     } else if (event.key === "Enter" && props.onOpen) props.onOpen(index);
     else return;
     event.preventDefault();
@@ -176,13 +206,14 @@ export function Ribbon<Value>(props: RibbonProps<Value>) {
   const { item, side, list, chosen, css } = props;
   const ribbon = useRef<HTMLDivElement>(null);
   const { choose, pressBand, pressStop } = useStopDrag(props, ribbon);
-  const keys = useStopKeys(props, choose);
+  const keys = useStopKeys(props, ribbon, choose);
   return (
     <div
       class={`ribbon ${props.attribute}`}
       ref={ribbon}
       role="group"
-      aria-label={words.ribbonOf(words.sides[side])}
+      aria-label={props.label ?? words.ribbonOf(words.sides[side])}
+      aria-description={words.ribbonKeys}
       style={{ "--stops": props.band }}
     >
       <div class="band" onPointerDown={pressBand} />

@@ -6,14 +6,21 @@ import { boundsOf } from "../../geometry/cubic.js";
 import { en } from "../../strings/en.js";
 import { Icon } from "../../icons.js";
 import { hexOf } from "../../geometry/colortext.js";
-import { cssSpaces, mixerOf } from "../color.js";
+import { cssSpaces } from "../color.js";
 import { openMenu, type MenuItem } from "../controls/menu.js";
 import { useShell, type Shell } from "../services.js";
-import { constant, fractionOf, putColor } from "../stops.js";
+import { constant, fractionOf, putColor, rounded } from "../stops.js";
+import { tintsOf, type Tints } from "../tints.js";
 import { chosenStop } from "./chosen.js";
+import { cssOf, describeTint } from "./gradient.js";
 import { bandOf, Ribbon } from "./ribbon.js";
 
 const words = en.panels;
+
+interface SideProps {
+  readonly item: CurveItem;
+  readonly side: Side;
+}
 
 /** A colour for a side that has had none: the other side's first, else a middle grey. */
 function startColor(item: CurveItem, side: Side): Rgb {
@@ -21,14 +28,29 @@ function startColor(item: CurveItem, side: Side): Rgb {
   return other.kind === "stops" ? other.stops[0].value : { r: 0.5, g: 0.5, b: 0.5 };
 }
 
-/** A gradient across the curve's box, from what the side shows to white. */
+/** What the side shows, as a gradient's stops; of one colour, from it to white. */
+function gradientStops(before: Drawing, item: CurveItem, side: Side) {
+  const tints = tintsOf(before, item, side);
+  const stops = (tints?.list.stops ?? []).map(({ offset, value }) => ({
+    offset: rounded(fractionOf(item, tints!.list.space, offset)),
+    color: value as Rgb,
+    opacity: value.alpha,
+  }));
+  if (stops.length > 1) return stops;
+  const from = stops[0]?.color ?? startColor(item, side);
+  return [
+    { offset: 0, color: from, opacity: 1 },
+    { offset: 1, color: { r: 1, g: 1, b: 1 }, opacity: 1 },
+  ];
+}
+
+/** A gradient across the curve's box. */
 function gradient(
   before: Drawing,
   item: CurveItem,
   side: Side,
   kind: "linear" | "radial",
 ): Outcome | null {
-  const { color } = item[side];
   const box = item.paths
     .map(boundsOf)
     .reduce((a, b) => [
@@ -38,17 +60,9 @@ function gradient(
       Math.max(a[3], b[3]),
     ]);
   const middle = (box[1] + box[3]) / 2;
-  const from = color.kind === "stops" ? color.stops[0].value : startColor(item, side);
-  const to =
-    color.kind === "stops" && color.stops.length > 1
-      ? color.stops[color.stops.length - 1].value
-      : { r: 1, g: 1, b: 1 };
   return setPaint(before, item.handle, side, "color", {
     kind,
-    stops: [
-      { offset: 0, color: from, opacity: 1 },
-      { offset: 1, color: to, opacity: 1 },
-    ],
+    stops: gradientStops(before, item, side),
     from: kind === "linear" ? [box[0], middle] : [(box[0] + box[2]) / 2, middle],
     to: [box[2], middle],
   });
@@ -130,7 +144,7 @@ function sideMenu(shell: Shell, item: CurveItem, side: Side): readonly MenuItem[
   ];
 }
 
-function OtherThanStops({ item, side }: { readonly item: CurveItem; readonly side: Side }) {
+function OtherThanStops({ item, side }: SideProps) {
   const { editor } = useShell();
   const { color } = item[side];
   const text =
@@ -161,12 +175,43 @@ function OtherThanStops({ item, side }: { readonly item: CurveItem; readonly sid
   );
 }
 
-export function ColorSide({ item, side }: { readonly item: CurveItem; readonly side: Side }) {
-  const shell = useShell();
-  const { editor } = shell;
-  const { color } = item[side];
-  const { interpolation } = editor.drawing;
+/** Stops of the side, or of its gradient. */
+function SideRibbon({ item, side, tints }: SideProps & { readonly tints: Tints }) {
+  const { editor } = useShell();
+  const { list, gradient } = tints;
   const chosen = chosenStop(editor, item, "color");
+  const space = gradient ? "srgb" : cssSpaces[editor.drawing.interpolation];
+  const stops = list.stops.map(({ offset, value }) => ({
+    at: fractionOf(item, list.space, offset),
+    css: cssOf(value),
+  }));
+  return (
+    <Ribbon
+      item={item}
+      side={side}
+      attribute="color"
+      label={
+        gradient
+          ? words.gradientOf(words.sides[side], words.gradientNow[gradient.kind](gradient.id))
+          : undefined
+      }
+      list={list}
+      mix={tints.mix}
+      put={tints.put}
+      band={bandOf(stops, space)}
+      css={hexOf}
+      describe={describeTint}
+      chosen={chosen?.side === side ? chosen.index : null}
+      onOpen={(stop) => {
+        editor.picker.value = { handle: item.handle, side, stop };
+      }}
+    />
+  );
+}
+
+export function ColorSide({ item, side }: SideProps) {
+  const shell = useShell();
+  const tints = tintsOf(shell.editor.drawing, item, side);
   return (
     <div class="side-row">
       <button
@@ -185,28 +230,8 @@ export function ColorSide({ item, side }: { readonly item: CurveItem; readonly s
         {words.sides[side]}
         <Icon name="chevron-down" small />
       </button>
-      {color.kind === "stops" ? (
-        <Ribbon
-          item={item}
-          side={side}
-          attribute="color"
-          list={color}
-          mix={mixerOf(interpolation)}
-          put={putColor(item.handle)}
-          band={bandOf(
-            color.stops.map(({ offset, value }) => ({
-              at: fractionOf(item, color.space, offset),
-              css: hexOf(value),
-            })),
-            cssSpaces[interpolation],
-          )}
-          css={hexOf}
-          describe={hexOf}
-          chosen={chosen?.side === side ? chosen.index : null}
-          onOpen={(stop) => {
-            editor.picker.value = { handle: item.handle, side, stop };
-          }}
-        />
+      {tints ? (
+        <SideRibbon item={item} side={side} tints={tints} />
       ) : (
         <OtherThanStops item={item} side={side} />
       )}

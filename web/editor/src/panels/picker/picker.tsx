@@ -86,7 +86,7 @@ function Compare({ session }: { readonly session: Session }) {
         style={{ "--c": hexOf(session.before) }}
         aria-label={words.goBack(hexOf(session.before))}
         data-tip={words.goBack(hexOf(session.before))}
-        onClick={() => session.show(session.before)}
+        onClick={() => session.show({ color: session.before })}
       />
     </span>
   );
@@ -125,11 +125,11 @@ function Body({ session }: { readonly session: Session }) {
   const { polar, setHue } = usePolar(color);
   const showPolar = (to: Oklch) => {
     setHue(to.h);
-    session.show(inGamut(to));
+    session.show({ color: inGamut(to) });
   };
   const setHueTo = (h: number) => showPolar({ ...polar, h });
   const choose = (to: Rgb) => {
-    session.show(to);
+    session.show({ color: to });
     remember(editor, to);
   };
   const hueSink = {
@@ -168,14 +168,14 @@ function Body({ session }: { readonly session: Session }) {
             colorModel.value = model;
           }}
         />
-        <HexField grow marked name={words.hex} value={color} onChange={(to) => session.show(to)} />
+        <HexField grow marked name={words.hex} value={color} onChange={(to) => session.show({ color: to })} />
       </div>
       <ModelFields
         model={colorModel.value}
         color={color}
         polar={polar}
         onPolar={showPolar}
-        onColor={(to) => session.show(to)}
+        onColor={(to) => session.show({ color: to })}
       />
       <Swatches title={words.recent} colors={recent.value} now={color} onChoose={choose} />
       <Swatches
@@ -198,7 +198,7 @@ function Popover({ target }: { readonly target: PickerTarget }) {
   const opener = useRef<Element | null>(null);
   const session = useSession(editor, target);
   const phone = isPhone().value;
-  const pick = usePick((color) => session?.show(color));
+  const pick = usePick((color) => session?.show({ color }));
   usePlace(editor, target, popover, phone);
   useLayoutEffect(() => {
     opener.current = document.activeElement;

@@ -14,7 +14,8 @@ export const left = signal<Point | null>(null);
 function stopAt(editor: Editor, target: PickerTarget, stage: DOMRect): Point | null {
   const found = targetStop(editor.drawing, target);
   const path = found?.item.paths[0];
-  if (!found || !path) return null;
+  // A gradient's stops do not stand on the curve.
+  if (!found || !path || found.gradient) return null;
   const { list, item } = found;
   const local = pathPointAt(path, placeOfOffset(path, list.space, list.stops[target.stop].offset));
   const [x, y] = mapped(editor.stageFromArtboard(), mapped(item.artboardFromItem, local));

@@ -1,23 +1,31 @@
-// What the picker edits: a stop's colour, as one step of undo from opening to closing.
+// What the picker edits: a stop's colour and alpha, as one step of undo from opening to closing.
 import { useEffect, useMemo, useRef } from "preact/hooks";
 import type { Editor, Gesture, PickerTarget } from "../../app/types.js";
 import type { Rgb } from "../../geometry/color.js";
 import { hexOf } from "../../geometry/colortext.js";
-import { setColor } from "../../model/commands/index.js";
+import { setColor, setNumbers, together } from "../../model/commands/index.js";
 import type { CurveItem, Drawing, Outcome } from "../../model/types.js";
 import { en } from "../../strings/en.js";
-import { curveOf, withValue, type Stops } from "../stops.js";
+import { constant, curveOf, withValue } from "../stops.js";
+import { tintsOf, type Tints } from "../tints.js";
 
 const words = en.picker;
 const RECENT = 8;
 
-export interface Session {
+/** What has been changed since the picker was opened; absent: nothing. */
+interface Wish {
+  readonly color?: Rgb;
+  readonly alpha?: number;
+}
+
+export interface Session extends Tints {
   readonly item: CurveItem;
-  readonly list: Stops<Rgb>;
   readonly color: Rgb;
+  /** Of a gradient's stop its own, else the opacity of the side; null: that varies, or is not there. */
+  readonly alpha: number | null;
   /** The colour when the picker was opened. */
   readonly before: Rgb;
-  show(color: Rgb): void;
+  show(wish: Wish): void;
   /** The side is open from now on, and the picker closes. */
   open(): void;
   close(): void;
@@ -28,15 +36,34 @@ const keyOf = ({ handle, side, stop }: PickerTarget) => `${handle} ${side} ${sto
 /** The picker's target as the drawing has it, or null where it is no more. */
 export function targetStop(drawing: Drawing, { handle, side, stop }: PickerTarget) {
   const item = curveOf(drawing, handle);
-  const list = item?.[side].color;
-  return item && list?.kind === "stops" && stop < list.stops.length ? { item, list } : null;
+  const tints = item && tintsOf(drawing, item, side);
+  return tints && stop < tints.list.stops.length ? { item, ...tints } : null;
+}
+
+type Found = NonNullable<ReturnType<typeof targetStop>>;
+
+/** Opacity of a side diffuses by itself: it is alpha here where the side has one all along. */
+function alphaOf({ item, gradient, list }: Found, { side, stop }: PickerTarget): number | null {
+  if (gradient) return list.stops[stop].value.alpha;
+  const { opacity } = item[side];
+  const isOne = opacity.kind === "stops" && opacity.stops.length === 1;
+  return item.kind === "curve" && isOne ? opacity.stops[0].value : null;
 }
 
 const make =
-  ({ handle, side, stop }: PickerTarget, color: Rgb) =>
+  (target: PickerTarget, { color, alpha }: Wish) =>
   (before: Drawing): Outcome | null => {
-    const found = targetStop(before, { handle, side, stop });
-    return found && setColor(before, handle, side, withValue(found.list, stop, color));
+    const found = targetStop(before, target);
+    if (!found) return null;
+    const { list, put, gradient } = found;
+    const { handle, side, stop } = target;
+    const now = list.stops[stop].value;
+    const value = { ...now, ...color, alpha: gradient ? (alpha ?? now.alpha) : now.alpha };
+    const isSide = !gradient && alpha !== undefined;
+    return together([
+      put(before, side, withValue(list, stop, value)),
+      isSide ? setNumbers(before, handle, side, "opacity", constant(alpha)) : null,
+    ]);
   };
 
 export function remember({ settings: { recent } }: Editor, color: Rgb) {
@@ -48,32 +75,39 @@ export function remember({ settings: { recent } }: Editor, color: Rgb) {
 export function useSession(editor: Editor, target: PickerTarget): Session | null {
   const key = keyOf(target);
   const gesture = useRef<Gesture | null>(null);
+  const wish = useRef<Wish>({});
   const found = targetStop(editor.drawing, target);
   const color = found?.list.stops[target.stop].value ?? null;
   const before = useMemo(() => color, [key]);
-  const latest = useRef(color);
+  const latest = useRef<Rgb | null>(color);
   latest.current = color;
+  const keep = () => {
+    if (gesture.current && !gesture.current.isOver) gesture.current.keep();
+    gesture.current = null;
+  };
   useEffect(
     () => () => {
-      if (gesture.current && !gesture.current.isOver) gesture.current.keep();
-      gesture.current = null;
+      keep();
       if (latest.current && before && hexOf(latest.current) !== hexOf(before))
         remember(editor, latest.current);
     },
     [key],
   );
   if (!found || !color || !before) return null;
-  const show = (to: Rgb) => {
-    if (!gesture.current || gesture.current.isOver) gesture.current = editor.gesture(words.change);
-    gesture.current.show(make(target, to));
+  const show = (change: Wish) => {
+    const isNew = !gesture.current || gesture.current.isOver;
+    if (isNew) gesture.current = editor.gesture(words.change);
+    // A gesture shows what it makes of the drawing as it was before all of its changes.
+    wish.current = isNew ? change : { ...wish.current, ...change };
+    gesture.current?.show(make(target, wish.current));
   };
   const close = () => {
     editor.picker.value = null;
   };
   const open = () => {
-    if (gesture.current && !gesture.current.isOver) gesture.current.keep();
+    keep();
     close();
     editor.run(words.open, setColor(editor.drawing, target.handle, target.side, { kind: "open" }));
   };
-  return { ...found, color, before, show, open, close };
+  return { ...found, color, alpha: alphaOf(found, target), before, show, open, close };
 }

@@ -1,0 +1,50 @@
+// The colour stops of a side: its own, or those of the gradient that it shows.
+import { setGradientStops } from "../model/commands/index.js";
+import { gradientOf, type Gradient, type Tint } from "../model/gradients.js";
+import type { CurveItem, Drawing, Side } from "../model/types.js";
+import { mixerOf } from "./color.js";
+import { mixNumbers, putColor, type Mix, type Put, type Stops } from "./stops.js";
+
+export interface Tints {
+  readonly list: Stops<Tint>;
+  readonly put: Put<Tint>;
+  readonly mix: Mix<Tint>;
+  /** Whose stops they are; null: the side's own, which have no alpha. */
+  readonly gradient: Gradient | null;
+}
+
+/** As gradients are drawn: in code values, alpha by itself. */
+const mixTints: Mix<Tint> = (a, b, t) => ({
+  r: mixNumbers(a.r, b.r, t),
+  g: mixNumbers(a.g, b.g, t),
+  b: mixNumbers(a.b, b.b, t),
+  alpha: mixNumbers(a.alpha, b.alpha, t),
+});
+
+function ofGradient(gradient: Gradient, href: string): Tints {
+  return {
+    list: { kind: "stops", space: "arc", stops: gradient.stops },
+    put: (before, _, value) =>
+      value.kind === "stops" ? setGradientStops(before, href, value.stops) : null,
+    mix: mixTints,
+    gradient,
+  };
+}
+
+/** null: the side is open, a barrier, or shows something else. */
+export function tintsOf(drawing: Drawing, item: CurveItem, side: Side): Tints | null {
+  const { color } = item[side];
+  if (color.kind === "paint") {
+    const gradient = gradientOf(drawing, color.href);
+    return gradient && ofGradient(gradient, color.href);
+  }
+  if (color.kind !== "stops") return null;
+  const mix = mixerOf(drawing.interpolation);
+  const stops = color.stops.map(({ offset, value }) => ({ offset, value: { ...value, alpha: 1 } }));
+  return {
+    list: { ...color, stops },
+    put: putColor(item.handle),
+    mix: (a, b, t) => ({ ...mix(a, b, t), alpha: 1 }),
+    gradient: null,
+  };
+}
