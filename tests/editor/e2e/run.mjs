@@ -12,6 +12,7 @@ import { testExporting } from "./exporting.mjs";
 import { testFiles } from "./files.mjs";
 import { testFocus } from "./focus.mjs";
 import { testGradients } from "./gradients.mjs";
+import { testGestures } from "./gestures.mjs";
 import { testKeys } from "./keys.mjs";
 import { testPanels } from "./panels.mjs";
 import { testRecover } from "./recover.mjs";
@@ -25,6 +26,7 @@ import { testTools } from "./tools.mjs";
 const themes = [
   testSunset,
   testTools,
+  testGestures,
   testKeys,
   testAccess,
   testSaving,

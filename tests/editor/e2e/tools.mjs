@@ -4,7 +4,7 @@ import { changing, count } from "./draw.mjs";
 import { largestDifference } from "./pixels.mjs";
 
 const open = '<svg xmlns="http://www.w3.org/2000/svg" xmlns:sf="urn:sfumato:1" viewBox="0 0 640 480" sf:background="#fff">';
-const one = `${open}
+export const one = `${open}
   <g id="layer" sf:diffuse="true">
     <path id="c" d="M100 300L300 300L500 300" sf:left="#e33" sf:right="#36c"/>
     <path id="d" d="M100 100L500 100" sf:left="#fe8" sf:right="#284"/>
@@ -12,7 +12,8 @@ const one = `${open}
 </svg>
 `;
 
-class Tools {
+/** Hands for the tools, on a drawing of two curves. */
+export class Tools {
   constructor(editor) {
     this.editor = editor;
     this.page = editor.page;
@@ -274,7 +275,7 @@ async function testHand(t) {
   check(Math.hypot(wx - x, wy - y) < 1, "the wheel does not keep the point under the pointer");
 }
 
-async function withTools({ browser, address }, body) {
+export async function withTools({ browser, address }, body) {
   const editor = await EditorPage.open(browser, address);
   await body(new Tools(editor));
   editor.checkQuiet();

@@ -17,6 +17,8 @@ export interface FakeEditor extends Editor {
   /** Labels of the steps of undo, and gestures that were dropped. */
   readonly steps: string[];
   readonly dropped: string[];
+  /** Of each step: those of one name that follow each other quickly are one. */
+  readonly merges: string[];
   /** What `colors` answers: red, green, blue, opacity at a point. */
   paint: (x: number, y: number) => readonly [number, number, number, number];
   layers: { layer: number; offset: number }[];
@@ -45,6 +47,7 @@ export function fakeEditor(items: readonly Item[], width = 400, height = 300): F
   const revision = signal(0);
   const steps: string[] = [];
   const dropped: string[] = [];
+  const merges: string[] = [];
   const selection: Editor["selection"] = signal([]);
   const set = (next: readonly Item[], made: Outcome | null) => {
     drawing.items = next;
@@ -96,6 +99,7 @@ export function fakeEditor(items: readonly Item[], width = 400, height = 300): F
     },
     steps,
     dropped,
+    merges,
     selection,
     view,
     stage,
@@ -116,9 +120,10 @@ export function fakeEditor(items: readonly Item[], width = 400, height = 300): F
       return drawing.items.find((item) => item.kind === "layer" && !item.locked) ?? null;
     },
     gesture,
-    run(label: string, made: Outcome | null) {
+    run(label: string, made: Outcome | null, merge = "") {
       if (!made) return false;
       steps.push(label);
+      merges.push(merge);
       set((made as FakeOutcome).items, made);
       return true;
     },

@@ -95,29 +95,35 @@ export function drawnBox(box: Box, stageFromArtboard: Affine): Box {
   return [x0 - BOX_OFF, y0 - BOX_OFF, x1 + BOX_OFF, y1 + BOX_OFF];
 }
 
-export function boxMarks(box: Box, stageFromArtboard: Affine, handle: Handle): BoxMark[] {
+/** @param isChosen whether a handle has the keys: it is shown in however narrow a box */
+export function boxMarks(
+  box: Box,
+  stageFromArtboard: Affine,
+  handle: Handle,
+  isChosen: (mark: BoxMark) => boolean,
+): BoxMark[] {
   const [x0, y0, x1, y1] = drawnBox(box, stageFromArtboard);
   const base = { handle, part: { kind: "whole" }, isChosen: false } as const;
   // An edge has a handle where there is room, and something to scale.
   const hasRoom = ([x, y]: readonly [number, number]) =>
     (x !== 0 || (x1 - x0 > NARROW && box[3] > box[1])) &&
     (y !== 0 || (y1 - y0 > NARROW && box[2] > box[0]));
-  const marks = GRIPS.filter(hasRoom).map((grip): BoxMark => {
+  const marks = GRIPS.map((grip): BoxMark => {
     const at: Point = [x0 + ((grip[0] + 1) / 2) * (x1 - x0), y0 + ((grip[1] + 1) / 2) * (y1 - y0)];
     return { ...base, kind: "scale", at, foot: at, grip, label: en.canvas.scale[gripName(grip)] };
   });
   const foot: Point = [(x0 + x1) / 2, y0];
-  return [
-    ...marks,
-    {
-      ...base,
-      kind: "turn",
-      at: [foot[0], y0 - TURN_OFF],
-      foot,
-      grip: [0, -1],
-      label: en.canvas.turn,
-    },
-  ];
+  const turn: BoxMark = {
+    ...base,
+    kind: "turn",
+    at: [foot[0], y0 - TURN_OFF],
+    foot,
+    grip: [0, -1],
+    label: en.canvas.turn,
+  };
+  return [...marks, turn]
+    .map((mark) => ({ ...mark, isChosen: isChosen(mark) }))
+    .filter((mark) => mark.isChosen || mark.kind === "turn" || hasRoom(mark.grip));
 }
 
 /** What a scaled box may not become: nothing that cannot be scaled back. */

@@ -4,11 +4,13 @@ import { inverted, mapped, type Affine, type Point } from "../geometry/affine.js
 import type { Editor } from "../app/types.js";
 import type { Attribute, CurveItem, Handle, Item } from "../model/types.js";
 import { boxMarks, selectionBox } from "./box.js";
+import { Grips } from "./grips.js";
 import { CurveGrid, markAt, REACH, type CurveHit, type PointerKind } from "./hit.js";
 import { chosenParts, nodeMarks, stageFromItem, stopMarks, type Mark } from "./marks.js";
 import { isCurve, isHidden, isLocked, placesOf, type Place } from "./places.js";
 import { NO_SKETCH, type Sketch } from "./sketch.js";
 import { snapped, type Snapped } from "./snap.js";
+import { keyOf } from "./walk.js";
 import { stageFromArtboard, type Navigation } from "../app/view.js";
 
 /** Nodes are shown of so many selected curves at most: more would hide the picture. */
@@ -17,6 +19,7 @@ const MOST_WITH_NODES = 24;
 export class Canvas {
   readonly sketch: Signal<Sketch> = signal(NO_SKETCH);
   readonly marks: ReadonlySignal<readonly Mark[]>;
+  readonly grips = new Grips(this);
   private grid: { readonly key: readonly unknown[]; readonly grid: CurveGrid } | null = null;
 
   constructor(
@@ -86,7 +89,8 @@ export class Canvas {
       const selection = editor.selection.value;
       const box = selectionBox(editor.drawing, selection);
       const last = selection.at(-1);
-      return box && last ? boxMarks(box, map, last.handle) : [];
+      const isChosen = (mark: Mark) => this.grips.isChosen(mark.handle, keyOf(mark));
+      return box && last ? boxMarks(box, map, last.handle, isChosen) : [];
     }
     if (tool !== "nodes" && tool !== "blur" && tool !== "sample") return [];
     const marks: Mark[] = [];

@@ -41,24 +41,30 @@ export function releaseKey(pointers: Pointers, key: StageKey): void {
 }
 
 function pressPlainKey(canvas: Canvas, { key, shift, alt, ctrl }: StageKey): boolean {
-  const { editor } = canvas;
-  if (ctrl || alt) return false;
+  const { editor, grips } = canvas;
   const arrow = ARROWS[key];
+  if (arrow && grips.arrow(arrow, { shift, alt, ctrl })) return true;
+  if (ctrl || alt) return false;
   if (arrow) {
-    const step = shift ? LARGE_STEP : 1;
-    return nudge(editor, [arrow[0] * step, arrow[1] * step]);
+    const pixels = shift ? LARGE_STEP : 1;
+    return nudge(editor, [arrow[0] * pixels, arrow[1] * pixels]);
   }
   switch (key) {
     case "Tab":
-      return walk(editor, canvas.marks.peek(), shift ? -1 : 1);
+      return step(canvas, shift ? -1 : 1);
     case "Enter":
-      return goIn(editor);
+      return shift ? grips.enter() : goIn(editor);
     case "Escape":
-      return goOut(editor);
+      return grips.letGo() || goOut(editor);
     case "Delete":
     case "Backspace":
       return deleteParts(editor);
     default:
       return false;
   }
+}
+
+/** From a handle of the box to the next, else from curve to curve or from part to part. */
+function step({ editor, grips, marks }: Canvas, by: 1 | -1): boolean {
+  return grips.isIn ? grips.walk(by) : walk(editor, marks.peek(), by);
 }

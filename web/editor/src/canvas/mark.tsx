@@ -35,8 +35,9 @@ function shapeOf(mark: Mark): ComponentChildren {
     case "scale":
       return <Square mark={mark} />;
     case "handle":
-    case "turn":
       return <circle class="handle" r={HANDLE} />;
+    case "turn":
+      return <Turn mark={mark} />;
     case "stop":
       return <Stop mark={mark} />;
     case "bracket":
@@ -49,6 +50,15 @@ function Square({ mark }: { readonly mark: NodeMark | BoxMark }) {
     <>
       {mark.isChosen && <rect class="node-rim" x={-5.5} y={-5.5} width={11} height={11} rx={2} />}
       <rect class="node" x={-4.5} y={-4.5} width={9} height={9} rx={1} />
+    </>
+  );
+}
+
+function Turn({ mark }: { readonly mark: BoxMark }) {
+  return (
+    <>
+      {mark.isChosen && <circle class="node-rim" r={HANDLE + 1.5} />}
+      <circle class={mark.isChosen ? "node" : "handle"} r={HANDLE} />
     </>
   );
 }

@@ -176,6 +176,10 @@ function useListeners(parts: Parts, root: { current: HTMLDivElement | null }): v
       event.stopPropagation();
     });
     on("keyup", (event) => releaseKey(pointers, keyOfEvent(event)));
+    on("focusin", ({ target }) => {
+      const key = target instanceof SVGElement && target.dataset.mark;
+      if (key) canvas.grips.focused(key);
+    });
     on("blur", () => pointers.space(false));
     return () => stop.abort();
   }, [parts, root]);

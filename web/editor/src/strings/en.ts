@@ -90,7 +90,7 @@ const engine = {
 const canvas = {
   // canvas: begin
   name: "Canvas",
-  describe: "Tab goes from curve to curve, Enter goes into one, Escape out of it. Arrows move what is selected; with the pen and nothing selected they move a point, and Enter sets a node there.",
+  describe: "Tab goes from curve to curve, Enter goes into one, Escape out of it; Shift Enter goes to the handles of the box. Arrows move what is selected, and scale or turn by a handle; with the pen and nothing selected they move a point, and Enter sets a node there.",
   caret: "Pen",
   handlesOf: (curve: string) => `Handles of curve “${curve}”`,
   boxOf: (name: string) => `Box of “${name}”`,

@@ -51,6 +51,7 @@ export class SelectTool implements Tool {
     const { canvas } = this;
     const mark = this.markAt(p);
     if (mark) return this.reshape(mark, p);
+    canvas.grips.letGo();
     const hit = canvas.curveAt(p.at, p.kind);
     if (hit) return this.pressOn(hit.place.owner, p);
     if (this.isInBox(p.at) && !p.shift) return this.move(p, () => this.clickEmpty(p));
@@ -60,6 +61,10 @@ export class SelectTool implements Tool {
       (low, high, end) => this.take(low, high, end.shift),
       () => this.clickEmpty(p),
     );
+  }
+
+  leave(): void {
+    this.canvas.grips.letGo();
   }
 
   /** A handle of the box; where a curve is nearer, it is the curve that is meant. */
@@ -204,7 +209,12 @@ export class SelectTool implements Tool {
         map = isTurn ? this.turn(box, start, p) : this.scale(box, mark, start, p);
         return transform(before, handles, map, editor.step(null));
       },
-      kept: () => say(canvas, middleOf(box, map)),
+      // From here on it has the keys, too.
+      click: () => canvas.grips.choose(mark),
+      kept: () => {
+        canvas.grips.choose(mark);
+        say(canvas, middleOf(box, map));
+      },
     });
   }
 

@@ -1,0 +1,42 @@
+// What tools do beyond their first gestures.
+import { check, checkEqual } from "./harness.mjs";
+import { changing } from "./draw.mjs";
+import { one, withTools } from "./tools.mjs";
+
+/** The name of what has the focus. */
+const focused = (page) => page.evaluate(() => document.activeElement?.getAttribute("aria-label"));
+
+async function goToGrip(page, name) {
+  for (let k = 0; k < 12 && (await focused(page)) !== name; k += 1) {
+    await page.keyboard.press(k === 0 ? "Shift+Enter" : "Tab");
+    // The focus follows when the next frame is drawn.
+    await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+  }
+  checkEqual(await focused(page), name, "the focus");
+}
+
+async function testGrips(t) {
+  const { editor, page } = t;
+  await t.fresh("v", [200, 300]);
+  await goToGrip(page, "Scale, south-east");
+  const zoom = (await editor.at(1, 0))[0] - (await editor.at(0, 0))[0];
+  for (let k = 0; k < 5; k += 1) await page.keyboard.press("Shift+ArrowLeft");
+  const text = await changing(editor, "an arrow", () => page.keyboard.press("ArrowLeft"));
+  t.near(t.path(text).slice(-2), [500 - 51 / zoom, 300], "the end that was scaled", 0.01);
+  t.near(t.path(text).slice(0, 2), [100, 300], "the end that stays", 0.01);
+  checkEqual(await changing(editor, "undo", () => page.keyboard.press("Control+z")), one, "after one undo");
+  await goToGrip(page, "Rotate");
+  await editor.shot("grip");
+  const turned = await changing(editor, "a turn", () => page.keyboard.press("Shift+ArrowRight"));
+  const [x0, y0, , , x1, y1] = t.path(turned);
+  check(Math.abs(Math.atan2(y1 - y0, x1 - x0) - Math.PI / 12) < 1e-3, `turned: ${t.path(turned)}`);
+  await page.keyboard.press("Escape");
+  t.near(t.path(await changing(editor, "an arrow", () => page.keyboard.press("ArrowDown"))).slice(0, 2), [x0, y0 + 1 / zoom], "moved", 0.01);
+}
+
+export async function testGestures(tap, given) {
+  const gestures = {
+    "the box scales and turns by the keyboard": testGrips,
+  };
+  for (const [name, body] of Object.entries(gestures)) await tap.test(name, () => withTools(given, body));
+}
