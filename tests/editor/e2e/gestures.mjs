@@ -34,9 +34,38 @@ async function testGrips(t) {
   t.near(t.path(await changing(editor, "an arrow", () => page.keyboard.press("ArrowDown"))).slice(0, 2), [x0, y0 + 1 / zoom], "moved", 0.01);
 }
 
+/** Opens the drawing with another curve in the place of its first, and selects it with the node tool. */
+async function withCurve(t, curve, at) {
+  await t.editor.load(one.replace(/<path id="c"[^>]*>/, curve));
+  await t.page.locator(".canvas-stage").focus();
+  await t.page.keyboard.press("v");
+  await t.editor.click(...at);
+  await t.page.keyboard.press("a");
+  return t.editor.text;
+}
+
+async function testSubpaths(t) {
+  const { editor, page } = t;
+  const two = '<path id="c" d="M100 200L300 200L500 200M100 300L300 300L500 300" sf:left="#e33" sf:right="#36c"/>';
+  const before = await withCurve(t, two, [200, 300]);
+  await editor.drag([[260, 170], [340, 340]]);
+  await page.getByText("2 of 6 nodes").waitFor();
+  await editor.shot("subpaths");
+  const moved = await t.drag("a node of each subpath", [[300, 300], [310, 330]], ["Control"]);
+  t.near(t.path(moved), [100, 200, 310, 230, 500, 200, 100, 300, 310, 330, 500, 300], "both moved");
+  checkEqual(await changing(editor, "undo", () => page.keyboard.press("Control+z")), before, "after undo");
+  await editor.drag([[260, 170], [340, 340]]);
+  const gone = await changing(editor, "Delete", () => page.keyboard.press("Delete"));
+  t.near(t.path(gone), [100, 200, 500, 200, 100, 300, 500, 300], "without both");
+  checkEqual(await changing(editor, "undo", () => page.keyboard.press("Control+z")), before, "after undo");
+  const closed = await changing(editor, "closing", () => page.keyboard.press("Control+Shift+j"));
+  checkEqual(/id="c" d="([^"]*)"/.exec(closed)[1].match(/z/gi).length, 2, "closed subpaths");
+}
+
 export async function testGestures(tap, given) {
   const gestures = {
     "the box scales and turns by the keyboard": testGrips,
+    "nodes of several subpaths are edited at once": testSubpaths,
   };
   for (const [name, body] of Object.entries(gestures)) await tap.test(name, () => withTools(given, body));
 }

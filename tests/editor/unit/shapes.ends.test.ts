@@ -35,7 +35,7 @@ describe("deleting nodes", () => {
     for (let seed = 0; seed < 30; ++seed) {
       const { random, pieces, closed, drawing, curve } = randomCurve(seed);
       const node = closed ? random.below(pieces) : 1 + random.below(pieces - 1);
-      const next = after(drawing, deleteNodes(drawing, curve.handle, 0, [node], STEP));
+      const next = after(drawing, deleteNodes(drawing, curve.handle, new Map([[0, [node]]]), STEP));
       const [now] = curvesIn(next);
       expect(pieceCount(now.paths[0])).toBe(pieces - 1);
       expect(farthestFrom(now.paths[0], curve.paths[0]), next.text).toBeLessThan(60);
@@ -47,7 +47,7 @@ describe("deleting nodes", () => {
       const { pieces, drawing, curve } = randomCurve(seed);
       const split = after(drawing, splitPiece(drawing, curve.handle, 0, 1, 0.4, STEP));
       const [between] = curvesIn(split);
-      const next = after(split, deleteNodes(split, between.handle, 0, [2], STEP));
+      const next = after(split, deleteNodes(split, between.handle, new Map([[0, [2]]]), STEP));
       const [now] = curvesIn(next);
       expect(pieceCount(now.paths[0])).toBe(pieces);
       expectSamePicture(curve, now, `seed ${seed}\n${drawing.text}\n${next.text}`, 0.2, 0.15);
@@ -62,16 +62,16 @@ describe("deleting nodes", () => {
       ),
     );
     const [square, open] = curvesIn(drawing);
-    expect(after(drawing, deleteNodes(drawing, square.handle, 0, [2], STEP)).text).toContain(
+    expect(after(drawing, deleteNodes(drawing, square.handle, new Map([[0, [2]]]), STEP)).text).toContain(
       'd="M0 0L10 0L0 10Z"',
     );
-    expect(after(drawing, deleteNodes(drawing, square.handle, 0, [0], STEP)).text).toMatch(
+    expect(after(drawing, deleteNodes(drawing, square.handle, new Map([[0, [0]]]), STEP)).text).toMatch(
       /d="M10 0L10 10[ L]0 10Z"/,
     );
-    expect(after(drawing, deleteNodes(drawing, open.handle, 0, [2], STEP)).text).toContain(
+    expect(after(drawing, deleteNodes(drawing, open.handle, new Map([[0, [2]]]), STEP)).text).toContain(
       'd="M0 0L5 5"',
     );
-    const gone = after(drawing, deleteNodes(drawing, open.handle, 0, [0, 1], STEP));
+    const gone = after(drawing, deleteNodes(drawing, open.handle, new Map([[0, [0, 1]]]), STEP));
     expect(curvesIn(gone).length).toBe(1);
     expect(gone.text).toContain('sf:left="red"/>\n  </g>');
   });
@@ -79,7 +79,7 @@ describe("deleting nodes", () => {
   test("a subpath goes alone", () => {
     const drawing = openDrawing(documentOf('<path d="M0 0L9 0M20 20L30 30m1 1h5" sf:left="red"/>'));
     const [curve] = curvesIn(drawing);
-    const [now] = curvesIn(after(drawing, deleteNodes(drawing, curve.handle, 1, [0, 1], STEP)));
+    const [now] = curvesIn(after(drawing, deleteNodes(drawing, curve.handle, new Map([[1, [0, 1]]]), STEP)));
     expect(now.paths.map((path) => path.points[0])).toEqual([
       [0, 0],
       [31, 31],
@@ -141,7 +141,7 @@ describe("subpaths that share a list with @", () => {
     const drawing = openDrawing(documentOf(shape));
     const [curve] = curvesIn(drawing);
     expect(
-      curvesIn(after(drawing, moveNodes(drawing, curve.handle, 1, [1], [1, 1], STEP))).length,
+      curvesIn(after(drawing, moveNodes(drawing, curve.handle, new Map([[1, [1]]]), [1, 1], STEP))).length,
     ).toBe(1);
   });
 });
@@ -152,7 +152,7 @@ describe("kinds of nodes", () => {
       const { random, pieces, drawing, curve } = randomCurve(seed);
       const node = 1 + random.below(pieces - 1);
       for (const kind of ["smooth", "symmetric", "corner"] as const) {
-        const outcome = setNodeKind(drawing, curve.handle, 0, [node], kind, 1e-6);
+        const outcome = setNodeKind(drawing, curve.handle, new Map([[0, [node]]]), kind, 1e-6);
         const [now] = outcome ? curvesIn(after(drawing, outcome)) : [curve];
         const found = kindOf(now.paths[0], node);
         if (kind === "smooth") expect(["smooth", "symmetric"], `seed ${seed}`).toContain(found);
@@ -168,14 +168,14 @@ describe("closing", () => {
       documentOf('<path d="M0 0L10 0L10 10" sf:left="red @0, gold @2"/>'),
     );
     const [curve] = curvesIn(drawing);
-    const closed = after(drawing, setClosed(drawing, curve.handle, 0, true, STEP));
+    const closed = after(drawing, setClosed(drawing, curve.handle, [0], true, STEP));
     expect(closed.text).toContain('d="M0 0L10 0L10 10 Z"');
     expect(closed.text).toContain('sf:left="red @0, gold @2"');
-    const opened = after(closed, setClosed(closed, curvesIn(closed)[0].handle, 0, false, STEP));
+    const opened = after(closed, setClosed(closed, curvesIn(closed)[0].handle, [0], false, STEP));
     const [now] = curvesIn(opened);
     expect(now.paths[0].closed).toBe(false);
     expect(now.paths[0].points[9]).toEqual([0, 0]);
-    expect(setClosed(drawing, curve.handle, 0, false, STEP)).toBeNull();
+    expect(setClosed(drawing, curve.handle, [0], false, STEP)).toBeNull();
   });
 });
 

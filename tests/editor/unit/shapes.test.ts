@@ -155,7 +155,7 @@ describe("shapes that become paths", () => {
     );
     const drawing = openDrawing(text);
     const [curve] = curvesIn(drawing);
-    const moved = after(drawing, moveNodes(drawing, curve.handle, 0, [1], [1, 1], STEP));
+    const moved = after(drawing, moveNodes(drawing, curve.handle, new Map([[0, [1]]]), [1, 1], STEP));
     expect(moved.text).toContain(
       '<path sodipodi:nodetypes="ccc" inkscape:label="s" d="M0 0L10 1L9 9" sf:left="red"/>',
     );
@@ -170,9 +170,9 @@ describe("moving nodes", () => {
       documentOf('<path d="m 0,0 10,0 0,10 c 1,1 2,2 3,3 z" sf:left="red @0, gold @3"/>'),
     );
     const [curve] = curvesIn(drawing);
-    const { text } = after(drawing, moveNodes(drawing, curve.handle, 0, [1], [2, 3], STEP));
+    const { text } = after(drawing, moveNodes(drawing, curve.handle, new Map([[0, [1]]]), [2, 3], STEP));
     expect(text).toBe(drawing.text.replace("m 0,0 10,0 0,10 c", "m 0,0 12,3 -2,7 c"));
-    const first = after(drawing, moveNodes(drawing, curve.handle, 0, [0], [2, 3], STEP));
+    const first = after(drawing, moveNodes(drawing, curve.handle, new Map([[0, [0]]]), [2, 3], STEP));
     const [now] = curvesIn(first);
     expect(now.paths[0].points[0]).toEqual([2, 3]);
     expect(now.paths[0].closed).toBe(true);
@@ -186,7 +186,7 @@ describe("moving nodes", () => {
       ),
     );
     const [curve] = curvesIn(drawing);
-    const next = after(drawing, moveNodes(drawing, curve.handle, 0, [2], [0.001, 0], 1e-6));
+    const next = after(drawing, moveNodes(drawing, curve.handle, new Map([[0, [2]]]), [0.001, 0], 1e-6));
     const [now] = curvesIn(next);
     expect(segmentsOf(now.paths[0]).length).toBeGreaterThan(segmentsOf(curve.paths[0]).length);
     expectSamePicture(curve, now, next.text);
@@ -197,15 +197,15 @@ describe("moving nodes", () => {
       documentOf('<path d="M0 0L9 0L9 9M20,20c1,1 2,2 3,9Zm5 5h9" sf:left="red"/>'),
     );
     const [curve] = curvesIn(drawing);
-    const { text } = after(drawing, moveNodes(drawing, curve.handle, 1, [1], [1, 1], STEP));
+    const { text } = after(drawing, moveNodes(drawing, curve.handle, new Map([[1, [1]]]), [1, 1], STEP));
     expect(text).toContain('d="M0 0L9 0L9 9M20,20c');
     expect(text).toContain('Zm5 5h9"');
   });
 
   test("that go nowhere changes nothing, nor does a missing subpath", () => {
     const { drawing, curve } = randomCurve(3);
-    expect(moveNodes(drawing, curve.handle, 0, [1], [0, 0], STEP)).toBeNull();
-    expect(moveNodes(drawing, curve.handle, 5, [1], [1, 0], STEP)).toBeNull();
+    expect(moveNodes(drawing, curve.handle, new Map([[0, [1]]]), [0, 0], STEP)).toBeNull();
+    expect(moveNodes(drawing, curve.handle, new Map([[5, [1]]]), [1, 0], STEP)).toBeNull();
   });
 });
 

@@ -148,7 +148,7 @@ describe("a node", () => {
     expect(points()[6]).toEqual(points()[0]);
   });
 
-  test("of_a_subpath_moves_though_nodes_of_another_are_chosen_too", () => {
+  test("of_one_subpath_takes_chosen_nodes_of_another_with_it", () => {
     open(WAVE, { paths: [line([50, 200], [250, 200]), WAVE] });
     select({ kind: "node", path: 0, index: 0 }, { kind: "node", path: 1, index: 1 });
     dragThrough(tool, [
@@ -156,7 +156,27 @@ describe("a node", () => {
       [160, 110],
     ]);
     expect(now().paths[1].points[3]).toEqual([160, 110]);
-    expect(now().paths[0].points[0]).toEqual([50, 200]);
+    expect(now().paths[0].points[0]).toEqual([60, 210]);
+    expect(editor.steps).toEqual(["move nodes"]);
+  });
+
+  test("of_each_subpath_in_a_rectangle_is_chosen_and_goes_by_delete", () => {
+    open(WAVE, { paths: [line([50, 200], [250, 200]), WAVE] });
+    select({ kind: "whole" });
+    dragThrough(tool, [
+      [120, 60],
+      [270, 230],
+    ]);
+    const parts = () => editor.selection.value.map(({ part }) => part);
+    expect(parts()).toEqual([
+      { kind: "node", path: 0, index: 1 },
+      { kind: "node", path: 1, index: 1 },
+      { kind: "node", path: 1, index: 2 },
+    ]);
+    expect(deleteParts(editor)).toBe(true);
+    expect(editor.steps).toEqual(["delete nodes"]);
+    expect(now().paths.map((path) => path.points.length)).toEqual([3, 3]);
+    expect([...new Set(parts().map(({ kind }) => kind))]).toEqual(["whole"]);
   });
 
   test("is_drawn_to_the_end_of_another_curve_but_not_to_its_own", () => {

@@ -8,7 +8,7 @@ import {
 } from "../../../../web/editor/src/geometry/affine.js";
 import type { CubicPath } from "../../../../web/editor/src/geometry/cubic.js";
 import { pieceAt, split } from "../../../../web/editor/src/geometry/cubic.js";
-import type { NewCurve } from "../../../../web/editor/src/model/commands/index.js";
+import type { NewCurve, NodesBySubpath } from "../../../../web/editor/src/model/commands/index.js";
 import type {
   ContainerItem,
   CurveItem,
@@ -218,25 +218,27 @@ function side<K extends keyof SideValues>(
   return changedCurve(d, h, (item) => ({ [name]: { ...item[name], [kind]: to } }));
 }
 
+function withMoved(path: CubicPath, nodes: readonly number[], by: Point): CubicPath {
+  const last = path.points.length - 1;
+  const moved = new Set(
+    nodes
+      .flatMap((n) => [3 * n - 1, 3 * n, 3 * n + 1])
+      .map((i) => (path.closed ? (i + last) % last : i)),
+  );
+  const points = path.points.map((p, i): Point =>
+    moved.has(i) || (path.closed && i === last && moved.has(0)) ? [p[0] + by[0], p[1] + by[1]] : p,
+  );
+  return { ...path, points };
+}
+
 /** In place of model/commands: the same names, on items. */
 export const fakeCommands = {
   setPath: (d: Drawing, h: Handle, k: number, to: CubicPath) =>
     changedCurve(d, h, (item) => withPath(item, k, to)),
-  moveNodes(d: Drawing, h: Handle, k: number, nodes: readonly number[], by: Point): Outcome {
-    const path = pathWith(d, h, k);
-    const last = path.points.length - 1;
-    const moved = new Set(
-      nodes
-        .flatMap((n) => [3 * n - 1, 3 * n, 3 * n + 1])
-        .map((i) => (path.closed ? (i + last) % last : i)),
-    );
-    const points = path.points.map((p, i): Point =>
-      moved.has(i) || (path.closed && i === last && moved.has(0))
-        ? [p[0] + by[0], p[1] + by[1]]
-        : p,
-    );
-    return changedCurve(d, h, (item) => withPath(item, k, { ...path, points }));
-  },
+  moveNodes: (d: Drawing, h: Handle, nodes: NodesBySubpath, by: Point): Outcome =>
+    changedCurve(d, h, (item) => ({
+      paths: item.paths.map((path, k) => withMoved(path, nodes.get(k) ?? [], by)),
+    })),
   splitPiece(d: Drawing, h: Handle, k: number, piece: number, t: number): Outcome {
     const path = pathWith(d, h, k);
     const [a, b] = split(pieceAt(path, piece), t);
@@ -248,12 +250,14 @@ export const fakeCommands = {
     ];
     return changedCurve(d, h, (item) => withPath(item, k, { ...path, points }));
   },
-  deleteNodes(d: Drawing, h: Handle, k: number, nodes: readonly number[]): Outcome {
-    const path = pathWith(d, h, k);
-    const gone = new Set(nodes.flatMap((n) => [3 * n, 3 * n + 1, 3 * n + 2]));
-    return changedCurve(d, h, (item) =>
-      withPath(item, k, { ...path, points: path.points.filter((_, i) => !gone.has(i)) }),
-    );
+  deleteNodes(d: Drawing, h: Handle, nodes: NodesBySubpath): Outcome {
+    const without = (path: CubicPath, of: readonly number[]): CubicPath => {
+      const gone = new Set(of.flatMap((n) => [3 * n, 3 * n + 1, 3 * n + 2]));
+      return { ...path, points: path.points.filter((_, i) => !gone.has(i)) };
+    };
+    return changedCurve(d, h, (item) => ({
+      paths: item.paths.map((path, k) => without(path, nodes.get(k) ?? [])),
+    }));
   },
   setNodeKind: (d: Drawing) => outcome(d.items),
   setColor: (d: Drawing, h: Handle, name: Side, to: SideValues["color"]) =>

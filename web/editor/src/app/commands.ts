@@ -56,11 +56,8 @@ function nodeKind(label: string, kind: NodeKind): Command {
   return (editor) => {
     const curve = primaryCurve(editor);
     if (!curve) return;
-    const step = editor.step(curve);
-    const made = [...chosenNodes(editor)].map(([path, nodes]) =>
-      setNodeKind(editor.drawing, curve.handle, path, nodes, kind, step),
-    );
-    editor.run(label, together(made));
+    const nodes = chosenNodes(editor);
+    editor.run(label, setNodeKind(editor.drawing, curve.handle, nodes, kind, editor.step(curve)));
   };
 }
 
@@ -75,9 +72,8 @@ function deleteChosen(editor: DrawingEditor) {
       editor.selection.value = [{ handle: curve.handle, part: { kind: "whole" } }];
     }
   } else if (curve && nodes.size > 0) {
-    const step = editor.step(curve);
-    const made = [...nodes].map(([path, of]) => deleteNodes(drawing, curve.handle, path, of, step));
-    if (editor.run(en.commands.deleteNode, together(made)) && drawing.item(curve.handle)) {
+    const made = deleteNodes(drawing, curve.handle, nodes, editor.step(curve));
+    if (editor.run(en.commands.deleteNode, made) && drawing.item(curve.handle)) {
       editor.selection.value = [{ handle: curve.handle, part: { kind: "whole" } }];
     }
   } else {
@@ -153,10 +149,9 @@ function closeChosen(editor: DrawingEditor) {
   const curve = primaryCurve(editor);
   if (!curve) return;
   const isClosed = curve.paths.every(({ closed }) => closed);
-  const made = curve.paths.map((_, path) =>
-    setClosed(editor.drawing, curve.handle, path, !isClosed, editor.step(curve)),
-  );
-  editor.run(isClosed ? en.commands.open : en.commands.close, together(made));
+  const all = curve.paths.map((_, path) => path);
+  const made = setClosed(editor.drawing, curve.handle, all, !isClosed, editor.step(curve));
+  editor.run(isClosed ? en.commands.open : en.commands.close, made);
 }
 
 function selectAll(editor: DrawingEditor) {

@@ -21,6 +21,7 @@ import {
   together,
   transform,
   type NodeKind,
+  type NodesBySubpath,
 } from "../model/commands/index.js";
 import type {
   CurveItem,
@@ -71,19 +72,16 @@ function nodesOf(selection: readonly Selected[]): Map<Handle, Map<number, number
   return nodes;
 }
 
-/** A command for the chosen nodes of each subpath, as one outcome. */
+/** A command for the chosen nodes of each curve, as one outcome. */
 function forNodes(
   drawing: Drawing,
   selection: readonly Selected[],
-  make: (item: CurveItem, path: number, nodes: readonly number[]) => Outcome | null,
+  make: (item: CurveItem, nodes: NodesBySubpath) => Outcome | null,
 ): Outcome | null {
   const outcomes: (Outcome | null)[] = [];
-  for (const [handle, paths] of nodesOf(selection)) {
+  for (const [handle, nodes] of nodesOf(selection)) {
     const item = drawing.item(handle);
-    if (!isCurve(item) || isLocked(item)) continue;
-    // Two subpaths stand in one attribute: only one of them can change in one patch.
-    const [first] = paths;
-    outcomes.push(make(item, ...first));
+    if (isCurve(item) && !isLocked(item)) outcomes.push(make(item, nodes));
   }
   return outcomes.length > 0 ? together(outcomes) : null;
 }
@@ -95,15 +93,15 @@ export function movedNodes(
   by: Point,
   step: (item: CurveItem) => number,
 ): Outcome | null {
-  return forNodes(drawing, selection, (item, path, nodes) => {
+  return forNodes(drawing, selection, (item, nodes) => {
     const back = inverted(item.artboardFromItem);
-    return back && moveNodes(drawing, item.handle, path, nodes, mappedVector(back, by), step(item));
+    return back && moveNodes(drawing, item.handle, nodes, mappedVector(back, by), step(item));
   });
 }
 
 export function setKinds(editor: Editor, kind: NodeKind): boolean {
-  const made = forNodes(editor.drawing, editor.selection.peek(), (item, path, nodes) =>
-    setNodeKind(editor.drawing, item.handle, path, nodes, kind, editor.step(item)),
+  const made = forNodes(editor.drawing, editor.selection.peek(), (item, nodes) =>
+    setNodeKind(editor.drawing, item.handle, nodes, kind, editor.step(item)),
   );
   return editor.run(en.tools.undo.kind, made);
 }
@@ -123,8 +121,8 @@ export function deleteParts(editor: Editor): boolean {
   }
   if (!selection.some(({ part }) => part.kind === "node")) return false;
   const whole = selection.map(({ handle }): Selected => ({ handle, part: { kind: "whole" } }));
-  const made = forNodes(editor.drawing, selection, (item, path, nodes) =>
-    deleteNodes(editor.drawing, item.handle, path, nodes, editor.step(item)),
+  const made = forNodes(editor.drawing, selection, (item, nodes) =>
+    deleteNodes(editor.drawing, item.handle, nodes, editor.step(item)),
   );
   if (editor.run(en.tools.undo.deleteNodes, made)) {
     const alive = new Map(

@@ -192,7 +192,7 @@ function ended(d: Drawing, curve: CurveItem): Outcome | null {
     for (const node of [0, last]) {
       const by = towardsOthers(d, curve, path.points[3 * node]);
       if (!by || Math.hypot(...by) < finestStep(d)) continue;
-      return moveNodes(d, curve.handle, index, [node], by, finestStep(d));
+      return moveNodes(d, curve.handle, new Map([[index, [node]]]), by, finestStep(d));
     }
   }
   return null;

@@ -5,31 +5,38 @@ import type { CurveItem } from "../model/types.js";
 
 export interface SelectedNodes {
   readonly item: CurveItem;
+  /** Of all subpaths. */
+  readonly nodes: ReadonlyMap<number, readonly number[]>;
+  /** The one that was chosen last. */
   readonly path: number;
-  readonly indices: readonly number[];
+  readonly index: number;
+  readonly count: number;
 }
 
-/** The nodes of the primary curve's subpath, or null where none is selected. */
+/** The nodes of the primary curve, or null where none is selected. */
 export function selectedNodes(editor: Editor): SelectedNodes | null {
   const selection = editor.selection.value;
   const primary = [...selection].reverse().find(({ part }) => part.kind === "node");
-  if (!primary || primary.part.kind !== "node") return null;
-  const item = editor.drawing.item(primary.handle);
+  const item = primary && editor.drawing.item(primary.handle);
   if (!item || (item.kind !== "curve" && item.kind !== "stroke")) return null;
-  const { path } = primary.part;
-  if (!item.paths[path]) return null;
-  const indices = selection.flatMap(({ handle, part }) =>
-    handle === primary.handle && part.kind === "node" && part.path === path ? [part.index] : [],
-  );
-  return {
-    item,
-    path,
-    indices: [...new Set(indices)].filter((index) => item.paths[path].points[3 * index]),
-  };
+  const nodes = new Map<number, readonly number[]>();
+  let last: { path: number; index: number } | null = null;
+  for (const { handle, part } of selection) {
+    if (handle !== item.handle || part.kind !== "node") continue;
+    const { path, index } = part;
+    // A selection may be of a time when there were more.
+    if (!item.paths[path]?.points[3 * index]) continue;
+    nodes.set(path, [...new Set([...(nodes.get(path) ?? []), index])]);
+    last = { path, index };
+  }
+  const count = [...nodes.values()].reduce((sum, of) => sum + of.length, 0);
+  return last && { item, nodes, ...last, count };
 }
 
 /** The kind that all of them have, or null. */
-export function kindOfNodes({ item, path, indices }: SelectedNodes): NodeKind | null {
-  const kinds = new Set(indices.map((index) => kindOf(item.paths[path], index)));
+export function kindOfNodes({ item, nodes }: SelectedNodes): NodeKind | null {
+  const kinds = new Set(
+    [...nodes].flatMap(([path, of]) => of.map((index) => kindOf(item.paths[path], index))),
+  );
   return kinds.size === 1 ? [...kinds][0] : null;
 }

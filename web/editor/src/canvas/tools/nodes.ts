@@ -4,7 +4,7 @@ import { nodeCount } from "../../geometry/cubic.js";
 import { locate } from "../../geometry/length.js";
 import { atAngle } from "../../geometry/snap.js";
 import { setPath, splitPiece } from "../../model/commands/index.js";
-import type { CurveItem, Part, Selected } from "../../model/types.js";
+import type { CurveItem, Selected } from "../../model/types.js";
 import { en } from "../../strings/en.js";
 import type { Canvas } from "../canvas.js";
 import { blurCursor, type CursorName } from "../cursors.js";
@@ -88,10 +88,7 @@ export class NodesTool implements Tool {
     const { canvas } = this;
     const { editor } = canvas;
     const grid = canvas.curves();
-    // Of a curve only nodes of one subpath can move at once: of the one that is dragged, its own.
-    const selection = editor.selection
-      .peek()
-      .filter(({ handle, part }) => handle !== mark.handle || isOfPath(part, mark.part));
+    const selection = editor.selection.peek().filter(({ part }) => part.kind === "node");
     const moved = new Set(selection.map(({ handle }) => handle));
     const own = selection.length === 1 ? this.otherEnd(mark) : [];
     return new EditDrag(canvas, start, {
@@ -289,10 +286,6 @@ export class NodesTool implements Tool {
 
 function isSame(a: Selected, b: Selected): boolean {
   return a.handle === b.handle && isSamePart(a.part, b.part);
-}
-
-function isOfPath(part: Part, other: Part): boolean {
-  return "path" in part && "path" in other && part.path === other.path;
 }
 
 /** A curve whose last node is let go stays chosen. */

@@ -207,7 +207,7 @@ export class PenTool implements Tool {
         const run = () =>
           void editor.run(
             en.tools.undo.deleteNodes,
-            deleteNodes(editor.drawing, item.handle, k, [node], editor.step(item)),
+            deleteNodes(editor.drawing, item.handle, new Map([[k, [node]]]), editor.step(item)),
           );
         return { kind: "pen-remove", run };
       }

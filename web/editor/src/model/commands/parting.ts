@@ -52,26 +52,27 @@ function copied(
 
 /**
  * The edits that make several elements of one: it keeps `own`, copies behind it have the others.
- * @returns also where the first copy begins, counted from the end of the element as it becomes
+ * @returns also where the copies begin, counted from the end of the element as it becomes
  */
 export function partedElement(
   drawing: Drawing,
   element: ElementNode,
   own: ElementPart,
   others: readonly ElementPart[],
-): { edits: Edit[]; copyOffset: number } {
+): { edits: Edit[]; copyOffsets: number[] } {
   const { text } = drawing;
   const { start, end } = element.range;
   const lead = text.slice(blanksBefore(text, start, element.parent?.startTag.end ?? 0), start);
   const id = valueOf(element, "id");
   const ids = id === undefined ? null : freeIds(text, id);
   const copies = others.map((part) => lead + copied(text, element, part, ids && ids.next().value));
+  const before = copies.map((_, i) => copies.slice(0, i).join("").length);
   return {
     edits: [
       ...dataEdits(text, element, own.data, true),
       ...own.edits,
       { at: end, removed: "", inserted: copies.join("") },
     ],
-    copyOffset: lead.length,
+    copyOffsets: before.map((length) => length + lead.length),
   };
 }

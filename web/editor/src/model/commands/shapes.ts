@@ -11,12 +11,25 @@ import {
   withPoints,
   type NodeKind,
 } from "../../geometry/nodes.js";
-import { rewritePath } from "../../geometry/path.js";
-import { patchOf } from "../../source/attributes.js";
 import type { Drawing, Handle, Outcome } from "../types.js";
-import { dataEdits } from "./data-edits.js";
-import { curveOf, dataOf, editShape } from "./shape-edit.js";
-import { removal } from "./removal.js";
+import { editShape, editShapes, type ShapeEdit } from "./shape-edit.js";
+
+/** Nodes by their subpath. */
+export type NodesBySubpath = ReadonlyMap<number, readonly number[]>;
+
+/** The same edit of each subpath, with its nodes. */
+function editNodes(
+  d: Drawing,
+  h: Handle,
+  nodes: NodesBySubpath,
+  step: number,
+  edit: (path: CubicPath, nodes: readonly number[]) => ReturnType<ShapeEdit>,
+): Outcome | null {
+  const edits = [...nodes].map(
+    ([path, of]): [number, ShapeEdit] => [path, (before) => edit(before, of)],
+  );
+  return editShapes(d, h, step, new Map(edits));
+}
 
 export { joinCurves } from "./join.js";
 export { reverseCurves } from "./reverse.js";
@@ -42,12 +55,11 @@ export function setPath(
 export function moveNodes(
   d: Drawing,
   h: Handle,
-  path: number,
-  nodes: readonly number[],
+  nodes: NodesBySubpath,
   by: Point,
   step: number,
 ): Outcome | null {
-  return editShape(d, h, path, step, (before) => movedNodes(before, nodes, by));
+  return editNodes(d, h, nodes, step, (before, of) => movedNodes(before, of, by));
 }
 
 /** Adds a node on piece `piece` at t without changing the shape. Offsets "@" of stops follow. */
@@ -72,43 +84,35 @@ export function splitPiece(
 export function deleteNodes(
   d: Drawing,
   h: Handle,
-  path: number,
-  nodes: readonly number[],
+  nodes: NodesBySubpath,
   step: number,
 ): Outcome | null {
-  const item = curveOf(d, h);
-  const before = item?.paths[path];
-  if (!item || !before || nodes.length === 0) return null;
-  if (withoutNodes(before, nodes)) {
-    return editShape(d, h, path, step, () => withoutNodes(before, nodes));
-  }
-  if (item.paths.length === 1) return { patch: [removal(d.text, item.element)], select: [] };
-  const data = rewritePath(dataOf(d, item.element), path, before, null, step);
-  return { patch: patchOf(dataEdits(d.text, item.element, data, true)) };
+  return editNodes(d, h, nodes, step, (before, of) =>
+    of.length === 0 ? null : (withoutNodes(before, of) ?? "gone"),
+  );
 }
 
 export function setNodeKind(
   d: Drawing,
   h: Handle,
-  path: number,
-  nodes: readonly number[],
+  nodes: NodesBySubpath,
   kind: NodeKind,
   step: number,
 ): Outcome | null {
-  return editShape(d, h, path, step, (before) => withKind(before, nodes, kind));
+  return editNodes(d, h, nodes, step, (before, of) => withKind(before, of, kind));
 }
 
 /**
- * Closes a subpath, by a line where its ends differ; or opens it, with both ends where it began.
+ * Closes subpaths, by a line where the ends differ; or opens them, with both ends where they began.
  */
 export function setClosed(
   d: Drawing,
   h: Handle,
-  path: number,
+  paths: readonly number[],
   closed: boolean,
   step: number,
 ): Outcome | null {
-  return editShape(d, h, path, step, (before) =>
-    before.closed === closed ? null : withClosed(before, closed, step),
-  );
+  const edit: ShapeEdit = (before) =>
+    before.closed === closed ? null : withClosed(before, closed, step);
+  return editShapes(d, h, step, new Map(paths.map((path) => [path, edit])));
 }

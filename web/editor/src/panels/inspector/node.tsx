@@ -15,9 +15,8 @@ const words = en.panels;
 export function NodeSection() {
   const { editor } = useShell();
   const nodes = selectedNodes(editor);
-  if (!nodes || nodes.indices.length === 0) return null;
-  const { item, path, indices } = nodes;
-  const index = indices[indices.length - 1];
+  if (!nodes) return null;
+  const { item, path, index } = nodes;
   const local = item.paths[path].points[3 * index];
   const at = mapped(item.artboardFromItem, local);
   const back = inverted(item.artboardFromItem);
@@ -29,17 +28,17 @@ export function NodeSection() {
       return moveNodes(
         before,
         item.handle,
-        path,
-        indices,
+        nodes.nodes,
         [to[0] - local[0], to[1] - local[1]],
         editor.step(item),
       );
     });
-  const count = nodeCount(item.paths[path]);
+  const countOf = (subpath: number) => nodeCount(item.paths[subpath]);
+  const all = [...nodes.nodes.keys()].reduce((sum, subpath) => sum + countOf(subpath), 0);
   const title =
-    indices.length > 1
-      ? words.nodesTitle(indices.length, count)
-      : words.nodeTitle(index + 1, count);
+    nodes.count > 1
+      ? words.nodesTitle(nodes.count, all)
+      : words.nodeTitle(index + 1, countOf(path));
   return (
     <Section title={title}>
       <div class="two">

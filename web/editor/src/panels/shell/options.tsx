@@ -20,8 +20,7 @@ export function NodeKinds({ full }: { readonly full?: boolean }) {
       setNodeKind(
         editor.drawing,
         nodes.item.handle,
-        nodes.path,
-        nodes.indices,
+        nodes.nodes,
         kind,
         editor.step(nodes.item),
       ),
