@@ -62,10 +62,24 @@ async function testSubpaths(t) {
   checkEqual(/id="c" d="([^"]*)"/.exec(closed)[1].match(/z/gi).length, 2, "closed subpaths");
 }
 
+async function testShapes(t) {
+  const { editor, page } = t;
+  const circle = '<circle id="c" cx="300" cy="300" r="80" sf:left="#e33" sf:right="#36c 10%, #fff 60%"/>';
+  const before = await withCurve(t, circle, [300, 380]);
+  checkEqual(await page.getByRole("button", { name: /^Node \d of curve/ }).count(), 4, "nodes of a circle");
+  await editor.shot("circle");
+  const moved = await t.drag("a node of the circle", [[300, 380], [300, 410]], ["Control"]);
+  check(/<path id="c" d="M380 300 ?C[^A]*A80 80 0 0 1 300 220 ?A80 80 0 0 1 380 300 ?Z" sf:left="#e33" sf:right="#36c 10%, #fff 60%"\/>/.test(moved), `moved: ${moved}`);
+  checkEqual(await page.getByRole("button", { name: /^Node \d of curve/ }).count(), 4, "nodes of the path");
+  checkEqual(await changing(editor, "undo", () => page.keyboard.press("Control+z")), before, "after one undo");
+  await t.nothing("a click on a node", () => editor.click(300, 380));
+}
+
 export async function testGestures(tap, given) {
   const gestures = {
     "the box scales and turns by the keyboard": testGrips,
     "nodes of several subpaths are edited at once": testSubpaths,
+    "a circle has four nodes and becomes a path when one is moved": testShapes,
   };
   for (const [name, body] of Object.entries(gestures)) await tap.test(name, () => withTools(given, body));
 }

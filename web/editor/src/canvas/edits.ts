@@ -40,6 +40,7 @@ import { withHandle } from "./nodes.js";
 import { isCurve, isLocked } from "./places.js";
 import { stopsOf, withOffset, withoutStops, type StopKind, type Value } from "./sides.js";
 import { mappedPath } from "../geometry/cubic.js";
+import { nodePath } from "../geometry/natural.js";
 import { offsetOfPlace, pathLength, placeOfOffset } from "../geometry/length.js";
 
 /** Gives a side a value; of blur, to both sides at once where `isBoth`. */
@@ -221,7 +222,7 @@ function nudgedHandle(
   part: Part & { kind: "handle" },
   by: Point,
 ): Outcome | null {
-  const path = item.paths[part.path];
+  const path = item.paths[part.path] && nodePath(item.paths[part.path]);
   const back = inverted(item.artboardFromItem);
   const from = path?.points[part.index];
   if (!back || !from) return null;

@@ -4,6 +4,7 @@ import { mappedPath, nodeCount, pieceCount, type CubicPath } from "../geometry/c
 import type { Rgb } from "../geometry/color.js";
 import { hexOf } from "../geometry/colortext.js";
 import { placeOfOffset } from "../geometry/length.js";
+import { nodePath } from "../geometry/natural.js";
 import type {
   Attribute,
   CurveItem,
@@ -72,7 +73,7 @@ export function chosenParts(selection: Selection, handle: Handle): readonly Part
 
 /** Nodes of a curve, and the handles of those chosen and of their pieces. */
 export function nodeMarks(item: CurveItem, map: Affine, parts: readonly Part[]): NodeMark[] {
-  return item.paths.flatMap((path, k) => {
+  return item.paths.map(nodePath).flatMap((path, k) => {
     const stage = path.points.map((point) => mapped(map, point));
     return [...handleMarks(item, path, k, stage, parts), ...nodesOnly(item, path, k, stage, parts)];
   });

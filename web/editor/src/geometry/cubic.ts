@@ -1,6 +1,6 @@
 // Curves as cubic Bézier pieces, measured as the engine measures them (src/curves/bezier.cpp).
 import { mapped, type Affine, type Box, type Point } from "./affine.js";
-import { distance, lerp, scaled, size, subtract, unit } from "./vector.js";
+import { distance, isSame, lerp, scaled, size, subtract, unit } from "./vector.js";
 
 /** contract. A piecewise cubic: 3 n + 1 control points, of which every third lies on the curve. */
 export interface CubicPath {
@@ -30,6 +30,10 @@ export function nodeCount(path: CubicPath): number {
 export function pieceAt(path: CubicPath, i: number): Cubic {
   const { points } = path;
   return [points[3 * i], points[3 * i + 1], points[3 * i + 2], points[3 * i + 3]];
+}
+
+export function isSameCubic(a: Cubic, b: Cubic): boolean {
+  return a.every((point, k) => isSame(point, b[k]));
 }
 
 export function segmentsOf(path: CubicPath): readonly number[] {

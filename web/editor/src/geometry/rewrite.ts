@@ -1,6 +1,13 @@
 // A subpath exchanged within path data: what did not change keeps how it is written.
 import type { Point } from "./affine.js";
-import { pieceAt, pieceCount, segmentsOf, isLine, type CubicPath } from "./cubic.js";
+import {
+  isLine,
+  isSameCubic,
+  pieceAt,
+  pieceCount,
+  segmentsOf,
+  type CubicPath,
+} from "./cubic.js";
 import { closesWithoutLine } from "./pathbuilder.js";
 import { PathPen, styleOf, type Style } from "./pathpen.js";
 import { readPathText, type Command, type PathText, type Pen } from "./pathreader.js";
@@ -48,11 +55,6 @@ function numberOf(text: PathText, index: number): number {
   return numbers[index];
 }
 
-function isSamePiece(a: CubicPath, i: number, b: CubicPath, j: number): boolean {
-  const [p, q] = [pieceAt(a, i), pieceAt(b, j)];
-  return p.every((point, k) => isSame(point, q[k]));
-}
-
 /** A stretch of the new path: a segment as it was, or one piece, in the place of one or none. */
 interface Stretch {
   readonly piece: number;
@@ -61,57 +63,78 @@ interface Stretch {
   readonly like: number | null;
 }
 
-/** Whether a segment is as it was, in pieces that stand `shift` further on. */
-function keeps(
+/** Whether a segment of `after` draws what one of `before` drew. */
+function isKept(
   before: CubicPath,
+  [from, to]: readonly [number, number],
   after: CubicPath,
-  segments: readonly number[],
-  segment: number,
-  shift: number,
+  [start, end]: readonly [number, number],
 ): boolean {
-  const [from, to] = [segments[segment], segments[segment + 1]];
-  if (from + shift < 0 || to + shift > pieceCount(after)) return false;
-  for (let i = from; i < to; ++i) if (!isSamePiece(before, i, after, i + shift)) return false;
+  if (to - from !== end - start) return false;
+  for (let i = 0; i < to - from; ++i)
+    if (!isSameCubic(pieceAt(before, from + i), pieceAt(after, start + i))) return false;
   return true;
 }
 
-/** Segments before and behind what was exchanged for another number of pieces. */
-function commonEnds(before: CubicPath, after: CubicPath): { head: number; tail: number } {
-  const segments = segmentsOf(before);
-  const shift = pieceCount(after) - pieceCount(before);
-  let head = 0;
-  while (head < segments.length - 1 && keeps(before, after, segments, head, 0)) ++head;
-  let tail = segments.length - 1;
-  const isFree = (segment: number) => segments[segment] + shift >= segments[head];
-  while (tail > head && isFree(tail - 1) && keeps(before, after, segments, tail - 1, shift)) --tail;
-  return { head, tail };
+/**
+ * For each segment of `after` the one of `before` that it is; null: it is new. Where both have as
+ * many, each stands in its place, else they are found by where they begin.
+ */
+function matches(before: CubicPath, after: CubicPath): (number | null)[] {
+  const [old, now] = [segmentsOf(before), segmentsOf(after)];
+  const isSameSegment = (j: number, i: number) =>
+    isKept(before, [old[j], old[j + 1]], after, [now[i], now[i + 1]]);
+  const indices = Array.from({ length: now.length - 1 }, (_, i) => i);
+  if (old.length === now.length) return indices.map((i) => (isSameSegment(i, i) ? i : null));
+  const key = ([x, y]: Point) => `${x} ${y}`;
+  const starts = new Map<string, number[]>();
+  for (let j = 0; j + 1 < old.length; ++j) {
+    const at = key(before.points[3 * old[j]]);
+    starts.set(at, [...(starts.get(at) ?? []), j]);
+  }
+  let next = 0;
+  return indices.map((i) => {
+    const candidates = starts.get(key(after.points[3 * now[i]])) ?? [];
+    const found = candidates.find((j) => j >= next && isSameSegment(j, i));
+    if (found === undefined) return null;
+    next = found + 1;
+    return found;
+  });
 }
 
 function stretchesOf(before: CubicPath, after: CubicPath): Stretch[] {
-  const segments = segmentsOf(before);
-  const count = segments.length - 1;
-  const shift = pieceCount(after) - pieceCount(before);
-  const single = (piece: number, like: number | null): Stretch => ({
-    piece,
-    pieces: 1,
-    kept: null,
-    like,
-  });
-  const sameOf = (from: number, to: number, by: number): Stretch[] =>
-    Array.from({ length: to - from }, (_, i) => from + i).flatMap((segment) => {
-      const piece = segments[segment] + by;
-      const pieces = segments[segment + 1] - segments[segment];
-      if (keeps(before, after, segments, segment, by))
-        return [{ piece, pieces, kept: segment, like: segment }];
-      return Array.from({ length: pieces }, (_, i) => single(piece + i, segment));
-    });
-  if (shift === 0) return sameOf(0, count, 0);
-  const { head, tail } = commonEnds(before, after);
-  const first = segments[head];
-  const middle = Array.from({ length: segments[tail] + shift - first }, (_, i) =>
-    single(first + i, i === 0 && head < tail ? head : null),
-  );
-  return [...sameOf(0, head, 0), ...middle, ...sameOf(tail, count, shift)];
+  const now = segmentsOf(after);
+  const hasSameCount = segmentsOf(before).length === now.length;
+  const kept = matches(before, after);
+  const stretches: Stretch[] = [];
+  for (let i = 0; i + 1 < now.length; ++i) {
+    const [piece, end] = [now[i], now[i + 1]];
+    if (kept[i] !== null) {
+      stretches.push({ piece, pieces: end - piece, kept: kept[i], like: kept[i] });
+      continue;
+    }
+    const like = hasSameCount ? i : firstReplaced(before, kept, i);
+    for (let k = piece; k < end; ++k) stretches.push({ piece: k, pieces: 1, kept: null, like });
+  }
+  return stretches;
+}
+
+/** Of a run of new segments the first is like the first of those whose place they take. */
+function firstReplaced(
+  before: CubicPath,
+  kept: readonly (number | null)[],
+  i: number,
+): number | null {
+  if (i > 0 && kept[i - 1] === null) return null;
+  const next = i > 0 ? kept[i - 1]! + 1 : 0;
+  const behind = kept.slice(i).find((one) => one !== null) ?? segmentsOf(before).length - 1;
+  return next < behind ? next : null;
+}
+
+/** Segments of a path for which none are said: as many pieces as before are in the same ones. */
+function withSegments(before: CubicPath, after: CubicPath): CubicPath {
+  const isAlike = !after.segments && pieceCount(after) === pieceCount(before);
+  return isAlike && before.segments ? { ...after, segments: before.segments } : after;
 }
 
 class Rewriter {
@@ -274,7 +297,7 @@ export function rewritePath(
     return assembled(d, region, middle, rest);
   };
   const wanted = text.paths.map((path, i) => (i === number ? after : path));
-  const pen = new Rewriter(d, region, before, after, step, styleOf(d)).run();
+  const pen = new Rewriter(d, region, before, withSegments(before, after), step, styleOf(d)).run();
   const result = put(pen.text, pen.current, pen.begin);
   if (draws(result, wanted, step)) return result;
   const whole = writePath(after, step);

@@ -3,6 +3,7 @@ import { composed, inverted, mapped, mappedVector } from "../geometry/affine.js"
 import type { Point } from "../geometry/affine.js";
 import type { Rgb } from "../geometry/color.js";
 import type { CubicPath } from "../geometry/cubic.js";
+import { nodePath } from "../geometry/natural.js";
 import { nearestOn } from "../geometry/nearest.js";
 import { distance } from "../geometry/vector.js";
 import { deleteItems, moveNodes, setBoth, setColor, setNumbers, setPath, swapSides } from "./commands/index.js";
@@ -101,8 +102,8 @@ function closed(d: Drawing, curve: CurveItem): Outcome | null {
   const gapOf = (path: CubicPath) => (isOpen(path) ? distance(...endsOf(path)) : Infinity);
   const gaps = curve.paths.map(gapOf);
   const index = gaps.indexOf(Math.min(...gaps));
-  const path = curve.paths[index];
-  if (!path || !isOpen(path)) return null;
+  if (!curve.paths[index] || !isOpen(curve.paths[index])) return null;
+  const path = nodePath(curve.paths[index]);
   const [begin, end] = endsOf(path);
   const [x, y] = path.points[path.points.length - 2];
   const control: Point = [x + begin[0] - end[0], y + begin[1] - end[1]];
@@ -186,7 +187,7 @@ function towardsOthers(d: Drawing, curve: CurveItem, point: Point): Point | null
 
 /** Moves the ends of open subpaths that nearly meet another curve onto it. */
 function ended(d: Drawing, curve: CurveItem): Outcome | null {
-  for (const [index, path] of curve.paths.entries()) {
+  for (const [index, path] of curve.paths.map(nodePath).entries()) {
     if (!isOpen(path)) continue;
     const last = (path.points.length - 1) / 3;
     for (const node of [0, last]) {

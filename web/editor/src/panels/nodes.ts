@@ -1,5 +1,6 @@
 // Nodes that are selected, and of what kind they are.
 import type { Editor } from "../app/types.js";
+import { nodePath } from "../geometry/natural.js";
 import { kindOf, type NodeKind } from "../geometry/nodes.js";
 import type { CurveItem } from "../model/types.js";
 
@@ -25,7 +26,7 @@ export function selectedNodes(editor: Editor): SelectedNodes | null {
     if (handle !== item.handle || part.kind !== "node") continue;
     const { path, index } = part;
     // A selection may be of a time when there were more.
-    if (!item.paths[path]?.points[3 * index]) continue;
+    if (!item.paths[path] || !nodePath(item.paths[path]).points[3 * index]) continue;
     nodes.set(path, [...new Set([...(nodes.get(path) ?? []), index])]);
     last = { path, index };
   }
@@ -36,7 +37,7 @@ export function selectedNodes(editor: Editor): SelectedNodes | null {
 /** The kind that all of them have, or null. */
 export function kindOfNodes({ item, nodes }: SelectedNodes): NodeKind | null {
   const kinds = new Set(
-    [...nodes].flatMap(([path, of]) => of.map((index) => kindOf(item.paths[path], index))),
+    [...nodes].flatMap(([path, of]) => of.map((index) => kindOf(nodePath(item.paths[path]), index))),
   );
   return kinds.size === 1 ? [...kinds][0] : null;
 }

@@ -2,6 +2,7 @@
 import { mapped, type Point } from "../../geometry/affine.js";
 import { nodeCount } from "../../geometry/cubic.js";
 import { locate } from "../../geometry/length.js";
+import { nodePath, placeOnNodePath } from "../../geometry/natural.js";
 import { atAngle } from "../../geometry/snap.js";
 import { setPath, splitPiece } from "../../model/commands/index.js";
 import type { CurveItem, Selected } from "../../model/types.js";
@@ -113,7 +114,7 @@ export class NodesTool implements Tool {
   private otherEnd({ handle, part }: NodeMark): Point[] {
     const item = this.canvas.editor.drawing.item(handle);
     if (!isCurve(item) || part.kind !== "node") return [];
-    const end = otherEnd(item.paths[part.path], part.index);
+    const end = otherEnd(nodePath(item.paths[part.path]), part.index);
     return end ? [mapped(stageFromItem(this.canvas.stageFromArtboard(), item), end)] : [];
   }
 
@@ -127,9 +128,9 @@ export class NodesTool implements Tool {
       cursor: "move",
       make: (p, before) => {
         const item = before.item(mark.handle);
-        const path =
-          isCurve(item) && mark.part.kind === "handle" ? item.paths[mark.part.path] : undefined;
-        if (!isCurve(item) || !path || mark.part.kind !== "handle") return null;
+        if (!isCurve(item) || mark.part.kind !== "handle" || !item.paths[mark.part.path])
+          return null;
+        const path = nodePath(item.paths[mark.part.path]);
         const raw = plus(mark.at, [p.at[0] - start.at[0], p.at[1] - start.at[1]]);
         const to = p.shift ? atAngle(mark.foot, raw) : raw;
         const by = itemVector(item, canvas.stageFromArtboard(), [
@@ -158,7 +159,7 @@ export class NodesTool implements Tool {
       make: (p, before) => {
         const item = before.item(mark.handle);
         if (!isCurve(item)) return null;
-        const path = item.paths[part.path];
+        const path = nodePath(item.paths[part.path]);
         const by = itemVector(item, canvas.stageFromArtboard(), [
           p.at[0] - start.at[0],
           p.at[1] - start.at[1],
@@ -202,12 +203,13 @@ export class NodesTool implements Tool {
       label: en.tools.undo.bend,
       dragged: { handle: item.handle, part: { kind: "whole" } },
       cursor: "bend",
-      make: (to, before) => {
+      make: (moment, before) => {
         const now = before.item(item.handle);
         const path = isCurve(now) ? now.paths[hit.path] : undefined;
-        const by = isCurve(now) && itemVector(now, canvas.stageFromArtboard(), travelled(p, to));
+        const by = isCurve(now) && itemVector(now, canvas.stageFromArtboard(), travelled(p, moment));
         if (!isCurve(now) || !path || !by) return null;
-        return setPath(before, now.handle, hit.path, bent(path, hit.at, by), editor.step(now));
+        const to = bent(nodePath(path), placeOnNodePath(path, hit.at), by);
+        return setPath(before, now.handle, hit.path, to, editor.step(now));
       },
       click: () => {
         editor.selection.value = [whole];
@@ -219,7 +221,8 @@ export class NodesTool implements Tool {
     const { editor } = this.canvas;
     const item = editor.drawing.item(hit.place.item.handle);
     if (!isCurve(item) || isLocked(item)) return;
-    const { piece, t } = locate(item.paths[hit.path], hit.at);
+    const path = item.paths[hit.path];
+    const { piece, t } = locate(nodePath(path), placeOnNodePath(path, hit.at));
     const made = splitPiece(editor.drawing, item.handle, hit.path, piece, t, editor.step(item));
     if (!editor.run(en.tools.undo.addNode, made)) return;
     editor.selection.value = [
@@ -255,7 +258,7 @@ export class NodesTool implements Tool {
 
   private nodesIn(item: CurveItem, [x0, y0]: Point, [x1, y1]: Point): Selected[] {
     const map = stageFromItem(this.canvas.stageFromArtboard(), item);
-    return item.paths.flatMap((path, k) =>
+    return item.paths.map(nodePath).flatMap((path, k) =>
       Array.from({ length: nodeCount(path) }, (_, index) => index)
         .filter((index) => {
           const [x, y] = mapped(map, path.points[3 * index]);
@@ -271,7 +274,8 @@ export class NodesTool implements Tool {
     const item = editor.drawing.item(mark.handle);
     const { part } = mark;
     if (!isCurve(item) || (part.kind !== "node" && part.kind !== "handle")) return;
-    const path = item.paths[part.path];
+    const shownPath = item.paths[part.path];
+    const path = shownPath && nodePath(shownPath);
     const point = path?.points[part.kind === "node" ? 3 * part.index : part.index];
     if (!point) return;
     const [x, y] = mapped(item.artboardFromItem, point);

@@ -2,6 +2,7 @@
 import { mapped, type Point } from "../../geometry/affine.js";
 import { nodeCount, type CubicPath } from "../../geometry/cubic.js";
 import { locate } from "../../geometry/length.js";
+import { nodePath } from "../../geometry/natural.js";
 import { atAngle } from "../../geometry/snap.js";
 import { deleteNodes, splitPiece } from "../../model/commands/index.js";
 import { en } from "../../strings/en.js";
@@ -200,7 +201,7 @@ export class PenTool implements Tool {
     if (!item) return null;
     const map = stageFromItem(canvas.stageFromArtboard(), item);
     const reach = REACH[p.kind];
-    for (const [k, path] of item.paths.entries()) {
+    for (const [k, path] of item.paths.map(nodePath).entries()) {
       for (let node = 0; node < nodeCount(path); node += 1) {
         const [x, y] = mapped(map, path.points[3 * node]);
         if (Math.hypot(x - p.at[0], y - p.at[1]) > reach.curve) continue;

@@ -1,6 +1,7 @@
 // A subpath of a curve exchanged, in the attributes of its element.
 import { segmentsOf, type CubicPath } from "../../geometry/cubic.js";
 import type { Edited } from "../../geometry/nodes.js";
+import { editedByNodes } from "../../geometry/natural.js";
 import { readPath, rewritePath, shapeData } from "../../geometry/path.js";
 import { patchOf, valueOf } from "../../source/attributes.js";
 import type { Edit } from "../../source/patch.js";
@@ -23,8 +24,8 @@ export function dataOf(drawing: Drawing, element: ElementNode): string {
   return shapeData(element.local, (name) => valueOf(element, name), viewBox);
 }
 
-/** What becomes of a subpath: "gone", another, or null: it stays as it is. */
-export type ShapeEdit = (path: CubicPath) => Edited | "gone" | null;
+/** What becomes of a subpath, by its nodePath(): "gone", another, or null: it stays as it is. */
+export type ShapeEdit = (nodes: CubicPath, path: CubicPath) => Edited | "gone" | null;
 
 /** A subpath that is another now. */
 interface Changed {
@@ -53,7 +54,7 @@ function editionOf(
   // From the last on: subpaths that go leave those before them their numbers.
   for (const index of [...edits.keys()].sort((a, b) => b - a)) {
     const before = paths[index];
-    const change = before ? edits.get(index)!(before) : null;
+    const change = before ? editedByNodes(before, edits.get(index)!) : null;
     if (!change) continue;
     if (change === "gone") {
       data = rewritePath(data, index, before, null, step);

@@ -4,13 +4,13 @@ import type { CubicPath } from "../../geometry/cubic.js";
 import { pieceCount } from "../../geometry/cubic.js";
 import {
   movedNodes,
-  splitAt,
   withClosed,
   withKind,
   withoutNodes,
   withPoints,
   type NodeKind,
 } from "../../geometry/nodes.js";
+import { splitNodes } from "../../geometry/natural.js";
 import type { Drawing, Handle, Outcome } from "../types.js";
 import { editShape, editShapes, type ShapeEdit } from "./shape-edit.js";
 
@@ -66,14 +66,14 @@ export function moveNodes(
 export function splitPiece(
   d: Drawing,
   h: Handle,
-  path: number,
+  index: number,
   piece: number,
   t: number,
   step: number,
 ): Outcome | null {
-  return editShape(d, h, path, step, (before) => {
+  return editShape(d, h, index, step, (before, path) => {
     const isOnIt = piece >= 0 && piece < pieceCount(before) && t > 0 && t < 1;
-    return isOnIt ? splitAt(before, piece, t) : null;
+    return isOnIt ? splitNodes(path, piece, t) : null;
   });
 }
 

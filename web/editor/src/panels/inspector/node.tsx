@@ -1,6 +1,7 @@
 // The node that is chosen: where it is, of what kind.
 import { mapped, inverted, type Point } from "../../geometry/affine.js";
 import { nodeCount } from "../../geometry/cubic.js";
+import { nodePath } from "../../geometry/natural.js";
 import { moveNodes } from "../../model/commands/index.js";
 import { en } from "../../strings/en.js";
 import { NumberField } from "../controls/field.js";
@@ -17,7 +18,7 @@ export function NodeSection() {
   const nodes = selectedNodes(editor);
   if (!nodes) return null;
   const { item, path, index } = nodes;
-  const local = item.paths[path].points[3 * index];
+  const local = nodePath(item.paths[path]).points[3 * index];
   const at = mapped(item.artboardFromItem, local);
   const back = inverted(item.artboardFromItem);
   const coordinate = (axis: 0 | 1) =>
@@ -33,7 +34,7 @@ export function NodeSection() {
         editor.step(item),
       );
     });
-  const countOf = (subpath: number) => nodeCount(item.paths[subpath]);
+  const countOf = (subpath: number) => nodeCount(nodePath(item.paths[subpath]));
   const all = [...nodes.nodes.keys()].reduce((sum, subpath) => sum + countOf(subpath), 0);
   const title =
     nodes.count > 1
