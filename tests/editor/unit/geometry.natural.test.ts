@@ -57,7 +57,7 @@ describe("the nodes", () => {
       const nodes = nodePath(path);
       expect(pieceCount(nodes), d).toBeLessThanOrEqual(1 + 3 * 4);
       const extent = Math.max(...path.points.flat().map(Math.abs));
-      expect(farthestFrom(nodes, path), d).toBeLessThan(3e-4 * extent);
+      expect(farthestFrom(nodes, path), d).toBeLessThan(1e-3 * extent);
       for (let k = 0; k <= 20; ++k) {
         const at = (k / 20) * pieceCount(path);
         const there = pathPointAt(nodes, placeOnNodePath(path, at));
