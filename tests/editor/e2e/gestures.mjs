@@ -75,11 +75,36 @@ async function testShapes(t) {
   await t.nothing("a click on a node", () => editor.click(300, 380));
 }
 
+async function testEnds(t) {
+  const { editor, page } = t;
+  const open = '<path id="c" d="M100 300L300 400L500 300" sf:left="#e33 @0, #fe8 @2" sf:right="#36c"/>';
+  const far = one.replace('d="M100 100L500 100"', 'd="M100 100L500.123456 100.654321"');
+  await editor.load(far.replace(/<path id="c"[^>]*>/, open));
+  await page.locator(".canvas-stage").focus();
+  await page.keyboard.press("v");
+  await editor.click(200, 350);
+  await page.keyboard.press("a");
+  const before = await editor.text;
+  const closed = await t.drag("an end to the other end", [[500, 300], [103, 302]]);
+  check(/id="c" d="M100 300L300 400 ?L100 300 ?Z" sf:left="#e33 @0, #fe8 @2"/.test(closed), `not closed: ${closed}`);
+  checkEqual(await changing(editor, "undo", () => page.keyboard.press("Control+z")), before, "after one undo");
+  const welded = await t.drag("an end to another curve's end", [[500, 300], [502, 103]]);
+  checkEqual(t.path(welded).slice(-2), [500.123456, 100.654321], "the end that was welded");
+  await page.keyboard.press("v");
+  await editor.click(20, 450);
+  await page.keyboard.press("p");
+  await editor.click(499, 102);
+  await editor.click(560, 180);
+  const drawn = await changing(editor, "Enter", () => page.keyboard.press("Enter"));
+  check(drawn.includes('d="M500.123456 100.654321 L'), `the pen does not weld: ${drawn}`);
+}
+
 export async function testGestures(tap, given) {
   const gestures = {
     "the box scales and turns by the keyboard": testGrips,
     "nodes of several subpaths are edited at once": testSubpaths,
     "a circle has four nodes and becomes a path when one is moved": testShapes,
+    "ends weld, and close their own curve": testEnds,
   };
   for (const [name, body] of Object.entries(gestures)) await tap.test(name, () => withTools(given, body));
 }

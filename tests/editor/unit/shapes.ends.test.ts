@@ -5,6 +5,7 @@ import { pieceCount } from "../../../web/editor/src/geometry/cubic.js";
 import { leftNormalAt, pathPointAt } from "../../../web/editor/src/geometry/length.js";
 import { farthestFrom, nearestOn } from "../../../web/editor/src/geometry/nearest.js";
 import {
+  closeByEnd,
   deleteNodes,
   joinCurves,
   moveNodes,
@@ -274,5 +275,50 @@ describe("joining", () => {
     expect(joinCurves(drawing, a.handle, loop.handle, STEP)).toBeNull();
     expect(joinCurves(drawing, a.handle, elsewhere.handle, STEP)).toBeNull();
     expect(mapped([1, 0, 0, 1, 0, 0], [1, 2])).toEqual([1, 2]);
+  });
+});
+
+describe("an end that comes to its curve's other end", () => {
+  const lists = 'sf:left="red @0, blue @1.5, gold @3" sf:right="#000 10%, #fff 60%"';
+  const opened = (d: string) => {
+    const drawing = openDrawing(documentOf(`<path d="${d}" ${lists}/>`));
+    return { drawing, curve: curvesIn(drawing)[0] };
+  };
+
+  test("closes it, and stops keep their offsets", () => {
+    const { drawing, curve } = opened("M3 4L20 0C25 0 30 5 30 10C30 15 20 20 8 9");
+    const outcome = closeByEnd(drawing, curve.handle, 0, 3, STEP)!;
+    const next = after(drawing, outcome);
+    expect(next.text).toMatch(/d="M3 4L20 0C25 0 30 5 30 10C30 15 15 15 3 4 Z"/);
+    expect(next.text).toContain(lists);
+    const [now] = curvesIn(next);
+    expect(now.paths[0].closed).toBe(true);
+    expect(outcome.select).toEqual([
+      { at: curve.element.range.start, part: { kind: "node", path: 0, index: 0 } },
+    ]);
+  });
+
+  test("brings its beginning likewise, and a line stays a line", () => {
+    const { drawing, curve } = opened("M3 4L20 0L30 10L1 2");
+    const next = after(drawing, closeByEnd(drawing, curve.handle, 0, 0, STEP));
+    expect(next.text).toMatch(/d="M1 2 ?L20 0L30 10L1 2 ?Z"/);
+    expect(next.text).toContain(lists);
+  });
+
+  test("closes that subpath alone", () => {
+    const { drawing, curve } = opened("M0 0L9 0L9 9M20 20l9 0l0 9m5 5h9");
+    const [now] = curvesIn(after(drawing, closeByEnd(drawing, curve.handle, 1, 2, STEP)));
+    expect(now.paths.map((path) => path.closed)).toEqual([false, true, false]);
+    expect(now.paths[2].points[0]).toEqual([34, 34]);
+  });
+
+  test("is none of a closed curve, of one piece, or in the middle", () => {
+    const closed = opened("M0 0L9 0L9 9Z");
+    expect(closeByEnd(closed.drawing, closed.curve.handle, 0, 0, STEP)).toBeNull();
+    const line = opened("M0 0L9 0");
+    expect(closeByEnd(line.drawing, line.curve.handle, 0, 1, STEP)).toBeNull();
+    const open = opened("M0 0L9 0L9 9");
+    expect(closeByEnd(open.drawing, open.curve.handle, 0, 1, STEP)).toBeNull();
+    expect(closeByEnd(open.drawing, open.curve.handle, 7, 0, STEP)).toBeNull();
   });
 });

@@ -138,7 +138,7 @@ describe("a node", () => {
     expect(points()[6]).toEqual([90, 40]);
   });
 
-  test("at_an_end_is_drawn_to_the_other_end_of_its_curve", () => {
+  test("at_an_end_closes_its_curve_where_it_comes_to_the_other_end", () => {
     select({ kind: "whole" });
     dragThrough(tool, [
       [250, 100],
@@ -146,6 +146,23 @@ describe("a node", () => {
       [54, 96],
     ]);
     expect(points()[6]).toEqual(points()[0]);
+    expect(now().paths[0].closed).toBe(true);
+    expect(editor.steps).toEqual(["move node"]);
+  });
+
+  test("at_an_end_closes_nothing_that_it_goes_past_nor_with_ctrl", () => {
+    select({ kind: "whole" });
+    const drag = begun(tool, [
+      [250, 100],
+      [52, 98],
+    ]);
+    expect(now().paths[0].closed).toBe(true);
+    drag.move(press([80, 60]));
+    expect(now().paths[0].closed).toBe(false);
+    drag.move(press([52, 98], { ctrl: true }));
+    drag.end(press([52, 98], { ctrl: true }));
+    expect(now().paths[0].closed).toBe(false);
+    expect(points()[6]).toEqual([52, 98]);
   });
 
   test("of_one_subpath_takes_chosen_nodes_of_another_with_it", () => {

@@ -7,6 +7,7 @@ import {
   translation,
 } from "../../../../web/editor/src/geometry/affine.js";
 import type { CubicPath } from "../../../../web/editor/src/geometry/cubic.js";
+import { closedByEnd } from "../../../../web/editor/src/geometry/nodes.js";
 import { pieceAt, split } from "../../../../web/editor/src/geometry/cubic.js";
 import type { NewCurve, NodesBySubpath } from "../../../../web/editor/src/model/commands/index.js";
 import type {
@@ -259,6 +260,8 @@ export const fakeCommands = {
       paths: item.paths.map((path, k) => without(path, nodes.get(k) ?? [])),
     }));
   },
+  closeByEnd: (d: Drawing, h: Handle, k: number, node: number): Outcome =>
+    changedCurve(d, h, (item) => withPath(item, k, closedByEnd(item.paths[k], node)!.path)),
   setNodeKind: (d: Drawing) => outcome(d.items),
   setColor: (d: Drawing, h: Handle, name: Side, to: SideValues["color"]) =>
     side(d, h, name, "color", to),

@@ -1,11 +1,12 @@
 // New curves: what was drawn becomes part of the document, in its layer, with colours.
 import type { Editor } from "../app/types.js";
-import { IDENTITY, inverted, lengthScale, type Affine } from "../geometry/affine.js";
+import { IDENTITY, inverted, lengthScale, mapped, type Affine } from "../geometry/affine.js";
 import { mappedPath, type CubicPath } from "../geometry/cubic.js";
 import { addCurves } from "../model/commands/index.js";
 import type { Drawing, Handle, Item, Outcome, SideValue } from "../model/types.js";
 import type { Rgb } from "../geometry/color.js";
-import { isCurve } from "./places.js";
+import { isCurve, placesOf } from "./places.js";
+import { SAME_PX, WELD_FINER } from "./snap.js";
 import { takenSides } from "./taken.js";
 
 /** Colours of the first curve of a drawing: warm and cool, so that one sees what sides are. */
@@ -38,13 +39,26 @@ export async function addCurve(editor: Editor, path: CubicPath, label: string): 
   const sides = (layer && (await takenSides(editor, layer, inLayer))) ?? (isBlank(editor) ? FIRST : OPEN);
   // The layer may have gone while its colours were asked for.
   const into = layer && editor.drawing.item(layer.handle) ? layer.handle : null;
-  const made = addCurves(
-    editor.drawing,
-    into,
-    [{ path: into === null ? path : inLayer, ...sides }],
-    editor.step(layer),
+  const step = editor.step(layer);
+  const endStep = meetsEnd(editor, path) ? step / WELD_FINER : step;
+  const curve = { path: into === null ? path : inLayer, endStep, ...sides };
+  return editor.run(label, addCurves(editor.drawing, into, [curve], step));
+}
+
+/** Whether an end of a path lies on an end of a curve: to where it snapped. */
+function meetsEnd(editor: Editor, { points }: CubicPath): boolean {
+  const near = SAME_PX / editor.view.peek().zoom;
+  const ends = [points[0], points[points.length - 1]];
+  return placesOf(editor.drawing).some(({ item, artboardFromItem }) =>
+    item.paths.some(
+      (path) =>
+        !path.closed &&
+        [path.points[0], path.points[path.points.length - 1]].some((point) => {
+          const [x, y] = mapped(artboardFromItem, point);
+          return ends.some((end) => Math.hypot(end[0] - x, end[1] - y) <= near);
+        }),
+    ),
   );
-  return editor.run(label, made);
 }
 
 function isBlank({ drawing }: Editor): boolean {

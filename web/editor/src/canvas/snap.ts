@@ -7,6 +7,10 @@ import type { Guide } from "./sketch.js";
 
 /** How near a point has to come, CSS pixels. */
 export const SNAP_REACH = 8;
+/** Points that are nearer are the same, CSS pixels. */
+export const SAME_PX = 1e-6;
+/** What has snapped is written so much finer, so that both points are the same. */
+export const WELD_FINER = 1000;
 /** Lines of the grid are at least so far apart, CSS pixels. */
 const GRID_STEP_PX = 8;
 

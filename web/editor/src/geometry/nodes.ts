@@ -189,6 +189,16 @@ export function withClosed(path: CubicPath, closed: boolean, gap: number): Edite
   return { path: { points, closed }, ...STAYS };
 }
 
+/** An end of an open path brought to its other end, which closes it; null: it is no such end. */
+export function closedByEnd(path: CubicPath, node: number): Edited | null {
+  const last = pieceCount(path);
+  if (path.closed || last < 2 || (node !== 0 && node !== last)) return null;
+  const to = path.points[node === 0 ? 3 * last : 0];
+  const points = [...movedNodes(path, [node], subtract(to, path.points[3 * node])).path.points];
+  points[3 * node] = to;
+  return { path: { points, closed: true }, ...STAYS };
+}
+
 /** Two open paths as one: `gap` is bridged by a line, or with null the second's beginning moves. */
 export function joined(first: CubicPath, second: CubicPath, weld: boolean): CubicPath {
   const end = first.points[first.points.length - 1];

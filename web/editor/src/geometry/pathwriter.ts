@@ -30,10 +30,14 @@ export function rounded([x, y]: Point, step: number): Point {
   return [Number(numberText(x, step)), Number(numberText(y, step))];
 }
 
-/** Absolute commands: a line as L, or as Z where it closes the path, other pieces as C. */
-export function writePath(path: CubicPath, step: number): string {
+/**
+ * Absolute commands: a line as L, or as Z where it closes the path, other pieces as C.
+ * @param endStep of the ends of an open path: finer where they meet others
+ */
+export function writePath(path: CubicPath, step: number, endStep = step): string {
   const begin = rounded(path.points[0], step);
-  const parts = [`M${pointText(path.points[0], step)}`];
+  const ends = path.closed ? step : endStep;
+  const parts = [`M${pointText(path.points[0], ends)}`];
   for (let i = 0; i < pieceCount(path); ++i) {
     const cubic = pieceAt(path, i);
     const isLast = i === pieceCount(path) - 1;
@@ -42,9 +46,10 @@ export function writePath(path: CubicPath, step: number): string {
     if (isLine(cubic)) {
       const previous = rounded(cubic[0], step);
       const drawnByZ = path.closed && isLast && i > 0 && !closesWithoutLine(previous, begin);
-      if (!drawnByZ) parts.push(`L${pointText(end, step)}`);
+      if (!drawnByZ) parts.push(`L${pointText(end, isLast ? ends : step)}`);
     } else {
-      parts.push(`C${[control1, control2, end].map((p) => pointText(p, step)).join(" ")}`);
+      const controls = [control1, control2].map((p) => pointText(p, step));
+      parts.push(`C${[...controls, pointText(end, isLast ? ends : step)].join(" ")}`);
     }
   }
   if (path.closed) parts.push("Z");

@@ -9,14 +9,15 @@ import type { CurveItem, Selected } from "../../model/types.js";
 import { en } from "../../strings/en.js";
 import type { Canvas } from "../canvas.js";
 import { blurCursor, type CursorName } from "../cursors.js";
-import { itemVector, movedNodes, plus, setKinds } from "../edits.js";
+import { itemVector, plus, setKinds } from "../edits.js";
 import { shown } from "../format.js";
 import type { CurveHit } from "../hit.js";
 import { selectedOf, stageFromItem, type Mark, type NodeMark } from "../marks.js";
-import { bent, nodeOfHandle, otherEnd, pulledHandle, withHandle } from "../nodes.js";
+import { bent, nodeOfHandle, pulledHandle, withHandle } from "../nodes.js";
 import { editedAt, isCurve, isLocked } from "../places.js";
 import { isSamePart } from "../sketch.js";
 import { letGoOfParts } from "../walk.js";
+import { dragNodes } from "./node-drag.js";
 import { addStop, dragStop, inStrip } from "./stops.js";
 import {
   EditDrag,
@@ -79,43 +80,14 @@ export class NodesTool implements Tool {
     if (!mark.isChosen) editor.selection.value = p.shift ? [...nodes, one] : [one];
     if (p.alt) return this.pullHandle(mark, p);
     // With Shift a chosen node is let go of by a click; a drag moves it straight.
-    return this.dragNodes(mark, p, () => {
-      if (!p.shift) editor.selection.value = [one];
-      else if (mark.isChosen) editor.selection.value = withoutWholes(toggled(nodes, one, isSame), one);
-    });
-  }
-
-  private dragNodes(mark: NodeMark, start: Press, click: () => void): Drag {
-    const { canvas } = this;
-    const { editor } = canvas;
-    const grid = canvas.curves();
-    const selection = editor.selection.peek().filter(({ part }) => part.kind === "node");
-    const moved = new Set(selection.map(({ handle }) => handle));
-    const own = selection.length === 1 ? this.otherEnd(mark) : [];
-    return new EditDrag(canvas, start, {
-      label: selection.length > 1 ? en.tools.undo.moveNodes : en.tools.undo.moveNode,
-      dragged: { handle: mark.handle, part: mark.part },
-      cursor: "move",
-      make: (p, before) => {
-        const by = travelled(start, p);
-        const wanted = plus(mark.at, by);
-        const to =
-          p.shift || p.ctrl ? { at: wanted, guides: [] } : canvas.snap(wanted, grid, moved, own);
-        canvas.draw({ guides: to.guides });
-        const { zoom } = editor.view.peek();
-        const vector: Point = [(to.at[0] - mark.at[0]) / zoom, (to.at[1] - mark.at[1]) / zoom];
-        return movedNodes(before, selection, vector, (item) => editor.step(item));
+    return dragNodes(this.canvas, mark, p, {
+      click: () => {
+        if (!p.shift) editor.selection.value = [one];
+        else if (mark.isChosen)
+          editor.selection.value = withoutWholes(toggled(nodes, one, isSame), one);
       },
-      click,
       kept: () => this.tell(mark),
     });
-  }
-
-  private otherEnd({ handle, part }: NodeMark): Point[] {
-    const item = this.canvas.editor.drawing.item(handle);
-    if (!isCurve(item) || part.kind !== "node") return [];
-    const end = otherEnd(nodePath(item.paths[part.path]), part.index);
-    return end ? [mapped(stageFromItem(this.canvas.stageFromArtboard(), item), end)] : [];
   }
 
   /** A handle turns the other with it where the node is smooth; Alt breaks them. */

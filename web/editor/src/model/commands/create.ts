@@ -18,6 +18,8 @@ import { freeId, idsWithin } from "./references.js";
 
 export interface NewCurve {
   readonly path: CubicPath;
+  /** The unit of the last decimal of its ends, where it is another than that of its points. */
+  readonly endStep?: number;
   readonly left: SideValue<Rgb>;
   readonly right: SideValue<Rgb>;
   readonly blur?: SideValue<number>;
@@ -32,10 +34,10 @@ function curveMarkup(
   scale: number,
   step: number,
 ): string {
-  const { path, left, right, blur, radius } = curve;
+  const { path, endStep, left, right, blur, radius } = curve;
   const radii = (side: SideValue<number> | undefined) => (side ? sideText(side, RADII) : null);
   const attributes: WrittenAttributes = [
-    ["d", writePath(path, step)],
+    ["d", writePath(path, step, endStep)],
     [sfName(parent, "left"), sideText(left, COLORS)],
     [sfName(parent, "right"), sideText(right, COLORS)],
     [sfName(parent, "blur"), radii(blur)],

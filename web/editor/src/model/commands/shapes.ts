@@ -3,6 +3,7 @@ import type { Point } from "../../geometry/affine.js";
 import type { CubicPath } from "../../geometry/cubic.js";
 import { pieceCount } from "../../geometry/cubic.js";
 import {
+  closedByEnd,
   movedNodes,
   withClosed,
   withKind,
@@ -100,6 +101,20 @@ export function setNodeKind(
   step: number,
 ): Outcome | null {
   return editNodes(d, h, nodes, step, (before, of) => withKind(before, of, kind));
+}
+
+/** Brings an end of an open subpath to its other end, which closes it. Its first node is selected. */
+export function closeByEnd(
+  d: Drawing,
+  h: Handle,
+  path: number,
+  node: number,
+  step: number,
+): Outcome | null {
+  const made = editShape(d, h, path, step, (before) => closedByEnd(before, node));
+  const at = d.item(h)?.element.range.start;
+  if (!made || made.select || at === undefined) return made;
+  return { ...made, select: [{ at, part: { kind: "node", path, index: 0 } }] };
 }
 
 /**
