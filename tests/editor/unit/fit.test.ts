@@ -2,6 +2,7 @@
 import { describe, expect, test } from "vitest";
 import {
   directionAt,
+  isLine,
   pieceAt,
   pieceCount,
   type CubicPath,
@@ -172,4 +173,83 @@ test("calming keeps ends and straight lines, and takes trembling away", () => {
   expect(calm[0]).toBe(zigzag[0]);
   expect(calm.slice(1, -1).every(({ point }) => Math.abs(point[1] - 0.5) < 1e-9)).toBe(true);
   expect(calmed(zigzag, 0).map((s) => s.point)).toEqual(zigzag.map((s) => s.point));
+});
+
+/** Samples of a hand along a shape of a length: it trembles, and pixels are whole. */
+function handAlong(
+  shape: (share: number) => readonly [number, number],
+  length: number,
+  { seed = 1, tremble = 0, spacing = 4, pauses = false } = {},
+): Sample[] {
+  const random = new Random(seed);
+  const count = Math.ceil(length / spacing);
+  const off = [0, 0];
+  let time = 0;
+  return Array.from({ length: count + 1 }, (_, i) => {
+    time += pauses && random.chance(0.1) ? 60 : 8;
+    const [x, y] = shape(i / count).map((value, axis) => {
+      off[axis] = 0.7 * off[axis] + random.between(-tremble, tremble);
+      return Math.round(value + off[axis]);
+    });
+    return sample(x, y, time);
+  });
+}
+
+const shapes = {
+  line: (u: number) => [30 + 400 * u, 50 + 130 * u] as const,
+  corner: (u: number) => (u < 0.5 ? ([400 * u, 0] as const) : ([200, 400 * u - 200] as const)),
+  square: (u: number) => {
+    const [side, way] = [Math.min(Math.floor(4 * u), 3), 800 * u];
+    return ([[way, 0], [200, way - 200], [600 - way, 200], [0, 800 - way]] as const)[side];
+  },
+  circle: (u: number) => [100 * Math.cos(2 * Math.PI * u), 100 * Math.sin(2 * Math.PI * u)] as const,
+  long: (u: number) => [2000 * u, 80 * Math.sin(17 * u) + 30 * Math.sin(41 * u)] as const,
+};
+
+describe("as few pieces as the tolerance allows", () => {
+  test.each([
+    ["line", 420, false, 0, 1],
+    ["line", 420, false, 0.3, 1],
+    ["corner", 400, false, 0, 2],
+    ["corner", 400, false, 0.3, 2],
+    ["corner", 400, false, 0.6, 2],
+    ["square", 800, true, 0, 4],
+    ["square", 800, true, 0.6, 4],
+    ["circle", 628, true, 0, 3],
+    ["circle", 628, true, 0.6, 4],
+    ["long", 2600, false, 0, 14],
+    ["long", 2600, false, 0.6, 16],
+  ] as const)("of a %s %s px long, closed: %s, trembling by %s, are %s", (name, length, closed, tremble, most) => {
+    let pieces = 0;
+    const seeds = 12;
+    for (let seed = 0; seed < seeds; ++seed) {
+      const samples = handAlong(shapes[name], length, { seed, tremble, pauses: seed % 2 === 1 });
+      const fit = fitStroke(samples, 2, closed)!;
+      pieces += pieceCount(fit.path);
+      fit.samples.forEach(({ point }, i) =>
+        expect(distance(pathPointAt(fit.path, fit.places[i]), point)).toBeLessThan(2 + 1e-9),
+      );
+    }
+    expect(pieces / seeds).toBeLessThan(most + 0.5);
+  });
+
+  test("a straight run is a line, however slow the hand was", () => {
+    for (const spacing of [1, 2, 8]) {
+      const samples = handAlong(shapes.line, 420, { spacing, tremble: 0.2, pauses: true });
+      const { path } = fitStroke(samples, 2)!;
+      expect(pieceCount(path)).toBe(1);
+      expect(isLine(pieceAt(path, 0))).toBe(true);
+    }
+  });
+
+  test("a straight run between bends has a node at each of its ends at most", () => {
+    const arc = (u: number, from: number) =>
+      [60 * Math.sin(u * 1.5) + from, 60 * (1 - Math.cos(u * 1.5))] as const;
+    const [endX, endY] = arc(1, 0);
+    const way = [Math.cos(1.5), Math.sin(1.5)];
+    const shape = (u: number) =>
+      u < 0.3 ? arc(u / 0.3, 0) : ([endX + way[0] * 210 * (u - 0.3) / 0.7, endY + way[1] * 210 * (u - 0.3) / 0.7] as const);
+    const { path } = fitStroke(handAlong(shape, 300, { tremble: 0.3 }), 2)!;
+    expect(pieceCount(path)).toBeLessThanOrEqual(3);
+  });
 });

@@ -6,6 +6,9 @@ import { dot, distance, subtract, unit } from "./vector.js";
 const SHARP = Math.cos((60 * Math.PI) / 180);
 const SHARP_WHERE_SLOW = Math.cos((40 * Math.PI) / 180);
 const SLOW = 1 / 3;
+/** What trembles turns less when looked at from farther away, so much farther and so much less. */
+const FARTHER = 2.5;
+const SHARP_FROM_FAR = Math.cos((30 * Math.PI) / 180);
 
 /** The first sample from i on, in steps of ±1, that is `reach` away; the last where none is. */
 function armOf(
@@ -55,8 +58,10 @@ function speedsOf(samples: readonly Sample[]): number[] {
  */
 export function cornersOf(samples: readonly Sample[], reach: number, loop: boolean): number[] {
   const turns = turnsOf(samples, reach, loop);
+  const farTurns = turnsOf(samples, FARTHER * reach, loop);
   const speeds = speedsOf(samples);
-  const isSharp = (i: number) => turns[i] <= (speeds[i] < SLOW ? SHARP_WHERE_SLOW : SHARP);
+  const isSharp = (i: number) =>
+    turns[i] <= (speeds[i] < SLOW ? SHARP_WHERE_SLOW : SHARP) && farTurns[i] <= SHARP_FROM_FAR;
   const corners: number[] = [];
   for (let i = loop ? 0 : 1; i < samples.length - (loop ? 0 : 1); ++i) {
     if (!isSharp(i)) continue;
@@ -66,5 +71,8 @@ export function cornersOf(samples: readonly Sample[], reach: number, loop: boole
     if (!isNear) corners.push(i);
     else if (turns[i] < turns[last]) corners[corners.length - 1] = i;
   }
-  return corners;
+  const [first, last] = [corners[0], corners[corners.length - 1]];
+  const isSeam = loop && corners.length > 1 && distance(samples[first].point, samples[last].point) < reach;
+  if (!isSeam) return corners;
+  return turns[last] < turns[first] ? corners.slice(1) : corners.slice(0, -1);
 }

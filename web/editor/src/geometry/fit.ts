@@ -2,7 +2,7 @@
 import type { Point } from "./affine.js";
 import { cornersOf } from "./corners.js";
 import { lineBetween, type Cubic, type CubicPath } from "./cubic.js";
-import { fitted } from "./fitcubic.js";
+import { fitted, straight } from "./fitcubic.js";
 import { simplifiedGraph } from "./simplify.js";
 import { add, distance, isSame, scaled, subtract, unit } from "./vector.js";
 
@@ -106,8 +106,9 @@ function piecesThrough(
   into: Point | null,
   slack: number,
 ) {
-  const isStraight = run.length === 2 || !out || !into;
-  if (!isStraight) return fitted(run, out, into, slack);
+  const line = straight(run, slack);
+  if (line) return [line];
+  if (run.length > 2 && out && into) return fitted(run, out, into, slack);
   return run.slice(1).map((to, i) => ({ cubic: lineBetween(run[i], to), parameters: [0, 1] }));
 }
 

@@ -1,7 +1,7 @@
 // Cubic pieces through points of a smooth stretch: P. J. Schneider, "An Algorithm for Automatically
 // Fitting Digitized Curves", Graphics Gems, 1990.
 import type { Point } from "./affine.js";
-import { derivativeAt, pointAt, secondDerivativeAt, type Cubic } from "./cubic.js";
+import { derivativeAt, directionAt, lineBetween, pointAt, secondDerivativeAt, type Cubic } from "./cubic.js";
 import { add, distance, dot, isSame, lerp, scaled, subtract, unit } from "./vector.js";
 
 export interface FittedPiece {
@@ -15,6 +15,8 @@ const ROUNDS = 12;
 const HOPELESS = 6;
 /** Beyond this depth stretches are halved, so that none is deep for long. */
 const DEEP = 32;
+/** How far from a point its direction is looked at, tolerances. */
+const REACH = 4;
 
 function chordParameters(points: readonly Point[]): number[] {
   const lengths = [0];
@@ -107,6 +109,35 @@ export function fittedOnce(points: readonly Point[], out: Point, into: Point): F
   return { cubic, parameters };
 }
 
+/** One piece with these end directions, where it passes each point within the tolerance, and what not. */
+function single(points: readonly Point[], out: Point, into: Point, tolerance: number) {
+  let parameters = chordParameters(points);
+  let cubic = leastSquares(points, parameters, out, into);
+  let [index, miss] = worst(cubic, points, parameters);
+  for (let round = 0; round < ROUNDS && miss > tolerance && miss < HOPELESS * tolerance; ++round) {
+    parameters = reparametrized(cubic, points, parameters);
+    cubic = leastSquares(points, parameters, out, into);
+    [index, miss] = worst(cubic, points, parameters);
+  }
+  return { cubic, parameters, index, isNear: miss <= tolerance };
+}
+
+/** The straight line, where each point is within the tolerance of it; null: one is not. */
+export function straight(points: readonly Point[], tolerance: number): FittedPiece | null {
+  const [from, to] = [points[0], points[points.length - 1]];
+  const way = subtract(to, from);
+  const square = dot(way, way);
+  if (!(square > 0)) return null;
+  let least = 0;
+  const parameters = points.map((point) => {
+    least = Math.min(Math.max(dot(subtract(point, from), way) / square, least), 1);
+    return least;
+  });
+  parameters[points.length - 1] = 1;
+  const isNear = points.every((p, i) => distance(p, lerp(from, to, parameters[i])) <= tolerance);
+  return isNear ? { cubic: lineBetween(from, to), parameters } : null;
+}
+
 /**
  * Pieces, smooth where they meet, that pass each point within `tolerance`.
  * @param points at least 2, no two neighbours the same
@@ -118,26 +149,57 @@ export function fitted(
   out: Point,
   into: Point,
   tolerance: number,
-  depth = 0,
+): FittedPiece[] {
+  return fewer(points, parted(points, out, into, tolerance, 0), tolerance);
+}
+
+function parted(
+  points: readonly Point[],
+  out: Point,
+  into: Point,
+  tolerance: number,
+  depth: number,
 ): FittedPiece[] {
   if (points.length === 2) {
     const third = distance(points[0], points[1]) / 3;
     const controls = [add(points[0], scaled(out, third)), add(points[1], scaled(into, third))];
     return [{ cubic: [points[0], controls[0], controls[1], points[1]], parameters: [0, 1] }];
   }
-  let parameters = chordParameters(points);
-  let cubic = leastSquares(points, parameters, out, into);
-  let [index, miss] = worst(cubic, points, parameters);
-  for (let round = 0; round < ROUNDS && miss > tolerance && miss < HOPELESS * tolerance; ++round) {
-    parameters = reparametrized(cubic, points, parameters);
-    cubic = leastSquares(points, parameters, out, into);
-    [index, miss] = worst(cubic, points, parameters);
-  }
-  if (miss <= tolerance) return [{ cubic, parameters }];
+  const { cubic, parameters, index, isNear } = single(points, out, into, tolerance);
+  if (isNear) return [{ cubic, parameters }];
   const at = depth < DEEP ? index : points.length >> 1;
-  const through = centerDirection(points, at, 2 * tolerance);
+  const through = centerDirection(points, at, REACH * tolerance);
   return [
-    ...fitted(points.slice(0, at + 1), out, scaled(through, -1), tolerance, depth + 1),
-    ...fitted(points.slice(at), through, into, tolerance, depth + 1),
+    ...parted(points.slice(0, at + 1), out, scaled(through, -1), tolerance, depth + 1),
+    ...parted(points.slice(at), through, into, tolerance, depth + 1),
   ];
+}
+
+/** Neighbouring pieces become one wherever one passes their points, too. */
+function fewer(
+  points: readonly Point[],
+  pieces: readonly FittedPiece[],
+  tolerance: number,
+): FittedPiece[] {
+  const kept = [...pieces];
+  let begin = 0;
+  for (let i = 0; i + 1 < kept.length;) {
+    const [a, b] = [kept[i], kept[i + 1]];
+    const end = begin + a.parameters.length + b.parameters.length - 2;
+    const [out, into] = [directionAt(a.cubic, 0), directionAt(b.cubic, 1)];
+    const one =
+      out && into && single(points.slice(begin, end + 1), out, scaled(into, -1), tolerance);
+    if (one && one.isNear) {
+      kept.splice(i, 2, { cubic: one.cubic, parameters: one.parameters });
+      // What is longer now may take in the one before it.
+      if (i > 0) {
+        i -= 1;
+        begin -= kept[i].parameters.length - 1;
+      }
+    } else {
+      begin += a.parameters.length - 1;
+      i += 1;
+    }
+  }
+  return kept;
 }
