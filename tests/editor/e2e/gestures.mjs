@@ -1,7 +1,7 @@
 // What tools do beyond their first gestures.
-import { check, checkEqual } from "./harness.mjs";
+import { check, checkEqual, EditorPage } from "./harness.mjs";
 import { changing } from "./draw.mjs";
-import { one, withTools } from "./tools.mjs";
+import { one, photo, Tools, withTools } from "./tools.mjs";
 
 /** The name of what has the focus. */
 const focused = (page) => page.evaluate(() => document.activeElement?.getAttribute("aria-label"));
@@ -99,12 +99,58 @@ async function testEnds(t) {
   check(drawn.includes('d="M500.123456 100.654321 L'), `the pen does not weld: ${drawn}`);
 }
 
+async function testLoupe(t) {
+  const { editor, page } = t;
+  const image = `<image sf:reference="true" href="${await photo(page)}" width="640" height="480"/>`;
+  await editor.load(one.replace("</svg>", `${image}\n</svg>`));
+  await page.locator(".canvas-stage").focus();
+  await page.keyboard.press("i");
+  const loupe = page.locator(".loupe-text");
+  const says = async (text, what) => {
+    await loupe.filter({ hasText: text }).waitFor().catch(async () => check(false, `${what}: ${await loupe.allTextContents()}`));
+  };
+  await page.mouse.move(...(await editor.at(300, 200)));
+  await says("#ff0000", "over the photo");
+  await page.mouse.move(...(await editor.at(300, 300)));
+  await says("Left #ff0000 · Right #0000ff", "over the curve");
+  await editor.shot("loupe");
+  await page.keyboard.press("r");
+  await page.mouse.move(...(await editor.at(301, 350)));
+  await loupe.filter({ hasText: /^#[0-9a-f]{6}$/ }).waitFor();
+  check(!["#ff0000", "#0000ff"].includes(await loupe.textContent()), "over the picture the loupe shows the photo");
+  await page.keyboard.press("v");
+  await loupe.waitFor({ state: "detached" });
+}
+
+async function testTouchLoupe({ browser, address }) {
+  const editor = await EditorPage.open(browser, address, { hasTouch: true });
+  const t = new Tools(editor);
+  await t.fresh("i");
+  const session = await editor.context.newCDPSession(editor.page);
+  const [x, y] = await editor.at(300, 300);
+  await session.send("Input.dispatchTouchEvent", { type: "touchStart", touchPoints: [{ x, y }] });
+  const image = `<image sf:reference="true" href="${await photo(editor.page)}" width="640" height="480"/>`;
+  await session.send("Input.dispatchTouchEvent", { type: "touchEnd", touchPoints: [] });
+  checkEqual(await editor.page.locator(".loupe").count(), 0, "loupes without a photo, the finger lifted");
+  await editor.load(one.replace("</svg>", `${image}\n</svg>`));
+  await session.send("Input.dispatchTouchEvent", { type: "touchStart", touchPoints: [{ x, y }] });
+  await session.send("Input.dispatchTouchEvent", { type: "touchMove", touchPoints: [{ x: x + 40, y }] });
+  const box = await editor.page.locator(".loupe").boundingBox();
+  check(box.y + box.height < y - 20, `the finger hides the loupe: ${JSON.stringify(box)}, finger at ${y}`);
+  await session.send("Input.dispatchTouchEvent", { type: "touchEnd", touchPoints: [] });
+  await editor.page.locator(".loupe").waitFor({ state: "detached" });
+  editor.checkQuiet();
+  await editor.close();
+}
+
 export async function testGestures(tap, given) {
   const gestures = {
     "the box scales and turns by the keyboard": testGrips,
     "nodes of several subpaths are edited at once": testSubpaths,
     "a circle has four nodes and becomes a path when one is moved": testShapes,
     "ends weld, and close their own curve": testEnds,
+    "the loupe shows what is sampled": testLoupe,
   };
   for (const [name, body] of Object.entries(gestures)) await tap.test(name, () => withTools(given, body));
+  await tap.test("the loupe stands above the finger", () => testTouchLoupe(given));
 }

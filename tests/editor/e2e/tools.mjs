@@ -227,7 +227,7 @@ async function testBlur(t) {
 }
 
 /** A photo: red above y 240, blue below. */
-async function photo(page) {
+export async function photo(page) {
   return page.evaluate(() => {
     const canvas = document.createElement("canvas");
     [canvas.width, canvas.height] = [64, 48];

@@ -5,6 +5,7 @@ import { en } from "../strings/en.js";
 import { drawnBox, selectionBox } from "./box.js";
 import type { Canvas } from "./canvas.js";
 import { Aids, DraftView, Light, matrix, Strong } from "./drafts.js";
+import { LoupeView } from "./loupe-view.js";
 import { MarkView } from "./mark.js";
 import { bandOf, stageFromItem, type Mark } from "./marks.js";
 import { outlineOf, selectedPlaces } from "./outline.js";
@@ -44,6 +45,7 @@ export function Overlay({ canvas }: { readonly canvas: Canvas }) {
         <Aids sketch={sketch} />
       </svg>
       <Tags canvas={canvas} map={map} sketch={sketch} />
+      {sketch.loupe && <LoupeView loupe={sketch.loupe} stage={editor.stage.value} />}
     </>
   );
 }

@@ -195,6 +195,6 @@ export class Pointers {
     if (this.held) return;
     this.canvas.editor.hovered.value = null;
     this.canvas.editor.pointer.value = null;
-    this.canvas.draw({ brush: null, guides: [] });
+    this.canvas.draw({ brush: null, guides: [], loupe: null });
   }
 }

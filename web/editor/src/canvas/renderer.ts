@@ -7,6 +7,7 @@ import type { Editor } from "../app/types.js";
 import type { PictureUpdate } from "../engine/types.js";
 import { Scene, type SceneChange } from "./scene.js";
 import { shaderText } from "./shaders.js";
+import { keepStill } from "./still.js";
 
 /** How long the picture must rest before it is made finer, milliseconds. */
 const REST = 150;
@@ -84,8 +85,8 @@ export class PictureCanvas {
 
   /** What a frame depends on, beside the picture. */
   #watch() {
-    const { view, stage, showMesh, settings } = this.#editor;
-    void [view.value, stage.value, showMesh.value, settings.surround.value, settings.theme.value];
+    const { view, stage, showMesh, settings, tool } = this.#editor;
+    void [tool.value, view.value, stage.value, showMesh.value, settings.surround.value, settings.theme.value];
     this.change();
   }
 
@@ -139,12 +140,19 @@ export class PictureCanvas {
     if (this.#isDirty) {
       this.#isDirty = false;
       renderer.draw(this.#frameOf());
+      this.#keep();
     } else if (!renderer.canRefine) {
       return this.#settle();
     } else if (performance.now() - this.#changedAt > REST) {
       renderer.refine(this.#frameOf());
+      this.#keep();
     }
     this.#schedule();
+  }
+
+  /** A copy for the loupe, of the tool that has one. */
+  #keep() {
+    if (this.#editor.tool.peek() === "sample") keepStill(this.#editor, this.#canvas!);
   }
 
   #settle() {

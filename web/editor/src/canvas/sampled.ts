@@ -7,6 +7,8 @@ import { pathOf } from "../geometry/nodes.js";
 import { colorAt } from "../geometry/photo.js";
 import { tracePhoto, type TraceOptions, type TracedStop } from "../geometry/trace.js";
 import type { CurveItem, Side, SideValue, Stop } from "../model/types.js";
+import { add, scaled } from "../geometry/vector.js";
+import { standing } from "./along.js";
 import type { PlacedPhoto } from "./photo.js";
 import { stopsOf } from "./sides.js";
 
@@ -60,6 +62,33 @@ export function sampledSides(
     left: side("left", isMirrored ? traced.right : traced.left),
     right: side("right", isMirrored ? traced.left : traced.right),
   };
+}
+
+/**
+ * What is sampled beside one place of a curve: the colours, where in the photo, and the way to the
+ * left there. null: the curve has no direction there. @param at piece + t
+ */
+export function sampledAt(
+  photo: PlacedPhoto,
+  item: CurveItem,
+  path: number,
+  at: number,
+  distance: number,
+): {
+  readonly left: Rgb | null;
+  readonly right: Rgb | null;
+  readonly spots: readonly [Point, Point];
+  readonly normal: Point;
+} | null {
+  const back = inverted(photo.artboardFromPixel);
+  if (!back || !item.paths[path]) return null;
+  const { foot, normal } = standing(item.paths[path], composed(back, item.artboardFromItem), at, 1);
+  const spots = [distance, -distance].map((reach) => add(foot, scaled(normal, reach))) as [Point, Point];
+  const [left, right] = spots.map((spot) => {
+    const color = colorAt(photo, spot);
+    return color && rgbFromOklab(color);
+  });
+  return { left, right, spots, normal };
 }
 
 /** Stops of a stretch between those that are beyond it. */

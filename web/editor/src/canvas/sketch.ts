@@ -2,6 +2,7 @@
 import type { Point } from "../geometry/affine.js";
 import type { CubicPath } from "../geometry/cubic.js";
 import type { Handle, Part } from "../model/types.js";
+import type { Loupe } from "./loupe.js";
 
 /** Lines to which something snapped, on the stage; where both ends are one point, a ring. */
 export interface Guide {
@@ -31,6 +32,8 @@ export interface Sketch {
   readonly isFaded: boolean;
   /** A circle at the pointer, CSS pixels: the brush. */
   readonly brush: { readonly at: Point; readonly radius: number } | null;
+  /** What is magnified at the pointer. */
+  readonly loupe: Loupe | null;
 }
 
 export const NO_SKETCH: Sketch = {
@@ -41,6 +44,7 @@ export const NO_SKETCH: Sketch = {
   dragged: null,
   isFaded: false,
   brush: null,
+  loupe: null,
 };
 
 export function isSamePart(a: Part, b: Part): boolean {

@@ -116,6 +116,8 @@ const canvas = {
   angle: (degrees: string) => `${degrees}°`,
   blurTag: (value: string) => `Blur ${value}`,
   radiusTag: (value: string) => `Radius ${value}`,
+  clear: "nothing",
+  sampled: (left: string, right: string) => `Left ${left} · Right ${right}`,
   // canvas: end
 } as const;
 

@@ -2,7 +2,7 @@
 import type { Gesture } from "../../app/types.js";
 import { composed, IDENTITY, inverted, lengthScale, type Box } from "../../geometry/affine.js";
 import type { Rgb } from "../../geometry/color.js";
-import { hexOf, parseColor } from "../../geometry/colortext.js";
+import { parseColor } from "../../geometry/colortext.js";
 import { mappedPath, pieceCount, type CubicPath } from "../../geometry/cubic.js";
 import { setColor, together } from "../../model/commands/index.js";
 import type { CurveItem, Drawing, Outcome } from "../../model/types.js";
@@ -20,6 +20,7 @@ import { photoColor, sampledSides } from "../sampled.js";
 import { SIDES, stopsOf, withValue, type Value } from "../sides.js";
 import { NO_SKETCH } from "../sketch.js";
 import { colorAt } from "../taken.js";
+import { Lens } from "./lens.js";
 import { isBeyond, type Drag, type Press, type Tool } from "./tool.js";
 
 /** Between samples, CSS pixels. */
@@ -31,13 +32,19 @@ interface EyeDropper {
 }
 
 export class SampleTool implements Tool {
-  constructor(private readonly canvas: Canvas) {}
+  private readonly lens: Lens;
+
+  constructor(private readonly canvas: Canvas) {
+    this.lens = new Lens(canvas);
+  }
 
   hover(p: Press): CursorName {
-    const { canvas } = this;
-    const curve = canvas.markAt(p.at, p.kind) ? null : canvas.curveAt(p.at, p.kind);
-    canvas.editor.hovered.value = curve?.place.owner.handle ?? null;
+    this.lens.look(p, this.canvas.hover(p.at, p.kind).curve);
     return "sample";
+  }
+
+  leave(): void {
+    this.lens.close();
   }
 
   press(p: Press): Drag | null {
@@ -46,7 +53,7 @@ export class SampleTool implements Tool {
     const mark = canvas.markAt(p.at, p.kind);
     if (mark?.kind === "stop" && mark.attribute === "color") {
       editor.selection.value = [{ handle: mark.handle, part: mark.part }];
-      return new PickDrag(canvas, mark, p);
+      return new PickDrag(canvas, mark, p, this.lens);
     }
     const hit = canvas.curveAt(p.at, p.kind);
     if (!hit) {
@@ -62,7 +69,7 @@ export class SampleTool implements Tool {
       editor.say(en.tools.noPhoto);
       return null;
     }
-    return new SampleDrag(canvas, hit, p, photoOf(reference));
+    return new SampleDrag(canvas, hit, p, photoOf(reference), this.lens);
   }
 }
 
@@ -80,7 +87,9 @@ class SampleDrag implements Drag {
     private readonly hit: CurveHit,
     private readonly start: Press,
     private readonly loading: Promise<PlacedPhoto | null>,
+    private readonly lens: Lens,
   ) {
+    lens.look(start, hit);
     this.low = hit.at;
     this.high = hit.at;
     void loading.then((photo) => {
@@ -92,6 +101,7 @@ class SampleDrag implements Drag {
 
   move(p: Press): void {
     const { canvas, hit } = this;
+    this.lens.look(p, this.hitAt(p));
     if (!this.gesture) {
       if (!isBeyond(this.start.at, p.at)) return;
       this.gesture = canvas.editor.gesture(en.tools.undo.sample);
@@ -105,6 +115,13 @@ class SampleDrag implements Drag {
       this.high = Math.max(this.high, place);
     }
     this.show();
+  }
+
+  /** The place of the curve that a moment of the pointer means. */
+  private hitAt({ at }: Press): CurveHit {
+    const { hit, canvas } = this;
+    const map = stageFromItem(canvas.stageFromArtboard(), hit.place.item);
+    return { ...hit, at: nearestAt(hit.place.item.paths[hit.path], map, at).at };
   }
 
   private show(): void {
@@ -140,6 +157,7 @@ class SampleDrag implements Drag {
   }
 
   end(): void {
+    this.lens.close();
     this.isOver = true;
     const { gesture } = this;
     // The photo may still be on its way.
@@ -161,6 +179,7 @@ class SampleDrag implements Drag {
   }
 
   cancel(): void {
+    this.lens.close();
     this.isOver = true;
     this.gesture?.drop();
     this.canvas.sketch.value = NO_SKETCH;
@@ -195,10 +214,14 @@ class PickDrag implements Drag {
     private readonly canvas: Canvas,
     private readonly mark: StopMark,
     private readonly start: Press,
-  ) {}
+    private readonly lens: Lens,
+  ) {
+    lens.look(start, null, mark.value as Rgb);
+  }
 
   move(p: Press): void {
     const { canvas } = this;
+    this.lens.look(p, null, this.mark.value as Rgb);
     if (!this.gesture) {
       if (!isBeyond(this.start.at, p.at)) return;
       this.gesture = canvas.editor.gesture(en.tools.undo.pick);
@@ -208,7 +231,7 @@ class PickDrag implements Drag {
     const turn = this.latest;
     this.asked = this.pick(p).then((color) => {
       // The latest wins: answers may come in any order.
-      if (color && turn === this.latest) this.show(color, p);
+      if (color && turn === this.latest) this.show(color);
     });
   }
 
@@ -221,9 +244,8 @@ class PickDrag implements Drag {
     return (photo && photoColor(photo, point)) ?? (item ? colorAt(editor, item, point) : null);
   }
 
-  private show(color: Rgb, p: Press): void {
+  private show(color: Rgb): void {
     if (!this.gesture || this.gesture.isOver) return;
-    this.canvas.draw({ tag: { at: p.at, text: hexOf(color) } });
     this.gesture.show((before) => this.colored(before, color));
   }
 
@@ -236,6 +258,7 @@ class PickDrag implements Drag {
   }
 
   end(): void {
+    this.lens.close();
     const { gesture } = this;
     if (!gesture) {
       void this.askSystem();
@@ -260,6 +283,7 @@ class PickDrag implements Drag {
   }
 
   cancel(): void {
+    this.lens.close();
     this.latest += 1;
     if (this.gesture && !this.gesture.isOver) this.gesture.drop();
     this.canvas.sketch.value = NO_SKETCH;
