@@ -99,6 +99,40 @@ async function testEnds(t) {
   check(drawn.includes('d="M500.123456 100.654321 L'), `the pen does not weld: ${drawn}`);
 }
 
+/** A photo that turns from red to blue over 6 of its 48 rows to each side of the middle, 10 units each. */
+async function softPhoto(page) {
+  return page.evaluate(() => {
+    const canvas = document.createElement("canvas");
+    [canvas.width, canvas.height] = [64, 48];
+    const context = canvas.getContext("2d");
+    for (let y = 0; y < 48; y += 1) {
+      const t = Math.min(Math.max((y + 0.5 - 24) / 12 + 0.5, 0), 1);
+      const share = t * t * (3 - 2 * t);
+      context.fillStyle = `rgb(${255 * (1 - share)},0,${255 * share})`;
+      context.fillRect(0, y, 64, 1);
+    }
+    return canvas.toDataURL("image/png");
+  });
+}
+
+async function testSampledBlur(t) {
+  const { editor, page } = t;
+  const curve = '<path id="c" d="M100 240L500 240" sf:left="#e33" sf:right="#36c"/>';
+  const image = `<image sf:reference="true" href="${await softPhoto(page)}" width="640" height="480"/>`;
+  await editor.load(one.replace(/<path id="c"[^>]*>/, curve).replace(/<path id="d"[^>]*>/, "").replace("</svg>", `${image}\n</svg>`));
+  await page.locator(".canvas-stage").focus();
+  await page.keyboard.press("i");
+  const before = await editor.text;
+  const made = await t.drag("a drag along the curve", [[110, 240], [490, 240]]);
+  const radii = /id="c"[^>]*sf:blur="([^"]*)"/.exec(made)?.[1].match(/[\d.]+(?!\d*%)/g)?.map(Number) ?? [];
+  check(radii.some((radius) => Math.abs(radius - 60) < 14), `blur: ${made}`);
+  checkEqual(await changing(editor, "undo", () => page.keyboard.press("Control+z")), before, "after one undo");
+  await page.getByRole("checkbox", { name: "Blur too" }).uncheck();
+  await page.locator(".canvas-stage").focus();
+  const without = await t.drag("a drag without blur", [[110, 240], [490, 240]]);
+  check(!/id="c"[^>]*sf:(left-|right-)?blur/.test(without), `blur without the option: ${without}`);
+}
+
 async function testLoupe(t) {
   const { editor, page } = t;
   const image = `<image sf:reference="true" href="${await photo(page)}" width="640" height="480"/>`;
@@ -149,6 +183,7 @@ export async function testGestures(tap, given) {
     "nodes of several subpaths are edited at once": testSubpaths,
     "a circle has four nodes and becomes a path when one is moved": testShapes,
     "ends weld, and close their own curve": testEnds,
+    "sampling takes the photo's blur, too": testSampledBlur,
     "the loupe shows what is sampled": testLoupe,
   };
   for (const [name, body] of Object.entries(gestures)) await tap.test(name, () => withTools(given, body));

@@ -284,3 +284,33 @@ describe("the magnet", () => {
     ).toHaveLength(2);
   });
 });
+
+describe("a curve with the blur that was found", () => {
+  const smoothstep = (t: number) => clamp(t) ** 2 * (3 - 2 * clamp(t));
+  const [width, height] = [100, 60];
+
+  /** How far the picture of a curve up the middle is from the photo, root of the mean square in OKLab. */
+  function missOf(radius: number, noise: number, blurs: boolean): number {
+    const at = (x: number) =>
+      mix(RED, BLUE, radius > 0 ? smoothstep(((x - 50) / radius + 1) / 2) : x < 50 ? 0 : 1);
+    const photo = photoOf(width, height, (x) => at(x), noise);
+    const { left, right, blur } = tracePhoto(photo, line([50, 58], [50, 2]), options({ blurs }));
+    const [a, b] = [left[0].value, right[0].value];
+    const found = blurs ? (blur[0]?.value ?? 0) : 0;
+    let sum = 0;
+    for (let x = 38.5; x < 62; x += 1) {
+      const t = found > 0 ? smoothstep(((x - 50) / found + 1) / 2) : x < 50 ? 0 : 1;
+      const drawn = { r: a.r + (b.r - a.r) * t, g: a.g + (b.g - a.g) * t, b: a.b + (b.b - a.b) * t };
+      sum += deltaE(drawn, rgb(at(x))) ** 2;
+    }
+    return Math.sqrt(sum / 24);
+  }
+
+  test.each([0, 1, 2, 3, 4, 6, 8])("of a transition of %d px is nearer to the photo, or as near", (radius) => {
+    for (const noise of [0, 4, 8, 24]) {
+      const [sharp, soft] = [missOf(radius, noise, false), missOf(radius, noise, true)];
+      expect(soft).toBeLessThanOrEqual(sharp + 0.002);
+      if (radius >= 3) expect(soft).toBeLessThan((noise < 24 ? 0.2 : 0.75) * sharp);
+    }
+  });
+});

@@ -91,3 +91,52 @@ test("a_pixel_of_the_photo_is_found_by_its_place_on_the_artboard", () => {
   expect(photoColor(photo, [-0.1, 20])).toBeNull();
   expect(photoColor(photo, [100, 20])).toBeNull();
 });
+
+describe("the blur of a photo beside a curve", () => {
+  const smoothstep = (t: number) => Math.min(Math.max(t, 0), 1) ** 2 * (3 - 2 * Math.min(Math.max(t, 0), 1));
+  /** A transition of 6 photo pixels to each side of the curve: 3 of its units. */
+  const soft = photoOf((_, y) => {
+    const t = smoothstep(((y + 0.5 - 50) / 6 + 1) / 2);
+    return [255 * (1 - t), 40, 255 * t];
+  });
+  const radii = (value: SideValue<number> | undefined) => {
+    if (value?.kind !== "stops") throw new Error("no stops");
+    return value.stops;
+  };
+
+  test("is_that_of_both_sides_and_colours_are_from_beyond_it", () => {
+    const made = sampledSides(soft, across, 0, { ...wish, blurs: true });
+    for (const side of ["left", "right"] as const) {
+      for (const { value } of radii(made.blur?.[side])) expect(Math.abs(value - 3)).toBeLessThan(0.6);
+    }
+    expect(stops(made.left)[0].value.r).toBeGreaterThan(0.97);
+    expect(stops(sampledSides(soft, across, 0, wish).left)[0].value.r).toBeLessThan(0.9);
+  });
+
+  test("is_not_touched_where_it_is_not_asked_for_or_the_edge_is_sharp", () => {
+    expect(sampledSides(soft, across, 0, wish).blur).toBeNull();
+    const sharp = photoOf((_, y) => (y < 50 ? [255, 0, 0] : [0, 0, 255]));
+    expect(sampledSides(sharp, across, 0, { ...wish, blurs: true }).blur).toBeNull();
+  });
+
+  test("of_a_stretch_leaves_no_blur_beyond_it", () => {
+    const part = { ...wish, blurs: true, range: [0.25, 0.75] as const };
+    const list = radii(sampledSides(soft, across, 0, part).blur?.left);
+    const at = (offset: number) => list.filter((stop) => Math.abs(stop.offset - offset) < 0.01).map(({ value }) => value);
+    expect(at(0)).toEqual([0]);
+    expect(at(1)).toEqual([0]);
+    expect(at(0.25)[0]).toBe(0);
+    expect(at(0.25).at(-1)).toBeGreaterThan(2.4);
+    expect(at(0.75).at(-1)).toBe(0);
+  });
+
+  test("of_a_stretch_keeps_what_stands_beyond_it_on_each_side", () => {
+    const item = curve("c", across.paths, {
+      left: { ...NO_SIDES, blur: stopsOf([0, 1], [1, 1]) },
+      right: { ...NO_SIDES, blur: stopsOf([0, 2], [1, 2]) },
+    });
+    const made = sampledSides(soft, item, 0, { ...wish, blurs: true, range: [0.25, 0.75] });
+    expect(radii(made.blur?.left)[0].value).toBe(1);
+    expect(radii(made.blur?.right).at(-1)?.value).toBe(2);
+  });
+});

@@ -36,6 +36,7 @@ function settings(): Settings {
     panelWidth: signal(288),
     sampleDistance: signal(3),
     sampleTolerance: signal(0.02),
+    sampleBlur: signal(false),
     strokeRadius: signal(6),
     tourDone: signal(true),
   };

@@ -64,6 +64,7 @@ export function openSettings(): Settings {
     panelWidth: setting("panelWidth", 288, between(240, 480)),
     sampleDistance: setting("sampleDistance", 3, between(1, 12)),
     sampleTolerance: setting("sampleTolerance", 0.02, between(0.002, 0.2)),
+    sampleBlur: setting("sampleBlur", true, isBoolean),
     strokeRadius: setting("strokeRadius", 12, between(0.01, 1e6)),
     tourDone: setting("tourDone", false, isBoolean),
   };

@@ -32,6 +32,8 @@ export interface Settings {
   /** Sampling: how far from the curve, photo pixels, 1 to 12; and the tolerance in OKLab. */
   readonly sampleDistance: Signal<number>;
   readonly sampleTolerance: Signal<number>;
+  /** Whether a curve takes the width of the photo's transition, too. */
+  readonly sampleBlur: Signal<boolean>;
   /** Radius of new local strokes, artboard units. */
   readonly strokeRadius: Signal<number>;
   readonly tourDone: Signal<boolean>;

@@ -1,7 +1,7 @@
 // Colours of a photo beside a stretch of a curve, as stops of its two sides.
-import { composed, determinant, inverted, mapped, type Point } from "../geometry/affine.js";
+import { composed, determinant, inverted, lengthScale, mapped, type Point } from "../geometry/affine.js";
 import { rgbFromOklab, type Rgb } from "../geometry/color.js";
-import { mappedPath, pieceAt, subcurve, type CubicPath } from "../geometry/cubic.js";
+import { mappedPath, pieceAt, pieceCount, subcurve, type CubicPath } from "../geometry/cubic.js";
 import { fractionAtParameter, offsetOfPlace, parameterAtFraction } from "../geometry/length.js";
 import { pathOf } from "../geometry/nodes.js";
 import { colorAt } from "../geometry/photo.js";
@@ -10,7 +10,7 @@ import type { CurveItem, Side, SideValue, Stop } from "../model/types.js";
 import { add, scaled } from "../geometry/vector.js";
 import { standing } from "./along.js";
 import type { PlacedPhoto } from "./photo.js";
-import { stopsOf } from "./sides.js";
+import { stopsOf, type Stops } from "./sides.js";
 
 /** The photo's colour at a point of the artboard; null: beside the photo, or where it is clear. */
 export function photoColor(photo: PlacedPhoto, point: Point): Rgb | null {
@@ -36,6 +36,11 @@ export interface SampleWish extends Omit<TraceOptions, "photoFromPath"> {
   readonly range: readonly [number, number];
 }
 
+export interface SampledSides extends Readonly<Record<Side, SideValue<Rgb> | null>> {
+  /** null: it stays, because it was not asked for, or there is no transition. */
+  readonly blur: Readonly<Record<Side, SideValue<number>>> | null;
+}
+
 /**
  * What the sides become when a stretch of a subpath takes the colours of a photo; stops beyond the
  * stretch stay. null: on that side no pixel of the photo is seen.
@@ -46,22 +51,62 @@ export function sampledSides(
   item: CurveItem,
   path: number,
   wish: SampleWish,
-): Readonly<Record<Side, SideValue<Rgb> | null>> {
+): SampledSides {
   const back = inverted(photo.artboardFromPixel);
   const itemFromLayer = inverted(item.layerFromItem);
   const inLayer = mappedPath(item.layerFromItem, item.paths[path]);
   const stretch = stretchOf(inLayer, wish.range);
-  if (!back || !itemFromLayer || stretch.points.length === 0) return { left: null, right: null };
+  if (!back || !itemFromLayer || stretch.points.length === 0) return { left: null, right: null, blur: null };
   const photoFromPath = composed(composed(back, item.artboardFromItem), itemFromLayer);
   const traced = tracePhoto(photo, stretch, { ...wish, photoFromPath });
   // A map that mirrors exchanges the sides of the curve.
   const isMirrored = determinant(item.layerFromItem) < 0;
   const side = (name: Side, stops: readonly TracedStop<Rgb>[]) =>
-    merged(item, name, inLayer, wish.range, stops);
+    merged(stopsOf(item, name, "color") as Stops<Rgb> | null, inLayer, wish.range, stops);
   return {
     left: side("left", isMirrored ? traced.right : traced.left),
     right: side("right", isMirrored ? traced.left : traced.right),
+    blur: wish.blurs ? blurred(item, inLayer, wish.range, traced.blur) : null,
   };
+}
+
+/** The blur of both sides of a stretch; where there was none, there is none beyond it. */
+function blurred(
+  item: CurveItem,
+  inLayer: CubicPath,
+  range: readonly [number, number],
+  traced: readonly TracedStop<number>[],
+): SampledSides["blur"] {
+  const scale = lengthScale(item.layerFromItem);
+  const short = (value: number) => Number((value / scale).toPrecision(3));
+  const radii = traced.map(({ offset, value }) => ({ offset, value: short(value) }));
+  const isWhole = range[0] <= 0 && range[1] >= pieceCount(inLayer);
+  const none: Stops<number> = {
+    space: "arc",
+    stops: [0, 1].map((offset) => ({ offset, value: 0 })),
+  };
+  const side = (name: Side) => {
+    const list = (stopsOf(item, name, "blur") as Stops<number> | null) ?? (isWhole ? null : none);
+    return merged(list, inLayer, range, stepped(radii, isWhole || list !== none));
+  };
+  const [left, right] = [side("left"), side("right")];
+  return left && right ? { left, right } : null;
+}
+
+/** Radii between steps from and to none, unless they go on. */
+function stepped(
+  radii: readonly TracedStop<number>[],
+  goesOn: boolean,
+): readonly TracedStop<number>[] {
+  if (goesOn || radii.length === 0) return radii;
+  const [first, last] = [radii[0], radii[radii.length - 1]];
+  return [
+    { offset: 0, value: 0 },
+    { offset: 0, value: first.value },
+    ...radii.filter(({ offset }) => offset > 0 && offset < 1),
+    { offset: 1, value: last.value },
+    { offset: 1, value: 0 },
+  ];
 }
 
 /**
@@ -92,24 +137,22 @@ export function sampledAt(
 }
 
 /** Stops of a stretch between those that are beyond it. */
-function merged(
-  item: CurveItem,
-  side: Side,
+function merged<V>(
+  list: Stops<V> | null,
   inLayer: CubicPath,
   range: readonly [number, number],
-  traced: readonly TracedStop<Rgb>[],
-): SideValue<Rgb> | null {
+  traced: readonly TracedStop<V>[],
+): SideValue<V> | null {
   if (traced.length === 0) return null;
-  const list = stopsOf(item, side, "color");
   const space = list?.space ?? "arc";
   const [from, to] = range.map((at) => fractionAtParameter(inLayer, at));
   const offsetAt = (share: number) =>
     offsetOfPlace(inLayer, space, parameterAtFraction(inLayer, from + (to - from) * share));
-  const fresh = traced.map(({ offset, value }): Stop<Rgb> => ({ offset: offsetAt(offset), value }));
-  // One colour for all of the stretch is one at both of its ends where something is beyond.
+  const fresh = traced.map(({ offset, value }): Stop<V> => ({ offset: offsetAt(offset), value }));
+  // One value for all of the stretch is one at both of its ends where something is beyond.
   const ends = traced.length === 1 && to - from < 1;
   const inside = ends ? [0, 1].map((share) => ({ ...fresh[0], offset: offsetAt(share) })) : fresh;
-  const kept = (list?.stops ?? []) as readonly Stop<Rgb>[];
+  const kept = list?.stops ?? [];
   const [low, high] = [offsetAt(0), offsetAt(1)];
   const stops = [
     ...kept.filter(({ offset }) => offset < low),

@@ -26,6 +26,8 @@ export interface TraceOptions {
   readonly distance: number;
   /** In OKLab: how far the stops' colours may be from the photo's. */
   readonly tolerance: number;
+  /** Whether the curve is to have the blur, too: colours are then taken from beyond its reach. */
+  readonly blurs?: boolean;
   /** Curves that samples do not look across, in the path's coordinates. */
   readonly others?: readonly CubicPath[];
 }
@@ -237,17 +239,20 @@ export function tracePhoto(photo: Photo, path: CubicPath, options: TraceOptions)
       const value = look(station);
       return value === null ? [] : [{ offset: station.offset, value }];
     });
-  const side = (reach: number) =>
-    colorStops(
-      gather((station) => looker.color(station, reach)),
-      path.closed,
-      options.tolerance,
-    );
+  const radii = new Map(stations.map((station) => [station, looker.radius(station)]));
+  const side = (sign: 1 | -1) => {
+    const near = sign * options.distance;
+    const far = (station: Station) =>
+      sign * Math.max(options.distance, options.blurs ? (radii.get(station) ?? 0) : 0);
+    const look = (station: Station) =>
+      looker.color(station, far(station)) ?? looker.color(station, near);
+    return colorStops(gather(look), path.closed, options.tolerance);
+  };
   return {
-    left: side(options.distance),
-    right: side(-options.distance),
+    left: side(1),
+    right: side(-1),
     blur: blurStops(
-      gather((station) => looker.radius(station)),
+      gather((station) => radii.get(station) ?? null),
       path.closed,
       scale,
     ),

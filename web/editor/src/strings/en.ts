@@ -255,6 +255,7 @@ const panels = {
   strokeRadius: "Radius",
   sampleDistance: "Distance",
   sampleTolerance: "Tolerance",
+  sampleBlur: "Blur too",
   sampleSelection: "Sample the selection",
   canvas: "Canvas",
   panels: "Panels",

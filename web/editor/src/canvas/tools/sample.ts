@@ -16,7 +16,7 @@ import { outermostLayer, type CurveHit } from "../hit.js";
 import { stageFromItem, type StopMark } from "../marks.js";
 import { photoOf, referenceAt, type PlacedPhoto } from "../photo.js";
 import { editedAt, isCurve, placesOf } from "../places.js";
-import { photoColor, sampledSides } from "../sampled.js";
+import { photoColor, sampledSides, type SampledSides } from "../sampled.js";
 import { SIDES, stopsOf, withValue, type Value } from "../sides.js";
 import { NO_SKETCH } from "../sketch.js";
 import { colorAt } from "../taken.js";
@@ -145,15 +145,15 @@ class SampleDrag implements Drag {
       distance: settings.sampleDistance.peek(),
       tolerance: settings.sampleTolerance.peek(),
       spacing: SPACING * pixel,
+      blurs: settings.sampleBlur.peek(),
       others: neighbours(drawing, curve),
       range,
     });
-    return together(
-      SIDES.map((side) => {
-        const value = values[side];
-        return value && setColor(drawing, curve.handle, side, value);
-      }),
-    );
+    const colors = SIDES.map((side) => {
+      const value = values[side];
+      return value && setColor(drawing, curve.handle, side, value);
+    });
+    return together([...colors, ...(values.blur ? blurring(drawing, curve, values.blur) : [])]);
   }
 
   end(): void {
@@ -184,6 +184,20 @@ class SampleDrag implements Drag {
     this.gesture?.drop();
     this.canvas.sketch.value = NO_SKETCH;
   }
+}
+
+/** Both sides' blur: as one where it is the same. */
+function blurring(
+  drawing: Drawing,
+  curve: CurveItem,
+  { left, right }: NonNullable<SampledSides["blur"]>,
+): (Outcome | null)[] {
+  if (JSON.stringify(left) === JSON.stringify(right))
+    return [setSide(drawing, curve, "left", "blur", left, true)];
+  return [
+    setSide(drawing, curve, "left", "blur", left),
+    setSide(drawing, curve, "right", "blur", right),
+  ];
 }
 
 /** Curves of the same layer that may come between a curve and its samples, in the layer's frame. */

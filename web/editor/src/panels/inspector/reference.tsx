@@ -7,6 +7,7 @@ import { edits, mapped, setting } from "../controls/sink.js";
 import { Slider } from "../controls/slider.js";
 import { decimal } from "../format.js";
 import { useShell } from "../services.js";
+import { SampleBlur } from "../shell/options.js";
 import { Section } from "./sections.js";
 
 const words = en.panels;
@@ -101,6 +102,7 @@ export function ReferenceSections({ item }: { readonly item: ReferenceItem }) {
             sink={setting(sampleTolerance)}
           />
         </div>
+        <SampleBlur />
       </Section>
     </>
   );

@@ -195,6 +195,7 @@ function SampleOptions() {
         digits={3}
         sink={setting(sampleTolerance)}
       />
+      <SampleBlur class="option" />
     </>
   );
 }
@@ -235,5 +236,22 @@ export function ToolOptions() {
         pressed={editor.showReference.value}
       />
     </div>
+  );
+}
+
+/** Whether the width of the photo's transition is taken, too. */
+export function SampleBlur(props: { readonly class?: string }) {
+  const { sampleBlur } = useShell().editor.settings;
+  return (
+    <label class={props.class ? `check ${props.class}` : "check"}>
+      <input
+        type="checkbox"
+        checked={sampleBlur.value}
+        onChange={() => {
+          sampleBlur.value = !sampleBlur.value;
+        }}
+      />
+      <span>{words.sampleBlur}</span>
+    </label>
   );
 }
