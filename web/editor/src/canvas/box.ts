@@ -1,9 +1,8 @@
 // The box around what is selected, its handles, and the maps that dragging them makes.
 import {
-  composed,
+  about,
   mapped,
   mappedBox,
-  translation,
   type Affine,
   type Box,
   type Point,
@@ -158,16 +157,6 @@ export function scaling(
     [sx, sy] = [most, most];
   }
   return about([cx, cy], [sx, 0, 0, sy, 0, 0]);
-}
-
-/** The map that turns about a point. @param angle rad, clockwise on the screen */
-export function turning(middle: Point, angle: number): Affine {
-  const [c, s] = [Math.cos(angle), Math.sin(angle)];
-  return about(middle, [c, s, -s, c, 0, 0]);
-}
-
-function about([x, y]: Point, linear: Affine): Affine {
-  return composed(translation(x, y), composed(linear, translation(-x, -y)));
 }
 
 /** Fifteen degrees, to which Shift holds angles. */

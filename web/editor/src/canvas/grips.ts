@@ -1,10 +1,10 @@
 // The handles of the selection's box by the keyboard: arrows scale by one, and turn by another.
 import { signal, type Signal } from "@preact/signals";
-import type { Affine, Box, Point } from "../geometry/affine.js";
+import { turning, type Affine, type Box, type Point } from "../geometry/affine.js";
 import { transform } from "../model/commands/index.js";
 import type { Handle } from "../model/types.js";
 import { en } from "../strings/en.js";
-import { movable, scaling, selectionBox, turning } from "./box.js";
+import { movable, scaling, selectionBox } from "./box.js";
 import type { Canvas } from "./canvas.js";
 import { shown } from "./format.js";
 import type { BoxMark, Mark } from "./marks.js";

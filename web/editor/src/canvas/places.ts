@@ -1,7 +1,7 @@
 // Where the curves of a drawing are seen: each in its place, and through every <use> once more.
-import { composed, inverted, translation, type Affine } from "../geometry/affine.js";
-import { outerFrame } from "../model/commands/items.js";
-import type { CurveItem, Drawing, Item, UseItem } from "../model/types.js";
+import { composed, inverted, type Affine } from "../geometry/affine.js";
+import { shiftOf } from "../model/commands/items.js";
+import type { CurveItem, Drawing, Item } from "../model/types.js";
 
 export interface Place {
   readonly item: CurveItem;
@@ -88,15 +88,4 @@ function collect(
   } else {
     for (const child of item.children) collect(child, owner, shift, depth, to);
   }
-}
-
-/** From where the target of a <use> stands to where the <use> shows it; null: it cannot be said. */
-function shiftOf(use: UseItem, target: Item): Affine | null {
-  const number = (name: string) =>
-    Number(
-      use.element.attributes.find((a) => a.local === name && a.namespace === "")?.value ?? 0,
-    ) || 0;
-  const placed = composed(use.artboardFromItem, translation(number("x"), number("y")));
-  const back = inverted(outerFrame(target));
-  return back && composed(placed, back);
 }

@@ -15,6 +15,17 @@ export const translation: (x: number, y: number) => Affine = viewer.translation;
 /** The box around the image of a box. */
 export const mappedBox: (map: Affine, box: Box) => Box = viewer.mappedBox;
 
+/** A linear map about a point that stays. */
+export function about([x, y]: Point, linear: Affine): Affine {
+  return composed(translation(x, y), composed(linear, translation(-x, -y)));
+}
+
+/** The map that turns about a point. @param angle rad, clockwise on the screen */
+export function turning(middle: Point, angle: number): Affine {
+  const [c, s] = [Math.cos(angle), Math.sin(angle)];
+  return about(middle, [c, s, -s, c, 0, 0]);
+}
+
 export function determinant([a, b, c, d]: Affine): number {
   return a * d - b * c;
 }

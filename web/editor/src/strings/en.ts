@@ -379,6 +379,8 @@ const panels = {
   moveNode: "move node",
   move: "move",
   resize: "resize",
+  turn: "rotate",
+  angle: "Angle",
   left: "Left edge",
   top: "Upper edge",
   width: "Width",

@@ -1,5 +1,5 @@
 // Select: click, box, move, copy, scale, rotate.
-import { mapped, translation, type Affine, type Box, type Point } from "../../geometry/affine.js";
+import { mapped, translation, turning, type Affine, type Box, type Point } from "../../geometry/affine.js";
 import { duplicate, transform } from "../../model/commands/index.js";
 import type { Handle, Item, Selected } from "../../model/types.js";
 import { en } from "../../strings/en.js";
@@ -12,7 +12,6 @@ import {
   scaling,
   selectionBox,
   toStep,
-  turning,
   wholes,
 } from "../box.js";
 import type { Canvas } from "../canvas.js";

@@ -1,12 +1,12 @@
 // What commands ask of items: which they mean, where they stand, which map leads where.
-import { composed, inverted } from "../../geometry/affine.js";
+import { composed, inverted, translation } from "../../geometry/affine.js";
 import type { Affine, Point } from "../../geometry/affine.js";
 import { valueOf } from "../../source/attributes.js";
 import { parseLength } from "../../source/lengths.js";
 import type { ElementNode } from "../../source/tree.js";
 import { readArtboard } from "../artboard.js";
 import { ownTransform } from "../building.js";
-import type { Drawing, Handle, Item } from "../types.js";
+import type { Drawing, Handle, Item, UseItem } from "../types.js";
 
 /** The items of these handles in the order of the text, without those within another of them. */
 export function outermost(d: Drawing, handles: readonly Handle[]): Item[] {
@@ -51,6 +51,13 @@ export function outerFrame({ parent, artboardFromItem, element }: Item): Affine 
 export function usePlace(use: ElementNode): Point {
   const number = (name: string) => parseLength(valueOf(use, name) ?? "0", 0) ?? 0;
   return [number("x"), number("y")];
+}
+
+/** From where the target of a <use> stands to where the <use> shows it; null: it cannot be said. */
+export function shiftOf(use: UseItem, target: Item): Affine | null {
+  const placed = composed(use.artboardFromItem, translation(...usePlace(use.element)));
+  const back = inverted(outerFrame(target));
+  return back && composed(placed, back);
 }
 
 /** The artboard from the coordinates of a container's children; of the outermost level, with null. */

@@ -1,12 +1,12 @@
-// Where a thing lies on the artboard and how large it is.
+// Where a thing lies on the artboard, how large it is, and how it is turned.
 import { boundsOf, mappedPath, unionOf } from "../../geometry/cubic.js";
-import type { Affine, Box } from "../../geometry/affine.js";
+import { composed, mappedBox, turning, type Affine, type Box } from "../../geometry/affine.js";
 import { transform } from "../../model/commands/index.js";
+import { shiftOf } from "../../model/commands/items.js";
 import type { CurveItem, Handle, Item } from "../../model/types.js";
 import { en } from "../../strings/en.js";
 import { NumberField } from "../controls/field.js";
 import { edits } from "../controls/sink.js";
-import { curvesWithin } from "../layers/rows.js";
 import { useShell } from "../services.js";
 
 const words = en.panels;
@@ -23,10 +23,27 @@ function boxOfCurve(curve: CurveItem): Box | null {
   return box;
 }
 
-/** The box around the curves of items, artboard units; null: there are none. */
+/** <use> in <use>: deeper ones are not drawn. */
+const DEEPEST = 16;
+
+/** @param shift from where an item stands in the text to where a <use> shows it; null: it is there */
+function boxesOf(item: Item, shift: Affine | null, depth: number): (Box | null)[] {
+  if (item.kind === "curve" || item.kind === "stroke") {
+    if (!shift) return [boxOfCurve(item)];
+    const map = composed(shift, item.artboardFromItem);
+    return [unionOf(item.paths.map((path) => boundsOf(mappedPath(map, path))))];
+  }
+  if (item.kind === "reference")
+    return [mappedBox(shift ? composed(shift, item.artboardFromItem) : item.artboardFromItem, item.box)];
+  if (item.kind !== "use") return item.children.flatMap((child) => boxesOf(child, shift, depth));
+  const inner = item.target && depth < DEEPEST ? shiftOf(item, item.target) : null;
+  if (!item.target || !inner) return [];
+  return boxesOf(item.target, shift ? composed(shift, inner) : inner, depth + 1);
+}
+
+/** The box around what items show, artboard units; null: they show nothing. */
 export function boxOf(items: readonly Item[]): Box | null {
-  const curves = items.flatMap((item) => curvesWithin(item)) as CurveItem[];
-  return unionOf(curves.map(boxOfCurve).filter((box) => box !== null));
+  return unionOf(items.flatMap((item) => boxesOf(item, null, 0)).filter((box) => box !== null));
 }
 
 /** Scales about the box's corner; a box without extent keeps it. */
@@ -83,6 +100,32 @@ export function BoxFields({ items }: BoxFieldsProps) {
         min={0.01}
         disabled={bottom === y}
         sink={sink(words.resize, (to) => scaled(box, right - x, to))}
+      />
+    </div>
+  );
+}
+
+/** The angle of what has a transform of its own, an instance or a photo: about its middle. */
+export function AngleField({ item }: { readonly item: Item }) {
+  const { editor } = useShell();
+  const box = boxOf([item]);
+  if (!box) return null;
+  const [a, b] = item.artboardFromItem;
+  const angle = (Math.atan2(b, a) * 180) / Math.PI;
+  const [x0, y0, x1, y1] = box;
+  const turned = (to: number) =>
+    turning([(x0 + x1) / 2, (y0 + y1) / 2], ((to - angle) * Math.PI) / 180);
+  return (
+    <div class="two">
+      <NumberField
+        label="∠"
+        name={words.angle}
+        value={angle}
+        digits={1}
+        unit="°"
+        sink={edits(editor, words.turn, (to: number, before) =>
+          transform(before, [item.handle], turned(to), editor.step(item)),
+        )}
       />
     </div>
   );

@@ -13,7 +13,7 @@ import { decimal } from "../format.js";
 import { settledOf } from "../layers/settled.js";
 import { object } from "../menus/main.js";
 import { useShell } from "../services.js";
-import { BoxFields } from "./box.js";
+import { AngleField, BoxFields } from "./box.js";
 import { Section } from "./sections.js";
 
 const words = en.panels;
@@ -124,6 +124,8 @@ export function UseSection({ item }: { readonly item: UseItem }) {
         )}
       </div>
       <Compositing item={item} />
+      <BoxFields items={[item]} />
+      <AngleField item={item} />
       {target && (
         <button type="button" class="button" onClick={() => editor.command("make-unique")}>
           {words.makeUnique}
