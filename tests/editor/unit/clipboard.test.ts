@@ -3,6 +3,7 @@ import { expect, test } from "vitest";
 import { copyItems, paste } from "../../../web/editor/src/model/commands/index.js";
 import { blankText, openDrawing } from "../../../web/editor/src/model/drawing.js";
 import type { CurveItem, Drawing } from "../../../web/editor/src/model/types.js";
+import { Styles } from "../../../web/editor/src/source/styles.js";
 import { SourceError } from "../../../web/editor/src/source/tree.js";
 import { after, handle, named, SAMPLES } from "./drawings.js";
 
@@ -111,4 +112,46 @@ test("what is no SVG is refused with a place", () => {
   expect(() => paste(d, "<svg><g></svg>", null)).toThrow(SourceError);
   expect(paste(d, "<svg/>", null)).toBeNull();
   expect(paste(d, '<svg xmlns="http://www.w3.org/2000/svg"/>', null)).toBeNull();
+});
+
+const SHEETS = svg(
+  "<style>.soft{opacity:.5;mix-blend-mode:multiply} #low{visibility:hidden!important} .warm{color:#f80} path{stroke:#123456}</style>" +
+    '<g id="l" class="warm soft" sf:diffuse="true"><path id="a" class="soft" style="opacity:.25" d="M0 0L9 9" sf:left="currentcolor"/>' +
+    '<path id="low" visibility="visible" d="M0 5L9 9" sf:left="red"/></g>',
+);
+const property = (text: string, id: string, name: Parameters<Styles["value"]>[1]) => {
+  const d = openDrawing(text);
+  return new Styles(text, d.root).value(named(d, id).element, name);
+};
+
+test("what style sheets say goes with what is copied, and with what is pasted", () => {
+  const blank = blankText(90, 90, null);
+  for (const text of [copied(SHEETS, "l"), SHEETS]) {
+    const now = pasted(blank, text);
+    expect(now).not.toContain("<style");
+    for (const [id, name] of [["l", "opacity"], ["l", "mix-blend-mode"], ["a", "opacity"], ["a", "stroke"], ["low", "visibility"], ["a", "color"]] as const)
+      expect(property(now, id, name), `${id} ${name}`).toBe(property(SHEETS, id, name));
+  }
+});
+
+test("a curve copied by itself keeps what it inherited, and its own style wins as before", () => {
+  const now = pasted(blankText(90, 90, null), copied(SHEETS, "a"));
+  expect(property(now, "a", "color")).toBe("#f80");
+  expect(property(now, "a", "opacity")).toBe(".25");
+  expect(property(now, "a", "mix-blend-mode")).toBe("multiply");
+});
+
+test("the sheets of the drawing that it comes into do not change what is pasted", () => {
+  const other = svg('<style>.soft{opacity:.1}</style><g id="m" sf:diffuse="true"><path d="M0 0h1" sf:left="red"/></g>');
+  const now = pasted(other, copied(SHEETS, "l"));
+  expect(property(now, "l", "opacity")).toBe(".5");
+});
+
+test("strokes of plain shapes may stand in a sheet", () => {
+  const plain = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"><style>.k{fill:none;stroke:#0a0}</style><path id="k" class="k" d="M0 0L9 9"/></svg>';
+  expect(sides(openDrawing(pasted(blankText(50, 50, null), plain)), "k")).toEqual(["#0a0", "#0a0"]);
+});
+
+test("without sheets the text of what is copied is as it was", () => {
+  expect(copied(PAINTED, "b")).toContain('<path id="b" d="M0 0L9 0" sf:left="red"/>');
 });

@@ -29,6 +29,10 @@ const isOneOf =
   (text: string) =>
     words.includes(keywordOf(text) ?? "");
 
+function isPaint(text: string): boolean {
+  return isColor(text) || keywordOf(text) === "none" || /^\s*url\(/i.test(text);
+}
+
 /** The words of `display`, up to three of them. */
 const DISPLAYS: ReadonlySet<string> = new Set([
   "none",
@@ -73,7 +77,8 @@ export const IS_VALUE = {
   visibility: isOneOf("visible", "hidden", "collapse"),
   opacity: isShare,
   "mix-blend-mode": isOneOf(...BLEND_MODES),
-  fill: (text: string) => isColor(text) || keywordOf(text) === "none" || /^\s*url\(/i.test(text),
+  fill: isPaint,
+  stroke: isPaint,
   "fill-opacity": isShare,
   color: isColor,
   "stop-color": isColor,
@@ -85,6 +90,7 @@ export type Property = keyof typeof IS_VALUE;
 export const INHERITED: ReadonlySet<Property> = new Set([
   "visibility",
   "fill",
+  "stroke",
   "fill-opacity",
   "color",
 ]);

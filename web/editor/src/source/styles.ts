@@ -57,7 +57,7 @@ export class Styles {
   /** The value of a property, or null where nothing or the initial value is set. */
   value(element: ElementNode, property: Property): string | null {
     for (let at: ElementNode | null = element; at; at = at.parent) {
-      const own = this.#cascaded(at, property);
+      const own = this.own(at, property);
       const word = own === null ? null : keywordOf(own);
       if (word === null || !WIDE.includes(word)) {
         if (own !== null) return own;
@@ -69,7 +69,8 @@ export class Styles {
     return null;
   }
 
-  #cascaded(element: ElementNode, property: Property): string | null {
+  /** What an element itself has, by its style="", the sheets and its attribute; null: nothing. */
+  own(element: ElementNode, property: Property): string | null {
     const own = this.inStyle(element, property);
     const sheet = this.inSheets(element, property);
     const isSheetFirst = sheet?.isImportant && !own?.isImportant;

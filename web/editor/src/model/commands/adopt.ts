@@ -148,7 +148,7 @@ class Sides {
   #sidesOf(element: ElementNode): [side: string, value: string][] {
     const fill = this.#paint(element, this.#styles.value(element, "fill") ?? "black");
     if (fill === null || element.local === "line") {
-      const stroke = this.#paint(element, strokeOf(element) ?? "none") ?? fill ?? "#000";
+      const stroke = this.#paint(element, this.#styles.value(element, "stroke") ?? "none") ?? fill ?? "#000";
       return [["left", stroke], ["right", stroke]];
     }
     const attribute = (name: string) => valueOf(element, name);
@@ -171,14 +171,4 @@ class Sides {
     if (!color) return "#000";
     return color.alpha === 0 ? null : colorText(color.rgb);
   }
-}
-
-/** The stroke that an element or what it stands in says. */
-function strokeOf(element: ElementNode): string | undefined {
-  for (let it: ElementNode | null = element; it; it = it.parent) {
-    const style = /(?:^|;)\s*stroke\s*:\s*([^;!]+)/.exec(valueOf(it, "style") ?? "");
-    const found = style?.[1].trim() ?? valueOf(it, "stroke");
-    if (found !== undefined && found !== "inherit") return found;
-  }
-  return undefined;
 }

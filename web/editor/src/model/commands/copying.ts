@@ -2,6 +2,8 @@
 import { declaredPrefix } from "../../source/parse.js";
 import { prefixOf, SFUMATO, SVG } from "../../source/attributes.js";
 import { encodeValue } from "../../source/entities.js";
+import { inlineEdits } from "../../source/inline.js";
+import { Styles } from "../../source/styles.js";
 import type { ElementNode } from "../../source/tree.js";
 import type { Drawing, Handle, Item } from "../types.js";
 import { Draft } from "./draft.js";
@@ -50,16 +52,17 @@ export function copyItems(d: Drawing, handles: readonly Handle[]): string {
   const elements = items.map(({ element }) => element);
   const { tag, sf } = rootTag(d, elements);
   const draft = new Draft(d.text);
+  const styles = new Styles(d.text, d.root);
   const needed = neededBy(elements, idsWithin(d.root));
   const lines = [tag];
   if (needed.length > 0) {
     const defs = svgName(d.root, "defs");
-    const texts = needed.map(({ range }) => `    ${d.text.slice(range.start, range.end)}`);
+    const texts = needed.map((it) => `    ${draft.rewritten(it, inlineEdits(d.text, styles, it))}`);
     lines.push(`  <${defs}>`, ...texts, `  </${defs}>`);
   }
   for (const run of runsOfOneFrame(items)) {
-    if (layerOf(run[0].parent)) lines.push(...curvesText(d, run, sf));
-    else lines.push(...run.map((item) => `  ${placedText(d, draft, item)}`));
+    if (layerOf(run[0].parent)) lines.push(...curvesText(d, draft, styles, run, sf));
+    else lines.push(...run.map((item) => `  ${placedText(d, draft, styles, item)}`));
   }
   return `${[...lines, `</${d.root.name}>`].join("\n")}\n`;
 }
@@ -75,19 +78,25 @@ function runsOfOneFrame(items: readonly Item[]): Item[][] {
   return runs;
 }
 
-function curvesText(d: Drawing, items: readonly Item[], sf: string): string[] {
+function curvesText(
+  d: Drawing,
+  draft: Draft,
+  styles: Styles,
+  items: readonly Item[],
+  sf: string,
+): string[] {
   const g = svgName(d.root, "g");
   const frame = transformText(outerFrame(items[0]), 1, finestStep(d));
   const placed = frame === null ? "" : ` transform="${frame}"`;
   const texts = items.map(
-    ({ element: { range } }) => `    ${d.text.slice(range.start, range.end)}`,
+    ({ element }) => `    ${draft.rewritten(element, inlineEdits(d.text, styles, element))}`,
   );
   return [`  <${g} ${sf}:diffuse="true" ${CURVES_MARK}="true"${placed}>`, ...texts, `  </${g}>`];
 }
 
 /** With the whole way to the artboard as its transform. */
-function placedText(d: Drawing, draft: Draft, item: Item): string {
+function placedText(d: Drawing, draft: Draft, styles: Styles, item: Item): string {
   const isThere = isIdentity(outerFrame(item), 1, 1e-12);
   const edits = isThere ? [] : setTransform(d, item.element, item.artboardFromItem, finestStep(d));
-  return draft.rewritten(item.element, edits);
+  return draft.rewritten(item.element, [...edits, ...inlineEdits(d.text, styles, item.element)]);
 }

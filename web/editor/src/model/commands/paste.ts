@@ -3,6 +3,8 @@ import { declare, SFUMATO, valueOf } from "../../source/attributes.js";
 import { parse } from "../../source/parse.js";
 import { applied } from "../../source/patch.js";
 import type { Edit } from "../../source/patch.js";
+import { withoutSheets } from "../../source/inline.js";
+import { Styles } from "../../source/styles.js";
 import { SourceError } from "../../source/tree.js";
 import type { ElementNode } from "../../source/tree.js";
 import { openDrawing } from "../drawing.js";
@@ -29,7 +31,9 @@ import { respelled } from "./respell.js";
 export function paste(d: Drawing, text: string, into: Handle | null): Outcome | null {
   const root = parse(text);
   if (root.local !== "svg") throw new SourceError("this is no SVG; expected <svg>", 0, 1, 1);
-  const from = openDrawing(adopted(text, root));
+  // The text's style sheets stay behind.
+  const plain = withoutSheets(text, new Styles(text, root), root);
+  const from = openDrawing(adopted(plain, plain === text ? root : parse(plain)));
   if (d.root.children.length === 0) return pastedIntoNothing(d, from);
   return pasted(d, from, into === null ? null : (d.item(into) ?? null));
 }
