@@ -171,6 +171,30 @@ async function testOneFile(editor) {
   editor.checkQuiet();
 }
 
+/** What a browser says that runs no scripts, knows no modules, or not what is in them. */
+async function testTooOld(browser, addresses) {
+  const says = async (what, address, prepare, where, options = {}) => {
+    const context = await browser.newContext(options);
+    const page = await context.newPage();
+    await prepare(page);
+    await page.goto(address);
+    await page.locator(where).waitFor().catch(() => check(false, `${what}, ${address}: nothing is said`));
+    // A browser that does know modules has the editor above it.
+    const isAlone = (await page.locator("#app > *").count()) === 0;
+    const box = await page.locator(where).boundingBox();
+    check(!isAlone || box.y + box.height < 300, `${what}, ${address}: it is said out of sight: ${JSON.stringify(box)}`);
+    await context.close();
+  };
+  const old = "#too-old";
+  for (const address of addresses) {
+    await says("without scripts", address, () => {}, "noscript p", { javaScriptEnabled: false });
+    await says("without modules", address, (page) => page.addInitScript(() => delete HTMLScriptElement.prototype.noModule), old);
+  }
+  const [site] = addresses;
+  const foreign = { contentType: "text/javascript", body: "let 1 = ;" };
+  await says("with modules of an unknown language", site, (page) => page.route("**/assets/*.js", (route) => route.fulfill(foreign)), old);
+}
+
 /** From the disk to the first exact picture: told, not judged. */
 async function testColdStart(browser, oneFile) {
   const editor = await EditorPage.open(browser, oneFile, { size });
@@ -192,5 +216,6 @@ export async function testRobust(tap, { browser, address, oneFile, folder }) {
   await test("a session asks nobody and breaks no policy", listen, testSession);
   await tap.test("robust: a folder, no network, an update", () => testOffline(browser, folder));
   await test("one file from the disk works", listen, testOneFile, oneFile);
+  await tap.test("robust: a browser that is too old is told", () => testTooOld(browser, [address, oneFile]));
   await tap.test("robust: a cold start from the disk", () => testColdStart(browser, oneFile));
 }

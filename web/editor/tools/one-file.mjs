@@ -3,7 +3,7 @@ import { readFileSync, writeFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { gzipSync } from "node:zlib";
 import { build } from "vite";
-import { hashOf, intoHead, policyTag } from "./policy.mjs";
+import { hashOf, inlineScripts, intoHead, policyTag } from "./policy.mjs";
 
 const here = (path) => fileURLToPath(new URL(path, import.meta.url));
 
@@ -36,8 +36,9 @@ function packedElement(id, content) {
 
 /** @param module path of sfumato.wasm */
 function pageOf({ script, style }, module) {
+  const page = readFileSync(here("../index.html"), "utf8");
   const unpack = `\n${readFileSync(here("unpack.js"), "utf8")}`;
-  const policy = policyTag([unpack, script].map(hashOf).join(" "), hashOf(style));
+  const policy = policyTag([...inlineScripts(page), unpack, script].map(hashOf).join(" "), hashOf(style));
   const icon = `<link rel="icon" href="${iconUri()}" />`;
   const elements = [
     packedElement("packed-style", style),
@@ -45,7 +46,7 @@ function pageOf({ script, style }, module) {
     packedElement("sfumato-module", readFileSync(module)),
     `<script type="module">${unpack}</script>`,
   ];
-  return intoHead(readFileSync(here("../index.html"), "utf8"), policy)
+  return intoHead(page, policy)
     .replace("</head>", () => `  ${icon}\n  </head>`)
     .replace(/<script type="module" src="[^"]*"><\/script>/, () => elements.join("\n    "));
 }

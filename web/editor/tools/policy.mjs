@@ -5,6 +5,10 @@ import { createHash } from "node:crypto";
 /** A source of Content-Security-Policy that allows one inline text. */
 export const hashOf = (text) => `'sha256-${createHash("sha256").update(text).digest("base64")}'`;
 
+/** Texts of scripts that stand in a page itself, for its policy to allow. */
+export const inlineScripts = (html) =>
+  [...html.matchAll(/<script>([^]*?)<\/script>/g)].map(([, text]) => text);
+
 /** @param scripts, styles sources of each */
 export function policyTag(scripts, styles) {
   const policy = [

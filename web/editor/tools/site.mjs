@@ -4,7 +4,7 @@ import { readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join, relative } from "node:path";
 import { fileURLToPath } from "node:url";
 import { build } from "vite";
-import { intoHead, policyTag } from "./policy.mjs";
+import { hashOf, inlineScripts, intoHead, policyTag } from "./policy.mjs";
 
 const here = (path) => fileURLToPath(new URL(path, import.meta.url));
 
@@ -32,7 +32,7 @@ const policyPlugin = {
   name: "policy",
   transformIndexHtml: {
     order: "post",
-    handler: (html) => intoHead(html, policyTag("'self'", "'self'")),
+    handler: (html) => intoHead(html, policyTag(["'self'", ...inlineScripts(html).map(hashOf)].join(" "), "'self'")),
   },
 };
 
