@@ -31,6 +31,7 @@ const SHIFTS = [
  * @property {number[]} desk colour around the page
  * @property {boolean} mesh
  * @property {number} lineScale device pixels to a line's unit
+ * @property {boolean} [isClear] without a background, for what lies below the canvas
  */
 
 export class Renderer {
@@ -169,7 +170,8 @@ export class Renderer {
     const page = this.pageRect(frame, shift);
     const level = targets.level(0);
     level.clear(targets.whole, [...frame.desk, 1]);
-    if (!isEmptyRect(page)) level.clear(page, [...this.picture.background, 1]);
+    const ground = frame.isClear ? [0, 0, 0, 0] : [...this.picture.background, 1];
+    if (!isEmptyRect(page)) level.clear(page, ground);
     this.painter.paint(frame.pixelFromArtboard, shift, page, isSameView);
   }
 

@@ -1,7 +1,9 @@
 // What tools do beyond their first gestures.
-import { check, checkEqual, EditorPage } from "./harness.mjs";
+import { check, checkEqual, EditorPage, packageOf } from "./harness.mjs";
 import { changing } from "./draw.mjs";
 import { one, photo, Tools, withTools } from "./tools.mjs";
+
+const { decode } = packageOf("fast-png");
 
 /** The name of what has the focus. */
 const focused = (page) => page.evaluate(() => document.activeElement?.getAttribute("aria-label"));
@@ -156,6 +158,48 @@ async function testLoupe(t) {
   await loupe.waitFor({ state: "detached" });
 }
 
+/** The colour of the page at a point of the artboard, bytes. */
+async function pixelAt(editor, x, y) {
+  const [left, top] = await editor.at(x, y);
+  const png = await editor.page.screenshot({ clip: { x: Math.round(left), y: Math.round(top), width: 1, height: 1 } });
+  return [...decode(png).data.slice(0, 3)];
+}
+
+async function testPhoto(t) {
+  const { editor, page } = t;
+  const image = `<image id="shot" sf:reference="true" href="${await photo(page)}" width="640" height="480"/>`;
+  // A picture that is clear below its curve.
+  const clear = one
+    .replace(/<path id="d"[^>]*>/, "")
+    .replace('sf:right="#36c"', 'sf:right="#36c" sf:left-opacity="1" sf:right-opacity="0"');
+  await editor.load(clear.replace("</svg>", `  ${image}\n</svg>`));
+  await page.locator(".canvas-stage").focus();
+  await page.keyboard.press("v");
+  const start = await editor.text;
+  check((await pixelAt(editor, 500, 60))[1] < 20, "the photo is not above the picture");
+  await page.getByRole("treeitem", { name: "shot" }).click();
+  const below = await changing(editor, "Below", () => page.getByRole("radio", { name: "Below" }).click());
+  check(below.indexOf("<image") < below.indexOf('id="layer"'), `not below: ${below}`);
+  await editor.settled();
+  await page.waitForTimeout(300);
+  const [, green] = await pixelAt(editor, 300, 200);
+  check(green > 30, `the photo hides the picture from below: ${green}`);
+  const [red, , blue] = await pixelAt(editor, 560, 460);
+  check(blue > 150 && blue > red + 60, `the photo does not show through: ${red}, ${blue}`);
+  await editor.shot("photo-below");
+  checkEqual(await changing(editor, "undo", () => page.keyboard.press("Control+z")), start, "after undo");
+  const moved = await t.drag("the photo", [[560, 400], [580, 420]], ["Control"]);
+  check(/<image[^>]*transform="(translate\(20|matrix\(1 0 0 1 20)/.test(moved), `moved: ${moved.slice(-300)}`);
+  await changing(editor, "undo", () => page.keyboard.press("Control+z"));
+  const width = page.getByRole("textbox", { name: "Width" });
+  await width.fill("320");
+  const scaled = await changing(editor, "the field", () => width.press("Enter"));
+  check(/<image[^>]*transform="(scale\(\.5 1|scale\(0?\.5,? ?1|matrix\(0?\.5 0 0 1)/.test(scaled), `scaled: ${scaled.slice(-300)}`);
+  await page.getByRole("checkbox", { name: /Locked/ }).check();
+  await page.locator(".canvas-stage").focus();
+  await t.nothing("a drag of the locked photo", () => editor.drag([[100, 400], [130, 420]]));
+}
+
 async function testTouchLoupe({ browser, address }) {
   const editor = await EditorPage.open(browser, address, { hasTouch: true });
   const t = new Tools(editor);
@@ -184,6 +228,7 @@ export async function testGestures(tap, given) {
     "a circle has four nodes and becomes a path when one is moved": testShapes,
     "ends weld, and close their own curve": testEnds,
     "sampling takes the photo's blur, too": testSampledBlur,
+    "the photo lies above or below, and is moved when it is not locked": testPhoto,
     "the loupe shows what is sampled": testLoupe,
   };
   for (const [name, body] of Object.entries(gestures)) await tap.test(name, () => withTools(given, body));

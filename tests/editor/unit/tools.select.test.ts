@@ -1,8 +1,9 @@
 import { beforeEach, describe, expect, test, vi } from "vitest";
 import type { Canvas } from "../../../web/editor/src/canvas/canvas.js";
+import { photosOf } from "../../../web/editor/src/canvas/photo.js";
 import { SelectTool } from "../../../web/editor/src/canvas/tools/select.js";
 import type { CurveItem, Item } from "../../../web/editor/src/model/types.js";
-import { curve, layer, line } from "./support/drawing.js";
+import { curve, FakeDrawing, layer, line, reference } from "./support/drawing.js";
 import { canvasOf, fakeEditor, type FakeEditor } from "./support/editor.js";
 import { begun, click, dragThrough, press } from "./support/pointer.js";
 
@@ -304,5 +305,54 @@ describe("the box", () => {
       [x + 50, y + 70],
     ]);
     ends(a).forEach((value, k) => expect(value).toBeCloseTo([100, 100, 250, 100][k], 9));
+  });
+});
+
+describe("a photo to trace over", () => {
+  const photo = (more = {}) => {
+    const item = reference("photo", [10, 10, 390, 290], more);
+    editor = fakeEditor([both, item]);
+    canvas = canvasOf(editor);
+    tool = new SelectTool(canvas);
+    return item;
+  };
+  const matrixOf = (item: Item) => editor.drawing.item(item.handle)?.artboardFromItem;
+
+  test("that is not locked is taken and moved where no curve is", () => {
+    const item = photo();
+    dragThrough(tool, [[300, 50], [310, 70]], { ctrl: true });
+    expect(names()).toEqual(["photo"]);
+    expect(matrixOf(item)).toEqual([1, 0, 0, 1, 10, 20]);
+    expect(editor.steps).toEqual(["move"]);
+    editor.selection.value = [];
+    click(tool, [150, 100]);
+    expect(names()).toEqual(["a"]);
+  });
+
+  test("is scaled by its box", () => {
+    const item = photo();
+    click(tool, [300, 50]);
+    dragThrough(tool, [[398, 298], [208, 158]]);
+    expect(matrixOf(item)?.map((value) => Math.round(value * 100) / 100)).toEqual([0.5, 0, 0, 0.5, 5, 5]);
+  });
+
+  test("that is locked, hidden or switched off is in nobody's way", () => {
+    for (const more of [{ locked: true }, { hidden: true }]) {
+      photo(more);
+      click(tool, [300, 50]);
+      expect(names()).toEqual([]);
+    }
+    photo();
+    editor.showReference.value = false;
+    click(tool, [300, 50]);
+    expect(names()).toEqual([]);
+  });
+
+  test("is below the picture where it stands before all that is drawn", () => {
+    const item = reference("photo", [0, 0, 10, 10]);
+    expect(photosOf(new FakeDrawing([item, both]), true)).toEqual([item]);
+    expect(photosOf(new FakeDrawing([both, item]), true)).toEqual([]);
+    expect(photosOf(new FakeDrawing([both, item]), false)).toEqual([item]);
+    expect(photosOf(new FakeDrawing([item]), false)).toEqual([item]);
   });
 });

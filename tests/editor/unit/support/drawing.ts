@@ -17,6 +17,7 @@ import type {
   Handle,
   Item,
   Outcome,
+  ReferenceItem,
   Side,
   SideValue,
   SideValues,
@@ -123,6 +124,14 @@ export function use(
   attributes: Readonly<Record<string, string>> = {},
 ): UseItem {
   return { ...base(elementOf("use", attributes), name), kind: "use", target, artboardFromItem: at };
+}
+
+export function reference(
+  name: string,
+  box: Box,
+  more: Partial<ReferenceItem> = {},
+): ReferenceItem {
+  return { ...base(elementOf("image"), name), kind: "reference", href: "", box, ...more };
 }
 
 /** A line as a curve of one piece. */

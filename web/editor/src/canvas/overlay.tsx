@@ -1,6 +1,6 @@
 // Everything drawn above the picture: one <svg> in CSS pixels of the stage.
 import { useComputed } from "@preact/signals";
-import { composed, lengthScale, type Affine, type Point } from "../geometry/affine.js";
+import { lengthScale, type Affine, type Point } from "../geometry/affine.js";
 import { en } from "../strings/en.js";
 import { drawnBox, selectionBox } from "./box.js";
 import type { Canvas } from "./canvas.js";
@@ -9,7 +9,8 @@ import { LoupeView } from "./loupe-view.js";
 import { MarkView } from "./mark.js";
 import { bandOf, stageFromItem, type Mark } from "./marks.js";
 import { outlineOf, selectedPlaces } from "./outline.js";
-import { isHidden, placesOf } from "./places.js";
+import { Photos } from "./photos.js";
+import { placesOf } from "./places.js";
 import { isSamePart, type Sketch } from "./sketch.js";
 import { kindOn, SIDES, stopsOf } from "./sides.js";
 import { Tags } from "./tags.js";
@@ -37,7 +38,7 @@ export function Overlay({ canvas }: { readonly canvas: Canvas }) {
         aria-label={labelOf(canvas)}
         style={`--zoom:${isCoarse ? 1 / COARSE : 1}`}
       >
-        {editor.showReference.value && <References canvas={canvas} map={map} />}
+        {editor.showReference.value && <Photos canvas={canvas} map={map} below={false} />}
         <Artboard canvas={canvas} map={map} />
         {editor.showOutlines.value && <AllOutlines canvas={canvas} map={map} />}
         {!isHiding && <Handles canvas={canvas} map={map} sketch={sketch} />}
@@ -60,34 +61,6 @@ function labelOf(canvas: Canvas): string {
   return selection.length > 1
     ? en.canvas.boxOfSeveral(selection.length)
     : en.canvas.boxOf(item.name);
-}
-
-/** Photos to trace over, above the picture and below the handles. */
-function References({ canvas, map }: { readonly canvas: Canvas; readonly map: Affine }) {
-  const { editor } = canvas;
-  const references = useComputed(() =>
-    [...editor.drawing.all()].filter((item) => item.kind === "reference" && !isHidden(item)),
-  );
-  return (
-    <>
-      {references.value.map((item) =>
-        item.kind === "reference" ? (
-          <image
-            key={item.handle}
-            href={item.href}
-            x={item.box[0]}
-            y={item.box[1]}
-            width={item.box[2] - item.box[0]}
-            height={item.box[3] - item.box[1]}
-            opacity={item.opacity}
-            preserveAspectRatio="none"
-            transform={matrix(composed(map, item.artboardFromItem))}
-            aria-hidden="true"
-          />
-        ) : null,
-      )}
-    </>
-  );
 }
 
 function Artboard({ canvas, map }: { readonly canvas: Canvas; readonly map: Affine }) {

@@ -8,8 +8,9 @@ import {
   type Point,
 } from "../geometry/affine.js";
 import type { Photo } from "../geometry/photo.js";
+import { isLowest } from "../model/commands/items.js";
 import type { Drawing, ReferenceItem } from "../model/types.js";
-import { isHidden } from "./places.js";
+import { isHidden, isLocked } from "./places.js";
 
 /** A photo in its place. */
 export interface PlacedPhoto extends Photo {
@@ -26,6 +27,21 @@ export function referenceAt(drawing: Drawing, point: Point | null): ReferenceIte
     item.kind === "reference" && !isHidden(item) ? [item] : [],
   );
   return seen.filter((item) => point === null || isWithin(item, point)).at(-1) ?? null;
+}
+
+/** Photos that are seen, below the picture or above it. */
+export function photosOf(drawing: Drawing, below: boolean): ReferenceItem[] {
+  return [...drawing.all()].flatMap((item) =>
+    item.kind === "reference" && !isHidden(item) && isLowest(drawing, item) === below ? [item] : [],
+  );
+}
+
+/** The topmost photo that may be moved, at a point of the artboard. */
+export function loosePhotoAt(drawing: Drawing, point: Point): ReferenceItem | null {
+  const loose = [...photosOf(drawing, true), ...photosOf(drawing, false)].filter(
+    (item) => !isLocked(item) && isWithin(item, point),
+  );
+  return loose.at(-1) ?? null;
 }
 
 function isWithin(item: ReferenceItem, point: Point): boolean {

@@ -1,10 +1,11 @@
 // Draws the picture into the stage's canvas: at once where something has changed, then finer, then
 // not at all until something changes.
-import { effect } from "@preact/signals";
+import { computed, effect } from "@preact/signals";
 import { makeTexels } from "../../../viewer/paints.js";
 import { Renderer } from "../../../viewer/renderer.js";
 import type { Editor } from "../app/types.js";
 import type { PictureUpdate } from "../engine/types.js";
+import { photosOf } from "./photo.js";
 import { Scene, type SceneChange } from "./scene.js";
 import { shaderText } from "./shaders.js";
 import { keepStill } from "./still.js";
@@ -46,6 +47,11 @@ export class PictureCanvas {
     this.#words = words;
   }
 
+  /** Whether photos show where the picture is clear. */
+  readonly #isClear = computed(
+    () => this.#editor.showReference.value && photosOf(this.#editor.drawing, true).length > 0,
+  );
+
   /** The canvas to draw into, or none any more. */
   attach(canvas: HTMLCanvasElement | null): void {
     this.#stop();
@@ -59,7 +65,8 @@ export class PictureCanvas {
   }
 
   #open(canvas: HTMLCanvasElement) {
-    const wish = { alpha: false, antialias: false, depth: false, stencil: false } as const;
+    // Clear where there is a photo below.
+    const wish = { alpha: true, antialias: false, depth: false, stencil: false } as const;
     this.#gl = canvas.getContext("webgl2", wish) as WebGL2RenderingContext | null;
     if (!this.#gl) return this.#editor.say(this.#words.missing);
     canvas.addEventListener("webglcontextlost", (event) => this.#lose(event));
@@ -86,7 +93,7 @@ export class PictureCanvas {
   /** What a frame depends on, beside the picture. */
   #watch() {
     const { view, stage, showMesh, settings, tool } = this.#editor;
-    void [tool.value, view.value, stage.value, showMesh.value, settings.surround.value, settings.theme.value];
+    void [tool.value, this.#isClear.value, view.value, stage.value, showMesh.value, settings.surround.value, settings.theme.value];
     this.change();
   }
 
@@ -168,7 +175,7 @@ export class PictureCanvas {
     if (canvas.height !== size[1]) canvas.height = size[1];
     const map = this.#editor.stageFromArtboard();
     const pixelFromArtboard = map.map((value) => value * ratio);
-    return { size, pixelFromArtboard, desk: deskOf(canvas), mesh: this.#editor.showMesh.peek(), lineScale: ratio };
+    return { size, pixelFromArtboard, desk: deskOf(canvas), mesh: this.#editor.showMesh.peek(), lineScale: ratio, isClear: this.#isClear.peek() };
   }
 
   /** When the last picture that was taken is drawn as fine as it gets. */

@@ -10,6 +10,7 @@ import { cssCursor } from "./cursors.js";
 import type { PointerKind } from "./hit.js";
 import { pressKey, releaseKey, type StageKey } from "./keyboard.js";
 import { Overlay } from "./overlay.js";
+import { Ground } from "./photos.js";
 import { Pointers, type StagePointer } from "./pointers.js";
 import { NO_SKETCH } from "./sketch.js";
 import { makeTools } from "./tools/index.js";
@@ -68,6 +69,7 @@ export function Stage({ editor, navigation, onCanvas, onMenu }: StageProps) {
         onMenu(event.clientX, event.clientY);
       }}
     >
+      <Ground canvas={canvas} />
       <CanvasElement onCanvas={onCanvas} />
       <Overlay canvas={canvas} />
     </div>

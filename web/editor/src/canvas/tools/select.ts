@@ -19,6 +19,7 @@ import { resizeCursor, type CursorName } from "../cursors.js";
 import { shown } from "../format.js";
 import { layerAt } from "../hit.js";
 import type { BoxMark } from "../marks.js";
+import { loosePhotoAt } from "../photo.js";
 import { placesOf } from "../places.js";
 import {
   EditDrag,
@@ -42,7 +43,9 @@ export class SelectTool implements Tool {
     canvas.editor.hovered.value = curve?.place.owner.handle ?? null;
     if (mark?.kind === "scale") return resizeCursor(gripName(mark.grip));
     if (mark?.kind === "turn") return "turn";
-    const isOver = curve ? this.isSelected(curve.place.owner) : this.isInBox(p.at);
+    const isOver = curve
+      ? this.isSelected(curve.place.owner)
+      : this.isInBox(p.at) || this.photoAt(p) !== null;
     return isOver ? "move" : "default";
   }
 
@@ -54,6 +57,8 @@ export class SelectTool implements Tool {
     const hit = canvas.curveAt(p.at, p.kind);
     if (hit) return this.pressOn(hit.place.owner, p);
     if (this.isInBox(p.at) && !p.shift) return this.move(p, () => this.clickEmpty(p));
+    const photo = this.photoAt(p);
+    if (photo) return this.pressOn(photo, p);
     return new MarqueeDrag(
       canvas,
       p,
@@ -76,6 +81,13 @@ export class SelectTool implements Tool {
     return curve && curve.distance < away ? null : mark;
   }
 
+  /** A photo that is not locked: one that is lies out of the way. */
+  private photoAt({ at }: Press): Item | null {
+    const { editor } = this.canvas;
+    if (!editor.showReference.peek()) return null;
+    return loosePhotoAt(editor.drawing, this.canvas.toArtboard(at));
+  }
+
   private isSelected(item: Item): boolean {
     const chosen = new Set(wholes(this.canvas.editor.selection.peek()));
     for (let around: Item | null = item; around; around = around.parent) {
@@ -96,7 +108,7 @@ export class SelectTool implements Tool {
     const { editor } = this.canvas;
     const one: Selected = { handle: owner.handle, part: WHOLE };
     const wasSelected = this.isSelected(owner);
-    if (p.clicks >= 2 && owner.kind !== "use") {
+    if (p.clicks >= 2 && owner.kind !== "use" && owner.kind !== "reference") {
       editor.selection.value = [one];
       editor.tool.value = "nodes";
       return this.move(p, () => undefined);

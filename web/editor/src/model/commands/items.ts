@@ -35,6 +35,13 @@ export function isShown(d: Drawing, item: Item): boolean {
   return d.items.includes(outer);
 }
 
+/** Whether a photo lies below all that is drawn, by its place in the text. */
+export function isLowest({ items }: Drawing, item: Item): boolean {
+  const at = items.indexOf(item);
+  const isPhoto = ({ kind }: Item) => kind === "reference";
+  return at >= 0 && items.slice(0, at).every(isPhoto) && !items.slice(at).every(isPhoto);
+}
+
 /** Siblings of an item, the lowest first; itself among them. */
 export function siblingsOf(d: Drawing, item: Item): readonly Item[] {
   return item.parent ? item.parent.children : d.items;

@@ -1,13 +1,16 @@
 // The photo that is traced over, and how colours are taken from it.
-import { setHidden, setLocked, setOpacity } from "../../model/commands/index.js";
+import { restack, setHidden, setLocked, setOpacity } from "../../model/commands/index.js";
+import { isLowest } from "../../model/commands/items.js";
 import type { ReferenceItem } from "../../model/types.js";
 import { en } from "../../strings/en.js";
 import { NumberField } from "../controls/field.js";
+import { Segments } from "../controls/segments.js";
 import { edits, mapped, setting } from "../controls/sink.js";
 import { Slider } from "../controls/slider.js";
 import { decimal } from "../format.js";
 import { useShell } from "../services.js";
 import { SampleBlur } from "../shell/options.js";
+import { AngleField, BoxFields } from "./box.js";
 import { Section } from "./sections.js";
 
 const words = en.panels;
@@ -51,6 +54,21 @@ export function ReferenceSections({ item }: { readonly item: ReferenceItem }) {
             sink={sink}
           />
         </div>
+        <Segments
+          label={words.photoLies}
+          full
+          value={isLowest(editor.drawing, item) ? "below" : "above"}
+          onChange={(side) =>
+            void editor.run(
+              words.restackPhoto,
+              restack(editor.drawing, [item.handle], side === "below" ? -Infinity : Infinity),
+            )
+          }
+          choices={[
+            { value: "above", label: words.photoAbove },
+            { value: "below", label: words.photoBelow },
+          ]}
+        />
         <label class="check">
           <input
             type="checkbox"
@@ -81,6 +99,12 @@ export function ReferenceSections({ item }: { readonly item: ReferenceItem }) {
           </span>
         </label>
       </Section>
+      {!item.locked && (
+        <Section title={words.placeOfPhoto}>
+          <BoxFields items={[item]} />
+          <AngleField item={item} />
+        </Section>
+      )}
       <Section title={words.sampling}>
         <div class="two">
           <NumberField
