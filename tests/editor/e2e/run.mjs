@@ -14,6 +14,7 @@ import { testFocus } from "./focus.mjs";
 import { testGradients } from "./gradients.mjs";
 import { testGestures } from "./gestures.mjs";
 import { testKeys } from "./keys.mjs";
+import { testLayers } from "./layers.mjs";
 import { testPanels } from "./panels.mjs";
 import { testRecover } from "./recover.mjs";
 import { testRobust } from "./robust.mjs";
@@ -34,6 +35,7 @@ const themes = [
   testExporting,
   testFiles,
   testFocus,
+  testLayers,
   testGradients,
   testRobust,
   testRecover,

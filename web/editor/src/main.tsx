@@ -6,6 +6,7 @@ import { DrawingEditor } from "./app/editor.js";
 import { listenToKeys } from "./app/keyboard.js";
 import { PictureCanvas } from "./canvas/renderer.js";
 import { Stage } from "./canvas/stage.js";
+import { Thumbs } from "./canvas/thumbs.js";
 import { WorkerEngine } from "./engine/engine.js";
 import { createWorker, getModule } from "./engine/host.js";
 import { keepOffline } from "./files/offline.js";
@@ -26,6 +27,7 @@ const commands = commandTable(fileCommands(() => documents));
 const editor = new DrawingEditor(engine, commands, blankText(800, 600, null));
 const documents: Documents = new Documents(editor, pictures);
 const picture = new PictureCanvas(editor, en.page.graphics);
+const thumbs = new Thumbs(editor, picture);
 engine.onPicture = (update) => picture.take(update);
 
 const attach = (canvas: HTMLCanvasElement | null) => picture.attach(canvas);
@@ -41,7 +43,7 @@ const stage = (
 listenToKeys(editor);
 listenToDrops(documents);
 listenToClipboard(editor, (files) => void documents.drop(files));
-render(<App editor={editor} services={servicesOf(editor, documents)} stage={stage} />, document.getElementById("app")!);
+render(<App editor={editor} services={servicesOf(editor, documents, thumbs)} stage={stage} />, document.getElementById("app")!);
 publish(editor, documents, async () => {
   await editor.settled();
   await picture.drawn();

@@ -183,6 +183,10 @@ export class DrawingEditor implements Editor {
     return this.#gesture;
   }
 
+  get isInGesture(): boolean {
+    return this.#gesture !== null && !this.#gesture.isOver;
+  }
+
   undo(): void {
     this.#endGesture();
     this.#replay(this.#history.undo());
@@ -247,7 +251,8 @@ export class DrawingEditor implements Editor {
   /** The engine's number of a layer, or null where it has no curves. */
   engineLayer(layer: Item): number | null {
     for (const child of layer.children) {
-      const found = child.kind === "curve" ? this.#engineCurves(child.handle)[0]?.layer : this.engineLayer(child);
+      const isShown = child.kind === "curve" || child.kind === "use";
+      const found = isShown ? this.#engineCurves(child.handle)[0]?.layer : this.engineLayer(child);
       if (found !== undefined && found !== null) return found;
     }
     return null;

@@ -112,6 +112,8 @@ export interface Editor {
   /** One step of undo; false where nothing changes or the drawing is read-only (it says so). */
   run(label: string, outcome: Outcome | null, merge?: string): boolean;
   gesture(label: string): Gesture;
+  /** Whether one is open, also while its hand holds still. */
+  readonly isInGesture: boolean;
   undo(): void;
   redo(): void;
   /** A new document takes the place of this one. */

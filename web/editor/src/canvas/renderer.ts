@@ -3,11 +3,13 @@
 import { computed, effect } from "@preact/signals";
 import { makeTexels } from "../../../viewer/paints.js";
 import { Renderer } from "../../../viewer/renderer.js";
+import { SmallPictures } from "../../../viewer/small.js";
 import type { Editor } from "../app/types.js";
 import type { PictureUpdate } from "../engine/types.js";
 import { photosOf } from "./photo.js";
 import { Scene, type SceneChange } from "./scene.js";
 import { shaderText } from "./shaders.js";
+import type { StackItem } from "./stack-parts.js";
 import { keepStill } from "./still.js";
 
 /** How long the picture must rest before it is made finer, milliseconds. */
@@ -31,6 +33,9 @@ export class PictureCanvas {
   #canvas: HTMLCanvasElement | null = null;
   #gl: WebGL2RenderingContext | null = null;
   #renderer: Renderer | null = null;
+  #small: SmallPictures | null = null;
+  /** How often each layer has changed. */
+  readonly #versions: number[] = [];
   /** Texels of the paints that are drawn; new ones take time, and updates wait for them. */
   #texels: { readonly paints: Paints; readonly texels: Uint16Array } | null = null;
   #queue: Promise<void> = Promise.resolve();
@@ -55,8 +60,9 @@ export class PictureCanvas {
   /** The canvas to draw into, or none any more. */
   attach(canvas: HTMLCanvasElement | null): void {
     this.#stop();
+    this.#small?.free();
     this.#renderer?.free();
-    this.#renderer = null;
+    this.#renderer = this.#small = null;
     this.#canvas = canvas;
     if (!canvas) return;
     canvas.classList.add("picture");
@@ -76,7 +82,7 @@ export class PictureCanvas {
 
   #lose(event: Event) {
     event.preventDefault();
-    this.#renderer = null;
+    this.#renderer = this.#small = null;
     setTimeout(() => {
       if (!this.#renderer) this.#editor.say(this.#words.lost);
     }, PATIENCE);
@@ -105,6 +111,7 @@ export class PictureCanvas {
   async #take(update: PictureUpdate): Promise<void> {
     this.#isWhole = false;
     const change = this.#scene.take(update);
+    for (const { layer } of update.layers) this.#versions[layer] = (this.#versions[layer] ?? 0) + 1;
     const { picture } = this.#scene;
     if (!picture || !this.#gl) return;
     const isNew = !this.#texels || !samePaints(this.#texels.paints, picture.paints);
@@ -176,6 +183,35 @@ export class PictureCanvas {
     const map = this.#editor.stageFromArtboard();
     const pixelFromArtboard = map.map((value) => value * ratio);
     return { size, pixelFromArtboard, desk: deskOf(canvas), mesh: this.#editor.showMesh.peek(), lineScale: ratio, isClear: this.#isClear.peek() };
+  }
+
+  // Small pictures of parts.
+
+  /** Of the picture that is drawn; null: there is none. */
+  get stack(): readonly StackItem[] | null {
+    return (this.#renderer && this.#isWhole && this.#scene.picture?.stack) || null;
+  }
+
+  /** Whether frames are still to be drawn, or textures to be decoded. */
+  get isDrawing(): boolean {
+    return this.#frame !== 0 || !this.#isWhole;
+  }
+
+  /** A number that grows with each change of a layer. */
+  version(layer: number): number {
+    return this.#versions[layer] ?? 0;
+  }
+
+  /** Whether a layer has an opacity: else it fills the plane. */
+  isShape(layer: number): boolean {
+    return (this.#scene.picture?.layers[layer]?.opacity ?? null) !== null;
+  }
+
+  /** Items of the stack by themselves, on nothing; null while nothing can be drawn. */
+  small(items: StackItem[], size: number[], pixelFromArtboard: number[]): Uint8ClampedArray<ArrayBuffer> | null {
+    if (!this.#renderer || !this.stack) return null;
+    this.#small ??= new SmallPictures(this.#renderer);
+    return this.#small.draw(items, size, pixelFromArtboard);
   }
 
   /** When the last picture that was taken is drawn as fine as it gets. */

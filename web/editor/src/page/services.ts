@@ -1,6 +1,7 @@
 // What the panels get beside the editor's state.
 import { computed } from "@preact/signals";
 import type { DrawingEditor } from "../app/editor.js";
+import type { Thumbs } from "../canvas/thumbs.js";
 import { copyPng, estimateSize, exportDrawing, exportTypes, type ExportWatch, type ExportWish } from "../files/export.js";
 import { pickFile } from "../files/open.js";
 import { saveExport } from "../files/save.js";
@@ -37,7 +38,7 @@ async function chooseTexture(editor: DrawingEditor) {
   return { href: await dataUri(blob), width, height };
 }
 
-export function servicesOf(editor: DrawingEditor, documents: Documents): Services {
+export function servicesOf(editor: DrawingEditor, documents: Documents, thumbs: Thumbs): Services {
   return {
     get version() {
       return editor.engine.version;
@@ -55,7 +56,7 @@ export function servicesOf(editor: DrawingEditor, documents: Documents): Service
     recover: (id) => documents.recover(id),
     forget: (id) => documents.forget(id),
     pickColor: (stop) => pickColor(editor, stop),
-    thumb: () => null,
+    thumb: (handle) => thumbs.of(handle),
     mend: (hint) => mendOf(editor, hint),
     chooseTexture: () => chooseTexture(editor),
   };

@@ -1,0 +1,74 @@
+// The tree of layers: thumbs, and what is changed only once, names for a screen reader, rows under the mouse.
+import { check, checkEqual, EditorPage } from "./harness.mjs";
+import { changing } from "./draw.mjs";
+
+const drawing = `<svg xmlns="http://www.w3.org/2000/svg" xmlns:sf="urn:sfumato:1" viewBox="0 0 640 480" sf:background="#fff">
+  <defs><path id="shape" d="M300 100C420 100 420 300 300 300S180 110 300 100" sf:left="#e33" sf:right="#36c" sf:left-opacity="0" sf:right-opacity="1"/></defs>
+  <g id="back" sf:diffuse="true">
+    <path id="low" d="M-10 300L650 300" sf:left="#f00" sf:right="#00f"/>
+    <path id="high" d="M-10 100L650 100" sf:left="#f00" sf:right="#f00"/>
+  </g>
+  <g id="copies" sf:diffuse="true"><use href="#shape"/></g>
+  <g id="set"><g id="ball" sf:diffuse="true"><path id="ring" d="M50 50h80v80h-80z" sf:left="#0f0" sf:right="#0f0" sf:right-opacity="1" sf:left-opacity="0"/></g></g>
+</svg>
+`;
+
+const row = (page, name) => page.locator("[role=treeitem]", { has: page.locator(`.name:text-is("${name}")`) });
+const thumb = (page, name) => row(page, name).locator("img.thumb");
+
+/** Red, green, blue, alpha of a place of a thumb, shares of its sides. */
+const pixelOf = (image, x, y) =>
+  image.evaluate(
+    async (img, [u, v]) => {
+      await img.decode();
+      const canvas = new OffscreenCanvas(img.naturalWidth, img.naturalHeight);
+      const context = canvas.getContext("2d");
+      context.drawImage(img, 0, 0);
+      return [...context.getImageData(Math.floor(u * canvas.width), Math.floor(v * canvas.height), 1, 1).data];
+    },
+    [x, y],
+  );
+
+const isNear = (a, b) => a.every((value, k) => Math.abs(value - b[k]) <= 12);
+
+async function testThumbs({ browser, address }) {
+  const editor = await EditorPage.open(browser, address);
+  const { page } = editor;
+  await editor.load(drawing);
+  for (const name of ["back", "copies", "set"]) await thumb(page, name).waitFor();
+  const [above, below] = [await pixelOf(thumb(page, "back"), 0.5, 0.35), await pixelOf(thumb(page, "back"), 0.5, 0.9)];
+  check(isNear(above, [255, 0, 0, 255]) && isNear(below, [0, 0, 255, 255]), `back shows ${above} and ${below}`);
+  const ball = await pixelOf(thumb(page, "set"), 0.5, 0.5);
+  check(isNear(ball, [0, 255, 0, 255]), `the ball is not as large as its thumb: ${ball}`);
+  checkEqual((await pixelOf(thumb(page, "set"), 0.05, 0.05))[3], 0, "alpha beside the ball");
+  check((await pixelOf(thumb(page, "copies"), 0.5, 0.4))[3] > 200, "the thumb of copies is empty");
+  const addresses = () => page.locator(".tree-row img.thumb").evaluateAll((all) => all.map(({ src }) => src));
+  const before = await addresses();
+  // While the hand moves nothing is drawn in the tree.
+  await editor.click(320, 300);
+  const place = await editor.at(320, 300);
+  // Sooner, it would be a double click.
+  await page.waitForTimeout(700);
+  await page.mouse.move(...place);
+  await page.mouse.down();
+  await page.mouse.move(place[0], place[1] - 40, { steps: 8 });
+  await page.waitForTimeout(700);
+  checkEqual(await addresses(), before, "thumbs while a curve is dragged");
+  await page.mouse.up();
+  await page.waitForFunction((now) => [...document.querySelectorAll(".tree-row img.thumb")].some((img, k) => img.src !== now[k]), before);
+  await page.waitForTimeout(500);
+  const after = await addresses();
+  const names = await page.locator(".tree-row:has(img.thumb) .name").allTextContents();
+  checkEqual(names.filter((_, k) => after[k] !== before[k]), ["back"], "thumbs that are new");
+  // Hidden, it stays as it was.
+  await changing(editor, "an eye", () => row(page, "back").getByRole("button", { name: /^Hide/ }).click());
+  await editor.settled();
+  await page.waitForTimeout(500);
+  check(await thumb(page, "back").isVisible(), "the thumb of what is hidden is gone");
+  editor.checkQuiet();
+  await editor.close();
+}
+
+export async function testLayers(tap, given) {
+  await tap.test("layers: thumbs are the picture, of what has changed, at rest", () => testThumbs(given));
+}

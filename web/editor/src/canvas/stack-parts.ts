@@ -1,0 +1,85 @@
+// Which part of the picture's stack a layer or a group of the document is.
+import type { readStack } from "../../../viewer/payload.js";
+import type { Editor } from "../app/types.js";
+import type { Item } from "../model/types.js";
+
+export type StackItem = ReturnType<typeof readStack>["stack"][number];
+
+export interface Part {
+  readonly items: StackItem[];
+  /** The engine's numbers of the layers in it. */
+  readonly layers: readonly number[];
+}
+
+/** A layer of the engine by its number, a local curve, or a layer whose number is not known. */
+type Leaf = number | "stroke" | "layer";
+
+const isCopying = (item: Item): boolean => item.children.some((child) => child.kind === "use" || isCopying(child));
+
+/** Where what an item puts on the stack begins and ends, among all leaves in the stack's order. */
+type Ranges = Map<Item, readonly [number, number]>;
+
+function addLeaves(editor: Editor, item: Item, ranges: Ranges, leaves: Leaf[]): void {
+  const from = leaves.length;
+  if (item.hidden) return;
+  if (item.kind === "stroke") leaves.push("stroke");
+  else if (item.kind === "layer") {
+    // Copies within a layer do not tell the engine's number; what has neither is not drawn.
+    const leaf = editor.engineLayer(item) ?? (isCopying(item) ? "layer" : null);
+    if (leaf !== null) leaves.push(leaf);
+  } else if (item.kind === "use" && item.target) addLeaves(editor, item.target, new Map(), leaves);
+  else if (item.kind === "group") for (const child of item.children) addLeaves(editor, child, ranges, leaves);
+  ranges.set(item, [from, leaves.length]);
+}
+
+const isLeaf = (item: StackItem) => item.kind === "instance" || item.kind === "stroke";
+
+/** Whether an item of the stack can be what a leaf stands for. */
+const fits = (item: StackItem, leaf: Leaf) =>
+  item.kind === "instance" ? leaf === "layer" || leaf === item.layer : leaf === "stroke";
+
+/** Beginnings and ends of groups that stand whole within a part. */
+function nested(items: readonly StackItem[]): StackItem[] {
+  const open: StackItem[] = [];
+  const whole = new Set<StackItem>();
+  for (const item of items) {
+    if (item.kind === "begin") open.push(item);
+    else if (item.kind === "end") {
+      const begin = open.pop();
+      if (begin) whole.add(begin).add(item);
+    }
+  }
+  return items.filter((item) => (item.kind !== "begin" && item.kind !== "end") || whole.has(item));
+}
+
+/** A word for what items look like, apart from the tables of their layers. */
+export function lookOf(items: readonly StackItem[]): string {
+  const words = items.map((item) => {
+    if (item.kind === "stroke") {
+      const { segments, ...rest } = item;
+      const sums = [...segments.coefficient, ...segments.start, ...segments.attribute].map((column) =>
+        column.reduce((sum, value, k) => sum + value * (k + 1), 0),
+      );
+      return [rest, sums];
+    }
+    return item;
+  });
+  return JSON.stringify(words);
+}
+
+/** Parts by their items; none where the document's order is not the stack's: the text is another one. */
+export function partsOf(editor: Editor, stack: readonly StackItem[]): ReadonlyMap<Item, Part> {
+  const ranges: Ranges = new Map();
+  const leaves: Leaf[] = [];
+  for (const item of editor.drawing.items) addLeaves(editor, item, ranges, leaves);
+  const places = [...stack.keys()].filter((k) => isLeaf(stack[k]));
+  const parts = new Map<Item, Part>();
+  if (places.length !== leaves.length || !places.every((at, k) => fits(stack[at], leaves[k]))) return parts;
+  for (const [item, [from, to]] of ranges) {
+    if (from === to || (item.kind !== "layer" && item.kind !== "group")) continue;
+    const items = nested(stack.slice(places[from], places[to - 1] + 1));
+    const layers = items.flatMap((one) => (one.kind === "instance" ? [one.layer] : []));
+    parts.set(item, { items, layers });
+  }
+  return parts;
+}

@@ -1,0 +1,63 @@
+// Parts of a picture drawn small and by themselves, with what a renderer has on the GPU.
+
+import { Painter } from "./painter.js";
+import { Targets } from "./targets.js";
+
+/** @import { Affine } from "./affine.js" */
+/** @import { Item } from "./payload.js" */
+/** @import { Renderer } from "./renderer.js" */
+
+/** @param {number} value */
+const byteOf = (value) => Math.round(255 * Math.max(0, Math.min(1, value)));
+
+export class SmallPictures {
+  /** @param {Renderer} renderer whose picture the items are of */
+  constructor(renderer) {
+    this.renderer = renderer;
+    this.targets = new Targets(renderer.gl, renderer.abilities);
+  }
+
+  /**
+   * Draws items of the renderer's picture onto nothing. The frame that it shows stays. It waits for
+   * the GPU: for what is small, while nothing moves.
+   * @param {Item[]} items whose groups nest
+   * @param {number[]} size pixels
+   * @param {Affine} pixelFromArtboard
+   * @returns {Uint8ClampedArray<ArrayBuffer>} red, green, blue, alpha, not premultiplied; the upper
+   *   row first
+   */
+  draw(items, size, pixelFromArtboard) {
+    const { targets } = this;
+    const { gl, programs, picture, layers, strokes } = this.renderer;
+    targets.resize(size);
+    targets.level(0).clear(targets.whole, [0, 0, 0, 0]);
+    const part = { ...picture, stack: items };
+    const painter = new Painter(gl, programs, targets, part, layers, strokes);
+    painter.paint(pixelFromArtboard, [0, 0], targets.whole, false);
+    return this.read();
+  }
+
+  read() {
+    const { gl, abilities } = this.renderer;
+    const { targets } = this;
+    const [width, height] = targets.size;
+    const isHalf = abilities.halfTargets;
+    const values = isHalf
+      ? new Float32Array(4 * width * height)
+      : new Uint8Array(4 * width * height);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, targets.level(0).resolved);
+    gl.readPixels(0, 0, width, height, gl.RGBA, isHalf ? gl.FLOAT : gl.UNSIGNED_BYTE, values);
+    const one = isHalf ? 1 : 255;
+    const out = new Uint8ClampedArray(values.length);
+    for (let i = 0; i < values.length; i += 4) {
+      const alpha = values[i + 3] / one;
+      for (let c = 0; c < 3; ++c) out[i + c] = alpha > 0 ? byteOf(values[i + c] / one / alpha) : 0;
+      out[i + 3] = byteOf(alpha);
+    }
+    return out;
+  }
+
+  free() {
+    this.targets.free();
+  }
+}
