@@ -69,6 +69,82 @@ async function testThumbs({ browser, address }) {
   await editor.close();
 }
 
+/** Rows say their name, kind and state, once; their buttons say their own. */
+async function testNames({ browser, address }) {
+  const editor = await EditorPage.open(browser, address);
+  const { page } = editor;
+  await editor.load(drawing.replace('id="copies"', 'id="copies" style="mix-blend-mode:multiply"'));
+  const names = () => page.getByRole("treeitem").evaluateAll((rows) => rows.map((one) => one.getAttribute("aria-label")));
+  checkEqual(await names(), ["set, 1 curve, group", "copies, Multiply, 1 curve, layer", "back, 2 curves, layer"], "names of rows");
+  const hide = page.getByRole("button", { name: "Hide back", exact: true });
+  await changing(editor, "an eye", () => hide.click());
+  await changing(editor, "a lock", async () => {
+    await row(page, "back").hover();
+    await page.getByRole("button", { name: "Lock back", exact: true }).click();
+  });
+  await page.getByRole("treeitem", { name: "back, 2 curves, layer, hidden, locked", exact: true }).waitFor();
+  checkEqual(await hide.getAttribute("aria-pressed"), "true", "the eye is pressed");
+  editor.checkQuiet();
+  await editor.close();
+}
+
+const order = (text) => [...text.matchAll(/<g id="(\w+)"/g)].map(([, id]) => id).join(" ");
+
+/** Drags a row to a share of another one's height. `leave`: what is done before the button is let go. */
+async function dragRow(page, from, to, share, leave = () => {}) {
+  const [a, b] = [await row(page, from).boundingBox(), await row(page, to).boundingBox()];
+  await page.mouse.move(a.x + 60, a.y + a.height / 2);
+  await page.mouse.down();
+  await page.mouse.move(b.x + 60, b.y + share * b.height, { steps: 8 });
+  await page.locator(".drag-ghost").waitFor();
+  // The panel above has another height for what is selected now.
+  checkEqual((await row(page, to).boundingBox()).y, b.y, "where the row is that is dragged to");
+  await leave();
+  await page.mouse.up();
+}
+
+async function undo(editor, before) {
+  await editor.page.locator(".canvas-stage").focus();
+  await editor.key("Control+z");
+  await editor.page.waitForFunction((text) => window.sfumatoEditor.text === text, before);
+}
+
+async function testDragged({ browser, address }) {
+  const editor = await EditorPage.open(browser, address);
+  const { page } = editor;
+  await editor.load(drawing);
+  const below = await changing(editor, "a drag below another", () => dragRow(page, "copies", "back", 0.9));
+  checkEqual(order(below), "copies back set ball", "layers after a drag below");
+  await undo(editor, drawing);
+  const above = await changing(editor, "a drag to the top", () => dragRow(page, "back", "set", 0.1));
+  checkEqual(order(above), "copies set ball back", "layers after a drag to the top");
+  await undo(editor, drawing);
+  const within = await changing(editor, "a drag into a group", () =>
+    dragRow(page, "copies", "set", 0.5, () => page.locator(".tree-row.target").waitFor()),
+  );
+  check(/<g id="set">.*<g id="copies".*<\/g>\s*<\/g>/s.test(within), `not in the group: ${within}`);
+  await undo(editor, drawing);
+  // A curve stays in layers: on a group, and beside layers, it may not be dropped.
+  await row(page, "back").click();
+  await editor.key("ArrowRight");
+  await row(page, "low").waitFor();
+  await dragRow(page, "low", "set", 0.5);
+  checkEqual(await editor.text, drawing, "the text after a drop where nothing may go");
+  const curve = await changing(editor, "a curve over another", () => dragRow(page, "low", "high", 0.1));
+  check(curve.indexOf('id="high"') < curve.indexOf('id="low"'), "the curve is not on top of the other");
+  await undo(editor, drawing);
+  const moved = await changing(editor, "a curve into another layer", () => dragRow(page, "low", "copies", 0.5));
+  check(/<g id="copies"[^>]*>\s*<use[^>]*>\s*<path id="low"/.test(moved), `not in the layer: ${moved}`);
+  await undo(editor, drawing);
+  await dragRow(page, "copies", "back", 0.9, () => page.keyboard.press("Escape"));
+  checkEqual(await editor.text, drawing, "the text after Escape");
+  await page.locator(".drag-ghost").waitFor({ state: "detached" });
+  editor.checkQuiet();
+  await editor.close();
+}
+
 export async function testLayers(tap, given) {
   await tap.test("layers: thumbs are the picture, of what has changed, at rest", () => testThumbs(given));
+  await tap.test("layers: rows have names of their own, with their state", () => testNames(given));
+  await tap.test("layers: rows are dragged by the mouse", () => testDragged(given));
 }

@@ -6,11 +6,17 @@ import { Tree } from "./tree.js";
 
 const words = en.layers;
 
-export function LayersPanel() {
+interface LayersPanelProps {
+  readonly onPointerEnter?: () => void;
+  readonly onPointerDownCapture?: () => void;
+  readonly onPointerLeave?: (event: PointerEvent) => void;
+}
+
+export function LayersPanel(events: LayersPanelProps) {
   const { editor } = useShell();
   const nothing = editor.selection.value.length === 0;
   return (
-    <section class="layers-panel" aria-label={words.title} data-region>
+    <section class="layers-panel" aria-label={words.title} data-region {...events}>
       <div class="section-head">
         <h2>{words.title}</h2>
         <IconButton small icon="plus" label={words.newLayer} command="new-layer" />

@@ -123,6 +123,25 @@ function Switch({ item, what, onSweep, onToggle }: SwitchProps) {
   );
 }
 
+/**
+ * What is read of a row: first what is seen, in its order, so that it can be called by it; then what
+ * icons and buttons show. The buttons' names are their own.
+ */
+function rowName(item: Item, copies: number): string {
+  const isContainer = item.kind === "layer" || item.kind === "group";
+  const parts = [
+    item.name,
+    copies > 0 && words.original,
+    item.blend !== "normal" && blendName(item.blend),
+    isContainer && words.curvesIn(countWithin(item)),
+    words.kinds[item.kind],
+    copies > 0 && words.copiesFollow(copies),
+    item.hidden && words.isHidden,
+    item.locked && words.isLocked,
+  ];
+  return words.rowName(parts.filter((part) => part !== false));
+}
+
 export function RowView(props: RowViewProps) {
   const { row, isRenamed } = props;
   const { item } = row;
@@ -140,6 +159,7 @@ export function RowView(props: RowViewProps) {
       role="treeitem"
       id={`row-${item.handle}`}
       data-handle={item.handle}
+      aria-label={rowName(item, copies)}
       aria-level={row.depth + 1}
       aria-posinset={row.position}
       aria-setsize={row.siblings}
@@ -180,12 +200,15 @@ export function RowView(props: RowViewProps) {
           {item.name}
         </span>
       )}
+      {/* Blanks part the words where the row is read as one text. */}{" "}
       {copies > 0 && (
         <span class="badge" title={words.copiesFollow(copies)}>
           {words.original}
         </span>
       )}
+      {" "}
       {item.blend !== "normal" && <span class="badge">{blendName(item.blend)}</span>}
+      {" "}
       {isContainer && <span class="kind">{countWithin(item)}</span>}
       <Switch item={item} what="locked" {...props} />
       <Switch item={item} what="hidden" {...props} />

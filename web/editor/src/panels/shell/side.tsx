@@ -11,12 +11,36 @@ const words = en.panels;
 /** Least heights of the two parts, CSS pixels. */
 const LEAST = 180;
 
+/**
+ * What is selected decides how high the upper part is. While the pointer is on the layers it stays as
+ * it is: rows must not move away under the hand that presses them.
+ */
+function useHold(upper: { current: HTMLDivElement | null }) {
+  const held = useSignal<number | null>(null);
+  const hold = () => {
+    held.value ??= upper.current?.offsetHeight ?? null;
+  };
+  const release = () => {
+    held.value = null;
+  };
+  const leave = (event: PointerEvent) => {
+    if (event.buttons === 0) release();
+    else window.addEventListener("pointerup", release, { once: true });
+  };
+  return {
+    height: held.value,
+    events: { onPointerEnter: hold, onPointerDownCapture: hold, onPointerLeave: leave },
+  };
+}
+
 export function Side() {
   const { panelWidth } = useShell().editor.settings;
   /** Height of the upper part; null: as high as what it holds. */
   const split = useSignal<number | null>(null);
   const side = useRef<HTMLElement>(null);
   const upper = useRef<HTMLDivElement>(null);
+  const hold = useHold(upper);
+  const fixed = split.value ?? hold.height;
   const height = split.value ?? upper.current?.offsetHeight ?? LEAST;
   return (
     <aside class="side panel" aria-label={words.panels} ref={side}>
@@ -32,10 +56,10 @@ export function Side() {
         }}
       />
       <div
-        class={split.value === null ? "inspector" : "inspector set"}
+        class={fixed === null ? "inspector" : "inspector set"}
         ref={upper}
         data-region
-        style={split.value === null ? undefined : { "--split": `${split.value}px` }}
+        style={fixed === null ? undefined : { "--split": `${fixed}px` }}
       >
         <Inspector />
       </div>
@@ -53,7 +77,7 @@ export function Side() {
           split.value = null;
         }}
       />
-      <LayersPanel />
+      <LayersPanel {...hold.events} />
     </aside>
   );
 }
