@@ -17,7 +17,8 @@ namespace sfumato::gather {
 /// Within the angle A that it takes up, at distances of at least d, the curve weighs at most k A /
 /// d² and hides at most A / d², in units of the largest weight. So at a point of weight W₀ the mean
 /// Z changes by at most (1 + k) Â / (W₀ - Â) of the range of values, with Â the sum of min(π,
-/// length / d) / d² over runs of a few segments, each d away by its bounding circle.
+/// length / d) / d² over runs of a few segments, each d away by its bounding circle, or from far
+/// away over groups of them.
 class ShareBound {
  public:
   /// polyline   of the curve, layer frame
@@ -44,11 +45,17 @@ class ShareBound {
     double length;
   };
 
+  static Run run_of(std::span<const Vec2> polyline);
+
   /// Â of one of them, at p.
   static double angle_over_distance_squared(const Run& run, Vec2 p);
 
+  /// That of a group, from its runs where it is near.
+  double angle_of_group(std::size_t group, Vec2 p) const;
+
   std::vector<Run> runs_;
-  Run whole_{};  ///< all of them
+  std::vector<Run> groups_;  ///< of runs, one after another: to be asked from far away
+  Run whole_{};              ///< all of them
   double weight_ = 1;
   double most_ = 0;
   TableMemory memory_{"a drag"};

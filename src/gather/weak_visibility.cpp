@@ -54,16 +54,19 @@ class ViewerSearch {
       if (!status) return status;
       start_from(h);
       while (!waiting_.empty()) {
-        if (poll.cancelled()) return context.cancel_status();
-        if (++steps > most) {
-          std::ranges::fill(sees_, std::uint8_t{1});
-          return ok_status();
-        }
-        const Window window = waiting_.back();
+        Window window = waiting_.back();
         waiting_.pop_back();
-        status = memory_.make_room(context, waiting_, 2);
-        if (!status) return status;
-        follow(window);
+        do {
+          if (poll.cancelled()) return context.cancel_status();
+          if (++steps > most) {
+            std::ranges::fill(sees_, std::uint8_t{1});
+            return ok_status();
+          }
+          if (waiting_.size() == waiting_.capacity()) {
+            status = memory_.make_room(context, waiting_, 2);
+            if (!status) return status;
+          }
+        } while (follow(window));
       }
     }
     return status;
@@ -93,24 +96,25 @@ class ViewerSearch {
     }
   }
 
-  void follow(const Window& window) {
+  /// Enters the next triangle. Returns whether it goes on, through the window as it is then; what
+  /// else goes on waits.
+  bool follow(Window& window) {
     const auto entered = static_cast<std::uint32_t>(twin(window.portal));
     sees_[entered / 3] = 1;
-    const Vec2 apex = origin(previous(entered));
+    const std::uint32_t left = previous(entered), right = next(entered);
+    const Vec2 apex = origin(left);
     const bool reaches_left = side_of(window.left.pivot, window.left.corner, apex) <= 0;
     const bool reaches_right = side_of(window.right.pivot, window.right.corner, apex) >= 0;
-    if (reaches_left && is_passed(previous(entered))) {
-      Window beyond = window;
-      beyond.portal = previous(entered);
-      if (reaches_right) beyond.right = right_limit(window, apex);
-      waiting_.push_back(beyond);
+    const bool goes_left = reaches_left && is_passed(left);
+    if (reaches_right && is_passed(right)) {
+      if (goes_left) waiting_.push_back({left, right_limit(window, apex), window.left});
+      if (reaches_left) window.left = left_limit(window, apex);
+      window.portal = right;
+      return true;
     }
-    if (reaches_right && is_passed(next(entered))) {
-      Window beyond = window;
-      beyond.portal = next(entered);
-      if (reaches_left) beyond.left = left_limit(window, apex);
-      waiting_.push_back(beyond);
-    }
+    if (goes_left && reaches_right) window.right = right_limit(window, apex);
+    window.portal = left;
+    return goes_left;
   }
 
   /// The limits of a window that the apex narrows: of two pivots the one that bounds it more. There
