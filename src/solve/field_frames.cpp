@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <bit>
 #include <functional>
 #include <utility>
 
@@ -198,41 +199,49 @@ Status FieldSolver::lay_out_from(Context& context, const FieldSolver& before,
   return status && waiting ? order_left(context, before, *waiting) : status;
 }
 
-/// By the change that each may take, the largest last; behind those whose value in the last frame
-/// is known the others. Of these, which show what they are without the curve, none waits at which
-/// that may be all wrong.
+/// By the change that each may take, the largest last; before those come the ones whose value in
+/// the last frame is known, which show that. Of the others, which show what they are without the
+/// curve, none waits at which that may be all wrong.
 Status FieldSolver::order_left(const Context& context, const FieldSolver& before,
                                const gather::ShareBound& share) {
-  struct Waiting {
-    std::uint32_t node;
-    bool is_known;
-    double share;
-    bool operator<(const Waiting& other) const {
-      if (is_known != other.is_known) return is_known;
-      return share != other.share ? share < other.share : node > other.node;
-    }
-  };
-  std::vector<Waiting> waiting;
+  std::vector<std::uint64_t> known, unknown;  // in their order
   TableMemory scratch("patches");
-  Status status = scratch.reserve(context, waiting, left_.size());
+  Status status = scratch.reserve(context, known, std::min(left_.size(), last_.node.size()));
+  if (status) status = scratch.reserve(context, unknown, left_.size());
   RarePoll<256> poll(context);
   const float unit = before.field_.gatherer.weight_unit();
   for (std::size_t i = 0; status && i < left_.size(); ++i) {
     if (poll.cancelled()) return context.cancel_status();
     const std::uint32_t node = left_[i];
+    const bool is_known = show_last_value(node);
     const float weight = gather::least_weight(before.node_hit_[node]);
-    const double change = share.share_at(layout_.position[node], weight, unit);
-    const bool is_known = std::ranges::binary_search(last_.node, node);
+    const auto change = static_cast<float>(share.share_at(layout_.position[node], weight, unit));
+    const std::uint64_t place = std::uint64_t{std::bit_cast<std::uint32_t>(change)} << 32 | ~node;
     if (is_known || change < 1) {
-      waiting.push_back({node, is_known, change});
+      (is_known ? known : unknown).push_back(place);
     } else {
       status = memory_.push_back(context, to_gather_, node);
     }
   }
-  if (status) status = TableMemory::sort(context, waiting, std::less<>());
   left_.clear();
-  for (const Waiting& one : waiting) left_.push_back(one.node);
+  shown_left_ = known.size();
+  last_ = {};
+  for (std::vector<std::uint64_t>* list : {&known, &unknown}) {
+    if (status) status = TableMemory::sort(context, *list, std::less<>());
+    for (const std::uint64_t place : *list) left_.push_back(~static_cast<std::uint32_t>(place));
+  }
   return status;
+}
+
+/// Returns whether there is one.
+bool FieldSolver::show_last_value(std::uint32_t node) {
+  const auto known = std::ranges::lower_bound(last_.node, node);
+  if (known == last_.node.end() || *known != node) return false;
+  const auto channels = static_cast<std::size_t>(layout_.channel_count);
+  const auto at = static_cast<std::size_t>(known - last_.node.begin());
+  std::copy_n(last_.value.data() + channels * at, channels, layout_.value.data() + channels * node);
+  node_hit_[node] = last_.hit[at];
+  return true;
 }
 
 Result<std::size_t> FieldSolver::gather_left(Context& context, const FrameTime& time,
@@ -248,10 +257,13 @@ Result<std::size_t> FieldSolver::gather_left(Context& context, const FrameTime& 
     const double fit = time.seconds_left() / (watch.seconds() + kClockTick) * double(count);
     batch = std::max(kLeastBatch, static_cast<std::size_t>(std::min(fit, 4.0 * double(count))));
   }
-  const std::size_t gathered = all - left_.size();
-  Status status = show_last_values(context);
-  if (!status) return status;
-  return gathered;
+  return all - left_.size();
+}
+
+Status FieldSolver::count_shown(const Context& context) {
+  const auto shown = std::span(left_).first(std::min(shown_left_, left_.size()));
+  shown_left_ = 0;
+  return memory_.append(context, shown, to_gather_);
 }
 
 Status FieldSolver::gather_last_of_left(Context& context, std::size_t count) {
@@ -264,23 +276,6 @@ Status FieldSolver::gather_last_of_left(Context& context, std::size_t count) {
   }
   left_.resize(left_.size() - count);
   return status;
-}
-
-/// In nodes that are left, which count as gathered then.
-Status FieldSolver::show_last_values(const Context& context) {
-  const auto channels = static_cast<std::size_t>(layout_.channel_count);
-  for (std::size_t i = 0; i < left_.size() && !last_.node.empty(); ++i) {
-    const auto known = std::ranges::lower_bound(last_.node, left_[i]);
-    if (known == last_.node.end() || *known != left_[i]) continue;
-    const auto at = static_cast<std::size_t>(known - last_.node.begin());
-    std::copy_n(last_.value.data() + channels * at, channels,
-                layout_.value.data() + channels * left_[i]);
-    node_hit_[left_[i]] = last_.hit[at];
-    Status status = memory_.push_back(context, to_gather_, left_[i]);
-    if (!status) return status;
-  }
-  last_ = {};
-  return ok_status();
 }
 
 Status FieldSolver::lay_out_without(Context& context, const RefinedField& known,

@@ -128,10 +128,14 @@ class FieldSolver {
   void resume(FieldFrame frame);
 
   /// Gathers nodes that were left, until the time is over, and returns their number. Those that
-  /// remain get the value of the frame before, where that is known, or keep that without the curve.
+  /// remain show the value of the frame before, where that is known, or that without the curve.
   /// advances   even if the time is over already
   /// Errors     limit (memory), cancelled
   Result<std::size_t> gather_left(Context& context, const FrameTime& time, bool advances);
+
+  /// Ends the frame's gather: nodes that remain with the value of the frame before count as
+  /// gathered. Errors: limit (memory), cancelled.
+  Status count_shown(const Context& context);
 
   std::size_t left_count() const { return left_.size(); }
 
@@ -271,7 +275,7 @@ class FieldSolver {
   Status order_left(const Context& context, const FieldSolver& before,
                     const gather::ShareBound& share);
   Status gather_last_of_left(Context& context, std::size_t count);
-  Status show_last_values(const Context& context);
+  bool show_last_value(std::uint32_t node);
   /// Lists in to_gather_ the free nodes of `old` that the update met and that do not stand where
   /// they stood. Those that do count as not met from here on.
   Status list_moved(const Context& context, const NodeLayout& old);
@@ -302,6 +306,7 @@ class FieldSolver {
   std::vector<std::uint32_t> to_gather_;  ///< free nodes whose value is not known
   /// Of a frame: nodes that have the value of a frame before, those last that are gathered first.
   std::vector<std::uint32_t> left_;
+  std::size_t shown_left_ = 0;  ///< of those, the first ones, that show the last frame's value
   LastValues last_;
   std::vector<std::uint8_t> node_hit_;  ///< 0 where a free node sees no curve
   gather::PointPlaces free_place_;      ///< where the free nodes lie; empty: unknown

@@ -103,6 +103,7 @@ Status LayerSolver::gather_left(const FrameTime& time, bool advances) {
   };
   Status status = gather_within(can_keep_tables() ? time : FrameTime());
   if (status && !can_keep_tables()) status = gather_within(FrameTime());
+  if (status) status = for_each_field([&](FieldSolver& f) { return f.count_shown(context_); });
   if (stats_) stats_->gather_seconds += watch.seconds();
   return status;
 }
