@@ -310,7 +310,8 @@ SFUMATO_API int32_t sfumato_solve(sfumato_context* context, const sfumato_docume
  * values are exact to a few code values, the mesh is as fine as it was where the curve has come
  * to, and the curve is drawn over the others of its layer. The first time for a curve costs as much
  * as solving its layer, and a fraction of that where exact pictures keep what it begins from; what
- * that prepares lasts until the next call without `quick`, or for another curve.
+ * that prepares lasts until the next call without `quick`, or for another curve. A curve on which
+ * a hundredth of the layer's mesh lies or more is drawn on a coarse mesh, as below.
  *
  * Where all that changed is the value of one stop of a colour or an opacity, or of all stops of a
  * list by the same difference, nothing is gathered but the first time for the stop: values are

@@ -9,6 +9,7 @@
 #include "base/charge.hpp"
 #include "base/limit_error.hpp"
 #include "base/no_throw.hpp"
+#include "base/poll.hpp"
 #include "base/table_memory.hpp"
 #include "curves/attributes.hpp"
 #include "curves/flatten.hpp"
@@ -23,7 +24,13 @@ namespace {
 constexpr double kRoom = 1;
 
 /// Of the bound that orders nodes: it is asked at each of them.
-constexpr std::size_t kMostRuns = 32;
+constexpr std::size_t kMostRuns = 16;
+
+/// A curve is costly to drag whose half-edges are more than these, and than this share of the
+/// triangles: a frame makes about six triangles anew for each. Of larger layers they are a few, and
+/// to solve such a layer even roughly takes longer than they do.
+constexpr std::size_t kManyHalfEdges = 100;
+constexpr double kManyPerTriangle = 0.01;
 
 Box with_room_around(const Box& box) {
   const Vec2 more{kRoom * box.width(), kRoom * box.height()};
@@ -450,6 +457,26 @@ LayerDrag::LayerDrag(std::unique_ptr<State> state) : state_(std::move(state)) {}
 LayerDrag::LayerDrag(LayerDrag&&) noexcept = default;
 LayerDrag& LayerDrag::operator=(LayerDrag&&) noexcept = default;
 LayerDrag::~LayerDrag() = default;
+
+Result<bool> LayerDrag::is_costly(const Context& context, const RefinedLayer& refined,
+                                  std::uint32_t curve) {
+  const mesh::TriangleMesh& mesh = *refined.mesh;
+  const std::vector<std::uint32_t>& begin = refined.flat_mesh.flat.curve_begin;
+  const auto is_of_curve = [&](const mesh::SegmentPiece& piece) {
+    return piece.segment >= begin[curve] && piece.segment < begin[curve + 1];
+  };
+  const double share = kManyPerTriangle * static_cast<double>(mesh.triangle_count());
+  const std::size_t most = std::max(kManyHalfEdges, static_cast<std::size_t>(share));
+  std::size_t count = 0;
+  RarePoll<65536> poll(context);
+  for (const std::int32_t constraint : mesh.half_edge_constraint) {
+    if (poll.cancelled()) return context.cancel_status();
+    if (constraint == mesh::kNone) continue;
+    count += std::ranges::any_of(mesh.pieces(mesh.constraint[constraint]), is_of_curve);
+    if (count > most) return true;
+  }
+  return false;
+}
 
 Result<LayerDrag> LayerDrag::begin(Context& context, const Document& document, std::uint32_t layer,
                                    std::uint32_t curve, const LayerSight& sight,

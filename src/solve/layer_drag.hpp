@@ -42,6 +42,12 @@ struct FrameOptions {
 /// this. Frames may have a Context of their own, which then costs them anew copies each time.
 class LayerDrag {
  public:
+  /// Whether so much of the layer's mesh lies on the curve that a frame would take long, and that a
+  /// drag is to begin with roughly() given options and nothing `refined`. Errors: cancelled. Cost:
+  /// O(half-edges of the patch mesh).
+  static Result<bool> is_costly(const Context& context, const RefinedLayer& refined,
+                                std::uint32_t curve);
+
   /// Takes the curve off the layer. `sight` is that of the layer, and not empty.
   /// refined   what was kept of the layer as it is, solved for `sight` with `options`, in the
   ///           context's Budget, for any number of drags; or nothing: the layer is solved first,

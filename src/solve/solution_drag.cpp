@@ -37,10 +37,16 @@ Status Solution::State::begin_drag(Context& context, std::uint32_t layer, std::u
 Status Solution::State::begin_engine(Context& context, Drag& begun) {
   LayerState& layer = layers[begun.layer];
   std::optional<solve::RefinedLayer> none;
-  const bool is_at_home = &context.budget == budget;
+  const bool is_known = &context.budget == budget && layer.refined;
+  Result<bool> is_costly = false;
+  if (is_known) {
+    is_costly = solve::LayerDrag::is_costly(context, *layer.refined, begun.curve);
+    if (!is_costly) return is_costly.status();
+  }
   Result<solve::LayerDrag> engine =
       solve::LayerDrag::begin(context, document, begun.layer, begun.curve, layer.sight,
-                              options_of(layer), is_at_home ? layer.refined : none);
+                              *is_costly ? solve::roughly(*options) : options_of(layer),
+                              is_known && !*is_costly ? layer.refined : none);
   if (engine) begun.engine.emplace(std::move(*engine));
   return engine.status();
 }

@@ -105,7 +105,9 @@ class Solution {
   /// cancelled, out_of_memory. Cost: that of meshing the layer, and a gather of what sees the
   /// curve, where solve() has kept what drags begin from and this Context is that of create();
   /// otherwise that of solving the layer, roughly where the picture's layer is not that of solve():
-  /// its mesh is as coarse throughout the drag, then.
+  /// its mesh is as coarse throughout the drag, then. So it is, too, where a hundredth of the
+  /// layer's mesh or more lies on the curve, as on an outline of many pieces: a frame would take
+  /// long on a fine one.
   Status begin_drag(Context& context, std::uint32_t layer, std::uint32_t curve);
 
   /// Puts another curve in the place of the one that is dragged, in the document and in the
