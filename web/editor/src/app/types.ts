@@ -71,6 +71,8 @@ export interface FileState {
   readonly isChanged: boolean;
   /** Where it is safe: "file", "browser" (autosave), or "nowhere" (storage refused). */
   readonly kept: "file" | "browser" | "nowhere";
+  /** Whether the newest change is still to be written there. */
+  readonly isWaiting?: boolean;
 }
 
 export interface Editor {

@@ -111,6 +111,11 @@ export class Autosave {
     this.#id = id;
   }
 
+  /** Whether an edit has come that is not being written yet. */
+  get isWaiting(): boolean {
+    return this.#waiting !== null;
+  }
+
   /** An edit: `state` is called when the drawing is kept. */
   edited(state: () => State): void {
     this.#waiting = state;

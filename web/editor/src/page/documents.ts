@@ -260,7 +260,8 @@ export class Documents {
     if (this.#place !== from) return;
     this.#place = saved.place;
     const isChanged = editor.drawing.revision !== revision;
-    editor.file.value = { name: saved.place.name, isChanged, kept: isChanged ? editor.file.value.kept : "file" };
+    const { kept, isWaiting } = editor.file.value;
+    editor.file.value = { name: saved.place.name, ...(isChanged ? { isChanged, kept, isWaiting } : { isChanged, kept: "file" }) };
     if (saved.kind === "saved" && !isChanged) void this.#autosave.forget().then(() => this.refreshKept());
   }
 
@@ -279,6 +280,7 @@ export class Documents {
 
   #keep() {
     const { editor } = this;
+    editor.file.value = { ...editor.file.value, isWaiting: true };
     this.#autosave.edited(() => ({
       name: editor.file.value.name,
       curves: [...editor.drawing.all()].filter(({ kind }) => kind === "curve" || kind === "stroke").length,
@@ -297,7 +299,8 @@ export class Documents {
   #keptIn(kept: "browser" | "nowhere", reason: string | null) {
     const { file } = this.editor;
     const isNews = kept === "nowhere" && file.value.kept !== "nowhere";
-    if (file.value.isChanged) file.value = { ...file.value, kept };
+    const { isWaiting } = this.#autosave;
+    if (file.value.isChanged) file.value = { ...file.value, kept, isWaiting };
     if (isNews && reason) this.editor.say(reason, { label: words.saveElsewhere, run: () => void this.saveAs() });
     void this.refreshKept();
   }

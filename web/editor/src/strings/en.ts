@@ -40,6 +40,7 @@ const commands = {
     addBarrier: "Stop colours at the open side",
     matchEnds: "End with the first colour",
     joinToCurve: "Move the end onto the curve",
+    openSide: "Open the side",
   },
   // commands: end
 } as const;
@@ -223,6 +224,7 @@ const panels = {
     nowhere: "Not saved: this browser keeps nothing",
   },
   unsaved: "Not saved yet",
+  saving: "Saving on this device…",
   toolOptions: "Options of the tool",
   tools: "Tools",
   tool: {
@@ -503,6 +505,8 @@ const dialogs = {
   hintIn: (name: string, parent: string) => `“${name}” in “${parent}”`,
   hintOf: (name: string) => `“${name}”`,
   hideRule: "Hide all of this kind",
+  showHint: "Show",
+  showHintOf: (message: string) => `Show: ${message}`,
   showHidden: (count: number) => (count === 1 ? "Show 1 hidden hint" : `Show ${count} hidden hints`),
   close: "Close",
   export: "Export",

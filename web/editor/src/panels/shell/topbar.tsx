@@ -11,10 +11,12 @@ const words = en.panels;
 
 function FileName() {
   const { editor } = useShell();
-  const { name, isChanged, kept } = editor.file.value;
+  const { name, isChanged, kept, isWaiting } = editor.file.value;
   const isLost = isChanged && kept === "nowhere";
   const state =
-    kept === "file" && isChanged
+    isWaiting && kept !== "nowhere"
+      ? words.saving
+      : kept === "file" && isChanged
       ? words.unsaved
       : kept === "nowhere" && !isChanged
         ? ""
