@@ -1,6 +1,6 @@
 // The panels: each field and button does one step that undo takes back; picker, tree, dialogs, hints, tour.
 import { check, checkEqual, EditorPage } from "./harness.mjs";
-import { changing, count, openWithoutPickers } from "./draw.mjs";
+import { changing, count, openWithoutPickers, startBlank } from "./draw.mjs";
 
 const pixel = "data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mP8z8BQDwAEhQGAhKmMIQAAAABJRU5ErkJggg==";
 const drawing = `<svg xmlns="http://www.w3.org/2000/svg" xmlns:sf="urn:sfumato:1" viewBox="0 0 640 480" sf:background="#fff">
@@ -233,6 +233,14 @@ const leaky = `<svg xmlns="http://www.w3.org/2000/svg" xmlns:sf="urn:sfumato:1" 
 </svg>
 `;
 
+const crossing = `<svg xmlns="http://www.w3.org/2000/svg" xmlns:sf="urn:sfumato:1" viewBox="0 0 512 512">
+  <g id="l" sf:diffuse="true">
+    <path id="ring" d="M200 100C300 100 300 300 200 300C100 300 100 100 200 100Z" sf:left="#fff" sf:right="#f00"/>
+    <path id="line" d="M-10 200L190 200" sf:left="#0f0" sf:right="#00f"/>
+  </g>
+</svg>
+`;
+
 async function testHints({ browser, address }) {
   const editor = await EditorPage.open(browser, address);
   const { page } = editor;
@@ -241,6 +249,40 @@ async function testHints({ browser, address }) {
   const mend = page.locator(".hints .hint button.button, .hints li .button").first();
   await mend.waitFor();
   await undone(editor, "a hint's button", () => mend.click());
+  // What is not mended by itself is shown: of a crossing both curves.
+  await editor.load(crossing);
+  const show = page.locator(".hints").getByRole("button", { name: /^Show: / });
+  await show.first().click();
+  const chosen = () => page.evaluate(() => window.sfumatoEditor.selection.map(({ name }) => name).sort());
+  await page.waitForFunction(() => window.sfumatoEditor.selection.length === 2);
+  checkEqual(await chosen(), ["line", "ring"], "what a crossing shows");
+  checkEqual(await editor.text, crossing, "the text");
+  editor.checkQuiet();
+  await editor.close();
+}
+
+/** A change is said to be kept when it is, and a drawing that is not begun has no hints. */
+async function testKept({ browser, address }) {
+  const editor = await EditorPage.open(browser, address);
+  const { page } = editor;
+  await startBlank(editor);
+  await editor.settled();
+  await page.waitForTimeout(2500);
+  await page.getByRole("button", { name: "No hints" }).waitFor();
+  await editor.load(drawing);
+  await page.evaluate(() => {
+    const state = () => document.querySelector(".topbar .file").textContent;
+    window.seen = [];
+    new MutationObserver(() => window.seen.push(state())).observe(document.querySelector(".topbar .file"), { subtree: true, childList: true, characterData: true });
+  });
+  await states.curve(editor);
+  await changing(editor, "X", async () => {
+    await page.locator(".canvas-stage").focus();
+    await page.keyboard.press("x");
+  });
+  await page.waitForFunction(() => window.seen.some((text) => text.includes("Saved on this device")));
+  const seen = await page.evaluate(() => window.seen.map((text) => /Saving|Saved/.exec(text)?.[0]).filter(Boolean));
+  checkEqual([seen.indexOf("Saving") >= 0, seen.at(-1)], [true, "Saved"], `what is said of keeping: ${seen}`);
   editor.checkQuiet();
   await editor.close();
 }
@@ -279,6 +321,7 @@ export async function testPanels(tap, given) {
   await tap.test("the picker's parts change the colour, all in one step", () => testPicker(given));
   await tap.test("the tree by buttons and by keys", () => testTree(given));
   await tap.test("the export dialog writes each format", () => testExport(given));
+  await tap.test("a change is said to be kept once it is", () => testKept(given));
   await tap.test("a hint is mended by its button", () => testHints(given));
   await tap.test("the tour goes through its five steps", () => testTour(given));
 }

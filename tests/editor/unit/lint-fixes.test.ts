@@ -2,7 +2,7 @@
 import { readFileSync } from "node:fs";
 import { expect, test } from "vitest";
 import { openDrawing } from "../../../web/editor/src/model/drawing.js";
-import { FIXABLE_RULES, fixOf } from "../../../web/editor/src/model/lint-fixes.js";
+import { FIXABLE_RULES, fixOf, isWorthTelling } from "../../../web/editor/src/model/lint-fixes.js";
 import { applied } from "../../../web/editor/src/source/patch.js";
 import { en } from "../../../web/editor/src/strings/en.js";
 import { file, modulePath } from "./drawings.js";
@@ -27,6 +27,7 @@ const FAULTY: Readonly<Record<string, string>> = {
   gap: text(frame + curve("M100 50V400", 'sf:left="red" sf:right="red"') + curve("M102 200H400", 'sf:left="#fff" sf:right="#000"')),
   overshoot: text(frame + curve("M100 50V400", 'sf:left="red" sf:right="red"') + curve("M98 200H400", 'sf:left="#fff" sf:right="#000"')),
   flood: text(curve(`${RING}Z`, 'sf:right="red"')),
+  "unseen-side": text(frame + curve("M90 90L300 200", 'sf:left="red"') + curve("M90 90L510 310", 'sf:left="blue" sf:right="blue"')),
   "empty-layer": text(frame, '<g sf:diffuse="true"></g>'),
 };
 
@@ -34,6 +35,7 @@ interface Found {
   readonly kind: string;
   readonly layer?: number;
   readonly curve?: number;
+  readonly side?: "left" | "right";
   readonly stack_item?: number;
 }
 
@@ -44,11 +46,11 @@ async function linter() {
     const context = library.context();
     const document = context.read(source);
     const hints = context.lint(document).hints as Found[];
-    const found = hints.map(({ kind, layer, curve: index }) => {
+    const found = hints.map(({ kind, layer, curve: index, side }) => {
       const place = layer === undefined || index === undefined ? null : document.curveSource(layer, index);
       // Local curves have no such place: there is one.
       const offset = place?.byteOffset ?? (kind.startsWith("stroke") ? source.lastIndexOf("<path") : null);
-      return { rule: kind, offset };
+      return { rule: kind, offset, side };
     });
     context.free();
     return found;
@@ -69,6 +71,13 @@ test.skipIf(!modulePath()).each(Object.keys(FAULTY))("%s: the fix takes the hint
   expect(en.commands.lintFixes[fix?.label ?? "closeCurve"]).toMatch(/^[A-Z]/);
   const mended = applied(source, fix?.outcome.patch ?? []);
   expect(lint(mended).filter((found) => found.rule === rule), mended).toEqual([]);
+});
+
+test("a layer of a drawing without curves is not told to be empty", () => {
+  const told = (source: string) => isWorthTelling(openDrawing(source), { rule: "empty-layer" });
+  expect(told(text(""))).toBe(false);
+  expect(told(FAULTY["empty-layer"])).toBe(true);
+  expect(isWorthTelling(openDrawing(text("")), { rule: "leak" })).toBe(true);
 });
 
 test("a hint that has no curve any more, or a rule that nobody can mend, has none", () => {

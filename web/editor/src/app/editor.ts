@@ -14,6 +14,7 @@ import type {
   Selection,
 } from "../model/types.js";
 import type { Patch } from "../source/patch.js";
+import { isWorthTelling } from "../model/lint-fixes.js";
 import { united } from "./changes.js";
 import { LiveGesture } from "./gesture.js";
 import { History, type HistoryLog, type Places } from "./history.js";
@@ -267,7 +268,7 @@ export class DrawingEditor implements Editor {
   async #lookForHints(): Promise<void> {
     try {
       const hints = await this.engine.lint();
-      if (hints) this.hints.value = hints;
+      if (hints) this.hints.value = hints.filter((hint) => isWorthTelling(this.#drawing, hint));
     } catch {
       // A text that cannot be looked at has a status that says so.
       this.hints.value = [];

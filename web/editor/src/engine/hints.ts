@@ -17,6 +17,7 @@ export function hintsOf({ hints }: LintReport, curves: readonly EngineCurve[]): 
       message: String(hint.message),
       layer,
       curve,
+      side: hint.side === "left" || hint.side === "right" ? hint.side : null,
       offset: found?.offset ?? null,
       subpath: found?.subpath ?? null,
       at: Array.isArray(hint.at) ? [Number(hint.at[0]), Number(hint.at[1])] : null,

@@ -28,6 +28,7 @@ export interface Hint {
   readonly message: string;
   readonly layer: number | null;
   readonly curve: number | null;
+  readonly side: "left" | "right" | null;
   /** Where its curve's element stands in the text that was looked at, and which subpath; or null. */
   readonly offset: number | null;
   readonly subpath: number | null;

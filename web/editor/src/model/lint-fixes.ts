@@ -16,6 +16,8 @@ import type { CurveItem, Drawing, Item, Outcome, Side, SideValue } from "./types
 export interface FixableHint {
   readonly rule: string;
   readonly offset: number | null;
+  /** Of a hint about one side. */
+  readonly side?: Side | null;
 }
 
 /** What a fix does; the words are in strings/en.ts, `lintFixes`. */
@@ -28,14 +30,15 @@ export type FixLabel =
   | "removeBlur"
   | "addBarrier"
   | "matchEnds"
-  | "joinToCurve";
+  | "joinToCurve"
+  | "openSide";
 
 export interface Fix {
   readonly label: FixLabel;
   readonly outcome: Outcome;
 }
 
-type Mend = (d: Drawing, curve: CurveItem) => Outcome | null;
+type Mend = (d: Drawing, curve: CurveItem, side: Side | null) => Outcome | null;
 
 const SIDES: readonly Side[] = ["left", "right"];
 /** An end that misses a curve by less was meant to meet it: pixels of an artboard of 512, as lint has it. */
@@ -53,12 +56,19 @@ const OF_CURVES: Readonly<Record<string, readonly [FixLabel, Mend]>> = {
   seam: ["matchEnds", withoutSeam],
   gap: ["joinToCurve", ended],
   overshoot: ["joinToCurve", ended],
+  "unseen-side": ["openSide", withoutUnseen],
 };
 
 const OF_DRAWINGS: Readonly<Record<string, readonly [FixLabel, (d: Drawing) => Outcome | null]>> = {
   flood: ["addBarrier", withBarriers],
   "empty-layer": ["deleteEmptyLayers", withoutEmptyLayers],
 };
+
+/** Before the first curve a layer is empty because nothing has been drawn yet. */
+export function isWorthTelling(d: Drawing, { rule }: Pick<FixableHint, "rule">): boolean {
+  const isDrawn = ({ kind }: Item) => kind === "curve" || kind === "stroke";
+  return rule !== "empty-layer" || [...d.all()].some(isDrawn);
+}
 
 /** The rules that may have a fix. */
 export const FIXABLE_RULES: readonly string[] = [
@@ -67,7 +77,7 @@ export const FIXABLE_RULES: readonly string[] = [
 ];
 
 /** The fix of a hint about the present text; null where there is none. */
-export function fixOf(d: Drawing, { rule, offset }: FixableHint): Fix | null {
+export function fixOf(d: Drawing, { rule, offset, side = null }: FixableHint): Fix | null {
   if (Object.hasOwn(OF_DRAWINGS, rule)) {
     const [label, mend] = OF_DRAWINGS[rule];
     return made(label, mend(d));
@@ -77,7 +87,7 @@ export function fixOf(d: Drawing, { rule, offset }: FixableHint): Fix | null {
     return null;
   }
   const [label, mend] = OF_CURVES[rule];
-  return made(label, mend(d, item));
+  return made(label, mend(d, item, side));
 }
 
 function made(label: FixLabel, outcome: Outcome | null): Fix | null {
@@ -111,6 +121,19 @@ function closed(d: Drawing, curve: CurveItem): Outcome | null {
   return setPath(d, curve.handle, index, { ...path, points, closed: true }, finestStep(d));
 }
 
+/** Other curves through a point of the artboard, of the layer that a curve is in. */
+export function curvesThrough(d: Drawing, curve: Item, at: Point): readonly Item[] {
+  const layer = layerOf(curve);
+  const isNear = (other: CurveItem) => {
+    const back = inverted(other.artboardFromItem);
+    return other.paths.some((path) => {
+      const met = back && mapped(other.artboardFromItem, nearestOn(path, mapped(back, at)).point);
+      return met !== null && distance(met, at) < MISS_PX * pixelOf(d);
+    });
+  };
+  return (layer ? curvesWithin(layer) : []).filter((other) => other !== curve && isNear(other));
+}
+
 /** Curves of a layer, in the order of the text. */
 function curvesWithin(item: Item): CurveItem[] {
   return item.kind === "curve" ? [item] : item.children.flatMap(curvesWithin);
@@ -137,6 +160,12 @@ function withoutHidden(d: Drawing, curve: CurveItem): Outcome | null {
 
 function bears({ kind }: SideValue<unknown>): boolean {
   return kind === "paint" || kind === "stops";
+}
+
+/** A side that nothing sees lets colours and opacity pass. */
+function withoutUnseen(d: Drawing, { handle }: CurveItem, side: Side | null): Outcome | null {
+  if (!side) return null;
+  return together([setColor(d, handle, side, OPEN), setNumbers(d, handle, side, "opacity", OPEN)]);
 }
 
 /** Takes the blur of sides away that have nothing to blur. */

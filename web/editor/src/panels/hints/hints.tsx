@@ -7,13 +7,12 @@ import { en } from "../../strings/en.js";
 import { IconButton } from "../controls/button.js";
 import { Resizer } from "../controls/resizer.js";
 import { useShell } from "../services.js";
+import { itemsOf, showHint } from "./show.js";
 
 const words = en.dialogs;
 const hiddenRules = signal<ReadonlySet<string>>(new Set());
 /** The hint that the pointer or the focus is on: its place is ringed on the picture. */
 const current = signal<Hint | null>(null);
-/** Half of what is shown around a hint's place, artboard units. */
-const AROUND = 40;
 
 function HintRow({ hint }: { readonly hint: Hint }) {
   const { editor, services } = useShell();
@@ -23,11 +22,7 @@ function HintRow({ hint }: { readonly hint: Hint }) {
     current.value = on ? hint : null;
     editor.hovered.value = on && item ? item.handle : null;
   };
-  const go = () => {
-    if (item) editor.selection.value = [{ handle: item.handle, part: { kind: "whole" } }];
-    const { at } = hint;
-    if (at) editor.fit([at[0] - AROUND, at[1] - AROUND, at[0] + AROUND, at[1] + AROUND]);
-  };
+  const go = () => showHint(editor, hint);
   const names = [
     "hint",
     hint.severity === "warning" ? "warn" : "info",
@@ -58,6 +53,16 @@ function HintRow({ hint }: { readonly hint: Hint }) {
         {repair && (
           <button type="button" class="button" onClick={repair.run}>
             {repair.label}
+          </button>
+        )}
+        {!repair && itemsOf(editor, hint).length > 0 && (
+          <button
+            type="button"
+            class="button"
+            aria-label={words.showHintOf(hint.message)}
+            onClick={go}
+          >
+            {words.showHint}
           </button>
         )}
         <IconButton
