@@ -4,6 +4,7 @@ import { expect, test } from "vitest";
 import { openDrawing } from "../../../web/editor/src/model/drawing.js";
 import { FIXABLE_RULES, fixOf, isWorthTelling } from "../../../web/editor/src/model/lint-fixes.js";
 import { applied } from "../../../web/editor/src/source/patch.js";
+import { placeOf } from "../../../web/editor/src/panels/hints/show.js";
 import { en } from "../../../web/editor/src/strings/en.js";
 import { file, modulePath } from "./drawings.js";
 
@@ -87,4 +88,29 @@ test("a hint that has no curve any more, or a rule that nobody can mend, has non
   expect(fixOf(d, { rule: "leak", offset: null })).toBeNull();
   expect(fixOf(d, { rule: "toString", offset: 0 })).toBeNull();
   expect(fixOf(d, { rule: "empty-layer", offset: null })).toBeNull();
+});
+
+test.skipIf(!modulePath())("the place of a hint is on the artboard, whatever transforms its curve and layer", async () => {
+  const { loadSfumato } = await import(file("../../../web/wasm/sfumato.mjs"));
+  const context = (await loadSfumato(readFileSync(modulePath() as string))).context();
+  const placeIn = (layer: string, item: string, d: string) => {
+    const post = curve("M100 50V400", 'sf:left="red" sf:right="red"');
+    const rail = `<g transform="${item}"><path d="${d}" sf:left="#fff" sf:right="#000"/></g>`;
+    const source = text(frame + post + rail).replace("<g sf:diff", `<g transform="${layer}" sf:diff`);
+    const document = context.read(source);
+    const { at, layer: index, curve: number } = (context.lint(document).hints as (Found & { at?: [number, number] })[])
+      .find(({ kind }) => kind === "gap") ?? {};
+    const offset = document.curveSource(index, number).byteOffset;
+    return placeOf({ drawing: openDrawing(source) }, { at: at ?? null, offset });
+  };
+  for (const [layer, item, d, expected] of [
+    ["translate(0 0)", "scale(1)", "M102 200H400", [102, 200]],
+    ["translate(30 -50)", "scale(1)", "M102 200H400", [132, 150]],
+    ["translate(10 0) scale(.5)", "translate(20 40) scale(.5)", "M164 320H760", [61, 100]],
+    ["rotate(90) translate(0 -500)", "scale(1)", "M102 200H400", [300, 102]],
+  ] as const) {
+    const place = placeIn(layer, item, d);
+    for (const axis of [0, 1]) expect(place?.[axis], layer).toBeCloseTo(expected[axis], 3);
+  }
+  context.free();
 });

@@ -7,7 +7,7 @@ import { en } from "../../strings/en.js";
 import { IconButton } from "../controls/button.js";
 import { Resizer } from "../controls/resizer.js";
 import { useShell } from "../services.js";
-import { itemsOf, showHint } from "./show.js";
+import { itemsOf, placeOf, showHint } from "./show.js";
 
 const words = en.dialogs;
 const hiddenRules = signal<ReadonlySet<string>>(new Set());
@@ -150,7 +150,7 @@ export function HintsDock() {
 /** A ring at the place of the hint that is looked at; within the stage. */
 export function HintRing() {
   const { editor } = useShell();
-  const at = current.value?.at;
+  const at = current.value && placeOf(editor, current.value);
   if (!at) return null;
   // Read here, so that the ring follows the view and the stage.
   void editor.view.value;

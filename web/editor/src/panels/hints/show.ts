@@ -1,17 +1,27 @@
 // What a hint is about, chosen and as large as it fits.
 import type { Editor } from "../../app/types.js";
 import type { Hint } from "../../engine/types.js";
+import { composed, inverted, mapped, type Point } from "../../geometry/affine.js";
 import { curvesThrough } from "../../model/lint-fixes.js";
 import type { Item } from "../../model/types.js";
 
 /** Half of what is shown around a hint's place, artboard units. */
 const AROUND = 40;
 
+/** Where a hint's place is on the artboard: the engine tells it in the layer's coordinates. */
+export function placeOf({ drawing }: Pick<Editor, "drawing">, { at, offset }: Pick<Hint, "at" | "offset">): Point | null {
+  const item = offset === null ? undefined : drawing.itemAt(offset);
+  if (!at || item?.kind !== "curve") return at;
+  const itemFromLayer = inverted(item.layerFromItem);
+  return itemFromLayer && mapped(composed(item.artboardFromItem, itemFromLayer), at);
+}
+
 /** The curve, else the layer; of a crossing both curves. */
 export function itemsOf(editor: Editor, hint: Hint): readonly Item[] {
   const { drawing } = editor;
   const item = hint.offset === null ? undefined : drawing.itemAt(hint.offset);
-  if (item) return hint.at && hint.rule === "crossing" ? [...curvesThrough(drawing, item, hint.at), item] : [item];
+  const at = hint.rule === "crossing" ? placeOf(editor, hint) : null;
+  if (item) return at ? [...curvesThrough(drawing, item, at), item] : [item];
   if (hint.layer === null) return [];
   return [...drawing.all()].filter((one) => one.kind === "layer" && editor.engineLayer(one) === hint.layer);
 }
@@ -19,7 +29,7 @@ export function itemsOf(editor: Editor, hint: Hint): readonly Item[] {
 export function showHint(editor: Editor, hint: Hint): void {
   const items = itemsOf(editor, hint);
   if (items.length > 0) editor.selection.value = items.map(({ handle }) => ({ handle, part: { kind: "whole" } }));
-  const { at } = hint;
+  const at = placeOf(editor, hint);
   if (at) {
     const [x, y] = at;
     editor.fit([x - AROUND, y - AROUND, x + AROUND, y + AROUND]);
