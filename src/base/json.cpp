@@ -1,9 +1,8 @@
 #include "base/json.hpp"
 
-#include <charconv>
 #include <cmath>
-#include <cstdio>
 
+#include "base/number_text.hpp"
 #include "base/utf8.hpp"
 
 namespace sfumato {
@@ -17,9 +16,9 @@ std::string quoted(std::string_view text) {
     if (c == '"' || c == '\\') {
       out += {'\\', static_cast<char>(c)};
     } else if (is_control(c)) {
-      char escape[8];
-      std::snprintf(escape, sizeof escape, "\\u%04x", static_cast<unsigned>(c));
-      out += escape;
+      constexpr const char* kHexDigits = "0123456789abcdef";
+      out += "\\u";
+      for (const int shift : {12, 8, 4, 0}) out += kHexDigits[(c >> shift) % 16];
     } else {
       append_utf8(out, c);
     }
@@ -41,10 +40,7 @@ JsonWriter& JsonWriter::value(std::string_view text) {
 }
 
 JsonWriter& JsonWriter::value(double number) {
-  if (!std::isfinite(number)) return raw("null");
-  char digits[32];
-  const auto [end, error] = std::to_chars(digits, digits + sizeof digits, number);
-  return raw(error == std::errc{} ? std::string_view(digits, end) : "null");
+  return raw(std::isfinite(number) ? number_text(number) : "null");
 }
 
 JsonWriter& JsonWriter::open(char bracket) {

@@ -5,12 +5,15 @@
 #include <cmath>
 #include <cstdint>
 
+#include "base/exact_decimal.hpp"
 #include "base/number.hpp"
 
 namespace sfumato {
 namespace {
 
 constexpr int kDoubleDigits = 17;
+
+#if defined(__cpp_lib_to_chars)
 
 /// "1e-07" → "1e-7", "1.5e+20" → "1.5e20".
 std::string with_short_exponent(std::string text) {
@@ -35,17 +38,35 @@ std::string shortest(Number value) {
   return with_short_exponent(std::string(buffer.data(), end));
 }
 
+std::string rounded_text(double value, int digits) {
+  std::array<char, 64> buffer;
+  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
+                                 std::chars_format::scientific, digits - 1)
+                       .ptr;
+  return std::string(buffer.data(), end);
+}
+
+#else
+
+/// WebAssembly: its C++ library would bring tables of 130 kB.
+template <class Number>
+std::string shortest(Number value) {
+  return value == 0 ? "0" : shortest_decimal(value);
+}
+
+std::string rounded_text(double value, int digits) {
+  return value == 0 ? "0" : rounded_decimal(value, digits);
+}
+
+#endif
+
 double parsed(const std::string& text) {
   return parse_number(text).value_or(0);
 }
 
 /// The value rounded to so many significant decimal digits.
 double rounded(double value, int digits) {
-  std::array<char, 64> buffer;
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
-                                 std::chars_format::scientific, digits - 1)
-                       .ptr;
-  return parsed(std::string(buffer.data(), end));
+  return parsed(rounded_text(value, digits));
 }
 
 /// A double p with p / 100 == fraction, found near 100 · fraction; else 100 · fraction.

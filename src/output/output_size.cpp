@@ -2,19 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <limits>
 #include <string>
 
 #include "base/limit_error.hpp"
+#include "base/number_text.hpp"
 #include "sfumato/base/limits.hpp"
 
 namespace sfumato::output {
 namespace {
 
 std::string in_pixels(double length) {
-  char text[32];
-  std::snprintf(text, sizeof text, length < 1e9 ? "%.0f" : "%.3g", length);
-  return text;
+  if (length < 1e9) return number_text(length);
+  return rounded_number_text(std::min(length, std::numeric_limits<double>::max()), 3);
 }
 
 Vec2 scales(const SizeRequest& request, const Box& viewport, Vec2 own_scale) {
