@@ -1,6 +1,7 @@
 import { fileURLToPath } from "node:url";
 import type { Plugin } from "vite";
 import { defineConfig } from "vitest/config";
+import { shaderTextPlugin } from "./tools/shader-text.mjs";
 import { viewerPagePlugin } from "./tools/viewer-page.mjs";
 
 const path = (relative: string) => fileURLToPath(new URL(relative, import.meta.url));
@@ -18,7 +19,7 @@ const packagesForTests: Plugin = {
 export default defineConfig({
   root: path("."),
   base: "./",
-  plugins: [viewerPagePlugin(), packagesForTests],
+  plugins: [viewerPagePlugin(), shaderTextPlugin(), packagesForTests],
   // What `make wasm` makes; SFUMATO_WASM names another.
   resolve: {
     alias: [{ find: /^sfumato-module(?=\?)/, replacement: process.env.SFUMATO_WASM ?? path("../../build-wasm/sfumato.wasm") }],

@@ -160,6 +160,25 @@ async function testOffline(browser, folder) {
   }
 }
 
+/** The file that dialogs and panels are in does not come: the page says so and goes on. */
+async function testMissingParts(browser, address) {
+  const context = await browser.newContext({ viewport: { width: 900, height: 600 }, serviceWorkers: "block" });
+  await context.route(/\/parts-[^/]*\.js$/, (route) => route.abort());
+  try {
+    const editor = await EditorPage.within(context, address);
+    await said(editor.page, /A part of the editor could not be fetched/);
+    await editor.page.locator(".toast button").click();
+    await editor.load(small);
+    checkEqual((await status(editor)).kind, "exact", "the picture");
+    checkEqual(await editor.page.locator(".toast").count(), 0, "the number of messages");
+    await editor.page.keyboard.press("Control+e");
+    await said(editor.page, /A part of the editor could not be fetched/);
+    await edit(editor);
+  } finally {
+    await context.close();
+  }
+}
+
 async function testOneFile(editor) {
   await editor.load(small, "disk.svg");
   checkEqual((await status(editor)).kind, "exact", "the picture");
@@ -215,6 +234,7 @@ export async function testRobust(tap, { browser, address, oneFile, folder }) {
   await test("a huge text that is wrong is told of", null, testHuge);
   await test("a session asks nobody and breaks no policy", listen, testSession);
   await tap.test("robust: a folder, no network, an update", () => testOffline(browser, folder));
+  await tap.test("robust: parts that do not come are told of", () => testMissingParts(browser, address));
   await test("one file from the disk works", listen, testOneFile, oneFile);
   await tap.test("robust: a browser that is too old is told", () => testTooOld(browser, [address, oneFile]));
   await tap.test("robust: a cold start from the disk", () => testColdStart(browser, oneFile));

@@ -18,6 +18,7 @@ import { listenToDrops } from "./page/drops.js";
 import { Pictures } from "./page/pictures.js";
 import { servicesOf } from "./page/services.js";
 import { App } from "./panels/app.js";
+import { fetchParts } from "./panels/shell/part.js";
 import { en } from "./strings/en.js";
 import "./style/index.css";
 
@@ -44,9 +45,12 @@ listenToKeys(editor);
 listenToDrops(documents);
 listenToClipboard(editor, (files) => void documents.drop(files));
 render(<App editor={editor} services={servicesOf(editor, documents, thumbs)} stage={stage} />, document.getElementById("app")!);
-publish(editor, documents, async () => {
-  await editor.settled();
-  await picture.drawn();
-});
+// Whoever drives the page finds all of it there.
+void fetchParts().then(() =>
+  publish(editor, documents, async () => {
+    await editor.settled();
+    await picture.drawn();
+  }),
+);
 void documents.openServed();
 keepOffline();

@@ -7,11 +7,9 @@ import { en } from "../strings/en.js";
 import { isPhone } from "./controls/media.js";
 import { Menus, openMenu } from "./controls/menu.js";
 import { Tooltip } from "./controls/tooltip.js";
-import { Dialogs } from "./dialogs/dialogs.js";
-import { HintRing, HintsDock } from "./hints/hints.js";
 import { contextMenu } from "./menus/main.js";
-import { Picker } from "./picker/picker.js";
 import { ShellContext, useShell, type Services } from "./services.js";
+import { Dialogs, HintRing, HintsDock, Picker, Tour, usePartsComplaint } from "./shell/part.js";
 import { watchRegions } from "./shell/regions.js";
 import { Sheet } from "./shell/sheet.js";
 import { Side } from "./shell/side.js";
@@ -19,7 +17,7 @@ import { StatusBar } from "./shell/statusbar.js";
 import { ToastView } from "./shell/toast.js";
 import { Tools } from "./shell/tools.js";
 import { TopBar } from "./shell/topbar.js";
-import { Tour, useTourStart } from "./tour/tour.js";
+import { useTourStart } from "./tour/start.js";
 import { Welcome } from "./welcome/welcome.js";
 
 /** Theme and surround stand on `<html>`, where tokens.css looks for them. */
@@ -84,6 +82,7 @@ function Page({ stage }: { readonly stage: ComponentChildren }) {
   const { editor } = useShell();
   useAppearance();
   useTourStart();
+  usePartsComplaint();
   useEffect(watchRegions, []);
   return (
     <>

@@ -267,6 +267,8 @@ const panels = {
   canvas: "Canvas",
   panels: "Panels",
   panelsWidth: "Width of the panels",
+  partsMissing:
+    "A part of the editor could not be fetched. Reload the page: this browser keeps your drawing.",
   panelsSplit: "Height of the upper panel",
   sheetHeight: "Height of the sheet",
   sheetTabs: { curve: "Curve", layers: "Layers", hints: "Hints" },

@@ -5,10 +5,8 @@ import type { TargetedPointerEvent } from "preact";
 import { en } from "../../strings/en.js";
 import { follow } from "../controls/follow.js";
 import { radioKeys } from "../controls/radio.js";
-import { HintList } from "../hints/hints.js";
-import { Inspector } from "../inspector/inspector.js";
-import { LayersPanel } from "../layers/layers.js";
 import { useShell } from "../services.js";
+import { HintList, Inspector, LayersPanel } from "./part.js";
 
 const words = en.panels;
 const tabs = ["curve", "layers", "hints"] as const;

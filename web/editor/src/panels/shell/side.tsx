@@ -3,9 +3,8 @@ import { useSignal } from "@preact/signals";
 import { useRef } from "preact/hooks";
 import { en } from "../../strings/en.js";
 import { Resizer } from "../controls/resizer.js";
-import { Inspector } from "../inspector/inspector.js";
-import { LayersPanel } from "../layers/layers.js";
 import { useShell } from "../services.js";
+import { Inspector, LayersPanel } from "./part.js";
 
 const words = en.panels;
 /** Least heights of the two parts, CSS pixels. */

@@ -2,7 +2,6 @@
 import { effect, untracked, useSignal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import { Icon } from "../../icons.js";
-import { blankText } from "../../model/drawing.js";
 import { en } from "../../strings/en.js";
 import { IconButton } from "../controls/button.js";
 import { useShell } from "../services.js";
@@ -11,22 +10,6 @@ import { prepare, watches } from "./watch.js";
 const words = en.tour;
 /** The tick stands for this long before the next step, milliseconds. */
 const PAUSE = 1100;
-const SIZE = { width: 640, height: 480, background: "#ffffff" } as const;
-
-/** Begun on the start page, the tour has a blank drawing to work on. */
-export function useTourStart() {
-  const { editor } = useShell();
-  useEffect(
-    () =>
-      effect(() => {
-        if (editor.tour.value === null || !editor.welcome.value) return;
-        untracked(() =>
-          editor.open(blankText(SIZE.width, SIZE.height, SIZE.background), en.dialogs.untitled),
-        );
-      }),
-    [],
-  );
-}
 
 export function Tour() {
   const step = useShell().editor.tour.value;

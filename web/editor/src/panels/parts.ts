@@ -1,0 +1,7 @@
+// What of the page the first picture does not wait for: one file of its own (shell/part.tsx).
+export { Dialogs } from "./dialogs/dialogs.js";
+export { HintList, HintRing, HintsDock } from "./hints/hints.js";
+export { Inspector } from "./inspector/inspector.js";
+export { LayersPanel } from "./layers/layers.js";
+export { Picker } from "./picker/picker.js";
+export { Tour } from "./tour/tour.js";

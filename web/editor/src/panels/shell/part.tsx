@@ -1,0 +1,47 @@
+// Parts of the page whose code comes in a file of its own: nothing until it is there.
+import { signal, useSignalEffect } from "@preact/signals";
+import type { FunctionComponent } from "preact";
+import { en } from "../../strings/en.js";
+import { useShell } from "../services.js";
+
+type Parts = typeof import("../parts.js");
+
+const parts = signal<Parts | null>(null);
+const isMissing = signal(false);
+
+/** Once, when the page has begun; a failure is told by usePartsComplaint(). */
+export async function fetchParts(): Promise<void> {
+  try {
+    parts.value = await import("../parts.js");
+  } catch {
+    isMissing.value = true;
+  }
+}
+
+function part(name: keyof Parts): FunctionComponent {
+  return function Part() {
+    const Found = parts.value?.[name];
+    return Found ? <Found /> : null;
+  };
+}
+
+export const Dialogs = part("Dialogs");
+export const HintList = part("HintList");
+export const HintRing = part("HintRing");
+export const HintsDock = part("HintsDock");
+export const Inspector = part("Inspector");
+export const LayersPanel = part("LayersPanel");
+export const Picker = part("Picker");
+export const Tour = part("Tour");
+
+/** Says that parts are missing: once, and again where one is asked for, which is then left. */
+export function usePartsComplaint() {
+  const { editor } = useShell();
+  useSignalEffect(() => {
+    if (!isMissing.value) return;
+    for (const asked of [editor.dialog, editor.picker, editor.tour]) {
+      if (asked.value !== null) asked.value = null;
+    }
+    editor.say(en.panels.partsMissing);
+  });
+}
