@@ -8,7 +8,6 @@ import {
   type CubicPath,
 } from "../../../web/editor/src/geometry/cubic.js";
 import {
-  calmed,
   fitStroke,
   pressureStops,
   type Sample,
@@ -165,14 +164,6 @@ test("pressure becomes few stops that are near it everywhere", () => {
   expect(stops.length).toBeLessThan(6);
   expect(stops[0][1]).toBe(0);
   expect(stops[stops.length - 1][1]).toBe(1);
-});
-
-test("calming keeps ends and straight lines, and takes trembling away", () => {
-  const zigzag = Array.from({ length: 11 }, (_, i) => sample(i, i % 2));
-  const calm = calmed(zigzag, 1);
-  expect(calm[0]).toBe(zigzag[0]);
-  expect(calm.slice(1, -1).every(({ point }) => Math.abs(point[1] - 0.5) < 1e-9)).toBe(true);
-  expect(calmed(zigzag, 0).map((s) => s.point)).toEqual(zigzag.map((s) => s.point));
 });
 
 /** Samples of a hand along a shape of a length: it trembles, and pixels are whole. */

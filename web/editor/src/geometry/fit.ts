@@ -4,7 +4,7 @@ import { cornersOf } from "./corners.js";
 import { lineBetween, type Cubic, type CubicPath } from "./cubic.js";
 import { fitted, straight } from "./fitcubic.js";
 import { simplifiedGraph } from "./simplify.js";
-import { add, distance, isSame, scaled, subtract, unit } from "./vector.js";
+import { distance, isSame, scaled, subtract, unit } from "./vector.js";
 
 /** A point of a stroke as a pointer event tells it. */
 export interface Sample {
@@ -126,15 +126,4 @@ function seamDirection(points: readonly Point[], reach: number): Point | null {
 export function pressureStops(fit: Fit, tolerance: number): (readonly [number, number])[] {
   const rows = fit.samples.map((sample, i) => [fit.places[i], sample.pressure] as const);
   return simplifiedGraph(rows, tolerance).map((i) => rows[i]);
-}
-
-/** The mean of a point and its neighbours, by a weight of 0 (as drawn) to 1: less trembling. */
-export function calmed(samples: readonly Sample[], weight: number): Sample[] {
-  return samples.map((sample, i) => {
-    if (i === 0 || i === samples.length - 1) return sample;
-    const around = scaled(add(samples[i - 1].point, samples[i + 1].point), 0.5);
-    const { point } = sample;
-    const shift = scaled(subtract(around, point), 0.5 * Math.min(Math.max(weight, 0), 1));
-    return { ...sample, point: add(point, shift) };
-  });
 }

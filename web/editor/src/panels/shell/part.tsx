@@ -1,6 +1,6 @@
 // Parts of the page whose code comes in a file of its own: nothing until it is there.
 import { signal, useSignalEffect } from "@preact/signals";
-import type { FunctionComponent } from "preact";
+import { h, type Attributes, type ComponentProps, type FunctionComponent } from "preact";
 import { en } from "../../strings/en.js";
 import { useShell } from "../services.js";
 
@@ -18,10 +18,11 @@ export async function fetchParts(): Promise<void> {
   }
 }
 
-function part(name: keyof Parts): FunctionComponent {
-  return function Part() {
-    const Found = parts.value?.[name];
-    return Found ? <Found /> : null;
+function part<Name extends keyof Parts>(name: Name) {
+  type Props = ComponentProps<Parts[Name]> & Attributes;
+  return function Part(props: Props) {
+    const found = parts.value?.[name] as FunctionComponent<Props> | undefined;
+    return found ? h(found, props) : null;
   };
 }
 
