@@ -37,7 +37,7 @@ const TOLERANCE = 1.2;
 const CURVES = Number(options.curves);
 const FRAMES = 12;
 /** A frame's time, as the editor's engine gives it. */
-const SECONDS = 0.012;
+const SECONDS = 0.004;
 const STAND_IN = { width: 2, height: 2, data: new Uint8Array(16).fill(180) };
 
 function cpu(body) {

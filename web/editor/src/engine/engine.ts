@@ -19,11 +19,11 @@ import type {
 } from "./types.js";
 
 /** A frame's share for the gather, seconds. */
-const FRAME_SECONDS = 0.008;
+const FRAME_SECONDS = 0.004;
 /** How long the view must rest before finer chords are, milliseconds. */
 const VIEW_REST = 400;
 /** Frames that go on with what waits, one after another. */
-const MOST_ROUNDS = 60;
+const MOST_ROUNDS = 120;
 
 /** The text that is to be seen. */
 interface Wanted {
