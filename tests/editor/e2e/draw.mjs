@@ -28,7 +28,7 @@ export async function changing(editor, what, act) {
   await act();
   await editor.page
     .waitForFunction((text) => window.sfumatoEditor.text !== text, before)
-    .catch(() => check(false, `${what} changes nothing`));
+    .catch(() => check(false, `${what} changes nothing${editor.errors.map((error) => `; ${error}`).join("")}`));
   return editor.text;
 }
 

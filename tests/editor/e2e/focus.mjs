@@ -115,9 +115,32 @@ async function testDialogs({ browser, address }) {
   await editor.close();
 }
 
+/** A tool is taken up by its key and used before the next frame is drawn. */
+async function testLateTools({ browser, address }) {
+  const editor = await EditorPage.open(browser, address);
+  const { page } = editor;
+  await editor.load(drawing);
+  await page.locator(".canvas-stage").focus();
+  await holdFrames(page);
+  await editor.key("p");
+  for (const [x, y] of [[150, 200], [350, 220]]) {
+    await page.mouse.move(...(await editor.at(x, y)));
+    await page.mouse.down();
+    // What waits for a frame runs after a tenth of a second without one.
+    await page.waitForTimeout(250);
+    await page.mouse.up();
+  }
+  const drawn = await changing(editor, "the pen", () => page.keyboard.press("Enter"));
+  check(/d="M150 200 ?L ?350 220"/.test(drawn), `a node was lost: ${drawn}`);
+  await letFramesGo(page);
+  editor.checkQuiet();
+  await editor.close();
+}
+
 export async function testFocus(tap, given) {
   await tap.test("focus: a field keeps it when marks are drawn late", () => testLateMarks(given));
   await tap.test("focus: what was typed counts, however the field is left", () => testTyped(given));
   await tap.test("focus: a click ends renaming and goes where it was meant", () => testRenaming(given));
+  await tap.test("focus: a tool is ready as soon as its key is heard", () => testLateTools(given));
   await tap.test("focus: dialogs and menus hear the next key", () => testDialogs(given));
 }

@@ -1,5 +1,5 @@
 // The stage: the picture's <canvas>, the handles above it, and what pointers and keys do there.
-import { useSignalEffect } from "@preact/signals";
+import { effect, untracked, useSignalEffect } from "@preact/signals";
 import { useLayoutEffect, useMemo, useRef } from "preact/hooks";
 import type { Editor, ToolName } from "../app/types.js";
 import type { Point } from "../geometry/affine.js";
@@ -187,20 +187,28 @@ function useListeners(parts: Parts, root: { current: HTMLDivElement | null }): v
   }, [parts, root]);
 }
 
-/** What a tool has not finished is finished when another is taken up. */
+/**
+ * What a tool has not finished is finished when another is taken up: at once, since a frame later
+ * the pointer may be down with the new one.
+ */
 function useToolChanges(editor: Editor, parts: Parts): void {
-  const last = useRef<ToolName>(editor.tool.peek());
-  useSignalEffect(() => {
-    const now = editor.tool.value;
-    if (now === last.current) return;
-    parts.pointers.cancel();
-    parts.leave(last.current);
-    const { draft } = parts.canvas.sketch.peek();
-    parts.canvas.sketch.value = { ...NO_SKETCH, draft };
-    last.current = now;
-    // The box is of whole things.
-    if (now === "select") letGoOfParts(editor);
-  });
+  useLayoutEffect(() => {
+    let last = editor.tool.peek();
+    return effect(() => {
+      const now = editor.tool.value;
+      if (now !== last) untracked(() => changeTool(editor, parts, last, now));
+      last = now;
+    });
+  }, [editor, parts]);
+}
+
+function changeTool(editor: Editor, { pointers, leave, canvas }: Parts, from: ToolName, to: ToolName): void {
+  pointers.cancel();
+  leave(from);
+  const { draft } = canvas.sketch.peek();
+  canvas.sketch.value = { ...NO_SKETCH, draft };
+  // The box is of whole things.
+  if (to === "select") letGoOfParts(editor);
 }
 
 /** While the stage has the focus, it stands on the mark that is chosen, so that its name is read. */
