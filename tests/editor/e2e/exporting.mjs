@@ -128,7 +128,11 @@ async function testFailure(browser, address) {
   await closeDialog(page);
   await disk.set({ chosen: "", failure: "" });
   await go();
-  await page.waitForFunction(() => [...document.querySelectorAll("dialog button")].some((b) => b.textContent === "Export PNG"));
+  const again = page.getByRole("button", { name: "Export PNG" });
+  await again.waitFor();
+  // The picture that was being drawn when the browser's dialog was left is done by then.
+  await page.waitForTimeout(1500);
+  check((await again.isVisible()) && (await again.isEnabled()), "the work that was left goes on");
   checkEqual(await page.locator("dialog [role=alert]").count(), 0, "complaints after the browser's dialog was left");
   await closeDialog(page);
   await disk.set({ chosen: "b.png" });

@@ -65,14 +65,20 @@ export function useWork() {
   /** null: nothing is done. */
   const stage = useSignal<Stage | null>(null);
   const reason = useSignal<string | null>(null);
-  const stop = useRef(new AbortController());
-  useEffect(() => () => stop.current.abort(), []);
+  const stop = useRef<AbortController | null>(null);
+  useEffect(() => () => stop.current?.abort(), []);
   const run = async (work: (watch: ExportWatch) => Promise<void>, done: string | null) => {
-    const { signal } = stop.current;
+    const own = new AbortController();
+    const { signal } = own;
+    stop.current = own;
     stage.value = "begin";
     reason.value = null;
+    // What goes on behind a work that has ended says nothing more.
+    const onStage = (now: Stage) => {
+      if (!signal.aborted) stage.value = now;
+    };
     try {
-      await work({ signal, onStage: (now) => (stage.value = now) });
+      await work({ signal, onStage });
       editor.dialog.value = null;
       if (done) editor.say(done);
     } catch (error) {
@@ -81,6 +87,7 @@ export function useWork() {
         reason.value = complaintOf(error);
       }
     }
+    own.abort();
     stage.value = null;
   };
   return { stage, reason, run };
