@@ -54,14 +54,19 @@ function closeMenus() {
 
 const EDGE = 6;
 
-/** Within the window; beside its item, or below its opener, else above it. */
+/** Within the window: beside its item, or below its opener; above where there is no room below. */
 function place(menu: HTMLElement | null, { at, beside }: Level) {
   if (!menu) return;
   const { width, height } = menu.getBoundingClientRect();
-  const right = beside ? at.right - 2 : at.left;
-  const left = beside && right + width > innerWidth - EDGE ? at.left - width + 2 : right;
-  const below = beside ? at.top - 4 : at.bottom + 4;
-  const top = !beside && below + height > innerHeight - EDGE ? at.top - height - 4 : below;
+  const isRight = at.right - 2 + width <= innerWidth - EDGE;
+  // Where neither side has room, the item itself stays free: the pointer is on it.
+  const isBeside = beside && (isRight || at.left + 2 - width >= EDGE);
+  const side = isRight ? at.right - 2 : at.left + 2 - width;
+  const gap = beside ? 0 : 4;
+  const below = isBeside ? at.top - 4 : at.bottom + gap;
+  const isAbove = !isBeside && below + height > innerHeight - EDGE && at.top - height - gap >= EDGE;
+  const left = isBeside ? side : at.left;
+  const top = isAbove ? at.top - height - gap : below;
   menu.style.left = `${Math.max(EDGE, Math.min(left, innerWidth - width - EDGE))}px`;
   menu.style.top = `${Math.max(EDGE, Math.min(top, innerHeight - height - EDGE))}px`;
 }
