@@ -95,7 +95,7 @@ try {
     if (only !== "" && name !== only) continue;
     // The first page by daylight, the rest as most people draw.
     const colorScheme = name === "editor-welcome" ? "light" : "dark";
-    const editor = await EditorPage.open(browser, server.address, { colorScheme });
+    const editor = await EditorPage.open(browser, server.address, { colorScheme, reducedMotion: "reduce" });
     await editor.settled();
     const png = await take(editor, new Artist(editor));
     pack(png, join(folder, `${name}.jpg`));
