@@ -158,28 +158,30 @@ export function KeysDialog() {
   );
   return (
     <Frame title={words.keys} class="keys" head={search} foot={foot}>
-      <div class="dialog-body keys-grid" tabIndex={0} role="group" aria-label={words.allKeys}>
-        {groups.map((group) => {
-          const rows = found.filter((binding) => binding.group === group);
-          if (rows.length === 0) return null;
-          return (
-            <section key={group} class="keys-group">
-              <h3>{words.keyGroups[group]}</h3>
-              <dl>
-                {rows.map((binding) => (
-                  <KeyRow
-                    key={binding.command}
-                    binding={binding}
-                    isChanging={isChanging.value}
-                    waiting={waiting}
-                    message={message}
-                  />
-                ))}
-              </dl>
-            </section>
-          );
-        })}
-        <Fixed query={query.value} />
+      <div class="dialog-body" tabIndex={0} role="group" aria-label={words.allKeys}>
+        <div class="keys-grid">
+          {groups.map((group) => {
+            const rows = found.filter((binding) => binding.group === group);
+            if (rows.length === 0) return null;
+            return (
+              <section key={group} class="keys-group">
+                <h3>{words.keyGroups[group]}</h3>
+                <dl>
+                  {rows.map((binding) => (
+                    <KeyRow
+                      key={binding.command}
+                      binding={binding}
+                      isChanging={isChanging.value}
+                      waiting={waiting}
+                      message={message}
+                    />
+                  ))}
+                </dl>
+              </section>
+            );
+          })}
+          <Fixed query={query.value} />
+        </div>
       </div>
     </Frame>
   );
