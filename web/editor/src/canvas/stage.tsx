@@ -159,6 +159,10 @@ function useListeners(parts: Parts, root: { current: HTMLDivElement | null }): v
       // The middle button would scroll. The others are left alone: they give the stage the focus.
       if (event.button === 1) event.preventDefault();
     });
+    on("auxclick", (event) => {
+      // Firefox on Linux would paste what is selected anywhere.
+      if (event.button === 1) event.preventDefault();
+    });
     on("pointermove", (event) => pointers.move(pointerOf(element, event)));
     on("pointerup", (event) => pointers.up(pointerOf(element, event)));
     on("pointercancel", (event) => pointers.lost(event.pointerId));
