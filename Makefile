@@ -25,7 +25,7 @@ help:
 	@echo 'make equal   random scenes $(equal_scenes): the same bits by any threads and instructions'
 	@echo 'make wasm    the library for WebAssembly: build-wasm/sfumato.wasm'
 	@echo 'make editor  draw in a browser: $(build_folder)/editor/ and $(build_folder)/editor.html'
-	@echo 'make editor-tests   the editor in Chromium: all that a person does, and what fuzzers found'
+	@echo 'make editor-tests   the editor in Chromium: all that a person does, and what fuzzers found; in Firefox the core of it'
 	@echo 'make clean   remove what was built'
 
 build:
@@ -108,7 +108,9 @@ equal:
 
 editor-tests: build editor
 	@scripts/setup viewers
+	@scripts/setup firefox || true
 	@SFUMATO="$(CURDIR)/$(build_folder)/sfumato" node tests/editor/e2e/run.mjs $(build_folder)
+	@SFUMATO="$(CURDIR)/$(build_folder)/sfumato" node tests/editor/e2e/firefox.mjs $(build_folder)
 
 clean:
 	rm -rf $(build_folder) build-wasm build-check build-asan build-tsan build-fuzz

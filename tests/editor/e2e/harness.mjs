@@ -175,13 +175,18 @@ export class EditorPage {
     await this.settled();
     await this.page.evaluate(() => {
       const sheet = new CSSStyleSheet();
-      sheet.replaceSync(".canvas-stage > :not(canvas), .toasts, .tooltip { visibility: hidden !important }");
+      sheet.replaceSync(".canvas-stage > :not(canvas), .toasts, .tooltip, .resizer { visibility: hidden !important }");
       document.adoptedStyleSheets = [sheet];
     });
-    // The page's policy lets nobody add a <style>, as hiding the caret would.
-    const png = await this.page.locator(".canvas-stage > canvas").screenshot({ caret: "initial" });
+    const png = await this.pictureOf(".canvas-stage > canvas");
     await this.page.evaluate(() => void (document.adoptedStyleSheets = []));
     return png;
+  }
+
+  /** An element as it looks, a PNG. */
+  pictureOf(selector) {
+    // The page's policy lets nobody add a <style>, as hiding the caret would.
+    return this.page.locator(selector).screenshot({ caret: "initial" });
   }
 
   async key(...names) {

@@ -1,4 +1,5 @@
 // What the browser keeps of a drawing: after a page that ended, beside another tab, and where it keeps nothing.
+import { setTimeout as sleep } from "node:timers/promises";
 import { check, checkEqual, EditorPage } from "./harness.mjs";
 import { small } from "./texts.mjs";
 import { edit, said, shows } from "./words.mjs";
@@ -9,7 +10,7 @@ const state = (page, pattern) =>
   page.waitForFunction((source) => new RegExp(source).test(document.querySelector(".saved")?.textContent), pattern.source);
 
 /** Waits until the browser has a drawing in its keeping, by its text or its name. */
-async function isKept(page, wanted) {
+export async function isKept(page, wanted) {
   const look = async (what) => {
     // Opening a database that is not there would make an empty one.
     const known = await indexedDB.databases();
@@ -27,7 +28,7 @@ async function isKept(page, wanted) {
   };
   for (let tries = 0; !(await page.evaluate(look, wanted)); ++tries) {
     check(tries < 100, "the browser does not keep it");
-    await page.waitForTimeout(100);
+    await sleep(100);
   }
 }
 

@@ -1,0 +1,123 @@
+// Firefox for the tests: on a screen in memory, driven by WebDriver BiDi.
+import { spawn, spawnSync } from "node:child_process";
+import { once } from "node:events";
+import { check, EditorPage, packageOf } from "./harness.mjs";
+
+const puppeteer = packageOf("puppeteer-core");
+
+const firefox = process.env.FIREFOX ?? "firefox-esr";
+const isHere = (command) => spawnSync("which", [command]).status === 0;
+
+/** The commands that Firefox needs and that are not here, in words; "" where all are. */
+export const missing = () => [firefox, "Xvfb"].filter((command) => !isHere(command)).join(" and ");
+
+/** A screen in memory: without one Firefox has no WebGL. */
+async function startScreen() {
+  const options = ["-displayfd", "3", "-screen", "0", "1280x1000x24", "-nolisten", "tcp"];
+  const child = spawn("Xvfb", options, { stdio: ["ignore", "ignore", "ignore", "pipe"] });
+  const [number] = await Promise.race([
+    once(child.stdio[3], "data"),
+    once(child, "exit").then(() => Promise.reject(new Error("Xvfb does not start"))),
+  ]);
+  const close = () => void child.kill();
+  // Also where the tests end by an error.
+  process.once("exit", close);
+  return { display: `:${String(number).trim()}`, close };
+}
+
+/** @returns {browser, close} */
+export async function launchFirefox() {
+  const screen = await startScreen();
+  try {
+    const executablePath = String(spawnSync("which", [firefox]).stdout).trim();
+    const env = { ...process.env, DISPLAY: screen.display };
+    const browser = await puppeteer.launch({ browser: "firefox", executablePath, headless: false, env });
+    const close = () => browser.close().finally(screen.close);
+    return { browser, close };
+  } catch (error) {
+    screen.close();
+    throw error;
+  }
+}
+
+/** The editor in Firefox: what the two drivers say in different words. */
+export class FirefoxPage extends EditorPage {
+  static size = [1100, 760];
+
+  /** A page of its own storage. `downloads`: the folder that takes what it saves. */
+  static async open(browser, address, { downloads } = {}) {
+    const behavior = downloads ? { downloadBehavior: { policy: "allow", downloadPath: downloads } } : {};
+    const context = await browser.createBrowserContext(behavior);
+    const editor = new FirefoxPage(await context.newPage());
+    editor.context = context;
+    const [width, height] = FirefoxPage.size;
+    await editor.page.setViewport({ width, height });
+    await editor.go(address);
+    return editor;
+  }
+
+  /** Waits until a function of the page gives something, and gives that. */
+  async until(what, body, ...given) {
+    try {
+      return await (await this.page.waitForFunction(body, {}, ...given)).jsonValue();
+    } catch (error) {
+      throw new Error(`not so: ${what}`, { cause: error });
+    }
+  }
+
+  /** Does something that changes the text. @returns the new text */
+  async changing(what, act) {
+    const before = await this.text;
+    await act();
+    await this.until(`${what} changes the text`, (text) => window.sfumatoEditor.text !== text, before);
+    return this.text;
+  }
+
+  /** Waits until an element matches a selector. */
+  matches(selector) {
+    return this.until(selector, (wanted) => document.querySelector(wanted) !== null, selector);
+  }
+
+  /** Clicks the first element whose name or words match, once nothing covers it. */
+  async press(pattern, selector = "button") {
+    const find = (wanted, source) => {
+      for (const element of document.querySelectorAll(wanted)) {
+        const name = element.getAttribute("aria-label") ?? element.textContent.trim();
+        if (element.disabled || !new RegExp(source).test(name)) continue;
+        element.scrollIntoView({ block: "nearest" });
+        const { left, top, width, height } = element.getBoundingClientRect();
+        const place = [left + width / 2, top + height / 2];
+        if (element.contains(document.elementFromPoint(...place))) return place;
+      }
+      return null;
+    };
+    const place = await this.until(`${pattern} can be pressed`, find, selector, pattern.source);
+    await this.page.mouse.click(...place);
+  }
+
+  /** Types into a field of the inspector, by its name. */
+  async fill(name, value) {
+    await this.press(new RegExp(`^${name}$`), ".inspector input");
+    await this.key("Control+a");
+    await this.page.keyboard.type(value);
+    return this.changing(name, () => this.key("Enter"));
+  }
+
+  /** Keys as "Control+Shift+z". */
+  async key(...names) {
+    const { keyboard } = this.page;
+    for (const name of names) {
+      const modifiers = name.split("+");
+      const last = modifiers.pop();
+      for (const modifier of modifiers) await keyboard.down(modifier);
+      await keyboard.press(last);
+      for (const modifier of modifiers.reverse()) await keyboard.up(modifier);
+    }
+  }
+
+  async pictureOf(selector) {
+    const element = await this.page.$(selector);
+    check(element, `there is no ${selector}`);
+    return element.screenshot();
+  }
+}
