@@ -18,11 +18,11 @@ async function contextOf(folder) {
   return (await loadSfumato(readFileSync(join(assets, name)))).context({});
 }
 
-/** RGBA of the engine, as `sfumato raster` has it. */
+/** RGBA of the engine, as `sfumato render` has it. */
 function rasterOf(context, text, { width, height, format, background }) {
   const fine = format === "rgba16" ? { "max-error": 0.25 } : {};
   const picture = context.solve(context.read(text), { width, height, ...fine });
-  return context.raster(picture, { width, height, format }, background ? { background } : {});
+  return context.raster(picture, { width, height, format }, { dither: format === "rgba8", background });
 }
 
 /** Opens the dialog, makes choices, exports; the file. */

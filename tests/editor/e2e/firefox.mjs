@@ -114,7 +114,7 @@ async function testExport(editor, folder, text) {
   const [svg, png] = ["drawing.svg", "drawing.png"].map((name) => join(folder, name));
   writeFileSync(svg, text);
   // Its width, where the header of a PNG has it.
-  execFileSync(command, ["render", svg, "-o", png, "--no-dither", "--width", String(file.bytes.readUInt32BE(16))], { stdio: "ignore" });
+  execFileSync(command, ["render", svg, "-o", png, "--width", String(file.bytes.readUInt32BE(16))], { stdio: "ignore" });
   checkEqual(largestDifference(file.bytes, readFileSync(png)), 0, "the export beside the command's pixels");
 }
 

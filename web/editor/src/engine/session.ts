@@ -215,7 +215,9 @@ export class Session {
     const picture = this.#context.solve(this.#read(), options);
     try {
       const format = depth === 16 ? "rgba16" : "rgba8";
-      return this.#context.raster(picture, { width, height, format }, background ? { background } : {});
+      // As the command does: 8 bits show bands in a smooth picture that is not dithered.
+      const shown = { dither: depth === 8, ...(background ? { background } : {}) };
+      return this.#context.raster(picture, { width, height, format }, shown);
     } finally {
       picture.free();
     }
