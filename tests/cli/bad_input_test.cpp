@@ -238,7 +238,7 @@ TEST(Limits, time_is_limited_for_each_drawing) {
       run_sfumato({"render", input, second, "--out-dir", folder.path("pictures"), "--max-time",
                    "1e-6", "--width", "2048"});
   EXPECT_EQ(result.exit_code, 3);
-  const std::string message = "the time limit of 1e-06 s is over (--max-time sets another)";
+  const std::string message = "the time limit of 1e-6 s is over (--max-time sets another)";
   EXPECT_TRUE(contains(result.err, "scene.xml: error: " + message)) << result.err;
   EXPECT_TRUE(contains(result.err, "second.xml: error: " + message)) << result.err;
   EXPECT_TRUE(contains(result.err, "2 of 2 drawings failed")) << result.err;
