@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "sfumato/solve/solution.hpp"
 #include "solve/diffused.hpp"
 #include "solve/mean_difference.hpp"
+#include "solve/solved.hpp"
 #include "support/drawing.hpp"
 #include "support/same_picture.hpp"
 
@@ -20,6 +20,7 @@ using test::circle_curve;
 using test::colored;
 using test::difference_of;
 using test::diffused;
+using test::expecting_drags;
 using test::kBlue;
 using test::kGreen;
 using test::kRed;
@@ -51,14 +52,6 @@ Curve moved(Curve curve, Vec2 by) {
 /// A curve that is costly to drag, and one that is not.
 Document drawing(Curve costly) {
   return test::one_layer({std::move(costly), colored(circle_curve({50, 50}, 3), kBlue, kGreen)});
-}
-
-Solution expecting_drags(Context& context, Document document) {
-  Result<Solution> solution = Solution::create(context, std::move(document));
-  EXPECT_TRUE(solution.ok()) << to_string(solution.status());
-  solution->expect_drags();
-  EXPECT_TRUE(solution->solve(context, {}).ok());
-  return std::move(*solution);
 }
 
 std::size_t triangles(const Solution& solution) {

@@ -27,6 +27,7 @@ using test::circle_curve;
 using test::colored;
 using test::difference_of;
 using test::diffused;
+using test::expecting_drags;
 using test::kBlue;
 using test::kGreen;
 using test::kRed;
@@ -46,14 +47,6 @@ Document circles() {
   document.layers.push_back({"above", {colored(circle_curve({70, 70}, 9), kGreen, kRed)}});
   document.stack.push_back(LayerInstance{1, {}, 0.5f});
   return document;
-}
-
-/// A solution that keeps what drags begin from.
-Solution expecting_drags(Context& context, Document document) {
-  Solution solution = test::solution_of(context, std::move(document));
-  solution.expect_drags();
-  EXPECT_TRUE(solution.solve(context, {}).ok());
-  return solution;
 }
 
 TEST(Drag, shows_the_curve_where_it_is) {

@@ -24,4 +24,13 @@ inline Solution solved(Context& context, Document document, const DiffuseOptions
   return solution;
 }
 
+/// A solved Solution that keeps what drags begin from.
+inline Solution expecting_drags(Context& context, Document document) {
+  Solution solution = solution_of(context, std::move(document));
+  solution.expect_drags();
+  const Status status = solution.solve(context, {});
+  EXPECT_TRUE(status.ok()) << to_string(status);
+  return solution;
+}
+
 }  // namespace sfumato::test

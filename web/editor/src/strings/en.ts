@@ -1,8 +1,6 @@
 // A table: all words that the editor shows; each part of it has its own object.
 
-/** commands */
 const commands = {
-  // commands: begin
   align: "Align",
   bringUp: "Bring up",
   close: "Close curve",
@@ -42,12 +40,10 @@ const commands = {
     joinToCurve: "Move the end onto the curve",
     openSide: "Open the side",
   },
-  // commands: end
 } as const;
 
 /** What the page says of files and of itself. */
 const page = {
-  // page: begin
   brokenPictures: (count: number) =>
     count === 1
       ? "This browser cannot read a picture that the drawing uses."
@@ -75,21 +71,15 @@ const page = {
   takeOver: "Edit here",
   takenByTab: "Another tab goes on with this drawing. Changes here are no longer kept.",
   untitled: "Untitled.svg",
-  // page: end
 } as const;
 
-/** engine */
 const engine = {
-  // engine: begin
   noWorker: "This browser starts no worker for this page, and only workers can compute the picture.",
   noWebAssembly: "This browser has no WebAssembly, which computes the picture.",
   noModule: (reason: string) => `What computes the picture could not be loaded (${reason}).`,
-  // engine: end
 } as const;
 
-/** canvas */
 const canvas = {
-  // canvas: begin
   name: "Canvas",
   describe: "Tab goes from curve to curve, Enter goes into one, Escape out of it; Shift Enter goes to the handles of the box. Arrows move what is selected, and scale or turn by a handle; with the pen and nothing selected they move a point, and Enter sets a node there.",
   caret: "Pen",
@@ -119,12 +109,9 @@ const canvas = {
   radiusTag: (value: string) => `Radius ${value}`,
   clear: "nothing",
   sampled: (left: string, right: string) => `Left ${left} · Right ${right}`,
-  // canvas: end
 } as const;
 
-/** tools */
 const tools = {
-  // tools: begin
   undo: {
     move: "move",
     copy: "copy",
@@ -151,15 +138,12 @@ const tools = {
   },
   noPhoto: "There is no photo to sample. Drop a picture on the canvas first.",
   photoUnread: "The photo cannot be read, so it has no colours to sample.",
-  // tools: end
 } as const;
 
 /** As it stands within a sentence. */
 const lowered = (text: string) => text.charAt(0).toLowerCase() + text.slice(1);
 
-/** panels */
 const panels = {
-  // panels: begin
   menu: "Menu",
   file: "File",
   edit: "Edit",
@@ -420,12 +404,9 @@ const panels = {
   setInterpolation: "change how colours mix",
   deselect: "Select nothing",
   showStops: { color: "Colour stops", opacity: "Opacity stops", blur: "Blur along the curve" },
-  // panels: end
 } as const;
 
-/** layers */
 const layers = {
-  // layers: begin
   title: "Layers",
   newLayer: "New layer",
   empty: "Nothing here yet. Draw a curve (P) or drop a picture.",
@@ -466,12 +447,9 @@ const layers = {
     color: "Colour",
     luminosity: "Luminosity",
   },
-  // layers: end
 } as const;
 
-/** picker */
 const picker = {
-  // picker: begin
   title: (side: string, index: number) => `Colour of ${side.toLowerCase()} stop ${index}`,
   head: (side: string, index: number, count: number) => `${side}, stop ${index} of ${count}`,
   change: "change colour",
@@ -494,12 +472,9 @@ const picker = {
   recent: "Recent",
   inPicture: "In this picture",
   none: "None: leave this side open",
-  // picker: end
 } as const;
 
-/** dialogs */
 const dialogs = {
-  // dialogs: begin
   hints: "Hints",
   noHints: "No hints. Nothing leaks, no side is hidden.",
   hintsHeight: "Height of the hints",
@@ -578,12 +553,9 @@ const dialogs = {
   version: (version: string) => `Version ${version}`,
   licences:
     "MIT licence. Made with Preact and signals (MIT), idb-keyval and browser-fs-access (Apache 2.0), fast-png (MIT) and icons of Lucide (ISC).",
-  // dialogs: end
 } as const;
 
-/** welcome */
 const welcome = {
-  // welcome: begin
   lede: "Paint with curves",
   ledeText: "Give a curve a colour on each side. The picture fills itself in, smooth at any size.",
   blank: "Start blank",
@@ -606,12 +578,9 @@ const welcome = {
     { title: "Stack layers", text: "Curves meet only within their layer." },
   ],
   private: "Everything stays on this device. Nothing is uploaded.",
-  // welcome: end
 } as const;
 
-/** tour */
 const tour = {
-  // tour: begin
   label: "The five steps",
   leave: "Leave the tour",
   next: "Next",
@@ -630,12 +599,9 @@ const tour = {
     { title: "Add a layer", text: "Press + above the layers. Curves meet only within their layer." },
     { title: "Export", text: "Press Export. SVG stays a drawing, PNG is pixels, HTML zooms in any browser." },
   ],
-  // tour: end
 } as const;
 
-/** files */
 const files = {
-  // files: begin
   drawings: "Drawings",
   photos: "Photos",
   drawingsAndPhotos: "Drawings and photos",
@@ -665,13 +631,6 @@ const files = {
   pictureTooLarge: "The picture is too large for this browser. Make it smaller, or use the command.",
   noClipboard: "This browser copies no pictures. Export a PNG instead.",
   clipboardRefused: "The browser did not allow the copy. Export a PNG instead.",
-  // files: end
 } as const;
 
-/** keys */
-const keys = {
-  // keys: begin
-  // keys: end
-} as const;
-
-export const en = { page, commands, engine, canvas, tools, panels, layers, picker, dialogs, welcome, tour, files, keys } as const;
+export const en = { page, commands, engine, canvas, tools, panels, layers, picker, dialogs, welcome, tour, files } as const;
