@@ -12,6 +12,7 @@ import { testExporting } from "./exporting.mjs";
 import { testFiles } from "./files.mjs";
 import { testFocus } from "./focus.mjs";
 import { testGradients } from "./gradients.mjs";
+import { testPaints } from "./paints.mjs";
 import { testGestures } from "./gestures.mjs";
 import { testKeys } from "./keys.mjs";
 import { testLayers } from "./layers.mjs";
@@ -37,6 +38,7 @@ const themes = [
   testFocus,
   testLayers,
   testGradients,
+  testPaints,
   testRobust,
   testRecover,
   testDraw,

@@ -61,8 +61,10 @@ function nodeKind(label: string, kind: NodeKind): Command {
   };
 }
 
-/** The chosen stop or nodes, else whole items. */
+/** The chosen stop or nodes, else whole items; a grip of a paint stays. */
 function deleteChosen(editor: DrawingEditor) {
+  // A gradient has its ends wherever they are.
+  if (editor.selection.value.at(-1)?.part.kind === "paint") return;
   const curve = primaryCurve(editor);
   const stop = chosenStop(editor);
   const nodes = chosenNodes(editor);

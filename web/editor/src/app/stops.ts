@@ -26,10 +26,10 @@ export function deleteStop(drawing: Drawing, curve: CurveItem, part: StopPart): 
     const radius = without(curve.radius, index);
     return radius && radius.kind === "stops" ? setRadius(drawing, handle, radius) : null;
   }
+  const now = curve[side][attribute];
+  if (now.kind === "paint") return withoutGradientStop(drawing, now.href, index);
   if (attribute === "color") {
-    const now = curve[side].color;
-    if (now.kind === "paint") return withoutGradientStop(drawing, now.href, index);
-    const color = without(now, index);
+    const color = without(curve[side].color, index);
     return color && setColor(drawing, handle, side, color);
   }
   const numbers = without(curve[side][attribute], index);

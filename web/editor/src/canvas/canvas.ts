@@ -7,6 +7,7 @@ import { boxMarks, selectionBox } from "./box.js";
 import { Grips } from "./grips.js";
 import { CurveGrid, markAt, REACH, type CurveHit, type PointerKind } from "./hit.js";
 import { chosenParts, nodeMarks, stageFromItem, stopMarks, type Mark } from "./marks.js";
+import { paintMarks } from "./paint-marks.js";
 import { isCurve, isHidden, isLocked, placesOf, type Place } from "./places.js";
 import { NO_SKETCH, type Sketch } from "./sketch.js";
 import { snapped, type Snapped } from "./snap.js";
@@ -108,7 +109,11 @@ export class Canvas {
     }
     if (primary) {
       const parts = chosenParts(editor.selection.value, primary.handle);
-      marks.push(...stopMarks(primary, stageFromItem(map, primary), this.attribute(), parts));
+      const own = stageFromItem(map, primary);
+      const attribute = this.attribute();
+      marks.push(...stopMarks(primary, own, attribute, parts));
+      if (tool === "nodes" && attribute !== "blur")
+        marks.push(...paintMarks(editor.drawing, primary, own, attribute, parts));
     }
     return marks;
   }

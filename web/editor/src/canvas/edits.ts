@@ -11,6 +11,7 @@ import type { Rgb } from "../geometry/color.js";
 import {
   deleteNodes,
   moveNodes,
+  movePaint,
   setBoth,
   setColor,
   setNodeKind,
@@ -33,6 +34,7 @@ import type {
   Side,
   SideValue,
 } from "../model/types.js";
+import { gripPlace } from "../model/paint-frames.js";
 import { deleteStop } from "../app/stops.js";
 import { en } from "../strings/en.js";
 import { movable } from "./box.js";
@@ -107,9 +109,11 @@ export function setKinds(editor: Editor, kind: NodeKind): boolean {
   return editor.run(en.tools.undo.kind, made);
 }
 
-/** Takes away chosen stops, else chosen nodes. @returns false where neither is chosen */
+/** Takes away chosen stops, else chosen nodes. @returns false where the whole of something is meant */
 export function deleteParts(editor: Editor): boolean {
   const selection = editor.selection.peek();
+  // A gradient has its ends wherever they are.
+  if (selection.at(-1)?.part.kind === "paint") return true;
   const stops = selection.filter(({ part }) => part.kind === "stop");
   if (stops.length > 0) {
     const handle = stops[stops.length - 1].handle;
@@ -156,8 +160,8 @@ function deleteStops(editor: Editor, handle: Handle, parts: readonly Part[]): vo
 }
 
 /**
- * Moves what is chosen by pixels of the stage: a stop along its curve, a handle, nodes, or whole
- * things. Steps that follow each other quickly are one step of undo.
+ * Moves what is chosen by pixels of the stage: a stop along its curve, a handle, a grip of a paint,
+ * nodes, or whole things. Steps that follow each other quickly are one step of undo.
  * @returns false where nothing can be moved
  */
 export function nudge(editor: Editor, [dx, dy]: Point): boolean {
@@ -179,6 +183,10 @@ export function nudge(editor: Editor, [dx, dy]: Point): boolean {
       made,
       "nudge",
     );
+  }
+  if (part.kind === "paint") {
+    if (!isCurve(item) || isLocked(item)) return false;
+    return editor.run(en.tools.undo.movePaint, nudgedPaint(editor, item, part, by), "nudge");
   }
   if (part.kind === "node") {
     const made = movedNodes(editor.drawing, selection, by, (curve) => editor.step(curve));
@@ -234,6 +242,20 @@ function nudgedHandle(
     withHandle(path, part.index, to, false),
     editor.step(item),
   );
+}
+
+function nudgedPaint(
+  editor: Editor,
+  item: CurveItem,
+  { side, attribute, grip }: Part & { kind: "paint" },
+  by: Point,
+): Outcome | null {
+  const { drawing } = editor;
+  const from = gripPlace(drawing, item, side, attribute, grip);
+  const back = inverted(item.artboardFromItem);
+  if (!back || !from) return null;
+  const to = plus(from, mappedVector(back, by));
+  return movePaint(drawing, item.handle, side, attribute, grip, to, editor.step(item));
 }
 
 export function plus(a: Point, b: Point): Point {

@@ -226,7 +226,7 @@ function hullBox([p0, p1, p2, p3]: Cubic): Box {
   ];
 }
 
-const ORDER: readonly Mark["kind"][] = ["turn", "scale", "bracket", "stop", "node", "handle"];
+const ORDER: readonly Mark["kind"][] = ["turn", "scale", "bracket", "stop", "paint", "node", "handle"];
 
 /** The mark that a pointer means: a chosen one, then by kind, then the nearest. */
 export function markAt(marks: readonly Mark[], [x, y]: Point, reach: number): Mark | null {

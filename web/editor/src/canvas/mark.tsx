@@ -3,7 +3,7 @@ import type { ComponentChildren } from "preact";
 import { hexOf } from "../geometry/colortext.js";
 import type { Point } from "../geometry/affine.js";
 import type { Rgb } from "../geometry/color.js";
-import type { BoxMark, Mark, NodeMark, StopMark } from "./marks.js";
+import type { BoxMark, Mark, NodeMark, PaintMark, StopMark } from "./marks.js";
 import { keyOf } from "./walk.js";
 
 /** Radii, CSS pixels. */
@@ -36,6 +36,8 @@ function shapeOf(mark: Mark): ComponentChildren {
       return <Square mark={mark} />;
     case "handle":
       return <circle class="handle" r={HANDLE} />;
+    case "paint":
+      return <Diamond mark={mark} />;
     case "turn":
       return <Turn mark={mark} />;
     case "stop":
@@ -51,6 +53,15 @@ function Square({ mark }: { readonly mark: NodeMark | BoxMark }) {
       {mark.isChosen && <rect class="node-rim" x={-5.5} y={-5.5} width={11} height={11} rx={2} />}
       <rect class="node" x={-4.5} y={-4.5} width={9} height={9} rx={1} />
     </>
+  );
+}
+
+function Diamond({ mark }: { readonly mark: PaintMark }) {
+  return (
+    <g transform="rotate(45)">
+      {mark.isChosen && <rect class="node-rim" x={-5.5} y={-5.5} width={11} height={11} rx={2} />}
+      <rect class="node" x={-4.5} y={-4.5} width={9} height={9} rx={1} />
+    </g>
   );
 }
 

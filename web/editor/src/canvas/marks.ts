@@ -52,7 +52,13 @@ export interface BoxMark extends MarkBase {
   readonly grip: readonly [number, number];
 }
 
-export type Mark = NodeMark | StopMark | BoxMark;
+/** A grip of a gradient or a texture. */
+export interface PaintMark extends MarkBase {
+  readonly kind: "paint";
+  readonly part: Part & { readonly kind: "paint" };
+}
+
+export type Mark = NodeMark | StopMark | BoxMark | PaintMark;
 
 /** How far a stop stands off its curve, and how far apart two at one place are, CSS pixels. */
 const STOP_OFF = 18;

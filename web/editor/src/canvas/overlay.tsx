@@ -9,6 +9,7 @@ import { LoupeView } from "./loupe-view.js";
 import { MarkView } from "./mark.js";
 import { bandOf, stageFromItem, type Mark } from "./marks.js";
 import { outlineOf, selectedPlaces } from "./outline.js";
+import { paintOutline, shownPaints } from "./paint-marks.js";
 import { Photos } from "./photos.js";
 import { placesOf } from "./places.js";
 import { isSamePart, type Sketch } from "./sketch.js";
@@ -111,6 +112,7 @@ function Handles({
         <Curves canvas={canvas} map={map} />
         <SelectionBox canvas={canvas} map={map} />
         <Bands canvas={canvas} map={map} />
+        <Paints canvas={canvas} map={map} />
         {rest.map((mark) => (
           <HandleLine key={keyOf(mark)} mark={mark} />
         ))}
@@ -189,6 +191,24 @@ function Bands({ canvas, map }: { readonly canvas: Canvas; readonly map: Affine 
     <>
       <path class="band-rim" d={edges} />
       <path class="band" d={edges} />
+    </>
+  );
+}
+
+/** The circles and tiles of the primary curve's paints. */
+function Paints({ canvas, map }: { readonly canvas: Canvas; readonly map: Affine }) {
+  const { editor } = canvas;
+  const item = canvas.primaryCurve();
+  const attribute = canvas.attribute();
+  if (!item || attribute === "blur" || editor.tool.value !== "nodes") return null;
+  const own = stageFromItem(map, item);
+  const data = shownPaints(editor.drawing, item, attribute)
+    .map((paint) => paintOutline(paint, own))
+    .join("");
+  return data === "" ? null : (
+    <>
+      <path class="band-rim" d={data} />
+      <path class="band" d={data} />
     </>
   );
 }

@@ -58,5 +58,14 @@ export function isSamePart(a: Part, b: Part): boolean {
       a.index === b.index
     );
   }
+  if (a.kind === "paint" || b.kind === "paint") {
+    return (
+      a.kind === "paint" &&
+      b.kind === "paint" &&
+      a.side === b.side &&
+      a.attribute === b.attribute &&
+      a.grip === b.grip
+    );
+  }
   return a.kind === b.kind && a.path === b.path && a.index === b.index;
 }

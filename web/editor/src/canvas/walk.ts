@@ -15,6 +15,7 @@ export function keyOf(mark: Mark): string {
   if (part.kind === "whole") return `${mark.kind}-${"grip" in mark ? mark.grip.join("-") : ""}`;
   if (part.kind === "stop")
     return `${mark.handle}-${path}-${part.side}-${part.attribute}-${part.index}`;
+  if (part.kind === "paint") return `${mark.handle}-paint-${part.side}-${part.attribute}-${part.grip}`;
   return `${mark.handle}-${part.kind}-${part.path}-${part.index}`;
 }
 

@@ -1,11 +1,12 @@
 // Gradients as sides show them: stops by their offsets, and what lies beyond the ends.
 import type { Rgb } from "../geometry/color.js";
-import { hrefOf, valueOf } from "../source/attributes.js";
+import { valueOf } from "../source/attributes.js";
 import { parseColor, type Color } from "../source/colors.js";
 import { keywordOf, shareOf } from "../source/css.js";
 import { isSvg, Styles } from "../source/styles.js";
 import type { ElementNode } from "../source/tree.js";
 import { idsWithin } from "./commands/references.js";
+import { paintChain } from "./paint-frames.js";
 import type { Drawing } from "./types.js";
 
 /** A colour with its alpha. */
@@ -41,25 +42,8 @@ export interface GradientNodes extends Gradient {
 
 const BLACK: Color = { rgb: { r: 0, g: 0, b: 0 }, alpha: 1 };
 
-const isGradient = (element: ElementNode) =>
-  isSvg(element) && /^(linear|radial)Gradient$/.test(element.local);
-
 export const stopsWithin = (bearer: ElementNode): ElementNode[] =>
   bearer.children.filter((child) => child.local === "stop" && isSvg(child));
-
-/** The gradient and those that it inherits from, the nearest first; a circle is left where it closes. */
-export function chainOf(
-  element: ElementNode,
-  ids: ReadonlyMap<string, ElementNode>,
-): readonly ElementNode[] {
-  const chain = new Set<ElementNode>();
-  for (let at: ElementNode | undefined = element; at && isGradient(at) && !chain.has(at); ) {
-    chain.add(at);
-    const href: string = hrefOf(at)?.value.trim() ?? "";
-    at = href.startsWith("#") ? ids.get(href.slice(1)) : undefined;
-  }
-  return [...chain];
-}
 
 /** What `stop-color` says, its own alpha with it. */
 export function stopColor(styles: Styles, stop: ElementNode): Color {
@@ -90,7 +74,7 @@ export function gradientNodes(d: Drawing, href: string): GradientNodes | null {
   const id = href.replace(/^#/, "");
   const ids = idsWithin(d.root);
   const element = ids.get(id);
-  const chain = element ? chainOf(element, ids) : [];
+  const chain = element ? paintChain(element, ids) : [];
   const bearer = chain.find((one) => stopsWithin(one).length > 0);
   if (!element || !bearer) return null;
   const said = chain.map((one) => valueOf(one, "spreadMethod")?.trim()).find((word) => word);

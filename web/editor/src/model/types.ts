@@ -11,6 +11,13 @@ export type { SideValue, Stop, StopSpace } from "../source/stops.js";
 export type Handle = number;
 export type Side = "left" | "right";
 export type Attribute = "color" | "opacity" | "blur";
+/** What a gradient or a texture can be. */
+export type PaintAttribute = Exclude<Attribute, "blur">;
+/**
+ * Where a paint is taken hold of. A line: its ends. A circle: its middle, its radius, its other radius
+ * where it is an ellipse, and where its colours begin. A tile: its corner and the two beside it.
+ */
+export type PaintGrip = "start" | "end" | "across" | "focus";
 
 export interface SideValues {
   readonly color: SideValue<Rgb>;
@@ -93,6 +100,12 @@ export type Part =
       readonly side: Side;
       readonly attribute: Attribute | "radius";
       readonly index: number;
+    }
+  | {
+      readonly kind: "paint";
+      readonly side: Side;
+      readonly attribute: PaintAttribute;
+      readonly grip: PaintGrip;
     };
 
 export interface Selected {

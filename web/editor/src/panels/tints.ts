@@ -1,7 +1,7 @@
 // The colour stops of a side: its own, or those of the gradient that it shows.
 import { setGradientStops } from "../model/commands/index.js";
 import { gradientOf, type Gradient, type Tint } from "../model/gradients.js";
-import type { CurveItem, Drawing, Side } from "../model/types.js";
+import type { CurveItem, Drawing, PaintAttribute, Side } from "../model/types.js";
 import { mixerOf } from "./color.js";
 import { mixNumbers, putColor, type Mix, type Put, type Stops } from "./stops.js";
 
@@ -21,7 +21,9 @@ const mixTints: Mix<Tint> = (a, b, t) => ({
   alpha: mixNumbers(a.alpha, b.alpha, t),
 });
 
-function ofGradient(gradient: Gradient, href: string): Tints {
+export type GradientTints = Tints & { readonly gradient: Gradient };
+
+function ofGradient(gradient: Gradient, href: string): GradientTints {
   return {
     list: { kind: "stops", space: "arc", stops: gradient.stops },
     put: (before, _, value) =>
@@ -31,13 +33,22 @@ function ofGradient(gradient: Gradient, href: string): Tints {
   };
 }
 
+/** The stops of the gradient that a side shows as its colour or its opacity; null: it shows none. */
+export function gradientTints(
+  drawing: Drawing,
+  item: CurveItem,
+  side: Side,
+  attribute: PaintAttribute,
+): GradientTints | null {
+  const value = item[side][attribute];
+  const gradient = value.kind === "paint" ? gradientOf(drawing, value.href) : null;
+  return gradient && ofGradient(gradient, `#${gradient.id}`);
+}
+
 /** null: the side is open, a barrier, or shows something else. */
 export function tintsOf(drawing: Drawing, item: CurveItem, side: Side): Tints | null {
   const { color } = item[side];
-  if (color.kind === "paint") {
-    const gradient = gradientOf(drawing, color.href);
-    return gradient && ofGradient(gradient, color.href);
-  }
+  if (color.kind === "paint") return gradientTints(drawing, item, side, "color");
   if (color.kind !== "stops") return null;
   const mix = mixerOf(drawing.interpolation);
   const stops = color.stops.map(({ offset, value }) => ({ offset, value: { ...value, alpha: 1 } }));

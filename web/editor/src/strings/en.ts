@@ -93,6 +93,19 @@ const canvas = {
     `${side} stop ${index} of ${count}, ${value}, at ${at}`,
   bracket: (kind: "blur" | "radius", side: string, value: string, at: string) =>
     `${kind === "blur" ? "Blur" : "Radius"} ${value}, ${side.toLowerCase()} side, at ${at}`,
+  paint: (kind: "linear" | "radial" | "texture", grip: "start" | "end" | "across" | "focus", side: string) => {
+    const names = {
+      linear: { start: "Start of the gradient", end: "End of the gradient", across: "", focus: "" },
+      radial: {
+        start: "Middle of the gradient", end: "Radius of the gradient",
+        across: "Other radius of the gradient", focus: "Focus of the gradient",
+      },
+      texture: {
+        start: "Corner of the texture", end: "Width of the texture", across: "Height of the texture", focus: "",
+      },
+    };
+    return `${names[kind][grip]}, ${side.toLowerCase()} side`;
+  },
   offset: (percent: string) => `${percent} %`,
   segment: (number: string) => `segment ${number}`,
   opacity: (percent: string) => `opacity ${percent} %`,
@@ -120,6 +133,7 @@ const tools = {
     moveNodes: "move nodes",
     moveNode: "move node",
     moveHandle: "move handle",
+    movePaint: "move gradient or texture",
     bend: "bend curve",
     addNode: "add node",
     deleteNodes: "delete nodes",
@@ -322,6 +336,12 @@ const panels = {
   radial: "Radial gradient",
   texture: "Texture…",
   paintOfDocument: "Of this document",
+  kindsOfOpacity: "What opacity each side has",
+  opacityStops: "Opacity in percent",
+  opacityOpen: "Open: takes no part",
+  opacityBarrier: "Barrier: opacity stops here",
+  giveOpacity: "Number",
+  giveOpacityName: "Give it a number",
   openNow: "Open",
   asOther: "As the other side",
   barrierNow: "Barrier",
@@ -334,6 +354,7 @@ const panels = {
   onSides: (name: string, sides: number) => `${name}, shown on ${sides} sides`,
   stopAlpha: "Alpha",
   alphaOf: (side: string, index: number) => `Alpha of ${side.toLowerCase()} stop ${index}`,
+  alphaOfOpacity: (side: string, index: number) => `Alpha of the opacity's ${side.toLowerCase()} stop ${index}`,
   setAlpha: "change alpha",
   withAlpha: (color: string, percent: string) => `${color} with ${percent} % alpha`,
   spread: "Beyond its ends",
@@ -341,7 +362,8 @@ const panels = {
   setSpread: "change what lies beyond a gradient",
   ribbonKeys: "Arrows move a stop, Insert adds one behind it, Delete takes it away, Enter opens its colour",
   giveColor: "give a colour",
-  giveColorShort: "Give it a colour",
+  giveColorShort: "Colour",
+  giveColorName: "Give it a colour",
   openSide: "open the side",
   makeBarrier: "make a barrier",
   setPaint: "set gradient",

@@ -18,6 +18,7 @@ import { editedAt, isCurve, isLocked } from "../places.js";
 import { isSamePart } from "../sketch.js";
 import { letGoOfParts } from "../walk.js";
 import { dragNodes } from "./node-drag.js";
+import { dragPaint } from "./paint-drag.js";
 import { addStop, dragStop, inStrip } from "./stops.js";
 import {
   EditDrag,
@@ -65,22 +66,27 @@ export class NodesTool implements Tool {
   }
 
   private pressMark(mark: Mark, p: Press): Drag | null {
-    const { editor } = this.canvas;
+    const { canvas } = this;
+    const { editor } = canvas;
     const one = selectedOf(mark);
     if (mark.kind === "stop" || mark.kind === "bracket") {
       editor.selection.value = [one];
-      return dragStop(this.canvas, mark, p);
+      return dragStop(canvas, mark, p);
     }
     if (mark.kind === "handle") {
       editor.selection.value = [one];
       return this.dragHandle(mark, p);
+    }
+    if (mark.kind === "paint") {
+      editor.selection.value = [one];
+      return dragPaint(canvas, mark, p);
     }
     if (mark.kind !== "node") return null;
     const nodes = editor.selection.peek().filter(({ part }) => part.kind === "node");
     if (!mark.isChosen) editor.selection.value = p.shift ? [...nodes, one] : [one];
     if (p.alt) return this.pullHandle(mark, p);
     // With Shift a chosen node is let go of by a click; a drag moves it straight.
-    return dragNodes(this.canvas, mark, p, {
+    return dragNodes(canvas, mark, p, {
       click: () => {
         if (!p.shift) editor.selection.value = [one];
         else if (mark.isChosen)

@@ -7,7 +7,6 @@ import { setStyles } from "../../source/set-style.js";
 import type { Property } from "../../source/styles.js";
 import type { ElementNode } from "../../source/tree.js";
 import {
-  chainOf,
   gradientNodes,
   stopColor,
   stopOpacity,
@@ -17,6 +16,7 @@ import {
   type Spread,
   type Tint,
 } from "../gradients.js";
+import { paintChain } from "../paint-frames.js";
 import type { Drawing, Outcome } from "../types.js";
 import { Draft } from "./draft.js";
 import { insertion, removalsOf } from "./layout.js";
@@ -176,7 +176,7 @@ export function setGradientStops(
 export function setSpread(d: Drawing, href: string, spread: Spread): Outcome | null {
   const nodes = gradientNodes(d, href);
   if (!nodes || nodes.spread === spread) return null;
-  const [element, ...inherited] = chainOf(nodes.element, idsWithin(d.root));
+  const [element, ...inherited] = paintChain(nodes.element, idsWithin(d.root));
   const isInherited = inherited.some((one) => valueOf(one, "spreadMethod") !== undefined);
   const value = spread === "pad" && !isInherited ? null : spread;
   return outcomeOf(setAttribute(d.text, element, "spreadMethod", value));

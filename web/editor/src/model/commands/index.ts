@@ -4,6 +4,7 @@ export * from "./clipboard.js";
 export * from "./create.js";
 export * from "./document.js";
 export * from "./gradients.js";
+export { movePaint } from "./paint-place.js";
 export * from "./paints.js";
 export * from "./shapes.js";
 export * from "./structure.js";

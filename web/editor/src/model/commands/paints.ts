@@ -4,7 +4,7 @@ import type { Rgb } from "../../geometry/color.js";
 import { numberText } from "../../geometry/path.js";
 import { prefixOf, setAttribute, sf, XLINK } from "../../source/attributes.js";
 import { colorText } from "../../source/colors.js";
-import type { Drawing, Handle, Outcome, Side } from "../types.js";
+import type { Drawing, Handle, Outcome, PaintAttribute, Side } from "../types.js";
 import { intoDefs } from "./defs.js";
 import { Draft } from "./draft.js";
 import { finestStep } from "./mapping.js";
@@ -32,7 +32,7 @@ export function setPaint(
   d: Drawing,
   h: Handle,
   side: Side,
-  attribute: "color" | "opacity",
+  attribute: PaintAttribute,
   paint: NewPaint,
 ): Outcome | null {
   const item = d.item(h);
@@ -46,6 +46,11 @@ export function setPaint(
   if (isNew) intoDefs(d, draft, [paintMarkup(d, paint, id)]);
   const name = attribute === "color" ? side : `${side}-opacity`;
   draft.add(setAttribute(d.text, item.element, sf(name), `url(#${id})`));
+  // As with numbers, the first opacity of a curve leaves its other side opaque.
+  const other = side === "left" ? "right" : "left";
+  const isFirst = [side, other].every((one) => item[one as Side].opacity.kind === "open");
+  if (attribute === "opacity" && isFirst)
+    draft.add(setAttribute(d.text, item.element, sf(`${other}-opacity`), "1"));
   draft.add(setAttribute(d.text, item.element, "stroke", `url(#${id})`));
   return draft.outcome();
 }

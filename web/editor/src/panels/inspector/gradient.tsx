@@ -18,6 +18,10 @@ export function cssOf(tint: Tint): string {
   return `rgb(${channels.join(" ")} / ${decimal(tint.alpha, 4)})`;
 }
 
+/** What a tint is as opacity: its alpha times its luminance, as masks of SVG have it. */
+export const opacityOf = ({ r, g, b, alpha }: Tint) =>
+  alpha * (0.2126 * r + 0.7152 * g + 0.0722 * b);
+
 export const describeTint = (tint: Tint) =>
   tint.alpha === 1 ? hexOf(tint) : words.withAlpha(hexOf(tint), decimal(100 * tint.alpha, 0));
 

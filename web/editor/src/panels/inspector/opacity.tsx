@@ -1,36 +1,91 @@
-// Opacity of both sides: a number each, or stops on a ribbon where it varies.
+// Opacity of both sides: a number each, stops on a ribbon where it varies, or a gradient.
 import { setBoth } from "../../model/commands/index.js";
-import type { CurveItem, Side } from "../../model/types.js";
+import type { CurveItem, Drawing, Side } from "../../model/types.js";
 import { en } from "../../strings/en.js";
 import { IconButton } from "../controls/button.js";
 import { NumberField } from "../controls/field.js";
+import { openMenu, type MenuItem } from "../controls/menu.js";
 import { edits } from "../controls/sink.js";
 import { decimal } from "../format.js";
-import { useShell } from "../services.js";
+import { useShell, type Shell } from "../services.js";
 import { constant, fractionOf, mixNumbers, putOpacity, withValue, type Stops } from "../stops.js";
+import { gradientTints, type GradientTints } from "../tints.js";
 import { chosenStop } from "./chosen.js";
+import { GradientFields, opacityOf } from "./gradient.js";
+import { documentPaints, gradientItems, type NewStop } from "./paints.js";
 import { bandOf, Ribbon } from "./ribbon.js";
 import { Section } from "./sections.js";
 
 const words = en.panels;
+const SIDES: readonly Side[] = ["left", "right"];
+const WHITE = { r: 1, g: 1, b: 1 };
 
 const css = (value: number) => `rgb(128 128 128 / ${decimal(value, 3)})`;
 const describe = (value: number) => words.percent(decimal(value * 100, 1));
+
+interface SideProps {
+  readonly item: CurveItem;
+  readonly side: Side;
+}
 
 const stopsOf = (item: CurveItem, side: Side): Stops<number> | null => {
   const { opacity } = item[side];
   return opacity.kind === "stops" && opacity.stops.length > 0 ? opacity : null;
 };
 
-function OpacityRibbon({
-  item,
-  side,
-  list,
-}: {
-  readonly item: CurveItem;
-  readonly side: Side;
-  readonly list: Stops<number>;
-}) {
+/** What the side has, as a gradient's stops; of one opacity, from it to nothing. */
+function gradientStops(_: Drawing, item: CurveItem, side: Side): readonly NewStop[] {
+  const list = stopsOf(item, side);
+  const stops = (list?.stops ?? []).map(({ offset, value }) => ({
+    offset: fractionOf(item, list!.space, offset),
+    color: WHITE,
+    opacity: value,
+  }));
+  if (stops.length > 1) return stops;
+  return [
+    { offset: 0, color: WHITE, opacity: stops[0]?.opacity || 1 },
+    { offset: 1, color: WHITE, opacity: 0 },
+  ];
+}
+
+function sideMenu(shell: Shell, item: CurveItem, side: Side): readonly MenuItem[] {
+  const { editor } = shell;
+  const { opacity } = item[side];
+  const put = putOpacity(item.handle);
+  return [
+    {
+      label: words.opacityStops,
+      checked: opacity.kind === "stops",
+      run: () => {
+        if (opacity.kind !== "stops")
+          editor.run(words.setOpacity, put(editor.drawing, side, constant(1)));
+      },
+    },
+    {
+      label: words.opacityOpen,
+      checked: opacity.kind === "open",
+      run: () => void editor.run(words.setOpacity, put(editor.drawing, side, { kind: "open" })),
+    },
+    {
+      label: words.opacityBarrier,
+      checked: opacity.kind === "barrier",
+      run: () => void editor.run(words.setOpacity, put(editor.drawing, side, { kind: "barrier" })),
+    },
+    "line",
+    ...gradientItems(shell, item, side, "opacity", gradientStops),
+    ...documentPaints(shell, item, side, "opacity"),
+  ];
+}
+
+function openKinds(shell: Shell, item: CurveItem, anchor: HTMLElement) {
+  const items = SIDES.map((side) => ({
+    label: words.ribbonOf(words.sides[side]),
+    items: sideMenu(shell, item, side),
+  }));
+  openMenu(words.kindsOfOpacity, items, anchor);
+}
+
+function OpacityRibbon({ item, side, list }: SideProps & { readonly list: Stops<number> }) {
   const { editor } = useShell();
   const chosen = chosenStop(editor, item, "opacity");
   const stops = list.stops.map(({ offset, value }) => ({
@@ -56,7 +111,85 @@ function OpacityRibbon({
   );
 }
 
-function OpacityField({ item, side }: { readonly item: CurveItem; readonly side: Side }) {
+/** The stops of a gradient, by what they are as opacity. */
+function GradientRibbon({ item, side, tints }: SideProps & { readonly tints: GradientTints }) {
+  const { editor } = useShell();
+  const { list, gradient, mix, put } = tints;
+  const chosen = chosenStop(editor, item, "opacity");
+  const index = chosen?.side === side && chosen.index < list.stops.length ? chosen.index : null;
+  const at = index ?? 0;
+  const { value } = list.stops[at];
+  return (
+    <>
+      <div class="side-row">
+        <span class="side-name">{words.sides[side]}</span>
+        <Ribbon
+          item={item}
+          side={side}
+          attribute="opacity"
+          label={words.gradientOf(words.sides[side], words.gradientNow[gradient.kind](gradient.id))}
+          list={list}
+          mix={mix}
+          put={put}
+          band={bandOf(
+            list.stops.map((stop) => ({ at: stop.offset, css: css(opacityOf(stop.value)) })),
+            "srgb",
+          )}
+          css={(tint) => css(opacityOf(tint))}
+          describe={(tint) => describe(opacityOf(tint))}
+          chosen={index}
+        />
+      </div>
+      <GradientFields
+        gradient={gradient}
+        alpha={value.alpha}
+        alphaName={words.alphaOfOpacity(words.sides[side], at + 1)}
+        sink={edits(editor, words.setAlpha, (percent: number, before) =>
+          put(before, side, withValue(list, at, { ...value, alpha: percent / 100 })),
+        )}
+      />
+    </>
+  );
+}
+
+/** Of a side that has no number: what it has. */
+function OtherThanStops({ item, side }: SideProps) {
+  const { editor } = useShell();
+  const { opacity } = item[side];
+  if (opacity.kind !== "paint" && opacity.kind !== "barrier") return null;
+  const text = opacity.kind === "paint" ? words.paintNow(opacity.href.replace(/^#/, "")) : words.barrierNow;
+  const give = () =>
+    void editor.run(
+      words.setOpacity,
+      putOpacity(item.handle)(editor.drawing, side, constant(1)),
+    );
+  return (
+    <div class="side-row">
+      <span class="side-name">{words.sides[side]}</span>
+      <div class="side-state">
+        <span class={opacity.kind === "paint" ? "swatch paint" : "swatch none"} aria-hidden="true" />
+        <span class="grow">{text}</span>
+        <button type="button" class="button quiet" aria-label={words.giveOpacityName} onClick={give}>
+          {words.giveOpacity}
+        </button>
+      </div>
+    </div>
+  );
+}
+
+function SideOpacity({ item, side, varies }: SideProps & { readonly varies: boolean }) {
+  const { editor } = useShell();
+  const list = stopsOf(item, side);
+  if (list) return varies ? <OpacityRibbon item={item} side={side} list={list} /> : null;
+  const tints = gradientTints(editor.drawing, item, side, "opacity");
+  return tints ? (
+    <GradientRibbon item={item} side={side} tints={tints} />
+  ) : (
+    <OtherThanStops item={item} side={side} />
+  );
+}
+
+function OpacityField({ item, side }: SideProps) {
   const { editor } = useShell();
   const { opacity } = item[side];
   const list = stopsOf(item, side);
@@ -80,13 +213,17 @@ function OpacityField({ item, side }: { readonly item: CurveItem; readonly side:
   );
 }
 
+const hasNumber = (item: CurveItem, side: Side) =>
+  item[side].opacity.kind === "stops" || item[side].opacity.kind === "open";
+
 export function OpacitySection({ item }: { readonly item: CurveItem }) {
-  const { editor } = useShell();
-  const lists = { left: stopsOf(item, "left"), right: stopsOf(item, "right") };
+  const shell = useShell();
+  const { editor } = shell;
   const varies =
     editor.attribute.value === "opacity" ||
-    [lists.left, lists.right].some((list) => list && list.stops.length > 1);
-  const hasAny = item.left.opacity.kind !== "open" || item.right.opacity.kind !== "open";
+    SIDES.some((side) => (stopsOf(item, side)?.stops.length ?? 0) > 1);
+  const hasAny = SIDES.some((side) => item[side].opacity.kind !== "open");
+  const numbers = SIDES.filter((side) => hasNumber(item, side));
   const forget = () =>
     editor.run(
       words.opaqueAgain,
@@ -96,17 +233,28 @@ export function OpacitySection({ item }: { readonly item: CurveItem }) {
     <Section
       title={words.opacity}
       actions={
-        hasAny ? (
-          <IconButton small icon="x" label={words.opaqueAgain} onClick={forget} />
-        ) : undefined
+        <>
+          <IconButton
+            small
+            icon="ellipsis"
+            label={words.kindsOfOpacity}
+            popup="menu"
+            onClick={(event) => openKinds(shell, item, event.currentTarget)}
+          />
+          {hasAny && <IconButton small icon="x" label={words.opaqueAgain} onClick={forget} />}
+        </>
       }
     >
-      {varies && lists.left && <OpacityRibbon item={item} side="left" list={lists.left} />}
-      {varies && lists.right && <OpacityRibbon item={item} side="right" list={lists.right} />}
-      <div class="two">
-        <OpacityField item={item} side="left" />
-        <OpacityField item={item} side="right" />
-      </div>
+      {SIDES.map((side) => (
+        <SideOpacity key={side} item={item} side={side} varies={varies} />
+      ))}
+      {numbers.length > 0 && (
+        <div class="two">
+          {numbers.map((side) => (
+            <OpacityField key={side} item={item} side={side} />
+          ))}
+        </div>
+      )}
     </Section>
   );
 }

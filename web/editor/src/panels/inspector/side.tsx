@@ -2,7 +2,6 @@
 import { setColor, setPaint } from "../../model/commands/index.js";
 import type { Rgb } from "../../geometry/color.js";
 import type { CurveItem, Drawing, Outcome, Side } from "../../model/types.js";
-import { boundsOf } from "../../geometry/cubic.js";
 import { en } from "../../strings/en.js";
 import { Icon } from "../../icons.js";
 import { hexOf } from "../../geometry/colortext.js";
@@ -13,6 +12,7 @@ import { constant, fractionOf, putColor, rounded } from "../stops.js";
 import { tintsOf, type Tints } from "../tints.js";
 import { chosenStop } from "./chosen.js";
 import { cssOf, describeTint } from "./gradient.js";
+import { documentPaints, gradientItems, type NewStop } from "./paints.js";
 import { bandOf, Ribbon } from "./ribbon.js";
 
 const words = en.panels;
@@ -29,7 +29,7 @@ function startColor(item: CurveItem, side: Side): Rgb {
 }
 
 /** What the side shows, as a gradient's stops; of one colour, from it to white. */
-function gradientStops(before: Drawing, item: CurveItem, side: Side) {
+function gradientStops(before: Drawing, item: CurveItem, side: Side): readonly NewStop[] {
   const tints = tintsOf(before, item, side);
   const stops = (tints?.list.stops ?? []).map(({ offset, value }) => ({
     offset: rounded(fractionOf(item, tints!.list.space, offset)),
@@ -42,44 +42,6 @@ function gradientStops(before: Drawing, item: CurveItem, side: Side) {
     { offset: 0, color: from, opacity: 1 },
     { offset: 1, color: { r: 1, g: 1, b: 1 }, opacity: 1 },
   ];
-}
-
-/** A gradient across the curve's box. */
-function gradient(
-  before: Drawing,
-  item: CurveItem,
-  side: Side,
-  kind: "linear" | "radial",
-): Outcome | null {
-  const box = item.paths
-    .map(boundsOf)
-    .reduce((a, b) => [
-      Math.min(a[0], b[0]),
-      Math.min(a[1], b[1]),
-      Math.max(a[2], b[2]),
-      Math.max(a[3], b[3]),
-    ]);
-  const middle = (box[1] + box[3]) / 2;
-  return setPaint(before, item.handle, side, "color", {
-    kind,
-    stops: gradientStops(before, item, side),
-    from: kind === "linear" ? [box[0], middle] : [(box[0] + box[2]) / 2, middle],
-    to: [box[2], middle],
-  });
-}
-
-/** Ids of gradients and patterns that the document has. */
-function paintsOf(drawing: Drawing): readonly string[] {
-  const found: string[] = [];
-  const look = (element: Drawing["root"]) => {
-    if (/^(linearGradient|radialGradient|pattern)$/.test(element.local)) {
-      const id = element.attributes.find(({ name }) => name === "id")?.value;
-      if (id) found.push(id);
-    }
-    element.children.forEach(look);
-  };
-  for (const child of drawing.root.children) if (child.local !== "g") look(child);
-  return found;
 }
 
 async function texture({ editor, services }: Shell, item: CurveItem, side: Side) {
@@ -97,13 +59,6 @@ function sideMenu(shell: Shell, item: CurveItem, side: Side): readonly MenuItem[
   const run = (label: string, make: (before: Drawing) => Outcome | null) => () =>
     void editor.run(label, make(editor.drawing));
   const put = putColor(item.handle);
-  const paints = paintsOf(editor.drawing).map((id) => ({
-    label: id,
-    checked: color.kind === "paint" && color.href.endsWith(`#${id}`),
-    run: run(words.setPaint, (before) =>
-      setPaint(before, item.handle, side, "color", { kind: "existing", id }),
-    ),
-  }));
   const local = item.kind === "stroke";
   return [
     {
@@ -130,16 +85,9 @@ function sideMenu(shell: Shell, item: CurveItem, side: Side): readonly MenuItem[
             ),
           },
           "line" as const,
-          {
-            label: words.linear,
-            run: run(words.setPaint, (before) => gradient(before, item, side, "linear")),
-          },
-          {
-            label: words.radial,
-            run: run(words.setPaint, (before) => gradient(before, item, side, "radial")),
-          },
+          ...gradientItems(shell, item, side, "color", gradientStops),
           { label: words.texture, run: () => void texture(shell, item, side) },
-          ...(paints.length > 0 ? [{ label: words.paintOfDocument, items: paints }] : []),
+          ...documentPaints(shell, item, side, "color"),
         ]),
   ];
 }
@@ -162,6 +110,7 @@ function OtherThanStops({ item, side }: SideProps) {
       <button
         type="button"
         class="button quiet"
+        aria-label={words.giveColorName}
         onClick={() =>
           void editor.run(
             words.giveColor,

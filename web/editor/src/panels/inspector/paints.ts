@@ -1,0 +1,93 @@
+// What a side's menu offers of gradients and textures, for its colour or its opacity.
+import { boundsOf } from "../../geometry/cubic.js";
+import { setPaint, type NewPaint } from "../../model/commands/index.js";
+import type { CurveItem, Drawing, Outcome, PaintAttribute, Side } from "../../model/types.js";
+import { en } from "../../strings/en.js";
+import type { MenuItem } from "../controls/menu.js";
+import type { Shell } from "../services.js";
+
+const words = en.panels;
+
+type NewGradient = Extract<NewPaint, { kind: "linear" | "radial" }>;
+export type NewStop = NewGradient["stops"][number];
+type Stops = (before: Drawing, item: CurveItem, side: Side) => readonly NewStop[];
+
+/** How far a new gradient's ends are from the box: on it they would lie on nodes. Of its width. */
+const INSET = 0.1;
+
+/** Across the curve's box. */
+function gradient(
+  item: CurveItem,
+  kind: "linear" | "radial",
+  stops: readonly NewStop[],
+): NewGradient {
+  const box = item.paths
+    .map(boundsOf)
+    .reduce((a, b) => [
+      Math.min(a[0], b[0]),
+      Math.min(a[1], b[1]),
+      Math.max(a[2], b[2]),
+      Math.max(a[3], b[3]),
+    ]);
+  const middle = (box[1] + box[3]) / 2;
+  const inset = INSET * (box[2] - box[0]);
+  return {
+    kind,
+    stops,
+    from: kind === "linear" ? [box[0] + inset, middle] : [(box[0] + box[2]) / 2, middle],
+    to: [box[2] - inset, middle],
+  };
+}
+
+/** A new gradient of the stops that are there. */
+export function gradientItems(
+  { editor }: Shell,
+  item: CurveItem,
+  side: Side,
+  attribute: PaintAttribute,
+  stops: Stops,
+): readonly MenuItem[] {
+  const make = (kind: "linear" | "radial"): Outcome | null => {
+    const { drawing } = editor;
+    const paint = gradient(item, kind, stops(drawing, item, side));
+    return setPaint(drawing, item.handle, side, attribute, paint);
+  };
+  return (["linear", "radial"] as const).map((kind) => ({
+    label: words[kind],
+    run: () => void editor.run(words.setPaint, make(kind)),
+  }));
+}
+
+/** Ids of gradients and patterns that the document has. */
+function paintsOf(drawing: Drawing): readonly string[] {
+  const found: string[] = [];
+  const look = (element: Drawing["root"]) => {
+    if (/^(linearGradient|radialGradient|pattern)$/.test(element.local)) {
+      const id = element.attributes.find(({ name }) => name === "id")?.value;
+      if (id) found.push(id);
+    }
+    element.children.forEach(look);
+  };
+  for (const child of drawing.root.children) if (child.local !== "g") look(child);
+  return found;
+}
+
+/** A submenu of the paints that the document has, or nothing. */
+export function documentPaints(
+  { editor }: Shell,
+  item: CurveItem,
+  side: Side,
+  attribute: PaintAttribute,
+): readonly MenuItem[] {
+  const value = item[side][attribute];
+  const items = paintsOf(editor.drawing).map((id) => ({
+    label: id,
+    checked: value.kind === "paint" && value.href.endsWith(`#${id}`),
+    run: () => {
+      const paint = { kind: "existing", id } as const;
+      const made = setPaint(editor.drawing, item.handle, side, attribute, paint);
+      editor.run(words.setPaint, made);
+    },
+  }));
+  return items.length > 0 ? [{ label: words.paintOfDocument, items }] : [];
+}
