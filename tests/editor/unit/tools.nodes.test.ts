@@ -55,6 +55,16 @@ const node = (index: number): Part => ({ kind: "node", path: 0, index });
 
 beforeEach(() => open(WAVE));
 
+describe("delete at a handle", () => {
+  test("takes_it_into_its_node_and_leaves_the_curve", () => {
+    select({ kind: "handle", path: 0, index: 2 });
+    expect(deleteParts(editor)).toBe(true);
+    expect(points()[2]).toEqual(points()[3]);
+    expect(points()[4]).toEqual(WAVE.points[4]);
+    expect(editor.selection.value[0].part).toEqual(node(1));
+  });
+});
+
 describe("a node", () => {
   test("moves_with_its_handles_in_one_step", () => {
     select({ kind: "whole" });

@@ -61,10 +61,11 @@ function nodeKind(label: string, kind: NodeKind): Command {
   };
 }
 
-/** The chosen stop or nodes, else whole items; a grip of a paint stays. */
+/** The chosen stop or nodes, else whole items. */
 function deleteChosen(editor: DrawingEditor) {
-  // A gradient has its ends wherever they are.
-  if (editor.selection.value.at(-1)?.part.kind === "paint") return;
+  const kind = editor.selection.value.at(-1)?.part.kind;
+  // The canvas knows what becomes of them; the curve is not meant.
+  if (kind === "paint" || kind === "handle") return;
   const curve = primaryCurve(editor);
   const stop = chosenStop(editor);
   const nodes = chosenNodes(editor);

@@ -38,7 +38,7 @@ import { gripPlace } from "../model/paint-frames.js";
 import { deleteStop } from "../app/stops.js";
 import { en } from "../strings/en.js";
 import { movable } from "./box.js";
-import { withHandle } from "./nodes.js";
+import { nodeOfHandle, withHandle } from "./nodes.js";
 import { isCurve, isLocked } from "./places.js";
 import { stopsOf, withOffset, withoutStops, type StopKind, type Value } from "./sides.js";
 import { mappedPath } from "../geometry/cubic.js";
@@ -109,11 +109,19 @@ export function setKinds(editor: Editor, kind: NodeKind): boolean {
   return editor.run(en.tools.undo.kind, made);
 }
 
-/** Takes away chosen stops, else chosen nodes. @returns false where the whole of something is meant */
+/**
+ * Takes away chosen stops, else chosen nodes; a handle goes back into its node.
+ * @returns false where the whole of something is meant
+ */
 export function deleteParts(editor: Editor): boolean {
   const selection = editor.selection.peek();
+  const primary = selection.at(-1);
   // A gradient has its ends wherever they are.
-  if (selection.at(-1)?.part.kind === "paint") return true;
+  if (primary?.part.kind === "paint") return true;
+  if (primary?.part.kind === "handle") {
+    takeInHandle(editor, primary.handle, primary.part);
+    return true;
+  }
   const stops = selection.filter(({ part }) => part.kind === "stop");
   if (stops.length > 0) {
     const handle = stops[stops.length - 1].handle;
@@ -136,6 +144,17 @@ export function deleteParts(editor: Editor): boolean {
     editor.selection.value = [...alive.values()];
   }
   return true;
+}
+
+function takeInHandle(editor: Editor, handle: Handle, { path: k, index }: Part & { kind: "handle" }) {
+  const item = editor.drawing.item(handle);
+  const path = isCurve(item) && item.paths[k] && nodePath(item.paths[k]);
+  if (!isCurve(item) || isLocked(item) || !path || !path.points[index]) return;
+  const node = nodeOfHandle(path, index);
+  const changed = withHandle(path, index, path.points[3 * node], true);
+  const made = setPath(editor.drawing, handle, k, changed, editor.step(item));
+  if (editor.run(en.tools.undo.deleteHandle, made))
+    editor.selection.value = [{ handle, part: { kind: "node", path: k, index: node } }];
 }
 
 function deleteStops(editor: Editor, handle: Handle, parts: readonly Part[]): void {

@@ -133,6 +133,7 @@ const tools = {
     moveNodes: "move nodes",
     moveNode: "move node",
     moveHandle: "move handle",
+    deleteHandle: "take in handle",
     movePaint: "move gradient or texture",
     bend: "bend curve",
     addNode: "add node",
