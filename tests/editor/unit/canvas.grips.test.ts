@@ -1,11 +1,10 @@
 import { beforeEach, describe, expect, test, vi } from "vitest";
 import type { Canvas } from "../../../web/editor/src/canvas/canvas.js";
-import { pressKey } from "../../../web/editor/src/canvas/keyboard.js";
-import { Pointers } from "../../../web/editor/src/canvas/pointers.js";
-import { SelectTool } from "../../../web/editor/src/canvas/tools/select.js";
+import type { SelectTool } from "../../../web/editor/src/canvas/tools/select.js";
 import type { CurveItem } from "../../../web/editor/src/model/types.js";
-import { curve, layer, line } from "./support/drawing.js";
-import { canvasOf, fakeEditor, type FakeEditor } from "./support/editor.js";
+import { curve, line } from "./support/drawing.js";
+import type { FakeEditor } from "./support/editor.js";
+import { keyboardOn, type Keyboard } from "./support/keys.js";
 import { click, dragThrough } from "./support/pointer.js";
 
 vi.mock(
@@ -15,22 +14,17 @@ vi.mock(
 
 let editor: FakeEditor;
 let canvas: Canvas;
-let pointers: Pointers;
 let tool: SelectTool;
+let press: Keyboard["press"];
 let a: CurveItem;
 
 /** A box of 100 by 60, around its middle at 150, 130. */
 beforeEach(() => {
   a = curve("a", [line([100, 100], [200, 160])]);
-  editor = fakeEditor([layer("layer", [a, curve("b", [line([20, 20], [30, 40])])])]);
-  canvas = canvasOf(editor);
-  tool = new SelectTool(canvas);
-  pointers = new Pointers(canvas, () => tool);
+  ({ editor, canvas, tool, press } = keyboardOn(a, curve("b", [line([20, 20], [30, 40])])));
   editor.selection.value = [{ handle: a.handle, part: { kind: "whole" } }];
 });
 
-const press = (key: string, more = {}) =>
-  pressKey(canvas, pointers, tool, { key, shift: false, alt: false, ctrl: false, ...more });
 const label = () => canvas.marks.value.find(({ isChosen }) => isChosen)?.label;
 /** Ends of the curve, rounded. */
 const ends = () => {

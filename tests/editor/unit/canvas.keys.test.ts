@@ -1,11 +1,9 @@
 import { beforeEach, describe, expect, test, vi } from "vitest";
 import type { Canvas } from "../../../web/editor/src/canvas/canvas.js";
-import { pressKey } from "../../../web/editor/src/canvas/keyboard.js";
-import { Pointers } from "../../../web/editor/src/canvas/pointers.js";
-import { SelectTool } from "../../../web/editor/src/canvas/tools/select.js";
 import type { CurveItem } from "../../../web/editor/src/model/types.js";
-import { curve, layer, line, NO_SIDES, stopsOf } from "./support/drawing.js";
-import { canvasOf, fakeEditor, type FakeEditor } from "./support/editor.js";
+import { curve, line, NO_SIDES, stopsOf } from "./support/drawing.js";
+import type { FakeEditor } from "./support/editor.js";
+import { keyboardOn, type Keyboard } from "./support/keys.js";
 
 vi.mock(
   "../../../web/editor/src/model/commands/index.js",
@@ -14,8 +12,7 @@ vi.mock(
 
 let editor: FakeEditor;
 let canvas: Canvas;
-let pointers: Pointers;
-let tool: SelectTool;
+let press: Keyboard["press"];
 let a: CurveItem;
 
 beforeEach(() => {
@@ -23,14 +20,9 @@ beforeEach(() => {
   a = curve("a", [line([100, 100], [200, 100])], {
     left: { ...NO_SIDES, color: stopsOf([0, red]) },
   });
-  editor = fakeEditor([layer("layer", [a, curve("b", [line([100, 200], [200, 200])])])]);
-  canvas = canvasOf(editor);
-  tool = new SelectTool(canvas);
-  pointers = new Pointers(canvas, () => tool);
+  ({ editor, canvas, press } = keyboardOn(a, curve("b", [line([100, 200], [200, 200])])));
 });
 
-const press = (key: string, more = {}) =>
-  pressKey(canvas, pointers, tool, { key, shift: false, alt: false, ctrl: false, ...more });
 const chosen = () => {
   const one = editor.selection.value.at(-1);
   return one && `${editor.drawing.item(one.handle)?.name} ${one.part.kind}`;

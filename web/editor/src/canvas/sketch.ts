@@ -48,24 +48,6 @@ export const NO_SKETCH: Sketch = {
 };
 
 export function isSamePart(a: Part, b: Part): boolean {
-  if (a.kind === "whole" || b.kind === "whole") return a.kind === b.kind;
-  if (a.kind === "stop" || b.kind === "stop") {
-    return (
-      a.kind === "stop" &&
-      b.kind === "stop" &&
-      a.side === b.side &&
-      a.attribute === b.attribute &&
-      a.index === b.index
-    );
-  }
-  if (a.kind === "paint" || b.kind === "paint") {
-    return (
-      a.kind === "paint" &&
-      b.kind === "paint" &&
-      a.side === b.side &&
-      a.attribute === b.attribute &&
-      a.grip === b.grip
-    );
-  }
-  return a.kind === b.kind && a.path === b.path && a.index === b.index;
+  const [mine, others] = [Object.entries(a), new Map(Object.entries(b))];
+  return mine.length === others.size && mine.every(([name, value]) => others.get(name) === value);
 }
