@@ -1,5 +1,13 @@
 // Where the paint of a side lies: of a gradient its line or its circle, of a texture its tile.
-import { composed, IDENTITY, inverted, mapped, type Affine, type Box, type Point } from "../geometry/affine.js";
+import {
+  composed,
+  IDENTITY,
+  inverted,
+  mapped,
+  type Affine,
+  type Box,
+  type Point,
+} from "../geometry/affine.js";
 import { boundsOf } from "../geometry/cubic.js";
 import { hrefOf, valueOf } from "../source/attributes.js";
 import { parseLength, parseTransform } from "../source/lengths.js";
@@ -33,8 +41,9 @@ export interface PaintFrame {
   readonly isSaid: (name: string) => boolean;
 }
 
-/** What each length is where nothing says it, of the box or the artboard; and along which axis it is. */
-const LENGTHS: Readonly<Record<PaintKind, Readonly<Record<string, readonly [number, "x" | "y" | "both"]>>>> = {
+/** What a length is where nothing says it, of the box or the artboard; and along which axis it is. */
+type Default = readonly [share: number, axis: "x" | "y" | "both"];
+const LENGTHS: Readonly<Record<PaintKind, Readonly<Record<string, Default>>>> = {
   linear: { x1: [0, "x"], y1: [0, "y"], x2: [1, "x"], y2: [0, "y"] },
   radial: { cx: [0.5, "x"], cy: [0.5, "y"], r: [0.5, "both"], fx: [0.5, "x"], fy: [0.5, "y"] },
   texture: { x: [0, "x"], y: [0, "y"], width: [0, "x"], height: [0, "y"] },
