@@ -11,6 +11,7 @@ import { setTimeout as sleep } from "node:timers/promises";
 import { pathToFileURL } from "node:url";
 import { FirefoxPage, launchFirefox, missing } from "./gecko.mjs";
 import { check, checkEqual, EditorPage, launch, serve, Skip, Tap } from "./harness.mjs";
+import { testFiles, testLostContext, testOffline, testServed, testTools, testTouch } from "./firefox-tools.mjs";
 import { countColors, largestDifference } from "./pixels.mjs";
 import { isKept } from "./recover.mjs";
 import { small } from "./texts.mjs";
@@ -259,6 +260,12 @@ async function testAll(tap, given) {
   await test("keys alone do", given.address, testKeys);
   await test("it pastes nothing by the middle button, and lists all keys", given.address, testPeculiar);
   await test("a reload loses nothing", given.address, testReload);
+  await test("every tool does its gesture", given.address, testTools);
+  await test("one finger draws, two move and zoom", given.address, testTouch);
+  await test("files of all kinds are dropped", given.address, testFiles);
+  await test("graphics that are taken away come back", given.address, testLostContext);
+  await tap.test("firefox: after one visit it needs no network", () => testOffline(given));
+  await tap.test("firefox: the command's drawing is edited and saved", () => testServed(given));
 }
 
 const [built = "build", only = ""] = process.argv.slice(2);
@@ -271,7 +278,7 @@ if (lacks) {
   const { browser, close } = await launchFirefox();
   const oneFile = pathToFileURL(join(resolve(built), "editor.html")).href;
   try {
-    await testAll(tap, { browser, address: server.address, oneFile });
+    await testAll(tap, { browser, address: server.address, oneFile, built: resolve(built) });
   } finally {
     await close();
     server.close();

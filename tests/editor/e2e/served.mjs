@@ -9,7 +9,7 @@ import { example, small } from "./texts.mjs";
 import { edit, said, shows } from "./words.mjs";
 
 /** The command beside the page that was built, where it looks for it. */
-async function start(drawing, { command, page, folder }) {
+export async function startEdit(drawing, { command, page, folder }) {
   const here = join(folder, "sfumato");
   if (!existsSync(here)) {
     copyFileSync(command, here);
@@ -20,7 +20,7 @@ async function start(drawing, { command, page, folder }) {
   return { child, address: String(line).trim() };
 }
 
-const end = async (child) => {
+export const endEdit = async (child) => {
   if (child.exitCode !== null) return;
   child.kill("SIGINT");
   await once(child, "exit");
@@ -30,7 +30,7 @@ async function testServed(browser, where) {
   const drawing = join(where.folder, "mine.svg");
   const mark = "\ufeff";
   writeFileSync(drawing, mark + small.replaceAll("\n", "\r\n"));
-  const { child, address } = await start(drawing, where);
+  const { child, address } = await startEdit(drawing, where);
   const editor = await EditorPage.open(browser, address, { size: [900, 600] });
   const { page } = editor;
   try {
@@ -59,11 +59,11 @@ async function testServed(browser, where) {
     // The refused save stands on the browser's console.
     checkEqual(editor.requests, [], "requests to elsewhere");
     await edit(editor);
-    await end(child);
+    await endEdit(child);
     await page.keyboard.press("Control+s");
     await said(page, /“sfumato edit” has ended and cannot save/);
   } finally {
-    await end(child);
+    await endEdit(child);
     await editor.close();
   }
 }
@@ -73,14 +73,14 @@ async function testTextures(browser, where) {
   for (const name of ["textures.svg", "wood.png", "waves.png", "hemp.png"]) {
     writeFileSync(join(where.folder, name), readFileSync(join(where.examples, name)));
   }
-  const { child, address } = await start(join(where.folder, "textures.svg"), where);
+  const { child, address } = await startEdit(join(where.folder, "textures.svg"), where);
   const editor = await EditorPage.open(browser, address, { size: [900, 600] });
   try {
     await shows(editor.page, example("textures.svg"));
     await editor.page.waitForFunction(() => window.sfumatoEditor.status.kind === "exact", null, { timeout: 60000 });
     editor.checkQuiet();
   } finally {
-    await end(child);
+    await endEdit(child);
     await editor.close();
   }
 }
