@@ -14,7 +14,6 @@
 #include "cli/edited_file.hpp"
 #include "cli/folder_loader.hpp"
 #include "cli/local_server.hpp"
-#include "export/html/html_text.hpp"
 
 namespace sfumato::cli {
 namespace {
@@ -71,13 +70,16 @@ std::string decoded(std::string_view query) {
   return text ? std::string(text.get(), size) : std::string();
 }
 
-/// The page with the drawing's name, which tells it where it came from.
+/// The page with the drawing's name, which tells it where it came from: percent-coded, as the page
+/// has one byte for a character.
 std::string with_name(std::string page, const std::string& name) {
   constexpr std::string_view kHead = "<head>";
   const std::size_t head = page.find(kHead);
   if (head == std::string::npos) return page;
+  const std::unique_ptr<char, decltype(&std::free)> coded(evhttp_encode_uri(name.c_str()),
+                                                          &std::free);
   return page.insert(head + kHead.size(), "<meta name=\"sfumato-file\" content=\"" +
-                                              outputs::escaped_html(name) + "\">");
+                                              std::string(coded ? coded.get() : "") + "\">");
 }
 
 }  // namespace
@@ -151,7 +153,7 @@ void EditServer::Answers::answer_below(evhttp_request* request, std::string_view
   const bool gets = evhttp_request_get_command(request) == EVHTTP_REQ_GET;
   if (name == "drawing") return gets ? give_drawing(request) : take_drawing(request);
   if (!gets) return reply_nothing(request);
-  if (name.empty()) return reply(request, HTTP_OK, "text/html; charset=utf-8", page_);
+  if (name.empty()) return reply(request, HTTP_OK, "text/html; charset=windows-1252", page_);
   if (name == "file") return give_texture(request);
   reply_nothing(request);
 }

@@ -87,7 +87,15 @@ TEST_F(Edit, gives_the_page_and_the_drawing_and_saves_it) {
 TEST_F(Edit, the_name_of_the_drawing_is_no_markup) {
   drawing_ = folder_.add("work/\"><script>.svg", kDrawing);
   start();
-  EXPECT_TRUE(contains(get(""), "content=\"&quot;&gt;&lt;script&gt;.svg\">"));
+  EXPECT_TRUE(contains(get(""), "content=\"%22%3E%3Cscript%3E.svg\">"));
+}
+
+TEST_F(Edit, the_page_has_a_byte_for_a_character_whatever_the_drawing_is_called) {
+  drawing_ = folder_.add("work/caf\xc3\xa9.svg", kDrawing);
+  start();
+  const std::string page = get("");
+  EXPECT_TRUE(contains(page, "Content-Type: text/html; charset=windows-1252"));
+  EXPECT_TRUE(contains(page, "content=\"caf%C3%A9.svg\">"));
 }
 
 TEST_F(Edit, what_another_program_wrote_is_replaced_only_where_that_is_said) {

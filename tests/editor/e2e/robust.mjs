@@ -2,6 +2,7 @@
 import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
+import { fileURLToPath } from "node:url";
 import { drop } from "./disk.mjs";
 import { check, checkEqual, EditorPage, packageOf, serve } from "./harness.mjs";
 import { example, small } from "./texts.mjs";
@@ -214,6 +215,18 @@ async function testTooOld(browser, addresses) {
   await says("with modules of an unknown language", site, (page) => page.route("**/assets/*.js", (route) => route.fulfill(foreign)), old);
 }
 
+/** A server that says that all pages are UTF-8, which the one file is not. */
+async function testSaidToBeUtf8(browser, address, oneFile) {
+  const context = await browser.newContext({ viewport: { width: 900, height: 600 } });
+  const page = { path: fileURLToPath(oneFile), contentType: "text/html; charset=utf-8" };
+  await context.route(`${address}one.html`, (route) => route.fulfill(page));
+  const editor = await EditorPage.within(context, `${address}one.html`);
+  await editor.load(small);
+  await shows(editor.page, small);
+  checkEqual(await status(editor).then(({ kind }) => kind), "exact", "what the engine says");
+  await context.close();
+}
+
 /** From the disk to the first exact picture: told, not judged. */
 async function testColdStart(browser, oneFile) {
   const editor = await EditorPage.open(browser, oneFile, { size });
@@ -236,6 +249,7 @@ export async function testRobust(tap, { browser, address, oneFile, folder }) {
   await tap.test("robust: a folder, no network, an update", () => testOffline(browser, folder));
   await tap.test("robust: parts that do not come are told of", () => testMissingParts(browser, address));
   await test("one file from the disk works", listen, testOneFile, oneFile);
+  await tap.test("robust: one file works where a server says it is UTF-8", () => testSaidToBeUtf8(browser, address, oneFile));
   await tap.test("robust: a browser that is too old is told", () => testTooOld(browser, [address, oneFile]));
   await tap.test("robust: a cold start from the disk", () => testColdStart(browser, oneFile));
 }

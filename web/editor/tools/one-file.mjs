@@ -1,8 +1,8 @@
 // build/editor.html: the editor as one file, which works from disk.
 import { readFileSync, writeFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
-import { gzipSync } from "node:zlib";
 import { build } from "vite";
+import { packedElement } from "./pack.mjs";
 import { hashOf, inlineScripts, intoHead, policyTag } from "./policy.mjs";
 
 const here = (path) => fileURLToPath(new URL(path, import.meta.url));
@@ -28,27 +28,41 @@ function contentOf(output) {
   return { script: code[0].code, style: styles.map(({ source }) => String(source)).join("\n") };
 }
 
-/** An element that holds bytes, packed. */
-function packedElement(id, content) {
-  const packed = gzipSync(content, { level: 9 }).toString("base64");
-  return `<script type="application/octet-stream" id="${id}">${packed}</script>`;
+/** The script that unpacks the others. */
+async function unpackScript() {
+  const { output } = await build({
+    configFile: false,
+    logLevel: "warn",
+    build: { write: false, target: "es2022", modulePreload: false, rolldownOptions: { input: here("unpack.ts") } },
+  });
+  return output[0].code.trim();
+}
+
+const utf8 = '<meta charset="utf-8" />';
+/** Browsers look for it in the first kilobyte. */
+const byteForCharacter = '<meta charset="windows-1252" />';
+
+/** Replaces a part of a page by bytes. */
+function withBytes(page, part, bytes) {
+  if (/[^\0-\x7f]/.test(page)) throw new Error("the page beside its packed parts must be ASCII");
+  const [before, after] = page.split(part);
+  return Buffer.concat([Buffer.from(before), ...bytes, Buffer.from(after)]);
 }
 
 /** @param module path of sfumato.wasm */
-function pageOf({ script, style }, module) {
-  const page = readFileSync(here("../index.html"), "utf8");
-  const unpack = `\n${readFileSync(here("unpack.js"), "utf8")}`;
+async function pageOf({ script, style }, module) {
+  const page = readFileSync(here("../index.html"), "utf8").replace(`    ${utf8}\n`, "");
+  const unpack = await unpackScript();
   const policy = policyTag([...inlineScripts(page), unpack, script].map(hashOf).join(" "), hashOf(style));
   const icon = `<link rel="icon" href="${iconUri()}" />`;
-  const elements = [
+  const frame = intoHead(page, `${byteForCharacter}\n    ${policy}`)
+    .replace("</head>", () => `  ${icon}\n  </head>`)
+    .replace(/<script type="module" src="[^"]*"><\/script>/, () => `{{packed}}<script type="module">${unpack}</script>`);
+  return withBytes(frame, "{{packed}}", [
     packedElement("packed-style", style),
     packedElement("packed-script", script),
     packedElement("sfumato-module", readFileSync(module)),
-    `<script type="module">${unpack}</script>`,
-  ];
-  return intoHead(page, policy)
-    .replace("</head>", () => `  ${icon}\n  </head>`)
-    .replace(/<script type="module" src="[^"]*"><\/script>/, () => elements.join("\n    "));
+  ]);
 }
 
 /** @param file where it goes */
@@ -66,5 +80,5 @@ export async function buildOneFile(file, module) {
       rolldownOptions: { output: { codeSplitting: false } },
     },
   });
-  writeFileSync(file, pageOf(contentOf(output), module));
+  writeFileSync(file, await pageOf(contentOf(output), module));
 }

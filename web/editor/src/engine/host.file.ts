@@ -1,4 +1,6 @@
 // host.ts for the editor as one file: workers are text within it, and so is the module, packed.
+import ModuleWorker from "./module.worker.ts?worker&inline";
+import { takePacked } from "./packed.js";
 import PngWorker from "./png.worker.ts?worker&inline";
 import EngineWorker from "./worker.ts?worker&inline";
 
@@ -11,15 +13,13 @@ let module: Promise<WebAssembly.Module> | null = null;
 
 export const getModule = (): Promise<WebAssembly.Module> => (module ??= compile());
 
-/** The element is written by tools/one-file.mjs: base64 of gzip. */
-async function compile(): Promise<WebAssembly.Module> {
-  const element = document.getElementById("sfumato-module");
-  if (!element?.textContent) throw new Error("sfumato.wasm is missing in the page");
-  const { body } = await fetch(`data:application/gzip;base64,${element.textContent}`);
-  const bytes = body!.pipeThrough(new DecompressionStream("gzip"));
-  const headers = { "Content-Type": "application/wasm" };
-  const compiled = await WebAssembly.compileStreaming(new Response(bytes, { headers }));
-  // A megabyte of text that nobody reads again.
-  element.remove();
-  return compiled;
+/** The element is written by tools/one-file.mjs. */
+function compile(): Promise<WebAssembly.Module> {
+  const worker = new ModuleWorker({ name: "module" });
+  return new Promise<WebAssembly.Module>((resolve, reject) => {
+    worker.onmessage = ({ data }: MessageEvent<WebAssembly.Module | string>) =>
+      typeof data === "string" ? reject(new Error(data)) : resolve(data);
+    worker.onerror = (event) => reject(new Error(event.message));
+    worker.postMessage(takePacked("sfumato-module"));
+  }).finally(() => worker.terminate());
 }

@@ -10,7 +10,14 @@ const words = en.files;
 
 /** The drawing's name; null: the page does not come from the command. */
 export function servedName(): string | null {
-  return document.querySelector<HTMLMetaElement>('meta[name="sfumato-file"]')?.content ?? null;
+  const name = document.querySelector<HTMLMetaElement>('meta[name="sfumato-file"]')?.content;
+  if (name === undefined) return null;
+  try {
+    return decodeURIComponent(name);
+  } catch {
+    // Bytes that are no UTF-8: shown as the command wrote them.
+    return name;
+  }
 }
 
 /** A request to the command; null: it has ended. */

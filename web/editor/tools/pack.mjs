@@ -1,0 +1,30 @@
+// Bytes as text within a page, packed by LZMA: a fifth less than gzip, and no third more for base64.
+// src/engine/packed.ts is the way back.
+import { execFileSync } from "node:child_process";
+
+const filter = "--lzma1=preset=9e,lc=4,lp=0,pb=0";
+const ESCAPE = 0x1b;
+const SHIFT = 64;
+/** Bytes that HTML reads as others, and those that would end the element. */
+const isChanged = (byte, next) =>
+  byte === 0x00 || byte === 0x0d || byte === ESCAPE || (byte === 0x3c && (next === 0x2f || next === 0x21));
+
+/** As a page in windows-1252 can hold them. */
+export function escaped(bytes) {
+  const out = [];
+  bytes.forEach((byte, i) => {
+    if (isChanged(byte, bytes[i + 1])) out.push(ESCAPE, byte + SHIFT);
+    else out.push(byte);
+  });
+  return Buffer.from(out);
+}
+
+export const packed = (content) =>
+  escaped(execFileSync("xz", ["--format=raw", "--stdout", filter], { input: content, maxBuffer: 2 ** 28 }));
+
+/** An element of a page that holds bytes. */
+export function packedElement(id, content) {
+  const bytes = Buffer.from(content);
+  const start = `<script type="application/octet-stream" id="${id}" data-size="${bytes.length}">`;
+  return Buffer.concat([Buffer.from(start), packed(bytes), Buffer.from("</script>")]);
+}
