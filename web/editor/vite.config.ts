@@ -29,7 +29,8 @@ export default defineConfig({
     outDir: path("../../build/editor"),
     emptyOutDir: true,
     target: "es2022",
-    modulePreload: false,
+    // Files that one of them needs are fetched beside it, not after it.
+    modulePreload: { polyfill: false },
     assetsInlineLimit: 0,
   },
   worker: { format: "es" },

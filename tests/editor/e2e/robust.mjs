@@ -180,6 +180,49 @@ async function testMissingParts(browser, address) {
   }
 }
 
+const mine = [{ name: "a.svg", bytes: Buffer.from(small) }];
+
+/** What works on drawings does not come: the first page says so, and again where it is asked for. */
+async function testMissingWork(browser, address) {
+  const context = await browser.newContext({ viewport: { width: 900, height: 600 }, serviceWorkers: "block" });
+  await context.route(/\/work-[^/]*\.js$/, (route) => route.abort());
+  const page = await context.newPage();
+  const isSaidAfter = async (act) => {
+    await act();
+    await said(page, /A part of the editor could not be fetched|could not be read/);
+    await page.locator(".toast button").click();
+    await page.locator(".toast").waitFor({ state: "detached" });
+  };
+  await isSaidAfter(() => page.goto(address));
+  await isSaidAfter(() => page.keyboard.press("Control+o"));
+  await isSaidAfter(() => page.getByRole("button", { name: /^Sunset/ }).click());
+  await isSaidAfter(() => drop(page, mine));
+  await context.close();
+}
+
+/** What is asked for on the first page before the rest of the editor has come is done when it comes. */
+async function testEarly(browser, address) {
+  const early = async (act, isDone) => {
+    const context = await browser.newContext({ viewport: { width: 900, height: 600 }, serviceWorkers: "block" });
+    const page = await context.newPage();
+    let come;
+    const coming = new Promise((resolve) => (come = resolve));
+    await context.route(/\/work-[^/]*\.js$/, (route) => coming.then(() => route.continue()));
+    await page.goto(address);
+    await page.locator(".welcome").waitFor();
+    await act(page);
+    check((await page.evaluate(() => window.sfumatoEditor)) === undefined, "the rest was there already");
+    come();
+    await page.waitForFunction(() => window.sfumatoEditor !== undefined);
+    await isDone(page);
+    await context.close();
+  };
+  await early((page) => page.getByRole("button", { name: /^Sunset/ }).click(), (page) => shows(page, example("sunset.svg")));
+  await early((page) => page.keyboard.press("Control+Alt+n"), (page) => page.locator("dialog[open]").waitFor());
+  await early((page) => page.getByRole("button", { name: /Start blank/ }).click(), (page) => page.locator("dialog[open]").waitFor());
+  await early((page) => drop(page, mine), (page) => shows(page, small));
+}
+
 async function testOneFile(editor) {
   await editor.load(small, "disk.svg");
   checkEqual((await status(editor)).kind, "exact", "the picture");
@@ -248,6 +291,8 @@ export async function testRobust(tap, { browser, address, oneFile, folder }) {
   await test("a session asks nobody and breaks no policy", listen, testSession);
   await tap.test("robust: a folder, no network, an update", () => testOffline(browser, folder));
   await tap.test("robust: parts that do not come are told of", () => testMissingParts(browser, address));
+  await tap.test("robust: a file of the editor that does not come is told of", () => testMissingWork(browser, address));
+  await tap.test("robust: what is asked for early waits and is done", () => testEarly(browser, address));
   await test("one file from the disk works", listen, testOneFile, oneFile);
   await tap.test("robust: one file works where a server says it is UTF-8", () => testSaidToBeUtf8(browser, address, oneFile));
   await tap.test("robust: a browser that is too old is told", () => testTooOld(browser, [address, oneFile]));

@@ -52,6 +52,19 @@ beforeEach(() => {
   engine.read();
 });
 
+it("commands that are asked for before there are any are done in their order when they come", () => {
+  const early = new DrawingEditor(engine as unknown as Engine, null, text);
+  const done: string[] = [];
+  early.command("a");
+  early.command("b");
+  early.command("nobody's");
+  expect(done).toEqual([]);
+  early.learn(new Map(["a", "b"].map((name) => [name, () => void done.push(name)])));
+  expect(done).toEqual(["a", "b"]);
+  early.command("a");
+  expect(done).toEqual(["a", "b", "a"]);
+});
+
 describe("gestures", () => {
   it("show each look from the start, and are one step", () => {
     const gesture = editor.gesture("bend");

@@ -1,8 +1,9 @@
 import { gzipSync } from "node:zlib";
 import { afterEach, beforeEach, describe, expect, test, vi } from "vitest";
-import { openDropped } from "../../../web/editor/src/files/drop.js";
+import { openPieces } from "../../../web/editor/src/files/drop.js";
 import type { Opened } from "../../../web/editor/src/files/open.js";
 import { mostFileBytes, openFile, rootName } from "../../../web/editor/src/files/open.js";
+import { piecesOf } from "../../../web/editor/src/files/pieces.js";
 import { bytesOf, textOf } from "../../../web/editor/src/files/text.js";
 import { en } from "../../../web/editor/src/strings/en.js";
 
@@ -123,16 +124,17 @@ describe("a drop", () => {
     getAsFile: () => file(text, name),
     webkitGetAsEntry: () => ({ isDirectory }),
   });
-  const drop = (...items: object[]) => openDropped({ items } as unknown as DataTransfer, noConvert);
+  const pieces = (...items: object[]) => piecesOf({ items } as unknown as DataTransfer);
+  const drop = (...items: object[]) => openPieces(pieces(...items)!, noConvert);
 
   test("of a drawing brings what lies beside it", async () => {
     const dropped = await drop(item("t.png", png), item("a.svg", svg), item("u.jpg", "x"));
-    expect(dropped?.opened.kind).toBe("drawing");
-    expect(dropped?.beside.map(({ name }) => name)).toEqual(["t.png", "u.jpg"]);
+    expect(dropped.opened.kind).toBe("drawing");
+    expect(dropped.beside.map(({ name }) => name)).toEqual(["t.png", "u.jpg"]);
   });
 
   test("of text brings nothing", () => {
-    expect(drop({ kind: "string" })).toBeNull();
+    expect(pieces({ kind: "string" })).toBeNull();
   });
 
   test.each([
@@ -141,7 +143,7 @@ describe("a drop", () => {
     ["two drawings", [item("a.svg", svg), item("b.xml", svg)], words.several],
     ["two photos", [item("a.png", png), item("b.png", png)], words.several],
   ])("of %s is told", async (_, items, expected) => {
-    expect(reason((await drop(...items))!.opened)).toBe(expected);
+    expect(reason((await drop(...items)).opened)).toBe(expected);
   });
 });
 

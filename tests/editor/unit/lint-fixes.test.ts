@@ -2,7 +2,8 @@
 import { readFileSync } from "node:fs";
 import { expect, test } from "vitest";
 import { openDrawing } from "../../../web/editor/src/model/drawing.js";
-import { FIXABLE_RULES, fixOf, isWorthTelling } from "../../../web/editor/src/model/lint-fixes.js";
+import { FIXABLE_RULES, fixOf } from "../../../web/editor/src/model/lint-fixes.js";
+import { isWorthTelling } from "../../../web/editor/src/model/lint-worth.js";
 import { applied } from "../../../web/editor/src/source/patch.js";
 import { placeOf } from "../../../web/editor/src/panels/hints/show.js";
 import { en } from "../../../web/editor/src/strings/en.js";

@@ -1,56 +1,57 @@
-// Puts the editor together.
+// Puts the editor together: the first page at once, and what works on drawings (work.tsx) after it.
+import { computed, signal } from "@preact/signals";
 import { render } from "preact";
-import { commandTable } from "./app/commands.js";
-import { listenToClipboard } from "./app/clipboard.js";
 import { DrawingEditor } from "./app/editor.js";
 import { listenToKeys } from "./app/keyboard.js";
-import { PictureCanvas } from "./canvas/renderer.js";
-import { Stage } from "./canvas/stage.js";
-import { Thumbs } from "./canvas/thumbs.js";
 import { WorkerEngine } from "./engine/engine.js";
 import { createWorker, getModule } from "./engine/host.js";
 import { keepOffline } from "./files/offline.js";
 import { blankText } from "./model/drawing.js";
-import { publish } from "./page/api.js";
-import { fileCommands } from "./page/commands.js";
-import { Documents } from "./page/documents.js";
 import { listenToDrops } from "./page/drops.js";
-import { Pictures } from "./page/pictures.js";
-import { servicesOf } from "./page/services.js";
+import { examplesOf } from "./page/examples.js";
 import { App } from "./panels/app.js";
 import { fetchParts } from "./panels/shell/part.js";
 import { en } from "./strings/en.js";
 import "./style/index.css";
+import type { Work } from "./work.js";
 
 const engine = new WorkerEngine({ module: getModule, worker: createWorker });
-const pictures = new Pictures(engine);
-const commands = commandTable(fileCommands(() => documents));
-const editor = new DrawingEditor(engine, commands, blankText(800, 600, null));
-const documents: Documents = new Documents(editor, pictures);
-const picture = new PictureCanvas(editor, en.page.graphics);
-const thumbs = new Thumbs(editor, picture);
-engine.onPicture = (update) => picture.take(update);
+const editor = new DrawingEditor(engine, null, blankText(800, 600, null));
+const later = signal<Work | null>(null);
 
-const attach = (canvas: HTMLCanvasElement | null) => picture.attach(canvas);
-const stage = (
-  <Stage
-    editor={editor}
-    navigation={editor.navigation}
-    onCanvas={attach}
-    onMenu={() => {}}
-  />
+/** Keys, buttons and files that come before it wait. */
+async function fetchWork(): Promise<Work> {
+  const { begin, commandsOf } = await import("./work.js");
+  const work = begin(editor, engine);
+  later.value = work;
+  editor.learn(commandsOf(work.documents));
+  void work.documents.openServed();
+  return work;
+}
+
+const missing = () => editor.say(en.panels.partsMissing);
+
+const work = fetchWork();
+const documents = work.then((there) => there.documents);
+// Whoever waits for a file that does not come is told.
+documents.catch(() => editor.learn({ get: () => missing }));
+const parts = fetchParts(work);
+const recent = computed(() =>
+  (later.value?.documents.kept.value ?? []).map(({ id, name, time }) => ({
+    name,
+    time,
+    open: () => void later.value?.documents.recover(id),
+  })),
 );
 
 listenToKeys(editor);
-listenToDrops(documents);
-listenToClipboard(editor, (files) => void documents.drop(files));
-render(<App editor={editor} services={servicesOf(editor, documents, thumbs)} stage={stage} />, document.getElementById("app")!);
-// Whoever drives the page finds all of it there.
-void fetchParts().then(() =>
-  publish(editor, documents, async () => {
-    await editor.settled();
-    await picture.drawn();
-  }),
+listenToDrops((pieces) => {
+  documents.then((there) => there.takeDropped(pieces), missing);
+});
+render(
+  <App editor={editor} later={later} examples={examplesOf(documents)} recent={recent} />,
+  document.getElementById("app")!,
 );
-void documents.openServed();
+// Whoever drives the page finds all of it there.
+void parts.then(() => work).then((there) => there.publish(), () => undefined);
 keepOffline();

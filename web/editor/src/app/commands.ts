@@ -24,7 +24,7 @@ import {
 import type { Attribute, Drawing, Handle, Item, Outcome } from "../model/types.js";
 import { en } from "../strings/en.js";
 import { copyByMenu, pasteByMenu } from "./clipboard.js";
-import type { CommandTable, DrawingEditor } from "./editor.js";
+import type { DrawingEditor } from "./editor.js";
 import { deleteStop } from "./stops.js";
 import { chosen, chosenCurves, chosenItems, chosenNodes, chosenStop, primaryCurve } from "./selected.js";
 import type { ToolName } from "./types.js";
@@ -260,6 +260,6 @@ const table: readonly (readonly [string, Command])[] = [
 ];
 
 /** All commands but those of files, which `more` adds or replaces. */
-export function commandTable(more: readonly (readonly [string, Command])[]): CommandTable {
+export function commandTable(more: readonly (readonly [string, Command])[]): ReadonlyMap<string, Command> {
   return new Map([...table, ...more]);
 }

@@ -14,7 +14,7 @@ import type {
   Selection,
 } from "../model/types.js";
 import type { Patch } from "../source/patch.js";
-import { isWorthTelling } from "../model/lint-fixes.js";
+import { isWorthTelling } from "../model/lint-worth.js";
 import { united } from "./changes.js";
 import { LiveGesture } from "./gesture.js";
 import { History, type HistoryLog, type Places } from "./history.js";
@@ -38,7 +38,7 @@ const STEP = 1 / 1000;
 const HINT_REST = 1000;
 
 /** What the editor has done by others: the commands that menus and keys name. */
-export type CommandTable = ReadonlyMap<string, (editor: DrawingEditor) => void>;
+export type CommandTable = Pick<ReadonlyMap<string, (editor: DrawingEditor) => void>, "get">;
 
 export class DrawingEditor implements Editor {
   readonly engine: Engine;
@@ -74,7 +74,9 @@ export class DrawingEditor implements Editor {
   readonly #revision = signal(0);
   readonly #history = new History();
   #gesture: LiveGesture | null = null;
-  #commands: CommandTable;
+  #commands: CommandTable | null;
+  /** Commands that were asked for before there were any. */
+  #asked: string[] = [];
   /** Elements by their place, in the texts that the engine was given. */
   #snapshots = new Map<number, ReadonlyMap<number, Handle>>();
   #known = { serial: -1, curves: new Map<Handle, EngineCurve[]>() };
@@ -82,7 +84,8 @@ export class DrawingEditor implements Editor {
   #fitted: ViewState | null = null;
   #hintTimer = 0;
 
-  constructor(engine: Engine, commands: CommandTable, text: string) {
+  /** @param commands null: they come later, by learn() */
+  constructor(engine: Engine, commands: CommandTable | null, text: string) {
     this.engine = engine;
     this.#commands = commands;
     this.#drawing = openDrawing(text);
@@ -365,7 +368,14 @@ export class DrawingEditor implements Editor {
   // Commands and words.
 
   command(name: string): void {
-    this.#commands.get(name)?.(this);
+    if (this.#commands) this.#commands.get(name)?.(this);
+    else this.#asked.push(name);
+  }
+
+  /** What was asked for until now is done, in its order. */
+  learn(commands: CommandTable): void {
+    this.#commands = commands;
+    for (const name of this.#asked.splice(0)) this.command(name);
   }
 
   say(text: string, action: Toast["action"] = null): void {

@@ -2,6 +2,7 @@
 import { en } from "../strings/en.js";
 import type { Convert, Opened } from "./open.js";
 import { openFile } from "./open.js";
+import type { Piece } from "./pieces.js";
 
 const words = en.files;
 
@@ -11,37 +12,9 @@ export interface Dropped {
   readonly beside: readonly File[];
 }
 
-interface Piece {
-  readonly file: File;
-  readonly isFolder: boolean;
-  readonly handle: Promise<FileSystemFileHandle | null>;
-}
-
-type HandleItem = DataTransferItem & { getAsFileSystemHandle?(): Promise<FileSystemHandle | null> };
-
-function pieceOf(item: HandleItem): Piece | null {
-  const file = item.getAsFile();
-  if (!file) return null;
-  const isFolder = item.webkitGetAsEntry?.()?.isDirectory ?? false;
-  const handle = (item.getAsFileSystemHandle?.() ?? Promise.resolve(null))
-    .then((found) => (found?.kind === "file" ? (found as FileSystemFileHandle) : null))
-    .catch(() => null);
-  return { file, isFolder, handle };
-}
-
 const isDrawing = ({ file }: Piece) => /\.(svgz?|xml)$/i.test(file.name) || file.type === "image/svg+xml";
 
-/**
- * Takes what a drop brings; null: no files. To be called while the event is handled: the browser
- * forgets the files afterwards.
- */
-export function openDropped(data: DataTransfer, convert: Convert): Promise<Dropped> | null {
-  const items = [...data.items].filter(({ kind }) => kind === "file");
-  const pieces = items.map(pieceOf).filter((piece) => piece !== null);
-  return items.length === 0 ? null : openPieces(pieces, convert);
-}
-
-async function openPieces(pieces: readonly Piece[], convert: Convert): Promise<Dropped> {
+export async function openPieces(pieces: readonly Piece[], convert: Convert): Promise<Dropped> {
   const problem = (reason: string): Dropped => ({ opened: { kind: "problem", reason }, beside: [] });
   const drawings = pieces.filter(isDrawing);
   if (pieces.length === 0 || pieces.some(({ isFolder }) => isFolder)) return problem(words.folder);

@@ -64,12 +64,6 @@ const OF_DRAWINGS: Readonly<Record<string, readonly [FixLabel, (d: Drawing) => O
   "empty-layer": ["deleteEmptyLayers", withoutEmptyLayers],
 };
 
-/** Before the first curve a layer is empty because nothing has been drawn yet. */
-export function isWorthTelling(d: Drawing, { rule }: Pick<FixableHint, "rule">): boolean {
-  const isDrawn = ({ kind }: Item) => kind === "curve" || kind === "stroke";
-  return rule !== "empty-layer" || [...d.all()].some(isDrawn);
-}
-
 /** The rules that may have a fix. */
 export const FIXABLE_RULES: readonly string[] = [
   ...Object.keys(OF_CURVES),

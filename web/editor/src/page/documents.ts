@@ -3,10 +3,11 @@ import { effect, signal, type Signal } from "@preact/signals";
 import type { DrawingEditor } from "../app/editor.js";
 import type { HistoryLog } from "../app/history.js";
 import { Autosave, forgetDrawings, keptDrawings, recoverDrawing, type KeptHead } from "../files/autosave.js";
-import { openDropped } from "../files/drop.js";
+import { openPieces } from "../files/drop.js";
 import { chooseFolder } from "../files/folder.js";
 import { besideFiles, nothingBeside, type Beside } from "../files/images.js";
 import { openFile, pickFile, type Opened, type Photo } from "../files/open.js";
+import type { Piece } from "../files/pieces.js";
 import { newPlace, type Place } from "../files/place.js";
 import { save, saveAs, type Saved } from "../files/save.js";
 import { besideServed, openServed, servedName } from "../files/served.js";
@@ -93,6 +94,11 @@ export class Documents {
     return true;
   }
 
+  /** A drawing of ours, with the pictures that it names. */
+  async beginExample(text: string, name: string, pictures: readonly File[]): Promise<void> {
+    await this.begin(text, name, besideFiles(pictures));
+  }
+
   /** A drawing without a file. */
   async begin(text: string, name: string, beside: Beside = nothingBeside): Promise<void> {
     await this.#show(text, { place: newPlace(name) }, beside);
@@ -116,10 +122,9 @@ export class Documents {
     await this.take(await openFile(chosen, this.#convert), beside);
   }
 
-  /** To be called while the event of a drop is handled. */
-  dropEvent(data: DataTransfer): void {
-    const dropped = openDropped(data, this.#convert);
-    void dropped?.then(({ opened, beside }) => this.take(opened, besideFiles(beside)));
+  async takeDropped(pieces: readonly Piece[]): Promise<void> {
+    const { opened, beside } = await openPieces(pieces, this.#convert);
+    await this.take(opened, besideFiles(beside));
   }
 
   async take(opened: Opened, beside: Beside = nothingBeside): Promise<void> {

@@ -1,9 +1,9 @@
 // Files that are dropped anywhere on the page. What nobody takes, the browser would open instead of it.
-import type { Documents } from "./documents.js";
+import { piecesOf, type Piece } from "../files/pieces.js";
 
 const hasFiles = (event: DragEvent) => event.dataTransfer?.types.includes("Files") ?? false;
 
-export function listenToDrops(documents: Documents): void {
+export function listenToDrops(take: (pieces: readonly Piece[]) => void): void {
   document.addEventListener("dragover", (event) => {
     if (!hasFiles(event)) return;
     event.preventDefault();
@@ -12,6 +12,7 @@ export function listenToDrops(documents: Documents): void {
   document.addEventListener("drop", (event) => {
     if (!hasFiles(event)) return;
     event.preventDefault();
-    documents.dropEvent(event.dataTransfer!);
+    const pieces = piecesOf(event.dataTransfer!);
+    if (pieces) take(pieces);
   });
 }

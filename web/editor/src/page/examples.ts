@@ -1,6 +1,6 @@
 // The drawings of the gallery, to begin from. Their texts are fetched when one is chosen; the editor
 // that is one file holds them.
-import { besideFiles } from "../files/images.js";
+import type { Example } from "../panels/services.js";
 import type { Documents } from "./documents.js";
 
 const texts = import.meta.glob<string>("../../../../examples/{sunset,portrait,apple,fish,flower,strokes,textures}.svg", {
@@ -34,14 +34,14 @@ async function fileOf(path: string): Promise<File> {
 }
 
 /** Opens a copy of an example, with the pictures that lie beside it. */
-async function openExample(documents: Documents, id: string): Promise<void> {
+async function openExample(documents: Promise<Documents>, id: string): Promise<void> {
   const text = await textOfExample(id);
   const named = Object.keys(pictures).filter((path) => text.includes(path.split("/").at(-1)!));
   const files = await Promise.all(named.map(fileOf));
-  await documents.begin(text, `${id}.svg`, besideFiles(files));
+  await (await documents).beginExample(text, `${id}.svg`, files);
 }
 
-export function examplesOf(documents: Documents) {
+export function examplesOf(documents: Promise<Documents>): readonly Example[] {
   return known.map(({ id, name, curves }) => ({
     name,
     curves,

@@ -1,5 +1,4 @@
 // What the panels get beside the editor's state.
-import { computed } from "@preact/signals";
 import type { DrawingEditor } from "../app/editor.js";
 import type { Thumbs } from "../canvas/thumbs.js";
 import { copyPng, estimateSize, exportDrawing, exportTypes, type ExportWatch, type ExportWish } from "../files/export.js";
@@ -8,7 +7,6 @@ import { saveExport } from "../files/save.js";
 import type { Services } from "../panels/services.js";
 import { en } from "../strings/en.js";
 import type { Documents } from "./documents.js";
-import { examplesOf } from "./examples.js";
 import { dataUri } from "./files.js";
 import { mendOf } from "./mend.js";
 import { pickColor } from "./pick.js";
@@ -43,10 +41,6 @@ export function servicesOf(editor: DrawingEditor, documents: Documents, thumbs: 
     get version() {
       return editor.engine.version;
     },
-    examples: examplesOf(documents),
-    recent: computed(() =>
-      documents.kept.value.map(({ id, name, time }) => ({ name, time, open: () => void documents.recover(id) })),
-    ),
     problem: documents.problem,
     exportTo: (wish, watch) => exportTo(editor, wish, watch),
     copyPicture: (wish, watch) => copyPng(wish, sourceOf(editor), watch),

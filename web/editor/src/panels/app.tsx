@@ -1,23 +1,13 @@
-// The shell of the editor: bars, tools, stage, panels, and what floats over them.
-import type { ComponentChildren } from "preact";
+// The page: the first of all, then the workplace, and what floats over them.
+import type { ComponentType } from "preact";
 import { useEffect } from "preact/hooks";
-import { useSignalEffect } from "@preact/signals";
+import { useSignalEffect, type ReadonlySignal } from "@preact/signals";
 import type { Editor } from "../app/types.js";
-import { en } from "../strings/en.js";
-import { isPhone } from "./controls/media.js";
-import { Menus, openMenu } from "./controls/menu.js";
 import { Tooltip } from "./controls/tooltip.js";
-import { contextMenu } from "./menus/main.js";
-import { ShellContext, useShell, type Services } from "./services.js";
-import { Dialogs, HintRing, HintsDock, Picker, Tour, usePartsComplaint } from "./shell/part.js";
+import { ShellContext, useShell, type Beginnings, type Services } from "./services.js";
+import { Dialogs, usePartsComplaint } from "./shell/part.js";
 import { watchRegions } from "./shell/regions.js";
-import { Sheet } from "./shell/sheet.js";
-import { Side } from "./shell/side.js";
-import { StatusBar } from "./shell/statusbar.js";
 import { ToastView } from "./shell/toast.js";
-import { Tools } from "./shell/tools.js";
-import { TopBar } from "./shell/topbar.js";
-import { useTourStart } from "./tour/start.js";
 import { Welcome } from "./welcome/welcome.js";
 
 /** Theme and surround stand on `<html>`, where tokens.css looks for them. */
@@ -40,53 +30,28 @@ function Announcer() {
   );
 }
 
-/** The width that was not chosen is left to the style sheet. */
-const CHOSEN_BY_NOBODY = 288;
-
-function Workplace({ children }: { readonly children: ComponentChildren }) {
-  const { editor } = useShell();
-  const width = editor.settings.panelWidth.value;
-  const phone = isPhone().value;
-  return (
-    <div
-      class="app"
-      data-tour={editor.tour.value ?? undefined}
-      style={width === CHOSEN_BY_NOBODY ? undefined : { "--panel": `${width}px` }}
-    >
-      <TopBar />
-      <Tools />
-      <div class="center">
-        <main
-          class="stage"
-          aria-label={en.panels.canvas}
-          data-region
-          onContextMenu={(event) => {
-            event.preventDefault();
-            openMenu(en.panels.object, contextMenu(editor), { x: event.clientX, y: event.clientY });
-          }}
-        >
-          {children}
-          <HintRing />
-        </main>
-        {!phone && <HintsDock />}
-      </div>
-      {phone ? <Sheet /> : <Side />}
-      {!phone && <StatusBar />}
-      <Picker />
-      <Tour />
-    </div>
-  );
+/** What comes after the first page: the workplace, what floats over it, and what they live on. */
+export interface Later {
+  readonly services: Services;
+  readonly Workplace: ComponentType;
+  readonly Menus: ComponentType;
 }
 
-function Page({ stage }: { readonly stage: ComponentChildren }) {
+interface AppProps extends Beginnings {
+  readonly editor: Editor;
+  /** null: it is on its way. */
+  readonly later: ReadonlySignal<Later | null>;
+}
+
+function Page({ later, ...beginnings }: Omit<AppProps, "editor">) {
   const { editor } = useShell();
   useAppearance();
-  useTourStart();
   usePartsComplaint();
   useEffect(watchRegions, []);
+  const { Workplace = Nothing, Menus = Nothing } = later.value ?? {};
   return (
     <>
-      {editor.welcome.value ? <Welcome /> : <Workplace>{stage}</Workplace>}
+      {editor.welcome.value ? <Welcome {...beginnings} /> : <Workplace />}
       <Dialogs />
       <ToastView />
       <Menus />
@@ -96,15 +61,19 @@ function Page({ stage }: { readonly stage: ComponentChildren }) {
   );
 }
 
-/** The whole page. `stage`: what fills the middle; it finds its size by itself. */
-export function App(props: {
-  readonly editor: Editor;
-  readonly services: Services;
-  readonly stage: ComponentChildren;
-}) {
+const Nothing = () => null;
+
+/** The whole page. */
+export function App({ editor, ...props }: AppProps) {
+  const shell = {
+    editor,
+    get services() {
+      return props.later.peek()!.services;
+    },
+  };
   return (
-    <ShellContext.Provider value={{ editor: props.editor, services: props.services }}>
-      <Page stage={props.stage} />
+    <ShellContext.Provider value={shell}>
+      <Page {...props} />
     </ShellContext.Provider>
   );
 }

@@ -45,10 +45,15 @@ export interface Problem {
   readonly source: string | null;
 }
 
+/** What the first page offers. */
+export interface Beginnings {
+  readonly examples: readonly Example[];
+  /** Empty until they are known. */
+  readonly recent: ReadonlySignal<readonly RecentFile[]>;
+}
+
 export interface Services {
   readonly version: string;
-  readonly examples: readonly Example[];
-  readonly recent: ReadonlySignal<readonly RecentFile[]>;
   readonly problem: ReadonlySignal<Problem | null>;
   /** @throws Error, in words; AbortError: the person left it */
   exportTo(wish: ExportWish, watch: ExportWatch): Promise<void>;
@@ -84,6 +89,7 @@ export interface Services {
 
 export interface Shell {
   readonly editor: Editor;
+  /** Not for what the first page shows: they come after it. */
   readonly services: Services;
 }
 

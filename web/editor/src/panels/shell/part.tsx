@@ -9,10 +9,11 @@ type Parts = typeof import("../parts.js");
 const parts = signal<Parts | null>(null);
 const isMissing = signal(false);
 
-/** Once, when the page has begun; a failure is told by usePartsComplaint(). */
-export async function fetchParts(): Promise<void> {
+/** Once, when the page has begun. @param before what they need first; a failure is told by usePartsComplaint() */
+export async function fetchParts(before: Promise<unknown>): Promise<void> {
   try {
-    parts.value = await import("../parts.js");
+    const [fetched] = await Promise.all([import("../parts.js"), before]);
+    parts.value = fetched;
   } catch {
     isMissing.value = true;
   }

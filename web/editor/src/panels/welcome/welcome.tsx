@@ -3,7 +3,7 @@ import { Icon, type IconName } from "../../icons.js";
 import { en } from "../../strings/en.js";
 import { IconButton } from "../controls/button.js";
 import { date } from "../format.js";
-import { useShell, type Example } from "../services.js";
+import { useShell, type Beginnings, type Example } from "../services.js";
 import { Teaser } from "./teaser.js";
 import { Wordmark } from "./wordmark.js";
 
@@ -26,16 +26,16 @@ function Start(props: {
   );
 }
 
-function Gallery() {
-  const { editor, services } = useShell();
+function Gallery({ examples }: { readonly examples: readonly Example[] }) {
+  const { editor } = useShell();
   const open = (example: Example) =>
     example.open().catch(() => editor.say(words.exampleFailed(example.name)));
-  if (services.examples.length === 0) return null;
+  if (examples.length === 0) return null;
   return (
     <section>
       <h2>{words.begin}</h2>
-      <ul class={services.examples.length > 4 ? "gallery many" : "gallery"}>
-        {services.examples.map((example) => (
+      <ul class={examples.length > 4 ? "gallery many" : "gallery"}>
+        {examples.map((example) => (
           <li key={example.name}>
             <button type="button" onClick={() => void open(example)}>
               <img src={example.thumb} alt="" />
@@ -51,8 +51,7 @@ function Gallery() {
   );
 }
 
-function Recent() {
-  const recent = useShell().services.recent.value;
+function Recent({ recent: { value: recent } }: Pick<Beginnings, "recent">) {
   if (recent.length === 0) return null;
   return (
     <section>
@@ -71,7 +70,7 @@ function Recent() {
   );
 }
 
-export function Welcome() {
+export function Welcome({ examples, recent }: Beginnings) {
   const { editor } = useShell();
   const begin = (command: string) => () => editor.command(command);
   return (
@@ -106,8 +105,8 @@ export function Welcome() {
             onClick={begin("open")}
           />
         </div>
-        <Gallery />
-        <Recent />
+        <Gallery examples={examples} />
+        <Recent recent={recent} />
         <section>
           <div class="tour-head">
             <h2>{words.how}</h2>

@@ -1,0 +1,52 @@
+// What the editor needs from the first drawing on, in a file of its own: the first page does not wait for it.
+import { listenToClipboard } from "./app/clipboard.js";
+import { commandTable } from "./app/commands.js";
+import type { DrawingEditor } from "./app/editor.js";
+import { PictureCanvas } from "./canvas/renderer.js";
+import { Stage } from "./canvas/stage.js";
+import { Thumbs } from "./canvas/thumbs.js";
+import type { WorkerEngine } from "./engine/engine.js";
+import { publish } from "./page/api.js";
+import { fileCommands } from "./page/commands.js";
+import { Documents } from "./page/documents.js";
+import { Pictures } from "./page/pictures.js";
+import { servicesOf } from "./page/services.js";
+import type { Later } from "./panels/app.js";
+import { Menus } from "./panels/controls/menu.js";
+import { prepareTour } from "./panels/tour/start.js";
+import { Workplace } from "./panels/workplace.js";
+import { en } from "./strings/en.js";
+
+export interface Work extends Later {
+  readonly documents: Documents;
+  /** Hands the page to scripts. */
+  publish(): void;
+}
+
+export function begin(editor: DrawingEditor, engine: WorkerEngine): Work {
+  const documents = new Documents(editor, new Pictures(engine));
+  const picture = new PictureCanvas(editor, en.page.graphics);
+  const thumbs = new Thumbs(editor, picture);
+  engine.onPicture = (update) => picture.take(update);
+  const attach = (canvas: HTMLCanvasElement | null) => picture.attach(canvas);
+  listenToClipboard(editor, (files) => void documents.drop(files));
+  prepareTour(editor);
+  return {
+    documents,
+    services: servicesOf(editor, documents, thumbs),
+    Menus,
+    Workplace: () => (
+      <Workplace>
+        <Stage editor={editor} navigation={editor.navigation} onCanvas={attach} onMenu={() => {}} />
+      </Workplace>
+    ),
+    publish: () =>
+      publish(editor, documents, async () => {
+        await editor.settled();
+        await picture.drawn();
+      }),
+  };
+}
+
+/** What menus and keys name. */
+export const commandsOf = (documents: Documents) => commandTable(fileCommands(() => documents));
