@@ -74,6 +74,7 @@ const types = {
   ".svg": "image/svg+xml",
   ".png": "image/png",
   ".jpg": "image/jpeg",
+  ".webp": "image/webp",
   ".webmanifest": "application/manifest+json",
 };
 

@@ -8,7 +8,7 @@ const texts = import.meta.glob<string>("../../../../examples/{sunset,portrait,ap
   import: "default",
 });
 const pictures = import.meta.glob<string>("../../../../examples/*.png", { query: "?url", import: "default" });
-const thumbs = import.meta.glob<string>("../../thumbs/{sunset,portrait,apple,fish,flower,strokes,textures}.jpg", { query: "?url", import: "default", eager: true });
+const thumbs = import.meta.glob<string>("../../thumbs/{sunset,portrait,apple,fish,flower,strokes,textures}.webp", { query: "?url", import: "default", eager: true });
 
 /** What stands in the gallery: the number of curves and strokes is that of the file (tests look). */
 const known = [
@@ -45,7 +45,7 @@ export function examplesOf(documents: Promise<Documents>): readonly Example[] {
   return known.map(({ id, name, curves }) => ({
     name,
     curves,
-    thumb: thumbs[`../../thumbs/${id}.jpg`],
+    thumb: thumbs[`../../thumbs/${id}.webp`],
     open: () => openExample(documents, id),
   }));
 }
