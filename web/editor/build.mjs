@@ -14,11 +14,15 @@ const oneFile = path("../../build/editor.html");
 
 const kilobytes = (count) => `${(count / 1000).toFixed(1)} kB`;
 
+/** The script that the site's page names: what the first page waits for. */
+const firstScript = () => /<script type="module"[^>]* src="\.\/assets\/([^"]+)"/.exec(readFileSync(join(site, "index.html"), "utf8"))[1];
+
 function report() {
   const wasm = readFileSync(module);
   const assets = readdirSync(join(site, "assets"));
   const packed = (name) => gzipSync(readFileSync(join(site, "assets", name)), { level: 9 }).length;
   const scripts = assets.filter((name) => name.endsWith(".js")).map((name) => [name, packed(name)]);
+  console.log(`the first page    ${kilobytes(packed(firstScript()))} gz`);
   console.log(`sfumato.wasm      ${kilobytes(brotliCompressSync(wasm).length)} br, ${kilobytes(gzipSync(wasm, { level: 9 }).length)} gz`);
   for (const [name, size] of scripts) console.log(`${name.padEnd(24)} ${kilobytes(size)} gz`);
   console.log(`build/editor.html ${kilobytes(readFileSync(oneFile).length)}`);
