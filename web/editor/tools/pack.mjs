@@ -20,11 +20,10 @@ export function escaped(bytes) {
 }
 
 export const packed = (content) =>
-  escaped(execFileSync("xz", ["--format=raw", "--stdout", filter], { input: content, maxBuffer: 2 ** 28 }));
+  escaped(execFileSync("xz", ["--format=lzma", "--stdout", filter], { input: content, maxBuffer: 2 ** 28 }));
 
 /** An element of a page that holds bytes. */
 export function packedElement(id, content) {
-  const bytes = Buffer.from(content);
-  const start = `<script type="application/octet-stream" id="${id}" data-size="${bytes.length}">`;
-  return Buffer.concat([Buffer.from(start), packed(bytes), Buffer.from("</script>")]);
+  const start = `<script type="application/octet-stream" id="${id}">`;
+  return Buffer.concat([Buffer.from(start), packed(content), Buffer.from("</script>")]);
 }

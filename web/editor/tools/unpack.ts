@@ -7,7 +7,7 @@ async function readAgain() {
   const answer = await fetch(location.href);
   const text = new TextDecoder("windows-1252").decode(await answer.arrayBuffer());
   const page = new DOMParser().parseFromString(text, "text/html");
-  for (const element of document.querySelectorAll("script[data-size]")) {
+  for (const element of document.querySelectorAll("script[type='application/octet-stream']")) {
     element.textContent = page.getElementById(element.id)!.textContent;
   }
 }

@@ -1,6 +1,6 @@
 // Bytes that the page of one file holds as text, as tools/pack.mjs writes them: the page is said to be
 // windows-1252, where every byte is a character.
-import { unlzma } from "./unlzma.js";
+import { decompress } from "lzma1";
 
 /** Stands before a byte that HTML would change, to which 64 was added. */
 const ESCAPE = 0x1b;
@@ -28,13 +28,14 @@ export function bytesOfText(text: string): Uint8Array {
 }
 
 /** What an element of the page holds. The element, a megabyte that nobody reads again, is removed. */
-export function takePacked(id: string): { readonly text: string; readonly size: number } {
+export function takePacked(id: string): string {
   const element = document.getElementById(id);
   if (!element?.textContent) throw new Error(`${id} is missing in the page`);
   element.remove();
-  return { text: element.textContent, size: Number(element.dataset.size) };
+  return element.textContent;
 }
 
-export function unpacked({ text, size }: { readonly text: string; readonly size: number }): Uint8Array<ArrayBuffer> {
-  return unlzma(bytesOfText(text), size);
+/** @throws Error where the text is not packed whole */
+export function unpacked(text: string): Uint8Array<ArrayBuffer> {
+  return decompress(bytesOfText(text));
 }
