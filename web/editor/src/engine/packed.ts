@@ -1,6 +1,6 @@
 // Bytes that the page of one file holds as text, as tools/pack.mjs writes them: the page is said to be
 // windows-1252, where every byte is a character.
-import { decompress } from "lzma1";
+import { decompress } from "fzstd";
 
 /** Stands before a byte that HTML would change, to which 64 was added. */
 const ESCAPE = 0x1b;
@@ -37,5 +37,5 @@ export function takePacked(id: string): string {
 
 /** @throws Error where the text is not packed whole */
 export function unpacked(text: string): Uint8Array<ArrayBuffer> {
-  return decompress(bytesOfText(text));
+  return decompress(bytesOfText(text)) as Uint8Array<ArrayBuffer>;
 }
