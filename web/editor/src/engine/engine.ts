@@ -1,5 +1,7 @@
-// The engine on the page's side: two workers. The front one follows the hand; the back one solves
-// what rests exactly, and then takes the front one's place, so that the next movement begins there.
+// The engine on the page's side. The front worker follows the hand, and solves exactly what rests
+// where that is little; a back one solves the rest, and then takes the front one's place, so that the
+// next movement begins there. It stays only where it is going to be needed again: two of them hold
+// twice the memory.
 import type { Box } from "../geometry/affine.js";
 import { detailFor, type Detail } from "./detail.js";
 import { hintsOf } from "./hints.js";
@@ -24,6 +26,8 @@ const FRAME_SECONDS = 0.004;
 const VIEW_REST = 400;
 /** Frames that go on with what waits, one after another. */
 const MOST_ROUNDS = 120;
+/** Triangles that the front seat solves exactly itself: a hand that goes on waits for it. */
+const MOST_IN_FRONT = 20_000;
 
 /** The text that is to be seen. */
 interface Wanted {
@@ -37,6 +41,7 @@ export class WorkerEngine implements Engine {
   onStatus: (status: EngineStatus) => void = () => {};
 
   readonly #host: Host;
+  readonly #mostInFront: number;
   #front: Seat;
   #back: Seat | null = null;
   #wanted: Wanted = { text: "", moving: false, serial: -1 };
@@ -58,12 +63,15 @@ export class WorkerEngine implements Engine {
   /** Whether the exact picture waits for the frames to end. */
   #isExactReady = false;
   #timer = 0;
+  /** As the front seat's last answer had it. */
+  #unsettled = Infinity;
   readonly #rest = new Rest();
   #seatCount = 0;
   #isFree = false;
 
-  constructor(host: Host) {
+  constructor(host: Host, mostInFront = MOST_IN_FRONT) {
     this.#host = host;
+    this.#mostInFront = mostInFront;
     this.#front = this.#newSeat();
   }
 
@@ -166,6 +174,7 @@ export class WorkerEngine implements Engine {
     this.#shown = solved.stamps;
     this.#shownStack = solved.stackStamp;
     this.#shownSerial = wanted.serial;
+    this.#unsettled = solved.unsettled;
     this.onPicture({ stack: solved.stack, layers: solved.layers, layerCount: solved.stamps.length, isExact });
     const kind = isExact ? "exact" : "refining";
     this.onStatus({ kind, milliseconds: solved.milliseconds });
@@ -187,6 +196,44 @@ export class WorkerEngine implements Engine {
   async #settle(): Promise<void> {
     if (this.#isSettling || !this.#isSettleWanted) return;
     this.#isSettling = true;
+    const [seat, options] = [this.#front, this.#options];
+    if (sameOptions(seat.exactFor, options)) await this.#framesEnd();
+    const isLittle = sameOptions(seat.exactFor, options) && this.#unsettled <= this.#mostInFront;
+    if (isLittle) await this.#settleInFront(seat, options);
+    else await this.#settleInBack();
+    this.#isSettling = false;
+    if (this.#isSettleWanted) this.#settleAfter(this.#rest.again(this.#wanted.moving));
+  }
+
+  /** They leave what waits: the exact picture follows. */
+  async #framesEnd(): Promise<void> {
+    this.#isExactReady = true;
+    await this.#frames;
+    this.#isExactReady = false;
+  }
+
+  /** Where the front seat has all but a little. Frames wait meanwhile. */
+  async #settleInFront(seat: Seat, options: SolveOptions): Promise<void> {
+    const wanted = this.#wanted;
+    if (seat !== this.#front || this.#frames || this.#shownSerial !== wanted.serial) return;
+    this.#frames = this.#settleFront(seat, wanted, options).finally(() => {
+      this.#frames = null;
+      if (this.#isFrameWanted) this.#follow();
+    });
+    await this.#frames;
+  }
+
+  async #settleFront(seat: Seat, wanted: Wanted, options: SolveOptions): Promise<void> {
+    try {
+      if (seat.serial !== wanted.serial || seat.isChanged) await this.#bring(seat, wanted, null);
+      const solved = await this.#solve(seat, { kind: "exact" }, options);
+      if (this.#wanted === wanted) this.#publishExact(solved, wanted, options);
+    } catch (error) {
+      this.#complain(error, seat, wanted.serial);
+    }
+  }
+
+  async #settleInBack(): Promise<void> {
     const seat = (this.#back ??= this.#newSeat());
     let { serial } = this.#wanted;
     try {
@@ -196,17 +243,13 @@ export class WorkerEngine implements Engine {
     } catch (error) {
       this.#complain(error, seat, serial);
     }
-    this.#isSettling = false;
-    if (this.#isSettleWanted) this.#settleAfter(this.#rest.again(this.#wanted.moving));
   }
 
   async #settleIn(seat: Seat, wanted: Wanted, options: SolveOptions): Promise<void> {
     if (seat.serial !== wanted.serial || seat.isChanged) await this.#bring(seat, wanted, null);
     const before = this.#shown;
     let solved = await this.#solve(seat, { kind: "exact" }, options);
-    this.#isExactReady = true;
-    await this.#frames;
-    this.#isExactReady = false;
+    await this.#framesEnd();
     if (this.#wanted !== wanted) return;
     // Frames have changed what the page shows since the tables were asked for.
     const { milliseconds } = solved;
@@ -216,13 +259,23 @@ export class WorkerEngine implements Engine {
     if (this.#wanted !== wanted) return;
     this.#back = this.#front;
     this.#front = seat;
+    seat.exactFor = options;
     this.#pending.reset();
+    this.#publishExact(solved, wanted, options);
+    // If it fails, so does what asks this seat next.
+    if (solved.largest > this.#mostInFront) this.#warm(this.#back, wanted, options).catch(() => {});
+    else this.#dismissBack();
+  }
+
+  #publishExact(solved: Solved, wanted: Wanted, options: SolveOptions) {
     this.#exactSerial = wanted.serial;
     this.#exactOptions = options;
-    seat.exactFor = options;
     this.#publish(solved, wanted, true);
-    // If it fails, so does what asks this seat next.
-    this.#warm(this.#back, wanted, options).catch(() => {});
+  }
+
+  #dismissBack() {
+    void this.#back?.link.endWhenIdle();
+    this.#back = null;
   }
 
   /** Has the back seat make once what its next exact pictures differ from by an edit alone. */

@@ -40,7 +40,9 @@ export class Rows<Data extends Numbers> {
   #resize(length: number) {
     this.#length = length;
     if (length <= this.#data.length) return;
-    const larger = this.#make(Math.ceil(length * (1 + SPARE)));
+    // What never changes gets no room.
+    const isFirst = this.#data.length === 0;
+    const larger = this.#make(isFirst ? length : Math.ceil(length * (1 + SPARE)));
     larger.set(this.#data as never);
     this.#data = larger;
   }

@@ -66,6 +66,9 @@ function failureOf(error: unknown): Failure {
   return { message, reason, code, line, column };
 }
 
+/** A worker that was asked nothing for so long is not needed, milliseconds. */
+const PAUSE = 100;
+
 /** Answers calls that come from the page, one after another. */
 export function answer(scope: MessageEndpoint, handlers: Handlers): void {
   let last: Promise<void> = Promise.resolve();
@@ -131,6 +134,13 @@ export class Link {
   end(): void {
     this.#worker?.terminate();
     this.#fail("The worker was ended.");
+  }
+
+  /** Ends the worker once nobody waits for it, nor is about to ask it. */
+  async endWhenIdle(): Promise<void> {
+    do await new Promise((resolve) => setTimeout(resolve, PAUSE));
+    while (this.isBusy);
+    this.end();
   }
 
   #take({ id, value, failure }: Answer) {

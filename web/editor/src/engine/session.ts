@@ -2,6 +2,7 @@
 // worker, and in node for tests.
 import {
   loadSfumato,
+  Table,
   type Sfumato,
   type SfumatoContext,
   type SfumatoDocument,
@@ -9,6 +10,7 @@ import {
   type SfumatoPicture,
 } from "../../../wasm/sfumato.mjs";
 import {
+  isAllNew,
   isChanged,
   layerStamp,
   layerUpdate,
@@ -52,6 +54,10 @@ export interface Solved {
   readonly layers: readonly LayerUpdate[];
   /** Values that wait for time: solve again, with the same text, goes on. */
   readonly waiting: number;
+  /** Triangles of the layers that an exact picture would make anew; infinite before the first one. */
+  readonly unsettled: number;
+  /** Triangles of the layer that has the most. */
+  readonly largest: number;
   readonly milliseconds: number;
 }
 
@@ -65,10 +71,35 @@ class Shown {
   readonly origins: Origins = new Map();
   stamps: string[] = [];
   rows: RowCounts[] = [];
+  /** Of the last exact picture; null: there was none. */
+  #exact: { readonly stamps: ReadonlySet<string>; readonly triangles: readonly number[] } | null = null;
   constructor(
     readonly picture: SfumatoPicture,
     readonly key: string,
   ) {}
+
+  markExact(): void {
+    const triangles = this.stamps.map((_, layer) => this.triangles(layer));
+    this.#exact = { stamps: new Set(this.stamps), triangles };
+  }
+
+  /** As Solved has it: a rough picture of a layer has fewer than it is going to have. */
+  get unsettled(): number {
+    const exact = this.#exact;
+    if (!exact) return Infinity;
+    const costs = this.stamps.map((stamp, layer) =>
+      exact.stamps.has(stamp) ? 0 : Math.max(exact.triangles[layer] ?? 0, this.triangles(layer)),
+    );
+    return costs.reduce((sum, cost) => sum + cost, 0);
+  }
+
+  get largest(): number {
+    return Math.max(0, ...this.stamps.map((_, layer) => this.triangles(layer)));
+  }
+
+  triangles(layer: number): number {
+    return this.picture.tableView(layer, Table.triangles).rows;
+  }
 }
 
 export class Session {
@@ -136,13 +167,17 @@ export class Session {
   solve({ way, options, have, haveStack }: SolveWish): Solved {
     const began = performance.now();
     const shown = this.#solved(way, options);
-    const layers = this.#stamp(shown, way.kind === "exact", have);
+    const isExact = way.kind === "exact";
+    const layers = this.#stamp(shown, isExact, have);
+    if (isExact) shown.markExact();
     const milliseconds = performance.now() - began;
-    const waiting = way.kind === "quick" ? shown.picture.statistics.waitingNodes : 0;
+    const waiting = isExact ? 0 : shown.picture.statistics.waitingNodes;
     this.#stack ??= this.#stackOf(shown.picture);
     const { bytes, stamp } = this.#stack;
     const stack = stamp === haveStack ? null : bytes;
-    return { stack, stackStamp: stamp, stamps: [...shown.stamps], layers, waiting, milliseconds };
+    const { unsettled, largest } = shown;
+    const stamps = [...shown.stamps];
+    return { stack, stackStamp: stamp, stamps, layers, waiting, unsettled, largest, milliseconds };
   }
 
   #solved(way: Way, options: SolveOptions): Shown {
@@ -178,8 +213,9 @@ export class Session {
     for (let layer = 0; layer < picture.layerCount; ++layer) {
       const before = stamps[layer];
       if (before === undefined || isChanged(picture, layer, rows[layer])) {
-        const content = isExact ? layerStamp(picture, layer) : `${this.#name}.${++this.#serial}`;
-        stamps[layer] = content;
+        // A layer that has only moved in the stack is known by its content.
+        const isOther = isExact || isAllNew(picture, layer);
+        stamps[layer] = isOther ? layerStamp(picture, layer) : `${this.#name}.${++this.#serial}`;
         rows[layer] = rowCounts(picture, layer);
       }
       if (have[layer] === stamps[layer]) continue;

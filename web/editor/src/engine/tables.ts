@@ -136,6 +136,13 @@ export function isChanged(picture: SfumatoPicture, layer: number, rowsBefore: Ro
   );
 }
 
+/** Whether the last solve made all of a layer's triangles anew. */
+export function isAllNew(picture: SfumatoPicture, layer: number): boolean {
+  const { rows } = look(picture, layer, Table.triangles);
+  const [first] = picture.changes(layer, Table.triangles);
+  return first !== undefined && first[0] === 0 && first[1] >= rows;
+}
+
 export type RowCounts = readonly number[];
 
 export function rowCounts(picture: SfumatoPicture, layer: number): RowCounts {
