@@ -1,6 +1,7 @@
 // Parts of a picture drawn small and by themselves, with what a renderer has on the GPU.
 
 import { Painter } from "./painter.js";
+import { StrokeDrawer } from "./strokes.js";
 import { Targets } from "./targets.js";
 
 /** @import { Affine } from "./affine.js" */
@@ -28,12 +29,15 @@ export class SmallPictures {
    */
   draw(items, size, pixelFromArtboard) {
     const { targets } = this;
-    const { gl, programs, picture, layers, strokes } = this.renderer;
+    const { gl, programs, picture, layers } = this.renderer;
     targets.resize(size);
     targets.level(0).clear(targets.whole, [0, 0, 0, 0]);
     const part = { ...picture, stack: items };
+    // The renderer's have the nodes that its own zoom needs.
+    const strokes = new StrokeDrawer(gl, programs, part);
     const painter = new Painter(gl, programs, targets, part, layers, strokes);
     painter.paint(pixelFromArtboard, [0, 0], targets.whole, false);
+    strokes.free();
     return this.read();
   }
 

@@ -37,6 +37,7 @@ import type {
 import { gripPlace } from "../model/paint-frames.js";
 import { deleteStop } from "../app/stops.js";
 import { en } from "../strings/en.js";
+import { pathInLayer } from "./along.js";
 import { movable } from "./box.js";
 import { nodeOfHandle, withHandle } from "./nodes.js";
 import { isCurve, isLocked } from "./places.js";
@@ -227,7 +228,7 @@ function nudgedStop(
   const list = stopsOf(item, part.side, part.attribute);
   const path = item.paths[0];
   if (!list || !list.stops[part.index] || !path) return null;
-  const inLayer = mappedPath(item.layerFromItem, path);
+  const inLayer = pathInLayer(item, path);
   const length = pathLength(mappedPath(item.artboardFromItem, path)) * editor.view.peek().zoom;
   const share = offsetOfPlace(
     inLayer,

@@ -146,10 +146,10 @@ export class CurveGrid {
       const place = this.places[part.place];
       if (distanceToBox(at, hullBox(part.cubic)) > reach || (isWanted && !isWanted(place)))
         continue;
-      const found = nearestOn({ points: part.cubic, closed: false }, at);
       const key = `${part.place}/${part.path}`;
-      if (found.distance > reach || found.distance >= (best.get(key)?.distance ?? Infinity))
-        continue;
+      const within = best.get(key)?.distance ?? reach * (1 + Number.EPSILON);
+      const found = nearestOn({ points: part.cubic, closed: false }, at, within);
+      if (!found) continue;
       const { point, distance } = found;
       const along = part.from + found.at * (part.to - part.from);
       best.set(key, { place, path: part.path, at: along, point, distance, order: part.place });

@@ -1,9 +1,8 @@
 // Everything on the picture that can be taken hold of, in its place on the stage.
 import { composed, lengthScale, mapped, type Affine, type Point } from "../geometry/affine.js";
-import { mappedPath, nodeCount, pieceCount, type CubicPath } from "../geometry/cubic.js";
+import { nodeCount, pieceCount, type CubicPath } from "../geometry/cubic.js";
 import type { Rgb } from "../geometry/color.js";
 import { hexOf } from "../geometry/colortext.js";
-import { placeOfOffset } from "../geometry/length.js";
 import { nodePath } from "../geometry/natural.js";
 import type {
   Attribute,
@@ -15,7 +14,7 @@ import type {
   Side,
 } from "../model/types.js";
 import { en } from "../strings/en.js";
-import { standing } from "./along.js";
+import { pathInLayer, placesOfStops, standing } from "./along.js";
 import { percent, shown } from "./format.js";
 import { handlesOf, nodeOfHandle } from "./nodes.js";
 import { isSamePart } from "./sketch.js";
@@ -167,11 +166,10 @@ function sideMarks(
   list: Stops<Value>,
   parts: readonly Part[],
 ): StopMark[] {
-  const inLayer = mappedPath(item.layerFromItem, path);
+  const places = placesOfStops(pathInLayer(item, path), list);
   const isBracket = kind === "blur" || kind === "radius";
-  return list.stops.map(({ offset, value }, index) => {
-    const at = placeOfOffset(inLayer, list.space, offset);
-    const { foot, normal } = standing(path, map, at, side === "left" ? 1 : -1);
+  return list.stops.map(({ value }, index) => {
+    const { foot, normal } = standing(path, map, places[index], side === "left" ? 1 : -1);
     const off = isBracket ? Math.max(BRACKET_OFF, Number(value) * lengthScale(map)) : STOP_OFF;
     // Two at one place, a hard step, stand side by side.
     const slide = isBracket ? 0 : slideOf(list, index);
@@ -224,8 +222,7 @@ export function bandOf(
   side: Side,
   list: Stops<Value>,
 ): Point[] {
-  const inLayer = mappedPath(item.layerFromItem, path);
-  const at = list.stops.map((stop) => placeOfOffset(inLayer, list.space, stop.offset));
+  const at = placesOfStops(pathInLayer(item, path), list);
   const scale = lengthScale(map);
   const samples = Math.min(MOST_ON_BAND, ON_BAND * pieceCount(path));
   return Array.from({ length: samples + 1 }, (_, k) => {

@@ -1,14 +1,14 @@
 // Colours of a photo beside a stretch of a curve, as stops of its two sides.
 import { composed, determinant, inverted, lengthScale, mapped, type Point } from "../geometry/affine.js";
 import { rgbFromOklab, type Rgb } from "../geometry/color.js";
-import { mappedPath, pieceAt, pieceCount, subcurve, type CubicPath } from "../geometry/cubic.js";
+import { pieceAt, pieceCount, subcurve, type CubicPath } from "../geometry/cubic.js";
 import { fractionAtParameter, offsetOfPlace, parameterAtFraction } from "../geometry/length.js";
 import { pathOf } from "../geometry/nodes.js";
 import { colorAt } from "../geometry/photo.js";
 import { tracePhoto, type TraceOptions, type TracedStop } from "../geometry/trace.js";
 import type { CurveItem, Side, SideValue, Stop } from "../model/types.js";
 import { add, scaled } from "../geometry/vector.js";
-import { standing } from "./along.js";
+import { pathInLayer, standing } from "./along.js";
 import type { PlacedPhoto } from "./photo.js";
 import { stopsOf, type Stops } from "./sides.js";
 
@@ -54,7 +54,7 @@ export function sampledSides(
 ): SampledSides {
   const back = inverted(photo.artboardFromPixel);
   const itemFromLayer = inverted(item.layerFromItem);
-  const inLayer = mappedPath(item.layerFromItem, item.paths[path]);
+  const inLayer = pathInLayer(item, item.paths[path]);
   const stretch = stretchOf(inLayer, wish.range);
   if (!back || !itemFromLayer || stretch.points.length === 0) return { left: null, right: null, blur: null };
   const photoFromPath = composed(composed(back, item.artboardFromItem), itemFromLayer);

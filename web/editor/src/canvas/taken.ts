@@ -2,7 +2,7 @@
 import type { Editor } from "../app/types.js";
 import { determinant, inverted, lengthScale, mapped, type Point } from "../geometry/affine.js";
 import { clampedRgb, oklabFromRgb, type Rgb } from "../geometry/color.js";
-import { mappedPath, type CubicPath } from "../geometry/cubic.js";
+import type { CubicPath } from "../geometry/cubic.js";
 import {
   parameterAtFraction,
   pathDirectionAt,
@@ -12,6 +12,7 @@ import {
 import { simplifiedGraph } from "../geometry/simplify.js";
 import { leftOf } from "../geometry/vector.js";
 import type { CurveItem, Item, SideValue, Stop } from "../model/types.js";
+import { pathInLayer } from "./along.js";
 import { outermostLayer } from "./hit.js";
 
 /** How far beside the curve colours are asked for, and how far apart, CSS pixels. */
@@ -144,7 +145,7 @@ export async function colorsBeside(
   at: number,
 ): Promise<Sides<Rgb | null> | null> {
   const layer = outermostLayer(item);
-  const inLayer = mappedPath(item.layerFromItem, item.paths[path]);
+  const inLayer = pathInLayer(item, item.paths[path]);
   const colors = await colorsAt(editor, layer, pointsBeside(inLayer, at, reachOf(editor, layer)));
   if (!colors) return null;
   // A map that mirrors exchanges the sides of the curve.

@@ -82,13 +82,14 @@ function polished(cubic: Cubic, point: Point, from: number): number {
 /** Halves pieces, and leaves out those whose hull is farther than what was found. */
 class Search {
   at = 0;
-  distance = Infinity;
   #whole: Cubic;
   #piece: number;
 
   constructor(
     readonly path: CubicPath,
     readonly point: Point,
+    /** That of what was found, or of what is looked for. */
+    public distance: number,
   ) {
     this.#whole = pieceAt(path, 0);
     this.#piece = 0;
@@ -150,9 +151,13 @@ function deviation([p0, p1, p2, p3]: Cubic): number {
 }
 
 /** The point of a path that is nearest to another, all of the curve considered. */
-export function nearestOn(path: CubicPath, point: Point): Nearest {
-  const search = new Search(path, point);
+export function nearestOn(path: CubicPath, point: Point): Nearest;
+/** The same where it is nearer than `within`; else null, which takes less time to see. */
+export function nearestOn(path: CubicPath, point: Point, within: number): Nearest | null;
+export function nearestOn(path: CubicPath, point: Point, within = Infinity): Nearest | null {
+  const search = new Search(path, point, within);
   search.run();
+  if (within < Infinity && search.distance === within) return null;
   const piece = Math.min(Math.floor(search.at), pieceCount(path) - 1);
   const found = pointAt(pieceAt(path, piece), search.at - piece);
   return { at: search.at, point: found, distance: search.distance };

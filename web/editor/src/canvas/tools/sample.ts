@@ -3,11 +3,11 @@ import type { Gesture } from "../../app/types.js";
 import { composed, IDENTITY, inverted, lengthScale, type Box } from "../../geometry/affine.js";
 import type { Rgb } from "../../geometry/color.js";
 import { parseColor } from "../../geometry/colortext.js";
-import { mappedPath, pieceCount, type CubicPath } from "../../geometry/cubic.js";
+import { pieceCount, type CubicPath } from "../../geometry/cubic.js";
 import { setColor, together } from "../../model/commands/index.js";
 import type { CurveItem, Drawing, Outcome } from "../../model/types.js";
 import { en } from "../../strings/en.js";
-import { nearestAt } from "../along.js";
+import { nearestAt, pathInLayer } from "../along.js";
 import { placeBounds } from "../box.js";
 import type { Canvas } from "../canvas.js";
 import type { CursorName } from "../cursors.js";
@@ -210,7 +210,7 @@ function neighbours(drawing: Drawing, curve: CurveItem): CubicPath[] {
       const [a0, b0, a1, b1] = boundsOfCurve(item);
       return a0 <= x1 && a1 >= x0 && b0 <= y1 && b1 >= y0;
     })
-    .flatMap(({ item }) => item.paths.map((path) => mappedPath(item.layerFromItem, path)));
+    .flatMap(({ item }) => item.paths.map((path) => pathInLayer(item, path)));
 }
 
 function boundsOfCurve(item: CurveItem): Box {

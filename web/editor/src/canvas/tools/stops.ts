@@ -1,10 +1,9 @@
 // Gestures with stops, which several tools share: along the curve, across it, new ones.
 import { lengthScale, type Point } from "../../geometry/affine.js";
-import { mappedPath } from "../../geometry/cubic.js";
 import { offsetOfPlace, placeOfOffset } from "../../geometry/length.js";
 import type { CurveItem, Drawing, Outcome, Side, SideValue } from "../../model/types.js";
 import { en } from "../../strings/en.js";
-import { nearestAt, standing } from "../along.js";
+import { nearestAt, pathInLayer, standing } from "../along.js";
 import type { Canvas } from "../canvas.js";
 import { blurCursor } from "../cursors.js";
 import { setSide } from "../edits.js";
@@ -85,7 +84,7 @@ function offsetUnder(
     stageFromItem(canvas.stageFromArtboard(), item),
     at,
   );
-  return offsetOfPlace(mappedPath(item.layerFromItem, item.paths[path]), space, place);
+  return offsetOfPlace(pathInLayer(item, item.paths[path]), space, place);
 }
 
 /** Radii smaller than this many pixels of the stage are 0: sharp has to be easy to reach. */
@@ -209,7 +208,7 @@ function blurWith(
   const list = stopsOf(item, side, kind);
   // Where there was no blur, all of the side gets the radius.
   if (!list) return { kind: "stops", space: "arc", stops: [{ offset: 0, value: radius }] };
-  const inLayer = mappedPath(item.layerFromItem, item.paths[path]);
+  const inLayer = pathInLayer(item, item.paths[path]);
   const map = stageFromItem(canvas.stageFromArtboard(), item);
   const [x, y] = standing(item.paths[path], map, at, 1).foot;
   if (list.stops.length === 1) return withValue(list, 0, radius);
@@ -252,7 +251,7 @@ function stripKind(canvas: Canvas, item: CurveItem): "color" | "opacity" | null 
 export async function addStop(canvas: Canvas, on: OnSide, kind: StopKind): Promise<void> {
   const { editor } = canvas;
   const list = stopsOf(on.item, on.side, kind);
-  const inLayer = mappedPath(on.item.layerFromItem, on.item.paths[on.path]);
+  const inLayer = pathInLayer(on.item, on.item.paths[on.path]);
   const offset = offsetOfPlace(inLayer, list?.space ?? "arc", on.at);
   const value = list
     ? valueAt(list, offset, mixer(editor.drawing.interpolation))

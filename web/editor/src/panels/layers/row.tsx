@@ -1,4 +1,5 @@
 // One row of the tree.
+import { memo } from "preact/compat";
 import { useLayoutEffect, useRef } from "preact/hooks";
 import type { TargetedKeyboardEvent, TargetedPointerEvent } from "preact";
 import { Icon, type IconName } from "../../icons.js";
@@ -25,10 +26,12 @@ export interface RowEvents {
   readonly onToggle: (item: Item, what: "hidden" | "locked") => void;
   readonly onRename: (item: Item) => void;
   /** `goesOn`: the row gets the focus. */
-  readonly onRenamed: (goesOn: boolean) => void;
+  readonly onRenamed: (item: Item, goesOn: boolean) => void;
 }
 
-interface RowViewProps extends RowEvents {
+interface RowViewProps {
+  /** Those of now: that they are others is no reason to draw a row anew. */
+  readonly events: { readonly current: RowEvents };
   readonly row: Row;
   readonly top: number;
   readonly isActive: boolean;
@@ -95,12 +98,12 @@ function Name({ item, onDone }: NameProps) {
   );
 }
 
-interface SwitchProps extends Pick<RowEvents, "onSweep" | "onToggle"> {
+interface SwitchProps extends Pick<RowViewProps, "events"> {
   readonly item: Item;
   readonly what: "hidden" | "locked";
 }
 
-function Switch({ item, what, onSweep, onToggle }: SwitchProps) {
+function Switch({ item, what, events }: SwitchProps) {
   const isOn = item[what];
   const icon = what === "hidden" ? (isOn ? "eye-off" : "eye") : isOn ? "lock" : "lock-open";
   return (
@@ -114,9 +117,9 @@ function Switch({ item, what, onSweep, onToggle }: SwitchProps) {
       data-handle={item.handle}
       onPointerDown={(event) => {
         event.stopPropagation();
-        if (event.button === 0) onSweep(item, what, event);
+        if (event.button === 0) events.current.onSweep(item, what, event);
       }}
-      onClick={(event) => event.detail === 0 && onToggle(item, what)}
+      onClick={(event) => event.detail === 0 && events.current.onToggle(item, what)}
     >
       <Icon name={icon} small />
     </button>
@@ -142,8 +145,19 @@ function rowName(item: Item, copies: number): string {
   return words.rowName(parts.filter((part) => part !== false));
 }
 
-export function RowView(props: RowViewProps) {
-  const { row, isRenamed } = props;
+/** A row that shows the same is not drawn anew: an item with anything else in it is another object. */
+export const RowView = memo(PlainRow, (before, now) => {
+  const { row: rowBefore, ...restBefore } = before;
+  const { row, ...rest } = now;
+  return isSame(rowBefore, row) && isSame(restBefore, rest);
+});
+
+function isSame<Props extends object>(a: Props, b: Props): boolean {
+  return (Object.keys(b) as (keyof Props)[]).every((key) => a[key] === b[key]);
+}
+
+function PlainRow(props: RowViewProps) {
+  const { row, isRenamed, events } = props;
   const { item } = row;
   const { editor } = useShell();
   const isContainer = item.kind === "layer" || item.kind === "group";
@@ -167,7 +181,7 @@ export function RowView(props: RowViewProps) {
       aria-expanded={row.isOpen ?? undefined}
       tabIndex={props.isActive ? 0 : -1}
       style={{ "--depth": row.depth, top: `${props.top}px` }}
-      onPointerDown={(event) => props.onPress(item, event)}
+      onPointerDown={(event) => events.current.onPress(item, event)}
       onPointerEnter={() => {
         editor.hovered.value = item.handle;
       }}
@@ -183,7 +197,7 @@ export function RowView(props: RowViewProps) {
         onPointerDown={(event) => {
           if (row.isOpen === null) return;
           event.stopPropagation();
-          props.onTwist(item);
+          events.current.onTwist(item);
         }}
       >
         {row.isOpen !== null && <Icon name="chevron-right" small />}
@@ -194,9 +208,9 @@ export function RowView(props: RowViewProps) {
         <Icon name={kindIcon(item, copies > 0)} small />
       )}
       {isRenamed ? (
-        <Name item={item} onDone={props.onRenamed} />
+        <Name item={item} onDone={(goesOn) => events.current.onRenamed(item, goesOn)} />
       ) : (
-        <span class="name" onDblClick={() => props.onRename(item)}>
+        <span class="name" onDblClick={() => events.current.onRename(item)}>
           {item.name}
         </span>
       )}
@@ -210,8 +224,8 @@ export function RowView(props: RowViewProps) {
       {item.blend !== "normal" && <span class="badge">{blendName(item.blend)}</span>}
       {" "}
       {isContainer && <span class="kind">{countWithin(item)}</span>}
-      <Switch item={item} what="locked" {...props} />
-      <Switch item={item} what="hidden" {...props} />
+      <Switch item={item} what="locked" events={events} />
+      <Switch item={item} what="hidden" events={events} />
     </div>
   );
 }

@@ -10,7 +10,7 @@ import { en } from "../../strings/en.js";
 import { useShell } from "../services.js";
 import { Ghost, useRowDrag } from "./drag.js";
 import { treeKeys } from "./keys.js";
-import { RowView } from "./row.js";
+import { RowView, type RowEvents } from "./row.js";
 import { ancestors, rowsOf, type Row } from "./rows.js";
 
 const words = en.layers;
@@ -174,6 +174,24 @@ export function Tree() {
     active.value = item.handle;
     drag.press(item, event);
   };
+  const events = useRef<RowEvents>(null!);
+  events.current = {
+    onPress: press,
+    onTwist: (item) => toggle(open, item.handle),
+    onSweep: (item, what) => sweep(editor, item, what),
+    onToggle: (item, what) =>
+      void editor.run(
+        words.set[what][item[what] ? "off" : "on"],
+        setters[what](editor.drawing, [item.handle], !item[what]),
+      ),
+    onRename: (item) => {
+      renamed.value = item.handle;
+    },
+    onRenamed: (item, goesOn) => {
+      renamed.value = null;
+      if (goesOn) tree.current?.querySelector<HTMLElement>(`#row-${item.handle}`)?.focus();
+    },
+  };
   return (
     <div
       class="tree"
@@ -204,23 +222,7 @@ export function Tree() {
               isDragged={drag.dragged.has(handle)}
               isTarget={drag.drop?.kind === "into" && drag.drop.row === index}
               isRenamed={renamed.value === handle}
-              onTwist={(item) => toggle(open, item.handle)}
-              onPress={press}
-              onSweep={(item, what) => sweep(editor, item, what)}
-              onToggle={(item, what) =>
-                void editor.run(
-                  words.set[what][item[what] ? "off" : "on"],
-                  setters[what](editor.drawing, [item.handle], !item[what]),
-                )
-              }
-              onRename={(item) => {
-                renamed.value = item.handle;
-              }}
-              onRenamed={(goesOn) => {
-                renamed.value = null;
-                if (goesOn)
-                  tree.current?.querySelector<HTMLElement>(`#row-${handle}`)?.focus();
-              }}
+              events={events}
             />
           );
         })}
