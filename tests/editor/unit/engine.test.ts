@@ -185,6 +185,32 @@ describe.skipIf(!hasModule).each(ways)("the engine $way", ({ mostInFront }) => {
     expect(new Set(exact).size).toBe(mostInFront === 0 ? 2 : 1);
   });
 
+  it("knows the curves of the text that rests, also where nothing moved any more", async () => {
+    open();
+    page.show(drawing(70), false);
+    await page.exact();
+    page.show(drawing(80), true, [pointsFor(80)]);
+    await page.exact();
+    page.isExact = false;
+    const serial = page.engine.show(drawing(80), false, []);
+    await page.exact();
+    expect(page.engine.index.serial).toBe(serial);
+    expect(page.engine.index.curves.map(({ offset }) => drawing(80).slice(offset, offset + 5))).toEqual(Array(3).fill("<path"));
+  });
+
+  it("leaves alone what has only moved in the stack", async () => {
+    const { host, exact } = watchedHost();
+    open(host);
+    const [head, first, second, tail] = drawing(70).split(/(?=  <g )|(?=<.svg>)/);
+    page.show(drawing(70), false);
+    await page.exact();
+    await page.until(() => new Set(exact).size === (mostInFront === 0 ? 2 : 1));
+    const text = [head, second, first, tail].join("");
+    page.show(text, false);
+    await page.exact();
+    await expectSolved(page, text, 512);
+  });
+
   it("is exact in the end whatever comes when", async () => {
     open();
     let state = 7;

@@ -225,7 +225,8 @@ export class WorkerEngine implements Engine {
 
   async #settleFront(seat: Seat, wanted: Wanted, options: SolveOptions): Promise<void> {
     try {
-      if (seat.serial !== wanted.serial || seat.isChanged) await this.#bring(seat, wanted, null);
+      // Numbers of its curves are asked for by the text that rests.
+      if (seat.readSerial !== wanted.serial || seat.isChanged) await this.#bring(seat, wanted, null);
       const solved = await this.#solve(seat, { kind: "exact" }, options);
       if (this.#wanted === wanted) this.#publishExact(solved, wanted, options);
     } catch (error) {
