@@ -52,20 +52,26 @@ function nested(items: readonly StackItem[]): StackItem[] {
   return items.filter((item) => (item.kind !== "begin" && item.kind !== "end") || whole.has(item));
 }
 
-/** A word for what items look like, apart from the tables of their layers. */
-export function lookOf(items: readonly StackItem[]): string {
-  const words = items.map((item) => {
-    if (item.kind === "stroke") {
-      const { segments, ...rest } = item;
-      const sums = [...segments.coefficient, ...segments.start, ...segments.attribute].map((column) =>
-        column.reduce((sum, value, k) => sum + value * (k + 1), 0),
-      );
-      return [rest, sums];
-    }
-    return item;
-  });
-  return JSON.stringify(words);
+/** Items do not change: what each looks like is said once. */
+const looks = new WeakMap<StackItem, string>();
+
+function wordOf(item: StackItem): string {
+  if (item.kind !== "stroke") return JSON.stringify(item);
+  const { segments, ...rest } = item;
+  const sums = [...segments.coefficient, ...segments.start, ...segments.attribute].map((column) =>
+    column.reduce((sum, value, k) => sum + value * (k + 1), 0),
+  );
+  return JSON.stringify([rest, sums]);
 }
+
+function lookOfOne(item: StackItem): string {
+  const look = looks.get(item) ?? wordOf(item);
+  looks.set(item, look);
+  return look;
+}
+
+/** A word for what items look like, apart from the tables of their layers. */
+export const lookOf = (items: readonly StackItem[]): string => items.map(lookOfOne).join();
 
 /** Parts by their items; none where the document's order is not the stack's: the text is another one. */
 export function partsOf(editor: Editor, stack: readonly StackItem[]): ReadonlyMap<Item, Part> {
