@@ -156,7 +156,10 @@ export class Renderer {
     gl.blendFunc(gl.ONE, gl.ONE);
     gl.drawArrays(gl.TRIANGLES, 0, 3);
     this.added += 1;
-    if (this.added === SHIFTS.length) this.present(frame, mean.texture);
+    if (this.added === SHIFTS.length) {
+      this.present(frame, mean.texture);
+      targets.rest();
+    }
     this.markWork();
   }
 

@@ -151,6 +151,10 @@ export class Target {
   }
 }
 
+/** Names of targets, the largest ones. */
+const SUMS = "sums";
+const MEAN = "mean";
+
 /** Targets of one size, made when they are first wanted. */
 export class Targets {
   /**
@@ -175,6 +179,14 @@ export class Targets {
   free() {
     for (const target of this.made.values()) target.free();
     this.made.clear();
+  }
+
+  /** Gives back what only work needs: nothing of it is kept from frame to frame. */
+  rest() {
+    for (const name of [SUMS, MEAN]) {
+      this.made.get(name)?.free();
+      this.made.delete(name);
+    }
   }
 
   /** @returns {Rect} */
@@ -210,7 +222,7 @@ export class Targets {
 
   /** Where local curves are added up. */
   sums() {
-    return this.get("sums", this.abilities.floatSums ? this.gl.RGBA32F : this.format, 0);
+    return this.get(SUMS, this.abilities.floatSums ? this.gl.RGBA32F : this.format, 0);
   }
 
   /**
@@ -224,7 +236,7 @@ export class Targets {
   /** Where pictures are added up to a finer one. */
   mean() {
     const { gl, abilities } = this;
-    return this.get("mean", abilities.floatSums ? gl.RGBA32F : gl.RGBA16F, 0);
+    return this.get(MEAN, abilities.floatSums ? gl.RGBA32F : gl.RGBA16F, 0);
   }
 
   /** The lines of the mesh. */
