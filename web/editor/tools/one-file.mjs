@@ -33,6 +33,7 @@ async function unpackScript() {
   const { output } = await build({
     configFile: false,
     logLevel: "warn",
+    worker: { format: "iife" },
     build: { write: false, target: "es2022", modulePreload: false, rolldownOptions: { input: here("unpack.ts") } },
   });
   return output[0].code.trim();

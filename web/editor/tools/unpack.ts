@@ -1,5 +1,6 @@
-// Stands in build/editor.html before everything else: unpacks the style and the script that the page
-// holds, and runs them. The page's policy knows both by their hashes.
+// Stands in build/editor.html before everything else: has the module unpacked, unpacks the style and the
+// script that the page holds, and runs them. The page's policy knows both by their hashes.
+import { beginModule } from "../src/engine/module.file.js";
 import { takePacked, unpacked } from "../src/engine/packed.js";
 
 /** Some servers say that every page is UTF-8, which loses the packed bytes: they are read once more. */
@@ -19,6 +20,7 @@ function insert(name: string, id: string, attributes: object = {}) {
 
 try {
   if (document.characterSet !== "windows-1252") await readAgain();
+  beginModule();
   insert("style", "packed-style");
   insert("script", "packed-script", { type: "module" });
 } catch {

@@ -16,7 +16,7 @@ export function bytesOfText(text: string): Uint8Array {
   let shift = 0;
   for (let i = 0; i < text.length; i += 1) {
     const code = text.charCodeAt(i);
-    const byte = code < 128 ? code : (byteOf.get(code) ?? code);
+    const byte = code < 256 ? code : byteOf.get(code)!;
     if (byte === ESCAPE && shift === 0) {
       shift = SHIFT;
       continue;
