@@ -26,8 +26,16 @@ export class Rows<Data extends Numbers> {
     return this.#data.subarray(0, this.#length) as Data;
   }
 
-  /** @param given the ranges' rows, one behind the other; @throws RangeError where they do not fit */
+  /**
+   * @param given the ranges' rows, one behind the other: its own from now on
+   * @throws RangeError where they do not fit
+   */
   change(rows: number, ranges: RowRanges, given: Data): void {
+    if (ranges.length === 1 && ranges[0][0] === 0 && given.length === rows * this.columns) {
+      this.#data = given;
+      this.#length = given.length;
+      return;
+    }
     this.#resize(rows * this.columns);
     let at = 0;
     for (const [from, to] of ranges) {
@@ -40,9 +48,7 @@ export class Rows<Data extends Numbers> {
   #resize(length: number) {
     this.#length = length;
     if (length <= this.#data.length) return;
-    // What never changes gets no room.
-    const isFirst = this.#data.length === 0;
-    const larger = this.#make(isFirst ? length : Math.ceil(length * (1 + SPARE)));
+    const larger = this.#make(Math.ceil(length * (1 + SPARE)));
     larger.set(this.#data as never);
     this.#data = larger;
   }
