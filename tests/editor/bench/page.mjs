@@ -3,8 +3,8 @@
 //
 // Opens build/editor.html from disk in Chromium. Of each scene: how long the first picture takes after a
 // cold start, the engine's own time and the way of its answer to the page for the frames of a drag of one
-// node, the main thread's script for each movement of a drag, a pan and a hover, and for undo, and
-// memory. Beside what is required. Scenes are those of frame.mjs; those of Orzan's are opened as they are.
+// node, the main thread's script (CPU time) for each movement of a drag, a pan and a hover, and for undo,
+// and memory. Beside what is required. Scenes are those of frame.mjs; those of Orzan's are opened as they are.
 // --strict: exit with 1 where a figure is more than 20 % above what is required.
 import { loadavg } from "node:os";
 import { basename } from "node:path";
@@ -48,7 +48,7 @@ const CATEGORIES = ["devtools.timeline", "disabled-by-default-devtools.timeline"
 /** Where the browser calls script. Frames of animation, where WebGL draws, are apart. */
 const CALLS = new Set(["EventDispatch", "RunMicrotasks", "FunctionCall", "TimerFire", "v8.callFunction", "HandlePostMessage"]);
 
-/** Intervals of script, none within another, of the page's main thread; microseconds. */
+/** Script of the page's main thread, no call within another: when, and its CPU time; microseconds. */
 function scriptOf(events) {
   const main = events.find(({ name, args }) => name === "thread_name" && args.name === "CrRendererMain");
   const own = events
@@ -56,17 +56,17 @@ function scriptOf(events) {
     .sort((a, b) => a.ts - b.ts || b.dur - a.dur);
   const calls = [];
   let end = -Infinity;
-  for (const { name, ts, dur } of own) {
+  for (const { name, ts, dur, tdur } of own) {
     if (ts < end) continue;
     if (name === "FireAnimationFrame") end = ts + dur;
     if (!CALLS.has(name)) continue;
-    calls.push({ ts, dur });
+    calls.push({ ts, cpu: tdur ?? dur });
     end = ts + dur;
   }
   return calls;
 }
 
-/** Of each step, the milliseconds of script from its beginning to the next one's. */
+/** Of each step, the CPU milliseconds of script from its beginning to the next one's. */
 async function scriptOfSteps(editor, browser, steps) {
   await browser.startTracing(editor.page, { categories: CATEGORIES });
   for (const [i, step] of steps.entries()) {
@@ -80,9 +80,9 @@ async function scriptOfSteps(editor, browser, steps) {
   const stamps = events.filter(({ name, args }) => name === "TimeStamp" && /^step /.test(args?.data?.message ?? ""));
   const times = stamps.map(({ ts }) => ts).sort((a, b) => a - b);
   const sums = times.map(() => 0);
-  for (const { ts, dur } of scriptOf(events)) {
+  for (const { ts, cpu } of scriptOf(events)) {
     const step = times.findLastIndex((time) => time <= ts);
-    if (step >= 0) sums[step] += dur / 1000;
+    if (step >= 0) sums[step] += cpu / 1000;
   }
   return sums;
 }
