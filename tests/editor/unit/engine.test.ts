@@ -88,6 +88,11 @@ async function expectSolved(page: Page, text: string, width: number) {
   expect(page.layers.length).toBe(expected.length);
   expected.forEach((layer, i) => {
     const have = page.layers[i];
+    const middle = [0, 1].map((axis) => {
+      const along = layer.positions.filter((_, at) => at % 2 === axis);
+      return along.length > 0 ? (Math.min(...along) + Math.max(...along)) / 2 : 0;
+    });
+    expect(have.origin).toEqual(middle);
     const positions = layer.positions.map((value, at) => Math.fround(value - have.origin[at % 2]));
     expect(have.positions).toEqual(Float32Array.from(positions));
     expect(have.triangleVertex).toEqual(layer.triangles);

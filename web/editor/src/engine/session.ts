@@ -14,6 +14,7 @@ import {
   isChanged,
   layerStamp,
   layerUpdate,
+  recentre,
   rowCounts,
   stampOf,
   type Origins,
@@ -215,6 +216,7 @@ export class Session {
       if (before === undefined || isChanged(picture, layer, rows[layer])) {
         // A layer that has only moved in the stack is known by its content.
         const isOther = isExact || isAllNew(picture, layer);
+        if (isOther) recentre(picture, layer, origins);
         stamps[layer] = isOther ? layerStamp(picture, layer) : `${this.#name}.${++this.#serial}`;
         rows[layer] = rowCounts(picture, layer);
       }

@@ -90,6 +90,15 @@ const opacityTables = [Table.opacityNodes, Table.opacityValues] as const;
 /** The frame that a layer's positions are sent in: it stays while deltas follow. */
 export type Origins = Map<number, readonly [number, number]>;
 
+const middleOf = ([x0, y0, x1, y1]: Box) => [(x0 + x1) / 2, (y0 + y1) / 2] as const;
+
+/** Where a layer has left its frame's middle it gets another: the same content is drawn to the same bits. */
+export function recentre(picture: SfumatoPicture, layer: number, origins: Origins): void {
+  const middle = middleOf(boundsOf(look(picture, layer, Table.vertices)));
+  const origin = origins.get(layer);
+  if (origin && middle.some((value, axis) => value !== origin[axis])) origins.delete(layer);
+}
+
 /** A layer as it is, or its new rows where the page has the rest. */
 export function layerUpdate(
   picture: SfumatoPicture,
@@ -98,9 +107,7 @@ export function layerUpdate(
   origins: Origins,
 ): LayerUpdate {
   const bounds = boundsOf(look(picture, layer, Table.vertices));
-  if (isWhole || !origins.has(layer)) {
-    origins.set(layer, [(bounds[0] + bounds[2]) / 2, (bounds[1] + bounds[3]) / 2]);
-  }
+  if (isWhole || !origins.has(layer)) origins.set(layer, middleOf(bounds));
   const origin = origins.get(layer)!;
   const wanted = isWhole ? all : changed(picture, layer);
   const rowsOf = (table: number) => look(picture, layer, table).rows;
